@@ -1,0 +1,160 @@
+"""The shared object: masses, dampers and springs between its nodes and to the ground, and its shape at rest."""
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import final
+
+import numpy as np
+import numpy.typing as npt
+import scipy.sparse as sp
+
+from cotouch.body._checks import Form, Matrix, diagonal, positive, square
+from cotouch.errors import BodyError
+
+Float = npt.NDArray[np.float64]
+
+
+@final
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Body:
+    """A linear deformable object of n nodes in d dimensions: `M a + B v + K (x - x_d) = f` [Lee & Huang 2010, eq. 1-2].
+
+    Every matrix is either n x n ("node" form: the same scalar weight on every axis, `K = K_n ⊗ I_d`) or nd x nd
+    ("full" form, rows ordered node by node: x0, y0, z0, x1, ...). Both forms may be mixed; then all become full.
+
+    Args:
+        mass: M, symmetric positive definite [kg].
+        rest: x_d, the shape at rest, (n, d) or (n,) for one dimension [m].
+        damping_int: dampers between nodes, symmetric positive semidefinite [Ns/m]. None: none.
+        damping_ext: dampers to the ground, diagonal, >= 0 [Ns/m]. None: none.
+        stiffness_int: springs between nodes, symmetric positive semidefinite [N/m]. None: none.
+        stiffness_ext: springs to the ground, diagonal, >= 0 [N/m]. None: none.
+
+    Raises:
+        BodyError: a matrix is not finite, symmetric, definite or of the right size; a node has no mass; the rest shape
+            is not (n, d) with d from 1 to 3.
+
+    Examples:
+        >>> body = Body(mass=[[2.0, 0.0], [0.0, 2.0]], rest=[0.0, 1.0], stiffness_int=[[5.0, -5.0], [-5.0, 5.0]])
+        >>> body.nodes, body.dimension, body.form
+        (2, 1, 'node')
+    """
+
+    mass: sp.csr_array
+    rest: Float
+    damping_int: sp.csr_array
+    damping_ext: sp.csr_array
+    stiffness_int: sp.csr_array
+    stiffness_ext: sp.csr_array
+    form: Form = field(init=False)
+
+    def __init__(
+        self,
+        *,
+        mass: Matrix,
+        rest: npt.ArrayLike,
+        damping_int: Matrix | None = None,
+        damping_ext: Matrix | None = None,
+        stiffness_int: Matrix | None = None,
+        stiffness_ext: Matrix | None = None,
+    ) -> None:
+        shape = _rest_shape(rest)
+        nodes, dimension = shape.shape
+        sizes: dict[int, Form] = {nodes * dimension: "full", nodes: "node"}
+        given = {
+            "mass": mass,
+            "damping_int": damping_int,
+            "damping_ext": damping_ext,
+            "stiffness_int": stiffness_int,
+            "stiffness_ext": stiffness_ext,
+        }
+        matrices = {name: square(name, matrix, sizes=sizes) for name, matrix in given.items() if matrix is not None}
+        full = any(matrix.shape[0] != nodes for matrix in matrices.values())
+        rows = nodes * dimension if full else nodes
+        if full:
+            identity = sp.eye_array(dimension)
+            for name, matrix in matrices.items():
+                if matrix.shape[0] == nodes:
+                    matrices[name] = sp.csr_array(sp.kron(matrix, identity))
+        _check_mass(matrices["mass"], dimension if full else 1)
+        for name in ("damping_int", "stiffness_int"):
+            if name in matrices:
+                positive(name, matrices[name], strictly=False)
+        for name in ("damping_ext", "stiffness_ext"):
+            if name in matrices:
+                diagonal(name, matrices[name])
+        for name in given:
+            object.__setattr__(self, name, matrices.get(name, sp.csr_array((rows, rows), dtype=np.float64)))
+        object.__setattr__(self, "rest", shape)
+        object.__setattr__(self, "form", "full" if full else "node")
+
+    @property
+    def nodes(self) -> int:
+        """Number of nodes n."""
+        return self.rest.shape[0]
+
+    @property
+    def dimension(self) -> int:
+        """Number of axes d, 1 to 3."""
+        return self.rest.shape[1]
+
+    @cached_property
+    def damping(self) -> sp.csr_array:
+        """B = B_int + B_ext in the body's form [Ns/m]."""
+        return sp.csr_array(self.damping_int + self.damping_ext)
+
+    @cached_property
+    def stiffness(self) -> sp.csr_array:
+        """K = K_int + K_ext in the body's form [N/m]."""
+        return sp.csr_array(self.stiffness_int + self.stiffness_ext)
+
+    def as_full(self) -> "Body":
+        """The same body with every matrix nd x nd."""
+        if self.form == "full":
+            return self
+        identity = sp.eye_array(self.dimension)
+        return Body(
+            mass=sp.csr_array(sp.kron(self.mass, identity)),
+            rest=self.rest,
+            damping_int=sp.csr_array(sp.kron(self.damping_int, identity)),
+            damping_ext=sp.csr_array(sp.kron(self.damping_ext, identity)),
+            stiffness_int=sp.csr_array(sp.kron(self.stiffness_int, identity)),
+            stiffness_ext=sp.csr_array(sp.kron(self.stiffness_ext, identity)),
+        )
+
+    def apply(self, matrix: sp.csr_array, field_: npt.ArrayLike) -> Float:
+        """`matrix @ field` for one of the body's own matrices and a field of shape (..., n, d)."""
+        values = np.asarray(field_, dtype=np.float64)
+        if self.form == "full":
+            flat = values.reshape(-1, self.nodes * self.dimension)
+            return np.asarray(matrix @ flat.T).T.reshape(values.shape)
+        moved = np.moveaxis(values, -2, 0)
+        return np.moveaxis(np.asarray(matrix @ moved.reshape(self.nodes, -1)).reshape(moved.shape), 0, -2)
+
+
+def _rest_shape(rest: npt.ArrayLike) -> Float:
+    try:
+        shape = np.array(rest, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise BodyError(f"rest is not an array of positions ({error}); give n rows of 1 to 3 coordinates") from error
+    if shape.ndim == 1:
+        shape = shape[:, None]
+    if shape.ndim != 2 or shape.shape[0] < 1 or not 1 <= shape.shape[1] <= 3:
+        extents = " x ".join(str(extent) for extent in shape.shape) or "a single number"
+        raise BodyError(f"rest is {extents}; it must be n x d, with at least one node and d from 1 to 3")
+    bad = np.argwhere(~np.isfinite(shape))
+    if bad.size:
+        node, axis = bad[0]
+        raise BodyError(f"rest[{node}, {axis}] is {shape[node, axis]}; every coordinate must be a finite number")
+    shape.setflags(write=False)
+    return shape
+
+
+def _check_mass(mass: sp.csr_array, rows_per_node: int) -> None:
+    own = mass.diagonal()
+    bad = np.flatnonzero(own <= 0.0)
+    if bad.size:
+        row = int(bad[0])
+        node = row // rows_per_node + 1
+        raise BodyError(f"node {node} has mass {own[row]:.9g} (mass[{row}, {row}]); every node needs a mass > 0")
+    positive("mass", mass, strictly=True)

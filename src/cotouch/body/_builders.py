@@ -1,0 +1,184 @@
+"""Bodies from a few numbers: a point, a chain, a lattice."""
+
+from collections.abc import Sequence
+from typing import Literal, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+import scipy.sparse as sp
+
+from cotouch.body._body import Body
+from cotouch.errors import BodyError
+
+# Which nodes the ground holds: a list of node indices, all, or the faces of the box ("x-" has the smallest x).
+Ground: TypeAlias = Sequence[int] | Literal["none", "all", "x-", "x+", "y-", "y+", "z-", "z+"]
+
+_REACH = {6: 1, 18: 2, 26: 3}  # how many coordinates two neighbours may differ in
+
+
+def point(
+    *,
+    mass: float = 1.0,
+    damping: float = 0.0,
+    stiffness: float = 0.0,
+    rest: float | Sequence[float] = 0.0,
+) -> Body:
+    """One node, held to the ground by a damper and a spring.
+
+    Args:
+        mass: [kg], > 0.
+        damping: to the ground [Ns/m], >= 0.
+        stiffness: to the ground [N/m], >= 0.
+        rest: where the spring is relaxed, a number or 1 to 3 coordinates [m].
+
+    Raises:
+        BodyError: a value is not finite or out of its range.
+    """
+    _at_least_zero(damping=damping, stiffness=stiffness)
+    return Body(
+        mass=[[mass]],
+        rest=np.atleast_1d(np.asarray(rest, dtype=np.float64))[None, :],
+        damping_ext=[[damping]],
+        stiffness_ext=[[stiffness]],
+    )
+
+
+def chain(
+    nodes: int,
+    *,
+    mass: float = 1.0,
+    stiffness: float = 100.0,
+    damping: float = 0.0,
+    spacing: float = 0.01,
+    dimension: int = 1,
+    ground: Ground = "none",
+    ground_stiffness: float = 0.0,
+    ground_damping: float = 0.0,
+) -> Body:
+    """Nodes along x, each joined to the next.
+
+    Args:
+        nodes: how many, >= 1.
+        mass: of the whole body, shared equally [kg].
+        stiffness: of each spring between neighbours [N/m].
+        damping: of each damper between neighbours [Ns/m].
+        spacing: between neighbours at rest [m].
+        dimension: number of axes, 1 to 3.
+        ground: which nodes are held: indices, "none", "all", or a face such as "x-".
+        ground_stiffness: of each held node [N/m].
+        ground_damping: of each held node [Ns/m].
+
+    Raises:
+        BodyError: a value is out of its range.
+    """
+    shape = (nodes, 1, 1)[: max(dimension, 1)]
+    return lattice(
+        shape,
+        mass=mass,
+        stiffness=stiffness,
+        damping=damping,
+        spacing=spacing,
+        ground=ground,
+        ground_stiffness=ground_stiffness,
+        ground_damping=ground_damping,
+    )
+
+
+def lattice(
+    shape: Sequence[int],
+    *,
+    neighbours: Literal[6, 18, 26] = 6,
+    mass: float = 1.0,
+    stiffness: float = 100.0,
+    damping: float = 0.0,
+    spacing: float = 0.01,
+    ground: Ground = "none",
+    ground_stiffness: float = 0.0,
+    ground_damping: float = 0.0,
+) -> Body:
+    """A box of nodes on a regular grid, each joined to its 6, 18 or 26 neighbours (fewer axes: the same rule).
+
+    Node (a, b, c) has index `(a * shape[1] + b) * shape[2] + c`; the grid starts at the origin.
+
+    Args:
+        shape: number of nodes along each of 1 to 3 axes.
+        neighbours: 6 (along the axes), 18 (and across faces) or 26 (and across the cube).
+        mass: of the whole body, shared equally [kg].
+        stiffness: of each spring [N/m]; the force is along the displacement, so weights stay scalar per node.
+        damping: of each damper [Ns/m].
+        spacing: of the grid [m].
+        ground: which nodes are held: indices, "none", "all", or a face such as "z-".
+        ground_stiffness: of each held node [N/m].
+        ground_damping: of each held node [Ns/m].
+
+    Raises:
+        BodyError: a value is out of its range.
+    """
+    extents = tuple(int(extent) for extent in shape)
+    if not 1 <= len(extents) <= 3 or min(extents) < 1:
+        raise BodyError(f"the lattice's shape is {tuple(shape)}; it must be 1 to 3 whole numbers of at least 1")
+    if neighbours not in _REACH:
+        raise BodyError(f"neighbours is {neighbours}; it must be 6, 18 or 26")
+    if not (np.isfinite(spacing) and spacing > 0.0):
+        raise BodyError(f"spacing is {spacing}; it must be more than 0 m")
+    _at_least_zero(
+        stiffness=stiffness, damping=damping, ground_stiffness=ground_stiffness, ground_damping=ground_damping
+    )
+    count = int(np.prod(extents))
+    grid = np.stack(np.meshgrid(*[np.arange(extent) for extent in extents], indexing="ij"), axis=-1)
+    places = grid.reshape(count, len(extents))
+    laplacian = _laplacian(places, extents, _REACH[neighbours])
+    held = np.zeros(count)
+    held[_held(ground, places, extents)] = 1.0
+    return Body(
+        mass=sp.diags_array(np.full(count, mass / count)),
+        rest=places * spacing,
+        damping_int=laplacian * damping,
+        damping_ext=sp.diags_array(held * ground_damping),
+        stiffness_int=laplacian * stiffness,
+        stiffness_ext=sp.diags_array(held * ground_stiffness),
+    )
+
+
+def _laplacian(places: npt.NDArray[np.int64], extents: tuple[int, ...], reach: int) -> sp.csr_array:
+    """Unit-weight Laplacian of the grid; neighbours differ by at most 1 on each axis and on at most `reach` axes."""
+    count = places.shape[0]
+    starts: list[npt.NDArray[np.int64]] = []
+    ends: list[npt.NDArray[np.int64]] = []
+    for offset in np.ndindex(*(3,) * len(extents)):
+        move = np.array(offset) - 1
+        first = next((step for step in move if step), 0)
+        if first <= 0 or np.count_nonzero(move) > reach:  # each pair once: the first change is upwards
+            continue
+        target = places + move
+        inside = np.flatnonzero(np.all((target >= 0) & (target < extents), axis=1))
+        starts.append(inside)
+        ends.append(np.ravel_multi_index(tuple(target[inside].T), extents).astype(np.int64))
+    i = np.concatenate(starts) if starts else np.zeros(0, np.int64)
+    j = np.concatenate(ends) if ends else np.zeros(0, np.int64)
+    ones = np.ones(i.size)
+    rows, columns = np.concatenate([i, j, i, j]), np.concatenate([j, i, i, j])
+    return sp.csr_array((np.concatenate([-ones, -ones, ones, ones]), (rows, columns)), shape=(count, count))
+
+
+def _held(ground: Ground, places: npt.NDArray[np.int64], extents: tuple[int, ...]) -> npt.NDArray[np.intp]:
+    count = places.shape[0]
+    if isinstance(ground, str):
+        if ground in {"none", "all"}:
+            return np.arange(count if ground == "all" else 0)
+        axis = "xyz".find(ground[:1])
+        if len(ground) == 2 and 0 <= axis < len(extents) and ground[1] in "-+":
+            return np.flatnonzero(places[:, axis] == (0 if ground[1] == "-" else extents[axis] - 1))
+        faces = ", ".join(f'"{name}-", "{name}+"' for name in "xyz"[: len(extents)])
+        raise BodyError(f'ground is "{ground}"; it must be node indices, "none", "all" or a face: {faces}')
+    indices = np.asarray(list(ground), dtype=np.int64)
+    bad = np.flatnonzero((indices < 0) | (indices >= count))
+    if bad.size:
+        raise BodyError(f"ground names node index {indices[bad[0]]}; this body has nodes 0 to {count - 1}")
+    return indices
+
+
+def _at_least_zero(**values: float) -> None:
+    for name, value in values.items():
+        if not (np.isfinite(value) and value >= 0.0):
+            raise BodyError(f"{name} is {value}; it must be a finite number of at least 0")
