@@ -1,7 +1,7 @@
 """Bodies from a few numbers: a point, a chain, a lattice."""
 
 from collections.abc import Sequence
-from typing import Literal, TypeAlias
+from typing import Any, Literal, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -143,8 +143,8 @@ def lattice(
 def _laplacian(places: npt.NDArray[np.int64], extents: tuple[int, ...], reach: int) -> sp.csr_array:
     """Unit-weight Laplacian of the grid; neighbours differ by at most 1 on each axis and on at most `reach` axes."""
     count = places.shape[0]
-    starts: list[npt.NDArray[np.int64]] = []
-    ends: list[npt.NDArray[np.int64]] = []
+    starts: list[npt.NDArray[Any]] = []
+    ends: list[npt.NDArray[Any]] = []
     for offset in np.ndindex(*(3,) * len(extents)):
         move = np.array(offset) - 1
         first = next((step for step in move if step), 0)
@@ -153,7 +153,7 @@ def _laplacian(places: npt.NDArray[np.int64], extents: tuple[int, ...], reach: i
         target = places + move
         inside = np.flatnonzero(np.all((target >= 0) & (target < extents), axis=1))
         starts.append(inside)
-        ends.append(np.ravel_multi_index(tuple(target[inside].T), extents).astype(np.int64))
+        ends.append(np.asarray(np.ravel_multi_index(tuple(target[inside].T), extents)))
     i = np.concatenate(starts) if starts else np.zeros(0, np.int64)
     j = np.concatenate(ends) if ends else np.zeros(0, np.int64)
     ones = np.ones(i.size)

@@ -1,0 +1,52 @@
+"""How a body moves, passively: the compiled step and what it needs."""
+
+from cotouch.mechanics._kernel import kernel
+from cotouch.mechanics._model import Basis, Model, model
+from cotouch.mechanics._operator import Operator, multiply
+from cotouch.mechanics._step import (
+    BODY_LOSS,
+    BOOKS,
+    ELASTIC,
+    EXTRA_LOSS,
+    ITERATIONS,
+    KINETIC,
+    LOCAL_LOSS,
+    SUPPLIED,
+    Grips,
+    Links,
+    State,
+    Workspace,
+    settle,
+    step,
+    workspace,
+)
+from cotouch.mechanics._vector import at, load, splat, store, total
+
+__all__ = [
+    "BODY_LOSS",
+    "BOOKS",
+    "ELASTIC",
+    "EXTRA_LOSS",
+    "ITERATIONS",
+    "KINETIC",
+    "LOCAL_LOSS",
+    "SUPPLIED",
+    "Basis",
+    "Grips",
+    "Links",
+    "Model",
+    "Operator",
+    "State",
+    "Workspace",
+    "at",
+    "kernel",
+    "load",
+    "model",
+    "multiply",
+    "settle",
+    "splat",
+    "step",
+    "store",
+    "total",
+    "workspace",
+]

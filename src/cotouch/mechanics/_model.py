@@ -1,0 +1,223 @@
+"""A body made ready for the kernels: in its own basis, or in the modal basis where everything commutes."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal, final
+
+import numpy as np
+import numpy.typing as npt
+import scipy.linalg as la
+import scipy.sparse as sp
+
+from cotouch.body import Body, Matrix
+from cotouch.errors import BodyError, UnsupportedError
+from cotouch.mechanics._operator import MASS, STIFFNESS, WEIGHTS, Operator, mixed
+from cotouch.mechanics._vector import WIDTHS
+
+Float = npt.NDArray[np.float64]
+Basis = Literal["auto", "nodal", "modal"]
+
+# Up to this many rows "auto" tries the modal basis: its dense eigenvectors then cost well under a second to find, and
+# reading a node's position (one row of them) stays cheaper than the iterations that it saves.
+_MODAL_ROWS = 600
+# How far from diagonal a matrix may be in the modal basis, relative to its largest entry there, to count as commuting.
+_COMMUTES = 1e-11
+
+
+@final
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Model:
+    """A body and its link weights in the form that `step` works on.
+
+    Make it with `model`.
+
+    Attributes:
+        body: the body.
+        operator: its matrices for the kernels.
+        modes: columns are the modes in the body's own rows, (rows, rows); None in the nodal basis.
+        inverse: the inverse of `modes`; None in the nodal basis.
+    """
+
+    body: Body
+    operator: Operator
+    modes: Float | None
+    inverse: Float | None
+
+    @property
+    def basis(self) -> Literal["nodal", "modal"]:
+        """Which basis the rows are in."""
+        return "nodal" if self.modes is None else "modal"
+
+    @property
+    def full(self) -> bool:
+        """Whether each axis of a node has a row of its own."""
+        return self.operator_rows != self.body.nodes or (self.body.form == "full")
+
+    @property
+    def operator_rows(self) -> int:
+        """Number of rows."""
+        return self.operator.mass.size
+
+    @property
+    def width(self) -> int:
+        """Columns of a field in the kernels: 1, 2 or 4."""
+        return 1 if self.full else next(w for w in WIDTHS if w >= self.body.dimension)
+
+    @property
+    def lanes(self) -> tuple[int, ...]:
+        """The width as kernels want it."""
+        return (0,) * self.width
+
+    def to_rows(self, field: npt.ArrayLike) -> Float:
+        """A displacement, velocity or force-free field (n, d) in the kernels' rows, (rows, width)."""
+        values = np.asarray(field, dtype=np.float64).reshape(self.body.nodes, self.body.dimension)
+        rows = values.reshape(-1, 1) if self.full else values
+        if self.inverse is not None:
+            rows = self.inverse @ rows
+        out = np.zeros((self.operator_rows, self.width))
+        out[:, : rows.shape[1]] = rows
+        return out
+
+    def to_nodes(self, rows: Float) -> Float:
+        """The inverse of `to_rows`: (rows, width) to (n, d)."""
+        columns = rows[:, :1] if self.full else rows[:, : self.body.dimension]
+        if self.modes is not None:
+            columns = self.modes @ columns
+        return columns.reshape(self.body.nodes, self.body.dimension)
+
+    def port_rows(self, node: int) -> npt.NDArray[np.int32]:
+        """Rows of the body's own basis that hold a node: one, or one for each axis in the full form."""
+        axes = self.body.dimension if self.full else 1
+        return (node * axes + np.arange(axes)).astype(np.int32)
+
+    def port_shapes(self, rows: npt.NDArray[np.int32]) -> Float:
+        """The row vectors by which ports read the kernels' rows: empty (0, rows) where they are unit vectors."""
+        if self.modes is None:
+            return np.zeros((0, self.operator_rows))
+        return np.ascontiguousarray(self.modes[rows])
+
+
+def model(body: Body, *, copies: int = 1, weights: Sequence[Matrix] = (), basis: Basis = "auto") -> Model:
+    """Makes a body ready for the kernels.
+
+    Args:
+        body: the shared object.
+        copies: N; each copy carries 1/N of mass, damping and stiffness [Lee & Huang 2010, eq. 3].
+        weights: link weights W_1, W_2, ... besides the identity W_0: n x n, nd x nd, or (for anisotropic springs that
+            are the same at every node) d x d.
+        basis: "nodal" solves by conjugate gradients; "modal" needs M, B, K and all weights to be diagonal in one
+            basis, where the solve is a division; "auto" takes the modal one where it exists and pays.
+
+    Raises:
+        BodyError: a weight does not fit the body.
+        UnsupportedError: basis "modal" where the matrices do not commute.
+    """
+    if copies < 1:
+        raise BodyError(f"copies is {copies}; there must be at least 1 user")
+    fitted = [_fit(body, index, weight) for index, weight in enumerate(weights, start=1)]
+    if body.form == "node" and any(full for _, full in fitted):
+        body = body.as_full()
+        fitted = [_fit(body, index, weight) for index, weight in enumerate(weights, start=1)]
+    rows = body.mass.shape[0]
+    matrices = [body.mass, body.damping, body.stiffness, sp.eye_array(rows, format="csr"), *(m for m, _ in fitted)]
+    plain = Model(body=body, operator=_operator(matrices, copies), modes=None, inverse=None)
+    if basis == "nodal" or (basis == "auto" and (plain.operator.entries.shape[0] == 0 or rows > _MODAL_ROWS)):
+        return plain
+    changed = _modal(body, matrices, copies)
+    if isinstance(changed, Model):
+        return changed
+    if basis == "modal":
+        raise UnsupportedError(f'basis is "modal", but {changed}; use "nodal" or "auto"')
+    return plain
+
+
+def _fit(body: Body, index: int, weight: Matrix) -> tuple[sp.csr_array, bool]:
+    """A weight in rows of the body, and whether it needs the full form."""
+    csr = sp.csr_array(weight if sp.issparse(weight) else np.atleast_2d(np.asarray(weight, dtype=np.float64)))
+    n, d = body.nodes, body.dimension
+    size = csr.shape[0]
+    if size == n * d and d > 1 and size != n:
+        return csr, True
+    if size == n and not (n == d and d > 1):
+        return (sp.csr_array(sp.kron(csr, sp.eye_array(d))) if body.form == "full" else csr), False
+    if size == d and n != d:
+        return sp.csr_array(sp.kron(sp.eye_array(n), csr)), True
+    wanted = " or ".join(dict.fromkeys(f"{s} x {s}" for s in ((n * d,) if n == d else (n, d, n * d))))
+    raise BodyError(f"link weight {index} is {size} x {csr.shape[1]}; for this body it must be {wanted}")
+
+
+def _operator(matrices: list[sp.csr_array], copies: int) -> Operator:
+    """Splits matrices into diagonals and shared off-diagonal families."""
+    rows = matrices[0].shape[0]
+    off: list[sp.csr_array] = []
+    for matrix in matrices:
+        rest = sp.csr_array(matrix - sp.diags_array(matrix.diagonal()))
+        rest.eliminate_zeros()
+        off.append(rest)
+    pattern = sp.csr_array(sum((abs(m) for m in off[1:]), start=abs(off[0])))
+    pattern.sort_indices()
+    # Adding 1 at every place of the pattern keeps each matrix's zeros stored, so that all have the same entry order.
+    ones = sp.csr_array((np.ones(pattern.nnz), pattern.indices, pattern.indptr), shape=pattern.shape)
+    values: list[Float] = []
+    for matrix in off:
+        padded = sp.csr_array(ones * 1.0)
+        padded.data = np.asarray(matrix[ones.nonzero()]).ravel() if matrix.nnz else np.zeros(pattern.nnz)
+        values.append(padded.data.astype(np.float64))
+    families: list[Float] = []
+    mix = np.zeros((len(matrices), len(matrices)))
+    # Springs first: their family is then exact and the others are multiples of it.
+    order = [STIFFNESS, *(q for q in range(len(matrices)) if q != STIFFNESS)]
+    for q in order:
+        if not np.any(values[q]):
+            continue
+        for f, family in enumerate(families):
+            ratio = float(values[q] @ family) / float(family @ family)
+            if np.abs(values[q] - ratio * family).max() <= 1e-14 * np.abs(values[q]).max():
+                mix[q, f] = ratio
+                break
+        else:
+            mix[q, len(families)] = 1.0
+            families.append(values[q])
+    diagonals = [np.ascontiguousarray(matrix.diagonal(), dtype=np.float64) for matrix in matrices]
+    return Operator(
+        share=1.0 / copies,
+        mass=diagonals[0],
+        damping=diagonals[1],
+        stiffness=diagonals[2],
+        weight=np.ascontiguousarray(np.stack(diagonals[WEIGHTS:])),
+        pointer=pattern.indptr.astype(np.int32) if families else np.zeros(rows + 1, np.int32),
+        column=pattern.indices.astype(np.int32) if families else np.zeros(0, np.int32),
+        entries=np.ascontiguousarray(np.stack(families)) if families else np.zeros((0, 0)),
+        mix=np.ascontiguousarray(mix[:, : len(families)]),
+    )
+
+
+def _modal(body: Body, matrices: list[sp.csr_array], copies: int) -> Model | str:
+    """The model in the basis that diagonalises every matrix, or the reason why there is none."""
+    dense = [matrix.toarray() for matrix in matrices]
+    mass = dense[MASS]
+    # One matrix with generic coefficients splits eigenspaces that K alone leaves open; sizes are evened out first.
+    mixture = np.zeros_like(mass)
+    for q, matrix in enumerate(dense[1:], start=1):
+        size = np.abs(matrix).max()
+        if size > 0.0:
+            mixture += matrix * (np.sqrt(q + 1.0) / size)
+    _, modes = la.eigh(mixture, mass)
+    names = ["mass", "damping", "stiffness", "the identity link weight"]
+    names += [f"link weight {w}" for w in range(1, len(dense) - WEIGHTS + 1)]
+    diagonals: list[sp.csr_array] = []
+    for name, matrix in zip(names, dense, strict=False):
+        turned = modes.T @ matrix @ modes
+        own = np.diag(turned)
+        if np.abs(turned - np.diag(own)).max() > _COMMUTES * max(np.abs(own).max(), 1e-300):
+            return f"{name} is not diagonal in the basis that diagonalises the others"
+        # What is left below zero is round-off; a negative damping or stiffness would feed energy.
+        diagonals.append(sp.csr_array(sp.diags_array(np.maximum(own, 0.0))))
+    operator = _operator(diagonals, copies)
+    assert not mixed(operator, STIFFNESS)
+    return Model(
+        body=body,
+        operator=operator,
+        modes=np.ascontiguousarray(modes),
+        inverse=np.ascontiguousarray(modes.T @ mass),
+    )

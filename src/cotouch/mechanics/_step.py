@@ -1,0 +1,419 @@
+"""One NPMI step of one user's copy under synchronisation control, and what it did with energy.
+
+Everything that advances a copy calls `step`: the single peer, the simulator of many, live or not.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.mechanics._kernel import kernel
+from cotouch.mechanics._operator import DAMPING, MASS, STIFFNESS, WEIGHTS, Operator, mixed, multiply, row_product
+from cotouch.mechanics._solve import add_ports, conjugate_gradients, divide
+from cotouch.mechanics._vector import at, load, splat, store, total
+
+Float = npt.NDArray[np.float64]
+Int = npt.NDArray[np.int32]
+
+# What a step books, in order. The first four are work during the step [J], the next two energies after it [J].
+SUPPLIED, BODY_LOSS, LOCAL_LOSS, EXTRA_LOSS, KINETIC, ELASTIC, ITERATIONS = range(7)
+BOOKS = 7
+
+# Rows handled together, so that they are still in the first-level cache when each link comes to read them.
+_BLOCK = 64
+
+
+class State(NamedTuple):
+    """Where a copy is; every array (rows, width), positions relative to the rest shape.
+
+    Attributes:
+        position: x - x_d [m].
+        velocity: v [m/s].
+        momentum: M v, kept only where M has entries off the diagonal.
+        tension: K (x - x_d) [N].
+    """
+
+    position: Float
+    velocity: Float
+    momentum: Float
+    tension: Float
+
+
+class Links(NamedTuple):
+    """The springs to the neighbours: K_ij = strength * W_weight, pulling towards the sample in `samples[slot]`.
+
+    Attributes:
+        strength: (links,) [N/m for the identity weight].
+        weight: index of each link's weight, (links,).
+        slot: which sample each link uses, (links,).
+        samples: samples x̃, (slots, rows, width) [m].
+    """
+
+    strength: Float
+    weight: Int
+    slot: npt.NDArray[np.int64]
+    samples: Float
+
+
+class Grips(NamedTuple):
+    """What holds the copy at its ports during the step: `f = k (r̂ - ŷ) + b (ṙ̂ - ẏ̂) + push`, y the port's position.
+
+    Attributes:
+        row: the row that each port holds, (ports,); ignored where `shape` is given.
+        shape: the row vectors h of `y = h x`, (ports, rows); (0, rows) for unit vectors.
+        stiffness: k, (ports,) [N/m].
+        damping: b, (ports,) [Ns/m].
+        start: r at the start of the step, (ports, width) [m].
+        end: r at the end of the step, (ports, width) [m].
+        push: explicit mean force, (ports, width) [N].
+        force: result: mean force of the step, (ports, width) [N].
+    """
+
+    row: Int
+    shape: Float
+    stiffness: Float
+    damping: Float
+    start: Float
+    end: Float
+    push: Float
+    force: Float
+
+
+class Workspace(NamedTuple):
+    """Scratch arrays of one step; sizes as `workspace` makes them."""
+
+    diagonal: Float
+    inverse: Float
+    rhs: Float
+    mean: Float
+    residual: Float
+    direction: Float
+    image: Float
+    stretch: Float
+    values: Float
+    scale: Float
+    gain: Float
+    quadratic: Float
+    port_gain: Float
+    small: Float
+    small_rhs: Float
+
+
+def workspace(op: Operator, width: int, ports: int) -> Workspace:
+    """Scratch arrays for steps with `op` and at most `ports` ports per user."""
+    rows, families, weights = op.mass.size, op.entries.shape[0], op.weight.shape[0]
+    solver = rows if families else 0
+    general = rows if families and np.any(op.mix[WEIGHTS:]) else 0
+    return Workspace(
+        diagonal=np.zeros(rows),
+        inverse=np.zeros(solver),
+        rhs=np.zeros((rows, width)),
+        mean=np.zeros((rows, width)),
+        residual=np.zeros((solver, width)),
+        direction=np.zeros((solver, width)),
+        image=np.zeros((max(solver, general), width)),
+        stretch=np.zeros((general, width)),
+        values=np.zeros(op.column.size if families > 1 else 0),
+        scale=np.zeros(families),
+        gain=np.zeros(weights),
+        quadratic=np.zeros(weights),
+        port_gain=np.zeros(ports),
+        small=np.zeros((ports, ports)),
+        small_rhs=np.zeros((ports, width)),
+    )
+
+
+@kernel
+def step(
+    op: Operator,
+    state: State,
+    links: Links,
+    grips: Grips,
+    local_damping: Float,
+    extra_damping: Float,
+    T: float,
+    sample: int,
+    work: Workspace,
+    books: Float,
+    link_work: Float,
+    tolerance: float,
+    cap: int,
+    lanes: tuple[int, ...],
+) -> None:
+    """Advances one copy by T: solves `A v̂ = b`, then `x⁺ = x + T v̂`, `v⁺ = 2 v̂ - v` [Lee & Huang 2010, eq. 1, 3].
+
+    Args:
+        op: the body's matrices.
+        state: of the copy; changed in place.
+        links: the neighbours' samples.
+        grips: what holds the copy; `force` is written.
+        local_damping: B_i as coefficients over the weights, (weights,).
+        extra_damping: B_e likewise, (weights,).
+        T: length of the step, > 0 [s].
+        sample: slot of `links.samples` that receives x̂, the position at mid-step; negative: none.
+        work: scratch.
+        books: result (BOOKS,): work supplied at the ports and dissipated by body, local and extra damping during the
+            step; kinetic and elastic energy after it [J]; iterations of the solver.
+        link_work: result (links,): work that each link did on this copy [J].
+        tolerance: of the solver.
+        cap: on its iterations.
+        lanes: fixes the width of a row.
+    """
+    _assemble(op, state, links, grips, local_damping, extra_damping, T, work, lanes)
+    books[ITERATIONS] = _solve(op, grips, work, tolerance, cap, lanes)
+    books[SUPPLIED] = _port_work(op, state, grips, T, work.mean, lanes)
+    _move(op, state, links, T, sample, work, link_work, lanes)
+    _book(op, state, local_damping, extra_damping, T, work, books, lanes)
+
+
+@kernel
+def _assemble(
+    op: Operator,
+    state: State,
+    links: Links,
+    grips: Grips,
+    local_damping: Float,
+    extra_damping: Float,
+    T: float,
+    work: Workspace,
+    lanes: tuple[int, ...],
+) -> None:
+    """Diagonal and family scales of `A = (2/T)M/N + B/N + (T/2)K/N + ...`, and the right-hand side."""
+    rows, weights, families = op.mass.shape[0], op.weight.shape[0], op.entries.shape[0]
+    half = 0.5 * T
+    inertia = 2.0 * op.share / T
+    for w in range(weights):
+        work.gain[w] = local_damping[w] + extra_damping[w]
+    for link in range(links.strength.shape[0]):
+        work.gain[links.weight[link]] += half * links.strength[link]
+    for family in range(families):
+        scale = inertia * op.mix[MASS, family] + op.share * op.mix[DAMPING, family]
+        scale += half * op.share * op.mix[STIFFNESS, family]
+        for w in range(weights):
+            scale += work.gain[w] * op.mix[WEIGHTS + w, family]
+        work.scale[family] = scale
+
+    heavy = mixed(op, MASS)
+    for i in range(rows):
+        own = inertia * at(op.mass, i) + op.share * at(op.damping, i) + (half * op.share) * at(op.stiffness, i)
+        for w in range(weights):
+            own += work.gain[w] * op.weight[w, i]
+        work.diagonal[i] = own
+        impulse = load(state.momentum, i, lanes) if heavy else at(op.mass, i) * load(state.velocity, i, lanes)
+        b = inertia * impulse - op.share * load(state.tension, i, lanes)
+        x = load(state.position, i, lanes)
+        for link in range(links.strength.shape[0]):
+            pull = at(links.strength, link) * op.weight[links.weight[link], i]
+            b = b - pull * (x - load(links.samples, links.slot[link] * rows + i, lanes))
+        store(work.rhs, i, b, lanes)
+    for w in range(weights):
+        if mixed(op, WEIGHTS + w):  # what such a weight couples off the diagonal; its diagonal is in already
+            for i in range(rows):
+                stretch = splat(0.0, lanes)
+                for link in range(links.strength.shape[0]):
+                    if links.weight[link] == w:
+                        sample = load(links.samples, links.slot[link] * rows + i, lanes)
+                        stretch = stretch + at(links.strength, link) * (load(state.position, i, lanes) - sample)
+                store(work.stretch, i, stretch, lanes)
+            for i in range(rows):
+                b = load(work.rhs, i, lanes)
+                for family in range(families):
+                    share = op.mix[WEIGHTS + w, family]
+                    if share != 0.0:
+                        b = b - share * row_product(op, family, i, work.stretch, lanes)
+                store(work.rhs, i, b, lanes)
+
+    dense = grips.shape.shape[0] > 0
+    for p in range(grips.stiffness.shape[0]):
+        k, b = grips.stiffness[p], grips.damping[p]
+        work.port_gain[p] = b + half * k
+        start, end = load(grips.start, p, lanes), load(grips.end, p, lanes)
+        wish = (0.5 * k) * (start + end) + (b / T) * (end - start) + load(grips.push, p, lanes)
+        if dense:
+            place = splat(0.0, lanes)
+            for i in range(rows):
+                place = place + grips.shape[p, i] * load(state.position, i, lanes)
+            force = wish - k * place
+            for i in range(rows):
+                store(work.rhs, i, load(work.rhs, i, lanes) + grips.shape[p, i] * force, lanes)
+        else:
+            i = grips.row[p]
+            work.diagonal[i] += work.port_gain[p]
+            force = wish - k * load(state.position, i, lanes)
+            store(work.rhs, i, load(work.rhs, i, lanes) + force, lanes)
+
+
+@kernel
+def _solve(op: Operator, grips: Grips, work: Workspace, tolerance: float, cap: int, lanes: tuple[int, ...]) -> int:
+    families = op.entries.shape[0]
+    if families == 0:
+        divide(work.diagonal, work.rhs, work.mean, lanes)
+        if grips.shape.shape[0] > 0:
+            ports = grips.shape.shape[0]
+            add_ports(
+                work.diagonal,
+                grips.shape,
+                work.port_gain[:ports],
+                work.small,
+                work.small_rhs,
+                work.mean,
+                lanes,
+            )
+        return 0
+    values = op.entries[0]
+    scale = work.scale[0]
+    if families > 1:
+        values = work.values
+        scale = 1.0
+        for e in range(values.shape[0]):
+            value = 0.0
+            for family in range(families):
+                value += work.scale[family] * op.entries[family, e]
+            values[e] = value
+    return conjugate_gradients(
+        op,
+        values,
+        scale,
+        work.diagonal,
+        work.inverse,
+        work.rhs,
+        work.mean,
+        work.residual,
+        work.direction,
+        work.image,
+        tolerance,
+        cap,
+        lanes,
+    )
+
+
+@kernel
+def _port_work(op: Operator, state: State, grips: Grips, T: float, mean: Float, lanes: tuple[int, ...]) -> float:
+    """Mean force at every port, and the work `T v̂ᵀ f` that they did together."""
+    dense = grips.shape.shape[0] > 0
+    supplied = 0.0
+    for p in range(grips.stiffness.shape[0]):
+        place, rate = splat(0.0, lanes), splat(0.0, lanes)
+        if dense:
+            for i in range(op.mass.shape[0]):
+                place = place + grips.shape[p, i] * load(state.position, i, lanes)
+                rate = rate + grips.shape[p, i] * load(mean, i, lanes)
+        else:
+            place, rate = load(state.position, grips.row[p], lanes), load(mean, grips.row[p], lanes)
+        k, b = grips.stiffness[p], grips.damping[p]
+        start, end = load(grips.start, p, lanes), load(grips.end, p, lanes)
+        stretch = 0.5 * (start + end) - (place + (0.5 * T) * rate)
+        slip = (1.0 / T) * (end - start) - rate
+        force = k * stretch + b * slip + load(grips.push, p, lanes)
+        store(grips.force, p, force, lanes)
+        supplied += T * total(force * rate)
+    return supplied
+
+
+@kernel
+def _move(
+    op: Operator,
+    state: State,
+    links: Links,
+    T: float,
+    sample: int,
+    work: Workspace,
+    link_work: Float,
+    lanes: tuple[int, ...],
+) -> None:
+    """New position, velocity and sample; work of every link; `v̂ᵀ W v̂` of every diagonal weight."""
+    rows, weights = op.mass.shape[0], op.weight.shape[0]
+    link_work[:] = 0.0
+    work.quadratic[:] = 0.0
+    for first in range(0, rows, _BLOCK):
+        last = min(first + _BLOCK, rows)
+        for link in range(links.strength.shape[0]):
+            w = links.weight[link]
+            base = links.slot[link] * rows
+            power = splat(0.0, lanes)
+            for i in range(first, last):
+                rate = load(work.mean, i, lanes)
+                middle = load(state.position, i, lanes) + (0.5 * T) * rate
+                power = power + op.weight[w, i] * (rate * (middle - load(links.samples, base + i, lanes)))
+            link_work[link] -= T * links.strength[link] * total(power)
+        for i in range(first, last):
+            rate = load(work.mean, i, lanes)
+            x = load(state.position, i, lanes)
+            if sample >= 0:
+                store(links.samples, sample * rows + i, x + (0.5 * T) * rate, lanes)
+            store(state.position, i, x + T * rate, lanes)
+            store(state.velocity, i, 2.0 * rate - load(state.velocity, i, lanes), lanes)
+            square = total(rate * rate)
+            for w in range(weights):
+                work.quadratic[w] += op.weight[w, i] * square
+    for w in range(weights):
+        if mixed(op, WEIGHTS + w):  # add what the weight couples off the diagonal; x̂ = x⁺ - ½T v̂
+            square = splat(0.0, lanes)
+            for i in range(rows):
+                coupled = splat(0.0, lanes)
+                for family in range(op.entries.shape[0]):
+                    share = op.mix[WEIGHTS + w, family]
+                    if share != 0.0:
+                        coupled = coupled + share * row_product(op, family, i, work.mean, lanes)
+                store(work.image, i, coupled, lanes)
+                square = square + coupled * load(work.mean, i, lanes)
+            work.quadratic[w] += total(square)
+            for link in range(links.strength.shape[0]):
+                if links.weight[link] == w:
+                    power = splat(0.0, lanes)
+                    for i in range(rows):
+                        middle = load(state.position, i, lanes) - (0.5 * T) * load(work.mean, i, lanes)
+                        stretch = middle - load(links.samples, links.slot[link] * rows + i, lanes)
+                        power = power + load(work.image, i, lanes) * stretch
+                    link_work[link] -= T * links.strength[link] * total(power)
+
+
+@kernel
+def _book(
+    op: Operator,
+    state: State,
+    local_damping: Float,
+    extra_damping: Float,
+    T: float,
+    work: Workspace,
+    books: Float,
+    lanes: tuple[int, ...],
+) -> None:
+    """Energies from the new state, losses from the mean velocity; keeps `K x` and `M v` for the next step."""
+    rows, weights, families = op.mass.shape[0], op.weight.shape[0], op.entries.shape[0]
+    heavy, lossy = mixed(op, MASS), mixed(op, DAMPING)
+    kinetic, elastic, lost = splat(0.0, lanes), splat(0.0, lanes), splat(0.0, lanes)
+    for i in range(rows):
+        x, v, rate = load(state.position, i, lanes), load(state.velocity, i, lanes), load(work.mean, i, lanes)
+        tension = at(op.stiffness, i) * x
+        momentum = at(op.mass, i) * v
+        drag = at(op.damping, i) * rate
+        for family in range(families):
+            if op.mix[STIFFNESS, family] != 0.0:
+                tension = tension + op.mix[STIFFNESS, family] * row_product(op, family, i, state.position, lanes)
+            if heavy:
+                momentum = momentum + op.mix[MASS, family] * row_product(op, family, i, state.velocity, lanes)
+            if lossy:
+                drag = drag + op.mix[DAMPING, family] * row_product(op, family, i, work.mean, lanes)
+        store(state.tension, i, tension, lanes)
+        if heavy:
+            store(state.momentum, i, momentum, lanes)
+        kinetic = kinetic + v * momentum
+        elastic = elastic + x * tension
+        lost = lost + rate * drag
+    books[KINETIC] = 0.5 * op.share * total(kinetic)
+    books[ELASTIC] = 0.5 * op.share * total(elastic)
+    books[BODY_LOSS] = T * op.share * total(lost)
+    books[LOCAL_LOSS] = 0.0
+    books[EXTRA_LOSS] = 0.0
+    for w in range(weights):
+        books[LOCAL_LOSS] += T * local_damping[w] * work.quadratic[w]
+        books[EXTRA_LOSS] += T * extra_damping[w] * work.quadratic[w]
+
+
+@kernel
+def settle(op: Operator, state: State, books: Float, lanes: tuple[int, ...]) -> None:
+    """Fills in `K x`, `M v` and the energies of a state that was just set."""
+    books[ELASTIC] = 0.5 * op.share * multiply(op, STIFFNESS, op.stiffness, state.position, state.tension, lanes)
+    books[KINETIC] = 0.5 * op.share * multiply(op, MASS, op.mass, state.velocity, state.momentum, lanes)
