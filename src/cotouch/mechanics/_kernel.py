@@ -32,10 +32,11 @@ def kernel(function: F) -> F:
     numba checks only the file of the function itself when it reads its cache, so a kernel that calls one of another
     file would go on running old physics after an edit there. The stamp therefore covers the sources of all of them.
     """
-    compiled: Any = numba.njit(
-        cache=True, nogil=True, fastmath={"contract"}, error_model="numpy", forceinline=True, _nrt=False
-    )(function)
+    njit: Any = numba.njit
+    compiled = njit(cache=True, nogil=True, fastmath={"contract"}, error_model="numpy", forceinline=True, _nrt=False)(
+        function
+    )
     cache_file = getattr(getattr(compiled, "_cache", None), "_cache_file", None)
     if cache_file is not None and hasattr(cache_file, "_source_stamp"):
-        cache_file._source_stamp = _STAMP  # noqa: SLF001
+        cache_file._source_stamp = _STAMP
     return compiled

@@ -49,7 +49,7 @@ class Operator(NamedTuple):
 @kernel
 def mixed(op: Operator, matrix: int) -> bool:
     """Whether a matrix (a row of `mix`) has anything off the diagonal."""
-    for family in range(op.entries.shape[0]):
+    for family in range(op.entries.shape[0]):  # noqa: SIM110 (kernels have no generators)
         if op.mix[matrix, family] != 0.0:
             return True
     return False

@@ -43,13 +43,19 @@ class State(NamedTuple):
 class Links(NamedTuple):
     """The springs to the neighbours: K_ij = strength * W_weight, pulling towards the sample in `samples[slot]`.
 
+    The arrays may hold the links of many users; those of this copy are `first` to `last - 1`.
+
     Attributes:
+        first: first link of this copy.
+        last: one past its last.
         strength: (links,) [N/m for the identity weight].
         weight: index of each link's weight, (links,).
         slot: which sample each link uses, (links,).
         samples: samples x̃, (slots, rows, width) [m].
     """
 
+    first: int
+    last: int
     strength: Float
     weight: Int
     slot: npt.NDArray[np.int64]
@@ -59,7 +65,11 @@ class Links(NamedTuple):
 class Grips(NamedTuple):
     """What holds the copy at its ports during the step: `f = k (r̂ - ŷ) + b (ṙ̂ - ẏ̂) + push`, y the port's position.
 
+    The arrays may hold the ports of many users; those of this copy are `first` to `last - 1`.
+
     Attributes:
+        first: first port of this copy.
+        last: one past its last.
         row: the row that each port holds, (ports,); ignored where `shape` is given.
         shape: the row vectors h of `y = h x`, (ports, rows); (0, rows) for unit vectors.
         stiffness: k, (ports,) [N/m].
@@ -70,6 +80,8 @@ class Grips(NamedTuple):
         force: result: mean force of the step, (ports, width) [N].
     """
 
+    first: int
+    last: int
     row: Int
     shape: Float
     stiffness: Float
@@ -155,7 +167,7 @@ def step(
         work: scratch.
         books: result (BOOKS,): work supplied at the ports and dissipated by body, local and extra damping during the
             step; kinetic and elastic energy after it [J]; iterations of the solver.
-        link_work: result (links,): work that each link did on this copy [J].
+        link_work: result (links,), this copy's entries: work that each link did on it [J].
         tolerance: of the solver.
         cap: on its iterations.
         lanes: fixes the width of a row.
@@ -185,7 +197,7 @@ def _assemble(
     inertia = 2.0 * op.share / T
     for w in range(weights):
         work.gain[w] = local_damping[w] + extra_damping[w]
-    for link in range(links.strength.shape[0]):
+    for link in range(links.first, links.last):
         work.gain[links.weight[link]] += half * links.strength[link]
     for family in range(families):
         scale = inertia * op.mix[MASS, family] + op.share * op.mix[DAMPING, family]
@@ -203,7 +215,7 @@ def _assemble(
         impulse = load(state.momentum, i, lanes) if heavy else at(op.mass, i) * load(state.velocity, i, lanes)
         b = inertia * impulse - op.share * load(state.tension, i, lanes)
         x = load(state.position, i, lanes)
-        for link in range(links.strength.shape[0]):
+        for link in range(links.first, links.last):
             pull = at(links.strength, link) * op.weight[links.weight[link], i]
             b = b - pull * (x - load(links.samples, links.slot[link] * rows + i, lanes))
         store(work.rhs, i, b, lanes)
@@ -211,7 +223,7 @@ def _assemble(
         if mixed(op, WEIGHTS + w):  # what such a weight couples off the diagonal; its diagonal is in already
             for i in range(rows):
                 stretch = splat(0.0, lanes)
-                for link in range(links.strength.shape[0]):
+                for link in range(links.first, links.last):
                     if links.weight[link] == w:
                         sample = load(links.samples, links.slot[link] * rows + i, lanes)
                         stretch = stretch + at(links.strength, link) * (load(state.position, i, lanes) - sample)
@@ -225,9 +237,10 @@ def _assemble(
                 store(work.rhs, i, b, lanes)
 
     dense = grips.shape.shape[0] > 0
-    for p in range(grips.stiffness.shape[0]):
+    for p in range(grips.first, grips.last):
         k, b = grips.stiffness[p], grips.damping[p]
-        work.port_gain[p] = b + half * k
+        gain = b + half * k
+        work.port_gain[p - grips.first] = gain
         start, end = load(grips.start, p, lanes), load(grips.end, p, lanes)
         wish = (0.5 * k) * (start + end) + (b / T) * (end - start) + load(grips.push, p, lanes)
         if dense:
@@ -239,7 +252,7 @@ def _assemble(
                 store(work.rhs, i, load(work.rhs, i, lanes) + grips.shape[p, i] * force, lanes)
         else:
             i = grips.row[p]
-            work.diagonal[i] += work.port_gain[p]
+            work.diagonal[i] += gain
             force = wish - k * load(state.position, i, lanes)
             store(work.rhs, i, load(work.rhs, i, lanes) + force, lanes)
 
@@ -250,11 +263,12 @@ def _solve(op: Operator, grips: Grips, work: Workspace, tolerance: float, cap: i
     if families == 0:
         divide(work.diagonal, work.rhs, work.mean, lanes)
         if grips.shape.shape[0] > 0:
-            ports = grips.shape.shape[0]
             add_ports(
                 work.diagonal,
                 grips.shape,
-                work.port_gain[:ports],
+                grips.first,
+                grips.last,
+                work.port_gain,
                 work.small,
                 work.small_rhs,
                 work.mean,
@@ -293,7 +307,7 @@ def _port_work(op: Operator, state: State, grips: Grips, T: float, mean: Float, 
     """Mean force at every port, and the work `T v̂ᵀ f` that they did together."""
     dense = grips.shape.shape[0] > 0
     supplied = 0.0
-    for p in range(grips.stiffness.shape[0]):
+    for p in range(grips.first, grips.last):
         place, rate = splat(0.0, lanes), splat(0.0, lanes)
         if dense:
             for i in range(op.mass.shape[0]):
@@ -324,11 +338,13 @@ def _move(
 ) -> None:
     """New position, velocity and sample; work of every link; `v̂ᵀ W v̂` of every diagonal weight."""
     rows, weights = op.mass.shape[0], op.weight.shape[0]
-    link_work[:] = 0.0
-    work.quadratic[:] = 0.0
+    for link in range(links.first, links.last):
+        link_work[link] = 0.0
+    for w in range(weights):
+        work.quadratic[w] = 0.0
     for first in range(0, rows, _BLOCK):
         last = min(first + _BLOCK, rows)
-        for link in range(links.strength.shape[0]):
+        for link in range(links.first, links.last):
             w = links.weight[link]
             base = links.slot[link] * rows
             power = splat(0.0, lanes)
@@ -359,7 +375,7 @@ def _move(
                 store(work.image, i, coupled, lanes)
                 square = square + coupled * load(work.mean, i, lanes)
             work.quadratic[w] += total(square)
-            for link in range(links.strength.shape[0]):
+            for link in range(links.first, links.last):
                 if links.weight[link] == w:
                     power = splat(0.0, lanes)
                     for i in range(rows):

@@ -15,10 +15,16 @@ from typing import Any
 from llvmlite import ir
 from numba.core import types
 from numba.core.errors import TypingError
-from numba.extending import intrinsic, models, overload, register_model
+from numba.extending import intrinsic as numba_intrinsic
+from numba.extending import models, overload, register_model
 
 WIDTHS = (1, 2, 4)
 _FLAGS = ("contract",)
+
+
+def intrinsic(generator: Any) -> Any:
+    """Numba's decorator; what it makes takes the arguments after `typingctx`, which types cannot say."""
+    return numba_intrinsic(generator)
 
 
 class Vec(types.Type):
@@ -151,9 +157,9 @@ def _arithmetic(symbol: Any, instruction: str) -> None:
         return Vec(width)(*operands), generate
 
     @overload(symbol)
-    def choose(left, right):  # noqa: ANN001, ANN202 (numba compares the signature with the lambda's)
+    def choose(left, right):  # numba compares the signature with the lambda's: no annotations
         if isinstance(left, Vec) or isinstance(right, Vec):
-            return lambda left, right: apply(left, right)
+            return lambda left, right: apply(left, right)  # noqa: PLW0108 (an intrinsic is no implementation)
         return None
 
 

@@ -1,0 +1,121 @@
+"""Running a prepared scenario with the batch engine."""
+
+from dataclasses import dataclass
+from typing import final
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.mechanics import BOOKS, Grips, workspace
+from cotouch.simulation._engine import (
+    SLOT_BOOKS,
+    TICK_BOOKS,
+    USER_BOOKS,
+    Fields,
+    Record,
+    Scratch,
+    Timing,
+    run,
+)
+from cotouch.simulation._prepare import Prepared
+
+Float = npt.NDArray[np.float64]
+
+
+@final
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Outcome:
+    """What a run left behind.
+
+    Attributes:
+        record: what was recorded; entry r is the state after step `r * every`.
+        position: of every user at the end, in the model's rows, (users, rows, width) [m].
+        velocity: likewise [m/s].
+        events: how many steps were taken in all; fewer than scheduled if the motion left floating point.
+        taken: steps taken by each user, (users,).
+    """
+
+    record: Record
+    position: Float
+    velocity: Float
+    events: int
+    taken: npt.NDArray[np.int32]
+
+
+def run_batch(prepared: Prepared) -> Outcome:
+    """Runs all users in one compiled loop."""
+    ready, timing, hands = prepared.model, prepared.schedule, prepared.hands
+    users, rows, width = timing.count.size, ready.operator_rows, ready.width
+    every = prepared.scenario.record.every
+    records = int(timing.count.max()) // every + 1
+    ports, slots = hands.row.size, timing.slots.link.size
+    position = np.stack([ready.to_rows(field) for field in prepared.position])
+    fields = Fields(
+        position=position,
+        velocity=np.stack([ready.to_rows(field) for field in prepared.velocity]),
+        momentum=np.zeros((users, rows, width)),
+        tension=np.zeros((users, rows, width)),
+        samples=np.zeros((users * timing.ring + users, rows, width)),
+    )
+    kept = np.concatenate([ready.port_rows(int(node)) for node in prepared.nodes])
+    record = Record(
+        every=every,
+        row=kept,
+        shape=ready.port_shapes(kept),
+        position=np.empty((users, records, kept.size, width)),
+        velocity=np.empty((users, records, kept.size, width)),
+        force=np.empty((ports, records, width)),
+        users=np.empty((users, records, len(USER_BOOKS))),
+        slots=np.empty((slots, records, len(SLOT_BOOKS))),
+        links=np.empty((records, len(prepared.scenario.network.links))),
+        ticks=np.zeros((records, len(TICK_BOOKS))),
+        running=np.zeros((users, 6)),
+        lowest=np.zeros(1),
+    )
+    counter = np.zeros(users, dtype=np.int32)
+    scratch = Scratch(
+        grips=Grips(
+            first=0,
+            last=ports,
+            row=hands.row,
+            shape=hands.shape,
+            stiffness=np.zeros(ports),
+            damping=np.zeros(ports),
+            start=np.zeros((ports, width)),
+            end=np.zeros((ports, width)),
+            push=np.zeros((ports, width)),
+            force=np.zeros((ports, width)),
+        ),
+        work=workspace(ready.operator, width, int(np.diff(hands.first).max(initial=0))),
+        books=np.zeros(BOOKS),
+        link_work=np.zeros(slots),
+        slot=np.zeros(slots, dtype=np.int64),
+        counter=counter,
+        cursor=hands.path_first[:-1].copy(),
+        slot_running=np.zeros((slots, 2)),
+        difference=np.zeros((rows, width)),
+        product=np.zeros((rows, width)),
+    )
+    solver = prepared.scenario.solver
+    events = run(
+        ready.operator,
+        prepared.topology,
+        Timing(
+            order=timing.order,
+            end=timing.end,
+            length=timing.length,
+            used=timing.used,
+            ring=timing.ring,
+            reference=timing.reference,
+        ),
+        hands,
+        prepared.local_damping,
+        prepared.extra_damping,
+        fields,
+        record,
+        scratch,
+        solver.tolerance,
+        solver.iterations,
+        ready.lanes,
+    )
+    return Outcome(record=record, position=fields.position, velocity=fields.velocity, events=events, taken=counter)

@@ -1,0 +1,122 @@
+"""The virtual network: when every message arrives, drawn from a seed, one stream for each direction of each link."""
+
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.simulation._scenario import Channel
+
+Float = npt.NDArray[np.float64]
+
+# A message that was lost this often in a row is taken to arrive with the next try; beyond any loss rate of use.
+_MOST_TRIES = 1000
+
+
+class Draws(NamedTuple):
+    """What happens to the messages of one direction.
+
+    Attributes:
+        latency: from sending to arrival, (messages,) [s]; infinite: lost.
+        second: likewise for the duplicate, where there is one.
+    """
+
+    latency: Float
+    second: Float
+
+    @property
+    def first(self) -> Float:
+        """Latency of whichever copy arrives first."""
+        return np.minimum(self.latency, self.second)
+
+
+def draw(channel: Channel, delay: float, messages: int, *, seed: tuple[int, ...]) -> Draws:
+    """Draws the fate of every message of one direction.
+
+    Args:
+        channel: the law.
+        delay: constant part of the delay [s].
+        messages: how many.
+        seed: of this direction; the same seed gives the same fates, whatever other links there are.
+    """
+    rng = np.random.Generator(np.random.PCG64(np.random.SeedSequence(seed)))
+    latency = delay + _jitter(channel, messages, rng)
+    if channel.reordering > 0.0:
+        latency = latency + channel.reordering_delay * (rng.random(messages) < channel.reordering)
+    latency[_lost(channel, messages, rng)] = np.inf
+    second = np.full(messages, np.inf)
+    if channel.duplication > 0.0:
+        twice = rng.random(messages) < channel.duplication
+        second[twice] = delay + _jitter(channel, int(twice.sum()), rng)
+    return Draws(latency, second)
+
+
+def resent(channel: Channel, draws: Draws, delay: float, round_trip: float, *, seed: tuple[int, ...]) -> Float:
+    """Latency of every sample when lost messages are sent again until they arrive, (messages,) [s].
+
+    Args:
+        channel: the law; `resend` is the time from sending to sending again.
+        draws: fates of the first tries.
+        delay: constant part of the delay [s].
+        round_trip: constant part of the round trip, from which the default of `resend` is made [s].
+        seed: of the later tries.
+    """
+    latency = draws.first.copy()
+    rng = np.random.Generator(np.random.PCG64(np.random.SeedSequence((*seed, 1))))
+    wait = channel.resend
+    if wait is None:
+        # An exponential's 99 % point is 4.6 means away; a sender that waits less would repeat what is only late.
+        wait = round_trip + 2.0 * 4.6 * (channel.jitter.scale if channel.jitter else 0.0) + channel.reordering_delay
+    probability = _mean_loss(channel)
+    waiting = np.flatnonzero(np.isinf(latency))
+    sent = np.zeros(latency.size)
+    for tries in range(_MOST_TRIES):
+        if not waiting.size:
+            break
+        sent[waiting] += wait
+        arrived = rng.random(waiting.size) >= probability
+        if tries == _MOST_TRIES - 1:
+            arrived[:] = True
+        latency[waiting[arrived]] = sent[waiting[arrived]] + delay + _jitter(channel, int(arrived.sum()), rng)
+        waiting = waiting[~arrived]
+    return latency
+
+
+def _jitter(channel: Channel, count: int, rng: np.random.Generator) -> Float:
+    if channel.jitter is None:
+        return np.zeros(count)
+    scale = channel.jitter.scale
+    match channel.jitter.kind:
+        case "uniform":
+            return rng.uniform(0.0, scale, count)
+        case "exponential":
+            return rng.exponential(scale, count)
+        case "normal":
+            return np.abs(rng.normal(0.0, scale, count))
+
+
+def _lost(channel: Channel, count: int, rng: np.random.Generator) -> npt.NDArray[np.bool_]:
+    lost = np.zeros(count, dtype=bool)
+    if channel.loss > 0.0:
+        lost |= rng.random(count) < channel.loss
+    burst = channel.burst
+    if burst is not None:
+        # Stays in a state last geometrically many messages; drawing the stays is exact and needs no loop over messages.
+        enter = max(burst.enter, 1e-12)
+        bad = np.zeros(count, dtype=bool)
+        here = 0
+        while here < count:
+            here += int(rng.geometric(enter))
+            stay = int(rng.geometric(burst.leave))
+            bad[here : here + stay] = True
+            here += stay
+        lost |= rng.random(count) < np.where(bad, burst.loss_bad, burst.loss_good)
+    return lost
+
+
+def _mean_loss(channel: Channel) -> float:
+    kept = 1.0 - channel.loss
+    if channel.burst is not None:
+        bad = channel.burst.enter / (channel.burst.enter + channel.burst.leave)
+        kept *= 1.0 - (bad * channel.burst.loss_bad + (1.0 - bad) * channel.burst.loss_good)
+    return 1.0 - kept

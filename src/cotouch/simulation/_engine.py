@@ -1,0 +1,429 @@
+"""The batch engine: all steps of all users in one compiled loop, with the energy books of the whole network.
+
+Storage is booked in the order of the steps: when user i moves, its springs are measured against where the neighbours'
+copies are at that moment. With a common index this is V of [Lee & Huang 2010, eq. 7] once all users have taken the
+step; with own rates it stays an exact balance, because every joule is booked by the copy that moves.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.mechanics import (
+    BODY_LOSS,
+    ELASTIC,
+    EXTRA_LOSS,
+    ITERATIONS,
+    KINETIC,
+    LOCAL_LOSS,
+    SUPPLIED,
+    Grips,
+    Links,
+    Operator,
+    State,
+    Workspace,
+    at,
+    kernel,
+    load,
+    multiply,
+    settle,
+    splat,
+    step,
+    store,
+    total,
+)
+
+Float = npt.NDArray[np.float64]
+Int = npt.NDArray[np.int32]
+
+_WEIGHTS = 3  # row of Operator.mix where the link weights start
+
+# Columns of `Record.users`: cumulative work and losses, energies now [J], iterations of the last solve.
+USER_BOOKS = ("supplied", "body_loss", "local_loss", "extra_loss", "kinetic", "elastic", "iterations")
+# Columns of `Record.slots`, cumulative [J]: what the link did on its receiver; what delay added to the link.
+SLOT_BOOKS = ("link_work", "delay_work")
+# Columns of `Record.ticks` [J].
+TICK_BOOKS = ("stored", "supplied", "dissipated", "delay_work", "residual")
+
+
+class Topology(NamedTuple):
+    """Who is joined to whom. A *slot* is one direction of a link: a receiver's view of one neighbour.
+
+    Attributes:
+        first: first slot of each user, (users + 1,); a user's slots are consecutive.
+        peer: the neighbour of each slot, (slots,).
+        strength: spring of each slot's link, (slots,) [N/m].
+        weight: index of its weight, (slots,).
+        ends: the two users of each link, (links, 2).
+        slot: a slot of each link, (links,).
+    """
+
+    first: Int
+    peer: Int
+    strength: Float
+    weight: Int
+    ends: Int
+    slot: Int
+
+
+class Timing(NamedTuple):
+    """When every step happens and which samples it uses.
+
+    Attributes:
+        order: user of each event, (events,); a user's steps come in order.
+        end: time at the end of each step, (users, steps) [s].
+        length: T of each step, (users, steps) [s].
+        used: index of the sample that each slot uses at each step of its user, (slots, steps); -1: the initial one.
+        ring: how many samples of a user must be kept.
+        reference: the user whose steps mark the network-wide records.
+    """
+
+    order: Int
+    end: Float
+    length: Float
+    used: Int
+    ring: int
+    reference: int
+
+
+class Hands(NamedTuple):
+    """What pulls at the ports. A hand follows its path, pulls by a spring and damper, and lets go.
+
+    Attributes:
+        first: first port of each user, (users + 1,).
+        row: row of the body that each port holds, (ports,).
+        shape: row vectors of the ports in a modal basis, (ports, rows) or (0, rows).
+        stiffness: (ports,) [N/m].
+        damping: (ports,) [Ns/m].
+        begin: the port acts from here, (ports,) [s].
+        release: to here, (ports,) [s].
+        forced: whether the path is a force [N] rather than a place [m], (ports,).
+        path_first: first waypoint of each port, (ports + 1,).
+        path_time: (waypoints,) [s].
+        path_value: (waypoints, width).
+        amplitude: of a sine added to the path, (ports, width).
+        frequency: (ports,) [Hz].
+        phase: (ports,) [rad].
+    """
+
+    first: Int
+    row: Int
+    shape: Float
+    stiffness: Float
+    damping: Float
+    begin: Float
+    release: Float
+    forced: npt.NDArray[np.bool_]
+    path_first: Int
+    path_time: Float
+    path_value: Float
+    amplitude: Float
+    frequency: Float
+    phase: Float
+
+
+class Fields(NamedTuple):
+    """State of all users, (users, rows, width); samples (users * ring + users, rows, width)."""
+
+    position: Float
+    velocity: Float
+    momentum: Float
+    tension: Float
+    samples: Float
+
+
+class Record(NamedTuple):
+    """What is kept of a run; entry 0 is the initial state.
+
+    Attributes:
+        every: one of how many steps is kept.
+        row: rows kept in a nodal basis, (kept,).
+        shape: row vectors that read kept nodes in a modal basis, (kept, rows), or (0, rows).
+        position: (users, records, kept, width) [m].
+        velocity: likewise [m/s].
+        force: of the ports, (ports, records, width) [N].
+        users: (users, records, len(USER_BOOKS)).
+        slots: (slots, records, len(SLOT_BOOKS)).
+        links: spring energy of each link, (ticks, links) [J].
+        ticks: (ticks, len(TICK_BOOKS)) [J].
+        running: cumulative books of users, (users, 6) [J].
+        lowest: result (1,): smallest energy that the ports had supplied in all, over every step [J].
+    """
+
+    every: int
+    row: Int
+    shape: Float
+    position: Float
+    velocity: Float
+    force: Float
+    users: Float
+    slots: Float
+    links: Float
+    ticks: Float
+    running: Float
+    lowest: Float
+
+
+class Scratch(NamedTuple):
+    """Scratch arrays of the engine."""
+
+    grips: Grips
+    work: Workspace
+    books: Float
+    link_work: Float
+    slot: npt.NDArray[np.int64]
+    counter: Int
+    cursor: Int
+    slot_running: Float
+    difference: Float
+    product: Float
+
+
+@kernel
+def run(
+    op: Operator,
+    topology: Topology,
+    timing: Timing,
+    hands: Hands,
+    local_damping: Float,
+    extra_damping: Float,
+    fields: Fields,
+    record: Record,
+    scratch: Scratch,
+    tolerance: float,
+    cap: int,
+    lanes: tuple[int, ...],
+) -> int:
+    """Runs all events; returns how many were run before the motion left the range of floating point."""
+    users = fields.position.shape[0]
+    supplied = 0.0
+    dissipated = 0.0
+    delay_work = 0.0
+    energy = 0.0
+    initial = 0.0
+    lowest = 0.0
+    tick = 0
+    for i in range(users):
+        state = State(fields.position[i], fields.velocity[i], fields.momentum[i], fields.tension[i])
+        settle(op, state, scratch.books, lanes)
+        record.running[i, 4] = scratch.books[KINETIC]
+        record.running[i, 5] = scratch.books[ELASTIC]
+        initial += scratch.books[KINETIC] + scratch.books[ELASTIC]
+        _copy(fields.samples[users * timing.ring + i], fields.position[i], lanes)
+        _keep_user(record, hands, fields, scratch, topology, i, 0, lanes)
+    initial += _spring_energies(op, topology, fields, record, scratch, 0, lanes)
+    record.ticks[0, 0] = initial
+    energy = initial
+    for event in range(timing.order.shape[0]):
+        i = timing.order[event]
+        k = scratch.counter[i]
+        scratch.counter[i] += 1
+        T = timing.length[i, k]
+        s0, s1 = topology.first[i], topology.first[i + 1]
+        p0, p1 = hands.first[i], hands.first[i + 1]
+        for s in range(s0, s1):
+            index = timing.used[s, k]
+            peer = topology.peer[s]
+            scratch.slot[s] = users * timing.ring + peer if index < 0 else peer * timing.ring + index % timing.ring
+        for p in range(p0, p1):
+            _grip(hands, scratch.grips, scratch.cursor, p, timing.end[i, k], T, lanes)
+        held = scratch.grips
+        grips = Grips(
+            p0,
+            p1,
+            held.row,
+            held.shape,
+            held.stiffness,
+            held.damping,
+            held.start,
+            held.end,
+            held.push,
+            held.force,
+        )
+        links = Links(s0, s1, topology.strength, topology.weight, scratch.slot, fields.samples)
+        state = State(fields.position[i], fields.velocity[i], fields.momentum[i], fields.tension[i])
+        books = scratch.books
+        step(
+            op,
+            state,
+            links,
+            grips,
+            local_damping[i],
+            extra_damping[i],
+            T,
+            i * timing.ring + k % timing.ring,
+            scratch.work,
+            books,
+            scratch.link_work,
+            tolerance,
+            cap,
+            lanes,
+        )
+        for s in range(s0, s1):
+            added = _delay_work(op, topology, fields, scratch, s, T, lanes)
+            scratch.slot_running[s, 0] += scratch.link_work[s]
+            scratch.slot_running[s, 1] += added
+            delay_work += added
+        running = record.running
+        running[i, 0] += books[SUPPLIED]
+        running[i, 1] += books[BODY_LOSS]
+        running[i, 2] += books[LOCAL_LOSS]
+        running[i, 3] += books[EXTRA_LOSS]
+        running[i, 4] = books[KINETIC]
+        running[i, 5] = books[ELASTIC]
+        supplied += books[SUPPLIED]
+        dissipated += books[BODY_LOSS] + books[LOCAL_LOSS] + books[EXTRA_LOSS]
+        lowest = min(lowest, supplied)
+        if not books[KINETIC] + books[ELASTIC] < 1e200:
+            record.lowest[0] = lowest
+            return event
+        if (k + 1) % record.every == 0:
+            _keep_user(record, hands, fields, scratch, topology, i, (k + 1) // record.every, lanes)
+            if i == timing.reference:
+                tick = (k + 1) // record.every
+                energy = _spring_energies(op, topology, fields, record, scratch, tick, lanes)
+                for user in range(users):
+                    energy += running[user, 4] + running[user, 5]
+                record.ticks[tick, 0] = energy
+                record.ticks[tick, 1] = supplied
+                record.ticks[tick, 2] = dissipated
+                record.ticks[tick, 3] = delay_work
+                record.ticks[tick, 4] = energy - initial - supplied + dissipated - delay_work
+    record.lowest[0] = lowest
+    return timing.order.shape[0]
+
+
+@kernel
+def _copy(target: Float, source: Float, lanes: tuple[int, ...]) -> None:
+    for i in range(source.shape[0]):
+        store(target, i, load(source, i, lanes), lanes)
+
+
+@kernel
+def _place(hands: Hands, cursor: Int, p: int, t: float, lanes: tuple[int, ...]) -> float:
+    """Where the path of a port is at time t: straight between waypoints, still before and after them."""
+    first, last = hands.path_first[p], hands.path_first[p + 1] - 1
+    here = cursor[p]
+    while here > first and hands.path_time[here] > t:
+        here -= 1
+    while here < last and hands.path_time[here + 1] <= t:
+        here += 1
+    cursor[p] = here
+    value = load(hands.path_value, here, lanes)
+    if here < last and t > hands.path_time[here]:
+        share = (t - hands.path_time[here]) / (hands.path_time[here + 1] - hands.path_time[here])
+        value = (1.0 - share) * value + share * load(hands.path_value, here + 1, lanes)
+    if hands.frequency[p] != 0.0:
+        wave = np.sin(2.0 * np.pi * hands.frequency[p] * t + hands.phase[p])
+        value = value + wave * load(hands.amplitude, p, lanes)
+    return value
+
+
+@kernel
+def _grip(hands: Hands, grips: Grips, cursor: Int, p: int, end: float, T: float, lanes: tuple[int, ...]) -> None:
+    """What port p does during a step that ends at `end`."""
+    middle = end - 0.5 * T
+    zero = splat(0.0, lanes)
+    store(grips.start, p, zero, lanes)
+    store(grips.end, p, zero, lanes)
+    store(grips.push, p, zero, lanes)
+    grips.stiffness[p] = 0.0
+    grips.damping[p] = 0.0
+    if hands.begin[p] <= middle < hands.release[p]:
+        if hands.forced[p]:
+            store(grips.push, p, _place(hands, cursor, p, middle, lanes), lanes)
+        else:
+            grips.stiffness[p] = hands.stiffness[p]
+            grips.damping[p] = hands.damping[p]
+            store(grips.start, p, _place(hands, cursor, p, end - T, lanes), lanes)
+            store(grips.end, p, _place(hands, cursor, p, end, lanes), lanes)
+
+
+@kernel
+def _delay_work(
+    op: Operator, topology: Topology, fields: Fields, scratch: Scratch, s: int, T: float, lanes: tuple[int, ...]
+) -> float:
+    """Energy that the age of a sample adds to a link while its receiver moves: `-T v̂ᵀ K (x_j - x̃)`."""
+    rows = op.mass.shape[0]
+    w = topology.weight[s]
+    peer = topology.peer[s]
+    base = scratch.slot[s] * rows
+    mean = scratch.work.mean
+    work = splat(0.0, lanes)
+    coupled = False
+    for family in range(op.entries.shape[0]):
+        coupled = coupled or op.mix[_WEIGHTS + w, family] != 0.0
+    if coupled:
+        multiply(op, _WEIGHTS + w, op.weight[w], mean, scratch.product, lanes)
+        for i in range(rows):
+            gap = load(fields.samples, base + i, lanes) - load(fields.position, peer * rows + i, lanes)
+            work = work + load(scratch.product, i, lanes) * gap
+    else:
+        for i in range(rows):
+            gap = load(fields.samples, base + i, lanes) - load(fields.position, peer * rows + i, lanes)
+            work = work + at(op.weight[w], i) * (load(mean, i, lanes) * gap)
+    return T * topology.strength[s] * total(work)
+
+
+@kernel
+def _spring_energies(
+    op: Operator,
+    topology: Topology,
+    fields: Fields,
+    record: Record,
+    scratch: Scratch,
+    tick: int,
+    lanes: tuple[int, ...],
+) -> float:
+    """Energy `½‖x_i - x_j‖²_K` of every link, recorded; returns their sum."""
+    rows = op.mass.shape[0]
+    result = 0.0
+    for link in range(topology.ends.shape[0]):
+        a, b, s = topology.ends[link, 0], topology.ends[link, 1], topology.slot[link]
+        w = topology.weight[s]
+        for i in range(rows):
+            gap = load(fields.position, a * rows + i, lanes) - load(fields.position, b * rows + i, lanes)
+            store(scratch.difference, i, gap, lanes)
+        form = multiply(op, _WEIGHTS + w, op.weight[w], scratch.difference, scratch.product, lanes)
+        energy = 0.5 * topology.strength[s] * form
+        record.links[tick, link] = energy
+        result += energy
+    return result
+
+
+@kernel
+def _keep_user(
+    record: Record,
+    hands: Hands,
+    fields: Fields,
+    scratch: Scratch,
+    topology: Topology,
+    i: int,
+    entry: int,
+    lanes: tuple[int, ...],
+) -> None:
+    """Records one user: kept nodes, forces at its ports, its books and those of its slots."""
+    dense = record.shape.shape[0] > 0
+    kept = record.position.shape[2]
+    rows = fields.position.shape[1]
+    base = (i * record.position.shape[1] + entry) * kept
+    for node in range(kept):
+        if dense:
+            x, v = splat(0.0, lanes), splat(0.0, lanes)
+            for j in range(rows):
+                x = x + record.shape[node, j] * load(fields.position, i * rows + j, lanes)
+                v = v + record.shape[node, j] * load(fields.velocity, i * rows + j, lanes)
+        else:
+            x = load(fields.position, i * rows + record.row[node], lanes)
+            v = load(fields.velocity, i * rows + record.row[node], lanes)
+        store(record.position, base + node, x, lanes)
+        store(record.velocity, base + node, v, lanes)
+    for p in range(hands.first[i], hands.first[i + 1]):
+        store(record.force, p * record.force.shape[1] + entry, load(scratch.grips.force, p, lanes), lanes)
+    for column in range(6):
+        record.users[i, entry, column] = record.running[i, column]
+    record.users[i, entry, 6] = scratch.books[ITERATIONS]
+    for s in range(topology.first[i], topology.first[i + 1]):
+        record.slots[s, entry, 0] = scratch.slot_running[s, 0]
+        record.slots[s, entry, 1] = scratch.slot_running[s, 1]

@@ -1,0 +1,244 @@
+"""From a scenario to the arrays that the engines work on."""
+
+from dataclasses import dataclass
+from typing import Any, final
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.body import Body
+from cotouch.errors import ScenarioError
+from cotouch.mechanics import Model, model
+from cotouch.network import damping_for
+from cotouch.simulation._engine import Hands, Topology
+from cotouch.simulation._scenario import Hand, Scenario, per_user
+from cotouch.simulation._schedule import Schedule, schedule
+
+Float = npt.NDArray[np.float64]
+Int = npt.NDArray[np.int32]
+
+# Up to this many nodes all of them are recorded unless a scenario says otherwise.
+_ALL_NODES = 64
+
+
+@final
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Prepared:
+    """Everything a run needs.
+
+    Attributes:
+        scenario: what was asked for.
+        body: the shared object.
+        model: the body in the kernels' form.
+        schedule: the timing.
+        topology: slots for the kernels.
+        hands: ports for the kernels; a hand has one port, or one for each axis in the full form.
+        ports: ports of each hand, (hands, ports per hand).
+        local_damping: B_i as coefficients over the weights, (users, weights) [Ns/m].
+        extra_damping: B_e likewise.
+        position: initial displacements, (users, n, d) [m].
+        velocity: initial velocities, (users, n, d) [m/s].
+        nodes: recorded nodes.
+    """
+
+    scenario: Scenario
+    body: Body
+    model: Model
+    schedule: Schedule
+    topology: Topology
+    hands: Hands
+    ports: Int
+    local_damping: Float
+    extra_damping: Float
+    position: Float
+    velocity: Float
+    nodes: Int
+
+
+def prepare(scenario: Scenario) -> Prepared:
+    """Checks what only network and body together can tell, and builds the arrays.
+
+    Raises:
+        ScenarioError: a hand, an initial state or an option does not fit network or body.
+        BodyError: the body is wrong, or a link weight does not fit it.
+        UnsupportedError: a damping method that cannot do this network or timing.
+    """
+    network = scenario.network
+    body = scenario.build_body()
+    ready = model(body, copies=network.size, weights=network.weights, basis=scenario.solver.basis)
+    timing = schedule(scenario)
+    slots = timing.slots
+    strength = network.spring[slots.receiver, slots.sender]
+    weight = network.weight_of[slots.receiver, slots.sender] + 1  # weight 0 of the kernels is the identity
+    topology = Topology(
+        first=slots.first,
+        peer=slots.sender,
+        strength=np.ascontiguousarray(strength, dtype=np.float64),
+        weight=weight.astype(np.int32),
+        ends=np.array(network.links, dtype=np.int32).reshape(-1, 2),
+        slot=np.array([int(np.flatnonzero(slots.link == k)[0]) for k in range(len(network.links))], dtype=np.int32),
+    )
+    hands, ports = _hands(scenario.hands, network.size, body, ready)
+    extra = np.zeros((network.size, 1 + len(network.weights)))
+    extra[:, 0] = per_user(scenario.synchronisation.extra_damping, network.size, "synchronisation.extra_damping")
+    return Prepared(
+        scenario=scenario,
+        body=body,
+        model=ready,
+        schedule=timing,
+        topology=topology,
+        hands=hands,
+        ports=ports,
+        local_damping=_local_damping(scenario, timing),
+        extra_damping=extra,
+        position=_initial(scenario.initial.position, "position", network.size, body),
+        velocity=_initial(scenario.initial.velocity, "velocity", network.size, body),
+        nodes=_recorded(scenario, body),
+    )
+
+
+def _local_damping(scenario: Scenario, timing: Schedule) -> Float:
+    """B_i over (identity, *network.weights), (users, 1 + weights)."""
+    network, wish = scenario.network, scenario.synchronisation
+    if not isinstance(wish.damping, str):
+        result = np.zeros((network.size, 1 + len(network.weights)))
+        # A plain number is a multiple of the links' own weight where they share one, else of the identity.
+        own = 1 if network.weights and all(network.weight_of[a, b] == 0 for a, b in network.links) else 0
+        result[:, own] = per_user(wish.damping, network.size, "synchronisation.damping")
+        return result * wish.scale
+    if timing.index_delay is None:
+        ages = timing.budget(1.0 if wish.quantile is None else wish.quantile)
+        coefficients = damping_for(network, wish.damping, ages=ages)
+    else:
+        coefficients = damping_for(
+            network,
+            wish.damping,
+            index_delay=timing.index_delay,
+            periods=timing.longest(),
+            constant=_is_constant(timing),
+        )
+    return np.ascontiguousarray(coefficients) * wish.scale
+
+
+def _is_constant(timing: Schedule) -> bool:
+    """Whether all users take steps of one common, constant length."""
+    return bool((timing.length == timing.length.flat[0]).all())
+
+
+def _hands(hands: list[Hand], users: int, body: Body, ready: Model) -> tuple[Hands, Int]:
+    """Ports of all hands, ordered by user, and which ports belong to which hand."""
+    for index, hand in enumerate(hands, start=1):
+        if hand.user > users:
+            raise ScenarioError(f"hands[{index}].user is {hand.user}; the network has users 1 to {users}")
+        if hand.node > body.nodes:
+            raise ScenarioError(f"hands[{index}].node is {hand.node}; the body has nodes 1 to {body.nodes}")
+    width = ready.width
+    entries: list[tuple[int, int, int, int]] = []  # user, hand, axis (or -1: all), row
+    for index, hand in enumerate(hands):
+        rows = ready.port_rows(hand.node - 1)
+        entries += [(hand.user - 1, index, axis if rows.size > 1 else -1, int(row)) for axis, row in enumerate(rows)]
+    entries.sort(key=lambda entry: entry[0])
+    count = len(entries)
+    owner = np.array([entry[0] for entry in entries], dtype=np.int32)
+    row = np.array([entry[3] for entry in entries], dtype=np.int32)
+    forced = np.zeros(count, dtype=np.bool_)
+    numbers = np.zeros((6, count))  # stiffness, damping, begin, release, frequency, phase
+    amplitude = np.zeros((count, width))
+    path_first, path_time, path_value = [0], [np.zeros(0)], [np.zeros((0, width))]
+    ports = np.zeros((len(hands), len(ready.port_rows(0))), dtype=np.int32)
+    filled = np.zeros(len(hands), dtype=np.int64)
+    for p, (_, index, axis, _) in enumerate(entries):
+        hand = hands[index]
+        forced[p] = hand.kind == "force"
+        release = np.inf if hand.release is None else hand.release
+        stiffness = 0.0 if forced[p] else hand.stiffness
+        damping = 0.0 if forced[p] else hand.damping
+        numbers[:, p] = stiffness, damping, hand.begin, release, hand.frequency, hand.phase
+        times, values = _path(hand, f"hands[{index + 1}].path", body.dimension)
+        wave = _vector(hand.amplitude, f"hands[{index + 1}].amplitude", body.dimension)
+        pick = slice(None) if axis < 0 else slice(axis, axis + 1)
+        used = values[:, pick].shape[1]
+        padded = np.zeros((times.size, width))
+        padded[:, :used] = values[:, pick]
+        amplitude[p, :used] = wave[pick]
+        path_time.append(times)
+        path_value.append(padded)
+        path_first.append(path_first[-1] + times.size)
+        ports[index, filled[index]] = p
+        filled[index] += 1
+    stiffness, damping, begin, release, frequency, phase = (np.ascontiguousarray(line) for line in numbers)
+    return (
+        Hands(
+            first=np.searchsorted(owner, np.arange(users + 1)).astype(np.int32),
+            row=row,
+            shape=ready.port_shapes(row),
+            stiffness=stiffness,
+            damping=damping,
+            begin=begin,
+            release=release,
+            forced=forced,
+            path_first=np.array(path_first, dtype=np.int32),
+            path_time=np.concatenate(path_time),
+            path_value=np.ascontiguousarray(np.concatenate(path_value)),
+            amplitude=amplitude,
+            frequency=frequency,
+            phase=phase,
+        ),
+        ports,
+    )
+
+
+def _path(hand: Hand, name: str, dimension: int) -> tuple[Float, Float]:
+    """Times and places of a path."""
+    path = hand.path
+    if isinstance(path, list) and path and isinstance(path[0], list):
+        rows: list[Any] = path
+        for row in rows:
+            if len(row) != 1 + dimension:
+                raise ScenarioError(f"{name} has the waypoint {row}; it must be a time and {dimension} numbers")
+        table = np.array(rows, dtype=np.float64)
+        return np.ascontiguousarray(table[:, 0]), np.ascontiguousarray(table[:, 1:])
+    return np.zeros(1), _vector(path, name, dimension)[None, :]
+
+
+def _vector(value: Any, name: str, dimension: int) -> Float:
+    numbers = np.atleast_1d(np.asarray(value, dtype=np.float64))
+    if numbers.shape == (dimension,):
+        return numbers
+    if not np.any(numbers):
+        return np.zeros(dimension)
+    raise ScenarioError(f"{name} is {value}; the body has {dimension} axes, so it must be {dimension} numbers")
+
+
+def _initial(given: list[Any] | None, name: str, users: int, body: Body) -> Float:
+    """Initial field of every user, (users, n, d)."""
+    result = np.zeros((users, body.nodes, body.dimension))
+    if given is None:
+        return result
+    if len(given) != users:
+        raise ScenarioError(f"initial.{name} has {len(given)} entries; the network has {users} users")
+    for i, entry in enumerate(given):
+        try:
+            field = np.asarray(entry, dtype=np.float64)
+            result[i] = field[:, None] if field.shape == (body.nodes,) and body.dimension == 1 else field
+        except (TypeError, ValueError):
+            raise ScenarioError(
+                f"initial.{name}[{i + 1}] is {str(entry)[:60]}; it must be a number, {body.dimension} numbers, or "
+                f"{body.nodes} rows of {body.dimension}"
+            ) from None
+    if not np.isfinite(result).all():
+        raise ScenarioError(f"initial.{name} must hold finite numbers only")
+    return result
+
+
+def _recorded(scenario: Scenario, body: Body) -> Int:
+    wish = scenario.record.nodes
+    if wish is None:
+        if body.nodes <= _ALL_NODES:
+            return np.arange(body.nodes, dtype=np.int32)
+        held = {hand.node for hand in scenario.hands} or {1}
+        return np.array(sorted(held), dtype=np.int32) - 1
+    for number in wish:
+        if number > body.nodes:
+            raise ScenarioError(f"record.nodes names node {number}; the body has nodes 1 to {body.nodes}")
+    return np.array(sorted(set(wish)), dtype=np.int32) - 1

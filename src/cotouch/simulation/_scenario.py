@@ -1,0 +1,437 @@
+"""A scenario: who is joined, what they hold, how time passes, what the network does, and what the hands do."""
+
+import json
+import tomllib
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Annotated, Any, Literal, Self, final
+
+import numpy as np
+import numpy.typing as npt
+from pydantic import BaseModel, ConfigDict, Field, FiniteFloat, ValidationError, field_validator, model_validator
+from pydantic import NonNegativeFloat as _NonNegativeFloat
+
+from cotouch.body import Body, chain, lattice, point
+from cotouch.errors import ScenarioError
+from cotouch.network import Network
+
+Positive = Annotated[float, Field(gt=0.0, allow_inf_nan=False)]
+NonNegative = Annotated[_NonNegativeFloat, Field(allow_inf_nan=False)]
+Probability = Annotated[float, Field(ge=0.0, le=1.0, allow_inf_nan=False)]
+Number = int  # users, nodes: from 1 in files
+Mode = Literal["constant", "self-paced", "freshest"]
+DampingMethod = Literal["rule", "minimax", "exact"]
+
+
+class Table(BaseModel):
+    """A table of a scenario: nothing unknown in it, nothing changed after reading."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, arbitrary_types_allowed=True, str_strip_whitespace=True)
+
+
+@final
+class PointTable(Table):
+    """One node. Mass [kg], damping [Ns/m] and stiffness [N/m] to the ground; rest: a number or 1 to 3 coordinates [m]."""
+
+    kind: Literal["point"] = "point"
+    mass: Positive = 1.0
+    damping: NonNegative = 0.0
+    stiffness: NonNegative = 0.0
+    rest: FiniteFloat | list[FiniteFloat] = 0.0
+
+    def build(self) -> Body:
+        """The body."""
+        return point(mass=self.mass, damping=self.damping, stiffness=self.stiffness, rest=self.rest)
+
+
+class _GridTable(Table):
+    mass: Positive = 1.0
+    stiffness: NonNegative = 100.0
+    damping: NonNegative = 0.0
+    spacing: Positive = 0.01
+    ground: str | list[Number] = "none"
+    ground_stiffness: NonNegative = 0.0
+    ground_damping: NonNegative = 0.0
+
+    def _common(self) -> dict[str, Any]:
+        held = self.ground if isinstance(self.ground, str) else [number - 1 for number in self.ground]
+        return {**self.model_dump(include=set(_GridTable.model_fields)), "ground": held}
+
+
+@final
+class ChainTable(_GridTable):
+    """Nodes along x; see `cotouch.body.chain`. `ground` lists node numbers from 1, or names all or a face."""
+
+    kind: Literal["chain"]
+    nodes: Annotated[int, Field(ge=1)]
+    dimension: Annotated[int, Field(ge=1, le=3)] = 1
+
+    def build(self) -> Body:
+        """The body."""
+        return chain(self.nodes, dimension=self.dimension, **self._common())
+
+
+@final
+class LatticeTable(_GridTable):
+    """A box of nodes; see `cotouch.body.lattice`. `ground` lists node numbers from 1, or names all or a face."""
+
+    kind: Literal["lattice"]
+    shape: list[Annotated[int, Field(ge=1)]]
+    neighbours: Literal[6, 18, 26] = 6
+
+    def build(self) -> Body:
+        """The body."""
+        return lattice(self.shape, neighbours=self.neighbours, **self._common())
+
+
+@final
+class MatrixTable(Table):
+    """Any small body, written out: M, B_int, B_ext, K_int, K_ext and the rest shape."""
+
+    kind: Literal["matrices"]
+    mass: list[list[FiniteFloat]]
+    rest: list[FiniteFloat] | list[list[FiniteFloat]]
+    damping_int: list[list[FiniteFloat]] | None = None
+    damping_ext: list[list[FiniteFloat]] | None = None
+    stiffness_int: list[list[FiniteFloat]] | None = None
+    stiffness_ext: list[list[FiniteFloat]] | None = None
+
+    def build(self) -> Body:
+        """The body."""
+        return Body(**self.model_dump(exclude={"kind"}))
+
+
+BodyTable = Annotated[PointTable | ChainTable | LatticeTable | MatrixTable, Field(discriminator="kind")]
+
+
+@final
+class Random(Table):
+    """Step lengths drawn anew for every step and user, uniformly between two bounds [s]."""
+
+    low: Positive
+    high: Positive
+
+    @model_validator(mode="after")
+    def _ordered(self) -> Self:
+        if self.low > self.high:
+            raise ValueError(f"low is {self.low} and high is {self.high}; low must not be above high")
+        return self
+
+
+@final
+class Steps(Table):
+    """How long the run lasts and how long the steps are: one of `period`, `rate`, `random`.
+
+    Attributes:
+        duration: [s].
+        period: T of every step, one number or one for each user [s].
+        rate: steps per second, one number or one for each user [Hz].
+        random: bounds of random steps.
+    """
+
+    duration: Positive = 20.0
+    period: Positive | list[Positive] | None = None
+    rate: Positive | list[Positive] | None = None
+    random: Random | None = None
+
+    @model_validator(mode="after")
+    def _one(self) -> Self:
+        given = [name for name in ("period", "rate", "random") if getattr(self, name) is not None]
+        if len(given) > 1:
+            raise ValueError(f"{' and '.join(given)} are given; give only one of period, rate, random")
+        return self
+
+
+@final
+class Synchronisation(Table):
+    """How the copies are kept together.
+
+    Attributes:
+        mode: "constant" (a common index; the sample k - N_ij is used, whatever buffering that takes), "self-paced"
+            (step k is taken once the samples k - N_ij are there, and lasts as long as that took) or "freshest" (the
+            newest sample that has arrived).
+        damping: "rule", "minimax" (smallest largest B_i), "exact" (constant mode with one common step length), or B_i
+            itself, one number or one for each user [Ns/m].
+        scale: multiplies the damping; below 1 nothing is guaranteed.
+        extra_damping: B_e, one number or one for each user [Ns/m].
+        index_delay: N_ij in steps, [i][j] from j to i; by default from the channel's delays.
+        quantile: share of this run's samples that N_ij ("constant", "self-paced") or the age budget ("freshest") must
+            cover; by default all, and half where self-pacing waits for the rest.
+        longest: self-paced: bound on T_i(k), in nominal steps; what passes beyond it is made up later.
+    """
+
+    mode: Mode = "freshest"
+    damping: DampingMethod | NonNegative | list[NonNegative] = "rule"
+    scale: NonNegative = 1.0
+    extra_damping: NonNegative | list[NonNegative] = 0.0
+    index_delay: list[list[Annotated[int, Field(ge=0)]]] | None = None
+    quantile: Probability | None = None
+    longest: Annotated[float, Field(ge=1.0, allow_inf_nan=False)] = 2.0
+
+
+@final
+class Jitter(Table):
+    """Random delay added to every message, never negative, mean and spread set by `scale` [s]: uniform in [0, scale],
+    exponential with mean scale, or the size of a normal with standard deviation scale.
+    """  # noqa: D205
+
+    kind: Literal["uniform", "exponential", "normal"] = "uniform"
+    scale: NonNegative
+
+
+@final
+class Burst(Table):
+    """Losses in bursts (Gilbert-Elliott): a good and a bad state with their own losses, switching at every message."""
+
+    enter: Probability
+    leave: Annotated[float, Field(gt=0.0, le=1.0)]
+    loss_good: Probability = 0.0
+    loss_bad: Probability = 1.0
+
+
+@final
+class Channel(Table):
+    """What the network does to messages, besides the delay of `[network]`; the same law on every link, own draws.
+
+    Attributes:
+        jitter: random delay.
+        loss: probability that a message is lost.
+        burst: losses in bursts, on top.
+        duplication: probability that a message arrives a second time, with its own delay.
+        reordering: probability that a message is held back by `reordering_delay`.
+        reordering_delay: [s].
+        resend: after how long a lost message is sent again where every sample is needed (constant, self-paced); by
+            default the link's round trip with its jitter [s].
+    """
+
+    jitter: Jitter | None = None
+    loss: Annotated[float, Field(ge=0.0, lt=1.0)] = 0.0
+    burst: Burst | None = None
+    duplication: Probability = 0.0
+    reordering: Probability = 0.0
+    reordering_delay: NonNegative = 0.0
+    resend: Positive | None = None
+
+
+@final
+class Hand(Table):
+    """A hand at a node: a spring-damper pulling to a moving place, or a force.
+
+    Attributes:
+        user: number from 1.
+        node: number from 1.
+        kind: "spring": `f = k (r - x) + b (r' - x')`; "force": the path itself is f.
+        stiffness: k [N/m].
+        damping: b [Ns/m].
+        path: where it pulls to, as displacement of the node from rest [m] (force: [N]): one place, or waypoints
+            [time, x, ...] with straight lines between them.
+        amplitude: of a sine added to the path [m or N].
+        frequency: of the sine [Hz].
+        phase: of the sine [rad].
+        begin: when it takes hold [s].
+        release: when it lets go [s]; by default never.
+    """
+
+    user: Annotated[Number, Field(ge=1)]
+    node: Annotated[Number, Field(ge=1)] = 1
+    kind: Literal["spring", "force"] = "spring"
+    stiffness: NonNegative = 100.0
+    damping: NonNegative = 0.0
+    path: FiniteFloat | list[FiniteFloat] | list[list[FiniteFloat]] = 0.0
+    amplitude: FiniteFloat | list[FiniteFloat] = 0.0
+    frequency: NonNegative = 0.0
+    phase: FiniteFloat = 0.0
+    begin: NonNegative = 0.0
+    release: NonNegative | None = None
+
+    @model_validator(mode="after")
+    def _after(self) -> Self:
+        if self.release is not None and self.release <= self.begin:
+            raise ValueError(f"release is {self.release} s but begin is {self.begin} s; it must be later")
+        if isinstance(self.path, list) and self.path and isinstance(self.path[0], list):
+            times = [row[0] for row in self.path if isinstance(row, list) and row]
+            if any(b <= a for a, b in zip(times, times[1:], strict=False)):
+                raise ValueError(f"the times of path are {times}; they must increase")
+        return self
+
+
+@final
+class Initial(Table):
+    """Where the copies start: for every user a number, d numbers, or n x d numbers (displacement from rest, velocity)."""
+
+    position: list[Any] | None = None
+    velocity: list[Any] | None = None
+
+
+@final
+class Solver(Table):
+    """Accuracy of the step's solve; fewer iterations cost accuracy, never passivity."""
+
+    tolerance: Annotated[float, Field(gt=0.0, lt=1.0)] = 1e-10
+    iterations: Annotated[int, Field(ge=1)] = 500
+    basis: Literal["auto", "nodal", "modal"] = "auto"
+
+
+@final
+class Recording(Table):
+    """What is kept: every how many steps, and which nodes (numbers from 1; default all up to 64, else those held)."""
+
+    every: Annotated[int, Field(ge=1)] = 1
+    nodes: list[Annotated[Number, Field(ge=1)]] | None = None
+
+
+@final
+class Scenario(Table):
+    """Everything that decides a run. Read it from TOML with `read`, or make it from Python objects.
+
+    Examples:
+        >>> scenario = Scenario.from_toml('''
+        ... [network]
+        ... users = ["Ann", "Ben"]
+        ... spring = [[0, 50], [50, 0]]
+        ... delay = [[0, 0.05], [0.05, 0]]
+        ... ''')
+        >>> scenario.synchronisation.mode
+        'freshest'
+    """
+
+    title: str = ""
+    seed: Annotated[int, Field(ge=0)] = 0
+    network: Network
+    body: Body | BodyTable = PointTable()
+    steps: Steps = Steps()
+    synchronisation: Synchronisation = Synchronisation()
+    channel: Channel = Channel()
+    hands: list[Hand] = []
+    initial: Initial = Initial()
+    solver: Solver = Solver()
+    record: Recording = Recording()
+
+    @field_validator("network", mode="before")
+    @classmethod
+    def _network(cls, value: object) -> object:
+        return Network.from_table(dict(value)) if isinstance(value, Mapping) else value
+
+    @field_validator("body", mode="before")
+    @classmethod
+    def _body(cls, value: object) -> object:
+        return {"kind": "point", **value} if isinstance(value, Mapping) else value
+
+    @classmethod
+    def read(cls, path: str | Path) -> "Scenario":
+        """Reads a scenario from a TOML file.
+
+        Raises:
+            ScenarioError: the file is missing, is not TOML, or something in it is wrong.
+            NetworkError: its network is wrong.
+        """
+        try:
+            text = Path(path).read_text(encoding="utf-8")
+        except (OSError, UnicodeDecodeError) as error:
+            reason = error.strerror if isinstance(error, OSError) else "it is not UTF-8 text"
+            raise ScenarioError(f"the scenario {path} cannot be read: {reason}") from error
+        return cls.from_toml(text, source=str(path))
+
+    @classmethod
+    def from_toml(cls, text: str, *, source: str = "the scenario") -> "Scenario":
+        """Reads a scenario from TOML text; `source` names it in messages."""
+        try:
+            table = tomllib.loads(text)
+        except tomllib.TOMLDecodeError as error:
+            raise ScenarioError(f"{source} is not TOML: {error}") from error
+        if "network" not in table:
+            raise ScenarioError(f"{source} has no [network] table; it needs one with users, spring and delay")
+        table["network"] = Network.from_table(table["network"], source=source)
+        return cls.make(source=source, **table)
+
+    @classmethod
+    def make(cls, *, source: str = "the scenario", **tables: Any) -> "Scenario":
+        """Makes a scenario from tables or objects; errors are one sentence each.
+
+        Raises:
+            ScenarioError: a table or value is wrong.
+        """
+        try:
+            return cls(**tables)
+        except ValidationError as error:
+            raise ScenarioError(_sentence(error, source)) from None
+
+    def replace(self, **changes: Any) -> "Scenario":
+        """A copy with whole tables replaced, or single options given as `table__option=value`."""
+        tables: dict[str, Any] = {name: getattr(self, name) for name in type(self).model_fields}
+        for name, value in changes.items():
+            table, _, option = name.partition("__")
+            if option:
+                kept: Any = tables[table]
+                tables[table] = {**kept.model_dump(exclude_unset=True), option: value}
+            else:
+                tables[table] = value
+        tables["body"] = tables["body"] if isinstance(tables["body"], Body | Mapping) else tables["body"].model_dump()
+        return type(self).make(**tables)
+
+    def build_body(self) -> Body:
+        """The shared object."""
+        return self.body if isinstance(self.body, Body) else self.body.build()
+
+    def as_json(self) -> str:
+        """The whole scenario as JSON, for a result's attributes. A body made in Python is named by its size only."""
+        network = self.network
+        numbered = [[a + 1, b + 1] for a, b in network.links]
+        tables: dict[str, Any] = {
+            "title": self.title,
+            "seed": self.seed,
+            "network": {
+                "users": list(network.users),
+                "spring": network.spring.tolist(),
+                "delay": network.delay.tolist(),
+                "links": numbered,
+            },
+        }
+        if isinstance(self.body, Body):
+            tables["body"] = {"kind": "made in Python", "nodes": self.body.nodes, "dimension": self.body.dimension}
+        else:
+            tables["body"] = self.body.model_dump()
+        for name in ("steps", "synchronisation", "channel", "initial", "solver", "record"):
+            tables[name] = getattr(self, name).model_dump()
+        tables["hands"] = [hand.model_dump() for hand in self.hands]
+        return json.dumps(tables)
+
+
+def _sentence(error: ValidationError, source: str) -> str:
+    """The first problem of a validation as one sentence: where, what value, what would be right."""
+    first = error.errors()[0]
+    tags = {"point", "chain", "lattice", "matrices"}
+    parts = [part for part in first["loc"] if not (part in tags and first["loc"][0] == "body")]
+    place = ""
+    for part in parts:
+        if isinstance(part, int):
+            place += f"[{part + 1}]"
+        elif not any(mark in part for mark in "[(-") or part == parts[0]:
+            place += f".{part}" if place else part
+    if first["type"] == "extra_forbidden":
+        text = f"{place} is not an option that cotouch knows; remove it or correct its name"
+    elif first["type"] == "missing":
+        text = f"{place} is missing"
+    elif first["type"] == "union_tag_invalid":
+        text = f'{place}.kind is {first["input"].get("kind")!r}; it must be "point", "chain", "lattice" or "matrices"'
+    else:
+        message = first["msg"].removeprefix("Value error, ")
+        shown = repr(first["input"])
+        shown = shown if len(shown) <= 60 else shown[:57] + "..."
+        plain = first["type"] == "value_error"
+        text = f"{place}: {message}" if plain else f"{place} is {shown}: {message[:1].lower()}{message[1:]}"
+    more = error.error_count() - 1
+    return f"{source}: {text}" + (f" (and {more} more such messages)" if more else "")
+
+
+def per_user(value: float | list[float], users: int, name: str) -> npt.NDArray[np.float64]:
+    """One number for all users, or a list with one for each.
+
+    Raises:
+        ScenarioError: the list has another length.
+    """
+    if isinstance(value, list):
+        if len(value) != users:
+            raise ScenarioError(f"{name} has {len(value)} entries; the network has {users} users")
+        return np.asarray(value, dtype=np.float64)
+    return np.full(users, float(value))

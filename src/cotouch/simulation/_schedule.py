@@ -1,0 +1,282 @@
+"""When every user steps and which sample each step uses: all of it follows from clocks and channel, none from motion."""
+
+from dataclasses import dataclass
+from typing import final
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.errors import ScenarioError
+from cotouch.network import Network
+from cotouch.simulation._channel import Draws, draw, resent
+from cotouch.simulation._scenario import Mode, Scenario, per_user
+from cotouch.simulation._timing import ages, indexed, newest, ring_size, self_paced
+
+Float = npt.NDArray[np.float64]
+Int = npt.NDArray[np.int32]
+
+_DEFAULT_PERIOD = 1e-3
+_MOST_STEPS = 50_000_000
+
+
+@final
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Slots:
+    """Directions of links, ordered by receiver: slot s is what `receiver[s]` sees of `sender[s]` over `link[s]`."""
+
+    first: Int
+    receiver: Int
+    sender: Int
+    link: Int
+
+    @classmethod
+    def of(cls, network: Network) -> "Slots":
+        """The slots of a network."""
+        rows = [(b, a, k) for k, (a, b) in enumerate(network.links)]
+        rows += [(a, b, k) for k, (a, b) in enumerate(network.links)]
+        table = np.array(sorted(rows), dtype=np.int32).reshape(-1, 3)
+        first = np.searchsorted(table[:, 0], np.arange(network.size + 1)).astype(np.int32)
+        receiver, sender, link = (np.ascontiguousarray(column) for column in table.T)
+        return cls(first=first, receiver=receiver, sender=sender, link=link)
+
+
+@final
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Schedule:
+    """The timing of a run.
+
+    Attributes:
+        mode: how samples are chosen.
+        slots: directions of links.
+        count: steps of each user, (users,).
+        end: when each step is taken, (users, steps) [s]; rows are filled up to `count`.
+        length: T of each step, (users, steps) [s].
+        order: user of each event, (events,).
+        used: index of the sample that each slot uses, (slots, steps); -1: the initial one.
+        age: of that sample, (slots, steps) [s].
+        ring: how many samples of a user must be kept.
+        reference: the user with the most steps (the last of them).
+        index_delay: N_ij, (users, users), in the modes that have one.
+        underruns: how often the sample k - N_ij had not arrived, (slots,).
+        draws: fates of the messages of each slot.
+        latency: of every sample, resends included, (slots, steps) [s]; where the mode needs every sample.
+    """
+
+    mode: Mode
+    slots: Slots
+    count: npt.NDArray[np.int64]
+    end: Float
+    length: Float
+    order: Int
+    used: Int
+    age: Float
+    ring: int
+    reference: int
+    index_delay: npt.NDArray[np.int64] | None
+    underruns: npt.NDArray[np.int64]
+    draws: list[Draws]
+    latency: Float | None
+
+    def budget(self, quantile: float) -> Float:
+        """Age in seconds that the given share of steps stays within, (users, users), [i][j] at i of j's samples."""
+        users = self.count.size
+        result = np.zeros((users, users))
+        for s in range(self.slots.link.size):
+            i, j = self.slots.receiver[s], self.slots.sender[s]
+            result[i, j] = np.quantile(self.age[s, : self.count[i]], quantile)
+        return result
+
+    def longest(self) -> Float:
+        """Largest T of each user, (users,) [s]."""
+        return np.array([self.length[i, :n].max(initial=0.0) for i, n in enumerate(self.count)])
+
+
+def schedule(scenario: Scenario) -> Schedule:
+    """Works out the timing of a scenario.
+
+    Raises:
+        ScenarioError: steps or delays that the mode cannot have.
+    """
+    network = scenario.network
+    slots = Slots.of(network)
+    mode = scenario.synchronisation.mode
+    if mode == "freshest":
+        return _freshest(scenario, network, slots)
+    nominal = _lengths(scenario, network.size, common=True)
+    steps = nominal.shape[1]
+    draws = _draws(scenario, network, slots, steps)
+    latency = np.zeros((slots.link.size, steps))
+    for s in range(slots.link.size):
+        i, j = int(slots.receiver[s]), int(slots.sender[s])
+        seed = _seed(scenario, i, j)
+        round_trip = float(network.delay[i, j] + network.delay[j, i])
+        latency[s] = resent(scenario.channel, draws[s], float(network.delay[i, j]), round_trip, seed=seed)
+    delay = _index_delays(scenario, network, slots, latency, nominal)
+    of_slot = delay[slots.receiver, slots.sender].astype(np.int32)
+    used = np.full((slots.link.size, steps), -1, dtype=np.int32)
+    underruns = np.zeros(slots.link.size, dtype=np.int64)
+    if mode == "constant":
+        clock = _clock(nominal)
+        end, length = np.tile(clock, (network.size, 1)), nominal
+        for s in range(slots.link.size):
+            underruns[s] = indexed(clock + latency[s], clock, int(of_slot[s]), used[s])
+        count = np.full(network.size, steps, dtype=np.int64)
+    else:
+        end, length = np.zeros_like(nominal), np.zeros_like(nominal)
+        longest = scenario.synchronisation.longest * nominal.max(axis=1)
+        self_paced(nominal, longest, slots.first, slots.sender, of_slot, latency, end, length)
+        np.maximum(np.arange(steps, dtype=np.int32)[None, :] - of_slot[:, None], -1, out=used)
+        # A step that would be taken after the run has ended is not part of it.
+        count = np.array([np.searchsorted(row, scenario.steps.duration + 1e-9, side="right") for row in end])
+        if count.min(initial=1) < 1:
+            raise ScenarioError(
+                f"the run lasts {scenario.steps.duration} s, but user {int(count.argmin()) + 1} waits longer than that "
+                "for the first samples; make it longer"
+            )
+    return _finish(mode, slots, count, end, length, used, delay, underruns, draws, latency)
+
+
+def _freshest(scenario: Scenario, network: Network, slots: Slots) -> Schedule:
+    length = _lengths(scenario, network.size, common=False)
+    end = np.cumsum(length, axis=1)
+    if scenario.steps.random is None:
+        end = length * np.arange(1, length.shape[1] + 1)  # products, not sums: step 10,000 of 1 ms ends at 10 s exactly
+    limit = scenario.steps.duration * (1.0 + 1e-12) + 1e-12
+    count = np.array([np.searchsorted(row, limit, side="right") for row in end])
+    steps = int(count.max())
+    end, length = np.ascontiguousarray(end[:, :steps]), np.ascontiguousarray(length[:, :steps])
+    draws = _draws(scenario, network, slots, steps)
+    used = np.full((slots.link.size, steps), -1, dtype=np.int32)
+    for s in range(slots.link.size):
+        i, j = slots.receiver[s], slots.sender[s]
+        sent = end[j, : count[j]]
+        newest(sent, sent + draws[s].first[: count[j]], end[i, : count[i]], used[s, : count[i]])
+    none = np.zeros(slots.link.size, dtype=np.int64)
+    return _finish("freshest", slots, count, end, length, used, None, none, draws, None)
+
+
+def _finish(
+    mode: Mode,
+    slots: Slots,
+    count: npt.NDArray[np.int64],
+    end: Float,
+    length: Float,
+    used: Int,
+    delay: npt.NDArray[np.int64] | None,
+    underruns: npt.NDArray[np.int64],
+    draws: list[Draws],
+    latency: Float | None,
+) -> Schedule:
+    users, steps = end.shape
+    age = np.zeros((slots.link.size, steps))
+    for s in range(slots.link.size):
+        i, j = slots.receiver[s], slots.sender[s]
+        n, m = count[i], count[j]
+        ages(end[i, :n], length[i, :n], end[j, :m], length[j, :m], used[s, :n], age[s, :n])
+    if mode != "freshest" or (end == end[0]).all():
+        order = np.tile(np.arange(users, dtype=np.int32), steps)
+        if count.min() < steps:
+            index = np.repeat(np.arange(steps), users)
+            order = order[index < count[order]]
+    else:
+        owner = np.concatenate([np.full(n, i, dtype=np.int32) for i, n in enumerate(count)])
+        moment = np.concatenate([end[i, :n] for i, n in enumerate(count)])
+        order = owner[np.argsort(moment, kind="stable")]
+    ring = ring_size(order, slots.first, slots.sender, used, np.zeros(users, np.int32))
+    return Schedule(
+        mode=mode,
+        slots=slots,
+        count=count,
+        end=end,
+        length=length,
+        order=order,
+        used=used,
+        age=age,
+        ring=int(ring),
+        reference=int(users - 1 - np.argmax(count[::-1])),
+        index_delay=delay,
+        underruns=underruns,
+        draws=draws,
+        latency=latency,
+    )
+
+
+def _lengths(scenario: Scenario, users: int, *, common: bool) -> Float:
+    """Nominal step lengths, (users, steps); with a common index, as many steps as the slowest has time for."""
+    steps = scenario.steps
+    if steps.random is not None:
+        most = _checked(steps.duration / steps.random.low)
+        rows = [
+            np.random.Generator(np.random.PCG64(np.random.SeedSequence((scenario.seed, 1, i)))).uniform(
+                steps.random.low, steps.random.high, most
+            )
+            for i in range(users)
+        ]
+        lengths = np.array(rows)
+    else:
+        if steps.rate is not None:
+            period = 1.0 / per_user(steps.rate, users, "steps.rate")
+        else:
+            period = per_user(_DEFAULT_PERIOD if steps.period is None else steps.period, users, "steps.period")
+        longest = period.max() if common else period.min()
+        lengths = np.repeat(period[:, None], _checked(steps.duration / longest), axis=1)
+    if common:
+        clock = _clock(lengths)
+        count = int(np.searchsorted(clock, steps.duration * (1.0 + 1e-12) + 1e-12, side="right"))
+        lengths = np.ascontiguousarray(lengths[:, :count])
+    if lengths.shape[1] < 1 or lengths[:, 0].max() > steps.duration * (1.0 + 1e-12):
+        raise ScenarioError(f"the run lasts {steps.duration} s, which is less than one step; make it longer")
+    return lengths
+
+
+def _clock(lengths: Float) -> Float:
+    """When the common index advances: with the slowest user at every step."""
+    slowest = lengths.max(axis=0)
+    if slowest.size and (slowest == slowest[0]).all():
+        return slowest * np.arange(1, slowest.size + 1)
+    return np.cumsum(slowest)
+
+
+def _checked(steps: float) -> int:
+    if steps > _MOST_STEPS:
+        raise ScenarioError(f"the run has {steps:.3g} steps; at most {_MOST_STEPS:.0e} fit, so make it shorter")
+    return int(np.ceil(steps * (1.0 + 1e-12) - 1e-9)) + 1
+
+
+def _seed(scenario: Scenario, receiver: int, sender: int) -> tuple[int, ...]:
+    return (scenario.seed, 2, receiver, sender)
+
+
+def _draws(scenario: Scenario, network: Network, slots: Slots, messages: int) -> list[Draws]:
+    return [
+        draw(scenario.channel, float(network.delay[i, j]), messages, seed=_seed(scenario, int(i), int(j)))
+        for i, j in zip(slots.receiver, slots.sender, strict=True)
+    ]
+
+
+def _index_delays(
+    scenario: Scenario, network: Network, slots: Slots, latency: Float, nominal: Float
+) -> npt.NDArray[np.int64]:
+    """N_ij as given, or as many of the shortest common steps as the latencies ask for."""
+    users = network.size
+    given = scenario.synchronisation.index_delay
+    result = np.zeros((users, users), dtype=np.int64)
+    if given is not None:
+        if len(given) != users or any(len(row) != users for row in given):
+            raise ScenarioError(f"synchronisation.index_delay must be {users} x {users}, one row for each user")
+        for i, j in zip(slots.receiver, slots.sender, strict=True):
+            if given[i][j] < 1:
+                raise ScenarioError(
+                    f"synchronisation.index_delay[{i + 1}][{j + 1}] is {given[i][j]}; it must be at least 1, because "
+                    "the neighbour's current sample is not known before the step is solved"
+                )
+            result[i, j] = given[i][j]
+        return result
+    quantile = scenario.synchronisation.quantile
+    if quantile is None:
+        quantile = 0.5 if scenario.synchronisation.mode == "self-paced" else 1.0
+    shortest = float(nominal.max(axis=0).min())
+    for s in range(slots.link.size):
+        needed = float(np.quantile(latency[s], quantile, method="higher"))
+        result[slots.receiver[s], slots.sender[s]] = max(1, int(np.ceil(needed / shortest - 1e-9)))
+    return result

@@ -1,0 +1,142 @@
+"""Compiled parts of a schedule: which sample is used when, and when self-paced users step."""
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.mechanics import kernel
+
+Float = npt.NDArray[np.float64]
+Int = npt.NDArray[np.int32]
+
+
+@kernel
+def newest(sent: Float, arrival: Float, end: Float, used: Int) -> None:
+    """For each step, the newest message that has arrived when it is taken.
+
+    A message counts at a step if it arrived by the step's end and was sent before it: of two users who step at the same
+    instant neither sees what the other sends at that instant, so their order does not matter.
+
+    Args:
+        sent: (messages,), increasing [s].
+        arrival: (messages,), infinite where lost [s].
+        end: when the receiver takes its steps, (steps,), increasing [s].
+        used: result (steps,): index of the message, or -1.
+    """
+    steps = end.shape[0]
+    used[:] = -1
+    guess = 0
+    for m in range(sent.shape[0]):
+        if arrival[m] < np.inf:
+            while guess > 0 and (end[guess - 1] >= arrival[m] and end[guess - 1] > sent[m]):
+                guess -= 1
+            while guess < steps and not (end[guess] >= arrival[m] and end[guess] > sent[m]):
+                guess += 1
+            if guess < steps:
+                used[guess] = max(used[guess], m)
+            guess = min(guess, steps - 1)
+    for k in range(1, steps):
+        used[k] = max(used[k], used[k - 1])
+
+
+@kernel
+def indexed(arrival: Float, clock: Float, delay: int, used: Int) -> int:
+    """For each step k, sample k - delay, or the newest one before it that has arrived; returns how often it had not.
+
+    Args:
+        arrival: of every sample, (samples,) [s].
+        clock: when the steps are taken, (steps,) [s].
+        delay: indexing delay N_ij, >= 1.
+        used: result (steps,): index of the sample, or -1 for the initial one.
+    """
+    short = 0
+    for k in range(clock.shape[0]):
+        wanted = k - delay
+        index = max(wanted, -1)
+        oldest = used[k - 1] if k > 0 else -1
+        # 1e-9 s is far below any step and far above the round-off of summed steps.
+        while index > oldest and arrival[index] > clock[k] + 1e-9:
+            index -= 1
+        if index < wanted:
+            short += 1
+        used[k] = index
+    return short
+
+
+@kernel
+def self_paced(
+    period: Float,
+    longest: Float,
+    first: Int,
+    peer: Int,
+    delay: Int,
+    latency: Float,
+    end: Float,
+    length: Float,
+) -> None:
+    """Step times of users who take step k once the samples k - N_ij are there, and not before their own period is over.
+
+    T is the time that has passed since the integrated time, at most `longest`; what is cut off is made up by later
+    steps, so that integrated time does not drift from real time.
+
+    Args:
+        period: nominal step of each user and step, (users, steps) [s].
+        longest: bound on T, (users,) [s].
+        first: first slot of each user, (users + 1,).
+        peer: sender of each slot, (slots,).
+        delay: N_ij of each slot, (slots,), >= 1.
+        latency: of every sample, (slots, steps) [s].
+        end: result: when each step is taken, (users, steps) [s].
+        length: result: T of each step, (users, steps) [s].
+    """
+    users, steps = end.shape
+    for k in range(steps):
+        for i in range(users):
+            before = end[i, k - 1] if k > 0 else 0.0
+            ready = before + period[i, k]
+            for s in range(first[i], first[i + 1]):
+                index = k - delay[s]
+                if index >= 0:
+                    ready = max(ready, end[peer[s], index] + latency[s, index])
+            end[i, k] = ready
+    for i in range(users):
+        integrated = 0.0
+        for k in range(steps):
+            T = min(end[i, k] - integrated, longest[i])
+            integrated += T
+            length[i, k] = T
+
+
+@kernel
+def ages(end: Float, length: Float, sent: Float, sent_length: Float, used: Int, age: Float) -> None:
+    """Age of the sample that each step uses: the largest distance in time between it and any instant of the step.
+
+    A sample is x̂, the sender's place at the middle of its step. For samples from before the step this is the age at the
+    end of the step; a sample newer than the step's start counts by its distance from there where that is larger.
+
+    Args:
+        end: of the receiver's steps, (steps,) [s].
+        length: of the receiver's steps, (steps,) [s].
+        sent: end of the sender's steps, (samples,) [s].
+        sent_length: length of the sender's steps, (samples,) [s].
+        used: index of the sample at each step, (steps,); -1: the initial state, known at time 0.
+        age: result (steps,) [s].
+    """
+    for k in range(end.shape[0]):
+        stamp = 0.0
+        if used[k] >= 0:
+            stamp = sent[used[k]] - 0.5 * sent_length[used[k]]
+        age[k] = max(end[k] - stamp, stamp - (end[k] - length[k]))
+
+
+@kernel
+def ring_size(order: Int, first: Int, peer: Int, used: Int, counter: Int) -> int:
+    """How many samples of a user must be kept so that none is overwritten before its last use; `counter` is zeros."""
+    size = 1
+    for event in range(order.shape[0]):
+        i = order[event]
+        k = counter[i]
+        for s in range(first[i], first[i + 1]):
+            if used[s, k] >= 0:
+                size = max(size, counter[peer[s]] - used[s, k])
+        counter[i] = k + 1
+    return size
