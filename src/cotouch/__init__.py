@@ -1,0 +1,80 @@
+"""cotouch: hold, push and deform one virtual object together over any packet network, stably, and feel each other.
+
+    >>> import cotouch
+    >>> run = cotouch.simulate({
+    ...     "network": {"users": ["Ann", "Ben"], "spring": [[0, 50], [50, 0]], "delay": [[0, 0.05], [0.05, 0]]},
+    ...     "hands": [{"user": 1, "path": 0.1}],
+    ... })
+    >>> run.sizes["user"]
+    2
+
+Everything here is loaded on first use, so that `import cotouch` and the command line start quickly.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from cotouch.body import Body, chain, lattice, point
+    from cotouch.errors import BodyError, CotouchError, InputError, NetworkError, ScenarioError, UnsupportedError
+    from cotouch.network import Certificate, Network, certify
+    from cotouch.peer import Peer
+    from cotouch.simulation import Scenario, save, settling_time, simulate, summary
+
+__version__ = "0.1.0"
+
+_HOME = {
+    "Body": "cotouch.body",
+    "BodyError": "cotouch.errors",
+    "Certificate": "cotouch.network",
+    "CotouchError": "cotouch.errors",
+    "InputError": "cotouch.errors",
+    "Network": "cotouch.network",
+    "NetworkError": "cotouch.errors",
+    "Peer": "cotouch.peer",
+    "Scenario": "cotouch.simulation",
+    "ScenarioError": "cotouch.errors",
+    "UnsupportedError": "cotouch.errors",
+    "certify": "cotouch.network",
+    "chain": "cotouch.body",
+    "lattice": "cotouch.body",
+    "point": "cotouch.body",
+    "save": "cotouch.simulation",
+    "settling_time": "cotouch.simulation",
+    "simulate": "cotouch.simulation",
+    "summary": "cotouch.simulation",
+}
+
+__all__ = [
+    "Body",
+    "BodyError",
+    "Certificate",
+    "CotouchError",
+    "InputError",
+    "Network",
+    "NetworkError",
+    "Peer",
+    "Scenario",
+    "ScenarioError",
+    "UnsupportedError",
+    "__version__",
+    "certify",
+    "chain",
+    "lattice",
+    "point",
+    "save",
+    "settling_time",
+    "simulate",
+    "summary",
+]
+
+
+def __getattr__(name: str) -> object:
+    home = _HOME.get(name)
+    if home is None:
+        raise AttributeError(f"module 'cotouch' has no attribute {name!r}")
+    return getattr(import_module(home), name)
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

@@ -71,9 +71,10 @@ def chain(
     Raises:
         BodyError: a value is out of its range.
     """
-    shape = (nodes, 1, 1)[: max(dimension, 1)]
+    if dimension not in {1, 2, 3}:
+        raise BodyError(f"dimension is {dimension}; it must be 1, 2 or 3")
     return lattice(
-        shape,
+        (nodes, 1, 1)[:dimension],
         mass=mass,
         stiffness=stiffness,
         damping=damping,
@@ -114,7 +115,7 @@ def lattice(
     Raises:
         BodyError: a value is out of its range.
     """
-    extents = tuple(int(extent) for extent in shape)
+    extents = tuple(int(extent) if float(extent).is_integer() else 0 for extent in shape)
     if not 1 <= len(extents) <= 3 or min(extents) < 1:
         raise BodyError(f"the lattice's shape is {tuple(shape)}; it must be 1 to 3 whole numbers of at least 1")
     if neighbours not in _REACH:

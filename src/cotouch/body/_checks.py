@@ -1,6 +1,6 @@
 """What a matrix of a body must be, checked once, with an error that says which entry or eigenvalue is wrong."""
 
-from typing import Literal, TypeAlias
+from typing import Any, Literal, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -34,9 +34,13 @@ def square(name: str, matrix: Matrix, *, sizes: dict[int, Form]) -> sp.csr_array
         BodyError: wrong shape, not finite, or not symmetric.
     """
     try:
-        csr = sp.csr_array(matrix if sp.issparse(matrix) else np.atleast_2d(np.asarray(matrix)), dtype=np.float64)
+        given = matrix if sp.issparse(matrix) else np.atleast_2d(np.asarray(matrix))
+        real = not np.iscomplexobj(given)
+        csr = sp.csr_array(given, dtype=np.float64 if real else np.complex128, copy=True)  # tidied in place below
     except (TypeError, ValueError) as error:
         raise BodyError(f"{name} is not a matrix of real numbers ({error}); give a dense or sparse one") from error
+    if not real:
+        raise BodyError(f"{name} has complex entries; every entry must be a real number")
     allowed = " or ".join(f"{rows} x {rows}" for rows in sizes)
     if csr.ndim != 2 or csr.shape[0] != csr.shape[1] or csr.shape[0] not in sizes:
         shape = " x ".join(str(extent) for extent in csr.shape)
@@ -82,27 +86,57 @@ def positive(name: str, matrix: sp.csr_array, *, strictly: bool) -> None:
     Raises:
         BodyError: the smallest eigenvalue is negative, or zero where `strictly`.
     """
-    diagonal_values = matrix.diagonal()
-    outer = np.asarray(abs(matrix).sum(axis=1)).ravel() - np.abs(diagonal_values)
-    gershgorin = diagonal_values - outer
-    size = float(np.abs(diagonal_values).max(initial=0.0))
+    own = matrix.diagonal()
+    margin = own - (np.asarray(abs(matrix).sum(axis=1)).ravel() - np.abs(own))
     # Gershgorin's circles settle every lattice and chain at once; only other matrices need an eigenvalue.
-    if gershgorin.min(initial=np.inf) > (_ROUND_OFF * size if strictly else -_ROUND_OFF * size):
+    if np.all(margin > _ROUND_OFF * own if strictly else margin >= -_ROUND_OFF * own):
         return
-    smallest = _smallest_eigenvalue(matrix)
-    if smallest > _ROUND_OFF * size if strictly else smallest >= -_ROUND_OFF * max(size, 1e-300):
+    floor = (1.0 if strictly else -1.0) * _ROUND_OFF * float(np.abs(own).max())
+    if matrix.shape[0] <= _DENSE_ROWS:
+        smallest = float(la.eigvalsh(matrix.toarray(), subset_by_index=[0, 0])[0])
+        if smallest > floor if strictly else smallest >= floor:
+            return
+    elif _factor(matrix, floor) is not None:
         return
+    else:
+        smallest = _smallest_eigenvalue(matrix, float(margin.min()), floor)
     wanted = "positive definite (every eigenvalue > 0)" if strictly else "positive semidefinite (no eigenvalue < 0)"
     raise BodyError(f"the smallest eigenvalue of {name} is {smallest:.6g}; {name} must be {wanted}")
 
 
-def _smallest_eigenvalue(matrix: sp.csr_array) -> float:
-    rows = matrix.shape[0]
-    if rows <= _DENSE_ROWS:
-        return float(la.eigvalsh(matrix.toarray(), subset_by_index=[0, 0])[0])
-    from scipy.sparse.linalg import eigsh
+def _factor(matrix: sp.csr_array, shift: float) -> Any:
+    """The LU factors of `matrix - shift I` where that is positive definite, else None.
 
-    start = np.cos(np.arange(rows) * 1.618)  # any fixed vector; a random one would make messages differ between runs
-    top = float(eigsh(matrix, k=1, which="LA", v0=start, tol=1e-3, return_eigenvectors=False)[0])
-    flipped = top * sp.eye_array(rows, format="csr") - matrix
-    return top - float(eigsh(flipped, k=1, which="LA", v0=start, tol=1e-12, return_eigenvectors=False)[0])
+    Without pivoting U is D Lᵀ, so by Sylvester's law all of its diagonal is positive just where the matrix is. Unlike
+    Lanczos iterations, this also decides matrices whose eigenvalues crowd at zero, as those of plates and beams do.
+    """
+    from scipy.sparse.linalg import splu
+
+    shifted = sp.csc_array(matrix - shift * sp.eye_array(matrix.shape[0]))
+    try:
+        factors = splu(shifted, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
+    except RuntimeError:  # a pivot is exactly zero
+        return None
+    unpivoted = np.array_equal(factors.perm_r, factors.perm_c)
+    return factors if unpivoted and np.all(factors.U.diagonal() > 0.0) else None
+
+
+def _smallest_eigenvalue(matrix: sp.csr_array, below: float, above: float) -> float:
+    """The smallest eigenvalue, known to lie from `below` to `above`: bisection, then inverse iteration."""
+    below -= 1e-3 * abs(below) + abs(above)  # so that nothing lies on it
+    factors = _factor(matrix, below)
+    assert factors is not None
+    resolution = abs(above)
+    while above - below > max(1e-3 * max(abs(below), abs(above)), resolution):
+        # The bracket may span many powers of ten below zero; there its ends are halved in proportion.
+        middle = -float(np.sqrt(below * above)) if above < 0.0 else 0.5 * (below + above)
+        found = _factor(matrix, middle)
+        if found is None:
+            above = middle
+        else:
+            below, factors = middle, found
+    vector = np.cos(np.arange(matrix.shape[0]) * 1.618)  # any fixed vector; a random one would change the message
+    for _ in range(100):
+        vector = factors.solve(vector)
+        vector /= la.norm(vector)
+    return float(vector @ (matrix @ vector))

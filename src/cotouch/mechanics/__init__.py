@@ -2,7 +2,7 @@
 
 from cotouch.mechanics._kernel import kernel
 from cotouch.mechanics._model import Basis, Model, model
-from cotouch.mechanics._operator import Operator, multiply
+from cotouch.mechanics._operator import WEIGHTS, Operator, mixed, multiply
 from cotouch.mechanics._step import (
     BODY_LOSS,
     BOOKS,
@@ -31,6 +31,7 @@ __all__ = [
     "KINETIC",
     "LOCAL_LOSS",
     "SUPPLIED",
+    "WEIGHTS",
     "Basis",
     "Grips",
     "Links",
@@ -41,6 +42,7 @@ __all__ = [
     "at",
     "kernel",
     "load",
+    "mixed",
     "model",
     "multiply",
     "settle",

@@ -135,7 +135,7 @@ def _fit(body: Body, index: int, weight: Matrix) -> tuple[sp.csr_array, bool]:
     """A weight in rows of the body, and whether it needs the full form."""
     csr = sp.csr_array(weight if sp.issparse(weight) else np.atleast_2d(np.asarray(weight, dtype=np.float64)))
     n, d = body.nodes, body.dimension
-    size = csr.shape[0]
+    size = csr.shape[0] if csr.shape[0] == csr.shape[1] else 0
     if size == n * d and d > 1 and size != n:
         return csr, True
     if size == n and not (n == d and d > 1):
@@ -143,7 +143,7 @@ def _fit(body: Body, index: int, weight: Matrix) -> tuple[sp.csr_array, bool]:
     if size == d and n != d:
         return sp.csr_array(sp.kron(sp.eye_array(n), csr)), True
     wanted = " or ".join(dict.fromkeys(f"{s} x {s}" for s in ((n * d,) if n == d else (n, d, n * d))))
-    raise BodyError(f"link weight {index} is {size} x {csr.shape[1]}; for this body it must be {wanted}")
+    raise BodyError(f"link weight {index} is {csr.shape[0]} x {csr.shape[1]}; for this body it must be {wanted}")
 
 
 def _operator(matrices: list[sp.csr_array], copies: int) -> Operator:

@@ -4,6 +4,8 @@ Storage is booked in the order of the steps: when user i moves, its springs are 
 copies are at that moment. With a common index this is V of [Lee & Huang 2010, eq. 7] once all users have taken the
 step; with own rates it stays an exact balance, because every joule is booked by the copy that moves.
 """
+# An array indexed by an element of another is a number to numba and an array to numpy's types.
+# pyright: reportArgumentType=false, reportReturnType=false
 
 from typing import NamedTuple
 
@@ -18,6 +20,7 @@ from cotouch.mechanics import (
     KINETIC,
     LOCAL_LOSS,
     SUPPLIED,
+    WEIGHTS,
     Grips,
     Links,
     Operator,
@@ -26,6 +29,7 @@ from cotouch.mechanics import (
     at,
     kernel,
     load,
+    mixed,
     multiply,
     settle,
     splat,
@@ -36,8 +40,6 @@ from cotouch.mechanics import (
 
 Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
-
-_WEIGHTS = 3  # row of Operator.mix where the link weights start
 
 # Columns of `Record.users`: cumulative work and losses, energies now [J], iterations of the last solve.
 USER_BOOKS = ("supplied", "body_loss", "local_loss", "extra_loss", "kinetic", "elastic", "iterations")
@@ -227,7 +229,7 @@ def run(
             peer = topology.peer[s]
             scratch.slot[s] = users * timing.ring + peer if index < 0 else peer * timing.ring + index % timing.ring
         for p in range(p0, p1):
-            _grip(hands, scratch.grips, scratch.cursor, p, timing.end[i, k], T, lanes)
+            grip(hands, scratch.grips, scratch.cursor, p, timing.end[i, k], T, lanes)
         held = scratch.grips
         grips = Grips(
             p0,
@@ -321,7 +323,7 @@ def _place(hands: Hands, cursor: Int, p: int, t: float, lanes: tuple[int, ...]) 
 
 
 @kernel
-def _grip(hands: Hands, grips: Grips, cursor: Int, p: int, end: float, T: float, lanes: tuple[int, ...]) -> None:
+def grip(hands: Hands, grips: Grips, cursor: Int, p: int, end: float, T: float, lanes: tuple[int, ...]) -> None:
     """What port p does during a step that ends at `end`."""
     middle = end - 0.5 * T
     zero = splat(0.0, lanes)
@@ -351,11 +353,8 @@ def _delay_work(
     base = scratch.slot[s] * rows
     mean = scratch.work.mean
     work = splat(0.0, lanes)
-    coupled = False
-    for family in range(op.entries.shape[0]):
-        coupled = coupled or op.mix[_WEIGHTS + w, family] != 0.0
-    if coupled:
-        multiply(op, _WEIGHTS + w, op.weight[w], mean, scratch.product, lanes)
+    if mixed(op, WEIGHTS + w):
+        multiply(op, WEIGHTS + w, op.weight[w], mean, scratch.product, lanes)
         for i in range(rows):
             gap = load(fields.samples, base + i, lanes) - load(fields.position, peer * rows + i, lanes)
             work = work + load(scratch.product, i, lanes) * gap
@@ -382,10 +381,18 @@ def _spring_energies(
     for link in range(topology.ends.shape[0]):
         a, b, s = topology.ends[link, 0], topology.ends[link, 1], topology.slot[link]
         w = topology.weight[s]
-        for i in range(rows):
-            gap = load(fields.position, a * rows + i, lanes) - load(fields.position, b * rows + i, lanes)
-            store(scratch.difference, i, gap, lanes)
-        form = multiply(op, _WEIGHTS + w, op.weight[w], scratch.difference, scratch.product, lanes)
+        form = 0.0
+        if mixed(op, WEIGHTS + w):
+            for i in range(rows):
+                gap = load(fields.position, a * rows + i, lanes) - load(fields.position, b * rows + i, lanes)
+                store(scratch.difference, i, gap, lanes)
+            form = multiply(op, WEIGHTS + w, op.weight[w], scratch.difference, scratch.product, lanes)
+        else:
+            square = splat(0.0, lanes)
+            for i in range(rows):
+                gap = load(fields.position, a * rows + i, lanes) - load(fields.position, b * rows + i, lanes)
+                square = square + op.weight[w, i] * (gap * gap)
+            form = total(square)
         energy = 0.5 * topology.strength[s] * form
         record.links[tick, link] = energy
         result += energy

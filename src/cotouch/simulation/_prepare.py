@@ -106,17 +106,17 @@ def _local_damping(scenario: Scenario, timing: Schedule) -> Float:
         own = 1 if network.weights and all(network.weight_of[a, b] == 0 for a, b in network.links) else 0
         result[:, own] = per_user(wish.damping, network.size, "synchronisation.damping")
         return result * wish.scale
-    if timing.index_delay is None:
-        ages = timing.budget(1.0 if wish.quantile is None else wish.quantile)
-        coefficients = damping_for(network, wish.damping, ages=ages)
-    else:
-        coefficients = damping_for(
-            network,
-            wish.damping,
-            index_delay=timing.index_delay,
-            periods=timing.longest(),
-            constant=_is_constant(timing),
+    if wish.damping == "exact" and not (timing.mode == "constant" and _is_constant(timing)):
+        raise ScenarioError(
+            'synchronisation.damping is "exact", which covers only mode "constant" with one constant step length '
+            'for all; use "rule" or "minimax"'
         )
+    if timing.index_delay is None:
+        coefficients = damping_for(
+            network, wish.damping, ages=timing.budget(1.0 if wish.quantile is None else wish.quantile)
+        )
+    else:
+        coefficients = damping_for(network, wish.damping, index_delay=timing.index_delay, periods=timing.longest())
     return np.ascontiguousarray(coefficients) * wish.scale
 
 

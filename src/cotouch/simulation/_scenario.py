@@ -3,12 +3,24 @@
 import json
 import tomllib
 from collections.abc import Mapping
+from itertools import pairwise
 from pathlib import Path
 from typing import Annotated, Any, Literal, Self, final
 
 import numpy as np
 import numpy.typing as npt
-from pydantic import BaseModel, ConfigDict, Field, FiniteFloat, ValidationError, field_validator, model_validator
+from pydantic import (
+    BaseModel,
+    ConfigDict,
+    Discriminator,
+    Field,
+    FiniteFloat,
+    InstanceOf,
+    Tag,
+    ValidationError,
+    field_validator,
+    model_validator,
+)
 from pydantic import NonNegativeFloat as _NonNegativeFloat
 
 from cotouch.body import Body, chain, lattice, point
@@ -31,7 +43,7 @@ class Table(BaseModel):
 
 @final
 class PointTable(Table):
-    """One node. Mass [kg], damping [Ns/m] and stiffness [N/m] to the ground; rest: a number or 1 to 3 coordinates [m]."""
+    """One node: mass [kg], damping [Ns/m] and stiffness [N/m] to the ground, rest place (a number or 1 to 3) [m]."""
 
     kind: Literal["point"] = "point"
     mass: Positive = 1.0
@@ -101,7 +113,22 @@ class MatrixTable(Table):
         return Body(**self.model_dump(exclude={"kind"}))
 
 
-BodyTable = Annotated[PointTable | ChainTable | LatticeTable | MatrixTable, Field(discriminator="kind")]
+def _kind(value: object) -> str | None:
+    """Which sort of body is given."""
+    if isinstance(value, Body):
+        return "body"
+    kind = value.get("kind", "point") if isinstance(value, Mapping) else getattr(value, "kind", None)
+    return kind if isinstance(kind, str) else None
+
+
+BodySource = Annotated[
+    Annotated[InstanceOf[Body], Tag("body")]
+    | Annotated[PointTable, Tag("point")]
+    | Annotated[ChainTable, Tag("chain")]
+    | Annotated[LatticeTable, Tag("lattice")]
+    | Annotated[MatrixTable, Tag("matrices")],
+    Discriminator(_kind),
+]
 
 
 @final
@@ -156,8 +183,9 @@ class Synchronisation(Table):
         extra_damping: B_e, one number or one for each user [Ns/m].
         index_delay: N_ij in steps, [i][j] from j to i; by default from the channel's delays.
         quantile: share of this run's samples that N_ij ("constant", "self-paced") or the age budget ("freshest") must
-            cover; by default all, and half where self-pacing waits for the rest.
-        longest: self-paced: bound on T_i(k), in nominal steps; what passes beyond it is made up later.
+            cover; by default all, and 99 % where self-pacing waits for the rest.
+        longest: self-paced: bound on T_i(k), in nominal steps; what passes beyond it is made up later. By default
+            twice the mean pace of this run.
     """
 
     mode: Mode = "freshest"
@@ -166,14 +194,15 @@ class Synchronisation(Table):
     extra_damping: NonNegative | list[NonNegative] = 0.0
     index_delay: list[list[Annotated[int, Field(ge=0)]]] | None = None
     quantile: Probability | None = None
-    longest: Annotated[float, Field(ge=1.0, allow_inf_nan=False)] = 2.0
+    longest: Annotated[float, Field(ge=1.0, allow_inf_nan=False)] | None = None
 
 
 @final
 class Jitter(Table):
-    """Random delay added to every message, never negative, mean and spread set by `scale` [s]: uniform in [0, scale],
-    exponential with mean scale, or the size of a normal with standard deviation scale.
-    """  # noqa: D205
+    """Random delay added to every message, never negative.
+
+    Uniform in [0, scale], exponential with mean scale, or the size of a normal with standard deviation scale [s].
+    """
 
     kind: Literal["uniform", "exponential", "normal"] = "uniform"
     scale: NonNegative
@@ -250,14 +279,14 @@ class Hand(Table):
             raise ValueError(f"release is {self.release} s but begin is {self.begin} s; it must be later")
         if isinstance(self.path, list) and self.path and isinstance(self.path[0], list):
             times = [row[0] for row in self.path if isinstance(row, list) and row]
-            if any(b <= a for a, b in zip(times, times[1:], strict=False)):
+            if any(b <= a for a, b in pairwise(times)):
                 raise ValueError(f"the times of path are {times}; they must increase")
         return self
 
 
 @final
 class Initial(Table):
-    """Where the copies start: for every user a number, d numbers, or n x d numbers (displacement from rest, velocity)."""
+    """Where the copies start, displaced from rest and moving: for every user a number, d numbers, or n x d numbers."""
 
     position: list[Any] | None = None
     velocity: list[Any] | None = None
@@ -297,8 +326,8 @@ class Scenario(Table):
 
     title: str = ""
     seed: Annotated[int, Field(ge=0)] = 0
-    network: Network
-    body: Body | BodyTable = PointTable()
+    network: InstanceOf[Network]
+    body: BodySource = PointTable()
     steps: Steps = Steps()
     synchronisation: Synchronisation = Synchronisation()
     channel: Channel = Channel()
@@ -311,11 +340,6 @@ class Scenario(Table):
     @classmethod
     def _network(cls, value: object) -> object:
         return Network.from_table(dict(value)) if isinstance(value, Mapping) else value
-
-    @field_validator("body", mode="before")
-    @classmethod
-    def _body(cls, value: object) -> object:
-        return {"kind": "point", **value} if isinstance(value, Mapping) else value
 
     @classmethod
     def read(cls, path: str | Path) -> "Scenario":
@@ -366,7 +390,6 @@ class Scenario(Table):
                 tables[table] = {**kept.model_dump(exclude_unset=True), option: value}
             else:
                 tables[table] = value
-        tables["body"] = tables["body"] if isinstance(tables["body"], Body | Mapping) else tables["body"].model_dump()
         return type(self).make(**tables)
 
     def build_body(self) -> Body:
@@ -399,29 +422,46 @@ class Scenario(Table):
 
 def _sentence(error: ValidationError, source: str) -> str:
     """The first problem of a validation as one sentence: where, what value, what would be right."""
-    first = error.errors()[0]
-    tags = {"point", "chain", "lattice", "matrices"}
-    parts = [part for part in first["loc"] if not (part in tags and first["loc"][0] == "body")]
+    problems = error.errors()
+    first = problems[0]
+    place = _place(first["loc"])
+    value = repr(first["input"])
+    value = value if len(value) <= 60 else value[:57] + "..."
+    message = first["msg"].removeprefix("Value error, ")
+    match first["type"]:
+        case "extra_forbidden":
+            text = f"{place} is not an option that cotouch knows; remove it or correct its name"
+        case "missing":
+            text = f"{place} is missing"
+        case "union_tag_invalid" | "union_tag_not_found":
+            kind = first["input"].get("kind") if isinstance(first["input"], Mapping) else first["input"]
+            text = f'{place}.kind is {kind!r}; it must be "point", "chain", "lattice" or "matrices"'
+        case "value_error":
+            text = f"{place}: {message}" if place else message
+        case _:
+            text = f"{place} is {value}: {message[:1].lower()}{message[1:]}"
+    more = len({_place(problem["loc"]) for problem in problems}) - 1
+    return f"{source}: {text}" + (f" (and {more} more such message{'s' * (more > 1)})" if more else "")
+
+
+def _place(parts: tuple[int | str, ...]) -> str:
+    """Where in the file, as a reader would write it; pydantic's names of types are left out."""
     place = ""
-    for part in parts:
+    for depth, part in enumerate(parts):
         if isinstance(part, int):
             place += f"[{part + 1}]"
-        elif not any(mark in part for mark in "[(-") or part == parts[0]:
+        elif depth == 0 or part in _OPTIONS or (depth == len(parts) - 1 and not any(mark in part for mark in "[(-")):
             place += f".{part}" if place else part
-    if first["type"] == "extra_forbidden":
-        text = f"{place} is not an option that cotouch knows; remove it or correct its name"
-    elif first["type"] == "missing":
-        text = f"{place} is missing"
-    elif first["type"] == "union_tag_invalid":
-        text = f'{place}.kind is {first["input"].get("kind")!r}; it must be "point", "chain", "lattice" or "matrices"'
-    else:
-        message = first["msg"].removeprefix("Value error, ")
-        shown = repr(first["input"])
-        shown = shown if len(shown) <= 60 else shown[:57] + "..."
-        plain = first["type"] == "value_error"
-        text = f"{place}: {message}" if plain else f"{place} is {shown}: {message[:1].lower()}{message[1:]}"
-    more = error.error_count() - 1
-    return f"{source}: {text}" + (f" (and {more} more such messages)" if more else "")
+    for name in ("float", "int", "str", "bool"):
+        place = place.removesuffix(f".{name}")
+    return place
+
+
+_OPTIONS = {
+    name
+    for table in (Scenario, PointTable, ChainTable, LatticeTable, MatrixTable, Steps, Random, Synchronisation, Channel)
+    for name in table.model_fields
+} | {name for table in (Jitter, Burst, Hand, Initial, Solver, Recording) for name in table.model_fields}
 
 
 def per_user(value: float | list[float], users: int, name: str) -> npt.NDArray[np.float64]:

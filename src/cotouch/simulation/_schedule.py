@@ -1,4 +1,4 @@
-"""When every user steps and which sample each step uses: all of it follows from clocks and channel, none from motion."""
+"""When every user steps and which sample each step uses; clocks and channel decide all of it, motion none."""
 
 from dataclasses import dataclass
 from typing import final
@@ -10,13 +10,15 @@ from cotouch.errors import ScenarioError
 from cotouch.network import Network
 from cotouch.simulation._channel import Draws, draw, resent
 from cotouch.simulation._scenario import Mode, Scenario, per_user
-from cotouch.simulation._timing import ages, indexed, newest, ring_size, self_paced
+from cotouch.simulation._timing import ages, elapsed, indexed, newest, ring_size, self_paced
 
 Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
 
 _DEFAULT_PERIOD = 1e-3
 _MOST_STEPS = 50_000_000
+# Self-pacing waits for the samples that N_ij does not cover; one in a hundred keeps the pace near the nominal one.
+_SELF_PACED_QUANTILE = 0.99
 
 
 @final
@@ -51,6 +53,8 @@ class Schedule:
         count: steps of each user, (users,).
         end: when each step is taken, (users, steps) [s]; rows are filled up to `count`.
         length: T of each step, (users, steps) [s].
+        nominal: T as the clocks were set, (users, steps) [s]; waiting makes self-paced steps longer.
+        bound: on T, (users,) [s].
         order: user of each event, (events,).
         used: index of the sample that each slot uses, (slots, steps); -1: the initial one.
         age: of that sample, (slots, steps) [s].
@@ -67,6 +71,8 @@ class Schedule:
     count: npt.NDArray[np.int64]
     end: Float
     length: Float
+    nominal: Float
+    bound: Float
     order: Int
     used: Int
     age: Float
@@ -114,6 +120,7 @@ def schedule(scenario: Scenario) -> Schedule:
     delay = _index_delays(scenario, network, slots, latency, nominal)
     of_slot = delay[slots.receiver, slots.sender].astype(np.int32)
     used = np.full((slots.link.size, steps), -1, dtype=np.int32)
+    bound = nominal.max(axis=1)
     underruns = np.zeros(slots.link.size, dtype=np.int64)
     if mode == "constant":
         clock = _clock(nominal)
@@ -123,8 +130,11 @@ def schedule(scenario: Scenario) -> Schedule:
         count = np.full(network.size, steps, dtype=np.int64)
     else:
         end, length = np.zeros_like(nominal), np.zeros_like(nominal)
-        longest = scenario.synchronisation.longest * nominal.max(axis=1)
-        self_paced(nominal, longest, slots.first, slots.sender, of_slot, latency, end, length)
+        self_paced(nominal, slots.first, slots.sender, of_slot, latency, end)
+        longest = scenario.synchronisation.longest
+        # Twice the mean pace leaves room to make up for a long wait.
+        bound = 2.0 * end[:, -1] / steps if longest is None else longest * nominal.max(axis=1)
+        elapsed(end, bound, length)
         np.maximum(np.arange(steps, dtype=np.int32)[None, :] - of_slot[:, None], -1, out=used)
         # A step that would be taken after the run has ended is not part of it.
         count = np.array([np.searchsorted(row, scenario.steps.duration + 1e-9, side="right") for row in end])
@@ -133,7 +143,7 @@ def schedule(scenario: Scenario) -> Schedule:
                 f"the run lasts {scenario.steps.duration} s, but user {int(count.argmin()) + 1} waits longer than that "
                 "for the first samples; make it longer"
             )
-    return _finish(mode, slots, count, end, length, used, delay, underruns, draws, latency)
+    return _finish(mode, slots, count, end, length, nominal, bound, used, delay, underruns, draws, latency)
 
 
 def _freshest(scenario: Scenario, network: Network, slots: Slots) -> Schedule:
@@ -152,7 +162,8 @@ def _freshest(scenario: Scenario, network: Network, slots: Slots) -> Schedule:
         sent = end[j, : count[j]]
         newest(sent, sent + draws[s].first[: count[j]], end[i, : count[i]], used[s, : count[i]])
     none = np.zeros(slots.link.size, dtype=np.int64)
-    return _finish("freshest", slots, count, end, length, used, None, none, draws, None)
+    bound = length.max(axis=1)
+    return _finish("freshest", slots, count, end, length, length, bound, used, None, none, draws, None)
 
 
 def _finish(
@@ -161,6 +172,8 @@ def _finish(
     count: npt.NDArray[np.int64],
     end: Float,
     length: Float,
+    nominal: Float,
+    bound: Float,
     used: Int,
     delay: npt.NDArray[np.int64] | None,
     underruns: npt.NDArray[np.int64],
@@ -189,6 +202,8 @@ def _finish(
         count=count,
         end=end,
         length=length,
+        nominal=nominal,
+        bound=bound,
         order=order,
         used=used,
         age=age,
@@ -274,7 +289,7 @@ def _index_delays(
         return result
     quantile = scenario.synchronisation.quantile
     if quantile is None:
-        quantile = 0.5 if scenario.synchronisation.mode == "self-paced" else 1.0
+        quantile = _SELF_PACED_QUANTILE if scenario.synchronisation.mode == "self-paced" else 1.0
     shortest = float(nominal.max(axis=0).min())
     for s in range(slots.link.size):
         needed = float(np.quantile(latency[s], quantile, method="higher"))

@@ -1,4 +1,6 @@
 """Compiled parts of a schedule: which sample is used when, and when self-paced users step."""
+# An array indexed by an element of another is a number to numba and an array to numpy's types.
+# pyright: reportArgumentType=false, reportReturnType=false
 
 import numpy as np
 import numpy.typing as npt
@@ -63,41 +65,40 @@ def indexed(arrival: Float, clock: Float, delay: int, used: Int) -> int:
 
 
 @kernel
-def self_paced(
-    period: Float,
-    longest: Float,
-    first: Int,
-    peer: Int,
-    delay: Int,
-    latency: Float,
-    end: Float,
-    length: Float,
-) -> None:
-    """Step times of users who take step k once the samples k - N_ij are there, and not before their own period is over.
-
-    T is the time that has passed since the integrated time, at most `longest`; what is cut off is made up by later
-    steps, so that integrated time does not drift from real time.
+def self_paced(period: Float, first: Int, peer: Int, delay: Int, latency: Float, end: Float) -> None:
+    """When users step who take step k once the samples k - N_ij are there, and not before their own period is over.
 
     Args:
         period: nominal step of each user and step, (users, steps) [s].
-        longest: bound on T, (users,) [s].
         first: first slot of each user, (users + 1,).
         peer: sender of each slot, (slots,).
         delay: N_ij of each slot, (slots,), >= 1.
         latency: of every sample, (slots, steps) [s].
         end: result: when each step is taken, (users, steps) [s].
-        length: result: T of each step, (users, steps) [s].
     """
     users, steps = end.shape
     for k in range(steps):
         for i in range(users):
-            before = end[i, k - 1] if k > 0 else 0.0
-            ready = before + period[i, k]
+            ready = period[i, k] + (end[i, k - 1] if k > 0 else 0.0)
             for s in range(first[i], first[i + 1]):
                 index = k - delay[s]
                 if index >= 0:
                     ready = max(ready, end[peer[s], index] + latency[s, index])
             end[i, k] = ready
+
+
+@kernel
+def elapsed(end: Float, longest: Float, length: Float) -> None:
+    """T of self-paced steps: the real time that integration has not covered yet, at most `longest` at once.
+
+    What is cut off is made up by later steps, so integrated time does not drift from real time.
+
+    Args:
+        end: when each step is taken, (users, steps) [s].
+        longest: bound on T, (users,) [s].
+        length: result: T of each step, (users, steps) [s].
+    """
+    users, steps = end.shape
     for i in range(users):
         integrated = 0.0
         for k in range(steps):

@@ -1,0 +1,5 @@
+"""The `cotouch` command. Each command is a thin shell over the library; heavy imports happen inside them."""
+
+from cotouch.cli._app import main
+
+__all__ = ["main"]

@@ -1,0 +1,96 @@
+"""The command line: options in, library call, table or JSON out."""
+
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from cotouch.errors import CotouchError
+
+app = typer.Typer(
+    name="cotouch",
+    help="Hold, push and deform one virtual object together over any packet network, stably, and feel each other.",
+    no_args_is_help=True,
+    pretty_exceptions_enable=False,
+    add_completion=False,
+    rich_markup_mode=None,  # plain help: loading rich for it costs half of the start-up time
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+
+AsJson = Annotated[
+    bool, typer.Option("--json", help="Print one JSON object on standard output and nothing else there.")
+]
+
+
+def _version(wanted: bool) -> None:
+    if wanted:
+        from cotouch import __version__
+
+        typer.echo(f"cotouch {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def _main(
+    version: Annotated[
+        bool, typer.Option("--version", help="Print the version.", callback=_version, is_eager=True)
+    ] = False,
+) -> None:
+    del version
+
+
+@app.command()
+def simulate(
+    scenario: Annotated[Path, typer.Argument(help="A scenario, TOML.", show_default=False)],
+    out: Annotated[
+        Path | None, typer.Option(help="Write the whole run to this NetCDF file.", show_default=False)
+    ] = None,
+    figures: Annotated[Path | None, typer.Option(help="Draw figures into this folder.", show_default=False)] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Run a scenario of many virtual peers and say how it went."""
+    from cotouch.cli._simulate import run
+
+    run(scenario, out=out, figures=figures, as_json=as_json)
+
+
+@app.command()
+def certify(
+    network: Annotated[Path, typer.Argument(help="A network or scenario, TOML.", show_default=False)],
+    period: Annotated[float, typer.Option(help="Length of the steps [s].", min=1e-9)] = 1e-3,
+    damping: Annotated[
+        str | None,
+        typer.Option(
+            help="Check this instead of designing: B in Ns/m, one number or one per user.", show_default=False
+        ),
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Work out the damping that keeps a network passive, by each method, and say what each one covers."""
+    from cotouch.cli._certify import run
+
+    run(network, period=period, damping=damping, as_json=as_json)
+
+
+@app.command()
+def reproduce(
+    out: Annotated[Path, typer.Option(help="Folder for the report.")] = Path("out"),
+    as_json: AsJson = False,
+) -> None:
+    """Repeat the paper: topologies, Theorem 1, the bound, the modes, as one HTML report."""
+    from cotouch.cli._reproduce import run
+
+    run(out, as_json=as_json)
+
+
+def main() -> None:
+    """Runs the command; what the user got wrong is one sentence and exit code 2."""
+    try:
+        app()
+    except CotouchError as error:
+        sys.stderr.write(f"cotouch: {error}\n")
+        sys.exit(2)
+    except KeyboardInterrupt:
+        sys.stderr.write("cotouch: interrupted\n")
+        sys.exit(130)

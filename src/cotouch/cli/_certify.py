@@ -1,0 +1,138 @@
+"""`cotouch certify`."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from cotouch.cli._output import number, print_json
+from cotouch.errors import ScenarioError
+
+if TYPE_CHECKING:
+    from cotouch.network import Certificate, Network
+
+
+def run(path: Path, *, period: float, damping: str | None, as_json: bool) -> None:
+    """Designs damping by each method, or checks the one given, for both ways of counting delay."""
+    from cotouch.network import Network, certify
+
+    network = Network.read(path)
+    given = None if damping is None else _numbers(damping, network.size)
+    # A step's sample is dated at its middle and used until the end of a step: one and a half steps on top of the delay.
+    linked = network.adjacency() > 0
+    ages = np.where(linked, network.delay + 1.5 * period, 0.0)
+    tables = {
+        "index": certify(network, periods=period, damping=given),
+        "age": certify(network, ages=ages, damping=given),
+    }
+    # How far the exact test would let each damping fall, where it applies.
+    spare = {
+        (basis, method): certify(network, periods=period, damping=certificate.damping)["exact"].margin
+        for basis, certificates in tables.items()
+        for method, certificate in certificates.items()
+    }
+    if as_json:
+        print_json(_as_json(network, period, tables, spare))
+    else:
+        _print(network, period, tables, spare)
+
+
+def _numbers(text: str, users: int) -> list[float]:
+    try:
+        values = [float(part) for part in text.replace(",", " ").split()]
+    except ValueError:
+        values = []
+    if len(values) == 1:
+        values *= users
+    if len(values) != users:
+        raise ScenarioError(f'--damping is "{text}"; it must be one number [Ns/m] or one for each of the {users} users')
+    return values
+
+
+def _as_json(
+    network: "Network", period: float, tables: dict[str, dict[str, "Certificate"]], spare: dict[tuple[str, str], float]
+) -> dict[str, Any]:
+    certificates = [
+        {
+            "basis": basis,
+            "method": method,
+            "covers": certificate.covers,
+            "modes": list(certificate.modes),
+            "damping": _flat(certificate.damping),
+            "largest": float(certificate.damping.sum(axis=1).max(initial=0.0)),
+            "sum": float(certificate.damping.sum()),
+            "holds": certificate.holds,
+            "margin": certificate.margin,
+            "user_margin": None if certificate.user_margin is None else certificate.user_margin.tolist(),
+            "link_margin": None if certificate.link_margin is None else certificate.link_margin.tolist(),
+            "exact_margin": spare[basis, method],
+        }
+        for basis, table in tables.items()
+        for method, certificate in table.items()
+    ]
+    return {
+        "users": list(network.users),
+        "links": [[a + 1, b + 1] for a, b in network.links],
+        "connected": network.is_connected(),
+        "period_s": period,
+        "certificates": certificates,
+    }
+
+
+def _flat(damping: Any) -> Any:
+    """(N,) where a single column is in use, else (N, 1 + weights)."""
+    used = np.flatnonzero(damping.any(axis=0))
+    return damping[:, used[0] if used.size else 0].tolist() if used.size < 2 else damping.tolist()
+
+
+_TITLES = {
+    "index": "Constant and self-paced modes, steps up to {period:g} s",
+    "age": "Freshest mode, ages up to delay + 1.5 steps of {period:g} s",
+}
+
+
+def _print(
+    network: "Network", period: float, tables: dict[str, dict[str, "Certificate"]], spare: dict[tuple[str, str], float]
+) -> None:
+    from rich.box import SIMPLE_HEAD
+    from rich.console import Console
+    from rich.table import Table
+
+    console = Console()
+    if not network.is_connected():
+        console.print("[yellow]The links do not connect all users; each part is certified on its own.[/yellow]")
+    for basis, certificates in tables.items():
+        shown = {
+            method: certificate
+            for method, certificate in certificates.items()
+            # With equal costs the smallest sum is the plain rule.
+            if method != "sum" or not np.allclose(certificate.damping, certificates["rule"].damping, rtol=1e-9)
+        }
+        table = Table(
+            box=SIMPLE_HEAD, title=_TITLES[basis].format(period=period), title_justify="left", title_style="bold"
+        )
+        table.add_column("damping B, Ns/m")
+        for method in shown:
+            table.add_column(method, justify="right")
+        columns = [certificate.damping.sum(axis=1) for certificate in shown.values()]
+        for i, name in enumerate(network.users):
+            table.add_row(
+                f"user {name}", *(number(float(column[i])) for column in columns), end_section=i + 1 == network.size
+            )
+        table.add_row("largest", *(number(float(column.max(initial=0.0))) for column in columns))
+        table.add_row("sum", *(number(float(column.sum())) for column in columns), end_section=True)
+        verdicts = ("passive" if certificate.holds else "[red]not proved[/red]" for certificate in shown.values())
+        table.add_row("verdict", *verdicts)
+        table.add_row("to spare", *(_percent(certificate.margin) for certificate in shown.values()))
+        table.add_row("to spare, exact test", *(_percent(spare[basis, method]) for method in shown))
+        console.print(table)
+        for covers in dict.fromkeys(certificate.covers for certificate in shown.values()):
+            methods = ", ".join(method for method, certificate in shown.items() if certificate.covers == covers)
+            console.print(f"  [dim]{methods} covers[/dim] {covers}.", highlight=False)
+        console.print()
+
+
+def _percent(share: float) -> str:
+    if not np.isfinite(share):
+        return "nothing"
+    return f"{100.0 * share:.1f} %" if abs(share) > 5e-10 else "0 %"

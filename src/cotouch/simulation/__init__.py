@@ -1,0 +1,27 @@
+"""Many virtual peers on a virtual network: scenario in, labelled result out."""
+
+from cotouch.simulation._metrics import at_times, discrepancy, force_imbalance, hold_window, settling_time, summary
+from cotouch.simulation._peers import PeerRun, run_peers
+from cotouch.simulation._prepare import Prepared, prepare
+from cotouch.simulation._result import dataset, save, simulate
+from cotouch.simulation._scenario import Scenario
+from cotouch.simulation._schedule import Schedule, schedule
+
+__all__ = [
+    "PeerRun",
+    "Prepared",
+    "Scenario",
+    "Schedule",
+    "at_times",
+    "dataset",
+    "discrepancy",
+    "force_imbalance",
+    "hold_window",
+    "prepare",
+    "run_peers",
+    "save",
+    "schedule",
+    "settling_time",
+    "simulate",
+    "summary",
+]

@@ -1,0 +1,183 @@
+"""What a run says about the architecture: how soon users agree, how well forces balance, where energy went."""
+
+import json
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.body import Body
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Float = npt.NDArray[np.float64]
+
+_BAND = 0.02
+# A signal that still moves in this last part of the window has not settled, however near its last value it is.
+_QUIET = 0.1
+
+
+def hold_window(run: "xr.Dataset") -> tuple[float, float]:
+    """From the last hand's grip to the first release: the time in which users hold against each other [s].
+
+    Without hands, or where nothing is left between the two, the whole run.
+    """
+    end = float(np.nanmax(run["time"].values))
+    hands: list[dict[str, Any]] = json.loads(run.attrs["scenario"])["hands"]
+    begin = max((float(hand["begin"]) for hand in hands), default=0.0)
+    release = min((float(hand["release"]) for hand in hands if hand["release"] is not None), default=end)
+    release = min(release, end)
+    return (begin, release) if begin < release else (0.0, end)
+
+
+def settling_time(
+    run: "xr.Dataset",
+    variable: str = "position",
+    *,
+    start: float | None = None,
+    stop: float | None = None,
+    band: float = _BAND,
+) -> float | None:
+    """Time after `start` from which every user stays within a band around where it ends.
+
+    Args:
+        run: a result of `simulate`.
+        variable: "position" or "force".
+        start: of the window [s]; by default as `hold_window`.
+        stop: of the window [s]; likewise.
+        band: share of the largest distance from the final value within the window, over all users.
+
+    Returns:
+        Seconds, or None if the signal has not settled before the last tenth of the window.
+    """
+    window = hold_window(run)
+    start = window[0] if start is None else start
+    stop = window[1] if stop is None else stop
+    distances: list[Float] = []
+    times: list[Float] = []
+    for user in range(run.sizes["user"]):
+        time = run["time"].values[user]
+        # The force of step k is its mean over the step; the step that ends after `stop` may straddle a release.
+        inside = np.flatnonzero((time >= start) & (time <= stop * (1.0 + 1e-12)))
+        if variable == "force":
+            inside = inside[inside > 0]
+        if inside.size < 2:
+            return None
+        values = run[variable].values[user][inside].reshape(inside.size, -1)
+        distances.append(np.sqrt(((values - values[-1]) ** 2).sum(axis=1)))
+        times.append(time[inside])
+    largest = max(float(distance.max()) for distance in distances)
+    if not np.isfinite(largest):
+        return None
+    if largest == 0.0:
+        return 0.0
+    settled = start
+    for time, distance in zip(times, distances, strict=True):
+        outside = np.flatnonzero(distance > band * largest)
+        if outside.size:
+            settled = max(settled, float(time[min(int(outside[-1]) + 1, time.size - 1)]))
+    return None if settled > stop - _QUIET * (stop - start) else settled - start
+
+
+def at_times(run: "xr.Dataset", variable: str, times: Float) -> Float:
+    """A variable of every user at common times, straight between its own steps, (times, users, ...)."""
+    columns: list[Float] = []
+    for user in range(run.sizes["user"]):
+        time = run["time"].values[user]
+        known = np.isfinite(time)
+        values = run[variable].values[user][known]
+        flat = values.reshape(values.shape[0], -1)
+        if flat.shape[0] == times.size and np.array_equal(time[known], times):
+            columns.append(values)
+            continue
+        moved = np.stack([np.interp(times, time[known], flat[:, c]) for c in range(flat.shape[1])], axis=1)
+        columns.append(moved.reshape(times.size, *values.shape[1:]))
+    return np.stack(columns, axis=1)
+
+
+def discrepancy(run: "xr.Dataset") -> dict[str, float]:
+    """How far the copies are apart: distance of a user's node from the mean over users [m].
+
+    Returns:
+        `rms`, `p99` and `max` over users, recorded nodes and network-wide records.
+    """
+    positions = at_times(run, "position", run["tick_time"].values)
+    gap = positions - positions.mean(axis=1, keepdims=True)
+    distance = np.sqrt((gap**2).sum(axis=-1))
+    return {
+        "rms": float(np.sqrt((distance**2).mean())),
+        "p99": float(np.quantile(distance, 0.99)),
+        "max": float(distance.max()),
+    }
+
+
+def force_imbalance(run: "xr.Dataset", body: Body, time: float) -> float | None:
+    """`|Σ_i f_i - K (x̄ - x_d)|` at a time [N]; 0 at rest [Lee & Huang 2010, eq. 6]; None unless all nodes are kept."""
+    if run.sizes["node"] != body.nodes:
+        return None
+    moment = np.array([time])
+    mean = at_times(run, "position", moment)[0].mean(axis=0)
+    balance = -body.apply(body.stiffness, mean - body.rest)
+    hands: list[dict[str, Any]] = json.loads(run.attrs["scenario"])["hands"]
+    for index, hand in enumerate(hands):
+        own = run["time"].values[hand["user"] - 1]
+        step = int(np.searchsorted(own[np.isfinite(own)], time * (1.0 + 1e-12), side="right")) - 1
+        balance[hand["node"] - 1] += run["hand_force"].values[index, step]
+    return float(np.sqrt((balance**2).sum()))
+
+
+def summary(run: "xr.Dataset", body: Body) -> dict[str, Any]:
+    """The figures of a run that fit on one screen, ready for JSON."""
+    start, stop = hold_window(run)
+    end = float(np.nanmax(run["time"].values))
+    books = {name: float(run[name].values[-1]) for name in ("stored", "supplied_total", "dissipated_total")}
+    return {
+        "title": run.attrs["title"],
+        "mode": run.attrs["mode"],
+        "steps": int(run.attrs["steps"]),
+        "duration_s": end,
+        "finished": bool(run.attrs["finished"]),
+        "energy_residual": float(run.attrs["energy_residual"]),
+        "passivity_margin_j": float(run.attrs["passivity_margin"]),
+        "settling_time_s": {name: settling_time(run, name) for name in ("position", "force")},
+        "settling_window_s": [start, stop],
+        "discrepancy_m": discrepancy(run),
+        "hold": {**_state(run, stop), "time_s": stop, "force_imbalance": force_imbalance(run, body, stop)},
+        "final": _state(run, end),
+        "energy_j": {
+            "stored": books["stored"],
+            "supplied": books["supplied_total"],
+            "dissipated": books["dissipated_total"],
+            "delay_work": float(run["delay_work_total"].values[-1]),
+            "in_play": float(run.attrs["energy_in_play"]),
+        },
+        "age_s": {
+            "mean": float(np.nanmean(run["age"].values)) if run["age"].size else 0.0,
+            "max": float(np.nanmax(run["age"].values)) if run["age"].size else 0.0,
+        },
+        "underruns": int(run.attrs["underruns"]),
+        "messages_lost": int(run.attrs["messages_lost"]),
+        "local_damping": [plain(row) for row in run["local_damping"].values],
+    }
+
+
+def _state(run: "xr.Dataset", time: float) -> dict[str, Any]:
+    """Positions and forces of all users at a time: numbers for a single node on one axis, else nested lists."""
+    positions = at_times(run, "position", np.array([time]))[0]
+    forces = np.zeros((run.sizes["user"], run.sizes["axis"]))
+    for user in range(run.sizes["user"]):
+        own = run["time"].values[user]
+        step = int(np.searchsorted(own[np.isfinite(own)], time * (1.0 + 1e-12), side="right")) - 1
+        forces[user] = run["force"].values[user, step]
+    return {
+        "position": [plain(position) for position in positions],
+        "force": [plain(force) for force in forces],
+        "force_sum": plain(forces.sum(axis=0)),
+    }
+
+
+def plain(values: npt.ArrayLike) -> Any:
+    """A number if there is only one, else nested lists."""
+    array = np.asarray(values)
+    return array.item() if array.size == 1 else array.tolist()

@@ -1,0 +1,177 @@
+"""Running a prepared scenario one message and one peer at a time, as live peers do.
+
+The batch engine knows every arrival beforehand; here messages travel through an event queue and each peer chooses for
+itself. Both must move alike: this is the batch engine's reference, and where a peer meets a virtual network.
+"""
+
+import heapq
+from dataclasses import dataclass
+from typing import final
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.mechanics import Grips
+from cotouch.peer import ConstantLink, FreshestLink, Link, Peer, Report, Sample
+from cotouch.simulation._engine import grip
+from cotouch.simulation._prepare import Prepared
+
+Float = npt.NDArray[np.float64]
+
+
+@final
+@dataclass(frozen=True, kw_only=True, eq=False)
+class PeerRun:
+    """What the peers did.
+
+    Attributes:
+        position: after every step, in the model's rows, one (steps + 1, rows, width) for each user [m].
+        end: when each step was taken, one (steps,) for each user [s].
+        reports: of every step, for each user.
+    """
+
+    position: list[Float]
+    end: list[Float]
+    reports: list[list[Report]]
+
+
+def run_peers(prepared: Prepared) -> PeerRun:
+    """Runs a scenario peer by peer."""
+    return _World(prepared).run()
+
+
+@final
+class _World:
+    def __init__(self, prepared: Prepared) -> None:
+        self.prepared = prepared
+        self.timing = prepared.schedule
+        users = self.timing.count.size
+        self.queue: list[tuple[float, int, int, Sample]] = []  # arrival, number, receiver, sample
+        self.sent = 0
+        self.cursor = prepared.hands.path_first[:-1].copy()
+        self.peers = [self._peer(i) for i in range(users)]
+        self.position = [[peer.state.position.copy()] for peer in self.peers]
+        self.end: list[list[float]] = [[] for _ in range(users)]
+        self.reports: list[list[Report]] = [[] for _ in range(users)]
+
+    def _peer(self, i: int) -> Peer:
+        prepared, timing, hands = self.prepared, self.timing, self.prepared.hands
+        ready, solver = prepared.model, prepared.scenario.solver
+        slots = range(timing.slots.first[i], timing.slots.first[i + 1])
+        links: dict[int, Link] = {}
+        for s in slots:
+            j = int(timing.slots.sender[s])
+            initial = Sample(sender=j, index=-1, stamp=0.0, position=ready.to_rows(prepared.position[j]))
+            if timing.index_delay is None:
+                links[j] = FreshestLink(initial)
+            else:
+                links[j] = ConstantLink(initial, int(timing.index_delay[i, j]))
+        ports, width = hands.row.size, ready.width
+        return Peer(
+            index=i,
+            model=ready,
+            links=links,
+            strength=[float(prepared.topology.strength[s]) for s in slots],
+            weight=[int(prepared.topology.weight[s]) for s in slots],
+            local_damping=prepared.local_damping[i],
+            extra_damping=prepared.extra_damping[i],
+            grips=Grips(
+                first=int(hands.first[i]),
+                last=int(hands.first[i + 1]),
+                row=hands.row,
+                shape=hands.shape,
+                stiffness=np.zeros(ports),
+                damping=np.zeros(ports),
+                start=np.zeros((ports, width)),
+                end=np.zeros((ports, width)),
+                push=np.zeros((ports, width)),
+                force=np.zeros((ports, width)),
+            ),
+            position=prepared.position[i],
+            velocity=prepared.velocity[i],
+            tolerance=solver.tolerance,
+            iterations=solver.iterations,
+        )
+
+    def run(self) -> PeerRun:
+        if self.timing.mode == "self-paced":
+            self._run_self_paced()
+        else:
+            self._run_by_clock()
+        return PeerRun(
+            position=[np.array(kept) for kept in self.position],
+            end=[np.array(times) for times in self.end],
+            reports=self.reports,
+        )
+
+    def _run_by_clock(self) -> None:
+        """Everyone steps at times of their own; messages sent at an instant are seen only after it."""
+        timing = self.timing
+        moments = sorted({float(t) for i, n in enumerate(timing.count) for t in timing.end[i, :n]})
+        slack = 1e-9 if timing.mode == "constant" else 0.0
+        following = [0] * len(self.peers)
+        for now in moments:
+            self._deliver(now + slack)
+            outgoing: list[Sample] = []
+            for i, peer in enumerate(self.peers):
+                k = following[i]
+                if k < timing.count[i] and timing.end[i, k] == now:
+                    outgoing.append(self._step(peer, now, float(timing.length[i, k])))
+                    following[i] += 1
+            for sample in outgoing:
+                self._send(sample, now)
+
+    def _run_self_paced(self) -> None:
+        """A peer steps as soon as its samples are there and its own period is over."""
+        scenario, timing = self.prepared.scenario, self.timing
+        period = timing.nominal
+        longest = timing.bound
+        due = [float(period[i, 0]) for i in range(len(self.peers))]
+        limit = scenario.steps.duration + 1e-9
+        now = 0.0
+        while now <= limit:
+            self._deliver(now)
+            moved = True
+            while moved:  # a step may release a neighbour only through a message, but a peer may owe several steps
+                moved = False
+                for i, peer in enumerate(self.peers):
+                    if peer.steps < period.shape[1] and now >= due[i] and peer.ready:
+                        T = min(now - peer.integrated, float(longest[i]))
+                        self._send(self._step(peer, now, T), now)
+                        if peer.steps < period.shape[1]:
+                            due[i] = now + float(period[i, peer.steps])
+                        moved = True
+            coming = [t for i, t in enumerate(due) if t > now and self.peers[i].steps < period.shape[1]]
+            if self.queue:
+                coming.append(self.queue[0][0])
+            if not coming:
+                break
+            now = min(coming)
+
+    def _deliver(self, now: float) -> None:
+        while self.queue and self.queue[0][0] <= now:
+            _, _, receiver, sample = heapq.heappop(self.queue)
+            self.peers[receiver].receive(sample)
+
+    def _send(self, sample: Sample, now: float) -> None:
+        slots = self.timing.slots
+        for s in np.flatnonzero(slots.sender == sample.sender):
+            if self.timing.latency is None:
+                draws = self.timing.draws[s]
+                arrivals = [draws.latency[sample.index], draws.second[sample.index]]
+            else:
+                arrivals = [self.timing.latency[s, sample.index]]
+            for latency in arrivals:
+                if np.isfinite(latency):
+                    self.sent += 1
+                    heapq.heappush(self.queue, (now + float(latency), self.sent, int(slots.receiver[s]), sample))
+
+    def _step(self, peer: Peer, now: float, T: float) -> Sample:
+        i, hands = peer.index, self.prepared.hands
+        for p in range(hands.first[i], hands.first[i + 1]):
+            grip(hands, peer.grips, self.cursor, p, now, T, peer.model.lanes)
+        report = peer.step(now, T)
+        self.position[i].append(peer.state.position.copy())
+        self.end[i].append(now)
+        self.reports[i].append(report)
+        return report.sample

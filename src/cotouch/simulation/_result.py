@@ -1,0 +1,205 @@
+"""A run as an `xarray.Dataset`: labelled, with units, with its scenario, ready for NetCDF."""
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.errors import ScenarioError
+from cotouch.simulation._batch import Outcome, run_batch
+from cotouch.simulation._engine import USER_BOOKS
+from cotouch.simulation._prepare import Prepared, prepare
+from cotouch.simulation._scenario import Scenario
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Float = npt.NDArray[np.float64]
+
+_AXES = ("x", "y", "z")
+_UNITS = {
+    "time": ("s", "end of the step on the common clock"),
+    "period": ("s", "length T of the step"),
+    "position": ("m", "position x of a node"),
+    "velocity": ("m/s", "velocity v of a node"),
+    "force": ("N", "sum of the mean forces of a user's hands over the step"),
+    "hand_force": ("N", "mean force of a hand over the step"),
+    "supplied": ("J", "work of a user's hands so far"),
+    "body_loss": ("J", "dissipated so far by the body's own dampers"),
+    "local_loss": ("J", "dissipated so far by the damping B_i of the synchronisation"),
+    "extra_loss": ("J", "dissipated so far by the extra damping B_e"),
+    "kinetic": ("J", "kinetic energy of the copy"),
+    "elastic": ("J", "elastic energy of the copy"),
+    "iterations": ("1", "iterations of the solver in the step; 0 where it is a closed form"),
+    "link_work": ("J", "work of the link on its receiver so far"),
+    "delay_work": ("J", "energy added to the link so far by the age of the samples"),
+    "age": ("s", "largest distance in time between the sample used and the step that uses it"),
+    "link_energy": ("J", "energy of the spring between two copies"),
+    "stored": ("J", "energy of all copies and links"),
+    "supplied_total": ("J", "work of all hands so far"),
+    "dissipated_total": ("J", "dissipated so far by all dampers"),
+    "delay_work_total": ("J", "energy added so far by the age of samples"),
+    "residual": ("J", "stored - initial - supplied + dissipated - delay work: zero but for round-off"),
+    "tick_time": ("s", "time of the network-wide records"),
+    "local_damping": ("N s/m", "damping B_i of the synchronisation, as multiples of each link weight"),
+}
+
+
+def simulate(scenario: "Scenario | str | Path | Mapping[str, Any]") -> "xr.Dataset":
+    """Runs a scenario.
+
+    Args:
+        scenario: a `Scenario`, a path of a TOML file, or a mapping of tables.
+
+    Returns:
+        Dimensions `user`, `step` (a user's own steps; 0 is the initial state; NaN after its last), `node`, `axis`,
+        `hand`, `direction` (a receiver's view of a neighbour, "1<-2"), `link`, `tick` (network-wide records) and
+        `weight`. Every variable has its unit in `attrs`; the dataset's `attrs` hold the scenario as JSON, the energy
+        residual relative to the energy in play, and the passivity margin [J].
+
+    Raises:
+        InputError: something in the scenario is wrong.
+
+    Examples:
+        >>> run = simulate({
+        ...     "network": {"users": ["Ann", "Ben"], "spring": [[0, 50], [50, 0]], "delay": [[0, 0.05], [0.05, 0]]},
+        ...     "steps": {"duration": 1.0},
+        ...     "hands": [{"user": 1, "path": 0.1}],
+        ... })
+        >>> run.attrs["energy_residual"] < 1e-10
+        True
+    """
+    if isinstance(scenario, str | Path):
+        scenario = Scenario.read(scenario)
+    elif not isinstance(scenario, Scenario):
+        scenario = Scenario.make(**dict(scenario))
+    prepared = prepare(scenario)
+    return dataset(prepared, run_batch(prepared))
+
+
+def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
+    """Labels what a run recorded."""
+    import xarray as xr
+
+    scenario, timing, record, body = prepared.scenario, prepared.schedule, outcome.record, prepared.body
+    network, every = scenario.network, record.every
+    users, records = record.users.shape[0], record.users.shape[1]
+    # Entry r of user i exists once step r * every is taken; what was not reached is NaN.
+    taken = outcome.taken // every
+    missing = np.arange(records)[None, :] > taken[:, None]
+    gaps = bool(missing.any())
+    data: dict[str, tuple[tuple[str, ...], Any]] = {}
+
+    def put(name: str, dims: tuple[str, ...], values: npt.NDArray[Any], rows: npt.NDArray[np.bool_] | None) -> None:
+        if rows is not None and gaps:
+            values = np.ascontiguousarray(values)
+            values[rows] = np.nan
+        data[name] = (dims, values)
+
+    axes = body.dimension
+    for name, values in (("position", record.position), ("velocity", record.velocity)):
+        shaped = values.reshape(users, records, prepared.nodes.size, -1)[..., :axes]
+        if name == "position":
+            shaped = shaped + body.rest[prepared.nodes] if np.any(body.rest) else shaped
+        put(name, ("user", "step", "node", "axis"), shaped, missing)
+    for column, name in enumerate(USER_BOOKS):
+        put(name, ("user", "step"), record.users[:, :, column], missing)
+    time, period = np.zeros((users, records)), np.full((users, records), np.nan)
+    time[:, 1:] = timing.end[:, every - 1 :: every][:, : records - 1]
+    period[:, 1:] = timing.length[:, every - 1 :: every][:, : records - 1]
+    put("time", ("user", "step"), time, missing)
+    put("period", ("user", "step"), period, missing)
+
+    hand_force = np.zeros((len(scenario.hands), records, axes))
+    force = np.zeros((users, records, axes))
+    for index, hand in enumerate(scenario.hands):
+        ports = prepared.ports[index]
+        if ports.size > 1:
+            hand_force[index] = record.force[ports, :, 0].T
+        else:
+            hand_force[index] = record.force[ports[0], :, :axes]
+        force[hand.user - 1] += hand_force[index]
+    holders = np.array([hand.user - 1 for hand in scenario.hands], dtype=np.int64)
+    put("hand_force", ("hand", "step", "axis"), hand_force, missing[holders])
+    put("force", ("user", "step", "axis"), force, missing)
+
+    slots = timing.slots
+    receivers = missing[slots.receiver]
+    put("link_work", ("direction", "step"), record.slots[:, :, 0], receivers)
+    put("delay_work", ("direction", "step"), record.slots[:, :, 1], receivers)
+    age = np.full((slots.link.size, records), np.nan)
+    age[:, 1:] = timing.age[:, every - 1 :: every][:, : records - 1]
+    put("age", ("direction", "step"), age, receivers)
+
+    ticks = int(taken[timing.reference]) + 1
+    put("link_energy", ("tick", "link"), record.links[:ticks], None)
+    for column, name in enumerate(("stored", "supplied_total", "dissipated_total", "delay_work_total", "residual")):
+        put(name, ("tick",), record.ticks[:ticks, column], None)
+    put("tick_time", ("tick",), time[timing.reference, :ticks].copy(), None)
+    put("local_damping", ("user", "weight"), prepared.local_damping, None)
+    for name, (dims, values) in data.items():
+        unit, meaning = _UNITS[name]
+        data[name] = (dims, values, {"units": unit, "long_name": meaning})  # pyright: ignore[reportArgumentType]
+
+    names = [f"{i + 1}<-{j + 1}" for i, j in zip(slots.receiver, slots.sender, strict=True)]
+    return xr.Dataset(
+        data,
+        coords={
+            "user": list(network.users),
+            "node": prepared.nodes.astype(np.int64) + 1,
+            "axis": list(_AXES[:axes]),
+            "direction": np.array(names, dtype=np.str_),
+            "link": np.array([f"{a + 1}-{b + 1}" for a, b in network.links], dtype=np.str_),
+            "hand": np.arange(1, len(scenario.hands) + 1),
+            "weight": np.arange(prepared.local_damping.shape[1]),
+        },
+        attrs=_attributes(prepared, outcome, ticks),
+    )
+
+
+def _attributes(prepared: Prepared, outcome: Outcome, ticks: int) -> dict[str, Any]:
+    from cotouch import __version__
+
+    books = outcome.record.ticks[:ticks]
+    timing, scenario = prepared.schedule, prepared.scenario
+    # The energy in play: the most that was stored, supplied or dissipated at any time of the run.
+    in_play = float(np.abs(books[:, :4]).max(initial=0.0))
+    residual = float(np.abs(books[:, 4]).max(initial=0.0))
+    finished = outcome.events == timing.order.size
+    return {
+        "title": scenario.title or "cotouch run",
+        "source": f"cotouch {__version__}",
+        "scenario": scenario.as_json(),
+        "mode": timing.mode,
+        "seed": scenario.seed,
+        "basis": prepared.model.basis,
+        "steps": int(timing.count.max()) if finished else int(outcome.taken.max()),
+        "finished": int(finished),
+        "energy_in_play": in_play,
+        "energy_residual": residual / in_play if in_play > 0.0 else residual,
+        "passivity_margin": float(outcome.record.lowest[0] + books[0, 0]),
+        "underruns": int(timing.underruns.sum()),
+        "messages": int(sum(np.isfinite(draws.first).sum() for draws in timing.draws)),
+        "messages_lost": int(sum(np.isinf(draws.first).sum() for draws in timing.draws)),
+        "index_delay": [] if timing.index_delay is None else [int(n) for n in timing.index_delay.ravel()],
+    }
+
+
+def save(run: "xr.Dataset", path: str | Path) -> None:
+    """Writes a run to a NetCDF 4 file, compressed; the same run gives the same bytes.
+
+    Raises:
+        ScenarioError: the file cannot be written.
+    """
+    target = Path(path)
+    partial = target.with_name(target.name + ".part")
+    packed = {"zlib": True, "complevel": 1, "shuffle": True}
+    encoding = {name: packed for name, values in run.data_vars.items() if values.dtype.kind == "f"}
+    try:
+        run.to_netcdf(partial, engine="h5netcdf", encoding=encoding)
+        partial.replace(target)  # whole or not at all
+    except OSError as error:
+        partial.unlink(missing_ok=True)
+        raise ScenarioError(f"the result cannot be written to {path}: {error.strerror or error}") from error
