@@ -84,7 +84,7 @@ def test_what_is_wrong_is_one_sentence(text: str, words: list[str]) -> None:
 
 
 def test_files_that_cannot_be_read(tmp_path: Path) -> None:
-    with pytest.raises(ScenarioError, match="nowhere.toml cannot be read"):
+    with pytest.raises(ScenarioError, match=r"nowhere\.toml cannot be read"):
         Scenario.read(tmp_path / "nowhere.toml")
     broken = tmp_path / "broken.toml"
     broken.write_text("[network\n")

@@ -8,7 +8,7 @@ from cotouch.simulation import Scenario, schedule
 from cotouch.simulation._timing import ages, elapsed, indexed, newest, ring_size, self_paced
 
 PAIR = {"users": ["a", "b"], "spring": [[0, 50], [50, 0]], "delay": [[0, 0.03], [0.05, 0]]}
-times = st.lists(st.floats(1e-3, 0.1), min_size=1, max_size=40).map(lambda steps: np.cumsum(steps))
+times = st.lists(st.floats(1e-3, 0.1), min_size=1, max_size=40).map(np.cumsum)
 
 
 def scenario(**tables: object) -> Scenario:
@@ -67,9 +67,8 @@ def test_self_paced_steps_are_the_earliest_possible() -> None:
     for i in range(users):
         for k in range(steps):
             bounds = [(end[i, k - 1] if k else 0.0) + period[i, k]]
-            for s in range(first[i], first[i + 1]):
-                if k >= delay[s]:
-                    bounds.append(end[peer[s], k - delay[s]] + latency[s, k - delay[s]])
+            slots = [s for s in range(first[i], first[i + 1]) if k >= delay[s]]
+            bounds += [end[peer[s], k - delay[s]] + latency[s, k - delay[s]] for s in slots]
             assert end[i, k] == max(bounds)
     bound = np.full(users, 2.0 * end[:, -1].max() / steps)
     length = np.zeros_like(end)

@@ -60,7 +60,7 @@ class Model:
 
     @property
     def width(self) -> int:
-        """Columns of a field in the kernels: 1, 2 or 4."""
+        """Columns of a field in the kernels: 1 or 4."""
         return 1 if self.full else next(w for w in WIDTHS if w >= self.body.dimension)
 
     @property
@@ -79,11 +79,11 @@ class Model:
         return out
 
     def to_nodes(self, rows: Float) -> Float:
-        """The inverse of `to_rows`: (rows, width) to (n, d)."""
+        """The inverse of `to_rows`: (rows, width) to (n, d), always a copy."""
         columns = rows[:, :1] if self.full else rows[:, : self.body.dimension]
         if self.modes is not None:
             columns = self.modes @ columns
-        return columns.reshape(self.body.nodes, self.body.dimension)
+        return np.array(columns).reshape(self.body.nodes, self.body.dimension)
 
     def port_rows(self, node: int) -> npt.NDArray[np.int32]:
         """Rows of the body's own basis that hold a node: one, or one for each axis in the full form."""

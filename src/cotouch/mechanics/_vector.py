@@ -1,7 +1,7 @@
-"""Rows of 1, 2 or 4 numbers as machine vectors inside kernels.
+"""Rows of 1 or 4 numbers as machine vectors inside kernels.
 
-A field over the nodes is an array (rows, width), C-contiguous, with width 1, 2 or 4 (three axes are padded by a zero
-column). Kernels read and write one row at a time as a vector; numba alone does not vectorise across the few columns of
+A field over the nodes is an array (rows, width), C-contiguous, with width 1 or 4 (two and three axes are padded by
+zero columns). Kernels read and write one row at a time as a vector; numba alone does not vectorise across the few columns of
 a row and is three to four times slower. The width must be known when a kernel is compiled, so it travels as the length
 of a tuple, `lanes`. With one lane a "vector" is an ordinary float.
 
@@ -18,7 +18,7 @@ from numba.core.errors import TypingError
 from numba.extending import intrinsic as numba_intrinsic
 from numba.extending import models, overload, register_model
 
-WIDTHS = (1, 2, 4)
+WIDTHS = (1, 4)
 _FLAGS = ("contract",)
 
 

@@ -1,0 +1,130 @@
+import hashlib
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from cotouch.errors import ScenarioError
+from cotouch.simulation import Scenario, save, simulate
+from cotouch.simulation._result import _UNITS
+
+PAIR: dict[str, Any] = {
+    "users": ["Ann", "Ben"],
+    "spring": [[0, 50], [50, 0]],
+    "delay": [[0, 0.03], [0.05, 0]],
+}
+JITTER = {"jitter": {"scale": 0.02}, "loss": 0.1}
+
+
+@pytest.fixture(scope="module")
+def run() -> xr.Dataset:
+    return simulate(
+        {
+            "network": PAIR,
+            "body": {"kind": "chain", "nodes": 3, "dimension": 2, "spacing": 0.5},
+            "steps": {"duration": 1.0, "rate": [100, 250]},
+            "channel": JITTER,
+            "hands": [{"user": 1, "node": 3, "path": [0.1, -0.1]}, {"user": 1, "node": 1, "path": [0.0, 0.2]}],
+        }
+    )
+
+
+def test_dimensions_and_units(run: xr.Dataset) -> None:
+    assert run["position"].dims == ("user", "step", "node", "axis")
+    assert run["user"].values.tolist() == ["Ann", "Ben"]
+    assert run["node"].values.tolist() == [1, 2, 3]
+    assert run["axis"].values.tolist() == ["x", "y"]
+    assert run["direction"].values.tolist() == ["1<-2", "2<-1"]
+    assert run["link"].values.tolist() == ["1-2"]
+    assert set(run.data_vars) == set(_UNITS)
+    for name in run.data_vars:
+        assert run[name].attrs["units"] == _UNITS[str(name)][0]
+        assert run[name].attrs["long_name"]
+
+
+def test_positions_start_at_rest_and_steps_follow_the_clock(run: xr.Dataset) -> None:
+    assert run["position"].isel(step=0).values[0].tolist() == [[0.0, 0.0], [0.5, 0.0], [1.0, 0.0]]
+    assert run["time"].values[1, :4] == pytest.approx([0, 0.004, 0.008, 0.012])
+
+
+def test_what_a_slower_user_never_reached_is_missing(run: xr.Dataset) -> None:
+    assert run.sizes["step"] == 251
+    assert run["position"].sel(user="Ann").isel(step=100).notnull().all()
+    assert run["position"].sel(user="Ann").isel(step=101).isnull().all()
+    assert run["force"].sel(user="Ann").isel(step=101).isnull().all()
+    assert run["position"].sel(user="Ben").notnull().all()
+    assert run["age"].sel(direction="1<-2").isel(step=101).isnull()
+    assert run.sizes["tick"] == 251
+
+
+def test_forces_of_a_user_are_the_sum_of_his_hands(run: xr.Dataset) -> None:
+    summed = run["hand_force"].sum("hand", skipna=False).values
+    assert np.array_equal(run["force"].sel(user="Ann").values, summed, equal_nan=True)
+    assert not run["force"].sel(user="Ben").values.any()
+
+
+def test_energy_identity_holds_from_the_recorded_books(run: xr.Dataset) -> None:
+    """Recomputed from the variables of users and links, not from the engine's own sum."""
+    last = {"Ann": 100, "Ben": 250}
+
+    def total(name: str) -> float:
+        return sum(float(run[name].sel(user=user).isel(step=step)) for user, step in last.items())
+
+    stored = total("kinetic") + total("elastic") + float(run["link_energy"].isel(tick=-1).sum())
+    lost = total("body_loss") + total("local_loss") + total("extra_loss")
+    delay = sum(
+        float(run["delay_work"].sel(direction=name).isel(step=last[user]))
+        for name, user in (("1<-2", "Ann"), ("2<-1", "Ben"))
+    )
+    assert stored == pytest.approx(float(run["stored"][-1]), rel=1e-12)
+    assert stored - float(run["stored"][0]) == pytest.approx(total("supplied") - lost + delay, abs=1e-13)
+    # A link gives its receivers what its spring loses plus what delay adds.
+    links = sum(
+        float(run["link_work"].sel(direction=name).isel(step=last[user]))
+        for name, user in (("1<-2", "Ann"), ("2<-1", "Ben"))
+    )
+    assert links == pytest.approx(delay - float(run["link_energy"].isel(tick=-1).sum()), abs=1e-13)
+
+
+def test_same_seed_same_bytes_other_seed_others(tmp_path: Path) -> None:
+    scenario = Scenario.make(
+        network=PAIR, channel=JITTER, steps={"duration": 1.0, "period": 0.005}, hands=[{"user": 1, "path": 0.1}]
+    )
+    digests: list[str] = []
+    for name, seed in (("a", 0), ("b", 0), ("c", 1)):
+        save(simulate(scenario.replace(seed=seed)), tmp_path / f"{name}.nc")
+        digests.append(hashlib.sha256((tmp_path / f"{name}.nc").read_bytes()).hexdigest())
+    assert digests[0] == digests[1]
+    assert digests[0] != digests[2]
+
+
+def test_netcdf_round_trip(run: xr.Dataset, tmp_path: Path) -> None:
+    save(run, tmp_path / "run.nc")
+    again = xr.load_dataset(tmp_path / "run.nc", engine="h5netcdf")
+    xr.testing.assert_identical(again.drop_attrs(), run.drop_attrs())
+    assert json.loads(again.attrs["scenario"])["network"]["users"] == ["Ann", "Ben"]
+    assert again["force"].attrs["units"] == "N"
+    assert not list(tmp_path.glob("*.part"))
+
+
+def test_a_result_that_cannot_be_written_is_said(run: xr.Dataset, tmp_path: Path) -> None:
+    with pytest.raises(ScenarioError, match="cannot be written"):
+        save(run, tmp_path / "nowhere" / "run.nc")
+
+
+def test_recording_less_keeps_the_same_motion() -> None:
+    tables: dict[str, Any] = {
+        "network": PAIR,
+        "steps": {"duration": 1.0, "period": 0.01},
+        "hands": [{"user": 1, "path": 0.1}],
+        "channel": JITTER,
+    }
+    all_steps, some = simulate(tables), simulate({**tables, "record": {"every": 7}})
+    assert some.sizes["step"] == 15
+    for name in ("position", "supplied", "age", "time", "force"):
+        assert np.array_equal(some[name].values, all_steps[name].values[:, ::7], equal_nan=True)
+    assert np.array_equal(some["stored"].values, all_steps["stored"].values[::7])
+    assert some.attrs["passivity_margin"] == all_steps.attrs["passivity_margin"]
