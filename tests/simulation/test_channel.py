@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from cotouch.simulation._channel import draw, resent
-from cotouch.simulation._scenario import Channel
+from cotouch.simulation._tables import Channel
 
 SEED = (7, 2, 0, 1)
 MANY = 200_000

@@ -37,6 +37,7 @@ from cotouch.mechanics import (
     store,
     total,
 )
+from cotouch.simulation._hands import Hands, grip
 
 Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
@@ -87,42 +88,6 @@ class Timing(NamedTuple):
     used: Int
     ring: int
     reference: int
-
-
-class Hands(NamedTuple):
-    """What pulls at the ports. A hand follows its path, pulls by a spring and damper, and lets go.
-
-    Attributes:
-        first: first port of each user, (users + 1,).
-        row: row of the body that each port holds, (ports,).
-        shape: row vectors of the ports in a modal basis, (ports, rows) or (0, rows).
-        stiffness: (ports,) [N/m].
-        damping: (ports,) [Ns/m].
-        begin: the port acts from here, (ports,) [s].
-        release: to here, (ports,) [s].
-        forced: whether the path is a force [N] rather than a place [m], (ports,).
-        path_first: first waypoint of each port, (ports + 1,).
-        path_time: (waypoints,) [s].
-        path_value: (waypoints, width).
-        amplitude: of a sine added to the path, (ports, width).
-        frequency: (ports,) [Hz].
-        phase: (ports,) [rad].
-    """
-
-    first: Int
-    row: Int
-    shape: Float
-    stiffness: Float
-    damping: Float
-    begin: Float
-    release: Float
-    forced: npt.NDArray[np.bool_]
-    path_first: Int
-    path_time: Float
-    path_value: Float
-    amplitude: Float
-    frequency: Float
-    phase: Float
 
 
 class Fields(NamedTuple):
@@ -300,46 +265,6 @@ def run(
 def _copy(target: Float, source: Float, lanes: tuple[int, ...]) -> None:
     for i in range(source.shape[0]):
         store(target, i, load(source, i, lanes), lanes)
-
-
-@kernel
-def _place(hands: Hands, cursor: Int, p: int, t: float, lanes: tuple[int, ...]) -> float:
-    """Where the path of a port is at time t: straight between waypoints, still before and after them."""
-    first, last = hands.path_first[p], hands.path_first[p + 1] - 1
-    here = cursor[p]
-    while here > first and hands.path_time[here] > t:
-        here -= 1
-    while here < last and hands.path_time[here + 1] <= t:
-        here += 1
-    cursor[p] = here
-    value = load(hands.path_value, here, lanes)
-    if here < last and t > hands.path_time[here]:
-        share = (t - hands.path_time[here]) / (hands.path_time[here + 1] - hands.path_time[here])
-        value = (1.0 - share) * value + share * load(hands.path_value, here + 1, lanes)
-    if hands.frequency[p] != 0.0:
-        wave = np.sin(2.0 * np.pi * hands.frequency[p] * t + hands.phase[p])
-        value = value + wave * load(hands.amplitude, p, lanes)
-    return value
-
-
-@kernel
-def grip(hands: Hands, grips: Grips, cursor: Int, p: int, end: float, T: float, lanes: tuple[int, ...]) -> None:
-    """What port p does during a step that ends at `end`."""
-    middle = end - 0.5 * T
-    zero = splat(0.0, lanes)
-    store(grips.start, p, zero, lanes)
-    store(grips.end, p, zero, lanes)
-    store(grips.push, p, zero, lanes)
-    grips.stiffness[p] = 0.0
-    grips.damping[p] = 0.0
-    if hands.begin[p] <= middle < hands.release[p]:
-        if hands.forced[p]:
-            store(grips.push, p, _place(hands, cursor, p, middle, lanes), lanes)
-        else:
-            grips.stiffness[p] = hands.stiffness[p]
-            grips.damping[p] = hands.damping[p]
-            store(grips.start, p, _place(hands, cursor, p, end - T, lanes), lanes)
-            store(grips.end, p, _place(hands, cursor, p, end, lanes), lanes)
 
 
 @kernel

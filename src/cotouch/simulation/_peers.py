@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from cotouch.mechanics import Grips
 from cotouch.peer import ConstantLink, FreshestLink, Link, Peer, Report, Sample
-from cotouch.simulation._engine import grip
+from cotouch.simulation._hands import grip
 from cotouch.simulation._prepare import Prepared
 
 Float = npt.NDArray[np.float64]

@@ -1,0 +1,54 @@
+"""Who is joined to whom, how fast that brings them together, and what damping it takes to stay passive."""
+
+from cotouch.network._certificate import Certificate, Mode, certify
+from cotouch.network._consensus import Mixing, mixing, second_eigenvalue
+from cotouch.network._damping import (
+    Method,
+    damping_for,
+    minimax_damping,
+    rule_damping,
+    sum_damping,
+    weighted_damping,
+)
+from cotouch.network._decay import Decay, rightmost_root
+from cotouch.network._exact import exact_margin, exact_scaling, sync_hermitian
+from cotouch.network._gains import coefficients, damping_matrices
+from cotouch.network._lags import Convention, Rounding
+from cotouch.network._network import Network
+from cotouch.network._reach import Basis, Reach, reach_of
+from cotouch.network._topologies import complete, connected_graphs, path, ring, star
+from cotouch.network._types import Pair
+
+__all__ = [
+    "Basis",
+    "Certificate",
+    "Convention",
+    "Decay",
+    "Method",
+    "Mixing",
+    "Mode",
+    "Network",
+    "Pair",
+    "Reach",
+    "Rounding",
+    "certify",
+    "coefficients",
+    "complete",
+    "connected_graphs",
+    "damping_for",
+    "damping_matrices",
+    "exact_margin",
+    "exact_scaling",
+    "minimax_damping",
+    "mixing",
+    "path",
+    "reach_of",
+    "rightmost_root",
+    "ring",
+    "rule_damping",
+    "second_eigenvalue",
+    "star",
+    "sum_damping",
+    "sync_hermitian",
+    "weighted_damping",
+]

@@ -1,0 +1,191 @@
+"""Damping that makes the users passive together, and how to share it between them.
+
+The form of every result here, which the simulator consumes: an array `beta` of shape (N, 1 + number of weights) in
+Ns/m, column 0 for the identity and column 1 + w for `network.weights[w]`, so that
+
+    B_i = beta[i, 0] I + sum_w beta[i, 1 + w] network.weights[w].
+
+Springs without weights use column 0 alone. `damping_matrices` makes the matrices (see `_gains`).
+"""
+
+from typing import Literal, TypeAlias, get_args
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.errors import NetworkError
+from cotouch.network._checks import one_user
+from cotouch.network._exact import exact_scaling
+from cotouch.network._network import Network
+from cotouch.network._reach import Reach, check_periods, index_delays_of, reach_of
+from cotouch.network._types import FloatArray
+
+Method: TypeAlias = Literal["rule", "minimax", "sum", "exact"]
+
+
+def damping_for(
+    network: Network,
+    method: Method,
+    *,
+    ages: npt.ArrayLike | None = None,
+    index_delay: npt.ArrayLike | None = None,
+    periods: npt.ArrayLike | None = None,
+    costs: npt.ArrayLike | None = None,
+) -> FloatArray:
+    """Smallest damping that a method certifies: (N, 1 + number of weights) Ns/m, see the head of this module.
+
+    Args:
+        network: linked users.
+        method: "rule" (`rule_damping`), "minimax" (`minimax_damping`), "sum" (`sum_damping`), or "exact": the rule
+            scaled down until the exact test only just passes, for constant index delays and one constant period alone.
+        ages: (N, N) s; as for `reach_of`.
+        index_delay: (N, N) steps; as for `reach_of`.
+        periods: s, one or (N,); as for `reach_of`.
+        costs: (N,) for "sum" alone.
+
+    Raises:
+        NetworkError: an unknown method, or inputs that it does not take.
+    """
+    if method not in get_args(Method):
+        raise NetworkError(f'method is "{method}"; it must be "rule", "minimax", "sum" or "exact"')
+    if costs is not None and method != "sum":
+        raise NetworkError(f'costs are given with method "{method}"; only method "sum" has costs')
+    if method == "exact":
+        if ages is not None or periods is None:
+            raise NetworkError(
+                'method "exact" needs the common period and takes no ages; give periods, and index_delay if known'
+            )
+        longest = check_periods(network, periods)
+        if np.ptp(longest) > 0:
+            raise NetworkError(
+                f"periods run from {longest.min():g} s to {longest.max():g} s; the exact test needs one common period"
+            )
+        steps = index_delays_of(network, index_delay, longest)
+        rule = rule_damping(network, index_delay=steps, periods=longest)
+        return rule * exact_scaling(network, index_delay=steps, period=float(longest[0]), damping=rule)
+    reach = reach_of(network, ages=ages, index_delay=index_delay, periods=periods)
+    return shared(network, reach, method_shares(network, reach, method, costs=costs))
+
+
+def method_shares(network: Network, reach: Reach, method: Method, *, costs: npt.ArrayLike | None = None) -> FloatArray:
+    """Weights d (N,) of a method that is not "exact"."""
+    if method == "rule":
+        return reach.shares
+    if method == "minimax":
+        return minimax_shares(network, reach)
+    return np.ones(network.size) if costs is None else np.sqrt(_positive(network, "costs", costs))
+
+
+def rule_damping(
+    network: Network,
+    *,
+    ages: npt.ArrayLike | None = None,
+    index_delay: npt.ArrayLike | None = None,
+    periods: npt.ArrayLike | None = None,
+) -> FloatArray:
+    """The plain rule [Lee & Huang 2010, Theorem 1], and the age rule in its likeness; arguments as for `damping_for`.
+
+    Index delays: `B_i = sum_j (N_ij + N_ji)/2 T_j K_ij`; ages: `B_i = sum_j (age_ij + age_ji)/2 K_ij`.
+    """
+    return damping_for(network, "rule", ages=ages, index_delay=index_delay, periods=periods)
+
+
+def weighted_damping(
+    network: Network,
+    d: npt.ArrayLike,
+    *,
+    ages: npt.ArrayLike | None = None,
+    index_delay: npt.ArrayLike | None = None,
+    periods: npt.ArrayLike | None = None,
+) -> FloatArray:
+    """The rule with damping moved between the ends of links, `B_i = sum_j g_ij K_ij d_j/d_i`; other arguments as above.
+
+    g is what the plain rule has there. For index delays with different periods `g_ij = (N_ij + N_ji)/2 T_j` is not
+    symmetric; the weights are valid all the same, because only `c_ij c_ji` of the two shares matters and d cancels in
+    it (see `Reach`).
+
+    Args:
+        network: linked users.
+        d: (N,) any positive weights; the greater, the less damping this user and the more its neighbours carry.
+        ages: (N, N) s.
+        index_delay: (N, N) steps.
+        periods: s.
+
+    Raises:
+        NetworkError: a weight is not positive and finite.
+    """
+    reach = reach_of(network, ages=ages, index_delay=index_delay, periods=periods)
+    return shared(network, reach, reach.shares * _positive(network, "d", d))
+
+
+def minimax_damping(
+    network: Network,
+    *,
+    ages: npt.ArrayLike | None = None,
+    index_delay: npt.ArrayLike | None = None,
+    periods: npt.ArrayLike | None = None,
+) -> FloatArray:
+    """The weights that make the largest `B_i` smallest, in closed form; arguments as for `damping_for`.
+
+    With `G_ij = reach_ij K_ij` the users of a connected component all get `B_i = (G d)_i / d_i = lambda`, the Perron
+    eigenvalue of G, with d its Perron vector. Nothing does better, not even shares chosen for every link alone: with
+    `c_ij c_ji >= reach_ij^2`, `sum_i d_i^2 B_i >= sum over links of 2 G_ij d_i d_j = lambda sum_i d_i^2`. (For weights
+    d alone this is the Collatz-Wielandt formula.) With weighted springs the sum of a user's coefficients is what is
+    levelled.
+    """
+    return damping_for(network, "minimax", ages=ages, index_delay=index_delay, periods=periods)
+
+
+def sum_damping(
+    network: Network,
+    *,
+    costs: npt.ArrayLike | None = None,
+    ages: npt.ArrayLike | None = None,
+    index_delay: npt.ArrayLike | None = None,
+    periods: npt.ArrayLike | None = None,
+) -> FloatArray:
+    """The weights that make `sum_i costs_i B_i` smallest, in closed form; other arguments as for `damping_for`.
+
+    Every link adds `reach_ij K_ij (c_i d_j/d_i + c_j d_i/d_j)`, at least `2 reach_ij K_ij sqrt(c_i c_j)`, and `d_i =
+    sqrt(c_i)` reaches that on all links at once. With equal costs and ages it is the plain rule: nothing has a smaller
+    sum. For index delays g is not symmetric, the reach is (see `Reach`), and the same holds.
+
+    Args:
+        network: linked users.
+        costs: (N,) positive; None counts all users alike.
+        ages: (N, N) s.
+        index_delay: (N, N) steps.
+        periods: s.
+    """
+    return damping_for(network, "sum", ages=ages, index_delay=index_delay, periods=periods, costs=costs)
+
+
+def shared(network: Network, reach: Reach, d: FloatArray) -> FloatArray:
+    """Coefficients of `B_i = sum_j reach_ij K_ij d_j/d_i`."""
+    shares = reach.seconds * network.linked_spring() * d / d[:, None]
+    beta = np.zeros((network.size, 1 + len(network.weights)))
+    for w in range(beta.shape[1]):
+        beta[:, w] = np.where(network.weight_of == w - 1, shares, 0.0).sum(axis=1)
+    return beta
+
+
+def minimax_shares(network: Network, reach: Reach) -> FloatArray:
+    """Perron vector of `reach_ij K_ij` in every connected component."""
+    load = reach.seconds * network.linked_spring()
+    d = np.ones(network.size)
+    # Links with reach 0 carry nothing and must not join two components into one.
+    loaded = network.with_links([link for link in network.links if load[link] > 0])
+    for component in loaded.components():
+        users = list(component)
+        if len(users) > 1:
+            d[users] = np.abs(np.linalg.eigh(load[np.ix_(users, users)])[1][:, -1])
+    return d
+
+
+def _positive(network: Network, name: str, values: npt.ArrayLike) -> FloatArray:
+    array = np.array(values, dtype=np.float64)
+    if array.shape != (network.size,):
+        raise NetworkError(f"{name} has shape {array.shape}; it must be ({network.size},), one for each user")
+    for i in map(int, np.flatnonzero(~(np.isfinite(array) & (array > 0)))):
+        raise NetworkError(f"{name} of {one_user(network.users, i)} is {array[i]:g}; it must be finite and above 0")
+    return array

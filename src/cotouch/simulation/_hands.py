@@ -1,0 +1,181 @@
+"""Virtual hands: what pulls at which node, when, and where to."""
+# An array indexed by an element of another is a number to numba and an array to numpy's types.
+# pyright: reportArgumentType=false, reportReturnType=false
+
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.body import Body
+from cotouch.errors import ScenarioError
+from cotouch.mechanics import Grips, Model, kernel, load, splat, store
+from cotouch.simulation._tables import Hand
+
+Float = npt.NDArray[np.float64]
+Int = npt.NDArray[np.int32]
+
+
+class Hands(NamedTuple):
+    """What pulls at the ports. A hand follows its path, pulls by a spring and damper, and lets go.
+
+    Attributes:
+        first: first port of each user, (users + 1,).
+        row: row of the body that each port holds, (ports,).
+        shape: row vectors of the ports in a modal basis, (ports, rows) or (0, rows).
+        stiffness: (ports,) [N/m].
+        damping: (ports,) [Ns/m].
+        begin: the port acts from here, (ports,) [s].
+        release: to here, (ports,) [s].
+        forced: whether the path is a force [N] rather than a place [m], (ports,).
+        path_first: first waypoint of each port, (ports + 1,).
+        path_time: (waypoints,) [s].
+        path_value: (waypoints, width).
+        amplitude: of a sine added to the path, (ports, width).
+        frequency: (ports,) [Hz].
+        phase: (ports,) [rad].
+    """
+
+    first: Int
+    row: Int
+    shape: Float
+    stiffness: Float
+    damping: Float
+    begin: Float
+    release: Float
+    forced: npt.NDArray[np.bool_]
+    path_first: Int
+    path_time: Float
+    path_value: Float
+    amplitude: Float
+    frequency: Float
+    phase: Float
+
+
+@kernel
+def _place(hands: Hands, cursor: Int, p: int, t: float, lanes: tuple[int, ...]) -> float:
+    """Where the path of a port is at time t: straight between waypoints, still before and after them."""
+    first, last = hands.path_first[p], hands.path_first[p + 1] - 1
+    here = cursor[p]
+    while here > first and hands.path_time[here] > t:
+        here -= 1
+    while here < last and hands.path_time[here + 1] <= t:
+        here += 1
+    cursor[p] = here
+    value = load(hands.path_value, here, lanes)
+    if here < last and t > hands.path_time[here]:
+        share = (t - hands.path_time[here]) / (hands.path_time[here + 1] - hands.path_time[here])
+        value = (1.0 - share) * value + share * load(hands.path_value, here + 1, lanes)
+    if hands.frequency[p] != 0.0:
+        wave = np.sin(2.0 * np.pi * hands.frequency[p] * t + hands.phase[p])
+        value = value + wave * load(hands.amplitude, p, lanes)
+    return value
+
+
+@kernel
+def grip(hands: Hands, grips: Grips, cursor: Int, p: int, end: float, T: float, lanes: tuple[int, ...]) -> None:
+    """What port p does during a step that ends at `end`."""
+    middle = end - 0.5 * T
+    zero = splat(0.0, lanes)
+    store(grips.start, p, zero, lanes)
+    store(grips.end, p, zero, lanes)
+    store(grips.push, p, zero, lanes)
+    grips.stiffness[p] = 0.0
+    grips.damping[p] = 0.0
+    if hands.begin[p] <= middle < hands.release[p]:
+        if hands.forced[p]:
+            store(grips.push, p, _place(hands, cursor, p, middle, lanes), lanes)
+        else:
+            grips.stiffness[p] = hands.stiffness[p]
+            grips.damping[p] = hands.damping[p]
+            store(grips.start, p, _place(hands, cursor, p, end - T, lanes), lanes)
+            store(grips.end, p, _place(hands, cursor, p, end, lanes), lanes)
+
+
+def ports_of(hands: list[Hand], users: int, body: Body, ready: Model) -> tuple[Hands, Int]:
+    """Ports of all hands, ordered by user, and which ports belong to which hand, (hands, ports per hand).
+
+    Raises:
+        ScenarioError: a hand names a user or node that is not there, or its path does not fit the body.
+    """
+    for index, hand in enumerate(hands, start=1):
+        if hand.user > users:
+            raise ScenarioError(f"hands[{index}].user is {hand.user}; the network has users 1 to {users}")
+        if hand.node > body.nodes:
+            raise ScenarioError(f"hands[{index}].node is {hand.node}; the body has nodes 1 to {body.nodes}")
+    width = ready.width
+    entries: list[tuple[int, int, int, int]] = []  # user, hand, axis (or -1: all), row
+    for index, hand in enumerate(hands):
+        rows = ready.port_rows(hand.node - 1)
+        entries += [(hand.user - 1, index, axis if rows.size > 1 else -1, int(row)) for axis, row in enumerate(rows)]
+    entries.sort(key=lambda entry: entry[0])
+    count = len(entries)
+    owner = np.array([entry[0] for entry in entries], dtype=np.int32)
+    row = np.array([entry[3] for entry in entries], dtype=np.int32)
+    forced = np.zeros(count, dtype=np.bool_)
+    numbers = np.zeros((6, count))  # stiffness, damping, begin, release, frequency, phase
+    amplitude = np.zeros((count, width))
+    path_first, path_time, path_value = [0], [np.zeros(0)], [np.zeros((0, width))]
+    ports = np.zeros((len(hands), len(ready.port_rows(0))), dtype=np.int32)
+    filled = np.zeros(len(hands), dtype=np.int64)
+    for p, (_, index, axis, _) in enumerate(entries):
+        hand = hands[index]
+        forced[p] = hand.kind == "force"
+        release = np.inf if hand.release is None else hand.release
+        stiffness = 0.0 if forced[p] else hand.stiffness
+        damping = 0.0 if forced[p] else hand.damping
+        numbers[:, p] = stiffness, damping, hand.begin, release, hand.frequency, hand.phase
+        times, values = _path(hand, f"hands[{index + 1}].path", body.dimension)
+        wave = _vector(hand.amplitude, f"hands[{index + 1}].amplitude", body.dimension)
+        pick = slice(None) if axis < 0 else slice(axis, axis + 1)
+        used = values[:, pick].shape[1]
+        padded = np.zeros((times.size, width))
+        padded[:, :used] = values[:, pick]
+        amplitude[p, :used] = wave[pick]
+        path_time.append(times)
+        path_value.append(padded)
+        path_first.append(path_first[-1] + times.size)
+        ports[index, filled[index]] = p
+        filled[index] += 1
+    stiffness, damping, begin, release, frequency, phase = (np.ascontiguousarray(line) for line in numbers)
+    return (
+        Hands(
+            first=np.searchsorted(owner, np.arange(users + 1)).astype(np.int32),
+            row=row,
+            shape=ready.port_shapes(row),
+            stiffness=stiffness,
+            damping=damping,
+            begin=begin,
+            release=release,
+            forced=forced,
+            path_first=np.array(path_first, dtype=np.int32),
+            path_time=np.concatenate(path_time),
+            path_value=np.ascontiguousarray(np.concatenate(path_value)),
+            amplitude=amplitude,
+            frequency=frequency,
+            phase=phase,
+        ),
+        ports,
+    )
+
+
+def _path(hand: Hand, name: str, dimension: int) -> tuple[Float, Float]:
+    """Times and places of a path."""
+    path = hand.path
+    if isinstance(path, list) and path and isinstance(path[0], list):
+        rows: list[Any] = path
+        for row in rows:
+            if len(row) != 1 + dimension:
+                raise ScenarioError(f"{name} has the waypoint {row}; it must be a time and {dimension} numbers")
+        table = np.array(rows, dtype=np.float64)
+        return np.ascontiguousarray(table[:, 0]), np.ascontiguousarray(table[:, 1:])
+    return np.zeros(1), _vector(path, name, dimension)[None, :]
+
+
+def _vector(value: Any, name: str, dimension: int) -> Float:
+    numbers = np.atleast_1d(np.asarray(value, dtype=np.float64))
+    if numbers.shape == (dimension,):
+        return numbers
+    if not np.any(numbers):
+        return np.zeros(dimension)
+    raise ScenarioError(f"{name} is {value}; the body has {dimension} axes, so it must be {dimension} numbers")

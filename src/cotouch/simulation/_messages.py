@@ -1,0 +1,52 @@
+"""What is wrong with a scenario, as one sentence."""
+
+from collections.abc import Mapping
+
+from pydantic import ValidationError
+
+from cotouch.simulation import _tables
+
+
+def sentence(error: ValidationError, source: str) -> str:
+    """The first problem of a validation as one sentence: where, what value, what would be right."""
+    problems = error.errors()
+    first = problems[0]
+    place = _place(first["loc"])
+    value = repr(first["input"])
+    value = value if len(value) <= 60 else value[:57] + "..."
+    message = first["msg"].removeprefix("Value error, ")
+    match first["type"]:
+        case "extra_forbidden":
+            text = f"{place} is not an option that cotouch knows; remove it or correct its name"
+        case "missing":
+            text = f"{place} is missing"
+        case "union_tag_invalid" | "union_tag_not_found":
+            kind = first["input"].get("kind") if isinstance(first["input"], Mapping) else first["input"]
+            text = f'{place}.kind is {kind!r}; it must be "point", "chain", "lattice" or "matrices"'
+        case "value_error":
+            text = f"{place}: {message}" if place else message
+        case _:
+            text = f"{place} is {value}: {message[:1].lower()}{message[1:]}"
+    more = len({_place(problem["loc"]) for problem in problems}) - 1
+    return f"{source}: {text}" + (f" (and {more} more such message{'s' * (more > 1)})" if more else "")
+
+
+def _place(parts: tuple[int | str, ...]) -> str:
+    """Where in the file, as a reader would write it; pydantic's names of types are left out."""
+    place = ""
+    for depth, part in enumerate(parts):
+        if isinstance(part, int):
+            place += f"[{part + 1}]"
+        elif depth == 0 or part in _OPTIONS or (depth == len(parts) - 1 and not any(mark in part for mark in "[(-")):
+            place += f".{part}" if place else part
+    for name in ("float", "int", "str", "bool"):
+        place = place.removesuffix(f".{name}")
+    return place
+
+
+def _options() -> frozenset[str]:
+    tables = [table for table in vars(_tables).values() if isinstance(table, type) and issubclass(table, _tables.Table)]
+    return frozenset(name for table in tables for name in table.model_fields)
+
+
+_OPTIONS = _options()
