@@ -40,17 +40,11 @@ def test_indexed_takes_its_sample_or_the_newest_before(clock: np.ndarray, delay:
     assert short == missing
 
 
-@given(st.data())
-def test_ages_measure_the_whole_step(data: st.DataObject) -> None:
-    length = np.array(data.draw(st.lists(st.floats(1e-3, 0.1), min_size=5, max_size=5)))
-    end = np.cumsum(length)
-    used = np.array(data.draw(st.lists(st.integers(-1, 4), min_size=5, max_size=5)), dtype=np.int32)
-    age = np.zeros(5)
-    ages(end, length, end, length, used, age)
-    for k in range(5):
-        stamp = end[used[k]] - length[used[k]] / 2 if used[k] >= 0 else 0.0
-        inside = np.linspace(end[k] - length[k], end[k], 101)
-        assert age[k] == pytest.approx(np.abs(inside - stamp).max(), abs=1e-12)
+def test_ages_count_from_mid_step_to_the_end_of_the_step_that_uses_the_sample() -> None:
+    age = np.zeros(3)
+    used = np.array([-1, 0, 2], dtype=np.int32)
+    ages(np.array([0.1, 0.3, 0.5]), np.array([0.1, 0.2, 0.4]), np.array([0.1, 0.1, 0.2]), used, age)
+    assert age == pytest.approx([0.1, 0.25, 0.2])
 
 
 def test_self_paced_steps_are_the_earliest_possible() -> None:

@@ -167,7 +167,7 @@ class Peer:
         for at, source in enumerate(self._sources):
             sample = source.choose(self.steps)
             links.samples[at] = sample.position
-            age[at] = max(now - sample.stamp, sample.stamp - (now - T))
+            age[at] = now - sample.stamp
         own = len(self._sources)
         step(
             model.operator,

@@ -35,7 +35,7 @@ _UNITS = {
     "iterations": ("1", "iterations of the solver in the step; 0 where it is a closed form"),
     "link_work": ("J", "work of the link on its receiver so far"),
     "delay_work": ("J", "energy added to the link so far by the age of the samples"),
-    "age": ("s", "largest distance in time between the sample used and the step that uses it"),
+    "age": ("s", "age of the sample used, from the middle of its step to the end of the step that uses it"),
     "link_energy": ("J", "energy of the spring between two copies"),
     "stored": ("J", "energy of all copies and links"),
     "supplied_total": ("J", "work of all hands so far"),

@@ -58,7 +58,7 @@ class Schedule:
         bound: on T, (users,) [s].
         order: user of each event, (events,).
         used: index of the sample that each slot uses, (slots, steps); -1: the initial one.
-        age: of that sample, (slots, steps) [s].
+        age: of that sample at the end of the step, (slots, steps) [s].
         ring: how many samples of a user must be kept.
         reference: the user with the most steps (the last of them).
         index_delay: N_ij, (users, users), in the modes that have one.
@@ -186,7 +186,7 @@ def _finish(
     for s in range(slots.link.size):
         i, j = slots.receiver[s], slots.sender[s]
         n, m = count[i], count[j]
-        ages(end[i, :n], length[i, :n], end[j, :m], length[j, :m], used[s, :n], age[s, :n])
+        ages(end[i, :n], end[j, :m], length[j, :m], used[s, :n], age[s, :n])
     if mode != "freshest" or (end == end[0]).all():
         order = np.tile(np.arange(users, dtype=np.int32), steps)
         if count.min() < steps:

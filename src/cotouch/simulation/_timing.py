@@ -108,15 +108,13 @@ def elapsed(end: Float, longest: Float, length: Float) -> None:
 
 
 @kernel
-def ages(end: Float, length: Float, sent: Float, sent_length: Float, used: Int, age: Float) -> None:
-    """Age of the sample that each step uses: the largest distance in time between it and any instant of the step.
+def ages(end: Float, sent: Float, sent_length: Float, used: Int, age: Float) -> None:
+    """Age of the sample that each step uses, at the end of the step.
 
-    A sample is x̂, the sender's place at the middle of its step. For samples from before the step this is the age at the
-    end of the step; a sample newer than the step's start counts by its distance from there where that is larger.
+    A sample is x̂, the sender's place at the middle of its step, so that is where its age starts.
 
     Args:
         end: of the receiver's steps, (steps,) [s].
-        length: of the receiver's steps, (steps,) [s].
         sent: end of the sender's steps, (samples,) [s].
         sent_length: length of the sender's steps, (samples,) [s].
         used: index of the sample at each step, (steps,); -1: the initial state, known at time 0.
@@ -126,7 +124,7 @@ def ages(end: Float, length: Float, sent: Float, sent_length: Float, used: Int, 
         stamp = 0.0
         if used[k] >= 0:
             stamp = sent[used[k]] - 0.5 * sent_length[used[k]]
-        age[k] = max(end[k] - stamp, stamp - (end[k] - length[k]))
+        age[k] = end[k] - stamp
 
 
 @kernel

@@ -1,0 +1,21 @@
+"""Compiles the kernels of one width into the cache on disk; run by `conftest.py` before workers would do so each."""
+
+import sys
+
+from cotouch.simulation import Scenario, prepare, run_peers, simulate
+
+
+def main(axes: int) -> None:
+    """Runs a body of that many axes in every way that compiles something of its own."""
+    scenario = Scenario.make(
+        network={"users": ["a", "b"], "spring": [[0, 1], [1, 0]], "delay": [[0, 0.01], [0.01, 0]]},
+        body={"kind": "chain", "nodes": 2, "dimension": axes},
+        steps={"duration": 0.05, "period": 0.01},
+        hands=[{"user": 1, "path": [0.1] * axes}],
+    )
+    simulate(scenario)
+    run_peers(prepare(scenario))
+
+
+if __name__ == "__main__":
+    main(int(sys.argv[1]))
