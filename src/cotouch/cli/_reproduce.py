@@ -3,9 +3,14 @@
 import os
 import sys
 import webbrowser
+from collections.abc import Iterator
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
-from cotouch.cli._output import folder, print_json
+from cotouch.cli._output import folder, number, print_json
+
+if TYPE_CHECKING:
+    from rich.table import Table
 
 
 def run(out: Path, *, as_json: bool) -> None:
@@ -15,7 +20,7 @@ def run(out: Path, *, as_json: bool) -> None:
 
     if as_json:
         result = reproduce(out)
-        print_json({**result.numbers, "report": str(result.report)})
+        print_json(result.numbers)
         return
     from rich.console import Console
     from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
@@ -29,11 +34,102 @@ def run(out: Path, *, as_json: bool) -> None:
 
         result = reproduce(out, progress=progress)
     console = Console()
-    for table in result.tables():
+    for table in _tables(result.numbers):
         console.print(table)
+    verdict = (
+        "everything came out as it should" if result.confirmed else "[red]not everything came out as it should[/red]"
+    )
+    console.print(
+        f"In {result.seconds:.0f} s; {verdict}. Energy books miss {result.energy_residual:.0e} of the energy in play."
+    )
     console.print(f"The report: {result.report.resolve()}", highlight=False, soft_wrap=True)
     if _desktop():
         webbrowser.open(result.report.resolve().as_uri())
+
+
+def _tables(numbers: dict[str, Any]) -> Iterator["Table"]:
+    """What fits on a screen of what was found."""
+    from rich.box import SIMPLE_HEAD
+    from rich.table import Table as Grid
+
+    def table(title: str, *headings: str) -> Grid:
+        made = Grid(box=SIMPLE_HEAD, title=title, title_justify="left", title_style="bold")
+        for index, heading in enumerate(headings):
+            text = index == 0 or heading == "claim" or heading.startswith("links")
+            made.add_column(heading, justify="left" if text else "right", max_width=44)
+        return made
+
+    found = numbers["topologies"]
+    choice = table(
+        f"Which links: {found['connected']} connected of {found['choices']} choices",
+        "objective",
+        "links of the best",
+        "value",
+        "links of the worst",
+        "value",
+    )
+    titles = {"equation": "consensus, equation", "matrix": "consensus, matrix", "decay": "closed loop, 1/s"}
+    for name, title in titles.items():
+        best, worst = found["objectives"][name]["best"], found["objectives"][name]["worst"]
+        periodic = found["objectives"][name]["never_mixing"]
+        links = f"{periodic} tie, never mixing" if periodic else worst["links"]
+        choice.add_row(title, best["links"], f"{best['value']:.6f}", links, f"{worst['value']:.6f}")
+    yield choice
+
+    runs = table(
+        "Five users hold, then let go",
+        "choice",
+        "links",
+        "position\nsettles, s",
+        "force\nsettles, s",
+        "Σf, N",
+        "largest B,\nNs/m",
+    )
+    for name, run in numbers["experiment"].items():
+        settles = run["settling_time_s"]
+        largest = max(run["damping_ns_m"])
+        runs.add_row(
+            name,
+            run["links"],
+            number(settles["position"], digits=3),
+            number(settles["force"], digits=3),
+            f"{run['force_sum_n']:.1e}",
+            number(largest, digits=3),
+        )
+    yield runs
+
+    claims = table("Theorem 1 and what follows from it", "where", "claim", "measured", "must be", "holds")
+    for claim in numbers["theorem"]["claims"]:
+        unit = f" {claim['unit']}" if claim["unit"] else ""
+        measured = f"{claim['measured']:.1e}{unit}"
+        claims.add_row(
+            claim["item"],
+            claim["claim"].split(":")[0],
+            measured,
+            claim["must_be"],
+            "yes" if claim["holds"] else "[red]no[/red]",
+        )
+    yield claims
+
+    ways = table(
+        "The same jittery, lossy channel, one word changed",
+        "mode",
+        "largest B,\nNs/m",
+        "age, s\nmedian",
+        "age, s\nlargest",
+        "position\nsettles, s",
+        "steps\nper s",
+    )
+    for name, way in numbers["modes"].items():
+        ways.add_row(
+            name,
+            number(way["largest_damping_ns_m"], digits=3),
+            number(way["age_s"]["median"], digits=2),
+            number(way["age_s"]["max"], digits=3),
+            number(way["settling_time_s"]["position"], digits=3),
+            number(way["steps_per_s"], digits=4),
+        )
+    yield ways
 
 
 def _desktop() -> bool:

@@ -64,6 +64,7 @@ class Decay:
         return -1.0 / self.root.real if self.root.real < 0 else math.inf
 
 
+@final
 @dataclass(frozen=True, eq=False)
 class _Loop:
     """`[(s^2 m + s c + kappa) I - K_ij e^(-s d_ij)] x = 0`."""

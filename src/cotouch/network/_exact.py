@@ -17,6 +17,7 @@ best value are dropped, the others halved. The sum above bounds C'' everywhere, 
 """
 
 from dataclasses import dataclass
+from typing import final
 
 import numpy as np
 import numpy.typing as npt
@@ -45,6 +46,7 @@ _BATCH = 4_000_000
 _MOST_ROWS = 256
 
 
+@final
 @dataclass(frozen=True, eq=False)
 class _Family:
     """The matrices `-C(theta) - constant` of which the largest eigenvalue is sought.

@@ -1,0 +1,70 @@
+"""Machine vectors inside kernels: one lane is a float, four are a vector."""
+
+from typing import Any
+
+import numba
+import numpy as np
+import pytest
+
+from cotouch.mechanics import at, kernel, load, splat, store, total
+from cotouch.mechanics._vector import WIDTHS
+
+LANES = [(0,) * width for width in WIDTHS]
+
+
+@kernel
+def _combine(a: Any, b: Any, scalar: float, out: Any, lanes: Any) -> float:
+    result = 0.0
+    for i in range(a.shape[0]):
+        x, y = load(a, i, lanes), load(b, i, lanes)
+        store(out, i, scalar * x + y * scalar - (scalar - x) * (y - scalar) + (scalar + y), lanes)
+        result += total(x * y)
+    return result
+
+
+@kernel
+def _fill(out: Any, row: int, value: float, lanes: Any) -> None:
+    store(out, row, splat(value, lanes), lanes)
+
+
+@kernel
+def _element(array: Any, index: int) -> float:
+    return at(array, index)
+
+
+@pytest.mark.parametrize("lanes", LANES, ids=len)
+def test_arithmetic_is_that_of_numpy(lanes: tuple[int, ...]):
+    rng = np.random.default_rng(0)
+    a, b = rng.normal(size=(2, 5, len(lanes)))
+    out = np.full_like(a, np.nan)
+    result = _combine(a, b, 1.7, out, lanes)
+    assert np.allclose(out, 1.7 * a + b * 1.7 - (1.7 - a) * (b - 1.7) + (1.7 + b), rtol=1e-13, atol=1e-14)
+    assert result == pytest.approx(np.sum(a * b), rel=1e-13)
+
+
+@pytest.mark.parametrize("lanes", LANES, ids=len)
+def test_store_writes_one_row(lanes: tuple[int, ...]):
+    out = np.zeros((5, len(lanes)))
+    _fill(out, 3, 2.5, lanes)
+    expected = np.zeros((5, len(lanes)))
+    expected[3] = 2.5
+    assert np.array_equal(out, expected)
+
+
+def test_unaligned_rows_can_be_read_and_written():
+    """Arrays of a batch start anywhere: a vector need not lie on a multiple of its size."""
+    whole = np.zeros(4 * 6 + 1)
+    out = whole[1:].reshape(6, 4)
+    _fill(out, 2, 1.5, (0,) * 4)
+    assert np.array_equal(out[2], np.full(4, 1.5))
+    assert np.count_nonzero(whole) == 4
+
+
+@pytest.mark.parametrize("dtype", [np.float64, np.int32, np.int64])
+def test_at_reads_an_element(dtype: Any):
+    assert [_element(np.array([3, -7, 5], dtype=dtype), i) for i in range(3)] == [3, -7, 5]
+
+
+def test_strided_fields_are_refused_when_compiling():
+    with pytest.raises(numba.TypingError, match="kernels read C-contiguous arrays only"):
+        _fill(np.zeros((6, 4))[::2], 0, 1.0, (0,) * 4)
