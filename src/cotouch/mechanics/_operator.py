@@ -13,6 +13,8 @@ Int = npt.NDArray[np.int32]
 
 # Rows of `Operator.mix`; the weights follow.
 MASS, DAMPING, STIFFNESS, WEIGHTS = 0, 1, 2, 3
+# A row sum this small beside the diagonal is the rounding of a row that sums to nothing.
+_NO_GROUND = 1e-14
 
 
 class Operator(NamedTuple):
@@ -56,13 +58,56 @@ def mixed(op: Operator, matrix: int) -> bool:
 
 
 @kernel
+def row_sum(op: Operator, values: Float, i: int, field: Float, lanes: tuple[int, ...]) -> float:
+    """Row i of a matrix on the operator's pattern, given by its values, times a field.
+
+    Three entries at a time and two sums: rows have few entries, for which the compiler's own unrolling by eight never
+    gets going.
+    """
+    e, last = at(op.pointer, i), at(op.pointer, i + 1)
+    even, odd = splat(0.0, lanes), splat(0.0, lanes)
+    while last - e >= 3:
+        even = even + at(values, e) * load(field, at(op.column, e), lanes)
+        odd = odd + at(values, e + 1) * load(field, at(op.column, e + 1), lanes)
+        even = even + at(values, e + 2) * load(field, at(op.column, e + 2), lanes)
+        e += 3
+    if e < last:
+        odd = odd + at(values, e) * load(field, at(op.column, e), lanes)
+    if e + 1 < last:
+        even = even + at(values, e + 1) * load(field, at(op.column, e + 1), lanes)
+    return even + odd
+
+
+@kernel
 def row_product(op: Operator, family: int, i: int, field: Float, lanes: tuple[int, ...]) -> float:
     """Row i of one family times a field."""
-    entries = op.entries[family]
+    return row_sum(op, op.entries[family], i, field, lanes)
+
+
+@kernel
+def grounded(ground: float, diagonal: float) -> float:
+    """A row sum, or 0 where it is only rounding."""
+    return 0.0 if abs(ground) <= _NO_GROUND * diagonal else ground
+
+
+@kernel
+def pull(op: Operator, matrix: int, diagonal: Float, i: int, field: Float, lanes: tuple[int, ...]) -> float:
+    """Row i of a matrix times a field, by differences between rows: `(K 1)_i x_i + sum_j K_ij (x_j - x_i)`.
+
+    A free body may travel far on a small stretch, and the plain product would lose the stretch in the travel.
+    """
+    own = load(field, i, lanes)
+    ground = at(diagonal, i)
     result = splat(0.0, lanes)
-    for e in range(at(op.pointer, i), at(op.pointer, i + 1)):
-        result = result + at(entries, e) * load(field, at(op.column, e), lanes)
-    return result
+    for family in range(op.entries.shape[0]):
+        share = op.mix[matrix, family]
+        if share != 0.0:
+            entries = op.entries[family]
+            for e in range(at(op.pointer, i), at(op.pointer, i + 1)):
+                value = share * at(entries, e)
+                ground += value
+                result = result + value * (load(field, at(op.column, e), lanes) - own)
+    return grounded(ground, at(diagonal, i)) * own + result
 
 
 @kernel

@@ -2,19 +2,22 @@
 
 Started from zero, every iterate of conjugate gradients satisfies `v̂ᵀ(b - A v̂) = 0`. The energy identity of the step
 therefore holds however early the iteration stops: a cap costs accuracy, never passivity. A warm start would break this.
+Rounding does too, slowly, where A is badly conditioned; one scale for the whole solution at the end makes up for it.
 """
 
 import numpy as np
 import numpy.typing as npt
 
 from cotouch.mechanics._kernel import kernel
-from cotouch.mechanics._operator import Operator
+from cotouch.mechanics._operator import Operator, row_sum
 from cotouch.mechanics._vector import at, load, splat, store, total
 
 Float = npt.NDArray[np.float64]
 
 # Squared residuals below this are the end of motion, not work left to do; they would underflow into 0/0.
 _FLOOR = 1e-290
+# What `v̂ᵀ r` may be beside `v̂ᵀ b`: less than rounding does to the sums themselves.
+_NOTICED = 1e-16
 
 
 @kernel
@@ -67,14 +70,12 @@ def conjugate_gradients(
     size = total(energy)
     target = max(tolerance * tolerance * size, _FLOOR)
     iterations = 0
-    while size > target and iterations < cap:
+    # Written so that NaN enters, spoils the solution, and is seen, instead of passing for a body at rest.
+    while not size <= target and iterations < cap:
         curvature = splat(0.0, lanes)
         for i in range(rows):
-            off = splat(0.0, lanes)
-            for e in range(at(op.pointer, i), at(op.pointer, i + 1)):
-                off = off + at(values, e) * load(direction, at(op.column, e), lanes)
             own = load(direction, i, lanes)
-            result = at(diagonal, i) * own + scale * off
+            result = at(diagonal, i) * own + scale * row_sum(op, values, i, direction, lanes)
             store(image, i, result, lanes)
             curvature = curvature + own * result
         length = size / total(curvature)
@@ -87,12 +88,33 @@ def conjugate_gradients(
         turn = new_size / size
         size = new_size
         iterations += 1
+        if np.isnan(size):
+            cap = iterations
         # The solution is brought up to date here rather than with the residual: the direction is read once, not twice.
         for i in range(rows):
             p = load(direction, i, lanes)
             store(solution, i, load(solution, i, lanes) + length * p, lanes)
             store(direction, i, at(inverse, i) * load(residual, i, lanes) + turn * p, lanes)
+    _rescale(rhs, residual, solution, lanes)
     return iterations
+
+
+@kernel
+def _rescale(rhs: Float, residual: Float, solution: Float, lanes: tuple[int, ...]) -> None:
+    """Scales the solution so that `v̂ᵀ(b - A v̂) = 0` again, where badly conditioned matrices let rounding wear it off.
+
+    With `v̂ᵀ A v̂ = v̂ᵀ b - v̂ᵀ r` the scale is `v̂ᵀ b / v̂ᵀ A v̂`; it costs two sums, and mostly differs from 1 by nothing.
+    """
+    work, left = splat(0.0, lanes), splat(0.0, lanes)
+    for i in range(rhs.shape[0]):
+        v = load(solution, i, lanes)
+        work = work + v * load(rhs, i, lanes)
+        left = left + v * load(residual, i, lanes)
+    supplied, missed = total(work), total(left)
+    if abs(missed) > _NOTICED * supplied and supplied - missed > 0.0:
+        scale = max(supplied, 0.0) / (supplied - missed)
+        for i in range(rhs.shape[0]):
+            store(solution, i, scale * load(solution, i, lanes), lanes)
 
 
 @kernel

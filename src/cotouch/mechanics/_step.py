@@ -3,13 +3,25 @@
 Everything that advances a copy calls `step`: the single peer, the simulator of many, live or not.
 """
 
+import math
 from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from cotouch.mechanics._kernel import kernel
-from cotouch.mechanics._operator import DAMPING, MASS, STIFFNESS, WEIGHTS, Operator, mixed, multiply, row_product
+from cotouch.mechanics._operator import (
+    DAMPING,
+    MASS,
+    STIFFNESS,
+    WEIGHTS,
+    Operator,
+    grounded,
+    mixed,
+    multiply,
+    pull,
+    row_product,
+)
 from cotouch.mechanics._solve import add_ports, conjugate_gradients, divide
 from cotouch.mechanics._vector import at, load, splat, store, total
 
@@ -112,27 +124,35 @@ class Workspace(NamedTuple):
     small_rhs: Float
 
 
+def _aligned(*shape: int) -> Float:
+    """Zeros that start at a cache line, so that no row lies across two."""
+    size = math.prod(shape)
+    raw = np.zeros(size + 8)
+    first = (-raw.ctypes.data // 8) % 8
+    return raw[first : first + size].reshape(shape)
+
+
 def workspace(op: Operator, width: int, ports: int) -> Workspace:
     """Scratch arrays for steps with `op` and at most `ports` ports per user."""
     rows, families, weights = op.mass.size, op.entries.shape[0], op.weight.shape[0]
     solver = rows if families else 0
     general = rows if families and np.any(op.mix[WEIGHTS:]) else 0
     return Workspace(
-        diagonal=np.zeros(rows),
-        inverse=np.zeros(solver),
-        rhs=np.zeros((rows, width)),
-        mean=np.zeros((rows, width)),
-        residual=np.zeros((solver, width)),
-        direction=np.zeros((solver, width)),
-        image=np.zeros((max(solver, general), width)),
-        stretch=np.zeros((general, width)),
-        values=np.zeros(op.column.size if families > 1 else 0),
-        scale=np.zeros(families),
-        gain=np.zeros(weights),
-        quadratic=np.zeros(weights),
-        port_gain=np.zeros(ports),
-        small=np.zeros((ports, ports)),
-        small_rhs=np.zeros((ports, width)),
+        diagonal=_aligned(rows),
+        inverse=_aligned(solver),
+        rhs=_aligned(rows, width),
+        mean=_aligned(rows, width),
+        residual=_aligned(solver, width),
+        direction=_aligned(solver, width),
+        image=_aligned(max(solver, general), width),
+        stretch=_aligned(general, width),
+        values=_aligned(op.column.size if families > 1 else 0),
+        scale=_aligned(families),
+        gain=_aligned(weights),
+        quadratic=_aligned(weights),
+        port_gain=_aligned(ports),
+        small=_aligned(ports, ports),
+        small_rhs=_aligned(ports, width),
     )
 
 
@@ -210,14 +230,14 @@ def _assemble(
     for i in range(rows):
         own = inertia * at(op.mass, i) + op.share * at(op.damping, i) + (half * op.share) * at(op.stiffness, i)
         for w in range(weights):
-            own += work.gain[w] * op.weight[w, i]
+            own += at(work.gain, w) * at(op.weight, w * rows + i)
         work.diagonal[i] = own
         impulse = load(state.momentum, i, lanes) if heavy else at(op.mass, i) * load(state.velocity, i, lanes)
         b = inertia * impulse - op.share * load(state.tension, i, lanes)
         x = load(state.position, i, lanes)
         for link in range(links.first, links.last):
-            pull = at(links.strength, link) * op.weight[links.weight[link], i]
-            b = b - pull * (x - load(links.samples, links.slot[link] * rows + i, lanes))
+            pull = at(links.strength, link) * at(op.weight, at(links.weight, link) * rows + i)
+            b = b - pull * (x - load(links.samples, at(links.slot, link) * rows + i, lanes))
         store(work.rhs, i, b, lanes)
     for w in range(weights):
         if mixed(op, WEIGHTS + w):  # what such a weight couples off the diagonal; its diagonal is in already
@@ -347,11 +367,12 @@ def _move(
         for link in range(links.first, links.last):
             w = links.weight[link]
             base = links.slot[link] * rows
+            weight = op.weight[w]
             power = splat(0.0, lanes)
             for i in range(first, last):
                 rate = load(work.mean, i, lanes)
                 middle = load(state.position, i, lanes) + (0.5 * T) * rate
-                power = power + op.weight[w, i] * (rate * (middle - load(links.samples, base + i, lanes)))
+                power = power + at(weight, i) * (rate * (middle - load(links.samples, base + i, lanes)))
             link_work[link] -= T * links.strength[link] * total(power)
         for i in range(first, last):
             rate = load(work.mean, i, lanes)
@@ -360,9 +381,13 @@ def _move(
                 store(links.samples, sample * rows + i, x + (0.5 * T) * rate, lanes)
             store(state.position, i, x + T * rate, lanes)
             store(state.velocity, i, 2.0 * rate - load(state.velocity, i, lanes), lanes)
-            square = total(rate * rate)
-            for w in range(weights):
-                work.quadratic[w] += op.weight[w, i] * square
+        for w in range(weights):
+            weight = op.weight[w]
+            square = splat(0.0, lanes)
+            for i in range(first, last):
+                rate = load(work.mean, i, lanes)
+                square = square + at(weight, i) * (rate * rate)
+            work.quadratic[w] += total(square)
     for w in range(weights):
         if mixed(op, WEIGHTS + w):  # add what the weight couples off the diagonal; x̂ = x⁺ - ½T v̂
             square = splat(0.0, lanes)
@@ -398,23 +423,30 @@ def _book(
 ) -> None:
     """Energies from the new state, losses from the mean velocity; keeps `K x` and `M v` for the next step."""
     rows, weights, families = op.mass.shape[0], op.weight.shape[0], op.entries.shape[0]
-    heavy, lossy = mixed(op, MASS), mixed(op, DAMPING)
+    heavy = mixed(op, MASS)
     kinetic, elastic, lost = splat(0.0, lanes), splat(0.0, lanes), splat(0.0, lanes)
     for i in range(rows):
         x, v, rate = load(state.position, i, lanes), load(state.velocity, i, lanes), load(work.mean, i, lanes)
-        tension = at(op.stiffness, i) * x
-        momentum = at(op.mass, i) * v
+        ground = at(op.stiffness, i)
+        tension = splat(0.0, lanes)
         drag = at(op.damping, i) * rate
         for family in range(families):
-            if op.mix[STIFFNESS, family] != 0.0:
-                tension = tension + op.mix[STIFFNESS, family] * row_product(op, family, i, state.position, lanes)
-            if heavy:
-                momentum = momentum + op.mix[MASS, family] * row_product(op, family, i, state.velocity, lanes)
-            if lossy:
-                drag = drag + op.mix[DAMPING, family] * row_product(op, family, i, work.mean, lanes)
-        store(state.tension, i, tension, lanes)
+            entries, k = op.entries[family], op.mix[STIFFNESS, family]
+            stretch, slip = splat(0.0, lanes), splat(0.0, lanes)
+            for e in range(at(op.pointer, i), at(op.pointer, i + 1)):
+                value, j = at(entries, e), at(op.column, e)
+                ground += k * value
+                stretch = stretch + value * (load(state.position, j, lanes) - x)
+                slip = slip + value * load(work.mean, j, lanes)
+            tension = tension + k * stretch
+            drag = drag + op.mix[DAMPING, family] * slip
+        tension = tension + grounded(ground, at(op.stiffness, i)) * x
+        momentum = at(op.mass, i) * v
         if heavy:
+            for family in range(families):
+                momentum = momentum + op.mix[MASS, family] * row_product(op, family, i, state.velocity, lanes)
             store(state.momentum, i, momentum, lanes)
+        store(state.tension, i, tension, lanes)
         kinetic = kinetic + v * momentum
         elastic = elastic + x * tension
         lost = lost + rate * drag
@@ -431,5 +463,10 @@ def _book(
 @kernel
 def settle(op: Operator, state: State, books: Float, lanes: tuple[int, ...]) -> None:
     """Fills in `K x`, `M v` and the energies of a state that was just set."""
-    books[ELASTIC] = 0.5 * op.share * multiply(op, STIFFNESS, op.stiffness, state.position, state.tension, lanes)
+    elastic = splat(0.0, lanes)
+    for i in range(op.mass.shape[0]):
+        tension = pull(op, STIFFNESS, op.stiffness, i, state.position, lanes)
+        store(state.tension, i, tension, lanes)
+        elastic = elastic + load(state.position, i, lanes) * tension
+    books[ELASTIC] = 0.5 * op.share * total(elastic)
     books[KINETIC] = 0.5 * op.share * multiply(op, MASS, op.mass, state.velocity, state.momentum, lanes)

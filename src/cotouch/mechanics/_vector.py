@@ -1,9 +1,9 @@
 """Rows of 1 or 4 numbers as machine vectors inside kernels.
 
 A field over the nodes is an array (rows, width), C-contiguous, with width 1 or 4 (two and three axes are padded by
-zero columns). Kernels read and write one row at a time as a vector; numba alone does not vectorise across the few columns of
-a row and is three to four times slower. The width must be known when a kernel is compiled, so it travels as the length
-of a tuple, `lanes`. With one lane a "vector" is an ordinary float.
+zero columns). Kernels read and write one row at a time as a vector; numba alone does not vectorise across the few
+columns of a row and is three to four times slower. The width must be known when a kernel is compiled, so it travels as
+the length of a tuple, `lanes`. With one lane a "vector" is an ordinary float.
 
 `at` reads an element without numba's wrap-around of negative indices, which costs a branch in sparse products.
 """

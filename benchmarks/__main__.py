@@ -1,0 +1,30 @@
+"""`python -m benchmarks`: all of them, one table."""
+
+import argparse
+
+from rich.console import Console
+
+from benchmarks import engine, record, scaling, step
+from benchmarks._report import Row, add_write, finish
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__)
+    parser.add_argument("--count", type=int, default=record.SHORT, help="random scenarios (10,000 for the record)")
+    add_write(parser)
+    options = parser.parse_args()
+    rows: list[Row] = []
+    with Console(stderr=True).status("") as status:
+        for name, measure in (
+            ("engine", engine.measure),
+            ("step", step.measure),
+            ("scaling", lambda: scaling.measure(draw=options.write)),
+            ("record", lambda: record.measure(options.count)),
+        ):
+            status.update(f"{name} ...")
+            rows += measure()
+    finish(rows, write=options.write)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,22 @@
+import numpy as np
+
+from cotouch.body import lattice
+from cotouch.simulation import Scenario, prepare, run_peers
+
+
+def test_nan_shows_in_the_state_instead_of_passing_for_rest() -> None:
+    """A device that delivers NaN must not leave a body that looks healthy."""
+    scenario = Scenario.make(
+        network={"users": ["a", "b"], "spring": [[0, 50], [50, 0]], "delay": [[0, 0.01], [0.01, 0]]},
+        body=lattice((3, 2, 2), ground=[0], ground_stiffness=5),
+        steps={"duration": 0.05, "period": 0.01},
+        hands=[{"user": 1, "kind": "force", "path": [1.0, 0.0, 0.0]}],
+        solver={"basis": "nodal"},
+    )
+    prepared = prepare(scenario)
+    assert prepared.model.basis == "nodal"
+    assert np.isfinite(run_peers(prepared).position[0]).all()
+    prepared.hands.path_value[0, 0] = np.nan
+    broken = run_peers(prepared)
+    assert np.isnan(broken.position[0][1]).any()
+    assert np.isnan(broken.reports[0][0].residual)
