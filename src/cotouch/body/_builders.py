@@ -172,7 +172,7 @@ def _held(ground: Ground, places: npt.NDArray[np.int64], extents: tuple[int, ...
             return np.flatnonzero(places[:, axis] == (0 if ground[1] == "-" else extents[axis] - 1))
         faces = ", ".join(f'"{name}-", "{name}+"' for name in "xyz"[: len(extents)])
         raise BodyError(f'ground is "{ground}"; it must be node indices, "none", "all" or a face: {faces}')
-    if not all(isinstance(index, int | np.integer) for index in ground):
+    if any(index != int(index) for index in ground):
         raise BodyError(f"ground is {list(ground)}; it must hold whole numbers, the indices of nodes")
     indices = np.asarray(list(ground), dtype=np.int64)
     bad = np.flatnonzero((indices < 0) | (indices >= count))

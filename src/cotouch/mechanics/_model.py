@@ -17,9 +17,9 @@ from cotouch.mechanics._vector import WIDTHS
 Float = npt.NDArray[np.float64]
 Basis = Literal["auto", "nodal", "modal"]
 
-# Up to this many rows "auto" tries the modal basis: its dense eigenvectors then cost well under a second to find, and
-# reading a node's position (one row of them) stays cheaper than the iterations that it saves.
-_MODAL_ROWS = 600
+# Up to this many rows "auto" tries the modal basis. Each hand and each recorded node reads a whole row of modes there;
+# with eight hands the two bases cost the same at about 500 rows.
+_MODAL_ROWS = 256
 # How far from diagonal a matrix may be in the modal basis, relative to its largest entry there, to count as commuting.
 _COMMUTES = 1e-11
 
@@ -149,6 +149,12 @@ def _fit(body: Body, index: int, weight: Matrix) -> tuple[sp.csr_array, bool]:
 def _operator(matrices: list[sp.csr_array], copies: int) -> Operator:
     """Splits matrices into diagonals and shared off-diagonal families."""
     rows = matrices[0].shape[0]
+    diagonals = [np.ascontiguousarray(matrix.diagonal(), dtype=np.float64) for matrix in matrices]
+    if all(matrix.nnz == np.count_nonzero(own) for matrix, own in zip(matrices, diagonals, strict=True)):
+        nothing = np.zeros((len(matrices), 0))
+        return _assembled(
+            copies, diagonals, np.zeros(rows + 1, np.int32), np.zeros(0, np.int32), np.zeros((0, 0)), nothing
+        )
     off: list[sp.csr_array] = []
     for matrix in matrices:
         rest = sp.csr_array(matrix - sp.diags_array(matrix.diagonal()))
@@ -171,24 +177,42 @@ def _operator(matrices: list[sp.csr_array], copies: int) -> Operator:
         if not np.any(values[q]):
             continue
         for f, family in enumerate(families):
-            ratio = float(values[q] @ family) / float(family @ family)
+            largest = int(np.argmax(np.abs(family)))  # one entry: a quotient of sums would add the rounding of the sums
+            ratio = float(values[q][largest] / family[largest])
             if np.abs(values[q] - ratio * family).max() <= 1e-14 * np.abs(values[q]).max():
                 mix[q, f] = ratio
                 break
         else:
             mix[q, len(families)] = 1.0
             families.append(values[q])
-    diagonals = [np.ascontiguousarray(matrix.diagonal(), dtype=np.float64) for matrix in matrices]
+    return _assembled(
+        copies,
+        diagonals,
+        pattern.indptr.astype(np.int32),
+        pattern.indices.astype(np.int32),
+        np.ascontiguousarray(np.stack(families)),
+        np.ascontiguousarray(mix[:, : len(families)]),
+    )
+
+
+def _assembled(
+    copies: int,
+    diagonals: list[Float],
+    pointer: npt.NDArray[np.int32],
+    column: npt.NDArray[np.int32],
+    entries: Float,
+    mix: Float,
+) -> Operator:
     return Operator(
         share=1.0 / copies,
         mass=diagonals[0],
         damping=diagonals[1],
         stiffness=diagonals[2],
         weight=np.ascontiguousarray(np.stack(diagonals[WEIGHTS:])),
-        pointer=pattern.indptr.astype(np.int32) if families else np.zeros(rows + 1, np.int32),
-        column=pattern.indices.astype(np.int32) if families else np.zeros(0, np.int32),
-        entries=np.ascontiguousarray(np.stack(families)) if families else np.zeros((0, 0)),
-        mix=np.ascontiguousarray(mix[:, : len(families)]),
+        pointer=pointer,
+        column=column,
+        entries=entries,
+        mix=mix,
     )
 
 

@@ -1,5 +1,6 @@
 """Many virtual peers on a virtual network: scenario in, labelled result out."""
 
+from cotouch.simulation._figures import figures, save_figures
 from cotouch.simulation._metrics import at_times, discrepancy, force_imbalance, hold_window, settling_time, summary
 from cotouch.simulation._peers import PeerRun, run_peers
 from cotouch.simulation._prepare import Prepared, prepare
@@ -15,11 +16,13 @@ __all__ = [
     "at_times",
     "dataset",
     "discrepancy",
+    "figures",
     "force_imbalance",
     "hold_window",
     "prepare",
     "run_peers",
     "save",
+    "save_figures",
     "schedule",
     "settling_time",
     "simulate",

@@ -59,7 +59,7 @@ class Schedule:
         order: user of each event, (events,).
         used: index of the sample that each slot uses, (slots, steps); -1: the initial one.
         age: of that sample at the end of the step, (slots, steps) [s].
-        ring: how many samples of a user must be kept.
+        ring: how many samples of a user are kept so that none is overwritten before its last use; a power of two.
         reference: the user with the most steps (the last of them).
         index_delay: N_ij, (users, users), in the modes that have one.
         underruns: how often the sample k - N_ij had not arrived, (slots,).
@@ -208,7 +208,7 @@ def _finish(
         order=order,
         used=used,
         age=age,
-        ring=int(ring),
+        ring=1 << (int(ring) - 1).bit_length(),
         reference=int(users - 1 - np.argmax(count[::-1])),
         index_delay=delay,
         underruns=underruns,

@@ -1,0 +1,450 @@
+"""Figures of a run: positions, forces, energies and ages, in one restrained style."""
+
+import json
+from collections.abc import Callable, Generator, Sequence
+from contextlib import contextmanager
+from itertools import pairwise
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Final, TypeAlias, cast
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.errors import ScenarioError
+from cotouch.simulation._metrics import at_times, hold_window
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from matplotlib.lines import Line2D
+    from matplotlib.typing import RcKeyType
+
+Float = npt.NDArray[np.float64]
+Dash: TypeAlias = "str | tuple[int, tuple[float, ...]]"
+
+INK: Final = "#24292f"
+MUTED: Final = "#68707a"
+GRID: Final = "#e4e7eb"
+SHADE: Final = "#f3f5f8"
+SURFACE: Final = "#ffffff"
+ALARM: Final = "#b3261e"
+# Okabe and Ito's colours, which colour-blind readers tell apart, without yellow and black; a second round is dashed.
+USERS: Final = ("#0072b2", "#d55e00", "#009e73", "#c065a0", "#d99000", "#4aa5dd")
+DASHES: Final[tuple[Dash, ...]] = ("-", (0, (4.0, 1.6)), (0, (1.2, 1.4)))
+
+STYLE: Final[dict[str, Any]] = {
+    "font.family": "sans-serif",
+    "font.size": 8.0,
+    "text.color": INK,
+    "axes.edgecolor": MUTED,
+    "axes.facecolor": SURFACE,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "axes.labelcolor": INK,
+    "axes.labelsize": 8.0,
+    "axes.linewidth": 0.6,
+    "axes.spines.right": False,
+    "axes.spines.top": False,
+    "axes.titlecolor": INK,
+    "axes.titlelocation": "left",
+    "axes.titlesize": 8.5,
+    "axes.titleweight": "bold",
+    "axes.titlepad": 6.0,
+    "axes.xmargin": 0.0,
+    "axes.ymargin": 0.12,
+    "axes.formatter.use_mathtext": False,
+    "axes.formatter.useoffset": False,
+    "axes.unicode_minus": True,
+    "figure.facecolor": SURFACE,
+    "grid.color": GRID,
+    "grid.linewidth": 0.6,
+    "legend.fontsize": 7.5,
+    "legend.frameon": False,
+    "legend.handlelength": 1.6,
+    "legend.columnspacing": 1.4,
+    "legend.borderaxespad": 0.0,
+    "lines.linewidth": 1.2,
+    "lines.solid_capstyle": "round",
+    "xtick.color": MUTED,
+    "xtick.labelcolor": INK,
+    "xtick.labelsize": 7.5,
+    "xtick.major.width": 0.6,
+    "xtick.major.size": 3.0,
+    "ytick.color": MUTED,
+    "ytick.labelcolor": INK,
+    "ytick.labelsize": 7.5,
+    "ytick.major.width": 0.6,
+    "ytick.major.size": 3.0,
+}
+
+# Wide enough for a page, and so many points on a line as its pixels can show.
+WIDTH: Final = 7.2
+_POINTS = 1600
+# What is beyond has long left the picture; drawing libraries overflow there.
+_LARGEST = 1e100
+# What grows by more than this from the first half of a run to the second has left a straight axis.
+_GROWTH = 1e4
+# Upwards the plain unit with its power of ten says it better.
+_PREFIXES = ((1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n"), (1e-12, "p"))
+_MOST_LABELS = 14
+# Letters that fit into one line of a legend, and the width of a mark in letters.
+_LEGEND_LETTERS = 110
+_MARK_LETTERS = 4
+
+
+def figures(run: "xr.Dataset") -> "dict[str, Figure]":
+    """Draws a run.
+
+    Args:
+        run: a result of `simulate`.
+
+    Returns:
+        "positions" and "forces" of every user (of the node that is held most, if there are several), "energies" (what
+        is stored where, where it came from and went, and what the books miss) and "ages" of the samples.
+    """
+    with style():
+        return {
+            "positions": _positions(run),
+            "forces": _forces(run),
+            "energies": _energies(run),
+            "ages": _ages(run),
+        }
+
+
+def save_figures(run: "xr.Dataset", directory: str | Path, format: str = "png") -> list[Path]:  # noqa: A002
+    """Writes the figures of a run into a folder, which is made if need be, and returns their paths.
+
+    Raises:
+        ScenarioError: the folder or a file cannot be written, or the format is unknown.
+    """
+    folder = Path(directory)
+    written: list[Path] = []
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        for name, figure in figures(run).items():
+            path = folder / f"{name}.{format}"
+            figure.savefig(path, format=format, dpi=160)
+            written.append(path)
+    except OSError as error:
+        raise ScenarioError(f"figures cannot be written to {directory}: {error.strerror or error}") from error
+    except ValueError as error:
+        raise ScenarioError(f'figures cannot be written as "{format}": {error}') from error
+    return written
+
+
+# What every figure of this package is made with.
+
+
+@contextmanager
+def style() -> "Generator[None]":
+    """Makes figures in this module's style; the settings of the caller come back afterwards."""
+    import matplotlib as mpl
+
+    with mpl.rc_context(cast("dict[RcKeyType, Any]", STYLE)):
+        yield
+
+
+def sheet(height: float, width: float = WIDTH) -> "Figure":
+    """An empty figure, in inches, that belongs to nobody and needs no window."""
+    from matplotlib.figure import Figure
+
+    return Figure(figsize=(width, height), layout="constrained")
+
+
+def user_line(index: int) -> dict[str, Any]:
+    """Colour and dashes of a user, the same in all figures."""
+    return {"color": USERS[index % len(USERS)], "linestyle": DASHES[index // len(USERS) % len(DASHES)]}
+
+
+def user_legend(axes: "Axes", names: Sequence[str]) -> None:
+    """Rows above the axes, to the right, that say which line is whose; the axes' title moves up if they are long."""
+    marks, texts = _marks(names)
+    columns = max(1, min(len(marks), int(_LEGEND_LETTERS / (max(map(len, texts)) + _MARK_LETTERS))))
+    rows = -(-len(marks) // columns)
+    axes.legend(marks, texts, loc="lower right", bbox_to_anchor=(1.0, 1.02), ncols=columns, **_ROW)
+    if rows > 1 or len(marks) * (max(map(len, texts)) + _MARK_LETTERS) > _LEGEND_LETTERS / 2:
+        axes.set_title(axes.get_title(loc="left"), pad=STYLE["axes.titlepad"] + 12.0 * rows)
+
+
+def figure_legend(figure: "Figure", names: Sequence[str]) -> None:
+    """One row above all panels of a figure."""
+    marks, texts = _marks(names)
+    figure.legend(marks, texts, loc="outside upper right", ncols=len(marks), **_ROW)
+
+
+_ROW: Final[dict[str, Any]] = {"handlelength": 1.2, "handletextpad": 0.5, "columnspacing": 0.9}
+
+
+def _marks(names: Sequence[str]) -> "tuple[list[Line2D], list[str]]":
+    from matplotlib.lines import Line2D
+
+    lines: list[dict[str, Any]] = [user_line(i) for i in range(len(names))]
+    marks = [Line2D([], [], color=line["color"], linestyle=line["linestyle"], linewidth=1.8) for line in lines]
+    return [Line2D([], [], linestyle="none"), *marks], ["user", *names]
+
+
+def decimate(time: Float, values: Float, most: int = _POINTS) -> tuple[Float, Float]:
+    """At most about `most` points of a line: the lowest and the highest of every bin, so that no peak is lost.
+
+    What is not finite is left out, as nothing can be drawn there.
+    """
+    known = np.isfinite(time) & np.isfinite(values) & (np.abs(values) < _LARGEST)
+    time, values = time[known], values[known]
+    if time.size <= most:
+        return time, values
+    edges = np.linspace(0, time.size, max(most // 2, 1) + 1).astype(np.int64)
+    kept = {0, int(time.size) - 1}
+    for a, b in pairwise(edges):
+        kept |= {int(a + np.argmin(values[a:b])), int(a + np.argmax(values[a:b]))}
+    index = np.array(sorted(kept), dtype=np.int64)
+    return time[index], values[index]
+
+
+def prefix(largest: float, unit: str) -> tuple[float, str]:
+    """What to divide by so that numbers up to `largest` read well, and the unit with its prefix."""
+    if not 0.0 < largest < _LARGEST:
+        return 1.0, unit
+    for factor, letter in _PREFIXES:
+        if largest >= 0.999 * factor:
+            return factor, letter + unit
+    return _PREFIXES[-1][0], _PREFIXES[-1][1] + unit
+
+
+def peak(*values: npt.ArrayLike) -> float:
+    """Largest finite size among all values; 0 if there is none."""
+    result = 0.0
+    for value in values:
+        array = np.abs(np.asarray(value, dtype=np.float64))
+        array = array[np.isfinite(array) & (array < _LARGEST)]
+        result = max(result, float(array.max(initial=0.0)))
+    return result
+
+
+def shade_hold(axes: "Axes", run: "xr.Dataset", *, label: bool = True) -> None:
+    """Shades the time in which users hold against each other."""
+    if not json.loads(run.attrs["scenario"])["hands"]:
+        return
+    start, stop = hold_window(run)
+    axes.axvspan(start, stop, color=SHADE, linewidth=0, zorder=0)
+    if label:
+        axes.annotate(
+            "held",
+            ((start + stop) / 2, 1.0),
+            xycoords=("data", "axes fraction"),
+            xytext=(0, -3),
+            textcoords="offset points",
+            ha="center",
+            va="top",
+            color=MUTED,
+            fontsize=7.0,
+            bbox={"boxstyle": "square,pad=0.15", "facecolor": SHADE, "edgecolor": "none"},
+            zorder=3,
+        )
+
+
+def end_labels(axes: "Axes", places: list[float], texts: list[str], colors: list[str]) -> None:
+    """Texts to the right of the axes near their lines' ends, moved apart where they would cover each other."""
+    if not texts:
+        return
+    low, high = axes.get_ylim()
+    height = axes.get_window_extent().height * 72.0 / axes.get_figure(root=True).dpi  # pyright: ignore[reportOptionalMemberAccess]
+    gap = min(9.0 / max(height, 1.0), 1.0 / len(texts))
+    shares = np.array([axes.transAxes.inverted().transform(axes.transData.transform((0.0, y)))[1] for y in places])
+    shares = np.clip(shares, 0.0, 1.0)
+    order = np.argsort(shares, kind="stable")
+    spread = shares[order].copy()
+    for k in range(1, spread.size):
+        spread[k] = max(spread[k], spread[k - 1] + gap)
+    # What was pushed over the top comes down again; the rest keeps its distance below it.
+    spread[-1] = min(spread[-1], 1.0)
+    for k in range(spread.size - 2, -1, -1):
+        spread[k] = min(spread[k], spread[k + 1] - gap)
+    for share, index in zip(spread, order, strict=True):
+        axes.annotate(
+            texts[index],
+            (1.0, float(shares[index])),
+            xycoords="axes fraction",
+            xytext=(1.025, float(share)),
+            textcoords="axes fraction",
+            va="center",
+            ha="left",
+            color=colors[index],
+            fontsize=7.0,
+            arrowprops={"arrowstyle": "-", "color": colors[index], "linewidth": 0.4, "shrinkA": 0, "shrinkB": 0},
+            annotation_clip=False,
+        )
+    axes.set_ylim(low, high)
+
+
+def _panels(figure: "Figure", rows: int, ratios: Sequence[float] | None = None) -> "list[Axes]":
+    grid = figure.subplots(rows, 1, sharex=True, squeeze=False, gridspec_kw={"height_ratios": ratios})
+    panels: list[Axes] = list(grid[:, 0])
+    panels[-1].set_xlabel("Time / s")
+    return panels
+
+
+def _positions(run: "xr.Dataset") -> "Figure":
+    users, axes, node = run.sizes["user"], run.sizes["axis"], _shown_node(run)
+    figure = sheet(1.0 + 1.7 * axes)
+    panels = _panels(figure, axes)
+    places = run["position"].values[:, :, node, :]
+    factor, unit = prefix(peak(places), "m")
+    for axis, panel in enumerate(panels):
+        shade_hold(panel, run, label=axis == 0)
+        for i in range(users):
+            time, line = decimate(run["time"].values[i], places[i, :, axis] / factor)
+            panel.plot(time, line, **user_line(i))
+        name = f" {run['axis'].values[axis]}" if axes > 1 else ""
+        panel.set_ylabel(f"Position{name} / {unit}")
+    which = f" of node {int(run['node'].values[node])}" if run.sizes["node"] > 1 else ""
+    panels[0].set_title(f"Position{which}")
+    _limit(panels, run)
+    user_legend(panels[0], [str(name) for name in run["user"].values])
+    return figure
+
+
+def _forces(run: "xr.Dataset") -> "Figure":
+    users, axes = run.sizes["user"], run.sizes["axis"]
+    figure = sheet(2.2 + 1.7 * axes)
+    panels = _panels(figure, axes + 1, [1.6] * axes + [1.0])
+    forces = run["force"].values
+    ticks = run["tick_time"].values
+    total = at_times(run, "force", ticks).sum(axis=1)
+    factor, unit = prefix(peak(forces[:, 1:]), "N")
+    for axis, panel in enumerate(panels[:-1]):
+        shade_hold(panel, run, label=axis == 0)
+        for i in range(users):
+            # Entry 0 is the initial state, which no force belongs to.
+            time, line = decimate(run["time"].values[i][1:], forces[i, 1:, axis] / factor)
+            panel.plot(time, line, **user_line(i))
+        name = f" {run['axis'].values[axis]}" if axes > 1 else ""
+        panel.set_ylabel(f"Force{name} / {unit}")
+    last = panels[-1]
+    shade_hold(last, run, label=False)
+    for axis in range(axes):
+        time, line = decimate(ticks[1:], total[1:, axis] / factor)
+        last.plot(time, line, color=INK, linestyle=DASHES[axis], label=str(run["axis"].values[axis]))
+    if axes > 1:
+        last.legend(loc="lower right", bbox_to_anchor=(1.0, 1.02), ncols=axes)
+    last.set_ylabel(f"Sum / {unit}")
+    last.set_title("Sum over users")
+    panels[0].set_title("Force of the hands")
+    _limit(panels, run)
+    user_legend(panels[0], [str(name) for name in run["user"].values])
+    return figure
+
+
+def _energies(run: "xr.Dataset") -> "Figure":
+    ticks = run["tick_time"].values
+    figure = sheet(5.6)
+    stores, flows, books = _panels(figure, 3, [1.25, 1.25, 0.8])
+    kinetic, elastic = (at_times(run, name, ticks).sum(axis=1) for name in ("kinetic", "elastic"))
+    kept = {
+        "kinetic": (kinetic, USERS[0]),
+        "elastic": (elastic, USERS[2]),
+        "link springs": (run["link_energy"].values.sum(axis=1), USERS[1]),
+    }
+    moved = {
+        "supplied": (run["supplied_total"].values, USERS[0]),
+        "dissipated": (run["dissipated_total"].values, USERS[1]),
+        "added by delay": (run["delay_work_total"].values, USERS[3]),
+        "stored": (run["stored"].values, INK),
+    }
+    for panel, lines in ((stores, kept), (flows, moved)):
+        factor, unit = prefix(peak(*(values for values, _ in lines.values())), "J")
+        shade_hold(panel, run, label=panel is stores)
+        for name, (values, color) in lines.items():
+            time, line = decimate(ticks, values / factor)
+            panel.plot(time, line, color=color, label=name)
+        panel.set_ylabel(f"Energy / {unit}")
+        panel.legend(loc="lower right", bbox_to_anchor=(1.0, 1.02), ncols=len(lines))
+    stores.set_title("Stored")
+    flows.set_title("Where it came from and went")
+    shade_hold(books, run, label=False)
+    time, line = decimate(ticks, np.abs(run["residual"].values))
+    seen = line > 0.0
+    books.plot(time[seen], line[seen], color=ALARM, linewidth=0.8)
+    if seen.any():
+        books.set_yscale("log")
+    books.set_ylabel("|Residual| / J")
+    share = float(run.attrs["energy_residual"])
+    books.set_title(f"What the books miss: at most {share:.1e} of the energy in play")
+    _limit([stores, flows, books], run)
+    return figure
+
+
+def _ages(run: "xr.Dataset") -> "Figure":
+    figure = sheet(2.9)
+    (panel,) = _panels(figure, 1)
+    shade_hold(panel, run)
+    ages = run["age"].values
+    factor, unit = prefix(peak(ages), "s")
+    names = [str(name) for name in run["direction"].values]
+    receivers = np.array([int(name.split("<-")[0]) - 1 for name in names], dtype=np.int64)
+    ends: list[float] = []
+    texts: list[str] = []
+    colors: list[str] = []
+
+    def draw(user: int, values: Float, text: str) -> None:
+        time, line = decimate(run["time"].values[user], values / factor)
+        panel.plot(time, line, **user_line(user), linewidth=0.9)
+        if line.size:
+            ends.append(float(np.median(line)))
+            texts.append(text)
+            colors.append(USERS[user % len(USERS)])
+
+    if len(names) <= _MOST_LABELS:
+        for s, name in enumerate(names):
+            draw(int(receivers[s]), ages[s], name.replace("<-", " ← "))
+        title = "Age of the sample that each step uses (receiver ← sender)"
+    else:
+        for user in np.unique(receivers):
+            draw(int(user), _highest(ages[receivers == user]), "")
+        title = "Age of the oldest sample that each step uses, by receiver"
+    panel.set_title(title if names else "No links, so no samples")
+    panel.set_ylabel(f"Age / {unit}")
+    panel.set_ylim(bottom=0.0)
+    _limit([panel], run)
+    if len(names) > _MOST_LABELS:
+        user_legend(panel, [str(name) for name in run["user"].values])
+    elif names:
+        end_labels(panel, ends, texts, colors)
+    return figure
+
+
+def _highest(rows: Float) -> Float:
+    """Column by column, the largest that is known."""
+    known = np.isfinite(rows).any(axis=0)
+    result = np.full(rows.shape[1], np.nan)
+    result[known] = np.nanmax(rows[:, known], axis=0)
+    return result
+
+
+def _limit(panels: "Sequence[Axes]", run: "xr.Dataset") -> None:
+    """Time from start to end; for what grows out of sight, decades instead of a straight axis."""
+    from matplotlib.ticker import SymmetricalLogLocator
+
+    end = float(np.nanmax(run["time"].values))
+    panels[0].set_xlim(0.0, end)
+    for panel in panels:
+        first = last = lowest = 0.0
+        for line in panel.get_lines():
+            time, values = np.asarray(line.get_xdata()), np.asarray(line.get_ydata(), dtype=np.float64)
+            first, last = max(first, peak(values[time <= end / 2])), max(last, peak(values[time > end / 2]))
+            lowest = min(lowest, float(values.min(initial=0.0)))
+        if panel.get_yscale() == "linear" and 0.0 < _GROWTH * first < last:
+            panel.set_yscale("symlog", linthresh=first)
+            locator = SymmetricalLogLocator(base=10.0, linthresh=first)
+            locator.numticks = 7
+            panel.yaxis.set_major_locator(locator)
+            if lowest == 0.0:
+                panel.set_ylim(bottom=0.0)
+
+
+def _shown_node(run: "xr.Dataset") -> int:
+    """Index of the recorded node that most hands hold, the first such."""
+    nodes = [int(number) for number in run["node"].values]
+    held = [int(hand["node"]) for hand in json.loads(run.attrs["scenario"])["hands"]]
+    count: Callable[[int], int] = held.count
+    return max(range(len(nodes)), key=lambda k: (count(nodes[k]), -k))

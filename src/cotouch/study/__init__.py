@@ -1,0 +1,6 @@
+"""The paper's experiment, its theorem and its errata, computed anew and written up as one page."""
+
+from cotouch.study._data import Progress, five_users
+from cotouch.study._reproduce import Reproduction, reproduce
+
+__all__ = ["Progress", "Reproduction", "five_users", "reproduce"]

@@ -1,0 +1,68 @@
+"""The paper's five users, where their file lies, and how this study writes links down."""
+
+from collections.abc import Callable, Iterable, Mapping
+from importlib.resources import files
+from pathlib import Path
+from typing import Any, TypeAlias
+
+from cotouch.errors import ScenarioError
+from cotouch.network import Network, Pair
+from cotouch.simulation import Scenario
+from cotouch.units import user_number
+
+Progress: TypeAlias = Callable[[int, int, str], None]
+
+_FILE = "five-users.toml"
+
+# Where the copies start when they are let go without hands: apart from each other, all in different places.
+START = (0.10, -0.05, 0.06, -0.08, 0.02)
+
+
+def five_users() -> Path:
+    """The scenario file of the paper's five users: beside this package where it is installed, else in `examples/`.
+
+    Raises:
+        ScenarioError: it is in neither place.
+    """
+    installed = Path(str(files("cotouch.study").joinpath(_FILE)))
+    source = Path(__file__).resolve().parents[3] / "examples" / _FILE
+    for path in (installed, source):
+        if path.is_file():
+            return path
+    raise ScenarioError(
+        f"{_FILE} is neither beside cotouch.study nor in the examples of the sources; reinstall cotouch"
+    )
+
+
+def names(links: Iterable[Pair]) -> str:
+    """Links as "12 14 23", users numbered from 1."""
+    return " ".join(f"{user_number(a)}{user_number(b)}" for a, b in links)
+
+
+def holding(network: Network, *, release: float, duration: float, period: float) -> Scenario:
+    """The file's experiment on another choice of links: everyone pulls to a place of their own, then lets go."""
+    base = Scenario.read(five_users())
+    hands = [{**hand.model_dump(), "release": release} for hand in base.hands]
+    return base.replace(title="", network=network, hands=hands, steps={"duration": duration, "period": period})
+
+
+def free(
+    network: Network,
+    *,
+    duration: float,
+    period: float,
+    body: Mapping[str, Any] | None = None,
+    hands: list[dict[str, Any]] | None = None,
+    start: bool = True,
+    **synchronisation: Any,
+) -> Scenario:
+    """Copies that start apart (or together) on a common step, held by nobody unless `hands` says so."""
+    rule: dict[str, Any] = {"mode": "constant", "damping": "rule", **synchronisation}
+    return Scenario.make(
+        network=network,
+        body=dict(body or {"kind": "point"}),
+        steps={"duration": duration, "period": period},
+        synchronisation=rule,
+        hands=hands or [],
+        initial={"position": list(START)} if start else {},
+    )

@@ -1,0 +1,132 @@
+"""Freshest sample against constant indexing delay, buffered and self-paced, on one jittery, lossy channel."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, final
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.network import Network
+from cotouch.simulation import Scenario, discrepancy, settling_time, simulate, summary
+from cotouch.study._data import holding
+from cotouch.study._experiment import DURATION, RELEASE
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Float = npt.NDArray[np.float64]
+
+JITTER = 0.015
+LOSS = 0.03
+_SEED = 1
+
+
+@final
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Way:
+    """One way to run the same scenario.
+
+    Attributes:
+        mode: the word of the scenario file.
+        quantile: given in the file, or None for the mode's own.
+        run: the run.
+        settling: of position and force while held, and of position after the release [s]; None: not settled.
+        damping: B_i [Ns/m].
+        pace: steps per second and user.
+        late: how often the sample k − N_ij had not arrived, as a share of all samples used.
+        gap: RMS distance between a copy and the mean of all [m].
+    """
+
+    mode: str
+    quantile: float | None
+    run: "xr.Dataset"
+    settling: dict[str, float | None]
+    damping: Float
+    pace: float
+    late: float
+    gap: float
+
+    @property
+    def ages(self) -> Float:
+        """All ages of samples after the first two seconds, in which there are none to be had yet [s]."""
+        receivers = [int(str(name).split("<-")[0]) - 1 for name in self.run["direction"].values]
+        time = self.run["time"].values[receivers]
+        ages = self.run["age"].values[(time > 2.0) & np.isfinite(self.run["age"].values)]
+        return np.asarray(ages, dtype=np.float64)
+
+    def numbers(self) -> dict[str, Any]:
+        """For JSON."""
+        ages = self.ages
+        return {
+            "mode": self.mode,
+            "quantile": self.quantile,
+            "largest_damping_ns_m": float(self.damping.max()),
+            "age_s": {
+                "median": float(np.median(ages)),
+                "p99": float(np.quantile(ages, 0.99)),
+                "max": float(ages.max()),
+            },
+            "settling_time_s": self.settling,
+            "steps_per_s": self.pace,
+            "late": self.late,
+            "discrepancy_rms_m": self.gap,
+            "energy_residual": float(self.run.attrs["energy_residual"]),
+            "passivity_margin_j": float(self.run.attrs["passivity_margin"]),
+        }
+
+
+@final
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Modes:
+    """All ways, "buffered", "self-paced" and "freshest", and "buffered 99 %", whose buffer is sometimes too short.
+
+    Attributes:
+        ways: by name.
+        direction: the direction whose ages are drawn.
+        delay: the constant part of its delay [s].
+    """
+
+    ways: dict[str, Way]
+    direction: str
+    delay: float
+
+    def numbers(self) -> dict[str, Any]:
+        """For JSON."""
+        return {name: way.numbers() for name, way in self.ways.items()}
+
+
+def modes(network: Network, *, period: float) -> Modes:
+    """Runs one scenario in every mode; only `synchronisation` differs between them."""
+    base = holding(network, release=RELEASE, duration=DURATION, period=period).replace(
+        seed=_SEED, channel={"jitter": {"kind": "uniform", "scale": JITTER}, "loss": LOSS}
+    )
+    table: dict[str, dict[str, Any]] = {
+        "buffered": {"mode": "constant"},
+        "buffered 99 %": {"mode": "constant", "quantile": 0.99},
+        "self-paced": {"mode": "self-paced"},
+        "freshest": {"mode": "freshest"},
+    }
+    ways = {name: _way(base.replace(synchronisation={"damping": "rule", **wish})) for name, wish in table.items()}
+    quick = min(network.links, key=lambda link: network.delay[link])
+    return Modes(ways=ways, direction=f"{quick[0] + 1}<-{quick[1] + 1}", delay=float(network.delay[quick]))
+
+
+def _way(scenario: Scenario) -> Way:
+    run = simulate(scenario)
+    held = summary(run, scenario.build_body())
+    steps = np.isfinite(run["time"].values).sum(axis=1) - 1
+    used = int(np.isfinite(run["age"].values).sum())
+    return Way(
+        mode=scenario.synchronisation.mode,
+        quantile=scenario.synchronisation.quantile,
+        run=run,
+        settling={
+            "position": held["settling_time_s"]["position"],
+            "force": held["settling_time_s"]["force"],
+            "agreement": settling_time(run, start=RELEASE, stop=DURATION),
+        },
+        damping=np.asarray(run["local_damping"].values[:, 0], dtype=np.float64),
+        pace=float(steps.mean() / scenario.steps.duration),
+        late=float(run.attrs["underruns"]) / used,
+        gap=discrepancy(run)["rms"],
+    )

@@ -1,0 +1,188 @@
+"""From the example's file to the report."""
+
+import time
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, final
+
+from cotouch.errors import ScenarioError
+from cotouch.network import Network
+from cotouch.study import _report as report
+from cotouch.study._bound import Bound, bound
+from cotouch.study._certificates import Certificates, certificates
+from cotouch.study._data import Progress, five_users
+from cotouch.study._errata import Errata, errata
+from cotouch.study._experiment import PERIOD, Experiment, experiment
+from cotouch.study._modes import Modes, modes
+from cotouch.study._page import page
+from cotouch.study._theorem import Theorem, theorem
+from cotouch.study._topologies import Topologies, topologies
+
+REPORT = "report.html"
+
+# The energy books of every run must balance to this share of the energy in play.
+_RESIDUAL = 1e-10
+# Steps of the runs [s] and corners of the worst hands' polygons: in full, and where a quick look is enough.
+_FULL = {"period": PERIOD, "theorem": 2e-3, "corners": 40}
+_QUICK = {"period": 5e-3, "theorem": 5e-3, "corners": 24}
+
+
+@final
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Reproduction:
+    """Everything that was found.
+
+    Attributes:
+        report: path of the HTML page.
+        topologies: all choices of links, ranked.
+        experiment: held and released, best and worst.
+        theorem: claim by claim.
+        bound: below the damping bound.
+        modes: freshest against constant delay.
+        certificates: damping by each method.
+        errata: what the text gets wrong.
+        energy_residual: the most that the books of any run miss, of the energy in play.
+        confirmed: whether reference values, claims, the order of the thresholds and all books came out as they should.
+        seconds: how long it took.
+    """
+
+    report: Path
+    topologies: Topologies
+    experiment: Experiment
+    theorem: Theorem
+    bound: Bound
+    modes: Modes
+    certificates: Certificates
+    errata: Errata
+    energy_residual: float
+    confirmed: bool
+    seconds: float
+
+    @property
+    def numbers(self) -> dict[str, Any]:
+        """All numbers, ready for JSON."""
+        return {
+            "confirmed": self.confirmed,
+            "energy_residual": self.energy_residual,
+            "topologies": self.topologies.numbers(),
+            "experiment": self.experiment.numbers(),
+            "theorem": self.theorem.numbers(),
+            "bound": self.bound.numbers(),
+            "modes": self.modes.numbers(),
+            "certificates": self.certificates.numbers(),
+            "errata": self.errata.numbers(),
+            "seconds": self.seconds,
+            "report": str(self.report),
+        }
+
+
+def reproduce(out: Path, *, progress: Progress | None = None, quick: bool = False) -> Reproduction:
+    """Repeats the paper and writes `report.html`.
+
+    Args:
+        out: folder of the report, made if need be.
+        progress: told before each part how many of how many are done, and what comes next.
+        quick: longer steps and fewer hands, for tests; the claims are the same.
+
+    Raises:
+        ScenarioError: the folder or the report cannot be written.
+    """
+    begun = time.perf_counter()
+    size = _QUICK if quick else _FULL
+    period, corners = float(size["period"]), int(size["corners"])
+    _folder(out)
+    total = 8
+
+    def tell(done: int, text: str) -> None:
+        if progress is not None:
+            progress(done, total, text)
+
+    tell(0, "looking at every choice of links")
+    links = topologies(Network.read(five_users()))
+    best = links.best
+    tell(1, "five users hold and let go")
+    trials = experiment(best, links.worst, links.misjudged, period=period)
+    tell(2, "Theorem 1, claim by claim")
+    claims = theorem(best, period=float(size["theorem"]), corners=corners)
+    tell(3, "below the damping bound")
+    below = bound(best, links.worst, period=period, corners=corners)
+    tell(4, "freshest against constant delay")
+    channel = modes(best, period=period)
+    tell(5, "certificates")
+    proofs = certificates(best, period=period, corners=corners)
+    tell(6, "errata")
+    slips = errata(links)
+    tell(7, "drawing and writing the report")
+    runs = [
+        *(trial.run for trial in (trials.best, trials.worst, trials.misjudged)),
+        *below.runs.values(),
+        *(attack.run for attack in below.attacks.values()),
+        *(way.run for way in channel.ways.values()),
+    ]
+    residual = max(claims.residual, *(float(run.attrs["energy_residual"]) for run in runs))
+    confirmed = (
+        all(reference.agrees for reference in links.references)
+        and all(claim.holds for claim in claims.claims)
+        and below.as_expected
+        and residual <= _RESIDUAL
+    )
+    text = _write_up(links, trials, claims, below, channel, proofs, slips, residual=residual, confirmed=confirmed)
+    path = out / REPORT
+    try:
+        path.write_text(text, encoding="utf-8")
+    except OSError as error:
+        raise ScenarioError(f"the report cannot be written to {path}: {error.strerror or error}") from error
+    tell(total, "done")
+    return Reproduction(
+        report=path,
+        topologies=links,
+        experiment=trials,
+        theorem=claims,
+        bound=below,
+        modes=channel,
+        certificates=proofs,
+        errata=slips,
+        energy_residual=residual,
+        confirmed=confirmed,
+        seconds=time.perf_counter() - begun,
+    )
+
+
+def _folder(out: Path) -> None:
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise ScenarioError(f"the folder {out} cannot be made: {error.strerror or error}") from error
+
+
+def _write_up(
+    links: Topologies,
+    trials: Experiment,
+    claims: Theorem,
+    below: Bound,
+    channel: Modes,
+    proofs: Certificates,
+    slips: Errata,
+    *,
+    residual: float,
+    confirmed: bool,
+) -> str:
+    from cotouch import __version__
+    from cotouch.simulation import _figures as drawing
+
+    with drawing.style():
+        return page(
+            title="Five users hold one object over a slow network",
+            lead=report.lead(links, trials, claims, below, channel, residual=residual, confirmed=confirmed),
+            sections=[
+                report.model(),
+                report.choice(links),
+                report.trials(trials),
+                report.proofs(claims, trials.best.links),
+                report.edge(below),
+                report.channel(channel),
+                report.guarantees(proofs),
+                report.corrections(slips, links),
+            ],
+            footer=f"{report.PAPER}. Computed and written by cotouch {__version__}.",
+        )
