@@ -56,7 +56,9 @@ def _tables(numbers: dict[str, Any]) -> Iterator["Table"]:
         made = Grid(box=SIMPLE_HEAD, title=title, title_justify="left", title_style="bold")
         for index, heading in enumerate(headings):
             text = index == 0 or heading == "claim" or heading.startswith("links")
-            made.add_column(heading, justify="left" if text else "right", max_width=44)
+            made.add_column(
+                heading, justify="left" if text else "right", max_width=44, no_wrap=heading.startswith("links")
+            )
         return made
 
     found = numbers["topologies"]
@@ -68,7 +70,7 @@ def _tables(numbers: dict[str, Any]) -> Iterator["Table"]:
         "links of the worst",
         "value",
     )
-    titles = {"equation": "consensus, equation", "matrix": "consensus, matrix", "decay": "closed loop, 1/s"}
+    titles = {"equation": "equation", "matrix": "matrix", "decay": "decay, 1/s"}
     for name, title in titles.items():
         best, worst = found["objectives"][name]["best"], found["objectives"][name]["worst"]
         periodic = found["objectives"][name]["never_mixing"]

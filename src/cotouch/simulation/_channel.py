@@ -19,15 +19,12 @@ class Draws(NamedTuple):
     Attributes:
         latency: from sending to arrival, (messages,) [s]; infinite: lost.
         second: likewise for the duplicate, where there is one.
+        first: of whichever of the two arrives first.
     """
 
     latency: Float
     second: Float
-
-    @property
-    def first(self) -> Float:
-        """Latency of whichever copy arrives first."""
-        return np.minimum(self.latency, self.second)
+    first: Float
 
 
 def draw(channel: Channel, delay: float, messages: int, *, seed: tuple[int, ...]) -> Draws:
@@ -48,7 +45,7 @@ def draw(channel: Channel, delay: float, messages: int, *, seed: tuple[int, ...]
     if channel.duplication > 0.0:
         twice = rng.random(messages) < channel.duplication
         second[twice] = delay + _jitter(channel, int(twice.sum()), rng)
-    return Draws(latency, second)
+    return Draws(latency, second, np.minimum(latency, second))
 
 
 def resent(channel: Channel, draws: Draws, delay: float, round_trip: float, *, seed: tuple[int, ...]) -> Float:

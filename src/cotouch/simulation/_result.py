@@ -181,8 +181,8 @@ def _attributes(prepared: Prepared, outcome: Outcome, ticks: int) -> dict[str, A
         "energy_residual": residual / in_play if in_play > 0.0 else residual,
         "passivity_margin": float(outcome.record.lowest[0] + books[0, 0]),
         "underruns": int(timing.underruns.sum()),
-        "messages": int(sum(np.isfinite(draws.first).sum() for draws in timing.draws)),
-        "messages_lost": int(sum(np.isinf(draws.first).sum() for draws in timing.draws)),
+        "messages": sum(draws.first.size for draws in timing.draws),
+        "messages_lost": sum(int(np.isinf(draws.first).sum()) for draws in timing.draws),
         "index_delay": [] if timing.index_delay is None else [int(n) for n in timing.index_delay.ravel()],
     }
 

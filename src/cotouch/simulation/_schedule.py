@@ -90,7 +90,8 @@ class Schedule:
         result = np.zeros((users, users))
         for s in range(self.slots.link.size):
             i, j = self.slots.receiver[s], self.slots.sender[s]
-            result[i, j] = np.quantile(self.age[s, : self.count[i]], quantile)
+            ages_here = self.age[s, : self.count[i]]
+            result[i, j] = ages_here.max() if quantile == 1.0 else np.quantile(ages_here, quantile)
         return result
 
     def longest(self) -> Float:
@@ -293,6 +294,7 @@ def _index_delays(
         quantile = _SELF_PACED_QUANTILE if scenario.synchronisation.mode == "self-paced" else 1.0
     shortest = float(nominal.max(axis=0).min())
     for s in range(slots.link.size):
-        needed = float(np.quantile(latency[s], quantile, method="higher"))
+        every = quantile == 1.0  # the largest of many needs no sorting
+        needed = float(latency[s].max() if every else np.quantile(latency[s], quantile, method="higher"))
         result[slots.receiver[s], slots.sender[s]] = max(1, int(np.ceil(needed / shortest - 1e-9)))
     return result
