@@ -189,7 +189,7 @@ def decimate(time: Float, values: Float, most: int = _POINTS) -> tuple[Float, Fl
 
     What is not finite is left out, as nothing can be drawn there.
     """
-    known = np.isfinite(time) & np.isfinite(values) & (np.abs(values) < _LARGEST)
+    known = np.isfinite(time) & (np.abs(values) < _LARGEST)  # a comparison with NaN is false
     time, values = time[known], values[known]
     if time.size <= most:
         return time, values

@@ -128,8 +128,10 @@ def reproduce(out: Path, *, progress: Progress | None = None, quick: bool = Fals
     )
     text = _write_up(links, trials, claims, below, channel, proofs, slips, residual=residual, confirmed=confirmed)
     path = out / REPORT
+    partial = out / f"{REPORT}.part"
     try:
-        path.write_text(text, encoding="utf-8")
+        partial.write_text(text, encoding="utf-8")
+        partial.replace(path)  # whole or not at all
     except OSError as error:
         raise ScenarioError(f"the report cannot be written to {path}: {error.strerror or error}") from error
     tell(total, "done")
