@@ -1,6 +1,7 @@
 """From a body to the arrays of the kernels, and back."""
 
 import re
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -76,6 +77,93 @@ class TestOperator:
             assert np.allclose(ready.to_nodes(out), expected, rtol=0.0, atol=1e-12 * size)
             assert form == pytest.approx(np.sum(field * expected), abs=1e-11 * size * np.abs(field).sum())
 
+    @given(scenes())
+    def test_magnitude_is_what_a_row_has_off_the_diagonal(self, scene: Scene):
+        op = model(scene.body, weights=scene.weights, basis="nodal").operator
+        assert op.magnitude.shape == (op.entries.shape[0], op.mass.size)
+        for values, found in zip(op.entries, op.magnitude, strict=True):
+            rows = [np.abs(values[a:b]).sum() for a, b in pairwise(op.pointer)]
+            assert np.allclose(found, rows, rtol=1e-14)
+
+
+def ring(nodes: int, copies: int = 1) -> Body:
+    """Separate rings of equal masses and springs."""
+    one = 2.0 * np.eye(nodes) - np.roll(np.eye(nodes), 1, axis=0) - np.roll(np.eye(nodes), -1, axis=0)
+    size = nodes * copies
+    return Body(mass=np.eye(size), rest=np.arange(size), stiffness_int=np.kron(np.eye(copies), one))
+
+
+class TestHalves:
+    @pytest.mark.parametrize(
+        ("body", "split"),
+        [
+            (chain(7), 4),
+            (lattice((4, 3, 5)), 30),
+            (lattice((3, 3, 3)), 14),
+            (lattice((4, 3)).as_full(), 12),
+            (ring(6), 3),
+            (ring(6, copies=3), 9),
+        ],
+        ids=["chain", "box", "odd box", "full form", "ring", "three rings"],
+    )
+    def test_entries_lie_across_only(self, body: Body, split: int):
+        ready = model(body, basis="nodal")
+        op = ready.operator
+        row = np.repeat(np.arange(op.mass.size), np.diff(op.pointer))
+        assert np.all((row < op.split) != (op.column < op.split))
+        assert op.split == split
+        assert ready.order is not None
+        assert sorted(ready.order) == list(range(op.mass.size))
+
+    def test_within_a_half_rows_keep_their_order(self):
+        """Neighbours stay near each other in memory."""
+        order = model(lattice((5, 4, 3)), basis="nodal").order
+        assert order is not None
+        assert np.all(np.diff(order[:30]) > 0)
+        assert np.all(np.diff(order[30:]) > 0)
+
+    @pytest.mark.parametrize("body", [ring(5), ring(3), ring(5, copies=2)])
+    def test_an_odd_ring_has_none(self, body: Body):
+        ready = model(body, basis="nodal")
+        assert (ready.order, ready.operator.split) == (None, 0)
+
+    def test_every_matrix_counts(self):
+        """Springs along a chain have halves; a damper, a mass or a weight between every other node undoes them."""
+        line, skip = chain(6), np.zeros((6, 6))
+        skip[:3:2, :3:2] = [[1.0, -1.0], [-1.0, 1.0]]
+        assert model(line, basis="nodal").operator.split == 3
+        assert model(line, weights=[np.eye(6) + 0.1 * skip], basis="nodal").operator.split == 0
+        for name in ("mass", "damping_int"):
+            parts = {"mass": line.mass, "damping_int": line.damping_int, name: getattr(line, name) + 0.01 * skip}
+            body = Body(rest=line.rest, stiffness_int=line.stiffness_int, **parts)
+            assert model(body, basis="nodal").operator.split == 0
+
+    def test_a_point_and_modes_need_none(self):
+        assert model(point()).order is None
+        assert model(chain(4), basis="modal").order is None
+        assert model(chain(4), basis="modal").operator.split == 0
+
+    @pytest.mark.parametrize("full", [False, True])
+    def test_ports_and_nodes_follow_the_order(self, full: bool):
+        body = lattice((3, 3))
+        ready = model(body.as_full() if full else body, basis="nodal")
+        field = np.random.default_rng(0).normal(size=(9, 2))
+        rows = ready.to_rows(field)
+        assert np.array_equal(ready.to_nodes(rows), field)
+        for node in range(9):
+            held = rows[ready.port_rows(node)]
+            assert np.array_equal(held[:, 0] if full else held[0, :2], field[node])
+            assert ready.port_rows(node).dtype == np.int32
+
+    @pytest.mark.parametrize("full", [False, True])
+    def test_the_operator_is_the_body_in_that_order(self, full: bool):
+        body = lattice((4, 3), damping=0.3, ground="x-", ground_stiffness=2.0)
+        body = body.as_full() if full else body
+        ready = model(body, basis="nodal")
+        order = ready.order if full else np.add.outer(2 * np.asarray(ready.order), [0, 1]).ravel()
+        found = rebuilt(ready, 2, ready.operator.stiffness)
+        assert np.array_equal(found, wide(body.stiffness.toarray(), body)[np.ix_(order, order)])
+
 
 class TestRows:
     @pytest.mark.parametrize("basis", ["nodal", "modal"])
@@ -127,7 +215,7 @@ class TestRows:
     def test_kernels_get_contiguous_arrays_of_one_type(self, scene: Scene):
         op = model(scene.body, weights=scene.weights, basis="nodal").operator
         for name, array in op._asdict().items():
-            if name != "share":
+            if name not in {"share", "split"}:
                 assert array.flags.c_contiguous
                 assert array.flags.writeable
                 assert array.dtype == (np.int32 if name in {"pointer", "column"} else np.float64)

@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 import scipy.linalg as la
 import scipy.sparse as sp
+from scipy.sparse import csgraph
 
 from cotouch.body import Body, Matrix
 from cotouch.errors import BodyError, UnsupportedError
@@ -15,10 +16,11 @@ from cotouch.mechanics._operator import MASS, STIFFNESS, WEIGHTS, Operator, mixe
 from cotouch.mechanics._vector import WIDTHS
 
 Float = npt.NDArray[np.float64]
+Int = npt.NDArray[np.int32]
 Basis = Literal["auto", "nodal", "modal"]
 
-# Up to this many rows "auto" tries the modal basis. Each hand and each recorded node reads a whole row of modes there;
-# with eight hands the two bases cost the same at about 500 rows.
+# Up to this many rows "auto" tries the modal basis. Each hand and each recorded node reads a whole row of modes there:
+# with one or two hands a step costs half of what it does in the body's own basis, with five as much.
 _MODAL_ROWS = 256
 # How far from diagonal a matrix may be in the modal basis, relative to its largest entry there, to count as commuting.
 _COMMUTES = 1e-11
@@ -36,12 +38,14 @@ class Model:
         operator: its matrices for the kernels.
         modes: columns are the modes in the body's own rows, (rows, rows); None in the nodal basis.
         inverse: the inverse of `modes`; None in the nodal basis.
+        order: row k of the kernels is row `order[k]` of the body; None where they are in the same order.
     """
 
     body: Body
     operator: Operator
     modes: Float | None
     inverse: Float | None
+    order: Int | None
 
     @property
     def basis(self) -> Literal["nodal", "modal"]:
@@ -74,6 +78,8 @@ class Model:
         rows = values.reshape(-1, 1) if self.full else values
         if self.inverse is not None:
             rows = self.inverse @ rows
+        if self.order is not None:
+            rows = rows[self.order]
         out = np.zeros((self.operator_rows, self.width))
         out[:, : rows.shape[1]] = rows
         return out
@@ -81,16 +87,19 @@ class Model:
     def to_nodes(self, rows: Float) -> Float:
         """The inverse of `to_rows`: (rows, width) to (n, d), always a copy."""
         columns = rows[:, :1] if self.full else rows[:, : self.body.dimension]
+        if self.order is not None:
+            columns = columns[np.argsort(self.order)]
         if self.modes is not None:
             columns = self.modes @ columns
         return np.array(columns).reshape(self.body.nodes, self.body.dimension)
 
-    def port_rows(self, node: int) -> npt.NDArray[np.int32]:
-        """Rows of the body's own basis that hold a node: one, or one for each axis in the full form."""
+    def port_rows(self, node: int) -> Int:
+        """Rows that hold a node, in the body's own basis: one, or one for each axis in the full form."""
         axes = self.body.dimension if self.full else 1
-        return (node * axes + np.arange(axes)).astype(np.int32)
+        own = node * axes + np.arange(axes)
+        return (own if self.order is None else np.argsort(self.order)[own]).astype(np.int32)
 
-    def port_shapes(self, rows: npt.NDArray[np.int32]) -> Float:
+    def port_shapes(self, rows: Int) -> Float:
         """The row vectors by which ports read the kernels' rows: empty (0, rows) where they are unit vectors."""
         if self.modes is None:
             return np.zeros((0, self.operator_rows))
@@ -105,7 +114,7 @@ def model(body: Body, *, copies: int = 1, weights: Sequence[Matrix] = (), basis:
         copies: N; each copy carries 1/N of mass, damping and stiffness [Lee & Huang 2010, eq. 3].
         weights: link weights W_1, W_2, ... besides the identity W_0: n x n, nd x nd, or (for anisotropic springs that
             are the same at every node) d x d.
-        basis: "nodal" solves by conjugate gradients; "modal" needs M, B, K and all weights to be diagonal in one
+        basis: "nodal" solves by iteration; "modal" needs M, B, K and all weights to be diagonal in one
             basis, where the solve is a division; "auto" takes the modal one where it exists and pays.
 
     Raises:
@@ -120,7 +129,9 @@ def model(body: Body, *, copies: int = 1, weights: Sequence[Matrix] = (), basis:
         fitted = [_fit(body, index, weight) for index, weight in enumerate(weights, start=1)]
     rows = body.mass.shape[0]
     matrices = [body.mass, body.damping, body.stiffness, sp.eye_array(rows, format="csr"), *(m for m, _ in fitted)]
-    plain = Model(body=body, operator=_operator(matrices, copies), modes=None, inverse=None)
+    order, split = _halves(matrices)
+    ordered = matrices if order is None else [sp.csr_array(matrix[order][:, order]) for matrix in matrices]
+    plain = Model(body=body, operator=_operator(ordered, copies, split), modes=None, inverse=None, order=order)
     if basis == "nodal" or (basis == "auto" and (plain.operator.entries.shape[0] == 0 or rows > _MODAL_ROWS)):
         return plain
     changed = _modal(body, matrices, copies)
@@ -146,14 +157,33 @@ def _fit(body: Body, index: int, weight: Matrix) -> tuple[sp.csr_array, bool]:
     raise BodyError(f"link weight {index} is {csr.shape[0]} x {csr.shape[1]}; for this body it must be {wanted}")
 
 
-def _operator(matrices: list[sp.csr_array], copies: int) -> Operator:
+def _halves(matrices: list[sp.csr_array]) -> tuple[Int | None, int]:
+    """The order that puts rows into two halves with entries only across, and where the second starts; or (None, 0).
+
+    Lattices, chains and trees have such halves. They are found in the graph that has every row twice, once for each
+    half, and an edge across for every entry: there the two of a row are connected exactly if a cycle is odd.
+    """
+    pattern = sp.csr_array(sum((abs(m) for m in matrices[1:]), start=abs(matrices[0])))
+    pattern = sp.csr_array(pattern - sp.diags_array(pattern.diagonal()))
+    pattern.eliminate_zeros()
+    if pattern.nnz == 0:
+        return None, 0
+    rows = pattern.shape[0]
+    labels = csgraph.connected_components(sp.block_array([[None, pattern], [pattern, None]]), directed=False)[1]
+    first, second = labels[:rows], labels[rows:]
+    if np.any(first == second):
+        return None, 0
+    return np.argsort(first > second, kind="stable").astype(np.int32), int(np.count_nonzero(first < second))
+
+
+def _operator(matrices: list[sp.csr_array], copies: int, split: int) -> Operator:
     """Splits matrices into diagonals and shared off-diagonal families."""
     rows = matrices[0].shape[0]
     diagonals = [np.ascontiguousarray(matrix.diagonal(), dtype=np.float64) for matrix in matrices]
     if all(matrix.nnz == np.count_nonzero(own) for matrix, own in zip(matrices, diagonals, strict=True)):
         nothing = np.zeros((len(matrices), 0))
         return _assembled(
-            copies, diagonals, np.zeros(rows + 1, np.int32), np.zeros(0, np.int32), np.zeros((0, 0)), nothing
+            copies, split, diagonals, np.zeros(rows + 1, np.int32), np.zeros(0, np.int32), np.zeros((0, 0)), nothing
         )
     off: list[sp.csr_array] = []
     for matrix in matrices:
@@ -187,6 +217,7 @@ def _operator(matrices: list[sp.csr_array], copies: int) -> Operator:
             families.append(values[q])
     return _assembled(
         copies,
+        split,
         diagonals,
         pattern.indptr.astype(np.int32),
         pattern.indices.astype(np.int32),
@@ -196,13 +227,12 @@ def _operator(matrices: list[sp.csr_array], copies: int) -> Operator:
 
 
 def _assembled(
-    copies: int,
-    diagonals: list[Float],
-    pointer: npt.NDArray[np.int32],
-    column: npt.NDArray[np.int32],
-    entries: Float,
-    mix: Float,
+    copies: int, split: int, diagonals: list[Float], pointer: Int, column: Int, entries: Float, mix: Float
 ) -> Operator:
+    rows = diagonals[0].size
+    magnitude = np.zeros((entries.shape[0], rows))
+    for family, values in enumerate(entries):
+        magnitude[family] = sp.csr_array((np.abs(values), column, pointer), shape=(rows, rows)).sum(axis=1)
     return Operator(
         share=1.0 / copies,
         mass=diagonals[0],
@@ -213,6 +243,8 @@ def _assembled(
         column=column,
         entries=entries,
         mix=mix,
+        magnitude=magnitude,
+        split=split,
     )
 
 
@@ -237,11 +269,12 @@ def _modal(body: Body, matrices: list[sp.csr_array], copies: int) -> Model | str
             return f"{name} is not diagonal in the basis that diagonalises the others"
         # What is left below zero is round-off; a negative damping or stiffness would feed energy.
         diagonals.append(sp.csr_array(sp.diags_array(np.maximum(own, 0.0))))
-    operator = _operator(diagonals, copies)
+    operator = _operator(diagonals, copies, 0)
     assert not mixed(operator, STIFFNESS)
     return Model(
         body=body,
         operator=operator,
         modes=np.ascontiguousarray(modes),
         inverse=np.ascontiguousarray(modes.T @ mass),
+        order=None,
     )

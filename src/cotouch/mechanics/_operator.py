@@ -35,6 +35,9 @@ class Operator(NamedTuple):
         column: CSR column indices, (entries,).
         entries: values of each family, (families, entries).
         mix: (3 + weights, families), rows M, B, K, W_0, W_1, ...
+        magnitude: sum of the absolute values of each row of each family, (families, rows).
+        split: rows before it have no entries among each other, nor have those from it on; 0 where no order of the rows
+            makes it so.
     """
 
     share: float
@@ -46,6 +49,8 @@ class Operator(NamedTuple):
     column: Int
     entries: Float
     mix: Float
+    magnitude: Float
+    split: int
 
 
 @kernel
