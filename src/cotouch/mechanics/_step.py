@@ -22,7 +22,14 @@ from cotouch.mechanics._operator import (
     pull,
     row_product,
 )
-from cotouch.mechanics._solve import add_ports, conjugate_gradients, divide
+from cotouch.mechanics._solve import (
+    add_ports,
+    chebyshev,
+    chebyshev_iterations,
+    conjugate_gradients,
+    divide,
+    invert,
+)
 from cotouch.mechanics._vector import at, load, splat, store, total
 
 Float = npt.NDArray[np.float64]
@@ -305,6 +312,21 @@ def _solve(op: Operator, grips: Grips, work: Workspace, tolerance: float, cap: i
             for family in range(families):
                 value += work.scale[family] * op.entries[family, e]
             values[e] = value
+    bound = invert(op, work.scale, work.diagonal, work.inverse)
+    enough = chebyshev_iterations(op, bound, tolerance)
+    if enough > 0:
+        return chebyshev(
+            op,
+            values,
+            scale,
+            work.diagonal,
+            work.inverse,
+            work.rhs,
+            work.mean,
+            bound,
+            min(enough, cap),
+            lanes,
+        )
     return conjugate_gradients(
         op,
         values,
