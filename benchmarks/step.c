@@ -1,5 +1,6 @@
-/* The step of a copy with one off-diagonal family, identity weights and hands at single nodes, as the package does it:
-   the same passes over memory, for judging what the compiler of the package's kernels leaves. */
+/* The step of a copy with one off-diagonal family, identity weights and hands at single nodes, as the package does it
+   where its Chebyshev iteration serves: the same passes over memory, for judging what the compiler of the package's
+   kernels leaves. */
 #include <math.h>
 #include <stdint.h>
 
@@ -7,21 +8,20 @@ typedef double vec __attribute__((vector_size(32), aligned(8)));
 
 static inline double total(vec a) { return a[0] + a[1] + a[2] + a[3]; }
 
-enum { ROWS, LINKS, PORTS, SAMPLE, CAP, STEPS };
+enum { ROWS, LINKS, PORTS, SAMPLE, CAP, STEPS, SPLIT };
 enum { SHARE, MIX_B, MIX_K, LOCAL, TOLERANCE };
-enum { LENGTH, MASS, DAMPING, STIFFNESS, POINTER, COLUMN, ENTRIES, X, V, TENSION, SAMPLES, STRENGTH, PORT_ROW, PORT_K,
-       PORT_B, START, END, PUSH, FORCE, DIAGONAL, INVERSE, RHS, MEAN, RESIDUAL, DIRECTION, IMAGE, BOOKS, LINK_WORK };
+enum { LENGTH, MASS, DAMPING, STIFFNESS, POINTER, COLUMN, ENTRIES, MAGNITUDE, X, V, TENSION, SAMPLES, STRENGTH, PORT_ROW,
+       PORT_K, PORT_B, START, END, PUSH, FORCE, DIAGONAL, INVERSE, RHS, MEAN, BOOKS, LINK_WORK };
 
 static long advance(const long *size, const double *number, void **array, double T) {
-    const long rows = size[ROWS], links = size[LINKS], ports = size[PORTS];
+    const long rows = size[ROWS], links = size[LINKS], ports = size[PORTS], split = size[SPLIT];
     const double share = number[SHARE], mix_b = number[MIX_B], mix_k = number[MIX_K], tol = number[TOLERANCE];
     const double *mass = array[MASS], *damping = array[DAMPING], *stiffness = array[STIFFNESS];
-    const double *entries = array[ENTRIES], *strength = array[STRENGTH], *pk = array[PORT_K], *pb = array[PORT_B];
+    const double *entries = array[ENTRIES], *magnitude = array[MAGNITUDE], *strength = array[STRENGTH], *pk = array[PORT_K], *pb = array[PORT_B];
     const int32_t *pointer = array[POINTER], *column = array[COLUMN], *port = array[PORT_ROW];
     const vec *start = array[START], *end = array[END], *push = array[PUSH];
     vec *restrict x = array[X], *restrict v = array[V], *restrict tension = array[TENSION], *restrict samples = array[SAMPLES];
-    vec *restrict rhs = array[RHS], *restrict mean = array[MEAN], *restrict residual = array[RESIDUAL];
-    vec *restrict direction = array[DIRECTION], *restrict image = array[IMAGE], *force = array[FORCE];
+    vec *restrict rhs = array[RHS], *restrict mean = array[MEAN], *force = array[FORCE];
     double *restrict diagonal = array[DIAGONAL], *restrict inverse = array[INVERSE];
     double *books = array[BOOKS], *link_work = array[LINK_WORK];
     const double half = 0.5 * T, inertia = 2.0 * share / T;
@@ -42,51 +42,35 @@ static long advance(const long *size, const double *number, void **array, double
     }
 
     const double scale = share * mix_b + half * share * mix_k;
-    vec energy = zero;
+    double bound = 0.0;
     for (long i = 0; i < rows; i++) {
         inverse[i] = 1.0 / diagonal[i];
-        const vec b = rhs[i], z = inverse[i] * b;
-        residual[i] = b;
-        direction[i] = z;
-        mean[i] = zero;
-        energy += b * z;
+        bound = fmax(bound, fabs(scale) * magnitude[i] * inverse[i]);
     }
-    double now = total(energy);
-    const double target = fmax(tol * tol * now, 1e-290);
-    long iterations = 0;
-    while (now > target && iterations < size[CAP]) {
-        vec curvature = zero;
-        for (long i = 0; i < rows; i++) {
+    const double square = bound * bound, cut = sqrt((1.0 + square) / (1.0 - square)) / tol;
+    const double enough = ceil(0.5 * (acosh(fmax(cut, 1.0)) / acosh(1.0 / bound) + 1.0));
+    const long iterations = enough < size[CAP] ? (long)enough : size[CAP];
+    for (long i = 0; i < rows; i++) mean[i] = i < split ? inverse[i] * rhs[i] : zero;
+    double weight = 2.0;
+    for (long k = 1; k < 2 * iterations; k++) {
+        weight = k < 2 * iterations - 1 ? 1.0 / (1.0 - 0.25 * square * weight) : 1.0;
+        const long first = k % 2 ? split : 0, last = k % 2 ? rows : split;
+        for (long i = first; i < last; i++) {
             vec off = zero;
-            for (int32_t e = pointer[i]; e < pointer[i + 1]; e++) off += entries[e] * direction[column[e]];
-            const vec own = direction[i], result = diagonal[i] * own + scale * off;
-            image[i] = result;
-            curvature += own * result;
-        }
-        const double length = now / total(curvature);
-        energy = zero;
-        for (long i = 0; i < rows; i++) {
-            const vec r = residual[i] - length * image[i];
-            residual[i] = r;
-            energy += inverse[i] * r * r;
-        }
-        const double next = total(energy), turn = next / now;
-        now = next;
-        iterations++;
-        for (long i = 0; i < rows; i++) {
-            const vec p = direction[i];
-            mean[i] += length * p;
-            direction[i] = inverse[i] * residual[i] + turn * p;
+            for (int32_t e = pointer[i]; e < pointer[i + 1]; e++) off += entries[e] * mean[column[e]];
+            mean[i] += weight * (inverse[i] * (rhs[i] - scale * off) - mean[i]);
         }
     }
     vec work = zero, left = zero;
-    for (long i = 0; i < rows; i++) {
+    for (long i = 0; i < split; i++) {
+        vec off = zero;
+        for (int32_t e = pointer[i]; e < pointer[i + 1]; e++) off += entries[e] * mean[column[e]];
         work += mean[i] * rhs[i];
-        left += mean[i] * residual[i];
+        left += mean[i] * (rhs[i] - diagonal[i] * mean[i] - scale * off);
     }
+    for (long i = split; i < rows; i++) work += mean[i] * rhs[i];
     const double supply = total(work), missed = total(left);
-    if (fabs(missed) > 1e-16 * supply && supply - missed > 0.0)
-        for (long i = 0; i < rows; i++) mean[i] *= supply / (supply - missed);
+    for (long i = 0; i < rows; i++) mean[i] *= supply / (supply - missed);
 
     double supplied = 0.0;
     for (long p = 0; p < ports; p++) {
@@ -100,13 +84,13 @@ static long advance(const long *size, const double *number, void **array, double
         for (long i = 0; i < rows; i++) power += mean[i] * (x[i] + half * mean[i] - samples[l * rows + i]);
         link_work[l] = -T * strength[l] * total(power);
     }
-    vec square = zero, kinetic = zero, elastic = zero, lost = zero;
+    vec speed = zero, kinetic = zero, elastic = zero, lost = zero;
     for (long i = 0; i < rows; i++) {
         const vec rate = mean[i], here = x[i];
         samples[size[SAMPLE] * rows + i] = here + half * rate;
         x[i] = here + T * rate;
         v[i] = 2.0 * rate - v[i];
-        square += rate * rate;
+        speed += rate * rate;
     }
     for (long i = 0; i < rows; i++) {
         vec pull = zero, drag = zero;
@@ -122,7 +106,7 @@ static long advance(const long *size, const double *number, void **array, double
     }
     books[0] = supplied;
     books[1] = T * share * total(lost);
-    books[2] = T * number[LOCAL] * total(square);
+    books[2] = T * number[LOCAL] * total(speed);
     books[4] = 0.5 * share * total(kinetic);
     books[5] = 0.5 * share * total(elastic);
     return iterations;
