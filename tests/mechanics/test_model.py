@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import scipy.linalg as la
 import scipy.sparse as sp
 from hypothesis import given
 from hypothesis import strategies as st
@@ -126,6 +127,11 @@ class TestHalves:
     def test_an_odd_ring_has_none(self, body: Body):
         ready = model(body, basis="nodal")
         assert (ready.order, ready.operator.split) == (None, 0)
+
+    def test_one_odd_ring_beside_an_even_one_is_enough(self):
+        even, odd = (ring(nodes).stiffness_int.toarray() for nodes in (6, 5))
+        body = Body(mass=np.eye(11), rest=np.arange(11), stiffness_int=la.block_diag(even, odd))
+        assert model(body, basis="nodal").operator.split == 0
 
     def test_every_matrix_counts(self):
         """Springs along a chain have halves; a damper, a mass or a weight between every other node undoes them."""
