@@ -9,8 +9,7 @@ padded to four) and 24 n at the least:
     once           assemble: (4 + L) F + 40 n;  bound and start: 2 F + 32 n;  scale: 2 F;
                    move and links: (6 + L) F + 8 n;  books: 4 F + 12 E + 28 n
 
-The start takes the place of the first half sweep, and what the scale sums up is as much as one, so they cancel out.
-
+k iterations have 2 k - 1 half sweeps, because the start is the first; what the scale sums up is as much as one more.
 Whatever a pass reads twice is taken to be still in cache the second time.
 """
 

@@ -86,6 +86,16 @@ class TestOperator:
             rows = [np.abs(values[a:b]).sum() for a, b in pairwise(op.pointer)]
             assert np.allclose(found, rows, rtol=1e-14)
 
+    def test_ground_is_what_rows_of_k_sum_to_without_rounding(self):
+        springs = 10.0 ** np.random.default_rng(0).uniform(-3.0, 3.0, (40, 40))
+        K = np.diag((springs + springs.T).sum(axis=1)) - springs - springs.T
+        held = np.where(np.arange(40) < 3, 0.01, 0.0)
+        assert np.any(K.sum(axis=1) != 0.0)
+        body = Body(mass=np.eye(40), rest=np.arange(40), stiffness_int=K, stiffness_ext=np.diag(held))
+        ground = model(body, basis="nodal").operator.ground
+        assert np.allclose(ground[:3], 0.01, rtol=1e-9)
+        assert not np.any(ground[3:])
+
 
 def ring(nodes: int, copies: int = 1) -> Body:
     """Separate rings of equal masses and springs."""

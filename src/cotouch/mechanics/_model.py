@@ -22,6 +22,8 @@ Basis = Literal["auto", "nodal", "modal"]
 # Up to this many rows "auto" tries the modal basis. Each hand and each recorded node reads a whole row of modes there:
 # with one or two hands a step costs half of what it does in the body's own basis, with five as much.
 _MODAL_ROWS = 256
+# A row sum of K this small beside the diagonal is the rounding of a row that sums to nothing.
+_NO_GROUND = 1e-14
 # How far from diagonal a matrix may be in the modal basis, relative to its largest entry there, to count as commuting.
 _COMMUTES = 1e-11
 
@@ -231,8 +233,11 @@ def _assembled(
 ) -> Operator:
     rows = diagonals[0].size
     magnitude = np.zeros((entries.shape[0], rows))
+    ground = diagonals[STIFFNESS].copy()
     for family, values in enumerate(entries):
         magnitude[family] = sp.csr_array((np.abs(values), column, pointer), shape=(rows, rows)).sum(axis=1)
+        ground += mix[STIFFNESS, family] * sp.csr_array((values, column, pointer), shape=(rows, rows)).sum(axis=1)
+    ground[np.abs(ground) <= _NO_GROUND * diagonals[STIFFNESS]] = 0.0
     return Operator(
         share=1.0 / copies,
         mass=diagonals[0],
@@ -243,6 +248,7 @@ def _assembled(
         column=column,
         entries=entries,
         mix=mix,
+        ground=ground,
         magnitude=magnitude,
         split=split,
     )

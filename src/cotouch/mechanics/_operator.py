@@ -13,8 +13,6 @@ Int = npt.NDArray[np.int32]
 
 # Rows of `Operator.mix`; the weights follow.
 MASS, DAMPING, STIFFNESS, WEIGHTS = 0, 1, 2, 3
-# A row sum this small beside the diagonal is the rounding of a row that sums to nothing.
-_NO_GROUND = 1e-14
 
 
 class Operator(NamedTuple):
@@ -35,6 +33,7 @@ class Operator(NamedTuple):
         column: CSR column indices, (entries,).
         entries: values of each family, (families, entries).
         mix: (3 + weights, families), rows M, B, K, W_0, W_1, ...
+        ground: row sums of K, exactly 0 where they are only rounding, (rows,).
         magnitude: sum of the absolute values of each row of each family, (families, rows).
         split: rows before it have no entries among each other, nor have those from it on; 0 where no order of the rows
             makes it so.
@@ -49,6 +48,7 @@ class Operator(NamedTuple):
     column: Int
     entries: Float
     mix: Float
+    ground: Float
     magnitude: Float
     split: int
 
@@ -90,29 +90,20 @@ def row_product(op: Operator, family: int, i: int, field: Float, lanes: tuple[in
 
 
 @kernel
-def grounded(ground: float, diagonal: float) -> float:
-    """A row sum, or 0 where it is only rounding."""
-    return 0.0 if abs(ground) <= _NO_GROUND * diagonal else ground
-
-
-@kernel
-def pull(op: Operator, matrix: int, diagonal: Float, i: int, field: Float, lanes: tuple[int, ...]) -> float:
-    """Row i of a matrix times a field, by differences between rows: `(K 1)_i x_i + sum_j K_ij (x_j - x_i)`.
+def pull(op: Operator, i: int, field: Float, lanes: tuple[int, ...]) -> float:
+    """Row i of K times a field, by differences between rows: `(K 1)_i x_i + sum_j K_ij (x_j - x_i)`.
 
     A free body may travel far on a small stretch, and the plain product would lose the stretch in the travel.
     """
     own = load(field, i, lanes)
-    ground = at(diagonal, i)
-    result = splat(0.0, lanes)
+    result = at(op.ground, i) * own
     for family in range(op.entries.shape[0]):
-        share = op.mix[matrix, family]
+        share = op.mix[STIFFNESS, family]
         if share != 0.0:
             entries = op.entries[family]
             for e in range(at(op.pointer, i), at(op.pointer, i + 1)):
-                value = share * at(entries, e)
-                ground += value
-                result = result + value * (load(field, at(op.column, e), lanes) - own)
-    return grounded(ground, at(diagonal, i)) * own + result
+                result = result + (share * at(entries, e)) * (load(field, at(op.column, e), lanes) - own)
+    return result
 
 
 @kernel

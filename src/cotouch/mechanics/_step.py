@@ -16,7 +16,6 @@ from cotouch.mechanics._operator import (
     STIFFNESS,
     WEIGHTS,
     Operator,
-    grounded,
     mixed,
     multiply,
     pull,
@@ -234,18 +233,22 @@ def _assemble(
         work.scale[family] = scale
 
     heavy = mixed(op, MASS)
-    for i in range(rows):
-        own = inertia * at(op.mass, i) + op.share * at(op.damping, i) + (half * op.share) * at(op.stiffness, i)
+    for first in range(0, rows, _BLOCK):
+        last = min(first + _BLOCK, rows)
+        for i in range(first, last):
+            own = inertia * at(op.mass, i) + op.share * at(op.damping, i) + (half * op.share) * at(op.stiffness, i)
+            work.diagonal[i] = own
+            impulse = load(state.momentum, i, lanes) if heavy else at(op.mass, i) * load(state.velocity, i, lanes)
+            store(work.rhs, i, inertia * impulse - op.share * load(state.tension, i, lanes), lanes)
         for w in range(weights):
-            own += at(work.gain, w) * at(op.weight, w * rows + i)
-        work.diagonal[i] = own
-        impulse = load(state.momentum, i, lanes) if heavy else at(op.mass, i) * load(state.velocity, i, lanes)
-        b = inertia * impulse - op.share * load(state.tension, i, lanes)
-        x = load(state.position, i, lanes)
+            weight, gain = op.weight[w], work.gain[w]
+            for i in range(first, last):
+                work.diagonal[i] += gain * at(weight, i)
         for link in range(links.first, links.last):
-            pull = at(links.strength, link) * at(op.weight, at(links.weight, link) * rows + i)
-            b = b - pull * (x - load(links.samples, at(links.slot, link) * rows + i, lanes))
-        store(work.rhs, i, b, lanes)
+            weight, strength, base = op.weight[links.weight[link]], links.strength[link], links.slot[link] * rows
+            for i in range(first, last):
+                stretch = load(state.position, i, lanes) - load(links.samples, base + i, lanes)
+                store(work.rhs, i, load(work.rhs, i, lanes) - (strength * at(weight, i)) * stretch, lanes)
     for w in range(weights):
         if mixed(op, WEIGHTS + w):  # what such a weight couples off the diagonal; its diagonal is in already
             for i in range(rows):
@@ -449,20 +452,17 @@ def _book(
     kinetic, elastic, lost = splat(0.0, lanes), splat(0.0, lanes), splat(0.0, lanes)
     for i in range(rows):
         x, v, rate = load(state.position, i, lanes), load(state.velocity, i, lanes), load(work.mean, i, lanes)
-        ground = at(op.stiffness, i)
-        tension = splat(0.0, lanes)
+        tension = at(op.ground, i) * x
         drag = at(op.damping, i) * rate
         for family in range(families):
             entries, k = op.entries[family], op.mix[STIFFNESS, family]
             stretch, slip = splat(0.0, lanes), splat(0.0, lanes)
             for e in range(at(op.pointer, i), at(op.pointer, i + 1)):
                 value, j = at(entries, e), at(op.column, e)
-                ground += k * value
                 stretch = stretch + value * (load(state.position, j, lanes) - x)
                 slip = slip + value * load(work.mean, j, lanes)
             tension = tension + k * stretch
             drag = drag + op.mix[DAMPING, family] * slip
-        tension = tension + grounded(ground, at(op.stiffness, i)) * x
         momentum = at(op.mass, i) * v
         if heavy:
             for family in range(families):
@@ -487,7 +487,7 @@ def settle(op: Operator, state: State, books: Float, lanes: tuple[int, ...]) -> 
     """Fills in `K x`, `M v` and the energies of a state that was just set."""
     elastic = splat(0.0, lanes)
     for i in range(op.mass.shape[0]):
-        tension = pull(op, STIFFNESS, op.stiffness, i, state.position, lanes)
+        tension = pull(op, i, state.position, lanes)
         store(state.tension, i, tension, lanes)
         elastic = elastic + load(state.position, i, lanes) * tension
     books[ELASTIC] = 0.5 * op.share * total(elastic)
