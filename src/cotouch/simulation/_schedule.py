@@ -8,7 +8,7 @@ import numpy.typing as npt
 
 from cotouch.errors import ScenarioError
 from cotouch.network import Network
-from cotouch.simulation._channel import Draws, draw, resent
+from cotouch.simulation._channel import Draws, certain, draw, resent
 from cotouch.simulation._scenario import Scenario, per_user
 from cotouch.simulation._tables import Mode
 from cotouch.simulation._timing import ages, elapsed, indexed, newest, ring_size, self_paced
@@ -113,26 +113,21 @@ def schedule(scenario: Scenario) -> Schedule:
     nominal = _lengths(scenario, network.size, common=True)
     steps = nominal.shape[1]
     draws = _draws(scenario, network, slots, steps)
-    latency = np.zeros((slots.link.size, steps))
-    for s in range(slots.link.size):
-        i, j = int(slots.receiver[s]), int(slots.sender[s])
-        seed = _seed(scenario, i, j)
-        round_trip = float(network.delay[i, j] + network.delay[j, i])
-        latency[s] = resent(scenario.channel, draws[s], float(network.delay[i, j]), round_trip, seed=seed)
+    latency = _latencies(scenario, network, slots, draws, steps)
     delay = _index_delays(scenario, network, slots, latency, nominal)
     of_slot = delay[slots.receiver, slots.sender].astype(np.int32)
-    used = np.full((slots.link.size, steps), -1, dtype=np.int32)
+    used = np.empty((slots.link.size, steps), dtype=np.int32)
     bound = nominal.max(axis=1)
     underruns = np.zeros(slots.link.size, dtype=np.int64)
     if mode == "constant":
         clock = _clock(nominal)
         end, length = np.tile(clock, (network.size, 1)), nominal
         for s in range(slots.link.size):
-            underruns[s] = indexed(clock + latency[s], clock, int(of_slot[s]), used[s])
+            underruns[s] = indexed(np.ascontiguousarray(latency[s]), clock, int(of_slot[s]), used[s])
         count = np.full(network.size, steps, dtype=np.int64)
     else:
         end, length = np.zeros_like(nominal), np.zeros_like(nominal)
-        self_paced(nominal, slots.first, slots.sender, of_slot, latency, end)
+        self_paced(nominal, slots.first, slots.sender, of_slot, np.ascontiguousarray(latency), end)
         longest = scenario.synchronisation.longest
         # Twice the mean pace leaves room to make up for a long wait.
         bound = 2.0 * end[:, -1] / steps if longest is None else longest * nominal.max(axis=1)
@@ -236,14 +231,14 @@ def _lengths(scenario: Scenario, users: int, *, common: bool) -> Float:
         else:
             period = per_user(_DEFAULT_PERIOD if steps.period is None else steps.period, users, "steps.period")
         longest = period.max() if common else period.min()
-        lengths = np.repeat(period[:, None], _checked(steps.duration / longest), axis=1)
+        lengths = np.broadcast_to(period[:, None], (users, _checked(steps.duration / longest)))
     if common:
         clock = _clock(lengths)
         count = int(np.searchsorted(clock, steps.duration * (1.0 + 1e-12) + 1e-12, side="right"))
-        lengths = np.ascontiguousarray(lengths[:, :count])
+        lengths = lengths[:, :count]
     if lengths.shape[1] < 1 or lengths[:, 0].max() > steps.duration * (1.0 + 1e-12):
         raise ScenarioError(f"the run lasts {steps.duration} s, which is less than one step; make it longer")
-    return lengths
+    return np.ascontiguousarray(lengths)
 
 
 def _clock(lengths: Float) -> Float:
@@ -269,6 +264,19 @@ def _draws(scenario: Scenario, network: Network, slots: Slots, messages: int) ->
         draw(scenario.channel, float(network.delay[i, j]), messages, seed=_seed(scenario, int(i), int(j)))
         for i, j in zip(slots.receiver, slots.sender, strict=True)
     ]
+
+
+def _latencies(scenario: Scenario, network: Network, slots: Slots, draws: list[Draws], steps: int) -> Float:
+    """Latency of every sample, resends included, (slots, steps) [s]."""
+    pairs = list(zip(slots.receiver.tolist(), slots.sender.tolist(), strict=True))
+    there = np.array([network.delay[i, j] for i, j in pairs])
+    back = np.array([network.delay[j, i] for i, j in pairs])
+    if certain(scenario.channel):
+        return np.broadcast_to(there[:, None], (there.size, steps))
+    latency = np.empty((there.size, steps))
+    for s, pair in enumerate(pairs):
+        latency[s] = resent(scenario.channel, draws[s], there[s], there[s] + back[s], seed=_seed(scenario, *pair))
+    return latency
 
 
 def _index_delays(
