@@ -43,11 +43,11 @@ from cotouch.simulation._hands import Hands, grip
 Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
 
-# Columns of `Record.users`: cumulative work and losses, energies now [J], iterations of the last solve.
+# Rows of `Record.users`: cumulative work and losses, energies now [J], iterations of the last solve.
 USER_BOOKS = ("supplied", "body_loss", "local_loss", "extra_loss", "kinetic", "elastic", "iterations")
-# Columns of `Record.slots`, cumulative [J]: what the link did on its receiver; what delay added to the link.
+# Rows of `Record.slots`, cumulative [J]: what the link did on its receiver; what delay added to the link.
 SLOT_BOOKS = ("link_work", "delay_work")
-# Columns of `Record.ticks` [J].
+# Rows of `Record.ticks` [J].
 TICK_BOOKS = ("stored", "supplied", "dissipated", "delay_work", "residual")
 
 
@@ -111,10 +111,11 @@ class Record(NamedTuple):
         position: (users, records, kept, width) [m].
         velocity: likewise [m/s].
         force: of the ports, (ports, records, width) [N].
-        users: (users, records, len(USER_BOOKS)).
-        slots: (slots, records, len(SLOT_BOOKS)).
+        users: (len(USER_BOOKS), users, records), zeros: what stays 0, such as the losses of dampers that there are
+            not, is never written, so it takes no memory.
+        slots: (len(SLOT_BOOKS), slots, records).
         links: spring energy of each link, (ticks, links) [J].
-        ticks: (ticks, len(TICK_BOOKS)) [J].
+        ticks: (len(TICK_BOOKS), ticks) [J].
         running: cumulative books of users, (users, 6) [J].
         lowest: result (1,): smallest energy that the ports had supplied in all, over every step [J].
     """
@@ -181,7 +182,9 @@ def run(
         _copy(fields.samples[users * timing.ring + i], fields.position[i], lanes)
         _keep_user(record, hands, fields, scratch, topology, i, 0, lanes)
     initial += _spring_energies(op, topology, fields, record, scratch, 0, lanes)
-    record.ticks[0, 0] = initial
+    put(record.ticks, (0, 0), initial)
+    for book in range(1, 5):
+        put(record.ticks, (book, 0), 0.0)
     energy = initial
     for event in range(timing.order.shape[0]):
         i = at(timing.order, event)
@@ -255,11 +258,11 @@ def run(
                 energy = _spring_energies(op, topology, fields, record, scratch, tick, lanes)
                 for user in range(users):
                     energy += at(running, (user, 4)) + at(running, (user, 5))
-                put(record.ticks, (tick, 0), energy)
-                put(record.ticks, (tick, 1), supplied)
-                put(record.ticks, (tick, 2), dissipated)
-                put(record.ticks, (tick, 3), delay_work)
-                put(record.ticks, (tick, 4), energy - initial - supplied + dissipated - delay_work)
+                put(record.ticks, (0, tick), energy)
+                put(record.ticks, (1, tick), supplied)
+                put(record.ticks, (2, tick), dissipated)
+                put(record.ticks, (3, tick), delay_work)
+                put(record.ticks, (4, tick), energy - initial - supplied + dissipated - delay_work)
     record.lowest[0] = lowest
     return timing.order.shape[0]
 
@@ -361,9 +364,15 @@ def _keep_user(
         store(record.velocity, base + node, v, lanes)
     for p in range(at(hands.first, i), at(hands.first, i + 1)):
         store(record.force, p * record.force.shape[1] + entry, load(scratch.grips.force, p, lanes), lanes)
-    for column in range(6):
-        put(record.users, (i, entry, column), at(record.running, (i, column)))
-    put(record.users, (i, entry, 6), scratch.books[ITERATIONS])
+    for book in range(6):
+        _unless_zero(record.users, book, i, entry, at(record.running, (i, book)))
+    _unless_zero(record.users, 6, i, entry, scratch.books[ITERATIONS])
     for s in range(at(topology.first, i), at(topology.first, i + 1)):
-        put(record.slots, (s, entry, 0), at(scratch.slot_running, (s, 0)))
-        put(record.slots, (s, entry, 1), at(scratch.slot_running, (s, 1)))
+        put(record.slots, (0, s, entry), at(scratch.slot_running, (s, 0)))
+        put(record.slots, (1, s, entry), at(scratch.slot_running, (s, 1)))
+
+
+@kernel
+def _unless_zero(books: Float, book: int, row: int, entry: int, value: float) -> None:
+    if value != 0.0:
+        put(books, (book, row, entry), value)

@@ -1,6 +1,7 @@
 """When every user steps and which sample each step uses; clocks and channel decide all of it, motion none."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import final
 
 import numpy as np
@@ -58,7 +59,6 @@ class Schedule:
         bound: on T, (users,) [s].
         order: user of each event, (events,).
         used: index of the sample that each slot uses, (slots, steps); -1: the initial one.
-        age: of that sample at the end of the step, (slots, steps) [s].
         ring: how many samples of a user are kept so that none is overwritten before its last use; a power of two.
         reference: the user with the most steps (the last of them).
         index_delay: N_ij, (users, users), in the modes that have one.
@@ -76,13 +76,26 @@ class Schedule:
     bound: Float
     order: Int
     used: Int
-    age: Float
     ring: int
     reference: int
     index_delay: npt.NDArray[np.int64] | None
     underruns: npt.NDArray[np.int64]
     draws: list[Draws]
     latency: Float | None
+
+    @cached_property
+    def age(self) -> Float:
+        """Age of the sample that each slot uses, at the end of the step, (slots, steps) [s]."""
+        result = np.zeros(self.used.shape)
+        self.ages_into(result)
+        return result
+
+    def ages_into(self, age: Float) -> None:
+        """Writes the ages of the steps that are taken into the rows of an array, (slots, at least those steps) [s]."""
+        for s in range(self.slots.link.size):
+            i, j = self.slots.receiver[s], self.slots.sender[s]
+            n, m = self.count[i], self.count[j]
+            ages(self.end[i, :n], self.end[j, :m], self.length[j, :m], self.used[s, :n], age[s, :n])
 
     def budget(self, quantile: float) -> Float:
         """Age in seconds that the given share of steps stays within, (users, users), [i][j] at i of j's samples."""
@@ -178,11 +191,6 @@ def _finish(
     latency: Float | None,
 ) -> Schedule:
     users, steps = end.shape
-    age = np.zeros((slots.link.size, steps))
-    for s in range(slots.link.size):
-        i, j = slots.receiver[s], slots.sender[s]
-        n, m = count[i], count[j]
-        ages(end[i, :n], end[j, :m], length[j, :m], used[s, :n], age[s, :n])
     if mode != "freshest" or (end == end[0]).all():
         order = np.tile(np.arange(users, dtype=np.int32), steps)
         if count.min() < steps:
@@ -203,7 +211,6 @@ def _finish(
         bound=bound,
         order=order,
         used=used,
-        age=age,
         ring=1 << (int(ring) - 1).bit_length(),
         reference=int(users - 1 - np.argmax(count[::-1])),
         index_delay=delay,
