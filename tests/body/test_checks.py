@@ -146,6 +146,12 @@ class TestDenseAndSparse:
         matrix = (matrix | matrix.T).astype(dtype)
         assert self.outcome(matrix, rows) == matrix.astype(np.float64).tolist()
 
+    @pytest.mark.parametrize("value", [np.inf, -np.inf, np.nan])
+    def test_same_sentence_where_a_symmetric_entry_is_not_finite(self, value: float):
+        matrix = np.diag([1.0, value])
+        expected = f"mass[1, 1] is {value}; every entry must be a finite number"
+        assert self.outcome(matrix, 2) == self.outcome(sp.csr_array(matrix), 2) == expected
+
     def test_leaves_the_callers_array_alone(self):
         matrix = np.eye(2)
         result = square("mass", matrix, sizes={2: "node"})

@@ -6,7 +6,7 @@ columns of a row and is three to four times slower. The width must be known when
 the length of a tuple, `lanes`. With one lane a "vector" is an ordinary float.
 
 `at` and `put` read and write an element without numba's wrap-around of negative indices. It costs a branch in sparse
-products, and a third of the time of a step of a point.
+products, and a third of the time of a batch of points.
 """
 
 # pyright: basic
