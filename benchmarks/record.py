@@ -261,9 +261,9 @@ def examine(number: int) -> Finding | str:
     outcome = run_batch(prepared)
     ticks = outcome.record.ticks
     finished = outcome.events == prepared.schedule.order.size
-    done = ticks[: int(outcome.taken[prepared.schedule.reference]) + 1]
+    done = ticks[:, : int(outcome.taken[prepared.schedule.reference]) + 1]
     with np.errstate(over="ignore", invalid="ignore"):
-        stored, supplied, dissipated, residual = (np.abs(done[:, column]) for column in (0, 1, 2, 4))
+        stored, supplied, dissipated, residual = (np.abs(done[book]) for book in (0, 1, 2, 4))
         play = float(max(stored.max(), supplied.max(), dissipated.max(), -outcome.record.lowest[0]))
         play = play or 1.0  # nothing ever moved
         return Finding(

@@ -10,6 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from cotouch.body import Body, chain, lattice
+from cotouch.body._checks import square
 from cotouch.errors import BodyError
 
 FORMS = ["csr", "csc", "coo", "lil", "dok", "bsr", "dia"]
@@ -108,6 +109,54 @@ class TestSemidefinite:
             with pytest.raises(BodyError, match=f"smallest eigenvalue of {name} is -") as caught:
                 Body(**arguments)
             assert named_eigenvalue(caught.value) == pytest.approx(lowest, rel=1e-5, abs=1e-13)
+
+
+class TestDenseAndSparse:
+    """A small dense matrix is read by a shorter way; it must come to the same matrix or the same sentence."""
+
+    @staticmethod
+    def outcome(matrix: Any, rows: int) -> str | list[list[float]]:
+        try:
+            result = square("mass", matrix, sizes={rows: "node"})
+        except BodyError as error:
+            return str(error)
+        assert result.has_canonical_format
+        assert result.nnz == np.count_nonzero(result.toarray())
+        assert (result.dtype, result.indices.dtype, result.indptr.dtype) == (np.float64, np.int32, np.int32)
+        return result.toarray().tolist()
+
+    @given(
+        values=st.lists(st.sampled_from([0.0, -0.0, 1.0, -2.5, 1e-300, 1e300, np.nan, np.inf]), min_size=6, max_size=6),
+        skew=st.sampled_from([0.0, 0.0, 1e-14, 1.0]),
+        rows=st.integers(2, 4),
+    )
+    def test_same_matrix_or_same_sentence(self, values: list[float], skew: float, rows: int):
+        matrix = np.zeros((3, 3))
+        matrix[np.triu_indices(3)] = values
+        matrix = np.where(np.tri(3, k=-1, dtype=bool), matrix.T, matrix)
+        matrix[0, 2] += skew
+        expected = self.outcome(sp.csr_array(matrix), rows)
+        assert self.outcome(matrix, rows) == expected
+        assert self.outcome(matrix.tolist(), rows) == expected
+
+    @pytest.mark.parametrize("rows", [1, 2, 64, 65])
+    @pytest.mark.parametrize("dtype", [np.float64, np.float32, np.int64, np.uint8, np.bool_])
+    def test_same_matrix_of_every_size_and_type(self, rows: int, dtype: Any):
+        matrix = np.random.default_rng(rows).integers(0, 2, (rows, rows))
+        matrix = (matrix | matrix.T).astype(dtype)
+        assert self.outcome(matrix, rows) == matrix.astype(np.float64).tolist()
+
+    @pytest.mark.parametrize("value", [np.inf, -np.inf, np.nan])
+    def test_same_sentence_where_a_symmetric_entry_is_not_finite(self, value: float):
+        matrix = np.diag([1.0, value])
+        expected = f"mass[1, 1] is {value}; every entry must be a finite number"
+        assert self.outcome(matrix, 2) == self.outcome(sp.csr_array(matrix), 2) == expected
+
+    def test_leaves_the_callers_array_alone(self):
+        matrix = np.eye(2)
+        result = square("mass", matrix, sizes={2: "node"})
+        result.data[:] = 7.0
+        assert np.array_equal(matrix, np.eye(2))
 
 
 @pytest.mark.parametrize("name", ["mass", "damping_int", "stiffness_int"])

@@ -6,7 +6,7 @@ import numba
 import numpy as np
 import pytest
 
-from cotouch.mechanics import at, kernel, load, splat, store, total
+from cotouch.mechanics import at, kernel, load, put, splat, store, total
 from cotouch.mechanics._vector import WIDTHS
 
 LANES = [(0,) * width for width in WIDTHS]
@@ -28,8 +28,13 @@ def _fill(out: Any, row: int, value: float, lanes: Any) -> None:
 
 
 @kernel
-def _element(array: Any, index: int) -> float:
+def _element(array: Any, index: Any) -> float:
     return at(array, index)
+
+
+@kernel
+def _set(array: Any, index: Any, value: Any) -> None:
+    put(array, index, value)
 
 
 @pytest.mark.parametrize("lanes", LANES, ids=len)
@@ -63,6 +68,24 @@ def test_unaligned_rows_can_be_read_and_written():
 @pytest.mark.parametrize("dtype", [np.float64, np.int32, np.int64])
 def test_at_reads_an_element(dtype: Any):
     assert [_element(np.array([3, -7, 5], dtype=dtype), i) for i in range(3)] == [3, -7, 5]
+
+
+@pytest.mark.parametrize("dtype", [np.float64, np.int32, np.int64, np.bool_])
+@pytest.mark.parametrize("shape", [(6,), (3, 2), (2, 3, 4)])
+def test_elements_are_those_of_numpy(shape: tuple[int, ...], dtype: Any):
+    array = np.arange(np.prod(shape)).reshape(shape) % 5
+    array = (array > 2) if dtype is np.bool_ else (array - 2).astype(dtype)
+    target = np.zeros_like(array)
+    for flat, index in enumerate(np.ndindex(shape)):
+        assert _element(array, index) == array[index]
+        assert _element(array, flat) == array[index]
+        _set(target, index if flat % 2 else flat, array[index])
+    assert np.array_equal(target, array)
+
+
+def test_an_index_needs_every_dimension():
+    with pytest.raises(numba.TypingError, match="has 3 dimensions, not 2"):
+        _element(np.zeros((2, 2, 2)), (0, 1))
 
 
 def test_strided_fields_are_refused_when_compiling():

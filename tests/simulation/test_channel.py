@@ -14,6 +14,25 @@ def test_a_clean_channel_only_delays() -> None:
     assert np.isinf(draws.second).all()
 
 
+def test_what_a_channel_never_does_is_one_number_seen_as_many() -> None:
+    """A clean channel draws nothing, and its arrays hold nothing, however many messages there are."""
+    draws = draw(Channel(), 0.05, 100, seed=SEED)
+    assert all(array.strides == (0,) for array in draws)
+    late = draw(Channel.model_validate({"jitter": {"scale": 0.01}}), 0.05, 100, seed=SEED)
+    assert late.first.strides != (0,)
+    assert late.second.strides == (0,)
+    assert resent(Channel(), draws, 0.05, 0.1, seed=SEED) is draws.first
+
+
+@pytest.mark.parametrize("law", [{"loss": 0.3}, {"duplication": 0.3}, {"burst": {"enter": 0.2, "leave": 0.2}}])
+@pytest.mark.parametrize("jitter", [None, {"scale": 0.02}])
+def test_first_is_the_earlier_of_the_two(law: dict[str, object], jitter: dict[str, object] | None) -> None:
+    draws = draw(Channel.model_validate({**law, "jitter": jitter}), 0.05, 1000, seed=SEED)
+    assert np.array_equal(draws.first, np.minimum(draws.latency, draws.second))
+    assert np.isfinite(draws.second).any() == ("duplication" in law)
+    assert np.isinf(draws.latency).any() == ("duplication" not in law)
+
+
 def test_same_seed_same_fates_other_seed_others() -> None:
     channel = Channel.model_validate({"jitter": {"scale": 0.01}, "loss": 0.1, "duplication": 0.1})
     a, b = draw(channel, 0.05, 1000, seed=SEED), draw(channel, 0.05, 1000, seed=SEED)

@@ -88,7 +88,7 @@ def test_batch_moves_as_single_peers_do(mode: str, shape: str) -> None:
         assert np.array_equal(peers.end[i], prepared.schedule.end[i, :n])
         assert np.array_equal(peers.position[i][-1], batch.position[i])
         assert [report.supplied for report in peers.reports[i]] == pytest.approx(
-            np.diff(batch.record.users[i, : n + 1, 0]), rel=1e-9, abs=1e-12
+            np.diff(batch.record.users[0, i, : n + 1]), rel=1e-9, abs=1e-12
         )
         slots = slice(prepared.schedule.slots.first[i], prepared.schedule.slots.first[i + 1])
         ages = np.array([report.age for report in peers.reports[i]])

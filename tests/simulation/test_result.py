@@ -7,8 +7,11 @@ import numpy as np
 import pytest
 import xarray as xr
 
+from cotouch.body import chain
 from cotouch.errors import ScenarioError
-from cotouch.simulation import Scenario, save, simulate
+from cotouch.network import Network
+from cotouch.simulation import Scenario, dataset, prepare, save, simulate
+from cotouch.simulation._batch import run_batch
 from cotouch.simulation._result import _UNITS
 
 PAIR: dict[str, Any] = {
@@ -128,3 +131,35 @@ def test_recording_less_keeps_the_same_motion() -> None:
         assert np.array_equal(some[name].values, all_steps[name].values[:, ::7], equal_nan=True)
     assert np.array_equal(some["stored"].values, all_steps["stored"].values[::7])
     assert some.attrs["passivity_margin"] == all_steps.attrs["passivity_margin"]
+
+
+@pytest.mark.parametrize("users", [(1, 2), (2, 1)], ids=["in the order of the users", "in another order"])
+@pytest.mark.parametrize("weight", [None, [[1.0, 0.4], [0.4, 2.0]]], ids=["a port a hand", "a port an axis"])
+def test_a_hands_force_is_that_of_its_own_spring(users: tuple[int, int], weight: list[list[float]] | None) -> None:
+    aims = {1: np.array([0.1, -0.2]), 2: np.array([-0.3, 0.05])}
+    run = simulate(
+        {
+            "network": Network(**PAIR, weight=weight),
+            "body": chain(3, dimension=2, spacing=0.5),
+            "steps": {"duration": 0.1, "period": 0.01},
+            "hands": [{"user": user, "node": 2, "stiffness": 30.0, "path": aims[user].tolist()} for user in users],
+        }
+    )
+    place = run["position"].values[:, :, 1] - [0.5, 0.0]
+    for hand, user in enumerate(users):
+        middle = 0.5 * (place[user - 1, 1:] + place[user - 1, :-1])
+        assert run["hand_force"].values[hand, 1:] == pytest.approx(30.0 * (aims[user] - middle), abs=1e-12)
+
+
+def test_labelling_leaves_the_record_alone() -> None:
+    """The dataset shows the engine's own arrays where it can, so gaps must not be written into them."""
+    scenario = Scenario.make(
+        network=PAIR, steps={"duration": 0.1, "rate": [100, 250]}, hands=[{"user": 1, "path": 0.1}], channel=JITTER
+    )
+    prepared = prepare(scenario)
+    outcome = run_batch(prepared)
+    before = [np.array(part) for part in outcome.record]
+    first = dataset(prepared, outcome)
+    assert first["supplied"].isnull().any()
+    assert all(np.array_equal(a, b, equal_nan=True) for a, b in zip(before, outcome.record, strict=True))
+    xr.testing.assert_identical(first, dataset(prepared, outcome))

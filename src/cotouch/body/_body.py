@@ -101,12 +101,12 @@ class Body:
     @cached_property
     def damping(self) -> sp.csr_array:
         """B = B_int + B_ext in the body's form [Ns/m]."""
-        return sp.csr_array(self.damping_int + self.damping_ext)
+        return _sum(self.damping_int, self.damping_ext)
 
     @cached_property
     def stiffness(self) -> sp.csr_array:
         """K = K_int + K_ext in the body's form [N/m]."""
-        return sp.csr_array(self.stiffness_int + self.stiffness_ext)
+        return _sum(self.stiffness_int, self.stiffness_ext)
 
     def as_full(self) -> "Body":
         """The same body with every matrix nd x nd."""
@@ -130,6 +130,12 @@ class Body:
             return np.asarray(matrix @ flat.T).T.reshape(values.shape)
         moved = np.moveaxis(values, -2, 0)
         return np.moveaxis(np.asarray(matrix @ moved.reshape(self.nodes, -1)).reshape(moved.shape), 0, -2)
+
+
+def _sum(internal: sp.csr_array, external: sp.csr_array) -> sp.csr_array:
+    if not internal.nnz or not external.nnz:
+        return internal if internal.nnz else external
+    return sp.csr_array(internal + external)
 
 
 def _rest_shape(rest: npt.ArrayLike) -> Float:

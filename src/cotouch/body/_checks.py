@@ -15,6 +15,8 @@ Matrix: TypeAlias = npt.ArrayLike | sp.sparray | sp.spmatrix
 _ROUND_OFF = 1e-10
 # Up to here a dense eigenvalue solve takes well under a second.
 _DENSE_ROWS = 800
+# Up to here a dense array is read faster than SciPy builds its sparse ones.
+_SMALL_ROWS = 64
 
 Form = Literal["node", "full"]
 
@@ -33,6 +35,9 @@ def square(name: str, matrix: Matrix, *, sizes: dict[int, Form]) -> sp.csr_array
     Raises:
         BodyError: wrong shape, not finite, or not symmetric.
     """
+    small = _small(matrix, sizes)
+    if small is not None:
+        return small
     try:
         given = matrix if sp.issparse(matrix) else np.atleast_2d(np.asarray(matrix))
         real = not np.iscomplexobj(given)
@@ -64,8 +69,35 @@ def square(name: str, matrix: Matrix, *, sizes: dict[int, Form]) -> sp.csr_array
     return sp.csr_array((csr + csr.T) / 2)
 
 
+def _small(matrix: Matrix, sizes: dict[int, Form]) -> sp.csr_array | None:
+    """A small dense matrix with nothing to refuse or to even out; None sends any other the long way."""
+    if not isinstance(matrix, np.ndarray | list):
+        return None
+    try:
+        given = np.atleast_2d(np.asarray(matrix))
+    except ValueError:
+        return None
+    rows = given.shape[0]
+    if given.dtype.kind not in "fiu" or given.shape != (rows, rows) or rows not in sizes or rows > _SMALL_ROWS:
+        return None
+    values = given.astype(np.float64)
+    if not np.isfinite(values).all() or not np.array_equal(values, values.T):
+        return None
+    i, j = np.nonzero(values)
+    pointer = np.searchsorted(i, np.arange(rows + 1))
+    return sp.csr_array((values[i, j], j.astype(np.int32), pointer.astype(np.int32)), shape=(rows, rows))
+
+
+def _is_diagonal(matrix: sp.csr_array, own: npt.NDArray[np.float64]) -> bool:
+    """Whether a matrix without stored zeros has no entries but those of its diagonal `own`."""
+    return matrix.nnz == np.count_nonzero(own)
+
+
 def diagonal(name: str, matrix: sp.csr_array) -> None:
     """Refuses a matrix that is not diagonal with entries >= 0 (what binds a node to the ground binds nothing else)."""
+    own = matrix.diagonal()
+    if _is_diagonal(matrix, own) and np.all(own >= 0.0):
+        return
     coo = matrix.tocoo()
     off = np.flatnonzero((coo.row != coo.col) & (coo.data != 0.0))
     if off.size:
@@ -87,6 +119,8 @@ def positive(name: str, matrix: sp.csr_array, *, strictly: bool) -> None:
         BodyError: the smallest eigenvalue is negative, or zero where `strictly`.
     """
     own = matrix.diagonal()
+    if _is_diagonal(matrix, own) and np.all(own > 0.0 if strictly else own >= 0.0):
+        return
     margin = own - (np.asarray(abs(matrix).sum(axis=1)).ravel() - np.abs(own))
     # Gershgorin's circles settle every lattice and chain at once; only other matrices need an eigenvalue.
     if np.all(margin > _ROUND_OFF * own if strictly else margin >= -_ROUND_OFF * own):

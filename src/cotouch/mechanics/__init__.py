@@ -20,7 +20,7 @@ from cotouch.mechanics._step import (
     step,
     workspace,
 )
-from cotouch.mechanics._vector import at, load, splat, store, total
+from cotouch.mechanics._vector import at, load, put, splat, store, total
 
 __all__ = [
     "BODY_LOSS",
@@ -45,6 +45,7 @@ __all__ = [
     "mixed",
     "model",
     "multiply",
+    "put",
     "settle",
     "splat",
     "step",

@@ -29,7 +29,7 @@ from cotouch.mechanics._solve import (
     divide,
     invert,
 )
-from cotouch.mechanics._vector import at, load, splat, store, total
+from cotouch.mechanics._vector import at, load, put, splat, store, total
 
 Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
@@ -224,7 +224,8 @@ def _assemble(
     for w in range(weights):
         work.gain[w] = local_damping[w] + extra_damping[w]
     for link in range(links.first, links.last):
-        work.gain[links.weight[link]] += half * links.strength[link]
+        w = at(links.weight, link)
+        put(work.gain, w, at(work.gain, w) + half * at(links.strength, link))
     for family in range(families):
         scale = inertia * op.mix[MASS, family] + op.share * op.mix[DAMPING, family]
         scale += half * op.share * op.mix[STIFFNESS, family]
@@ -254,8 +255,8 @@ def _assemble(
             for i in range(rows):
                 stretch = splat(0.0, lanes)
                 for link in range(links.first, links.last):
-                    if links.weight[link] == w:
-                        sample = load(links.samples, links.slot[link] * rows + i, lanes)
+                    if at(links.weight, link) == w:
+                        sample = load(links.samples, at(links.slot, link) * rows + i, lanes)
                         stretch = stretch + at(links.strength, link) * (load(state.position, i, lanes) - sample)
                 store(work.stretch, i, stretch, lanes)
             for i in range(rows):
@@ -268,21 +269,21 @@ def _assemble(
 
     dense = grips.shape.shape[0] > 0
     for p in range(grips.first, grips.last):
-        k, b = grips.stiffness[p], grips.damping[p]
+        k, b = at(grips.stiffness, p), at(grips.damping, p)
         gain = b + half * k
-        work.port_gain[p - grips.first] = gain
+        put(work.port_gain, p - grips.first, gain)
         start, end = load(grips.start, p, lanes), load(grips.end, p, lanes)
         wish = (0.5 * k) * (start + end) + (b / T) * (end - start) + load(grips.push, p, lanes)
         if dense:
             place = splat(0.0, lanes)
             for i in range(rows):
-                place = place + grips.shape[p, i] * load(state.position, i, lanes)
+                place = place + at(grips.shape, (p, i)) * load(state.position, i, lanes)
             force = wish - k * place
             for i in range(rows):
-                store(work.rhs, i, load(work.rhs, i, lanes) + grips.shape[p, i] * force, lanes)
+                store(work.rhs, i, load(work.rhs, i, lanes) + at(grips.shape, (p, i)) * force, lanes)
         else:
-            i = grips.row[p]
-            work.diagonal[i] += gain
+            i = at(grips.row, p)
+            put(work.diagonal, i, at(work.diagonal, i) + gain)
             force = wish - k * load(state.position, i, lanes)
             store(work.rhs, i, load(work.rhs, i, lanes) + force, lanes)
 
@@ -356,11 +357,11 @@ def _port_work(op: Operator, state: State, grips: Grips, T: float, mean: Float, 
         place, rate = splat(0.0, lanes), splat(0.0, lanes)
         if dense:
             for i in range(op.mass.shape[0]):
-                place = place + grips.shape[p, i] * load(state.position, i, lanes)
-                rate = rate + grips.shape[p, i] * load(mean, i, lanes)
+                place = place + at(grips.shape, (p, i)) * load(state.position, i, lanes)
+                rate = rate + at(grips.shape, (p, i)) * load(mean, i, lanes)
         else:
-            place, rate = load(state.position, grips.row[p], lanes), load(mean, grips.row[p], lanes)
-        k, b = grips.stiffness[p], grips.damping[p]
+            place, rate = load(state.position, at(grips.row, p), lanes), load(mean, at(grips.row, p), lanes)
+        k, b = at(grips.stiffness, p), at(grips.damping, p)
         start, end = load(grips.start, p, lanes), load(grips.end, p, lanes)
         stretch = 0.5 * (start + end) - (place + (0.5 * T) * rate)
         slip = (1.0 / T) * (end - start) - rate
@@ -384,21 +385,20 @@ def _move(
     """New position, velocity and sample; work of every link; `v̂ᵀ W v̂` of every diagonal weight."""
     rows, weights = op.mass.shape[0], op.weight.shape[0]
     for link in range(links.first, links.last):
-        link_work[link] = 0.0
+        put(link_work, link, 0.0)
     for w in range(weights):
         work.quadratic[w] = 0.0
     for first in range(0, rows, _BLOCK):
         last = min(first + _BLOCK, rows)
         for link in range(links.first, links.last):
-            w = links.weight[link]
-            base = links.slot[link] * rows
-            weight = op.weight[w]
+            own = at(links.weight, link) * rows
+            base = at(links.slot, link) * rows
             power = splat(0.0, lanes)
             for i in range(first, last):
                 rate = load(work.mean, i, lanes)
                 middle = load(state.position, i, lanes) + (0.5 * T) * rate
-                power = power + at(weight, i) * (rate * (middle - load(links.samples, base + i, lanes)))
-            link_work[link] -= T * links.strength[link] * total(power)
+                power = power + at(op.weight, own + i) * (rate * (middle - load(links.samples, base + i, lanes)))
+            put(link_work, link, at(link_work, link) - T * at(links.strength, link) * total(power))
         for i in range(first, last):
             rate = load(work.mean, i, lanes)
             x = load(state.position, i, lanes)
@@ -426,13 +426,13 @@ def _move(
                 square = square + coupled * load(work.mean, i, lanes)
             work.quadratic[w] += total(square)
             for link in range(links.first, links.last):
-                if links.weight[link] == w:
+                if at(links.weight, link) == w:
                     power = splat(0.0, lanes)
                     for i in range(rows):
                         middle = load(state.position, i, lanes) - (0.5 * T) * load(work.mean, i, lanes)
-                        stretch = middle - load(links.samples, links.slot[link] * rows + i, lanes)
+                        stretch = middle - load(links.samples, at(links.slot, link) * rows + i, lanes)
                         power = power + load(work.image, i, lanes) * stretch
-                    link_work[link] -= T * links.strength[link] * total(power)
+                    put(link_work, link, at(link_work, link) - T * at(links.strength, link) * total(power))
 
 
 @kernel

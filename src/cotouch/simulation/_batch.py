@@ -65,10 +65,10 @@ def run_batch(prepared: Prepared) -> Outcome:
         position=np.empty((users, records, kept.size, width)),
         velocity=np.empty((users, records, kept.size, width)),
         force=np.empty((ports, records, width)),
-        users=np.empty((users, records, len(USER_BOOKS))),
-        slots=np.empty((slots, records, len(SLOT_BOOKS))),
+        users=np.zeros((len(USER_BOOKS), users, records)),
+        slots=np.empty((len(SLOT_BOOKS), slots, records)),
         links=np.empty((records, len(prepared.scenario.network.links))),
-        ticks=np.zeros((records, len(TICK_BOOKS))),
+        ticks=np.empty((len(TICK_BOOKS), records)),
         running=np.zeros((users, 6)),
         lowest=np.zeros(1),
     )

@@ -14,7 +14,7 @@ _MOST_TRIES = 1000
 
 
 class Draws(NamedTuple):
-    """What happens to the messages of one direction.
+    """What happens to the messages of one direction; not for writing, because a constant is one number seen as many.
 
     Attributes:
         latency: from sending to arrival, (messages,) [s]; infinite: lost.
@@ -27,6 +27,12 @@ class Draws(NamedTuple):
     first: Float
 
 
+def certain(channel: Channel) -> bool:
+    """Whether every message arrives once, after the constant delay."""
+    chances = (channel.reordering, channel.loss, channel.duplication)
+    return channel.jitter is None and channel.burst is None and not any(chances)
+
+
 def draw(channel: Channel, delay: float, messages: int, *, seed: tuple[int, ...]) -> Draws:
     """Draws the fate of every message of one direction.
 
@@ -36,20 +42,24 @@ def draw(channel: Channel, delay: float, messages: int, *, seed: tuple[int, ...]
         messages: how many.
         seed: of this direction; the same seed gives the same fates, whatever other links there are.
     """
+    if certain(channel):
+        latency = np.broadcast_to(delay, messages)
+        return Draws(latency, np.broadcast_to(np.inf, messages), latency)
     rng = np.random.Generator(np.random.PCG64(np.random.SeedSequence(seed)))
     latency = delay + _jitter(channel, messages, rng)
     if channel.reordering > 0.0:
         latency = latency + channel.reordering_delay * (rng.random(messages) < channel.reordering)
     latency[_lost(channel, messages, rng)] = np.inf
+    if channel.duplication == 0.0:
+        return Draws(latency, np.broadcast_to(np.inf, messages), latency)
     second = np.full(messages, np.inf)
-    if channel.duplication > 0.0:
-        twice = rng.random(messages) < channel.duplication
-        second[twice] = delay + _jitter(channel, int(twice.sum()), rng)
+    twice = rng.random(messages) < channel.duplication
+    second[twice] = delay + _jitter(channel, int(twice.sum()), rng)
     return Draws(latency, second, np.minimum(latency, second))
 
 
 def resent(channel: Channel, draws: Draws, delay: float, round_trip: float, *, seed: tuple[int, ...]) -> Float:
-    """Latency of every sample when lost messages are sent again until they arrive, (messages,) [s].
+    """Latency of every sample when lost messages are sent again until they arrive, (messages,) [s]; not for writing.
 
     Args:
         channel: the law; `resend` is the time from sending to sending again.
@@ -58,6 +68,9 @@ def resent(channel: Channel, draws: Draws, delay: float, round_trip: float, *, s
         round_trip: constant part of the round trip, from which the default of `resend` is made [s].
         seed: of the later tries.
     """
+    waiting = np.flatnonzero(np.isinf(draws.first))
+    if not waiting.size:
+        return draws.first
     latency = draws.first.copy()
     rng = np.random.Generator(np.random.PCG64(np.random.SeedSequence((*seed, 1))))
     wait = channel.resend
@@ -65,7 +78,6 @@ def resent(channel: Channel, draws: Draws, delay: float, round_trip: float, *, s
         # An exponential's 99 % point is 4.6 means away; a sender that waits less would repeat what is only late.
         wait = round_trip + 2.0 * 4.6 * (channel.jitter.scale if channel.jitter else 0.0) + channel.reordering_delay
     probability = _mean_loss(channel)
-    waiting = np.flatnonzero(np.isinf(latency))
     sent = np.zeros(latency.size)
     for tries in range(_MOST_TRIES):
         if not waiting.size:

@@ -31,6 +31,7 @@ from cotouch.mechanics import (
     load,
     mixed,
     multiply,
+    put,
     settle,
     splat,
     step,
@@ -42,11 +43,11 @@ from cotouch.simulation._hands import Hands, grip
 Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
 
-# Columns of `Record.users`: cumulative work and losses, energies now [J], iterations of the last solve.
+# Rows of `Record.users`: cumulative work and losses, energies now [J], iterations of the last solve.
 USER_BOOKS = ("supplied", "body_loss", "local_loss", "extra_loss", "kinetic", "elastic", "iterations")
-# Columns of `Record.slots`, cumulative [J]: what the link did on its receiver; what delay added to the link.
+# Rows of `Record.slots`, cumulative [J]: what the link did on its receiver; what delay added to the link.
 SLOT_BOOKS = ("link_work", "delay_work")
-# Columns of `Record.ticks` [J].
+# Rows of `Record.ticks` [J].
 TICK_BOOKS = ("stored", "supplied", "dissipated", "delay_work", "residual")
 
 
@@ -110,10 +111,11 @@ class Record(NamedTuple):
         position: (users, records, kept, width) [m].
         velocity: likewise [m/s].
         force: of the ports, (ports, records, width) [N].
-        users: (users, records, len(USER_BOOKS)).
-        slots: (slots, records, len(SLOT_BOOKS)).
+        users: (len(USER_BOOKS), users, records), zeros: what stays 0, such as the losses of dampers that there are
+            not, is never written, so it takes no memory.
+        slots: (len(SLOT_BOOKS), slots, records).
         links: spring energy of each link, (ticks, links) [J].
-        ticks: (ticks, len(TICK_BOOKS)) [J].
+        ticks: (len(TICK_BOOKS), ticks) [J].
         running: cumulative books of users, (users, 6) [J].
         lowest: result (1,): smallest energy that the ports had supplied in all, over every step [J].
     """
@@ -180,22 +182,25 @@ def run(
         _copy(fields.samples[users * timing.ring + i], fields.position[i], lanes)
         _keep_user(record, hands, fields, scratch, topology, i, 0, lanes)
     initial += _spring_energies(op, topology, fields, record, scratch, 0, lanes)
-    record.ticks[0, 0] = initial
+    put(record.ticks, (0, 0), initial)
+    for book in range(1, 5):
+        put(record.ticks, (book, 0), 0.0)
     energy = initial
     for event in range(timing.order.shape[0]):
-        i = timing.order[event]
-        k = scratch.counter[i]
-        scratch.counter[i] += 1
-        T = timing.length[i, k]
-        s0, s1 = topology.first[i], topology.first[i + 1]
-        p0, p1 = hands.first[i], hands.first[i + 1]
+        i = at(timing.order, event)
+        k = at(scratch.counter, i)
+        put(scratch.counter, i, k + 1)
+        T = at(timing.length, (i, k))
+        end = at(timing.end, (i, k))
+        s0, s1 = at(topology.first, i), at(topology.first, i + 1)
+        p0, p1 = at(hands.first, i), at(hands.first, i + 1)
         for s in range(s0, s1):
-            index = timing.used[s, k]
-            peer = topology.peer[s]
+            index = at(timing.used, (s, k))
+            peer = at(topology.peer, s)
             kept = peer * timing.ring + (index & (timing.ring - 1))
-            scratch.slot[s] = users * timing.ring + peer if index < 0 else kept
+            put(scratch.slot, s, users * timing.ring + peer if index < 0 else kept)
         for p in range(p0, p1):
-            grip(hands, scratch.grips, scratch.cursor, p, timing.end[i, k], T, lanes)
+            grip(hands, scratch.grips, scratch.cursor, p, end, T, lanes)
         held = scratch.grips
         grips = Grips(
             p0,
@@ -230,16 +235,16 @@ def run(
         )
         for s in range(s0, s1):
             added = _delay_work(op, topology, fields, scratch, s, T, lanes)
-            scratch.slot_running[s, 0] += scratch.link_work[s]
-            scratch.slot_running[s, 1] += added
+            _add(scratch.slot_running, s, 0, at(scratch.link_work, s))
+            _add(scratch.slot_running, s, 1, added)
             delay_work += added
         running = record.running
-        running[i, 0] += books[SUPPLIED]
-        running[i, 1] += books[BODY_LOSS]
-        running[i, 2] += books[LOCAL_LOSS]
-        running[i, 3] += books[EXTRA_LOSS]
-        running[i, 4] = books[KINETIC]
-        running[i, 5] = books[ELASTIC]
+        _add(running, i, 0, books[SUPPLIED])
+        _add(running, i, 1, books[BODY_LOSS])
+        _add(running, i, 2, books[LOCAL_LOSS])
+        _add(running, i, 3, books[EXTRA_LOSS])
+        put(running, (i, 4), books[KINETIC])
+        put(running, (i, 5), books[ELASTIC])
         supplied += books[SUPPLIED]
         dissipated += books[BODY_LOSS] + books[LOCAL_LOSS] + books[EXTRA_LOSS]
         lowest = min(lowest, supplied)
@@ -252,14 +257,19 @@ def run(
                 tick = (k + 1) // record.every
                 energy = _spring_energies(op, topology, fields, record, scratch, tick, lanes)
                 for user in range(users):
-                    energy += running[user, 4] + running[user, 5]
-                record.ticks[tick, 0] = energy
-                record.ticks[tick, 1] = supplied
-                record.ticks[tick, 2] = dissipated
-                record.ticks[tick, 3] = delay_work
-                record.ticks[tick, 4] = energy - initial - supplied + dissipated - delay_work
+                    energy += at(running, (user, 4)) + at(running, (user, 5))
+                put(record.ticks, (0, tick), energy)
+                put(record.ticks, (1, tick), supplied)
+                put(record.ticks, (2, tick), dissipated)
+                put(record.ticks, (3, tick), delay_work)
+                put(record.ticks, (4, tick), energy - initial - supplied + dissipated - delay_work)
     record.lowest[0] = lowest
     return timing.order.shape[0]
+
+
+@kernel
+def _add(array: Float, row: int, column: int, value: float) -> None:
+    put(array, (row, column), at(array, (row, column)) + value)
 
 
 @kernel
@@ -274,9 +284,9 @@ def _delay_work(
 ) -> float:
     """Energy that the age of a sample adds to a link while its receiver moves: `-T v̂ᵀ K (x_j - x̃)`."""
     rows = op.mass.shape[0]
-    w = topology.weight[s]
-    peer = topology.peer[s]
-    base = scratch.slot[s] * rows
+    w = at(topology.weight, s)
+    peer = at(topology.peer, s)
+    base = at(scratch.slot, s) * rows
     mean = scratch.work.mean
     work = splat(0.0, lanes)
     if mixed(op, WEIGHTS + w):
@@ -287,8 +297,8 @@ def _delay_work(
     else:
         for i in range(rows):
             gap = load(fields.samples, base + i, lanes) - load(fields.position, peer * rows + i, lanes)
-            work = work + at(op.weight[w], i) * (load(mean, i, lanes) * gap)
-    return T * topology.strength[s] * total(work)
+            work = work + at(op.weight, (w, i)) * (load(mean, i, lanes) * gap)
+    return T * at(topology.strength, s) * total(work)
 
 
 @kernel
@@ -305,8 +315,8 @@ def _spring_energies(
     rows = op.mass.shape[0]
     result = 0.0
     for link in range(topology.ends.shape[0]):
-        a, b, s = topology.ends[link, 0], topology.ends[link, 1], topology.slot[link]
-        w = topology.weight[s]
+        a, b, s = at(topology.ends, (link, 0)), at(topology.ends, (link, 1)), at(topology.slot, link)
+        w = at(topology.weight, s)
         form = 0.0
         if mixed(op, WEIGHTS + w):
             for i in range(rows):
@@ -317,10 +327,10 @@ def _spring_energies(
             square = splat(0.0, lanes)
             for i in range(rows):
                 gap = load(fields.position, a * rows + i, lanes) - load(fields.position, b * rows + i, lanes)
-                square = square + op.weight[w, i] * (gap * gap)
+                square = square + at(op.weight, (w, i)) * (gap * gap)
             form = total(square)
-        energy = 0.5 * topology.strength[s] * form
-        record.links[tick, link] = energy
+        energy = 0.5 * at(topology.strength, s) * form
+        put(record.links, (tick, link), energy)
         result += energy
     return result
 
@@ -345,18 +355,24 @@ def _keep_user(
         if dense:
             x, v = splat(0.0, lanes), splat(0.0, lanes)
             for j in range(rows):
-                x = x + record.shape[node, j] * load(fields.position, i * rows + j, lanes)
-                v = v + record.shape[node, j] * load(fields.velocity, i * rows + j, lanes)
+                x = x + at(record.shape, (node, j)) * load(fields.position, i * rows + j, lanes)
+                v = v + at(record.shape, (node, j)) * load(fields.velocity, i * rows + j, lanes)
         else:
-            x = load(fields.position, i * rows + record.row[node], lanes)
-            v = load(fields.velocity, i * rows + record.row[node], lanes)
+            x = load(fields.position, i * rows + at(record.row, node), lanes)
+            v = load(fields.velocity, i * rows + at(record.row, node), lanes)
         store(record.position, base + node, x, lanes)
         store(record.velocity, base + node, v, lanes)
-    for p in range(hands.first[i], hands.first[i + 1]):
+    for p in range(at(hands.first, i), at(hands.first, i + 1)):
         store(record.force, p * record.force.shape[1] + entry, load(scratch.grips.force, p, lanes), lanes)
-    for column in range(6):
-        record.users[i, entry, column] = record.running[i, column]
-    record.users[i, entry, 6] = scratch.books[ITERATIONS]
-    for s in range(topology.first[i], topology.first[i + 1]):
-        record.slots[s, entry, 0] = scratch.slot_running[s, 0]
-        record.slots[s, entry, 1] = scratch.slot_running[s, 1]
+    for book in range(6):
+        _unless_zero(record.users, book, i, entry, at(record.running, (i, book)))
+    _unless_zero(record.users, 6, i, entry, scratch.books[ITERATIONS])
+    for s in range(at(topology.first, i), at(topology.first, i + 1)):
+        put(record.slots, (0, s, entry), at(scratch.slot_running, (s, 0)))
+        put(record.slots, (1, s, entry), at(scratch.slot_running, (s, 1)))
+
+
+@kernel
+def _unless_zero(books: Float, book: int, row: int, entry: int, value: float) -> None:
+    if value != 0.0:
+        put(books, (book, row, entry), value)

@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from cotouch.body import Body
 from cotouch.errors import ScenarioError
-from cotouch.mechanics import Grips, Model, kernel, load, splat, store
+from cotouch.mechanics import Grips, Model, at, kernel, load, put, splat, store
 from cotouch.simulation._tables import Hand
 
 Float = npt.NDArray[np.float64]
@@ -55,19 +55,19 @@ class Hands(NamedTuple):
 @kernel
 def _place(hands: Hands, cursor: Int, p: int, t: float, lanes: tuple[int, ...]) -> float:
     """Where the path of a port is at time t: straight between waypoints, still before and after them."""
-    first, last = hands.path_first[p], hands.path_first[p + 1] - 1
-    here = cursor[p]
-    while here > first and hands.path_time[here] > t:
+    first, last = at(hands.path_first, p), at(hands.path_first, p + 1) - 1
+    here = at(cursor, p)
+    while here > first and at(hands.path_time, here) > t:
         here -= 1
-    while here < last and hands.path_time[here + 1] <= t:
+    while here < last and at(hands.path_time, here + 1) <= t:
         here += 1
-    cursor[p] = here
+    put(cursor, p, here)
     value = load(hands.path_value, here, lanes)
-    if here < last and t > hands.path_time[here]:
-        share = (t - hands.path_time[here]) / (hands.path_time[here + 1] - hands.path_time[here])
+    if here < last and t > at(hands.path_time, here):
+        share = (t - at(hands.path_time, here)) / (at(hands.path_time, here + 1) - at(hands.path_time, here))
         value = (1.0 - share) * value + share * load(hands.path_value, here + 1, lanes)
-    if hands.frequency[p] != 0.0:
-        wave = np.sin(2.0 * np.pi * hands.frequency[p] * t + hands.phase[p])
+    if at(hands.frequency, p) != 0.0:
+        wave = np.sin(2.0 * np.pi * at(hands.frequency, p) * t + at(hands.phase, p))
         value = value + wave * load(hands.amplitude, p, lanes)
     return value
 
@@ -80,14 +80,14 @@ def grip(hands: Hands, grips: Grips, cursor: Int, p: int, end: float, T: float, 
     store(grips.start, p, zero, lanes)
     store(grips.end, p, zero, lanes)
     store(grips.push, p, zero, lanes)
-    grips.stiffness[p] = 0.0
-    grips.damping[p] = 0.0
-    if hands.begin[p] <= middle < hands.release[p]:
-        if hands.forced[p]:
+    put(grips.stiffness, p, 0.0)
+    put(grips.damping, p, 0.0)
+    if at(hands.begin, p) <= middle < at(hands.release, p):
+        if at(hands.forced, p):
             store(grips.push, p, _place(hands, cursor, p, middle, lanes), lanes)
         else:
-            grips.stiffness[p] = hands.stiffness[p]
-            grips.damping[p] = hands.damping[p]
+            put(grips.stiffness, p, at(hands.stiffness, p))
+            put(grips.damping, p, at(hands.damping, p))
             store(grips.start, p, _place(hands, cursor, p, end - T, lanes), lanes)
             store(grips.end, p, _place(hands, cursor, p, end, lanes), lanes)
 

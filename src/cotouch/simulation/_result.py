@@ -85,17 +85,17 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
 
     scenario, timing, record, body = prepared.scenario, prepared.schedule, outcome.record, prepared.body
     network, every = scenario.network, record.every
-    users, records = record.users.shape[0], record.users.shape[1]
+    _, users, records = record.users.shape
     # Entry r of user i exists once step r * every is taken; what was not reached is NaN.
     taken = outcome.taken // every
-    missing = np.arange(records)[None, :] > taken[:, None]
-    gaps = bool(missing.any())
+    gaps = bool((taken < records - 1).any())
+    everyone = np.arange(users)
     data: dict[str, tuple[tuple[str, ...], Any]] = {}
 
-    def put(name: str, dims: tuple[str, ...], values: npt.NDArray[Any], rows: npt.NDArray[np.bool_] | None) -> None:
-        if rows is not None and gaps:
-            values = np.ascontiguousarray(values)
-            values[rows] = np.nan
+    def put(name: str, dims: tuple[str, ...], values: npt.NDArray[Any], owner: npt.NDArray[Any] | None = None) -> None:
+        if owner is not None and gaps:
+            values = np.array(values)
+            values[np.arange(records)[None, :] > taken[owner, None]] = np.nan
         data[name] = (dims, values)
 
     axes = body.dimension
@@ -103,42 +103,42 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
         shaped = values.reshape(users, records, prepared.nodes.size, -1)[..., :axes]
         if name == "position":
             shaped = shaped + body.rest[prepared.nodes] if np.any(body.rest) else shaped
-        put(name, ("user", "step", "node", "axis"), shaped, missing)
-    for column, name in enumerate(USER_BOOKS):
-        put(name, ("user", "step"), record.users[:, :, column], missing)
-    time, period = np.zeros((users, records)), np.full((users, records), np.nan)
+        put(name, ("user", "step", "node", "axis"), shaped, everyone)
+    for name, values in zip(USER_BOOKS, record.users, strict=True):
+        put(name, ("user", "step"), values, everyone)
+    time, period = np.empty((users, records)), np.empty((users, records))
+    time[:, 0], period[:, 0] = 0.0, np.nan
     time[:, 1:] = timing.end[:, every - 1 :: every][:, : records - 1]
     period[:, 1:] = timing.length[:, every - 1 :: every][:, : records - 1]
-    put("time", ("user", "step"), time, missing)
-    put("period", ("user", "step"), period, missing)
+    put("time", ("user", "step"), time, everyone)
+    put("period", ("user", "step"), period, everyone)
 
-    hand_force = np.zeros((len(scenario.hands), records, axes))
+    hand_force = _hand_forces(prepared, record.force, axes)
     force = np.zeros((users, records, axes))
     for index, hand in enumerate(scenario.hands):
-        ports = prepared.ports[index]
-        if ports.size > 1:
-            hand_force[index] = record.force[ports, :, 0].T
-        else:
-            hand_force[index] = record.force[ports[0], :, :axes]
         force[hand.user - 1] += hand_force[index]
     holders = np.array([hand.user - 1 for hand in scenario.hands], dtype=np.int64)
-    put("hand_force", ("hand", "step", "axis"), hand_force, missing[holders])
-    put("force", ("user", "step", "axis"), force, missing)
+    put("hand_force", ("hand", "step", "axis"), hand_force, holders)
+    put("force", ("user", "step", "axis"), force, everyone)
 
     slots = timing.slots
-    receivers = missing[slots.receiver]
-    put("link_work", ("direction", "step"), record.slots[:, :, 0], receivers)
-    put("delay_work", ("direction", "step"), record.slots[:, :, 1], receivers)
-    age = np.full((slots.link.size, records), np.nan)
-    age[:, 1:] = timing.age[:, every - 1 :: every][:, : records - 1]
-    put("age", ("direction", "step"), age, receivers)
+    put("link_work", ("direction", "step"), record.slots[0], slots.receiver)
+    put("delay_work", ("direction", "step"), record.slots[1], slots.receiver)
+    age = np.empty((slots.link.size, records))
+    age[:, 0] = np.nan
+    if every == 1:
+        timing.ages_into(age[:, 1:])
+    else:
+        age[:, 1:] = timing.age[:, every - 1 :: every][:, : records - 1]
+    put("age", ("direction", "step"), age, slots.receiver)
 
     ticks = int(taken[timing.reference]) + 1
-    put("link_energy", ("tick", "link"), record.links[:ticks], None)
-    for column, name in enumerate(("stored", "supplied_total", "dissipated_total", "delay_work_total", "residual")):
-        put(name, ("tick",), record.ticks[:ticks, column], None)
-    put("tick_time", ("tick",), time[timing.reference, :ticks].copy(), None)
-    put("local_damping", ("user", "weight"), prepared.local_damping, None)
+    put("link_energy", ("tick", "link"), record.links[:ticks])
+    totals = ("stored", "supplied_total", "dissipated_total", "delay_work_total", "residual")
+    for name, values in zip(totals, record.ticks, strict=True):
+        put(name, ("tick",), values[:ticks])
+    put("tick_time", ("tick",), time[timing.reference, :ticks].copy())
+    put("local_damping", ("user", "weight"), prepared.local_damping)
     for name, (dims, values) in data.items():
         unit, meaning = _UNITS[name]
         data[name] = (dims, values, {"units": unit, "long_name": meaning})  # pyright: ignore[reportArgumentType]
@@ -159,14 +159,22 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
     )
 
 
+def _hand_forces(prepared: Prepared, force: Float, axes: int) -> Float:
+    """Force of every hand from those of its ports, (hands, records, axes) [N]; no copy where each port is a hand's."""
+    ports = prepared.ports
+    if ports.shape[1] > 1:
+        return np.ascontiguousarray(force[ports, :, 0].transpose(0, 2, 1))
+    own = ports[:, 0]
+    return force[..., :axes] if np.array_equal(own, np.arange(force.shape[0])) else force[own, :, :axes]
+
+
 def _attributes(prepared: Prepared, outcome: Outcome, ticks: int) -> dict[str, Any]:
     from cotouch import __version__
 
-    books = outcome.record.ticks[:ticks]
+    books = outcome.record.ticks[:, :ticks]
     timing, scenario = prepared.schedule, prepared.scenario
     # The energy in play: the most that was stored, supplied or dissipated at any time of the run.
-    in_play = float(np.abs(books[:, :4]).max(initial=0.0))
-    residual = float(np.abs(books[:, 4]).max(initial=0.0))
+    in_play, residual = _largest(books[:4]), _largest(books[4])
     finished = outcome.events == timing.order.size
     return {
         "title": scenario.title or "cotouch run",
@@ -185,6 +193,11 @@ def _attributes(prepared: Prepared, outcome: Outcome, ticks: int) -> dict[str, A
         "messages_lost": sum(int(np.isinf(draws.first).sum()) for draws in timing.draws),
         "index_delay": [] if timing.index_delay is None else [int(n) for n in timing.index_delay.ravel()],
     }
+
+
+def _largest(values: Float) -> float:
+    """Largest magnitude, without a temporary array of them."""
+    return max(float(values.max(initial=0.0)), -float(values.min(initial=0.0)))
 
 
 def save(run: "xr.Dataset", path: str | Path) -> None:

@@ -1,6 +1,7 @@
 """When every user steps and which sample each step uses; clocks and channel decide all of it, motion none."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import final
 
 import numpy as np
@@ -8,7 +9,7 @@ import numpy.typing as npt
 
 from cotouch.errors import ScenarioError
 from cotouch.network import Network
-from cotouch.simulation._channel import Draws, draw, resent
+from cotouch.simulation._channel import Draws, certain, draw, resent
 from cotouch.simulation._scenario import Scenario, per_user
 from cotouch.simulation._tables import Mode
 from cotouch.simulation._timing import ages, elapsed, indexed, newest, ring_size, self_paced
@@ -58,7 +59,6 @@ class Schedule:
         bound: on T, (users,) [s].
         order: user of each event, (events,).
         used: index of the sample that each slot uses, (slots, steps); -1: the initial one.
-        age: of that sample at the end of the step, (slots, steps) [s].
         ring: how many samples of a user are kept so that none is overwritten before its last use; a power of two.
         reference: the user with the most steps (the last of them).
         index_delay: N_ij, (users, users), in the modes that have one.
@@ -76,13 +76,26 @@ class Schedule:
     bound: Float
     order: Int
     used: Int
-    age: Float
     ring: int
     reference: int
     index_delay: npt.NDArray[np.int64] | None
     underruns: npt.NDArray[np.int64]
     draws: list[Draws]
     latency: Float | None
+
+    @cached_property
+    def age(self) -> Float:
+        """Age of the sample that each slot uses, at the end of the step, (slots, steps) [s]."""
+        result = np.zeros(self.used.shape)
+        self.ages_into(result)
+        return result
+
+    def ages_into(self, age: Float) -> None:
+        """Writes the ages of the steps that are taken into the rows of an array, (slots, at least those steps) [s]."""
+        for s in range(self.slots.link.size):
+            i, j = self.slots.receiver[s], self.slots.sender[s]
+            n, m = self.count[i], self.count[j]
+            ages(self.end[i, :n], self.end[j, :m], self.length[j, :m], self.used[s, :n], age[s, :n])
 
     def budget(self, quantile: float) -> Float:
         """Age in seconds that the given share of steps stays within, (users, users), [i][j] at i of j's samples."""
@@ -113,26 +126,21 @@ def schedule(scenario: Scenario) -> Schedule:
     nominal = _lengths(scenario, network.size, common=True)
     steps = nominal.shape[1]
     draws = _draws(scenario, network, slots, steps)
-    latency = np.zeros((slots.link.size, steps))
-    for s in range(slots.link.size):
-        i, j = int(slots.receiver[s]), int(slots.sender[s])
-        seed = _seed(scenario, i, j)
-        round_trip = float(network.delay[i, j] + network.delay[j, i])
-        latency[s] = resent(scenario.channel, draws[s], float(network.delay[i, j]), round_trip, seed=seed)
+    latency = _latencies(scenario, network, slots, draws, steps)
     delay = _index_delays(scenario, network, slots, latency, nominal)
     of_slot = delay[slots.receiver, slots.sender].astype(np.int32)
-    used = np.full((slots.link.size, steps), -1, dtype=np.int32)
+    used = np.empty((slots.link.size, steps), dtype=np.int32)
     bound = nominal.max(axis=1)
     underruns = np.zeros(slots.link.size, dtype=np.int64)
     if mode == "constant":
         clock = _clock(nominal)
         end, length = np.tile(clock, (network.size, 1)), nominal
         for s in range(slots.link.size):
-            underruns[s] = indexed(clock + latency[s], clock, int(of_slot[s]), used[s])
+            underruns[s] = indexed(np.ascontiguousarray(latency[s]), clock, int(of_slot[s]), used[s])
         count = np.full(network.size, steps, dtype=np.int64)
     else:
         end, length = np.zeros_like(nominal), np.zeros_like(nominal)
-        self_paced(nominal, slots.first, slots.sender, of_slot, latency, end)
+        self_paced(nominal, slots.first, slots.sender, of_slot, np.ascontiguousarray(latency), end)
         longest = scenario.synchronisation.longest
         # Twice the mean pace leaves room to make up for a long wait.
         bound = 2.0 * end[:, -1] / steps if longest is None else longest * nominal.max(axis=1)
@@ -183,11 +191,6 @@ def _finish(
     latency: Float | None,
 ) -> Schedule:
     users, steps = end.shape
-    age = np.zeros((slots.link.size, steps))
-    for s in range(slots.link.size):
-        i, j = slots.receiver[s], slots.sender[s]
-        n, m = count[i], count[j]
-        ages(end[i, :n], end[j, :m], length[j, :m], used[s, :n], age[s, :n])
     if mode != "freshest" or (end == end[0]).all():
         order = np.tile(np.arange(users, dtype=np.int32), steps)
         if count.min() < steps:
@@ -208,7 +211,6 @@ def _finish(
         bound=bound,
         order=order,
         used=used,
-        age=age,
         ring=1 << (int(ring) - 1).bit_length(),
         reference=int(users - 1 - np.argmax(count[::-1])),
         index_delay=delay,
@@ -236,14 +238,14 @@ def _lengths(scenario: Scenario, users: int, *, common: bool) -> Float:
         else:
             period = per_user(_DEFAULT_PERIOD if steps.period is None else steps.period, users, "steps.period")
         longest = period.max() if common else period.min()
-        lengths = np.repeat(period[:, None], _checked(steps.duration / longest), axis=1)
+        lengths = np.broadcast_to(period[:, None], (users, _checked(steps.duration / longest)))
     if common:
         clock = _clock(lengths)
         count = int(np.searchsorted(clock, steps.duration * (1.0 + 1e-12) + 1e-12, side="right"))
-        lengths = np.ascontiguousarray(lengths[:, :count])
+        lengths = lengths[:, :count]
     if lengths.shape[1] < 1 or lengths[:, 0].max() > steps.duration * (1.0 + 1e-12):
         raise ScenarioError(f"the run lasts {steps.duration} s, which is less than one step; make it longer")
-    return lengths
+    return np.ascontiguousarray(lengths)
 
 
 def _clock(lengths: Float) -> Float:
@@ -269,6 +271,19 @@ def _draws(scenario: Scenario, network: Network, slots: Slots, messages: int) ->
         draw(scenario.channel, float(network.delay[i, j]), messages, seed=_seed(scenario, int(i), int(j)))
         for i, j in zip(slots.receiver, slots.sender, strict=True)
     ]
+
+
+def _latencies(scenario: Scenario, network: Network, slots: Slots, draws: list[Draws], steps: int) -> Float:
+    """Latency of every sample, resends included, (slots, steps) [s]."""
+    pairs = list(zip(slots.receiver.tolist(), slots.sender.tolist(), strict=True))
+    there = np.array([network.delay[i, j] for i, j in pairs])
+    back = np.array([network.delay[j, i] for i, j in pairs])
+    if certain(scenario.channel):
+        return np.broadcast_to(there[:, None], (there.size, steps))
+    latency = np.empty((there.size, steps))
+    for s, pair in enumerate(pairs):
+        latency[s] = resent(scenario.channel, draws[s], there[s], there[s] + back[s], seed=_seed(scenario, *pair))
+    return latency
 
 
 def _index_delays(

@@ -5,7 +5,7 @@
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.mechanics import kernel
+from cotouch.mechanics import at, kernel, put
 
 Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
@@ -41,26 +41,27 @@ def newest(sent: Float, arrival: Float, end: Float, used: Int) -> None:
 
 
 @kernel
-def indexed(arrival: Float, clock: Float, delay: int, used: Int) -> int:
+def indexed(latency: Float, clock: Float, delay: int, used: Int) -> int:
     """For each step k, sample k - delay, or the newest one before it that has arrived; returns how often it had not.
 
     Args:
-        arrival: of every sample, (samples,) [s].
+        latency: of every sample, from the step that sends it, (samples,) [s].
         clock: when the steps are taken, (steps,) [s].
         delay: indexing delay N_ij, >= 1.
         used: result (steps,): index of the sample, or -1 for the initial one.
     """
     short = 0
+    oldest = -1
     for k in range(clock.shape[0]):
         wanted = k - delay
         index = max(wanted, -1)
-        oldest = used[k - 1] if k > 0 else -1
         # 1e-9 s is far below any step and far above the round-off of summed steps.
-        while index > oldest and arrival[index] > clock[k] + 1e-9:
+        while index > oldest and at(clock, index) + at(latency, index) > at(clock, k) + 1e-9:
             index -= 1
         if index < wanted:
             short += 1
-        used[k] = index
+        put(used, k, index)
+        oldest = index
     return short
 
 
@@ -122,8 +123,9 @@ def ages(end: Float, sent: Float, sent_length: Float, used: Int, age: Float) -> 
     """
     for k in range(end.shape[0]):
         stamp = 0.0
-        if used[k] >= 0:
-            stamp = sent[used[k]] - 0.5 * sent_length[used[k]]
+        index = at(used, k)
+        if index >= 0:
+            stamp = at(sent, index) - 0.5 * at(sent_length, index)
         age[k] = end[k] - stamp
 
 
@@ -132,10 +134,11 @@ def ring_size(order: Int, first: Int, peer: Int, used: Int, counter: Int) -> int
     """How many samples of a user must be kept so that none is overwritten before its last use; `counter` is zeros."""
     size = 1
     for event in range(order.shape[0]):
-        i = order[event]
-        k = counter[i]
-        for s in range(first[i], first[i + 1]):
-            if used[s, k] >= 0:
-                size = max(size, counter[peer[s]] - used[s, k])
-        counter[i] = k + 1
+        i = at(order, event)
+        k = at(counter, i)
+        for s in range(at(first, i), at(first, i + 1)):
+            index = at(used, (s, k))
+            if index >= 0:
+                size = max(size, at(counter, at(peer, s)) - index)
+        put(counter, i, k + 1)
     return size
