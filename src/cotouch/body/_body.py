@@ -161,11 +161,11 @@ class Body:
 
         The modes alone make a body too stiff under a fingertip, because a force at one point bends mostly what the
         modes left out. For every contact node its static residual is kept as a shape of its own, which makes the body's
-        static compliance among the contacts exact [Craig and Chang 1977; Rixen 2004].
+        static compliance among the contacts exact [MacNeal 1971; Rubin 1975].
 
         The result has the same nodes and matrices; a simulator works in the shapes, `body.truncation`, where mass,
-        stiffness and Rayleigh damping are diagonal. A link between two copies then pulls with the weight `M / m̄` instead
-        of the identity (m̄: mean mass of a node), the one that is diagonal there too.
+        stiffness and Rayleigh damping are diagonal. A link between two copies then pulls with the weight `M / m̄`
+        instead of the identity (m̄: mean mass of a node), the one that is diagonal there too.
 
         Args:
             modes: r, how many of the lowest modes, rigid motions included.
@@ -184,9 +184,7 @@ class Body:
             stiffness_ext=self.stiffness_ext,
             skin=self.skin,
             origin=self.origin,
-            truncation=truncate(
-                self.mass, self.damping, self.stiffness, self.rest, modes=modes, contacts=contacts
-            ),
+            truncation=truncate(self.mass, self.damping, self.stiffness, self.rest, modes=modes, contacts=contacts),
         )
 
     def apply(self, matrix: sp.csr_array, field_: npt.ArrayLike) -> Float:

@@ -63,8 +63,8 @@ def cells_of(vertices: Float, triangles: Ints, resolution: int) -> Cells:
     shape = np.maximum(np.ceil(extent / spacing - 1e-6), 1.0).astype(np.int64)
     if int(shape.prod()) > _MOST_CELLS:
         raise BodyError(
-            f"resolution {resolution} makes a grid of {' x '.join(map(str, shape))} cells; it must be lower, for at most "
-            f"{_MOST_CELLS} of them"
+            f"resolution {resolution} makes a grid of {' x '.join(map(str, shape))} cells; it must be lower, for at "
+            f"most {_MOST_CELLS} of them"
         )
     origin = low - 0.5 * (shape * spacing - extent)
     fill = _filled((vertices - origin) / spacing, triangles, shape)
@@ -137,7 +137,7 @@ def _filled(points: Float, triangles: Ints, shape: Ints) -> Float:
 
 
 def _touched(points: Float, triangles: Ints, shape: Ints) -> tuple[Ints, Ints, Ints]:
-    """Cells in which the surface runs: those of points on it that lie at most half a cell apart, and of its vertices."""
+    """Cells in which the surface runs: those of points on it at most half a cell apart, and of its vertices."""
     a, b, c = (points[triangles[:, k]] for k in range(3))
     normal = np.cross(b - a, c - a)
     length = np.linalg.norm(normal, axis=1)
@@ -184,14 +184,14 @@ def carriers(vertices: Float, triangles: Ints, cells: Cells) -> tuple[Ints, Floa
     """For every vertex the cell that it lies in, as a row of `cells.places`, and trilinear weights of its corners.
 
     Returns:
-        rows (V,), -1 where there is no such cell, and weights (V, 8) in the order of `CORNERS`.
+        rows (V,), and weights (V, 8) in the order of `CORNERS`.
     """
     points = (vertices - cells.origin) / cells.spacing
     places = _cell(_drawn_in(points, triangles), cells.shape)
-    keys = np.ravel_multi_index(tuple(cells.places.T), tuple(cells.shape))
-    wanted = np.ravel_multi_index(tuple(places.T), tuple(cells.shape))
-    rows = np.minimum(np.searchsorted(keys, wanted), keys.size - 1)
-    rows = np.where(keys[rows] == wanted, rows, -1)
+    keys = np.asarray(np.ravel_multi_index(tuple(cells.places.T), tuple(cells.shape)))
+    wanted = np.asarray(np.ravel_multi_index(tuple(places.T), tuple(cells.shape)))
+    rows: Ints = np.minimum(np.searchsorted(keys, wanted), keys.size - 1).astype(np.int64)
+    assert np.array_equal(keys[rows], wanted)  # `cells_of` took every cell that holds a vertex
     local = points - places
     sides = np.where(CORNERS[None] == 1, local[:, None, :], 1.0 - local[:, None, :])
     return rows, sides.prod(axis=2)

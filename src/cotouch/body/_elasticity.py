@@ -52,7 +52,9 @@ def edges_of(tetrahedra: Ints) -> Ints:
     return np.unique(np.sort(pairs, axis=1), axis=0)
 
 
-def elastic_cells(nodes: int, corners: Ints, fill: Float, *, spacing: float, young: float, poisson: float) -> sp.csr_array:
+def elastic_cells(
+    nodes: int, corners: Ints, fill: Float, *, spacing: float, young: float, poisson: float
+) -> sp.csr_array:
     """K of isotropic linear elasticity on cubes with trilinear shapes (Q1), 3n x 3n [N/m], each scaled by its fill."""
     from skfem import Basis, ElementHex1, ElementVector, MeshHex
     from skfem.models.elasticity import lame_parameters, linear_elasticity
@@ -69,7 +71,7 @@ def elastic_cells(nodes: int, corners: Ints, fill: Float, *, spacing: float, you
 
 
 def springs_of_cells(nodes: int, corners: Ints, fill: Float, *, stiffness: float) -> sp.csr_array:
-    """K of springs along the edges of cubes, n x n [N/m]: each cube gives a quarter of `stiffness` to each of its edges.
+    """K of springs along the edges of cubes, n x n [N/m]: each cube gives a quarter of `stiffness` to each edge.
 
     Inside, where four full cubes share an edge, a spring has `stiffness`. With `stiffness = E h` a bar along the grid
     stretches by E A / L exactly: each of the A/h² rows of springs has E h per cell of length h.

@@ -89,7 +89,10 @@ def held_nodes(ground: Held, rest: Float, *, slack: float, sets: Mapping[str, No
             raise BodyError(f"the thickness of the ground's plane is {thickness}; it must be at least 0 m")
         distance = np.abs((rest - point) @ (normal / length))
         found = np.flatnonzero(distance <= thickness + _ON * size)
-        return _some(found, f"the plane holds no node: the nearest is {distance.min():.4g} m away, thickness is {thickness:.4g} m")
+        return _some(
+            found,
+            f"the plane holds no node: the nearest is {distance.min():.4g} m away, thickness is {thickness:.4g} m",
+        )
     if isinstance(ground, Box):
         low, high = _three("the box's low", ground.low), _three("the box's high", ground.high)
         if np.any(low > high):

@@ -69,9 +69,9 @@ def body_from_surface(
         unit: of the source: "m", "mm", "cm" or "in". Only GLB says it itself (metres).
         resolution: cells along the longest side, >= 1.
         model: "springs": scalar springs along the edges of the cells, of E h each [N/m], cheap to step. They store
-            `½ E ∫ |∇u|²`: a stretched bar has E A / L exactly, Poisson's ratio is 0, the shear modulus is E, and turning
-            the body costs energy. "elastic": linear elasticity on the cells, right for bending and turning, at three
-            times the rows.
+            `½ E ∫ |∇u|²`: a stretched bar has E A / L exactly, Poisson's ratio is 0, the shear modulus is E, and
+            turning the body costs energy. "elastic": linear elasticity on the cells, right for bending and turning, at
+            three times the rows.
         young: Young's modulus E [Pa], > 0.
         poisson: Poisson's ratio, above -1 and below 0.5; "elastic" only.
         stiffness: of each spring of a full cell's inside, instead of E h [N/m]; "springs" only.
@@ -105,19 +105,21 @@ def body_from_surface(
         raise BodyError(f"resolution is {resolution}; it must be a whole number of at least 1")
     _check_material(model, young, poisson, stiffness, density, mass, rayleigh_mass, rayleigh_stiffness)
     scale = metres(unit, name)
-    mesh = read_surface(Path(name), most_triangles) if isinstance(source, str | Path) else as_mesh(source, 3, "triangles")
+    mesh = (
+        read_surface(Path(name), most_triangles) if isinstance(source, str | Path) else as_mesh(source, 3, "triangles")
+    )
     if mesh.elements.shape[0] > most_triangles:
         raise BodyError(
-            f"{name} has {mesh.elements.shape[0]} triangles but the limit is {most_triangles}; make it coarser, or raise "
-            "most_triangles"
+            f"{name} has {mesh.elements.shape[0]} triangles but the limit is {most_triangles}; make it coarser, or "
+            "raise most_triangles"
         )
     shells = repaired(Mesh(points=mesh.points * scale, elements=mesh.elements, notes=mesh.notes), name)
     shells, cells, notes = _one_part(shells, int(resolution), part, name)
     corners, rest = _grid_nodes(cells)
     if rest.shape[0] > most_nodes:
         raise BodyError(
-            f"resolution {resolution} makes {rest.shape[0]} nodes of {name}, but the limit is {most_nodes}; lower it, or "
-            "raise most_nodes"
+            f"resolution {resolution} makes {rest.shape[0]} nodes of {name}, but the limit is {most_nodes}; lower it, "
+            "or raise most_nodes"
         )
     volume = shells.volume
     shares = np.bincount(corners.ravel(), weights=np.repeat(cells.fill, 8), minlength=rest.shape[0])
@@ -221,8 +223,8 @@ def body_from_tetrahedra(
         mesh = as_mesh(source, 4, "tetrahedra")
     if mesh.elements.shape[0] > most_elements:
         raise BodyError(
-            f"{name} has {mesh.elements.shape[0]} tetrahedra but the limit is {most_elements}; make it coarser, or raise "
-            "most_elements"
+            f"{name} has {mesh.elements.shape[0]} tetrahedra but the limit is {most_elements}; make it coarser, or "
+            "raise most_elements"
         )
     check_indices(mesh, name, "tetrahedra")
     notes = list(mesh.notes)
@@ -270,7 +272,7 @@ def body_from_tetrahedra(
             "kind": "tetrahedra",
             "model": model,
             "unit": unit or "m",
-            "elements": elements.shape[0],
+            "elements": volumes.size,
             "volume": volume,
             "size": np.ptp(rest, axis=0),
             "spacing": float(np.linalg.norm(edges[:, 1] - edges[:, 0], axis=1).mean()),
@@ -295,7 +297,7 @@ def _body(
     origin: dict[str, Any],
     notes: list[str],
 ) -> Body:
-    """Puts the parts together; everything is held by springs to the ground, so that what binds nodes to it is diagonal."""
+    """Puts the parts together; what holds it are springs to the ground, so that they are diagonal."""
     for label, value in (("ground_stiffness", ground_stiffness), ("ground_damping", ground_damping)):
         if not (np.isfinite(value) and value >= 0.0):
             raise BodyError(f"{label} is {value}; it must be a finite number of at least 0")
@@ -382,16 +384,16 @@ def _one_part(shells: Shells, resolution: int, part: int | None, name: str) -> t
     cells = cells_of(shells.vertices, shells.triangles, resolution)
     corners, rest = _grid_nodes(cells)
     label = _together(corners, rest.shape[0])
-    shares = np.bincount(label[corners[:, 0]], weights=cells.fill)
+    rows, _ = carriers(shells.vertices, shells.triangles, cells)
+    first = shells.triangles[np.unique(shells.shell, return_index=True)[1], 0]
+    of_shell = label[corners[rows[first], 0]]
+    shares = np.bincount(of_shell, weights=shells.volumes)
     if part is None and shares.size == 1:
         return shells, cells, []
     ranked = np.argsort(-shares, kind="stable")
     chosen = _choice(shares[ranked] / shares.sum(), part, name)
     if shares.size == 1:
         return shells, cells, []
-    rows, _ = carriers(shells.vertices, shells.triangles, cells)
-    first = shells.triangles[np.unique(shells.shell, return_index=True)[1], 0]
-    of_shell = label[corners[rows[first], 0]]
     kept = shells.only(np.flatnonzero(of_shell == ranked[chosen]))
     return kept, cells_of(kept.vertices, kept.triangles, resolution), [_left(shares.size, chosen, part)]
 
@@ -405,8 +407,8 @@ def _choice(shares: Float, part: int | None, name: str) -> int:
     if shares[1:].sum() > _DEBRIS:
         shown = ", ".join(f"{100 * share:.3g} %" for share in shares[:5]) + (", ..." if shares.size > 5 else "")
         raise BodyError(
-            f"{name} has {shares.size} separate parts ({shown} of its volume) that nothing joins; choose one with part, "
-            "or join them"
+            f"{name} has {shares.size} separate parts ({shown} of its volume) that nothing joins; choose one with "
+            "part, or join them"
         )
     return 0
 

@@ -26,7 +26,7 @@ _METRES: Final = (".glb",)
 _CHUNK: Final = 1 << 20
 _OVERLAP: Final = 256
 # No format stores an element, with its share of the points, in less; a bigger file is refused unread.
-_LEAST_BYTES: Final = 400
+_LEAST_BYTES: Final = 600
 
 
 @final
@@ -197,7 +197,7 @@ def _reader(path: Path) -> Generator[None]:
         ):
             warnings.simplefilter("ignore")
             yield
-    except (SystemExit, MemoryError, Exception) as error:  # noqa: BLE001 (meshio exits; readers raise anything at all)
+    except (SystemExit, MemoryError, Exception) as error:
         reason = " ".join(str(error).split())
         if isinstance(error, SystemExit) or not reason:
             reason = next((line.strip() for line in said.getvalue().splitlines() if line.strip()), type(error).__name__)
@@ -261,7 +261,7 @@ def _glb(file: BinaryIO, size: int) -> int | None:
 
 def _vtk(file: BinaryIO, size: int) -> int | None:
     del size
-    return _first(file, rb"\nCELLS\s+(\d+)")
+    return _first(file, rb"\nCELL_TYPES\s+(\d+)")
 
 
 def _vtu(file: BinaryIO, size: int) -> int | None:
@@ -276,7 +276,15 @@ def _msh(file: BinaryIO, size: int) -> int | None:
     if old is not None:
         return old
     file.seek(0)
-    return _first(file, rb"\$Elements\s*\n\s*\d+[ \t]+(\d+)[ \t]+\d+[ \t]+\d+")
+    new = _first(file, rb"\$Elements\s*\n\s*\d+[ \t]+(\d+)[ \t]+\d+[ \t]+\d+")
+    if new is not None:
+        return new
+    file.seek(0)
+    for piece, _ in _chunks(file):
+        binary = re.search(rb"\$Elements\n.{8}(.{8}).{16}", piece, re.DOTALL)
+        if binary:
+            return int.from_bytes(binary.group(1), "little")
+    return None
 
 
 def _mesh(file: BinaryIO, size: int) -> int | None:

@@ -161,7 +161,8 @@ def _volumes(vertices: Float, triangles: Ints, shell: Ints) -> Float:
     """Signed volume of each shell, by the divergence theorem."""
     centred = vertices - vertices.mean(axis=0)
     a, b, c = (centred[triangles[:, k]] for k in range(3))
-    return np.bincount(shell, weights=np.einsum("ij,ij->i", a, np.cross(b, c)) / 6.0)
+    signed = np.einsum("ij,ij->i", a, np.cross(b, c)) / 6.0
+    return np.bincount(shell, weights=signed).astype(np.float64)
 
 
 def _turned(triangles: Ints, source: str) -> tuple[npt.NDArray[np.bool_], Ints]:
@@ -193,8 +194,8 @@ def _turned(triangles: Ints, source: str) -> tuple[npt.NDArray[np.bool_], Ints]:
     above = parent[child]
     step = np.zeros(child.size, dtype=np.int64)
     joined = above < count
-    # Two triangles that share two edges have a sum here; they fold on each other, and what is chosen is checked below.
-    step[joined] = np.asarray(marks[child[joined], above[joined]]).ravel().astype(np.int64) % 2 == 0
+    if joined.any():  # two triangles share one edge at most, since none repeats another
+        step[joined] = np.asarray(marks[child[joined], above[joined]]).ravel() > 1.5
     parity = [0] * (count + 1)
     for node, up, flip in zip(child.tolist(), above.tolist(), step.tolist(), strict=True):
         parity[node] = parity[up] ^ flip

@@ -56,8 +56,8 @@ class Skin:
             raise BodyError(f"skin vertex {bad} is {places[bad].tolist()}; every coordinate must be a finite number")
         if carriers.shape != shares.shape or carriers.shape[0] != places.shape[0] or not 1 <= carriers.shape[1] <= 8:
             raise BodyError(
-                f"skin nodes are {_size(carriers)} and skin weights {_size(shares)}; both must be {places.shape[0]} x k "
-                "with k from 1 to 8"
+                f"skin nodes are {_size(carriers)} and skin weights {_size(shares)}; both must be {places.shape[0]} x "
+                "k with k from 1 to 8"
             )
         if corners.size and (corners.min() < 0 or corners.max() >= places.shape[0]):
             wrong = int(corners.min() if corners.min() < 0 else corners.max())

@@ -19,6 +19,8 @@ _LEAF = 64
 _SHIFT = 1e-3
 # Eigenvalues this small beside the shift are rigid motions.
 _RIGID = 1e-6
+# Rounding of a dense solve, in last places of the largest eigenvalue.
+_ROUNDINGS = 16.0
 # Each refinement leaves of the error the share that the shift has in the lowest eigenvalue left, mostly a thousandth.
 _REFINEMENTS = 40
 _EXACT = 1e-12
@@ -79,15 +81,22 @@ def factorise(mass: sp.csr_array, stiffness: sp.csr_array, rest: Float, *, free:
 
     nodes = rest.shape[0]
     axes = mass.shape[0] // nodes
-    own, weight = stiffness.diagonal(), mass.diagonal()
-    highest = float((own / weight).max(initial=0.0))
-    shift = _SHIFT * (highest if highest > 0.0 else 1.0) / nodes ** (2.0 / 3.0) if free else 0.0
+    shift = _SHIFT * _lowest_guess(mass, stiffness, nodes) if free else 0.0
     graph = _node_graph(abs(stiffness) + abs(mass), axes)
     order = (np.concatenate(_dissect(np.arange(nodes), rest, graph))[:, None] * axes + np.arange(axes)).ravel()
     shifted = sp.csr_array(stiffness + shift * mass)
     permuted = sp.csc_array(shifted[order][:, order])
     factors = splu(permuted, permc_spec="NATURAL", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
     return Statics(mass=mass, stiffness=stiffness, shift=shift, factors=factors, order=order)
+
+
+def _lowest_guess(mass: sp.csr_array, stiffness: sp.csr_array, nodes: int) -> float:
+    """About the lowest eigenvalue that bends a body, as a uniform grid of so many nodes would have it [1/s²].
+
+    From the median of the rows, because a few may be held very hard.
+    """
+    middle = float(np.median(stiffness.diagonal() / mass.diagonal()))
+    return (middle if middle > 0.0 else 1.0) / nodes ** (2.0 / 3.0)
 
 
 def _node_graph(matrix: Any, axes: int) -> sp.csr_array:
@@ -129,17 +138,18 @@ def lowest_modes(
     """
     rows = mass.shape[0]
     count = min(count, rows)
-    nodes = rest.shape[0]
-    own, weight = stiffness.diagonal(), mass.diagonal()
-    highest = float((own / weight).max(initial=0.0))
+    guess = _lowest_guess(mass, stiffness, rest.shape[0])
     if rows <= _DENSE_ROWS or count > rows // 3:
         values, shapes = la.eigh(stiffness.toarray(), mass.toarray(), subset_by_index=[0, count - 1])
-        limit = 1e-12 * highest
+        highest = float((stiffness.diagonal() / mass.diagonal()).max(initial=0.0))
+        limit = max(_RIGID * _SHIFT * guess, _ROUNDINGS * np.finfo(np.float64).eps * highest)
     else:
         from scipy.sparse.linalg import LinearOperator, eigsh
 
         ready = factorise(mass, stiffness, rest) if statics is None else statics
-        inverse: Any = LinearOperator((rows, rows), matvec=lambda b: ready.solve(np.asarray(b).ravel()), dtype=np.float64)
+        inverse: Any = LinearOperator(
+            (rows, rows), matvec=lambda b: ready.solve(np.asarray(b).ravel()), dtype=np.float64
+        )
         wanted = min(count + 6, rows - 1)  # a few more, so that all of a repeated eigenvalue are found
         values, shapes = eigsh(
             stiffness,
@@ -152,7 +162,7 @@ def lowest_modes(
         )
         best = np.argsort(values)[:count]
         values, shapes = values[best], shapes[:, best]
-        limit = _RIGID * _SHIFT * highest / nodes ** (2.0 / 3.0)
+        limit = _RIGID * _SHIFT * guess
     values = np.where(values < limit, 0.0, values)
     largest = np.take_along_axis(shapes, np.abs(shapes).argmax(axis=0)[None, :], axis=0)
     return np.asarray(values), np.ascontiguousarray(shapes * np.where(largest < 0.0, -1.0, 1.0))

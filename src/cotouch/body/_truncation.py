@@ -51,7 +51,7 @@ class Truncation:
     def as_full(self, dimension: int) -> "Truncation":
         """The same shapes for a body with a row for every axis."""
         return Truncation(
-            shapes=np.kron(self.shapes, np.eye(dimension)),
+            shapes=np.asarray(np.kron(self.shapes, np.eye(dimension)), dtype=np.float64),
             stiffness=np.repeat(self.stiffness, dimension),
             modes=self.modes * dimension,
             contacts=self.contacts,
@@ -129,9 +129,7 @@ def truncate(
     )
 
 
-def _orthonormal(
-    mass: sp.csr_array, stiffness: sp.csr_array, residual: Float, answers: Float
-) -> tuple[Float, Float]:
+def _orthonormal(mass: sp.csr_array, stiffness: sp.csr_array, residual: Float, answers: Float) -> tuple[Float, Float]:
     """Combinations of the residual shapes that are orthonormal in M and orthogonal in K, and their K."""
     scale = np.sqrt(np.einsum("ij,ij->j", residual, mass @ residual))
     whole = np.sqrt(np.einsum("ij,ij->j", answers, mass @ answers))
