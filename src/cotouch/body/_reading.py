@@ -82,6 +82,8 @@ def read_surface(path: Path, most: int) -> Mesh:
         points = np.array(mesh.vertices, dtype=np.float64).reshape(-1, 3)
         triangles = np.array(mesh.faces, dtype=np.int64).reshape(-1, 3)
     if triangles.shape[0] == 0:
+        if points.shape[0] == 0:
+            raise BodyError(f"{path} cannot be read as {path.suffix[1:].upper()}: there is no mesh in it")
         raise BodyError(f"{path} has {points.shape[0]} points but no triangles; it must be a surface mesh")
     if triangles.shape[0] > most:
         raise _too_many(path, triangles.shape[0], "triangles", "most_triangles", most)
@@ -104,6 +106,12 @@ def read_tetrahedra(path: Path, most: int) -> Mesh:
         read: Any = meshio.read(path, file_format={".msh": "gmsh", ".mesh": "medit"}.get(path.suffix.lower()))
         points = np.array(read.points, dtype=np.float64)
         blocks = [(str(block.type), np.array(block.data, dtype=np.int64)) for block in read.cells]
+        corners = {"tetra": 4, "tetra10": 10}
+        for kind, data in blocks:
+            if kind in corners and (data.ndim != 2 or data.shape[1] != corners[kind]):
+                raise ValueError(f"its {kind} cells have no {corners[kind]} corners each")
+        if points.ndim != 2 or points.shape[1] != 3:
+            raise ValueError(f"its points are {' x '.join(map(str, points.shape))}, not P x 3")
         sets = _sets(read, blocks, points.shape[0])
     notes: list[str] = []
     solid = [data[:, :4] for kind, data in blocks if kind in {"tetra", "tetra10"}]
@@ -201,7 +209,7 @@ def _reader(path: Path) -> Generator[None]:
         reason = " ".join(str(error).split())
         if isinstance(error, SystemExit) or not reason:
             reason = next((line.strip() for line in said.getvalue().splitlines() if line.strip()), type(error).__name__)
-        raise BodyError(f"{path} cannot be read as a {path.suffix[1:].upper()} mesh: {reason[:160]}") from error
+        raise BodyError(f"{path} cannot be read as {path.suffix[1:].upper()}: {reason[:160]}") from error
 
 
 # Counting without loading.

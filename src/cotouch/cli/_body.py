@@ -37,9 +37,9 @@ def run(
     console = Console()
     console.print(_table(numbers))
     for note in numbers["notes"]:
-        console.print(f"  [yellow]•[/yellow] {note}", highlight=False)
+        console.print(f"  [yellow]•[/yellow] {note}", highlight=False, soft_wrap=True)
     for file in drawn:
-        console.print(f"  wrote {file}", highlight=False)
+        console.print(f"  wrote {file}", highlight=False, soft_wrap=True)
 
 
 def _truncated(body: Any, modes: int) -> dict[str, Any]:
