@@ -2,7 +2,12 @@
 
 import numpy as np
 
-BOX = np.array([[int(corner) for corner in face] for face in "013 032 467 475 045 051 237 276 026 064 157 173".split()])
+BOX = np.array(
+    [
+        [int(corner) for corner in face]
+        for face in ["013", "032", "467", "475", "045", "051", "237", "276", "026", "064", "157", "173"]
+    ]
+)
 
 
 def box(size=(1.0, 1.0, 1.0), at=(0.0, 0.0, 0.0)):

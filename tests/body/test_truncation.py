@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy.linalg import eigh
-from tests.body.shapes import block, sphere
+from tests.body.shapes import block, box, sphere
 
 from cotouch.body import Body, body_from_surface, body_from_tetrahedra, chain, lattice, lowest_modes
 from cotouch.body import _statics as statics
@@ -106,6 +106,45 @@ class TestTruncation:
             assert values.min() > -1e-9 * np.abs(exact).max()
             assert values.max() < last
             last = values.max()
+
+    @pytest.mark.parametrize("make", [held, beam])
+    def test_missing_compliance_makes_up_for_it_anywhere_on_the_skin(self, make: Any):
+        body = make()
+        made = body.truncated(modes=9, contacts=[44])
+        assert made.skin is not None
+        vertices = [0, 5, int(np.flatnonzero(made.skin.nodes[:, 0] == 44)[0])]
+        nodes = made.skin.nodes[vertices, 0].tolist()
+        rows = (np.array(nodes)[:, None] * 3 + np.arange(3)).ravel()
+        missing = made.missing_compliance(vertices)
+        exact = dense_compliance(body, nodes)
+        found = made.truncation.compliance(np.eye(body.mass.shape[0])[rows]) + missing
+        assert np.allclose(found, exact, rtol=1e-8, atol=1e-9 * np.abs(exact).max())
+        assert np.linalg.eigvalsh(missing).min() > -1e-9 * np.abs(exact).max()
+        assert np.abs(missing[6:, 6:]).max() < 1e-9 * np.abs(exact).max()  # the contact lacks nothing
+        assert np.diag(missing)[:6].min() > 0.01 * np.diag(exact)[:6].min()
+
+    def test_missing_compliance_of_a_lattice_is_the_same_along_every_axis(self):
+        body = body_from_surface(box(), unit="m", resolution=3, ground="z-", ground_stiffness=1e3)
+        made = body.truncated(modes=4)
+        wide = Body(
+            mass=made.as_full().mass,
+            rest=made.rest,
+            stiffness_int=made.as_full().stiffness_int,
+            stiffness_ext=made.as_full().stiffness_ext,
+            skin=made.skin,
+            truncation=made.as_full().truncation,
+        )
+        assert np.allclose(
+            wide.missing_compliance([1, 7]), np.kron(made.missing_compliance([1, 7]), np.eye(3)), atol=1e-12
+        )
+
+    def test_missing_compliance_needs_both(self):
+        with pytest.raises(BodyError, match="the body has no truncation; it needs both"):
+            beam().missing_compliance([0])
+        with pytest.raises(BodyError, match="the body has no skin; it needs both"):
+            chain(4, dimension=3).truncated(modes=2).missing_compliance([0])
+        with pytest.raises(BodyError, match="vertices names 999; the skin has vertices 0 to"):
+            beam().truncated(modes=6).missing_compliance([999])
 
     def test_all_modes_leave_nothing_over(self):
         body = beam()

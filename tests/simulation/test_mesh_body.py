@@ -201,3 +201,20 @@ def test_hands(folder: Path, hand: dict[str, Any], message: str):
 def test_a_unit_is_asked_for():
     with pytest.raises(BodyError, match=r"the unit of a\.stl is not given"):
         FileTable.make(source="x", file="a.stl").build()
+
+
+def test_the_example_runs(tmp_path: Path):
+    """Three users hold a liver: read, truncated, simulated, with balanced books."""
+    from examples.make_shapes import main
+
+    main(tmp_path / "shapes")
+    text = (Path(__file__).parents[2] / "examples" / "liver.toml").read_text(encoding="utf-8")
+    (tmp_path / "liver.toml").write_text(text, encoding="utf-8")
+    scenario = Scenario.read(tmp_path / "liver.toml").replace(steps__duration=0.3)
+    run = simulate(scenario)
+    assert run.attrs["energy_residual"] < 1e-10
+    assert run.attrs["passivity_margin"] > -1e-10
+    body = scenario.build_body()
+    assert body.truncation is not None
+    assert (body.truncation.modes, body.truncation.shapes.shape[1]) == (40, 46)
+    assert body.truncation.error < 1e-9 < 0.3 < body.truncation.error_without

@@ -12,6 +12,7 @@ import scipy.sparse as sp
 from cotouch.body._checks import Form, Matrix, SumOfSquares, diagonal, plausible, positive, square
 from cotouch.body._origin import Origin
 from cotouch.body._skin import Skin
+from cotouch.body._statics import factorise
 from cotouch.body._truncation import Truncation, truncate
 from cotouch.errors import BodyError
 
@@ -186,6 +187,43 @@ class Body:
             origin=self.origin,
             truncation=truncate(self.mass, self.damping, self.stiffness, self.rest, modes=modes, contacts=contacts),
         )
+
+    def missing_compliance(self, vertices: Sequence[int]) -> Float:
+        """What a truncated body lacks in static compliance among vertices of its skin [m/N].
+
+        In the whole body a static force f at these vertices moves them by `missing @ f` more than in the truncated one.
+        A contact that puts this compliance in series with its own spring feels the right stiffness anywhere on the
+        skin, not only at the contacts that the truncation kept.
+
+        Args:
+            vertices: indices of skin vertices.
+
+        Returns:
+            Symmetric and positive semidefinite, up to rounding: (3m, 3m) in the full form, ordered vertex by vertex;
+            (m, m), the same along every axis, in the node form.
+
+        Raises:
+            BodyError: the body is not truncated, has no skin, or not such a vertex.
+        """
+        if self.truncation is None or self.skin is None:
+            raise BodyError(f"the body has no {'skin' if self.skin is None else 'truncation'}; it needs both")
+        chosen = np.asarray(vertices, dtype=np.intp).reshape(-1)
+        count = self.skin.vertices.shape[0]
+        if chosen.size and not (chosen.min() >= 0 and chosen.max() < count):
+            wrong = int(chosen.min() if chosen.min() < 0 else chosen.max())
+            raise BodyError(f"vertices names {wrong}; the skin has vertices 0 to {count - 1}")
+        readings = self.skin.interpolation(self.nodes)[chosen]
+        if self.form == "full":
+            readings = sp.csr_array(sp.kron(readings, sp.eye_array(self.dimension)))
+        loads = np.ascontiguousarray(readings.toarray().T)
+        free = bool(np.any(self.truncation.stiffness == 0.0))
+        statics = factorise(self.mass, self.stiffness, self.rest, free=free)
+        # The modes proper are taken out of the load; the residual shapes, which are no modes, out of its answer.
+        kept, modes = self.truncation, self.truncation.modes
+        missing = np.asarray(readings @ statics.residual(loads, kept.shapes[:, :modes]))
+        residual = np.asarray(readings @ kept.shapes[:, modes:])
+        missing -= (residual / kept.stiffness[modes:]) @ residual.T
+        return 0.5 * (missing + missing.T)
 
     def apply(self, matrix: sp.csr_array, field_: npt.ArrayLike) -> Float:
         """`matrix @ field` for one of the body's own matrices and a field of shape (..., n, d)."""
