@@ -365,6 +365,24 @@ class TestRefused:
             build(source, unit="m")
 
 
+@given(st.integers(0, 100_000), st.integers(3, 12), st.integers(1, 30), st.sampled_from([1.0, 1e-9, 1e9]))
+def test_any_soup_is_a_body_or_refused(seed: int, points: int, faces: int, scale: float):
+    """Random triangles, mostly nonsense: a sound body comes out, or one sentence."""
+    rng = np.random.default_rng(seed)
+    places = scale * rng.integers(0, 4, size=(points, 3)).astype(float)
+    soup = rng.integers(0, points, size=(faces, 3))
+    try:
+        body = body_from_surface((places, soup), unit="m", resolution=4)
+    except BodyError as error:
+        assert "\n" not in str(error)  # noqa: PT017
+        return
+    assert body.origin is not None
+    assert body.mass.sum() == pytest.approx(1000.0 * body.origin.volume)
+    assert body.origin.volume > 0.0
+    assert body.skin is not None
+    assert np.allclose(body.skin.carried(body.rest), body.skin.vertices, rtol=1e-9, atol=1e-9 * scale)
+
+
 def test_resolution_and_limits():
     for resolution in (0, -1, 2.5):
         with pytest.raises(BodyError, match=f"resolution is {resolution}; it must be a whole number of at least 1"):

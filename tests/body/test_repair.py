@@ -79,6 +79,13 @@ def test_points_of_their_own_for_every_triangle_are_merged():
     assert is_closed(shells)
 
 
+def test_a_crowd_in_one_place_is_one_point():
+    points, faces = sphere(4)
+    shells = mended(*joined(box(), (1e-8 * points, faces)))
+    assert shells.vertices.shape == (8, 3)
+    assert shells.notes == (f"{len(faces)} degenerate triangles left out.",)
+
+
 def test_degenerate_and_repeated_triangles_go():
     points, faces = SPHERE
     extra = np.concatenate([faces, [[0, 0, 1], [3, 4, 4], [5, 5, 5]], faces[:2], faces[2:3, ::-1]])

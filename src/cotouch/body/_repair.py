@@ -130,7 +130,10 @@ def _merged(vertices: Float, triangles: Ints, size: float) -> tuple[Float, Ints]
     """One point where several are in the same place (STL gives every triangle its own)."""
     from scipy.spatial import cKDTree
 
-    distinct, places = np.unique(vertices, axis=0, return_inverse=True)
+    # Those that share a small cell first: what is left has few neighbours each, however crowded the file is.
+    cells = np.floor((vertices - vertices.min(axis=0)) / (0.5 * _SAME * size)).astype(np.int64)
+    _, kept, places = np.unique(cells, axis=0, return_index=True, return_inverse=True)
+    distinct = vertices[kept]
     pairs = np.asarray(cKDTree(distinct).query_pairs(_SAME * size, output_type="ndarray"))
     count = distinct.shape[0]
     graph = sp.csr_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(count, count))
