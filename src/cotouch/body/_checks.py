@@ -26,7 +26,7 @@ class SumOfSquares:
     """A matrix that its builder knows to be positive semidefinite, because it is a sum of such: one for each element.
 
     Only conditions that cost one pass are then tested. Factorising the stiffness of 20,000 nodes in three dimensions,
-    which is what proves it for a matrix of unknown descent, takes a minute and gigabytes.
+    which is what proves it for a matrix of unknown descent, takes two minutes and six gigabytes.
     """
 
     matrix: sp.csr_array
