@@ -74,8 +74,8 @@ class Statics:
 def factorise(mass: sp.csr_array, stiffness: sp.csr_array, rest: Float, *, free: bool = True) -> Statics:
     """Factorises `K + shift M`, with the rows ordered by nested dissection of the nodes' places [George 1973].
 
-    For a solid of 20,000 nodes this needs a third of the fill and an eighth of the time of minimum degree. Where nothing
-    is free the shift may be left out.
+    For a solid of 20,000 nodes this needs a third of the fill and an eighth of the time of minimum degree. Where
+    nothing is free the shift may be left out.
     """
     from scipy.sparse.linalg import splu
 
