@@ -15,7 +15,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from cotouch.body import Body, chain, lattice, point
+    from cotouch.body import Body, body_from_surface, body_from_tetrahedra, chain, lattice, point
     from cotouch.errors import BodyError, CotouchError, InputError, NetworkError, ScenarioError, UnsupportedError
     from cotouch.network import Certificate, Network, certify
     from cotouch.peer import Peer
@@ -35,6 +35,8 @@ _HOME = {
     "Scenario": "cotouch.simulation",
     "ScenarioError": "cotouch.errors",
     "UnsupportedError": "cotouch.errors",
+    "body_from_surface": "cotouch.body",
+    "body_from_tetrahedra": "cotouch.body",
     "certify": "cotouch.network",
     "chain": "cotouch.body",
     "lattice": "cotouch.body",
@@ -58,6 +60,8 @@ __all__ = [
     "ScenarioError",
     "UnsupportedError",
     "__version__",
+    "body_from_surface",
+    "body_from_tetrahedra",
     "certify",
     "chain",
     "lattice",

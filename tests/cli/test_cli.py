@@ -41,9 +41,9 @@ def small(tmp_path: Path) -> Path:
 def test_help_names_every_command_and_loads_nothing_heavy() -> None:
     done = cotouch("--help")
     assert done.returncode == 0
-    for command in ("simulate", "certify", "reproduce"):
+    for command in ("simulate", "certify", "body", "reproduce"):
         assert command in done.stdout
-    heavy = "('numba', 'numpy', 'xarray', 'pydantic', 'rich')"
+    heavy = "('numba', 'numpy', 'xarray', 'pydantic', 'rich', 'trimesh', 'meshio', 'skfem')"
     code = f"import sys, cotouch.cli; print([name for name in {heavy} if name in sys.modules])"
     loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert loaded.stdout.strip() == "[]"
@@ -119,3 +119,92 @@ def test_a_bad_scenario_is_one_sentence(small: Path) -> None:
     assert done.returncode == 2
     assert done.stderr.count("\n") == 1
     assert "steps2" in done.stderr
+
+
+@pytest.fixture(scope="module")
+def shapes(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The example shapes, as the script makes them."""
+    folder = tmp_path_factory.mktemp("shapes")
+    script = Path(__file__).parents[2] / "examples" / "make_shapes.py"
+    subprocess.run([sys.executable, str(script), str(folder)], check=True, capture_output=True, timeout=120)
+    return folder
+
+
+def test_body_says_what_it_understood(shapes: Path, tmp_path: Path) -> None:
+    done = cotouch("body", shapes / "gear.stl", "--unit", "mm", "--ground", "z-", "--figures", tmp_path / "new")
+    assert done.returncode == 0, done.stderr
+    for word in ("gear.stl", "0.07678 × 0.07678 × 0.012 m", "0.03951 kg", "ground at", "Hz", "body.png"):
+        assert word in done.stdout
+    assert [path.name for path in (tmp_path / "new").iterdir()] == ["body.png"]
+    assert (tmp_path / "new" / "body.png").read_bytes()[:4] == b"\x89PNG"
+
+
+def test_body_in_numbers(shapes: Path) -> None:
+    options = ["--unit", "m", "--ground", "set:clamp", "--ground-stiffness", "1e6", "--young", "1e6", "--modes", "10"]
+    done = cotouch("body", shapes / "beam.vtu", *options, "--json")
+    assert done.returncode == 0, done.stderr
+    numbers = json.loads(done.stdout)
+    assert (numbers["nodes"], numbers["elements"], numbers["held_nodes"]) == (425, 1536, 25)
+    assert numbers["mass_kg"] == pytest.approx(0.32)
+    assert numbers["free_rigid_motions"] == 0
+    assert numbers["notes"] == []
+    # Euler and Bernoulli's cantilever: 5.22 Hz; linear tetrahedra are too stiff, shear makes it softer.
+    assert numbers["frequencies_hz"][0] == pytest.approx(5.22, rel=0.15)
+    assert len(numbers["frequencies_hz"]) == 6
+    assert (
+        numbers["truncation"]["compliance_error"]
+        < 1e-9
+        < 0.1
+        < numbers["truncation"]["compliance_error_without_residual"]
+    )
+
+
+def test_body_says_what_was_repaired(shapes: Path, tmp_path: Path) -> None:
+    """Nine of ten triangles of a face, half of them turned round: mended, and said."""
+    content = bytearray((shapes / "kidney.stl").read_bytes())
+    count = int.from_bytes(content[80:84], "little")
+    for k in range(0, count, 3):
+        at = 84 + 50 * k + 12
+        content[at : at + 24] = content[at + 12 : at + 24] + content[at : at + 12]
+    content[80:84] = (count - 1).to_bytes(4, "little")
+    (tmp_path / "bad.stl").write_bytes(content[:-50])
+    done = cotouch("body", tmp_path / "bad.stl", "--unit", "mm", "--json")
+    assert done.returncode == 0, done.stderr
+    notes = json.loads(done.stdout)["notes"]
+    assert notes[0].startswith("1 hole filled")
+    assert "turned round" in notes[1]
+    assert "Held by nothing" in notes[2]
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (["liver.stl"], "the unit of "),
+        (["liver.stl", "--unit", "km"], "unit is 'km'"),
+        (["liver.stl", "--unit", "mm", "--young", "0"], "young is 0.0"),
+        (["liver.stl", "--unit", "mm", "--most", "1000"], "triangles but the limit is 1000"),
+        (["beam.vtu", "--unit", "m", "--most", "1000"], "has 1536 elements but the limit is 1000"),
+        (["beam.vtu", "--unit", "m", "--resolution", "9"], "resolution is for surfaces"),
+        (["beam.vtu", "--unit", "m", "--ground", "set:foot"], 'the sets of this mesh are: "clamp"'),
+        (["beam.vtu", "--unit", "m", "--ground", "plane:1,2"], '--ground is "plane:1,2"; it must be none, all'),
+        (["beam.vtu", "--unit", "m", "--ground", "box:9,9,9/10,10,10"], "the ground's box holds no node"),
+        (["beam.vtu", "--unit", "m", "--ground", "plane:9,0,0/1,0,0/0.1"], "the plane holds no node"),
+        (["nothing.stl", "--unit", "m"], "cannot be read: No such file"),
+        (["text.stl", "--unit", "m"], "cannot be read as STL: there is no mesh in it"),
+        (["text.vtk", "--unit", "m"], "cannot be read as VTK: "),
+        (["text.docx", "--unit", "m"], "it must end in .stl"),
+    ],
+)
+def test_body_refuses_with_one_sentence_and_leaves_nothing(
+    shapes: Path, tmp_path: Path, options: list[str], message: str
+) -> None:
+    for suffix in ("stl", "vtk", "docx"):
+        (tmp_path / f"text.{suffix}").write_text("no mesh\n")
+    name, *rest = options
+    path = tmp_path / name if name.startswith(("text", "nothing")) else shapes / name
+    done = cotouch("body", path, *rest, "--figures", tmp_path / "figures")
+    assert done.returncode == 2
+    assert done.stdout == ""
+    assert done.stderr.count("\n") == 1
+    assert message in done.stderr
+    assert not (tmp_path / "figures").exists()

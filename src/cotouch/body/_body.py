@@ -1,5 +1,6 @@
 """The shared object: masses, dampers and springs between its nodes and to the ground, and its shape at rest."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import final
@@ -8,7 +9,11 @@ import numpy as np
 import numpy.typing as npt
 import scipy.sparse as sp
 
-from cotouch.body._checks import Form, Matrix, diagonal, positive, square
+from cotouch.body._checks import Form, Matrix, SumOfSquares, diagonal, plausible, positive, square
+from cotouch.body._origin import Origin
+from cotouch.body._skin import Skin
+from cotouch.body._statics import factorise
+from cotouch.body._truncation import Truncation, truncate
 from cotouch.errors import BodyError
 
 Float = npt.NDArray[np.float64]
@@ -29,10 +34,13 @@ class Body:
         damping_ext: dampers to the ground, diagonal, >= 0 [Ns/m]. None: none.
         stiffness_int: springs between nodes, symmetric positive semidefinite [N/m]. None: none.
         stiffness_ext: springs to the ground, diagonal, >= 0 [N/m]. None: none.
+        skin: a surface that the nodes carry, in three dimensions. None: contact happens at nodes.
+        origin: what a builder read and understood.
+        truncation: shapes that the motion is confined to; see `truncated`.
 
     Raises:
         BodyError: a matrix is not finite, symmetric, definite or of the right size; a node has no mass; the rest shape
-            is not (n, d) with d from 1 to 3.
+            is not (n, d) with d from 1 to 3; the skin hangs on nodes that there are not.
 
     Examples:
         >>> body = Body(mass=[[2.0, 0.0], [0.0, 2.0]], rest=[0.0, 1.0], stiffness_int=[[5.0, -5.0], [-5.0, 5.0]])
@@ -46,6 +54,9 @@ class Body:
     damping_ext: sp.csr_array
     stiffness_int: sp.csr_array
     stiffness_ext: sp.csr_array
+    skin: Skin | None
+    origin: Origin | None
+    truncation: Truncation | None
     form: Form = field(init=False)
 
     def __init__(
@@ -53,22 +64,30 @@ class Body:
         *,
         mass: Matrix,
         rest: npt.ArrayLike,
-        damping_int: Matrix | None = None,
+        damping_int: Matrix | SumOfSquares | None = None,
         damping_ext: Matrix | None = None,
-        stiffness_int: Matrix | None = None,
+        stiffness_int: Matrix | SumOfSquares | None = None,
         stiffness_ext: Matrix | None = None,
+        skin: Skin | None = None,
+        origin: Origin | None = None,
+        truncation: Truncation | None = None,
     ) -> None:
         shape = _rest_shape(rest)
         nodes, dimension = shape.shape
         sizes: dict[int, Form] = {nodes * dimension: "full", nodes: "node"}
-        given = {
+        given: dict[str, Matrix | SumOfSquares | None] = {
             "mass": mass,
             "damping_int": damping_int,
             "damping_ext": damping_ext,
             "stiffness_int": stiffness_int,
             "stiffness_ext": stiffness_ext,
         }
-        matrices = {name: square(name, matrix, sizes=sizes) for name, matrix in given.items() if matrix is not None}
+        known = {name for name, matrix in given.items() if isinstance(matrix, SumOfSquares)}
+        matrices = {
+            name: square(name, matrix.matrix if isinstance(matrix, SumOfSquares) else matrix, sizes=sizes)
+            for name, matrix in given.items()
+            if matrix is not None
+        }
         full = any(matrix.shape[0] != nodes for matrix in matrices.values())
         rows = nodes * dimension if full else nodes
         if full:
@@ -78,7 +97,9 @@ class Body:
                     matrices[name] = sp.csr_array(sp.kron(matrix, identity))
         _check_mass(matrices["mass"], dimension if full else 1)
         for name in ("damping_int", "stiffness_int"):
-            if name in matrices:
+            if name in known:
+                plausible(name, matrices[name])
+            elif name in matrices:
                 positive(name, matrices[name], strictly=False)
         for name in ("damping_ext", "stiffness_ext"):
             if name in matrices:
@@ -87,6 +108,13 @@ class Body:
             object.__setattr__(self, name, matrices.get(name, sp.csr_array((rows, rows), dtype=np.float64)))
         object.__setattr__(self, "rest", shape)
         object.__setattr__(self, "form", "full" if full else "node")
+        if skin is not None:
+            if dimension != 3:
+                raise BodyError(f"the body has {dimension} axes; a skin needs 3")
+            skin.check(nodes)
+        object.__setattr__(self, "skin", skin)
+        object.__setattr__(self, "origin", origin)
+        object.__setattr__(self, "truncation", truncation)
 
     @property
     def nodes(self) -> int:
@@ -113,14 +141,89 @@ class Body:
         if self.form == "full":
             return self
         identity = sp.eye_array(self.dimension)
+
+        def wide(matrix: sp.csr_array) -> sp.csr_array:
+            return sp.csr_array(sp.kron(matrix, identity))
+
         return Body(
-            mass=sp.csr_array(sp.kron(self.mass, identity)),
+            mass=wide(self.mass),
             rest=self.rest,
-            damping_int=sp.csr_array(sp.kron(self.damping_int, identity)),
-            damping_ext=sp.csr_array(sp.kron(self.damping_ext, identity)),
-            stiffness_int=sp.csr_array(sp.kron(self.stiffness_int, identity)),
-            stiffness_ext=sp.csr_array(sp.kron(self.stiffness_ext, identity)),
+            damping_int=SumOfSquares(wide(self.damping_int)),  # checked in the node form
+            damping_ext=wide(self.damping_ext),
+            stiffness_int=SumOfSquares(wide(self.stiffness_int)),
+            stiffness_ext=wide(self.stiffness_ext),
+            skin=self.skin,
+            origin=self.origin,
+            truncation=None if self.truncation is None else self.truncation.as_full(self.dimension),
         )
+
+    def truncated(self, *, modes: int, contacts: Sequence[int] = ()) -> "Body":
+        """The same body, confined to its lowest modes and to how it yields where it is touched.
+
+        The modes alone make a body too stiff under a fingertip, because a force at one point bends mostly what the
+        modes left out. For every contact node its static residual is kept as a shape of its own, which makes the body's
+        static compliance among the contacts exact [MacNeal 1971; Rubin 1975].
+
+        The result has the same nodes and matrices; a simulator works in the shapes, `body.truncation`, where mass,
+        stiffness and Rayleigh damping are diagonal. A link between two copies then pulls with the weight `M / m̄`
+        instead of the identity (m̄: mean mass of a node), the one that is diagonal there too.
+
+        Args:
+            modes: r, how many of the lowest modes, rigid motions included.
+            contacts: indices of nodes whose local compliance stays exact.
+
+        Raises:
+            BodyError: fewer modes than the body's free motions or more than it has; a contact it does not have.
+            UnsupportedError: damping that the modes do not make diagonal.
+        """
+        return Body(
+            mass=self.mass,
+            rest=self.rest,
+            damping_int=SumOfSquares(self.damping_int),
+            damping_ext=self.damping_ext,
+            stiffness_int=SumOfSquares(self.stiffness_int),
+            stiffness_ext=self.stiffness_ext,
+            skin=self.skin,
+            origin=self.origin,
+            truncation=truncate(self.mass, self.damping, self.stiffness, self.rest, modes=modes, contacts=contacts),
+        )
+
+    def missing_compliance(self, vertices: Sequence[int]) -> Float:
+        """What a truncated body lacks in static compliance among vertices of its skin [m/N].
+
+        In the whole body a static force f at these vertices moves them by `missing @ f` more than in the truncated one.
+        A contact that puts this compliance in series with its own spring feels the right stiffness anywhere on the
+        skin, not only at the contacts that the truncation kept.
+
+        Args:
+            vertices: indices of skin vertices.
+
+        Returns:
+            Symmetric and positive semidefinite, up to rounding: (3m, 3m) in the full form, ordered vertex by vertex;
+            (m, m), the same along every axis, in the node form.
+
+        Raises:
+            BodyError: the body is not truncated, has no skin, or not such a vertex.
+        """
+        if self.truncation is None or self.skin is None:
+            raise BodyError(f"the body has no {'skin' if self.skin is None else 'truncation'}; it needs both")
+        chosen = np.asarray(vertices, dtype=np.intp).reshape(-1)
+        count = self.skin.vertices.shape[0]
+        if chosen.size and not (chosen.min() >= 0 and chosen.max() < count):
+            wrong = int(chosen.min() if chosen.min() < 0 else chosen.max())
+            raise BodyError(f"vertices names {wrong}; the skin has vertices 0 to {count - 1}")
+        readings = self.skin.interpolation(self.nodes)[chosen]
+        if self.form == "full":
+            readings = sp.csr_array(sp.kron(readings, sp.eye_array(self.dimension)))
+        loads = np.ascontiguousarray(readings.toarray().T)
+        free = bool(np.any(self.truncation.stiffness == 0.0))
+        statics = factorise(self.mass, self.stiffness, self.rest, free=free)
+        # The modes proper are taken out of the load; the residual shapes, which are no modes, out of its answer.
+        kept, modes = self.truncation, self.truncation.modes
+        missing = np.asarray(readings @ statics.residual(loads, kept.shapes[:, :modes]))
+        residual = np.asarray(readings @ kept.shapes[:, modes:])
+        missing -= (residual / kept.stiffness[modes:]) @ residual.T
+        return 0.5 * (missing + missing.T)
 
     def apply(self, matrix: sp.csr_array, field_: npt.ArrayLike) -> Float:
         """`matrix @ field` for one of the body's own matrices and a field of shape (..., n, d)."""

@@ -1,6 +1,7 @@
 """What a matrix of a body must be, checked once, with an error that says which entry or eigenvalue is wrong."""
 
-from typing import Any, Literal, TypeAlias
+from dataclasses import dataclass
+from typing import Any, Literal, TypeAlias, final
 
 import numpy as np
 import numpy.typing as npt
@@ -19,6 +20,18 @@ _DENSE_ROWS = 800
 _SMALL_ROWS = 64
 
 Form = Literal["node", "full"]
+
+
+@final
+@dataclass(frozen=True, eq=False)
+class SumOfSquares:
+    """A matrix that its builder knows to be positive semidefinite, because it is a sum of such: one for each element.
+
+    Only conditions that cost one pass are then tested. Factorising the stiffness of 20,000 nodes in three dimensions,
+    which is what proves it for a matrix of unknown descent, takes two minutes and six gigabytes.
+    """
+
+    matrix: sp.csr_array
 
 
 def square(name: str, matrix: Matrix, *, sizes: dict[int, Form]) -> sp.csr_array:
@@ -110,6 +123,26 @@ def diagonal(name: str, matrix: sp.csr_array) -> None:
     if low.size:
         at = low[0]
         raise BodyError(f"{name}[{coo.row[at]}, {coo.row[at]}] is {coo.data[at]:.9g}; it must be 0 or more")
+
+
+def plausible(name: str, matrix: sp.csr_array) -> None:
+    """Refuses a symmetric matrix that cannot be positive semidefinite, from its 1 x 1 and 2 x 2 minors.
+
+    Raises:
+        BodyError: a minor is negative.
+    """
+    own = matrix.diagonal()
+    coo = matrix.tocoo()
+    slack = _ROUND_OFF * float(np.abs(own).max(initial=0.0))
+    bad = np.flatnonzero(
+        (own < -slack)[coo.row] | (coo.data**2 > (np.abs(own[coo.row]) + slack) * (np.abs(own[coo.col]) + slack))
+    )
+    if bad.size:
+        i, j = int(coo.row[bad[0]]), int(coo.col[bad[0]])
+        raise BodyError(
+            f"{name}[{i}, {j}] is {coo.data[bad[0]]:.6g} between diagonal entries {own[i]:.6g} and {own[j]:.6g}; "
+            f"{name} must be positive semidefinite (no eigenvalue < 0)"
+        )
 
 
 def positive(name: str, matrix: sp.csr_array, *, strictly: bool) -> None:

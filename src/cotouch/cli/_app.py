@@ -74,6 +74,67 @@ def certify(
 
 
 @app.command()
+def body(
+    file: Annotated[
+        Path, typer.Argument(help="A mesh: STL, OBJ, PLY, OFF, GLB, VTK, VTU, .msh or .mesh.", show_default=False)
+    ],
+    unit: Annotated[
+        str | None, typer.Option(help="Of the file: m, mm, cm or in; only GLB says it itself.", show_default=False)
+    ] = None,
+    resolution: Annotated[
+        int | None,
+        typer.Option(help="Surfaces: cells along the longest side (default 12).", show_default=False),
+    ] = None,
+    model: Annotated[
+        str | None,
+        typer.Option(help="springs (default of surfaces) or elastic (default of tetrahedra).", show_default=False),
+    ] = None,
+    young: Annotated[float, typer.Option(help="Young's modulus [Pa].")] = 1e4,
+    poisson: Annotated[float, typer.Option(help="Poisson's ratio.")] = 0.3,
+    density: Annotated[float, typer.Option(help="[kg/m³].")] = 1000.0,
+    ground: Annotated[
+        str,
+        typer.Option(
+            help="What is held: none, all, a face such as z-, set:NAME, plane:X,Y,Z/NX,NY,NZ[/THICKNESS] or "
+            "box:X,Y,Z/X,Y,Z, in metres."
+        ),
+    ] = "none",
+    ground_stiffness: Annotated[float, typer.Option(help="Of each held node [N/m].")] = 1e3,
+    part: Annotated[
+        int | None, typer.Option(help="Which of several parts; the biggest is 1.", show_default=False)
+    ] = None,
+    modes: Annotated[
+        int | None,
+        typer.Option(help="Also say how good so many modes would be at a contact.", show_default=False),
+    ] = None,
+    most: Annotated[
+        int | None, typer.Option(help="Refuse files with more triangles or tetrahedra.", show_default=False)
+    ] = None,
+    figures: Annotated[Path | None, typer.Option(help="Draw a figure into this folder.", show_default=False)] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Make a body of a mesh and say what was understood: repairs, size, mass, first modes, what holds it."""
+    from cotouch.cli._body import run
+
+    run(
+        file,
+        figures=figures,
+        as_json=as_json,
+        unit=unit,
+        resolution=resolution,
+        model=model,
+        young=young,
+        poisson=poisson,
+        density=density,
+        ground=ground,
+        ground_stiffness=ground_stiffness,
+        part=part,
+        modes=modes,
+        most=most,
+    )
+
+
+@app.command()
 def reproduce(
     out: Annotated[Path, typer.Option(help="Folder for the report.")] = Path("out"),
     as_json: AsJson = False,

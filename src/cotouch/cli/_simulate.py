@@ -36,6 +36,10 @@ def run(path: Path, *, out: Path | None, figures: Path | None, as_json: bool) ->
     from rich.console import Console
 
     console = Console()
+    origin = scenario.build_body().origin
+    if origin is not None:
+        for note in origin.notes:
+            console.print(f"  [yellow]•[/yellow] {Path(origin.source).name}: {note}", highlight=False, soft_wrap=True)
     console.print(_users(scenario.network.users, figures_of_run))
     console.print(_books(figures_of_run))
     for file in ([out] if out else []) + drawn:

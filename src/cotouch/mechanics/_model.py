@@ -10,7 +10,7 @@ import scipy.linalg as la
 import scipy.sparse as sp
 from scipy.sparse import csgraph
 
-from cotouch.body import Body, Matrix
+from cotouch.body import Body, Matrix, Truncation
 from cotouch.errors import BodyError, UnsupportedError
 from cotouch.mechanics._operator import MASS, STIFFNESS, WEIGHTS, Operator, mixed
 from cotouch.mechanics._vector import WIDTHS
@@ -38,8 +38,9 @@ class Model:
     Attributes:
         body: the body.
         operator: its matrices for the kernels.
-        modes: columns are the modes in the body's own rows, (rows, rows); None in the nodal basis.
-        inverse: the inverse of `modes`; None in the nodal basis.
+        modes: columns are the modes in the body's own rows, (body rows, rows); None in the nodal basis. A truncated
+            body has fewer columns than rows.
+        inverse: the inverse of `modes`, or `modesᵀ M`, which projects on them; None in the nodal basis.
         order: row k of the kernels is row `order[k]` of the body; None where they are in the same order.
     """
 
@@ -57,7 +58,7 @@ class Model:
     @property
     def full(self) -> bool:
         """Whether each axis of a node has a row of its own."""
-        return self.operator_rows != self.body.nodes or (self.body.form == "full")
+        return self.body.form == "full"
 
     @property
     def operator_rows(self) -> int:
@@ -75,7 +76,10 @@ class Model:
         return (0,) * self.width
 
     def to_rows(self, field: npt.ArrayLike) -> Float:
-        """A displacement, velocity or force-free field (n, d) in the kernels' rows, (rows, width)."""
+        """A displacement or velocity field (n, d) in the kernels' rows, (rows, width).
+
+        Of what a truncated body's shapes cannot take, the part orthogonal to them in M is dropped.
+        """
         values = np.asarray(field, dtype=np.float64).reshape(self.body.nodes, self.body.dimension)
         rows = values.reshape(-1, 1) if self.full else values
         if self.inverse is not None:
@@ -117,14 +121,23 @@ def model(body: Body, *, copies: int = 1, weights: Sequence[Matrix] = (), basis:
         weights: link weights W_1, W_2, ... besides the identity W_0: n x n, nd x nd, or (for anisotropic springs that
             are the same at every node) d x d.
         basis: "nodal" solves by iteration; "modal" needs M, B, K and all weights to be diagonal in one
-            basis, where the solve is a division; "auto" takes the modal one where it exists and pays.
+            basis, where the solve is a division; "auto" takes the modal one where it exists and pays. A truncated body
+            is always in its shapes.
 
     Raises:
         BodyError: a weight does not fit the body.
-        UnsupportedError: basis "modal" where the matrices do not commute.
+        UnsupportedError: basis "modal" where the matrices do not commute; a truncated body with basis "nodal" or with
+            link weights of its own.
     """
     if copies < 1:
         raise BodyError(f"copies is {copies}; there must be at least 1 user")
+    if body.truncation is not None:
+        if basis == "nodal" or weights:
+            what = 'basis is "nodal"' if basis == "nodal" else "the links have weights of their own"
+            raise UnsupportedError(
+                f"{what}, but the body is truncated to a few shapes; leave that out, or the truncation"
+            )
+        return _truncated(body, body.truncation, copies)
     fitted = [_fit(body, index, weight) for index, weight in enumerate(weights, start=1)]
     if body.form == "node" and any(full for _, full in fitted):
         body = body.as_full()
@@ -282,5 +295,30 @@ def _modal(body: Body, matrices: list[sp.csr_array], copies: int) -> Model | str
         operator=operator,
         modes=np.ascontiguousarray(modes),
         inverse=np.ascontiguousarray(modes.T @ mass),
+        order=None,
+    )
+
+
+def _truncated(body: Body, truncation: Truncation, copies: int) -> Model:
+    """The model in the shapes of a truncation, where M = I, K and B are diagonal.
+
+    Everything is projected on the shapes, links too, so what is passive stays passive. Weight 0 is `M / m̄` here: the
+    identity where all nodes weigh the same, and diagonal in any case.
+    """
+    shapes = truncation.shapes
+    damping = np.einsum("ij,ij->j", shapes, np.asarray(body.damping @ shapes))
+    mean = float(body.mass.sum()) / body.mass.shape[0]
+    rows = [
+        np.ones(shapes.shape[1]),
+        np.maximum(damping, 0.0),
+        truncation.stiffness,
+        np.full(shapes.shape[1], 1.0 / mean),
+    ]
+    operator = _operator([sp.csr_array(sp.diags_array(row)) for row in rows], copies, 0)
+    return Model(
+        body=body,
+        operator=operator,
+        modes=np.ascontiguousarray(shapes),
+        inverse=np.ascontiguousarray(np.asarray(body.mass @ shapes).T),
         order=None,
     )

@@ -7,8 +7,11 @@ from cotouch.simulation._prepare import Prepared, prepare
 from cotouch.simulation._result import dataset, save, simulate
 from cotouch.simulation._scenario import Scenario
 from cotouch.simulation._schedule import Schedule, schedule
+from cotouch.simulation._tables import FileTable
+from cotouch.simulation._understood import save_body_figure, understood
 
 __all__ = [
+    "FileTable",
     "PeerRun",
     "Prepared",
     "Scenario",
@@ -22,9 +25,11 @@ __all__ = [
     "prepare",
     "run_peers",
     "save",
+    "save_body_figure",
     "save_figures",
     "schedule",
     "settling_time",
     "simulate",
     "summary",
+    "understood",
 ]

@@ -22,7 +22,7 @@ def sentence(error: ValidationError, source: str) -> str:
             text = f"{place} is missing"
         case "union_tag_invalid" | "union_tag_not_found":
             kind = first["input"].get("kind") if isinstance(first["input"], Mapping) else first["input"]
-            text = f'{place}.kind is {kind!r}; it must be "point", "chain", "lattice" or "matrices"'
+            text = f'{place}.kind is {kind!r}; it must be "point", "chain", "lattice", "matrices" or "file"'
         case "value_error":
             text = f"{place}: {message}" if place else message
         case _:
@@ -37,6 +37,8 @@ def _place(parts: tuple[int | str, ...]) -> str:
     for depth, part in enumerate(parts):
         if isinstance(part, int):
             place += f"[{part + 1}]"
+        elif depth == 1 and parts[0] == "body":  # which sort of body it was taken for
+            continue
         elif depth == 0 or part in _OPTIONS or (depth == len(parts) - 1 and not any(mark in part for mark in "[(-")):
             place += f".{part}" if place else part
     for name in ("float", "int", "str", "bool"):

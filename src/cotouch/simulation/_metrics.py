@@ -114,7 +114,7 @@ def discrepancy(run: "xr.Dataset") -> dict[str, float]:
 
 def force_imbalance(run: "xr.Dataset", body: Body, time: float) -> float | None:
     """`|Σ_i f_i - K (x̄ - x_d)|` at a time [N]; 0 at rest [Lee & Huang 2010, eq. 6]; None unless all nodes are kept."""
-    if run.sizes["node"] != body.nodes:
+    if run.sizes["node"] != body.nodes or body.truncation is not None:
         return None
     moment = np.array([time])
     mean = at_times(run, "position", moment)[0].mean(axis=0)

@@ -64,6 +64,7 @@ def prepare(scenario: Scenario) -> Prepared:
         BodyError: the body is wrong, or a link weight does not fit it.
         UnsupportedError: a damping method that cannot do this network or timing.
     """
+    scenario = scenario.placed()
     network = scenario.network
     body = scenario.build_body()
     ready = model(body, copies=network.size, weights=network.weights, basis=scenario.solver.basis)

@@ -8,7 +8,7 @@ from typing import Annotated, Any, final
 
 import numpy as np
 import numpy.typing as npt
-from pydantic import Field, InstanceOf, ValidationError, field_validator
+from pydantic import Field, InstanceOf, PrivateAttr, ValidationError, field_validator
 
 from cotouch.body import Body
 from cotouch.errors import ScenarioError
@@ -17,6 +17,7 @@ from cotouch.simulation._messages import sentence
 from cotouch.simulation._tables import (
     BodySource,
     Channel,
+    FileTable,
     Hand,
     Initial,
     PointTable,
@@ -54,6 +55,7 @@ class Scenario(Table):
     initial: Initial = Initial()
     solver: Solver = Solver()
     record: Recording = Recording()
+    _built: Body | None = PrivateAttr(default=None)
 
     @field_validator("network", mode="before")
     @classmethod
@@ -73,11 +75,11 @@ class Scenario(Table):
         except (OSError, UnicodeDecodeError) as error:
             reason = error.strerror if isinstance(error, OSError) else "it is not UTF-8 text"
             raise ScenarioError(f"the scenario {path} cannot be read: {reason}") from error
-        return cls.from_toml(text, source=str(path))
+        return cls.from_toml(text, source=str(path), folder=Path(path).parent)
 
     @classmethod
-    def from_toml(cls, text: str, *, source: str = "the scenario") -> "Scenario":
-        """Reads a scenario from TOML text; `source` names it in messages."""
+    def from_toml(cls, text: str, *, source: str = "the scenario", folder: Path | None = None) -> "Scenario":
+        """Reads a scenario from TOML text; `source` names it in messages, files it names are relative to `folder`."""
         try:
             table = tomllib.loads(text)
         except tomllib.TOMLDecodeError as error:
@@ -85,6 +87,9 @@ class Scenario(Table):
         if "network" not in table:
             raise ScenarioError(f"{source} has no [network] table; it needs one with users, spring and delay")
         table["network"] = Network.from_table(table["network"], source=source)
+        body = table.get("body")
+        if folder is not None and isinstance(body, dict) and isinstance(body.get("file"), str):
+            table["body"] = {**body, "file": str(folder / body["file"])}
         return cls.make(source=source, **table)
 
     @classmethod
@@ -112,8 +117,43 @@ class Scenario(Table):
         return type(self).make(**tables)
 
     def build_body(self) -> Body:
-        """The shared object."""
-        return self.body if isinstance(self.body, Body) else self.body.build()
+        """The shared object; read and built once."""
+        if self._built is None:
+            body = self.body if isinstance(self.body, Body) else self.body.build()
+            if isinstance(self.body, FileTable) and self.body.modes is not None:
+                held = sorted({self._node(index, body) for index in range(len(self.hands))})
+                body = body.truncated(modes=self.body.modes, contacts=[node - 1 for node in held])
+            self._built = body
+        return self._built
+
+    def placed(self) -> "Scenario":
+        """The same with every hand at a node; what was given as a place has become the nearest one.
+
+        Raises:
+            ScenarioError: a place has not the body's number of axes, or a node is not there.
+            BodyError: the body is wrong.
+        """
+        if all(hand.at is None for hand in self.hands):
+            return self
+        body = self.build_body()
+        hands = [
+            hand.model_copy(update={"node": self._node(index, body), "at": None})
+            for index, hand in enumerate(self.hands)
+        ]
+        result = self.model_copy(update={"hands": hands})
+        result._built = body
+        return result
+
+    def _node(self, index: int, body: Body) -> int:
+        """Number of the node that a hand holds."""
+        hand = self.hands[index]
+        if hand.at is None:
+            if hand.node > body.nodes:
+                raise ScenarioError(f"hands[{index + 1}].node is {hand.node}; the body has nodes 1 to {body.nodes}")
+            return hand.node
+        if len(hand.at) != body.dimension:
+            raise ScenarioError(f"hands[{index + 1}].at is {hand.at}; it must be {body.dimension} coordinates [m]")
+        return 1 + int(np.argmin(np.linalg.norm(body.rest - np.array(hand.at), axis=1)))
 
     def as_json(self) -> str:
         """The whole scenario as JSON, for a result's attributes. A body made in Python is named by its size only."""

@@ -2,12 +2,40 @@
 
 from collections.abc import Mapping
 from itertools import pairwise
+from pathlib import Path
 from typing import Annotated, Any, Literal, Self, final
 
-from pydantic import BaseModel, ConfigDict, Discriminator, Field, FiniteFloat, InstanceOf, Tag, model_validator
+from pydantic import (
+    BaseModel,
+    ConfigDict,
+    Discriminator,
+    Field,
+    FiniteFloat,
+    InstanceOf,
+    Tag,
+    ValidationError,
+    model_validator,
+)
 from pydantic import NonNegativeFloat as _NonNegativeFloat
 
-from cotouch.body import Body, chain, lattice, point
+from cotouch.body import (
+    MOST_ELEMENTS,
+    MOST_NODES,
+    MOST_TRIANGLES,
+    SURFACES,
+    VOLUMES,
+    Body,
+    Box,
+    Held,
+    NodeSet,
+    Plane,
+    body_from_surface,
+    body_from_tetrahedra,
+    chain,
+    lattice,
+    point,
+)
+from cotouch.errors import ScenarioError
 
 Positive = Annotated[float, Field(gt=0.0, allow_inf_nan=False)]
 NonNegative = Annotated[_NonNegativeFloat, Field(allow_inf_nan=False)]
@@ -95,11 +123,168 @@ class MatrixTable(Table):
         return Body(**self.model_dump(exclude={"kind"}))
 
 
+Place = Annotated[list[FiniteFloat], Field(min_length=3, max_length=3)]
+
+
+@final
+class PlaneTable(Table):
+    """The nodes within `thickness` [m] of the plane through `point` [m] across `normal`."""
+
+    point: Place
+    normal: Place
+    thickness: NonNegative | None = None
+
+
+@final
+class BoxTable(Table):
+    """The nodes in a box along the axes, from `low` to `high` [m]."""
+
+    low: Place
+    high: Place
+
+
+@final
+class GroundTable(Table):
+    """Where the ground holds: one of a plane, a box, and a set of nodes or physical group that the file names."""
+
+    plane: PlaneTable | None = None
+    box: BoxTable | None = None
+    set: str | None = None
+
+    @model_validator(mode="after")
+    def _one(self) -> Self:
+        if sum(given is not None for given in (self.plane, self.box, self.set)) != 1:
+            raise ValueError("it must have exactly one of plane, box and set")
+        return self
+
+    def held(self) -> Held:
+        """As a builder wants it."""
+        if self.plane is not None:
+            return Plane(point=self.plane.point, normal=self.plane.normal, thickness=self.plane.thickness)
+        if self.box is not None:
+            return Box(low=self.box.low, high=self.box.high)
+        assert self.set is not None
+        return NodeSet(name=self.set)
+
+
+def _ground_form(value: object) -> str:
+    return (
+        "place()" if isinstance(value, Mapping | GroundTable) else "numbers()" if isinstance(value, list) else "face()"
+    )
+
+
+GroundSource = Annotated[
+    Annotated[str, Tag("face()")] | Annotated[list[Number], Tag("numbers()")] | Annotated[GroundTable, Tag("place()")],
+    Discriminator(_ground_form),
+]
+
+# Options of one sort of file only.
+_OF_SURFACES = ("resolution", "most_triangles")
+_OF_VOLUMES = ("most_elements",)
+
+
+@final
+class FileTable(Table):
+    """A body from a mesh; see `cotouch.body_from_surface` and `cotouch.body_from_tetrahedra`.
+
+    Attributes:
+        file: STL, OBJ, PLY, OFF, GLB (surfaces), VTK, VTU, Gmsh .msh, MEDIT .mesh (tetrahedra); relative to the
+            scenario.
+        unit: of the file: "m", "mm", "cm", "in"; only GLB has one by itself.
+        resolution: surfaces: cells of the lattice along the longest side.
+        model: "springs" (default of surfaces) or "elastic" (default of tetrahedra).
+        young: [Pa].
+        poisson: Poisson's ratio.
+        stiffness: of each spring, instead of what Young's modulus gives [N/m].
+        density: [kg/m³].
+        mass: of the whole body, instead of density times volume [kg].
+        rayleigh_mass: α of the damping α M + β K [1/s].
+        rayleigh_stiffness: β [s].
+        ground: "none", "all", a face such as "z-", {plane = ...}, {box = ...}, {set = ...}, or node numbers from 1.
+        ground_stiffness: of each held node [N/m].
+        ground_damping: of each held node [Ns/m].
+        part: which of several separate parts, the biggest is 1.
+        modes: confine the body to so many of its lowest modes and to how it yields at the nodes that hands hold.
+        most_triangles: refuse files with more.
+        most_elements: refuse files with more.
+        most_nodes: refuse bodies with more.
+    """
+
+    kind: Literal["file"] = "file"
+    file: str
+    unit: Literal["m", "mm", "cm", "in"] | None = None
+    resolution: Annotated[int, Field(ge=1)] = 12
+    model: Literal["springs", "elastic"] | None = None
+    young: Positive = 1e4
+    poisson: Annotated[float, Field(gt=-1.0, lt=0.5)] = 0.3
+    stiffness: Positive | None = None
+    density: Positive = 1000.0
+    mass: Positive | None = None
+    rayleigh_mass: NonNegative = 0.0
+    rayleigh_stiffness: NonNegative = 0.0
+    ground: GroundSource = "none"
+    ground_stiffness: NonNegative = 0.0
+    ground_damping: NonNegative = 0.0
+    part: Annotated[int, Field(ge=1)] | None = None
+    modes: Annotated[int, Field(ge=1)] | None = None
+    most_triangles: Annotated[int, Field(ge=1)] = MOST_TRIANGLES
+    most_elements: Annotated[int, Field(ge=1)] = MOST_ELEMENTS
+    most_nodes: Annotated[int, Field(ge=1)] = MOST_NODES
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        suffix = Path(self.file).suffix.lower()
+        if suffix not in SURFACES + VOLUMES:
+            raise ValueError(
+                f'file is "{self.file}"; it must end in {", ".join(SURFACES)} (surfaces) or {", ".join(VOLUMES)} '
+                "(tetrahedra)"
+            )
+        others, what = (_OF_VOLUMES, "tetrahedra") if suffix in SURFACES else (_OF_SURFACES, "surfaces")
+        for name in others:
+            if name in self.model_fields_set:
+                raise ValueError(f'{name} is for {what}, but file is "{self.file}"; leave it out')
+        return self
+
+    @classmethod
+    def make(cls, *, source: str, **options: Any) -> "FileTable":
+        """Makes a table; errors are one sentence each.
+
+        Raises:
+            ScenarioError: an option is wrong.
+        """
+        from cotouch.simulation._messages import sentence
+
+        try:
+            return cls(**options)
+        except ValidationError as error:
+            raise ScenarioError(sentence(error, source)) from None
+
+    def build(self) -> Body:
+        """The body, with all its modes."""
+        options = self.model_dump(exclude={"kind", "file", "modes", "model", *_OF_SURFACES, *_OF_VOLUMES})
+        if isinstance(self.ground, GroundTable):
+            options["ground"] = self.ground.held()
+        elif isinstance(self.ground, list):
+            options["ground"] = [number - 1 for number in self.ground]
+        if Path(self.file).suffix.lower() in SURFACES:
+            return body_from_surface(
+                self.file,
+                model=self.model or "springs",
+                resolution=self.resolution,
+                most_triangles=self.most_triangles,
+                **options,
+            )
+        return body_from_tetrahedra(
+            self.file, model=self.model or "elastic", most_elements=self.most_elements, **options
+        )
+
+
 def _kind(value: object) -> str | None:
     """Which sort of body is given."""
     if isinstance(value, Body):
         return "body"
-    kind = value.get("kind", "point") if isinstance(value, Mapping) else getattr(value, "kind", None)
+    usual = "file" if isinstance(value, Mapping) and "file" in value else "point"
+    kind = value.get("kind", usual) if isinstance(value, Mapping) else getattr(value, "kind", None)
     return kind if isinstance(kind, str) else None
 
 
@@ -108,7 +293,8 @@ BodySource = Annotated[
     | Annotated[PointTable, Tag("point")]
     | Annotated[ChainTable, Tag("chain")]
     | Annotated[LatticeTable, Tag("lattice")]
-    | Annotated[MatrixTable, Tag("matrices")],
+    | Annotated[MatrixTable, Tag("matrices")]
+    | Annotated[FileTable, Tag("file")],
     Discriminator(_kind),
 ]
 
@@ -231,6 +417,7 @@ class Hand(Table):
     Attributes:
         user: number from 1.
         node: number from 1.
+        at: instead of `node`: a place in the body's rest shape; the nearest node is held [m].
         kind: "spring": `f = k (r - x) + b (r' - x')`; "force": the path itself is f.
         stiffness: k [N/m].
         damping: b [Ns/m].
@@ -245,6 +432,7 @@ class Hand(Table):
 
     user: Annotated[Number, Field(ge=1)]
     node: Annotated[Number, Field(ge=1)] = 1
+    at: Annotated[list[FiniteFloat], Field(min_length=1, max_length=3)] | None = None
     kind: Literal["spring", "force"] = "spring"
     stiffness: NonNegative = 100.0
     damping: NonNegative = 0.0
@@ -257,6 +445,8 @@ class Hand(Table):
 
     @model_validator(mode="after")
     def _after(self) -> Self:
+        if self.at is not None and "node" in self.model_fields_set:
+            raise ValueError("node and at are given; give only one of them")
         if self.release is not None and self.release <= self.begin:
             raise ValueError(f"release is {self.release} s but begin is {self.begin} s; it must be later")
         if isinstance(self.path, list) and self.path and isinstance(self.path[0], list):

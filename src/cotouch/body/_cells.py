@@ -1,0 +1,197 @@
+"""The cells of a grid that a closed surface fills or touches, and how much of each it fills."""
+
+from dataclasses import dataclass
+from typing import Final, final
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.errors import BodyError
+
+Float = npt.NDArray[np.float64]
+Ints = npt.NDArray[np.int64]
+
+# Vertical lines through each cell, along each of two axes, on which what is inside is measured exactly.
+_LINES: Final = 4
+# The lines stand a little off every symmetric place, where surfaces like to have edges.
+_OFF: Final = (1.6180e-4, 1.4142e-4)
+# Points on the surface are looked at this far inside of it, in cells, so that a face on the grid has its inner cells.
+_INWARD: Final = 1e-5
+# A cell that the surface only grazes is filled this much, or its nodes would weigh next to nothing.
+LEAST_FILL: Final = 0.05
+# Grids beyond this are refused before anything is allocated.
+_MOST_CELLS: Final = 20_000_000
+_BATCH: Final = 2_000_000
+
+# Corners of a cell in the order of their weights.
+CORNERS: Final[Ints] = np.array([(a, b, c) for a in (0, 1) for b in (0, 1) for c in (0, 1)], dtype=np.int64)
+
+
+@final
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Cells:
+    """Part of a regular grid.
+
+    Attributes:
+        spacing: edge of a cell [m].
+        origin: lowest corner of the grid, (3,) [m].
+        shape: cells along each axis, (3,).
+        places: which cells, sorted, (E, 3).
+        fill: the share of each that is solid, (E,).
+    """
+
+    spacing: float
+    origin: Float
+    shape: Ints
+    places: Ints
+    fill: Float
+
+
+def cells_of(vertices: Float, triangles: Ints, resolution: int) -> Cells:
+    """The cells that a closed surface fills or touches.
+
+    Args:
+        vertices: (V, 3) [m].
+        triangles: (F, 3), turned outwards.
+        resolution: cells along the longest side.
+
+    Raises:
+        BodyError: the grid is too fine.
+    """
+    low, extent = vertices.min(axis=0), np.ptp(vertices, axis=0)
+    spacing = float(extent.max()) / resolution
+    shape = np.maximum(np.ceil(extent / spacing - 1e-6), 1.0).astype(np.int64)
+    if int(shape.prod()) > _MOST_CELLS:
+        raise BodyError(
+            f"resolution {resolution} makes a grid of {' x '.join(map(str, shape))} cells; it must be lower, for at "
+            f"most {_MOST_CELLS} of them"
+        )
+    origin = low - 0.5 * (shape * spacing - extent)
+    fill = _filled((vertices - origin) / spacing, triangles, shape)
+    touched = _touched((vertices - origin) / spacing, triangles, shape)
+    fill[touched] = np.maximum(fill[touched], LEAST_FILL)
+    fill[fill < 0.01 * LEAST_FILL] = 0.0  # rounding of lines that leave where they came in
+    places = np.argwhere(fill > 0.0)
+    values = np.maximum(fill[tuple(places.T)], LEAST_FILL)
+    return Cells(spacing=spacing, origin=origin, shape=shape, places=places, fill=values)
+
+
+def _filled(points: Float, triangles: Ints, shape: Ints) -> Float:
+    """The share of every cell that is inside, (nx, ny, nz); places are in cells.
+
+    Along each line the winding number changes by one where it crosses the surface, so a crossing at z fills what is
+    above z, or empties it; no sorting is needed, and shells that overlap only count once.
+    """
+    nx, ny, nz = (int(extent) for extent in shape)
+    wide, deep = nx * _LINES, ny * _LINES
+    # Places in lines: line i stands at i.
+    u = points[:, 0] * _LINES - 0.5 - _OFF[0]
+    v = points[:, 1] * _LINES - 0.5 - _OFF[1]
+    z = points[:, 2]
+    level = np.zeros(wide * deep * (nz + 2))
+    turns = np.zeros(wide * deep)
+    corners_u, corners_v = u[triangles], v[triangles]
+    first_u = np.clip(np.ceil(corners_u.min(axis=1)), 0, wide).astype(np.int64)
+    last_u = np.clip(np.floor(corners_u.max(axis=1)), -1, wide - 1).astype(np.int64)
+    first_v = np.clip(np.ceil(corners_v.min(axis=1)), 0, deep).astype(np.int64)
+    last_v = np.clip(np.floor(corners_v.max(axis=1)), -1, deep - 1).astype(np.int64)
+    across = np.maximum(last_u - first_u + 1, 0)
+    count = across * np.maximum(last_v - first_v + 1, 0)
+    useful = np.flatnonzero(count)
+    ends = np.cumsum(count[useful])
+    start = 0
+    while start < useful.size:
+        done = int(ends[start - 1]) if start else 0
+        stop = max(int(np.searchsorted(ends, done + _BATCH, side="right")), start + 1)
+        batch = useful[start:stop]
+        which = np.repeat(batch, count[batch])
+        number = np.arange(which.size) - np.repeat(np.cumsum(count[batch]) - count[batch], count[batch])
+        i = first_u[which] + number % across[which]
+        j = first_v[which] + number // across[which]
+        a, b, c = (triangles[which, k] for k in range(3))
+        wa = (u[b] - i) * (v[c] - j) - (u[c] - i) * (v[b] - j)
+        wb = (u[c] - i) * (v[a] - j) - (u[a] - i) * (v[c] - j)
+        wc = (u[a] - i) * (v[b] - j) - (u[b] - i) * (v[a] - j)
+        total = wa + wb + wc
+        hit = (((wa >= 0) & (wb >= 0) & (wc >= 0)) | ((wa <= 0) & (wb <= 0) & (wc <= 0))) & (total != 0.0)
+        if hit.any():
+            a, b, c = a[hit], b[hit], c[hit]
+            height = (wa[hit] * z[a] + wb[hit] * z[b] + wc[hit] * z[c]) / total[hit]
+            enters = np.where(total[hit] > 0.0, -1.0, 1.0)  # a face that looks up is where a line leaves
+            line = i[hit] * deep + j[hit]
+            height = np.clip(height, 0.0, float(nz))
+            cell = np.minimum(height.astype(np.int64), nz - 1)
+            above = (cell + 1) - height
+            np.add.at(level, line * (nz + 2) + cell, enters * above)
+            np.add.at(level, line * (nz + 2) + cell + 1, enters * (1.0 - above))
+            np.add.at(turns, line, enters)
+        start = stop
+    inside = np.cumsum(level.reshape(wide, deep, nz + 2), axis=2)[:, :, :nz]
+    inside = np.clip(inside, 0.0, 1.0)
+    # A line that grazed an edge counts it twice or never and does not come out again; the others of its cell stand in.
+    sound = (turns == 0.0).reshape(wide, deep).astype(np.float64)
+    blocks = (nx, _LINES, ny, _LINES)
+    number = sound.reshape(blocks).sum(axis=(1, 3))
+    sums = (inside * sound[:, :, None]).reshape(*blocks, nz).sum(axis=(1, 3))
+    return sums / np.maximum(number, 1.0)[:, :, None]
+
+
+def _touched(points: Float, triangles: Ints, shape: Ints) -> tuple[Ints, Ints, Ints]:
+    """Cells in which the surface runs: those of points on it at most half a cell apart, and of its vertices."""
+    a, b, c = (points[triangles[:, k]] for k in range(3))
+    normal = np.cross(b - a, c - a)
+    length = np.linalg.norm(normal, axis=1)
+    flat = length == 0.0
+    normal = normal / np.where(flat, 1.0, length)[:, None]
+    sides = np.stack([np.linalg.norm(b - a, axis=1), np.linalg.norm(c - b, axis=1), np.linalg.norm(a - c, axis=1)])
+    parts = np.maximum(np.ceil(2.0 * sides.max(axis=0)), 1.0).astype(np.int64)
+    found: list[Ints] = []
+    for number in np.unique(parts):
+        chosen = np.flatnonzero((parts == number) & ~flat)
+        grid = np.array([(i, j) for i in range(number + 1) for j in range(number + 1 - i)]) / number
+        rows = max(1, _BATCH // len(grid))
+        for begin in range(0, chosen.size, rows):
+            some = chosen[begin : begin + rows]
+            spots = (
+                a[some, None] * (1.0 - grid.sum(axis=1))[None, :, None]
+                + b[some, None] * grid[None, :, 0, None]
+                + c[some, None] * grid[None, :, 1, None]
+                - _INWARD * normal[some, None]
+            )
+            found.append(np.unique(_cell(spots.reshape(-1, 3), shape), axis=0))
+    found.append(_cell(_drawn_in(points, triangles), shape))
+    cells = np.unique(np.concatenate(found), axis=0)
+    return cells[:, 0], cells[:, 1], cells[:, 2]
+
+
+def _drawn_in(points: Float, triangles: Ints) -> Float:
+    """The vertices, moved inside by next to nothing."""
+    a, b, c = (points[triangles[:, k]] for k in range(3))
+    normal = np.cross(b - a, c - a)
+    normal = normal / np.maximum(np.linalg.norm(normal, axis=1), 1e-300)[:, None]
+    sums = np.zeros_like(points)
+    for k in range(3):
+        np.add.at(sums, triangles[:, k], normal)
+    length = np.maximum(np.linalg.norm(sums, axis=1), 1e-300)
+    return points - _INWARD * sums / length[:, None]
+
+
+def _cell(spots: Float, shape: Ints) -> Ints:
+    return np.clip(np.floor(spots).astype(np.int64), 0, shape - 1)
+
+
+def carriers(vertices: Float, triangles: Ints, cells: Cells) -> tuple[Ints, Float]:
+    """For every vertex the cell that it lies in, as a row of `cells.places`, and trilinear weights of its corners.
+
+    Returns:
+        rows (V,), and weights (V, 8) in the order of `CORNERS`.
+    """
+    points = (vertices - cells.origin) / cells.spacing
+    places = _cell(_drawn_in(points, triangles), cells.shape)
+    keys = np.asarray(np.ravel_multi_index(tuple(cells.places.T), tuple(cells.shape)))
+    wanted = np.asarray(np.ravel_multi_index(tuple(places.T), tuple(cells.shape)))
+    rows: Ints = np.minimum(np.searchsorted(keys, wanted), keys.size - 1).astype(np.int64)
+    assert np.array_equal(keys[rows], wanted)  # `cells_of` took every cell that holds a vertex
+    local = points - places
+    sides = np.where(CORNERS[None] == 1, local[:, None, :], 1.0 - local[:, None, :])
+    return rows, sides.prod(axis=2)

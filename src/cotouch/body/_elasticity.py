@@ -1,0 +1,104 @@
+"""Stiffness matrices of solids: linear elasticity, and scalar springs that store the same energy in a stretched bar."""
+
+from typing import Any, Final
+
+import numpy as np
+import numpy.typing as npt
+import scipy.sparse as sp
+
+from cotouch.body._cells import CORNERS
+
+Float = npt.NDArray[np.float64]
+Ints = npt.NDArray[np.int64]
+
+# The twelve edges of a cell, as pairs of its corners.
+EDGES: Final = [(i, j) for i in range(8) for j in range(i + 1, 8) if int(np.abs(CORNERS[i] - CORNERS[j]).sum()) == 1]
+
+
+def elastic_tetrahedra(points: Float, tetrahedra: Ints, *, young: float, poisson: float) -> sp.csr_array:
+    """K of isotropic linear elasticity on linear tetrahedra (P1), 3n x 3n [N/m], by scikit-fem."""
+    from skfem import Basis, ElementTetP1, ElementVector, MeshTet
+    from skfem.models.elasticity import lame_parameters, linear_elasticity
+
+    mesh = MeshTet(np.ascontiguousarray(points.T), np.ascontiguousarray(tetrahedra.T))
+    # Strains are constant in an element, so one point integrates them exactly.
+    basis: Any = Basis(mesh, ElementVector(ElementTetP1()), intorder=1)
+    return _by_nodes(linear_elasticity(*lame_parameters(young, poisson)).assemble(basis), basis)
+
+
+def springs_of_tetrahedra(points: Float, tetrahedra: Ints, *, young: float) -> sp.csr_array:
+    """K of the energy `½ E ∫ |∇u|²` on linear tetrahedra, n x n [N/m], by scikit-fem.
+
+    Off the diagonal it is minus a spring for each edge, `k_ij = -E ∫ ∇φ_i·∇φ_j` (the cotangent weights). It stretches a
+    bar by E A / L exactly. A flat element may have a spring below zero; the sum stays positive semidefinite.
+    """
+    from skfem import Basis, ElementTetP1, MeshTet
+    from skfem.models.poisson import laplace
+
+    mesh = MeshTet(np.ascontiguousarray(points.T), np.ascontiguousarray(tetrahedra.T))
+    basis: Any = Basis(mesh, ElementTetP1(), intorder=1)
+    return sp.csr_array(laplace.assemble(basis)) * young
+
+
+def springs_along_edges(nodes: int, tetrahedra: Ints, *, stiffness: float) -> sp.csr_array:
+    """K of equal springs along the edges of tetrahedra, n x n [N/m]."""
+    pairs = edges_of(tetrahedra)
+    return _laplacian(nodes, pairs[:, 0], pairs[:, 1], np.full(pairs.shape[0], stiffness))
+
+
+def edges_of(tetrahedra: Ints) -> Ints:
+    """Every edge once, (.., 2)."""
+    pairs = np.concatenate([tetrahedra[:, [i, j]] for i in range(4) for j in range(i + 1, 4)])
+    return np.unique(np.sort(pairs, axis=1), axis=0)
+
+
+def elastic_cells(
+    nodes: int, corners: Ints, fill: Float, *, spacing: float, young: float, poisson: float
+) -> sp.csr_array:
+    """K of isotropic linear elasticity on cubes with trilinear shapes (Q1), 3n x 3n [N/m], each scaled by its fill."""
+    from skfem import Basis, ElementHex1, ElementVector, MeshHex
+    from skfem.models.elasticity import lame_parameters, linear_elasticity
+
+    cube = MeshHex()
+    basis: Any = Basis(cube, ElementVector(ElementHex1()), intorder=3)
+    one = _by_nodes(linear_elasticity(*lame_parameters(young, poisson)).assemble(basis), basis).toarray()
+    order = np.array([int(np.argmin(np.abs(cube.p.T - corner).sum(axis=1))) for corner in CORNERS])
+    rows = (order[:, None] * 3 + np.arange(3)).ravel()
+    one = one[rows][:, rows] * spacing
+    one = 0.5 * (one + one.T)
+    places = (corners[:, :, None] * 3 + np.arange(3)).reshape(-1, 24)
+    return _assembled(3 * nodes, places, one, fill)
+
+
+def springs_of_cells(nodes: int, corners: Ints, fill: Float, *, stiffness: float) -> sp.csr_array:
+    """K of springs along the edges of cubes, n x n [N/m]: each cube gives a quarter of `stiffness` to each edge.
+
+    Inside, where four full cubes share an edge, a spring has `stiffness`. With `stiffness = E h` a bar along the grid
+    stretches by E A / L exactly: each of the A/h² rows of springs has E h per cell of length h.
+    """
+    one = np.zeros((8, 8))
+    for i, j in EDGES:
+        one[[i, j], [i, j]] += 0.25 * stiffness
+        one[[i, j], [j, i]] -= 0.25 * stiffness
+    return _assembled(nodes, corners, one, fill)
+
+
+def _assembled(rows: int, places: Ints, one: Float, fill: Float) -> sp.csr_array:
+    size = one.shape[0]
+    i = np.repeat(places, size, axis=1).ravel()
+    j = np.tile(places, (1, size)).ravel()
+    values = (fill[:, None] * one.ravel()[None, :]).ravel()
+    kept = np.tile(one.ravel() != 0.0, fill.size)
+    return sp.csr_array((values[kept], (i[kept], j[kept])), shape=(rows, rows))
+
+
+def _laplacian(nodes: int, i: Ints, j: Ints, weights: Float) -> sp.csr_array:
+    values = np.concatenate([weights, weights, -weights, -weights])
+    return sp.csr_array((values, (np.r_[i, j, i, j], np.r_[i, j, j, i])), shape=(nodes, nodes))
+
+
+def _by_nodes(matrix: Any, basis: Any) -> sp.csr_array:
+    """With rows ordered node by node, whatever order the assembler uses."""
+    order = np.asarray(basis.nodal_dofs).T.ravel()
+    csr = sp.csr_array(matrix)
+    return csr if np.array_equal(order, np.arange(order.size)) else sp.csr_array(csr[order][:, order])

@@ -1,0 +1,39 @@
+"""Where a body came from and what was understood of it on the way."""
+
+from dataclasses import dataclass
+from typing import Literal, final
+
+import numpy as np
+import numpy.typing as npt
+
+
+@final
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Origin:
+    """What a builder read, repaired and made.
+
+    Attributes:
+        source: name of the file, or "arrays".
+        kind: "surface" (a lattice inside it) or "tetrahedra".
+        model: "springs" or "elastic".
+        unit: of the source.
+        elements: number of cells or tetrahedra.
+        volume: of the solid [m³].
+        size: extents of the source along x, y, z, (3,) [m].
+        spacing: edge of a cell; of tetrahedra the mean edge [m].
+        held: indices of the nodes that the ground holds.
+        free: number of rigid motions that nothing holds: 0 to 6, or 0 to 3 where springs resist turning by themselves.
+        notes: what was repaired or should be known, a sentence each.
+    """
+
+    source: str
+    kind: Literal["surface", "tetrahedra"]
+    model: Literal["springs", "elastic"]
+    unit: str
+    elements: int
+    volume: float
+    size: npt.NDArray[np.float64]
+    spacing: float
+    held: npt.NDArray[np.intp]
+    free: int
+    notes: tuple[str, ...] = ()

@@ -1,0 +1,114 @@
+"""`cotouch body`."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from cotouch.cli._output import folder, number, print_json, working
+from cotouch.errors import ScenarioError
+
+if TYPE_CHECKING:
+    from rich.table import Table
+
+
+def run(
+    path: Path, *, figures: Path | None, as_json: bool, ground: str, most: int | None = None, **options: Any
+) -> None:
+    """Reads a mesh, makes the body, and says what was understood."""
+    from cotouch.body import SURFACES
+    from cotouch.simulation import FileTable, save_body_figure, understood
+
+    given = {name: value for name, value in options.items() if value is not None}
+    if most is not None:
+        given["most_triangles" if path.suffix.lower() in SURFACES else "most_elements"] = most
+    table = FileTable.make(source="the body", file=str(path), ground=_ground(ground), **given)
+    with working("Reading the mesh and finding its modes", quiet=as_json):
+        body = table.build()
+        numbers, fields = understood(body)
+        drawn: list[Path] = []
+        if figures is not None:
+            drawn.append(save_body_figure(body, numbers, fields, folder(figures)))
+    if table.modes is not None:
+        numbers["truncation"] = _truncated(body, table.modes)
+    if as_json:
+        print_json({**numbers, "files": [str(file) for file in drawn]})
+        return
+    from rich.console import Console
+
+    console = Console()
+    console.print(_table(numbers))
+    for note in numbers["notes"]:
+        console.print(f"  [yellow]•[/yellow] {note}", highlight=False, soft_wrap=True)
+    for file in drawn:
+        console.print(f"  wrote {file}", highlight=False, soft_wrap=True)
+
+
+def _truncated(body: Any, modes: int) -> dict[str, Any]:
+    """How far a few modes are off under a fingertip, at nodes all over the skin."""
+    import numpy as np
+
+    nodes = np.unique(body.skin.nodes[np.arange(0, len(body.skin.nodes), max(len(body.skin.nodes) // 8, 1)), 0])
+    found = body.truncated(modes=modes, contacts=nodes.tolist()).truncation
+    return {
+        "modes": found.modes,
+        "shapes": found.shapes.shape[1],
+        "contacts": [node + 1 for node in found.contacts],
+        "compliance_error": found.error,
+        "compliance_error_without_residual": found.error_without,
+    }
+
+
+def _ground(text: str) -> Any:
+    """`z-`, `set:NAME`, `plane:X,Y,Z/NX,NY,NZ[/THICKNESS]`, `box:X,Y,Z/X,Y,Z`, as a scenario's table would say it."""
+    kind, colon, rest = text.partition(":")
+    if not colon:
+        return text
+    if kind == "set":
+        return {"set": rest}
+    try:
+        parts = [[float(value) for value in part.split(",")] for part in rest.split("/")]
+    except ValueError:
+        parts = []
+    if kind == "plane" and len(parts) in {2, 3} and len(parts[-1]) == (3 if len(parts) == 2 else 1):
+        thickness = {"thickness": parts[2][0]} if len(parts) == 3 else {}
+        return {"plane": {"point": parts[0], "normal": parts[1], **thickness}}
+    if kind == "box" and len(parts) == 2:
+        return {"box": {"low": parts[0], "high": parts[1]}}
+    raise ScenarioError(
+        f'--ground is "{text}"; it must be none, all, a face such as z-, set:NAME, plane:X,Y,Z/NX,NY,NZ[/THICKNESS] or '
+        "box:X,Y,Z/X,Y,Z (in metres)"
+    )
+
+
+def _table(numbers: dict[str, Any]) -> "Table":
+    from rich.box import SIMPLE_HEAD
+    from rich.table import Table
+
+    table = Table(box=SIMPLE_HEAD, title=Path(numbers["file"]).name, title_justify="left", title_style="bold")
+    table.add_column("what")
+    table.add_column("understood")
+    cells = numbers["kind"] == "surface"
+    size = " × ".join(number(extent) for extent in numbers["size_m"])
+    table.add_row("size", f"{size} m (unit: {numbers['unit']})")
+    table.add_row("volume", number(numbers["volume_m3"], "m³"))
+    table.add_row("mass", number(numbers["mass_kg"], "kg"))
+    what = "cells of" if cells else "tetrahedra with edges of"
+    table.add_row("nodes", f"{numbers['nodes']:,}")
+    table.add_row("elements", f"{numbers['elements']:,} {what} {number(numbers['spacing_m'], 'm')}")
+    table.add_row("model", "linear elasticity" if numbers["model"] == "elastic" else "springs")
+    table.add_row("skin", f"{numbers['skin']['vertices']:,} vertices, {numbers['skin']['triangles']:,} triangles")
+    held = numbers["held_nodes"]
+    free = numbers["free_rigid_motions"]
+    loose = f", {free} rigid motion{'s' * (free != 1)} free" if free else ""
+    table.add_row("held by", f"the ground at {held:,} node{'s' * (held != 1)}{loose}" if held else f"nothing{loose}")
+    heard = ", ".join(number(value, digits=3) for value in numbers["frequencies_hz"])
+    each = ", each along every axis" if numbers["times_each"] > 1 else ""
+    table.add_row("first modes", f"{heard} Hz{each}")
+    if "truncation" in numbers:
+        found = numbers["truncation"]
+        table.add_row(
+            f"{found['modes']} modes",
+            f"compliance at {len(found['contacts'])} nodes of the skin off by up to "
+            f"{100 * found['compliance_error_without_residual']:.3g} %, with their static residuals "
+            f"{100 * found['compliance_error']:.1g} %",
+        )
+    return table
