@@ -9,9 +9,10 @@ from hypothesis import strategies as st
 from tests.network.support import GRAPHS, five_users, mixings, pairs, random_network, uniform
 
 from cotouch.errors import NetworkError
-from cotouch.network import _consensus, complete, mixing, ring, second_eigenvalue
-from cotouch.network._consensus import lifted_matrix
+from cotouch.network import complete, mixing, ring, second_eigenvalue
+from cotouch.network._consensus import consensus_loop, lifted_matrix
 from cotouch.network._lags import consensus_lags, cycle_period
+from cotouch.network._resonance import slowest
 
 
 def printed_J(network, lags):
@@ -89,19 +90,30 @@ def test_period_is_the_gcd_of_all_cycles(seed):
     assert cycle_period(lags) == math.gcd(*map(int, np.flatnonzero(there[:, 0])))
 
 
-def test_a_root_that_newton_misses_is_noticed(monkeypatch):
-    """The count of roots inside the circle must not match as long as the smallest ones are withheld."""
+@pytest.mark.parametrize("unit", [0.01, 0.001])
+def test_any_root_as_a_guess_leads_to_the_slowest(unit):
     network = five_users().with_links(pairs("12 14 23 24 34 45"))
-    newton, calls = _consensus._newton, []
+    lags = consensus_lags(network, time_unit=unit, convention="matrix", rounding="exact")
+    loop = consensus_loop(network, lags, unit)
+    expected = second_eigenvalue(network, time_unit=unit, convention="matrix")
+    for start in (-5 + 100j, -0.1 + 3j, -3 + 310j):
+        root, certain, _ = slowest(loop, np.pi / unit, np.array([start], dtype=np.complex128))
+        assert certain
+        assert np.exp(root.real * unit) == pytest.approx(expected, abs=1e-12)
 
-    def withhold(*arguments):
-        found = newton(*arguments)
-        calls.append(len(found))
-        return found[np.argsort(np.abs(found))][2:] if len(calls) <= 3 else found
 
-    monkeypatch.setattr(_consensus, "_newton", withhold)
-    assert second_eigenvalue(network, time_unit=0.01) == pytest.approx(0.993061, abs=1e-6)
-    assert len(calls) > 3
+def test_a_finer_grid_agrees_with_the_dense_matrix():
+    """No ordinary grid is too fine: what the windows leave out holds nothing."""
+    rng = np.random.default_rng(5)
+    for _ in range(6):
+        network = random_network(rng, size=4, delays=(0.01, 0.12))
+        lags = consensus_lags(network, time_unit=0.001, convention="matrix", rounding="nearest")
+        if cycle_period(lags) > 1:
+            continue
+        spring = network.linked_spring()
+        values = moduli(lifted_matrix(spring / spring.sum(axis=1, keepdims=True), lags))
+        found = second_eigenvalue(network, time_unit=0.001, convention="matrix", rounding="nearest")
+        assert found == pytest.approx(values[1], abs=1e-9)
 
 
 @pytest.mark.parametrize(

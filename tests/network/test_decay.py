@@ -7,8 +7,10 @@ from scipy.stats import spearmanr
 from tests.network.support import GRAPHS, five_users, mixings, pairs, random_network, uniform
 
 from cotouch.errors import NetworkError, UnsupportedError
-from cotouch.network import _decay, complete, path, rightmost_root
-from cotouch.network._decay import _closed_loop, _count_right_of
+from cotouch.network import complete, path, rightmost_root
+from cotouch.network._collocation import generator_eigenvalues
+from cotouch.network._decay import _closed_loop
+from cotouch.network._rightmost import count_right, rightmost
 
 
 @pytest.fixture(scope="module")
@@ -76,8 +78,9 @@ def test_mode_solves_the_equations_and_only_one_zero_is_left_out():
             loop, _ = _closed_loop(network, 1.5, 0.4, stiffness, None)
             gap = 1e-4 * abs(s)
             still = 1 if stiffness == 0 and s.real < 0 else 0
-            assert _count_right_of(loop, s.real + gap) == still
-            assert _count_right_of(loop, s.real - gap) == still + (2 if s.imag > 0 else 1)
+            starts = np.empty(64, dtype=np.complex128)
+            assert count_right(loop, s.real + gap, starts)[0] == still
+            assert count_right(loop, s.real - gap, starts)[0] == still + (2 if s.imag > 0 else 1)
 
 
 def test_small_root_beside_the_translation_is_kept():
@@ -139,17 +142,36 @@ def test_one_user_and_undamped():
     assert rightmost_root(two, mass=2.0, stiffness=1.0).rate == pytest.approx(0.0, abs=1e-9)
 
 
-def test_a_root_that_newton_misses_is_noticed(monkeypatch):
+def test_another_root_as_a_guess_is_seen_through():
     network = five_users().with_links(pairs("12 14 23 24 34 45"))
-    polished, calls = _decay._polished, []
+    loop, _ = _closed_loop(network, 1.0, 0.0, 0.0, None)
+    for start in (-3 + 20j, -2 + 1j, -5.0 + 0j, -30 + 300j):
+        root, certain, _ = rightmost(loop, True, np.array([start], dtype=np.complex128))
+        assert certain
+        assert root.real == pytest.approx(-1.428553, abs=1e-6)
 
-    def withhold(*arguments):
-        calls.append(1)
-        return polished(*arguments)[1:] if len(calls) <= 2 else polished(*arguments)
 
-    monkeypatch.setattr(_decay, "_polished", withhold)
-    assert rightmost_root(network).rate == pytest.approx(-1.428553, abs=1e-6)
-    assert len(calls) == 3
+@pytest.mark.parametrize("seed", range(16))
+def test_agrees_with_fine_collocation(seed):
+    rng = np.random.default_rng(seed)
+    network = random_network(rng, size=int(rng.integers(2, 7)))
+    share = rng.choice([0.05, 0.3, 1.0, 2.0])  # of the rule's damping: little of it leaves roots to the right
+    sync = share * rightmost_root(network).sync_damping
+    found = rightmost_root(network, mass=0.7, sync_damping=sync)
+    delay, coupling = np.where(network.linked_spring() > 0, network.delay, 0.0), network.linked_spring()
+    rows = np.ones(network.size)
+    values = generator_eigenvalues(0.7 / network.size * rows, sync, coupling.sum(axis=1), coupling, delay, order=40)
+    values = values[np.abs(values) > 1e-5]
+    assert found.rate == pytest.approx(values[0].real, rel=1e-6, abs=1e-6)
+
+
+def test_users_alike_share_their_root():
+    # Six users joined alike: one root of five copies, which plain Newton would near by a fifth at a time.
+    network = uniform(complete(6), 6, spring=20.0, delay=0.2)
+    decay = rightmost_root(network)
+    s, K, d, B = decay.root, 20.0, 0.2, decay.sync_damping[0]
+    own = s * s / 6 + s * B + 5 * K
+    assert min(abs(own + K * np.exp(-s * d)), abs(own - 5 * K * np.exp(-s * d))) < 1e-9 * 5 * K
 
 
 def test_larger_network_counts_its_roots():

@@ -1,6 +1,7 @@
 """How fast the closed loop of all users comes to rest together: its rightmost root. **Beyond** the paper."""
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import final
 
@@ -10,28 +11,16 @@ import numpy.typing as npt
 from cotouch.errors import NetworkError, UnsupportedError
 from cotouch.network._checks import one_user
 from cotouch.network._collocation import generator_eigenvalues
+from cotouch.network._loop import Loop, characteristic, loop_of
 from cotouch.network._network import Network
-from cotouch.network._types import ComplexArray, FloatArray, IntArray
+from cotouch.network._rightmost import rightmost
+from cotouch.network._types import ComplexArray, FloatArray
 
-# Degree of the first collocation over the longest delay. Enough for the rightmost root of most networks; the count of
-# roots notices when it is not, and the degree is doubled.
+# Degree of the first collocation over the longest delay, for what the walk along a line does not settle by itself.
 _FIRST_ORDER = 10
-_DOUBLINGS = 6
-# So many of the rightmost collocation eigenvalues are polished; among them is the rightmost root or the count fails.
+_DOUBLINGS = 5
+# So many of the rightmost collocation eigenvalues are polished.
 _STARTS = 8
-_NEWTON_STEPS = 60
-# Largest turn of the determinant's phase between samples of the contour; half a turn would be lost.
-_TURN = 1.0
-_REFINEMENTS = 60
-_MOST_SAMPLES = 20_000
-# Where between two roots the line goes: near the middle, but at no special place.
-_BETWEEN = 0.4637
-# Samples of the small circle on which coinciding roots are counted.
-_CIRCLE = 32
-# Starts that Newton throws this many longest delays to the left don't lead to the rightmost root.
-_FAR_LEFT = 100.0
-# Roots closer together than this, relative to themselves, are one root found twice.
-_SAME = 1e-8
 
 
 @final
@@ -64,32 +53,6 @@ class Decay:
         return -1.0 / self.root.real if self.root.real < 0 else math.inf
 
 
-@final
-@dataclass(frozen=True, eq=False)
-class _Loop:
-    """`[(s^2 m + s c + kappa) I - K_ij e^(-s d_ij)] x = 0`."""
-
-    inertia: FloatArray
-    drag: FloatArray
-    stiffness: FloatArray
-    coupling: FloatArray
-    delay: FloatArray
-    grounded: bool
-
-    def matrix(self, s: ComplexArray) -> ComplexArray:
-        """Characteristic matrices (len(s), N, N)."""
-        at = s[:, None]
-        own = at**2 * self.inertia + at * self.drag + self.stiffness
-        return own[:, :, None] * np.eye(len(self.inertia)) - self.coupling * np.exp(-s[:, None, None] * self.delay)
-
-    def slope(self, s: ComplexArray) -> ComplexArray:
-        """Their derivatives in s."""
-        at = s[:, None]
-        own = 2 * at * self.inertia + self.drag
-        lagged = self.coupling * self.delay * np.exp(-s[:, None, None] * self.delay)
-        return own[:, :, None] * np.eye(len(self.inertia)) + lagged
-
-
 def rightmost_root(
     network: Network,
     *,
@@ -101,9 +64,10 @@ def rightmost_root(
     """Rightmost root but the translation at 0 of the closed loop of N scaled copies and their delayed links.
 
     The roots s make `det[(s^2 m/N + s (b/N + B_i) + k/N + sum_j K_ij) I - K_ij e^(-s d_ij)]` zero. With k = 0 all users
-    may rest anywhere together: that one root at 0 is left out, no other. Chebyshev collocation gives starting values,
-    Newton the digits; then the argument principle counts the roots right of a line left of the result, and collocation
-    is refined until none is missing.
+    may rest anywhere together: that one root at 0 is left out, no other. Newton gives the digits; the argument
+    principle counts the roots right of a line just left of the result, in steps along it that cannot lose a turn of the
+    determinant; the same walk says where to look for roots that the count misses. Where that does not settle it,
+    Chebyshev collocation, refined until none is missing, gives the starting values.
 
     Args:
         network: connected; springs without weights.
@@ -118,26 +82,40 @@ def rightmost_root(
         UnsupportedError: springs with weights, or roots too crowded to count.
     """
     loop, sync = _closed_loop(network, mass, damping, stiffness, sync_damping)
-    if not loop.grounded and not loop.drag.any() and not loop.delay.any():
+    grounded = stiffness > 0
+    late = bool(loop.to_first.any() or loop.to_second.any())
+    if not grounded and not loop.drag.any() and not late:
         # Nothing dissipates and nothing is late: the translation drifts, a double root at 0, and the rest rings on.
         mode = np.full(network.size, network.size**-0.5, dtype=np.complex128)
         return Decay(root=0j, residual=0.0, mode=mode, sync_damping=sync)
-    order = _FIRST_ORDER
-    for _ in range(_DOUBLINGS):
-        starts = generator_eigenvalues(loop.inertia, loop.drag, loop.stiffness, loop.coupling, loop.delay, order=order)
-        roots = _polished(loop, starts)
-        if roots.size and _complete(loop, roots):
-            root = complex(roots[0])
-            _, sizes, right = np.linalg.svd(loop.matrix(np.array([root]))[0])
-            terms = np.max(abs(root) ** 2 * loop.inertia + abs(root) * loop.drag + loop.stiffness)
-            return Decay(root=root, residual=float(sizes[-1] / terms), mode=right[-1].conj(), sync_damping=sync)
-        order *= 2
-    raise UnsupportedError("the roots of the closed loop are too crowded to tell the rightmost one for certain")
+    root, certain = 0j, False
+    for guesses in _guesses(loop):
+        root, certain, _ = rightmost(loop, not grounded, guesses)
+        if certain:
+            break
+    if not certain:
+        raise UnsupportedError("the roots of the closed loop are too crowded to tell the rightmost one for certain")
+    root = complex(root)
+    _, sizes, right = np.linalg.svd(characteristic(loop, root))
+    terms = np.max(abs(root) ** 2 * loop.mass + abs(root) * loop.drag + loop.rigid)
+    return Decay(root=root, residual=float(sizes[-1] / terms), mode=right[-1].conj(), sync_damping=sync)
+
+
+def _guesses(loop: Loop) -> Iterator[ComplexArray]:
+    """Where the rightmost root may be: first no idea, then ever finer collocation."""
+    yield np.zeros(0, dtype=np.complex128)
+    coupling, delay = np.zeros((2, len(loop.mass), len(loop.mass)))
+    coupling[loop.first, loop.second] = coupling[loop.second, loop.first] = loop.spring
+    delay[loop.first, loop.second], delay[loop.second, loop.first] = loop.to_first, loop.to_second
+    for doubling in range(_DOUBLINGS):
+        order = _FIRST_ORDER * 2**doubling
+        starts = generator_eigenvalues(loop.mass, loop.drag, loop.rigid, coupling, delay, order=order)
+        yield starts[starts.imag >= 0][:_STARTS]
 
 
 def _closed_loop(
     network: Network, mass: float, damping: float, stiffness: float, sync_damping: npt.ArrayLike | None
-) -> tuple[_Loop, FloatArray]:
+) -> tuple[Loop, FloatArray]:
     if not (math.isfinite(mass) and mass > 0):
         raise NetworkError(f"mass is {mass:g} kg; it must be finite and above 0")
     for name, value, unit in (("damping", damping, "Ns/m"), ("stiffness", stiffness, "N/m")):
@@ -163,144 +141,5 @@ def _closed_loop(
             raise NetworkError(
                 f"sync_damping of {one_user(network.users, i)} is {sync[i]:g} Ns/m; it must be finite and at least 0"
             )
-    size = network.size
-    loop = _Loop(
-        inertia=np.full(size, mass / size),
-        drag=damping / size + sync,
-        stiffness=stiffness / size + spring.sum(axis=1),
-        coupling=spring,
-        delay=np.where(spring > 0, network.delay, 0.0),
-        grounded=stiffness > 0,
-    )
-    return loop, sync
-
-
-def _scale(loop: _Loop) -> float:
-    """A rate of the loop, to tell a root from 0 by: the stiffest spring on its damper and mass, else damper on mass."""
-    resistance = loop.drag + np.sqrt(loop.stiffness * loop.inertia)
-    return float(np.max(loop.stiffness / resistance if loop.stiffness.any() else loop.drag / loop.inertia))
-
-
-def _polished(loop: _Loop, starts: ComplexArray) -> ComplexArray:
-    """Different roots with Im >= 0, but the translation, by Newton from the rightmost starts, largest real part first.
-
-    Newton runs on the smallest singular value, so a root that symmetric users share is reached as fast as a simple one.
-    """
-    s = starts[starts.imag >= 0][:_STARTS]
-    scale = _scale(loop)
-    found: list[complex] = []
-    last = np.full(len(s), np.inf)
-    longest = float(loop.delay.max())
-    for _ in range(_NEWTON_STEPS):
-        if not s.size:
-            break
-        left, sizes, right = np.linalg.svd(loop.matrix(s))
-        slope = np.einsum("si,sij,sj->s", left[:, :, -1].conj(), loop.slope(s), right[:, -1].conj())
-        with np.errstate(divide="ignore", invalid="ignore"):
-            step = sizes[:, -1] / slope
-        # From far away a step may aim anywhere; none is longer than the distance to the origin, about.
-        step = step / np.maximum(1.0, np.abs(step) / (np.abs(s) + scale))
-        s = s - step
-        size = np.abs(step) / (np.abs(s) + scale)
-        # A critically damped root is known to half the digits only; there the steps stop shrinking instead.
-        converged = (size <= 1e-13) | ((size < 1e-7) & (size >= last))
-        for root in s[converged]:
-            upper = complex(root.real, abs(root.imag) if abs(root.imag) > 1e-12 * abs(root) else 0.0)
-            if all(abs(upper - other) > _SAME * (abs(upper) + scale) for other in found) and (
-                loop.grounded or abs(upper) > 1e-11 * scale
-            ):
-                found.append(upper)
-        rest = ~converged & np.isfinite(s) & (s.real * longest > -_FAR_LEFT)
-        s, last = s[rest], size[rest]
-    return np.array(sorted(found, key=lambda root: -root.real), dtype=np.complex128)
-
-
-def _complete(loop: _Loop, roots: ComplexArray) -> bool:
-    """Whether `roots` holds every root right of a line that lies left of the first one."""
-    # The first gap wide enough to draw the line through; below the last root it is a guess that the count judges.
-    width = 0.01 * (abs(roots[0]) + 0.1 * _scale(loop))
-    gaps = -np.diff(roots.real, append=roots[-1].real - 5 * width)
-    last = int(np.argmax(gaps > width))
-    line = float(roots[last].real - gaps[last] * _BETWEEN)
-    try:
-        counted = _count_right_of(loop, line)
-    except np.linalg.LinAlgError:
-        return False  # The contour meets a root to the last bit.
-    if not loop.grounded and line < 0 and counted is not None:
-        counted -= 1
-    inside = roots[: last + 1]
-    copies = np.where(inside.imag > 0, 2, 1)
-    return counted == int(copies.sum()) or counted == int((copies * _multiplicities(loop, inside, roots)).sum())
-
-
-def _multiplicities(loop: _Loop, roots: ComplexArray, others: ComplexArray) -> IntArray:
-    """How many roots coincide at each of `roots`, by the logarithmic derivative around it."""
-    apart = np.abs(roots[:, None] - np.concatenate([others, others.conj(), [0.0]])[None, :])
-    apart[apart == 0.0] = np.inf
-    radius = np.minimum(apart.min(axis=1) / 3, 1e-3 * (np.abs(roots) + _scale(loop)))
-    around = np.exp(2j * np.pi * np.arange(_CIRCLE) / _CIRCLE)
-    s = (roots[:, None] + radius[:, None] * around).ravel()
-    ratio = np.einsum("sij,sji->s", np.linalg.inv(loop.matrix(s)), loop.slope(s)).reshape(len(roots), _CIRCLE)
-    return np.rint((ratio * radius[:, None] * around).mean(axis=1).real).astype(np.int64)
-
-
-def _count_right_of(loop: _Loop, line: float) -> int | None:
-    """Number of roots with real part above `line`, by the argument principle; None if unclear.
-
-    What turns is the determinant over the product of its diagonal, whose own roots are those of quadratics. Where the
-    diagonal dominates this ratio cannot wind. That is so beyond `reach` anywhere right of the line, so a rectangle
-    holds all roots, and on the line itself beyond `free`; nearer, samples are close enough together for the longest
-    delay. All is real on the real axis: the upper half of the rectangle suffices.
-    """
-    pull = (loop.coupling * np.exp(-line * loop.delay)).sum(axis=1)
-    all_pull = pull + loop.stiffness
-    reach = 1.01 * float(np.max((loop.drag + np.sqrt(loop.drag**2 + 4 * loop.inertia * all_pull)) / (2 * loop.inertia)))
-    reach = max(reach, 1.5 * abs(line), 1e-300)
-    # |own|^2 = (rest - m w^2)^2 + (drag w)^2 on the line, a quadratic in w^2 beside pull^2.
-    rest = line**2 * loop.inertia + line * loop.drag + loop.stiffness
-    drag = loop.drag + 2 * line * loop.inertia
-    half = (drag**2 - 2 * rest * loop.inertia) / (2 * loop.inertia**2)
-    radicand = half**2 - (rest**2 - pull**2) / loop.inertia**2
-    squares = np.where(radicand > 0, np.sqrt(np.maximum(radicand, 0.0)) - half, 0.0)
-    free = min(1.01 * float(np.sqrt(np.maximum(squares, 0.0).max())), reach)
-    samples = 20 + math.ceil(4 * free * float(loop.delay.max()))
-    if samples > _MOST_SAMPLES:
-        return None
-    near = np.linspace(0.0, free, samples)
-    far = np.geomspace(max(free, 1e-9 * reach), reach, 40)
-    sides = (
-        reach + 1j * np.linspace(0.0, reach, 12),
-        np.linspace(reach, line, 12) + 1j * reach,
-        line + 1j * far[::-1],
-        line + 1j * near[::-1],
-    )
-    contour: ComplexArray = np.concatenate(sides).astype(np.complex128)
-    phase, speed = _ratio(loop, contour)
-    own_roots = np.array([np.roots(row) for row in zip(loop.inertia, loop.drag, loop.stiffness, strict=True)])
-    for _ in range(_REFINEMENTS):
-        turn = np.angle(phase[1:] / phase[:-1])
-        expected = np.abs(np.diff(contour)) * np.maximum(speed[1:], speed[:-1])
-        wide = np.flatnonzero(~((np.abs(turn) < _TURN) & (expected < _TURN)))
-        if not wide.size:
-            return round(float(turn.sum() / np.pi)) + int((own_roots.real > line).sum())
-        if len(contour) > 4 * _MOST_SAMPLES:
-            return None
-        between: ComplexArray = (contour[wide] + contour[wide + 1]) / 2
-        more_phase, more_speed = _ratio(loop, between)
-        contour = np.insert(contour, wide + 1, between)
-        phase = np.insert(phase, wide + 1, more_phase)
-        speed = np.insert(speed, wide + 1, more_speed)
-    return None
-
-
-def _ratio(loop: _Loop, s: ComplexArray) -> tuple[ComplexArray, FloatArray]:
-    """Phase of the determinant over the product of its diagonal, and how fast its logarithm changes along s.
-
-    The speed shows roots between two samples whose turns add up to whole ones and hide.
-    """
-    matrix, slope = loop.matrix(s), loop.slope(s)
-    own = np.einsum("sii->si", matrix)
-    own_slope = 2 * s[:, None] * loop.inertia + loop.drag
-    phase = np.linalg.slogdet(matrix)[0] / np.prod(own / np.abs(own), axis=1)
-    rate = np.einsum("sij,sji->s", np.linalg.inv(matrix), slope) - (own_slope / own).sum(axis=1)
-    return phase.astype(np.complex128), np.abs(rate).astype(np.float64)
+    share = np.full(network.size, 1.0 / network.size)
+    return loop_of(network, mass=mass * share, drag=damping * share + sync, ground=stiffness * share), sync
