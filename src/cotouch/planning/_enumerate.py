@@ -13,7 +13,7 @@ from cotouch.planning._task import BoolArray, FloatArray, IntArray, Task, admiss
 
 # Stretches long enough to hide their start, short enough to share and to stop between. They depend on the problem
 # alone, so that the result doesn't depend on the machine.
-_SHORTEST, _LONGEST, _STRETCHES = 26, 2048, 64
+_SHORTEST, _LONGEST, _STRETCHES = 26, 512, 64
 # Choices whose objective takes no roots are done this much faster.
 _QUICK = 64
 # Stretches per core between looks at the clock.
@@ -128,7 +128,7 @@ def look(problem: Problem, start: int, count: int, top: int) -> Found:
 
 def thawed(task: Task) -> Task:
     """The same with arrays of its own: what comes from another process is read-only, another type to the kernels."""
-    parts: Sequence[Any] = task
+    parts: Any = task
     return Task(*(np.array(part) if isinstance(part, np.ndarray) else part for part in parts))
 
 

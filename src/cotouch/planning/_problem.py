@@ -144,7 +144,7 @@ def _task(
     first, second = (np.array([link[end] for link in network.links], dtype=np.int64) for end in (0, 1))
     spring = np.ascontiguousarray(network.spring[first, second])
     delay = network.delay
-    within = lags * time_unit if objective == "consensus" else delay
+    within: FloatArray = (lags * time_unit if objective == "consensus" else delay).astype(np.float64)
     required = np.array([link in needed for link in network.links], dtype=np.bool_)
     return Task(
         size=network.size,
@@ -218,8 +218,7 @@ def _check_counts(network: Network, links: int, needed: set[Pair], most: int, ba
         )
     if 2 * links > network.size * most:
         raise NetworkError(
-            f"links is {links}; with max_degree {most} the {network.size} users have at most "
-            f"{network.size * most // 2}"
+            f"links is {links}; with max_degree {most} the {network.size} users have at most {network.size * most // 2}"
         )
 
 

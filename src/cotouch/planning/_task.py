@@ -102,7 +102,7 @@ def period_of(task: Task, chosen: IntArray) -> int:
             distance[j] + task.lag_first[e] - distance[i],
             distance[i] + task.lag_second[e] - distance[j],
         ):
-            a, b = period, abs(rest)
+            a, b = period, abs(int(rest))
             while b != 0:
                 a, b = b, a % b
             period = a
