@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from cotouch.errors import BodyError, CotouchError, InputError, NetworkError, ScenarioError, UnsupportedError
     from cotouch.network import Certificate, Network, certify
     from cotouch.peer import Peer
+    from cotouch.planning import Plan, plan
     from cotouch.simulation import Scenario, save, settling_time, simulate, summary
 
 __version__ = "0.1.0"
@@ -32,6 +33,7 @@ _HOME = {
     "Network": "cotouch.network",
     "NetworkError": "cotouch.errors",
     "Peer": "cotouch.peer",
+    "Plan": "cotouch.planning",
     "Scenario": "cotouch.simulation",
     "ScenarioError": "cotouch.errors",
     "UnsupportedError": "cotouch.errors",
@@ -41,6 +43,7 @@ _HOME = {
     "chain": "cotouch.body",
     "lattice": "cotouch.body",
     "point": "cotouch.body",
+    "plan": "cotouch.planning",
     "save": "cotouch.simulation",
     "settling_time": "cotouch.simulation",
     "simulate": "cotouch.simulation",
@@ -56,6 +59,7 @@ __all__ = [
     "Network",
     "NetworkError",
     "Peer",
+    "Plan",
     "Scenario",
     "ScenarioError",
     "UnsupportedError",
@@ -65,6 +69,7 @@ __all__ = [
     "certify",
     "chain",
     "lattice",
+    "plan",
     "point",
     "save",
     "settling_time",

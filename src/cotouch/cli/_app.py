@@ -135,6 +135,58 @@ def body(
 
 
 @app.command()
+def plan(
+    network: Annotated[Path, typer.Argument(help="A network or scenario, TOML.", show_default=False)],
+    links: Annotated[int, typer.Option(help="How many links.", show_default=False)],
+    objective: Annotated[str, typer.Option(help="What is to be small: consensus, decay or damping.")] = "consensus",
+    convention: Annotated[str, typer.Option(help="Of the consensus: equation or matrix.")] = "equation",
+    time_unit: Annotated[float, typer.Option(help="Of the consensus [s].")] = 0.01,
+    rounding: Annotated[str, typer.Option(help="Of delays to time units: exact, nearest or up.")] = "exact",
+    must: Annotated[
+        list[str] | None, typer.Option(help="Links that must be, as 1-2; again for more.", show_default=False)
+    ] = None,
+    never: Annotated[
+        list[str] | None, typer.Option(help="Links that may not be, as 1-3; again for more.", show_default=False)
+    ] = None,
+    max_degree: Annotated[int | None, typer.Option(help="Most links of one user.", show_default=False)] = None,
+    mass: Annotated[float, typer.Option(help="Of the object [kg].")] = 1.0,
+    damping: Annotated[float, typer.Option(help="Of the object [Ns/m].")] = 0.0,
+    stiffness: Annotated[float, typer.Option(help="Of the object [N/m].")] = 0.0,
+    top: Annotated[int, typer.Option(help="How many of the best to show.")] = 5,
+    method: Annotated[str, typer.Option(help="auto, enumerate, bound or local.")] = "auto",
+    seconds: Annotated[float | None, typer.Option(help="Time budget [s].", show_default=False)] = None,
+    seed: Annotated[int, typer.Option(help="Of the random starts of the local search.")] = 0,
+    dask: Annotated[
+        str | None, typer.Option(help="Share the work with this Dask scheduler, tcp://host:port.", show_default=False)
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Find the links that serve an objective best, and say how sure that is."""
+    from cotouch.cli._plan import run
+
+    run(
+        network,
+        must=must or [],
+        never=never or [],
+        as_json=as_json,
+        links=links,
+        objective=objective,
+        convention=convention,
+        time_unit=time_unit,
+        rounding=rounding,
+        max_degree=max_degree,
+        mass=mass,
+        damping=damping,
+        stiffness=stiffness,
+        top=top,
+        method=method,
+        seconds=seconds,
+        seed=seed,
+        dask=dask,
+    )
+
+
+@app.command()
 def reproduce(
     out: Annotated[Path, typer.Option(help="Folder for the report.")] = Path("out"),
     as_json: AsJson = False,

@@ -13,9 +13,12 @@ from cotouch.network._damping import (
 from cotouch.network._decay import Decay, rightmost_root
 from cotouch.network._exact import exact_margin, exact_scaling, sync_hermitian
 from cotouch.network._gains import coefficients, damping_matrices
-from cotouch.network._lags import Convention, Rounding
+from cotouch.network._lags import Convention, Rounding, consensus_lags, cycle_period
+from cotouch.network._loop import Loop, polish
 from cotouch.network._network import Network
 from cotouch.network._reach import Basis, Reach, reach_of
+from cotouch.network._resonance import slowest
+from cotouch.network._rightmost import rate_of, rightmost
 from cotouch.network._topologies import complete, connected_graphs, path, ring, star
 from cotouch.network._types import Pair
 
@@ -24,6 +27,7 @@ __all__ = [
     "Certificate",
     "Convention",
     "Decay",
+    "Loop",
     "Method",
     "Mixing",
     "Mode",
@@ -35,6 +39,8 @@ __all__ = [
     "coefficients",
     "complete",
     "connected_graphs",
+    "consensus_lags",
+    "cycle_period",
     "damping_for",
     "damping_matrices",
     "exact_margin",
@@ -42,11 +48,15 @@ __all__ = [
     "minimax_damping",
     "mixing",
     "path",
+    "polish",
+    "rate_of",
     "reach_of",
+    "rightmost",
     "rightmost_root",
     "ring",
     "rule_damping",
     "second_eigenvalue",
+    "slowest",
     "star",
     "sum_damping",
     "sync_hermitian",

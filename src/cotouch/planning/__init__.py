@@ -1,0 +1,7 @@
+"""Which links to use: every choice, a proof by bounds, or the best that can be found in time."""
+
+from cotouch.planning._plan import Progress, plan
+from cotouch.planning._problem import Objective
+from cotouch.planning._result import Choice, Method, Plan, Status
+
+__all__ = ["Choice", "Method", "Objective", "Plan", "Progress", "Status", "plan"]

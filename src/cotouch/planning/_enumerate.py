@@ -1,0 +1,174 @@
+"""Every choice of links, in stretches that a kernel works off and several cores or machines share."""
+
+import itertools
+import math
+from collections.abc import Generator, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from cotouch.compiled import routine
+from cotouch.planning._problem import Problem
+from cotouch.planning._task import BoolArray, FloatArray, IntArray, Task, admissible, rate
+
+# Stretches long enough to hide their start, short enough to share and to stop between. They depend on the problem
+# alone, so that the result doesn't depend on the machine.
+_SHORTEST, _LONGEST, _STRETCHES = 26, 512, 64
+# Choices whose objective takes no roots are done this much faster.
+_QUICK = 64
+# Stretches per core between looks at the clock.
+_ROUND = 2
+
+
+class Found(NamedTuple):
+    """What a stretch of choices holds.
+
+    Attributes:
+        ranks: of the best choices and the worst, the rank among all choices.
+        values: their objectives, as `rate` gives them.
+        looked: how many choices were looked at.
+        connected: how many of them are admissible.
+        periodic: how many of these have objective 0 in a consensus.
+        unsure: how many of these nothing could tell for certain; they are not among the best.
+    """
+
+    ranks: tuple[int, ...]
+    values: tuple[float, ...]
+    looked: int
+    connected: int
+    periodic: int
+    unsure: int
+
+
+def unrank(rank: int, count: int, pick: int) -> IntArray:
+    """Combination number `rank`, in lexicographic order, of `pick` out of `count`."""
+    combination = np.empty(pick, dtype=np.int64)
+    value = 0
+    for place in range(pick):
+        while rank >= (after := math.comb(count - 1 - value, pick - 1 - place)):
+            rank -= after
+            value += 1
+        combination[place] = value
+        value += 1
+    return combination
+
+
+@routine
+def choose(task: Task, combination: IntArray, chosen: IntArray) -> None:
+    """Numbers of the pairs linked, ascending: those that must be and those picked."""
+    m = p = 0
+    for c in range(len(chosen)):
+        if p == len(combination) or (m < len(task.must) and task.must[m] < task.free[combination[p]]):
+            chosen[c] = task.must[m]
+            m += 1
+        else:
+            chosen[c] = task.free[combination[p]]
+            p += 1
+
+
+@routine
+def sweep(task: Task, combination: IntArray, values: FloatArray, sure: BoolArray) -> None:
+    """Objectives of consecutive combinations, NaN where not admissible; neighbours lend each other their roots.
+
+    Args:
+        task: the search.
+        combination: the first combination; changed.
+        values: filled with the objectives; its length says how many there are.
+        sure: filled with whether they are certain.
+    """
+    pick, count = len(combination), len(task.free)
+    chosen = np.empty(len(task.must) + pick, np.int64)
+    guesses = np.full(len(task.modes), complex(-np.inf, 0.0))
+    for r in range(len(values)):
+        choose(task, combination, chosen)
+        values[r], sure[r] = np.nan, True
+        if admissible(task, chosen):
+            values[r], sure[r] = rate(task, chosen, guesses)
+        place = pick - 1
+        while place >= 0 and combination[place] == count - pick + place:
+            place -= 1
+        if place >= 0:
+            combination[place] += 1
+            for later in range(place + 1, pick):
+                combination[later] = combination[later - 1] + 1
+
+
+def chosen_at(problem: Problem, rank: int) -> IntArray:
+    """Numbers of the pairs that choice number `rank` links."""
+    task = problem.task
+    return np.sort(np.concatenate([task.must, task.free[unrank(rank, len(task.free), task.pick)]]))
+
+
+def look(problem: Problem, start: int, count: int, top: int) -> Found:
+    """Works off `count` choices from number `start` on; keeps the `top` best and the worst."""
+    task = thawed(problem.task)
+    values, sure = np.empty(count), np.empty(count, dtype=np.bool_)
+    sweep(task, unrank(start, len(task.free), task.pick), values, sure)
+    admitted = ~np.isnan(values)
+    connected, unsure = int(admitted.sum()), 0
+    for r in map(int, np.flatnonzero(~sure)):
+        value = problem.reference(chosen_at(problem, start + r))
+        unsure += value is None
+        values[r] = math.nan if value is None else value
+    order = np.argsort(values, kind="stable")[: int((~np.isnan(values)).sum())]
+    kept = order[:top].tolist()
+    if order.size:
+        worst = int(np.flatnonzero(values == values[order[-1]])[0])
+        kept += [worst] if worst not in kept else []
+    periodic = int((values == 0.0).sum()) if problem.objective == "consensus" else 0
+    return Found(
+        tuple(start + int(r) for r in kept),
+        tuple(float(values[r]) for r in kept),
+        count,
+        connected,
+        periodic,
+        unsure,
+    )
+
+
+def thawed(task: Task) -> Task:
+    """The same with arrays of its own: what comes from another process is read-only, another type to the kernels."""
+    parts: Any = task
+    return Task(*(np.array(part) if isinstance(part, np.ndarray) else part for part in parts))
+
+
+def merged(parts: Sequence[Found], top: int) -> Found:
+    """Several stretches as one; of equals the first ranks first."""
+    both = sorted({pair for part in parts for pair in zip(part.values, part.ranks, strict=True)})
+    kept = both[:top]
+    if both:
+        worst = min((pair for pair in both if pair[0] == both[-1][0]), key=lambda pair: pair[1])
+        kept += [worst] if worst not in kept else []
+    return Found(
+        tuple(rank for _, rank in kept),
+        tuple(value for value, _ in kept),
+        sum(part.looked for part in parts),
+        sum(part.connected for part in parts),
+        sum(part.periodic for part in parts),
+        sum(part.unsure for part in parts),
+    )
+
+
+def enumerated(problem: Problem, top: int, parallel: Any, jobs: int) -> Generator[Found]:
+    """Looks at every choice and yields what is known so far, again and again.
+
+    Args:
+        problem: the search.
+        top: how many of the best to keep.
+        parallel: a `joblib.Parallel`.
+        jobs: how many stretches run at once.
+    """
+    from joblib import delayed
+
+    quick = _QUICK if problem.objective == "damping" else 1
+    length = min(max(problem.choices // _STRETCHES, _SHORTEST * quick), _LONGEST * quick)
+    starts = iter(range(0, problem.choices, length))
+    found = Found((), (), 0, 0, 0, 0)
+    while batch := list(itertools.islice(starts, _ROUND * jobs)):
+        work = [(start, min(length, problem.choices - start)) for start in batch]
+        if len(work) == 1:
+            parts = [look(problem, *work[0], top)]
+        else:
+            parts = parallel(delayed(look)(problem, start, count, top) for start, count in work)
+        found = merged([found, *parts], top)
+        yield found

@@ -1,0 +1,267 @@
+"""The planner: which links to use."""
+
+import time
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field
+from typing import Literal, TypeAlias, final, get_args
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.errors import NetworkError
+from cotouch.network import Convention, Network, Rounding
+from cotouch.planning._bound import any_choice, bounded, dive_into
+from cotouch.planning._enumerate import Found, chosen_at, enumerated
+from cotouch.planning._local import WALKS, walked
+from cotouch.planning._problem import Objective, Problem, make_problem
+from cotouch.planning._result import Method, Plan, choice_of, shown
+from cotouch.planning._task import IntArray
+from cotouch.planning._workers import Workers, workers
+
+Progress: TypeAlias = Callable[[int, int, float], None]
+
+# More choices than this are not enumerated unasked: minutes for consensus and decay.
+_ENUMERABLE = 2_000_000
+_STARTS = 64
+# Ranks of choices must fit the kernels' whole numbers.
+_RANKS = 2**62
+
+
+@final
+@dataclass
+class _Search:
+    """What a search knows so far.
+
+    Attributes:
+        problem: the search.
+        tick: told what is done, the total and the best; answers whether the time is up.
+        kept: objectives of choices worked out, as `rate` gives them.
+        graphs: connected ones looked at.
+        looked: all looked at.
+        periodic: graphs that never mix.
+        unsure: graphs that nothing could tell for certain.
+    """
+
+    problem: Problem
+    tick: Callable[[int, int, float], bool]
+    kept: dict[tuple[int, ...], float] = field(default_factory=dict[tuple[int, ...], float])
+    graphs: int = 0
+    looked: int = 0
+    periodic: int = 0
+    unsure: int = 0
+
+    def keep(self, chosen: IntArray, value: float) -> None:
+        """Takes up one choice."""
+        self.kept[tuple(chosen.tolist())] = value
+
+    def enough(self, done: int, total: int) -> bool:
+        """Says how far the search is; answers whether the time is up and something is found."""
+        best = min(self.kept.values(), default=None)
+        return self.tick(done, total, np.inf if best is None else shown(self.problem, best)) and best is not None
+
+
+def plan(
+    network: Network,
+    *,
+    links: int,
+    objective: Objective = "consensus",
+    convention: Convention = "equation",
+    time_unit: float = 0.01,
+    rounding: Rounding = "exact",
+    must: Iterable[Sequence[int]] = (),
+    never: Iterable[Sequence[int]] = (),
+    max_degree: int | None = None,
+    mass: npt.ArrayLike = 1.0,
+    damping: npt.ArrayLike = 0.0,
+    stiffness: npt.ArrayLike = 0.0,
+    sync_damping: npt.ArrayLike | None = None,
+    top: int = 5,
+    method: Literal["auto"] | Method = "auto",
+    limit: int = _ENUMERABLE,
+    starts: int = _STARTS,
+    seed: int = 0,
+    seconds: float | None = None,
+    clock: Callable[[], float] = time.monotonic,
+    progress: Progress | None = None,
+    jobs: int = -1,
+    dask: str | None = None,
+) -> Plan:
+    """Finds the links, of a given number, that serve an objective best. **Beyond** the paper, which tries all.
+
+    Interrupted from the keyboard or out of time it returns the best found so far.
+
+    Args:
+        network: users, springs and delays; pairs with a spring may be linked. Its present links do not matter.
+        links: how many links.
+        objective: "consensus": second largest |eigenvalue| of the consensus model (`network.mixing`); "decay": real
+            part of the rightmost root of the closed loop [1/s] (`network.rightmost_root`), of the slowest body mode;
+            "damping": largest `B_i` [Ns/m] of the rule with the delays as ages. Smaller is better.
+        convention: of the consensus, see `network.mixing`.
+        time_unit: s, of the consensus.
+        rounding: of delays to time units, see `network.mixing`.
+        must: pairs of user indices (from 0) that every choice links.
+        never: pairs that none links.
+        max_degree: largest number of links of one user; None for no limit.
+        mass: kg, of the body or of each of its modes.
+        damping: Ns/m, likewise.
+        stiffness: N/m, likewise.
+        sync_damping: (N,) `B_i` in Ns/m of every choice for "decay"; None takes the rule.
+        top: how many of the best choices to return.
+        method: "enumerate" looks at every choice; "bound" leaves out what cannot be best (damping alone); "local"
+            swaps links from many random starts and proves nothing; "auto" enumerates up to `limit` choices, beyond
+            that bounds the damping and searches locally for the others.
+        limit: of choices for "auto".
+        starts: of the local search.
+        seed: of the random starts.
+        seconds: time budget; None for none.
+        clock: seconds that only grow.
+        progress: called now and then with what is done, the total (0 if unknown) and the best objective so far.
+        jobs: threads; -1 for one per core.
+        dask: address of a Dask scheduler that shares the work.
+
+    Raises:
+        NetworkError: no choice of links can be as asked for, or an argument is out of its range.
+        UnsupportedError: decay with springs that have weights, or no Dask.
+    """
+    problem = make_problem(
+        network,
+        links=links,
+        objective=objective,
+        convention=convention,
+        time_unit=time_unit,
+        rounding=rounding,
+        must=must,
+        never=never,
+        max_degree=max_degree,
+        mass=mass,
+        damping=damping,
+        stiffness=stiffness,
+        sync_damping=sync_damping,
+    )
+    chosen_method = _method(problem, method, limit)
+    for name, value in (("top", top), ("starts", starts), ("limit", limit)):
+        if value < 1:
+            raise NetworkError(f"{name} is {value}; it must be at least 1")
+    if seed < 0:
+        raise NetworkError(f"seed is {seed}; it must be at least 0")
+    if jobs != -1 and jobs < 1:
+        raise NetworkError(f"jobs is {jobs}; it must be at least 1, or -1 for one per core")
+    if seconds is not None and not seconds > 0:
+        raise NetworkError(f"seconds is {seconds:g}; it must be above 0")
+    begun = clock()
+
+    def tick(done: int, total: int, best: float) -> bool:
+        if progress is not None:
+            progress(done, total, best)
+        return seconds is not None and clock() - begun >= seconds
+
+    search = _Search(problem, tick)
+    proved = False
+    fallback = None
+    if problem.choices > limit or chosen_method != "enumerate":
+        fallback = any_choice(problem)
+        if fallback is None:
+            raise _nothing(problem)
+    try:
+        with workers(jobs, dask) as hands:
+            if chosen_method == "enumerate":
+                proved = _enumerate(search, top, hands)
+            elif fallback is not None:
+                walked_all = _walk(search, WALKS if chosen_method == "bound" else starts, seed, fallback, hands)
+                proved = chosen_method == "bound" and walked_all and _bound(search, top)
+    except KeyboardInterrupt:
+        if not search.kept:
+            raise
+    if not search.kept:
+        raise _nothing(problem)
+    ranked = sorted((value, chosen) for chosen, value in search.kept.items())
+    worst = next(entry for entry in ranked if entry[0] == ranked[-1][0])
+    choices = [choice_of(problem, np.array(chosen), value) for value, chosen in [*ranked[:top], worst]]
+    return Plan(
+        objective=objective,
+        status="proved" if proved and not search.unsure else "best found",
+        method=chosen_method,
+        best=choices[0],
+        worst=choices[-1],
+        top=tuple(choices[:-1]),
+        choices=problem.choices,
+        graphs=search.graphs,
+        looked_at=search.looked,
+        periodic=search.periodic,
+        unsure=search.unsure,
+        seed=seed,
+        seconds=clock() - begun,
+    )
+
+
+def _method(problem: Problem, method: str, limit: int) -> Method:
+    if method == "auto":
+        if problem.choices <= limit:
+            return "enumerate"
+        return "bound" if problem.objective == "damping" else "local"
+    for known in get_args(Method):
+        if method == known:
+            if known == "bound" and problem.objective != "damping":
+                raise NetworkError(
+                    f'method is "bound" but objective is "{problem.objective}", which has no bound; '
+                    'choose "enumerate" or "local"'
+                )
+            if known == "enumerate" and problem.choices > _RANKS:
+                raise NetworkError(f'method is "enumerate" but there are {problem.choices} choices; choose "local"')
+            return known
+    raise NetworkError(f'method is "{method}"; it must be "auto", "enumerate", "bound" or "local"')
+
+
+def _nothing(problem: Problem) -> NetworkError:
+    return NetworkError(
+        f"no choice of {problem.links} links connects all {problem.task.size} users within must, never and max_degree; "
+        "relax one of them"
+    )
+
+
+def _enumerate(search: _Search, top: int, hands: Workers) -> bool:
+    """Every choice; answers whether the end was reached."""
+    found: Found
+    for found in enumerated(search.problem, top, hands.parallel, hands.jobs):
+        search.kept = {
+            tuple(chosen_at(search.problem, rank).tolist()): value
+            for rank, value in zip(found.ranks, found.values, strict=True)
+        }
+        search.graphs, search.looked = found.connected, found.looked
+        search.periodic, search.unsure = found.periodic, found.unsure
+        if search.enough(found.looked, search.problem.choices) and found.looked < search.problem.choices:
+            return False
+    return True
+
+
+def _walk(search: _Search, starts: int, seed: int, fallback: IntArray, hands: Workers) -> bool:
+    """Local search; answers whether every walk came to its end."""
+    looked: dict[int, int] = {}
+    over = 0
+    for walk in walked(search.problem, starts, seed, fallback, hands.parallel):
+        for value, chosen in walk.seen:
+            search.keep(np.array(chosen), value)
+        looked[walk.start] = walk.looked
+        search.graphs = search.looked = sum(looked.values())
+        over += walk.over
+        if search.enough(over, starts) and over < starts:
+            return False
+    return True
+
+
+def _bound(search: _Search, top: int) -> bool:
+    """Branch and bound below what the local search found."""
+    ranked = sorted(search.kept.values())
+    ceiling = ranked[top - 1] * (1.0 + 1e-9) if len(ranked) >= top else np.inf
+    dive = dive_into(search.problem, top)
+    graphs, looked = search.graphs, search.looked
+    for over in bounded(search.problem, dive, ceiling):
+        for value, chosen in zip(dive.values, dive.choices, strict=True):
+            if np.isfinite(value):
+                search.keep(chosen, float(value))
+        search.graphs, search.looked = graphs + int(dive.counts[1]), looked + int(dive.counts[2])
+        if over:
+            return True
+        if search.enough(0, 0):
+            return False
+    return False

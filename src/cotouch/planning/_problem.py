@@ -1,0 +1,253 @@
+"""What a plan is asked for, checked once: one sentence for each thing that cannot be."""
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Literal, TypeAlias, final, get_args
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.errors import NetworkError, UnsupportedError
+from cotouch.network import Convention, Network, Pair, Rounding, consensus_lags, mixing, rightmost_root
+from cotouch.planning._task import CONSENSUS, DAMPING, DECAY, FloatArray, IntArray, Task
+from cotouch.units import user_number
+
+Objective: TypeAlias = Literal["consensus", "decay", "damping"]
+
+_CODE = {"consensus": CONSENSUS, "decay": DECAY, "damping": DAMPING}
+
+
+@final
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Problem:
+    """A checked search.
+
+    Attributes:
+        network: users, springs, delays; every pair that may be linked is.
+        objective: what is to be small.
+        links: links of each choice.
+        convention: of the consensus.
+        time_unit: of the consensus, s.
+        rounding: of the consensus.
+        task: the same for the kernels.
+    """
+
+    network: Network
+    objective: Objective
+    links: int
+    convention: Convention
+    time_unit: float
+    rounding: Rounding
+    task: Task
+
+    @property
+    def choices(self) -> int:
+        """How many choices of links there are, connected or not."""
+        return math.comb(len(self.task.free), self.task.pick)
+
+    def pairs(self, chosen: IntArray) -> tuple[Pair, ...]:
+        """Users that a choice links."""
+        return tuple(self.network.links[int(e)] for e in chosen)
+
+    def reference(self, chosen: IntArray) -> float | None:
+        """The objective of one choice as `rate` gives it, slowly; None if it cannot be told for certain either."""
+        network, task = self.network.with_links(self.pairs(chosen)), self.task
+        try:
+            if self.objective == "consensus":
+                found = mixing(
+                    network, time_unit=self.time_unit, convention=self.convention, rounding=self.rounding
+                ).value
+                return math.log(found) / self.time_unit if found > 0 else -math.inf
+            sync = task.sync if task.sync.size else None
+            return max(
+                rightmost_root(network, mass=m, damping=b, stiffness=k, sync_damping=sync).rate
+                for m, b, k in task.modes.tolist()
+            )
+        except UnsupportedError:
+            return None
+
+
+def make_problem(
+    network: Network,
+    *,
+    links: int,
+    objective: Objective,
+    convention: Convention,
+    time_unit: float,
+    rounding: Rounding,
+    must: Iterable[Sequence[int]],
+    never: Iterable[Sequence[int]],
+    max_degree: int | None,
+    mass: npt.ArrayLike,
+    damping: npt.ArrayLike,
+    stiffness: npt.ArrayLike,
+    sync_damping: npt.ArrayLike | None,
+) -> Problem:
+    """Checks what `plan` is given, which explains the arguments.
+
+    Raises:
+        NetworkError: something asked for is impossible or contradicts another.
+        UnsupportedError: decay with springs that have weights.
+    """
+    if objective not in get_args(Objective):
+        raise NetworkError(f'objective is "{objective}"; it must be "consensus", "decay" or "damping"')
+    if network.size < 2:
+        raise NetworkError("the network has 1 user; a plan needs at least 2")
+    every = network.with_links(None)
+    needed, barred = (
+        _pairs(network, name, pairs, spring) for name, pairs, spring in (("must", must, True), ("never", never, False))
+    )
+    for a, b in sorted(needed & barred):
+        raise NetworkError(f"the link {_name(a, b)} is both in must and in never; it can be in one of them")
+    allowed = every.with_links([link for link in every.links if link not in barred])
+    most = _most_degree(max_degree, allowed.size)
+    _check_counts(allowed, links, needed, most, bool(barred))
+    if objective == "decay" and any(network.weight_of[i, j] >= 0 for i, j in allowed.links):
+        raise UnsupportedError(
+            "springs have weights; the decay of one body mode needs scalar springs: use the mode's own"
+        )
+    return Problem(
+        network=allowed,
+        objective=objective,
+        links=links,
+        convention=convention,
+        time_unit=time_unit,
+        rounding=rounding,
+        task=_task(
+            allowed,
+            objective,
+            consensus_lags(allowed, time_unit=time_unit, convention=convention, rounding=rounding)
+            if objective == "consensus"
+            else np.zeros((network.size, network.size), dtype=np.int64),
+            time_unit,
+            needed,
+            links - len(needed),
+            most,
+            _modes(mass, damping, stiffness),
+            _sync(sync_damping, network.size),
+        ),
+    )
+
+
+def _task(
+    network: Network,
+    objective: Objective,
+    lags: IntArray,
+    time_unit: float,
+    needed: set[Pair],
+    pick: int,
+    most: int,
+    modes: FloatArray,
+    sync: FloatArray,
+) -> Task:
+    first, second = (np.array([link[end] for link in network.links], dtype=np.int64) for end in (0, 1))
+    spring = np.ascontiguousarray(network.spring[first, second])
+    delay = network.delay
+    within: FloatArray = (lags * time_unit if objective == "consensus" else delay).astype(np.float64)
+    required = np.array([link in needed for link in network.links], dtype=np.bool_)
+    return Task(
+        size=network.size,
+        objective=_CODE[objective],
+        first=first,
+        second=second,
+        spring=spring,
+        to_first=np.ascontiguousarray(within[first, second]),
+        to_second=np.ascontiguousarray(within[second, first]),
+        lag_first=np.ascontiguousarray(lags[first, second]),
+        lag_second=np.ascontiguousarray(lags[second, first]),
+        load=spring * (delay[first, second] + delay[second, first]) / 2,
+        must=np.flatnonzero(required),
+        free=np.flatnonzero(~required),
+        pick=pick,
+        most=most,
+        modes=modes,
+        sync=sync,
+        top=math.pi / time_unit if objective == "consensus" else math.inf,
+    )
+
+
+def _name(a: int, b: int) -> str:
+    return f"{user_number(a)}-{user_number(b)}"
+
+
+def _pairs(network: Network, option: str, pairs: Iterable[Sequence[int]], spring: bool) -> set[Pair]:
+    result: set[Pair] = set()
+    for pair in pairs:
+        a, b = sorted(int(end) for end in pair) if len(pair) == 2 else (-1, -1)
+        if not 0 <= a < b < network.size:
+            shown = "-".join(str(user_number(int(end))) for end in pair)
+            raise NetworkError(
+                f"{option} holds {shown}; a link is a pair of different users, numbered 1 to {network.size}"
+            )
+        if spring and network.spring[a, b] <= 0:
+            raise NetworkError(f"{option} holds {_name(a, b)}, whose spring is 0 N/m; give the pair a spring above 0")
+        result.add((a, b))
+    return result
+
+
+def _most_degree(max_degree: int | None, size: int) -> int:
+    if max_degree is None:
+        return size - 1
+    least = 1 if size == 2 else 2
+    if max_degree < least:
+        raise NetworkError(f"max_degree is {max_degree}; to connect {size} users it must be at least {least}")
+    return min(max_degree, size - 1)
+
+
+def _check_counts(network: Network, links: int, needed: set[Pair], most: int, barred: bool) -> None:
+    possible, least = len(network.links), network.size - 1
+    if not network.is_connected():
+        cause = "spring and never leave" if barred else "spring leaves"
+        remedy = "forbid fewer links" if barred else "give more pairs a spring above 0"
+        raise NetworkError(f"{cause} the users in separate groups whatever is linked; {remedy}")
+    if not least <= links <= possible:
+        raise NetworkError(
+            f"links is {links}; to connect {network.size} users with {possible} possible links it must be "
+            f"{least} to {possible}"
+        )
+    if len(needed) > links:
+        raise NetworkError(f"must holds {len(needed)} links but links is {links}; ask for at least {len(needed)}")
+    degree = np.zeros(network.size, dtype=np.int64)
+    for a, b in needed:
+        degree[[a, b]] += 1
+    for i in map(int, np.flatnonzero(degree > most)):
+        raise NetworkError(
+            f"must gives user {user_number(i)} {degree[i]} links but max_degree is {most}; it must be at least "
+            f"{degree[i]}"
+        )
+    if 2 * links > network.size * most:
+        raise NetworkError(
+            f"links is {links}; with max_degree {most} the {network.size} users have at most {network.size * most // 2}"
+        )
+
+
+def _modes(mass: npt.ArrayLike, damping: npt.ArrayLike, stiffness: npt.ArrayLike) -> FloatArray:
+    """(modes, 3); scalars count for every mode."""
+    parts = [np.atleast_1d(np.asarray(part, dtype=np.float64)) for part in (mass, damping, stiffness)]
+    try:
+        modes = np.stack(np.broadcast_arrays(*parts), axis=-1)
+    except ValueError:
+        counts = ", ".join(str(part.size) for part in parts)
+        raise NetworkError(
+            f"mass, damping and stiffness have {counts} entries; give one of each, or one for each body mode"
+        ) from None
+    if modes.ndim != 2 or not modes.size:
+        raise NetworkError("mass, damping and stiffness must be numbers, or lists with a number for each body mode")
+    for column, (name, unit) in enumerate((("mass", "kg"), ("damping", "Ns/m"), ("stiffness", "N/m"))):
+        for value in modes[:, column]:
+            if not (math.isfinite(value) and (value > 0 if column == 0 else value >= 0)):
+                right = "above 0" if column == 0 else "at least 0"
+                raise NetworkError(f"{name} is {value:g} {unit}; it must be finite and {right}")
+    return np.unique(modes, axis=0)
+
+
+def _sync(sync_damping: npt.ArrayLike | None, size: int) -> FloatArray:
+    if sync_damping is None:
+        return np.zeros(0)
+    array = np.array(sync_damping, dtype=np.float64)
+    if array.shape != (size,):
+        raise NetworkError(f"sync_damping has shape {array.shape}; it must be ({size},), one for each user")
+    if not np.all(np.isfinite(array) & (array >= 0)):
+        raise NetworkError("sync_damping has an entry that is not finite or below 0; each must be at least 0 Ns/m")
+    return array

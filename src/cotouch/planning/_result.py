@@ -1,0 +1,150 @@
+"""What a plan says."""
+
+import math
+from dataclasses import dataclass, replace
+from typing import Any, Literal, TypeAlias, final
+
+import numpy as np
+
+from cotouch.network import Network, Pair
+from cotouch.planning._problem import Objective, Problem
+from cotouch.planning._task import DECAY, FloatArray, IntArray, period_of, rate
+from cotouch.units import user_number
+
+Status: TypeAlias = Literal["proved", "best found"]
+Method: TypeAlias = Literal["enumerate", "bound", "local"]
+
+
+@final
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Choice:
+    """One choice of links.
+
+    Attributes:
+        links: pairs of user indices, from 0; hand them to `Network.with_links`.
+        value: the objective, of which smaller is better: second largest |eigenvalue|, real part of the rightmost root
+            [1/s], or largest damping [Ns/m].
+        time_constant_s: seconds in which what is left falls by e, of the consensus or else of the closed loop; inf if
+            it never does; NaN where springs have weights, which the closed loop does not take.
+        damping: `B_i` in Ns/m, (N,): the rule with the delays as ages, or what was given.
+        worst_path_s: longest of the quickest ways from any user to any other along the links, s.
+        period: of the consensus, in time units; above 1 it never settles. 1 for the other objectives.
+    """
+
+    links: tuple[Pair, ...]
+    value: float
+    time_constant_s: float
+    damping: FloatArray
+    worst_path_s: float
+    period: int
+
+    def numbers(self) -> dict[str, Any]:
+        """For JSON; users are numbered from 1."""
+        return {
+            "links": [[user_number(a), user_number(b)] for a, b in self.links],
+            "value": self.value,
+            "time_constant_s": self.time_constant_s,
+            "damping": self.damping.tolist(),
+            "largest_damping": float(self.damping.max()),
+            "worst_path_s": self.worst_path_s,
+            "period": self.period,
+        }
+
+
+@final
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Plan:
+    """The best choice of links, and how sure that is.
+
+    Attributes:
+        objective: what was to be small.
+        status: "proved": enumeration or a bound covers every choice; "best found": nothing is claimed of the rest.
+        method: how it was found.
+        best: the best choice.
+        worst: the worst of those that were worked out; the worst of all after a full enumeration.
+        top: the best choices, best first.
+        choices: how many choices of links there are, connected or not.
+        graphs: how many connected ones within the limits were looked at.
+        looked_at: how many choices were looked at.
+        periodic: how many of the graphs never mix (consensus; after an enumeration).
+        unsure: how many of the graphs no method could tell for certain; they are left out.
+        seed: of the random starts.
+        seconds: how long it took.
+    """
+
+    objective: Objective
+    status: Status
+    method: Method
+    best: Choice
+    worst: Choice
+    top: tuple[Choice, ...]
+    choices: int
+    graphs: int
+    looked_at: int
+    periodic: int
+    unsure: int
+    seed: int
+    seconds: float
+
+    def numbers(self) -> dict[str, Any]:
+        """For JSON; users are numbered from 1."""
+        return {
+            "objective": self.objective,
+            "status": self.status,
+            "method": self.method,
+            "graphs": self.graphs,
+            "choices": self.choices,
+            "looked_at": self.looked_at,
+            "periodic": self.periodic,
+            "unsure": self.unsure,
+            "seed": self.seed,
+            "seconds": self.seconds,
+            "best": self.best.numbers(),
+            "worst": self.worst.numbers(),
+            "top": [choice.numbers() for choice in self.top],
+        }
+
+
+def shown(problem: Problem, value: float) -> float:
+    """The objective as users read it, from the form that `rate` gives."""
+    return math.exp(value * problem.time_unit) if problem.objective == "consensus" else value
+
+
+def choice_of(problem: Problem, chosen: IntArray, value: float) -> Choice:
+    """Everything about one choice, from the numbers of its pairs and its objective as `rate` gives it."""
+    task = problem.task
+    network = problem.network.with_links(problem.pairs(chosen))
+    damping = np.zeros(task.size)
+    for end in (task.first, task.second):
+        np.add.at(damping, end[chosen], task.load[chosen])
+    slowest = value if problem.objective != "damping" else _decay(problem, chosen)
+    return Choice(
+        links=network.links,
+        value=shown(problem, value),
+        time_constant_s=math.nan if math.isnan(slowest) else -1.0 / slowest if slowest < 0 else math.inf,
+        damping=task.sync if task.sync.size else damping,
+        worst_path_s=worst_path(network),
+        period=int(period_of(task, chosen)) if problem.objective == "consensus" else 1,
+    )
+
+
+def _decay(problem: Problem, chosen: IntArray) -> float:
+    """Rightmost root of the closed loop beside another objective, 1/s; NaN where there is none to be had."""
+    if any(problem.network.weight_of[i, j] >= 0 for i, j in problem.pairs(chosen)):
+        return math.nan
+    task = problem.task._replace(objective=DECAY)
+    value, sure = rate(task, chosen, np.full(len(task.modes), complex(-np.inf, 0.0)))
+    if sure:
+        return float(value)
+    settled = replace(problem, objective="decay", task=task).reference(chosen)
+    return math.nan if settled is None else settled
+
+
+def worst_path(network: Network) -> float:
+    """Longest of the quickest ways from any user to any other along the links, s."""
+    linked = network.adjacency() > 0
+    way = np.where(linked, network.delay, np.inf)
+    np.fill_diagonal(way, 0.0)
+    for k in range(network.size):
+        way = np.minimum(way, way[:, k, None] + way[None, k, :])
+    return float(way.max())

@@ -1,0 +1,205 @@
+"""What the search looks for, in compiled form: the pairs that may be linked, the limits on them, the objective."""
+
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.compiled import routine
+from cotouch.network import Loop, polish, rate_of, rightmost, slowest
+
+FloatArray: TypeAlias = npt.NDArray[np.float64]
+IntArray: TypeAlias = npt.NDArray[np.int64]
+ComplexArray: TypeAlias = npt.NDArray[np.complex128]
+BoolArray: TypeAlias = npt.NDArray[np.bool_]
+
+CONSENSUS, DECAY, DAMPING = 0, 1, 2
+
+
+class Task(NamedTuple):
+    """One search. Pairs that may be linked are numbered in lexicographic order, M of them.
+
+    Attributes:
+        size: number of users, N.
+        objective: `CONSENSUS`, `DECAY` or `DAMPING`.
+        first: smaller user of each pair, (M,).
+        second: larger user, (M,).
+        spring: N/m, (M,).
+        to_first: s, (M,), delay from second to first; for consensus a whole number of time units.
+        to_second: s, (M,), the other way.
+        lag_first: for consensus the delays in time units, (M,).
+        lag_second: the other way, (M,).
+        load: what the link adds to the damping of either end, Ns/m, (M,): `K (d_ij + d_ji) / 2`.
+        must: pairs that every choice has, ascending.
+        free: the other pairs, ascending.
+        pick: how many of `free` a choice has.
+        most: largest number of links of one user.
+        modes: mass [kg], damping [Ns/m], stiffness [N/m] of each body mode, (modes, 3).
+        sync: synchronisation damping Ns/m, (N,), or (0,) for the rule.
+        top: π over the time unit of consensus, 1/s.
+    """
+
+    size: int
+    objective: int
+    first: IntArray
+    second: IntArray
+    spring: FloatArray
+    to_first: FloatArray
+    to_second: FloatArray
+    lag_first: IntArray
+    lag_second: IntArray
+    load: FloatArray
+    must: IntArray
+    free: IntArray
+    pick: int
+    most: int
+    modes: FloatArray
+    sync: FloatArray
+    top: float
+
+
+@routine
+def admissible(task: Task, chosen: IntArray) -> bool:
+    """Whether links connect all users and give none too many."""
+    group, degree = np.arange(task.size), np.zeros(task.size, np.int64)
+    groups = task.size
+    for e in chosen:
+        i, j = task.first[e], task.second[e]
+        degree[i] += 1
+        degree[j] += 1
+        if degree[i] > task.most or degree[j] > task.most:
+            return False
+        a, b = group[i], group[j]
+        if a != b:
+            groups -= 1
+            for u in range(task.size):
+                if group[u] == a:
+                    group[u] = b
+    return groups == 1
+
+
+@routine
+def period_of(task: Task, chosen: IntArray) -> int:
+    """Greatest common divisor of the total lags of all cycles of connected links: `network.cycle_period`, compiled."""
+    distance, reached = np.zeros(task.size, np.int64), np.zeros(task.size, np.bool_)
+    reached[0] = True
+    left = task.size - 1
+    while left > 0:
+        for e in chosen:
+            i, j = task.first[e], task.second[e]
+            if reached[i] and not reached[j]:
+                distance[j] = distance[i] + task.lag_second[e]
+            elif reached[j] and not reached[i]:
+                distance[i] = distance[j] + task.lag_first[e]
+            else:
+                continue
+            reached[i] = reached[j] = True
+            left -= 1
+    period = 0
+    for e in chosen:
+        i, j = task.first[e], task.second[e]
+        for rest in (
+            distance[j] + task.lag_first[e] - distance[i],
+            distance[i] + task.lag_second[e] - distance[j],
+        ):
+            a, b = period, abs(int(rest))
+            while b != 0:
+                a, b = b, a % b
+            period = a
+    return period
+
+
+@routine
+def largest_damping(task: Task, chosen: IntArray) -> float:
+    """Largest `B_i` of the rule, Ns/m."""
+    damping = np.zeros(task.size)
+    for e in chosen:
+        damping[task.first[e]] += task.load[e]
+        damping[task.second[e]] += task.load[e]
+    return np.max(damping)
+
+
+@routine
+def loop_of(task: Task, chosen: IntArray, mode: int) -> Loop:
+    """The loop of one choice of links: the consensus, or the closed loop of one body mode."""
+    n = task.size
+    mass, drag, rigid = np.zeros(n), np.zeros(n), np.zeros(n)
+    moving = task.objective != CONSENSUS
+    for e in chosen:
+        for i in (task.first[e], task.second[e]):
+            rigid[i] += task.spring[e]
+            if moving and len(task.sync) == 0:
+                drag[i] += task.load[e]
+    if moving:
+        for i in range(n):
+            mass[i] = task.modes[mode, 0] / n
+            drag[i] += task.modes[mode, 1] / n
+            rigid[i] += task.modes[mode, 2] / n
+            if len(task.sync) > 0:
+                drag[i] += task.sync[i]
+    return Loop(
+        mass,
+        drag,
+        rigid,
+        task.first[chosen],
+        task.second[chosen],
+        task.spring[chosen],
+        task.to_first[chosen],
+        task.to_second[chosen],
+    )
+
+
+@routine
+def rate(task: Task, chosen: IntArray, guesses: ComplexArray) -> tuple[float, bool]:
+    """The objective of connected links, in a form of which smaller is better.
+
+    Args:
+        task: the search.
+        chosen: numbers of the pairs linked, ascending.
+        guesses: of each mode where its root may be, real part -inf where nothing is known; the roots found replace
+            them.
+
+    Returns:
+        Real part of the slowest root in 1/s (0 for a periodic graph, -inf if there is no root), or the largest damping
+        in Ns/m; and whether it is certain.
+    """
+    if task.objective == DAMPING:
+        return largest_damping(task, chosen), True
+    if task.objective == CONSENSUS and period_of(task, chosen) > 1:
+        return 0.0, True
+    worst, sure = -np.inf, True
+    for mode in range(len(task.modes)):
+        loop = loop_of(task, chosen, mode)
+        start = guesses[mode : mode + 1] if np.isfinite(guesses[mode].real) else guesses[:0]
+        if task.objective == CONSENSUS:
+            root, certain, _ = slowest(loop, task.top, start)
+        else:
+            root, certain, _ = rightmost(loop, task.modes[mode, 2] == 0.0, start)
+        guesses[mode] = root
+        sure = sure and certain
+        worst = max(worst, root.real)
+    return worst, sure
+
+
+@routine
+def hopeless(task: Task, chosen: IntArray, best: float, guesses: ComplexArray) -> bool:
+    """Whether links are surely no better than `best`, from one root that Newton reaches from each guess.
+
+    A root right of `best` settles it, whatever others there are. The resting translation does not count.
+    """
+    if task.objective == DAMPING:
+        return largest_damping(task, chosen) >= best
+    known, copies = np.zeros(1, np.complex128), np.ones(1, np.int64)
+    for mode in range(len(task.modes)):
+        if not np.isfinite(guesses[mode].real):
+            continue
+        loop = loop_of(task, chosen, mode)
+        resting = task.objective == CONSENSUS or task.modes[mode, 2] == 0.0
+        if task.objective == CONSENSUS:
+            scale = 1.0 / max(np.max(loop.to_first), np.max(loop.to_second))
+        else:
+            scale = rate_of(loop)
+        root, arrived = polish(loop, guesses[mode], scale, known, copies, 1 if resting else 0)
+        if arrived and root.real >= best and (not resting or np.abs(root) > 1e-9 * scale):
+            return True
+    return False
