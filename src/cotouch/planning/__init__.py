@@ -3,5 +3,6 @@
 from cotouch.planning._plan import Progress, plan
 from cotouch.planning._problem import Objective
 from cotouch.planning._result import Choice, Method, Plan, Status
+from cotouch.planning._survey import Survey, survey
 
-__all__ = ["Choice", "Method", "Objective", "Plan", "Progress", "Status", "plan"]
+__all__ = ["Choice", "Method", "Objective", "Plan", "Progress", "Status", "Survey", "plan", "survey"]

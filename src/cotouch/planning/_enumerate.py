@@ -99,29 +99,47 @@ def chosen_at(problem: Problem, rank: int) -> IntArray:
     return np.sort(np.concatenate([task.must, task.free[unrank(rank, len(task.free), task.pick)]]))
 
 
-def look(problem: Problem, start: int, count: int, top: int) -> Found:
-    """Works off `count` choices from number `start` on; keeps the `top` best and the worst."""
+class Values(NamedTuple):
+    """Objectives of consecutive choices.
+
+    Attributes:
+        values: as `rate` gives them; NaN where not admissible or not to be told.
+        connected: whether each is admissible.
+        unsure: how many admissible ones nothing could tell for certain.
+    """
+
+    values: FloatArray
+    connected: BoolArray
+    unsure: int
+
+
+def values_of(problem: Problem, start: int, count: int) -> Values:
+    """Objectives of `count` choices from number `start` on."""
     task = thawed(problem.task)
     values, sure = np.empty(count), np.empty(count, dtype=np.bool_)
     sweep(task, unrank(start, len(task.free), task.pick), values, sure)
-    admitted = ~np.isnan(values)
-    connected, unsure = int(admitted.sum()), 0
+    connected, unsure = ~np.isnan(values), 0
     for r in map(int, np.flatnonzero(~sure)):
         value = problem.reference(chosen_at(problem, start + r))
         unsure += value is None
         values[r] = math.nan if value is None else value
+    return Values(values, connected, unsure)
+
+
+def look(problem: Problem, start: int, count: int, top: int) -> Found:
+    """Works off `count` choices from number `start` on; keeps the `top` best and the worst."""
+    values, connected, unsure = values_of(problem, start, count)
     order = np.argsort(values, kind="stable")[: int((~np.isnan(values)).sum())]
     kept = order[:top].tolist()
     if order.size:
         worst = int(np.flatnonzero(values == values[order[-1]])[0])
         kept += [worst] if worst not in kept else []
-    periodic = int((values == 0.0).sum()) if problem.objective == "consensus" else 0
     return Found(
         tuple(start + int(r) for r in kept),
         tuple(float(values[r]) for r in kept),
         count,
-        connected,
-        periodic,
+        int(connected.sum()),
+        int((values == 0.0).sum()) if problem.objective == "consensus" else 0,
         unsure,
     )
 

@@ -1,13 +1,13 @@
 """Which links to choose: all connected graphs, looked at one by one."""
 
 from dataclasses import dataclass
-from math import comb
 from typing import Any, Literal, TypeAlias, final
 
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.network import Network, Pair, connected_graphs, mixing, rightmost_root
+from cotouch.network import Network, Pair
+from cotouch.planning import survey
 from cotouch.study._data import names
 
 Float = npt.NDArray[np.float64]
@@ -121,29 +121,22 @@ class Topologies:
 
 def topologies(network: Network) -> Topologies:
     """Looks at every connected choice of six links."""
-    every = network.with_links(None)
-    graphs = tuple(connected_graphs(every, links=LINKS))
-    candidates = [every.with_links(graph) for graph in graphs]
-    rankings: dict[Objective, Ranking] = {}
-    periodic: dict[str, int] = {}
-    for convention in ("equation", "matrix"):
-        fine = [mixing(candidate, time_unit=TIME_UNIT, convention=convention) for candidate in candidates]
-        # 0.04 s is not a multiple of the coarse unit; a delay rounds up, as an index delay does.
-        coarse = [
-            mixing(candidate, time_unit=COARSE_UNIT, convention=convention, rounding="up") for candidate in candidates
-        ]
-        values = np.array([found.value for found in fine])
-        rankings[convention] = _ranking(convention, values, sum(found.period > 1 for found in fine))
-        periodic[convention] = sum(found.period > 1 for found in coarse)
-    rates = np.array([rightmost_root(candidate).rate for candidate in candidates])
-    rankings["decay"] = _ranking("decay", rates, 0)
+    conventions = ("equation", "matrix")
+    fine: dict[str, dict[str, Any]] = {word: {"convention": word, "time_unit": TIME_UNIT} for word in conventions}
+    # 0.04 s is not a multiple of the coarse unit; a delay rounds up, as an index delay does.
+    coarse: dict[str, dict[str, Any]] = {
+        f"coarse {word}": {"convention": word, "time_unit": COARSE_UNIT, "rounding": "up"} for word in conventions
+    }
+    found = survey(network, links=LINKS, objectives=fine | coarse | {"decay": {"objective": "decay"}})
+    objectives: tuple[Objective, ...] = ("equation", "matrix", "decay")
+    rankings = {name: _ranking(name, found.values[name], found.never[name]) for name in objectives}
     return Topologies(
-        network=every,
-        choices=comb(len(every.links), LINKS),
-        graphs=graphs,
+        network=network.with_links(None),
+        choices=found.choices,
+        graphs=found.graphs,
         rankings=rankings,
-        periodic=periodic,
-        references=_references(graphs, rankings),
+        periodic={word: found.never[f"coarse {word}"] for word in conventions},
+        references=_references(found.graphs, rankings),
     )
 
 

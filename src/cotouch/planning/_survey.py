@@ -1,0 +1,86 @@
+"""Every choice of links under several objectives, side by side."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, final
+
+import numpy as np
+
+from cotouch.errors import NetworkError
+from cotouch.network import Network, Pair
+from cotouch.planning._enumerate import chosen_at, values_of
+from cotouch.planning._problem import Problem, make_problem
+from cotouch.planning._result import shown
+from cotouch.planning._task import FloatArray
+
+# More choices than this are not for looking at side by side.
+_MOST = 200_000
+
+
+@final
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Survey:
+    """All connected choices of links.
+
+    Attributes:
+        graphs: pairs of user indices (from 0) of each, in lexicographic order.
+        values: of each graph, by the names asked for; smaller is better; NaN where nothing could tell.
+        never: by the same names, how many graphs are periodic and never mix (consensus).
+        choices: how many choices there are, connected or not.
+    """
+
+    graphs: tuple[tuple[Pair, ...], ...]
+    values: dict[str, FloatArray]
+    never: dict[str, int]
+    choices: int
+
+
+def survey(network: Network, *, links: int, objectives: dict[str, dict[str, Any]], **options: Any) -> Survey:
+    """Works out several objectives of every connected choice of links.
+
+    Args:
+        network: as in `plan`.
+        links: how many links each choice has.
+        objectives: by a name of your own, options of `plan` that differ between them, such as `{"paper": {"objective":
+            "consensus", "time_unit": 0.05, "rounding": "up"}, "loop": {"objective": "decay"}}`.
+        **options: of `plan`, for all of them: `must`, `never`, `max_degree`, `mass`, `damping`, `stiffness`.
+
+    Raises:
+        NetworkError: more than 200,000 choices, or as `plan` raises it.
+    """
+    values: dict[str, FloatArray] = {}
+    never: dict[str, int] = {}
+    graphs: tuple[tuple[Pair, ...], ...] = ()
+    choices = 0
+    for name, own in objectives.items():
+        problem = make_problem(network, links=links, **_DEFAULTS | options | own)
+        choices = problem.choices
+        if choices > _MOST:
+            raise NetworkError(f"there are {choices} choices of {links} links; at most {_MOST} can be shown together")
+        found = values_of(problem, 0, choices)
+        admitted = np.flatnonzero(found.connected)
+        values[name] = np.array([shown(problem, value) for value in found.values[admitted].tolist()])
+        never[name] = int((values[name] == 1.0).sum()) if problem.objective == "consensus" else 0
+        if not graphs:
+            graphs = _graphs(problem, admitted.tolist())
+    return Survey(graphs=graphs, values=values, never=never, choices=choices)
+
+
+_DEFAULTS: dict[str, Any] = {
+    "objective": "consensus",
+    "convention": "equation",
+    "time_unit": 0.01,
+    "rounding": "exact",
+    "must": (),
+    "never": (),
+    "max_degree": None,
+    "mass": 1.0,
+    "damping": 0.0,
+    "stiffness": 0.0,
+    "sync_damping": None,
+}
+
+
+def _graphs(problem: Problem, ranks: Sequence[int]) -> tuple[tuple[Pair, ...], ...]:
+    return tuple(problem.pairs(chosen_at(problem, rank)) for rank in ranks)
+
