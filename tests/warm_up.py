@@ -2,6 +2,10 @@
 
 import sys
 
+import numpy as np
+
+from cotouch.network import Network
+from cotouch.planning import plan
 from cotouch.simulation import Scenario, prepare, run_peers, simulate
 
 
@@ -15,6 +19,11 @@ def main(axes: int) -> None:
     )
     simulate(scenario)
     run_peers(prepare(scenario))
+    if axes == 1:
+        three = [[0, 1, 1], [1, 0, 1], [1, 1, 0]]
+        network = Network(users=["a", "b", "c"], spring=three, delay=0.01 * np.array(three))
+        for objective, method in (("consensus", "enumerate"), ("decay", "local"), ("damping", "bound")):
+            plan(network, links=2, objective=objective, method=method, starts=2)
 
 
 if __name__ == "__main__":

@@ -72,7 +72,7 @@ def _joins(task: Task, dive: Dive, depth: int, group: IntArray, degree: IntArray
         if degree[i] >= task.most or degree[j] >= task.most:
             continue
         fits += 1
-        a, b = wider[i], wider[j]
+        a, b = int(wider[i]), int(wider[j])
         if a != b:
             groups -= 1
             _relabel(wider, a, b)
@@ -97,7 +97,7 @@ def _take(task: Task, e: int, damping: FloatArray, group: IntArray, degree: IntA
     degree[i] += 1
     degree[j] += 1
     if group[i] != group[j]:
-        _relabel(group, group[i], group[j])
+        _relabel(group, int(group[i]), int(group[j]))
 
 
 @routine
@@ -147,7 +147,7 @@ def descend(task: Task, dive: Dive, ceiling: float, most: int, first: bool) -> b
         np.zeros((pairs + 1, n), np.int64),
     )
     picked = np.zeros(pairs + 1, np.int64)
-    depth = dive.counts[0]
+    depth = int(dive.counts[0])
     group[0] = np.arange(n)
     for e in task.must:
         _take(task, e, damping[0], group[0], degree[0])
@@ -155,11 +155,11 @@ def descend(task: Task, dive: Dive, ceiling: float, most: int, first: bool) -> b
         damping[place + 1], group[place + 1], degree[place + 1] = damping[place], group[place], degree[place]
         picked[place + 1] = picked[place]
         if dive.taken[place]:
-            _take(task, dive.order[place], damping[place + 1], group[place + 1], degree[place + 1])
+            _take(task, int(dive.order[place]), damping[place + 1], group[place + 1], degree[place + 1])
             picked[place + 1] += 1
     for _ in range(most):
         dive.counts[2] += 1
-        need = task.pick - picked[depth]
+        need = task.pick - int(picked[depth])
         open_ = depth + need <= pairs
         if open_:
             average = (np.sum(damping[depth]) + 2.0 * (dive.cheapest[depth + need] - dive.cheapest[depth])) / n
@@ -180,7 +180,7 @@ def descend(task: Task, dive: Dive, ceiling: float, most: int, first: bool) -> b
             depth -= 1
         damping[depth + 1], group[depth + 1], degree[depth + 1] = damping[depth], group[depth], degree[depth]
         picked[depth + 1] = picked[depth]
-        e = dive.order[depth]
+        e = int(dive.order[depth])
         fits = degree[depth, task.first[e]] < task.most and degree[depth, task.second[e]] < task.most
         dive.taken[depth] = open_ and fits
         if dive.taken[depth]:

@@ -146,8 +146,10 @@ def look(problem: Problem, start: int, count: int, top: int) -> Found:
 
 def thawed(task: Task) -> Task:
     """The same with arrays of its own: what comes from another process is read-only, another type to the kernels."""
-    parts: Any = task
-    return Task(*(np.array(part) if isinstance(part, np.ndarray) else part for part in parts))
+    parts: dict[str, Any] = {
+        name: np.array(part) if isinstance(part, np.ndarray) else part for name, part in task._asdict().items()
+    }
+    return task._replace(**parts)
 
 
 def merged(parts: Sequence[Found], top: int) -> Found:

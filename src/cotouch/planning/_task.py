@@ -176,7 +176,8 @@ def rate(task: Task, chosen: IntArray, guesses: ComplexArray) -> tuple[float, bo
         else:
             root, certain, _ = rightmost(loop, task.modes[mode, 2] == 0.0, start)
         guesses[mode] = root
-        sure = sure and certain
+        # No root at all is rare enough to be looked at again.
+        sure = sure and certain and root.real > -np.inf
         worst = max(worst, root.real)
     return worst, sure
 

@@ -1,0 +1,66 @@
+"""`cotouch plan` as a user runs it."""
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+from tests.cli.test_cli import FIVE_USERS, cotouch
+
+
+def test_plan_prints_one_json_object() -> None:
+    done = cotouch("plan", FIVE_USERS, "--links", "6", "--objective", "decay", "--top", "2", "--json")
+    assert done.returncode == 0, done.stderr
+    found = json.loads(done.stdout)
+    assert (found["objective"], found["status"], found["graphs"], found["choices"]) == ("decay", "proved", 205, 210)
+    assert found["best"]["links"] == [[1, 2], [1, 4], [2, 3], [2, 4], [3, 4], [4, 5]]
+    assert found["best"]["value"] == pytest.approx(-1.428553, abs=1e-6)
+    assert found["best"]["time_constant_s"] == pytest.approx(1 / 1.428553, abs=1e-6)
+    assert len(found["best"]["damping"]) == 5
+    assert found["worst"]["value"] == pytest.approx(-0.289652, abs=1e-6)
+    assert len(found["top"]) == 2
+    assert found["top"][0] == found["best"]
+
+
+def test_plan_prints_a_table_and_keeps_to_the_limits() -> None:
+    done = cotouch("plan", FIVE_USERS, "--links", "5", "--must", "1-3", "--never", "2-4,4-5", "--max-degree", "3")
+    assert done.returncode == 0, done.stderr
+    assert "Proved for 5 users" in done.stdout
+    best = re.search(r"^  1 +((?:\d-\d ?)+)", done.stdout, re.MULTILINE)
+    assert best is not None
+    assert "1-3" in best[1]
+    assert "2-4" not in best[1]
+
+
+def test_a_graph_that_never_mixes_has_no_time_constant() -> None:
+    done = cotouch("plan", FIVE_USERS, "--links", "6", "--json")
+    worst = json.loads(done.stdout)["worst"]
+    assert worst["value"] == 1.0
+    assert worst["time_constant_s"] is None
+    assert worst["period"] > 1
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (["--links", "3"], "links is 3"),
+        (["--links", "6", "--must", "1to2"], '--must is "1to2"'),
+        (["--links", "6", "--must", "1-2", "--never", "2-1"], "1-2 is both in must and in never"),
+        (["--links", "6", "--objective", "speed"], 'objective is "speed"'),
+        (["--links", "6", "--time-unit", "0.03"], "choose a time unit that divides it"),
+    ],
+)
+def test_what_cannot_be_is_one_sentence_and_exit_code_2(options: list[str], message: str) -> None:
+    done = cotouch("plan", FIVE_USERS, *options)
+    assert done.returncode == 2
+    assert message in done.stderr
+    assert done.stderr.count("\n") == 1
+
+
+def test_a_delay_that_is_no_number_is_named(tmp_path: Path) -> None:
+    for entry in ("nan", "-0.1"):
+        path = tmp_path / "network.toml"
+        path.write_text(f"[network]\nusers = ['a', 'b']\nspring = [[0, 1], [1, 0]]\ndelay = [[0, {entry}], [0.1, 0]]\n")
+        done = cotouch("plan", path, "--links", "1")
+        assert done.returncode == 2
+        assert "must be finite and at least 0" in done.stderr
