@@ -19,12 +19,9 @@ from cotouch.planning._task import ComplexArray, IntArray, Task, admissible, hop
 # Walks side by side, whatever the machine, so that a seed means the same everywhere.
 WALKS = 8
 # Swaps of a walk between looks at the clock.
-_SLICE = 300
+_SLICE = 1000
 # Random starts tried before a start that is known to be admissible is taken.
 _TRIES = 100
-
-# Roots of swaps turned down lately, from which Newton starts too.
-_LATELY = 4
 
 _DONE, _BETTER, _UNSURE = 0, 1, 2
 
@@ -89,7 +86,6 @@ def swaps(
     """
     looked = 0
     trial, roots = chosen.copy(), guesses.copy()
-    lately, turn = np.full((_LATELY, len(guesses)), complex(-np.inf, 0.0)), 0
     for p in range(begin, end):
         leaving, coming = inside[order[p] // len(outside)], outside[order[p] % len(outside)]
         for c in range(len(chosen)):
@@ -99,10 +95,7 @@ def swaps(
             continue
         looked += 1
         least = value - ROUND_OFF * np.abs(value)
-        down = hopeless(task, trial, least, guesses)
-        for row in range(_LATELY):
-            down = down or hopeless(task, trial, least, lately[row])
-        if down:
+        if hopeless(task, trial, least, guesses):
             continue
         roots[:] = guesses
         found, sure = rate(task, trial, roots)
@@ -110,8 +103,6 @@ def swaps(
             chosen[:] = trial
             guesses[:] = roots
             return (_BETTER if sure else _UNSURE), p + 1, found, looked
-        lately[turn % _LATELY] = roots
-        turn += 1
     return _DONE, end, value, looked
 
 
