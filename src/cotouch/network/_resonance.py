@@ -25,7 +25,7 @@ _LOOKS = 3
 _LEFT = 0.03
 # Windows narrower than this, in radians of the slowest link's phase, are not divided further.
 _NARROW = 0.15
-# No eigenvalue is smaller than this power of e, in one time unit: as good as zero.
+# Without a root that falls by less than this power of e in the longest round trip there is none but zero.
 _NOTHING = 60.0
 
 
@@ -251,12 +251,10 @@ def slowest(loop: Loop, top: float, guesses: ComplexArray) -> tuple[complex, boo
         for f in range(1, found):
             if np.abs(known[f].real - line) < 0.1 * width:
                 line = known[f].real - 0.25 * width
-        final = line >= reach
+        final = found > 1 and line >= reach
         if not final:
             # Lines far left cross many windows: better roots are looked for right of there first.
             line, reach = reach, _FURTHER * reach
-        if line * np.pi / top < -_NOTHING:
-            return best, True, effort
         windows, tests = _windows(loop, line, top, lows, highs, out)
         effort += tests
         if windows < 0:
@@ -276,7 +274,7 @@ def slowest(loop: Loop, top: float, guesses: ComplexArray) -> tuple[complex, boo
             found = _add(loop, complex(0.5 * line, 0.5 * (lows[w] + highs[w])), scale, top, known, copies, found)
         for f in range(before, found):
             ahead = max(ahead, known[f].real)
-        if not final or ahead > best.real + 0.05 * np.abs(line):
+        if found > 1 and (not final or ahead > best.real + 0.05 * np.abs(line)):
             continue
         certain, fresh = True, False
         for w in range(windows):
@@ -300,12 +298,14 @@ def slowest(loop: Loop, top: float, guesses: ComplexArray) -> tuple[complex, boo
                     best = known[f]
             if best.real > line + 0.5 * np.abs(line):
                 break  # Much better: a line further right crosses fewer windows.
+        if certain and found == 1 and line * longest < -_NOTHING:
+            return best, True, effort
         if certain and found > 1:
             for f in range(1, found):
                 if known[f].real > best.real:
                     best = known[f]
             return best, True, effort
-        if not fresh:
+        if found > 1 and not fresh:
             left *= 0.618
     return best, False, effort
 

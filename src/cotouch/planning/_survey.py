@@ -83,4 +83,3 @@ _DEFAULTS: dict[str, Any] = {
 
 def _graphs(problem: Problem, ranks: Sequence[int]) -> tuple[tuple[Pair, ...], ...]:
     return tuple(problem.pairs(chosen_at(problem, rank)) for rank in ranks)
-
