@@ -6,6 +6,7 @@ region. Where two roots meet on the real axis the rate has an infinite slope on 
 of half their distance go on smoothly; a second program moves with these, and keeps the two from parting again.
 """
 
+import itertools
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -34,6 +35,10 @@ _ORDER = 14
 _FRONT = 12
 # Singular values below this share of the largest term belong to a root.
 _NULL = 1e-9
+# What the count of roots ends in where several coincide: such springs are passed over.
+_UNSETTLED = (UnsupportedError, ZeroDivisionError)
+# Other starts: so many spread over the bounds for every link (and at most), and how many of the best are followed.
+_SPREAD, _MOST_SPREAD, _FOLLOWED = 15, 120, 3
 
 
 @final
@@ -47,7 +52,7 @@ class Tuned:
         after: 1/s, the same with the new springs; never above `before`.
         sync_damping: (N,) Ns/m, the rule's `B_i` with the new springs.
         start_factor: by which all springs were multiplied first, because they broke the limit; 1 where they held it.
-        rounds: linear programs solved in a row, each with its step taken or refused.
+        rounds: linear programs in a row from all starts, each with its step taken or refused.
     """
 
     network: Network
@@ -73,7 +78,9 @@ def tune_springs(
 
     The damping is the rule's with the delays as ages, `B_i = sum_j K_ij (d_ij + d_ji)/2`, so the limit is linear in the
     springs and holds at every step. A step counts only if the rightmost root, counted for certain, really moves left:
-    the result is never worse than the start. It is a local optimum; the same input gives the same result.
+    the result is never worse than the start. Springs spread evenly over the bounds (in logarithms) are tried as well,
+    and the best of them are followed like the start. The result is a local optimum; the same input gives the same
+    result.
 
     Args:
         network: connected; springs without weights. Those that are not linked keep their springs.
@@ -83,14 +90,14 @@ def tune_springs(
         stiffness: N/m of the object or mode, at least 0.
         lowest: N/m, the softest spring allowed; None takes a tenth of the softest at the (feasible) start.
         highest: N/m, the stiffest spring allowed; None takes ten times the stiffest at the start.
-        rounds: most linear programs in a row; 0 only makes the start feasible.
+        rounds: most linear programs in a row from any start; 0 only makes the start feasible.
 
     Raises:
         NetworkError: not connected, a parameter out of its range, or a limit that the start cannot be scaled into
             within the bounds.
         UnsupportedError: springs with weights, or roots too crowded to count.
     """
-    if not (isinstance(rounds, int) and rounds >= 0):
+    if rounds < 0:
         raise NetworkError(f"rounds is {rounds}; it must be a whole number, at least 0")
     limit = _limits(network, damping_limit)
     # Checks the network, the mass and the rest.
@@ -103,8 +110,12 @@ def tune_springs(
     search.low, search.high = low, high
     best, count = (search.at(start), start), 0
     before = best[0].rate
-    if _can_move(best[0], network):
-        best, count = search.improve(best, rounds)
+    if rounds and _can_move(best[0], network):
+        for begin in [best, *search.spread()]:
+            found, used = search.improve(begin, rounds)
+            count += used
+            if found[0].rate < best[0].rate:
+                best = found
     decay, springs = best
     return Tuned(
         network=search.network_of(springs),
@@ -198,6 +209,26 @@ class _Search:
     def at(self, springs: FloatArray) -> Decay:
         return rightmost_root(self.network_of(springs), **self.object)
 
+    def spread(self) -> list[tuple[Decay, FloatArray]]:
+        """The best of many springs between the bounds, scaled into the limit where they break it."""
+        size = self.takes.shape[1]
+        # Kronecker sequence of the powers of the root g of g^(E+1) = g + 1, the most even known in any dimension.
+        ratio = 1.5
+        for _ in range(50):
+            ratio = (1.0 + ratio) ** (1.0 / (size + 1))
+        powers = ratio ** -np.arange(1.0, size + 1)
+        found: list[tuple[Decay, FloatArray]] = []
+        for point in range(min(_SPREAD * size, _MOST_SPREAD)):
+            springs = self.low * (self.high / self.low) ** ((0.5 + (point + 1) * powers) % 1.0)
+            springs = np.maximum(springs * min(1.0, self.room(springs)), self.low)
+            if self.room(springs) < 1.0:
+                continue
+            try:
+                found.append((self.at(springs), springs))
+            except _UNSETTLED:
+                continue
+        return sorted(found, key=lambda one: one[0].rate)[:_FOLLOWED]
+
     def improve(self, best: tuple[Decay, FloatArray], rounds: int) -> tuple[tuple[Decay, FloatArray], int]:
         region, count = _REGION, 0
         model: list[_Program] = []
@@ -215,7 +246,7 @@ class _Search:
                 new = self.inside(springs * (1.0 + change))
                 try:
                     there = self.at(new)
-                except UnsupportedError:
+                except _UNSETTLED:
                     continue
                 if there.rate < here[0].rate:
                     here, promised = (there, new), decay.rate - value
@@ -244,7 +275,7 @@ class _Search:
     def pairings(self, roots: ComplexArray, slopes: ComplexArray) -> Iterator["_Program"]:
         """Programs in which two roots, that are or come onto the real axis together, stay together."""
         real = np.flatnonzero(roots.imag == 0)
-        pairs = [(int(a), int(b)) for a, b in zip(real[:-1], real[1:], strict=True)][:2]
+        pairs = [(int(a), int(b)) for a, b in itertools.pairwise(real)][:2]
         pairs += [(int(a), int(a)) for a in np.flatnonzero(roots.imag != 0)[:2]]
         for a, b in pairs:
             other = roots[b] if a != b else roots[a].conjugate()
@@ -269,9 +300,7 @@ class _Search:
         resting = self.object["stiffness"] == 0
         coupling = np.zeros((len(loop.mass),) * 2)
         coupling[loop.first, loop.second] = coupling[loop.second, loop.first] = loop.spring
-        starts = generator_eigenvalues(
-            loop.mass, loop.drag, loop.rigid, coupling, self.network.delay, order=_ORDER
-        )
+        starts = generator_eigenvalues(loop.mass, loop.drag, loop.rigid, coupling, self.network.delay, order=_ORDER)
         none = np.zeros(1, np.complex128), np.ones(1, np.int64), 0
         for start in starts[starts.imag >= 0][: 2 * _FRONT]:
             root, arrived = polish(loop, complex(start), scale, *none)
