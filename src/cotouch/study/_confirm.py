@@ -14,7 +14,7 @@ from cotouch.simulation import Scenario, simulate
 _IN_DELAY, _IN_CONSTANT, _IN_SPRING = 40, 500, 20
 _MOST_STEPS = 2_000_000
 # The window of the fit, in time constants of the slowest mode.
-_BEGIN, _END = 8.0, 20.0
+_BEGIN, _END = 12.0, 22.0
 # Samples kept of the window, and how many of them make one column of the fit.
 _SAMPLES, _DEPTH = 400, 80
 # Singular values, and shares of the motion at the middle of the window, below which there is only round-off.
