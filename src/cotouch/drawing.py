@@ -3,10 +3,10 @@
 Nothing here knows what is drawn: numbers, names and colours come in, lines and texts go out.
 """
 
-from collections.abc import Generator, Sequence
+from collections.abc import Callable, Generator, Sequence
 from contextlib import contextmanager
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, Final, TypeAlias, cast
+from typing import TYPE_CHECKING, Any, Final, NamedTuple, TypeAlias, cast, final
 
 import numpy as np
 import numpy.typing as npt
@@ -215,7 +215,7 @@ def network(
     *,
     width: float,
     strongest: float,
-    color: "Callable[[float], Any]",
+    color: Callable[[float], Any],
     labelled: bool = True,
     delay_unit: float = 1e-3,
 ) -> None:
@@ -290,6 +290,7 @@ _SHORT_NAME = 3
 _MANY_USERS = 10
 
 
+@final
 class _Text(NamedTuple):
     """A label on a link: what it says, and where it may stand, the best places first."""
 
@@ -315,7 +316,17 @@ def _link_texts(
             if delay[near, far] >= 1e3 * unit:
                 text = f"{delay[near, far] / unit:.0f}"
             texts.append(_Text(text, 6.0, False, places[near], places[far], ends))
-    texts += [_Text(f"{spring[a, b]:.3g}", 7.0, True, places[a], places[b], middle) for a, b in links]
+    texts += [
+        _Text(
+            f"{spring[a, b]:.0f}" if spring[a, b] >= 10 else f"{spring[a, b]:.2g}",
+            7.0,
+            True,
+            places[a],
+            places[b],
+            middle,
+        )
+        for a, b in links
+    ]
     return texts
 
 
