@@ -4,7 +4,7 @@ import argparse
 
 from rich.console import Console
 
-from benchmarks import engine, record, scaling, step
+from benchmarks import engine, planner, record, scaling, step
 from benchmarks._report import Row, add_write, finish
 
 
@@ -12,6 +12,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__)
     parser.add_argument("--count", type=int, default=record.SHORT, help="random scenarios (10,000 for the record)")
     add_write(parser)
+    planner.add_long(parser)
     options = parser.parse_args()
     rows: list[Row] = []
     with Console(stderr=True).status("") as status:
@@ -19,6 +20,7 @@ def main() -> None:
             ("engine", engine.measure),
             ("step", step.measure),
             ("scaling", lambda: scaling.measure(draw=options.write)),
+            ("planner", lambda: planner.measure(long=options.long)),
             ("record", lambda: record.measure(options.count)),
         ):
             status.update(f"{name} ...")

@@ -4,9 +4,9 @@ import subprocess
 import sys
 from pathlib import Path
 
+from cotouch import drawing
 from cotouch.network import Network
 from cotouch.simulation import FileTable, save_body_figure, understood
-from cotouch.simulation import _figures as drawing
 from cotouch.study import five_users
 from cotouch.study._charts import held_and_released
 from cotouch.study._experiment import experiment

@@ -12,9 +12,10 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
+from cotouch.drawing import DASHES, USERS, decimate, peak, prefix, user_line
 from cotouch.errors import ScenarioError
 from cotouch.simulation import Scenario, at_times, simulate
-from cotouch.simulation._figures import DASHES, USERS, decimate, figures, peak, prefix, save_figures, user_line
+from cotouch.simulation._figures import figures, save_figures
 
 NAMES = ("positions", "forces", "energies", "ages")
 

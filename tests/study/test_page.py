@@ -4,7 +4,7 @@ import re
 import pytest
 from matplotlib.figure import Figure
 
-from cotouch.simulation import _figures as drawing
+from cotouch import drawing
 from cotouch.study._page import Section, formula, num, page, quantity, svg, table, verdict
 
 

@@ -1,15 +1,29 @@
-"""Figures of a run: positions, forces, energies and ages, in one restrained style."""
+"""Figures of a run: positions, forces, energies and ages."""
 
 import json
-from collections.abc import Callable, Generator, Sequence
-from contextlib import contextmanager
-from itertools import pairwise
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final, TypeAlias, cast
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.drawing import (
+    ALARM,
+    DASHES,
+    INK,
+    MUTED,
+    SHADE,
+    USERS,
+    decimate,
+    end_labels,
+    peak,
+    prefix,
+    sheet,
+    style,
+    user_legend,
+    user_line,
+)
 from cotouch.errors import ScenarioError
 from cotouch.simulation._metrics import at_times, hold_window
 
@@ -17,80 +31,12 @@ if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-    from matplotlib.lines import Line2D
-    from matplotlib.typing import RcKeyType
 
 Float = npt.NDArray[np.float64]
-Dash: TypeAlias = "str | tuple[int, tuple[float, ...]]"
 
-INK: Final = "#24292f"
-MUTED: Final = "#68707a"
-GRID: Final = "#e4e7eb"
-SHADE: Final = "#f3f5f8"
-SURFACE: Final = "#ffffff"
-ALARM: Final = "#b3261e"
-# Okabe and Ito's colours, which colour-blind readers tell apart, without yellow and black; a second round is dashed.
-USERS: Final = ("#0072b2", "#d55e00", "#009e73", "#c065a0", "#d99000", "#4aa5dd")
-DASHES: Final[tuple[Dash, ...]] = ("-", (0, (4.0, 1.6)), (0, (1.2, 1.4)))
-
-STYLE: Final[dict[str, Any]] = {
-    "font.family": "sans-serif",
-    "font.size": 8.0,
-    "text.color": INK,
-    "axes.edgecolor": MUTED,
-    "axes.facecolor": SURFACE,
-    "axes.grid": True,
-    "axes.axisbelow": True,
-    "axes.labelcolor": INK,
-    "axes.labelsize": 8.0,
-    "axes.linewidth": 0.6,
-    "axes.spines.right": False,
-    "axes.spines.top": False,
-    "axes.titlecolor": INK,
-    "axes.titlelocation": "left",
-    "axes.titlesize": 8.5,
-    "axes.titleweight": "bold",
-    "axes.titlepad": 6.0,
-    "axes.xmargin": 0.0,
-    "axes.ymargin": 0.12,
-    "axes.formatter.use_mathtext": False,
-    "axes.formatter.useoffset": False,
-    "axes.unicode_minus": True,
-    "figure.facecolor": SURFACE,
-    "grid.color": GRID,
-    "grid.linewidth": 0.6,
-    "legend.fontsize": 7.5,
-    "legend.frameon": False,
-    "legend.handlelength": 1.6,
-    "legend.columnspacing": 1.4,
-    "legend.borderaxespad": 0.0,
-    "lines.linewidth": 1.2,
-    "lines.solid_capstyle": "round",
-    "xtick.color": MUTED,
-    "xtick.labelcolor": INK,
-    "xtick.labelsize": 7.5,
-    "xtick.major.width": 0.6,
-    "xtick.major.size": 3.0,
-    "ytick.color": MUTED,
-    "ytick.labelcolor": INK,
-    "ytick.labelsize": 7.5,
-    "ytick.major.width": 0.6,
-    "ytick.major.size": 3.0,
-}
-
-# Wide enough for a page, and so many points on a line as its pixels can show.
-WIDTH: Final = 7.2
-_POINTS = 1600
-# What is beyond has long left the picture; drawing libraries overflow there.
-_LARGEST = 1e100
 # What grows by more than this from the first half of a run to the second has left a straight axis.
 _GROWTH = 1e4
-# Upwards the plain unit with its power of ten says it better.
-_PREFIXES = ((1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n"), (1e-12, "p"))
 _MOST_LABELS = 14
-# Letters that fit into one line of a legend, and the width of a mark in letters.
-_LEGEND_LETTERS = 110
-_MARK_LETTERS = 4
 
 
 def figures(run: "xr.Dataset") -> "dict[str, Figure]":
@@ -133,94 +79,6 @@ def save_figures(run: "xr.Dataset", directory: str | Path, format: str = "png") 
     return written
 
 
-# What every figure of this package is made with.
-
-
-@contextmanager
-def style() -> "Generator[None]":
-    """Makes figures in this module's style; the settings of the caller come back afterwards."""
-    import matplotlib as mpl
-
-    with mpl.rc_context(cast("dict[RcKeyType, Any]", STYLE)):
-        yield
-
-
-def sheet(height: float, width: float = WIDTH) -> "Figure":
-    """An empty figure, in inches, that belongs to nobody and needs no window."""
-    from matplotlib.figure import Figure
-
-    return Figure(figsize=(width, height), layout="constrained")
-
-
-def user_line(index: int) -> dict[str, Any]:
-    """Colour and dashes of a user, the same in all figures."""
-    return {"color": USERS[index % len(USERS)], "linestyle": DASHES[index // len(USERS) % len(DASHES)]}
-
-
-def user_legend(axes: "Axes", names: Sequence[str]) -> None:
-    """Rows above the axes, to the right, that say which line is whose; the axes' title moves up if they are long."""
-    marks, texts = _marks(names)
-    columns = max(1, min(len(marks), int(_LEGEND_LETTERS / (max(map(len, texts)) + _MARK_LETTERS))))
-    rows = -(-len(marks) // columns)
-    axes.legend(marks, texts, loc="lower right", bbox_to_anchor=(1.0, 1.02), ncols=columns, **_ROW)
-    if rows > 1 or len(marks) * (max(map(len, texts)) + _MARK_LETTERS) > _LEGEND_LETTERS / 2:
-        axes.set_title(axes.get_title(loc="left"), pad=STYLE["axes.titlepad"] + 12.0 * rows)
-
-
-def figure_legend(figure: "Figure", names: Sequence[str]) -> None:
-    """One row above all panels of a figure."""
-    marks, texts = _marks(names)
-    figure.legend(marks, texts, loc="outside upper right", ncols=len(marks), **_ROW)
-
-
-_ROW: Final[dict[str, Any]] = {"handlelength": 1.2, "handletextpad": 0.5, "columnspacing": 0.9}
-
-
-def _marks(names: Sequence[str]) -> "tuple[list[Line2D], list[str]]":
-    from matplotlib.lines import Line2D
-
-    lines: list[dict[str, Any]] = [user_line(i) for i in range(len(names))]
-    marks = [Line2D([], [], color=line["color"], linestyle=line["linestyle"], linewidth=1.8) for line in lines]
-    return [Line2D([], [], linestyle="none"), *marks], ["user", *names]
-
-
-def decimate(time: Float, values: Float, most: int = _POINTS) -> tuple[Float, Float]:
-    """At most about `most` points of a line: the lowest and the highest of every bin, so that no peak is lost.
-
-    What is not finite is left out, as nothing can be drawn there.
-    """
-    known = np.isfinite(time) & (np.abs(values) < _LARGEST)  # a comparison with NaN is false
-    time, values = time[known], values[known]
-    if time.size <= most:
-        return time, values
-    edges = np.linspace(0, time.size, max(most // 2, 1) + 1).astype(np.int64)
-    kept = {0, int(time.size) - 1}
-    for a, b in pairwise(edges):
-        kept |= {int(a + np.argmin(values[a:b])), int(a + np.argmax(values[a:b]))}
-    index = np.array(sorted(kept), dtype=np.int64)
-    return time[index], values[index]
-
-
-def prefix(largest: float, unit: str) -> tuple[float, str]:
-    """What to divide by so that numbers up to `largest` read well, and the unit with its prefix."""
-    if not 0.0 < largest < _LARGEST:
-        return 1.0, unit
-    for factor, letter in _PREFIXES:
-        if largest >= 0.999 * factor:
-            return factor, letter + unit
-    return _PREFIXES[-1][0], _PREFIXES[-1][1] + unit
-
-
-def peak(*values: npt.ArrayLike) -> float:
-    """Largest finite size among all values; 0 if there is none."""
-    result = 0.0
-    for value in values:
-        array = np.abs(np.asarray(value, dtype=np.float64))
-        array = array[np.isfinite(array) & (array < _LARGEST)]
-        result = max(result, float(array.max(initial=0.0)))
-    return result
-
-
 def shade_hold(axes: "Axes", run: "xr.Dataset", *, label: bool = True) -> None:
     """Shades the time in which users hold against each other."""
     if not json.loads(run.attrs["scenario"])["hands"]:
@@ -241,40 +99,6 @@ def shade_hold(axes: "Axes", run: "xr.Dataset", *, label: bool = True) -> None:
             bbox={"boxstyle": "square,pad=0.15", "facecolor": SHADE, "edgecolor": "none"},
             zorder=3,
         )
-
-
-def end_labels(axes: "Axes", places: list[float], texts: list[str], colors: list[str]) -> None:
-    """Texts to the right of the axes near their lines' ends, moved apart where they would cover each other."""
-    if not texts:
-        return
-    low, high = axes.get_ylim()
-    height = axes.get_window_extent().height * 72.0 / axes.get_figure(root=True).dpi  # pyright: ignore[reportOptionalMemberAccess]
-    gap = min(9.0 / max(height, 1.0), 1.0 / len(texts))
-    shares = np.array([axes.transAxes.inverted().transform(axes.transData.transform((0.0, y)))[1] for y in places])
-    shares = np.clip(shares, 0.0, 1.0)
-    order = np.argsort(shares, kind="stable")
-    spread = shares[order].copy()
-    for k in range(1, spread.size):
-        spread[k] = max(spread[k], spread[k - 1] + gap)
-    # What was pushed over the top comes down again; the rest keeps its distance below it.
-    spread[-1] = min(spread[-1], 1.0)
-    for k in range(spread.size - 2, -1, -1):
-        spread[k] = min(spread[k], spread[k + 1] - gap)
-    for share, index in zip(spread, order, strict=True):
-        axes.annotate(
-            texts[index],
-            (1.0, float(shares[index])),
-            xycoords="axes fraction",
-            xytext=(1.025, float(share)),
-            textcoords="axes fraction",
-            va="center",
-            ha="left",
-            color=colors[index],
-            fontsize=7.0,
-            arrowprops={"arrowstyle": "-", "color": colors[index], "linewidth": 0.4, "shrinkA": 0, "shrinkB": 0},
-            annotation_clip=False,
-        )
-    axes.set_ylim(low, high)
 
 
 def _panels(figure: "Figure", rows: int, ratios: Sequence[float] | None = None) -> "list[Axes]":

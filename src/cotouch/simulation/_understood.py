@@ -8,8 +8,8 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.body import Body, Skin, lowest_modes
+from cotouch.drawing import INK, MUTED, USERS, WIDTH, prefix, sheet, style
 from cotouch.errors import ScenarioError
-from cotouch.simulation._figures import INK, MUTED, USERS, WIDTH, prefix, sheet, style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

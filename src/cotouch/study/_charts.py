@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from cotouch import drawing
 from cotouch.network import Network
-from cotouch.simulation import _figures as drawing
+from cotouch.simulation._figures import shade_hold
 from cotouch.study._bound import Bound
 from cotouch.study._certificates import Certificates
 from cotouch.study._errata import Errata
@@ -59,56 +60,20 @@ def others(found: Topologies) -> "Figure":
 
 
 def _network(axes: "Axes", network: Network, *, labelled: bool) -> None:
-    """Users on a circle; links as wide as they are stiff, coloured by their round trip."""
-    axes.set_axis_off()
-    axes.set_aspect("equal")
-    axes.set(xlim=(-1.22, 1.22), ylim=(-0.97, 1.16))
-    angles = np.pi / 2 - 2 * np.pi * np.arange(network.size) / network.size
-    places = np.column_stack([np.cos(angles), np.sin(angles)])
+    """In two colours: round trips below and above the middle of all, in orders of magnitude."""
     round_trip = network.delay + network.delay.T
     everywhere = round_trip[network.spring > 0]
     divide = float(np.sqrt(everywhere.min() * everywhere.max()))
-    for a, b in network.links:
-        color = _FAST if round_trip[a, b] < divide else _SLOW
-        strength = network.spring[a, b] / network.spring.max()
-        axes.plot(
-            *places[[a, b]].T, color=color, linewidth=(0.8 + 4.2 * strength) * (1.0 if labelled else 0.7), zorder=1
-        )
-    for i, (x, y) in enumerate(places):
-        axes.plot(
-            x, y, "o", color=drawing.SURFACE, markeredgecolor=drawing.INK, markersize=15 if labelled else 10, zorder=3
-        )
-        axes.annotate(
-            network.users[i],
-            (x, y),
-            ha="center",
-            va="center",
-            fontsize=8.0 if labelled else 7.0,
-            zorder=4,
-            color=drawing.INK,
-        )
-    if not labelled:
-        return
-    for a, b in network.links:
-        # What arrives at an end is written beside it, away from the middle where links cross.
-        for near, far in ((a, b), (b, a)):
-            _label(
-                axes, places[near] + 0.24 * (places[far] - places[near]), f"{1e3 * network.delay[near, far]:.0f}", 6.0
-            )
-        _label(axes, places[a] + 0.43 * (places[b] - places[a]), f"{network.spring[a, b]:.0f}", 7.0, bold=True)
-
-
-def _label(axes: "Axes", place: Float, text: str, size: float, *, bold: bool = False) -> None:
-    axes.annotate(
-        text,
-        (float(place[0]), float(place[1])),
-        ha="center",
-        va="center",
-        fontsize=size,
-        fontweight="bold" if bold else "normal",
-        color=drawing.INK if bold else drawing.MUTED,
-        bbox={"boxstyle": "round,pad=0.12", "facecolor": drawing.SURFACE, "edgecolor": "none"},
-        zorder=2,
+    drawing.network(
+        axes,
+        network.users,
+        network.links,
+        network.spring,
+        network.delay,
+        width=drawing.WIDTH / (2 if labelled else 4),
+        strongest=float(network.spring.max()),
+        color=lambda seconds: _FAST if seconds < divide else _SLOW,
+        labelled=labelled,
     )
 
 
@@ -163,7 +128,7 @@ def held_and_released(found: Experiment) -> "Figure":
     for column, (trial, word) in enumerate(((found.best, "Best"), (found.worst, "Worst"))):
         run, (top, middle, bottom) = trial.run, panels[:, column]
         for panel in (top, middle, bottom):
-            drawing.shade_hold(panel, run, label=panel is top)
+            shade_hold(panel, run, label=panel is top)
         _positions(top, run, unit=1e-3)
         for user in range(run.sizes["user"]):
             line = drawing.decimate(run["time"].values[user][1:], run["force"].values[user, 1:, 0])
@@ -378,7 +343,7 @@ def ways(found: Modes) -> "Figure":
     figure = drawing.sheet(2.5)
     panels = figure.subplots(1, len(shown), sharex=True, sharey=True)
     for panel, (name, way) in zip(panels, shown.items(), strict=True):
-        drawing.shade_hold(panel, way.run)
+        shade_hold(panel, way.run)
         _positions(panel, way.run, unit=1e-3)
         panel.set(title=name.capitalize(), xlabel="Time / s", xlim=(0.0, DURATION))
     panels[0].set_ylabel("Position / mm")

@@ -10,7 +10,7 @@ from importlib.resources import files
 from string import Template
 from typing import TYPE_CHECKING, final
 
-from cotouch.simulation import _figures as drawing
+from cotouch import drawing
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -169,8 +169,7 @@ def _write_up(
     residual: float,
     confirmed: bool,
 ) -> str:
-    from cotouch import __version__
-    from cotouch.simulation import _figures as drawing
+    from cotouch import __version__, drawing
 
     with drawing.style():
         return page(

@@ -129,7 +129,9 @@ def topologies(network: Network) -> Topologies:
     }
     found = survey(network, links=LINKS, objectives=fine | coarse | {"decay": {"objective": "decay"}})
     objectives: tuple[Objective, ...] = ("equation", "matrix", "decay")
-    rankings = {name: _ranking(name, found.values[name], found.never[name]) for name in objectives}
+    rankings: dict[Objective, Ranking] = {
+        name: _ranking(name, found.values[name], found.never[name]) for name in objectives
+    }
     return Topologies(
         network=network.with_links(None),
         choices=found.choices,

@@ -1,0 +1,187 @@
+"""Choosing links: every graph of the paper, larger ones, beside dense eigenvalues and algebraic connectivity."""
+
+import argparse
+from collections.abc import Callable
+from time import perf_counter
+from typing import Any
+
+import numpy as np
+from scipy.stats import spearmanr
+
+from benchmarks._report import Row, add_write, finish
+from cotouch.network import Network, connected_graphs, rightmost_root
+from cotouch.network._collocation import generator_eigenvalues
+from cotouch.network._consensus import lifted_matrix
+from cotouch.network._lags import consensus_lags
+from cotouch.planning import plan
+
+EXAMPLE = "examples/five-users.toml"
+LINKS = 6
+_ROUNDS = 5
+_SAMPLE = 5
+_ORDER = 20
+# Rows of a dense matrix that are worth waiting for.
+_DENSE = 6000
+
+
+def community(users: int, seed: int) -> Network:
+    """Users who may all be linked: springs of 20 to 100 N/m, asymmetric delays of 20 to 400 ms in steps of 10 ms."""
+    rng = np.random.default_rng(seed)
+    spring = np.triu(rng.uniform(20.0, 100.0, (users, users)), 1)
+    delay = 0.01 * rng.integers(2, 41, (users, users))
+    np.fill_diagonal(delay, 0.0)
+    return Network(users=[str(i + 1) for i in range(users)], spring=spring + spring.T, delay=delay)
+
+
+def _seconds(action: Callable[[], object], rounds: int = _ROUNDS) -> float:
+    """Median of some rounds, after one that does not count."""
+    action()
+    times: list[float] = []
+    for _ in range(rounds):
+        start = perf_counter()
+        action()
+        times.append(perf_counter() - start)
+    return float(np.median(times))
+
+
+def _extrapolated(action: Callable[[Network], object], graphs: list[Network], count: int = _SAMPLE) -> float:
+    """Seconds for all graphs, from `count` of them."""
+    sample = graphs[:: max(1, len(graphs) // count)][:count]
+    start = perf_counter()
+    for graph in sample:
+        action(graph)
+    return (perf_counter() - start) / len(sample) * len(graphs)
+
+
+def dense_consensus(network: Network, convention: Any, time_unit: float) -> float:
+    """Second largest |eigenvalue| by all eigenvalues of the lifted matrix."""
+    lags = consensus_lags(network, time_unit=time_unit, convention=convention, rounding="exact")
+    spring = network.linked_spring()
+    matrix = lifted_matrix(spring / spring.sum(axis=1, keepdims=True), lags)
+    return float(np.sort(np.abs(np.linalg.eigvals(matrix)))[-2])
+
+
+def dense_decay(network: Network) -> float:
+    """Rightmost root but the one at 0 by collocation alone, 1/s."""
+    spring = network.linked_spring()
+    size = network.size
+    sync = (spring * (network.delay + network.delay.T) / 2).sum(axis=1)
+    roots = generator_eigenvalues(
+        np.full(size, 1.0 / size), sync, spring.sum(axis=1), spring, network.delay, order=_ORDER
+    )
+    return float(np.delete(roots, np.abs(roots).argmin()).real.max())
+
+
+def _time(seconds: float) -> str:
+    return f"{1e3 * seconds:,.0f} ms" if seconds < 1 else f"{seconds:,.1f} s"
+
+
+def paper() -> list[Row]:
+    """All connected choices of six links among the paper's five users."""
+    import networkx as nx
+
+    every = Network.read(EXAMPLE).with_links(None)
+    graphs = [every.with_links(graph) for graph in connected_graphs(every, links=LINKS)]
+    rows: list[Row] = []
+    cases = (("equation", 0.01, 0.05, "≤ 50 ms"), ("matrix", 0.001, 0.1, "≤ 100 ms"))
+    for convention, unit, goal, text in cases:
+        took = _seconds(lambda c=convention, u=unit: plan(every, links=LINKS, convention=c, time_unit=u))
+        lags = consensus_lags(graphs[0], time_unit=unit, convention=convention, rounding="exact")
+        note = f"dense eigenvalues of J, about {int(lags.max(axis=0).sum()):,} rows"
+        if unit < 0.005:
+            naive = _extrapolated(lambda g, c=convention, u=unit: dense_consensus(g, c, u), graphs, 1)
+            note += f": {_time(naive)}, extrapolated from one graph"
+        else:
+            naive = _extrapolated(lambda g, c=convention, u=unit: dense_consensus(g, c, u), graphs)
+            note += f": {_time(naive)}, extrapolated from {_SAMPLE} graphs"
+        what = f"{len(graphs)} graphs, consensus ({convention}), time unit {unit:g} s"
+        rows.append(Row("planner", what, _time(took), text, f"{note}; {'met' if took <= goal else 'not met'}"))
+    took = _seconds(lambda: plan(every, links=LINKS, objective="decay"))
+    naive = _extrapolated(dense_decay, graphs)
+    note = f"collocation of order {_ORDER}: {_time(naive)}, extrapolated from {_SAMPLE} graphs"
+    verdict = "met" if took <= 0.25 else "not met"
+    rows.append(Row("planner", f"{len(graphs)} graphs, decay", _time(took), "≤ 250 ms", f"{note}; {verdict}"))
+
+    def connectivity() -> list[float]:
+        found: list[float] = []
+        for graph in graphs:
+            g = nx.Graph()
+            g.add_weighted_edges_from((a, b, float(graph.spring[a, b])) for a, b in graph.links)
+            found.append(float(nx.algebraic_connectivity(g, method="lanczos", seed=0)))
+        return found
+
+    proxy = connectivity()
+    start = perf_counter()
+    connectivity()
+    took = perf_counter() - start
+    rate = [-rightmost_root(graph).rate for graph in graphs]
+    rho = float(spearmanr(proxy, rate).statistic)
+    rows.append(
+        Row(
+            "planner",
+            f"{len(graphs)} graphs, algebraic connectivity (networkx)",
+            _time(took),
+            "",
+            f"blind to delays: rank correlation with decay {rho:.2f}",
+        )
+    )
+    return rows
+
+
+def _proved(users: int, links: int, objective: Any, goal: str, **more: Any) -> Row:
+    network = community(users, users)
+    start = perf_counter()
+    found = plan(network, links=links, objective=objective, **more)
+    took = perf_counter() - start
+    return Row(
+        "planner",
+        f"{users} users, {links} of {len(network.links) - len(more.get('never', ()))} links, {objective}",
+        _time(took),
+        goal,
+        f"{found.status}: {found.choices:,} choices, {found.graphs:,} connected; best {found.best.value:.6g}",
+    )
+
+
+def large() -> list[Row]:
+    """Searches of minutes: 352,716 choices proved; 30 users, where a local search says how good it is."""
+    rows = [_proved(7, 10, objective, "≤ 5 min on 2 cores", jobs=2) for objective in ("consensus", "decay")]
+    network = community(30, 30)
+    for objective in ("consensus", "decay"):
+        short, tenfold = (
+            plan(network, links=60, objective=objective, method="local", starts=10**6, seconds=seconds, jobs=2)
+            for seconds in (60.0, 600.0)
+        )
+        rows.append(
+            Row(
+                "planner",
+                f"30 users, 60 of {len(network.links)} links, {objective}, local search",
+                f"{short.best.value:.6g}",
+                "within 60 s",
+                f"{short.looked_at:,} looked at in {short.seconds:.0f} s; ten times the time: {tenfold.best.value:.6g}",
+            )
+        )
+    return rows
+
+
+def measure(*, long: bool = False) -> list[Row]:
+    """Rows of the table; those that take minutes if asked."""
+    plan(community(4, 4), links=4, objective="decay")
+    rows = [*paper(), _proved(6, 8, "decay", "≤ 3 s", never=[(0, 1)])]
+    return [*rows, *large()] if long else rows
+
+
+def add_long(parser: argparse.ArgumentParser) -> None:
+    """Adds the option for what takes minutes."""
+    parser.add_argument("--long", action="store_true", help="also the planner's searches of many minutes")
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    add_write(parser)
+    add_long(parser)
+    options = parser.parse_args()
+    finish(measure(long=options.long), write=options.write)
+
+
+if __name__ == "__main__":
+    main()

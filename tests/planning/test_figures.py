@@ -1,0 +1,75 @@
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+from scipy.stats import spearmanr
+
+from cotouch.errors import NetworkError
+from cotouch.network import Network, complete, path
+from cotouch.planning._figures import knee, networks, ranks
+
+
+def community(users: int, seed: int = 1) -> Network:
+    rng = np.random.default_rng(seed)
+    spring = np.triu(rng.integers(20, 100, (users, users)), 1).astype(np.float64)
+    delay = 0.01 * rng.integers(2, 41, (users, users))
+    np.fill_diagonal(delay, 0.0)
+    return Network(users=[f"u{i}" for i in range(users)], spring=spring + spring.T, delay=delay)
+
+
+def texts(figure: Figure, panel: int = 0) -> list[str]:
+    return [text.get_text() for text in figure.axes[panel].texts]
+
+
+def test_every_link_says_its_strength_and_both_delays():
+    network = community(5)
+    figure = networks([("all", network), ("path", network.with_links(path(5)))])
+    for panel, links in enumerate((complete(5), path(5))):
+        expected = [*network.users]
+        for a, b in links:
+            expected += [f"{network.spring[a, b]:.0f}", f"{1e3 * network.delay[a, b]:.0f}"]
+            expected += [f"{1e3 * network.delay[b, a]:.0f}"]
+        assert sorted(texts(figure, panel)) == sorted(expected)
+
+
+def test_what_arrives_is_written_nearer_to_its_end():
+    network = Network(users=["1", "2"], spring=[[0, 50], [50, 0]], delay=[[0, 0.1], [0.3, 0]])
+    panel = networks([("pair", network)]).axes[0]
+    place = {text.get_text(): np.array(text.xy) for text in panel.texts}
+    assert np.linalg.norm(place["100"] - place["1"]) < np.linalg.norm(place["100"] - place["2"])
+    assert np.linalg.norm(place["300"] - place["2"]) < np.linalg.norm(place["300"] - place["1"])
+
+
+def test_a_stronger_link_is_wider():
+    network = Network(users=list("abc"), spring=[[0, 20, 0], [20, 0, 90], [0, 90, 0]], delay=np.zeros((3, 3)))
+    lines = [line for line in networks([("", network)]).axes[0].get_lines() if len(line.get_xydata()) == 2]
+    assert lines[0].get_linewidth() < lines[1].get_linewidth()
+
+
+def test_beyond_ten_users_labels_thin_out():
+    network = community(20)
+    assert len(texts(networks([("all", network)]))) < 20 + 3 * len(network.links)
+
+
+def test_ranks_say_spearmans_rho():
+    rng = np.random.default_rng(3)
+    first, second = rng.normal(size=(2, 40))
+    first[:5] = np.inf
+    title = ranks(("One", first), ("Two / s", second)).axes[0].get_title(loc="left")
+    assert f"{spearmanr(first, second).statistic:.2f}" in title
+
+
+def test_knee_marks_the_chosen_number():
+    figure = knee([5, 4, 6], [-2.0, -1.0, -2.1], [20.0, 10.0, 40.0], chosen=5)
+    assert [figure.axes[k].texts[0].get_text() for k in (0, 1)] == ["2 1/s", "20 Ns/m"]
+    np.testing.assert_array_equal(figure.axes[0].get_lines()[0].get_ydata(), [1.0, 2.0, 2.1])
+
+
+def test_what_cannot_be_drawn_is_said():
+    with pytest.raises(NetworkError, match="cases is empty"):
+        networks([])
+    with pytest.raises(NetworkError, match="One has 2 values and Two has 3"):
+        ranks(("One", [1, 2]), ("Two", [1, 2, 3]))
+    with pytest.raises(NetworkError, match="2, 1 and 2 entries"):
+        knee([1, 2], [-1.0], [1.0, 2.0])
+    with pytest.raises(NetworkError, match="chosen is 9"):
+        knee([1, 2], [-1.0, -2.0], [1.0, 2.0], chosen=9)
