@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from cotouch.errors import BodyError, CotouchError, InputError, NetworkError, ScenarioError, UnsupportedError
     from cotouch.network import Certificate, Network, certify
     from cotouch.peer import Peer
-    from cotouch.planning import Plan, plan
+    from cotouch.planning import Plan, plan, tune_springs
     from cotouch.simulation import Scenario, save, settling_time, simulate, summary
 
 __version__ = "0.1.0"
@@ -48,6 +48,7 @@ _HOME = {
     "settling_time": "cotouch.simulation",
     "simulate": "cotouch.simulation",
     "summary": "cotouch.simulation",
+    "tune_springs": "cotouch.planning",
 }
 
 __all__ = [
@@ -75,6 +76,7 @@ __all__ = [
     "settling_time",
     "simulate",
     "summary",
+    "tune_springs",
 ]
 
 

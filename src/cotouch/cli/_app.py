@@ -159,6 +159,14 @@ def plan(
     dask: Annotated[
         str | None, typer.Option(help="Share the work with this Dask scheduler, tcp://host:port.", show_default=False)
     ] = None,
+    tune_springs: Annotated[
+        float | None,
+        typer.Option(
+            help="Then tune the springs of the best choice, with no user's damping above this [Ns/m].",
+            show_default=False,
+        ),
+    ] = None,
+    figures: Annotated[Path | None, typer.Option(help="Draw figures into this folder.", show_default=False)] = None,
     as_json: AsJson = False,
 ) -> None:
     """Find the links that serve an objective best, and say how sure that is."""
@@ -168,6 +176,8 @@ def plan(
         network,
         must=must or [],
         never=never or [],
+        tune=tune_springs,
+        figures=figures,
         as_json=as_json,
         links=links,
         objective=objective,

@@ -7,13 +7,16 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from cotouch.cli._output import number, print_json
+from cotouch.cli._output import folder, number, print_json, working
 from cotouch.errors import ScenarioError
 from cotouch.units import user_index, user_number
 
 if TYPE_CHECKING:
+    from cotouch.network import Network
     from cotouch.planning import Choice, Plan
 
+# Up to so many choices every one of them is ranked by both objectives.
+_MOST_RANKED = 20_000
 _UNITS = {"consensus": "", "decay": "1/s", "damping": "Ns/m"}
 _TITLES = {
     "consensus": "second largest |eigenvalue| of the consensus",
@@ -22,18 +25,124 @@ _TITLES = {
 }
 
 
-def run(path: Path, *, must: Sequence[str], never: Sequence[str], as_json: bool, **options: Any) -> None:
+def run(
+    path: Path,
+    *,
+    must: Sequence[str],
+    never: Sequence[str],
+    tune: float | None,
+    figures: Path | None,
+    as_json: bool,
+    **options: Any,
+) -> None:
     """Plans, shows how far it is, and prints what it found."""
     from cotouch.network import Network
     from cotouch.planning import plan
 
     network = Network.read(path)
+    limits = {"must": _pairs("--must", must), "never": _pairs("--never", never)}
+    if figures is not None:
+        folder(figures)
     with _progress(quiet=as_json) as progress:
-        found = plan(network, must=_pairs("--must", must), never=_pairs("--never", never), progress=progress, **options)
+        found = plan(network, progress=progress, **limits, **options)
+    result = found.numbers()
+    body = {name: options[name] for name in ("mass", "damping", "stiffness")}
+    tuned = None
+    if tune is not None:
+        with working("Tuning springs ...", quiet=as_json):
+            tuned = _tuned(network.with_links(found.best.links), tune, body)
+        result["tuned"] = tuned
+    if figures is not None:
+        with working("Drawing ...", quiet=as_json):
+            result["files"] = _draw(figures, network, found, limits | options)
     if as_json:
-        print_json(found.numbers())
-    else:
-        _print(network.users, found)
+        print_json(result)
+        return
+    _print(network.users, found)
+    if tuned is not None:
+        _print_tuned(tuned)
+    for name in result.get("files", ()):
+        print(name)  # noqa: T201
+
+
+def _tuned(network: "Network", limit: float, body: dict[str, Any]) -> dict[str, Any]:
+    """Springs within a limit on damping, and the rate that a free decay in the simulator shows with them."""
+    from cotouch.planning import tune_springs
+    from cotouch.study import confirmed
+
+    tuned = tune_springs(network, damping_limit=limit, **body)
+    seen = confirmed(tuned.network, tuned.after, **body) if tuned.after < 0 else None
+    return {
+        "links": [[user_number(a), user_number(b)] for a, b in tuned.network.links],
+        "spring": [float(tuned.network.spring[a, b]) for a, b in tuned.network.links],
+        "damping": tuned.sync_damping.tolist(),
+        "damping_limit": limit,
+        "start_factor": tuned.start_factor,
+        "before": tuned.before,
+        "after": tuned.after,
+        "simulated": seen,
+    }
+
+
+def _print_tuned(tuned: dict[str, Any]) -> None:
+    from rich.console import Console
+
+    console = Console()
+    springs = ", ".join(f"{a}-{b} {number(k)}" for (a, b), k in zip(tuned["links"], tuned["spring"], strict=True))
+    console.print(
+        f"Springs tuned with no damping above {number(tuned['damping_limit'], 'Ns/m')}: the slowest mode goes from "
+        f"{number(tuned['before'])} to {number(tuned['after'])} 1/s"
+        + ("" if tuned["simulated"] is None else f"; a simulated free decay shows {number(tuned['simulated'])} 1/s")
+        + f". Springs in N/m: {springs}."
+        + (
+            ""
+            if tuned["start_factor"] == 1.0
+            else f" The start broke the limit and was scaled by {number(tuned['start_factor'])} first."
+        ),
+        highlight=False,
+    )
+
+
+def _draw(path: Path, network: "Network", found: "Plan", options: dict[str, Any]) -> list[str]:
+    """The best choice beside the worst; one objective against the other; what more links bring and cost."""
+    from cotouch.planning import knee, networks, ranks, survey
+
+    unit = _UNITS[found.objective]
+    cases = [
+        (f"{word}: {number(choice.value)} {unit}", network.with_links(choice.links))
+        for word, choice in (("Best", found.best), ("Worst", found.worst))
+    ]
+    drawn = {"networks": networks(cases)}
+    limits = {name: options[name] for name in ("must", "never", "max_degree", "mass", "damping", "stiffness")}
+    grid = {name: options[name] for name in ("convention", "time_unit", "rounding")}
+    if found.choices <= _MOST_RANKED:
+        sides = {"consensus": grid | {"objective": "consensus"}, "decay": {"objective": "decay"}}
+        every = survey(network, links=options["links"], objectives=sides, **limits)
+        drawn["ranks"] = ranks(("Consensus", every.values["consensus"]), ("Decay / (1/s)", every.values["decay"]))
+    steps = _knee(network, found, limits)
+    if steps:
+        drawn["knee"] = knee(*zip(*steps, strict=True), chosen=options["links"])
+    names: list[str] = []
+    for name, figure in drawn.items():
+        figure.savefig(path / f"{name}.png", dpi=200)
+        names.append(str(path / f"{name}.png"))
+    return names
+
+
+def _knee(network: "Network", found: "Plan", limits: dict[str, Any]) -> list[tuple[int, float, float]]:
+    """Links, decay and largest damping of the fastest choice with each number of links around the one asked for."""
+    from cotouch.errors import NetworkError
+    from cotouch.planning import plan
+
+    asked = len(found.best.links)
+    result: list[tuple[int, float, float]] = []
+    for links in range(max(network.size - 1, asked - 4), asked + 5):
+        try:
+            best = plan(network, links=links, objective="decay", top=1, limit=_MOST_RANKED, seconds=5.0, **limits).best
+        except NetworkError:
+            continue
+        result.append((links, best.value, float(best.damping.max())))
+    return result if any(links == asked for links, _, _ in result) else []
 
 
 def _pairs(option: str, texts: Sequence[str]) -> list[tuple[int, int]]:
@@ -81,7 +190,7 @@ def _print(users: Sequence[str], found: "Plan") -> None:
     )
     for heading in ("", "links", f"value{', ' + unit if unit else ''}", "time constant, s", "worst path, s"):
         table.add_column(heading, justify="left" if heading in ("", "links") else "right")
-    table.add_column("damping of the users, Ns/m")
+    table.add_column("largest B, Ns/m", justify="right")
     rows = [(str(place), choice) for place, choice in enumerate(found.top, start=1)]
     for place, (title, choice) in enumerate([*rows, ("worst", found.worst)], start=1):
         table.add_row(
@@ -90,7 +199,7 @@ def _print(users: Sequence[str], found: "Plan") -> None:
             number(choice.value, digits=7),
             "never settles" if choice.period > 1 else number(choice.time_constant_s),
             number(choice.worst_path_s),
-            " ".join(number(float(value)) for value in choice.damping),
+            number(float(choice.damping.max())),
             end_section=place == len(rows),
         )
     console.print(table)
