@@ -64,3 +64,26 @@ def test_a_delay_that_is_no_number_is_named(tmp_path: Path) -> None:
         done = cotouch("plan", path, "--links", "1")
         assert done.returncode == 2
         assert "must be finite and at least 0" in done.stderr
+
+
+def test_plan_draws_and_tunes(tmp_path: Path) -> None:
+    done = cotouch(
+        *("plan", FIVE_USERS, "--links", "6", "--objective", "decay", "--tune-springs", "42"),
+        *("--figures", str(tmp_path / "drawn"), "--json"),
+    )
+    assert done.returncode == 0, done.stderr
+    found = json.loads(done.stdout)
+    assert sorted(Path(name).name for name in found["files"]) == ["knee.png", "networks.png", "ranks.png"]
+    assert all(Path(name).stat().st_size > 10_000 for name in found["files"])
+    tuned = found["tuned"]
+    assert tuned["before"] == pytest.approx(found["best"]["value"], abs=1e-9)
+    assert tuned["after"] < 2 * tuned["before"]
+    assert max(tuned["damping"]) <= 42 * (1 + 1e-9)
+    assert tuned["simulated"] == pytest.approx(tuned["after"], rel=0.01)
+
+
+def test_plan_refuses_a_limit_of_nothing() -> None:
+    done = cotouch("plan", FIVE_USERS, "--links", "6", "--tune-springs", "0")
+    assert done.returncode == 2
+    assert "damping_limit" in done.stderr
+    assert "Traceback" not in done.stderr

@@ -8,41 +8,47 @@ from shutil import copytree, ignore_patterns
 import pytest
 
 import cotouch
-from cotouch.mechanics import _kernel, settle, step
+from cotouch import compiled as machine
+from cotouch.mechanics import settle, step
+from cotouch.network import rightmost
 
 PACKAGE = Path(str(cotouch.__file__)).parent
 
 
-@pytest.mark.parametrize("compiled", [step, settle])
+@pytest.mark.parametrize("compiled", [step, settle, rightmost])
 def test_the_cache_is_stamped_with_the_newest_source(compiled: object):
     stamp = compiled._cache._cache_file._source_stamp  # pyright: ignore[reportAttributeAccessIssue]
-    assert stamp == _kernel._STAMP
+    assert stamp == machine._STAMP
 
 
 def test_every_file_with_a_kernel_counts():
-    counted = set(_kernel._PACKAGE.glob("*/_*.py"))
+    counted = set(machine._PACKAGE.glob("*/_*.py"))
     with_kernels = {
-        path for path in PACKAGE.rglob("*.py") if re.search(r"^@(kernel|intrinsic)\b", path.read_text(), re.MULTILINE)
+        path
+        for path in PACKAGE.rglob("*.py")
+        if re.search(r"^@(kernel|intrinsic|routine)\b", path.read_text(), re.MULTILINE)
     }
     assert len(with_kernels) >= 3
     assert with_kernels <= counted
 
 
-@pytest.mark.parametrize("name", ["mechanics/_operator.py", "mechanics/_vector.py", "simulation/_engine.py"])
+@pytest.mark.parametrize(
+    "name", ["mechanics/_operator.py", "mechanics/_vector.py", "simulation/_engine.py", "network/_loop.py"]
+)
 def test_an_edit_of_any_file_changes_the_stamp(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     copy = copytree(PACKAGE, tmp_path / "cotouch", ignore=ignore_patterns("__pycache__"))
-    monkeypatch.setattr(_kernel, "_PACKAGE", copy)
-    before = _kernel._newest_source()
-    assert _kernel._newest_source() == before
+    monkeypatch.setattr(machine, "_PACKAGE", copy)
+    before = machine._newest_source()
+    assert machine._newest_source() == before
 
     path = copy / name
     os.utime(path, (before[0] + 10.0, before[0] + 10.0))
-    touched = _kernel._newest_source()
+    touched = machine._newest_source()
     assert touched == (before[0] + 10.0, before[1])
 
     path.write_text(path.read_text() + "\n")
     os.utime(path, (0.0, 0.0))  # an older file put in its place still changes the total size
-    assert _kernel._newest_source() != before
+    assert machine._newest_source() != before
 
 
 def test_kernels_keep_their_names_and_documentation():
