@@ -11,18 +11,7 @@ from cotouch.planning._enumerate import unrank
 from cotouch.planning._problem import make_problem
 from cotouch.planning._task import admissible, hopeless, period_of, rate
 
-COMMON = {
-    "convention": "equation",
-    "time_unit": GRID,
-    "rounding": "exact",
-    "must": (),
-    "never": (),
-    "max_degree": None,
-    "mass": 1.0,
-    "damping": 0.0,
-    "stiffness": 0.0,
-    "sync_damping": None,
-}
+COMMON = {"time_unit": GRID}
 
 
 def test_combinations_are_numbered_in_order():

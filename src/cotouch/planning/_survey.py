@@ -53,7 +53,7 @@ def survey(network: Network, *, links: int, objectives: dict[str, dict[str, Any]
     graphs: tuple[tuple[Pair, ...], ...] = ()
     choices = 0
     for name, own in objectives.items():
-        problem = make_problem(network, links=links, **_DEFAULTS | options | own)
+        problem = make_problem(network, links=links, **options | own)
         choices = problem.choices
         if choices > _MOST:
             raise NetworkError(f"there are {choices} choices of {links} links; at most {_MOST} can be shown together")
@@ -64,21 +64,6 @@ def survey(network: Network, *, links: int, objectives: dict[str, dict[str, Any]
         if not graphs:
             graphs = _graphs(problem, admitted.tolist())
     return Survey(graphs=graphs, values=values, never=never, choices=choices)
-
-
-_DEFAULTS: dict[str, Any] = {
-    "objective": "consensus",
-    "convention": "equation",
-    "time_unit": 0.01,
-    "rounding": "exact",
-    "must": (),
-    "never": (),
-    "max_degree": None,
-    "mass": 1.0,
-    "damping": 0.0,
-    "stiffness": 0.0,
-    "sync_damping": None,
-}
 
 
 def _graphs(problem: Problem, ranks: Sequence[int]) -> tuple[tuple[Pair, ...], ...]:
