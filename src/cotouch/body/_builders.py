@@ -8,6 +8,7 @@ import numpy.typing as npt
 import scipy.sparse as sp
 
 from cotouch.body._body import Body
+from cotouch.body._skin import Skin
 from cotouch.errors import BodyError
 
 # Which nodes the ground holds: a list of node indices, all, or the faces of the box ("x-" has the smallest x).
@@ -138,6 +139,30 @@ def lattice(
         damping_ext=sp.diags_array(held * ground_damping),
         stiffness_int=laplacian * stiffness,
         stiffness_ext=sp.diags_array(held * ground_stiffness),
+        skin=_box_skin(places, extents, spacing) if len(extents) == 3 and min(extents) > 1 else None,
+    )
+
+
+def _box_skin(places: npt.NDArray[np.int64], extents: tuple[int, ...], spacing: float) -> Skin:
+    """The faces of a box of nodes, two triangles to a square."""
+    index = np.arange(places.shape[0]).reshape(extents)
+    triangles: list[npt.NDArray[np.int64]] = []
+    for axis in range(3):
+        for side in (0, -1):
+            face = np.take(index, side, axis=axis)
+            a, b, c, d = face[:-1, :-1], face[1:, :-1], face[1:, 1:], face[:-1, 1:]
+            # The two other axes in order make a right-handed frame with x and z, a left-handed one with y.
+            outward = (side == -1) != (axis == 1)
+            for one, two, three in ((a, b, c), (a, c, d)):
+                corners = (one, two, three) if outward else (one, three, two)
+                triangles.append(np.stack([corner.ravel() for corner in corners], axis=1))
+    corner = np.concatenate(triangles)
+    vertices, local = np.unique(corner, return_inverse=True)
+    return Skin(
+        vertices=places[vertices] * spacing,
+        triangles=local.reshape(corner.shape),
+        nodes=vertices[:, None],
+        weights=np.ones((vertices.size, 1)),
     )
 
 

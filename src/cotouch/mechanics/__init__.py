@@ -1,9 +1,9 @@
 """How a body moves, passively: the compiled step and what it needs."""
 
-from cotouch.mechanics._kernel import kernel
+from cotouch.mechanics._kernel import block, kernel
 from cotouch.mechanics._model import Basis, Model, model
 from cotouch.mechanics._operator import WEIGHTS, Operator, mixed, multiply
-from cotouch.mechanics._step import (
+from cotouch.mechanics._state import (
     BODY_LOSS,
     BOOKS,
     ELASTIC,
@@ -16,21 +16,50 @@ from cotouch.mechanics._step import (
     Links,
     State,
     Workspace,
-    settle,
-    step,
     workspace,
 )
+from cotouch.mechanics._step import settle, step
+from cotouch.mechanics._surface import Surface, surface_of
+from cotouch.mechanics._tools import (
+    AWAY,
+    DRIVE,
+    GRASP,
+    MOST_CONTACTS,
+    MOST_HELD,
+    PROXY,
+    TOUCH,
+    TOUCH_BOOKS,
+    TOUCH_LOSS,
+    TOUCH_STORED,
+    TOUCHED,
+    Tools,
+    TouchWork,
+    touch_work,
+    tools,
+)
+from cotouch.mechanics._touch import touch_step
 from cotouch.mechanics._vector import at, load, put, splat, store, total
 
 __all__ = [
+    "AWAY",
     "BODY_LOSS",
     "BOOKS",
+    "DRIVE",
     "ELASTIC",
     "EXTRA_LOSS",
+    "GRASP",
     "ITERATIONS",
     "KINETIC",
     "LOCAL_LOSS",
+    "MOST_CONTACTS",
+    "MOST_HELD",
+    "PROXY",
     "SUPPLIED",
+    "TOUCH",
+    "TOUCHED",
+    "TOUCH_BOOKS",
+    "TOUCH_LOSS",
+    "TOUCH_STORED",
     "WEIGHTS",
     "Basis",
     "Grips",
@@ -38,8 +67,12 @@ __all__ = [
     "Model",
     "Operator",
     "State",
+    "Surface",
+    "Tools",
+    "TouchWork",
     "Workspace",
     "at",
+    "block",
     "kernel",
     "load",
     "mixed",
@@ -50,6 +83,10 @@ __all__ = [
     "splat",
     "step",
     "store",
+    "surface_of",
+    "tools",
     "total",
+    "touch_step",
+    "touch_work",
     "workspace",
 ]

@@ -23,3 +23,9 @@ def kernel(function: F) -> F:
     return stamped(
         njit(cache=True, nogil=True, fastmath={"contract"}, error_model="numpy", forceinline=True, _nrt=False)(function)
     )
+
+
+def block(function: F) -> F:
+    """A kernel that is called rather than inlined: for what is long, or does not run in every step."""
+    njit: Any = numba.njit
+    return stamped(njit(cache=True, nogil=True, fastmath={"contract"}, error_model="numpy", _nrt=False)(function))

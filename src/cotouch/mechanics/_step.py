@@ -3,9 +3,6 @@
 Everything that advances a copy calls `step`: the single peer, the simulator of many, live or not.
 """
 
-import math
-from typing import NamedTuple
-
 import numpy as np
 import numpy.typing as npt
 
@@ -29,137 +26,25 @@ from cotouch.mechanics._solve import (
     divide,
     invert,
 )
+from cotouch.mechanics._state import (
+    BODY_LOSS,
+    ELASTIC,
+    EXTRA_LOSS,
+    ITERATIONS,
+    KINETIC,
+    LOCAL_LOSS,
+    SUPPLIED,
+    Grips,
+    Links,
+    State,
+    Workspace,
+)
 from cotouch.mechanics._vector import at, load, put, splat, store, total
 
 Float = npt.NDArray[np.float64]
-Int = npt.NDArray[np.int32]
-
-# What a step books, in order. The first four are work during the step [J], the next two energies after it [J].
-SUPPLIED, BODY_LOSS, LOCAL_LOSS, EXTRA_LOSS, KINETIC, ELASTIC, ITERATIONS = range(7)
-BOOKS = 7
 
 # Rows handled together, so that they are still in the first-level cache when each link comes to read them.
 _BLOCK = 64
-
-
-class State(NamedTuple):
-    """Where a copy is; every array (rows, width), positions relative to the rest shape.
-
-    Attributes:
-        position: x - x_d [m].
-        velocity: v [m/s].
-        momentum: M v, kept only where M has entries off the diagonal.
-        tension: K (x - x_d) [N].
-    """
-
-    position: Float
-    velocity: Float
-    momentum: Float
-    tension: Float
-
-
-class Links(NamedTuple):
-    """The springs to the neighbours: K_ij = strength * W_weight, pulling towards the sample in `samples[slot]`.
-
-    The arrays may hold the links of many users; those of this copy are `first` to `last - 1`.
-
-    Attributes:
-        first: first link of this copy.
-        last: one past its last.
-        strength: (links,) [N/m for the identity weight].
-        weight: index of each link's weight, (links,).
-        slot: which sample each link uses, (links,).
-        samples: samples x̃, (slots, rows, width) [m].
-    """
-
-    first: int
-    last: int
-    strength: Float
-    weight: Int
-    slot: npt.NDArray[np.int64]
-    samples: Float
-
-
-class Grips(NamedTuple):
-    """What holds the copy at its ports during the step: `f = k (r̂ - ŷ) + b (ṙ̂ - ẏ̂) + push`, y the port's position.
-
-    The arrays may hold the ports of many users; those of this copy are `first` to `last - 1`.
-
-    Attributes:
-        first: first port of this copy.
-        last: one past its last.
-        row: the row that each port holds, (ports,); ignored where `shape` is given.
-        shape: the row vectors h of `y = h x`, (ports, rows); (0, rows) for unit vectors.
-        stiffness: k, (ports,) [N/m].
-        damping: b, (ports,) [Ns/m].
-        start: r at the start of the step, (ports, width) [m].
-        end: r at the end of the step, (ports, width) [m].
-        push: explicit mean force, (ports, width) [N].
-        force: result: mean force of the step, (ports, width) [N].
-    """
-
-    first: int
-    last: int
-    row: Int
-    shape: Float
-    stiffness: Float
-    damping: Float
-    start: Float
-    end: Float
-    push: Float
-    force: Float
-
-
-class Workspace(NamedTuple):
-    """Scratch arrays of one step; sizes as `workspace` makes them."""
-
-    diagonal: Float
-    inverse: Float
-    rhs: Float
-    mean: Float
-    residual: Float
-    direction: Float
-    image: Float
-    stretch: Float
-    values: Float
-    scale: Float
-    gain: Float
-    quadratic: Float
-    port_gain: Float
-    small: Float
-    small_rhs: Float
-
-
-def _aligned(*shape: int) -> Float:
-    """Zeros that start at a cache line, so that no row lies across two."""
-    size = math.prod(shape)
-    raw = np.zeros(size + 8)
-    first = (-raw.ctypes.data // 8) % 8
-    return raw[first : first + size].reshape(shape)
-
-
-def workspace(op: Operator, width: int, ports: int) -> Workspace:
-    """Scratch arrays for steps with `op` and at most `ports` ports per user."""
-    rows, families, weights = op.mass.size, op.entries.shape[0], op.weight.shape[0]
-    solver = rows if families else 0
-    general = rows if families and np.any(op.mix[WEIGHTS:]) else 0
-    return Workspace(
-        diagonal=_aligned(rows),
-        inverse=_aligned(solver),
-        rhs=_aligned(rows, width),
-        mean=_aligned(rows, width),
-        residual=_aligned(solver, width),
-        direction=_aligned(solver, width),
-        image=_aligned(max(solver, general), width),
-        stretch=_aligned(general, width),
-        values=_aligned(op.column.size if families > 1 else 0),
-        scale=_aligned(families),
-        gain=_aligned(weights),
-        quadratic=_aligned(weights),
-        port_gain=_aligned(ports),
-        small=_aligned(ports, ports),
-        small_rhs=_aligned(ports, width),
-    )
 
 
 @kernel
@@ -198,15 +83,15 @@ def step(
         cap: on its iterations.
         lanes: fixes the width of a row.
     """
-    _assemble(op, state, links, grips, local_damping, extra_damping, T, work, lanes)
-    books[ITERATIONS] = _solve(op, grips, work, tolerance, cap, lanes)
-    books[SUPPLIED] = _port_work(op, state, grips, T, work.mean, lanes)
-    _move(op, state, links, T, sample, work, link_work, lanes)
-    _book(op, state, local_damping, extra_damping, T, work, books, lanes)
+    assemble(op, state, links, grips, local_damping, extra_damping, T, work, lanes)
+    books[ITERATIONS] = solve_step(op, grips, work, tolerance, cap, lanes)
+    books[SUPPLIED] = port_work(op, state, grips, T, work.mean, lanes)
+    move(op, state, links, T, sample, work, link_work, lanes)
+    book_energies(op, state, local_damping, extra_damping, T, work, books, lanes)
 
 
 @kernel
-def _assemble(
+def assemble(
     op: Operator,
     state: State,
     links: Links,
@@ -289,7 +174,7 @@ def _assemble(
 
 
 @kernel
-def _solve(op: Operator, grips: Grips, work: Workspace, tolerance: float, cap: int, lanes: tuple[int, ...]) -> int:
+def solve_step(op: Operator, grips: Grips, work: Workspace, tolerance: float, cap: int, lanes: tuple[int, ...]) -> int:
     families = op.entries.shape[0]
     if families == 0:
         divide(work.diagonal, work.rhs, work.mean, lanes)
@@ -349,7 +234,7 @@ def _solve(op: Operator, grips: Grips, work: Workspace, tolerance: float, cap: i
 
 
 @kernel
-def _port_work(op: Operator, state: State, grips: Grips, T: float, mean: Float, lanes: tuple[int, ...]) -> float:
+def port_work(op: Operator, state: State, grips: Grips, T: float, mean: Float, lanes: tuple[int, ...]) -> float:
     """Mean force at every port, and the work `T v̂ᵀ f` that they did together."""
     dense = grips.shape.shape[0] > 0
     supplied = 0.0
@@ -372,7 +257,7 @@ def _port_work(op: Operator, state: State, grips: Grips, T: float, mean: Float, 
 
 
 @kernel
-def _move(
+def move(
     op: Operator,
     state: State,
     links: Links,
@@ -436,7 +321,7 @@ def _move(
 
 
 @kernel
-def _book(
+def book_energies(
     op: Operator,
     state: State,
     local_damping: Float,

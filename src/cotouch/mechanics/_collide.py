@@ -1,0 +1,351 @@
+"""Where a sphere touches a surface: the places at which the distance to its centre is a local minimum.
+
+One sphere on a flat of many triangles has one contact, in a valley two, in a dent as many as there are. A triangle knows
+only its own nearest point; that point is a local minimum of the whole surface exactly if every triangle that meets
+there says the same, so it is enough to count.
+"""
+# pyright: reportArgumentType=false, reportReturnType=false
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.mechanics._kernel import block, kernel
+from cotouch.mechanics._surface import Fit, Surface, box_distance, place_vertex
+
+Float = npt.NDArray[np.float64]
+Int = npt.NDArray[np.int32]
+
+# Triangles whose nearest points one search compares; more, and the farthest are left out.
+MOST_HITS = 512
+_DEPTH = 64
+# Two contacts of one sphere closer than this share of its radius are one.
+_SAME = 1e-6
+
+
+class Hits(NamedTuple):
+    """Scratch of one search.
+
+    Attributes:
+        feature: where the nearest point of some triangles is, (MOST_HITS,).
+        seen: how many triangles said so, (MOST_HITS,).
+        triangle: one of them, (MOST_HITS,).
+        share: of its corners in the point, (MOST_HITS, 4).
+        away: from the point to the centre of the sphere, (MOST_HITS, 4) [m].
+        distance: (MOST_HITS,) [m].
+        normal: sum of their normals, weighted by their angles there, (MOST_HITS, 4).
+        stack: boxes still to be looked at, (_DEPTH,).
+        near: result of `nearest_point`: share of the corners, then the point, (2, 4).
+    """
+
+    feature: Int
+    seen: Int
+    triangle: Int
+    share: Float
+    away: Float
+    distance: Float
+    normal: Float
+    stack: Int
+    near: Float
+
+
+class Contacts(NamedTuple):
+    """What touches, or may touch within a step; `count[0]` of them.
+
+    Attributes:
+        tool: which sphere, (most,).
+        triangle: of the skin, (most,).
+        share: of its corners in the point of contact, (most, 4).
+        normal: outward, from the skin to the sphere, (most, 4).
+        depth: penetration, negative for a gap, (most,) [m].
+        count: (1,).
+    """
+
+    tool: Int
+    triangle: Int
+    share: Float
+    normal: Float
+    depth: Float
+    count: Int
+
+
+def hits() -> Hits:
+    """Scratch of a search."""
+    return Hits(
+        feature=np.zeros(MOST_HITS, dtype=np.int32),
+        seen=np.zeros(MOST_HITS, dtype=np.int32),
+        triangle=np.zeros(MOST_HITS, dtype=np.int32),
+        share=np.zeros((MOST_HITS, 4)),
+        away=np.zeros((MOST_HITS, 4)),
+        distance=np.zeros(MOST_HITS),
+        normal=np.zeros((MOST_HITS, 4)),
+        stack=np.zeros(_DEPTH, dtype=np.int32),
+        near=np.zeros((2, 4)),
+    )
+
+
+def contacts(most: int) -> Contacts:
+    """Room for at most so many contacts."""
+    return Contacts(
+        tool=np.zeros(most, dtype=np.int32),
+        triangle=np.zeros(most, dtype=np.int32),
+        share=np.zeros((most, 4)),
+        normal=np.zeros((most, 4)),
+        depth=np.zeros(most),
+        count=np.zeros(1, dtype=np.int32),
+    )
+
+
+@kernel
+def _dot(a: Float, i: int, b: Float, j: int) -> float:
+    return a[i, 0] * b[j, 0] + a[i, 1] * b[j, 1] + a[i, 2] * b[j, 2]
+
+
+@block
+def nearest_point(place: Float, ia: int, ib: int, ic: int, x: float, y: float, z: float, near: Float) -> int:
+    """Nearest point of a triangle to a point [Ericson 2005, 5.1.5].
+
+    Returns:
+        Where it is: 0, 1, 2 a corner, 3, 4, 5 on the edge 0-1, 1-2, 2-0, 6 inside. `near` gets the share of the corners
+        in row 0 and the point in row 1.
+    """
+    ax, ay, az = place[ia, 0], place[ia, 1], place[ia, 2]
+    abx, aby, abz = place[ib, 0] - ax, place[ib, 1] - ay, place[ib, 2] - az
+    acx, acy, acz = place[ic, 0] - ax, place[ic, 1] - ay, place[ic, 2] - az
+    apx, apy, apz = x - ax, y - ay, z - az
+    d1, d2 = abx * apx + aby * apy + abz * apz, acx * apx + acy * apy + acz * apz
+    bpx, bpy, bpz = apx - abx, apy - aby, apz - abz
+    d3, d4 = abx * bpx + aby * bpy + abz * bpz, acx * bpx + acy * bpy + acz * bpz
+    cpx, cpy, cpz = apx - acx, apy - acy, apz - acz
+    d5, d6 = abx * cpx + aby * cpy + abz * cpz, acx * cpx + acy * cpy + acz * cpz
+    va, vb, vc = d3 * d6 - d5 * d4, d5 * d2 - d1 * d6, d1 * d4 - d3 * d2
+    v = w = 0.0
+    if d1 <= 0.0 and d2 <= 0.0:
+        where = 0
+    elif d3 >= 0.0 and d4 <= d3:
+        where, v = 1, 1.0
+    elif d6 >= 0.0 and d5 <= d6:
+        where, w = 2, 1.0
+    elif vc <= 0.0 and d1 >= 0.0 and d3 <= 0.0:
+        where, v = 3, d1 / (d1 - d3)
+    elif va <= 0.0 and d4 - d3 >= 0.0 and d5 - d6 >= 0.0:
+        where, w = 4, (d4 - d3) / ((d4 - d3) + (d5 - d6))
+        v = 1.0 - w
+    elif vb <= 0.0 and d2 >= 0.0 and d6 <= 0.0:
+        where, w = 5, d2 / (d2 - d6)
+    else:
+        where = 6
+        total = va + vb + vc
+        v, w = vb / total, vc / total
+    near[0, 0], near[0, 1], near[0, 2] = 1.0 - v - w, v, w
+    if where in (1, 4):
+        near[0, 0] = 0.0
+    elif where == 2:
+        near[0, 0] = 0.0
+    near[1, 0] = ax + v * abx + w * acx
+    near[1, 1] = ay + v * aby + w * acy
+    near[1, 2] = az + v * abz + w * acz
+    return where
+
+
+@block
+def _angle(place: Float, i: int, j: int, k: int) -> float:
+    """Angle of a triangle at its corner i [rad]."""
+    dot = square = other = 0.0
+    for a in range(3):
+        p, q = place[j, a] - place[i, a], place[k, a] - place[i, a]
+        dot += p * q
+        square += p * p
+        other += q * q
+    size = math.sqrt(square * other)
+    return 0.0 if size == 0.0 else math.acos(min(max(dot / size, -1.0), 1.0))
+
+
+@block
+def _add_hit(surface: Surface, fit: Fit, hits: Hits, count: int, triangle: int, where: int, centre: Float, t: int) -> int:
+    """Notes what one triangle said; returns the new number of hits."""
+    ia, ib, ic = surface.corner[triangle, 0], surface.corner[triangle, 1], surface.corner[triangle, 2]
+    edges = surface.share.shape[0]
+    feature = edges + triangle
+    if where < 3:
+        feature = surface.corner[triangle, where]
+    elif where < 6:
+        feature = surface.edge[triangle, where - 3]
+    slot = 0
+    while slot < count and hits.feature[slot] != feature:
+        slot += 1
+    if slot == MOST_HITS:
+        return count
+    if slot == count:
+        hits.feature[slot] = feature
+        hits.seen[slot] = 0
+        hits.triangle[slot] = triangle
+        square = 0.0
+        for a in range(3):
+            hits.share[slot, a] = hits.near[0, a]
+            hits.away[slot, a] = centre[t, a] - hits.near[1, a]
+            hits.normal[slot, a] = 0.0
+            square += hits.away[slot, a] * hits.away[slot, a]
+        hits.distance[slot] = math.sqrt(square)
+        count += 1
+    hits.seen[slot] += 1
+    place = fit.place
+    ux, uy, uz = place[ib, 0] - place[ia, 0], place[ib, 1] - place[ia, 1], place[ib, 2] - place[ia, 2]
+    vx, vy, vz = place[ic, 0] - place[ia, 0], place[ic, 1] - place[ia, 1], place[ic, 2] - place[ia, 2]
+    nx, ny, nz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
+    size = math.sqrt(nx * nx + ny * ny + nz * nz)
+    if size > 0.0:
+        weight = 1.0 / size
+        if where == 0:
+            weight *= _angle(place, ia, ib, ic)
+        elif where == 1:
+            weight *= _angle(place, ib, ic, ia)
+        elif where == 2:
+            weight *= _angle(place, ic, ia, ib)
+        hits.normal[slot, 0] += weight * nx
+        hits.normal[slot, 1] += weight * ny
+        hits.normal[slot, 2] += weight * nz
+    return count
+
+
+@block
+def _search(
+    surface: Surface,
+    fit: Fit,
+    hits: Hits,
+    centre: Float,
+    t: int,
+    reach: float,
+    position: Float,
+    lanes: tuple[int, ...],
+) -> int:
+    """Nearest points of all triangles within reach of a centre; returns how many different ones."""
+    x, y, z = centre[t, 0], centre[t, 1], centre[t, 2]
+    limit = reach * reach
+    count, waiting = 0, 1
+    hits.stack[0] = 0
+    while waiting > 0:
+        waiting -= 1
+        box = hits.stack[waiting]
+        if not box_distance(surface, fit, box, x, y, z, position, lanes) <= limit:
+            continue
+        left, right = surface.child[box, 0], surface.child[box, 1]
+        if left >= 0:
+            hits.stack[waiting] = left
+            hits.stack[waiting + 1] = right
+            waiting += 2
+            continue
+        for place in range(-1 - left, -1 - left + right):
+            triangle = surface.leaf[place]
+            ia, ib, ic = surface.corner[triangle, 0], surface.corner[triangle, 1], surface.corner[triangle, 2]
+            place_vertex(surface, fit, ia, position, lanes)
+            place_vertex(surface, fit, ib, position, lanes)
+            place_vertex(surface, fit, ic, position, lanes)
+            where = nearest_point(fit.place, ia, ib, ic, x, y, z, hits.near)
+            square = 0.0
+            for a in range(3):
+                gap = centre[t, a] - hits.near[1, a]
+                square += gap * gap
+            if square <= limit:
+                count = _add_hit(surface, fit, hits, count, triangle, where, centre, t)
+    return count
+
+
+@block
+def touching(
+    surface: Surface,
+    fit: Fit,
+    hits: Hits,
+    found: Contacts,
+    tool: int,
+    centre: Float,
+    radius: float,
+    margin: float,
+    inside: bool,
+    position: Float,
+    lanes: tuple[int, ...],
+) -> bool:
+    """Adds the contacts of one sphere.
+
+    Args:
+        surface: the skin.
+        fit: where it is.
+        hits: scratch.
+        found: result; contacts are added.
+        tool: index of the sphere.
+        centre: of all spheres, (tools, 4) [m].
+        radius: of this one [m].
+        margin: gaps up to it count, because they may close within the step [m].
+        inside: whether the centre was inside the body before; the way out is then looked for however far it is.
+        position: displacement in the model's rows.
+        lanes: fixes the width.
+
+    Returns:
+        Whether the centre is inside the body now.
+    """
+    reach = radius + margin
+    count = _search(surface, fit, hits, centre, tool, reach, position, lanes)
+    if inside:
+        for _ in range(60):
+            if count > 0:
+                break
+            reach *= 2.0
+            count = _search(surface, fit, hits, centre, tool, reach, position, lanes)
+    if count == 0:
+        return False
+    best = 0
+    for slot in range(1, count):
+        if hits.distance[slot] < hits.distance[best]:
+            best = slot
+    within = _dot(hits.away, best, hits.normal, best) < 0.0
+    first = found.count[0]
+    for slot in range(count):
+        feature = hits.feature[slot]
+        if within:
+            if slot == best:
+                _keep(hits, found, slot, tool, radius + hits.distance[slot], -1.0)
+        elif feature >= surface.share.shape[0] or hits.seen[slot] == surface.share[feature]:
+            facing = _dot(hits.away, slot, hits.normal, slot)
+            flat = hits.normal[slot, 0] == 0.0 and hits.normal[slot, 1] == 0.0 and hits.normal[slot, 2] == 0.0
+            if (facing > 0.0 or flat) and hits.distance[slot] <= radius + margin:
+                twin = False
+                for other in range(first, found.count[0]):
+                    gap = 0.0
+                    for a in range(3):
+                        step = (radius - found.depth[other]) * found.normal[other, a] - hits.away[slot, a]
+                        gap += step * step
+                    twin = twin or gap < (_SAME * radius) ** 2
+                if not twin:
+                    _keep(hits, found, slot, tool, radius - hits.distance[slot], 1.0)
+    return within
+
+
+@block
+def _keep(hits: Hits, found: Contacts, slot: int, tool: int, depth: float, sign: float) -> None:
+    """Adds a contact; with no room left, in place of the shallowest if that is shallower."""
+    most = found.depth.shape[0]
+    c = found.count[0]
+    if c == most:
+        c = 0
+        for other in range(1, most):
+            if found.depth[other] < found.depth[c]:
+                c = other
+        if found.depth[c] >= depth:
+            return
+    else:
+        found.count[0] = c + 1
+    found.tool[c] = tool
+    found.triangle[c] = hits.triangle[slot]
+    found.depth[c] = depth
+    size = hits.distance[slot]
+    for a in range(3):
+        found.share[c, a] = hits.share[slot, a]
+        found.normal[c, a] = sign * hits.away[slot, a]
+    if size <= 1e-12:
+        size = math.sqrt(_dot(hits.normal, slot, hits.normal, slot))
+        for a in range(3):
+            found.normal[c, a] = hits.normal[slot, a]
+    for a in range(3):
+        found.normal[c, a] = found.normal[c, a] / size if size > 0.0 else (1.0 if a == 2 else 0.0)

@@ -1,0 +1,316 @@
+"""The skin of a body in the form that contact works on: where its vertices are, and a tree of boxes around them.
+
+The boxes follow the body. Where a vertex hangs on a few nodes, all of them are refitted in one pass. Where it hangs on
+every shape of a modal or truncated body, a box is worked out only when a search comes to it: its mean shape moves it and
+the shapes' spread within it widens it, a bound that holds for every motion [James & Pai 2004].
+"""
+# An array indexed by an element of another is a number to numba and an array to numpy's types.
+# pyright: reportArgumentType=false, reportReturnType=false
+
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+import scipy.sparse as sp
+
+from cotouch.body import Body
+from cotouch.errors import BodyError
+from cotouch.mechanics._kernel import block
+from cotouch.mechanics._model import Model
+from cotouch.mechanics._vector import load, splat, store
+
+Float = npt.NDArray[np.float64]
+Int = npt.NDArray[np.int32]
+
+# A row of four numbers, whatever the width of the body's own fields: places and normals.
+FOUR = (0, 0, 0, 0)
+_LEAF = 4
+
+
+class Surface(NamedTuple):
+    """A triangulated skin, its tree of boxes, and how it hangs on the rows of a model.
+
+    A *feature* is a vertex (0 to V - 1), an edge (the next E) or a face (the last F).
+
+    Attributes:
+        rest: places of the vertices at rest, (V, 4), the last column zero [m].
+        corner: vertices of each triangle, (F, 3).
+        edge: features of its edges, between corners 0-1, 1-2 and 2-0, (F, 3).
+        share: how many triangles meet at each vertex and edge, (V + E,).
+        row: rows that carry each vertex, (V, k, axes): one for all axes, or one for each; (V, 0, axes) in a modal basis.
+        weight: how much of each, (V, k).
+        shape: modal: displacement of each vertex with each row, (V * rows, 4): the same on all axes, or one for each.
+        child: the two children of each box; of a leaf, `-1 - first` and how many triangles of `leaf`, (B, 2).
+        leaf: triangles, ordered so that those of a leaf follow each other, (F,).
+        low: rest corners of each box, (B, 4), modal only.
+        high: likewise.
+        lean: modal: mean shape of the vertices in a box, (B * rows, 4).
+        spread: modal: how far a shape is from that mean anywhere in the box, (B * rows, 4).
+        hold_rest: rest places of what a grasp may hold: nodes, or vertices in a modal basis, (H, 4) [m].
+        hold_row: its rows, (H, axes); (H, 0) in a modal basis, where it is the vertex of the same number.
+    """
+
+    rest: Float
+    corner: Int
+    edge: Int
+    share: Int
+    row: Int
+    weight: Float
+    shape: Float
+    child: Int
+    leaf: Int
+    low: Float
+    high: Float
+    lean: Float
+    spread: Float
+    hold_rest: Float
+    hold_row: Int
+
+
+class Fit(NamedTuple):
+    """Where a surface is just now; scratch of `refit` and the searches.
+
+    Attributes:
+        place: of the vertices, (V, 4) [m].
+        fresh: modal: the search for which a vertex was last worked out, (V,).
+        low: corners of the boxes, (B, 4) [m].
+        high: likewise.
+        size: modal: magnitudes of the rows' coordinates, (rows, width).
+        count: modal: number of the search, (1,).
+    """
+
+    place: Float
+    fresh: Int
+    low: Float
+    high: Float
+    size: Float
+    count: Int
+
+
+def surface_of(model: Model) -> Surface:
+    """The skin of a body in three dimensions; without one, its nodes are the vertices.
+
+    Raises:
+        BodyError: the body has fewer than three axes.
+    """
+    body = model.body
+    if body.dimension != 3:
+        raise BodyError(f"the body has {body.dimension} axes; tools touch bodies of 3 axes only")
+    rest, corner, nodes, weights = _skin(body)
+    edge, share = _features(corner, rest.shape[0])
+    axes = 3 if model.full else 1
+    modal = model.modes is not None
+    child, leaf, members = _tree(rest, corner)
+    rows = model.operator_rows
+    shape = low = high = lean = spread = np.zeros((0, 4))
+    row = np.zeros((rest.shape[0], 0, axes), dtype=np.int32)
+    weight = np.zeros((rest.shape[0], 0))
+    hold_rest, hold_row = _padded(rest), np.zeros((rest.shape[0], 0), dtype=np.int32)
+    if modal:
+        shape = _shapes(model, nodes, weights)
+        low, high, lean, spread = _bounds(_padded(rest), shape, corner, leaf, members, rows)
+    else:
+        own = np.arange(body.nodes * axes) if model.order is None else np.argsort(model.order)
+        hold_row = own.reshape(body.nodes, axes).astype(np.int32)
+        row, weight = np.ascontiguousarray(hold_row[nodes]), np.ascontiguousarray(weights, dtype=np.float64)
+        hold_rest = _padded(body.rest)
+    return Surface(
+        rest=_padded(rest),
+        corner=corner,
+        edge=edge,
+        share=share,
+        row=row,
+        weight=weight,
+        shape=shape,
+        child=child,
+        leaf=leaf,
+        low=low,
+        high=high,
+        lean=lean,
+        spread=spread,
+        hold_rest=hold_rest,
+        hold_row=hold_row,
+    )
+
+
+def fit_of(surface: Surface, model: Model) -> Fit:
+    """Scratch for a surface."""
+    boxes, vertices = surface.child.shape[0], surface.rest.shape[0]
+    modal = surface.shape.shape[0] > 0
+    return Fit(
+        place=surface.rest.copy(),
+        fresh=np.zeros(vertices if modal else 0, dtype=np.int32),
+        low=np.zeros((boxes, 4)),
+        high=np.zeros((boxes, 4)),
+        size=np.zeros((model.operator_rows if modal else 0, model.width)),
+        count=np.zeros(1, dtype=np.int32),
+    )
+
+
+def _padded(places: Float) -> Float:
+    out = np.zeros((places.shape[0], 4))
+    out[:, :3] = places
+    return out
+
+
+def _skin(body: Body) -> tuple[Float, Int, Int, Float]:
+    """Vertices, triangles, carrying nodes and weights; a node without a skin is a triangle of no size."""
+    skin = body.skin
+    if skin is None or not skin.triangles.size:
+        number = np.arange(body.nodes, dtype=np.int32)
+        return body.rest, np.repeat(number[:, None], 3, axis=1), number[:, None], np.ones((body.nodes, 1))
+    return skin.vertices, np.ascontiguousarray(skin.triangles), skin.nodes, skin.weights
+
+
+def _features(corner: Int, vertices: int) -> tuple[Int, Int]:
+    """Features of the edges of each triangle, and how many triangles meet at each vertex and edge."""
+    ends = np.stack([corner, np.roll(corner, -1, axis=1)], axis=-1).reshape(-1, 2)
+    _, edge = np.unique(np.sort(ends, axis=1), axis=0, return_inverse=True)
+    edge = edge.reshape(-1)
+    flat = (corner[:, 0] == corner[:, 1]) & (corner[:, 1] == corner[:, 2])
+    at_vertex = np.bincount(corner[~flat].ravel(), minlength=vertices) + np.bincount(corner[flat][:, 0], minlength=vertices)
+    share = np.concatenate([at_vertex, np.bincount(edge)])
+    return (edge.reshape(-1, 3) + vertices).astype(np.int32), share.astype(np.int32)
+
+
+def _tree(rest: Float, corner: Int) -> tuple[Int, Int, list[tuple[int, int]]]:
+    """Boxes by halving at the median of the longest side; parents before children, and each box's span of `leaf`."""
+    centre = rest[corner].mean(axis=1)
+    leaf = np.arange(corner.shape[0])
+    child: list[list[int]] = [[0, 0]]
+    members = [(0, corner.shape[0])]
+    waiting = [0]
+    while waiting:
+        box = waiting.pop()
+        first, last = members[box]
+        if last - first <= _LEAF:
+            child[box] = [-1 - first, last - first]
+            continue
+        own = leaf[first:last]
+        axis = int(np.argmax(np.ptp(centre[own], axis=0)))
+        middle = (last - first) // 2
+        leaf[first:last] = own[np.argpartition(centre[own, axis], middle)]
+        for span in ((first, first + middle), (first + middle, last)):
+            waiting.append(len(child))
+            members.append(span)
+            child.append([0, 0])
+        child[box] = [len(child) - 2, len(child) - 1]
+    return np.array(child, dtype=np.int32), leaf.astype(np.int32), members
+
+
+def _shapes(model: Model, nodes: Int, weights: Float) -> Float:
+    """Displacement of every vertex with every row, (V * rows, 4)."""
+    modes = model.modes
+    assert modes is not None
+    count, rows = nodes.shape[0], modes.shape[1]
+    carry = sp.csr_array(
+        (weights.ravel(), nodes.ravel(), np.arange(0, nodes.size + 1, nodes.shape[1])),
+        shape=(count, model.body.nodes),
+    )
+    out = np.zeros((count, rows, 4))
+    if model.full:
+        each = modes.reshape(model.body.nodes, 3, rows)
+        for axis in range(3):
+            out[:, :, axis] = carry @ each[:, axis]
+    else:
+        out[:, :, :3] = np.asarray(carry @ modes)[:, :, None]
+    return out.reshape(count * rows, 4)
+
+
+def _bounds(
+    rest: Float, shape: Float, corner: Int, leaf: Int, members: list[tuple[int, int]], rows: int
+) -> tuple[Float, Float, Float, Float]:
+    """Rest box, mean shape and spread of shapes for every box of the tree."""
+    shapes = shape.reshape(-1, rows, 4)
+    count = len(members)
+    low, high = np.zeros((count, 4)), np.zeros((count, 4))
+    lean, spread = np.zeros((count, rows, 4)), np.zeros((count, rows, 4))
+    for box, (first, last) in enumerate(members):
+        own = np.unique(corner[leaf[first:last]])
+        low[box], high[box] = rest[own].min(axis=0), rest[own].max(axis=0)
+        moved = shapes[own]
+        lean[box] = 0.5 * (moved.min(axis=0) + moved.max(axis=0))
+        spread[box] = 0.5 * np.ptp(moved, axis=0)
+    return low, high, lean.reshape(-1, 4), spread.reshape(-1, 4)
+
+
+@block
+def refit(surface: Surface, fit: Fit, position: Float, lanes: tuple[int, ...]) -> None:
+    """Brings vertices and boxes to where the body is; in a modal basis only prepares for searches.
+
+    Args:
+        surface: the skin.
+        fit: result.
+        position: displacement in the model's rows, (rows, width).
+        lanes: fixes the width.
+    """
+    if surface.shape.shape[0] > 0:
+        fit.count[0] += 1
+        for i in range(position.shape[0]):
+            for a in range(position.shape[1]):
+                fit.size[i, a] = abs(position[i, a])
+        return
+    wide = surface.row.shape[2] == 1
+    for v in range(surface.rest.shape[0]):
+        if wide:
+            place = load(surface.rest, v, FOUR)
+            for k in range(surface.row.shape[1]):
+                place = place + surface.weight[v, k] * load(position, surface.row[v, k, 0], lanes)
+            store(fit.place, v, place, FOUR)
+        else:
+            for a in range(3):
+                x = surface.rest[v, a]
+                for k in range(surface.row.shape[1]):
+                    x += surface.weight[v, k] * position[surface.row[v, k, a], 0]
+                fit.place[v, a] = x
+    for back in range(surface.child.shape[0]):
+        box = surface.child.shape[0] - 1 - back
+        left, right = surface.child[box, 0], surface.child[box, 1]
+        if left < 0:
+            for a in range(3):
+                fit.low[box, a], fit.high[box, a] = np.inf, -np.inf
+            for place in range(-1 - left, -1 - left + right):
+                triangle = surface.leaf[place]
+                for q in range(3):
+                    v = surface.corner[triangle, q]
+                    for a in range(3):
+                        x = fit.place[v, a]
+                        fit.low[box, a] = min(fit.low[box, a], x)
+                        fit.high[box, a] = max(fit.high[box, a], x)
+        else:
+            for a in range(3):
+                fit.low[box, a] = min(fit.low[left, a], fit.low[right, a])
+                fit.high[box, a] = max(fit.high[left, a], fit.high[right, a])
+
+
+@block
+def place_vertex(surface: Surface, fit: Fit, v: int, position: Float, lanes: tuple[int, ...]) -> None:
+    """Brings one vertex of a modal skin to where the body is, if this search has not done so yet."""
+    if surface.shape.shape[0] == 0 or fit.fresh[v] == fit.count[0]:
+        return
+    fit.fresh[v] = fit.count[0]
+    rows = position.shape[0]
+    place = load(surface.rest, v, FOUR)
+    for i in range(rows):
+        place = place + load(position, i, lanes) * load(surface.shape, v * rows + i, FOUR)
+    store(fit.place, v, place, FOUR)
+
+
+@block
+def box_distance(
+    surface: Surface, fit: Fit, box: int, x: float, y: float, z: float, position: Float, lanes: tuple[int, ...]
+) -> float:
+    """Square of the distance from a point to a box, 0 inside [m²]."""
+    rows = position.shape[0]
+    if surface.shape.shape[0] > 0:
+        low, high = load(surface.low, box, FOUR), load(surface.high, box, FOUR)
+        moved, wider = splat(0.0, FOUR), splat(0.0, FOUR)
+        for i in range(rows):
+            moved = moved + load(position, i, lanes) * load(surface.lean, box * rows + i, FOUR)
+            wider = wider + load(fit.size, i, lanes) * load(surface.spread, box * rows + i, FOUR)
+        store(fit.low, box, low + moved - wider, FOUR)
+        store(fit.high, box, high + moved + wider, FOUR)
+    dx = max(max(fit.low[box, 0] - x, x - fit.high[box, 0]), 0.0)
+    dy = max(max(fit.low[box, 1] - y, y - fit.high[box, 1]), 0.0)
+    dz = max(max(fit.low[box, 2] - z, z - fit.high[box, 2]), 0.0)
+    return dx * dx + dy * dy + dz * dz

@@ -1,0 +1,228 @@
+"""The proxies of a user: spheres that a coupling drives and that touch or hold the body."""
+
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.mechanics._collide import Contacts, Hits, contacts, hits
+from cotouch.mechanics._columns import Columns, columns
+from cotouch.mechanics._model import Model
+from cotouch.mechanics._surface import Fit, Surface, fit_of
+
+Float = npt.NDArray[np.float64]
+Int = npt.NDArray[np.int32]
+
+# What a tool does with the body.
+AWAY, TOUCH, GRASP = 0, 1, 2
+# What tools book, in order: work of the drives on the proxies, work of contacts and grasps on the body, dissipated in
+# contacts and grasps during the step; kinetic energy of the proxies, energy in contacts and grasps after it [J].
+DRIVE, TOUCHED, TOUCH_LOSS, PROXY, TOUCH_STORED = range(5)
+TOUCH_BOOKS = 5
+# Contacts of one user in one step, and nodes (or skin vertices in a modal basis) in one grasp.
+MOST_CONTACTS = 32
+MOST_HELD = 64
+MOST_HELD_MODAL = 8
+
+# Default of `Tools.reserve`: what sliding over a facet's edge costs or yields, some times over [J].
+RESERVE = 1e-4
+
+
+class Tools(NamedTuple):
+    """Proxies: position y, velocity w, mass m, NPMI like the body [Lee & Huang 2010, section II-B].
+
+    The arrays may hold the tools of many users; those of this copy are `first` to `last - 1`. Rows of four, the last
+    column zero.
+
+    Attributes:
+        first: first tool of this copy.
+        last: one past its last.
+        mass: (tools,) [kg].
+        radius: of the sphere, (tools,) [m].
+        stiffness: of a contact, (tools,) [N/m].
+        loss: λ of a contact: its force grows by (1 + λ η'), (tools,) [s/m].
+        friction: Coulomb's coefficient, (tools,).
+        reserve: energy that the account may hold beyond its springs, to pay when geometry changes, (tools,) [J].
+        grip_stiffness: k of every held node in a grasp, (tools,) [N/m].
+        grip_damping: b of it, (tools,) [Ns/m].
+        mode: AWAY, TOUCH or GRASP in this step, (tools,).
+        drive_stiffness: k of the drive `τ = k (r̂ - ŷ) + b (ṙ̂ - ŵ) + push`, (tools,) [N/m].
+        drive_damping: b, (tools,) [Ns/m].
+        drive_start: r at the start of the step, (tools, 4) [m].
+        drive_end: r at its end, (tools, 4) [m].
+        push: explicit mean force, (tools, 4) [N].
+        place: y, (tools, 4) [m].
+        rate: w, (tools, 4) [m/s].
+        account: energy in the contacts of each tool, (tools,) [J].
+        grip_energy: energy in the springs of its grasp, (tools,) [J].
+        inside: whether the centre is inside the body, (tools,).
+        held: how many nodes it holds; -1: it does not hold, (tools,).
+        hold: which, (tools, MOST_HELD).
+        offset: stretch-free place of each relative to y, less its rest place, (tools * MOST_HELD, 4) [m].
+        drive_force: result: τ, (tools, 4) [N].
+        touch_force: result: mean force of contacts or grasp on the proxy, (tools, 4) [N].
+        touching: result: contacts that pushed, or nodes held, (tools,).
+    """
+
+    first: int
+    last: int
+    mass: Float
+    radius: Float
+    stiffness: Float
+    loss: Float
+    friction: Float
+    reserve: Float
+    grip_stiffness: Float
+    grip_damping: Float
+    mode: Int
+    drive_stiffness: Float
+    drive_damping: Float
+    drive_start: Float
+    drive_end: Float
+    push: Float
+    place: Float
+    rate: Float
+    account: Float
+    grip_energy: Float
+    inside: Int
+    held: Int
+    hold: Int
+    offset: Float
+    drive_force: Float
+    touch_force: Float
+    touching: Int
+
+
+def tools(count: int) -> Tools:
+    """Room for so many tools, all zero, holding nothing."""
+    line, row = (lambda: np.zeros(count)), (lambda: np.zeros((count, 4)))
+    whole = lambda: np.zeros(count, dtype=np.int32)  # noqa: E731
+    return Tools(
+        first=0,
+        last=count,
+        mass=np.ones(count),
+        radius=np.full(count, 0.01),
+        stiffness=line(),
+        loss=line(),
+        friction=line(),
+        reserve=np.full(count, RESERVE),
+        grip_stiffness=line(),
+        grip_damping=line(),
+        mode=whole(),
+        drive_stiffness=line(),
+        drive_damping=line(),
+        drive_start=row(),
+        drive_end=row(),
+        push=row(),
+        place=row(),
+        rate=row(),
+        account=line(),
+        grip_energy=line(),
+        inside=whole(),
+        held=np.full(count, -1, dtype=np.int32),
+        hold=np.zeros((count, MOST_HELD), dtype=np.int32),
+        offset=np.zeros((count * MOST_HELD, 4)),
+        drive_force=row(),
+        touch_force=row(),
+        touching=whole(),
+    )
+
+
+class TouchWork(NamedTuple):
+    """Scratch of one step with tools; sizes as `touch_work` makes them.
+
+    Attributes:
+        fit: where the skin is.
+        hits: of a search.
+        found: contacts of this step.
+        columns: how the body yields.
+        column: column of each element, (elements,).
+        direction: of each element, (elements, 4).
+        depth: of each contact, (contacts,).
+        stiffness: likewise.
+        loss: λ/T likewise.
+        friction: likewise.
+        free: motion of each element without contacts, (elements,).
+        compliance: R, (elements, elements).
+        force: (elements,).
+        yielding: Hᵀ A⁻¹ H among all columns, (columns, columns).
+        reading: Hᵀ v̂ at the columns, (columns, 4).
+        load: force at each column, (columns, 4).
+        grip_column: first column of each tool's grasp, (tools,).
+        lever: B, elements' forces on the proxies' coordinates, (3 tools, elements).
+        solved: S⁻¹ B, likewise.
+        proxies: S and its Cholesky factor, (3 tools, 3 tools).
+        drive: right-hand side of the proxies, (3 tools,).
+        mean: ŵ, (3 tools,).
+        inertia: coefficient of each proxy's own ŵ, (tools,).
+        port_shape: modal: ports of hands and grasps, (ports, rows).
+        port_gain: their gains, (ports,).
+        port_factor: Cholesky factor of I + √c H D⁻¹ Hᵀ √c, (ports, ports).
+        port_reading: scratch (ports, 4).
+    """
+
+    fit: Fit
+    hits: Hits
+    found: Contacts
+    columns: Columns
+    column: Int
+    direction: Float
+    depth: Float
+    stiffness: Float
+    loss: Float
+    friction: Float
+    free: Float
+    compliance: Float
+    force: Float
+    yielding: Float
+    reading: Float
+    load: Float
+    grip_column: Int
+    lever: Float
+    solved: Float
+    proxies: Float
+    drive: Float
+    mean: Float
+    inertia: Float
+    port_shape: Float
+    port_gain: Float
+    port_factor: Float
+    port_reading: Float
+
+
+def touch_work(model: Model, surface: Surface, *, tools: int, ports: int) -> TouchWork:
+    """Scratch for steps with at most so many tools and ports of one user."""
+    modal = model.modes is not None
+    axes = 3 if model.full else 1
+    elements = 3 * MOST_CONTACTS
+    most = (elements if model.full else MOST_CONTACTS) + axes * tools
+    most_ports = ports + axes * tools * MOST_HELD_MODAL if modal else 0
+    return TouchWork(
+        fit=fit_of(surface, model),
+        hits=hits(),
+        found=contacts(MOST_CONTACTS),
+        columns=columns(model.operator_rows, most, held=MOST_HELD, modal=modal),
+        column=np.zeros(elements, dtype=np.int32),
+        direction=np.zeros((elements, 4)),
+        depth=np.zeros(MOST_CONTACTS),
+        stiffness=np.zeros(MOST_CONTACTS),
+        loss=np.zeros(MOST_CONTACTS),
+        friction=np.zeros(MOST_CONTACTS),
+        free=np.zeros(elements),
+        compliance=np.zeros((elements, elements)),
+        force=np.zeros(elements),
+        yielding=np.zeros((most, most)),
+        reading=np.zeros((most, 4)),
+        load=np.zeros((most, 4)),
+        grip_column=np.zeros(tools, dtype=np.int32),
+        lever=np.zeros((3 * tools, elements)),
+        solved=np.zeros((3 * tools, elements)),
+        proxies=np.zeros((3 * tools, 3 * tools)),
+        drive=np.zeros(3 * tools),
+        mean=np.zeros(3 * tools),
+        inertia=np.zeros(tools),
+        port_shape=np.zeros((most_ports, model.operator_rows if modal else 0)),
+        port_gain=np.zeros(most_ports),
+        port_factor=np.zeros((most_ports, most_ports)),
+        port_reading=np.zeros((most_ports, 4)),
+    )
