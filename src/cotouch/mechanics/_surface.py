@@ -17,7 +17,7 @@ from cotouch.body import Body
 from cotouch.errors import BodyError
 from cotouch.mechanics._kernel import block
 from cotouch.mechanics._model import Model
-from cotouch.mechanics._vector import load, splat, store
+from cotouch.mechanics._vector import at, load, lower, splat, store, upper
 
 Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
@@ -255,7 +255,8 @@ def refit(surface: Surface, fit: Fit, position: Float, lanes: tuple[int, ...]) -
         if wide:
             place = load(surface.rest, v, FOUR)
             for k in range(surface.row.shape[1]):
-                place = place + surface.weight[v, k] * load(position, surface.row[v, k, 0], lanes)
+                entry = v * surface.row.shape[1] + k
+                place = place + at(surface.weight, entry) * load(position, at(surface.row, entry), lanes)
             store(fit.place, v, place, FOUR)
         else:
             for a in range(3):
@@ -265,22 +266,19 @@ def refit(surface: Surface, fit: Fit, position: Float, lanes: tuple[int, ...]) -
                 fit.place[v, a] = x
     for back in range(surface.child.shape[0]):
         box = surface.child.shape[0] - 1 - back
-        left, right = surface.child[box, 0], surface.child[box, 1]
+        left, right = at(surface.child, 2 * box), at(surface.child, 2 * box + 1)
         if left < 0:
-            for a in range(3):
-                fit.low[box, a], fit.high[box, a] = np.inf, -np.inf
+            low, high = splat(np.inf, FOUR), splat(-np.inf, FOUR)
             for place in range(-1 - left, -1 - left + right):
-                triangle = surface.leaf[place]
+                triangle = at(surface.leaf, place)
                 for q in range(3):
-                    v = surface.corner[triangle, q]
-                    for a in range(3):
-                        x = fit.place[v, a]
-                        fit.low[box, a] = min(fit.low[box, a], x)
-                        fit.high[box, a] = max(fit.high[box, a], x)
+                    vertex = load(fit.place, at(surface.corner, 3 * triangle + q), FOUR)
+                    low, high = lower(low, vertex), upper(high, vertex)
         else:
-            for a in range(3):
-                fit.low[box, a] = min(fit.low[left, a], fit.low[right, a])
-                fit.high[box, a] = max(fit.high[left, a], fit.high[right, a])
+            low = lower(load(fit.low, left, FOUR), load(fit.low, right, FOUR))
+            high = upper(load(fit.high, left, FOUR), load(fit.high, right, FOUR))
+        store(fit.low, box, low, FOUR)
+        store(fit.high, box, high, FOUR)
 
 
 @block

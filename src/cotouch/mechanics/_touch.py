@@ -35,12 +35,14 @@ from cotouch.mechanics._tools import (
     Tools,
     TouchWork,
 )
-from cotouch.mechanics._vector import load, splat, store, total
+from cotouch.mechanics._vector import at, load, splat, store, total
 
 Float = npt.NDArray[np.float64]
 
 # Gaps count as contacts up to this share of a radius, and as far as two steps of the proxy carry it.
 _MARGIN = 0.05
+# What the energy's two sides may differ by: less than rounding does to the sums themselves.
+_NOTICED = 1e-16
 # Columns need not be better than this: it is the error of a contact's force, not of the books.
 _COLUMN_TOLERANCE = 1e-8
 
@@ -618,28 +620,17 @@ def _back(
                     touch.load[g, a] = gain * touch.mean[3 * p + a]
                 else:
                     touch.load[g + a, 0] = gain * touch.mean[3 * p + a]
-    reached = rows if modal else columns.size[0]
-    for c in range(used):
-        answer, lane = columns.answer[c // 4], c % 4
-        for place in range(reached):
-            i = place if modal else columns.reach[place]
-            for a in range(width):
-                mean[i, a] += answer[i, lane] * touch.load[c, a]
-
-    work_done, form = splat(0.0, lanes), splat(0.0, lanes)
+    base = splat(0.0, lanes)  # v̂₀ᵀ b, which is v̂₀ᵀ A v̂₀
     for i in range(rows):
-        v = load(mean, i, lanes)
-        work_done = work_done + v * load(work.rhs, i, lanes)
-        image = work.diagonal[i] * v
-        if not modal:
-            image = image + scale * row_sum(op, values, i, mean, lanes)
-        form = form + v * image
-    supplied, used_up = total(work_done), total(form)
-    for p in range(ports):
-        reading = splat(0.0, lanes)
-        for i in range(rows):
-            reading = reading + touch.port_shape[p, i] * load(mean, i, lanes)
-        used_up += touch.port_gain[p] * touch.port_gain[p] * total(reading * reading)
+        base = base + load(mean, i, lanes) * load(work.rhs, i, lanes)
+    supplied = total(base)
+    used_up = supplied
+    if modal:
+        extra, form = _add_modal(touch, used, ports, work, lanes)
+    else:
+        extra, form = _add_nodal(op, touch, used, values, scale, work, lanes)
+    supplied += extra
+    used_up += form
     for c in range(used):
         for a in range(width):
             touch.reading[c, a] = read_column(columns, c, mean, a)
@@ -659,7 +650,7 @@ def _back(
             if gain > 0.0:
                 v = touch.reading[g, a] if wide else touch.reading[g + a, 0]
                 used_up -= 2.0 * gain * w * v
-    if used_up > 0.0:
+    if used_up > 0.0 and abs(supplied - used_up) > _NOTICED * supplied:
         factor = max(supplied, 0.0) / used_up
         for i in range(rows):
             store(mean, i, factor * load(mean, i, lanes), lanes)
@@ -751,3 +742,68 @@ def _held_rate(surface: Surface, hold: int, axis: int, mean: Float) -> float:
     for i in range(rows):
         rate += surface.shape[hold * rows + i, axis] * mean[i, column]
     return rate
+
+
+@block
+def _add_nodal(
+    op: Operator, touch: TouchWork, used: int, values: Float, scale: float, work: Workspace, lanes: tuple[int, ...]
+) -> tuple[float, float]:
+    """Adds `y = Σ A⁻¹ h_c load_c` to v̂, where the columns reach.
+
+    Returns:
+        `yᵀ b` and `yᵀ A (2 v̂ + y)`: what v̂ᵀ b and v̂ᵀ A v̂ grow by.
+    """
+    columns, mean = touch.columns, work.mean
+    y = columns.direction  # zero everywhere, and again when this is done
+    reached, width = columns.size[0], 3 if len(lanes) > 1 else 1
+    for place in range(reached):
+        i = at(columns.reach, place)
+        step = splat(0.0, FOUR)
+        for c in range(used):
+            entry = ((c // 4) * mean.shape[0] + i) * 4 + c % 4
+            step = step + at(columns.answer, entry) * load(touch.load, c, FOUR)
+        store(y, i, step, FOUR)
+    gain, form = splat(0.0, FOUR), splat(0.0, FOUR)
+    for place in range(reached):
+        i = at(columns.reach, place)
+        own = load(y, i, FOUR)
+        gain = gain + own * load(work.rhs, i, lanes)
+        # Twice what v̂ has and once what y has; in a field of one column y has only its first lane.
+        image = 2.0 * (at(work.diagonal, i) * load(mean, i, lanes) + scale * row_sum(op, values, i, mean, lanes))
+        form = form + own * (at(work.diagonal, i) * own + scale * row_sum(op, values, i, y, FOUR) + image)
+    for place in range(reached):
+        i = at(columns.reach, place)
+        for a in range(width):
+            mean[i, a] += y[i, a]
+    for place in range(reached):
+        store(y, at(columns.reach, place), splat(0.0, FOUR), FOUR)
+    return total(gain), total(form)
+
+
+@block
+def _add_modal(
+    touch: TouchWork, used: int, ports: int, work: Workspace, lanes: tuple[int, ...]
+) -> tuple[float, float]:
+    """The same where A is diagonal but for ports."""
+    columns, mean = touch.columns, work.mean
+    rows, width = mean.shape[0], 3 if len(lanes) > 1 else 1
+    gain = form = 0.0
+    for p in range(ports):
+        reading = splat(0.0, lanes)
+        for i in range(rows):
+            reading = reading + touch.port_shape[p, i] * load(mean, i, lanes)
+        form -= touch.port_gain[p] * touch.port_gain[p] * total(reading * reading)
+    for i in range(rows):
+        for a in range(width):
+            y = 0.0
+            for c in range(used):
+                y += columns.answer[c // 4, i, c % 4] * touch.load[c, a]
+            gain += y * work.rhs[i, a]
+            form += work.diagonal[i] * y * (2.0 * mean[i, a] + y)
+            mean[i, a] += y
+    for p in range(ports):
+        reading = splat(0.0, lanes)
+        for i in range(rows):
+            reading = reading + touch.port_shape[p, i] * load(mean, i, lanes)
+        form += touch.port_gain[p] * touch.port_gain[p] * total(reading * reading)
+    return gain, form

@@ -124,6 +124,25 @@ def total(typingctx: Any, vector: Any) -> Any:
     return types.float64(vector), generate
 
 
+def _select(order: str) -> Any:
+    @intrinsic
+    def choose(typingctx: Any, left: Any, right: Any) -> Any:
+        del typingctx
+
+        def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+            del context, signature
+            return builder.select(builder.fcmp_ordered(order, *args), *args)
+
+        return left(left, right), generate
+
+    return choose
+
+
+# The smaller or larger of two vectors, lane by lane.
+lower = _select("<")
+upper = _select(">")
+
+
 def _index(array: Any, index: Any) -> Any:
     """Type of an index: one integer, or a tuple with one for each dimension."""
     if isinstance(index, types.BaseTuple):
