@@ -1,5 +1,12 @@
 """How a body moves, passively: the compiled step and what it needs."""
 
+from cotouch.mechanics._coupling import (
+    checked_virtual_coupling,
+    credit,
+    modulate,
+    modulation_bound,
+    virtual_coupling_limit,
+)
 from cotouch.mechanics._kernel import kernel
 from cotouch.mechanics._model import Basis, Model, model
 from cotouch.mechanics._operator import WEIGHTS, Operator, mixed, multiply
@@ -40,10 +47,14 @@ __all__ = [
     "State",
     "Workspace",
     "at",
+    "checked_virtual_coupling",
+    "credit",
     "kernel",
     "load",
     "mixed",
     "model",
+    "modulate",
+    "modulation_bound",
     "multiply",
     "put",
     "settle",
@@ -51,5 +62,6 @@ __all__ = [
     "step",
     "store",
     "total",
+    "virtual_coupling_limit",
     "workspace",
 ]
