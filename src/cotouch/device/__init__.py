@@ -2,7 +2,9 @@
 
 from cotouch.device._advance import advance
 from cotouch.device._assemble import assemble
+from cotouch.device._critical import critical_stiffness, rings
 from cotouch.device._models import CartesianPlant, Coupling, DeviceModel, PhantomPlant, Servo, SimulatedHand
+from cotouch.device._simulated import DeviceSample, SimulatedDevice
 from cotouch.device._spec import PRESETS, DeviceSpec, preset
 from cotouch.device._tables import DEVICE_BOOKS, Devices, DeviceState, Grasps, Plants, Servos
 
@@ -12,6 +14,7 @@ __all__ = [
     "CartesianPlant",
     "Coupling",
     "DeviceModel",
+    "DeviceSample",
     "DeviceSpec",
     "DeviceState",
     "Devices",
@@ -20,8 +23,11 @@ __all__ = [
     "Plants",
     "Servo",
     "Servos",
+    "SimulatedDevice",
     "SimulatedHand",
     "advance",
     "assemble",
+    "critical_stiffness",
     "preset",
+    "rings",
 ]

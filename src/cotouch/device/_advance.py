@@ -24,7 +24,7 @@ from cotouch.device._tables import (
     Devices,
     DeviceState,
 )
-from cotouch.mechanics import at, kernel, load, put, store, total
+from cotouch.mechanics import at, block, inner, kernel, load, put, store, total
 
 
 @kernel
@@ -90,7 +90,7 @@ def balance(devices: Devices, state: DeviceState, d: int) -> float:
     return now
 
 
-@kernel
+@inner
 def _kinetic(devices: Devices, state: DeviceState, d: int) -> float:
     if at(devices.plants.kind, d) == PHANTOM:
         return phantom_kinetic(devices, state, d)
@@ -98,7 +98,7 @@ def _kinetic(devices: Devices, state: DeviceState, d: int) -> float:
     return 0.5 * total(momentum * momentum) / cartesian_mass(devices, state, d)
 
 
-@kernel
+@block
 def _change_hold(devices: Devices, state: DeviceState, d: int) -> None:
     """The hand takes hold or lets go.
 

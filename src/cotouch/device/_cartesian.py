@@ -4,10 +4,10 @@
 
 from cotouch.device._hand import LANES, add_book, book_hand, book_motors, correct, equilibrium_after
 from cotouch.device._tables import COULOMB_LOSS, Devices, DeviceState
-from cotouch.mechanics import at, kernel, load, splat, store, total
+from cotouch.mechanics import at, block, inner, load, splat, store, total
 
 
-@kernel
+@inner
 def cartesian_mass(devices: Devices, state: DeviceState, d: int) -> float:
     """Mass that moves, the hand's included [kg]."""
     mass = at(devices.plants.mass, d)
@@ -16,7 +16,7 @@ def cartesian_mass(devices: Devices, state: DeviceState, d: int) -> float:
     return mass
 
 
-@kernel
+@block
 def cartesian_step(devices: Devices, state: DeviceState, d: int, h: float) -> None:
     """A Cartesian device for a time h, by the midpoint rule, whose energy balance is exact.
 

@@ -20,18 +20,18 @@ from cotouch.device._tables import (
     DeviceState,
     Grasps,
 )
-from cotouch.mechanics import at, kernel, load, put, splat, store, total
+from cotouch.mechanics import at, block, inner, load, put, splat, store, total
 
 LANES = (0, 0, 0, 0)
 
 
-@kernel
+@inner
 def add_book(state: DeviceState, d: int, book: int, value: float) -> None:
     """Adds to a book of device d."""
     put(state.books, (d, book), at(state.books, (d, book)) + value)
 
 
-@kernel
+@inner
 def path_place(grasps: Grasps, state: DeviceState, d: int, t: float) -> float:
     """Where the path of hand d is at time t: straight between waypoints, still before and after them, plus the sine."""
     first, last = at(grasps.path_first, d), at(grasps.path_first, d + 1) - 1
@@ -51,7 +51,7 @@ def path_place(grasps: Grasps, state: DeviceState, d: int, t: float) -> float:
     return value
 
 
-@kernel
+@inner
 def equilibrium_after(grasps: Grasps, state: DeviceState, d: int, t: float) -> float:
     """The equilibrium point at time t: path, what is left of the offset of taking hold, and what the will has added."""
     value = path_place(grasps, state, d, t) + load(state.corrected, d, LANES)
@@ -61,7 +61,7 @@ def equilibrium_after(grasps: Grasps, state: DeviceState, d: int, t: float) -> f
     return value
 
 
-@kernel
+@inner
 def hand_energy(grasps: Grasps, state: DeviceState, d: int) -> float:
     """Energy of the hand's spring; 0 if it does not hold [J]."""
     if at(state.holding, d) == 0:
@@ -70,7 +70,7 @@ def hand_energy(grasps: Grasps, state: DeviceState, d: int) -> float:
     return 0.5 * at(grasps.stiffness, d) * total(stretch * stretch)
 
 
-@kernel
+@block
 def correct(grasps: Grasps, state: DeviceState, d: int, h: float) -> None:
     """The will moves the equilibrium for a time h, against the error that it saw one reaction time ago."""
     if at(grasps.correction, d) == 0.0:
@@ -91,7 +91,7 @@ def correct(grasps: Grasps, state: DeviceState, d: int, h: float) -> None:
     store(state.corrected, d, moved, LANES)
 
 
-@kernel
+@inner
 def next_change(grasps: Grasps, state: DeviceState, d: int) -> float:
     """When the hand next takes hold or lets go [s]."""
     t = at(state.time, d)
@@ -102,13 +102,13 @@ def next_change(grasps: Grasps, state: DeviceState, d: int) -> float:
     return inf
 
 
-@kernel
+@inner
 def should_hold(grasps: Grasps, state: DeviceState, d: int) -> bool:
     """Whether the hand holds from now on."""
     return at(grasps.begin, d) <= at(state.time, d) < at(grasps.release, d)
 
 
-@kernel
+@inner
 def relax(devices: Devices, state: DeviceState, d: int) -> None:
     """A hand that is taking hold starts with its spring relaxed; the offset that this needs fades afterwards."""
     tip = load(state.tip, d, LANES)
@@ -121,14 +121,14 @@ def relax(devices: Devices, state: DeviceState, d: int) -> None:
     put(state.recalled, d, 0)
 
 
-@kernel
+@inner
 def book_hand(grasps: Grasps, state: DeviceState, d: int, h: float, work: float, slip: float) -> None:
     """Books a step of the hand: work on its far end, and the square of how far that end went beyond the tip."""
     add_book(state, d, HUMAN, work)
     add_book(state, d, HAND_LOSS, at(grasps.damping, d) / h * slip)
 
 
-@kernel
+@inner
 def book_motors(state: DeviceState, d: int, work: float, viscous: float) -> None:
     """Books the work of the held effort and the loss in the device's viscous friction."""
     add_book(state, d, WORK, work)

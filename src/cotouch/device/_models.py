@@ -2,10 +2,9 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from math import inf, isfinite, pi
+from itertools import pairwise
+from math import inf, isfinite
 from typing import Literal, final
-
-import numpy as np
 
 from cotouch.device._tables import CARTESIAN, PHANTOM, PSPM, SPRING, TOLD
 from cotouch.errors import DeviceError
@@ -19,7 +18,9 @@ HAND_MASS, HAND_DAMPING, HAND_STIFFNESS = 0.554, 6.45, 135.0
 GRAVITY = 9.80665
 
 
-def need(name: str, value: float, *, least: float = 0.0, above: bool = False, most: float = inf, unit: str = "") -> None:
+def need(
+    name: str, value: float, *, least: float = 0.0, above: bool = False, most: float = inf, unit: str = ""
+) -> None:
     """Refuses a number that is not finite or out of range.
 
     Raises:
@@ -294,7 +295,7 @@ def _waypoints(path: Sequence[float] | Sequence[Sequence[float]]) -> tuple[tuple
                 raise DeviceError(f"hand's path has the waypoint {row!r}; it must be a time and one to three numbers")
             rows.append((float(values[0]), triple("hand's waypoint", values[1:])))
         times = [time for time, _ in rows]
-        if any(later <= earlier for earlier, later in zip(times, times[1:], strict=False)):
+        if any(later <= earlier for earlier, later in pairwise(times)):
             raise DeviceError(f"hand's path has the times {times}; they must rise")
         return tuple(rows)
     flat = [entry for entry in path if not isinstance(entry, Sequence)]
@@ -332,8 +333,3 @@ class DeviceModel:
     def start(self) -> Triple:
         """Where the tip starts [m]."""
         return triple("position", self.position)
-
-
-def radians(degrees: float) -> float:
-    """An angle in rad from one in degrees."""
-    return float(np.float64(degrees) * pi / 180.0)

@@ -21,7 +21,7 @@ from math import cos, inf, sin
 
 from cotouch.device._hand import LANES, add_book, book_hand, book_motors, correct, equilibrium_after
 from cotouch.device._tables import COULOMB_LOSS, Devices, DeviceState, Grasps, Plants
-from cotouch.mechanics import at, kernel, put, store
+from cotouch.mechanics import at, block, inner, put, store
 
 # An iteration gains two to three digits at 10 kHz; this many are for a long step with a firm hand.
 _ITERATIONS = 60
@@ -35,7 +35,7 @@ Four = tuple[float, float, float, float]
 Seven = tuple[float, float, float, float, float, float, float]
 
 
-@kernel
+@inner
 def coefficients(devices: Devices, state: DeviceState, d: int) -> Seven:
     """The numbers of the mass matrix as in `Plants.inertia`, a holding hand's point mass at the tip included."""
     plants = devices.plants
@@ -52,7 +52,7 @@ def coefficients(devices: Devices, state: DeviceState, d: int) -> Seven:
     )
 
 
-@kernel
+@inner
 def mass_matrix(c: Seven, q2: float, q3: float) -> Four:
     """M11, M22, M33, M23 [kg m²]; the rest is zero."""
     s2, c2, s3, c3 = sin(q2), cos(q2), sin(q3), cos(q3)
@@ -60,20 +60,20 @@ def mass_matrix(c: Seven, q2: float, q3: float) -> Four:
     return m11, c[4], c[5], -c[6] * (s2 * c3 - c2 * s3)
 
 
-@kernel
+@inner
 def inverse(m: Four) -> Four:
     """Of a matrix with entries 11, 22, 33, 23."""
     scale = 1.0 / (m[1] * m[2] - m[3] * m[3])
     return 1.0 / m[0], scale * m[2], scale * m[1], -scale * m[3]
 
 
-@kernel
+@inner
 def form(w: Four, p1: float, p2: float, p3: float) -> float:
     """`pᵀ W p`."""
     return w[0] * p1 * p1 + w[1] * p2 * p2 + w[2] * p3 * p3 + 2.0 * w[3] * p2 * p3
 
 
-@kernel
+@inner
 def mass_slopes(c: Seven, q2: float, q3: float, u1: float, u2: float, u3: float) -> tuple[float, float]:
     """`∂(uᵀ M u)/∂θ2` and `/∂θ3` with u fixed."""
     s2, c2, s3, c3 = sin(q2), cos(q2), sin(q3), cos(q3)
@@ -84,7 +84,7 @@ def mass_slopes(c: Seven, q2: float, q3: float, u1: float, u2: float, u3: float)
     )
 
 
-@kernel
+@inner
 def phantom_tip(plants: Plants, d: int, q1: float, q2: float, q3: float) -> tuple[float, float, float]:
     """Place of the tip [m]."""
     l1, l2 = at(plants.length, (d, 0)), at(plants.length, (d, 1))
@@ -92,7 +92,7 @@ def phantom_tip(plants: Plants, d: int, q1: float, q2: float, q3: float) -> tupl
     return l1 - r * cos(q1), -r * sin(q1), l2 - l2 * cos(q3) + l1 * sin(q2)
 
 
-@kernel
+@inner
 def joint_torques(
     plants: Plants, d: int, q1: float, q2: float, q3: float, fx: float, fy: float, fz: float
 ) -> tuple[float, float, float]:
@@ -104,13 +104,13 @@ def joint_torques(
     return r * (s1 * fx - c1 * fy), l1 * (c2 * fz - s2 * outward), l2 * (s3 * fz + c3 * outward)
 
 
-@kernel
+@inner
 def phantom_potential(plants: Plants, d: int, q2: float, q3: float) -> float:
     """Energy of gravity [J]."""
     return at(plants.gravity, (d, 0)) * sin(q2) - at(plants.gravity, (d, 1)) * cos(q3)
 
 
-@kernel
+@inner
 def phantom_kinetic(devices: Devices, state: DeviceState, d: int) -> float:
     """Kinetic energy, the hand's included [J]."""
     c = coefficients(devices, state, d)
@@ -118,7 +118,7 @@ def phantom_kinetic(devices: Devices, state: DeviceState, d: int) -> float:
     return 0.5 * form(w, at(state.momentum, (d, 0)), at(state.momentum, (d, 1)), at(state.momentum, (d, 2)))
 
 
-@kernel
+@inner
 def _shrink(value: float, by: float) -> float:
     if value > by:
         return value - by
@@ -127,7 +127,7 @@ def _shrink(value: float, by: float) -> float:
     return 0.0
 
 
-@kernel
+@inner
 def store_tip(plants: Plants, state: DeviceState, d: int) -> None:
     """Brings the tip to where the joints are."""
     x, y, z = phantom_tip(
@@ -138,7 +138,7 @@ def store_tip(plants: Plants, state: DeviceState, d: int) -> None:
     put(state.tip, (d, 2), z)
 
 
-@kernel
+@inner
 def _stop(c: Seven, state: DeviceState, d: int, held: tuple[bool, bool, bool]) -> None:
     """Joints that friction held for a whole step have stopped; what they had is booked as friction."""
     q2, q3 = at(state.coordinate, (d, 1)), at(state.coordinate, (d, 2))
@@ -159,7 +159,7 @@ def _stop(c: Seven, state: DeviceState, d: int, held: tuple[bool, bool, bool]) -
     add_book(state, d, COULOMB_LOSS, 0.5 * (before - form(w, p1, p2, p3)))
 
 
-@kernel
+@block
 def phantom_step(devices: Devices, state: DeviceState, d: int, h: float) -> None:
     """A PHANToM for a time h; the step of the module's text, solved by fixed-point iteration on the mean velocity."""
     plants, grasps = devices.plants, devices.grasps
@@ -241,7 +241,7 @@ def phantom_step(devices: Devices, state: DeviceState, d: int, h: float) -> None
         book_hand(grasps, state, d, h, pulled, slip)
 
 
-@kernel
+@inner
 def _rest(
     grasps: Grasps, state: DeviceState, d: int, h: float
 ) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
@@ -250,7 +250,11 @@ def _rest(
     a1, a2, a3 = at(state.equilibrium, (d, 0)), at(state.equilibrium, (d, 1)), at(state.equilibrium, (d, 2))
     correct(grasps, state, d, h)
     store(state.equilibrium, d, equilibrium_after(grasps, state, d, at(state.time, d) + h), LANES)
-    i1, i2, i3 = at(state.equilibrium, (d, 0)) - a1, at(state.equilibrium, (d, 1)) - a2, at(state.equilibrium, (d, 2)) - a3
+    i1, i2, i3 = (
+        at(state.equilibrium, (d, 0)) - a1,
+        at(state.equilibrium, (d, 1)) - a2,
+        at(state.equilibrium, (d, 2)) - a3,
+    )
     rest = (
         stiffness * (a1 + 0.5 * i1 - at(state.tip, (d, 0))) + damping / h * i1,
         stiffness * (a2 + 0.5 * i2 - at(state.tip, (d, 1))) + damping / h * i2,
@@ -259,7 +263,7 @@ def _rest(
     return rest, (i1, i2, i3)
 
 
-@kernel
+@inner
 def _tip_motion(
     plants: Plants, d: int, m1: float, m2: float, m3: float, d1: float, d2: float, d3: float
 ) -> tuple[float, float, float]:

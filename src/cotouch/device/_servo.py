@@ -1,7 +1,7 @@
 """What a device's servo does at a tick: measure, book, decide on a force, and hold it until the next.
 
-The energy of the port is counted in the device's own coordinates, `effort·Δcoordinate`: that is what a held effort does,
-exactly, also where motors sit at joints.
+The energy of the port is counted in the device's own coordinates, `effort·Δcoordinate`: what a held effort does, exactly,
+also where motors sit at joints.
 """
 # An array indexed by an element of another is a number to numba and an array to numpy's types.
 # pyright: reportArgumentType=false, reportReturnType=false
@@ -29,10 +29,10 @@ from cotouch.device._tables import (
     Devices,
     DeviceState,
 )
-from cotouch.mechanics import at, credit, kernel, load, modulate, put, splat, store, total
+from cotouch.mechanics import at, block, credit, inner, load, modulate, put, splat, store, total
 
 
-@kernel
+@block
 def tick(devices: Devices, state: DeviceState, d: int) -> None:
     """One tick of device d, now; with the law TOLD it only measures, because the force is the body's affair."""
     servos = devices.servos
@@ -65,7 +65,7 @@ def tick(devices: Devices, state: DeviceState, d: int) -> None:
         actuate(devices, state, d, stiffness * (wish - seen) - damping * rate)
 
 
-@kernel
+@block
 def actuate(devices: Devices, state: DeviceState, d: int, force: float) -> None:
     """Holds a force from now on, shortened to what the motors can do; its direction is kept."""
     servos = devices.servos
@@ -104,14 +104,14 @@ def actuate(devices: Devices, state: DeviceState, d: int, force: float) -> None:
         add_book(state, d, SATURATED, 1.0)
 
 
-@kernel
+@inner
 def _slot(state: DeviceState, d: int, index: int) -> int:
     """Row of the history, devices in a row, that holds the sample of a tick."""
     length = state.history_time.shape[1]
     return d * length + index % length
 
 
-@kernel
+@inner
 def _measure(devices: Devices, state: DeviceState, d: int) -> float:
     """Reads encoders and clock; returns what the coupling's energy has changed by since the last tick [J].
 
@@ -163,7 +163,7 @@ def _measure(devices: Devices, state: DeviceState, d: int) -> float:
     return declared - work - charged
 
 
-@kernel
+@inner
 def _differentiate(devices: Devices, state: DeviceState, d: int, index: int) -> None:
     """Velocity over the window: since the oldest sample in it, and at least since the last tick."""
     now = at(state.sample_time, d)
@@ -173,11 +173,13 @@ def _differentiate(devices: Devices, state: DeviceState, d: int, index: int) -> 
         oldest += 1
     put(state.oldest, d, oldest)
     slot = _slot(state, d, oldest)
-    rate = (load(state.sample, d, LANES) - load(state.history, slot, LANES)) * (1.0 / (now - at(state.history_time, slot)))
+    rate = (load(state.sample, d, LANES) - load(state.history, slot, LANES)) * (
+        1.0 / (now - at(state.history_time, slot))
+    )
     store(state.sample_velocity, d, rate, LANES)
 
 
-@kernel
+@inner
 def next_tick(devices: Devices, state: DeviceState, d: int) -> float:
     """When the servo next ticks by itself [s]."""
     return inf if at(devices.servos.law, d) == TOLD else at(state.next_tick, d)

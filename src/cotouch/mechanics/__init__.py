@@ -7,7 +7,7 @@ from cotouch.mechanics._coupling import (
     modulation_bound,
     virtual_coupling_limit,
 )
-from cotouch.mechanics._kernel import kernel
+from cotouch.mechanics._kernel import block, inner, kernel
 from cotouch.mechanics._model import Basis, Model, model
 from cotouch.mechanics._operator import WEIGHTS, Operator, mixed, multiply
 from cotouch.mechanics._step import (
@@ -47,8 +47,10 @@ __all__ = [
     "State",
     "Workspace",
     "at",
+    "block",
     "checked_virtual_coupling",
     "credit",
+    "inner",
     "kernel",
     "load",
     "mixed",

@@ -127,7 +127,9 @@ def virtual_coupling_limit(
         ("spread", spread, 1.0, False),
     ):
         if not (isfinite(value) and (value > least if strict else value >= least)):
-            raise DeviceError(f"{name} is {value:g}; it must be finite and {'above' if strict else 'at least'} {least:g}")
+            raise DeviceError(
+                f"{name} is {value:g}; it must be finite and {'above' if strict else 'at least'} {least:g}"
+            )
     return (device_damping - 0.5 * damping * (1.0 + spread)) / (0.5 * period + 0.5 * ages * weight)
 
 
@@ -172,6 +174,6 @@ def checked_virtual_coupling(
     if lower:
         return limit
     raise DeviceError(
-        f"the virtual coupling's stiffness is {stiffness:g} N/m; a device with {device_damping:g} Ns/m of its own and a "
-        f"servo period of {period:g} s is passive up to {limit:g} N/m; lower it or use PSPM"
+        f"the virtual coupling's stiffness is {stiffness:g} N/m; a device with {device_damping:g} Ns/m of its own and "
+        f"a servo period of {period:g} s is passive up to {limit:g} N/m; lower it or use PSPM"
     )

@@ -19,7 +19,19 @@ def kernel(function: F) -> F:
     Kernels are inlined into each other and allocate nothing, so numba's reference counting is off: for a point body
     the calls and counts cost ten times more than the physics.
     """
+    return stamped(_numba(forceinline=True)(function))
+
+
+def inner(function: F) -> F:
+    """A kernel that only kernels call. What lets Python call one costs a second of compilation with many arrays."""
+    return stamped(_numba(forceinline=True, no_cpython_wrapper=True, no_cfunc_wrapper=True)(function))
+
+
+def block(function: F) -> F:
+    """An `inner` kernel that stays a function of its own, because it is large and called from several places."""
+    return stamped(_numba(forceinline=False, no_cpython_wrapper=True, no_cfunc_wrapper=True)(function))
+
+
+def _numba(**options: bool) -> Callable[[F], Any]:
     njit: Any = numba.njit
-    return stamped(
-        njit(cache=True, nogil=True, fastmath={"contract"}, error_model="numpy", forceinline=True, _nrt=False)(function)
-    )
+    return njit(cache=True, nogil=True, fastmath={"contract"}, error_model="numpy", _nrt=False, **options)
