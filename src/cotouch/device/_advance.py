@@ -26,6 +26,9 @@ from cotouch.device._tables import (
 )
 from cotouch.mechanics import at, block, inner, kernel, load, put, store, total
 
+# A tick this close, beside a period, is now: sums of periods and times of steps differ by rounding.
+_ON_TIME = 1e-6
+
 
 @kernel
 def advance(devices: Devices, state: DeviceState, d: int, until: float) -> bool:
@@ -44,14 +47,18 @@ def advance(devices: Devices, state: DeviceState, d: int, until: float) -> bool:
     """
     told = at(devices.servos.law, d) == TOLD
     if told:
+        if at(state.ticks, d) == 0:
+            tick(devices, state, d)
         actuate(devices, state, d, load(state.told, d, LANES))
+    slack = _ON_TIME * at(devices.servos.period, (d, 0))
     moving = True
     while moving:
         t = at(state.time, d)
-        if next_tick(devices, state, d) <= t:
+        due = next_tick(devices, state, d)
+        if due <= t + slack:
             period = at(devices.servos.period, (d, at(state.ticks, d) % devices.servos.period.shape[1]))
             tick(devices, state, d)
-            put(state.next_tick, d, t + period)
+            put(state.next_tick, d, due + period)
         if should_hold(devices.grasps, state, d) != (at(state.holding, d) != 0):
             _change_hold(devices, state, d)
         moving = t < until

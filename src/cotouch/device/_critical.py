@@ -22,7 +22,7 @@ _RUNAWAY = 1e6
 def peak_kinetic(devices: Devices, state: DeviceState, d: int, until: float, step: float, stop: float) -> float:
     """Largest kinetic energy until then, looked at every `step`; ends early above `stop` [J]."""
     start = at(state.time, d)
-    count = int(round((until - start) / step))
+    count = round((until - start) / step)
     peak = 0.0
     for k in range(1, count + 1):
         fine = advance(devices, state, d, start + k * step)

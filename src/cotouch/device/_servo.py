@@ -1,7 +1,7 @@
 """What a device's servo does at a tick: measure, book, decide on a force, and hold it until the next.
 
-The energy of the port is counted in the device's own coordinates, `effort·Δcoordinate`: what a held effort does, exactly,
-also where motors sit at joints.
+The energy of the port is counted in the device's own coordinates: `effort·Δcoordinate` is what a held effort does,
+exactly, also where motors sit at joints.
 """
 # An array indexed by an element of another is a number to numba and an array to numpy's types.
 # pyright: reportArgumentType=false, reportReturnType=false
