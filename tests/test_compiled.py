@@ -26,7 +26,7 @@ def test_every_file_with_a_kernel_counts():
     with_kernels = {
         path
         for path in PACKAGE.rglob("*.py")
-        if re.search(r"^@(kernel|intrinsic|routine)\b", path.read_text(), re.MULTILINE)
+        if re.search(r"^@(block|inner|kernel|intrinsic|routine)\b", path.read_text(), re.MULTILINE)
     }
     assert len(with_kernels) >= 3
     assert with_kernels <= counted

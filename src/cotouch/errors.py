@@ -6,6 +6,7 @@
     └── InputError (also a ValueError)   what the caller handed over cannot be used; exit code 2 on the command line
         ├── BodyError                    a matrix, a shape or a mesh
         ├── NetworkError                 users, links, springs, delays
+        ├── DeviceError                  a device, a hand, or what couples them to the object
         ├── ScenarioError                a scenario, one of its options, or the file it came from
         └── UnsupportedError             correct in itself, but outside what the asked-for method can do
 
@@ -27,6 +28,10 @@ class BodyError(InputError):
 
 class NetworkError(InputError):
     """A network that makes no sense: users, links, springs or delays are wrong."""
+
+
+class DeviceError(InputError):
+    """A device, a hand or a coupling that cannot be simulated or would not be passive."""
 
 
 class ScenarioError(InputError):

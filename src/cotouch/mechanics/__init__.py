@@ -1,6 +1,13 @@
 """How a body moves, passively: the compiled step and what it needs."""
 
-from cotouch.mechanics._kernel import block, kernel
+from cotouch.mechanics._coupling import (
+    checked_virtual_coupling,
+    credit,
+    modulate,
+    modulation_bound,
+    virtual_coupling_limit,
+)
+from cotouch.mechanics._kernel import block, inner, kernel, part
 from cotouch.mechanics._model import Basis, Model, model
 from cotouch.mechanics._operator import WEIGHTS, Operator, mixed, multiply
 from cotouch.mechanics._state import (
@@ -34,8 +41,8 @@ from cotouch.mechanics._tools import (
     TOUCHED,
     Tools,
     TouchWork,
-    touch_work,
     tools,
+    touch_work,
 )
 from cotouch.mechanics._touch import touch_step
 from cotouch.mechanics._vector import at, load, put, splat, store, total
@@ -73,11 +80,17 @@ __all__ = [
     "Workspace",
     "at",
     "block",
+    "checked_virtual_coupling",
+    "credit",
+    "inner",
     "kernel",
     "load",
     "mixed",
     "model",
+    "modulate",
+    "modulation_bound",
     "multiply",
+    "part",
     "put",
     "settle",
     "splat",
@@ -88,5 +101,6 @@ __all__ = [
     "total",
     "touch_step",
     "touch_work",
+    "virtual_coupling_limit",
     "workspace",
 ]

@@ -19,13 +19,24 @@ def kernel(function: F) -> F:
     Kernels are inlined into each other and allocate nothing, so numba's reference counting is off: for a point body
     the calls and counts cost ten times more than the physics.
     """
-    njit: Any = numba.njit
-    return stamped(
-        njit(cache=True, nogil=True, fastmath={"contract"}, error_model="numpy", forceinline=True, _nrt=False)(function)
-    )
+    return stamped(_numba(forceinline=True)(function))
+
+
+def inner(function: F) -> F:
+    """A kernel that only kernels call. What lets Python call one costs a second of compilation with many arrays."""
+    return stamped(_numba(forceinline=True, no_cpython_wrapper=True, no_cfunc_wrapper=True)(function))
 
 
 def block(function: F) -> F:
-    """A kernel that is called rather than inlined: for what is long, or does not run in every step."""
+    """A kernel that stays a function of its own, because it is large or does not run in every step."""
+    return stamped(_numba(forceinline=False)(function))
+
+
+def part(function: F) -> F:
+    """A `block` that only kernels call."""
+    return stamped(_numba(forceinline=False, no_cpython_wrapper=True, no_cfunc_wrapper=True)(function))
+
+
+def _numba(**options: bool) -> Callable[[F], Any]:
     njit: Any = numba.njit
-    return stamped(njit(cache=True, nogil=True, fastmath={"contract"}, error_model="numpy", _nrt=False)(function))
+    return njit(cache=True, nogil=True, fastmath={"contract"}, error_model="numpy", _nrt=False, **options)

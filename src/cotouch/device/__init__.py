@@ -1,0 +1,33 @@
+"""Simulated haptic devices and hands, in continuous time under a sampled servo."""
+
+from cotouch.device._advance import advance
+from cotouch.device._assemble import assemble
+from cotouch.device._critical import critical_stiffness, rings
+from cotouch.device._models import CartesianPlant, Coupling, DeviceModel, PhantomPlant, Servo, SimulatedHand
+from cotouch.device._simulated import DeviceSample, SimulatedDevice
+from cotouch.device._spec import PRESETS, DeviceSpec, preset
+from cotouch.device._tables import DEVICE_BOOKS, Devices, DeviceState, Grasps, Plants, Servos
+
+__all__ = [
+    "DEVICE_BOOKS",
+    "PRESETS",
+    "CartesianPlant",
+    "Coupling",
+    "DeviceModel",
+    "DeviceSample",
+    "DeviceSpec",
+    "DeviceState",
+    "Devices",
+    "Grasps",
+    "PhantomPlant",
+    "Plants",
+    "Servo",
+    "Servos",
+    "SimulatedDevice",
+    "SimulatedHand",
+    "advance",
+    "assemble",
+    "critical_stiffness",
+    "preset",
+    "rings",
+]

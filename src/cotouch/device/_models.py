@@ -1,0 +1,335 @@
+"""What one device, its servo and its hand are, checked once."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from itertools import pairwise
+from math import inf, isfinite
+from typing import Literal, final
+
+from cotouch.device._tables import CARTESIAN, PHANTOM, PSPM, SPRING, TOLD
+from cotouch.errors import DeviceError
+
+Triple = tuple[float, float, float]
+
+LAWS = {"pspm": PSPM, "spring": SPRING, "told": TOLD}
+
+# van Beek et al., Sci. Rep. 5:18004 (2015), one typical trial.
+HAND_MASS, HAND_DAMPING, HAND_STIFFNESS = 0.554, 6.45, 135.0
+GRAVITY = 9.80665
+
+
+def need(
+    name: str, value: float, *, least: float = 0.0, above: bool = False, most: float = inf, unit: str = ""
+) -> None:
+    """Refuses a number that is not finite or out of range.
+
+    Raises:
+        DeviceError: it is.
+    """
+    low = value > least if above else value >= least
+    if isfinite(value) and low and value <= most:
+        return
+    bounds = f"{'above' if above else 'at least'} {least:g}" + (f" and at most {most:g}" if most < inf else "")
+    raise DeviceError(f"{name} is {value:g}{' ' + unit if unit else ''}; it must be finite, {bounds}")
+
+
+def triple(name: str, value: Sequence[float]) -> Triple:
+    """Three finite numbers; one or two are padded by zeros.
+
+    Raises:
+        DeviceError: it is not one to three finite numbers.
+    """
+    try:
+        numbers = [float(entry) for entry in value]
+    except (TypeError, ValueError):
+        numbers = []
+    if not 1 <= len(numbers) <= 3 or not all(map(isfinite, numbers)):
+        raise DeviceError(f"{name} is {value!r}; it must be one to three finite numbers")
+    padded = [*numbers, 0.0, 0.0]
+    return padded[0], padded[1], padded[2]
+
+
+@final
+@dataclass(frozen=True, kw_only=True)
+class CartesianPlant:
+    """A device that moves alike in all directions.
+
+    Attributes:
+        mass: apparent at the tip, > 0 [kg].
+        viscous: friction, >= 0 [Ns/m].
+        coulomb: friction, >= 0 [N].
+
+    Raises:
+        DeviceError: a number is out of range.
+    """
+
+    mass: float = 0.06
+    viscous: float = 0.0125
+    coulomb: float = 0.0
+
+    kind = CARTESIAN
+
+    def __post_init__(self) -> None:
+        need("mass", self.mass, above=True, unit="kg")
+        need("viscous", self.viscous, unit="Ns/m")
+        need("coulomb", self.coulomb, unit="N")
+
+
+@final
+@dataclass(frozen=True, kw_only=True)
+class PhantomPlant:
+    """A PHANToM 1.5 [Çavuşoğlu, Feygin & Tendick 2002].
+
+    Masses, inertias and lengths are the published ones. Inertias of the links `be` and `df` are about their joints'
+    axes, as the published mass matrix uses them. Friction and torque are nominal.
+
+    Attributes:
+        viscous: friction of every joint, >= 0 [Nm s/rad].
+        coulomb: friction of every joint, >= 0 [Nm].
+        torque: largest of each joint, > 0 [Nm].
+        gravity: whether it pulls; False: compensated.
+
+    Raises:
+        DeviceError: a number is out of range.
+    """
+
+    viscous: float = 5e-4
+    coulomb: float = 0.01
+    torque: Triple = (0.0286 * 13.3, 0.0286 * 11.2, 0.0286 * 11.2)
+    gravity: bool = False
+
+    kind = PHANTOM
+
+    def __post_init__(self) -> None:
+        need("viscous", self.viscous, unit="Nm s/rad")
+        need("coulomb", self.coulomb, unit="Nm")
+        for value in self.torque:
+            need("torque", value, above=True, unit="Nm")
+
+    def inertia(self) -> tuple[float, ...]:
+        """The seven numbers of the mass matrix, as `Plants.inertia` [kg m²]."""
+        a_yy, a_zz, a_xx = 0.001843e-4, 0.4864e-4, 0.4864e-4
+        c_yy, c_zz, c_xx = 0.959e-4, 0.0051e-4, 0.959e-4
+        be_yy, be_zz, be_xx = 10.06e-4, 0.591e-4, 11.09e-4
+        df_yy, df_zz, df_xx = 0.629e-4, 6.246e-4, 7.11e-4
+        base_yy = 11.87e-4
+        m_a, m_c = _MASS["a"], _MASS["c"]
+        l1, l2, l3 = _LENGTH["l1"], _LENGTH["l2"], _LENGTH["l3"]
+        masses = 4 * l1**2 * m_a + l2**2 * m_a + l1**2 * m_c + 4 * l3**2 * m_c
+        inertias = 4 * (a_yy + a_zz + be_yy + be_zz + c_yy + c_zz + df_yy + df_zz)
+        return (
+            (inertias + 8 * base_yy + masses) / 8,
+            (4 * (be_yy - be_zz + c_yy - c_zz) + l1**2 * (4 * m_a + m_c)) / 8,
+            (4 * (a_yy - a_zz + df_yy - df_zz) - l2**2 * m_a - 4 * l3**2 * m_c) / 8,
+            l1 * (l2 * m_a + l3 * m_c),
+            be_xx + c_xx + l1**2 * m_a + l1**2 * m_c / 4,
+            a_xx + df_xx + l2**2 * m_a / 4 + l3**2 * m_c,
+            l1 * (l2 * m_a + l3 * m_c) / 2,
+        )
+
+    def lengths(self) -> tuple[float, float]:
+        """l1 and l2 [m]."""
+        return _LENGTH["l1"], _LENGTH["l2"]
+
+    def weight(self) -> tuple[float, float]:
+        """Moments of gravity about joints 2 and 3, as `Plants.gravity`; 0 where it is compensated [Nm]."""
+        if not self.gravity:
+            return 0.0, 0.0
+        l1, l2, l3, l5, l6 = (_LENGTH[name] for name in ("l1", "l2", "l3", "l5", "l6"))
+        half = GRAVITY / 2
+        return (
+            half * (2 * l1 * _MASS["a"] + 2 * l5 * _MASS["be"] + l1 * _MASS["c"]),
+            half * (l2 * _MASS["a"] + 2 * l3 * _MASS["c"] - 2 * l6 * _MASS["df"]),
+        )
+
+
+_MASS = {"a": 0.0202, "c": 0.0249, "be": 0.2359, "df": 0.1906}
+_LENGTH = {"l1": 0.215, "l2": 0.170, "l3": 0.0325, "l5": -0.0368, "l6": 0.0527}
+
+
+@final
+@dataclass(frozen=True, kw_only=True)
+class Servo:
+    """Sensor, clock and actuator.
+
+    Attributes:
+        period: time between ticks, or several used in turn, each > 0 [s].
+        window: over which velocity is measured, >= 0; less than a period: since the last tick [s].
+        resolution: of the encoders, >= 0 [m], of a joint [rad]; 0: exact.
+        force: largest, > 0 [N].
+        substep: longest step of the integrator, > 0 [s].
+
+    Raises:
+        DeviceError: a number is out of range.
+    """
+
+    period: float | tuple[float, ...] = 1e-3
+    window: float = 0.02
+    resolution: float = 0.0
+    force: float = inf
+    substep: float = 1e-4
+
+    def __post_init__(self) -> None:
+        if not self.periods():
+            raise DeviceError("period is empty; it must be one time or several")
+        for value in self.periods():
+            need("period", value, above=True, unit="s")
+        need("window", self.window, unit="s", most=1e4 * min(self.periods()))
+        need("resolution", self.resolution)
+        need("substep", self.substep, above=True, unit="s")
+        if not self.force > 0.0:
+            raise DeviceError(f"force is {self.force:g} N; it must be above 0")
+
+    def periods(self) -> tuple[float, ...]:
+        """All of them [s]."""
+        return self.period if isinstance(self.period, tuple) else (self.period,)
+
+
+@final
+@dataclass(frozen=True, kw_only=True)
+class Coupling:
+    """What the servo does with the proxy's place.
+
+    Attributes:
+        law: `pspm`; `spring`, a plain sampled spring and damper to the wish, passive under a condition only
+            (`cotouch.mechanics.virtual_coupling_limit`); `told`, the force that the body's step computes.
+        stiffness: k, >= 0 [N/m].
+        damping: b, >= 0 [Ns/m].
+        cap: most energy that the tank keeps, >= 0 [J].
+        reserve: debt up to which damping stays on, >= 0 [J].
+        declared: damping of the device itself that PSPM may count on, >= 0 [Ns/m or Nm s/rad]. It makes device and
+            coupling passive together, instead of the coupling alone.
+        lag: ticks by which the law `spring` sees the tip late, 0 to 8.
+
+    Raises:
+        DeviceError: a number is out of range, or there is no such law.
+    """
+
+    law: Literal["pspm", "spring", "told"] = "pspm"
+    stiffness: float = 1000.0
+    damping: float = 2.0
+    cap: float = 0.1
+    reserve: float = 1e-3
+    declared: float = 0.0
+    lag: int = 0
+
+    def __post_init__(self) -> None:
+        if self.law not in LAWS:
+            raise DeviceError(f'law is "{self.law}"; it must be one of {", ".join(LAWS)}')
+        need("stiffness", self.stiffness, unit="N/m")
+        need("damping", self.damping, unit="Ns/m")
+        need("cap", self.cap, unit="J")
+        need("reserve", self.reserve, unit="J")
+        need("declared", self.declared)
+        need("lag", self.lag, most=8)
+
+
+@final
+@dataclass(frozen=True, kw_only=True)
+class SimulatedHand:
+    """A hand on the tip: mass, and spring and damper to an equilibrium point [van Beek et al. 2015].
+
+    Attributes:
+        path: where the equilibrium goes: a place, or waypoints `(time, x, y, z)` with straight lines between [s, m].
+        amplitude: of a sine added to the path [m].
+        frequency: of the sine, >= 0 [Hz].
+        phase: of the sine [rad].
+        grip: factor on stiffness and damping, ¼ to 4 [Hasser & Cutkosky 2002].
+        mass: >= 0 [kg].
+        stiffness: >= 0 [N/m].
+        damping: >= 0 [Ns/m].
+        begin: takes hold [s].
+        release: lets go; None: never [s].
+        blend: over which the equilibrium comes to its path after taking hold, > 0 [s].
+        reaction: delay of the will, 0.1 to 0.2 in people, > 0 [s].
+        correction: how fast the will corrects the tip's error, >= 0 [1/s]; 0: not at all.
+        reach: farthest that it goes for this, >= 0 [m].
+
+    Raises:
+        DeviceError: a number is out of range, or the path is none.
+    """
+
+    path: Sequence[float] | Sequence[Sequence[float]] = (0.0, 0.0, 0.0)
+    amplitude: Sequence[float] = (0.0, 0.0, 0.0)
+    frequency: float = 0.0
+    phase: float = 0.0
+    grip: float = 1.0
+    mass: float = HAND_MASS
+    stiffness: float = HAND_STIFFNESS
+    damping: float = HAND_DAMPING
+    begin: float = 0.0
+    release: float | None = None
+    blend: float = 0.3
+    reaction: float = 0.15
+    correction: float = 0.0
+    reach: float = 0.05
+    waypoints: tuple[tuple[float, Triple], ...] = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        for name, unit in (("mass", "kg"), ("stiffness", "N/m"), ("damping", "Ns/m"), ("frequency", "Hz")):
+            need(f"hand's {name}", float(getattr(self, name)), unit=unit)
+        need("hand's grip", self.grip, least=0.25, most=4.0)
+        need("hand's phase", self.phase, least=-inf, unit="rad")
+        need("hand's begin", self.begin, unit="s")
+        if self.release is not None:
+            need("hand's release", self.release, least=self.begin, above=True, unit="s")
+        need("hand's blend", self.blend, above=True, unit="s")
+        need("hand's reaction", self.reaction, above=True, unit="s")
+        need("hand's correction", self.correction, unit="1/s")
+        need("hand's reach", self.reach, unit="m")
+        triple("hand's amplitude", self.amplitude)
+        object.__setattr__(self, "waypoints", _waypoints(self.path))
+
+    @property
+    def wave(self) -> Triple:
+        """Amplitude of the sine in three axes [m]."""
+        return triple("hand's amplitude", self.amplitude)
+
+
+def _waypoints(path: Sequence[float] | Sequence[Sequence[float]]) -> tuple[tuple[float, Triple], ...]:
+    if path and isinstance(path[0], Sequence):
+        rows: list[tuple[float, Triple]] = []
+        for row in path:
+            values = list(row) if isinstance(row, Sequence) else []
+            if len(values) < 2 or not isfinite(float(values[0])):
+                raise DeviceError(f"hand's path has the waypoint {row!r}; it must be a time and one to three numbers")
+            rows.append((float(values[0]), triple("hand's waypoint", values[1:])))
+        times = [time for time, _ in rows]
+        if any(later <= earlier for earlier, later in pairwise(times)):
+            raise DeviceError(f"hand's path has the times {times}; they must rise")
+        return tuple(rows)
+    flat = [entry for entry in path if not isinstance(entry, Sequence)]
+    return ((0.0, triple("hand's path", flat)),)
+
+
+@final
+@dataclass(frozen=True, kw_only=True)
+class DeviceModel:
+    """One simulated device with all that belongs to it.
+
+    Attributes:
+        plant: how it moves.
+        servo: sensor, clock, actuator.
+        coupling: to the proxy.
+        hand: that holds it; None: nobody.
+        position: where the tip starts, at rest [m]. A PHANToM starts at its origin.
+
+    Raises:
+        DeviceError: a PHANToM is asked to start elsewhere, or the position is none.
+    """
+
+    plant: CartesianPlant | PhantomPlant = field(default_factory=CartesianPlant)
+    servo: Servo = field(default_factory=Servo)
+    coupling: Coupling = field(default_factory=Coupling)
+    hand: SimulatedHand | None = None
+    position: Sequence[float] = (0.0, 0.0, 0.0)
+
+    def __post_init__(self) -> None:
+        start = triple("position", self.position)
+        if isinstance(self.plant, PhantomPlant) and any(start):
+            raise DeviceError(f"position is {start}; a PHANToM starts at (0, 0, 0), the tip's place with joints at 0")
+
+    @property
+    def start(self) -> Triple:
+        """Where the tip starts [m]."""
+        return triple("position", self.position)

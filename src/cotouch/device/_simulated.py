@@ -1,0 +1,126 @@
+"""One simulated device as an object."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import final
+
+from cotouch.device._advance import advance
+from cotouch.device._assemble import assemble
+from cotouch.device._models import DeviceModel, need, triple
+from cotouch.device._tables import DEVICE_BOOKS, SATURATED, Float
+from cotouch.errors import DeviceError
+
+
+@final
+@dataclass(frozen=True, kw_only=True)
+class DeviceSample:
+    """What a device says after a cycle.
+
+    Attributes:
+        time: of the measurement [s].
+        position: of the tip as measured, (3,) [m].
+        velocity: as measured, over the servo's window, (3,) [m/s].
+        force: that the motors hold now, (3,) [N].
+        energy: sent to the proxy's side since the start [J]. Only PSPM sends any.
+        limited: whether force or torque has been limited since the sample before.
+        finite: whether the motion is within the range of floating point.
+    """
+
+    time: float
+    position: Float
+    velocity: Float
+    force: Float
+    energy: float
+    limited: bool
+    finite: bool
+
+
+@final
+class SimulatedDevice:
+    """A device with its servo and perhaps a hand, moved by the same kernels as in a batch.
+
+    `tell` hands over what the proxy's side says, `advance` moves the device on; with the law `told`, `exchange` is one
+    cycle of both. The clock is the caller's.
+    """
+
+    def __init__(self, model: DeviceModel) -> None:
+        self.model = model
+        self._devices, self._state = assemble([model])
+
+    @property
+    def time(self) -> float:
+        """Where the device is in time [s]."""
+        return float(self._state.time[0])
+
+    @property
+    def position(self) -> Float:
+        """True place of the tip, (3,) [m]."""
+        return self._state.tip[0, :3].copy()
+
+    @property
+    def books(self) -> dict[str, float]:
+        """Energies by name, as `DEVICE_BOOKS`: cumulative work and losses, stored now [J]."""
+        return dict(zip(DEVICE_BOOKS, self._state.books[0].tolist(), strict=True))
+
+    def tell(
+        self,
+        *,
+        wish: Sequence[float] | Float | None = None,
+        force: Sequence[float] | Float | None = None,
+        energy: float | None = None,
+    ) -> None:
+        """Takes over what the proxy's side says; what is None stays.
+
+        Args:
+            wish: the proxy's place [m].
+            force: for the law `told` [N].
+            energy: sent to the device since the start [J]. A total that is less than one known is without effect.
+
+        Raises:
+            DeviceError: a number is not finite.
+        """
+        if wish is not None:
+            self._state.wish[0, :3] = triple("wish", list(wish))
+        if force is not None:
+            self._state.told[0, :3] = triple("force", list(force))
+        if energy is not None:
+            need("energy", energy, unit="J")
+            self._state.received[0] = max(self._state.received[0], energy)
+
+    def advance(self, until: float) -> DeviceSample:
+        """Moves on to a time; all ticks up to then and at it happen.
+
+        Args:
+            until: not before `time` [s].
+
+        Raises:
+            DeviceError: it is before, or no number.
+        """
+        need("until", until, least=self.time, unit="s")
+        state = self._state
+        before = state.books[0, SATURATED]
+        finite = bool(advance(self._devices, state, 0, until))
+        return DeviceSample(
+            time=float(state.sample_time[0]),
+            position=state.sample[0, :3].copy(),
+            velocity=state.sample_velocity[0, :3].copy(),
+            force=state.force[0, :3].copy(),
+            energy=float(state.sent[0]),
+            limited=bool(state.books[0, SATURATED] > before),
+            finite=finite,
+        )
+
+    def exchange(self, force: Sequence[float] | Float) -> DeviceSample:
+        """One cycle: holds a force for the servo's next period, then measures.
+
+        Args:
+            force: at the tip [N].
+
+        Raises:
+            DeviceError: the law is not `told`, or the force is not finite.
+        """
+        if self.model.coupling.law != "told":
+            raise DeviceError(f'law is "{self.model.coupling.law}"; to exchange forces it must be "told"')
+        self.tell(force=force)
+        periods = self.model.servo.periods()
+        return self.advance(self.time + periods[int(self._state.ticks[0]) % len(periods)])
