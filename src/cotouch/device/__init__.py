@@ -2,6 +2,7 @@
 
 from cotouch.device._advance import advance
 from cotouch.device._assemble import assemble
+from cotouch.device._couple import Couplings, couplings, pull_proxy, tell_device
 from cotouch.device._critical import critical_stiffness, rings
 from cotouch.device._models import CartesianPlant, Coupling, DeviceModel, PhantomPlant, Servo, SimulatedHand
 from cotouch.device._simulated import DeviceSample, SimulatedDevice
@@ -13,6 +14,7 @@ __all__ = [
     "PRESETS",
     "CartesianPlant",
     "Coupling",
+    "Couplings",
     "DeviceModel",
     "DeviceSample",
     "DeviceSpec",
@@ -27,7 +29,10 @@ __all__ = [
     "SimulatedHand",
     "advance",
     "assemble",
+    "couplings",
     "critical_stiffness",
     "preset",
+    "pull_proxy",
     "rings",
+    "tell_device",
 ]

@@ -14,17 +14,23 @@ import numpy.typing as npt
 
 from cotouch.mechanics import (
     BODY_LOSS,
+    DRIVE,
     ELASTIC,
     EXTRA_LOSS,
     ITERATIONS,
     KINETIC,
     LOCAL_LOSS,
+    PROXY,
     SUPPLIED,
+    TOUCH_LOSS,
+    TOUCH_STORED,
+    TOUCHED,
     WEIGHTS,
     Grips,
     Links,
     Operator,
     State,
+    Tools,
     Workspace,
     at,
     kernel,
@@ -37,14 +43,26 @@ from cotouch.mechanics import (
     step,
     store,
     total,
+    touch_step,
 )
 from cotouch.simulation._hands import Hands, grip
+from cotouch.simulation._touching import (
+    ToolRecord,
+    Touching,
+    after_step,
+    before_step,
+    keep_tools,
+    proxy_energy,
+)
 
 Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
 
 # Rows of `Record.users`: cumulative work and losses, energies now [J], iterations of the last solve.
 USER_BOOKS = ("supplied", "body_loss", "local_loss", "extra_loss", "kinetic", "elastic", "iterations")
+# And of users with tools: cumulative work of what drives the proxies, and of the touch on the body, and losses in the
+# touch; energies of proxies and touch now [J].
+TOOL_BOOKS = ("drive_work", "touch_work", "touch_loss", "proxy", "touch_stored")
 # Rows of `Record.slots`, cumulative [J]: what the link did on its receiver; what delay added to the link.
 SLOT_BOOKS = ("link_work", "delay_work")
 # Rows of `Record.ticks` [J].
@@ -111,12 +129,12 @@ class Record(NamedTuple):
         position: (users, records, kept, width) [m].
         velocity: likewise [m/s].
         force: of the ports, (ports, records, width) [N].
-        users: (len(USER_BOOKS), users, records), zeros: what stays 0, such as the losses of dampers that there are
-            not, is never written, so it takes no memory.
+        users: (len(USER_BOOKS), users, records), or with those of TOOL_BOOKS, zeros: what stays 0, such as the losses
+            of dampers that there are not, is never written, so it takes no memory.
         slots: (len(SLOT_BOOKS), slots, records).
         links: spring energy of each link, (ticks, links) [J].
         ticks: (len(TICK_BOOKS), ticks) [J].
-        running: cumulative books of users, (users, 6) [J].
+        running: cumulative books of users, (users, 6), or with those of TOOL_BOOKS (users, 11) [J].
         lowest: result (1,): smallest energy that the ports had supplied in all, over every step [J].
     """
 
@@ -132,6 +150,20 @@ class Record(NamedTuple):
     ticks: Float
     running: Float
     lowest: Float
+
+
+class Frames(NamedTuple):
+    """Whole copies at given times.
+
+    Attributes:
+        time: increasing, (frames,) [s].
+        position: result: displacement at the end of the last step before that time, (frames, users, rows, width) [m].
+        done: result: how many are there, (1,).
+    """
+
+    time: Float
+    position: Float
+    done: Int
 
 
 class Scratch(NamedTuple):
@@ -160,11 +192,17 @@ def run(
     fields: Fields,
     record: Record,
     scratch: Scratch,
+    touching: Touching | None,
+    tool_record: ToolRecord | None,
+    frames: Frames,
     tolerance: float,
     cap: int,
     lanes: tuple[int, ...],
 ) -> int:
-    """Runs all events; returns how many were run before the motion left the range of floating point."""
+    """Runs all events; returns how many were run before the motion left the range of floating point.
+
+    Without tools `touching` and `tool_record` are None, and what concerns them is not even compiled.
+    """
     users = fields.position.shape[0]
     supplied = 0.0
     dissipated = 0.0
@@ -179,8 +217,14 @@ def run(
         record.running[i, 4] = scratch.books[KINETIC]
         record.running[i, 5] = scratch.books[ELASTIC]
         initial += scratch.books[KINETIC] + scratch.books[ELASTIC]
+        if touching is not None:
+            moving = proxy_energy(touching, i)
+            put(record.running, (i, 9), moving)
+            initial += moving
         _copy(fields.samples[users * timing.ring + i], fields.position[i], lanes)
         _keep_user(record, hands, fields, scratch, topology, i, 0, lanes)
+        if touching is not None:
+            keep_tools(tool_record, touching, i, 0)
     initial += _spring_energies(op, topology, fields, record, scratch, 0, lanes)
     put(record.ticks, (0, 0), initial)
     for book in range(1, 5):
@@ -192,6 +236,11 @@ def run(
         put(scratch.counter, i, k + 1)
         T = at(timing.length, (i, k))
         end = at(timing.end, (i, k))
+        while frames.done[0] < frames.time.shape[0] and at(frames.time, frames.done[0]) < end:
+            for place in range(users * fields.position.shape[1]):
+                row = frames.done[0] * users * fields.position.shape[1] + place
+                store(frames.position, row, load(fields.position, place, lanes), lanes)
+            frames.done[0] += 1
         s0, s1 = at(topology.first, i), at(topology.first, i + 1)
         p0, p1 = at(hands.first, i), at(hands.first, i + 1)
         for s in range(s0, s1):
@@ -217,22 +266,86 @@ def run(
         links = Links(s0, s1, topology.strength, topology.weight, scratch.slot, fields.samples)
         state = State(fields.position[i], fields.velocity[i], fields.momentum[i], fields.tension[i])
         books = scratch.books
-        step(
-            op,
-            state,
-            links,
-            grips,
-            local_damping[i],
-            extra_damping[i],
-            T,
-            i * timing.ring + (k & (timing.ring - 1)),
-            scratch.work,
-            books,
-            scratch.link_work,
-            tolerance,
-            cap,
-            lanes,
-        )
+        if touching is not None:
+            if not before_step(touching, i, end, T):
+                record.lowest[0] = lowest
+                return event
+            have = touching.tools
+            tools = Tools(
+                at(touching.first, i),
+                at(touching.first, i + 1),
+                have.mass,
+                have.radius,
+                have.stiffness,
+                have.loss,
+                have.friction,
+                have.reserve,
+                have.grip_stiffness,
+                have.grip_damping,
+                have.mode,
+                have.drive_stiffness,
+                have.drive_damping,
+                have.drive_start,
+                have.drive_end,
+                have.push,
+                have.place,
+                have.rate,
+                have.account,
+                have.grip_energy,
+                have.inside,
+                have.held,
+                have.hold,
+                have.offset,
+                have.drive_force,
+                have.touch_force,
+                have.touching,
+            )
+            touch_step(
+                op,
+                state,
+                links,
+                grips,
+                touching.surface,
+                tools,
+                local_damping[i],
+                extra_damping[i],
+                T,
+                i * timing.ring + (k & (timing.ring - 1)),
+                scratch.work,
+                touching.work,
+                books,
+                touching.books,
+                scratch.link_work,
+                tolerance,
+                cap,
+                lanes,
+            )
+            after_step(touching, i, T)
+            own = touching.books
+            _add(record.running, i, 6, own[DRIVE])
+            _add(record.running, i, 7, own[TOUCHED])
+            _add(record.running, i, 8, own[TOUCH_LOSS])
+            put(record.running, (i, 9), own[PROXY])
+            put(record.running, (i, 10), own[TOUCH_STORED])
+            supplied += own[DRIVE]
+            dissipated += own[TOUCH_LOSS]
+        else:
+            step(
+                op,
+                state,
+                links,
+                grips,
+                local_damping[i],
+                extra_damping[i],
+                T,
+                i * timing.ring + (k & (timing.ring - 1)),
+                scratch.work,
+                books,
+                scratch.link_work,
+                tolerance,
+                cap,
+                lanes,
+            )
         for s in range(s0, s1):
             added = _delay_work(op, topology, fields, scratch, s, T, lanes)
             _add(scratch.slot_running, s, 0, at(scratch.link_work, s))
@@ -253,11 +366,15 @@ def run(
             return event
         if (k + 1) % record.every == 0:
             _keep_user(record, hands, fields, scratch, topology, i, (k + 1) // record.every, lanes)
+            if touching is not None:
+                keep_tools(tool_record, touching, i, (k + 1) // record.every)
             if i == timing.reference:
                 tick = (k + 1) // record.every
                 energy = _spring_energies(op, topology, fields, record, scratch, tick, lanes)
                 for user in range(users):
                     energy += at(running, (user, 4)) + at(running, (user, 5))
+                    if touching is not None:
+                        energy += at(running, (user, 9)) + at(running, (user, 10))
                 put(record.ticks, (0, tick), energy)
                 put(record.ticks, (1, tick), supplied)
                 put(record.ticks, (2, tick), dissipated)
@@ -366,6 +483,8 @@ def _keep_user(
         store(record.force, p * record.force.shape[1] + entry, load(scratch.grips.force, p, lanes), lanes)
     for book in range(6):
         _unless_zero(record.users, book, i, entry, at(record.running, (i, book)))
+    for book in range(6, record.running.shape[1]):
+        _unless_zero(record.users, book + 1, i, entry, at(record.running, (i, book)))
     _unless_zero(record.users, 6, i, entry, scratch.books[ITERATIONS])
     for s in range(at(topology.first, i), at(topology.first, i + 1)):
         put(record.slots, (0, s, entry), at(scratch.slot_running, (s, 0)))

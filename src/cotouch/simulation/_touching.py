@@ -1,0 +1,173 @@
+"""The tools of all users in a run: when they touch, what drives them, what they did."""
+# An array indexed by an element of another is a number to numba and an array to numpy's types.
+# pyright: reportArgumentType=false, reportReturnType=false
+
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.device import DEVICE_BOOKS, Couplings, Devices, DeviceState, pull_proxy, tell_device
+from cotouch.mechanics import AWAY, Grips, Surface, Tools, TouchWork, at, block, load, put, store
+from cotouch.simulation._hands import Hands, grip
+
+Float = npt.NDArray[np.float64]
+Int = npt.NDArray[np.int32]
+
+FOUR = (0, 0, 0, 0)
+
+
+class Touching(NamedTuple):
+    """Everything that tools need in a run. Row t of every array of tools belongs to tool t, ordered by user.
+
+    Attributes:
+        surface: the body's skin.
+        tools: the proxies.
+        work: scratch.
+        first: first tool of each user, (users + 1,).
+        kind: what each does while it acts, TOUCH or GRASP, (tools,).
+        begin: it acts from here, (tools,) [s].
+        release: to here, (tools,) [s].
+        hands: drives of the tools without a device, one port for each tool.
+        cursor: their waypoints, (tools,).
+        row: no meaning, (tools,); `Grips` wants it.
+        shape: likewise (0, 0).
+        devices: the devices.
+        states: where they are.
+        couplings: which drives which tool.
+        books: result of one step, (TOUCH_BOOKS,).
+    """
+
+    surface: Surface
+    tools: Tools
+    work: TouchWork
+    first: Int
+    kind: Int
+    begin: Float
+    release: Float
+    hands: Hands
+    cursor: Int
+    row: Int
+    shape: Float
+    devices: Devices
+    states: DeviceState
+    couplings: Couplings
+    books: Float
+
+
+class ToolRecord(NamedTuple):
+    """What is kept of the tools; entry 0 is the start.
+
+    Attributes:
+        place: of the proxies, (tools, records, 4) [m].
+        rate: (tools, records, 4) [m/s].
+        force: mean force of contact or grasp on the proxy in the step, (tools, records, 4) [N].
+        drive: mean force of what pulls the proxy, (tools, records, 4) [N].
+        touching: contacts that pushed, or nodes held, (tools, records).
+        device_place: measured place of the device in the body's frame, (tools, records, 4) [m].
+        device_force: that its motors hold, (tools, records, 4) [N].
+        device_books: (len(DEVICE_BOOKS), tools, records), see there.
+        coupling: work of the coupling on the proxy; energy in the springs and tanks of both sides; largest excess so
+            far, (3, tools, records) [J].
+    """
+
+    place: Float
+    rate: Float
+    force: Float
+    drive: Float
+    touching: Float
+    device_place: Float
+    device_force: Float
+    device_books: Float
+    coupling: Float
+
+
+def tool_record(count: int, records: int) -> ToolRecord:
+    """Room for a record."""
+    rows = [np.zeros((count, records, 4)) for _ in range(6)]
+    return ToolRecord(
+        place=rows[0],
+        rate=rows[1],
+        force=rows[2],
+        drive=rows[3],
+        touching=np.zeros((count, records)),
+        device_place=rows[4],
+        device_force=rows[5],
+        device_books=np.zeros((len(DEVICE_BOOKS), count, records)),
+        coupling=np.zeros((3, count, records)),
+    )
+
+
+@block
+def before_step(touching: Touching, i: int, end: float, T: float) -> bool:
+    """What the tools of user i do in a step that ends at `end`; their devices advance to then.
+
+    Returns:
+        Whether all devices' motion is still within the range of floating point.
+    """
+    tools, hands = touching.tools, touching.hands
+    middle = end - 0.5 * T
+    finite = True
+    for t in range(at(touching.first, i), at(touching.first, i + 1)):
+        acts = at(touching.begin, t) <= middle < at(touching.release, t)
+        put(tools.mode, t, at(touching.kind, t) if acts else AWAY)
+        if at(touching.couplings.device, t) >= 0:
+            fine = pull_proxy(touching.devices, touching.states, touching.couplings, tools, t, end, T)
+            finite = finite and fine
+        else:
+            drive = Grips(
+                0,
+                0,
+                touching.row,
+                touching.shape,
+                tools.drive_stiffness,
+                tools.drive_damping,
+                tools.drive_start,
+                tools.drive_end,
+                tools.push,
+                tools.drive_force,
+            )
+            grip(hands, drive, touching.cursor, t, end, T, FOUR)
+    return finite
+
+
+@block
+def after_step(touching: Touching, i: int, T: float) -> None:
+    """Tells the devices of user i what came of the step."""
+    for t in range(at(touching.first, i), at(touching.first, i + 1)):
+        if at(touching.couplings.device, t) >= 0:
+            tell_device(touching.devices, touching.states, touching.couplings, touching.tools, t, T)
+
+
+@block
+def proxy_energy(touching: Touching, i: int) -> float:
+    """Kinetic energy of a user's proxies [J]."""
+    energy = 0.0
+    for t in range(at(touching.first, i), at(touching.first, i + 1)):
+        for axis in range(3):
+            energy += 0.5 * at(touching.tools.mass, t) * at(touching.tools.rate, (t, axis)) ** 2
+    return energy
+
+
+@block
+def keep_tools(record: ToolRecord, touching: Touching, i: int, entry: int) -> None:
+    """Records the tools of one user."""
+    tools, couplings, states = touching.tools, touching.couplings, touching.states
+    records = record.touching.shape[1]
+    for t in range(at(touching.first, i), at(touching.first, i + 1)):
+        here = t * records + entry
+        store(record.place, here, load(tools.place, t, FOUR), FOUR)
+        store(record.rate, here, load(tools.rate, t, FOUR), FOUR)
+        store(record.force, here, load(tools.touch_force, t, FOUR), FOUR)
+        store(record.drive, here, load(tools.drive_force, t, FOUR), FOUR)
+        put(record.touching, (t, entry), float(at(tools.touching, t)))
+        d = at(couplings.device, t)
+        if d >= 0:
+            store(record.device_place, here, load(states.sample, d, FOUR) + load(couplings.origin, t, FOUR), FOUR)
+            store(record.device_force, here, load(states.force, d, FOUR), FOUR)
+            held = at(couplings.spring, t) + at(couplings.tank, t)
+            for book in range(record.device_books.shape[0]):
+                put(record.device_books, (book, t, entry), at(states.books, (d, book)))
+            put(record.coupling, (0, t, entry), at(couplings.work, t))
+            put(record.coupling, (1, t, entry), held)
+            put(record.coupling, (2, t, entry), at(couplings.excess, t))
