@@ -107,9 +107,7 @@ def test_critical_stiffness_goes_with_the_rate():
 
 @pytest.mark.parametrize("stiffness", [24.5, 25.5])
 def test_rings_above_only(stiffness):
-    model = DeviceModel(
-        coupling=Coupling(law="spring", stiffness=stiffness, damping=0.0), servo=Servo(window=0.0)
-    )
+    model = DeviceModel(coupling=Coupling(law="spring", stiffness=stiffness, damping=0.0), servo=Servo(window=0.0))
     assert rings(model, 60.0, 1e-3) == (stiffness > 25.0)
 
 
