@@ -113,7 +113,7 @@ def kinetic_of_bodies(q, v):
         "df": (7.11, 0.629, 6.246),
     }
     for name, joint in (("a", 2), ("df", 2), ("c", 1), ("be", 1)):
-        # The body's own axes: x along the joint, y and z turned by the joint's angle; the base turns about the vertical.
+        # The body's own axes: x along the joint, y and z turned by the joint's angle.
         spin = np.array([v[joint], v[0] * np.cos(q[joint]), v[0] * np.sin(q[joint])])
         energy += 0.5e-4 * np.sum(np.array(inertias[name]) * spin**2)
     return energy + 0.5 * 11.87e-4 * v[0] ** 2
@@ -189,7 +189,7 @@ def test_motion_is_lagranges_with_coriolis_by_christoffel_symbols(weigh):
 
 
 def test_a_wrong_sign_shows_as_energy():
-    """What the integrator's exact balance would hide in itself, the reference shows: the public port's kind of error."""
+    """The public port's kind of error, in the reference: what no test of balance alone could miss."""
     before = 0.5 * V0 @ mass_matrix(Q0) @ V0
     for wrong, least, most in ((0.0, 0.0, 1e-10), (1.0, 0.01, np.inf)):
         q, v = reference(Q0, V0, 2.0, wrong=wrong)

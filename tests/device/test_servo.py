@@ -154,7 +154,7 @@ class TestSimulatedDevice:
             device.advance(0.1)
         with pytest.raises(DeviceError, match='law is "pspm"; to exchange forces it must be "told"'):
             device.exchange([0.0])
-        with pytest.raises(DeviceError, match="wish is .*; it must be one to three finite numbers"):
+        with pytest.raises(DeviceError, match=r"wish is .*; it must be one to three finite numbers"):
             device.tell(wish=[np.nan, 0.0, 0.0])
         with pytest.raises(DeviceError, match="energy is -1 J"):
             device.tell(energy=-1.0)
