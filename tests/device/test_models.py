@@ -77,7 +77,11 @@ def test_no_devices_are_a_table_too():
         (lambda: SimulatedHand(path=()), "hand's path is .*; it must be one to three finite numbers"),
         (lambda: SimulatedHand(amplitude=(float("inf"),)), "hand's amplitude is .*; it must be one to three finite"),
         (lambda: DeviceModel(position=("x",)), "position is .*; it must be one to three finite numbers"),  # type: ignore[arg-type]
-        (lambda: DeviceModel(plant=PhantomPlant(), position=(0.1,)), r"a PHANToM starts at \(0, 0, 0\)"),
+        (
+            lambda: DeviceModel(plant=PhantomPlant(), position=(-0.2,)),
+            "position is .*; a PHANToM's tip does not reach there",
+        ),
+        (lambda: DeviceModel(plant=PhantomPlant(), position=(0.215,)), "a PHANToM's tip does not reach there"),
         (lambda: critical_stiffness(CartesianPlant(viscous=0.0)), "viscous is 0 Ns/m and no hand damps the device"),
         (lambda: critical_stiffness(CartesianPlant(), precision=0.0), "precision is 0"),
     ],

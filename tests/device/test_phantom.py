@@ -142,6 +142,23 @@ def test_a_holding_hand_is_a_point_mass_at_the_tip(q):
     assert state.books[0, BOOK["kinetic"]] == pytest.approx(0.5 * v @ M @ v, rel=1e-6)
 
 
+@given(seed=st.integers(0, 10**6))
+def test_joints_are_found_for_a_place_of_the_tip(seed):
+    place = np.random.default_rng(seed).uniform(-0.05, 0.05, 3)
+    q = np.array(PhantomPlant().joints(tuple(place)))
+    np.testing.assert_allclose(tip(q), place, atol=1e-12)
+    model = DeviceModel(plant=PhantomPlant(gravity=True), position=tuple(place), coupling=FREE)
+    devices, state = assemble([model])
+    advance(devices, state, 0, 0.0)
+    np.testing.assert_allclose(state.coordinate[0, :3], q)
+    np.testing.assert_allclose(state.sample[0, :3], place, atol=1e-12)
+    assert state.books[0, BOOK["residual"]] == 0.0
+
+
+def test_joints_are_0_at_the_origin():
+    assert PhantomPlant().joints((0.0, 0.0, 0.0)) == pytest.approx((0.0, 0.0, 0.0), abs=1e-12)
+
+
 def test_apparent_mass_at_the_tip_is_the_published_one():
     """0.030 to 0.077 kg in the middle of the workspace, by direction."""
     J = jacobian(np.zeros(3))

@@ -15,13 +15,12 @@ def couple(stiffness, damping, viscous, hand, mass=0.1, push=0.0, until=2.0, see
     devices, state = assemble([model])
     state.momentum[0, 0] = kick
     assert advance(devices, state, 0, 0.0)
-    y, w, work, time, last = np.zeros(3), np.zeros(3), 0.0, 0.0, None
+    y, w, work, time = np.zeros(3), np.zeros(3), 0.0, 0.0
     made = []
     while time < until:
         T = 1e-3 * spread ** rng.uniform(-1.0, 0.0)
         q = state.sample[0, :3].copy()
-        v = np.zeros(3) if last is None else (q - last[0]) / last[1]
-        last = q, T
+        v = state.sample_velocity[0, :3].copy()
         f = push * rng.normal(size=3)
         mean = (2 * mass / T * w + stiffness * (q - y) + damping * v + f) / (2 * mass / T + stiffness * T + damping)
         tau = stiffness * (q - y - T * mean) + damping * (v - mean)
