@@ -4,6 +4,7 @@ import sys
 
 import numpy as np
 
+from cotouch.device import CartesianPlant, DeviceModel, SimulatedDevice, critical_stiffness
 from cotouch.network import Network
 from cotouch.planning import plan
 from cotouch.simulation import Scenario, prepare, run_peers, simulate
@@ -20,6 +21,8 @@ def main(axes: int) -> None:
     simulate(scenario)
     run_peers(prepare(scenario))
     if axes == 1:
+        SimulatedDevice(DeviceModel()).advance(0.0)
+        critical_stiffness(CartesianPlant(), precision=0.5)
         three = [[0, 1, 1], [1, 0, 1], [1, 1, 0]]
         network = Network(users=["a", "b", "c"], spring=three, delay=0.01 * np.array(three))
         for objective, method in (("consensus", "enumerate"), ("decay", "local"), ("damping", "bound")):

@@ -16,7 +16,15 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from cotouch.body import Body, body_from_surface, body_from_tetrahedra, chain, lattice, point
-    from cotouch.errors import BodyError, CotouchError, InputError, NetworkError, ScenarioError, UnsupportedError
+    from cotouch.errors import (
+        BodyError,
+        CotouchError,
+        DeviceError,
+        InputError,
+        NetworkError,
+        ScenarioError,
+        UnsupportedError,
+    )
     from cotouch.network import Certificate, Network, certify
     from cotouch.peer import Peer
     from cotouch.planning import Plan, plan, tune_springs
@@ -29,6 +37,7 @@ _HOME = {
     "BodyError": "cotouch.errors",
     "Certificate": "cotouch.network",
     "CotouchError": "cotouch.errors",
+    "DeviceError": "cotouch.errors",
     "InputError": "cotouch.errors",
     "Network": "cotouch.network",
     "NetworkError": "cotouch.errors",
@@ -56,6 +65,7 @@ __all__ = [
     "BodyError",
     "Certificate",
     "CotouchError",
+    "DeviceError",
     "InputError",
     "Network",
     "NetworkError",

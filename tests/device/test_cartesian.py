@@ -76,7 +76,9 @@ def test_friction_stops_a_device_and_holds_it():
         assert np.any(state.tip != before) == moves
 
 
-@pytest.mark.parametrize("plant", [CartesianPlant(coulomb=0.1), CartesianPlant(), PhantomPlant(), PhantomPlant(coulomb=0.0)])
+@pytest.mark.parametrize(
+    "plant", [CartesianPlant(coulomb=0.1), CartesianPlant(), PhantomPlant(), PhantomPlant(coulomb=0.0)]
+)
 @pytest.mark.parametrize("law", ["pspm", "spring", "told"])
 def test_at_rest_stays_at_rest_exactly(plant, law):
     hand = SimulatedHand(correction=1.0, release=0.5)

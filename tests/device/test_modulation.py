@@ -89,6 +89,22 @@ def test_the_bound_is_reached_by_a_hand_that_pulls_along_the_force():
     assert np.all(state.effort[0] == 0.0)
 
 
+def test_motion_that_the_encoder_does_not_see_is_paid_for():
+    """A hand that moves to and fro within one step of the encoder, always along the force, while the wish jumps."""
+    resolution, stiffness, gift, ticks = 1e-4, 1000.0, 0.01, 3000
+    devices, state = setup(resolution, stiffness=stiffness, damping=0.0, cap=1.0, reserve=0.0)
+    sign = np.where(np.arange(ticks) % 2 == 0, 1.0, -1.0)
+    places, wishes = np.zeros((ticks, 3)), np.zeros((ticks, 3))
+    places[:, 0] = np.diff(-0.499 * resolution * sign, prepend=0.0)
+    wishes[:, 0] = 2e-3 * sign
+    out = driven(devices, state, 1e-3 * np.arange(ticks), places, np.zeros(ticks), wishes, np.full(ticks, gift))
+    assert state.books[0, BOOK["measured_work"]] == 0.0
+    bound = modulation_bound(stiffness=stiffness, damping=0.0, period=1e-3, speed=0.0, force=2.0, resolution=resolution)
+    gained = out.extracted + out.sent - out.credited
+    assert gained.max() <= bound
+    assert out.extracted[-1] > 0.9 * gift
+
+
 def test_debt_switches_the_spring_off_and_damping_repays_it():
     devices, state = setup(stiffness=1e4, damping=5.0, cap=1.0, reserve=1.0)
     state.books[0, BOOK["tank"]] = -1e-4

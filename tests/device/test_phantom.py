@@ -113,7 +113,7 @@ def kinetic_of_bodies(q, v):
         "df": (7.11, 0.629, 6.246),
     }
     for name, joint in (("a", 2), ("df", 2), ("c", 1), ("be", 1)):
-        # The body's own axes: x along the joint, y and z turned by the joint's angle; the base turns about the vertical.
+        # The body's own axes: x along the joint, y and z turned by the joint's angle.
         spin = np.array([v[joint], v[0] * np.cos(q[joint]), v[0] * np.sin(q[joint])])
         energy += 0.5e-4 * np.sum(np.array(inertias[name]) * spin**2)
     return energy + 0.5 * 11.87e-4 * v[0] ** 2
@@ -140,6 +140,23 @@ def test_a_holding_hand_is_a_point_mass_at_the_tip(q):
     state.momentum[0, :3] = M @ v
     advance(devices, state, 0, 0.0)
     assert state.books[0, BOOK["kinetic"]] == pytest.approx(0.5 * v @ M @ v, rel=1e-6)
+
+
+@given(seed=st.integers(0, 10**6))
+def test_joints_are_found_for_a_place_of_the_tip(seed):
+    place = np.random.default_rng(seed).uniform(-0.05, 0.05, 3)
+    q = np.array(PhantomPlant().joints(tuple(place)))
+    np.testing.assert_allclose(tip(q), place, atol=1e-12)
+    model = DeviceModel(plant=PhantomPlant(gravity=True), position=tuple(place), coupling=FREE)
+    devices, state = assemble([model])
+    advance(devices, state, 0, 0.0)
+    np.testing.assert_allclose(state.coordinate[0, :3], q)
+    np.testing.assert_allclose(state.sample[0, :3], place, atol=1e-12)
+    assert state.books[0, BOOK["residual"]] == 0.0
+
+
+def test_joints_are_0_at_the_origin():
+    assert PhantomPlant().joints((0.0, 0.0, 0.0)) == pytest.approx((0.0, 0.0, 0.0), abs=1e-12)
 
 
 def test_apparent_mass_at_the_tip_is_the_published_one():
@@ -189,7 +206,7 @@ def test_motion_is_lagranges_with_coriolis_by_christoffel_symbols(weigh):
 
 
 def test_a_wrong_sign_shows_as_energy():
-    """What the integrator's exact balance would hide in itself, the reference shows: the public port's kind of error."""
+    """The public port's kind of error, in the reference: what no test of balance alone could miss."""
     before = 0.5 * V0 @ mass_matrix(Q0) @ V0
     for wrong, least, most in ((0.0, 0.0, 1e-10), (1.0, 0.01, np.inf)):
         q, v = reference(Q0, V0, 2.0, wrong=wrong)

@@ -1,5 +1,6 @@
 """Sensor, clock and actuator."""
 
+import numba
 import numpy as np
 import pytest
 from tests.device.support import BOOK, run
@@ -18,12 +19,11 @@ from cotouch.device import (
     rings,
 )
 from cotouch.errors import DeviceError
-from cotouch.mechanics import kernel
 
 HAND = SimulatedHand(amplitude=(0.02, 0.01, -0.015), frequency=2.0)
 
 
-@kernel
+@numba.njit
 def _two(devices, state, until):
     return advance(devices, state, 0, until) and advance(devices, state, 1, until)
 
@@ -51,6 +51,17 @@ def test_velocity_is_the_mean_over_the_window(periods):
         oldest = next(n for n, t in enumerate(times) if t >= times[-1] - 0.02 * (1 + 1e-9))
         expected = (places[-1] - places[oldest]) / (times[-1] - times[oldest])
         np.testing.assert_allclose(state.sample_velocity[0, :3], expected, rtol=1e-9, atol=1e-12)
+
+
+def test_velocity_of_a_told_device_is_since_the_last_sample():
+    devices, state = assemble([DeviceModel(hand=HAND, coupling=Coupling(law="told"), servo=Servo(window=0.02))])
+    advance(devices, state, 0, 0.0)
+    time = 0.0
+    for T in np.random.default_rng(0).uniform(1e-4, 5e-3, 100):
+        before = state.tip[0, :3].copy()
+        time += T
+        advance(devices, state, 0, time)
+        np.testing.assert_allclose(state.sample_velocity[0, :3], (state.tip[0, :3] - before) / T, rtol=1e-6, atol=1e-12)
 
 
 def test_ticks_come_at_the_given_periods_however_the_device_is_advanced():
@@ -107,9 +118,7 @@ def test_critical_stiffness_goes_with_the_rate():
 
 @pytest.mark.parametrize("stiffness", [24.5, 25.5])
 def test_rings_above_only(stiffness):
-    model = DeviceModel(
-        coupling=Coupling(law="spring", stiffness=stiffness, damping=0.0), servo=Servo(window=0.0)
-    )
+    model = DeviceModel(coupling=Coupling(law="spring", stiffness=stiffness, damping=0.0), servo=Servo(window=0.0))
     assert rings(model, 60.0, 1e-3) == (stiffness > 25.0)
 
 
@@ -156,7 +165,7 @@ class TestSimulatedDevice:
             device.advance(0.1)
         with pytest.raises(DeviceError, match='law is "pspm"; to exchange forces it must be "told"'):
             device.exchange([0.0])
-        with pytest.raises(DeviceError, match="wish is .*; it must be one to three finite numbers"):
+        with pytest.raises(DeviceError, match=r"wish is .*; it must be one to three finite numbers"):
             device.tell(wish=[np.nan, 0.0, 0.0])
         with pytest.raises(DeviceError, match="energy is -1 J"):
             device.tell(energy=-1.0)

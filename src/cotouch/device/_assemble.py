@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.device._models import LAWS, CartesianPlant, DeviceModel, PhantomPlant, SimulatedHand
+from cotouch.device._phantom import phantom_potential
 from cotouch.device._tables import (
     DEVICE_BOOKS,
     INITIAL,
@@ -111,13 +112,14 @@ def _grasps(models: Sequence[DeviceModel]) -> Grasps:
 def _start(models: Sequence[DeviceModel], devices: Devices) -> DeviceState:
     count = len(models)
     place = _rows([model.start for model in models])
+    coordinate = _rows([model.coordinate for model in models])
     ratio = devices.servos.window / devices.servos.period.min(axis=1, initial=inf)
     lag = int(devices.servos.lag.max(initial=0))
     length = max(int(np.ceil(ratio.max(initial=0.0))), lag) + 3
     books = np.zeros((count, len(DEVICE_BOOKS)))
-    # A PHANToM starts with its joints at 0, where sin θ2 = 0 and cos θ3 = 1.
-    books[:, INITIAL] = np.where(devices.plants.kind == PHANTOM, -devices.plants.gravity[:, 1], 0.0)
-    books[:, POTENTIAL] = books[:, INITIAL]
+    for d, kind in enumerate(devices.plants.kind):
+        if kind == PHANTOM:
+            books[d, INITIAL] = books[d, POTENTIAL] = phantom_potential(devices.plants, d, *coordinate[d, 1:3])
 
     def vectors() -> Float:
         return np.zeros((count, 4))
@@ -141,12 +143,12 @@ def _start(models: Sequence[DeviceModel], devices: Devices) -> DeviceState:
         time=numbers(),
         next_tick=numbers(),
         ticks=integers(),
-        coordinate=place.copy(),
+        coordinate=coordinate,
         momentum=vectors(),
         tip=place.copy(),
         effort=vectors(),
         effort_before=vectors(),
-        measured=place.copy(),
+        measured=coordinate.copy(),
         seen=numbers(),
         set_position=place.copy(),
         history=np.zeros((count, length, 4)),

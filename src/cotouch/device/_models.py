@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
-from math import inf, isfinite
+from math import acos, atan2, cos, degrees, hypot, inf, isfinite, pi, sin
 from typing import Literal, final
 
 from cotouch.device._tables import CARTESIAN, PHANTOM, PSPM, SPRING, TOLD
@@ -142,9 +142,30 @@ class PhantomPlant:
             half * (l2 * _MASS["a"] + 2 * l3 * _MASS["c"] - 2 * l6 * _MASS["df"]),
         )
 
+    def joints(self, tip: Triple) -> Triple:
+        """Joint angles at which the tip is there, the elbow as at the origin [rad].
+
+        Raises:
+            DeviceError: the tip or a joint does not reach so far.
+        """
+        l1, l2 = self.lengths()
+        out, up = hypot(l1 - tip[0], tip[1]), tip[2] - l2
+        bend = (out * out + up * up - l1 * l1 - l2 * l2) / (2 * l1 * l2)
+        if abs(bend) <= 1.0:
+            elbow = -acos(bend)
+            q2 = atan2(up, out) - atan2(l2 * sin(elbow), l1 + l2 * cos(elbow))
+            q = atan2(-tip[1], l1 - tip[0]), q2, q2 + elbow + pi / 2
+            if all(
+                low <= degrees(angle) <= high for (low, high), angle in zip(_LIMITS, (*q, q[2] - q[1]), strict=True)
+            ):
+                return q
+        raise DeviceError(f"position is {tip}; a PHANToM's tip does not reach there")
+
 
 _MASS = {"a": 0.0202, "c": 0.0249, "be": 0.2359, "df": 0.1906}
 _LENGTH = {"l1": 0.215, "l2": 0.170, "l3": 0.0325, "l5": -0.0368, "l6": 0.0527}
+# Of the joints 1, 2, 3 and of the angle between 2 and 3 [degrees].
+_LIMITS = ((-90.0, 90.0), (-124.0, 119.0), (-29.0, 214.0), (-65.0, 55.0))
 
 
 @final
@@ -154,7 +175,8 @@ class Servo:
 
     Attributes:
         period: time between ticks, or several used in turn, each > 0 [s].
-        window: over which velocity is measured, >= 0; less than a period: since the last tick [s].
+        window: over which velocity is measured, >= 0; less than a period: since the last tick [s]. With the law `told`
+            it is always since the last sample.
         resolution: of the encoders, >= 0 [m], of a joint [rad]; 0: exact.
         force: largest, > 0 [N].
         substep: longest step of the integrator, > 0 [s].
@@ -189,6 +211,9 @@ class Servo:
 @dataclass(frozen=True, kw_only=True)
 class Coupling:
     """What the servo does with the proxy's place.
+
+    PSPM is passive at any stiffness but for the energy of one tick at full speed, ½k (speed·period)²
+    (`cotouch.mechanics.modulation_bound`); a stiffness that a device cannot render makes this noticeable.
 
     Attributes:
         law: `pspm`; `spring`, a plain sampled spring and damper to the wish, passive under a condition only
@@ -312,10 +337,10 @@ class DeviceModel:
         servo: sensor, clock, actuator.
         coupling: to the proxy.
         hand: that holds it; None: nobody.
-        position: where the tip starts, at rest [m]. A PHANToM starts at its origin.
+        position: where the tip starts, at rest [m]. A PHANToM has its joints at 0 at the origin.
 
     Raises:
-        DeviceError: a PHANToM is asked to start elsewhere, or the position is none.
+        DeviceError: the position is none, or out of the device's reach.
     """
 
     plant: CartesianPlant | PhantomPlant = field(default_factory=CartesianPlant)
@@ -325,11 +350,17 @@ class DeviceModel:
     position: Sequence[float] = (0.0, 0.0, 0.0)
 
     def __post_init__(self) -> None:
-        start = triple("position", self.position)
-        if isinstance(self.plant, PhantomPlant) and any(start):
-            raise DeviceError(f"position is {start}; a PHANToM starts at (0, 0, 0), the tip's place with joints at 0")
+        if isinstance(self.plant, PhantomPlant):
+            self.plant.joints(self.start)
+        else:
+            triple("position", self.position)
 
     @property
     def start(self) -> Triple:
         """Where the tip starts [m]."""
         return triple("position", self.position)
+
+    @property
+    def coordinate(self) -> Triple:
+        """Where the device's own coordinates start [m or rad]."""
+        return self.plant.joints(self.start) if isinstance(self.plant, PhantomPlant) else self.start

@@ -21,7 +21,7 @@ from math import cos, inf, sin
 
 from cotouch.device._hand import LANES, add_book, book_hand, book_motors, correct, equilibrium_after
 from cotouch.device._tables import COULOMB_LOSS, Devices, DeviceState, Grasps, Plants
-from cotouch.mechanics import at, inner, part, put, store
+from cotouch.mechanics import at, inner, kernel, part, put, store
 
 # An iteration gains two to three digits at 10 kHz; this many are for a long step with a firm hand.
 _ITERATIONS = 60
@@ -104,7 +104,7 @@ def joint_torques(
     return r * (s1 * fx - c1 * fy), l1 * (c2 * fz - s2 * outward), l2 * (s3 * fz + c3 * outward)
 
 
-@inner
+@kernel
 def phantom_potential(plants: Plants, d: int, q2: float, q3: float) -> float:
     """Energy of gravity [J]."""
     return at(plants.gravity, (d, 0)) * sin(q2) - at(plants.gravity, (d, 1)) * cos(q3)

@@ -165,9 +165,13 @@ def _measure(devices: Devices, state: DeviceState, d: int) -> float:
 
 @inner
 def _differentiate(devices: Devices, state: DeviceState, d: int, index: int) -> None:
-    """Velocity over the window: since the oldest sample in it, and at least since the last tick."""
+    """Velocity over the window: since the oldest sample in it, and at least since the last tick.
+
+    With the law TOLD always since the last sample, which is what the bound of the virtual coupling asks for.
+    """
     now = at(state.sample_time, d)
-    horizon = now - at(devices.servos.window, d) * (1.0 + 1e-9)
+    window = 0.0 if at(devices.servos.law, d) == TOLD else at(devices.servos.window, d)
+    horizon = now - window * (1.0 + 1e-9)
     oldest = max(at(state.oldest, d), index + 1 - state.history_time.shape[1])
     while oldest < index - 1 and at(state.history_time, _slot(state, d, oldest)) < horizon:
         oldest += 1
