@@ -1,5 +1,6 @@
 """Running a prepared scenario with the batch engine."""
 
+from copy import deepcopy
 from dataclasses import dataclass
 from typing import final
 
@@ -10,14 +11,17 @@ from cotouch.mechanics import BOOKS, Grips, workspace
 from cotouch.simulation._engine import (
     SLOT_BOOKS,
     TICK_BOOKS,
+    TOOL_BOOKS,
     USER_BOOKS,
     Fields,
+    Frames,
     Record,
     Scratch,
     Timing,
     run,
 )
 from cotouch.simulation._prepare import Prepared
+from cotouch.simulation._touching import ToolRecord, tool_record
 
 Float = npt.NDArray[np.float64]
 
@@ -33,6 +37,9 @@ class Outcome:
         velocity: likewise [m/s].
         events: how many steps were taken in all; fewer than scheduled if the motion left floating point.
         taken: steps taken by each user, (users,).
+        tools: what was recorded of tools; None without them.
+        frames: whole copies, (frames, users, rows, width) [m].
+        frame_time: of the frames that were reached, (frames,) [s].
     """
 
     record: Record
@@ -40,6 +47,9 @@ class Outcome:
     velocity: Float
     events: int
     taken: npt.NDArray[np.int32]
+    tools: ToolRecord | None
+    frames: Float
+    frame_time: Float
 
 
 def run_batch(prepared: Prepared) -> Outcome:
@@ -57,6 +67,12 @@ def run_batch(prepared: Prepared) -> Outcome:
         tension=np.zeros((users, rows, width)),
         samples=np.zeros((users * timing.ring + users, rows, width)),
     )
+    touching = deepcopy(prepared.touching)
+    more = 0 if touching is None else len(TOOL_BOOKS)
+    tools = None if touching is None else tool_record(touching.kind.size, records)
+    wish = prepared.scenario.record.frames
+    moments = np.zeros(0) if wish is None else np.arange(0.0, prepared.scenario.steps.duration, 1.0 / wish)
+    frames = Frames(moments, np.zeros((moments.size, users, rows, width)), np.zeros(1, dtype=np.int32))
     kept = np.concatenate([ready.port_rows(int(node)) for node in prepared.nodes])
     record = Record(
         every=every,
@@ -65,11 +81,11 @@ def run_batch(prepared: Prepared) -> Outcome:
         position=np.empty((users, records, kept.size, width)),
         velocity=np.empty((users, records, kept.size, width)),
         force=np.empty((ports, records, width)),
-        users=np.zeros((len(USER_BOOKS), users, records)),
+        users=np.zeros((len(USER_BOOKS) + more, users, records)),
         slots=np.empty((len(SLOT_BOOKS), slots, records)),
         links=np.empty((records, len(prepared.scenario.network.links))),
         ticks=np.empty((len(TICK_BOOKS), records)),
-        running=np.zeros((users, 6)),
+        running=np.zeros((users, 6 + more)),
         lowest=np.zeros(1),
     )
     counter = np.zeros(users, dtype=np.int32)
@@ -114,8 +130,21 @@ def run_batch(prepared: Prepared) -> Outcome:
         fields,
         record,
         scratch,
+        touching,
+        tools,
+        frames,
         solver.tolerance,
         solver.iterations,
         ready.lanes,
     )
-    return Outcome(record=record, position=fields.position, velocity=fields.velocity, events=events, taken=counter)
+    shown = int(frames.done[0])
+    return Outcome(
+        record=record,
+        position=fields.position,
+        velocity=fields.velocity,
+        events=events,
+        taken=counter,
+        tools=tools,
+        frames=frames.position[:shown],
+        frame_time=frames.time[:shown],
+    )

@@ -14,6 +14,8 @@ from cotouch.simulation._engine import Topology
 from cotouch.simulation._hands import Hands, ports_of
 from cotouch.simulation._scenario import Scenario, per_user
 from cotouch.simulation._schedule import Schedule, schedule
+from cotouch.simulation._tools import touching_of
+from cotouch.simulation._touching import Touching
 
 Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
@@ -40,6 +42,8 @@ class Prepared:
         position: initial displacements, (users, n, d) [m].
         velocity: initial velocities, (users, n, d) [m/s].
         nodes: recorded nodes.
+        touching: the tools as they start; an engine works on a copy. None without tools.
+        tool: which of those tools is each of the scenario's.
     """
 
     scenario: Scenario
@@ -54,6 +58,8 @@ class Prepared:
     position: Float
     velocity: Float
     nodes: Int
+    touching: Touching | None
+    tool: list[int]
 
 
 def prepare(scenario: Scenario) -> Prepared:
@@ -81,6 +87,8 @@ def prepare(scenario: Scenario) -> Prepared:
         slot=np.array([int(np.flatnonzero(slots.link == k)[0]) for k in range(len(network.links))], dtype=np.int32),
     )
     hands, ports = ports_of(scenario.hands, network.size, body, ready)
+    most_ports = int(np.diff(hands.first).max(initial=0))
+    touching, tool = touching_of(scenario.tools, network.size, body, ready, timing, ports=most_ports)
     extra = np.zeros((network.size, 1 + len(network.weights)))
     extra[:, 0] = per_user(scenario.synchronisation.extra_damping, network.size, "synchronisation.extra_damping")
     return Prepared(
@@ -96,6 +104,8 @@ def prepare(scenario: Scenario) -> Prepared:
         position=_initial(scenario.initial.position, "position", network.size, body),
         velocity=_initial(scenario.initial.velocity, "velocity", network.size, body),
         nodes=_recorded(scenario, body),
+        touching=touching,
+        tool=tool,
     )
 
 

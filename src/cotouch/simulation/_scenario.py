@@ -27,6 +27,10 @@ from cotouch.simulation._tables import (
     Synchronisation,
     Table,
 )
+from cotouch.simulation._tool_tables import ToolTable
+
+# Nodes of a truncated body next to a tool's start that keep their local stiffness.
+_NEAR = 4
 
 
 @final
@@ -52,6 +56,7 @@ class Scenario(Table):
     synchronisation: Synchronisation = Synchronisation()
     channel: Channel = Channel()
     hands: list[Hand] = Field(default_factory=list[Hand])
+    tools: list[ToolTable] = Field(default_factory=list[ToolTable])
     initial: Initial = Initial()
     solver: Solver = Solver()
     record: Recording = Recording()
@@ -121,8 +126,11 @@ class Scenario(Table):
         if self._built is None:
             body = self.body if isinstance(self.body, Body) else self.body.build()
             if isinstance(self.body, FileTable) and self.body.modes is not None:
-                held = sorted({self._node(index, body) for index in range(len(self.hands))})
-                body = body.truncated(modes=self.body.modes, contacts=[node - 1 for node in held])
+                held = {self._node(index, body) - 1 for index in range(len(self.hands))}
+                for tool in self.tools:  # what a tool meets first yields as the whole body does
+                    away = np.linalg.norm(body.rest - np.array(tool.at), axis=1)
+                    held.update(int(node) for node in np.argsort(away, kind="stable")[:_NEAR])
+                body = body.truncated(modes=self.body.modes, contacts=sorted(held))
             self._built = body
         return self._built
 
@@ -176,6 +184,8 @@ class Scenario(Table):
         for name in ("steps", "synchronisation", "channel", "initial", "solver", "record"):
             tables[name] = getattr(self, name).model_dump()
         tables["hands"] = [hand.model_dump() for hand in self.hands]
+        if self.tools:
+            tables["tools"] = [tool.model_dump() for tool in self.tools]
         return json.dumps(tables)
 
 

@@ -475,7 +475,14 @@ class Solver(Table):
 
 @final
 class Recording(Table):
-    """What is kept: every how many steps, and which nodes (numbers from 1; default all up to 64, else those held)."""
+    """What is kept.
+
+    Attributes:
+        every: one of how many steps.
+        nodes: numbers from 1; by default all up to 64, else those held.
+        frames: whole copies so many times a second, for an animation [Hz]; by default none.
+    """
 
     every: Annotated[int, Field(ge=1)] = 1
     nodes: list[Annotated[Number, Field(ge=1)]] | None = None
+    frames: Positive | None = None

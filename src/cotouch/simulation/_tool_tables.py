@@ -1,0 +1,165 @@
+"""The tables of a scenario for tools: proxies, the devices that move them, and the hands on those."""
+
+from typing import Annotated, Literal, Self, final
+
+from pydantic import Field, FiniteFloat, model_validator
+
+from cotouch.device import PRESETS
+from cotouch.simulation._tables import NonNegative, Number, Place, Positive, Table
+
+_OF_DEVICES = ("mass", "reaction", "correction", "reach", "blend")
+
+
+@final
+class ToolHand(Table):
+    """What moves a tool: a spring and damper to an equilibrium point on a path; on a device a whole hand.
+
+    By default the hand of van Beek et al. 2015, one typical trial.
+
+    Attributes:
+        path: where the equilibrium goes, from the tool's start [m]: one place, or waypoints [time, x, y, z] with
+            straight lines between them.
+        amplitude: of a sine added to the path [m].
+        frequency: of the sine [Hz].
+        phase: of the sine [rad].
+        stiffness: [N/m].
+        damping: [Ns/m].
+        grip: factor on stiffness and damping, ¼ to 4.
+        begin: when it takes hold [s].
+        release: when it lets go [s]; by default never.
+        mass: that moves with the device's tip [kg]; like all that follow, with a device only.
+        reaction: delay of the will [s].
+        correction: how fast the will corrects the tip's error [1/s].
+        reach: farthest that it goes for this [m].
+        blend: over which the equilibrium comes to its path after taking hold [s].
+    """
+
+    path: list[FiniteFloat] | list[list[FiniteFloat]] = Field(default_factory=lambda: [0.0, 0.0, 0.0])
+    amplitude: Place = Field(default_factory=lambda: [0.0, 0.0, 0.0])
+    frequency: NonNegative = 0.0
+    phase: FiniteFloat = 0.0
+    stiffness: NonNegative = 135.0
+    damping: NonNegative = 6.45
+    grip: Annotated[float, Field(ge=0.25, le=4.0)] = 1.0
+    begin: NonNegative = 0.0
+    release: NonNegative | None = None
+    mass: NonNegative = 0.554
+    reaction: Positive = 0.15
+    correction: NonNegative = 0.0
+    reach: NonNegative = 0.05
+    blend: Positive = 0.3
+
+    @model_validator(mode="after")
+    def _after(self) -> Self:
+        rows = [row for row in self.path if isinstance(row, list)]
+        if rows and any(len(row) != 4 for row in rows):
+            wrong = next(row for row in rows if len(row) != 4)
+            raise ValueError(f"path has the waypoint {wrong}; it must be a time and 3 numbers")
+        if not rows and len(self.path) != 3:
+            raise ValueError(f"path is {self.path}; it must be 3 numbers or waypoints [time, x, y, z]")
+        if any(b[0] <= a[0] for a, b in zip(rows, rows[1:], strict=False)):
+            raise ValueError(f"the times of path are {[row[0] for row in rows]}; they must increase")
+        if self.release is not None and self.release <= self.begin:
+            raise ValueError(f"release is {self.release} s but begin is {self.begin} s; it must be later")
+        return self
+
+
+@final
+class DeviceTable(Table):
+    """A simulated device between a hand and a tool; see `cotouch.device`.
+
+    Attributes:
+        preset: a product with its nominal force, friction, resolution and rate; what is given here goes first.
+        kind: "cartesian", or "phantom" for the PHANToM 1.5 with its own dynamics.
+        mass: apparent at the tip of a Cartesian device [kg].
+        viscous: friction [Ns/m]; of a PHANToM's joints [Nm s/rad].
+        coulomb: friction [N]; of a PHANToM's joints [Nm].
+        rate: of the servo [Hz].
+        periods: of the servo, used in turn, instead of a rate [s].
+        window: over which velocity is measured [s].
+        resolution: of the encoders [m], of a PHANToM's joints [rad].
+        force: largest [N].
+        coupling: "pspm" (passive whatever the rates), or "virtual" (a sampled spring-damper; refused where the device's
+            own damping is too little).
+        stiffness: of the coupling [N/m].
+        damping: of the coupling [Ns/m].
+        cap: most energy that each side's tank keeps [J].
+        reserve: debt up to which PSPM's damping stays on [J].
+        declared: damping of the device itself that PSPM may count on [Ns/m].
+        lower: with "virtual", lower a stiffness that is too much instead of refusing it.
+    """
+
+    preset: str | None = None
+    kind: Literal["cartesian", "phantom"] = "cartesian"
+    mass: Positive | None = None
+    viscous: NonNegative | None = None
+    coulomb: NonNegative | None = None
+    rate: Positive | None = None
+    periods: list[Positive] | None = None
+    window: NonNegative = 0.02
+    resolution: NonNegative | None = None
+    force: Positive | None = None
+    coupling: Literal["pspm", "virtual"] = "pspm"
+    stiffness: Positive = 500.0
+    damping: NonNegative = 2.0
+    cap: NonNegative = 1e-4
+    reserve: NonNegative = 1e-3
+    declared: NonNegative = 0.0
+    lower: bool = False
+
+    @model_validator(mode="after")
+    def _after(self) -> Self:
+        if self.preset is not None and self.preset not in PRESETS:
+            raise ValueError(f'preset is "{self.preset}"; it must be one of {", ".join(PRESETS)}')
+        if self.rate is not None and self.periods is not None:
+            raise ValueError("rate and periods are given; give only one of them")
+        if self.kind == "phantom" and self.mass is not None:
+            raise ValueError(f"mass is {self.mass} kg; a PHANToM has its own, leave it out")
+        return self
+
+
+@final
+class ToolTable(Table):
+    """A proxy: a sphere that a hand or a device moves and that touches or holds the body.
+
+    Attributes:
+        user: number from 1.
+        at: where it starts, in the body's rest shape [m].
+        kind: "touch" (it pushes the skin away and slides on it) or "grasp" (it holds the nodes within its radius, or
+            the nearest, by springs that start relaxed).
+        radius: [m].
+        mass: m_i [kg].
+        stiffness: of a contact, or of each held node [N/m].
+        damping: touch: λ, the contact's force grows by 1 + λ times the speed of its penetration [s/m]; grasp: of each
+            held node [Ns/m].
+        friction: Coulomb's coefficient of a touch.
+        begin: it acts from here [s].
+        release: to here [s]; by default always.
+        hand: what moves it.
+        device: the device in between; without it the hand moves the proxy itself.
+    """
+
+    user: Annotated[Number, Field(ge=1)]
+    at: Place
+    kind: Literal["touch", "grasp"] = "touch"
+    radius: Positive = 0.01
+    mass: Positive = 0.05
+    stiffness: Positive = 1000.0
+    damping: NonNegative = 0.0
+    friction: NonNegative = 0.0
+    begin: NonNegative = 0.0
+    release: NonNegative | None = None
+    hand: ToolHand | None = None
+    device: DeviceTable | None = None
+
+    @model_validator(mode="after")
+    def _after(self) -> Self:
+        if self.release is not None and self.release <= self.begin:
+            raise ValueError(f"release is {self.release} s but begin is {self.begin} s; it must be later")
+        if self.hand is not None and self.device is None:
+            for name in _OF_DEVICES:
+                if name in self.hand.model_fields_set:
+                    raise ValueError(f"hand.{name} needs a device; give device or leave it out")
+        if self.kind == "grasp" and self.friction > 0.0:
+            raise ValueError(f"friction is {self.friction}, but a grasp holds without; leave it out")
+        return self

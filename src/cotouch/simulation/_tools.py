@@ -1,0 +1,207 @@
+"""From the tables of tools to the arrays that the engines work on."""
+
+from math import inf
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.body import Body
+from cotouch.device import (
+    PRESETS,
+    CartesianPlant,
+    Coupling,
+    DeviceModel,
+    PhantomPlant,
+    Servo,
+    SimulatedHand,
+    assemble,
+    couplings,
+)
+from cotouch.errors import DeviceError, ScenarioError
+from cotouch.mechanics import (
+    GRASP,
+    TOUCH,
+    TOUCH_BOOKS,
+    Model,
+    checked_virtual_coupling,
+    surface_of,
+    tools,
+    touch_work,
+)
+from cotouch.simulation._hands import Hands
+from cotouch.simulation._schedule import Schedule
+from cotouch.simulation._tool_tables import DeviceTable, ToolHand, ToolTable
+from cotouch.simulation._touching import Touching
+
+Float = npt.NDArray[np.float64]
+
+
+def touching_of(
+    tables: list[ToolTable], users: int, body: Body, model: Model, timing: Schedule, *, ports: int
+) -> tuple[Touching | None, list[int]]:
+    """The tools of a scenario, ordered by user, and which tool each table became; None without tools.
+
+    Args:
+        tables: of the scenario.
+        users: how many there are.
+        body: the shared object.
+        model: the same for the kernels.
+        timing: the body's steps, which a virtual coupling must be passive at.
+        ports: most hands of one user that hold the body directly.
+
+    Raises:
+        ScenarioError: a tool names a user that is not there, or a device or hand is wrong.
+        BodyError: the body has not three axes.
+    """
+    if not tables:
+        return None, []
+    for number, table in enumerate(tables, start=1):
+        if table.user > users:
+            raise ScenarioError(f"tools[{number}].user is {table.user}; the network has users 1 to {users}")
+    surface = surface_of(model)
+    order = sorted(range(len(tables)), key=lambda index: tables[index].user)
+    chosen = [tables[index] for index in order]
+    count = len(chosen)
+    own = tools(count)
+    joined = couplings(count)
+    models: list[DeviceModel] = []
+    for t, table in enumerate(chosen):
+        own.mass[t], own.radius[t], own.friction[t] = table.mass, table.radius, table.friction
+        own.place[t, :3] = table.at
+        if table.kind == "touch":
+            own.stiffness[t], own.loss[t] = table.stiffness, table.damping
+        else:
+            own.grip_stiffness[t], own.grip_damping[t] = table.stiffness, table.damping
+        if table.device is None:
+            continue
+        try:
+            device = device_model(table.device, table.hand, timing.length[table.user - 1])
+        except DeviceError as error:
+            raise ScenarioError(f"tools[{order[t] + 1}]: {error}") from None
+        joined.device[t] = len(models)
+        joined.origin[t, :3] = table.at
+        joined.stiffness[t], joined.damping[t] = device.coupling.stiffness, device.coupling.damping
+        joined.cap[t] = device.coupling.cap
+        joined.set_position[t] = own.place[t]
+        models.append(device)
+    devices, states = assemble(models)
+    owner = np.array([table.user - 1 for table in chosen])
+    first = np.searchsorted(owner, np.arange(users + 1)).astype(np.int32)
+    hands = _drives(chosen)
+    return (
+        Touching(
+            surface=surface,
+            tools=own,
+            work=touch_work(model, surface, tools=int(np.diff(first).max()), ports=ports),
+            first=first,
+            kind=np.array([TOUCH if table.kind == "touch" else GRASP for table in chosen], dtype=np.int32),
+            begin=np.array([table.begin for table in chosen]),
+            release=np.array([inf if table.release is None else table.release for table in chosen]),
+            hands=hands,
+            cursor=hands.path_first[:-1].copy(),
+            row=np.zeros(count, dtype=np.int32),
+            shape=np.zeros((0, 0)),
+            devices=devices,
+            states=states,
+            couplings=joined,
+            books=np.zeros(TOUCH_BOOKS),
+        ),
+        [order.index(index) for index in range(count)],
+    )
+
+
+def device_model(table: DeviceTable, hand: ToolHand | None, lengths: Float) -> DeviceModel:
+    """A device as `cotouch.device` wants it.
+
+    Args:
+        table: the device.
+        hand: on it, if any.
+        lengths: of the body's steps [s].
+
+    Raises:
+        DeviceError: a number is out of range, or a virtual coupling is not passive.
+    """
+    product = None if table.preset is None else PRESETS[table.preset]
+    rate = table.rate or (1000.0 if product is None else product.rate)
+    phantom = table.kind == "phantom"
+    plant: CartesianPlant | PhantomPlant
+    if phantom:
+        given = {name: getattr(table, name) for name in ("viscous", "coulomb") if getattr(table, name) is not None}
+        plant = PhantomPlant(**given)
+    else:
+        plant = CartesianPlant(
+            mass=_first(table.mass, product and product.mass, 0.06),
+            viscous=_first(table.viscous, None, 0.0125),
+            coulomb=_first(table.coulomb, product and product.friction, 0.0),
+        )
+    servo = Servo(
+        period=tuple(table.periods) if table.periods else 1.0 / rate,
+        window=table.window,
+        resolution=_first(table.resolution, None if product is None or phantom else product.resolution, 0.0),
+        force=_first(table.force, product and product.force, inf),
+    )
+    stiffness = table.stiffness
+    if table.coupling == "virtual":
+        # A PHANToM's joints damp its tip by at least their own damping over the square of its longest lever.
+        lever = sum(plant.lengths()) if isinstance(plant, PhantomPlant) else 1.0
+        known = lengths[lengths > 0.0]
+        stiffness = checked_virtual_coupling(
+            stiffness=stiffness,
+            device_damping=plant.viscous / lever**2,
+            period=float(known.max()),
+            damping=table.damping,
+            spread=float((known[1:] / known[:-1]).max(initial=1.0)),
+            lower=table.lower,
+        )
+    return DeviceModel(
+        plant=plant,
+        servo=servo,
+        coupling=Coupling(
+            law="pspm" if table.coupling == "pspm" else "told",
+            stiffness=stiffness,
+            damping=table.damping,
+            cap=table.cap,
+            reserve=table.reserve,
+            declared=table.declared,
+        ),
+        hand=None if hand is None else SimulatedHand(**hand.model_dump()),
+    )
+
+
+def _first(*values: float | None) -> float:
+    """The first that is given."""
+    return next(value for value in values if value is not None)
+
+
+def _drives(tables: list[ToolTable]) -> Hands:
+    """What moves tools without a device: paths in the body's frame; of no stiffness where a device does it."""
+    nobody = ToolHand(stiffness=0.0, damping=0.0)
+    hands = [table.hand if table.hand is not None and table.device is None else nobody for table in tables]
+    times: list[Float] = []
+    values: list[Float] = []
+    for table, hand in zip(tables, hands, strict=True):
+        rows = np.array(hand.path, dtype=np.float64)
+        rows = np.concatenate([[0.0], rows])[None, :] if rows.ndim == 1 else rows
+        place = np.zeros((rows.shape[0], 4))
+        place[:, :3] = rows[:, 1:] + np.array(table.at)
+        times.append(rows[:, 0])
+        values.append(place)
+    count = len(tables)
+    amplitude = np.zeros((count, 4))
+    amplitude[:, :3] = [hand.amplitude for hand in hands]
+    return Hands(
+        first=np.zeros(1, dtype=np.int32),
+        row=np.zeros(count, dtype=np.int32),
+        shape=np.zeros((0, 0)),
+        stiffness=np.array([hand.grip * hand.stiffness for hand in hands]),
+        damping=np.array([hand.grip * hand.damping for hand in hands]),
+        begin=np.array([hand.begin for hand in hands]),
+        release=np.array([inf if hand.release is None else hand.release for hand in hands]),
+        forced=np.zeros(count, dtype=np.bool_),
+        path_first=np.concatenate([[0], np.cumsum([line.size for line in times])]).astype(np.int32),
+        path_time=np.ascontiguousarray(np.concatenate(times)),
+        path_value=np.ascontiguousarray(np.concatenate(values)),
+        amplitude=amplitude,
+        frequency=np.array([hand.frequency for hand in hands]),
+        phase=np.array([hand.phase for hand in hands]),
+    )
