@@ -3,7 +3,9 @@
 /** @typedef {"ghosts" | "side" | "alone"} View */
 
 /** @template {HTMLElement} T @param {string} id @returns {T} */
-const element = (id) => /** @type {T} */ (document.getElementById(id));
+function element(id) {
+  return /** @type {T} */ (document.getElementById(id));
+}
 
 const SPEEDS = [0.05, 0.1, 0.25, 0.5, 1, 2, 4];
 const TOPS = [1, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10];
@@ -25,8 +27,8 @@ class App {
   constructor(run, gl) {
     this.run = run;
     this.scene = new Scene(gl, run);
-    const { middle, radius, flat, size } = this.scene;
-    this.camera = new Camera(/** @type {Vec} */ (middle), radius, flat && size[1] > 0 ? 1.5707 : 0.36);
+    const { middle, cloud, flat, size } = this.scene.sizes;
+    this.camera = new Camera(/** @type {Vec} */ (middle), cloud, flat && size[1] > 0 ? 1.5707 : 0.36);
     this.at = 0; // the moment, in frames
     this.playing = false;
     this.speed = 1;
@@ -37,6 +39,11 @@ class App {
     this.moved = true; // the moment or the colouring is another
     this.stale = true; // the picture is
     this.last = 0;
+    this.framed = [0, 0]; // size of the picture that the camera has been fitted to
+    this.help = /** @type {HTMLDialogElement} */ (element("help"));
+    /** Largest size in every series, and what its numbers are divided by for their unit. */
+    this.mosts = run.series.map(({ values }) => Math.max(...bounds(Array.from(values).filter(Number.isFinite)).map(Math.abs)));
+    this.units = run.series.map(({ unit }, k) => prefixed(this.mosts[k], unit));
     this.chart = new Chart(element("chart"), run, (at) => this.seek(at));
     this.build();
     this.camera.follow(element("picture"), () => this.camera.pixel(this.tiles()[0].width, this.tiles()[0].height), () => (this.stale = true));
@@ -51,8 +58,10 @@ class App {
 
   build() {
     const { run } = this, { users, links } = run.header;
-    const object = run.triangles.length ? "vertices" : "nodes";
-    element("facts").textContent = `${run.users} ${run.users > 1 ? "users" : "user"} · ${run.vertices} ${object} each · ${run.frames} frames`;
+    /** @param {number} count @param {string} one @param {string} many */
+    const counted = (count, one, many) => `${count} ${count === 1 ? one : many}`;
+    const size = run.triangles.length ? counted(run.vertices, "vertex", "vertices") : counted(run.vertices, "node", "nodes");
+    element("facts").textContent = `${counted(run.users, "user", "users")} · ${size} each · ${counted(run.frames, "frame", "frames")}`;
     /** @param {string} id @param {() => void} action */
     const press = (id, action) => element(id).addEventListener("click", (event) => {
       action();
@@ -60,7 +69,7 @@ class App {
     });
     press("play", () => this.play(!this.playing));
     press("theme", () => this.theme(!this.dark));
-    press("ask", () => element("help").showModal());
+    press("ask", () => this.help.showModal());
     press("field", () => this.recolour());
     element("views").hidden = run.users < 2;
     for (const button of element("views").querySelectorAll("button"))
@@ -76,6 +85,7 @@ class App {
         add(element("series"), "button", {}, series.name).addEventListener("click", () => this.plot(k));
     });
     element("series").hidden = run.series.length < 2;
+    element("chart").classList.toggle("bare", !run.series.length);
     this.table(users);
     this.network(links, users);
     element("bar").style.background = `linear-gradient(90deg, ${RAMP.map((c) => `rgb(${c})`).join()})`;
@@ -87,7 +97,6 @@ class App {
   /** @param {string[]} users */
   table(users) {
     const table = element("users"), head = add(add(table, "thead"), "tr"), body = add(table, "tbody");
-    this.units = this.run.series.map(({ values, unit }) => prefixed(Math.max(...bounds(Array.from(values).filter(Number.isFinite)).map(Math.abs)), unit));
     add(head, "th", { scope: "col" }, "");
     this.run.series.forEach(({ name }, k) => {
       const cell = add(head, "th", { scope: "col" }, name);
@@ -117,7 +126,7 @@ class App {
       add(svg, "line", { x1: String(places[a][0]), y1: String(places[a][1]), x2: String(places[b][0]), y2: String(places[b][1]) });
     places.forEach(([x, y], user) => {
       add(svg, "circle", { cx: String(x), cy: String(y), r: "4.5", fill: this.color(user) });
-      add(svg, "text", { x: String(1.33 * x), y: String(1.33 * y + 2.5 - (y < -20 ? 0 : 0)) }, users[user]);
+      add(svg, "text", { x: String(x + 0.24 * x), y: String(1.26 * y + 2.5), "text-anchor": Math.abs(x) < 9 ? "middle" : x > 0 ? "start" : "end" }, users[user]);
     });
   }
 
@@ -164,13 +173,14 @@ class App {
   show(view) {
     if (this.run.users < 2) return;
     this.view = view;
-    this.stale = true;
+    this.moved = true;
   }
 
   /** @param {number} user */
   choose(user) {
     this.user = user;
     if (this.view === "side") this.view = "alone";
+    this.moved = true;
     this.resized();
   }
 
@@ -195,7 +205,7 @@ class App {
   /** @param {KeyboardEvent} event */
   key(event) {
     const target = /** @type {HTMLElement} */ (event.target);
-    if (event.ctrlKey || event.metaKey || event.altKey || element("help").open || target.tagName === "SELECT") return;
+    if (event.ctrlKey || event.metaKey || event.altKey || this.help.open || target.tagName === "SELECT") return;
     if (target.tagName === "BUTTON" && [" ", "Enter"].includes(event.key)) return;
     const step = event.shiftKey ? 10 : 1, faster = SPEEDS.indexOf(this.speed);
     /** @type {Record<string, () => void>} */
@@ -206,7 +216,7 @@ class App {
       ArrowUp: () => this.hurry(SPEEDS[Math.min(faster + 1, SPEEDS.length - 1)]),
       ArrowDown: () => this.hurry(SPEEDS[Math.max(faster - 1, 0)]),
       g: () => this.show("ghosts"), s: () => this.show("side"), a: () => this.show("alone"),
-      c: () => this.recolour(), t: () => this.theme(!this.dark), "?": () => element("help").showModal(),
+      c: () => this.recolour(), t: () => this.theme(!this.dark), "?": () => this.help.showModal(),
       r: () => { this.camera.reset(); this.stale = true; },
     };
     const action = keys[event.key.length > 1 ? event.key : event.key.toLowerCase()];
@@ -260,7 +270,11 @@ class App {
     const [width, height] = [stage.clientWidth, stage.clientHeight].map((v) => Math.max(1, Math.round(v * ratio)));
     if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
     const peak = run.header.peaks[this.field], top = peak > 0 ? ceiling(peak) : 0, tiles = this.tiles();
-    if (this.moved) scene.move(this.at, this.field, top);
+    if (tiles[0].width !== this.framed[0] || tiles[0].height !== this.framed[1]) {
+      this.framed = [tiles[0].width, tiles[0].height];
+      this.camera.frame(tiles[0].width, tiles[0].height);
+    }
+    if (this.moved) scene.move(this.at, this.field, top, this.view === "ghosts" ? this.user : -1);
     scene.draw(tiles, this.camera, lights, ratio);
     if (this.chart.stale) this.chart.sketch(run.series[this.shown], colors, this.user);
     this.chart.show(run.timeAt(this.at), colors);
@@ -286,7 +300,7 @@ class App {
       row.setAttribute("aria-selected", String(this.view !== "side" && user === this.user));
       cells.forEach((cell, k) => (cell.textContent = this.reading(k, frame, user)));
       const series = run.series[this.shown];
-      if (meter && series) meter.style.setProperty("--share", `${(100 * Math.abs(series.values[frame * run.users + user])) / (this.most(this.shown) || 1)}%`);
+      if (meter && series) meter.style.setProperty("--share", `${(100 * Math.abs(series.values[frame * run.users + user])) / (this.mosts[this.shown] || 1)}%`);
     });
     const [factor, unit] = prefixed(top, "m"), name = this.field === "displacement" ? "Displacement" : "Distance from the mean copy";
     element("field").innerHTML = `${name} <small>/ ${unit}</small>`;
@@ -295,35 +309,30 @@ class App {
 
   /** A value of a series as text. @param {number} k @param {number} frame @param {number} user */
   reading(k, frame, user) {
-    const value = this.run.series[k].values[frame * this.run.users + user] / (this.units?.[k][0] ?? 1);
-    const most = this.most(k) / (this.units?.[k][0] ?? 1);
+    const value = this.run.series[k].values[frame * this.run.users + user] / this.units[k][0], most = this.mosts[k] / this.units[k][0];
     if (!Number.isFinite(value)) return "–";
     return most >= 1e4 || most < 1e-2 ? num(value) : value.toFixed(most >= 99.95 ? 0 : most >= 9.995 ? 1 : 2).replace("-", "−");
   }
 
-  /** Largest size in a series. @param {number} k */
-  most(k) {
-    this.mosts ??= this.run.series.map(({ values }) => Math.max(...bounds(Array.from(values).filter(Number.isFinite)).map(Math.abs)));
-    return this.mosts[k];
-  }
-
   /** Names in the picture, and the scales, which follow the zoom. @param {Tile[]} tiles */
   label(tiles) {
-    const { scene, camera, run } = this, labels = element("labels"), names = run.header.users;
+    const { scene, camera, run } = this, { peak, metresPerNewton, pitch, extent } = scene.sizes, labels = element("labels"), names = run.header.users;
     labels.textContent = "";
+    const last = tiles[tiles.length - 1];
+    element("legend").className = last.x + 1.5 * last.width < element("stage").clientWidth ? "beside" : "";
     const pixel = camera.pixel(tiles[0].width, tiles[0].height);
-    const force = scene.peak > 0 ? round(Math.min(scene.peak, (90 * pixel) / scene.metresPerNewton)) : 0;
-    const length = (force * scene.metresPerNewton) / pixel, [factor, unit] = prefixed(force, "N"), [metre, metres] = prefixed(scene.pitch, "m");
+    const force = peak > 0 ? round(Math.min(peak, (90 * pixel) / metresPerNewton)) : 0;
+    const length = (force * metresPerNewton) / pixel, [factor, unit] = prefixed(force, "N"), [metre, metres] = prefixed(pitch, "m");
     element("arrow").innerHTML = force && length < 140
       ? `<svg width="${length + 2}" viewBox="0 0 ${length + 2} 9" aria-hidden="true"><path d="M0 4.5H${Math.max(length - 8, 0)}" stroke="currentColor" stroke-width="2"/><path d="M${length - 9} .5 ${length} 4.5 ${length - 9} 8.5z" fill="currentColor"/></svg>${num(force / factor)} ${unit}` : "";
-    element("pitch").textContent = `grid ${num(scene.pitch / metre)} ${metres}`;
+    element("pitch").textContent = `grid ${num(pitch / metre)} ${metres}`;
     if (this.view === "side") {
       const frame = Math.min(Math.round(this.at), run.frames - 1), force = run.series[0]?.name === "Force";
       for (const { x, y, width, height, solid } of tiles) {
         const tile = add(labels, "span", { class: "tile", style: `left:${x + 12}px;top:${y + 8}px;--own:${this.color(solid)}` });
         add(tile, "span", { class: "swatch", style: "position:static" });
         tile.append(names[solid]);
-        if (force) add(tile, "b", {}, `${this.reading(0, frame, solid)} ${this.units?.[0][1]}`);
+        if (force) add(tile, "b", {}, `${this.reading(0, frame, solid)} ${this.units[0][1]}`);
         if (x > 0) add(labels, "i", { style: `left:${x - GAP}px;top:${y}px;width:${GAP}px;height:${height}px` });
         if (y > 0) add(labels, "i", { style: `left:${x}px;top:${y - GAP}px;width:${width}px;height:${GAP}px` });
       }
@@ -332,18 +341,23 @@ class App {
     const { width, height, users } = tiles[0];
     /** @type {[number, number, number, number][]} */
     const taken = [];
-    for (const touch of scene.touches ?? [])
+    for (const touch of scene.touches)
       touch.owner.forEach((user, k) => {
         if (!users.includes(user)) return;
-        const [x, y] = camera.seen(touch.place.subarray(3 * k, 3 * k + 3), width, height), below = (touch.radius[k] || 0.011 * scene.extent) / pixel + 3;
+        const place = [...touch.place.subarray(3 * k, 3 * k + 3)], [x, y] = camera.seen(place, width, height);
+        const [tipX, tipY] = camera.seen(place.map((p, d) => p + metresPerNewton * touch.force[3 * k + d]), width, height);
+        const away = (touch.radius[k] || 0.011 * extent) / pixel + 3;
         const name = add(labels, "span", { class: "name", style: `color:${this.color(user)}` }, names[user]);
         const w = name.offsetWidth, h = name.offsetHeight;
-        // Beneath its tool; above it, or left away, where another name stands already.
-        const place = [y + below, y - below - h].find((top) => taken.every(([l, t, r, b]) => x - w / 2 > r || x + w / 2 < l || top > b || top + h < t));
-        if (place === undefined) return name.remove();
-        name.style.left = `${x - w / 2}px`;
-        name.style.top = `${place}px`;
-        taken.push([x - w / 2, place, x + w / 2, place + h]);
+        // Beside an upright arrow, on the outer side of others; elsewhere, or left away, where another name stands.
+        const sides = [[x + away, y - h / 2], [x - away - w, y - h / 2]], ends = [[x - w / 2, y + away], [x - w / 2, y - away - h]];
+        if (y < height / 2) ends.reverse();
+        const order = Math.abs(tipY - y) > Math.abs(tipX - x) ? [...sides, ...ends] : [...ends, ...sides];
+        const free = order.find(([left, top]) => taken.every(([l, t, r, b]) => left > r || left + w < l || top > b || top + h < t));
+        if (!free) return name.remove();
+        name.style.left = `${free[0]}px`;
+        name.style.top = `${free[1]}px`;
+        taken.push([free[0], free[1], free[0] + w, free[1] + h]);
       });
   }
 }

@@ -10,14 +10,41 @@ const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a
 const FIELD = (28 * Math.PI) / 180; // of view, over the shorter side
 
 class Camera {
-  /** @param {Vec} centre @param {number} radius of what is to be seen [m] @param {number} pitch to start with */
-  constructor(centre, radius, pitch) {
-    this.home = { target: centre, distance: (1.04 * radius) / Math.sin(FIELD / 2), yaw: pitch > 1.5 ? -Math.PI / 2 : -1.05, pitch };
-    this.radius = radius;
+  /** @param {Vec} centre @param {number[]} cloud places that are to be seen, behind each other [m] @param {number} pitch to start with */
+  constructor(centre, cloud, pitch) {
     this.target = centre;
-    this.distance = this.home.distance;
-    this.yaw = this.home.yaw;
+    this.distance = 0;
+    this.yaw = pitch > 1.5 ? -Math.PI / 2 : -1.05;
     this.pitch = pitch;
+    this.cloud = cloud;
+    this.radius = 0; // of a ball around the target with all of the cloud in it
+    const [x, y] = this.axes(), sides = [Infinity, -Infinity, Infinity, -Infinity];
+    for (let i = 0; i < cloud.length; i += 3) {
+      const q = centre.map((c, d) => cloud[i + d] - c);
+      [x, y].forEach((axis, k) => {
+        sides[2 * k] = Math.min(sides[2 * k], dot(axis, q));
+        sides[2 * k + 1] = Math.max(sides[2 * k + 1], dot(axis, q));
+      });
+      this.radius = Math.max(this.radius, Math.hypot(...q));
+    }
+    this.target = /** @type {Vec} */ (centre.map((c, d) => c + (x[d] * (sides[0] + sides[1]) + y[d] * (sides[2] + sides[3])) / 2));
+    this.home = { target: this.target, distance: 0, yaw: this.yaw, pitch };
+  }
+
+  /** Stands where the whole cloud is seen at first in a picture of this size; the zoom stays. @param {number} width @param {number} height */
+  frame(width, height) {
+    const here = { yaw: this.yaw, pitch: this.pitch }, half = Math.tan(FIELD / 2) / Math.min(width, height);
+    Object.assign(this, { yaw: this.home.yaw, pitch: this.home.pitch });
+    const [x, y, z] = this.axes();
+    let distance = 0.7 * this.radius;
+    for (let i = 0; i < this.cloud.length; i += 3) {
+      const q = this.home.target.map((c, d) => this.cloud[i + d] - c);
+      distance = Math.max(distance, 1.08 * Math.max(Math.abs(dot(x, q)) / (half * width), Math.abs(dot(y, q)) / (half * height)) + dot(z, q));
+    }
+    this.distance = (distance * (this.distance || 1)) / (this.home.distance || 1);
+    if (!this.home.distance) this.distance = distance;
+    this.home.distance = distance;
+    Object.assign(this, here);
   }
 
   reset() {

@@ -48,7 +48,7 @@ class Chart {
     const known = series ? Array.from(series.values).filter(Number.isFinite) : [];
     let low = Math.min(0, ...bounds(known)), high = Math.max(0, ...bounds(known));
     if (high === low) high = low + 1;
-    const [factor] = prefixed(Math.max(-low, high), series?.unit ?? ""), rise = round(((high - low) / factor) / 2);
+    const [factor, unit] = prefixed(Math.max(-low, high), series?.unit ?? ""), rise = round(((high - low) / factor) / 2);
     low = Math.floor(low / factor / rise + 1e-9) * rise * factor;
     high = Math.max(high, Math.ceil(high / factor / rise - 0.6) * rise * factor);
     /** @param {number} value */
@@ -60,7 +60,7 @@ class Chart {
       pen.strokeStyle = colors.grid;
       stroke(pen, [[left, y(value * factor)], [right, y(value * factor)]]);
       pen.fillStyle = colors.muted;
-      pen.fillText(num(value), left - 7, y(value * factor));
+      pen.fillText(num(value) + (value + rise > (high / factor) * 1.0001 ? ` ${unit}` : ""), left - 7, y(value * factor));
     }
     const first = run.time[0], last = run.time[run.frames - 1], beat = round((last - first || 1) / Math.max(2, (right - left) / 110));
     pen.textBaseline = "alphabetic";

@@ -26,7 +26,9 @@ class Run {
     const levels = header.arrays.vertices;
     this.header = header;
     this.time = new Float64Array(data, header.arrays.time.offset, count(header.arrays.time));
-    [this.users, this.frames, this.vertices] = levels.shape;
+    this.users = levels.shape[0];
+    this.frames = levels.shape[1];
+    this.vertices = levels.shape[2];
     this.levels = accumulated(new Uint8Array(data, levels.offset, 2 * count(levels)), levels.shape);
     this.rest = single("rest");
     this.triangles = whole("triangles");
@@ -57,10 +59,11 @@ class Run {
     const size = 3 * this.vertices, frame = Math.min(Math.floor(at), this.frames - 1), share = at - frame;
     const here = (user * this.frames + frame) * size, next = share > 0 ? here + size : here;
     const { low, step } = this.header;
-    for (let i = 0; i < size; i++) {
-      const a = this.levels[here + i], d = i % 3;
-      out[i] = low[d] + step[d] * (a + share * (this.levels[next + i] - a));
-    }
+    for (let d = 0; d < 3; d++)
+      for (let i = d; i < size; i += 3) {
+        const a = this.levels[here + i];
+        out[i] = low[d] + step[d] * (a + share * (this.levels[next + i] - a));
+      }
   }
 
   /** A row of a track, straight between frames. @param {ArrayLike<number>} track @param {number} width @param {number} at */
@@ -100,13 +103,15 @@ function count(entry) {
 function accumulated(halves, [users, frames, vertices]) {
   const size = 3 * vertices, total = users * frames * size;
   const levels = new Uint16Array(total);
-  for (let at = 0; at < total; at++) {
-    const coded = halves[at] | (halves[total + at] << 8);
-    const frame = Math.floor(at / size) % frames;
-    let level = (coded >> 1) ^ -(coded & 1);
-    if (frame > 0) level += levels[at - size];
-    if (frame > 1) level += levels[at - size] - levels[at - 2 * size];
-    levels[at] = level;
+  for (let row = 0; row < users * frames; row++) {
+    const once = row % frames > 0 ? size : 0, twice = row % frames > 1 ? size : 0;
+    for (let at = row * size; at < (row + 1) * size; at++) {
+      const coded = halves[at] | (halves[total + at] << 8);
+      let level = (coded >> 1) ^ -(coded & 1);
+      if (once) level += levels[at - size];
+      if (twice) level += levels[at - size] - levels[at - 2 * size];
+      levels[at] = level; // modulo 2^16
+    }
   }
   return levels;
 }

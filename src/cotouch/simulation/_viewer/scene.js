@@ -5,6 +5,7 @@
 /** @typedef {{places: Float32Array, normals: Float32Array, values: Float32Array, texels: Float32Array, place: WebGLBuffer, normal: WebGLBuffer, value: WebGLBuffer, array: WebGLVertexArrayObject, texture: WebGLTexture}} Copy */
 
 const WIDE = 1024; // texels in a row, as in shapes.js
+const APART = 0.015; // of the extent: a ghost so far from the solid copy is seen fully
 
 class Scene {
   /** @param {WebGL2RenderingContext} gl @param {Run} run */
@@ -18,43 +19,12 @@ class Scene {
     this.ends = this.filled(gl.ARRAY_BUFFER, run.edges);
     this.copies = Array.from({ length: run.users }, () => this.copy());
     this.lines = this.edgeArray();
-    this.measure();
+    /** @type {Touch[]} */
+    this.touches = []; // as they are at the moment
+    this.sizes = measured(run);
     gl.enable(gl.DEPTH_TEST);
     gl.enable(gl.BLEND);
     gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-  }
-
-  /** Sizes: the object's box, what is to be seen, arrows, dots, floor. */
-  measure() {
-    const { low, step } = this.run.header, { tools, grips } = this.run;
-    const size = step.map((s) => 65535 * s), middle = low.map((l, d) => l + size[d] / 2);
-    this.middle = middle;
-    this.size = size;
-    const reach = tools.radius.reduce((a, b) => Math.max(a, b), 0);
-    this.extent = Math.hypot(...size) || 8 * reach || 1; // a single point has no size
-    this.flat = size[2] < 1e-6 * this.extent;
-    this.peak = [tools, grips].reduce((most, touch) => touch.force.reduce((m, _, i, f) =>
-      i % 3 ? m : Math.max(m, Math.hypot(f[i], f[i + 1], f[i + 2])), most), 0);
-    this.metresPerNewton = this.peak > 0 ? (0.3 * this.extent) / this.peak : 0;
-    let radius = this.extent / 2, bottom = low[2];
-    for (const touch of [tools, grips])
-      for (let i = 0; i < touch.place.length; i += 3) {
-        const r = touch.radius[(i / 3) % touch.owner.length], p = [0, 1, 2].map((d) => touch.place[i + d] - middle[d]);
-        const tip = p.map((v, d) => v + this.metresPerNewton * touch.force[i + d]);
-        radius = Math.max(radius, Math.hypot(...p) + r, Math.hypot(...tip) + r);
-        bottom = Math.min(bottom, middle[2] + p[2] - r);
-      }
-    this.radius = radius;
-    this.floor = bottom - 0.02 * this.extent;
-    this.pitch = round(this.extent / 5);
-    this.dot = 0.02 * this.extent;
-    const { edges, rest } = this.run;
-    if (edges.length) {
-      let length = 0;
-      for (let k = 0; k < edges.length; k += 2)
-        length += Math.hypot(...[0, 1, 2].map((d) => rest[3 * edges[k] + d] - rest[3 * edges[k + 1] + d]));
-      this.dot = Math.min(this.dot, (0.26 * length) / edges.length) || this.dot; // an eighth of an edge
-    }
   }
 
   /** @param {number} kind @param {Float32Array | Uint32Array} data @returns {WebGLBuffer} */
@@ -118,16 +88,20 @@ class Scene {
     return array;
   }
 
-  /** Brings all copies to a moment. @param {number} at @param {"displacement" | "difference"} field @param {number} most [m] */
-  move(at, field, most) {
+  /** Brings all copies to a moment. @param {number} at @param {"displacement" | "difference"} field @param {number} most [m] @param {number} solid the copy from which the ghosts are away; -1 for no ghosts */
+  move(at, field, most, solid) {
     const { run, copies } = this;
     copies.forEach((copy, user) => run.copy(user, at, copy.places));
-    const from = field === "displacement" ? run.rest : mean(copies.map((copy) => copy.places));
-    for (const copy of copies) {
+    const origin = field === "displacement" ? run.rest : mean(copies.map((copy) => copy.places));
+    copies.forEach((copy, user) => {
+      const ghost = solid >= 0 && user !== solid, from = ghost ? copies[solid].places : origin, scale = ghost ? APART * this.sizes.extent : most || 1;
       for (let v = 0, i = 0; v < copy.values.length; v++, i += 3)
-        copy.values[v] = Math.hypot(copy.places[i] - from[i], copy.places[i + 1] - from[i + 1], copy.places[i + 2] - from[i + 2]) / (most || 1);
+        {
+        const x = copy.places[i] - from[i], y = copy.places[i + 1] - from[i + 1], z = copy.places[i + 2] - from[i + 2];
+        copy.values[v] = Math.sqrt(x * x + y * y + z * z) / scale; // much faster than hypot
+      }
       this.upload(copy);
-    }
+    });
     this.touches = [run.tools, run.grips].map((touch) => ({
       ...touch, place: run.row(touch.place, 3 * touch.owner.length, at), force: run.row(touch.force, 3 * touch.owner.length, at),
     }));
@@ -172,13 +146,7 @@ class Scene {
       gl.clear(gl.DEPTH_BUFFER_BIT);
       this.ground(colors[colors.length - 1]);
       this.body(this.copies[tile.solid], [0, 0, 0], 0, area, ratio);
-      for (const ghost of tile.ghosts) {
-        gl.clear(gl.DEPTH_BUFFER_BIT); // a ghost shines through all copies, but not through itself
-        gl.colorMask(false, false, false, false);
-        this.body(this.copies[ghost], [0, 0, 0], 1, area, ratio);
-        gl.colorMask(true, true, true, true);
-        this.body(this.copies[ghost], colors[ghost], this.run.triangles.length ? 0.8 : 0.4, area, ratio);
-      }
+      for (const ghost of tile.ghosts) this.ghost(this.copies[ghost], colors[ghost], area, ratio);
       if (tile.ghosts.length) {
         gl.clear(gl.DEPTH_BUFFER_BIT);
         gl.colorMask(false, false, false, false);
@@ -189,16 +157,27 @@ class Scene {
     }
   }
 
+  /** A surface shines through all other copies, but not through itself; nodes and edges stand beside the solid ones. @param {Copy} copy @param {number[]} color @param {number[]} area @param {number} ratio */
+  ghost(copy, color, area, ratio) {
+    const { gl } = this;
+    if (!this.run.triangles.length) return this.body(copy, color, 0.45, area, ratio);
+    gl.clear(gl.DEPTH_BUFFER_BIT);
+    gl.colorMask(false, false, false, false);
+    this.body(copy, color, 1, area, ratio);
+    gl.colorMask(true, true, true, true);
+    this.body(copy, color, 0.85, area, ratio);
+  }
+
   /** @param {number[]} color */
   ground(color) {
-    const { gl, extent } = this, { made, at } = this.programs.floor;
+    const { gl } = this, { extent, middle, size, floor, pitch } = this.sizes, { made, at } = this.programs.floor;
     gl.useProgram(made);
     gl.depthMask(false);
-    gl.uniform3f(at.centre, this.middle[0], this.middle[1], this.floor);
+    gl.uniform3f(at.centre, middle[0], middle[1], floor);
     gl.uniform3fv(at.color, color);
-    gl.uniform2f(at.shade, 0.45 * this.size[0] + 0.06 * extent, 0.45 * this.size[1] + 0.06 * extent);
+    gl.uniform2f(at.shade, 0.45 * size[0] + 0.06 * extent, 0.45 * size[1] + 0.06 * extent);
     gl.uniform1f(at.reach, 1.1 * extent);
-    gl.uniform1f(at.pitch, this.pitch);
+    gl.uniform1f(at.pitch, pitch);
     gl.bindVertexArray(this.empty);
     gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
     gl.depthMask(true);
@@ -227,7 +206,7 @@ class Scene {
     gl.bindVertexArray(this.lines);
     gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, run.edges.length / 2);
     gl.useProgram(points.made);
-    gl.uniform1f(points.at.radius, this.dot);
+    gl.uniform1f(points.at.radius, this.sizes.dot);
     gl.uniform1f(points.at.height, area[3]);
     gl.bindVertexArray(this.empty);
     gl.drawArrays(gl.POINTS, 0, run.vertices);
@@ -235,25 +214,25 @@ class Scene {
 
   /** Tools, grips and their forces; what the object hides shines through it. @param {number[]} users @param {number[][]} colors */
   hands(users, colors) {
-    const { gl, extent } = this;
+    const { gl } = this, { extent, metresPerNewton } = this.sizes;
     gl.useProgram(this.programs.solid.made);
     for (const hidden of [true, false]) {
       gl.depthFunc(hidden ? gl.GREATER : gl.LEQUAL);
       gl.depthMask(!hidden);
-      for (const touch of this.touches ?? [])
+      for (const touch of this.touches)
         touch.owner.forEach((user, k) => {
           if (!users.includes(user)) return;
           const color = [...colors[user], hidden ? 0.22 : 1];
           const place = [...touch.place.subarray(3 * k, 3 * k + 3)], force = [...touch.force.subarray(3 * k, 3 * k + 3)];
           const radius = touch.radius[k] || 0.011 * extent;
           this.solid("ball", color, [radius, radius, radius], place, [0, 0, 1]);
-          const size = Math.hypot(...force), length = size * this.metresPerNewton;
+          const size = Math.hypot(...force), length = size * metresPerNewton;
           if (length < 0.004 * extent) return;
-          const way = force.map((f) => f / size), head = Math.min(0.075 * extent, 0.5 * length), thick = 0.15 * head;
+          const way = force.map((f) => f / size), head = Math.min(0.06 * extent, 0.5 * length), thick = 0.13 * head;
           const from = touch.radius[k] ? radius : 0; // arrows leave a ball at its surface
           const foot = place.map((p, d) => p + from * way[d]), neck = foot.map((p, d) => p + (length - head) * way[d]);
           this.solid("rod", color, [thick, thick, length - head], foot, way);
-          this.solid("cone", color, [2.6 * thick, 2.6 * thick, head], neck, way);
+          this.solid("cone", color, [2.7 * thick, 2.7 * thick, head], neck, way);
         });
     }
     gl.depthMask(true);
@@ -274,6 +253,33 @@ class Scene {
   }
 }
 
+/** Sizes: the object's box, what is to be seen, arrows, dots, floor. @param {Run} run */
+function measured(run) {
+  const { low, step } = run.header, touches = [run.tools, run.grips];
+  const size = step.map((s) => 65535 * s), middle = low.map((l, d) => l + size[d] / 2);
+  const reach = run.tools.radius.reduce((a, b) => Math.max(a, b), 0);
+  const extent = Math.hypot(...size) || 8 * reach || 1; // a single point has no size
+  const peak = touches.reduce((most, touch) => touch.force.reduce((m, _, i, f) =>
+    i % 3 ? m : Math.max(m, Math.hypot(f[i], f[i + 1], f[i + 2])), most), 0);
+  const metresPerNewton = peak > 0 ? (0.3 * extent) / peak : 0;
+  const cloud = Array.from({ length: 24 }, (_, i) => low[i % 3] + ((Math.floor(i / 3) >> i % 3) & 1) * size[i % 3]);
+  let bottom = low[2];
+  for (const touch of touches)
+    for (let i = 0; i < touch.place.length; i += 3) {
+      const r = touch.radius[(i / 3) % touch.owner.length], p = touch.place.subarray(i, i + 3);
+      const f = Math.hypot(...touch.force.subarray(i, i + 3)) || 1;
+      for (const d of [0, 1, 2]) cloud.push(p[0] + (d === 0 ? r : 0), p[1] + (d === 1 ? r : 0), p[2] + (d === 2 ? r : -r));
+      cloud.push(...[0, 1, 2].map((d) => p[d] + (metresPerNewton + r / f) * touch.force[i + d]));
+      bottom = Math.min(bottom, p[2] - r);
+    }
+  const { edges, rest } = run;
+  let dot = 0.02 * extent, length = 0;
+  for (let k = 0; k < edges.length; k += 2)
+    length += Math.hypot(...[0, 1, 2].map((d) => rest[3 * edges[k] + d] - rest[3 * edges[k + 1] + d]));
+  if (length > 0) dot = Math.min(dot, (0.2 * length) / edges.length); // a tenth of an edge
+  return { size, middle, extent, peak, metresPerNewton, cloud, dot, floor: bottom - 0.02 * extent, pitch: round(extent / 5), flat: size[2] < 1e-6 * extent };
+}
+
 /** @param {Float32Array[]} arrays */
 function mean(arrays) {
   const result = new Float32Array(arrays[0].length);
@@ -289,15 +295,13 @@ function smooth(p, corners, n) {
     const ux = p[b] - p[a], uy = p[b + 1] - p[a + 1], uz = p[b + 2] - p[a + 2];
     const vx = p[c] - p[a], vy = p[c + 1] - p[a + 1], vz = p[c + 2] - p[a + 2];
     const x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
-    for (const i of [a, b, c]) {
-      n[i] += x;
-      n[i + 1] += y;
-      n[i + 2] += z;
-    }
+    n[a] += x; n[a + 1] += y; n[a + 2] += z;
+    n[b] += x; n[b + 1] += y; n[b + 2] += z;
+    n[c] += x; n[c + 1] += y; n[c + 2] += z;
   }
   // The area of a small triangle is near the smallest numbers a card can square; normalise here.
   for (let i = 0; i < n.length; i += 3) {
-    const size = Math.hypot(n[i], n[i + 1], n[i + 2]) || 1;
+    const size = Math.sqrt(n[i] * n[i] + n[i + 1] * n[i + 1] + n[i + 2] * n[i + 2]) || 1;
     n[i] /= size;
     n[i + 1] /= size;
     n[i + 2] /= size;

@@ -36,8 +36,10 @@ uniform vec3 color; uniform float ghost;
 out vec4 result;
 void main() {
   vec3 eye = normalize(-p), m = normalize(n);
-  if (dot(m, eye) < 0.0) m = -m;
-  if (ghost > 0.0) result = vec4(color, ghost * (0.05 + 0.95 * pow(1.0 - dot(m, eye), 2.2)));
+  if (!gl_FrontFacing) m = -m;
+  float rim = 1.0 - clamp(dot(m, eye), 0.0, 1.0);
+  // Seen only where it is away from the solid copy: what agrees needs no ghost.
+  if (ghost > 0.0) result = vec4(color, ghost * smoothstep(0.05, 1.0, v) * (0.1 + 0.9 * pow(rim, 1.6)));
   else result = vec4(lit(ramp(v), m, eye, 0.16), 1.0);
 }`,
 ];
@@ -47,12 +49,12 @@ const FETCH = "uniform sampler2D places;\nvec4 node(int i) { return texelFetch(p
 
 const POINTS = [
   `${HEAD}${FETCH}
-uniform mat4 view, projection; uniform float radius, height;
+uniform mat4 view, projection; uniform float radius, height, ghost;
 out float v;
 void main() {
   vec4 q = node(gl_VertexID);
   v = q.w; gl_Position = projection * view * vec4(q.xyz, 1.0);
-  gl_PointSize = max(radius * projection[1][1] * height / gl_Position.w, 2.0);
+  gl_PointSize = max(radius * (ghost > 0.0 ? 0.8 : 1.0) * projection[1][1] * height / gl_Position.w, 2.0);
 }`,
   `${HEAD}${LIGHT}
 in float v;
