@@ -27,7 +27,7 @@ _SCRIPTS: Final = ("data.js", "camera.js", "shapes.js", "scene.js", "chart.js", 
 
 @final
 @dataclass(frozen=True, eq=False, kw_only=True)
-class Tools:
+class ToolTracks:
     """Spheres with which users touch the object.
 
     Args:
@@ -61,7 +61,7 @@ class Tools:
 
 @final
 @dataclass(frozen=True, eq=False, kw_only=True)
-class Grips:
+class GripTracks:
     """Hands that hold the object at a point, without a tool.
 
     Args:
@@ -85,7 +85,7 @@ class Grips:
 
 @final
 @dataclass(frozen=True, eq=False, kw_only=True)
-class Series:
+class UserSeries:
     """A number of every user over time, for the chart and the table.
 
     Args:
@@ -160,10 +160,10 @@ class Animation:
     triangles: Int
     edges: Int
     rest: Single
-    tools: Tools
-    grips: Grips
+    tools: ToolTracks
+    grips: GripTracks
     links: tuple[tuple[int, int], ...]
-    series: tuple[Series, ...]
+    series: tuple[UserSeries, ...]
 
     def __init__(
         self,
@@ -177,10 +177,10 @@ class Animation:
         skin: Skin | None = None,
         displacement: npt.ArrayLike | None = None,
         rest: npt.ArrayLike | None = None,
-        tools: Tools | None = None,
-        grips: Grips | None = None,
+        tools: ToolTracks | None = None,
+        grips: GripTracks | None = None,
         links: Sequence[tuple[int, int]] = (),
-        series: Sequence[Series] = (),
+        series: Sequence[UserSeries] = (),
     ) -> None:
         names = tuple(users)
         if not names:
@@ -217,8 +217,8 @@ class Animation:
         if start.shape != (count, 3):
             raise BodyError(f"vertices at rest are {_size(start)}; there are {count} vertices")
         nothing = np.zeros((when.size, 0, 3))
-        spheres = tools or Tools(owner=[], centre=nothing, radius=[], force=nothing)
-        hands = grips or Grips(owner=[], place=nothing, force=nothing)
+        spheres = tools or ToolTracks(owner=[], centre=nothing, radius=[], force=nothing)
+        hands = grips or GripTracks(owner=[], place=nothing, force=nothing)
         for name, owner, tracks in (
             ("tool", spheres.owner, (spheres.centre, spheres.force)),
             ("grip", hands.owner, (hands.place, hands.force)),
