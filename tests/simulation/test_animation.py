@@ -568,8 +568,8 @@ def test_a_user_feels_the_tool_less_what_the_hand_gives(running: Browser, tmp_pa
     """3 N from the tool; the hand pulls the object with 1 N along, so is pulled back by as much."""
     track = np.zeros((FRAMES, 1, 3))
     shown = made(
-        tools=ToolTracks(owner=[1], centre=track, radius=0.01, force=track + [3.0, 0.0, 0.0]),
-        grips=GripTracks(owner=[1], place=track, force=track + [1.0, 0.0, 0.0]),
+        tools=ToolTracks(owner=[1], centre=track, radius=0.01, force=track + np.array([3.0, 0.0, 0.0])),
+        grips=GripTracks(owner=[1], place=track, force=track + np.array([1.0, 0.0, 0.0])),
     )
     opened = Opened(running, shown.write(tmp_path / "felt.html"), **STILL).ready()
     opened.picture()
