@@ -27,7 +27,7 @@ check: $(STAMP)
 # For the tests of the animation's page; without one they are skipped, and say so.
 browser:
 	@command -v chromium >/dev/null || { command -v apt-get >/dev/null && test "$$(id -u)" = 0 \
-		&& DEBIAN_FRONTEND=noninteractive apt-get install --yes --quiet chromium; } \
+		&& apt-get update --quiet && DEBIAN_FRONTEND=noninteractive apt-get install --yes --quiet chromium; } \
 		|| echo "no chromium here and no way to install it: tests in a browser will be skipped"
 
 test: check browser

@@ -101,13 +101,14 @@ def test_everything_else_comes_back() -> None:
     assert (header["users"], header["links"]) == (["Ann", "Ben"], [[0, 1]])
     assert header["tools"] == {"owner": [1, 0], "radius": [0.1, 0.2]}
     assert header["grips"] == {"owner": [0, 0]}
-    assert header["series"] == [{"name": "Age", "unit": "s"}]
+    assert header["series"] == [{"name": "Force", "unit": "N"}, {"name": "Age", "unit": "s"}]
     assert np.array_equal(arrays["time"], TIME)
     assert arrays["triangles"].tolist() == [[0, 1, 2]]
     assert arrays["edges"].size == 0
     for name, given in zip(("tool_centre", "tool_force", "grip_place", "grip_force"), tracks, strict=True):
         assert np.array_equal(arrays[name], given.astype(np.float32))
-    assert np.array_equal(arrays["series_0"], values.astype(np.float32), equal_nan=True)
+    assert np.array_equal(arrays["series_0"], shown.felt().astype(np.float32))
+    assert np.array_equal(arrays["series_1"], values.astype(np.float32), equal_nan=True)
 
 
 def test_peaks_by_hand() -> None:
@@ -130,13 +131,17 @@ def test_smooth_motion_is_small() -> None:
 
 
 def test_the_same_animation_gives_the_same_page() -> None:
-    assert made().page() == made().page()
+    """Also at another time of day, which gzip would write down."""
+    page = made().page()
+    assert page == made().page()
+    text = re.findall(r'id="data">(.*?)</script>', page)[0]
+    assert base64.b64decode(text)[4:8] == bytes(4)
 
 
 def test_what_users_write_is_text() -> None:
     nasty = '</script><b>"$header&'
     page = made(title=nasty, users=[nasty, "Ben"]).page()
-    assert page.count("</script>") == 3
+    assert page.count("</script>") == 4
     assert "<b>" not in page
     assert unpacked(page)[0]["users"][0] == nasty
 
@@ -150,7 +155,7 @@ def test_the_page_asks_for_nothing() -> None:
 def test_assets_are_in_the_package() -> None:
     viewer = files("cotouch.simulation").joinpath("_viewer")
     names = {entry.name for entry in viewer.iterdir()}
-    assert {"index.html", "style.css", "app.js", "data.js"} <= names
+    assert {"index.html", "style.css", "shaders.glsl", "app.js", "data.js"} <= names
 
 
 # ---- what goes in
@@ -165,6 +170,22 @@ def test_a_skin_carries_the_displacement() -> None:
     assert np.array_equal(shown.triangles, skin.triangles)
     assert np.allclose(shown.rest, skin.vertices)
     assert np.allclose(shown.vertices[7, 1], skin.vertices + skin.carried(moved[7, 1]), atol=1e-6)
+
+
+def test_a_user_feels_the_tools_less_what_the_hands_give() -> None:
+    """3 N from a tool and 4 N across from another; the hand pulls with 1 N along, so is pulled back by as much."""
+    track = np.zeros((FRAMES, 1, 3))
+    along, across = np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0])
+    shown = made(
+        tools=ToolTracks(
+            owner=[1, 1],
+            centre=np.zeros((FRAMES, 2, 3)),
+            radius=0.01,
+            force=np.concatenate([track + 3 * along, track + 4 * across], axis=1),
+        ),
+        grips=GripTracks(owner=[1], place=track, force=track + along),
+    )
+    assert shown.felt() == pytest.approx(np.array([[0.0, 20.0**0.5]] * FRAMES))
 
 
 @pytest.mark.parametrize("axes", [1, 2])
@@ -377,9 +398,12 @@ def test_it_plays_by_itself_and_asks_for_nothing(running: Browser, path: Path) -
     opened.page.context.close()
 
 
-def test_it_stands_still_for_those_who_want_that(still: Opened) -> None:
-    assert still.state("playing") is False
-    assert still.state("frame") == PEAK
+def test_it_stands_still_for_those_who_want_that(running: Browser, path: Path) -> None:
+    opened = Opened(running, path, **STILL).ready()
+    opened.picture()
+    opened.picture()
+    assert (opened.state("playing"), opened.state("frame")) == (False, 0)
+    opened.page.context.close()
 
 
 def test_copies_are_where_they_were_written(still: Opened, path: Path) -> None:
@@ -564,16 +588,14 @@ def test_nodes_without_a_surface(running: Browser, tmp_path: Path, edges: list[l
     opened.page.context.close()
 
 
-def test_a_user_feels_the_tool_less_what_the_hand_gives(running: Browser, tmp_path: Path) -> None:
-    """3 N from the tool; the hand pulls the object with 1 N along, so is pulled back by as much."""
-    track = np.zeros((FRAMES, 1, 3))
-    shown = made(
-        tools=ToolTracks(owner=[1], centre=track, radius=0.01, force=track + np.array([3.0, 0.0, 0.0])),
-        grips=GripTracks(owner=[1], place=track, force=track + np.array([1.0, 0.0, 0.0])),
-    )
-    opened = Opened(running, shown.write(tmp_path / "felt.html"), **STILL).ready()
+def test_the_table_shows_no_force_where_there_is_none(running: Browser, tmp_path: Path) -> None:
+    shown = made(series=[UserSeries(name="Age", unit="s", values=np.full((FRAMES, 2), 0.05))])
+    opened = Opened(running, shown.write(tmp_path / "age.html"), **STILL).ready()
     opened.picture()
-    assert opened.page.locator("#users tbody td:nth-child(2)").all_inner_texts() == ["0.00", "2.00"]
+    assert opened.page.locator("#users thead").inner_text().split() == ["Age", "ms"]
+    assert opened.page.locator("#users tbody td:nth-child(2)").all_inner_texts() == ["50.0", "50.0"]
+    assert opened.page.locator("#arrow").is_hidden()
+    assert opened.complaints == []
     opened.page.context.close()
 
 

@@ -277,7 +277,9 @@ class Animation:
         packer.add("tool_force", self.tools.force, "f4")
         packer.add("grip_place", self.grips.place, "f4")
         packer.add("grip_force", self.grips.force, "f4")
-        for number, entry in enumerate(self.series):
+        forces = (UserSeries(name="Force", unit="N", values=self.felt()),) if self._touched() else ()
+        series = (*forces, *self.series)
+        for number, entry in enumerate(series):
             packer.add(f"series_{number}", entry.values, "f4")
         displacement, difference = self._peaks()
         header = {
@@ -289,7 +291,7 @@ class Animation:
             "tools": {"owner": self.tools.owner.tolist(), "radius": self.tools.radius.tolist()},
             "grips": {"owner": self.grips.owner.tolist()},
             "links": self.links,
-            "series": [{"name": entry.name, "unit": entry.unit} for entry in self.series],
+            "series": [{"name": entry.name, "unit": entry.unit} for entry in series],
             "peaks": {"displacement": displacement, "difference": difference},
         }
         viewer = files("cotouch.simulation").joinpath("_viewer")
@@ -301,8 +303,21 @@ class Animation:
             style=Template(read["style.css"]).substitute(surface=drawing.SURFACE, alarm=drawing.ALARM, **colors),
             header=json.dumps(header, ensure_ascii=False).replace("<", "\\u003c"),
             data=packer.text(),
+            shaders=viewer.joinpath("shaders.glsl").read_text(encoding="utf-8"),
             script="\n".join(viewer.joinpath(name).read_text(encoding="utf-8") for name in _SCRIPTS),
         )
+
+    def felt(self) -> Float:
+        """Size of the force that every user feels, from all tools and grips together, (F, U) [N]."""
+        total = np.zeros((self.time.size, len(self.users), 3))
+        for track, owner in enumerate(self.tools.owner):
+            total[:, owner] += self.tools.force[:, track]
+        for track, owner in enumerate(self.grips.owner):
+            total[:, owner] -= self.grips.force[:, track]
+        return np.linalg.norm(total, axis=-1)
+
+    def _touched(self) -> bool:
+        return bool(self.tools.owner.size or self.grips.owner.size)
 
     def _peaks(self) -> tuple[float, float]:
         """Largest displacement from rest, and largest distance of a copy's vertex from the mean of the copies [m]."""

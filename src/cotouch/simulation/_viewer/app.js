@@ -327,7 +327,7 @@ class App {
       ? `<svg width="${length + 2}" viewBox="0 0 ${length + 2} 9" aria-hidden="true"><path d="M0 4.5H${Math.max(length - 8, 0)}" stroke="currentColor" stroke-width="2"/><path d="M${length - 9} .5 ${length} 4.5 ${length - 9} 8.5z" fill="currentColor"/></svg>${num(force / factor)} ${unit}` : "";
     element("pitch").textContent = `grid ${num(pitch / metre)} ${metres}`;
     if (this.view === "side") {
-      const frame = Math.min(Math.round(this.at), run.frames - 1), force = run.series[0]?.name === "Force";
+      const frame = Math.min(Math.round(this.at), run.frames - 1), force = scene.sizes.peak > 0;
       for (const { x, y, width, height, solid } of tiles) {
         const tile = add(labels, "span", { class: "tile", style: `left:${x + 12}px;top:${y + 8}px;--own:${this.color(solid)}` });
         add(tile, "span", { class: "swatch", style: "position:static" });

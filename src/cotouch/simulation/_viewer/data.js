@@ -38,20 +38,6 @@ class Run {
     this.grips = { ...header.grips, radius: new Array(grips).fill(0), place: single("grip_place"), force: single("grip_force") };
     /** @type {Series[]} */
     this.series = header.series.map((entry, k) => ({ ...entry, values: single(`series_${k}`) }));
-    if (header.tools.owner.length || grips) this.series.unshift({ name: "Force", unit: "N", values: this.felt() });
-  }
-
-  /** Size of the force that every user feels, by frame and user [N]. */
-  felt() {
-    const total = new Float32Array(this.frames * this.users * 3);
-    for (const [touch, sign] of /** @type {const} */ ([[this.tools, 1], [this.grips, -1]]))
-      for (let f = 0; f < this.frames; f++)
-        touch.owner.forEach((user, k) => {
-          for (let d = 0; d < 3; d++)
-            total[3 * (f * this.users + user) + d] += sign * touch.force[3 * (f * touch.owner.length + k) + d];
-        });
-    return Float32Array.from({ length: this.frames * this.users }, (_, i) =>
-      Math.hypot(total[3 * i], total[3 * i + 1], total[3 * i + 2]));
   }
 
   /** Vertices of a user's copy at a moment between two frames. @param {number} user @param {number} at @param {Float32Array} out */

@@ -4,7 +4,7 @@
 /** @typedef {{owner: number[], radius: number[], place: Float32Array, force: Float32Array}} Touch */
 /** @typedef {{places: Float32Array, normals: Float32Array, values: Float32Array, texels: Float32Array, place: WebGLBuffer, normal: WebGLBuffer, value: WebGLBuffer, array: WebGLVertexArrayObject, texture: WebGLTexture}} Copy */
 
-const WIDE = 1024; // texels in a row, as in shapes.js
+const WIDE = 1024; // texels in a row, as in shaders.glsl
 const APART = 0.015; // of the extent: a ghost so far from the solid copy is seen fully
 
 class Scene {
@@ -12,7 +12,7 @@ class Scene {
   constructor(gl, run) {
     this.gl = gl;
     this.run = run;
-    this.programs = { surface: program(gl, SURFACE), points: program(gl, POINTS), edges: program(gl, EDGES), solid: program(gl, SOLID), floor: program(gl, FLOOR) };
+    this.programs = { surface: program(gl, "surface"), points: program(gl, "points"), edges: program(gl, "edges"), solid: program(gl, "solid"), floor: program(gl, "floor") };
     this.solids = { ball: this.shape(BALL), rod: this.shape(ROD), cone: this.shape(CONE) };
     this.empty = /** @type {WebGLVertexArrayObject} */ (gl.createVertexArray());
     this.corners = this.filled(gl.ELEMENT_ARRAY_BUFFER, run.triangles);
@@ -287,19 +287,21 @@ function mean(arrays) {
   return result;
 }
 
-/** Normals of vertices: the sum of those of their triangles, by area; the card normalises. @param {Float32Array} p @param {Uint32Array} corners @param {Float32Array} n */
+/** Normals of vertices from those of their triangles, the less the longer its sides there [Max 1999], so that slivers leave no dents. @param {Float32Array} p @param {Uint32Array} corners @param {Float32Array} n */
 function smooth(p, corners, n) {
   n.fill(0);
   for (let k = 0; k < corners.length; k += 3) {
     const a = 3 * corners[k], b = 3 * corners[k + 1], c = 3 * corners[k + 2];
     const ux = p[b] - p[a], uy = p[b + 1] - p[a + 1], uz = p[b + 2] - p[a + 2];
     const vx = p[c] - p[a], vy = p[c + 1] - p[a + 1], vz = p[c + 2] - p[a + 2];
+    const wx = vx - ux, wy = vy - uy, wz = vz - uz;
     const x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
-    n[a] += x; n[a + 1] += y; n[a + 2] += z;
-    n[b] += x; n[b + 1] += y; n[b + 2] += z;
-    n[c] += x; n[c + 1] += y; n[c + 2] += z;
+    const u = ux * ux + uy * uy + uz * uz, v = vx * vx + vy * vy + vz * vz, w = wx * wx + wy * wy + wz * wz;
+    if (!(u * v * w > 0)) continue; // two corners in one place
+    n[a] += x / (u * v); n[a + 1] += y / (u * v); n[a + 2] += z / (u * v);
+    n[b] += x / (u * w); n[b + 1] += y / (u * w); n[b + 2] += z / (u * w);
+    n[c] += x / (v * w); n[c + 1] += y / (v * w); n[c + 2] += z / (v * w);
   }
-  // The area of a small triangle is near the smallest numbers a card can square; normalise here.
   for (let i = 0; i < n.length; i += 3) {
     const size = Math.sqrt(n[i] * n[i] + n[i + 1] * n[i + 1] + n[i + 2] * n[i + 2]) || 1;
     n[i] /= size;
