@@ -10,6 +10,7 @@ function element(id) {
 const SPEEDS = [0.05, 0.1, 0.25, 0.5, 1, 2, 4];
 const TOPS = [1, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10];
 const GAP = 1; // pixels between tiles
+const SLOW = 0.07; // seconds between pictures from which on they become coarser
 const [PLAY, PAUSE] = ["M6 3.5v13l11-6.5z", "M5 4h3.6v12H5zM11.4 4H15v12h-3.6z"].map((d) => `<svg viewBox="0 0 20 20"><path d="${d}"/></svg>`);
 
 /** A new element in another. @param {Element} parent @param {string} kind @param {Record<string, string>} attributes @param {string} text */
@@ -39,6 +40,8 @@ class App {
     this.moved = true; // the moment or the colouring is another
     this.stale = true; // the picture is
     this.last = 0;
+    this.pace = 0; // mean time between pictures [s]
+    this.quality = 1; // share of the pixels' density while playing: less where there is no graphics card
     this.framed = [0, 0]; // size of the picture that the camera has been fitted to
     this.help = /** @type {HTMLDialogElement} */ (element("help"));
     /** Largest size in every series, and what its numbers are divided by for their unit. */
@@ -158,6 +161,7 @@ class App {
   play(on) {
     if (on && this.at >= this.run.frames - 1) this.seek(0);
     this.playing = on;
+    this.stale = true; // at rest a picture has all its pixels
     const button = element("play");
     button.innerHTML = on ? PAUSE : PLAY;
     button.setAttribute("aria-label", on ? "Pause" : "Play");
@@ -234,8 +238,10 @@ class App {
 
   /** @param {number} now [ms] */
   tick(now) {
-    const passed = Math.min((now - this.last) / 1000, 0.1);
+    const passed = Math.min((now - this.last) / 1000, 0.25);
     this.last = now;
+    if (this.playing) this.pace += 0.25 * (passed - this.pace);
+    if (this.pace > SLOW && this.quality > 0.5) [this.quality, this.pace] = [0.7 * this.quality, 0];
     if (this.playing && passed > 0) {
       const end = this.run.time[this.run.frames - 1], time = this.run.timeAt(this.at) + passed * this.speed;
       this.seek(this.at >= this.run.frames - 1 ? 0 : time >= end ? this.run.frames - 1 : this.run.momentAt(time));
@@ -266,7 +272,7 @@ class App {
   draw() {
     const { run, scene, colors, lights } = this, canvas = /** @type {HTMLCanvasElement} */ (element("picture"));
     if (!colors || !lights) return;
-    const ratio = Math.min(devicePixelRatio, 2), stage = element("stage");
+    const ratio = Math.min(devicePixelRatio, 2) * (this.playing ? this.quality : 1), stage = element("stage");
     const [width, height] = [stage.clientWidth, stage.clientHeight].map((v) => Math.max(1, Math.round(v * ratio)));
     if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
     const peak = run.header.peaks[this.field], top = peak > 0 ? ceiling(peak) : 0, tiles = this.tiles();
