@@ -478,6 +478,8 @@ def test_side_by_side_shows_each_copy(still: Opened) -> None:
     ann, ben = np.array_split(picture, 2, axis=1)
     assert middle(ann).min() > 150
     assert middle(ben)[1] < 90
+    still.page.keyboard.press("Space")  # plays, and does not press the button again
+    still.until("playing", True)
 
 
 def test_ghosts_show_where_copies_differ(still: Opened) -> None:

@@ -66,9 +66,10 @@ class App {
     const size = run.triangles.length ? counted(run.vertices, "vertex", "vertices") : counted(run.vertices, "node", "nodes");
     element("facts").textContent = `${counted(run.users, "user", "users")} · ${size} each · ${counted(run.frames, "frame", "frames")}`;
     /** @param {string} id @param {() => void} action */
-    const press = (id, action) => element(id).addEventListener("click", (event) => {
-      action();
-      if (event.detail) element(id).blur(); // keys then belong to the page again
+    const press = (id, action) => element(id).addEventListener("click", action);
+    addEventListener("click", (event) => {
+      const target = /** @type {Element} */ (event.target);
+      if (event.detail) /** @type {HTMLElement | null} */ (target.closest("button"))?.blur(); // keys belong to the page again
     });
     press("play", () => this.play(!this.playing));
     press("theme", () => this.theme(!this.dark));
