@@ -530,16 +530,22 @@ def test_arrows_point_where_forces_do(still: Opened) -> None:
 
 
 def test_turning_zooming_and_the_first_view_again(still: Opened) -> None:
-    first = still.picture("#picture")
+    first = turned = still.picture("#picture")
     box = still.page.locator("#picture").bounding_box()
     assert box is not None
     x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
-    still.page.mouse.move(x, y)
-    still.page.mouse.down()
-    still.page.mouse.move(x + 120, y + 40, steps=3)
-    still.page.mouse.up()
-    turned = still.picture("#picture")
-    assert np.abs(turned - first).mean() > 0.5
+    for dx, dy, keys in ((120, 0, []), (0, 40, []), (60, 0, ["Shift"])):
+        before = turned
+        still.page.mouse.move(x, y)
+        for key in keys:
+            still.page.keyboard.down(key)
+        still.page.mouse.down()
+        still.page.mouse.move(x + dx, y + dy, steps=3)
+        still.page.mouse.up()
+        for key in keys:
+            still.page.keyboard.up(key)
+        turned = still.picture("#picture")
+        assert np.abs(turned - before).mean() > 0.5
     still.page.mouse.wheel(0, 600)
     assert np.abs(still.picture("#picture") - turned).mean() > 0.5
     still.page.keyboard.press("r")
