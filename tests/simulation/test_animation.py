@@ -459,7 +459,11 @@ def test_one_copy_alone(still: Opened) -> None:
     """Ann's ball is at rest, so pale; Ben's is displaced most of all, so dark."""
     still.page.keyboard.press("a")
     still.until("view", "alone")
-    ann = middle(still.picture())
+    picture = still.picture()
+    ann = middle(picture)
+    y, x = (extent // 2 for extent in picture.shape[:2])
+    across = picture[y, x - 60 : x + 10].mean(axis=1)
+    assert np.abs(np.diff(across)).max() < 4  # smooth: no triangle is to be seen
     still.page.keyboard.press("2")
     still.until("user", 1)
     ben = middle(still.picture())
@@ -535,7 +539,7 @@ def test_turning_zooming_and_the_first_view_again(still: Opened) -> None:
     assert box is not None
     x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
     for dx, dy, keys in ((120, 0, []), (0, 40, []), (60, 0, ["Shift"])):
-        before = turned
+        before, name = turned, still.page.locator("#labels .name", has_text="Ann").bounding_box()
         still.page.mouse.move(x, y)
         for key in keys:
             still.page.keyboard.down(key)
@@ -546,6 +550,12 @@ def test_turning_zooming_and_the_first_view_again(still: Opened) -> None:
             still.page.keyboard.up(key)
         turned = still.picture("#picture")
         assert np.abs(turned - before).mean() > 0.5
+    moved = still.page.locator("#labels .name", has_text="Ann").bounding_box()
+    assert name is not None
+    assert moved is not None
+    # The last was a move: everything goes along, a little less or more as it is far or near.
+    assert moved["x"] - name["x"] == pytest.approx(60, abs=8)
+    assert moved["y"] == pytest.approx(name["y"], abs=1)
     still.page.mouse.wheel(0, 600)
     assert np.abs(still.picture("#picture") - turned).mean() > 0.5
     still.page.keyboard.press("r")
