@@ -3,7 +3,7 @@ PYTHON ?= python3.11
 BIN := .venv/bin
 STAMP := .venv/.stamp
 
-.PHONY: setup demo test check format bench clean
+.PHONY: setup demo test browser check format bench clean
 
 setup: $(STAMP)
 
@@ -24,7 +24,13 @@ check: $(STAMP)
 	$(BIN)/basedpyright --level error
 	$(BIN)/lint-imports --no-cache
 
-test: check
+# For the tests of the animation's page; without one they are skipped, and say so.
+browser:
+	@command -v chromium >/dev/null || { command -v apt-get >/dev/null && test "$$(id -u)" = 0 \
+		&& apt-get update --quiet && DEBIAN_FRONTEND=noninteractive apt-get install --yes --quiet chromium; } \
+		|| echo "no chromium here and no way to install it: tests in a browser will be skipped"
+
+test: check browser
 	$(BIN)/pytest -n 2 --dist worksteal
 
 format: $(STAMP)

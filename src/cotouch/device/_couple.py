@@ -15,7 +15,7 @@ import numpy.typing as npt
 from cotouch.device._advance import advance
 from cotouch.device._hand import LANES
 from cotouch.device._tables import TOLD, WORK, Devices, DeviceState
-from cotouch.mechanics import Tools, at, credit, kernel, load, modulate, put, splat, store, total
+from cotouch.mechanics import Tools, at, credit, load, modulate, part, put, splat, store, total
 
 Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int64]
@@ -75,7 +75,7 @@ def couplings(count: int) -> Couplings:
     )
 
 
-@kernel
+@part
 def pull_proxy(
     devices: Devices, state: DeviceState, couplings: Couplings, tools: Tools, t: int, end: float, T: float
 ) -> bool:
@@ -125,7 +125,7 @@ def pull_proxy(
     return finite
 
 
-@kernel
+@part
 def tell_device(devices: Devices, state: DeviceState, couplings: Couplings, tools: Tools, t: int, T: float) -> None:
     """Tells a tool's device where its proxy went in the step just taken, and with PSPM what energy is sent."""
     d = at(couplings.device, t)

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.mechanics._kernel import block, kernel
+from cotouch.mechanics._kernel import block, kernel, part
 from cotouch.mechanics._surface import Fit, Surface, box_distance, place_vertex
 
 Float = npt.NDArray[np.float64]
@@ -140,9 +140,7 @@ def nearest_point(place: Float, ia: int, ib: int, ic: int, x: float, y: float, z
         total = va + vb + vc
         v, w = vb / total, vc / total
     near[0, 0], near[0, 1], near[0, 2] = 1.0 - v - w, v, w
-    if where in (1, 4):
-        near[0, 0] = 0.0
-    elif where == 2:
+    if where in (1, 4) or where == 2:
         near[0, 0] = 0.0
     near[1, 0] = ax + v * abx + w * acx
     near[1, 1] = ay + v * aby + w * acy
@@ -150,7 +148,7 @@ def nearest_point(place: Float, ia: int, ib: int, ic: int, x: float, y: float, z
     return where
 
 
-@block
+@part
 def _angle(place: Float, i: int, j: int, k: int) -> float:
     """Angle of a triangle at its corner i [rad]."""
     dot = square = other = 0.0
@@ -163,7 +161,7 @@ def _angle(place: Float, i: int, j: int, k: int) -> float:
     return 0.0 if size == 0.0 else math.acos(min(max(dot / size, -1.0), 1.0))
 
 
-@block
+@part
 def _add_hit(surface: Surface, fit: Fit, hits: Hits, count: int, triangle: int, where: int, centre: Float, t: int) -> int:
     """Notes what one triangle said; returns the new number of hits."""
     ia, ib, ic = surface.corner[triangle, 0], surface.corner[triangle, 1], surface.corner[triangle, 2]
@@ -210,7 +208,7 @@ def _add_hit(surface: Surface, fit: Fit, hits: Hits, count: int, triangle: int, 
     return count
 
 
-@block
+@part
 def _search(
     surface: Surface,
     fit: Fit,
@@ -322,7 +320,7 @@ def touching(
     return within
 
 
-@block
+@part
 def _keep(hits: Hits, found: Contacts, slot: int, tool: int, depth: float, sign: float) -> None:
     """Adds a contact; with no room left, in place of the shallowest if that is shallower."""
     most = found.depth.shape[0]

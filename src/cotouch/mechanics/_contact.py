@@ -87,7 +87,7 @@ def resist(k: float, e: float, free: float, r: float, a: float) -> float:
         return k * max(e, 0.0)
     # Where the contact moves hardly at all, free - d cancels and the law itself is exact; where r is tiny, the reverse.
     force = _law(k, e, d, a)
-    return force if force > 0.0 else 0.0
+    return max(0.0, force)
 
 
 @block

@@ -4,14 +4,14 @@
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.mechanics._kernel import block
+from cotouch.mechanics._kernel import part
 from cotouch.mechanics._surface import Fit, Surface, place_vertex
 from cotouch.mechanics._tools import MOST_HELD, MOST_HELD_MODAL, Tools
 
 Float = npt.NDArray[np.float64]
 
 
-@block
+@part
 def held_place(
     surface: Surface, fit: Fit, hold: int, axis: int, position: Float, lanes: tuple[int, ...]
 ) -> float:
@@ -24,7 +24,7 @@ def held_place(
     return position[surface.hold_row[hold, axis], 0]
 
 
-@block
+@part
 def take(
     surface: Surface, fit: Fit, tools: Tools, t: int, position: Float, lanes: tuple[int, ...]
 ) -> None:
@@ -67,7 +67,7 @@ def take(
     tools.grip_energy[t] = 0.0
 
 
-@block
+@part
 def stretch(
     surface: Surface, fit: Fit, tools: Tools, t: int, c: int, axis: int, position: Float, lanes: tuple[int, ...]
 ) -> float:

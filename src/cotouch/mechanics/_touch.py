@@ -16,7 +16,7 @@ from cotouch.mechanics._collide import touching
 from cotouch.mechanics._columns import read_column, solve_columns
 from cotouch.mechanics._contact import sweep
 from cotouch.mechanics._grasp import stretch, take
-from cotouch.mechanics._kernel import block
+from cotouch.mechanics._kernel import block, part
 from cotouch.mechanics._operator import Operator, row_sum
 from cotouch.mechanics._solve import divide
 from cotouch.mechanics._state import ITERATIONS, SUPPLIED, Grips, Links, State, Workspace
@@ -26,7 +26,6 @@ from cotouch.mechanics._tools import (
     AWAY,
     DRIVE,
     GRASP,
-    MOST_HELD,
     PROXY,
     TOUCH,
     TOUCH_LOSS,
@@ -140,13 +139,13 @@ def touch_step(
     book_energies(op, state, local_damping, extra_damping, T, work, books, lanes)
 
 
-@block
+@part
 def _scale(op: Operator, work: Workspace) -> float:
     families = op.entries.shape[0]
     return work.scale[0] if families == 1 else 1.0 if families > 1 else 0.0
 
 
-@block
+@part
 def _meet(
     surface: Surface,
     tools: Tools,
@@ -227,7 +226,7 @@ def _meet(
     return axes
 
 
-@block
+@part
 def _drive(tools: Tools, touch: TouchWork, T: float) -> None:
     """The proxies' own `a ŵ = drive` [Lee & Huang 2010, proxy]."""
     for t in range(tools.first, tools.last):
@@ -240,13 +239,13 @@ def _drive(tools: Tools, touch: TouchWork, T: float) -> None:
             touch.drive[3 * p + a] = inertia * tools.rate[t, a] + wish - k * tools.place[t, a]
 
 
-@block
+@part
 def _gain(tools: Tools, t: int, T: float) -> float:
     """Coefficient of a held node's velocity in the force of its spring; 0 where nothing is held."""
     return tools.grip_damping[t] + 0.5 * T * tools.grip_stiffness[t] if tools.held[t] > 0 else 0.0
 
 
-@block
+@part
 def _hold(
     surface: Surface,
     tools: Tools,
@@ -283,7 +282,7 @@ def _hold(
     return count
 
 
-@block
+@part
 def _gather(
     surface: Surface,
     tools: Tools,
@@ -320,7 +319,7 @@ def _gather(
     return q
 
 
-@block
+@part
 def _factorise(matrix: Float, size: int) -> None:
     """Cholesky factor in the lower triangle, in place."""
     for p in range(size):
@@ -331,7 +330,7 @@ def _factorise(matrix: Float, size: int) -> None:
             matrix[p, q] = math.sqrt(entry) if p == q else entry / matrix[q, q]
 
 
-@block
+@part
 def _correct(touch: TouchWork, ports: int, diagonal: Float, field: Float, lanes: tuple[int, ...]) -> None:
     """Turns `D⁻¹ b` into `(D + Hᵀ c H)⁻¹ b` (Woodbury)."""
     rows, factor, reading = field.shape[0], touch.port_factor, touch.port_reading
@@ -357,7 +356,7 @@ def _correct(touch: TouchWork, ports: int, diagonal: Float, field: Float, lanes:
             store(field, i, load(field, i, lanes) - (1.0 / diagonal[i]) * push, lanes)
 
 
-@block
+@part
 def _elements(
     surface: Surface,
     tools: Tools,
@@ -412,7 +411,7 @@ def _elements(
     return used
 
 
-@block
+@part
 def _tangents(direction: Float, n: int) -> None:
     """Two unit vectors across a normal [Duff et al. 2017]."""
     x, y, z = direction[n, 0], direction[n, 1], direction[n, 2]
@@ -423,7 +422,7 @@ def _tangents(direction: Float, n: int) -> None:
     direction[n + 2, 0], direction[n + 2, 1], direction[n + 2, 2] = b, sign + y * y * a, -y
 
 
-@block
+@part
 def _contact_column(
     surface: Surface, touch: TouchWork, c: int, element: int, column: int, wide: bool, modal: bool
 ) -> None:
@@ -462,7 +461,7 @@ def _contact_column(
     work.entries[column] = count
 
 
-@block
+@part
 def _modal_columns(touch: TouchWork, ports: int, used: int, diagonal: Float) -> None:
     """`A⁻¹ h_c` where A is diagonal but for ports."""
     work = touch.columns
@@ -475,7 +474,7 @@ def _modal_columns(touch: TouchWork, ports: int, used: int, diagonal: Float) -> 
         _correct(touch, ports, diagonal, answer, FOUR)
 
 
-@block
+@part
 def _small(
     tools: Tools,
     touch: TouchWork,
@@ -550,13 +549,13 @@ def _small(
             touch.compliance[k, j] = T * value
 
 
-@block
+@part
 def touch_contact(element: int, elements: int, count: int) -> int:
     """Contact of an element."""
     return element // (elements // count)
 
 
-@block
+@part
 def _substitute(factor: Float, size: int, values: Float) -> None:
     """Solves with a Cholesky factor, in place."""
     for i in range(size):
@@ -570,7 +569,7 @@ def _substitute(factor: Float, size: int, values: Float) -> None:
         values[i] /= factor[i, i]
 
 
-@block
+@part
 def _substitute_column(factor: Float, size: int, values: Float, j: int) -> None:
     """The same for a column of a matrix."""
     for i in range(size):
@@ -584,7 +583,7 @@ def _substitute_column(factor: Float, size: int, values: Float, j: int) -> None:
         values[i, j] /= factor[i, i]
 
 
-@block
+@part
 def _back(
     op: Operator,
     tools: Tools,
@@ -661,7 +660,7 @@ def _back(
                 touch.reading[c, a] *= factor
 
 
-@block
+@part
 def _settle_contacts(
     tools: Tools, touch: TouchWork, T: float, count: int, axes: int, touch_books: Float, wide: bool
 ) -> None:
@@ -684,7 +683,7 @@ def _settle_contacts(
             tools.account[t] += T * force * (body - proxy)
 
 
-@block
+@part
 def _settle_tools(
     surface: Surface,
     tools: Tools,
@@ -729,7 +728,7 @@ def _settle_tools(
         touch_books[TOUCH_STORED] += tools.account[t] + tools.grip_energy[t]
 
 
-@block
+@part
 def _held_rate(surface: Surface, hold: int, axis: int, mean: Float) -> float:
     """Mean velocity of something held along an axis [m/s]."""
     axes, rows = surface.hold_row.shape[1], mean.shape[0]
@@ -744,7 +743,7 @@ def _held_rate(surface: Surface, hold: int, axis: int, mean: Float) -> float:
     return rate
 
 
-@block
+@part
 def _add_nodal(
     op: Operator, touch: TouchWork, used: int, values: Float, scale: float, work: Workspace, lanes: tuple[int, ...]
 ) -> tuple[float, float]:
@@ -780,7 +779,7 @@ def _add_nodal(
     return total(gain), total(form)
 
 
-@block
+@part
 def _add_modal(
     touch: TouchWork, used: int, ports: int, work: Workspace, lanes: tuple[int, ...]
 ) -> tuple[float, float]:

@@ -1,5 +1,6 @@
 """Many virtual peers on a virtual network: scenario in, labelled result out."""
 
+from cotouch.simulation._animation import Animation, GripTracks, ToolTracks, UserSeries
 from cotouch.simulation._figures import figures, save_figures
 from cotouch.simulation._metrics import at_times, discrepancy, force_imbalance, hold_window, settling_time, summary
 from cotouch.simulation._peers import PeerRun, run_peers
@@ -11,11 +12,15 @@ from cotouch.simulation._tables import FileTable
 from cotouch.simulation._understood import save_body_figure, understood
 
 __all__ = [
+    "Animation",
     "FileTable",
+    "GripTracks",
     "PeerRun",
     "Prepared",
     "Scenario",
     "Schedule",
+    "ToolTracks",
+    "UserSeries",
     "at_times",
     "dataset",
     "discrepancy",

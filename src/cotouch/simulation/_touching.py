@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.device import DEVICE_BOOKS, Couplings, Devices, DeviceState, pull_proxy, tell_device
-from cotouch.mechanics import AWAY, Grips, Surface, Tools, TouchWork, at, block, load, put, store
+from cotouch.mechanics import AWAY, Grips, Surface, Tools, TouchWork, at, load, part, put, store
 from cotouch.simulation._hands import Hands, grip
 
 Float = npt.NDArray[np.float64]
@@ -98,7 +98,7 @@ def tool_record(count: int, records: int) -> ToolRecord:
     )
 
 
-@block
+@part
 def before_step(touching: Touching, i: int, end: float, T: float) -> bool:
     """What the tools of user i do in a step that ends at `end`; their devices advance to then.
 
@@ -131,7 +131,7 @@ def before_step(touching: Touching, i: int, end: float, T: float) -> bool:
     return finite
 
 
-@block
+@part
 def after_step(touching: Touching, i: int, T: float) -> None:
     """Tells the devices of user i what came of the step."""
     for t in range(at(touching.first, i), at(touching.first, i + 1)):
@@ -139,7 +139,7 @@ def after_step(touching: Touching, i: int, T: float) -> None:
             tell_device(touching.devices, touching.states, touching.couplings, touching.tools, t, T)
 
 
-@block
+@part
 def proxy_energy(touching: Touching, i: int) -> float:
     """Kinetic energy of a user's proxies [J]."""
     energy = 0.0
@@ -149,7 +149,7 @@ def proxy_energy(touching: Touching, i: int) -> float:
     return energy
 
 
-@block
+@part
 def keep_tools(record: ToolRecord, touching: Touching, i: int, entry: int) -> None:
     """Records the tools of one user."""
     tools, couplings, states = touching.tools, touching.couplings, touching.states

@@ -1,0 +1,424 @@
+"""An animation of a run in three dimensions: one HTML file that shows every user's copy, tools and forces."""
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass
+from html import escape
+from importlib.resources import files
+from pathlib import Path
+from string import Template
+from typing import Any, Final, final
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch import drawing
+from cotouch.body import Skin
+from cotouch.errors import BodyError, InputError, NetworkError, ScenarioError
+from cotouch.simulation._pack import Packer
+
+Float = npt.NDArray[np.float64]
+Single = npt.NDArray[np.float32]
+Int = npt.NDArray[np.int32]
+
+# In the order in which they share one scope; see `_viewer/index.html`.
+_SCRIPTS: Final = ("data.js", "camera.js", "shapes.js", "scene.js", "chart.js", "app.js")
+
+
+@final
+@dataclass(frozen=True, eq=False, kw_only=True)
+class ToolTracks:
+    """Spheres with which users touch the object.
+
+    Args:
+        owner: index of each tool's user, (P,), from 0.
+        centre: (F, P, 3) [m].
+        radius: (P,) [m], > 0; or one for all.
+        force: felt by the owner, (F, P, 3) [N].
+
+    Raises:
+        InputError: an array has the wrong shape or a number that is not finite.
+    """
+
+    owner: Int
+    centre: Float
+    radius: Float
+    force: Float
+
+    def __init__(
+        self, *, owner: npt.ArrayLike, centre: npt.ArrayLike, radius: npt.ArrayLike, force: npt.ArrayLike
+    ) -> None:
+        who = _indices("tool owners", owner, 1, InputError)
+        size = _numbers("tool radii", radius, InputError)
+        size = np.full(who.shape, size) if size.ndim == 0 else size
+        if size.shape != who.shape:
+            raise InputError(f"tool radii are {_size(size)}; there are {who.size} tools")
+        if size.size and size.min() <= 0.0:
+            raise InputError(f"the radius of tool {int(size.argmin()) + 1} is {size.min():g} m; it must be positive")
+        _keep(self, owner=who, centre=_track("tool centres", centre, who.size), radius=size)
+        _keep(self, force=_track("tool forces", force, who.size))
+
+
+@final
+@dataclass(frozen=True, eq=False, kw_only=True)
+class GripTracks:
+    """Hands that hold the object at a point, without a tool.
+
+    Args:
+        owner: index of each grip's user, (G,), from 0.
+        place: (F, G, 3) [m].
+        force: of the hand on the object, (F, G, 3) [N]; the hand feels the opposite.
+
+    Raises:
+        InputError: an array has the wrong shape or a number that is not finite.
+    """
+
+    owner: Int
+    place: Float
+    force: Float
+
+    def __init__(self, *, owner: npt.ArrayLike, place: npt.ArrayLike, force: npt.ArrayLike) -> None:
+        who = _indices("grip owners", owner, 1, InputError)
+        _keep(self, owner=who, place=_track("grip places", place, who.size))
+        _keep(self, force=_track("grip forces", force, who.size))
+
+
+@final
+@dataclass(frozen=True, eq=False, kw_only=True)
+class UserSeries:
+    """A number of every user over time, for the chart and the table.
+
+    Args:
+        name: what it is, short: "Discrepancy".
+        unit: of the values, without prefix: "m".
+        values: (F, U); NaN where it is not known.
+
+    Raises:
+        InputError: the name is empty, or the values are not rows of numbers.
+    """
+
+    name: str
+    unit: str
+    values: Float
+
+    def __init__(self, *, name: str, unit: str, values: npt.ArrayLike) -> None:
+        if not name.strip():
+            raise InputError("a series has no name; it stands above its chart")
+        numbers = _numbers(f"values of {name}", values, InputError, finite=False)
+        if numbers.ndim != 2:
+            raise InputError(f"values of {name} are {_size(numbers)}; they must be frames x users")
+        _keep(self, name=name, unit=unit, values=numbers)
+
+
+@final
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Animation:
+    """What a run looked like, frame by frame, ready to be written as one HTML file.
+
+    The object is drawn as a surface of triangles or, if it has none, as nodes joined by edges. Its vertices come either
+    as places of every user's own copy or as displacements of the nodes of a body with a skin. Two of three coordinates,
+    or one, are enough for a flat or a straight object, here and in tools and grips.
+
+    Args:
+        title: shown above the animation.
+        users: names, at least one.
+        time: of the frames, (F,) [s], increasing. The page draws straight between frames; 60 per second are enough.
+        vertices: every user's copy, (F, U, V, 3) [m]; or give `skin` and `displacement`.
+        triangles: indices of vertices, (t, 3); or none.
+        edges: indices of vertices, (e, 2), in place of triangles. With neither, vertices are drawn as points.
+        skin: the surface that a body carries, with the triangles.
+        displacement: of the body's nodes, x - x_d, (F, U, n, 3) [m].
+        rest: vertices at rest, (V, 3) [m], from which displacement is measured; those of the first user in the first
+            frame if not given.
+        tools: spheres that touch the object.
+        grips: hands that hold it.
+        links: pairs of user indices that are joined.
+        series: further numbers of every user over time: discrepancy, age, energy residual.
+
+    Raises:
+        BodyError: vertices, triangles, edges or the skin do not fit together.
+        NetworkError: there are no users, or a link names none.
+        InputError: anything else does not fit together, or is not finite.
+
+    Examples:
+        >>> wave = 0.01 * np.sin(np.arange(30) / 5)[:, None, None, None] * [0.0, 0.0, 1.0]
+        >>> shown = Animation(
+        ...     title="A triangle",
+        ...     users=["Ann", "Ben"],
+        ...     time=np.arange(30) / 60,
+        ...     vertices=np.array([[0, 0, 0], [0.1, 0, 0], [0, 0.1, 0]]) + wave * np.ones((1, 2, 1, 1)),
+        ...     triangles=[[0, 1, 2]],
+        ... )
+        >>> shown.vertices.shape
+        (30, 2, 3, 3)
+    """
+
+    title: str
+    users: tuple[str, ...]
+    time: Float
+    vertices: Single
+    triangles: Int
+    edges: Int
+    rest: Single
+    tools: ToolTracks
+    grips: GripTracks
+    links: tuple[tuple[int, int], ...]
+    series: tuple[UserSeries, ...]
+
+    def __init__(
+        self,
+        *,
+        title: str,
+        users: Sequence[str],
+        time: npt.ArrayLike,
+        vertices: npt.ArrayLike | None = None,
+        triangles: npt.ArrayLike | None = None,
+        edges: npt.ArrayLike | None = None,
+        skin: Skin | None = None,
+        displacement: npt.ArrayLike | None = None,
+        rest: npt.ArrayLike | None = None,
+        tools: ToolTracks | None = None,
+        grips: GripTracks | None = None,
+        links: Sequence[tuple[int, int]] = (),
+        series: Sequence[UserSeries] = (),
+    ) -> None:
+        names = tuple(users)
+        if not names:
+            raise NetworkError("an animation of no users shows nothing; name at least one")
+        when = _numbers("frame times", time, InputError)
+        if when.ndim != 1 or when.size == 0:
+            raise InputError(f"frame times are {_size(when)}; they must be a row of at least one")
+        late = np.flatnonzero(np.diff(when) <= 0.0)
+        if late.size:
+            raise InputError(
+                f"frame {late[0] + 2} is at {when[late[0] + 1]:g} s and the one before at {when[late[0]]:g} s; the "
+                "times of frames must increase"
+            )
+        if (skin is None) != (displacement is None) or (skin is None) == (vertices is None):
+            raise BodyError("the object is given neither or twice; it must be either vertices or skin and displacement")
+        if skin is not None:
+            if not (triangles is None and edges is None and rest is None):
+                raise BodyError("triangles, edges and rest come from the skin; leave them away where a skin is given")
+            field = _field("displacement of nodes", displacement, when.size, len(names))
+            skin.check(field.shape[2])
+            places = _carried(skin, field)
+            triangles, rest = skin.triangles, skin.vertices
+        else:
+            places = _field("vertices", vertices, when.size, len(names))
+        count = places.shape[2]
+        if triangles is not None and edges is not None:
+            raise BodyError("both triangles and edges are given; one of them is drawn")
+        faces = _corners("triangle", triangles, 3, count)
+        lines = _corners("edge", edges, 2, count)
+        if rest is None:
+            start = places[0, 0].copy()
+        else:
+            start = _padded(_numbers("vertices at rest", rest, BodyError)).astype(np.float32)
+        if start.shape != (count, 3):
+            raise BodyError(f"vertices at rest are {_size(start)}; there are {count} vertices")
+        nothing = np.zeros((when.size, 0, 3))
+        spheres = tools or ToolTracks(owner=[], centre=nothing, radius=[], force=nothing)
+        hands = grips or GripTracks(owner=[], place=nothing, force=nothing)
+        for name, owner, tracks in (
+            ("tool", spheres.owner, (spheres.centre, spheres.force)),
+            ("grip", hands.owner, (hands.place, hands.force)),
+        ):
+            if owner.size and (owner.min() < 0 or owner.max() >= len(names)):
+                wrong = int(owner.min() if owner.min() < 0 else owner.max())
+                raise InputError(f"a {name} belongs to user index {wrong}; this animation has 0 to {len(names) - 1}")
+            for track in tracks:
+                if track.shape[0] != when.size:
+                    raise InputError(f"{name}s have {track.shape[0]} frames; this animation has {when.size}")
+        for entry in series:
+            if entry.values.shape != (when.size, len(names)):
+                raise InputError(
+                    f"values of {entry.name} are {_size(entry.values)}; they must be {when.size} frames x "
+                    f"{len(names)} users"
+                )
+        _keep(self, title=title, users=names, time=when, vertices=places, triangles=faces, edges=lines, rest=start)
+        _keep(self, tools=spheres, grips=hands, links=_pairs(links, len(names)), series=tuple(series))
+
+    def write(self, path: str | Path) -> Path:
+        """Writes the page: one file that needs nothing else, whole or not at all.
+
+        Vertices are kept to 1/65535 of the object's extent, tools and forces to single precision. Five users with 5,000
+        vertices each and 300 frames of smooth motion come to about 10 MB (90 MB before packing), with 1,000 vertices to
+        2 MB. The same animation gives the same bytes.
+
+        Args:
+            path: of the file, by custom ending in ".html".
+
+        Returns:
+            The path.
+
+        Raises:
+            ScenarioError: the file cannot be written.
+        """
+        target = Path(path)
+        partial = target.with_name(target.name + ".part")
+        page = self.page()
+        try:
+            partial.write_text(page, encoding="utf-8", newline="\n")
+            partial.replace(target)  # whole or not at all
+        except OSError as error:
+            partial.unlink(missing_ok=True)
+            raise ScenarioError(f"the animation cannot be written to {path}: {error.strerror or error}") from error
+        return target
+
+    def page(self) -> str:
+        """The page as text."""
+        packer = Packer()
+        low, step = packer.add_quantised("vertices", self.vertices)
+        packer.add("time", self.time, "f8")
+        packer.add("rest", self.rest, "f4")
+        packer.add("triangles", self.triangles, "u4")
+        packer.add("edges", self.edges, "u4")
+        packer.add("tool_centre", self.tools.centre, "f4")
+        packer.add("tool_force", self.tools.force, "f4")
+        packer.add("grip_place", self.grips.place, "f4")
+        packer.add("grip_force", self.grips.force, "f4")
+        forces = (UserSeries(name="Force", unit="N", values=self.felt()),) if self._touched() else ()
+        series = (*forces, *self.series)
+        for number, entry in enumerate(series):
+            packer.add(f"series_{number}", entry.values, "f4")
+        displacement, difference = self._peaks()
+        header = {
+            "title": self.title,
+            "users": self.users,
+            "low": low.tolist(),
+            "step": step.tolist(),
+            "arrays": packer.entries,
+            "tools": {"owner": self.tools.owner.tolist(), "radius": self.tools.radius.tolist()},
+            "grips": {"owner": self.grips.owner.tolist()},
+            "links": self.links,
+            "series": [{"name": entry.name, "unit": entry.unit} for entry in series],
+            "peaks": {"displacement": displacement, "difference": difference},
+        }
+        viewer = files("cotouch.simulation").joinpath("_viewer")
+        read = {name: viewer.joinpath(name).read_text(encoding="utf-8") for name in ("index.html", "style.css")}
+        colors = {f"user_{number}": color for number, color in enumerate(drawing.USERS, start=1)}
+        colors |= {"ink": drawing.INK, "muted": drawing.MUTED, "grid": drawing.GRID, "shade": drawing.SHADE}
+        return Template(read["index.html"]).substitute(
+            title=escape(self.title),
+            style=Template(read["style.css"]).substitute(surface=drawing.SURFACE, alarm=drawing.ALARM, **colors),
+            header=json.dumps(header, ensure_ascii=False).replace("<", "\\u003c"),
+            data=packer.text(),
+            shaders=viewer.joinpath("shaders.glsl").read_text(encoding="utf-8"),
+            script="\n".join(viewer.joinpath(name).read_text(encoding="utf-8") for name in _SCRIPTS),
+        )
+
+    def felt(self) -> Float:
+        """Size of the force that every user feels, from all tools and grips together, (F, U) [N]."""
+        total = np.zeros((self.time.size, len(self.users), 3))
+        for track, owner in enumerate(self.tools.owner):
+            total[:, owner] += self.tools.force[:, track]
+        for track, owner in enumerate(self.grips.owner):
+            total[:, owner] -= self.grips.force[:, track]
+        return np.linalg.norm(total, axis=-1)
+
+    def _touched(self) -> bool:
+        return bool(self.tools.owner.size or self.grips.owner.size)
+
+    def _peaks(self) -> tuple[float, float]:
+        """Largest displacement from rest, and largest distance of a copy's vertex from the mean of the copies [m]."""
+        displacement = difference = 0.0
+        for frame in self.vertices:  # not all at once: a big animation has few copies of itself in memory
+            displacement = max(displacement, float(np.square(frame - self.rest).sum(axis=-1).max(initial=0.0)))
+            gap = frame - frame.mean(axis=0)
+            difference = max(difference, float(np.square(gap).sum(axis=-1).max(initial=0.0)))
+        return displacement**0.5, difference**0.5
+
+
+def _keep(thing: object, **values: object) -> None:
+    """Sets attributes of a frozen dataclass; arrays become read-only."""
+    for name, value in values.items():
+        if isinstance(value, np.ndarray):
+            value.setflags(write=False)
+        object.__setattr__(thing, name, value)
+
+
+def _numbers(
+    name: str, values: npt.ArrayLike | None, error: type[InputError], *, finite: bool = True, kind: type = np.float64
+) -> npt.NDArray[Any]:
+    try:
+        array = np.array(values, dtype=kind, order="C")
+    except (TypeError, ValueError, OverflowError) as reason:
+        raise error(f"{name} are not an array of numbers ({reason})") from reason
+    if finite and not np.isfinite(array).all():
+        where = [int(index) for index in np.argwhere(~np.isfinite(array))[0]]
+        raise error(f"{name} are {array[tuple(where)]} at index {where}; every number must be finite")
+    return array
+
+
+def _indices(name: str, values: npt.ArrayLike, dimensions: int, error: type[InputError]) -> Int:
+    numbers = _numbers(name, values, error)
+    if numbers.ndim != dimensions:
+        raise error(f"{name} are {_size(numbers)}; they must have {dimensions} dimensions")
+    whole = numbers.astype(np.int32)
+    if not np.array_equal(whole, numbers):
+        raise error(f"{name} must be whole numbers, indices from 0")
+    return whole
+
+
+def _corners(name: str, values: npt.ArrayLike | None, width: int, count: int) -> Int:
+    if values is None or np.size(values) == 0:
+        return np.zeros((0, width), dtype=np.int32)
+    table = _indices(f"{name}s", values, 2, BodyError)
+    if table.shape[1] != width:
+        raise BodyError(f"{name}s are {_size(table)}; they must be rows of {width}")
+    if table.min() < 0 or table.max() >= count:
+        wrong = int(table.min() if table.min() < 0 else table.max())
+        raise BodyError(f"{_a(name)} names vertex {wrong}; this animation has vertices 0 to {count - 1}")
+    return table
+
+
+def _field(name: str, values: npt.ArrayLike | None, frames: int, users: int) -> Single:
+    """(F, U, V, 3) in single precision."""
+    array = _numbers(name, values, BodyError, kind=np.float32)
+    if array.ndim != 4 or array.shape[:2] != (frames, users) or not 1 <= array.shape[3] <= 3 or array.shape[2] == 0:
+        raise BodyError(f"{name} are {_size(array)}; they must be {frames} frames x {users} users x vertices x axes")
+    return _padded(array)
+
+
+def _track(name: str, values: npt.ArrayLike, count: int) -> Float:
+    """(F, count, 3)."""
+    array = _numbers(name, values, InputError)
+    if array.ndim != 3 or array.shape[1] != count or not 1 <= array.shape[2] <= 3:
+        raise InputError(f"{name} are {_size(array)}; they must be frames x {count} x axes")
+    return _padded(array)
+
+
+def _padded(array: npt.NDArray[Any]) -> npt.NDArray[Any]:
+    """With zeros for the axes that are missing."""
+    missing = 3 - array.shape[-1] if array.ndim else 0
+    return np.pad(array, [(0, 0)] * (array.ndim - 1) + [(0, missing)]) if missing > 0 else array
+
+
+def _carried(skin: Skin, field: Single) -> Single:
+    """Places of the skin's vertices in all frames, one user at a time."""
+    frames, users, nodes, _ = field.shape
+    weights = skin.interpolation(nodes)
+    places = np.empty((frames, users, skin.vertices.shape[0], 3), dtype=np.float32)
+    for user in range(users):
+        columns = field[:, user].transpose(1, 0, 2).reshape(nodes, -1)
+        moved = np.asarray(weights @ columns).reshape(-1, frames, 3).transpose(1, 0, 2)
+        places[:, user] = moved + skin.vertices
+    return places
+
+
+def _pairs(links: Sequence[tuple[int, int]], users: int) -> tuple[tuple[int, int], ...]:
+    pairs = tuple((int(a), int(b)) for a, b in links)
+    for a, b in pairs:
+        if not (0 <= a < users and 0 <= b < users) or a == b:
+            raise NetworkError(
+                f"a link joins user indices {a} and {b}; it must join two different ones of 0 to {users - 1}"
+            )
+    return pairs
+
+
+def _a(name: str) -> str:
+    return f"{'an' if name[0] in 'aeiou' else 'a'} {name}"
+
+
+def _size(array: npt.NDArray[Any]) -> str:
+    return " x ".join(str(extent) for extent in array.shape) or "a single number"

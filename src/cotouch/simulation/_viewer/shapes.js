@@ -1,0 +1,54 @@
+// Programs of the graphics card, from shaders.glsl, and the few fixed shapes: ball, rod, cone.
+
+// From rest to the most: porcelain to plum. Light falls with the value, so that it reads without colours too.
+const RAMP = [[243, 238, 231], [247, 204, 170], [240, 150, 118], [222, 86, 93], [171, 35, 96], [98, 18, 84]];
+
+/** Places, normals and corners of a body of revolution about z. @param {[number, number, number, number][]} profile radius, z, normal outwards, normal along z @param {number} sides */
+function turned(profile, sides) {
+  const places = [], normals = [], corners = [];
+  for (const [r, z, out, up] of profile)
+    for (let k = 0; k <= sides; k++) {
+      const c = Math.cos((2 * Math.PI * k) / sides), s = Math.sin((2 * Math.PI * k) / sides);
+      places.push(r * c, r * s, z);
+      normals.push(out * c, out * s, up);
+    }
+  for (let j = 0; j + 1 < profile.length; j++)
+    for (let k = 0; k < sides; k++) {
+      const a = j * (sides + 1) + k, b = a + sides + 1;
+      corners.push(a, a + 1, b + 1, a, b + 1, b);
+    }
+  return { places: new Float32Array(places), normals: new Float32Array(normals), corners: new Uint32Array(corners) };
+}
+
+const BALL = turned(Array.from({ length: 17 }, (_, j) => {
+  const angle = (Math.PI * j) / 16 - Math.PI / 2, c = Math.cos(angle), s = Math.sin(angle);
+  return /** @type {[number, number, number, number]} */ ([c, s, c, s]);
+}), 32);
+const ROD = turned([[0, 0, 0, -1], [1, 0, 0, -1], [1, 0, 1, 0], [1, 1, 1, 0]], 20);
+const CONE = turned([[0, 0, 0, -1], [1, 0, 0, -1], [1, 0, 0.9, 0.4], [0, 1, 0.9, 0.4]], 24);
+
+/** @param {WebGL2RenderingContext} gl @param {string} name */
+function program(gl, name) {
+  const text = document.getElementById("shaders")?.textContent ?? "";
+  /** @type {Record<string, string>} */
+  const parts = Object.fromEntries(text.split("#part ").map((part) => [part.slice(0, part.indexOf("\n")), part.slice(part.indexOf("\n") + 1)]));
+  const made = /** @type {WebGLProgram} */ (gl.createProgram());
+  for (const [kind, stage] of /** @type {[number, string][]} */ ([[gl.VERTEX_SHADER, "vertex"], [gl.FRAGMENT_SHADER, "fragment"]])) {
+    const shader = /** @type {WebGLShader} */ (gl.createShader(kind));
+    gl.shaderSource(shader, parts[`${name} ${stage}`].replace(/#use (\w+)\n/g, (_, piece) => parts[piece]));
+    gl.compileShader(shader);
+    if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader) ?? name);
+    gl.attachShader(made, shader);
+  }
+  gl.linkProgram(made);
+  if (!gl.getProgramParameter(made, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(made) ?? name);
+  /** @type {Record<string, WebGLUniformLocation | null>} */
+  const at = {};
+  for (let k = 0; k < gl.getProgramParameter(made, gl.ACTIVE_UNIFORMS); k++) {
+    const uniform = gl.getActiveUniform(made, k)?.name ?? "";
+    at[uniform] = gl.getUniformLocation(made, uniform);
+  }
+  gl.useProgram(made);
+  if (at["stops[0]"]) gl.uniform3fv(at["stops[0]"], RAMP.flat().map((v) => v / 255));
+  return { made, at };
+}

@@ -1,0 +1,69 @@
+"""A real browser without a window, for what is written as a page."""
+
+import io
+import shutil
+from collections.abc import Generator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+import pytest
+from PIL import Image
+from playwright.sync_api import Browser, Page, sync_playwright
+
+NAMES = ("chromium", "chromium-browser", "google-chrome")
+# WebGL in software: the machine that tests has no graphics card.
+SOFTWARE = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+# The first picture of a slow machine takes its time; nothing waits longer than it must.
+PATIENCE = 60_000
+
+
+@contextmanager
+def browser() -> Generator[Browser]:
+    """Debian's chromium; skips the test where there is none."""
+    program = next(filter(None, map(shutil.which, NAMES)), None)
+    if program is None:
+        pytest.skip("no chromium on this machine; `make browser` installs it where apt and root are available")
+    with sync_playwright() as playwright:
+        running = playwright.chromium.launch(executable_path=program, args=SOFTWARE)
+        try:
+            yield running
+        finally:
+            running.close()
+
+
+class Opened:
+    """A page with everything it asked for and complained about."""
+
+    def __init__(self, running: Browser, path: Path, **settings: Any) -> None:
+        self.complaints: list[str] = []
+        self.requests: list[str] = []
+        script = settings.pop("script", None)
+        context = running.new_context(**{"viewport": {"width": 1280, "height": 720}, **settings})
+        context.set_default_timeout(PATIENCE)
+        self.page: Page = context.new_page()
+        self.page.on("console", lambda message: self.complaints.append(f"{message.type}: {message.text}"))
+        self.page.on("pageerror", lambda error: self.complaints.append(str(error)))
+        self.page.on("request", lambda request: self.requests.append(request.url))
+        if script:
+            self.page.add_init_script(script)
+        self.page.goto(path.as_uri())
+
+    def ready(self) -> "Opened":
+        self.page.wait_for_selector("#notice", state="hidden")
+        return self
+
+    def state(self, name: str) -> Any:
+        return self.page.evaluate("name => window.cotouch.state[name]", name)
+
+    def until(self, name: str, value: object) -> None:
+        """Waits until the page's state says so."""
+        self.page.wait_for_function("([name, value]) => window.cotouch.state[name] === value", arg=[name, value])
+
+    def picture(self, selector: str = "#stage") -> npt.NDArray[np.float64]:
+        """What is seen there after the next frame is drawn, (height, width, 3), 0 to 255."""
+        self.page.evaluate("() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
+        data = self.page.locator(selector).screenshot()
+        return np.asarray(Image.open(io.BytesIO(data)).convert("RGB"), dtype=np.float64)
