@@ -9,9 +9,11 @@ import numpy.typing as npt
 
 from cotouch.errors import ScenarioError
 from cotouch.simulation._batch import Outcome, run_batch
-from cotouch.simulation._engine import USER_BOOKS
+from cotouch.simulation._engine import TOOL_BOOKS, USER_BOOKS
 from cotouch.simulation._prepare import Prepared, prepare
 from cotouch.simulation._scenario import Scenario
+from cotouch.simulation._tool_result import UNITS as TOOL_UNITS
+from cotouch.simulation._tool_result import tool_attributes, tool_variables
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -24,7 +26,7 @@ _UNITS = {
     "period": ("s", "length T of the step"),
     "position": ("m", "position x of a node"),
     "velocity": ("m/s", "velocity v of a node"),
-    "force": ("N", "sum of the mean forces of a user's hands over the step"),
+    "force": ("N", "sum of the mean forces of a user's hands and tools on the object over the step"),
     "hand_force": ("N", "mean force of a hand over the step"),
     "supplied": ("J", "work of a user's hands so far"),
     "body_loss": ("J", "dissipated so far by the body's own dampers"),
@@ -44,6 +46,8 @@ _UNITS = {
     "residual": ("J", "stored - initial - supplied + dissipated - delay work: zero but for round-off"),
     "tick_time": ("s", "time of the network-wide records"),
     "local_damping": ("N s/m", "damping B_i of the synchronisation, as multiples of each link weight"),
+    "frame_position": ("m", "position x of every node at the time of a frame"),
+    **TOOL_UNITS,
 }
 
 
@@ -55,7 +59,7 @@ def simulate(scenario: "Scenario | str | Path | Mapping[str, Any]") -> "xr.Datas
 
     Returns:
         Dimensions `user`, `step` (a user's own steps; 0 is the initial state; NaN after its last), `node`, `axis`,
-        `hand`, `direction` (a receiver's view of a neighbour, "1<-2"), `link`, `tick` (network-wide records) and
+        `hand`, `tool`, `direction` (a receiver's view of a neighbour, "1<-2"), `link`, `tick` (network-wide records) and
         `weight`. Every variable has its unit in `attrs`; the dataset's `attrs` hold the scenario as JSON, the energy
         residual relative to the energy in play, and the passivity margin [J].
 
@@ -104,7 +108,8 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
         if name == "position":
             shaped = shaped + body.rest[prepared.nodes] if np.any(body.rest) else shaped
         put(name, ("user", "step", "node", "axis"), shaped, everyone)
-    for name, values in zip(USER_BOOKS, record.users, strict=True):
+    books = USER_BOOKS if outcome.tools is None else USER_BOOKS + TOOL_BOOKS
+    for name, values in zip(books, record.users, strict=True):
         put(name, ("user", "step"), values, everyone)
     time, period = np.empty((users, records)), np.empty((users, records))
     time[:, 0], period[:, 0] = 0.0, np.nan
@@ -119,6 +124,12 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
         force[hand.user - 1] += hand_force[index]
     holders = np.array([hand.user - 1 for hand in scenario.hands], dtype=np.int64)
     put("hand_force", ("hand", "step", "axis"), hand_force, holders)
+    tools = tool_variables(prepared, outcome)
+    owners = np.array([tool.user - 1 for tool in scenario.tools], dtype=np.int64)
+    for name, (dims, values) in tools.items():
+        put(name, dims, values, owners)
+    for index, owner in enumerate(owners):
+        force[owner] -= tools["touch_force"][1][index]
     put("force", ("user", "step", "axis"), force, everyone)
 
     slots = timing.slots
@@ -139,6 +150,9 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
         put(name, ("tick",), values[:ticks])
     put("tick_time", ("tick",), time[timing.reference, :ticks].copy())
     put("local_damping", ("user", "weight"), prepared.local_damping)
+    if outcome.frame_time.size:
+        shown = [[prepared.model.to_nodes(copy) for copy in frame] for frame in outcome.frames]
+        put("frame_position", ("frame", "user", "node_all", "axis"), (np.array(shown) + body.rest).astype(np.float32))
     for name, (dims, values) in data.items():
         unit, meaning = _UNITS[name]
         data[name] = (dims, values, {"units": unit, "long_name": meaning})  # pyright: ignore[reportArgumentType]
@@ -154,8 +168,10 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
             "link": np.array([f"{a + 1}-{b + 1}" for a, b in network.links], dtype=np.str_),
             "hand": np.arange(1, len(scenario.hands) + 1),
             "weight": np.arange(prepared.local_damping.shape[1]),
+            **({"tool": np.arange(1, len(scenario.tools) + 1)} if scenario.tools else {}),
+            **({"frame": outcome.frame_time} if outcome.frame_time.size else {}),
         },
-        attrs=_attributes(prepared, outcome, ticks),
+        attrs={**_attributes(prepared, outcome, ticks), **tool_attributes(tools)},
     )
 
 

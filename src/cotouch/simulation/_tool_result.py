@@ -1,0 +1,88 @@
+"""What tools, devices and couplings did in a run, as labelled variables."""
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.device import DEVICE_BOOKS
+from cotouch.simulation._batch import Outcome
+from cotouch.simulation._prepare import Prepared
+
+Float = npt.NDArray[np.float64]
+
+UNITS = {
+    "drive_work": ("J", "work so far of what pulls a user's proxies"),
+    "touch_work": ("J", "work so far of a user's contacts and grasps on the body"),
+    "touch_loss": ("J", "dissipated so far in a user's contacts and grasps"),
+    "proxy": ("J", "kinetic energy of a user's proxies"),
+    "touch_stored": ("J", "energy in a user's contacts and grasps"),
+    "tool_position": ("m", "position y of a proxy"),
+    "tool_velocity": ("m/s", "velocity w of a proxy"),
+    "touch_force": ("N", "mean force of contacts or grasp on the proxy over the step"),
+    "drive_force": ("N", "mean force of what pulls the proxy over the step"),
+    "touching": ("1", "contacts that pushed in the step, or nodes held"),
+    "device_position": ("m", "place of the device's tip as last measured, in the body's frame"),
+    "device_force": ("N", "force at the tip that the device's motors hold"),
+    "device_work": ("J", "work of the device's motors so far, the integral of force times velocity"),
+    "human_work": ("J", "work of the hand's will on the device so far"),
+    "device_loss": ("J", "dissipated so far in hand and device"),
+    "device_energy": ("J", "energy of hand and device"),
+    "device_residual": ("J", "energy - initial - work + loss of hand and device: zero but for round-off"),
+    "coupling_work": ("J", "work of the coupling on the proxy so far"),
+    "coupling_energy": ("J", "energy in the coupling's springs and tanks on both sides"),
+    "coupling_excess": ("J", "most that the coupling has given both sides together so far: passive if bounded"),
+}
+# Those above that every tool has; the rest belong to tools with a device.
+_LOSSES = ("hand_loss", "viscous_loss", "coulomb_loss")
+_ENERGIES = ("kinetic", "hand_energy", "potential")
+
+
+def tool_variables(prepared: Prepared, outcome: Outcome) -> dict[str, tuple[tuple[str, ...], Float]]:
+    """Variables of tools in the order of the scenario; empty without tools. What a tool has not is NaN."""
+    record, touching = outcome.tools, prepared.touching
+    if record is None or touching is None:
+        return {}
+    order = np.array(prepared.tool)
+    held = touching.couplings.device[order] >= 0
+    data: dict[str, tuple[tuple[str, ...], Float]] = {}
+
+    def put(name: str, values: Float, *, device: bool = False) -> None:
+        values = values[order]
+        if device:
+            values = np.where(held.reshape(-1, *(1,) * (values.ndim - 1)), values, np.nan)
+        data[name] = (("tool", "step", "axis")[: values.ndim], values)
+
+    put("tool_position", record.place[..., :3])
+    put("tool_velocity", record.rate[..., :3])
+    put("touch_force", record.force[..., :3])
+    put("drive_force", record.drive[..., :3])
+    put("touching", record.touching)
+    if not held.any():
+        return data
+    books = {name: record.device_books[index] for index, name in enumerate(DEVICE_BOOKS)}
+    put("device_position", record.device_place[..., :3], device=True)
+    put("device_force", record.device_force[..., :3], device=True)
+    put("device_work", books["work"], device=True)
+    put("human_work", books["human"], device=True)
+    put("device_loss", np.sum([books[name] for name in _LOSSES], axis=0), device=True)
+    put("device_energy", np.sum([books[name] for name in _ENERGIES], axis=0), device=True)
+    put("device_residual", books["residual"], device=True)
+    put("coupling_work", record.coupling[0], device=True)
+    put("coupling_energy", record.coupling[1] + books["spring_energy"] + books["tank"], device=True)
+    put("coupling_excess", record.coupling[2], device=True)
+    return data
+
+
+def tool_attributes(data: dict[str, Any]) -> dict[str, float]:
+    """What a run says about couplings and devices in one number each."""
+    if "coupling_excess" not in data:
+        return {}
+    values = {name: data[name][1] for name in UNITS if name in data}
+    flows = [values[name] for name in ("device_work", "human_work", "device_loss", "device_energy")]
+    in_play = max(float(np.nanmax(np.abs(flow))) for flow in flows)
+    residual = float(np.nanmax(np.abs(values["device_residual"])))
+    return {
+        "device_residual": residual / in_play if in_play > 0.0 else residual,
+        "coupling_excess": float(np.nanmax(values["coupling_excess"])),
+    }
