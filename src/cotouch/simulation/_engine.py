@@ -320,7 +320,7 @@ def run(
                 cap,
                 lanes,
             )
-            after_step(touching, i, T)
+            after_step(touching, i)
             own = touching.books
             _add(record.running, i, 6, own[DRIVE])
             _add(record.running, i, 7, own[TOUCHED])

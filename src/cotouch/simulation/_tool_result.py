@@ -30,7 +30,7 @@ UNITS = {
     "device_energy": ("J", "energy of hand and device"),
     "device_residual": ("J", "energy - initial - work + loss of hand and device: zero but for round-off"),
     "coupling_work": ("J", "work of the coupling on the proxy so far"),
-    "coupling_energy": ("J", "energy in the coupling's springs and tanks on both sides"),
+    "coupling_energy": ("J", "energy on the coupling's account, its spring and its tank"),
     "coupling_excess": ("J", "most that the coupling has given both sides together so far: passive if bounded"),
 }
 # Those above that every tool has; the rest belong to tools with a device.
@@ -69,8 +69,8 @@ def tool_variables(prepared: Prepared, outcome: Outcome) -> dict[str, tuple[tupl
     put("device_energy", np.sum([books[name] for name in _ENERGIES], axis=0), device=True)
     put("device_residual", books["residual"], device=True)
     put("coupling_work", record.coupling[0], device=True)
-    put("coupling_energy", record.coupling[1] + books["spring_energy"] + books["tank"], device=True)
-    put("coupling_excess", record.coupling[2], device=True)
+    put("coupling_energy", books["spring_energy"] + books["tank"], device=True)
+    put("coupling_excess", record.coupling[1], device=True)
     return data
 
 

@@ -83,7 +83,7 @@ class DeviceTable(Table):
             own damping is too little).
         stiffness: of the coupling [N/m].
         damping: of the coupling [Ns/m].
-        cap: most energy that each side's tank keeps [J].
+        cap: most energy that the tank keeps [J].
         reserve: debt up to which PSPM's damping stays on [J].
         declared: damping of the device itself that PSPM may count on [Ns/m].
         lower: with "virtual", lower a stiffness that is too much instead of refusing it.
@@ -102,7 +102,7 @@ class DeviceTable(Table):
     coupling: Literal["pspm", "virtual"] = "pspm"
     stiffness: Positive = 500.0
     damping: NonNegative = 2.0
-    cap: NonNegative = 1e-4
+    cap: NonNegative = 0.1
     reserve: NonNegative = 1e-3
     declared: NonNegative = 0.0
     lower: bool = False

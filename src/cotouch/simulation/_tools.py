@@ -81,8 +81,6 @@ def touching_of(
         joined.device[t] = len(models)
         joined.origin[t, :3] = table.at
         joined.stiffness[t], joined.damping[t] = device.coupling.stiffness, device.coupling.damping
-        joined.cap[t] = device.coupling.cap
-        joined.set_position[t] = own.place[t]
         models.append(device)
     devices, states = assemble(models)
     owner = np.array([table.user - 1 for table in chosen])

@@ -67,8 +67,7 @@ class ToolRecord(NamedTuple):
         device_place: measured place of the device in the body's frame, (tools, records, 4) [m].
         device_force: that its motors hold, (tools, records, 4) [N].
         device_books: (len(DEVICE_BOOKS), tools, records), see there.
-        coupling: work of the coupling on the proxy; energy in the springs and tanks of both sides; largest excess so
-            far, (3, tools, records) [J].
+        coupling: work of the coupling on the proxy; largest excess so far, (2, tools, records) [J].
     """
 
     place: Float
@@ -94,7 +93,7 @@ def tool_record(count: int, records: int) -> ToolRecord:
         device_place=rows[4],
         device_force=rows[5],
         device_books=np.zeros((len(DEVICE_BOOKS), count, records)),
-        coupling=np.zeros((3, count, records)),
+        coupling=np.zeros((2, count, records)),
     )
 
 
@@ -132,11 +131,11 @@ def before_step(touching: Touching, i: int, end: float, T: float) -> bool:
 
 
 @part
-def after_step(touching: Touching, i: int, T: float) -> None:
+def after_step(touching: Touching, i: int) -> None:
     """Tells the devices of user i what came of the step."""
     for t in range(at(touching.first, i), at(touching.first, i + 1)):
         if at(touching.couplings.device, t) >= 0:
-            tell_device(touching.devices, touching.states, touching.couplings, touching.tools, t, T)
+            tell_device(touching.devices, touching.states, touching.couplings, touching.tools, t)
 
 
 @part
@@ -165,9 +164,7 @@ def keep_tools(record: ToolRecord, touching: Touching, i: int, entry: int) -> No
         if d >= 0:
             store(record.device_place, here, load(states.sample, d, FOUR) + load(couplings.origin, t, FOUR), FOUR)
             store(record.device_force, here, load(states.force, d, FOUR), FOUR)
-            held = at(couplings.spring, t) + at(couplings.tank, t)
             for book in range(record.device_books.shape[0]):
                 put(record.device_books, (book, t, entry), at(states.books, (d, book)))
             put(record.coupling, (0, t, entry), at(couplings.work, t))
-            put(record.coupling, (1, t, entry), held)
-            put(record.coupling, (2, t, entry), at(couplings.excess, t))
+            put(record.coupling, (1, t, entry), at(couplings.excess, t))
