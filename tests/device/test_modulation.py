@@ -253,6 +253,31 @@ def test_two_ports_with_a_proxy_are_passive(plant, servo, body):
         assert abs(proxy.work) > 1e-6
 
 
+@pytest.mark.parametrize("plant", [CartesianPlant(coulomb=0.05), PhantomPlant()])
+def test_between_hand_and_proxy_every_joule_is_somewhere(plant):
+    """With exact encoders: springs, tanks and messages under way hold exactly what both ports have put in."""
+    rng = np.random.default_rng(5)
+    hand = SimulatedHand(amplitude=(0.02, 0.01, -0.01), frequency=3.0, release=0.8)
+    coupling = Coupling(stiffness=2000.0, damping=2.0, cap=2e-3)
+    devices, state = assemble([DeviceModel(plant=plant, hand=hand, coupling=coupling, servo=Servo(force=8.0))])
+    proxy = Proxy(0.1, 1500.0, 1.0, 2e-3, np.zeros(3), np.zeros(3), np.zeros(3))
+    went = 0.0
+    for n in range(1, 1201):
+        T = 1e-3 * rng.integers(1, 4)
+        assert advance(devices, state, 0, float(state.time[0]) + T)
+        proxy.step(T, rng.normal(0.0, 3.0, 3), state.sample[0, :3], state.sent[0])
+        books = state.books[0]
+        stretch = proxy.set_position - proxy.place
+        held = books[BOOK["tank"]] + books[BOOK["spring_energy"]] + state.sent[0] - proxy.seen
+        held += proxy.tank + 0.5 * proxy.stiffness * float(stretch @ stretch) + proxy.sent - state.seen[0]
+        went += abs(books[BOOK["work"]] + proxy.work)
+        assert abs(books[BOOK["work"]] + proxy.work + held) < 1e-11, n
+        if rng.uniform() < 0.7:
+            state.wish[0, :3], state.received[0] = proxy.place, proxy.sent
+    assert min(state.sent[0], proxy.sent) > 1e-3
+    assert went > 1.0
+
+
 def test_declared_damping_is_credited_by_positions_alone_and_never_more_than_was_lost():
     rng = np.random.default_rng(2)
     for resolution in (0.0, 1e-5):

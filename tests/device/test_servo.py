@@ -137,6 +137,19 @@ def test_devices_of_a_table_do_not_touch_each_other():
         np.testing.assert_array_equal(state.books[d], alone.books[0])
 
 
+def test_a_wish_that_is_no_number_switches_the_spring_off_and_nothing_else():
+    devices, state = assemble([DeviceModel(hand=HAND, coupling=Coupling(stiffness=300.0))])
+    advance(devices, state, 0, 0.1)
+    state.wish[0, 1] = np.nan
+    for _ in range(20):
+        advance(devices, state, 0, float(state.time[0]) + 1e-3)
+        np.testing.assert_allclose(state.force[0], -2.0 * state.sample_velocity[0], atol=1e-12)
+    state.wish[0, 1] = 0.0
+    advance(devices, state, 0, 0.2)
+    assert state.books[0, BOOK["spring_energy"]] > 0.0
+    assert abs(state.books[0, BOOK["residual"]]) < 1e-12
+
+
 class TestSimulatedDevice:
     def test_exchange_holds_a_force_for_a_period(self):
         device = SimulatedDevice(DeviceModel(plant=CartesianPlant(viscous=0.0), coupling=Coupling(law="told")))

@@ -40,6 +40,8 @@ def test_modulation_at_its_edges():
     assert modulate(4.0, 1.0, 1.0) == (0.5, 0.0, 0.0)
     assert modulate(1.0, 1.0, 0.0) == (1.0, 0.0, 0.0)
     assert modulate(0.0, float("nan"), 1.0)[0] == 0.0
+    for wish in (float("nan"), float("inf")):
+        assert modulate(wish, 1.0, 2.0) == (0.0, 1.0, 0.0)
 
 
 @given(totals=st.lists(energies, max_size=20))

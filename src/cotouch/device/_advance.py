@@ -1,4 +1,12 @@
-"""Moves one device to a given time, with all ticks of its servo on the way."""
+"""Moves one device to a given time, with all ticks of its servo on the way.
+
+What whoever steps the proxy does with it, in each step from t to t + T:
+
+* *PSPM, or a sampled spring.* `advance` to any time up to now; hand `sample` and `sent` to the proxy's side, late or
+  never as the channel likes; after the step write the proxy's place to `wish` and its total to `received`.
+* *Told force.* `advance` to t, the start of the step; with q = `sample` and v = `sample_velocity` step the proxy under
+  `τ = k (q - y⁺) + b (v - ŵ)`; write -τ to `told`. The next `advance`, to t + T, holds it.
+"""
 # An array indexed by an element of another is a number to numba and an array to numpy's types.
 # pyright: reportArgumentType=false, reportReturnType=false
 

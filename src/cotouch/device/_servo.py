@@ -50,6 +50,8 @@ def tick(devices: Devices, state: DeviceState, d: int) -> None:
         potential = 0.5 * stiffness * total(gap * gap)
         share, tank, sent = modulate(potential, available, at(servos.cap, d))
         put(state.books, (d, TANK), tank)
+        if share == 0.0:  # also if the wish is no number
+            gap, potential = splat(0.0, LANES), 0.0
         put(state.books, (d, SPRING_ENERGY), share * share * potential)
         put(state.sent, d, at(state.sent, d) + sent)
         store(state.set_position, d, place + share * gap, LANES)

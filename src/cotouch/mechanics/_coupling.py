@@ -23,7 +23,7 @@ passivity.
 then changes nothing but how soon the energy arrives: `credit`.
 """
 
-from math import isfinite
+from math import inf, isfinite
 
 from cotouch.errors import DeviceError
 from cotouch.mechanics._kernel import kernel
@@ -34,7 +34,7 @@ def modulate(potential: float, available: float, cap: float) -> tuple[float, flo
     """How far the set position may move from the place towards the wish: `ȳ = q + share (y - q)`.
 
     Args:
-        potential: P = ½k‖q - y‖², the spring's energy if the wish came true [J].
+        potential: P = ½k‖q - y‖², the spring's energy if the wish came true; infinite or NaN: the wish is ignored [J].
         available: R, the energy that there is [J]; negative: a debt.
         cap: Ē, what the tank keeps at most [J].
 
@@ -43,6 +43,8 @@ def modulate(potential: float, available: float, cap: float) -> tuple[float, flo
         the spring is then share² P, and share² P + E + sent = R.
     """
     if not available > 0.0:
+        return 0.0, available, 0.0
+    if not potential < inf:
         return 0.0, available, 0.0
     if potential > available:
         return (available / potential) ** 0.5, 0.0, 0.0
@@ -79,7 +81,7 @@ def modulation_bound(
         stiffness: k, >= 0 [N/m].
         damping: b, >= 0 [Ns/m].
         period: longest servo period, > 0 [s].
-        speed: highest speed of the tip as measured, >= 0 [m/s].
+        speed: highest speed of the tip as measured, >= 0 [m/s]; of a device with joints, of J(θ) Δθ from tick to tick.
         reserve: debt up to which the damping force stays on, >= 0 [J].
         force: highest force, >= 0 [N]; matters with a resolution.
         resolution: of the encoder, >= 0 [m].
