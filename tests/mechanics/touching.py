@@ -46,9 +46,7 @@ class TouchedCopy:
         op, width, rows = self.model.operator, self.model.width, self.model.operator_rows
         zero = lambda: np.zeros((rows, width))  # noqa: E731
         self.state = State(zero(), zero(), zero(), zero())
-        self.links = Links(
-            0, 0, np.zeros(0), np.zeros(0, np.int32), np.zeros(0, np.int64), np.zeros((1, rows, width))
-        )
+        self.links = Links(0, 0, np.zeros(0), np.zeros(0, np.int32), np.zeros(0, np.int64), np.zeros((1, rows, width)))
         empty = np.zeros(0)
         none = np.zeros((0, width))
         self.grips = Grips(0, 0, np.zeros(0, np.int32), np.zeros((0, rows)), empty, empty, none, none, none, none)

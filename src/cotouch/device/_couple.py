@@ -1,11 +1,11 @@
 """Joins devices to proxies: what a proxy is pulled by in a body's step, and what the device is told after it.
 
 The device runs at its servo's rate, the body at its own, and neither waits. With PSPM both ends pull at one virtual
-spring, and there is one account of the energy in it: a tick of the servo books what the held force did on the device, a
-step of the body what the spring did on the proxy. Whoever looks at the other's new place moves the spring's end there
-only as far as the account allows. The implicit step can take no more than the spring has; the servo may overdraw by what
-one held force does (`cotouch.mechanics.modulation_bound`). With a virtual coupling the body's step computes the force,
-and the device holds it.
+spring, and there is one account of the energy in it: a tick of the servo books what the held force did on the device,
+a step of the body what the spring did on the proxy. Whoever looks at the other's new place moves the spring's end
+there only as far as the account allows. The implicit step can take no more than the spring has; the servo may overdraw
+by what one held force does (`cotouch.mechanics.modulation_bound`). With a virtual coupling the body's step computes the
+force, and the device holds it.
 """
 # An array indexed by an element of another is a number to numba and an array to numpy's types.
 # pyright: reportArgumentType=false, reportReturnType=false

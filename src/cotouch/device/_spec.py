@@ -88,7 +88,7 @@ PRESETS: dict[str, DeviceSpec] = {
         actuated=3,
         mass=0.045,
         friction=0.26,
-        source="force, workspace, stiffness, damping: CHAI3D; mass, friction, resolution: data sheet",
+        source="force, workspace, stiffness, damping: CHAI3D; the rest assumed",
     ),
     "falcon": DeviceSpec(
         name="Novint Falcon",
@@ -133,7 +133,7 @@ PRESETS: dict[str, DeviceSpec] = {
         actuated=3,
         mass=0.05,
         friction=0.04,
-        source="resolution, mass: Çavuşoğlu, Feygin & Tendick 2002; forces, stiffness: data sheet; the rest assumed",
+        source="resolution, mass: Çavuşoğlu, Feygin & Tendick 2002; the rest assumed, forces nominal",
     ),
 }
 """Specifications by short name; every one is nominal."""

@@ -116,9 +116,7 @@ def touch_step(
         if modal:
             _modal_columns(touch, ports, used, work.diagonal)
         else:
-            solve_columns(
-                op, values, scale, work.diagonal, touch.columns, used, max(tolerance, _COLUMN_TOLERANCE), cap
-            )
+            solve_columns(op, values, scale, work.diagonal, touch.columns, used, max(tolerance, _COLUMN_TOLERANCE), cap)
         _small(tools, touch, T, count * axes, used, work.mean, lanes)
         sweep(
             count,
@@ -780,9 +778,7 @@ def _add_nodal(
 
 
 @part
-def _add_modal(
-    touch: TouchWork, used: int, ports: int, work: Workspace, lanes: tuple[int, ...]
-) -> tuple[float, float]:
+def _add_modal(touch: TouchWork, used: int, ports: int, work: Workspace, lanes: tuple[int, ...]) -> tuple[float, float]:
     """The same where A is diagonal but for ports."""
     columns, mean = touch.columns, work.mean
     rows, width = mean.shape[0], 3 if len(lanes) > 1 else 1
