@@ -10,18 +10,28 @@ import numpy.typing as npt
 from cotouch.mechanics import (
     BODY_LOSS,
     BOOKS,
+    DRIVE,
     ELASTIC,
     EXTRA_LOSS,
     ITERATIONS,
     KINETIC,
     LOCAL_LOSS,
+    PROXY,
     SUPPLIED,
+    TOUCH_BOOKS,
+    TOUCH_LOSS,
+    TOUCH_STORED,
+    TOUCHED,
     Grips,
     Links,
     Model,
     State,
+    Surface,
+    Tools,
     settle,
     step,
+    touch_step,
+    touch_work,
     workspace,
 )
 from cotouch.peer._links import Link, Sample
@@ -44,6 +54,11 @@ class Report:
         link_work: work that each link did on the copy, in the order of `Peer.neighbours` [J].
         kinetic: energy after the step [J].
         elastic: energy after the step [J].
+        drive_work: work done on the proxies by what pulls them [J].
+        touch_work: work done on the body by contacts and grasps [J].
+        touch_loss: dissipated in contacts and grasps [J].
+        proxy: kinetic energy of the proxies after the step [J].
+        touch_stored: energy in contacts and grasps after the step [J].
         residual: what the books of this step do not explain [J]; round-off, or something is broken.
         age: of each link's sample at the end of the step, by the clocks as they are [s].
         iterations: of the solver.
@@ -58,6 +73,11 @@ class Report:
     link_work: Float
     kinetic: float
     elastic: float
+    drive_work: float
+    touch_work: float
+    touch_loss: float
+    proxy: float
+    touch_stored: float
     residual: float
     age: Float
     iterations: int
@@ -67,8 +87,8 @@ class Report:
 class Peer:
     """One user's copy of the shared object and its links.
 
-    Use it in three steps: `receive` whatever arrived, write into `grips` what the hand does, `step`; then send
-    `report.sample` to every neighbour.
+    Use it in three steps: `receive` whatever arrived, write into `grips` and `tools` what the hands do, `step`; then
+    send `report.sample` to every neighbour.
 
     Attributes:
         index: of the user.
@@ -76,6 +96,7 @@ class Peer:
         neighbours: users it is linked to, in the order of their links.
         state: position and velocity.
         grips: what holds the copy; written by the owner before each step.
+        tools: the proxies, likewise; None without.
         steps: number of steps taken, so the index of the next one.
         integrated: sum of all T so far [s].
     """
@@ -93,6 +114,8 @@ class Peer:
         grips: Grips,
         position: Float,
         velocity: Float,
+        surface: Surface | None = None,
+        tools: Tools | None = None,
         tolerance: float = 1e-10,
         iterations: int = 500,
     ) -> None:
@@ -109,6 +132,8 @@ class Peer:
             grips: the ports.
             position: initial displacement from rest, (n, d) [m].
             velocity: initial velocity, (n, d) [m/s].
+            surface: the body's skin (`cotouch.mechanics.surface_of`); with tools.
+            tools: the user's proxies.
             tolerance: of the solver.
             iterations: cap of the solver.
         """
@@ -139,8 +164,20 @@ class Peer:
         self._link_work = np.zeros(count)
         self._tolerance = tolerance
         self._iterations = iterations
+        self.tools = tools
+        self._surface = surface
+        self._touch = None
+        self._touch_books = np.zeros(TOUCH_BOOKS)
         settle(model.operator, self.state, self._books, model.lanes)
         self._energy = float(self._books[KINETIC] + self._books[ELASTIC])
+        if tools is not None:
+            if surface is None:
+                raise ValueError("tools are given without a surface; make one of the model with surface_of")
+            ports = grips.last - grips.first
+            self._touch = touch_work(model, surface, tools=tools.last - tools.first, ports=ports)
+            own = slice(tools.first, tools.last)
+            self._energy += 0.5 * float(tools.mass[own] @ (tools.rate[own] ** 2).sum(axis=1))
+            self._energy += float(tools.account[own].sum() + tools.grip_energy[own].sum())
 
     @property
     def ready(self) -> bool:
@@ -169,24 +206,48 @@ class Peer:
             links.samples[at] = sample.position
             age[at] = now - sample.stamp
         own = len(self._sources)
-        step(
-            model.operator,
-            self.state,
-            links,
-            self.grips,
-            self._local,
-            self._extra,
-            T,
-            own,
-            self._work,
-            books,
-            self._link_work,
-            self._tolerance,
-            self._iterations,
-            model.lanes,
-        )
-        energy = float(books[KINETIC] + books[ELASTIC])
-        lost = float(books[BODY_LOSS] + books[LOCAL_LOSS] + books[EXTRA_LOSS])
+        touched = self._touch_books
+        if self.tools is None or self._surface is None or self._touch is None:
+            step(
+                model.operator,
+                self.state,
+                links,
+                self.grips,
+                self._local,
+                self._extra,
+                T,
+                own,
+                self._work,
+                books,
+                self._link_work,
+                self._tolerance,
+                self._iterations,
+                model.lanes,
+            )
+        else:
+            touch_step(
+                model.operator,
+                self.state,
+                links,
+                self.grips,
+                self._surface,
+                self.tools,
+                self._local,
+                self._extra,
+                T,
+                own,
+                self._work,
+                self._touch,
+                books,
+                touched,
+                self._link_work,
+                self._tolerance,
+                self._iterations,
+                model.lanes,
+            )
+        energy = float(books[KINETIC] + books[ELASTIC] + touched[PROXY] + touched[TOUCH_STORED])
+        lost = float(books[BODY_LOSS] + books[LOCAL_LOSS] + books[EXTRA_LOSS] + touched[TOUCH_LOSS])
+        supplied = float(books[SUPPLIED] + touched[DRIVE])
         report = Report(
             sample=Sample(sender=self.index, index=self.steps, stamp=now - 0.5 * T, position=links.samples[own].copy()),
             force=self.grips.force[self.grips.first : self.grips.last].copy(),
@@ -197,7 +258,12 @@ class Peer:
             link_work=self._link_work.copy(),
             kinetic=float(books[KINETIC]),
             elastic=float(books[ELASTIC]),
-            residual=energy - self._energy - float(books[SUPPLIED]) + lost - float(self._link_work.sum()),
+            drive_work=float(touched[DRIVE]),
+            touch_work=float(touched[TOUCHED]),
+            touch_loss=float(touched[TOUCH_LOSS]),
+            proxy=float(touched[PROXY]),
+            touch_stored=float(touched[TOUCH_STORED]),
+            residual=energy - self._energy - supplied + lost - float(self._link_work.sum()),
             age=age,
             iterations=int(books[ITERATIONS]),
         )

@@ -5,6 +5,7 @@ itself. Both must move alike: this is the batch engine's reference, and where a 
 """
 
 import heapq
+from copy import deepcopy
 from dataclasses import dataclass
 from typing import final
 
@@ -15,6 +16,7 @@ from cotouch.mechanics import Grips
 from cotouch.peer import ConstantLink, FreshestLink, Link, Peer, Report, Sample
 from cotouch.simulation._hands import grip
 from cotouch.simulation._prepare import Prepared
+from cotouch.simulation._touching import Touching, after_step_alone, before_step_alone, tools_of
 
 Float = npt.NDArray[np.float64]
 
@@ -28,11 +30,13 @@ class PeerRun:
         position: after every step, in the model's rows, one (steps + 1, rows, width) for each user [m].
         end: when each step was taken, one (steps,) for each user [s].
         reports: of every step, for each user.
+        tools: places of the proxies after every step, one (steps, tools of the user, 3) for each user [m].
     """
 
     position: list[Float]
     end: list[Float]
     reports: list[list[Report]]
+    tools: list[Float]
 
 
 def run_peers(prepared: Prepared) -> PeerRun:
@@ -48,8 +52,10 @@ class _World:
         users = self.timing.count.size
         self.queue: list[tuple[float, int, int, Sample]] = []  # arrival, number, receiver, sample
         self.sent = 0
+        self.touching: Touching | None = deepcopy(prepared.touching)
         self.cursor = prepared.hands.path_first[:-1].copy()
         self.peers = [self._peer(i) for i in range(users)]
+        self.places: list[list[Float]] = [[] for _ in range(users)]
         self.position = [[peer.state.position.copy()] for peer in self.peers]
         self.end: list[list[float]] = [[] for _ in range(users)]
         self.reports: list[list[Report]] = [[] for _ in range(users)]
@@ -89,6 +95,8 @@ class _World:
             ),
             position=prepared.position[i],
             velocity=prepared.velocity[i],
+            surface=None if self.touching is None else self.touching.surface,
+            tools=None if self.touching is None else tools_of(self.touching, i),
             tolerance=solver.tolerance,
             iterations=solver.iterations,
         )
@@ -102,6 +110,7 @@ class _World:
             position=[np.array(kept) for kept in self.position],
             end=[np.array(times) for times in self.end],
             reports=self.reports,
+            tools=[np.array(places) for places in self.places],
         )
 
     def _run_by_clock(self) -> None:
@@ -170,7 +179,12 @@ class _World:
         i, hands = peer.index, self.prepared.hands
         for p in range(hands.first[i], hands.first[i + 1]):
             grip(hands, peer.grips, self.cursor, p, now, T, peer.model.lanes)
+        if self.touching is not None:
+            before_step_alone(self.touching, i, now, T)
         report = peer.step(now, T)
+        if self.touching is not None:
+            after_step_alone(self.touching, i)
+            self.places[i].append(self.touching.tools.place[self.touching.first[i] : self.touching.first[i + 1], :3].copy())
         self.position[i].append(peer.state.position.copy())
         self.end[i].append(now)
         self.reports[i].append(report)

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.device import DEVICE_BOOKS, Couplings, Devices, DeviceState, pull_proxy, tell_device
-from cotouch.mechanics import AWAY, Grips, Surface, Tools, TouchWork, at, load, part, put, store
+from cotouch.mechanics import AWAY, Grips, Surface, Tools, TouchWork, at, block, load, part, put, store
 from cotouch.simulation._hands import Hands, grip
 
 Float = npt.NDArray[np.float64]
@@ -136,6 +136,23 @@ def after_step(touching: Touching, i: int) -> None:
     for t in range(at(touching.first, i), at(touching.first, i + 1)):
         if at(touching.couplings.device, t) >= 0:
             tell_device(touching.devices, touching.states, touching.couplings, touching.tools, t)
+
+
+@block
+def before_step_alone(touching: Touching, i: int, end: float, T: float) -> bool:
+    """`before_step` for a call from Python."""
+    return before_step(touching, i, end, T)
+
+
+@block
+def after_step_alone(touching: Touching, i: int) -> None:
+    """`after_step` for a call from Python."""
+    after_step(touching, i)
+
+
+def tools_of(touching: Touching, i: int) -> Tools:
+    """The tools of one user, in the arrays of all."""
+    return touching.tools._replace(first=int(touching.first[i]), last=int(touching.first[i + 1]))
 
 
 @part
