@@ -25,6 +25,8 @@ Int = npt.NDArray[np.int32]
 # A row of four numbers, whatever the width of the body's own fields: places and normals.
 FOUR = (0, 0, 0, 0)
 _LEAF = 4
+# Triangles at which a truncated body's missing compliance is worked out.
+_PROBES = 32
 
 
 class Surface(NamedTuple):
@@ -48,6 +50,8 @@ class Surface(NamedTuple):
         spread: modal: how far a shape is from that mean anywhere in the box, (B * rows, 4).
         hold_rest: rest places of what a grasp may hold: nodes, or vertices in a modal basis, (H, 4) [m].
         hold_row: its rows, (H, axes); (H, 0) in a modal basis, where it is the vertex of the same number.
+        soft: what a truncated body lacks in static compliance at a corner of each triangle, and between two of its
+            corners, (F, 2), else (0, 2) [m/N].
     """
 
     rest: Float
@@ -65,6 +69,7 @@ class Surface(NamedTuple):
     spread: Float
     hold_rest: Float
     hold_row: Int
+    soft: Float
 
 
 class Fit(NamedTuple):
@@ -130,7 +135,38 @@ def surface_of(model: Model) -> Surface:
         spread=spread,
         hold_rest=hold_rest,
         hold_row=hold_row,
+        soft=_softness(model, rest, corner) if body.truncation is not None else np.zeros((0, 2)),
     )
+
+
+def _softness(model: Model, rest: Float, corner: Int) -> Float:
+    """Missing compliance at every triangle of a truncated copy: worked out at some, elsewhere that of the nearest.
+
+    The chosen triangles are each the farthest from those before it, so they cover the skin evenly.
+
+    Returns:
+        Of a corner by itself, and between two corners, (F, 2) [m/N].
+    """
+    result = np.zeros((corner.shape[0], 2))
+    if model.body.skin is None:
+        return result
+    centre = rest[corner].mean(axis=1)
+    chosen = [0]
+    distance = np.linalg.norm(centre - centre[0], axis=1)
+    owner = np.zeros(corner.shape[0], dtype=np.intp)
+    while len(chosen) < min(_PROBES, corner.shape[0]):
+        chosen.append(int(np.argmax(distance)))
+        new = np.linalg.norm(centre - centre[chosen[-1]], axis=1)
+        owner[new < distance] = len(chosen) - 1
+        distance = np.minimum(distance, new)
+    missing = model.body.missing_compliance(corner[chosen].ravel().tolist())
+    axes = missing.shape[0] // (3 * len(chosen))
+    for probe in range(len(chosen)):
+        rows = slice(3 * axes * probe, 3 * axes * (probe + 1))
+        own = missing[rows, rows].reshape(3, axes, 3, axes).trace(axis1=1, axis2=3) / axes
+        alone, together = own.trace() / 3, (own.sum() - own.trace()) / 6
+        result[owner == probe] = max(alone, 0.0), min(max(together, 0.0), max(alone, 0.0))
+    return result / model.operator.share
 
 
 def fit_of(surface: Surface, model: Model) -> Fit:

@@ -202,6 +202,13 @@ def _meet(
         t = found.tool[c]
         touch.depth[c] = found.depth[c]
         touch.stiffness[c] = tools.stiffness[t]
+        if surface.soft.shape[0] > 0:  # in series with what the shapes of a truncated body leave out
+            square = 0.0
+            for corner in range(3):
+                square += found.share[c, corner] * found.share[c, corner]
+            alone, together = surface.soft[found.triangle[c], 0], surface.soft[found.triangle[c], 1]
+            soft = together + (alone - together) * square
+            touch.stiffness[c] /= 1.0 + soft * tools.stiffness[t]
         touch.loss[c] = tools.loss[t] / T
         touch.friction[c] = tools.friction[t]
     for t in range(tools.first, tools.last):
