@@ -1,0 +1,267 @@
+"""One full step of a peer with a proxy in contact, collision included, beside MuJoCo flex with a sphere pressed into it.
+
+A sphere of three spacings' radius is pressed into a lattice and slides on it; each step finds the contacts on the
+deformed skin, solves them together with the body, its two neighbours and the proxy, and books the energies. The clock
+is read inside the compiled loop, step by step.
+"""
+
+import contextlib
+import ctypes
+import tempfile
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numba
+import numpy as np
+import numpy.typing as npt
+
+from benchmarks._copy import CAP, MASS, PERIOD, TOLERANCE, Copy, copy, cube
+from benchmarks._report import Row, command
+from benchmarks.step import _diverges, _quiet
+from cotouch.body import Body
+from cotouch.mechanics import (
+    GRASP,
+    TOUCH,
+    TOUCH_BOOKS,
+    Surface,
+    Tools,
+    TouchWork,
+    surface_of,
+    tools,
+    touch_step,
+    touch_work,
+)
+
+Float = npt.NDArray[np.float64]
+
+SIDES = (10, 17, 27)
+SPACING = 0.01
+STEPS = 1500
+GENERAL, TRUNCATED = 8_000, 50_000
+_MODES = 60
+_LIMIT = 1e-3
+_MUJOCO_SIDES = (10, 17)
+
+
+class Scene(NamedTuple):
+    """A copy with one tool."""
+
+    copy: Copy
+    surface: Surface
+    tools: Tools
+    work: TouchWork
+    books: Float
+    path: Float
+    times: npt.NDArray[np.int64]
+    contacts: npt.NDArray[np.int32]
+
+
+_clock = ctypes.CDLL(None).clock_gettime
+_clock.argtypes = [ctypes.c_int, ctypes.c_void_p]
+_MONOTONIC = 1
+
+
+@numba.njit(error_model="numpy", nogil=True)
+def _run(
+    op: Any,
+    state: Any,
+    links: Any,
+    grips: Any,
+    surface: Any,
+    own: Any,
+    local: Any,
+    extra: Any,
+    lengths: Any,
+    work: Any,
+    touch: Any,
+    books: Any,
+    touch_books: Any,
+    link_work: Any,
+    path: Any,
+    now: Any,
+    times: Any,
+    contacts: Any,
+    lanes: Any,
+) -> None:
+    for k in range(lengths.shape[0]):
+        for a in range(3):
+            own.drive_start[0, a] = path[k, a]
+            own.drive_end[0, a] = path[k, a]
+        _clock(_MONOTONIC, now.ctypes.data)
+        begin = now[0] * 1_000_000_000 + now[1]
+        touch_step(
+            op, state, links, grips, surface, own, local, extra, lengths[k], links.last, work, touch, books, touch_books,
+            link_work, TOLERANCE, CAP, lanes,
+        )  # fmt: skip
+        _clock(_MONOTONIC, now.ctypes.data)
+        times[k] = now[0] * 1_000_000_000 + now[1] - begin
+        contacts[k] = own.touching[0]
+
+
+def scene(body: Body, *, mode: int = TOUCH, steps: int = STEPS) -> Scene:
+    """A sphere over the middle of the top, which goes down into it and then to and fro."""
+    c = copy(body, steps=steps)
+    c = c._replace(grips=c.grips._replace(last=0))  # the tool is what holds this copy
+    surface = surface_of(c.model)
+    own = tools(1)
+    top = body.rest.max(axis=0)
+    middle = np.array([0.503 * top[0], 0.487 * top[1], top[2]])
+    own.radius[0] = 3.0 * SPACING
+    own.mass[0], own.stiffness[0], own.mode[0] = 0.05, 1000.0, mode
+    own.grip_stiffness[0], own.grip_damping[0] = 200.0, 1.0
+    own.drive_stiffness[0], own.drive_damping[0] = 500.0, 5.0
+    own.place[0, :3] = middle + [0.0, 0.0, own.radius[0]]
+    path = np.tile(own.place[0], (steps, 1))
+    when = np.arange(steps) * PERIOD
+    path[:, 2] -= 0.8 * own.radius[0] * np.minimum(when / 0.2, 1.0)
+    path[:, 0] += 2.0 * SPACING * np.sin(2.0 * np.pi * np.maximum(when - 0.2, 0.0))
+    if mode == GRASP:
+        own.radius[0], own.place[0, 2] = 1.25 * SPACING, top[2]
+    work = touch_work(c.model, surface, tools=1, ports=c.grips.row.size)
+    counts = np.zeros(steps, np.int32)
+    return Scene(c, surface, own, work, np.zeros(TOUCH_BOOKS), path, np.zeros(steps, np.int64), counts)
+
+
+def run(s: Scene) -> Float:
+    """Seconds of each step after the sphere has come down."""
+    c = s.copy
+    _run(
+        c.model.operator, c.state, c.links, c.grips, s.surface, s.tools, c.local, c.extra, c.lengths, c.work, s.work,
+        c.books, s.books, c.link_work, s.path, np.zeros(2, np.int64), s.times, s.contacts, c.model.lanes,
+    )  # fmt: skip
+    return 1e-9 * s.times[s.times.size // 5 :]
+
+
+def _us(seconds: float) -> str:
+    return f"{1e6 * seconds:,.0f} µs"
+
+
+def _row(what: str, s: Scene, goal: str = "") -> tuple[Row, float]:
+    seconds = run(s)
+    p50, p99 = (float(np.quantile(seconds, q)) for q in (0.5, 0.99))
+    held = s.contacts[s.contacts.size // 5 :]
+    kind = "nodes held" if s.tools.mode[0] == GRASP else "contacts"
+    note = f"p99 {_us(p99)}; {held.mean():.1f} {kind}, at most {held.max()}; {s.surface.corner.shape[0]:,} triangles"
+    return Row("touch", what, f"p50 {_us(p50)}", goal, note), p99
+
+
+def lattices() -> list[Row]:
+    """The step for every size, touching and holding."""
+    rows: list[Row] = []
+    for side in SIDES:
+        rows.append(_row(f"lattice of {side**3:,} nodes, sphere pressed in", scene(cube(side)))[0])
+        rows.append(_row("— held at the nodes in a sphere", scene(cube(side), mode=GRASP))[0])
+    return rows
+
+
+def largest() -> list[Row]:
+    """The largest lattice whose 99th percentile is below a millisecond."""
+    best: tuple[int, str] | None = None
+    for side in range(17, 30):
+        row, p99 = _row("", scene(cube(side)))
+        if p99 > _LIMIT:
+            break
+        best = side**3, row.note
+    rows = [
+        Row(
+            "touch",
+            "largest lattice with p99 of 1 ms or less, sphere pressed in",
+            "none" if best is None else f"{best[0]:,} nodes",
+            f"≥ {GENERAL:,}",
+            "" if best is None else best[1],
+        )
+    ]
+    side = round(TRUNCATED ** (1 / 3) + 0.49)
+    body = cube(side)
+    top = body.rest.max(axis=0)
+    near = np.argsort(np.linalg.norm(body.rest - [0.5 * top[0], 0.5 * top[1], top[2]], axis=1))[:4]
+    row, p99 = _row(
+        f"{side**3:,} nodes truncated to {_MODES} modes and 4 contacts' residuals",
+        scene(body.truncated(modes=_MODES, contacts=near.tolist())),
+        f"p99 ≤ 1 ms at ≥ {TRUNCATED:,}",
+    )
+    return [*rows, row._replace(note=row.note + f"; {'met' if p99 <= _LIMIT else 'not met'}")]
+
+
+def _flex(side: int) -> Callable[[], object]:
+    """A step of MuJoCo flex on the same grid, with a sphere held where it dents the top by a third of its radius."""
+    import mujoco
+
+    young = MASS / side**3 * (2.0 * 1.8 / PERIOD) ** 2 / 12.0 / SPACING
+    half, radius = 0.5 * (side - 1) * SPACING, 3.0 * SPACING
+    text = f"""
+    <mujoco>
+      <option timestep="{PERIOD}" gravity="0 0 0" integrator="discrete"/>
+      <size memory="2G"/>
+      <worldbody>
+        <body name="hand" mocap="true" pos="0.0003 -0.0007 {half + 0.67 * radius}">
+          <geom type="sphere" size="{radius}" solref="0.005 1"/>
+        </body>
+        <flexcomp name="f" type="grid" count="{side} {side} {side}" spacing="{SPACING} {SPACING} {SPACING}" dim="3"
+                  mass="{MASS}" radius="0.001">
+          <elasticity young="{young}" poisson="0"/>
+          <contact selfcollide="none"/>
+          <pin gridrange="0 0 0 {side - 1} {side - 1} 0"/>
+        </flexcomp>
+      </worldbody>
+    </mujoco>"""
+    model = mujoco.MjModel.from_xml_string(text)
+    data = mujoco.MjData(model)
+    contacts: list[int] = []
+
+    def advance() -> list[int]:
+        mujoco.mj_step(model, data)
+        contacts.append(data.ncon)
+        assert not any(warning.number for warning in data.warning), "MuJoCo's motion left its range"
+        return contacts
+
+    return advance
+
+
+def rivals() -> list[Row]:
+    """MuJoCo flex with a touching sphere, and ours in turns with it."""
+    try:
+        import mujoco
+    except ImportError:
+        return [Row("touch", "MuJoCo flex", "not installed")]
+    from time import perf_counter
+
+    rows: list[Row] = []
+    with tempfile.TemporaryDirectory() as folder, contextlib.chdir(folder):
+        for side in _MUJOCO_SIDES:
+            with _quiet():
+                advance = _flex(side)
+                broken = _diverges(advance)
+            what = f"MuJoCo {mujoco.__version__} flex, {side**3:,} nodes, sphere pressed in"
+            if broken:
+                rows.append(Row("touch", what, "diverges"))
+                continue
+            ratios: list[float] = []
+            theirs: list[float] = []
+            seen: Any = []
+            for _ in range(5):
+                start = perf_counter()
+                for _ in range(10):
+                    seen = advance()
+                theirs.append((perf_counter() - start) / 10)
+                ratios.append(theirs[-1] / float(np.median(run(scene(cube(side), steps=300)))))
+            rows.append(
+                Row(
+                    "touch",
+                    what,
+                    f"{1e3 * float(np.median(theirs)):.1f} ms",
+                    "",
+                    f"{seen[-1]} contacts; ours is {float(np.median(ratios)):.0f} × faster",
+                )
+            )
+    return rows
+
+
+def measure() -> list[Row]:
+    """Rows of the table."""
+    run(scene(cube(6), steps=50))
+    return [*lattices(), *largest(), *rivals()]
+
+
+if __name__ == "__main__":
+    command(measure, __doc__)
