@@ -215,7 +215,7 @@ class TestSweep:
         count, r, e, free = 4, 1e-4, 1e-3, 1e-4
         parts = [np.full(count, e), np.full(count, stiffness), np.zeros(count), np.zeros(count)]
         parts += [np.full(count, free), np.full((count, count), r)]
-        force, sweeps = swept(count, 1, parts)
+        force, _ = swept(count, 1, parts)
         together = resist(count * stiffness, e, free, r, 0.0)
         assert force.sum() == pytest.approx(together, rel=1e-9)
         assert force == pytest.approx(np.full(count, together / count), rel=1e-6)

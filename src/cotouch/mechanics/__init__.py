@@ -34,8 +34,8 @@ from cotouch.mechanics._tools import (
     TOUCHED,
     Tools,
     TouchWork,
-    touch_work,
     tools,
+    touch_work,
 )
 from cotouch.mechanics._touch import touch_step
 from cotouch.mechanics._vector import at, load, put, splat, store, total
