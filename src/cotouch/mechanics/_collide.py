@@ -1,8 +1,9 @@
 """Where a sphere touches a surface: the places at which the distance to its centre is a local minimum.
 
-One sphere on a flat of many triangles has one contact, in a valley two, in a dent as many as there are. A triangle knows
-only its own nearest point; that point is a local minimum of the whole surface exactly if every triangle that meets
-there says the same, so it is enough to count.
+One sphere on a flat of many triangles has one contact, in a valley two, in a dent as many as there are. A triangle
+knows only its own nearest point; that point is a local minimum of the whole surface exactly if every triangle that
+meets there says the same, so it is enough to count. They agree because what they share is worked out alike, see
+`nearest_point`.
 """
 # pyright: reportArgumentType=false, reportReturnType=false
 
@@ -12,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.mechanics._kernel import block, kernel, part
+from cotouch.mechanics._kernel import block, kernel
 from cotouch.mechanics._surface import Fit, Surface, box_distance, place_vertex
 
 Float = npt.NDArray[np.float64]
@@ -23,6 +24,12 @@ MOST_HITS = 512
 _DEPTH = 64
 # Two contacts of one sphere closer than this share of its radius are one.
 _SAME = 1e-6
+# Hits closer than this share of it may be one that rounding has split.
+_CLOSE = 1e-9
+# A centre this close to the skin is on it, and the way out is along the normal [m].
+_ON = 1e-12
+# A triangle whose sine at a corner is smaller than the root of this is a line.
+_FLAT = 1e-24
 
 
 class Hits(NamedTuple):
@@ -52,7 +59,7 @@ class Hits(NamedTuple):
 
 
 class Contacts(NamedTuple):
-    """What touches, or may touch within a step; `count[0]` of them.
+    """What touches, or may touch within a step; `number[0]` of them.
 
     Attributes:
         tool: which sphere, (most,).
@@ -60,7 +67,7 @@ class Contacts(NamedTuple):
         share: of its corners in the point of contact, (most, 4).
         normal: outward, from the skin to the sphere, (most, 4).
         depth: penetration, negative for a gap, (most,) [m].
-        count: (1,).
+        number: (1,).
     """
 
     tool: Int
@@ -68,7 +75,7 @@ class Contacts(NamedTuple):
     share: Float
     normal: Float
     depth: Float
-    count: Int
+    number: Int
 
 
 def hits() -> Hits:
@@ -94,7 +101,7 @@ def contacts(most: int) -> Contacts:
         share=np.zeros((most, 4)),
         normal=np.zeros((most, 4)),
         depth=np.zeros(most),
-        count=np.zeros(1, dtype=np.int32),
+        number=np.zeros(1, dtype=np.int32),
     )
 
 
@@ -104,51 +111,77 @@ def _dot(a: Float, i: int, b: Float, j: int) -> float:
 
 
 @block
+def _inside(place: Float, ia: int, ib: int, ic: int, x: float, y: float, z: float, near: Float) -> bool:
+    """Whether a point lies above the inside of a triangle; if so, `near` gets shares and foot."""
+    ax, ay, az = place[ia, 0], place[ia, 1], place[ia, 2]
+    ux, uy, uz = place[ib, 0] - ax, place[ib, 1] - ay, place[ib, 2] - az
+    vx, vy, vz = place[ic, 0] - ax, place[ic, 1] - ay, place[ic, 2] - az
+    px, py, pz = x - ax, y - ay, z - az
+    nx, ny, nz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
+    size = nx * nx + ny * ny + nz * nz
+    if not size > _FLAT * (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz):
+        return False
+    b = (nx * (py * vz - pz * vy) + ny * (pz * vx - px * vz) + nz * (px * vy - py * vx)) / size
+    c = (nx * (uy * pz - uz * py) + ny * (uz * px - ux * pz) + nz * (ux * py - uy * px)) / size
+    a = 1.0 - b - c
+    if not (a > 0.0 and b > 0.0 and c > 0.0):
+        return False
+    near[0, 0], near[0, 1], near[0, 2] = a, b, c
+    near[1, 0], near[1, 1], near[1, 2] = ax + b * ux + c * vx, ay + b * uy + c * vy, az + b * uz + c * vz
+    return True
+
+
+@block
 def nearest_point(place: Float, ia: int, ib: int, ic: int, x: float, y: float, z: float, near: Float) -> int:
-    """Nearest point of a triangle to a point [Ericson 2005, 5.1.5].
+    """Nearest point of a triangle to a point.
+
+    Triangles that share an edge or a corner work out the same numbers for it, from the smaller index to the larger, and
+    break ties alike. So they agree to the bit on whether it is nearest, however the point lies.
 
     Returns:
         Where it is: 0, 1, 2 a corner, 3, 4, 5 on the edge 0-1, 1-2, 2-0, 6 inside. `near` gets the share of the corners
         in row 0 and the point in row 1.
     """
-    ax, ay, az = place[ia, 0], place[ia, 1], place[ia, 2]
-    abx, aby, abz = place[ib, 0] - ax, place[ib, 1] - ay, place[ib, 2] - az
-    acx, acy, acz = place[ic, 0] - ax, place[ic, 1] - ay, place[ic, 2] - az
-    apx, apy, apz = x - ax, y - ay, z - az
-    d1, d2 = abx * apx + aby * apy + abz * apz, acx * apx + acy * apy + acz * apz
-    bpx, bpy, bpz = apx - abx, apy - aby, apz - abz
-    d3, d4 = abx * bpx + aby * bpy + abz * bpz, acx * bpx + acy * bpy + acz * bpz
-    cpx, cpy, cpz = apx - acx, apy - acy, apz - acz
-    d5, d6 = abx * cpx + aby * cpy + abz * cpz, acx * cpx + acy * cpy + acz * cpz
-    va, vb, vc = d3 * d6 - d5 * d4, d5 * d2 - d1 * d6, d1 * d4 - d3 * d2
-    v = w = 0.0
-    if d1 <= 0.0 and d2 <= 0.0:
-        where = 0
-    elif d3 >= 0.0 and d4 <= d3:
-        where, v = 1, 1.0
-    elif d6 >= 0.0 and d5 <= d6:
-        where, w = 2, 1.0
-    elif vc <= 0.0 and d1 >= 0.0 and d3 <= 0.0:
-        where, v = 3, d1 / (d1 - d3)
-    elif va <= 0.0 and d4 - d3 >= 0.0 and d5 - d6 >= 0.0:
-        where, w = 4, (d4 - d3) / ((d4 - d3) + (d5 - d6))
-        v = 1.0 - w
-    elif vb <= 0.0 and d2 >= 0.0 and d6 <= 0.0:
-        where, w = 5, d2 / (d2 - d6)
-    else:
-        where = 6
-        total = va + vb + vc
-        v, w = vb / total, vc / total
-    near[0, 0], near[0, 1], near[0, 2] = 1.0 - v - w, v, w
-    if where in (1, 4) or where == 2:
-        near[0, 0] = 0.0
-    near[1, 0] = ax + v * abx + w * acx
-    near[1, 1] = ay + v * aby + w * acy
-    near[1, 2] = az + v * abz + w * acz
+    if _inside(place, ia, ib, ic, x, y, z, near):
+        return 6
+    where, best, rank = 0, np.inf, 0
+    vertices = place.shape[0]
+    for side in range(3):
+        i, j, first, second = ia, ib, 0, 1
+        if side == 1:
+            i, j, first, second = ib, ic, 1, 2
+        elif side == 2:
+            i, j, first, second = ic, ia, 2, 0
+        if i > j:
+            i, j, first, second = j, i, second, first
+        ux, uy, uz = place[j, 0] - place[i, 0], place[j, 1] - place[i, 1], place[j, 2] - place[i, 2]
+        dot = ux * (x - place[i, 0]) + uy * (y - place[i, 1]) + uz * (z - place[i, 2])
+        size = ux * ux + uy * uy + uz * uz
+        spot, own, share = 3 + side, (i + 1) * vertices + j, 0.0
+        if dot <= 0.0 or size == 0.0:
+            spot, own = first, i
+        elif dot >= size:
+            spot, own, share = second, j, 1.0
+        else:
+            share = dot / size
+        fx, fy, fz = place[i, 0] + share * ux, place[i, 1] + share * uy, place[i, 2] + share * uz
+        if spot < 3:
+            fx, fy, fz = place[own, 0], place[own, 1], place[own, 2]
+        gx, gy, gz = x - fx, y - fy, z - fz
+        square = gx * gx + gy * gy + gz * gz
+        if square < best or (square == best and own < rank):
+            where, best, rank = spot, square, own
+            near[0, 0], near[0, 1], near[0, 2] = 0.0, 0.0, 0.0
+            near[0, first] = 1.0 - share
+            near[0, second] = share
+            if spot < 3:
+                near[0, first], near[0, second] = 0.0, 0.0
+                near[0, spot] = 1.0
+            near[1, 0], near[1, 1], near[1, 2] = fx, fy, fz
     return where
 
 
-@part
+@block
 def _angle(place: Float, i: int, j: int, k: int) -> float:
     """Angle of a triangle at its corner i [rad]."""
     dot = square = other = 0.0
@@ -161,8 +194,10 @@ def _angle(place: Float, i: int, j: int, k: int) -> float:
     return 0.0 if size == 0.0 else math.acos(min(max(dot / size, -1.0), 1.0))
 
 
-@part
-def _add_hit(surface: Surface, fit: Fit, hits: Hits, count: int, triangle: int, where: int, centre: Float, t: int) -> int:
+@block
+def _add_hit(
+    surface: Surface, fit: Fit, hits: Hits, count: int, triangle: int, where: int, centre: Float, t: int
+) -> int:
     """Notes what one triangle said; returns the new number of hits."""
     ia, ib, ic = surface.corner[triangle, 0], surface.corner[triangle, 1], surface.corner[triangle, 2]
     edges = surface.share.shape[0]
@@ -174,20 +209,29 @@ def _add_hit(surface: Surface, fit: Fit, hits: Hits, count: int, triangle: int, 
     slot = 0
     while slot < count and hits.feature[slot] != feature:
         slot += 1
-    if slot == MOST_HITS:
-        return count
     if slot == count:
+        square = 0.0
+        for a in range(3):
+            gap = centre[t, a] - hits.near[1, a]
+            square += gap * gap
+        distance = math.sqrt(square)
+        if count == MOST_HITS:  # in place of the farthest; what falls out does not come back
+            slot = 0
+            for other in range(1, count):
+                if hits.distance[other] > hits.distance[slot]:
+                    slot = other
+            if distance >= hits.distance[slot]:
+                return count
+        else:
+            count += 1
         hits.feature[slot] = feature
         hits.seen[slot] = 0
         hits.triangle[slot] = triangle
-        square = 0.0
+        hits.distance[slot] = distance
         for a in range(3):
             hits.share[slot, a] = hits.near[0, a]
             hits.away[slot, a] = centre[t, a] - hits.near[1, a]
             hits.normal[slot, a] = 0.0
-            square += hits.away[slot, a] * hits.away[slot, a]
-        hits.distance[slot] = math.sqrt(square)
-        count += 1
     hits.seen[slot] += 1
     place = fit.place
     ux, uy, uz = place[ib, 0] - place[ia, 0], place[ib, 1] - place[ia, 1], place[ib, 2] - place[ia, 2]
@@ -208,7 +252,7 @@ def _add_hit(surface: Surface, fit: Fit, hits: Hits, count: int, triangle: int, 
     return count
 
 
-@part
+@block
 def _search(
     surface: Surface,
     fit: Fit,
@@ -249,6 +293,24 @@ def _search(
             if square <= limit:
                 count = _add_hit(surface, fit, hits, count, triangle, where, centre, t)
     return count
+
+
+@block
+def _merge(hits: Hits, count: int, slot: int, close: float) -> None:
+    """Sum of the normals of all that lies where a hit does, into row 0 of `near`.
+
+    Over an edge, one triangle may by rounding say that the point is inside of it and the other that it is on the edge;
+    on which side of the skin a centre is takes both.
+    """
+    hits.near[0, 0], hits.near[0, 1], hits.near[0, 2] = 0.0, 0.0, 0.0
+    for other in range(count):
+        square = 0.0
+        for a in range(3):
+            gap = hits.away[other, a] - hits.away[slot, a]
+            square += gap * gap
+        if square <= close * close:
+            for a in range(3):
+                hits.near[0, a] += hits.normal[other, a]
 
 
 @block
@@ -297,19 +359,20 @@ def touching(
     for slot in range(1, count):
         if hits.distance[slot] < hits.distance[best]:
             best = slot
-    within = _dot(hits.away, best, hits.normal, best) < 0.0
-    first = found.count[0]
+    _merge(hits, count, best, _CLOSE * radius)
+    within = _dot(hits.away, best, hits.near, 0) < 0.0 and hits.distance[best] > _ON
+    first = found.number[0]
     for slot in range(count):
         feature = hits.feature[slot]
         if within:
             if slot == best:
                 _keep(hits, found, slot, tool, radius + hits.distance[slot], -1.0)
         elif feature >= surface.share.shape[0] or hits.seen[slot] == surface.share[feature]:
-            facing = _dot(hits.away, slot, hits.normal, slot)
-            flat = hits.normal[slot, 0] == 0.0 and hits.normal[slot, 1] == 0.0 and hits.normal[slot, 2] == 0.0
-            if (facing > 0.0 or flat) and hits.distance[slot] <= radius + margin:
+            _merge(hits, count, slot, _CLOSE * radius)
+            facing = _dot(hits.away, slot, hits.near, 0)
+            if (facing >= 0.0 or hits.distance[slot] <= _ON) and hits.distance[slot] <= radius + margin:
                 twin = False
-                for other in range(first, found.count[0]):
+                for other in range(first, found.number[0]):
                     gap = 0.0
                     for a in range(3):
                         step = (radius - found.depth[other]) * found.normal[other, a] - hits.away[slot, a]
@@ -320,11 +383,11 @@ def touching(
     return within
 
 
-@part
+@block
 def _keep(hits: Hits, found: Contacts, slot: int, tool: int, depth: float, sign: float) -> None:
     """Adds a contact; with no room left, in place of the shallowest if that is shallower."""
     most = found.depth.shape[0]
-    c = found.count[0]
+    c = found.number[0]
     if c == most:
         c = 0
         for other in range(1, most):
@@ -333,7 +396,7 @@ def _keep(hits: Hits, found: Contacts, slot: int, tool: int, depth: float, sign:
         if found.depth[c] >= depth:
             return
     else:
-        found.count[0] = c + 1
+        found.number[0] = c + 1
     found.tool[c] = tool
     found.triangle[c] = hits.triangle[slot]
     found.depth[c] = depth
@@ -341,9 +404,9 @@ def _keep(hits: Hits, found: Contacts, slot: int, tool: int, depth: float, sign:
     for a in range(3):
         found.share[c, a] = hits.share[slot, a]
         found.normal[c, a] = sign * hits.away[slot, a]
-    if size <= 1e-12:
-        size = math.sqrt(_dot(hits.normal, slot, hits.normal, slot))
+    if size <= _ON:
+        size = math.sqrt(_dot(hits.near, 0, hits.near, 0))
         for a in range(3):
-            found.normal[c, a] = hits.normal[slot, a]
+            found.normal[c, a] = hits.near[0, a]
     for a in range(3):
         found.normal[c, a] = found.normal[c, a] / size if size > 0.0 else (1.0 if a == 2 else 0.0)

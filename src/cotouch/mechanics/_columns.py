@@ -140,7 +140,8 @@ def solve_columns(
                 grown = _grow(op, work, first, last)
                 for place in range(size, grown):
                     i = work.reach[place]
-                    store(answer, i, zero, FOUR)
+                    for other in range(group + 1):  # earlier groups do not reach it: zero, not of another step
+                        store(work.answer[other], i, zero, FOUR)
                     store(work.residual, i, zero, FOUR)
                 first, size = last, grown
             last = size

@@ -21,73 +21,79 @@ _SETTLED = 1e-13
 
 
 @block
-def _law(k: float, e: float, d: float, a: float) -> float:
-    """Mean force while the penetration goes from e to e + d: `[φ(e+d) - φ(e)]/d (1 + a d)₊` [N]."""
-    end = e + d
-    if e > 0.0:
-        force = k * (e + 0.5 * d) if end >= 0.0 else -0.5 * k * e * e / d
-    else:
-        force = 0.5 * k * end * end / d if end > 0.0 else 0.0
-    return force * max(1.0 + a * d, 0.0)
+def _entering(k: float, gap: float, over: float, r: float, a: float) -> float:
+    """Force where a gap closes within the step, by the penetration at its end: every term is positive.
 
-
-@block
-def _undamped(k: float, e: float, free: float, r: float) -> float:
-    """Motion d of the contact in closed form for no damping, without cancellation (theory: contact, touch)."""
-    if e > 0.0:
-        d = (free - r * k * e) / (1.0 + 0.5 * r * k)
-        if e + d >= 0.0:
-            return d
-        return 0.5 * (free - math.sqrt(free * free + 2.0 * r * k * e * e))
-    a = 1.0 + 0.5 * r * k
-    b = r * k * e - free  # <= -(e + free) < 0 here, because e + free > 0 and e <= 0
-    c = 0.5 * r * k * e * e
-    return (-b + math.sqrt(max(b * b - 4.0 * a * c, 0.0))) / (2.0 * a)
+    Args:
+        k: stiffness [N/m].
+        gap: before the step, >= 0 [m].
+        over: how far the contact would get in without any force, > 0 [m].
+        r: motion that a unit of force takes away [m/N].
+        a: damping over the step [1/m].
+    """
+    s = r * k
+    apart = gap - over
+    root = math.sqrt(apart * apart + 2.0 * (2.0 + s) * over * gap)
+    end = 2.0 * over * gap / (apart + root) if apart > 0.0 else (root - apart) / (2.0 + s)
+    if end == 0.0:
+        return 0.0
+    if s * a > 0.0:
+        # end + s/2 (end² / (end + gap) + a end²) = over: convex in end, so Newton from above comes down to it.
+        end = min(end, math.sqrt(2.0 * over / (s * a)))
+        for _ in range(60):
+            ratio = end / (end + gap)
+            excess = end - over + 0.5 * s * end * (ratio + a * end)
+            move = excess / (1.0 + 0.5 * s * (ratio * (2.0 - ratio) + 2.0 * a * end))
+            end -= move
+            if not move > 4e-16 * end:
+                break
+    return 0.5 * k * end * (end / (end + gap)) * (1.0 + a * (end + gap))
 
 
 @block
 def resist(k: float, e: float, free: float, r: float, a: float) -> float:
     """Force of one unilateral contact over a step.
 
-    Solves `d = free - r f`, `f = [φ(e+d) - φ(e)]/d (1 + a d)₊`.
+    Solves `d = free - r f`, `f = [φ(e+d) - φ(e)]/d (1 + a d)₊` with `φ(η) = ½ k [η]₊²`. The force rises with d, so
+    there is one solution. It is given by terms that do not cancel: neither where the contact hardly moves, nor where it
+    is so stiff that it hardly yields.
 
     Args:
         k: stiffness [N/m].
         e: penetration at the start, negative for a gap [m].
         free: motion over the step without this contact [m].
-        r: motion that a unit of force takes away, > 0 [m/N].
+        r: motion that a unit of force takes away, >= 0 [m/N].
         a: damping over the step, λ/T, >= 0 [1/m].
 
     Returns:
         f >= 0 [N].
     """
-    if e <= 0.0 and e + free <= 0.0:
+    if e <= 0.0:
+        if e + free <= 0.0:
+            return 0.0
+        return _entering(k, -e, e + free, r, a)
+    s = r * k
+    if e + free >= 0.5 * s * e * max(1.0 - a * e, 0.0):  # still touching at the end
+        if a == 0.0:
+            return k * (e + 0.5 * free) / (1.0 + 0.5 * s)
+        if 1.0 + a * free <= 0.0:
+            return 0.0  # leaves faster than the damper lets it push
+        slope, over = 1.0 + 0.5 * s + s * a * e, free - s * e
+        d = 2.0 * over / (slope + math.sqrt(max(slope * slope + 2.0 * s * a * over, 0.0)))
+        yielding = max(1.0 + a * d, 0.0)
+        # The law is exact where little force goes a long way, the rest of the motion where much goes a short way.
+        if s * (e + abs(d)) * (1.0 + a * abs(d)) > abs(free) + abs(d):
+            return max(free - d, 0.0) / r
+        return k * (e + 0.5 * d) * yielding
+    c = 0.5 * s * e * e
+    b = free + c * a
+    root = math.sqrt(b * b + 4.0 * c)
+    out = 2.0 * c / (b + root) if b > 0.0 else 0.5 * (root - b)  # how far it moves outwards
+    if a * out >= 1.0:
         return 0.0
-    d = _undamped(k, e, free, r)
-    if a > 0.0:
-        # free - d - r f(d) falls as d rises: Newton from the undamped motion, kept in a shrinking bracket.
-        high = free
-        low = free - r * _law(k, e, free, a)
-        d = min(max(d, low), high)
-        for _ in range(80):
-            excess = d - free + r * _law(k, e, d, a)
-            if excess > 0.0:
-                high = d
-            else:
-                low = d
-            step = 1e-7 * (abs(d) + abs(e) + 1e-12)
-            slope = 1.0 + r * (_law(k, e, d + step, a) - _law(k, e, d, a)) / step
-            new = d - excess / slope
-            if not low < new < high:
-                new = 0.5 * (low + high)
-            if abs(new - d) <= 1e-16 * (abs(d) + abs(e)) or new == low or new == high:
-                break
-            d = new
-    if d == 0.0:
-        return k * max(e, 0.0)
-    # Where the contact moves hardly at all, free - d cancels and the law itself is exact; where r is tiny, the reverse.
-    force = _law(k, e, d, a)
-    return max(0.0, force)
+    if c > out * (abs(free) + out):
+        return max(free + out, 0.0) / r
+    return 0.5 * k * e * e / out * (1.0 - a * out)
 
 
 @block
@@ -132,13 +138,12 @@ def sweep(
             force[n] = new
             largest = max(largest, new)
             if axes == 3 and friction[c] > 0.0:
-                p, q = 0.0, 0.0
                 first, second = free[n + 1], free[n + 2]
                 for j in range(elements):
                     first -= compliance[n + 1, j] * force[j]
                     second -= compliance[n + 2, j] * force[j]
-                stiffest = max(compliance[n + 1, n + 1] + abs(compliance[n + 1, n + 2]),
-                               compliance[n + 2, n + 2] + abs(compliance[n + 1, n + 2]))
+                beside = max(abs(compliance[n + 1, n + 2]), abs(compliance[n + 2, n + 1]))
+                stiffest = max(compliance[n + 1, n + 1], compliance[n + 2, n + 2]) + beside
                 p, q = force[n + 1] + first / stiffest, force[n + 2] + second / stiffest
                 size, most = math.sqrt(p * p + q * q), friction[c] * new
                 if size > most:

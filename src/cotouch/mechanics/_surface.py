@@ -1,8 +1,8 @@
 """The skin of a body in the form that contact works on: where its vertices are, and a tree of boxes around them.
 
 The boxes follow the body. Where a vertex hangs on a few nodes, all of them are refitted in one pass. Where it hangs on
-every shape of a modal or truncated body, a box is worked out only when a search comes to it: its mean shape moves it and
-the shapes' spread within it widens it, a bound that holds for every motion [James & Pai 2004].
+every shape of a modal or truncated body, a box is worked out only when a search comes to it: its mean shape moves it
+and the shapes' spread within it widens it, a bound that holds for every motion [James & Pai 2004].
 """
 # An array indexed by an element of another is a number to numba and an array to numpy's types.
 # pyright: reportArgumentType=false, reportReturnType=false
@@ -39,7 +39,7 @@ class Surface(NamedTuple):
         corner: vertices of each triangle, (F, 3).
         edge: features of its edges, between corners 0-1, 1-2 and 2-0, (F, 3).
         share: how many triangles meet at each vertex and edge, (V + E,).
-        row: rows that carry each vertex, (V, k, axes): one for all axes, or one for each; (V, 0, axes) in a modal basis.
+        row: rows that carry each vertex, (V, k, axes): one for all axes, or one each; (V, 0, axes) in a modal basis.
         weight: how much of each, (V, k).
         shape: modal: displacement of each vertex with each row, (V * rows, 4): the same on all axes, or one for each.
         child: the two children of each box; of a leaf, `-1 - first` and how many triangles of `leaf`, (B, 2).
@@ -81,7 +81,7 @@ class Fit(NamedTuple):
         low: corners of the boxes, (B, 4) [m].
         high: likewise.
         size: modal: magnitudes of the rows' coordinates, (rows, width).
-        count: modal: number of the search, (1,).
+        number: modal: number of the search, (1,).
     """
 
     place: Float
@@ -89,7 +89,7 @@ class Fit(NamedTuple):
     low: Float
     high: Float
     size: Float
-    count: Int
+    number: Int
 
 
 def surface_of(model: Model) -> Surface:
@@ -179,7 +179,7 @@ def fit_of(surface: Surface, model: Model) -> Fit:
         low=np.zeros((boxes, 4)),
         high=np.zeros((boxes, 4)),
         size=np.zeros((model.operator_rows if modal else 0, model.width)),
-        count=np.zeros(1, dtype=np.int32),
+        number=np.zeros(1, dtype=np.int32),
     )
 
 
@@ -195,7 +195,8 @@ def _skin(body: Body) -> tuple[Float, Int, Int, Float]:
     if skin is None or not skin.triangles.size:
         number = np.arange(body.nodes, dtype=np.int32)
         return body.rest, np.repeat(number[:, None], 3, axis=1), number[:, None], np.ones((body.nodes, 1))
-    return skin.vertices, np.ascontiguousarray(skin.triangles), skin.nodes, skin.weights
+    # Copies, because the skin's own arrays are read-only, which is another type to the compiler.
+    return skin.vertices, skin.triangles.copy(), skin.nodes, skin.weights.copy()
 
 
 def _features(corner: Int, vertices: int) -> tuple[Int, Int]:
@@ -203,9 +204,11 @@ def _features(corner: Int, vertices: int) -> tuple[Int, Int]:
     ends = np.stack([corner, np.roll(corner, -1, axis=1)], axis=-1).reshape(-1, 2)
     _, edge = np.unique(np.sort(ends, axis=1), axis=0, return_inverse=True)
     edge = edge.reshape(-1)
-    flat = (corner[:, 0] == corner[:, 1]) & (corner[:, 1] == corner[:, 2])
-    at_vertex = np.bincount(corner[~flat].ravel(), minlength=vertices) + np.bincount(corner[flat][:, 0], minlength=vertices)
-    share = np.concatenate([at_vertex, np.bincount(edge)])
+    # A triangle that names a vertex twice meets there once.
+    number = np.arange(corner.shape[0])
+    meets = np.unique(np.stack([np.repeat(number, 3), corner.ravel()]), axis=1)[1]
+    borders = np.unique(np.stack([np.repeat(number, 3), edge]), axis=1)[1]
+    share = np.concatenate([np.bincount(meets, minlength=vertices), np.bincount(borders)])
     return (edge.reshape(-1, 3) + vertices).astype(np.int32), share.astype(np.int32)
 
 
@@ -281,7 +284,7 @@ def refit(surface: Surface, fit: Fit, position: Float, lanes: tuple[int, ...]) -
         lanes: fixes the width.
     """
     if surface.shape.shape[0] > 0:
-        fit.count[0] += 1
+        fit.number[0] += 1
         for i in range(position.shape[0]):
             for a in range(position.shape[1]):
                 fit.size[i, a] = abs(position[i, a])
@@ -320,9 +323,9 @@ def refit(surface: Surface, fit: Fit, position: Float, lanes: tuple[int, ...]) -
 @part
 def place_vertex(surface: Surface, fit: Fit, v: int, position: Float, lanes: tuple[int, ...]) -> None:
     """Brings one vertex of a modal skin to where the body is, if this search has not done so yet."""
-    if surface.shape.shape[0] == 0 or fit.fresh[v] == fit.count[0]:
+    if surface.shape.shape[0] == 0 or fit.fresh[v] == fit.number[0]:
         return
-    fit.fresh[v] = fit.count[0]
+    fit.fresh[v] = fit.number[0]
     rows = position.shape[0]
     place = load(surface.rest, v, FOUR)
     for i in range(rows):
@@ -344,7 +347,7 @@ def box_distance(
             wider = wider + load(fit.size, i, lanes) * load(surface.spread, box * rows + i, FOUR)
         store(fit.low, box, low + moved - wider, FOUR)
         store(fit.high, box, high + moved + wider, FOUR)
-    dx = max(max(fit.low[box, 0] - x, x - fit.high[box, 0]), 0.0)
-    dy = max(max(fit.low[box, 1] - y, y - fit.high[box, 1]), 0.0)
-    dz = max(max(fit.low[box, 2] - z, z - fit.high[box, 2]), 0.0)
+    dx = max(fit.low[box, 0] - x, x - fit.high[box, 0], 0.0)
+    dy = max(fit.low[box, 1] - y, y - fit.high[box, 1], 0.0)
+    dz = max(fit.low[box, 2] - z, z - fit.high[box, 2], 0.0)
     return dx * dx + dy * dy + dz * dz

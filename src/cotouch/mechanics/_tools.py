@@ -8,6 +8,8 @@ import numpy.typing as npt
 from cotouch.mechanics._collide import Contacts, Hits, contacts, hits
 from cotouch.mechanics._columns import Columns, columns
 from cotouch.mechanics._model import Model
+from cotouch.mechanics._ports import Ports, ports_of
+from cotouch.mechanics._small import Small, small
 from cotouch.mechanics._surface import Fit, Surface, fit_of
 
 Float = npt.NDArray[np.float64]
@@ -136,93 +138,29 @@ class TouchWork(NamedTuple):
         hits: of a search.
         found: contacts of this step.
         columns: how the body yields.
-        column: column of each element, (elements,).
-        direction: of each element, (elements, 4).
-        depth: of each contact, (contacts,).
-        stiffness: likewise.
-        loss: λ/T likewise.
-        friction: likewise.
-        free: motion of each element without contacts, (elements,).
-        compliance: R, (elements, elements).
-        force: (elements,).
-        yielding: Hᵀ A⁻¹ H among all columns, (columns, columns).
-        reading: Hᵀ v̂ at the columns, (columns, 4).
-        load: force at each column, (columns, 4).
-        grip_column: first column of each tool's grasp, (tools,).
-        lever: B, elements' forces on the proxies' coordinates, (3 tools, elements).
-        solved: S⁻¹ B, likewise.
-        proxies: S and its Cholesky factor, (3 tools, 3 tools).
-        drive: right-hand side of the proxies, (3 tools,).
-        mean: ŵ, (3 tools,).
-        inertia: coefficient of each proxy's own ŵ, (tools,).
-        port_shape: modal: ports of hands and grasps, (ports, rows).
-        port_gain: their gains, (ports,).
-        port_factor: Cholesky factor of I + √c H D⁻¹ Hᵀ √c, (ports, ports).
-        port_reading: scratch (ports, 4).
+        small: the problem among contacts and proxies.
+        ports: of hands and grasps in a modal basis.
     """
 
     fit: Fit
     hits: Hits
     found: Contacts
     columns: Columns
-    column: Int
-    direction: Float
-    depth: Float
-    stiffness: Float
-    loss: Float
-    friction: Float
-    free: Float
-    compliance: Float
-    force: Float
-    yielding: Float
-    reading: Float
-    load: Float
-    grip_column: Int
-    lever: Float
-    solved: Float
-    proxies: Float
-    drive: Float
-    mean: Float
-    inertia: Float
-    port_shape: Float
-    port_gain: Float
-    port_factor: Float
-    port_reading: Float
+    small: Small
+    ports: Ports
 
 
 def touch_work(model: Model, surface: Surface, *, tools: int, ports: int) -> TouchWork:
     """Scratch for steps with at most so many tools and ports of one user."""
     modal = model.modes is not None
     axes = 3 if model.full else 1
-    elements = 3 * MOST_CONTACTS
-    most = (elements if model.full else MOST_CONTACTS) + axes * tools
-    most_ports = ports + axes * tools * MOST_HELD_MODAL if modal else 0
+    most = (3 * MOST_CONTACTS if model.full else MOST_CONTACTS) + axes * tools
+    rows = model.operator_rows
     return TouchWork(
         fit=fit_of(surface, model),
         hits=hits(),
         found=contacts(MOST_CONTACTS),
-        columns=columns(model.operator_rows, most, held=MOST_HELD, modal=modal),
-        column=np.zeros(elements, dtype=np.int32),
-        direction=np.zeros((elements, 4)),
-        depth=np.zeros(MOST_CONTACTS),
-        stiffness=np.zeros(MOST_CONTACTS),
-        loss=np.zeros(MOST_CONTACTS),
-        friction=np.zeros(MOST_CONTACTS),
-        free=np.zeros(elements),
-        compliance=np.zeros((elements, elements)),
-        force=np.zeros(elements),
-        yielding=np.zeros((most, most)),
-        reading=np.zeros((most, 4)),
-        load=np.zeros((most, 4)),
-        grip_column=np.zeros(tools, dtype=np.int32),
-        lever=np.zeros((3 * tools, elements)),
-        solved=np.zeros((3 * tools, elements)),
-        proxies=np.zeros((3 * tools, 3 * tools)),
-        drive=np.zeros(3 * tools),
-        mean=np.zeros(3 * tools),
-        inertia=np.zeros(tools),
-        port_shape=np.zeros((most_ports, model.operator_rows if modal else 0)),
-        port_gain=np.zeros(most_ports),
-        port_factor=np.zeros((most_ports, most_ports)),
-        port_reading=np.zeros((most_ports, 4)),
+        columns=columns(rows, most, held=MOST_HELD, modal=modal),
+        small=small(MOST_CONTACTS, tools, most),
+        ports=ports_of(ports + axes * tools * MOST_HELD_MODAL if modal else 0, rows if modal else 0),
     )
