@@ -17,7 +17,8 @@ from cotouch.network._lags import Convention, Rounding, consensus_lags, cycle_pe
 from cotouch.network._loop import Loop, polish
 from cotouch.network._network import Network
 from cotouch.network._reach import Basis, Reach, reach_of
-from cotouch.network._resonance import slowest
+from cotouch.network._resonance import none_beyond, slowest
+from cotouch.network._returns import Chain, arrive, chain_of, on_line, value
 from cotouch.network._rightmost import rate_of, rightmost
 from cotouch.network._topologies import complete, connected_graphs, path, ring, star
 from cotouch.network._types import Pair
@@ -25,6 +26,7 @@ from cotouch.network._types import Pair
 __all__ = [
     "Basis",
     "Certificate",
+    "Chain",
     "Convention",
     "Decay",
     "Loop",
@@ -35,7 +37,9 @@ __all__ = [
     "Pair",
     "Reach",
     "Rounding",
+    "arrive",
     "certify",
+    "chain_of",
     "coefficients",
     "complete",
     "connected_graphs",
@@ -47,6 +51,8 @@ __all__ = [
     "exact_scaling",
     "minimax_damping",
     "mixing",
+    "none_beyond",
+    "on_line",
     "path",
     "polish",
     "rate_of",
@@ -60,5 +66,6 @@ __all__ = [
     "star",
     "sum_damping",
     "sync_hermitian",
+    "value",
     "weighted_damping",
 ]

@@ -14,7 +14,7 @@ from cotouch.compiled import routine
 from cotouch.planning._bound import ROUND_OFF
 from cotouch.planning._enumerate import thawed
 from cotouch.planning._problem import Problem
-from cotouch.planning._task import ComplexArray, IntArray, Task, admissible, hopeless, rate
+from cotouch.planning._task import DAMPING, ComplexArray, IntArray, Task, admissible, hopeless, pulls, rate, remember
 
 # Walks side by side, whatever the machine, so that a seed means the same everywhere.
 WALKS = 8
@@ -22,6 +22,9 @@ WALKS = 8
 _SLICE = 1000
 # Random starts tried before a start that is known to be admissible is taken.
 _TRIES = 100
+
+# Roots at hand to turn swaps down by.
+_POOL = 6
 
 _DONE, _BETTER, _UNSURE = 0, 1, 2
 
@@ -86,6 +89,9 @@ def swaps(
     """
     looked = 0
     trial, roots = chosen.copy(), guesses.copy()
+    # Roots that settled a swap settle others like it.
+    pool = np.full((len(guesses), _POOL), complex(-np.inf, 0.0))
+    pool[:, 0] = guesses
     for p in range(begin, end):
         leaving, coming = inside[order[p] // len(outside)], outside[order[p] % len(outside)]
         for c in range(len(chosen)):
@@ -95,11 +101,15 @@ def swaps(
             continue
         looked += 1
         least = value - ROUND_OFF * np.abs(value)
-        if hopeless(task, trial, least, guesses):
+        if hopeless(task, trial, least, pool):
             continue
         roots[:] = guesses
-        found, sure = rate(task, trial, roots)
-        if found < least:
+        found, sure = rate(task, trial, roots, least)
+        if not found < least:
+            for mode in range(len(roots)):
+                if roots[mode].real >= least:
+                    remember(pool, mode, _POOL - 1, roots[mode])
+        else:
             chosen[:] = trial
             guesses[:] = roots
             return (_BETTER if sure else _UNSURE), p + 1, found, looked
@@ -153,8 +163,7 @@ def _swapped(problem: Problem, task: Task, walk: Walk, seed: int, most: int) -> 
     chosen, guesses = walk.chosen.copy(), walk.guesses.copy()
     inside = np.setdiff1d(chosen, task.must)
     outside = np.setdiff1d(task.free, chosen)
-    # The order of the swaps follows from seed, start and turn: a walk can go on in any process.
-    order = np.random.default_rng((seed, walk.start, walk.turn)).permutation(inside.size * outside.size)
+    order = _order(task, walk, seed, inside, outside)
     end = min(walk.position + most, order.size)
     outcome, position, value, looked = swaps(
         task, chosen, inside, outside, order, walk.position, end, walk.value, guesses
@@ -180,6 +189,18 @@ def _swapped(problem: Problem, task: Task, walk: Walk, seed: int, most: int) -> 
         looked=looked,
         seen=seen,
     )
+
+
+def _order(task: Task, walk: Walk, seed: int, inside: IntArray, outside: IntArray) -> IntArray:
+    """The swaps in the order in which they are tried, which follows from the walk: it can go on in any process.
+
+    Those go first that move the slowest root furthest left, as far as its slope tells; for damping chance decides.
+    """
+    if task.objective == DAMPING or not np.isfinite(walk.guesses.real).all():
+        return np.random.default_rng((seed, walk.start, walk.turn)).permutation(inside.size * outside.size)
+    pull = np.empty(len(task.first))
+    pulls(task, walk.chosen.copy(), walk.guesses.copy(), pull)
+    return np.argsort((pull[outside][None, :] - pull[inside][:, None]).ravel(), kind="stable")
 
 
 def _begin(problem: Problem, task: Task, walk: Walk, seed: int, fallback: IntArray) -> Walk:
