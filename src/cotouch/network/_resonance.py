@@ -29,8 +29,11 @@ _MOST_STARTS = 32
 _MOST_STEPS = 20_000
 _MOST_WINDOWS = 4096
 _ROUNDS = 60
-# How much further left each line is along which better roots are looked for.
-_FURTHER = 4.0
+# Tests and steps after which a search that any root would end gives up.
+_MOST_EFFORT = 15_000
+# How much further left each line is along which better roots are looked for, near 0 and, in units of the longest round
+# trip, further left than that: there a line too far left crosses crowds of roots.
+_FURTHER, _CROWDED, _STEP = 4.0, 0.3, 1.4
 # Windows looked into before those that are left are counted.
 _LOOKS = 3
 # How far left of the rightmost root known the line of the count goes, beside its distance from 0.
@@ -77,7 +80,8 @@ def slowest(loop: Loop, top: float, guesses: ComplexArray, enough: float = np.in
         loop: m = b = 0, k_i = sum_j K_ij, delays in whole time units h.
         top: π/h.
         guesses: where it may be.
-        enough: any root right of this will do as well: then no further right one is looked for.
+        enough: any root right of this will do as well: then no further right one is looked for. With inf, the default,
+            more is done to be certain.
 
     Returns:
         The root (real part -inf where there is none), whether it is certain, and the work done.
@@ -88,7 +92,17 @@ def slowest(loop: Loop, top: float, guesses: ComplexArray, enough: float = np.in
     if np.isfinite(root.real):
         guesses = np.array([root])
     root, certain, more = _thorough(loop, top, guesses, enough)
-    return root, certain, effort + more
+    effort += more
+    if not certain and len(guesses) > 0 and enough == np.inf:
+        root, certain, more = _thorough(loop, top, guesses[:0], enough)
+        effort += more
+    return root, certain, effort
+
+
+@routine
+def _further(reach: float, scale: float) -> float:
+    """The next line to look right of."""
+    return reach * (_FURTHER if reach > -_CROWDED * scale else _STEP)
 
 
 @routine
@@ -123,7 +137,7 @@ def _swift(loop: Loop, top: float, guesses: ComplexArray, enough: float) -> tupl
                     line = known[f].real - 0.25 * width
             final = line >= reach
         if not final:
-            line, reach = reach, _FURTHER * reach
+            line, reach = reach, _further(reach, scale)
         bend = bend_of(chain, line)
         if not bend < (_COARSE * longest) ** 2 * chain.loop.rigid[-1]:
             return best, False, effort
@@ -275,7 +289,7 @@ def _thorough(loop: Loop, top: float, guesses: ComplexArray, enough: float) -> t
         loop: m = b = 0, k_i = sum_j K_ij, delays in whole time units h.
         top: π/h.
         guesses: where it may be.
-        enough: any root right of this will do as well.
+        enough: any root right of this will do as well; asked so, it gives up sooner.
 
     Returns:
         The root (real part -inf where there is none), whether it is certain, and the work done.
@@ -288,6 +302,7 @@ def _thorough(loop: Loop, top: float, guesses: ComplexArray, enough: float) -> t
     lows, highs, out = np.empty(_MOST_WINDOWS), np.empty(_MOST_WINDOWS), np.empty((2, _MOST_WINDOWS))
     starts, detuned = np.empty(_MOST_STARTS, np.complex128), np.empty(_MOST_WINDOWS)
     effort = 0
+    most = _MOST_EFFORT if enough < np.inf else 2**62
     best = complex(-np.inf, 0.0)
     found = _add(loop, complex(-0.5 * scale, 0.0), scale, top, known, copies, found)
     for g in range(len(guesses)):
@@ -300,6 +315,8 @@ def _thorough(loop: Loop, top: float, guesses: ComplexArray, enough: float) -> t
                 best = known[f]
         if best.real >= enough:
             return best, True, effort
+        if effort > most:
+            return best, False, effort
         width = left * max(np.abs(best.real), 1e-6 * scale)
         line = best.real - width
         for f in range(1, found):
@@ -308,7 +325,7 @@ def _thorough(loop: Loop, top: float, guesses: ComplexArray, enough: float) -> t
         final = found > 1 and line >= reach
         if not final:
             # Lines far left cross many windows: better roots are looked for right of there first.
-            line, reach = reach, _FURTHER * reach
+            line, reach = reach, _further(reach, scale)
         many, tests = windows(loop, line, top, lows, highs, out)
         effort += tests
         if many < 0:
