@@ -10,10 +10,8 @@ import numpy as np
 from scipy.stats import spearmanr
 
 from benchmarks._report import Row, add_write, finish
-from cotouch.network import Network, connected_graphs, rightmost_root
-from cotouch.network._collocation import generator_eigenvalues
+from cotouch.network import Network, connected_graphs, consensus_lags, generator_eigenvalues, rightmost_root
 from cotouch.network._consensus import lifted_matrix
-from cotouch.network._lags import consensus_lags
 from cotouch.planning import plan
 
 EXAMPLE = "examples/five-users.toml"
