@@ -25,6 +25,8 @@ _TRIES = 100
 
 # Users up to whom a swap that looks better but is uncertain is worth a slow answer; beyond, it is turned down.
 _MOST_REFERRED = 8
+# So few swaps are tried in random order.
+_FEW = 200
 # Roots at hand to turn swaps down by.
 _POOL = 6
 
@@ -203,9 +205,11 @@ def _pool(guesses: ComplexArray, pool: ComplexArray) -> ComplexArray:
 def _order(task: Task, walk: Walk, seed: int, inside: IntArray, outside: IntArray) -> IntArray:
     """The swaps in the order in which they are tried, which follows from the walk: it can go on in any process.
 
-    Those go first that move the slowest root furthest left, as far as its slope tells; for damping chance decides.
+    Those go first that move the slowest root furthest left, as far as its slope tells. Few swaps are sooner tried than
+    ranked, and chance leads many starts to more ends; it decides for damping too.
     """
-    if task.objective == DAMPING or not np.isfinite(walk.guesses.real).all():
+    few = inside.size * outside.size <= _FEW
+    if few or task.objective == DAMPING or not np.isfinite(walk.guesses.real).all():
         return np.random.default_rng((seed, walk.start, walk.turn)).permutation(inside.size * outside.size)
     pull = np.empty(len(task.first))
     pulls(task, walk.chosen.copy(), walk.guesses.copy(), pull)
