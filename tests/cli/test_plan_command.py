@@ -87,3 +87,42 @@ def test_plan_refuses_a_limit_of_nothing() -> None:
     assert done.returncode == 2
     assert "damping_limit" in done.stderr
     assert "Traceback" not in done.stderr
+
+
+SCENARIO = """
+[network]
+users = ["a", "b", "c"]
+spring = [[0, 20, 30], [20, 0, 40], [30, 40, 0]]
+delay = [[0, 0.1, 0.2], [0.2, 0, 0.3], [0.1, 0.1, 0]]
+
+[body]
+"""
+
+
+def test_the_body_of_a_scenario_counts_and_options_override_it(tmp_path: Path) -> None:
+    values = {}
+    for name, body, options in (
+        ("file", "mass = 3.0\nstiffness = 5.0", []),
+        ("options", "mass = 1.0", ["--mass", "3", "--stiffness", "5"]),
+        ("part", "mass = 9.0\nstiffness = 5.0", ["--mass", "3"]),
+        ("plain", "mass = 1.0", []),
+    ):
+        path = tmp_path / f"{name}.toml"
+        path.write_text(SCENARIO + body)
+        done = cotouch("plan", path, "--links", "2", "--objective", "decay", "--json", *options)
+        assert done.returncode == 0, done.stderr
+        values[name] = json.loads(done.stdout)["best"]["value"]
+    assert values["file"] == values["options"] == values["part"]
+    assert values["file"] != values["plain"]
+
+
+def test_a_body_that_is_not_modal_is_one_sentence(tmp_path: Path) -> None:
+    path = tmp_path / "scenario.toml"
+    path.write_text(
+        SCENARIO + "kind = 'matrices'\nmass = [[1, 0], [0, 2]]\nrest = [0, 1]\nstiffness_ext = [[2, -1], [-1, 3]]\n"
+    )
+    done = cotouch("plan", path, "--links", "2", "--objective", "decay")
+    assert done.returncode == 2
+    assert "no modes that move by themselves" in done.stderr
+    assert done.stderr.count("\n") == 1
+    assert cotouch("plan", path, "--links", "2").returncode == 0, "the consensus knows no body"
