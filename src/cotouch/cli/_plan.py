@@ -51,7 +51,7 @@ def run(
     if figures is not None:
         folder(figures)
     if compiles(options["method"]):
-        print("Compiling, once on this machine: about half a minute.", file=sys.stderr)  # noqa: T201
+        print("Compiling, once on this machine: about a minute.", file=sys.stderr)  # noqa: T201
     with _progress(quiet=as_json) as progress:
         found = plan(network, progress=progress, **limits, **options)
     result = found.numbers()

@@ -29,7 +29,7 @@ _RANKS = 2**62
 
 
 def compiles(method: Literal["auto"] | Method = "auto") -> bool:
-    """Whether `plan` is going to compile its kernels first, once for this machine, which takes about half a minute.
+    """Whether `plan` is going to compile its kernels first, once on this machine, which takes about a minute.
 
     Args:
         method: as `plan` takes it; "auto" counts as "enumerate".
