@@ -1,6 +1,7 @@
 """Choosing links: every graph of the paper, larger ones, beside dense eigenvalues and algebraic connectivity."""
 
 import argparse
+import os
 from collections.abc import Callable
 from time import perf_counter
 from typing import Any
@@ -9,10 +10,8 @@ import numpy as np
 from scipy.stats import spearmanr
 
 from benchmarks._report import Row, add_write, finish
-from cotouch.network import Network, connected_graphs, rightmost_root
-from cotouch.network._collocation import generator_eigenvalues
+from cotouch.network import Network, connected_graphs, consensus_lags, generator_eigenvalues, rightmost_root
 from cotouch.network._consensus import lifted_matrix
-from cotouch.network._lags import consensus_lags
 from cotouch.planning import plan
 
 EXAMPLE = "examples/five-users.toml"
@@ -70,6 +69,11 @@ def dense_decay(network: Network) -> float:
     return float(np.delete(roots, np.abs(roots).argmin()).real.max())
 
 
+def _where() -> str:
+    """Cores this process may use, and how many processes wanted one in the last minute, all told."""
+    return f"{len(os.sched_getaffinity(0))} cores, load {os.getloadavg()[0]:.1f}"
+
+
 def _time(seconds: float) -> str:
     return f"{1e3 * seconds:,.0f} ms" if seconds < 1 else f"{seconds:,.1f} s"
 
@@ -92,12 +96,16 @@ def paper() -> list[Row]:
             naive = _extrapolated(lambda g, c=convention, u=unit: dense_consensus(g, c, u), graphs)
             note += f": {_time(naive)}, extrapolated from {_SAMPLE} graphs"
         what = f"{len(graphs)} graphs, consensus ({convention}), time unit {unit:g} s"
-        rows.append(Row("planner", what, _time(took), text, f"{note}; {'met' if took <= goal else 'not met'}"))
+        rows.append(
+            Row("planner", what, _time(took), text, f"{note}; {'met' if took <= goal else 'not met'}; {_where()}")
+        )
     took = _seconds(lambda: plan(every, links=LINKS, objective="decay"))
     naive = _extrapolated(dense_decay, graphs)
     note = f"collocation of order {_ORDER}: {_time(naive)}, extrapolated from {_SAMPLE} graphs"
     verdict = "met" if took <= 0.25 else "not met"
-    rows.append(Row("planner", f"{len(graphs)} graphs, decay", _time(took), "≤ 250 ms", f"{note}; {verdict}"))
+    rows.append(
+        Row("planner", f"{len(graphs)} graphs, decay", _time(took), "≤ 250 ms", f"{note}; {verdict}; {_where()}")
+    )
 
     def connectivity() -> list[float]:
         found: list[float] = []
@@ -135,7 +143,8 @@ def _proved(users: int, links: int, objective: Any, goal: str, **more: Any) -> R
         f"{users} users, {links} of {len(network.links) - len(more.get('never', ()))} links, {objective}",
         _time(took),
         goal,
-        f"{found.status}: {found.choices:,} choices, {found.graphs:,} connected; best {found.best.value:.6g}",
+        f"{found.status}: {found.choices:,} choices, {found.graphs:,} connected; best {found.best.value:.6g}; "
+        f"{_where()}",
     )
 
 
@@ -154,7 +163,8 @@ def large() -> list[Row]:
                 f"30 users, 60 of {len(network.links)} links, {objective}, local search",
                 f"{short.best.value:.6g}",
                 "within 60 s",
-                f"{short.looked_at:,} looked at in {short.seconds:.0f} s; ten times the time: {tenfold.best.value:.6g}",
+                f"{short.looked_at:,} looked at in {short.seconds:.0f} s; ten times the time: {tenfold.best.value:.6g} "
+                f"of {tenfold.looked_at:,} in {tenfold.seconds:.0f} s; {_where()}",
             )
         )
     return rows

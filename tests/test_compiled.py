@@ -1,9 +1,12 @@
 """The cache of compiled kernels knows all of their sources."""
 
+import importlib
 import os
 import re
+import sys
 from pathlib import Path
 from shutil import copytree, ignore_patterns
+from typing import Any
 
 import pytest
 
@@ -55,3 +58,22 @@ def test_kernels_keep_their_names_and_documentation():
     assert step.__name__ == "step"
     assert step.__doc__ is not None
     assert step.__doc__.startswith("Advances one copy by T")
+
+
+def test_cold_is_what_neither_memory_nor_disk_holds(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    path = tmp_path / "doubling.py"
+    path.write_text("from cotouch.compiled import routine\n\n\n@routine\ndef double(x):\n    return 2.0 * x\n")
+    monkeypatch.syspath_prepend(tmp_path)
+
+    def fresh() -> Any:
+        sys.modules.pop("doubling", None)
+        return importlib.import_module("doubling").double
+
+    assert machine.cold(fresh())
+    once = fresh()
+    assert once(2.0) == 4.0
+    assert not machine.cold(once)
+    assert not machine.cold(fresh()), "the disk holds it"
+    monkeypatch.setattr(machine, "_STAMP", (0.0, 0))
+    assert machine.cold(fresh()), "some source has changed"
+    assert not machine.cold(len)

@@ -36,3 +36,11 @@ def stamped(compiled: Any) -> Any:
     if cache_file is not None and hasattr(cache_file, "_source_stamp"):
         cache_file._source_stamp = _STAMP
     return compiled
+
+
+def cold(compiled: Any) -> bool:
+    """Whether the next call of a function compiles it, because neither memory nor the disk holds its machine code."""
+    if getattr(compiled, "signatures", None):
+        return False
+    cache_file = getattr(getattr(compiled, "_cache", None), "_cache_file", None)
+    return cache_file is not None and not cache_file._load_index()

@@ -7,6 +7,8 @@ from pathlib import Path
 import pytest
 from tests.cli.test_cli import FIVE_USERS, cotouch
 
+from cotouch.cli._plan import run
+
 
 def test_plan_prints_one_json_object() -> None:
     done = cotouch("plan", FIVE_USERS, "--links", "6", "--objective", "decay", "--top", "2", "--json")
@@ -87,3 +89,62 @@ def test_plan_refuses_a_limit_of_nothing() -> None:
     assert done.returncode == 2
     assert "damping_limit" in done.stderr
     assert "Traceback" not in done.stderr
+
+
+SCENARIO = """
+[network]
+users = ["a", "b", "c"]
+spring = [[0, 20, 30], [20, 0, 40], [30, 40, 0]]
+delay = [[0, 0.1, 0.2], [0.2, 0, 0.3], [0.1, 0.1, 0]]
+
+[body]
+"""
+
+
+def test_the_body_of_a_scenario_counts_and_options_override_it(tmp_path: Path) -> None:
+    values = {}
+    for name, body, options in (
+        ("file", "mass = 3.0\nstiffness = 5.0", []),
+        ("options", "mass = 1.0", ["--mass", "3", "--stiffness", "5"]),
+        ("part", "mass = 9.0\nstiffness = 5.0", ["--mass", "3"]),
+        ("plain", "mass = 1.0", []),
+    ):
+        path = tmp_path / f"{name}.toml"
+        path.write_text(SCENARIO + body)
+        done = cotouch("plan", path, "--links", "2", "--objective", "decay", "--json", *options)
+        assert done.returncode == 0, done.stderr
+        values[name] = json.loads(done.stdout)["best"]["value"]
+    assert values["file"] == values["options"] == values["part"]
+    assert values["file"] != values["plain"]
+
+
+def test_a_body_that_is_not_modal_is_one_sentence(tmp_path: Path) -> None:
+    path = tmp_path / "scenario.toml"
+    path.write_text(
+        SCENARIO + "kind = 'matrices'\nmass = [[1, 0], [0, 2]]\nrest = [0, 1]\nstiffness_int = [[1, -1], [-1, 1]]\n"
+    )
+    done = cotouch("plan", path, "--links", "2", "--objective", "decay")
+    assert done.returncode == 2
+    assert "no modes that move by themselves" in done.stderr
+    assert done.stderr.count("\n") == 1
+    assert cotouch("plan", path, "--links", "2").returncode == 0, "the consensus knows no body"
+
+
+@pytest.mark.parametrize("cold", [True, False])
+def test_a_first_run_says_that_it_compiles(
+    cold: bool, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("cotouch.planning.compiles", lambda method: cold)
+    none = {"mass": None, "damping": None, "stiffness": None}
+    run(
+        Path(FIVE_USERS),
+        must=[],
+        never=[],
+        tune=None,
+        figures=None,
+        as_json=True,
+        **{"links": 6, "objective": "damping", "method": "auto", **none},
+    )
+    said = capsys.readouterr()
+    assert said.err == ("Compiling, once on this machine: about a minute.\n" if cold else "")
+    assert json.loads(said.out)["worst_status"] == "proved"

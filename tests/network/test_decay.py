@@ -9,7 +9,7 @@ from tests.network.support import GRAPHS, five_users, mixings, pairs, random_net
 from cotouch.errors import NetworkError, UnsupportedError
 from cotouch.network import complete, path, rightmost_root
 from cotouch.network._collocation import generator_eigenvalues
-from cotouch.network._decay import _closed_loop
+from cotouch.network._decay import closed_loop
 from cotouch.network._rightmost import count_right, rightmost
 
 
@@ -75,7 +75,7 @@ def test_mode_solves_the_equations_and_only_one_zero_is_left_out():
             assert s.imag >= 0
             assert abs(s) > 1e-6
             # Nothing just right of it but the translation; the root itself (and its mirror) just left.
-            loop, _ = _closed_loop(network, 1.5, 0.4, stiffness, None)
+            loop, _ = closed_loop(network, 1.5, 0.4, stiffness, None)
             gap = 1e-4 * abs(s)
             still = 1 if stiffness == 0 and s.real < 0 else 0
             starts = np.empty(64, dtype=np.complex128)
@@ -144,7 +144,7 @@ def test_one_user_and_undamped():
 
 def test_another_root_as_a_guess_is_seen_through():
     network = five_users().with_links(pairs("12 14 23 24 34 45"))
-    loop, _ = _closed_loop(network, 1.0, 0.0, 0.0, None)
+    loop, _ = closed_loop(network, 1.0, 0.0, 0.0, None)
     for start in (-3 + 20j, -2 + 1j, -5.0 + 0j, -30 + 300j):
         root, certain, _ = rightmost(loop, True, np.array([start], dtype=np.complex128))
         assert certain

@@ -11,6 +11,7 @@ from tests.planning.support import GRID, five_users, pairs, small_network
 from cotouch import plan
 from cotouch.errors import NetworkError, UnsupportedError
 from cotouch.network import Network, complete, connected_graphs, mixing, rightmost_root, ring, rule_damping
+from cotouch.planning import survey
 
 TABLE = [
     ("consensus", "equation", "12 14 23 24 34 45", 0.993061, None, 1.0, 7),
@@ -239,3 +240,24 @@ def test_a_plan_survives_a_pipe():
     again = pickle.loads(pickle.dumps(found))
     assert again.best.links == found.best.links == complete(4)
     assert again.numbers() == found.numbers()
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_what_is_not_worked_out_is_neither_among_the_best_nor_the_worst(seed):
+    """The enumeration of a consensus leaves out what cannot count; the survey leaves out nothing."""
+    network, links = small_network(np.random.default_rng(100 + seed))
+    found = plan(network, links=links, time_unit=GRID, top=4)
+    every = survey(network, links=links, objectives={"all": {"time_unit": GRID}}).values["all"]
+    np.testing.assert_allclose([choice.value for choice in found.top], np.sort(every)[:4], rtol=1e-9)
+    assert found.worst.value == pytest.approx(every.max(), rel=1e-9)
+    assert (found.graphs, found.periodic) == (len(every), int((every == 1.0).sum()))
+
+
+def test_only_a_look_at_every_choice_proves_the_worst():
+    for method, status, worst in (
+        ("enumerate", "proved", "proved"),
+        ("bound", "proved", "worst found"),
+        ("local", "best found", "worst found"),
+    ):
+        found = plan(five_users(), links=6, objective="damping", method=method)
+        assert (found.status, found.worst_status, found.numbers()["worst_status"]) == (status, worst, worst)

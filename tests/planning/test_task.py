@@ -9,7 +9,7 @@ from tests.planning.support import GRID, small_network
 from cotouch.network import consensus_lags, cycle_period
 from cotouch.planning._enumerate import unrank
 from cotouch.planning._problem import make_problem
-from cotouch.planning._task import admissible, hopeless, period_of, rate
+from cotouch.planning._task import admissible, between, hopeless, period_of, pulls, rate
 
 COMMON = {"time_unit": GRID}
 
@@ -40,5 +40,31 @@ def test_kernels_against_the_network_room(seed: int, objective):
         assert value == pytest.approx(problem.reference(chosen), rel=1e-7, abs=1e-9)
         # A quick rejection is never wrong.
         for best in (1.01 * value, 0.99 * value):
-            if hopeless(task, chosen, best, guesses):
+            if hopeless(task, chosen, best, guesses[:, None].copy()):
                 assert value >= best - 1e-9 * abs(best)
+        if objective == "consensus" and period_of(task, chosen) == 1:
+            for best, worst in ((2.0, 0.5), (0.9, 0.5), (2.0, 1.1)):
+                if between(task, chosen, best * value, worst * value, guesses.copy()):
+                    assert best > 1 > worst
+
+
+@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("objective", ["consensus", "decay"])
+def test_pulls_are_the_slopes_of_the_root(seed, objective):
+    """A link a little stiffer moves the slowest root by as much as the null vectors say."""
+    network, links = small_network(np.random.default_rng(seed))
+    problem = make_problem(network, links=links, objective=objective, **COMMON)
+    task = problem.task
+    chosen = next(c for c in map(np.array, combinations(range(len(network.links)), links)) if admissible(task, c))
+    guesses = np.full(1, complex(-np.inf, 0.0))
+    value, _ = rate(task, chosen, guesses)
+    if objective == "consensus" and period_of(task, chosen) > 1:
+        return
+    pull = np.empty(len(network.links))
+    pulls(task, chosen, guesses, pull)
+    for e in chosen:
+        change = np.zeros(len(network.links))
+        change[e] = 1e-6
+        moved = task._replace(spring=task.spring * (1 + change), load=task.load * (1 + change))
+        there, _ = rate(moved, chosen, guesses.copy())
+        assert (there - value) / 1e-6 == pytest.approx(pull[e], rel=1e-3, abs=1e-3 * np.abs(pull).max() + 1e-6)

@@ -149,9 +149,15 @@ def plan(
         list[str] | None, typer.Option(help="Links that may not be, as 1-3; again for more.", show_default=False)
     ] = None,
     max_degree: Annotated[int | None, typer.Option(help="Most links of one user.", show_default=False)] = None,
-    mass: Annotated[float, typer.Option(help="Of the object [kg].")] = 1.0,
-    damping: Annotated[float, typer.Option(help="Of the object [Ns/m].")] = 0.0,
-    stiffness: Annotated[float, typer.Option(help="Of the object [N/m].")] = 0.0,
+    mass: Annotated[
+        float | None, typer.Option(help="Of the object [kg], instead of the file's; else 1.", show_default=False)
+    ] = None,
+    damping: Annotated[
+        float | None, typer.Option(help="Of the object [Ns/m], instead of the file's; else 0.", show_default=False)
+    ] = None,
+    stiffness: Annotated[
+        float | None, typer.Option(help="Of the object [N/m], instead of the file's; else 0.", show_default=False)
+    ] = None,
     top: Annotated[int, typer.Option(help="How many of the best to show.")] = 5,
     method: Annotated[str, typer.Option(help="auto, enumerate, bound or local.")] = "auto",
     seconds: Annotated[float | None, typer.Option(help="Time budget [s].", show_default=False)] = None,

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from cotouch.cli._output import folder, number, print_json, working
-from cotouch.errors import ScenarioError
+from cotouch.errors import ScenarioError, UnsupportedError
 from cotouch.units import user_index, user_number
 
 if TYPE_CHECKING:
@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 # Up to so many choices every one of them is ranked by both objectives.
 _MOST_RANKED = 20_000
+# The object where neither the file nor the options say otherwise.
+_OBJECT = {"mass": 1.0, "damping": 0.0, "stiffness": 0.0}
 _UNITS = {"consensus": "", "decay": "1/s", "damping": "Ns/m"}
 _TITLES = {
     "consensus": "second largest |eigenvalue| of the consensus",
@@ -37,16 +39,22 @@ def run(
 ) -> None:
     """Plans, shows how far it is, and prints what it found."""
     from cotouch.network import Network
-    from cotouch.planning import plan
+    from cotouch.planning import compiles, plan
 
     network = Network.read(path)
+    moving = options["objective"] != "consensus" or tune is not None or figures is not None
+    body = _object(path, {name: options[name] for name in _OBJECT}, read=moving)
+    options |= body
+    if tune is not None:
+        _one_mode(body)
     limits = {"must": _pairs("--must", must), "never": _pairs("--never", never)}
     if figures is not None:
         folder(figures)
+    if compiles(options["method"]):
+        print("Compiling, once on this machine: about a minute.", file=sys.stderr)  # noqa: T201
     with _progress(quiet=as_json) as progress:
         found = plan(network, progress=progress, **limits, **options)
     result = found.numbers()
-    body = {name: options[name] for name in ("mass", "damping", "stiffness")}
     tuned = None
     if tune is not None:
         with working("Tuning springs ...", quiet=as_json):
@@ -65,11 +73,39 @@ def run(
         print(name)  # noqa: T201
 
 
+def _object(path: Path, given: dict[str, float | None], *, read: bool) -> dict[str, Any]:
+    """The modes of the file's body where it has one, with what the options say in its place."""
+    import tomllib
+
+    result: dict[str, Any] = dict(_OBJECT)
+    said = {name: value for name, value in given.items() if value is not None}
+    if read and len(said) < len(given) and "body" in tomllib.loads(path.read_text(encoding="utf-8")):
+        from cotouch.planning import modes_of
+        from cotouch.simulation import Scenario
+
+        result |= modes_of(Scenario.read(path).build_body())
+    return result | said
+
+
+def _one_mode(body: dict[str, Any]) -> dict[str, float]:
+    """The object of one mode, which tuning and simulating take."""
+    import numpy as np
+
+    modes = max(np.size(value) for value in body.values())
+    if modes > 1:
+        raise UnsupportedError(
+            f"--tune-springs takes an object of one mode, and this body has {modes}; name the one that matters by "
+            "--mass, --damping and --stiffness"
+        )
+    return {name: float(np.ravel(value)[0]) for name, value in body.items()}
+
+
 def _tuned(network: "Network", limit: float, body: dict[str, Any]) -> dict[str, Any]:
     """Springs within a limit on damping, and the rate that a free decay in the simulator shows with them."""
     from cotouch.planning import tune_springs
     from cotouch.study import confirmed
 
+    body = _one_mode(body)
     tuned = tune_springs(network, damping_limit=limit, **body)
     seen = confirmed(tuned.network, tuned.after, **body) if tuned.after < 0 else None
     return {
@@ -192,7 +228,9 @@ def _print(users: Sequence[str], found: "Plan") -> None:
         table.add_column(heading, justify="left" if heading in ("", "links") else "right")
     table.add_column("largest B, Ns/m", justify="right")
     rows = [(str(place), choice) for place, choice in enumerate(found.top, start=1)]
-    for place, (title, choice) in enumerate([*rows, ("worst", found.worst)], start=1):
+    for place, (title, choice) in enumerate(
+        [*rows, (found.worst_status.replace("proved", "worst"), found.worst)], start=1
+    ):
         table.add_row(
             title,
             _links(choice),
@@ -200,7 +238,7 @@ def _print(users: Sequence[str], found: "Plan") -> None:
             "never settles" if choice.period > 1 else number(choice.time_constant_s),
             number(choice.worst_path_s),
             number(float(choice.damping.max())),
-            end_section=place == len(rows),
+            end_section=place == len(rows) - 1,
         )
     console.print(table)
     console.print(_verdict(users, found), highlight=False)
@@ -215,6 +253,8 @@ def _verdict(users: Sequence[str], found: "Plan") -> str:
     if found.status != "proved" and found.method == "bound":
         lines["bound"] = f"{found.graphs} graphs of {found.choices} choices worked out, seed {found.seed}"
     text = f"{found.status.capitalize()} for {len(users)} users: {lines[found.method]}, {found.seconds:.2g} s."
+    if found.worst_status != "proved":
+        text += " The worst shown is the worst worked out, not proved."
     if found.periodic:
         text += f" {found.periodic} graphs are periodic and never mix."
     if found.unsure:

@@ -1,6 +1,8 @@
 """Who is joined to whom, how fast that brings them together, and what damping it takes to stay passive."""
 
 from cotouch.network._certificate import Certificate, Mode, certify
+from cotouch.network._checks import one_user
+from cotouch.network._collocation import generator_eigenvalues
 from cotouch.network._consensus import Mixing, mixing, second_eigenvalue
 from cotouch.network._damping import (
     Method,
@@ -10,14 +12,15 @@ from cotouch.network._damping import (
     sum_damping,
     weighted_damping,
 )
-from cotouch.network._decay import Decay, rightmost_root
+from cotouch.network._decay import Decay, closed_loop, rightmost_root
 from cotouch.network._exact import exact_margin, exact_scaling, sync_hermitian
 from cotouch.network._gains import coefficients, damping_matrices
 from cotouch.network._lags import Convention, Rounding, consensus_lags, cycle_period
-from cotouch.network._loop import Loop, polish
+from cotouch.network._loop import Loop, characteristic, polish
 from cotouch.network._network import Network
 from cotouch.network._reach import Basis, Reach, reach_of
-from cotouch.network._resonance import slowest
+from cotouch.network._resonance import none_beyond, slowest
+from cotouch.network._returns import Chain, arrive, chain_of, on_line, value
 from cotouch.network._rightmost import rate_of, rightmost
 from cotouch.network._topologies import complete, connected_graphs, path, ring, star
 from cotouch.network._types import Pair
@@ -25,6 +28,7 @@ from cotouch.network._types import Pair
 __all__ = [
     "Basis",
     "Certificate",
+    "Chain",
     "Convention",
     "Decay",
     "Loop",
@@ -35,7 +39,11 @@ __all__ = [
     "Pair",
     "Reach",
     "Rounding",
+    "arrive",
     "certify",
+    "chain_of",
+    "characteristic",
+    "closed_loop",
     "coefficients",
     "complete",
     "connected_graphs",
@@ -45,8 +53,12 @@ __all__ = [
     "damping_matrices",
     "exact_margin",
     "exact_scaling",
+    "generator_eigenvalues",
     "minimax_damping",
     "mixing",
+    "none_beyond",
+    "on_line",
+    "one_user",
     "path",
     "polish",
     "rate_of",
@@ -60,5 +72,6 @@ __all__ = [
     "star",
     "sum_damping",
     "sync_hermitian",
+    "value",
     "weighted_damping",
 ]

@@ -81,7 +81,7 @@ def rightmost_root(
         NetworkError: not connected, or a parameter out of its range.
         UnsupportedError: springs with weights, or roots too crowded to count.
     """
-    loop, sync = _closed_loop(network, mass, damping, stiffness, sync_damping)
+    loop, sync = closed_loop(network, mass, damping, stiffness, sync_damping)
     grounded = stiffness > 0
     late = bool(loop.to_first.any() or loop.to_second.any())
     if not grounded and not loop.drag.any() and not late:
@@ -113,9 +113,14 @@ def _guesses(loop: Loop) -> Iterator[ComplexArray]:
         yield starts[starts.imag >= 0][:_STARTS]
 
 
-def _closed_loop(
-    network: Network, mass: float, damping: float, stiffness: float, sync_damping: npt.ArrayLike | None
+def closed_loop(
+    network: Network,
+    mass: float = 1.0,
+    damping: float = 0.0,
+    stiffness: float = 0.0,
+    sync_damping: npt.ArrayLike | None = None,
 ) -> tuple[Loop, FloatArray]:
+    """The loop whose roots `rightmost_root` looks for, and the (N,) `B_i` in it; arguments and errors are the same."""
     if not (math.isfinite(mass) and mass > 0):
         raise NetworkError(f"mass is {mass:g} kg; it must be finite and above 0")
     for name, value, unit in (("damping", damping, "Ns/m"), ("stiffness", stiffness, "N/m")):

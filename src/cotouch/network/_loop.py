@@ -148,7 +148,7 @@ def _invert(matrix: ComplexArray) -> complex:
 
 
 @routine
-def _inverse(value: complex) -> complex:
+def reciprocal(value: complex) -> complex:
     """1/value; of zero something as large as makes no difference, where Python would raise."""
     if value == 0.0:
         return 1e300 + 0.0j
@@ -255,7 +255,7 @@ def walk(loop: Loop, line: float, low: float, high: float, most: int, starts: Co
         if falling and not closer and count < len(starts):
             starts[count] = nearest
             count += 1
-        falling, nearest = closer, s - _inverse(speed)
+        falling, nearest = closer, s - reciprocal(speed)
         if not here < high:
             break
         stride = min(careful * _reach(loop, matrix, slope, room), high - here)
@@ -297,10 +297,10 @@ def polish(
             return s, True
         speed = _speed(loop, matrix, slope)
         for f in range(found):
-            speed -= copies[f] * _inverse(s - known[f])
+            speed -= copies[f] * reciprocal(s - known[f])
             if known[f].imag != 0.0:
-                speed -= copies[f] * _inverse(s - known[f].conjugate())
-        step = several * _inverse(speed)
+                speed -= copies[f] * reciprocal(s - known[f].conjugate())
+        step = several * reciprocal(speed)
         size, limit = np.abs(step), 0.5 * (np.abs(s) + scale)
         if not size < np.inf:
             return s, False

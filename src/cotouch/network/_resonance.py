@@ -8,8 +8,20 @@ together; those few windows are found first, for a fine grid almost as quickly a
 import numpy as np
 
 from cotouch.compiled import routine
-from cotouch.network._loop import Loop, keep, polish, standing, walk
-from cotouch.network._types import ComplexArray, FloatArray, IntArray
+from cotouch.network._loop import Loop, keep, polish, reciprocal, standing, walk
+from cotouch.network._returns import (
+    Chain,
+    arrive,
+    bend_of,
+    chain_of,
+    excluded,
+    on_line,
+    simple,
+    turn_of,
+    value,
+)
+from cotouch.network._types import ComplexArray, IntArray
+from cotouch.network._windows import windows
 
 # Roots, starts of Newton in one window, steps through one window, and windows that are kept.
 _MOST_ROOTS = 64
@@ -17,178 +29,22 @@ _MOST_STARTS = 32
 _MOST_STEPS = 20_000
 _MOST_WINDOWS = 4096
 _ROUNDS = 60
-# How much further left each line is along which better roots are looked for.
-_FURTHER = 4.0
+# Tests and steps after which a search that any root would end gives up.
+_MOST_EFFORT = 15_000
+# How much further left each line is along which better roots are looked for, near 0 and, in units of the longest round
+# trip, further left than that: there a line too far left crosses crowds of roots.
+_FURTHER, _CROWDED, _STEP = 4.0, 0.3, 1.4
 # Windows looked into before those that are left are counted.
 _LOOKS = 3
 # How far left of the rightmost root known the line of the count goes, beside its distance from 0.
 _LEFT = 0.03
-# Windows narrower than this, in radians of the slowest link's phase, are not divided further.
-_NARROW = 0.15
+# The first line that is looked right of, in units of the longest round trip, and beside a guess.
+_REACH, _HINT = -0.02, 1.3
+_SWIFT_ROUNDS = 24
+# Bounds that allow strides below this share of a radian of the longest round trip are of no use.
+_COARSE = 10.0
 # Without a root that falls by less than this power of e in the longest round trip there is none but zero.
 _NOTHING = 60.0
-
-
-@routine
-def _may_resonate(
-    loop: Loop, low: float, high: float, around: FloatArray, sizes: FloatArray, cross: FloatArray, matrix: FloatArray
-) -> bool:
-    """Whether a root may lie right of the line between two frequencies.
-
-    For a null vector p of G, `Re p*G p = 0`. The two directions of a link together contribute at most `|p_i||p_j| K_ij
-    m_ij` with `m² = a² + b² + 2ab cos(ω (d_ij + d_ji))`, `a = e^(-σ d_ij), b = e^(-σ d_ji)`, which only falls to the
-    right. So where `diag(S) - K m/2` is positive definite with the largest m of the interval there is no root, and the
-    Hermitian part of G is positive definite.
-    """
-    n = len(loop.mass)
-    middle, half = 0.5 * (low + high), 0.5 * (high - low)
-    for i in range(n):
-        for j in range(i):
-            matrix[i, j] = 0.0
-        matrix[i, i] = loop.rigid[i]
-    for e in range(len(loop.first)):
-        wide = half * around[e]
-        cosine = 1.0
-        if wide < np.pi:
-            turn = middle * around[e] / (2.0 * np.pi)
-            away = np.abs(turn - np.round(turn)) * 2.0 * np.pi - wide
-            if away > 0.0:
-                cosine = np.cos(away)
-        i, j = loop.first[e], loop.second[e]
-        matrix[max(i, j), min(i, j)] -= 0.5 * loop.spring[e] * np.sqrt(max(sizes[e] + cross[e] * cosine, 0.0))
-    return not _positive(matrix)
-
-
-@routine
-def _positive(matrix: FloatArray) -> bool:
-    """Whether a symmetric matrix (lower triangle, overwritten) is clearly positive definite, by Cholesky."""
-    for i in range(len(matrix)):
-        least = 1e-12 * matrix[i, i]
-        for j in range(i):
-            entry = matrix[i, j]
-            for k in range(j):
-                entry -= matrix[i, k] * matrix[j, k]
-            matrix[i, j] = entry / matrix[j, j]
-            matrix[i, i] -= matrix[i, j] * matrix[i, j]
-        if not matrix[i, i] > least:
-            return False
-        matrix[i, i] = np.sqrt(matrix[i, i])
-    return True
-
-
-@routine
-def _tolerances(loop: Loop, sizes: FloatArray, cross: FloatArray, matrix: FloatArray, tolerance: FloatArray) -> None:
-    """For each link, how far its phase may be from resonance if all others resonate; π where that says nothing.
-
-    With the other links at their largest, the matrix changes with this link in two entries only; its determinant is a
-    quadratic in their change. What that yields is used after Cholesky has confirmed it, for the matrix is one whose
-    least eigenvalue only rises when an entry off its diagonal shrinks.
-    """
-    n, links = len(loop.mass), len(loop.first)
-    full = np.zeros((n, n))
-    for i in range(n):
-        full[i, i] = loop.rigid[i]
-    for e in range(links):
-        i, j = loop.first[e], loop.second[e]
-        full[i, j] = full[j, i] = -0.5 * loop.spring[e] * np.sqrt(sizes[e] + cross[e])
-    inverse = np.linalg.inv(full)
-    for e in range(links):
-        tolerance[e] = np.pi
-        i, j = loop.first[e], loop.second[e]
-        # (1 + t y_ij)² = t² y_ii y_jj
-        y, product = inverse[i, j], inverse[i, i] * inverse[j, j]
-        if not product > 0.0:
-            continue
-        change = np.inf
-        for sign in (-1.0, 1.0):
-            slope = sign * np.sqrt(product) - y
-            if slope > 0.0:
-                change = min(change, 1.0 / slope)
-        change *= 1.0 + 1e-9
-        size = np.sqrt(sizes[e] + cross[e]) - 2.0 * change / loop.spring[e]
-        if not size > 0.0:
-            continue
-        cosine = (size * size - sizes[e]) / cross[e]
-        if not cosine > -1.0:
-            continue
-        for r in range(n):
-            for c in range(r + 1):
-                matrix[r, c] = full[r, c]
-        matrix[max(i, j), min(i, j)] += change
-        if _positive(matrix):
-            tolerance[e] = np.arccos(min(cosine, 1.0)) + 1e-9
-
-
-@routine
-def _comb(lows: FloatArray, highs: FloatArray, count: int, around: float, tolerance: float, out: FloatArray) -> int:
-    """Cuts intervals down to where one link's phase is within its tolerance; -1 if there are too many of them."""
-    made = 0
-    for w in range(count):
-        tooth = np.ceil((lows[w] * around - tolerance) / (2.0 * np.pi))
-        while True:
-            low = max(lows[w], (2.0 * np.pi * tooth - tolerance) / around)
-            if not low <= highs[w]:
-                break
-            if made == len(lows):
-                return -1
-            out[0, made], out[1, made] = low, min(highs[w], (2.0 * np.pi * tooth + tolerance) / around)
-            made += 1
-            tooth += 1.0
-    for w in range(made):
-        lows[w], highs[w] = out[0, w], out[1, w]
-    return made
-
-
-@routine
-def _windows(
-    loop: Loop, line: float, top: float, lows: FloatArray, highs: FloatArray, out: FloatArray
-) -> tuple[int, int]:
-    """Intervals of frequency outside which no root lies right of the line; their number, and that of the tests."""
-    n, links = len(loop.mass), len(loop.first)
-    around, sizes, cross, tolerance = np.empty(links), np.empty(links), np.empty(links), np.empty(links)
-    longest = 0.0
-    for e in range(links):
-        around[e] = loop.to_first[e] + loop.to_second[e]
-        longest = max(longest, around[e])
-        a, b = np.exp(-line * loop.to_first[e]), np.exp(-line * loop.to_second[e])
-        sizes[e], cross[e] = a * a + b * b, 2.0 * a * b
-    matrix = np.empty((n, n))
-    _tolerances(loop, sizes, cross, matrix, tolerance)
-    lows[0], highs[0] = 0.0, top
-    given = 1
-    order = np.argsort(around)  # short delays make few wide teeth, which long ones then divide
-    for k in range(links):
-        e = int(order[k])
-        if tolerance[e] < np.pi:
-            given = _comb(lows, highs, given, around[e], tolerance[e], out)
-            if given < 0:
-                return -1, 0
-    stack = np.empty((128, 2))
-    count, tests = 0, 0
-    for w in range(given):
-        out[0, w], out[1, w] = lows[w], highs[w]
-    for w in range(given):
-        stack[0, 0], stack[0, 1] = out[0, w], out[1, w]
-        depth = 1
-        while depth > 0:
-            depth -= 1
-            low, high = stack[depth, 0], stack[depth, 1]
-            tests += 1
-            if not _may_resonate(loop, low, high, around, sizes, cross, matrix):
-                continue
-            if 0.5 * (high - low) * longest > _NARROW:
-                middle = 0.5 * (low + high)
-                stack[depth, 0], stack[depth, 1] = middle, high
-                stack[depth + 1, 0], stack[depth + 1, 1] = low, middle
-                depth += 2
-            elif count > 0 and highs[count - 1] == low:
-                highs[count - 1] = high
-            elif count == len(lows):
-                return -1, tests
-            else:
-                lows[count], highs[count] = low, high
-                count += 1
-    return count, tests
 
 
 @routine
@@ -217,13 +73,223 @@ def _count(loop: Loop, line: float, low: float, high: float, top: float, starts:
 
 
 @routine
-def slowest(loop: Loop, top: float, guesses: ComplexArray) -> tuple[complex, bool, int]:
+def slowest(loop: Loop, top: float, guesses: ComplexArray, enough: float = np.inf) -> tuple[complex, bool, int]:
     """The rightmost root but s = 0 in one period `0 <= Im s <= top` of a connected, aperiodic loop without masses.
 
     Args:
         loop: m = b = 0, k_i = sum_j K_ij, delays in whole time units h.
         top: π/h.
         guesses: where it may be.
+        enough: any root right of this will do as well: then no further right one is looked for. With inf, the default,
+            more is done to be certain.
+
+    Returns:
+        The root (real part -inf where there is none), whether it is certain, and the work done.
+    """
+    root, certain, effort = _swift(loop, top, guesses, enough)
+    if certain:
+        return root, True, effort
+    if np.isfinite(root.real):
+        guesses = np.array([root])
+    root, certain, more = _thorough(loop, top, guesses, enough)
+    effort += more
+    if not certain and len(guesses) > 0 and enough == np.inf:
+        root, certain, more = _thorough(loop, top, guesses[:0], enough)
+        effort += more
+    return root, certain, effort
+
+
+@routine
+def _further(reach: float, scale: float) -> float:
+    """The next line to look right of."""
+    return reach * (_FURTHER if reach > -_CROWDED * scale else _STEP)
+
+
+@routine
+def _swift(loop: Loop, top: float, guesses: ComplexArray, enough: float) -> tuple[complex, bool, int]:
+    """What `slowest` finds, by the returns to one user; uncertain where the line gets too far left for that."""
+    longest = 0.0
+    for e in range(len(loop.first)):
+        longest = max(longest, loop.to_first[e] + loop.to_second[e])
+    scale = 1.0 / longest
+    chain = chain_of(loop)
+    known, found = np.zeros(_MOST_ROOTS, np.complex128), 1
+    lows, highs, out = np.empty(_MOST_WINDOWS), np.empty(_MOST_WINDOWS), np.empty((2, _MOST_WINDOWS))
+    promise = np.empty(_MOST_WINDOWS, np.complex128)
+    effort = 0
+    best = complex(-np.inf, 0.0)
+    reach = _REACH * scale
+    for g in range(len(guesses)):
+        found = _take(chain, guesses[g], scale, top, known, found)
+        reach = min(reach, _HINT * guesses[g].real)
+    for _ in range(_SWIFT_ROUNDS):
+        for f in range(1, found):
+            if known[f].real > best.real:
+                best = known[f]
+        if best.real >= enough:
+            return best, True, effort
+        line, final = reach, False
+        if found > 1:
+            width = _LEFT * max(np.abs(best.real), 1e-6 * scale)
+            line = best.real - width
+            for f in range(1, found):
+                if np.abs(known[f].real - line) < 0.1 * width:
+                    line = known[f].real - 0.25 * width
+            final = line >= reach
+        if not final:
+            line, reach = reach, _further(reach, scale)
+        bend = bend_of(chain, line)
+        if not bend < (_COARSE * longest) ** 2 * chain.loop.rigid[-1]:
+            return best, False, effort
+        many, tests = windows(chain.loop, line, top, lows, highs, out)
+        effort += tests
+        if many < 0:
+            return best, False, effort
+        # One value of f in each window leaves most of them empty, and says of the others where a root may be.
+        open_ = 0
+        for w in range(many):
+            middle, half = 0.5 * (lows[w] + highs[w]), 0.5 * (highs[w] - lows[w])
+            f, slope = value(chain, middle)
+            effort += 1
+            if lows[w] > 0.0 and highs[w] < top and excluded(f, slope, bend, half):
+                continue
+            likely = complex(line, middle) - f * reciprocal(slope)
+            if not (likely.real < 0.0 and np.abs(likely.imag - middle) < 2.0 * half + scale):
+                likely = complex(-np.inf, 0.0)
+            for k in range(found):
+                if lows[w] <= known[k].imag <= highs[w]:
+                    likely = complex(-np.inf, 0.0)
+            lows[open_], highs[open_], promise[open_] = lows[w], highs[w], likely
+            open_ += 1
+        before, ahead = found, best.real
+        for _ in range(_LOOKS):
+            w = -1
+            for v in range(open_):
+                if promise[v].real > ahead and (w < 0 or promise[v].real > promise[w].real):
+                    w = v
+            if w < 0:
+                break
+            start = promise[w]
+            promise[w] = complex(-np.inf, 0.0)
+            found = _take(chain, start, scale, top, known, found)
+            for k in range(before, found):
+                ahead = max(ahead, known[k].real)
+        if ahead >= enough or not final or ahead > best.real + 0.05 * np.abs(line):
+            continue
+        certain = True
+        on_line(chain, line)
+        for w in range(open_):
+            inside, steps, nearest = _zeros(chain, bend, lows[w], highs[w], top)
+            effort += steps
+            if inside == _expected(known, found, line, lows[w], highs[w], top):
+                continue
+            certain = False
+            if inside < 0:
+                return best, False, effort
+            found = _take(chain, complex(line, 0.0) + nearest, scale, top, known, found)
+            for k in range(before, found):
+                ahead = max(ahead, known[k].real)
+            if ahead > best.real + 0.05 * np.abs(line):
+                break  # Better by much: a line further right crosses less.
+            on_line(chain, line)
+        if certain:
+            for k in range(1, found):
+                if known[k].real > best.real:
+                    best = known[k]
+            return best, True, effort
+        if found == before:
+            return best, False, effort
+    return best, False, effort
+
+
+@routine
+def none_beyond(loop: Loop, top: float, line: float) -> bool:
+    """Whether surely no root but s = 0 lies right of a line left of it; False says nothing."""
+    chain = chain_of(loop)
+    lows, highs, out = np.empty(_MOST_WINDOWS), np.empty(_MOST_WINDOWS), np.empty((2, _MOST_WINDOWS))
+    bend = bend_of(chain, line)
+    if not (line < 0.0 and bend > 0.0):
+        return False
+    many, _ = windows(chain.loop, line, top, lows, highs, out)
+    on_line(chain, line)
+    for w in range(many):
+        middle, half = 0.5 * (lows[w] + highs[w]), 0.5 * (highs[w] - lows[w])
+        f, slope = value(chain, middle)
+        if lows[w] > 0.0 and highs[w] < top and excluded(f, slope, bend, half):
+            continue
+        inside, _, _ = _zeros(chain, bend, lows[w], highs[w], top)
+        if inside != (1 if lows[w] == 0.0 else 0):
+            return False
+    return many >= 0
+
+
+@routine
+def _take(chain: Chain, start: complex, scale: float, top: float, known: ComplexArray, found: int) -> int:
+    """Takes up the root that Newton reaches if it is simple and new; returns the number known."""
+    root, arrived = arrive(chain, start, scale, scale, known, found)
+    if not arrived or not root.real > -1e3 * scale or found == len(known):
+        return found
+    root = _folded(root, top, scale)
+    for k in range(found):
+        if np.abs(known[k] - root) <= 2e-6 * (np.abs(root) + scale):
+            return found
+    if not simple(chain, root, scale):
+        return found
+    known[found] = root
+    return found + 1
+
+
+@routine
+def _expected(known: ComplexArray, found: int, line: float, low: float, high: float, top: float) -> int:
+    """How many of the known roots are right of the line in a window, mirror images at 0 and at `top` included."""
+    mirrored, expected = low == 0.0 or high == top, 0
+    for k in range(found):
+        if known[k].real > line and low <= known[k].imag <= high:
+            expected += 2 if mirrored and known[k].imag != 0.0 and known[k].imag != top else 1
+    return expected
+
+
+@routine
+def _zeros(chain: Chain, bend: float, low: float, high: float, top: float) -> tuple[int, int, complex]:
+    """Roots of f right of the present line in one window (with their mirror images at 0 and at `top`); -1 if unclear.
+
+    At the ends of a window, and right of them, the Hermitian part of G is positive definite. So is f, the last
+    pivot: it keeps to the right half plane, and turns by no more than the phase it has.
+    """
+    turn, steps, nearest = turn_of(chain, bend, low, high, _MOST_STEPS)
+    whole = -turn
+    if high < top:
+        f, _ = value(chain, high)
+        whole += np.arctan2(f.imag, f.real)
+    if low > 0.0:
+        f, _ = value(chain, low)
+        whole -= np.arctan2(f.imag, f.real)
+    whole /= np.pi if low == 0.0 or high == top else 2.0 * np.pi
+    if not np.abs(whole - np.round(whole)) < 0.02:
+        return -1, steps, nearest
+    return int(np.round(whole)), steps, nearest
+
+
+@routine
+def _folded(root: complex, top: float, scale: float) -> complex:
+    """The same root within the first half period."""
+    turn = root.imag / (2.0 * top)
+    folded = np.abs(turn - np.round(turn)) * 2.0 * top
+    snap = 1e-9 * (top + scale)
+    if np.abs(folded - top) < snap:
+        folded = top
+    return complex(root.real, folded if folded > snap else 0.0)
+
+
+@routine
+def _thorough(loop: Loop, top: float, guesses: ComplexArray, enough: float) -> tuple[complex, bool, int]:
+    """What `slowest` finds, for any line: by the turn of the whole determinant.
+
+    Args:
+        loop: m = b = 0, k_i = sum_j K_ij, delays in whole time units h.
+        top: π/h.
+        guesses: where it may be.
+        enough: any root right of this will do as well; asked so, it gives up sooner.
 
     Returns:
         The root (real part -inf where there is none), whether it is certain, and the work done.
@@ -236,6 +302,7 @@ def slowest(loop: Loop, top: float, guesses: ComplexArray) -> tuple[complex, boo
     lows, highs, out = np.empty(_MOST_WINDOWS), np.empty(_MOST_WINDOWS), np.empty((2, _MOST_WINDOWS))
     starts, detuned = np.empty(_MOST_STARTS, np.complex128), np.empty(_MOST_WINDOWS)
     effort = 0
+    most = _MOST_EFFORT if enough < np.inf else 2**62
     best = complex(-np.inf, 0.0)
     found = _add(loop, complex(-0.5 * scale, 0.0), scale, top, known, copies, found)
     for g in range(len(guesses)):
@@ -246,6 +313,10 @@ def slowest(loop: Loop, top: float, guesses: ComplexArray) -> tuple[complex, boo
         for f in range(1, found):
             if known[f].real > best.real:
                 best = known[f]
+        if best.real >= enough:
+            return best, True, effort
+        if effort > most:
+            return best, False, effort
         width = left * max(np.abs(best.real), 1e-6 * scale)
         line = best.real - width
         for f in range(1, found):
@@ -254,20 +325,20 @@ def slowest(loop: Loop, top: float, guesses: ComplexArray) -> tuple[complex, boo
         final = found > 1 and line >= reach
         if not final:
             # Lines far left cross many windows: better roots are looked for right of there first.
-            line, reach = reach, _FURTHER * reach
-        windows, tests = _windows(loop, line, top, lows, highs, out)
+            line, reach = reach, _further(reach, scale)
+        many, tests = windows(loop, line, top, lows, highs, out)
         effort += tests
-        if windows < 0:
+        if many < 0:
             return best, False, effort
         # Where resonance is best a root lies furthest right: look there before counting anything.
-        for w in range(windows):
+        for w in range(many):
             detuned[w] = _detuning(loop, 0.5 * (lows[w] + highs[w]))
             for f in range(found):
                 if lows[w] <= known[f].imag <= highs[w]:
                     detuned[w] = np.inf
         before, ahead = found, best.real
-        for _ in range(min(windows, _LOOKS)):
-            w = int(np.argmin(detuned[:windows]))
+        for _ in range(min(many, _LOOKS)):
+            w = int(np.argmin(detuned[:many]))
             if detuned[w] == np.inf:
                 break
             detuned[w] = np.inf
@@ -277,7 +348,7 @@ def slowest(loop: Loop, top: float, guesses: ComplexArray) -> tuple[complex, boo
         if found > 1 and (not final or ahead > best.real + 0.05 * np.abs(line)):
             continue
         certain, fresh = True, False
-        for w in range(windows):
+        for w in range(many):
             inside, steps, count = _count(loop, line, lows[w], highs[w], top, starts)
             effort += steps
             mirrored = lows[w] == 0.0 or highs[w] == top
@@ -318,9 +389,4 @@ def _add(
     root, arrived = polish(loop, start, scale, known, copies, found)
     if not arrived or not root.real > -1e3 * scale:
         return found
-    turn = root.imag / (2.0 * top)
-    folded = np.abs(turn - np.round(turn)) * 2.0 * top
-    snap = 1e-9 * (top + scale)
-    if np.abs(folded - top) < snap:
-        folded = top
-    return keep(loop, complex(root.real, folded if folded > snap else 0.0), scale, known, copies, found)
+    return keep(loop, _folded(root, top, scale), scale, known, copies, found)

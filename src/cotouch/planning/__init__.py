@@ -1,9 +1,10 @@
 """Which links to use, and how stiff to make them: every choice, a proof by bounds, or the best found in time."""
 
+from cotouch.planning._body import modes_of
 from cotouch.planning._figures import knee, networks, ranks
-from cotouch.planning._plan import Progress, plan
+from cotouch.planning._plan import Progress, compiles, plan
 from cotouch.planning._problem import Objective
-from cotouch.planning._result import Choice, Method, Plan, Status
+from cotouch.planning._result import Choice, Method, Plan, Status, WorstStatus
 from cotouch.planning._springs import Tuned, tune_springs
 from cotouch.planning._survey import Survey, survey
 
@@ -16,7 +17,10 @@ __all__ = [
     "Status",
     "Survey",
     "Tuned",
+    "WorstStatus",
+    "compiles",
     "knee",
+    "modes_of",
     "networks",
     "plan",
     "ranks",

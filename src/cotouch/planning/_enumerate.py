@@ -9,13 +9,27 @@ import numpy as np
 
 from cotouch.compiled import routine
 from cotouch.planning._problem import Problem
-from cotouch.planning._task import BoolArray, FloatArray, IntArray, Task, admissible, rate
+from cotouch.planning._task import (
+    CONSENSUS,
+    BoolArray,
+    FloatArray,
+    IntArray,
+    Task,
+    admissible,
+    between,
+    period_of,
+    rate,
+)
 
 # Stretches long enough to hide their start, short enough to share and to stop between. They depend on the problem
 # alone, so that the result doesn't depend on the machine.
 _SHORTEST, _LONGEST, _STRETCHES = 26, 512, 64
+# By so much of its value a choice must be worse than the best for sure to be left out.
+_MARGIN = 1e-9
 # Choices whose objective takes no roots are done this much faster.
 _QUICK = 64
+# So few choices are worked off one stretch after the other.
+_ALONE = 512
 # Stretches per core between looks at the clock.
 _ROUND = 2
 
@@ -67,14 +81,21 @@ def choose(task: Task, combination: IntArray, chosen: IntArray) -> None:
 
 
 @routine
-def sweep(task: Task, combination: IntArray, values: FloatArray, sure: BoolArray) -> None:
+def sweep(
+    task: Task, combination: IntArray, values: FloatArray, sure: BoolArray, best: FloatArray, worst: float
+) -> None:
     """Objectives of consecutive combinations, NaN where not admissible; neighbours lend each other their roots.
+
+    A consensus that is surely neither among the best nor the worst is not worked out: its value is inf.
 
     Args:
         task: the search.
         combination: the first combination; changed.
         values: filled with the objectives; its length says how many there are.
         sure: filled with whether they are certain.
+        best: the best known so far, ascending, inf where there is none yet; kept up. With none, (0,), every objective
+            is worked out.
+        worst: the worst known so far; -inf where there is none yet.
     """
     pick, count = len(combination), len(task.free)
     chosen = np.empty(len(task.must) + pick, np.int64)
@@ -83,7 +104,23 @@ def sweep(task: Task, combination: IntArray, values: FloatArray, sure: BoolArray
         choose(task, combination, chosen)
         values[r], sure[r] = np.nan, True
         if admissible(task, chosen):
-            values[r], sure[r] = rate(task, chosen, guesses)
+            limited = len(best) > 0 and task.objective == CONSENSUS and best[-1] < worst
+            if (
+                limited
+                and period_of(task, chosen) == 1
+                and between(task, chosen, best[-1] * (1.0 - _MARGIN), worst, guesses)
+            ):
+                values[r] = np.inf
+            else:
+                values[r], sure[r] = rate(task, chosen, guesses)
+                if sure[r] and len(best) > 0:
+                    worst = max(worst, values[r])
+                    place = len(best) - 1
+                    if values[r] < best[place]:
+                        while place > 0 and values[r] < best[place - 1]:
+                            best[place] = best[place - 1]
+                            place -= 1
+                        best[place] = values[r]
         place = pick - 1
         while place >= 0 and combination[place] == count - pick + place:
             place -= 1
@@ -103,7 +140,7 @@ class Values(NamedTuple):
     """Objectives of consecutive choices.
 
     Attributes:
-        values: as `rate` gives them; NaN where not admissible or not to be told.
+        values: as `rate` gives them; NaN where not admissible or not to be told, inf where not worked out.
         connected: whether each is admissible.
         unsure: how many admissible ones nothing could tell for certain.
     """
@@ -113,11 +150,15 @@ class Values(NamedTuple):
     unsure: int
 
 
-def values_of(problem: Problem, start: int, count: int) -> Values:
-    """Objectives of `count` choices from number `start` on."""
+def values_of(problem: Problem, start: int, count: int, best: Sequence[float] = (), worst: float = -math.inf) -> Values:
+    """Objectives of `count` choices from number `start` on.
+
+    Those that are surely neither better than the last of `best` nor worse than `worst` may be left at inf; without
+    `best`, none is.
+    """
     task = thawed(problem.task)
     values, sure = np.empty(count), np.empty(count, dtype=np.bool_)
-    sweep(task, unrank(start, len(task.free), task.pick), values, sure)
+    sweep(task, unrank(start, len(task.free), task.pick), values, sure, np.array(best, dtype=np.float64), worst)
     connected, unsure = ~np.isnan(values), 0
     for r in map(int, np.flatnonzero(~sure)):
         value = problem.reference(chosen_at(problem, start + r))
@@ -126,10 +167,20 @@ def values_of(problem: Problem, start: int, count: int) -> Values:
     return Values(values, connected, unsure)
 
 
-def look(problem: Problem, start: int, count: int, top: int) -> Found:
-    """Works off `count` choices from number `start` on; keeps the `top` best and the worst."""
-    values, connected, unsure = values_of(problem, start, count)
-    order = np.argsort(values, kind="stable")[: int((~np.isnan(values)).sum())]
+def look(problem: Problem, start: int, count: int, top: int, known: Found) -> Found:
+    """Works off `count` choices from number `start` on; keeps the `top` best and the worst.
+
+    Args:
+        problem: the search.
+        start: number of the first choice.
+        count: how many there are.
+        top: how many of the best to keep.
+        known: what earlier choices hold, which need not be beaten twice.
+    """
+    ahead = sorted(known.values)
+    best = [*ahead[:top], *[math.inf] * (top - len(ahead))]
+    values, connected, unsure = values_of(problem, start, count, best, ahead[-1] if ahead else -math.inf)
+    order = np.argsort(values, kind="stable")[: int((values < math.inf).sum())]
     kept = order[:top].tolist()
     if order.size:
         worst = int(np.flatnonzero(values == values[order[-1]])[0])
@@ -184,11 +235,13 @@ def enumerated(problem: Problem, top: int, parallel: Any, jobs: int) -> Generato
     length = min(max(problem.choices // _STRETCHES, _SHORTEST * quick), _LONGEST * quick)
     starts = iter(range(0, problem.choices, length))
     found = Found((), (), 0, 0, 0, 0)
-    while batch := list(itertools.islice(starts, _ROUND * jobs)):
+    # The first stretch alone tells the others what to beat; few choices are done sooner than they are shared.
+    shared = _ROUND * jobs if problem.choices > _ALONE else 1
+    while batch := list(itertools.islice(starts, shared if found.looked else 1)):
         work = [(start, min(length, problem.choices - start)) for start in batch]
         if len(work) == 1:
-            parts = [look(problem, *work[0], top)]
+            parts = [look(problem, *work[0], top, found)]
         else:
-            parts = parallel(delayed(look)(problem, start, count, top) for start, count in work)
+            parts = parallel(delayed(look)(problem, start, count, top, found) for start, count in work)
         found = merged([found, *parts], top)
         yield found

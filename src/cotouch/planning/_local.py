@@ -14,14 +14,21 @@ from cotouch.compiled import routine
 from cotouch.planning._bound import ROUND_OFF
 from cotouch.planning._enumerate import thawed
 from cotouch.planning._problem import Problem
-from cotouch.planning._task import ComplexArray, IntArray, Task, admissible, hopeless, rate
+from cotouch.planning._task import DAMPING, ComplexArray, IntArray, Task, admissible, hopeless, pulls, rate, remember
 
 # Walks side by side, whatever the machine, so that a seed means the same everywhere.
 WALKS = 8
-# Swaps of a walk between looks at the clock.
-_SLICE = 1000
+# Swaps of a walk between looks at the clock: so many over the cube of the number of users, and at least.
+_SLICE, _SHORTEST = 200_000, 10
 # Random starts tried before a start that is known to be admissible is taken.
 _TRIES = 100
+
+# Users up to whom a swap that looks better but is uncertain is worth a slow answer; beyond, it is turned down.
+_MOST_REFERRED = 8
+# So few swaps are tried in random order.
+_FEW = 200
+# Roots at hand to turn swaps down by.
+_POOL = 6
 
 _DONE, _BETTER, _UNSURE = 0, 1, 2
 
@@ -36,6 +43,7 @@ class Walk:
         chosen: pairs linked now, ascending; empty before the first step.
         value: their objective as `rate` gives it.
         guesses: their roots, one of each mode.
+        pool: roots at hand to turn swaps down by, (modes, any number): what settled one settles others like it.
         turn: swaps accepted so far.
         position: swaps tried since.
         tried: swaps tried before the last one accepted, and that.
@@ -48,6 +56,7 @@ class Walk:
     chosen: IntArray = field(default_factory=lambda: np.zeros(0, dtype=np.int64))
     value: float = np.inf
     guesses: ComplexArray = field(default_factory=lambda: np.zeros(0, dtype=np.complex128))
+    pool: ComplexArray = field(default_factory=lambda: np.zeros((0, 0), dtype=np.complex128))
     turn: int = 0
     position: int = 0
     tried: int = 0
@@ -67,6 +76,7 @@ def swaps(
     end: int,
     value: float,
     guesses: ComplexArray,
+    pool: ComplexArray,
 ) -> tuple[int, int, float, int]:
     """Tries swaps until one helps.
 
@@ -80,6 +90,7 @@ def swaps(
         end: one after the last.
         value: objective of `chosen`.
         guesses: roots of `chosen`; become those after the swap.
+        pool: roots that settle swaps, as `hopeless` takes them; kept up.
 
     Returns:
         `_DONE`, `_BETTER` or `_UNSURE` (looks better, uncertain), the next swap, the objective, the swaps looked at.
@@ -95,11 +106,15 @@ def swaps(
             continue
         looked += 1
         least = value - ROUND_OFF * np.abs(value)
-        if hopeless(task, trial, least, guesses):
+        if hopeless(task, trial, least, pool):
             continue
         roots[:] = guesses
-        found, sure = rate(task, trial, roots)
-        if found < least:
+        found, sure = rate(task, trial, roots, least)
+        if not found < least:
+            for mode in range(len(roots)):
+                if roots[mode].real >= least:
+                    remember(pool, mode, _POOL - 1, roots[mode])
+        else:
             chosen[:] = trial
             guesses[:] = roots
             return (_BETTER if sure else _UNSURE), p + 1, found, looked
@@ -140,7 +155,7 @@ def step(problem: Problem, walk: Walk, seed: int, fallback: IntArray) -> Walk:
     task = thawed(problem.task)
     if not walk.chosen.size:
         walk = _begin(problem, task, walk, seed, fallback)
-    left = _SLICE
+    left = max(_SLICE // task.size**3, _SHORTEST)
     while left > 0 and not walk.over:
         turn, position = walk.turn, walk.position
         walk = _swapped(problem, task, walk, seed, left)
@@ -150,36 +165,55 @@ def step(problem: Problem, walk: Walk, seed: int, fallback: IntArray) -> Walk:
 
 def _swapped(problem: Problem, task: Task, walk: Walk, seed: int, most: int) -> Walk:
     """The walk after the next swap that helps, or after `most` that don't."""
-    chosen, guesses = walk.chosen.copy(), walk.guesses.copy()
+    chosen, guesses, pool = walk.chosen.copy(), walk.guesses.copy(), walk.pool.copy()
     inside = np.setdiff1d(chosen, task.must)
     outside = np.setdiff1d(task.free, chosen)
-    # The order of the swaps follows from seed, start and turn: a walk can go on in any process.
-    order = np.random.default_rng((seed, walk.start, walk.turn)).permutation(inside.size * outside.size)
+    order = _order(task, walk, seed, inside, outside)
     end = min(walk.position + most, order.size)
     outcome, position, value, looked = swaps(
-        task, chosen, inside, outside, order, walk.position, end, walk.value, guesses
+        task, chosen, inside, outside, order, walk.position, end, walk.value, guesses, pool
     )
     looked += walk.looked
     if outcome == _UNSURE:
-        settled = problem.reference(chosen)
+        settled = problem.reference(chosen) if task.size <= _MOST_REFERRED else None
         if settled is None or settled >= walk.value:
             outcome = _DONE
         else:
             value = settled
     if outcome == _DONE:
-        return replace(walk, position=position, looked=looked, over=position == order.size)
+        return replace(walk, pool=pool, position=position, looked=looked, over=position == order.size)
     seen = (*walk.seen, (value, tuple(chosen.tolist())))
     return replace(
         walk,
         chosen=chosen,
         value=value,
         guesses=guesses,
+        pool=_pool(guesses, pool),
         turn=walk.turn + 1,
         position=0,
         tried=position,
         looked=looked,
         seen=seen,
     )
+
+
+def _pool(guesses: ComplexArray, pool: ComplexArray) -> ComplexArray:
+    """The roots of the links at hand before those that settled swaps so far."""
+    return np.ascontiguousarray(np.concatenate([guesses[:, None], pool[:, :-1]], axis=1))
+
+
+def _order(task: Task, walk: Walk, seed: int, inside: IntArray, outside: IntArray) -> IntArray:
+    """The swaps in the order in which they are tried, which follows from the walk: it can go on in any process.
+
+    Those go first that move the slowest root furthest left, as far as its slope tells. Few swaps are sooner tried than
+    ranked, and chance leads many starts to more ends; it decides for damping too.
+    """
+    few = inside.size * outside.size <= _FEW
+    if few or task.objective == DAMPING or not np.isfinite(walk.guesses.real).all():
+        return np.random.default_rng((seed, walk.start, walk.turn)).permutation(inside.size * outside.size)
+    pull = np.empty(len(task.first))
+    pulls(task, walk.chosen.copy(), walk.guesses.copy(), pull)
+    return np.argsort((pull[outside][None, :] - pull[inside][:, None]).ravel(), kind="stable")
 
 
 def _begin(problem: Problem, task: Task, walk: Walk, seed: int, fallback: IntArray) -> Walk:
@@ -192,7 +226,11 @@ def _begin(problem: Problem, task: Task, walk: Walk, seed: int, fallback: IntArr
         if settled is None:
             return replace(walk, over=True, looked=1)
         value = settled
-    return replace(walk, chosen=chosen, value=value, guesses=guesses, looked=1, seen=((value, tuple(chosen.tolist())),))
+    nothing = np.full((len(guesses), _POOL), complex(-np.inf, 0.0))
+    pool = _pool(guesses, nothing)
+    return replace(
+        walk, chosen=chosen, value=value, guesses=guesses, pool=pool, looked=1, seen=((value, tuple(chosen.tolist())),)
+    )
 
 
 def walked(problem: Problem, starts: int, seed: int, fallback: IntArray, parallel: Any) -> Generator[Walk]:

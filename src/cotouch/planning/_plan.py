@@ -8,11 +8,12 @@ from typing import Literal, TypeAlias, final, get_args
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.compiled import cold
 from cotouch.errors import NetworkError
 from cotouch.network import Convention, Network, Rounding
-from cotouch.planning._bound import any_choice, bounded, dive_into
-from cotouch.planning._enumerate import Found, chosen_at, enumerated
-from cotouch.planning._local import WALKS, walked
+from cotouch.planning._bound import any_choice, bounded, descend, dive_into
+from cotouch.planning._enumerate import Found, chosen_at, enumerated, sweep
+from cotouch.planning._local import WALKS, swaps, walked
 from cotouch.planning._problem import Objective, Problem, make_problem
 from cotouch.planning._result import Method, Plan, choice_of, shown
 from cotouch.planning._task import IntArray
@@ -25,6 +26,16 @@ _ENUMERABLE = 2_000_000
 _STARTS = 64
 # Ranks of choices must fit the kernels' whole numbers.
 _RANKS = 2**62
+
+
+def compiles(method: Literal["auto"] | Method = "auto") -> bool:
+    """Whether `plan` is going to compile its kernels first, once on this machine, which takes about a minute.
+
+    Args:
+        method: as `plan` takes it; "auto" counts as "enumerate".
+    """
+    needed = {"bound": (descend, swaps), "local": (descend, swaps)}.get(method, (sweep,))
+    return any(cold(kernel) for kernel in needed)
 
 
 @final
@@ -156,7 +167,7 @@ def plan(
         return seconds is not None and clock() - begun >= seconds
 
     search = _Search(problem, tick)
-    proved = False
+    covered = proved = False
     fallback = None
     if problem.choices > limit or chosen_method != "enumerate":
         fallback = any_choice(problem)
@@ -165,7 +176,7 @@ def plan(
     try:
         with workers(jobs, dask) as hands:
             if chosen_method == "enumerate":
-                proved = _enumerate(search, top, hands)
+                covered = proved = _enumerate(search, top, hands)
             elif fallback is not None:
                 walked_all = _walk(search, WALKS if chosen_method == "bound" else starts, seed, fallback, hands)
                 proved = chosen_method == "bound" and walked_all and _bound(search, top)
@@ -180,6 +191,7 @@ def plan(
     return Plan(
         objective=objective,
         status="proved" if proved and not search.unsure else "best found",
+        worst_status="proved" if covered and not search.unsure else "worst found",
         method=chosen_method,
         best=choices[0],
         worst=choices[-1],

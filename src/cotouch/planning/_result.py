@@ -12,6 +12,7 @@ from cotouch.planning._task import DECAY, FloatArray, IntArray, period_of, rate
 from cotouch.units import user_number
 
 Status: TypeAlias = Literal["proved", "best found"]
+WorstStatus: TypeAlias = Literal["proved", "worst found"]
 Method: TypeAlias = Literal["enumerate", "bound", "local"]
 
 
@@ -61,7 +62,9 @@ class Plan:
         status: "proved": enumeration or a bound covers every choice; "best found": nothing is claimed of the rest.
         method: how it was found.
         best: the best choice.
-        worst: the worst of those that were worked out; the worst of all after a full enumeration.
+        worst: the worst choice, as far as `worst_status` says.
+        worst_status: "proved": every choice was looked at; "worst found": the worst of those that were worked out, and
+            nothing is claimed of the rest. A bound leaves out what is not best, so it never proves the worst.
         top: the best choices, best first.
         choices: how many choices of links there are, connected or not.
         graphs: how many connected ones within the limits were looked at.
@@ -77,6 +80,7 @@ class Plan:
     method: Method
     best: Choice
     worst: Choice
+    worst_status: WorstStatus
     top: tuple[Choice, ...]
     choices: int
     graphs: int
@@ -101,6 +105,7 @@ class Plan:
             "seconds": self.seconds,
             "best": self.best.numbers(),
             "worst": self.worst.numbers(),
+            "worst_status": self.worst_status,
             "top": [choice.numbers() for choice in self.top],
         }
 

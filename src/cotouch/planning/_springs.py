@@ -16,13 +16,19 @@ import numpy as np
 import scipy.optimize
 
 from cotouch.errors import NetworkError, UnsupportedError
-from cotouch.network import Decay, Network, rightmost_root
-from cotouch.network._checks import one_user
-from cotouch.network._collocation import generator_eigenvalues
-from cotouch.network._decay import _closed_loop  # pyright: ignore[reportPrivateUsage]
-from cotouch.network._loop import Loop, characteristic, polish
-from cotouch.network._rightmost import rate_of
-from cotouch.network._types import ComplexArray, FloatArray
+from cotouch.network import (
+    Decay,
+    Loop,
+    Network,
+    characteristic,
+    closed_loop,
+    generator_eigenvalues,
+    one_user,
+    polish,
+    rate_of,
+    rightmost_root,
+)
+from cotouch.planning._task import ComplexArray, FloatArray
 
 # Default bounds, as shares of the softest and the stiffest spring in use at the start.
 _RANGE = 10.0
@@ -101,7 +107,7 @@ def tune_springs(
         raise NetworkError(f"rounds is {rounds}; it must be a whole number, at least 0")
     limit = _limits(network, damping_limit)
     # Checks the network, the mass and the rest.
-    _closed_loop(network, mass, damping, stiffness, None)
+    closed_loop(network, mass, damping, stiffness, None)
     search = _Search(network, limit, {"mass": mass, "damping": damping, "stiffness": stiffness})
     given = search.springs_of(network)
     factor = min(1.0, float(search.room(given)))
@@ -291,7 +297,7 @@ class _Search:
 
     def front(self, decay: Decay, springs: FloatArray) -> tuple[ComplexArray, ComplexArray]:
         """The rightmost roots with Im >= 0, the rightmost first, and (roots, E) their slopes in relative changes."""
-        loop, _ = _closed_loop(
+        loop, _ = closed_loop(
             self.network_of(springs), self.object["mass"], self.object["damping"], self.object["stiffness"], None
         )
         roots = [decay.root]

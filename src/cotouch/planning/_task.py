@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.compiled import routine
-from cotouch.network import Loop, polish, rate_of, rightmost, slowest
+from cotouch.network import Loop, arrive, chain_of, none_beyond, on_line, polish, rate_of, rightmost, slowest, value
 
 FloatArray: TypeAlias = npt.NDArray[np.float64]
 IntArray: TypeAlias = npt.NDArray[np.int64]
@@ -150,7 +150,7 @@ def loop_of(task: Task, chosen: IntArray, mode: int) -> Loop:
 
 
 @routine
-def rate(task: Task, chosen: IntArray, guesses: ComplexArray) -> tuple[float, bool]:
+def rate(task: Task, chosen: IntArray, guesses: ComplexArray, enough: float = np.inf) -> tuple[float, bool]:
     """The objective of connected links, in a form of which smaller is better.
 
     Args:
@@ -158,6 +158,7 @@ def rate(task: Task, chosen: IntArray, guesses: ComplexArray) -> tuple[float, bo
         chosen: numbers of the pairs linked, ascending.
         guesses: of each mode where its root may be, real part -inf where nothing is known; the roots found replace
             them.
+        enough: for consensus, a value that the objective need not be known beyond.
 
     Returns:
         Real part of the slowest root in 1/s (0 for a periodic graph, -inf if there is no root), or the largest damping
@@ -172,7 +173,7 @@ def rate(task: Task, chosen: IntArray, guesses: ComplexArray) -> tuple[float, bo
         loop = loop_of(task, chosen, mode)
         start = guesses[mode : mode + 1] if np.isfinite(guesses[mode].real) else guesses[:0]
         if task.objective == CONSENSUS:
-            root, certain, _ = slowest(loop, task.top, start)
+            root, certain, _ = slowest(loop, task.top, start, enough)
         else:
             root, certain, _ = rightmost(loop, task.modes[mode, 2] == 0.0, start)
         guesses[mode] = root
@@ -183,24 +184,89 @@ def rate(task: Task, chosen: IntArray, guesses: ComplexArray) -> tuple[float, bo
 
 
 @routine
-def hopeless(task: Task, chosen: IntArray, best: float, guesses: ComplexArray) -> bool:
-    """Whether links are surely no better than `best`, from one root that Newton reaches from each guess.
+def between(task: Task, chosen: IntArray, best: float, worst: float, guesses: ComplexArray) -> bool:
+    """Whether an aperiodic consensus is surely slower than `best` and faster than `worst`, which needs no exact value.
+
+    One root right of `best` settles the first; that no root lies right of `worst` the second.
+    """
+    loop = loop_of(task, chosen, 0)
+    start = guesses[:1] if np.isfinite(guesses[0].real) else guesses[:0]
+    root, certain, _ = slowest(loop, task.top, start, best)
+    if np.isfinite(root.real):
+        guesses[0] = root
+    if not (certain and best < root.real < worst):
+        return False
+    return worst >= 0.0 or none_beyond(loop, task.top, worst)
+
+
+@routine
+def hopeless(task: Task, chosen: IntArray, best: float, pool: ComplexArray) -> bool:
+    """Whether links are surely no better than `best`, from one root that Newton reaches from a guess.
 
     A root right of `best` settles it, whatever others there are. The resting translation does not count.
+
+    Args:
+        task: the search.
+        chosen: numbers of the pairs linked, ascending.
+        best: what to be better than.
+        pool: guesses of each mode, tried in turn, real part -inf where there is none, (modes, any number); the one that
+            settles it goes first the next time.
     """
     if task.objective == DAMPING:
         return largest_damping(task, chosen) >= best
-    known, copies = np.zeros(1, np.complex128), np.ones(1, np.int64)
+    known = np.zeros(1, np.complex128)
     for mode in range(len(task.modes)):
-        if not np.isfinite(guesses[mode].real):
-            continue
         loop = loop_of(task, chosen, mode)
+        chain = chain_of(loop)
         resting = task.objective == CONSENSUS or task.modes[mode, 2] == 0.0
         if task.objective == CONSENSUS:
             scale = 1.0 / max(np.max(loop.to_first), np.max(loop.to_second))
         else:
             scale = rate_of(loop)
-        root, arrived = polish(loop, guesses[mode], scale, known, copies, 1 if resting else 0)
-        if arrived and root.real >= best and (not resting or np.abs(root) > 1e-9 * scale):
-            return True
+        for g in range(pool.shape[1]):
+            if not np.isfinite(pool[mode, g].real):
+                continue
+            root, arrived = arrive(chain, pool[mode, g], scale, np.inf, known, 1 if resting else 0)
+            if arrived and root.real >= best and (not resting or np.abs(root) > 1e-9 * scale):
+                # What Newton says is held against Newton on the whole determinant, which turns pivots.
+                root, arrived = polish(loop, root, scale, known, np.ones(1, np.int64), 1 if resting else 0)
+                if arrived and root.real >= best and (not resting or np.abs(root) > 1e-9 * scale):
+                    remember(pool, mode, g, root)
+                    return True
     return False
+
+
+@routine
+def remember(pool: ComplexArray, mode: int, place: int, root: complex) -> None:
+    """Puts a root first among the guesses, in the place of one of them."""
+    for g in range(place, 0, -1):
+        pool[mode, g] = pool[mode, g - 1]
+    pool[mode, 0] = root
+
+
+@routine
+def pulls(task: Task, chosen: IntArray, guesses: ComplexArray, out: FloatArray) -> None:
+    """How far each pair, linked as a little more than it is, moves the slowest root to the right, 1/s.
+
+    With `zᵀ G = 0 = G x` at a root s a change of G moves it by `-zᵀ dG x / zᵀ G' x`.
+
+    Args:
+        task: the search, not of damping.
+        chosen: numbers of the pairs linked, ascending.
+        guesses: the slowest root of each mode.
+        out: filled, (M,).
+    """
+    mode = int(np.argmax(guesses.real))
+    s = guesses[mode]
+    chain = chain_of(loop_of(task, chosen, mode))
+    on_line(chain, s.real)
+    _, slope = value(chain, s.imag)
+    x, z = chain.right, chain.left
+    damped = task.objective == DECAY and len(task.sync) == 0
+    for e in range(len(task.first)):
+        i, j = chain.place[task.first[e]], chain.place[task.second[e]]
+        own = task.spring[e] + (s * task.load[e] if damped else 0.0)
+        forth, back = np.exp(-s * task.to_first[e]), np.exp(-s * task.to_second[e])
+        moved = own * (z[i] * x[i] + z[j] * x[j])
+        moved -= task.spring[e] * (forth * z[i] * x[j] + back * z[j] * x[i])
+        out[e] = 0.0 if slope == 0.0 else -(moved / slope).real

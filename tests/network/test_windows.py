@@ -6,7 +6,7 @@ from tests.network.support import random_network
 
 from cotouch.network._consensus import consensus_loop
 from cotouch.network._lags import consensus_lags
-from cotouch.network._resonance import _windows
+from cotouch.network._windows import windows
 
 
 @pytest.mark.parametrize("seed", range(12))
@@ -18,7 +18,7 @@ def test_windows_hold_every_frequency_that_may_resonate(seed):
     loop = consensus_loop(network, lags, unit)
     top, line = np.pi / unit, -float(rng.choice([0.02, 0.2, 1.0]))
     lows, highs, scratch = np.empty(4096), np.empty(4096), np.empty((2, 4096))
-    count, _ = _windows(loop, line, top, lows, highs, scratch)
+    count, _ = windows(loop, line, top, lows, highs, scratch)
     lows, highs = lows[:count], highs[:count]
     assert (highs[:-1] <= lows[1:]).all()
     frequencies = np.linspace(0.0, top, 4001)
