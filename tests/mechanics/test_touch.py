@@ -252,7 +252,8 @@ class TestContact:
         copy = TouchedCopy(body, basis=basis)
         tools, n = copy.tools, body.nodes
         tools.stiffness[:] = stiffness
-        tools.push[0, 2] = -stiffness * depth
+        tools.drive_stiffness[:] = 1000.0  # also holds it sideways: on top of a node alone it would fall off
+        tools.drive_damping[:] = 1.0
         K = body.stiffness.toarray() if body.form == "full" else np.kron(body.stiffness.toarray(), np.eye(3))
         modes = np.eye(3 * n)
         if copy.model.modes is not None:
@@ -263,6 +264,8 @@ class TestContact:
         copy.state.position[:] = copy.model.to_rows(moved)
         tools.place[0, :3] = body.rest[node] + moved[node] + [0.0, 0.0, tools.radius[0] - depth]
         tools.account[0] = 0.5 * stiffness * depth**2
+        tools.drive_start[:, :3] = tools.place[:, :3] - [0.0, 0.0, stiffness * depth / 1000.0]
+        tools.drive_end[:] = tools.drive_start
         copy.begin()
         place, position = tools.place.copy(), copy.copy.position
         for _ in range(1000):

@@ -146,6 +146,15 @@ def nearest_point(place: Float, ia: int, ib: int, ic: int, x: float, y: float, z
         return 6
     where, best, rank = 0, np.inf, 0
     vertices = place.shape[0]
+    for corner in range(3):
+        i = ia if corner == 0 else ib if corner == 1 else ic
+        gx, gy, gz = x - place[i, 0], y - place[i, 1], z - place[i, 2]
+        square = gx * gx + gy * gy + gz * gz
+        if square < best or (square == best and i < rank):
+            where, best, rank = corner, square, i
+            near[0, 0], near[0, 1], near[0, 2] = 0.0, 0.0, 0.0
+            near[0, corner] = 1.0
+            near[1, 0], near[1, 1], near[1, 2] = place[i, 0], place[i, 1], place[i, 2]
     for side in range(3):
         i, j, first, second = ia, ib, 0, 1
         if side == 1:
@@ -157,26 +166,17 @@ def nearest_point(place: Float, ia: int, ib: int, ic: int, x: float, y: float, z
         ux, uy, uz = place[j, 0] - place[i, 0], place[j, 1] - place[i, 1], place[j, 2] - place[i, 2]
         dot = ux * (x - place[i, 0]) + uy * (y - place[i, 1]) + uz * (z - place[i, 2])
         size = ux * ux + uy * uy + uz * uz
-        spot, own, share = 3 + side, (i + 1) * vertices + j, 0.0
-        if dot <= 0.0 or size == 0.0:
-            spot, own = first, i
-        elif dot >= size:
-            spot, own, share = second, j, 1.0
-        else:
-            share = dot / size
+        if not 0.0 < dot < size:
+            continue  # a corner is as near
+        share, own = dot / size, (i + 1) * vertices + j
         fx, fy, fz = place[i, 0] + share * ux, place[i, 1] + share * uy, place[i, 2] + share * uz
-        if spot < 3:
-            fx, fy, fz = place[own, 0], place[own, 1], place[own, 2]
         gx, gy, gz = x - fx, y - fy, z - fz
         square = gx * gx + gy * gy + gz * gz
         if square < best or (square == best and own < rank):
-            where, best, rank = spot, square, own
+            where, best, rank = 3 + side, square, own
             near[0, 0], near[0, 1], near[0, 2] = 0.0, 0.0, 0.0
             near[0, first] = 1.0 - share
             near[0, second] = share
-            if spot < 3:
-                near[0, first], near[0, second] = 0.0, 0.0
-                near[0, spot] = 1.0
             near[1, 0], near[1, 1], near[1, 2] = fx, fy, fz
     return where
 

@@ -22,8 +22,9 @@ from cotouch.mechanics._vector import at, load, splat, store, total
 Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
 
-# What the energy's two sides may differ by: less than rounding does to the sums themselves.
-_NOTICED = 1e-16
+# What the energy's two sides may differ by, beside the sizes of their terms: what rounding does to the sums. At rest in
+# contact the terms are large and the sums nothing; a quotient of these would be any number.
+_NOTICED = 1e-15
 # How deep an account may go into debt, as a share of the energy that moves within the step.
 _DEBT = 1e-6
 
@@ -297,11 +298,11 @@ def put_back(
     reading, rate, drive, inertia = small.reading, small.rate, small.drive, small.inertia
     wide, size, rows = mean.shape[1] > 1, 3 * tools, mean.shape[0]
     width = 3 if wide else 1
-    base = splat(0.0, lanes)  # v̂₀ᵀ b, which is v̂₀ᵀ A v̂₀
+    power = splat(0.0, lanes)  # v̂₀ᵀ b, which is v̂₀ᵀ A v̂₀
     for i in range(rows):
-        base = base + load(mean, i, lanes) * load(rhs, i, lanes)
-    work = total(base)
-    form = work
+        power = power + load(mean, i, lanes) * load(rhs, i, lanes)
+    base = total(power)
+    work, form = base, base
     factor = 1.0
     for attempt in range(2):
         sign = 1.0 if attempt == 0 else -1.0
@@ -335,7 +336,7 @@ def put_back(
         for c in range(used):
             for a in range(width):
                 reading[c, a] = read_column(columns, c, mean, a)
-        supplied, spent = work, form
+        supplied, spent, terms = work, form, base + abs(gain) + abs(more)
         for j in range(elements):
             body, proxy = 0.0, 0.0
             for a in range(3):
@@ -344,18 +345,21 @@ def put_back(
                 body += (direction[j, a] if wide else 1.0) * reading[column[j], a]
             rate[j] = body - proxy
             supplied -= force[j] * rate[j]
+            terms += abs(force[j]) * (abs(body) + abs(proxy))
         for i in range(size):
             p, a = i // 3, i % 3
             w = proxies[i]
             supplied += w * drive[i]
             spent += w * w * inertia[p]
+            terms += abs(w * drive[i]) + w * w * inertia[p]
             if grip_gain[p] > 0.0:
                 g = grip_column[p]
                 v = reading[g, a] if wide else reading[g + a, 0]
                 spent -= 2.0 * grip_gain[p] * w * v
         factor = 1.0
-        if spent > 0.0 and abs(supplied - spent) > _NOTICED * supplied:
-            factor = max(supplied, 0.0) / spent
+        if not abs(supplied - spent) <= _NOTICED * terms:
+            # Where only rounding is left of what is spent, standing still is the one motion whose energy is known.
+            factor = 0.0 if spent <= _NOTICED * terms else max(supplied, 0.0) / spent
         if sound(small, elements, account, first, tools, T * factor, True):
             break
     if factor != 1.0:

@@ -257,7 +257,7 @@ def _charge(soft: Float, found: Contacts, small: Small, tools: Tools, T: float, 
             if tool[c] == t and depth[c] > 0.0:
                 wish += 0.5 * stiffness[c] * depth[c] * depth[c]
         have = account[t]
-        if wish > have:
+        if wish > max(have, 0.0):
             ratio = math.sqrt(max(have, 0.0) / wish)
             for c in range(count):
                 if tool[c] == t and depth[c] > 0.0:
