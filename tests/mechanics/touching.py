@@ -38,6 +38,8 @@ class TouchedCopy:
         residual: largest gap in the balance of energy in any step [J].
         in_play: largest energy, or energy moved in a step [J].
         debt: lowest that any account was [J].
+
+    With `soft` a truncated body's contacts yield by what its shapes leave out.
     """
 
     def __init__(
@@ -48,12 +50,14 @@ class TouchedCopy:
         basis: Basis = "nodal",
         copies: int = 1,
         tolerance: float = 1e-12,
+        soft: bool = False,
     ) -> None:
         still = np.zeros((what.nodes, 3)) if isinstance(what, Body) else np.zeros(0)
         self.scene = Scene(what, still, still, copies=copies) if isinstance(what, Body) else what
         self.copy = Copy(self.scene, basis=basis)
         self.body, self.model, self.state = self.scene.body, self.copy.model, self.copy.state
-        self.surface = surface_of(self.model)
+        surface = surface_of(self.model)
+        self.surface = surface if soft else surface._replace(soft=np.zeros((0, 2)))
         self.tools = tools(count)
         self.tools.mode[:] = TOUCH
         self.tools.stiffness[:] = 1000.0

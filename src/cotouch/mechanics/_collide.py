@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.mechanics._kernel import block, kernel
+from cotouch.mechanics._kernel import block, kernel, part
 from cotouch.mechanics._surface import Fit, Surface, box_distance, place_vertex
 
 Float = npt.NDArray[np.float64]
@@ -110,7 +110,7 @@ def _dot(a: Float, i: int, b: Float, j: int) -> float:
     return a[i, 0] * b[j, 0] + a[i, 1] * b[j, 1] + a[i, 2] * b[j, 2]
 
 
-@block
+@part
 def _inside(place: Float, ia: int, ib: int, ic: int, x: float, y: float, z: float, near: Float) -> bool:
     """Whether a point lies above the inside of a triangle; if so, `near` gets shares and foot."""
     ax, ay, az = place[ia, 0], place[ia, 1], place[ia, 2]
@@ -181,7 +181,7 @@ def nearest_point(place: Float, ia: int, ib: int, ic: int, x: float, y: float, z
     return where
 
 
-@block
+@part
 def _angle(place: Float, i: int, j: int, k: int) -> float:
     """Angle of a triangle at its corner i [rad]."""
     dot = square = other = 0.0
@@ -194,7 +194,7 @@ def _angle(place: Float, i: int, j: int, k: int) -> float:
     return 0.0 if size == 0.0 else math.acos(min(max(dot / size, -1.0), 1.0))
 
 
-@block
+@part
 def _add_hit(
     surface: Surface, fit: Fit, hits: Hits, count: int, triangle: int, where: int, centre: Float, t: int
 ) -> int:
@@ -252,7 +252,7 @@ def _add_hit(
     return count
 
 
-@block
+@part
 def _search(
     surface: Surface,
     fit: Fit,
@@ -295,7 +295,7 @@ def _search(
     return count
 
 
-@block
+@part
 def _merge(hits: Hits, count: int, slot: int, close: float) -> None:
     """Sum of the normals of all that lies where a hit does, into row 0 of `near`.
 
@@ -383,7 +383,7 @@ def touching(
     return within
 
 
-@block
+@part
 def _keep(hits: Hits, found: Contacts, slot: int, tool: int, depth: float, sign: float) -> None:
     """Adds a contact; with no room left, in place of the shallowest if that is shallower."""
     most = found.depth.shape[0]

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.mechanics._kernel import block
+from cotouch.mechanics._kernel import block, part
 from cotouch.mechanics._operator import Operator, row_sum
 from cotouch.mechanics._surface import FOUR
 from cotouch.mechanics._vector import load, splat, store
@@ -76,7 +76,7 @@ def columns(rows: int, most: int, *, held: int, modal: bool) -> Columns:
     )
 
 
-@block
+@part
 def _grow(op: Operator, work: Columns, first: int, last: int) -> int:
     """Adds the neighbours of the rows of `reach` from `first` to `last - 1`; returns the new number of rows."""
     size = last

@@ -11,7 +11,7 @@ import math
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.mechanics._kernel import block
+from cotouch.mechanics._kernel import block, part
 
 Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
@@ -20,7 +20,7 @@ SWEEPS = 200
 _SETTLED = 1e-13
 
 
-@block
+@part
 def _entering(k: float, gap: float, over: float, r: float, a: float) -> float:
     """Force where a gap closes within the step, by the penetration at its end: every term is positive.
 

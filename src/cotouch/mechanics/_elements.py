@@ -9,7 +9,7 @@ import numpy.typing as npt
 from cotouch.mechanics._collide import Contacts
 from cotouch.mechanics._columns import Columns
 from cotouch.mechanics._grasp import held_place
-from cotouch.mechanics._kernel import block
+from cotouch.mechanics._kernel import block, part
 from cotouch.mechanics._ports import Ports, correct, factorise_ports
 from cotouch.mechanics._small import Small
 from cotouch.mechanics._state import Grips
@@ -182,7 +182,7 @@ def elements(
     return used
 
 
-@block
+@part
 def _tangents(direction: Float, n: int) -> None:
     """Two unit vectors across a normal [Duff et al. 2017]."""
     x, y, z = direction[n, 0], direction[n, 1], direction[n, 2]
@@ -193,7 +193,7 @@ def _tangents(direction: Float, n: int) -> None:
     direction[n + 2, 0], direction[n + 2, 1], direction[n + 2, 2] = b, sign + y * y * a, -y
 
 
-@block
+@part
 def _dense_column(
     shape: Float,
     corner: Int,
@@ -224,7 +224,7 @@ def _dense_column(
             dense[column, i] += part * value
 
 
-@block
+@part
 def _sparse_column(
     carried: Int,
     weight: Float,
@@ -254,7 +254,7 @@ def _sparse_column(
     return count
 
 
-@block
+@part
 def modal_columns(dense: Float, answers: Float, ports: Ports, held: int, used: int, diagonal: Float) -> None:
     """`A⁻¹ h_c` where A is diagonal but for ports."""
     for group in range((used + 3) // 4):

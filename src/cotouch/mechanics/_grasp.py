@@ -4,7 +4,7 @@
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.mechanics._kernel import block
+from cotouch.mechanics._kernel import block, part
 from cotouch.mechanics._surface import Fit, Surface, place_vertex
 from cotouch.mechanics._tools import MOST_HELD, MOST_HELD_MODAL, Tools
 
@@ -12,7 +12,7 @@ Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
 
 
-@block
+@part
 def held_place(hold_row: Int, rest: Float, place: Float, hold: int, axis: int, position: Float) -> float:
     """Displacement of something held along an axis [m]; in a modal basis its vertex must have been placed.
 
@@ -32,7 +32,7 @@ def held_place(hold_row: Int, rest: Float, place: Float, hold: int, axis: int, p
     return position[hold_row[hold, axis], 0]
 
 
-@block
+@part
 def held_rate(hold_row: Int, shape: Float, hold: int, axis: int, mean: Float) -> float:
     """Mean velocity of something held along an axis [m/s]."""
     axes, rows = hold_row.shape[1], mean.shape[0]

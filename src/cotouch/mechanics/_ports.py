@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.mechanics._kernel import block
+from cotouch.mechanics._kernel import part
 from cotouch.mechanics._vector import load, splat, store
 
 Float = npt.NDArray[np.float64]
@@ -39,7 +39,7 @@ def ports_of(count: int, rows: int) -> Ports:
     )
 
 
-@block
+@part
 def factorise(matrix: Float, size: int) -> None:
     """Cholesky factor in the lower triangle, in place.
 
@@ -56,7 +56,7 @@ def factorise(matrix: Float, size: int) -> None:
             matrix[p, q] = math.sqrt(entry) if p == q else entry / matrix[q, q]
 
 
-@block
+@part
 def factorise_ports(ports: Ports, count: int, diagonal: Float) -> None:
     """Works out `factor` for the first `count` ports."""
     for p in range(count):
@@ -68,7 +68,7 @@ def factorise_ports(ports: Ports, count: int, diagonal: Float) -> None:
     factorise(ports.factor, count)
 
 
-@block
+@part
 def correct(ports: Ports, count: int, diagonal: Float, field: Float, lanes: tuple[int, ...]) -> None:
     """Turns `D⁻¹ b` into `(D + Σ c_p h_p h_pᵀ)⁻¹ b` (Woodbury)."""
     rows, factor, reading = field.shape[0], ports.factor, ports.reading

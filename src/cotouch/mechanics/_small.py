@@ -1,7 +1,7 @@
 """The small problem that a step with tools comes down to: contacts and proxies, with the body as a few columns.
 
-With v̂₀ the body's motion without contacts and proxies, X = A⁻¹ H its columns, the motion is `v̂ = v̂₀ + X load`; the load
-of a contact is minus its force, that of a grasp its spring's pull towards the proxy. Everything that contacts and
+With v̂₀ the body's motion under guessed contact forces, X = A⁻¹ H its columns, the motion is `v̂ = v̂₀ + X load`; the load
+of a contact is the guess minus its force, that of a grasp its spring's pull towards the proxy. Everything that contacts and
 proxies need to know is `Hᵀ v̂₀` and `Hᵀ X`, few numbers both. X is taken as it is, not as it should be: the forces then
 fit the motion that comes out, even if the solver of the columns stopped early.
 """
@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.mechanics._columns import Columns, read_column
-from cotouch.mechanics._kernel import block
+from cotouch.mechanics._kernel import block, part
 from cotouch.mechanics._operator import Operator, row_sum
 from cotouch.mechanics._ports import Ports, factorise
 from cotouch.mechanics._surface import FOUR
@@ -43,6 +43,7 @@ class Small(NamedTuple):
         free: motion of each element without contacts, (elements,).
         compliance: R, (elements, elements).
         force: (elements,).
+        guess: what the solve for v̂₀ took the force to be, (elements,).
         rate: mean velocity of the body less that of the proxy along each element, (elements,).
         yielding: Hᵀ X, (columns, columns).
         reading: Hᵀ v̂ at the columns, (columns, 4).
@@ -68,6 +69,7 @@ class Small(NamedTuple):
     free: Float
     compliance: Float
     force: Float
+    guess: Float
     rate: Float
     yielding: Float
     reading: Float
@@ -97,6 +99,7 @@ def small(contacts: int, tools: int, columns: int) -> Small:
         free=np.zeros(elements),
         compliance=np.zeros((elements, elements)),
         force=np.zeros(elements),
+        guess=np.zeros(elements),
         rate=np.zeros(elements),
         yielding=np.zeros((columns, columns)),
         reading=np.zeros((columns, 4)),
@@ -113,7 +116,7 @@ def small(contacts: int, tools: int, columns: int) -> Small:
     )
 
 
-@block
+@part
 def reduce_step(columns: Columns, small: Small, T: float, tools: int, elements: int, used: int, mean: Float) -> None:
     """Motion of the elements without contacts, and the matrix R by which contact forces take it away.
 
@@ -137,6 +140,11 @@ def reduce_step(columns: Columns, small: Small, T: float, tools: int, elements: 
             yielding[c, o] = read_column(columns, c, answers[o // 4], o % 4)
         for a in range(3 if wide else 1):
             reading[c, a] = read_column(columns, c, mean, a)
+    for j in range(elements):  # without the guess
+        for c in range(used):
+            moved = yielding[c, column[j]] * small.guess[j]
+            for a in range(3 if wide else 1):
+                reading[c, a] += moved * (direction[j, a] if wide else 1.0)
     for i in range(size):
         for j in range(size):
             proxies[i, j] = 0.0
@@ -188,7 +196,7 @@ def reduce_step(columns: Columns, small: Small, T: float, tools: int, elements: 
             compliance[j, k] = T * value
 
 
-@block
+@part
 def _substitute(factor: Float, size: int, values: Float) -> None:
     """Solves with a Cholesky factor, in place."""
     for i in range(size):
@@ -202,7 +210,7 @@ def _substitute(factor: Float, size: int, values: Float) -> None:
         values[i] /= factor[i, i]
 
 
-@block
+@part
 def _substitute_column(factor: Float, size: int, values: Float, j: int) -> None:
     """The same for a column of a matrix."""
     for i in range(size):
@@ -247,7 +255,7 @@ def sound(small: Small, elements: int, account: Float, first: int, tools: int, s
     return True
 
 
-@block
+@part
 def put_back(
     op: Operator,
     columns: Columns,
@@ -311,7 +319,8 @@ def put_back(
                 loads[c, a] = 0.0
         for j in range(elements):
             for a in range(width):
-                loads[column[j], a] -= sign * (direction[j, a] if wide else 1.0) * force[j]
+                known = small.guess[j] if attempt == 0 else 0.0
+                loads[column[j], a] -= sign * (direction[j, a] if wide else 1.0) * (force[j] - known)
         for i in range(size):
             change = 0.0
             for j in range(elements):
@@ -344,7 +353,7 @@ def put_back(
             for a in range(width):
                 body += (direction[j, a] if wide else 1.0) * reading[column[j], a]
             rate[j] = body - proxy
-            supplied -= force[j] * rate[j]
+            supplied -= force[j] * rate[j] - small.guess[j] * body  # b holds the guess
             terms += abs(force[j]) * (abs(body) + abs(proxy))
         for i in range(size):
             p, a = i // 3, i % 3
@@ -374,7 +383,7 @@ def put_back(
                 reading[c, a] *= factor
 
 
-@block
+@part
 def _add_nodal(
     op: Operator,
     columns: Columns,
@@ -418,7 +427,7 @@ def _add_nodal(
     return total(gain), total(form)
 
 
-@block
+@part
 def _add_modal(
     columns: Columns,
     loads: Float,
@@ -445,7 +454,7 @@ def _add_modal(
     return gain, form + _ports_form(ports, held, mean, lanes)
 
 
-@block
+@part
 def _ports_form(ports: Ports, held: int, mean: Float, lanes: tuple[int, ...]) -> float:
     """What ports add to v̂ᵀ A v̂."""
     form = 0.0

@@ -15,7 +15,7 @@ import scipy.sparse as sp
 
 from cotouch.body import Body
 from cotouch.errors import BodyError
-from cotouch.mechanics._kernel import block, part
+from cotouch.mechanics._kernel import block
 from cotouch.mechanics._model import Model
 from cotouch.mechanics._vector import at, load, lower, splat, store, upper
 
@@ -320,7 +320,7 @@ def refit(surface: Surface, fit: Fit, position: Float, lanes: tuple[int, ...]) -
         store(fit.high, box, high, FOUR)
 
 
-@part
+@block
 def place_vertex(surface: Surface, fit: Fit, v: int, position: Float, lanes: tuple[int, ...]) -> None:
     """Brings one vertex of a modal skin to where the body is, if this search has not done so yet."""
     if surface.shape.shape[0] == 0 or fit.fresh[v] == fit.number[0]:
@@ -333,7 +333,7 @@ def place_vertex(surface: Surface, fit: Fit, v: int, position: Float, lanes: tup
     store(fit.place, v, place, FOUR)
 
 
-@part
+@block
 def box_distance(
     surface: Surface, fit: Fit, box: int, x: float, y: float, z: float, position: Float, lanes: tuple[int, ...]
 ) -> float:

@@ -13,11 +13,11 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.mechanics._collide import Contacts, Hits, touching
-from cotouch.mechanics._columns import solve_columns
+from cotouch.mechanics._columns import Columns, solve_columns
 from cotouch.mechanics._contact import sweep
 from cotouch.mechanics._elements import elements, gather, hold, modal_columns
 from cotouch.mechanics._grasp import held_place, held_rate, take
-from cotouch.mechanics._kernel import block
+from cotouch.mechanics._kernel import block, part
 from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._ports import correct
 from cotouch.mechanics._small import Small, put_back, reduce_step, sound
@@ -43,7 +43,8 @@ Float = npt.NDArray[np.float64]
 
 # Gaps count as contacts up to this share of a radius, and as far as two steps of the proxy carry it.
 _MARGIN = 0.05
-# Columns need not be better than this: it is the error of a contact's force, not of the books.
+# Columns need not be better than this, nor than the solver's own tolerance to the power ¾: what they leave out is a share
+# of what a contact's force changes by from step to step, in the body's motion and not in the books.
 _COLUMN_TOLERANCE = 1e-9
 
 
@@ -101,6 +102,9 @@ def touch_step(
     assemble(op, state, links, grips, local_damping, extra_damping, T, work, lanes)
     _drive(tools, small, T)
     held = hold(surface, fit, tools, small, T, position, rhs, diagonal, lanes)
+    contacts = found.number[0]
+    used = elements(surface, tools, found, columns, small, axes, lanes) if contacts + held > 0 else 0
+    _guess(found, columns, small, tools, axes, rhs, modal)
     port_count = 0
     if modal:
         port_count = gather(
@@ -121,19 +125,17 @@ def touch_step(
         books[ITERATIONS] = 0.0
     else:
         books[ITERATIONS] = solve_step(op, grips, work, tolerance, cap, lanes)
-    contacts = found.number[0]
     if contacts == 0 and held == 0:
         for i in range(3 * (last - first)):
             small.mean[i] = small.drive[i] / small.inertia[i // 3]
     else:
-        used = elements(surface, tools, found, columns, small, axes, lanes)
         families = op.entries.shape[0]
         values = op.entries[0] if families == 1 else work.values
         scale = work.scale[0] if families == 1 else 1.0 if families > 1 else 0.0
         if modal:
             modal_columns(columns.dense, columns.answer, ports, port_count, used, diagonal)
         else:
-            solve_columns(op, values, scale, diagonal, columns, used, max(tolerance, _COLUMN_TOLERANCE), cap)
+            solve_columns(op, values, scale, diagonal, columns, used, max(tolerance**0.75, _COLUMN_TOLERANCE), cap)
         count = contacts * axes
         reduce_step(columns, small, T, last - first, count, used, mean)
         sweep(
@@ -177,7 +179,7 @@ def touch_step(
     book_energies(op, state, local_damping, extra_damping, T, work, books, lanes)
 
 
-@block
+@part
 def _meet(
     surface: Surface,
     fit: Fit,
@@ -196,12 +198,7 @@ def _meet(
     """
     first, last, mode, held = tools.first, tools.last, tools.mode, tools.held
     place, rate, radius, inside = tools.place, tools.rate, tools.radius, tools.inside
-    friction, grip_energy, touch_force, touching_now = (
-        tools.friction,
-        tools.grip_energy,
-        tools.touch_force,
-        tools.touching,
-    )
+    friction, grip_energy, touching_now = tools.friction, tools.grip_energy, tools.touching
     found.number[0] = 0
     axes, near = 1, False
     for t in range(first, last):
@@ -210,8 +207,6 @@ def _meet(
         refit(surface, fit, position, lanes)
     for t in range(first, last):
         touching_now[t] = 0
-        for a in range(3):
-            touch_force[t, a] = 0.0
         if mode[t] != GRASP and held[t] >= 0:
             touch_books[TOUCH_LOSS] += grip_energy[t]
             grip_energy[t] = 0.0
@@ -231,7 +226,7 @@ def _meet(
     return axes
 
 
-@block
+@part
 def _charge(soft: Float, found: Contacts, small: Small, tools: Tools, T: float, touch_books: Float) -> None:
     """Gives the springs of the contacts no more energy than their tools' accounts hold, and clears the rest."""
     tool, found_depth, count = found.tool, found.depth, found.number[0]
@@ -270,7 +265,46 @@ def _charge(soft: Float, found: Contacts, small: Small, tools: Tools, T: float, 
             touch_books[TOUCH_LOSS] += excess
 
 
-@block
+@part
+def _guess(
+    found: Contacts, columns: Columns, small: Small, tools: Tools, axes: int, rhs: Float, modal: bool
+) -> None:
+    """Takes the forces on each tool to be those of the step before, for the solve that does not know them yet.
+
+    Whatever the guess, the forces come out right; a good one leaves little for the columns, whose error then matters
+    little, too.
+    """
+    guess, direction, column, force = small.guess, small.direction, small.column, small.force
+    tool, count, before = found.tool, found.number[0], tools.touch_force
+    wide = rhs.shape[1] > 1
+    for c in range(count):
+        t, alike = tool[c], 0
+        for other in range(count):
+            if tool[other] == t:
+                alike += 1
+        for n in range(c * axes, c * axes + axes):
+            value = 0.0
+            for a in range(3):
+                value += before[t, a] * direction[n, a] / alike
+            if n == c * axes:
+                value = max(value, 0.0)
+            guess[n] = value
+            force[n] = value
+            h = column[n]
+            for a in range(3 if wide else 1):
+                pull = value * (direction[n, a] if wide else 1.0)
+                if modal:
+                    for i in range(rhs.shape[0]):
+                        rhs[i, a] -= pull * columns.dense[h, i]
+                else:
+                    for e in range(columns.entries[h]):
+                        rhs[columns.row[h, e], a] -= pull * columns.value[h, e]
+    for t in range(tools.first, tools.last):
+        for a in range(3):
+            before[t, a] = 0.0
+
+
+@part
 def _drive(tools: Tools, small: Small, T: float) -> None:
     """The proxies' own `a ŵ = drive` [Lee & Huang 2010, proxy]."""
     stiffness, damping, mass = tools.drive_stiffness, tools.drive_damping, tools.mass
@@ -285,7 +319,7 @@ def _drive(tools: Tools, small: Small, T: float) -> None:
             drive[3 * p + a] = heavy * rate[t, a] + wish - k * place[t, a]
 
 
-@block
+@part
 def _settle_contacts(tools: Tools, small: Small, T: float, count: int, axes: int, touch_books: Float) -> None:
     """What the contacts' forces did in the step that came of them: to the body, and to the accounts."""
     first, touching_now, touch_force, account = tools.first, tools.touching, tools.touch_force, tools.account
@@ -304,7 +338,7 @@ def _settle_contacts(tools: Tools, small: Small, T: float, count: int, axes: int
             account[t] += T * force[j] * rate[j]
 
 
-@block
+@part
 def _settle_tools(
     surface: Surface,
     fit: Fit,
