@@ -116,7 +116,7 @@ def scene(body: Body, *, mode: int = TOUCH, steps: int = STEPS) -> Scene:
     path[:, 2] -= 0.8 * own.radius[0] * np.minimum(when / 0.2, 1.0)
     path[:, 0] += 2.0 * SPACING * np.sin(2.0 * np.pi * np.maximum(when - 0.2, 0.0))
     if mode == GRASP:
-        own.radius[0], own.place[0, 2] = 1.25 * SPACING, top[2]
+        own.radius[0], own.place[0, 2] = 1.45 * SPACING, top[2]
     work = touch_work(c.model, surface, tools=1, ports=c.grips.row.size)
     counts = np.zeros(steps, np.int32)
     return Scene(c, surface, own, work, np.zeros(TOUCH_BOOKS), path, np.zeros(steps, np.int64), counts)
