@@ -1,12 +1,16 @@
 """Compiles the kernels of one width into the cache on disk; run by `conftest.py` before workers would do so each."""
 
 import sys
+from pathlib import Path
 
 import numpy as np
 
+from cotouch.body import lattice
 from cotouch.network import Network
 from cotouch.planning import plan
 from cotouch.simulation import Scenario, prepare, run_peers, simulate
+
+sys.path.insert(0, str(Path(__file__).parent.parent))
 
 
 def main(axes: int) -> None:
@@ -19,6 +23,10 @@ def main(axes: int) -> None:
     )
     simulate(scenario)
     run_peers(prepare(scenario))
+    from tests.mechanics.touching import TouchedCopy
+
+    block = lattice((2, 2, 2), ground="all", ground_stiffness=1.0)
+    TouchedCopy(block.as_full() if axes == 1 else block).step(1e-3)
     if axes == 1:
         three = [[0, 1, 1], [1, 0, 1], [1, 1, 0]]
         network = Network(users=["a", "b", "c"], spring=three, delay=0.01 * np.array(three))
