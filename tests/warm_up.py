@@ -1,13 +1,17 @@
 """Compiles the kernels of one width into the cache on disk; run by `conftest.py` before workers would do so each."""
 
 import sys
+from pathlib import Path
 
 import numpy as np
 
+from cotouch.body import lattice
 from cotouch.device import CartesianPlant, DeviceModel, SimulatedDevice, critical_stiffness
 from cotouch.network import Network
 from cotouch.planning import plan
 from cotouch.simulation import Scenario, prepare, run_peers, simulate
+
+sys.path.insert(0, str(Path(__file__).parent.parent))
 
 
 def main(axes: int) -> None:
@@ -20,6 +24,10 @@ def main(axes: int) -> None:
     )
     simulate(scenario)
     run_peers(prepare(scenario))
+    from tests.mechanics.touching import TouchedCopy
+
+    block = lattice((2, 2, 2), ground="all", ground_stiffness=1.0)
+    TouchedCopy(block.as_full() if axes == 1 else block).step(1e-3)
     if axes == 1:
         SimulatedDevice(DeviceModel()).advance(0.0)
         critical_stiffness(CartesianPlant(), precision=0.5)

@@ -413,3 +413,35 @@ def test_every_skin_and_body_has_arrays_of_one_type():
         for array in copy.surface:
             assert array.flags.writeable
             assert array.flags.c_contiguous
+
+
+class TestFriction:
+    @pytest.mark.parametrize("seed", range(10))
+    def test_acts_across_the_normal_whichever_way_it_points(self, seed: int):
+        """Around an edge or corner of the block, where normals point anywhere."""
+        rng = np.random.default_rng(seed)
+        copy = TouchedCopy(block())
+        tools = copy.tools
+        away = rng.normal(size=3)
+        away /= np.linalg.norm(away)
+        corner = np.where(away > 0.0, 2 * SPACING, 0.0)
+        tools.radius[:] = 0.5 * SPACING
+        tools.friction[:] = 0.3
+        tools.place[0, :3] = corner + (0.5 * SPACING - 1e-4) * away
+        across = np.cross(away, rng.normal(size=3))
+        tools.rate[0, :3] = -0.1 * away + across
+        tools.account[:] = 1.0
+        copy.begin()
+        copy.step(1e-4)
+        triple = copy.touch.small.direction[:3, :3]
+        assert triple[0] == pytest.approx(away, abs=1e-9)
+        assert triple @ triple.T == pytest.approx(np.eye(3), abs=1e-12)
+        force = tools.touch_force[0, :3]
+        normal = force @ away
+        rubbing = force - normal * away
+        assert normal > 0.0
+        assert np.linalg.norm(rubbing) <= 0.3 * normal * (1.0 + 1e-9)
+        assert rubbing @ across < 0.0
+        if np.linalg.norm(rubbing) > 0.3 * normal * (1.0 - 1e-9):  # slips: straight against the motion
+            slip = -rubbing / np.linalg.norm(rubbing)
+            assert slip @ across == pytest.approx(np.linalg.norm(across), rel=0.05)
