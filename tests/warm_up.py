@@ -28,6 +28,14 @@ def main(axes: int) -> None:
 
     block = lattice((2, 2, 2), ground="all", ground_stiffness=1.0)
     TouchedCopy(block.as_full() if axes == 1 else block).step(1e-3)
+    if axes == 3:
+        with_tools = scenario.replace(
+            body={"kind": "lattice", "shape": [2, 2, 2]},
+            hands=[],
+            tools=[{"user": 1, "at": [0.0, 0.0, 0.05], "device": {}}],
+        )
+        simulate(with_tools)
+        run_peers(prepare(with_tools))
     if axes == 1:
         SimulatedDevice(DeviceModel()).advance(0.0)
         critical_stiffness(CartesianPlant(), precision=0.5)
