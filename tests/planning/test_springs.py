@@ -22,7 +22,9 @@ def ages(network: Network) -> np.ndarray:
 
 
 def search_of(network: Network, thing: dict[str, float]) -> _Search:
-    return _Search(network, np.full(network.size, 1e9), thing)
+    return _Search(
+        network, np.full(network.size, 1e9), np.array([[thing[name] for name in ("mass", "damping", "stiffness")]])
+    )
 
 
 @pytest.mark.parametrize("thing", OBJECTS)
@@ -178,3 +180,25 @@ def test_networks_it_does_not_take():
     weighted = Network(users=["a", "b"], spring=[[0, 1], [1, 0]], delay=[[0, 1], [1, 0]], weight=np.diag([1.0, 2.0]))
     with pytest.raises(UnsupportedError, match="springs have weights"):
         tune_springs(weighted, damping_limit=1.0)
+
+
+def test_the_slowest_of_several_modes_counts():
+    network = five_users()
+    modes = {"mass": [1.0, 3.0], "damping": [0.0, 0.5], "stiffness": [0.0, 40.0]}
+    tuned = tune_springs(network, damping_limit=80.0, rounds=20, **modes)
+    rates = [
+        rightmost_root(tuned.network, mass=m, damping=b, stiffness=k).rate
+        for m, b, k in zip(*modes.values(), strict=True)
+    ]
+    assert tuned.after == pytest.approx(max(rates), rel=1e-12)
+    assert tuned.after < tuned.before
+    assert tuned.mode[0] == modes["mass"][int(np.argmax(rates))]
+    # Tuned for the first mode alone, the second is left slower than need be.
+    alone = tune_springs(network, damping_limit=80.0, rounds=20, mass=1.0)
+    assert (
+        max(
+            rightmost_root(alone.network, mass=m, damping=b, stiffness=k).rate
+            for m, b, k in zip(*modes.values(), strict=True)
+        )
+        >= tuned.after - 1e-9
+    )

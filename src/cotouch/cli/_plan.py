@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from cotouch.cli._output import folder, number, print_json, working
-from cotouch.errors import ScenarioError, UnsupportedError
+from cotouch.errors import ScenarioError
 from cotouch.units import user_index, user_number
 
 if TYPE_CHECKING:
@@ -45,8 +45,6 @@ def run(
     moving = options["objective"] != "consensus" or tune is not None or figures is not None
     body = _object(path, {name: options[name] for name in _OBJECT}, read=moving)
     options |= body
-    if tune is not None:
-        _one_mode(body)
     limits = {"must": _pairs("--must", must), "never": _pairs("--never", never)}
     if figures is not None:
         folder(figures)
@@ -87,27 +85,16 @@ def _object(path: Path, given: dict[str, float | None], *, read: bool) -> dict[s
     return result | said
 
 
-def _one_mode(body: dict[str, Any]) -> dict[str, float]:
-    """The object of one mode, which tuning and simulating take."""
-    import numpy as np
-
-    modes = max(np.size(value) for value in body.values())
-    if modes > 1:
-        raise UnsupportedError(
-            f"--tune-springs takes an object of one mode, and this body has {modes}; name the one that matters by "
-            "--mass, --damping and --stiffness"
-        )
-    return {name: float(np.ravel(value)[0]) for name, value in body.items()}
-
-
 def _tuned(network: "Network", limit: float, body: dict[str, Any]) -> dict[str, Any]:
     """Springs within a limit on damping, and the rate that a free decay in the simulator shows with them."""
     from cotouch.planning import tune_springs
     from cotouch.study import confirmed
 
-    body = _one_mode(body)
     tuned = tune_springs(network, damping_limit=limit, **body)
-    seen = confirmed(tuned.network, tuned.after, **body) if tuned.after < 0 else None
+    mass, damping, stiffness = tuned.mode.tolist()
+    seen = None
+    if tuned.after < 0:
+        seen = confirmed(tuned.network, tuned.after, mass=mass, damping=damping, stiffness=stiffness)
     return {
         "links": [[user_number(a), user_number(b)] for a, b in tuned.network.links],
         "spring": [float(tuned.network.spring[a, b]) for a, b in tuned.network.links],

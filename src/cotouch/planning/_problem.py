@@ -124,7 +124,7 @@ def make_problem(
             needed,
             links - len(needed),
             most,
-            _modes(mass, damping, stiffness),
+            modes_table(mass, damping, stiffness),
             _sync(sync_damping, network.size),
         ),
     )
@@ -222,7 +222,7 @@ def _check_counts(network: Network, links: int, needed: set[Pair], most: int, ba
         )
 
 
-def _modes(mass: npt.ArrayLike, damping: npt.ArrayLike, stiffness: npt.ArrayLike) -> FloatArray:
+def modes_table(mass: npt.ArrayLike, damping: npt.ArrayLike, stiffness: npt.ArrayLike) -> FloatArray:
     """(modes, 3); scalars count for every mode."""
     parts = [np.atleast_1d(np.asarray(part, dtype=np.float64)) for part in (mass, damping, stiffness)]
     try:

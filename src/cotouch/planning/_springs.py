@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from typing import Any, final
 
 import numpy as np
+import numpy.typing as npt
 import scipy.optimize
 
 from cotouch.errors import NetworkError, UnsupportedError
@@ -28,6 +29,7 @@ from cotouch.network import (
     rate_of,
     rightmost_root,
 )
+from cotouch.planning._problem import modes_table
 from cotouch.planning._task import ComplexArray, FloatArray
 
 # Default bounds, as shares of the softest and the stiffest spring in use at the start.
@@ -41,6 +43,8 @@ _ORDER = 14
 _FRONT = 12
 # Singular values below this share of the largest term belong to a root.
 _NULL = 1e-9
+# Roots beyond this, times the longest delay, are not in any front, and exp would overflow on their way.
+_FAR = 100.0
 # What the count of roots ends in where several coincide: such springs are passed over.
 _UNSETTLED = (UnsupportedError, ZeroDivisionError)
 # Other starts: so many spread over the bounds for every link (and at most), and how many of the best are followed.
@@ -59,6 +63,7 @@ class Tuned:
         sync_damping: (N,) Ns/m, the rule's `B_i` with the new springs.
         start_factor: by which all springs were multiplied first, because they broke the limit; 1 where they held it.
         rounds: linear programs in a row from all starts, each with its step taken or refused.
+        mode: (3,) mass [kg], damping [Ns/m] and stiffness [N/m] of the object's mode that is slowest at the end.
     """
 
     network: Network
@@ -67,15 +72,16 @@ class Tuned:
     sync_damping: FloatArray
     start_factor: float
     rounds: int
+    mode: FloatArray
 
 
 def tune_springs(
     network: Network,
     *,
     damping_limit: float | Sequence[float] | FloatArray,
-    mass: float = 1.0,
-    damping: float = 0.0,
-    stiffness: float = 0.0,
+    mass: npt.ArrayLike = 1.0,
+    damping: npt.ArrayLike = 0.0,
+    stiffness: npt.ArrayLike = 0.0,
     lowest: float | None = None,
     highest: float | None = None,
     rounds: int = 200,
@@ -91,9 +97,9 @@ def tune_springs(
     Args:
         network: connected; springs without weights. Those that are not linked keep their springs.
         damping_limit: Ns/m above 0, one or (N,). A start that breaks it has all its springs scaled down into it first.
-        mass: kg of the whole object (or of one body mode), above 0.
-        damping: Ns/m of the object or mode, at least 0.
-        stiffness: N/m of the object or mode, at least 0.
+        mass: kg of the whole object, or of each of its modes, the slowest of which counts; above 0.
+        damping: Ns/m, likewise, at least 0.
+        stiffness: N/m, likewise, at least 0.
         lowest: N/m, the softest spring allowed; None takes a tenth of the softest at the (feasible) start.
         highest: N/m, the stiffest spring allowed; None takes ten times the stiffest at the start.
         rounds: most linear programs in a row from any start; 0 only makes the start feasible.
@@ -106,9 +112,9 @@ def tune_springs(
     if rounds < 0:
         raise NetworkError(f"rounds is {rounds}; it must be a whole number, at least 0")
     limit = _limits(network, damping_limit)
-    # Checks the network, the mass and the rest.
-    closed_loop(network, mass, damping, stiffness, None)
-    search = _Search(network, limit, {"mass": mass, "damping": damping, "stiffness": stiffness})
+    modes = modes_table(mass, damping, stiffness)
+    closed_loop(network, *modes[0].tolist(), None)  # checks the network
+    search = _Search(network, limit, modes)
     given = search.springs_of(network)
     factor = min(1.0, float(search.room(given)))
     start = given * factor if factor < 1.0 else given
@@ -130,6 +136,7 @@ def tune_springs(
         sync_damping=decay.sync_damping,
         start_factor=factor,
         rounds=count,
+        mode=search.slowest(springs)[1],
     )
 
 
@@ -183,9 +190,9 @@ def _bounds(
 class _Search:
     """What stays the same while the springs change."""
 
-    def __init__(self, network: Network, limit: FloatArray, object_: dict[str, float]) -> None:
+    def __init__(self, network: Network, limit: FloatArray, modes: FloatArray) -> None:
         self.network = network
-        self.object = object_
+        self.modes = modes
         pairs = np.array(network.links, dtype=np.int64).reshape(-1, 2)
         self.first, self.second = pairs[:, 0], pairs[:, 1]
         self.to_first = network.delay[self.first, self.second]
@@ -213,7 +220,17 @@ class _Search:
         return 1.0 / most * (1.0 - 1e-15) if most > 0 else math.inf
 
     def at(self, springs: FloatArray) -> Decay:
-        return rightmost_root(self.network_of(springs), **self.object)
+        return self.slowest(springs)[0]
+
+    def slowest(self, springs: FloatArray) -> tuple[Decay, FloatArray]:
+        """The decay of the object's slowest mode, and which that is."""
+        network = self.network_of(springs)
+        found = [
+            (rightmost_root(network, mass=m, damping=b, stiffness=k), row)
+            for row, (m, b, k) in enumerate(self.modes.tolist())
+        ]
+        decay, row = max(found, key=lambda one: one[0].rate)
+        return decay, self.modes[row]
 
     def spread(self) -> list[tuple[Decay, FloatArray]]:
         """The best of many springs between the bounds, scaled into the limit where they break it."""
@@ -297,26 +314,37 @@ class _Search:
 
     def front(self, decay: Decay, springs: FloatArray) -> tuple[ComplexArray, ComplexArray]:
         """The rightmost roots with Im >= 0, the rightmost first, and (roots, E) their slopes in relative changes."""
-        loop, _ = closed_loop(
-            self.network_of(springs), self.object["mass"], self.object["damping"], self.object["stiffness"], None
-        )
-        roots = [decay.root]
+        found: list[tuple[complex, Loop]] = []
+        slow = self.slowest(springs)[1]
+        for mode in self.modes:
+            found += self.roots(decay, springs, mode, [decay.root] if np.array_equal(mode, slow) else [])
+        found = sorted(found, key=lambda one: -one[0].real)[:_FRONT]
+        pairs = [(root, slope) for root, loop in found for slope in self.slopes(loop, root)]
+        return np.array([root for root, _ in pairs]), np.array([slope for _, slope in pairs]) * springs
+
+    def roots(
+        self, decay: Decay, springs: FloatArray, mode: FloatArray, known: list[complex]
+    ) -> list[tuple[complex, Loop]]:
+        """The rightmost roots of one mode, with the loop that they belong to; `known` are among them."""
+        mass, drag, rigid = mode.tolist()
+        loop, _ = closed_loop(self.network_of(springs), mass, drag, rigid, None)
         scale = rate_of(loop)
         near = 1e-7 * (abs(decay.root) + 1e-3 * scale)
-        resting = self.object["stiffness"] == 0
+        resting = rigid == 0
         coupling = np.zeros((len(loop.mass),) * 2)
         coupling[loop.first, loop.second] = coupling[loop.second, loop.first] = loop.spring
         starts = generator_eigenvalues(loop.mass, loop.drag, loop.rigid, coupling, self.network.delay, order=_ORDER)
         none = np.zeros(1, np.complex128), np.ones(1, np.int64), 0
+        roots, longest = list(known), float(self.network.delay.max())
         for start in starts[starts.imag >= 0][: 2 * _FRONT]:
             root, arrived = polish(loop, complex(start), scale, *none)
             if not arrived or (resting and abs(root) < near) or root.real > decay.rate + near:
                 continue
-            if all(abs(root - known) > near for known in roots):
+            if root.real * longest < -_FAR:
+                continue
+            if all(abs(root - other) > near for other in roots):
                 roots.append(complex(root))
-        roots = sorted(roots, key=lambda root: -root.real)[:_FRONT]
-        pairs = [(root, slope) for root in roots for slope in self.slopes(loop, root)]
-        return np.array([root for root, _ in pairs]), np.array([slope for _, slope in pairs]) * springs
+        return [(root, loop) for root in roots]
 
     def slopes(self, loop: Loop, root: complex) -> list[ComplexArray]:
         """ds/dK_e: one for a simple root; for several that coincide, along each of their shapes and between them."""
