@@ -479,7 +479,7 @@ class Recording(Table):
 
     Attributes:
         every: one of how many steps.
-        nodes: numbers from 1; by default all up to 64, else those held.
+        nodes: numbers from 1; by default all up to 64, else those held and those nearest to where tools start.
         frames: whole copies so many times a second, for an animation [Hz]; by default none.
     """
 
