@@ -9,9 +9,9 @@ if TYPE_CHECKING:
     from rich.table import Table
 
 
-def run(path: Path, *, out: Path | None, figures: Path | None, as_json: bool) -> None:
+def run(path: Path, *, out: Path | None, figures: Path | None, animation: Path | None, as_json: bool) -> None:
     """Runs a scenario, writes what was asked for, prints a summary."""
-    from cotouch.simulation import Scenario, save, summary
+    from cotouch.simulation import Scenario, frame_rate, save, summary
     from cotouch.simulation import simulate as simulate_scenario
 
     scenario = Scenario.read(path)
@@ -19,19 +19,27 @@ def run(path: Path, *, out: Path | None, figures: Path | None, as_json: bool) ->
         writable(out)
     if figures is not None:
         folder(figures)
+    if animation is not None:
+        writable(animation)
+        if scenario.record.frames is None:
+            scenario = scenario.replace(record__frames=frame_rate(scenario))
     with working("Simulating (the first run of all compiles the kernels, for about half a minute)", quiet=as_json):
         result = simulate_scenario(scenario)
+    written: list[Path] = []
     if out is not None:
         save(result, out)
-    drawn: list[Path] = []
+        written.append(out)
     if figures is not None:
         from cotouch.simulation import save_figures
 
-        drawn = save_figures(result, figures)
+        written += save_figures(result, figures)
+    if animation is not None:
+        from cotouch.simulation import animation as animation_of
+
+        written.append(animation_of(result, scenario.build_body()).write(animation))
     figures_of_run = summary(result, scenario.build_body())
     if as_json:
-        written = [str(file) for file in ([out] if out else []) + drawn]
-        print_json({**figures_of_run, "files": written})
+        print_json({**figures_of_run, "files": [str(file) for file in written]})
         return
     from rich.console import Console
 
@@ -41,8 +49,10 @@ def run(path: Path, *, out: Path | None, figures: Path | None, as_json: bool) ->
         for note in origin.notes:
             console.print(f"  [yellow]•[/yellow] {Path(origin.source).name}: {note}", highlight=False, soft_wrap=True)
     console.print(_users(scenario.network.users, figures_of_run))
+    if "tools" in figures_of_run:
+        console.print(_tools(scenario.network.users, figures_of_run["tools"]))
     console.print(_books(figures_of_run))
-    for file in ([out] if out else []) + drawn:
+    for file in written:
         console.print(f"  wrote {file}", highlight=False)
 
 
@@ -53,19 +63,53 @@ def _users(names: tuple[str, ...], figures: dict[str, Any]) -> "Table":
     held = figures["hold"]
     table = Table(box=SIMPLE_HEAD, title=figures["title"], title_justify="left", title_style="bold")
     table.add_column("user")
-    for heading in ("damping B\nNs/m", f"x at {held['time_s']:g} s\nm", "f there\nN", "x at the end\nm"):
+    columns: list[tuple[str, list[Any]]] = [
+        ("damping B\nNs/m", figures["local_damping"]),
+        (f"x at {held['time_s']:g} s\nm", held["position"]),
+        ("f there\nN", held["force"]),
+        ("x at the end\nm", figures["final"]["position"]),
+    ]
+    if "tools" in figures:  # a body in three dimensions: its nodes say nothing in a table, the forces do
+        columns = [columns[0], (f"f at {held['time_s']:g} s\nN", held["force"])]
+    for heading, _ in columns:
         table.add_column(heading, justify="right")
-    rows = zip(
-        names,
-        figures["local_damping"],
-        held["position"],
-        held["force"],
-        figures["final"]["position"],
-        strict=True,
-    )
-    for name, *values in rows:
+    for name, *values in zip(names, *(values for _, values in columns), strict=True):
         table.add_row(name, *(_short(value) for value in values))
     return table
+
+
+def _tools(names: tuple[str, ...], tools: list[dict[str, Any]]) -> "Table":
+    from rich.box import SIMPLE_HEAD
+    from rich.table import Table
+
+    table = Table(box=SIMPLE_HEAD)
+    table.add_column("tool")
+    table.add_column("device", style="dim")
+    for heading in ("felt\npeak N", "\nmean N", "contacts\nat most", "in contact\ns"):
+        table.add_column(heading, justify="right")
+    for tool in tools:
+        table.add_row(
+            f"{names[tool['user'] - 1]} {'touches' if tool['kind'] == 'touch' else 'grasps'}",
+            tool["device"] or "",
+            number(tool["peak_force_n"], digits=3),
+            number(tool["mean_force_n"], digits=3),
+            f"{tool['most_contacts']} node{'s' * (tool['most_contacts'] != 1)}"
+            if tool["kind"] == "grasp"
+            else str(tool["most_contacts"]),
+            number(tool["contact_time_s"], digits=3),
+        )
+    return table
+
+
+def _coupling(tools: list[dict[str, Any]]) -> str | None:
+    """Whether the couplings of all devices were passive, with the one that came nearest to its bound."""
+    coupled = [(tool["coupling"]["excess_j"], tool["coupling"]["bound_j"], tool) for tool in tools if "coupling" in tool]
+    if not coupled:
+        return None
+    bad = sum(not tool["coupling"]["passive"] for *_, tool in coupled)
+    excess, bound, _ = max(coupled, key=lambda entry: entry[0] - entry[1])
+    verdict = f"[red]{bad} of {len(coupled)} not passive[/red]" if bad else "passive"
+    return f"{verdict}: gave at most {number(excess, 'J', digits=3)} more than it got, bound {number(bound, 'J', digits=3)}"
 
 
 def _short(value: Any) -> str:
@@ -109,6 +153,10 @@ def _books(figures: dict[str, Any]) -> "Table":
     margin = figures["passivity_margin_j"]
     verdict = "passive" if margin >= -1e-10 * energy["in_play"] else "[red]not passive[/red]"
     grid.add_row("  passivity", f"{verdict}: margin {number(margin, 'J')}")
+    coupling = _coupling(figures.get("tools", []))
+    if coupling is not None:
+        grid.add_row("  devices", coupling)
+        grid.add_row("  their residual", f"{figures['device_residual']:.1e} of the energy in play")
     ages = figures["age_s"]
     grid.add_row("  age of samples", f"{number(ages['mean'], 's')} mean, {number(ages['max'], 's')} max")
     if figures["underruns"]:

@@ -97,7 +97,7 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
     data: dict[str, tuple[tuple[str, ...], Any]] = {}
 
     def put(name: str, dims: tuple[str, ...], values: npt.NDArray[Any], owner: npt.NDArray[Any] | None = None) -> None:
-        if owner is not None and gaps:
+        if owner is not None and gaps and "step" in dims:
             values = np.array(values)
             values[np.arange(records)[None, :] > taken[owner, None]] = np.nan
         data[name] = (dims, values)
@@ -151,8 +151,9 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
     put("tick_time", ("tick",), time[timing.reference, :ticks].copy())
     put("local_damping", ("user", "weight"), prepared.local_damping)
     if outcome.frame_time.size:
-        shown = [[prepared.model.to_nodes(copy) for copy in frame] for frame in outcome.frames]
-        put("frame_position", ("frame", "user", "node_all", "axis"), (np.array(shown) + body.rest).astype(np.float32))
+        shown = np.array([[prepared.model.to_nodes(copy) for copy in frame] for frame in outcome.frames])
+        with np.errstate(over="ignore"):  # of a run that diverges
+            put("frame_position", ("frame", "user", "node_all", "axis"), (shown + body.rest).astype(np.float32))
     for name, (dims, values) in data.items():
         unit, meaning = _UNITS[name]
         data[name] = (dims, values, {"units": unit, "long_name": meaning})  # pyright: ignore[reportArgumentType]

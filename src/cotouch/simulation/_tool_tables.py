@@ -8,6 +8,8 @@ from pydantic import Discriminator, Field, FiniteFloat, Tag, model_validator
 from cotouch.device import PRESETS
 from cotouch.simulation._tables import NonNegative, Number, Place, Positive, Table
 
+# Of a device's servo, where neither a scenario nor a product says it [Hz].
+DEFAULT_RATE = 1000.0
 # Options of a hand that only one on a device has, and of a device that only one law of the coupling has.
 _OF_DEVICES = ("mass", "reaction", "correction", "reach", "blend")
 _OF_PSPM = ("rate", "periods", "window", "cap", "reserve", "declared")

@@ -31,7 +31,7 @@ from cotouch.mechanics import (
 from cotouch.simulation._clear import clear_place
 from cotouch.simulation._hands import Hands
 from cotouch.simulation._schedule import Schedule
-from cotouch.simulation._tool_tables import DeviceTable, ToolHand, ToolTable
+from cotouch.simulation._tool_tables import DEFAULT_RATE, DeviceTable, ToolHand, ToolTable
 from cotouch.simulation._touching import Touching
 
 Float = npt.NDArray[np.float64]
@@ -136,7 +136,7 @@ def device_model(table: DeviceTable, hand: ToolHand | None, lengths: Float) -> D
         DeviceError: a number is out of range, or a virtual coupling is not passive.
     """
     product = None if table.preset is None else PRESETS[table.preset]
-    rate = table.rate or (1000.0 if product is None else product.rate)
+    rate = table.rate or (DEFAULT_RATE if product is None else product.rate)
     phantom = table.sort() == "phantom"
     plant: CartesianPlant | PhantomPlant
     if phantom:
