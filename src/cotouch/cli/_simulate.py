@@ -48,9 +48,8 @@ def run(path: Path, *, out: Path | None, figures: Path | None, animation: Path |
     if origin is not None:
         for note in origin.notes:
             console.print(f"  [yellow]•[/yellow] {Path(origin.source).name}: {note}", highlight=False, soft_wrap=True)
-    console.print(_users(scenario.network.users, figures_of_run))
-    if "tools" in figures_of_run:
-        console.print(_tools(scenario.network.users, figures_of_run["tools"]))
+    console.print(figures_of_run["title"], style="bold", highlight=False, markup=False)
+    console.print((_tools if "tools" in figures_of_run else _users)(scenario.network.users, figures_of_run))
     console.print(_books(figures_of_run))
     for file in written:
         console.print(f"  wrote {file}", highlight=False)
@@ -61,7 +60,7 @@ def _users(names: tuple[str, ...], figures: dict[str, Any]) -> "Table":
     from rich.table import Table
 
     held = figures["hold"]
-    table = Table(box=SIMPLE_HEAD, title=figures["title"], title_justify="left", title_style="bold")
+    table = Table(box=SIMPLE_HEAD)
     table.add_column("user")
     columns: list[tuple[str, list[Any]]] = [
         ("damping B\nNs/m", figures["local_damping"]),
@@ -69,8 +68,6 @@ def _users(names: tuple[str, ...], figures: dict[str, Any]) -> "Table":
         ("f there\nN", held["force"]),
         ("x at the end\nm", figures["final"]["position"]),
     ]
-    if "tools" in figures:  # a body in three dimensions: its nodes say nothing in a table, the forces do
-        columns = [columns[0], (f"f at {held['time_s']:g} s\nN", held["force"])]
     for heading, _ in columns:
         table.add_column(heading, justify="right")
     for name, *values in zip(names, *(values for _, values in columns), strict=True):
@@ -78,26 +75,33 @@ def _users(names: tuple[str, ...], figures: dict[str, Any]) -> "Table":
     return table
 
 
-def _tools(names: tuple[str, ...], tools: list[dict[str, Any]]) -> "Table":
+def _tools(names: tuple[str, ...], figures: dict[str, Any]) -> "Table":
+    """With tools: what each of them felt instead of where nodes are, of which there are many."""
     from rich.box import SIMPLE_HEAD
     from rich.table import Table
 
     table = Table(box=SIMPLE_HEAD)
-    table.add_column("tool")
-    table.add_column("device", style="dim")
-    for heading in ("felt\npeak N", "\nmean N", "contacts\nat most", "in contact\ns"):
+    table.add_column("user")
+    table.add_column("damping B\nNs/m", justify="right")
+    table.add_column("tool", no_wrap=True)
+    for heading in ("felt N\npeak", "\nmean", "contacts\nat most", "\nfor s"):
         table.add_column(heading, justify="right")
-    for tool in tools:
-        table.add_row(
-            f"{names[tool['user'] - 1]} {'touches' if tool['kind'] == 'touch' else 'grasps'}",
-            tool["device"] or "",
-            number(tool["peak_force_n"], digits=3),
-            number(tool["mean_force_n"], digits=3),
-            f"{tool['most_contacts']} node{'s' * (tool['most_contacts'] != 1)}"
-            if tool["kind"] == "grasp"
-            else str(tool["most_contacts"]),
-            number(tool["contact_time_s"], digits=3),
-        )
+    for i, name in enumerate(names):
+        start = [name, _short(figures["local_damping"][i])]
+        own = [tool for tool in figures["tools"] if tool["user"] == i + 1]
+        for tool in own:
+            count, node = tool["most_contacts"], "" if tool["kind"] == "touch" else " nodes"
+            table.add_row(
+                *start,
+                f"{tool['kind']}, {tool['device']}" if tool["device"] else tool["kind"],
+                number(tool["peak_force_n"], digits=3),
+                number(tool["mean_force_n"], digits=3),
+                f"{count}{node[:-1] if count == 1 else node}",
+                number(tool["contact_time_s"], digits=3),
+            )
+            start = ["", ""]
+        if not own:
+            table.add_row(*start, *[""] * 5)
     return table
 
 
@@ -119,7 +123,9 @@ def _short(value: Any) -> str:
     if not isinstance(value, list):
         return number(float(value), digits=5)
     if value and not isinstance(value[0], list):
-        return " ".join(number(float(entry), digits=3) for entry in value)  # pyright: ignore[reportUnknownVariableType, reportUnknownArgumentType]
+        entries = [float(entry) for entry in value]  # pyright: ignore[reportUnknownArgumentType, reportUnknownVariableType]
+        least = 1e-6 * max(map(abs, entries))  # what is only rounding beside the others is nothing
+        return " ".join(number(entry if abs(entry) > least else 0.0, digits=3) for entry in entries)
     return f"{len(value)} nodes"  # pyright: ignore[reportUnknownArgumentType]
 
 
@@ -151,8 +157,9 @@ def _books(figures: dict[str, Any]) -> "Table":
     )
     grid.add_row("  residual", f"{figures['energy_residual']:.1e} of the energy in play")
     margin = figures["passivity_margin_j"]
-    verdict = "passive" if margin >= -1e-10 * energy["in_play"] else "[red]not passive[/red]"
-    grid.add_row("  passivity", f"{verdict}: margin {number(margin, 'J')}")
+    rounding = 1e-10 * energy["in_play"]
+    verdict = "passive" if margin >= -rounding else "[red]not passive[/red]"
+    grid.add_row("  passivity", f"{verdict}: margin {number(margin if abs(margin) > rounding else 0.0, 'J')}")
     coupling = _coupling(figures.get("tools", []))
     if coupling is not None:
         grid.add_row("  devices", coupling)

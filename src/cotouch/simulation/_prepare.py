@@ -163,6 +163,8 @@ def _initial(given: list[Any] | None, name: str, users: int, body: Body) -> Floa
 
 def _recorded(scenario: Scenario, body: Body) -> Int:
     wish = scenario.record.nodes
+    if wish == "all":
+        return np.arange(body.nodes, dtype=np.int32)
     if wish is None:
         if body.nodes <= _ALL_NODES:
             return np.arange(body.nodes, dtype=np.int32)
