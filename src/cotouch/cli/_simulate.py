@@ -107,13 +107,16 @@ def _tools(names: tuple[str, ...], figures: dict[str, Any]) -> "Table":
 
 def _coupling(tools: list[dict[str, Any]]) -> str | None:
     """Whether the couplings of all devices were passive, with the one that came nearest to its bound."""
-    coupled = [(tool["coupling"]["excess_j"], tool["coupling"]["bound_j"], tool) for tool in tools if "coupling" in tool]
+    coupled = [
+        (tool["coupling"]["excess_j"], tool["coupling"]["bound_j"], tool) for tool in tools if "coupling" in tool
+    ]
     if not coupled:
         return None
     bad = sum(not tool["coupling"]["passive"] for *_, tool in coupled)
     excess, bound, _ = max(coupled, key=lambda entry: entry[0] - entry[1])
     verdict = f"[red]{bad} of {len(coupled)} not passive[/red]" if bad else "passive"
-    return f"{verdict}: gave at most {number(excess, 'J', digits=3)} more than it got, bound {number(bound, 'J', digits=3)}"
+    given, most = number(excess, "J", digits=3), number(bound, "J", digits=3)
+    return f"{verdict}: gave at most {given} more than it got, bound {most}"
 
 
 def _short(value: Any) -> str:

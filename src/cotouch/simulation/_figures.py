@@ -188,8 +188,10 @@ def _tool_places(run: "xr.Dataset") -> "Figure":
         for tool, owner in enumerate(owners):
             line = _tool_line(owners, tool)
             time = run["time"].values[owner]
-            panel.plot(*decimate(time, held[tool, :, axis] / factor), **{**line, "linewidth": 2.6, "alpha": 0.25})
-            panel.plot(*decimate(time, moved[tool, :, axis] / factor), **line)
+            when, behind = decimate(time, held[tool, :, axis] / factor)
+            panel.plot(when, behind, linewidth=2.6, alpha=0.25, **line)
+            when, front = decimate(time, moved[tool, :, axis] / factor)
+            panel.plot(when, front, **line)
         panel.set_ylabel(f"{run['axis'].values[axis]} / {unit}")
     devices_too = " (broad and pale: their devices)" if np.isfinite(held).any() else ""
     panels[0].set_title(f"Tools from where they start{devices_too}")
@@ -199,6 +201,8 @@ def _tool_places(run: "xr.Dataset") -> "Figure":
 
 
 def _touch(run: "xr.Dataset") -> "Figure":
+    from matplotlib.ticker import MaxNLocator
+
     owners = _owners(run)
     pushed = np.linalg.norm(run["touch_force"].values, axis=-1)
     hand = np.linalg.norm(felt(run), axis=-1)
@@ -227,11 +231,11 @@ def _touch(run: "xr.Dataset") -> "Figure":
         changes = np.flatnonzero(np.diff(counts[tool, known], prepend=np.nan, append=np.nan) != 0.0)
         moments, steps = time[known][np.minimum(changes, known.sum() - 1)], counts[tool, known]
         level = [float(steps[min(change, steps.size - 1)]) for change in changes]
-        last.step(moments, level, where="post", **{**_tool_line(owners, tool), "linewidth": 0.9})
+        last.step(moments, level, where="post", linewidth=0.9, **_tool_line(owners, tool))
     last.set_title("Contacts that push, or nodes held")
     last.set_ylabel("Number")
     last.set_ylim(bottom=0.0)
-    last.yaxis.get_major_locator().set_params(integer=True)
+    last.yaxis.set_major_locator(MaxNLocator(integer=True, nbins=4))
     panels[0].set_xlim(0.0, float(np.nanmax(run["time"].values)))
     _user_legend_of(panels[0], run, owners)
     return figure

@@ -89,9 +89,7 @@ def prepare(scenario: Scenario) -> Prepared:
     hands, ports = ports_of(scenario.hands, network.size, body, ready)
     most_ports = int(np.diff(hands.first).max(initial=0))
     position = _initial(scenario.initial.position, "position", network.size, body)
-    touching, tool = touching_of(
-        scenario.tools, network.size, body, ready, timing, start=position, ports=most_ports
-    )
+    touching, tool = touching_of(scenario.tools, network.size, body, ready, timing, start=position, ports=most_ports)
     extra = np.zeros((network.size, 1 + len(network.weights)))
     extra[:, 0] = per_user(scenario.synchronisation.extra_damping, network.size, "synchronisation.extra_damping")
     return Prepared(

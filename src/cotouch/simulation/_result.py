@@ -60,8 +60,9 @@ def simulate(scenario: "Scenario | str | Path | Mapping[str, Any]") -> "xr.Datas
     Returns:
         Dimensions `user`, `step` (a user's own steps; 0 is the initial state; NaN after its last), `node`, `axis`,
         `hand`, `tool`, `direction` (a receiver's view of a neighbour, "1<-2"), `link`, `tick` (network-wide records),
-        `frame` with `node_all` (whole copies, if asked for) and `weight`. Every variable has its unit in `attrs`; the dataset's `attrs` hold the scenario as JSON, the energy
-        residual relative to the energy in play, and the passivity margin [J].
+        `weight`, and `frame` with `node_all` where whole copies are asked for. Every variable has its unit in `attrs`;
+        the dataset's `attrs` hold the scenario as JSON, the energy residual relative to the energy in play, and the
+        passivity margin [J].
 
     Raises:
         InputError: something in the scenario is wrong.

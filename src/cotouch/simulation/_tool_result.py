@@ -32,7 +32,10 @@ UNITS = {
     "coupling_work": ("J", "work of the coupling on the proxy so far"),
     "coupling_energy": ("J", "energy on the coupling's account, its spring and its tank"),
     "coupling_excess": ("J", "most that the coupling has given both sides together so far: passive if bounded"),
-    "coupling_bound": ("J", "what the excess can at most come to, with the speed and the servo periods that there were"),
+    "coupling_bound": (
+        "J",
+        "what the excess can at most come to, with the speed and the servo periods that there were",
+    ),
 }
 # Those above that every tool has; the rest belong to tools with a device.
 _LOSSES = ("hand_loss", "viscous_loss", "coulomb_loss")

@@ -186,7 +186,7 @@ def device_model(table: DeviceTable, hand: ToolHand | None, lengths: Float) -> D
 
 def _remedy(axes: int) -> str:
     """How to give a body more axes, in the words of a scenario."""
-    return '; give a point the rest place [0, 0, 0], a chain dimension = 3, a lattice a shape of 3 numbers' * (axes < 3)
+    return "; give a point the rest place [0, 0, 0], a chain dimension = 3, a lattice a shape of 3 numbers" * (axes < 3)
 
 
 def _reachable(plant: PhantomPlant, hand: ToolHand, where: str) -> None:
