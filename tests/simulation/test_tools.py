@@ -10,7 +10,7 @@ import xarray as xr
 from cotouch.body import lattice, point
 from cotouch.errors import BodyError, CotouchError, ScenarioError
 from cotouch.mechanics import virtual_coupling_limit
-from cotouch.simulation import Scenario, animation, felt, frame_rate, prepare, simulate, summary
+from cotouch.simulation import Scenario, animation, felt, figures, frame_rate, prepare, simulate, summary
 from cotouch.simulation._clear import clear_place
 from cotouch.simulation._tool_tables import DeviceTable, ToolHand, ToolTable
 
@@ -141,7 +141,7 @@ def test_where_a_sphere_is_clear_of_a_box() -> None:
         if found is not None:
             assert found[0] == pytest.approx(depth)
             assert clear_place(box, still, found[1] + 1e-9 * (found[1] - 0.01), 0.005) is None
-    moved = still + [0.0, 0.0, 0.1]
+    moved = still + np.array([0.0, 0.0, 0.1])
     assert clear_place(box, moved, np.array([0.01, 0.01, 0.01]), 0.005) is None
     assert clear_place(point(rest=[0, 0, 0]), np.zeros((1, 3)), np.array([0.0, 0.0, 0.004]), 0.005) is not None
 
@@ -322,6 +322,21 @@ def test_bodies_without_skin_or_with_fewer_axes_are_shown_by_nodes_and_edges(bod
     assert shown.grips.force[-1].any()
     np.testing.assert_allclose(shown.grips.place[:, 0, 0], shown.vertices[:, 1, 0, 0])
     assert "<html" in shown.page()
+
+
+def test_figures_of_tools_show_places_forces_and_contacts(plain: xr.Dataset) -> None:
+    drawn = figures(plain)
+    assert {"tools", "touch", "positions", "forces"} <= set(drawn)
+    places = drawn["tools"].get_axes()
+    assert [axes.get_ylabel()[0] for axes in places] == ["x", "y", "z"]
+    force, hand, contacts = drawn["touch"].get_axes()
+    sizes = [np.linalg.norm(values, axis=-1).max(axis=1) for values in (plain["touch_force"].values, felt(plain))]
+    for axes, largest in zip((force, hand), sizes, strict=True):
+        assert axes.get_ylabel() == "|f| / N"
+        tops = [np.max(np.asarray(line.get_ydata())) for line in axes.get_lines()]
+        np.testing.assert_allclose(tops, largest)
+    counts = [np.max(np.asarray(line.get_ydata())) for line in contacts.get_lines()]
+    assert counts == plain["touching"].max("step").values.tolist()
 
 
 def test_an_animation_needs_frames_of_the_same_body(plain: xr.Dataset) -> None:
