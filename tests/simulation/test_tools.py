@@ -12,6 +12,7 @@ from cotouch.errors import BodyError, CotouchError, ScenarioError
 from cotouch.mechanics import virtual_coupling_limit
 from cotouch.simulation import Scenario, animation, felt, figures, frame_rate, prepare, simulate, summary
 from cotouch.simulation._clear import clear_place
+from cotouch.simulation._tool_result import UNITS as TOOL_UNITS
 from cotouch.simulation._tool_tables import DeviceTable, ToolHand, ToolTable
 
 PAIR: dict[str, Any] = {"users": ["Ann", "Ben"], "spring": [[0, 20], [20, 0]], "delay": [[0, 0.01], [0.02, 0]]}
@@ -352,6 +353,14 @@ def test_frames_are_60_a_second_or_fewer_where_there_is_much_to_show() -> None:
     assert frame_rate(short.replace(steps__duration=100.0)) == 12.0
     big = {"kind": "lattice", "shape": [20, 20, 20]}
     assert frame_rate(Scenario.make(network=PAIR, body=big, steps={"duration": 10.0})) == pytest.approx(37.5)
+
+
+def test_every_variable_of_tools_says_its_unit_and_meaning() -> None:
+    run = run_of({**LEFT, "device": DEVICES["preset"]})
+    assert set(TOOL_UNITS) <= set(run.data_vars)
+    for name, (unit, meaning) in TOOL_UNITS.items():
+        assert (run[name].attrs["units"], run[name].attrs["long_name"]) == (unit, meaning)
+    assert run["device_force"].dims == ("tool", "step", "axis")
 
 
 def test_a_scenario_in_a_result_holds_its_tools(plain: xr.Dataset) -> None:
