@@ -75,6 +75,22 @@ def test_simulate_writes_result_and_figures(small: Path, tmp_path: Path) -> None
         assert word in done.stdout
 
 
+def test_simulate_says_what_tools_felt_and_writes_an_animation(tmp_path: Path) -> None:
+    scenario = FIVE_USERS.parent / "squeeze.toml"
+    page = tmp_path / "squeeze.html"
+    done = cotouch("simulate", scenario, "--animation", page)
+    assert done.returncode == 0, done.stderr
+    for word in ("touch, omega 1000 Hz", "touch, delta 1000 Hz", "devices", "passive: gave at most", "squeeze.html"):
+        assert word in done.stdout
+    assert page.read_text(encoding="utf-8").startswith("<!")
+    done = cotouch("simulate", scenario, "--json", "--animation", page)
+    found = json.loads(done.stdout)
+    assert found["files"] == [str(page)]
+    assert [tool["user"] for tool in found["tools"]] == [1, 2]
+    assert all(tool["coupling"]["passive"] for tool in found["tools"])
+    assert found["device_residual"] < 1e-10
+
+
 def test_certify_designs_and_checks() -> None:
     done = cotouch("certify", FIVE_USERS, "--json")
     assert done.returncode == 0, done.stderr
@@ -101,6 +117,7 @@ def test_certify_designs_and_checks() -> None:
         (("certify", FIVE_USERS, "--damping", "1,2"), "one for each of the 5 users"),
         (("certify", FIVE_USERS, "--period", "-1"), "period"),
         (("simulate", FIVE_USERS, "--out", "/nowhere/run.nc"), "does not exist"),
+        (("simulate", FIVE_USERS, "--animation", "/nowhere/run.html"), "does not exist"),
         (("simulate",), "Missing argument"),
         (("fly",), "fly"),
     ],

@@ -12,7 +12,7 @@ from cotouch.errors import ScenarioError
 from cotouch.network import Network
 from cotouch.simulation import Scenario, dataset, prepare, save, simulate
 from cotouch.simulation._batch import run_batch
-from cotouch.simulation._result import _UNITS
+from cotouch.simulation._result import _UNITS, TOOL_UNITS
 
 PAIR: dict[str, Any] = {
     "users": ["Ann", "Ben"],
@@ -42,7 +42,7 @@ def test_dimensions_and_units(run: xr.Dataset) -> None:
     assert run["axis"].values.tolist() == ["x", "y"]
     assert run["direction"].values.tolist() == ["1<-2", "2<-1"]
     assert run["link"].values.tolist() == ["1-2"]
-    assert set(run.data_vars) == set(_UNITS)
+    assert set(run.data_vars) == set(_UNITS) - set(TOOL_UNITS) - {"frame_position"}
     for name in run.data_vars:
         assert run[name].attrs["units"] == _UNITS[str(name)][0]
         assert run[name].attrs["long_name"]

@@ -47,12 +47,16 @@ def simulate(
         Path | None, typer.Option(help="Write the whole run to this NetCDF file.", show_default=False)
     ] = None,
     figures: Annotated[Path | None, typer.Option(help="Draw figures into this folder.", show_default=False)] = None,
+    animation: Annotated[
+        Path | None,
+        typer.Option(help="Write the run in three dimensions as this HTML page.", show_default=False),
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Run a scenario of many virtual peers and say how it went."""
     from cotouch.cli._simulate import run
 
-    run(scenario, out=out, figures=figures, as_json=as_json)
+    run(scenario, out=out, figures=figures, animation=animation, as_json=as_json)
 
 
 @app.command()

@@ -9,9 +9,9 @@ if TYPE_CHECKING:
     from rich.table import Table
 
 
-def run(path: Path, *, out: Path | None, figures: Path | None, as_json: bool) -> None:
+def run(path: Path, *, out: Path | None, figures: Path | None, animation: Path | None, as_json: bool) -> None:
     """Runs a scenario, writes what was asked for, prints a summary."""
-    from cotouch.simulation import Scenario, save, summary
+    from cotouch.simulation import Scenario, frame_rate, save, summary
     from cotouch.simulation import simulate as simulate_scenario
 
     scenario = Scenario.read(path)
@@ -19,19 +19,27 @@ def run(path: Path, *, out: Path | None, figures: Path | None, as_json: bool) ->
         writable(out)
     if figures is not None:
         folder(figures)
+    if animation is not None:
+        writable(animation)
+        if scenario.record.frames is None:
+            scenario = scenario.replace(record__frames=frame_rate(scenario))
     with working("Simulating (the first run of all compiles the kernels, for about half a minute)", quiet=as_json):
         result = simulate_scenario(scenario)
+    written: list[Path] = []
     if out is not None:
         save(result, out)
-    drawn: list[Path] = []
+        written.append(out)
     if figures is not None:
         from cotouch.simulation import save_figures
 
-        drawn = save_figures(result, figures)
+        written += save_figures(result, figures)
+    if animation is not None:
+        from cotouch.simulation import animation as animation_of
+
+        written.append(animation_of(result, scenario.build_body()).write(animation))
     figures_of_run = summary(result, scenario.build_body())
     if as_json:
-        written = [str(file) for file in ([out] if out else []) + drawn]
-        print_json({**figures_of_run, "files": written})
+        print_json({**figures_of_run, "files": [str(file) for file in written]})
         return
     from rich.console import Console
 
@@ -40,9 +48,10 @@ def run(path: Path, *, out: Path | None, figures: Path | None, as_json: bool) ->
     if origin is not None:
         for note in origin.notes:
             console.print(f"  [yellow]•[/yellow] {Path(origin.source).name}: {note}", highlight=False, soft_wrap=True)
-    console.print(_users(scenario.network.users, figures_of_run))
+    console.print(figures_of_run["title"], style="bold", highlight=False, markup=False)
+    console.print((_tools if "tools" in figures_of_run else _users)(scenario.network.users, figures_of_run))
     console.print(_books(figures_of_run))
-    for file in ([out] if out else []) + drawn:
+    for file in written:
         console.print(f"  wrote {file}", highlight=False)
 
 
@@ -51,21 +60,63 @@ def _users(names: tuple[str, ...], figures: dict[str, Any]) -> "Table":
     from rich.table import Table
 
     held = figures["hold"]
-    table = Table(box=SIMPLE_HEAD, title=figures["title"], title_justify="left", title_style="bold")
+    table = Table(box=SIMPLE_HEAD)
     table.add_column("user")
-    for heading in ("damping B\nNs/m", f"x at {held['time_s']:g} s\nm", "f there\nN", "x at the end\nm"):
+    columns: list[tuple[str, list[Any]]] = [
+        ("damping B\nNs/m", figures["local_damping"]),
+        (f"x at {held['time_s']:g} s\nm", held["position"]),
+        ("f there\nN", held["force"]),
+        ("x at the end\nm", figures["final"]["position"]),
+    ]
+    for heading, _ in columns:
         table.add_column(heading, justify="right")
-    rows = zip(
-        names,
-        figures["local_damping"],
-        held["position"],
-        held["force"],
-        figures["final"]["position"],
-        strict=True,
-    )
-    for name, *values in rows:
+    for name, *values in zip(names, *(values for _, values in columns), strict=True):
         table.add_row(name, *(_short(value) for value in values))
     return table
+
+
+def _tools(names: tuple[str, ...], figures: dict[str, Any]) -> "Table":
+    """With tools: what each of them felt instead of where nodes are, of which there are many."""
+    from rich.box import SIMPLE_HEAD
+    from rich.table import Table
+
+    table = Table(box=SIMPLE_HEAD)
+    table.add_column("user")
+    table.add_column("damping B\nNs/m", justify="right")
+    table.add_column("tool", no_wrap=True)
+    for heading in ("felt N\npeak", "\nmean", "contacts\nat most", "\nfor s"):
+        table.add_column(heading, justify="right")
+    for i, name in enumerate(names):
+        start = [name, _short(figures["local_damping"][i])]
+        own = [tool for tool in figures["tools"] if tool["user"] == i + 1]
+        for tool in own:
+            count, node = tool["most_contacts"], "" if tool["kind"] == "touch" else " nodes"
+            table.add_row(
+                *start,
+                f"{tool['kind']}, {tool['device']}" if tool["device"] else tool["kind"],
+                number(tool["peak_force_n"], digits=3),
+                number(tool["mean_force_n"], digits=3),
+                f"{count}{node[:-1] if count == 1 else node}",
+                number(tool["contact_time_s"], digits=3),
+            )
+            start = ["", ""]
+        if not own:
+            table.add_row(*start, *[""] * 5)
+    return table
+
+
+def _coupling(tools: list[dict[str, Any]]) -> str | None:
+    """Whether the couplings of all devices were passive, with the one that came nearest to its bound."""
+    coupled = [
+        (tool["coupling"]["excess_j"], tool["coupling"]["bound_j"], tool) for tool in tools if "coupling" in tool
+    ]
+    if not coupled:
+        return None
+    bad = sum(not tool["coupling"]["passive"] for *_, tool in coupled)
+    excess, bound, _ = max(coupled, key=lambda entry: entry[0] - entry[1])
+    verdict = f"[red]{bad} of {len(coupled)} not passive[/red]" if bad else "passive"
+    given, most = number(excess, "J", digits=3), number(bound, "J", digits=3)
+    return f"{verdict}: gave at most {given} more than it got, bound {most}"
 
 
 def _short(value: Any) -> str:
@@ -75,7 +126,9 @@ def _short(value: Any) -> str:
     if not isinstance(value, list):
         return number(float(value), digits=5)
     if value and not isinstance(value[0], list):
-        return " ".join(number(float(entry), digits=3) for entry in value)  # pyright: ignore[reportUnknownVariableType, reportUnknownArgumentType]
+        entries = [float(entry) for entry in value]  # pyright: ignore[reportUnknownArgumentType, reportUnknownVariableType]
+        least = 1e-6 * max(map(abs, entries))  # what is only rounding beside the others is nothing
+        return " ".join(number(entry if abs(entry) > least else 0.0, digits=3) for entry in entries)
     return f"{len(value)} nodes"  # pyright: ignore[reportUnknownArgumentType]
 
 
@@ -107,8 +160,13 @@ def _books(figures: dict[str, Any]) -> "Table":
     )
     grid.add_row("  residual", f"{figures['energy_residual']:.1e} of the energy in play")
     margin = figures["passivity_margin_j"]
-    verdict = "passive" if margin >= -1e-10 * energy["in_play"] else "[red]not passive[/red]"
-    grid.add_row("  passivity", f"{verdict}: margin {number(margin, 'J')}")
+    rounding = 1e-10 * energy["in_play"]
+    verdict = "passive" if margin >= -rounding else "[red]not passive[/red]"
+    grid.add_row("  passivity", f"{verdict}: margin {number(margin if abs(margin) > rounding else 0.0, 'J')}")
+    coupling = _coupling(figures.get("tools", []))
+    if coupling is not None:
+        grid.add_row("  devices", coupling)
+        grid.add_row("  their residual", f"{figures['device_residual']:.1e} of the energy in play")
     ages = figures["age_s"]
     grid.add_row("  age of samples", f"{number(ages['mean'], 's')} mean, {number(ages['max'], 's')} max")
     if figures["underruns"]:

@@ -18,8 +18,19 @@ import numpy.typing as npt
 
 from cotouch.device._advance import advance
 from cotouch.device._hand import LANES
-from cotouch.device._tables import SPRING_ENERGY, TANK, TOLD, WORK, Devices, DeviceState
-from cotouch.mechanics import Tools, at, load, modulate, part, put, splat, store, total
+from cotouch.device._tables import (
+    COULOMB_LOSS,
+    DECLARED,
+    PHANTOM,
+    SPRING_ENERGY,
+    TANK,
+    TOLD,
+    VISCOUS_LOSS,
+    WORK,
+    Devices,
+    DeviceState,
+)
+from cotouch.mechanics import Tools, at, load, modulate, modulation_bound, part, put, splat, store, total
 
 Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int64]
@@ -35,7 +46,9 @@ class Couplings(NamedTuple):
         damping: b at the proxy, (tools,) [Ns/m].
         before: y at the start of the step, (tools, 4) [m].
         work: Σ τᵀŵ T, done on the proxy since the start, (tools,) [J].
-        excess: largest `∫τᵀq̇ dt + Σ τᵀŵ T` so far: two-port passive if bounded, (tools,) [J].
+        excess: largest `∫τᵀq̇ dt + Σ τᵀŵ T` so far: two-port passive if bounded, (tools,) [J]. Where the coupling counts
+            on the device's own friction this is paid from it: all of it with a virtual coupling, what was declared
+            with PSPM.
     """
 
     device: Int
@@ -57,6 +70,33 @@ def couplings(count: int) -> Couplings:
         before=np.zeros((count, 4)),
         work=np.zeros(count),
         excess=np.zeros(count),
+    )
+
+
+def excess_bound(devices: Devices, d: int, fastest: float, longest: float, largest: float) -> float:
+    """What the excess of a coupling can at most come to [J].
+
+    Args:
+        devices: what the devices are.
+        d: which one.
+        fastest: highest speed of its tip, as measured [m/s].
+        longest: longest period between ticks [s].
+        largest: highest force that its motors held; matters where nothing limits it [N].
+    """
+    servos = devices.servos
+    if servos.law[d] == TOLD or longest == 0.0:
+        return 0.0
+    # A joint's encoder moves the tip by no more than its resolution times the arm.
+    arm = float(devices.plants.length[d].sum()) if devices.plants.kind[d] == PHANTOM else 1.0
+    return modulation_bound(
+        stiffness=float(servos.stiffness[d]),
+        damping=float(servos.damping[d]),
+        period=longest,
+        speed=fastest,
+        reserve=float(servos.reserve[d]),
+        force=float(servos.force[d]) if servos.force[d] < inf else largest,
+        resolution=arm * float(servos.resolution[d, 0]),
+        axes=3,
     )
 
 
@@ -117,7 +157,9 @@ def tell_device(devices: Devices, state: DeviceState, couplings: Couplings, tool
     store(state.wish, d, place - load(couplings.origin, t, LANES), LANES)
     if at(devices.servos.law, d) == TOLD:
         store(state.told, d, splat(0.0, LANES) - force, LANES)
+        paid = at(state.books, (d, VISCOUS_LOSS)) + at(state.books, (d, COULOMB_LOSS))
     else:
         put(state.books, (d, TANK), at(state.books, (d, TANK)) - done)
-    both = at(state.books, (d, WORK)) + at(couplings.work, t)
+        paid = at(state.books, (d, DECLARED))
+    both = at(state.books, (d, WORK)) + at(couplings.work, t) - paid
     put(couplings.excess, t, max(at(couplings.excess, t), both))

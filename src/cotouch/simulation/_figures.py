@@ -3,7 +3,7 @@
 import json
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
@@ -25,7 +25,7 @@ from cotouch.drawing import (
     user_line,
 )
 from cotouch.errors import ScenarioError
-from cotouch.simulation._metrics import at_times, hold_window
+from cotouch.simulation._metrics import at_times, felt, hold_window
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -47,15 +47,19 @@ def figures(run: "xr.Dataset") -> "dict[str, Figure]":
 
     Returns:
         "positions" and "forces" of every user (of the node that is held most, if there are several), "energies" (what
-        is stored where, where it came from and went, and what the books miss) and "ages" of the samples.
+        is stored where, where it came from and went, and what the books miss) and "ages" of the samples. With tools
+        also "tools", where they went, and "touch", what they did and what their users felt.
     """
     with style():
-        return {
+        drawn = {
             "positions": _positions(run),
             "forces": _forces(run),
             "energies": _energies(run),
             "ages": _ages(run),
         }
+        if "tool" in run.sizes:
+            drawn |= {"tools": _tool_places(run), "touch": _touch(run)}
+        return drawn
 
 
 def save_figures(run: "xr.Dataset", directory: str | Path, format: str = "png") -> list[Path]:  # noqa: A002
@@ -81,7 +85,8 @@ def save_figures(run: "xr.Dataset", directory: str | Path, format: str = "png") 
 
 def shade_hold(axes: "Axes", run: "xr.Dataset", *, label: bool = True) -> None:
     """Shades the time in which users hold against each other."""
-    if not json.loads(run.attrs["scenario"])["hands"]:
+    tables = json.loads(run.attrs["scenario"])
+    if not tables["hands"] and not tables.get("tools"):
         return
     start, stop = hold_window(run)
     axes.axvspan(start, stop, color=SHADE, linewidth=0, zorder=0)
@@ -153,10 +158,93 @@ def _forces(run: "xr.Dataset") -> "Figure":
         last.legend(loc="lower right", bbox_to_anchor=(1.0, 1.02), ncols=axes)
     last.set_ylabel(f"Sum / {unit}")
     last.set_title("Sum over users")
-    panels[0].set_title("Force of the hands")
+    panels[0].set_title("Force of the hands" if "tool" not in run.sizes else "Force of hands and tools on the object")
     _limit(panels, run)
     user_legend(panels[0], [str(name) for name in run["user"].values])
     return figure
+
+
+def _owners(run: "xr.Dataset") -> list[int]:
+    """Whose each tool is."""
+    return [int(tool["user"]) - 1 for tool in json.loads(run.attrs["scenario"])["tools"]]
+
+
+def _tool_line(owners: list[int], tool: int) -> dict[str, Any]:
+    """The colour of the user; the second tool of one is dashed, the third dotted."""
+    mine = [other for other, owner in enumerate(owners) if owner == owners[tool]].index(tool)
+    return {**user_line(owners[tool]), "linestyle": DASHES[mine % len(DASHES)]}
+
+
+def _tool_places(run: "xr.Dataset") -> "Figure":
+    owners = _owners(run)
+    places = run["tool_position"].values
+    devices = run["device_position"].values if "device_position" in run else np.full(places.shape, np.nan)
+    moved, held = places - places[:, :1], devices - places[:, :1]
+    figure = sheet(6.1)
+    panels = _panels(figure, 3)
+    factor, unit = prefix(peak(moved, held), "m")
+    for axis, panel in enumerate(panels):
+        shade_hold(panel, run, label=axis == 0)
+        for tool, owner in enumerate(owners):
+            line = _tool_line(owners, tool)
+            time = run["time"].values[owner]
+            when, behind = decimate(time, held[tool, :, axis] / factor)
+            panel.plot(when, behind, linewidth=2.6, alpha=0.25, **line)
+            when, front = decimate(time, moved[tool, :, axis] / factor)
+            panel.plot(when, front, **line)
+        panel.set_ylabel(f"{run['axis'].values[axis]} / {unit}")
+    devices_too = " (broad and pale: their devices)" if np.isfinite(held).any() else ""
+    panels[0].set_title(f"Tools from where they start{devices_too}")
+    _limit(panels, run)
+    _user_legend_of(panels[0], run, owners)
+    return figure
+
+
+def _touch(run: "xr.Dataset") -> "Figure":
+    from matplotlib.ticker import MaxNLocator
+
+    owners = _owners(run)
+    pushed = np.linalg.norm(run["touch_force"].values, axis=-1)
+    hand = np.linalg.norm(felt(run), axis=-1)
+    figure = sheet(5.4)
+    panels = _panels(figure, 3, [1.25, 1.25, 0.7])
+    factor, unit = prefix(peak(pushed[:, 1:], hand[:, 1:]), "N")
+    with_device = "device_force" in run
+    titles = (
+        "Force between tool and object",
+        f"Force that the hand feels{' through its device' if with_device else ''}",
+    )
+    for panel, values, title in zip(panels, (pushed, hand), titles, strict=False):
+        shade_hold(panel, run, label=panel is panels[0])
+        for tool, owner in enumerate(owners):
+            time, line = decimate(run["time"].values[owner][1:], values[tool, 1:] / factor)
+            panel.plot(time, line, **_tool_line(owners, tool))
+        panel.set_ylabel(f"|f| / {unit}")
+        panel.set_title(title)
+        panel.set_ylim(bottom=0.0)
+    last = panels[-1]
+    shade_hold(last, run, label=False)
+    counts = run["touching"].values
+    for tool, owner in enumerate(owners):
+        time = run["time"].values[owner]
+        known = np.isfinite(time)
+        changes = np.flatnonzero(np.diff(counts[tool, known], prepend=np.nan, append=np.nan) != 0.0)
+        moments, steps = time[known][np.minimum(changes, known.sum() - 1)], counts[tool, known]
+        level = [float(steps[min(change, steps.size - 1)]) for change in changes]
+        last.step(moments, level, where="post", linewidth=0.9, **_tool_line(owners, tool))
+    last.set_title("Contacts that push, or nodes held")
+    last.set_ylabel("Number")
+    last.set_ylim(bottom=0.0)
+    last.yaxis.set_major_locator(MaxNLocator(integer=True, nbins=4))
+    panels[0].set_xlim(0.0, float(np.nanmax(run["time"].values)))
+    _user_legend_of(panels[0], run, owners)
+    return figure
+
+
+def _user_legend_of(panel: "Axes", run: "xr.Dataset", owners: list[int]) -> None:
+    """Names up to the last user who has a tool."""
+    names = [str(name) for name in run["user"].values]
+    user_legend(panel, names[: max(owners) + 1])
 
 
 def _energies(run: "xr.Dataset") -> "Figure":
@@ -169,6 +257,9 @@ def _energies(run: "xr.Dataset") -> "Figure":
         "elastic": (elastic, USERS[2]),
         "link springs": (run["link_energy"].values.sum(axis=1), USERS[1]),
     }
+    if "tool" in run.sizes:
+        tools = (at_times(run, name, ticks).sum(axis=1) for name in ("proxy", "touch_stored"))
+        kept["tools and contacts"] = (sum(tools, np.zeros(ticks.size)), USERS[3])
     moved = {
         "supplied": (run["supplied_total"].values, USERS[0]),
         "dissipated": (run["dissipated_total"].values, USERS[1]),

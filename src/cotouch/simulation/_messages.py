@@ -1,10 +1,11 @@
 """What is wrong with a scenario, as one sentence."""
 
 from collections.abc import Mapping
+from typing import Any
 
 from pydantic import ValidationError
 
-from cotouch.simulation import _tables
+from cotouch.simulation import _tables, _tool_tables
 
 
 def sentence(error: ValidationError, source: str) -> str:
@@ -23,12 +24,26 @@ def sentence(error: ValidationError, source: str) -> str:
         case "union_tag_invalid" | "union_tag_not_found":
             kind = first["input"].get("kind") if isinstance(first["input"], Mapping) else first["input"]
             text = f'{place}.kind is {kind!r}; it must be "point", "chain", "lattice", "matrices" or "file"'
+        case "model_type" | "model_attributes_type":
+            text = f"{place} is {value}; it must be a table"
+        case "too_short" | "too_long":
+            bound = first.get("ctx", {})
+            text = f"{place} is {value}; it must have {_count(bound)}"
         case "value_error":
-            text = f"{place}: {message}" if place else message
+            # A message that starts with an option's name goes on where the place of its table ends.
+            joint = "." if message.split(maxsplit=1)[0].split(".")[0] in _OPTIONS else ": "
+            text = f"{place}{joint}{message}" if place else message
         case _:
             text = f"{place} is {value}: {message[:1].lower()}{message[1:]}"
     more = len({_place(problem["loc"]) for problem in problems}) - 1
     return f"{source}: {text}" + (f" (and {more} more such message{'s' * (more > 1)})" if more else "")
+
+
+def _count(bound: Mapping[str, Any]) -> str:
+    """How many entries a list must have, from what pydantic says about it."""
+    least, most = bound.get("min_length"), bound.get("max_length")
+    number = least if least is not None else most
+    return f"{'at least' if least is not None else 'at most'} {number} {'entry' if number == 1 else 'entries'}"
 
 
 def _place(parts: tuple[int | str, ...]) -> str:
@@ -47,7 +62,8 @@ def _place(parts: tuple[int | str, ...]) -> str:
 
 
 def _options() -> frozenset[str]:
-    tables = [table for table in vars(_tables).values() if isinstance(table, type) and issubclass(table, _tables.Table)]
+    known = [*vars(_tables).values(), *vars(_tool_tables).values()]
+    tables = [table for table in known if isinstance(table, type) and issubclass(table, _tables.Table)]
     return frozenset(name for table in tables for name in table.model_fields)
 
 

@@ -7,6 +7,8 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.body import Body
+from cotouch.device import PRESETS
+from cotouch.simulation._tool_tables import DEFAULT_RATE
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -16,15 +18,19 @@ Float = npt.NDArray[np.float64]
 _BAND = 0.02
 # A signal that still moves in this last part of the window has not settled, however near its last value it is.
 _QUIET = 0.1
+# Share of the energy through a coupling that rounding may put on its account.
+_ROUNDING = 1e-10
 
 
 def hold_window(run: "xr.Dataset") -> tuple[float, float]:
-    """From the last hand's grip to the first release: the time in which users hold against each other [s].
+    """From the last hand's or tool's grip to the first release: the time in which users hold against each other [s].
 
-    Without hands, or where nothing is left between the two, the whole run.
+    Without them, or where nothing is left between the two, the whole run.
     """
     end = float(np.nanmax(run["time"].values))
-    hands: list[dict[str, Any]] = json.loads(run.attrs["scenario"])["hands"]
+    tables = json.loads(run.attrs["scenario"])
+    tools: list[dict[str, Any]] = tables.get("tools", [])
+    hands: list[dict[str, Any]] = [*tables["hands"], *tools, *(tool["hand"] for tool in tools if tool["hand"])]
     begin = max((float(hand["begin"]) for hand in hands), default=0.0)
     release = min((float(hand["release"]) for hand in hands if hand["release"] is not None), default=end)
     release = min(release, end)
@@ -113,18 +119,89 @@ def discrepancy(run: "xr.Dataset") -> dict[str, float]:
 
 
 def force_imbalance(run: "xr.Dataset", body: Body, time: float) -> float | None:
-    """`|Σ_i f_i - K (x̄ - x_d)|` at a time [N]; 0 at rest [Lee & Huang 2010, eq. 6]; None unless all nodes are kept."""
+    """`|Σ_i f_i - K (x̄ - x_d)|` at a time [N]; 0 at rest [Lee & Huang 2010, eq. 6]; None unless all nodes are kept.
+
+    With tools, whose forces are spread over the skin, both sides are summed over the nodes.
+    """
     if run.sizes["node"] != body.nodes or body.truncation is not None:
         return None
     moment = np.array([time])
     mean = at_times(run, "position", moment)[0].mean(axis=0)
     balance = -body.apply(body.stiffness, mean - body.rest)
+    if "tool" in run.sizes:
+        return float(np.linalg.norm(balance.sum(axis=0) + _forces_at(run, time).sum(axis=0)))
     hands: list[dict[str, Any]] = json.loads(run.attrs["scenario"])["hands"]
     for index, hand in enumerate(hands):
         own = run["time"].values[hand["user"] - 1]
         step = int(np.searchsorted(own[np.isfinite(own)], time * (1.0 + 1e-12), side="right")) - 1
         balance[hand["node"] - 1] += run["hand_force"].values[index, step]
     return float(np.sqrt((balance**2).sum()))
+
+
+def felt(run: "xr.Dataset") -> Float:
+    """Force that each tool puts on its user's hand, (tool, step, axis) [N].
+
+    With a device it is what the motors hold, without one what the hand's spring and damper pull with.
+    """
+    force = -run["drive_force"].values
+    if "device_force" in run:
+        held = run["device_force"].values
+        force = np.where(np.isfinite(held), held, force)
+    return force
+
+
+def tool_summary(run: "xr.Dataset") -> list[dict[str, Any]]:
+    """What each tool and its device came to, ready for JSON.
+
+    Of each: its user's number, what it is, the largest force that the hand felt and the mean while in contact, the most
+    contacts (or nodes held), the time in contact, and for one with a device whether its coupling was passive.
+    """
+    tables: list[dict[str, Any]] = json.loads(run.attrs["scenario"]).get("tools", [])
+    if not tables:
+        return []
+    sizes = np.linalg.norm(felt(run), axis=-1)
+    result: list[dict[str, Any]] = []
+    for index, table in enumerate(tables):
+        time = run["time"].values[table["user"] - 1]
+        last = int(np.isfinite(time).sum())
+        force, touching = sizes[index, :last], run["touching"].values[index, :last]
+        span = np.where(touching > 0.0, np.diff(time[:last], prepend=0.0), 0.0)
+        held = float(span.sum())
+        device: dict[str, Any] | None = table["device"]
+        entry: dict[str, Any] = {
+            "user": table["user"],
+            "kind": table["kind"],
+            "device": None if device is None else _device(device),
+            "peak_force_n": float(force.max()),
+            "mean_force_n": float(force @ span) / held if held > 0.0 else 0.0,
+            "most_contacts": int(touching.max()),
+            "contact_time_s": held,
+        }
+        if device is not None:
+            excess = float(run["coupling_excess"].values[index, last - 1])
+            bound = float(run["coupling_bound"].values[index])
+            flows = [float(np.abs(run[name].values[index, :last]).max()) for name in ("device_work", "coupling_work")]
+            entry["coupling"] = {
+                "law": device["coupling"],
+                "excess_j": excess,
+                "bound_j": bound,
+                "passive": excess <= bound + _ROUNDING * max(flows),
+            }
+        result.append(entry)
+    return result
+
+
+def _device(table: dict[str, Any]) -> str:
+    """A device in a few words."""
+    phantom = table["kind"] == "phantom" or (table["kind"] is None and table["preset"] == "phantom")
+    name = "phantom" if phantom else table["preset"] or "cartesian"
+    if table["coupling"] == "virtual":
+        return name
+    if table["periods"]:
+        low, high = 1.0 / max(table["periods"]), 1.0 / min(table["periods"])
+        return f"{name} {low:.4g}–{high:.4g} Hz" if low < high else f"{name} {low:.4g} Hz"
+    rate = table["rate"] or (PRESETS[table["preset"]].rate if table["preset"] else DEFAULT_RATE)
+    return f"{name} {rate:.4g} Hz"
 
 
 def summary(run: "xr.Dataset", body: Body) -> dict[str, Any]:
@@ -159,22 +236,30 @@ def summary(run: "xr.Dataset", body: Body) -> dict[str, Any]:
         "underruns": int(run.attrs["underruns"]),
         "messages_lost": int(run.attrs["messages_lost"]),
         "local_damping": [plain(row) for row in run["local_damping"].values],
+        **({"tools": tool_summary(run)} if "tool" in run.sizes else {}),
+        **({"device_residual": float(run.attrs["device_residual"])} if "device_residual" in run.attrs else {}),
     }
 
 
 def _state(run: "xr.Dataset", time: float) -> dict[str, Any]:
     """Positions and forces of all users at a time: numbers for a single node on one axis, else nested lists."""
     positions = at_times(run, "position", np.array([time]))[0]
-    forces = np.zeros((run.sizes["user"], run.sizes["axis"]))
-    for user in range(run.sizes["user"]):
-        own = run["time"].values[user]
-        step = int(np.searchsorted(own[np.isfinite(own)], time * (1.0 + 1e-12), side="right")) - 1
-        forces[user] = run["force"].values[user, step]
+    forces = _forces_at(run, time)
     return {
         "position": [plain(position) for position in positions],
         "force": [plain(force) for force in forces],
         "force_sum": plain(forces.sum(axis=0)),
     }
+
+
+def _forces_at(run: "xr.Dataset", time: float) -> Float:
+    """Force of every user in the step at a time, (users, axes) [N]."""
+    forces = np.zeros((run.sizes["user"], run.sizes["axis"]))
+    for user in range(run.sizes["user"]):
+        own = run["time"].values[user]
+        step = int(np.searchsorted(own[np.isfinite(own)], time * (1.0 + 1e-12), side="right")) - 1
+        forces[user] = run["force"].values[user, step]
+    return forces
 
 
 def plain(values: npt.ArrayLike) -> Any:

@@ -184,7 +184,9 @@ class _World:
         report = peer.step(now, T)
         if self.touching is not None:
             after_step_alone(self.touching, i)
-            self.places[i].append(self.touching.tools.place[self.touching.first[i] : self.touching.first[i + 1], :3].copy())
+            self.places[i].append(
+                self.touching.tools.place[self.touching.first[i] : self.touching.first[i + 1], :3].copy()
+            )
         self.position[i].append(peer.state.position.copy())
         self.end[i].append(now)
         self.reports[i].append(report)

@@ -88,7 +88,8 @@ def prepare(scenario: Scenario) -> Prepared:
     )
     hands, ports = ports_of(scenario.hands, network.size, body, ready)
     most_ports = int(np.diff(hands.first).max(initial=0))
-    touching, tool = touching_of(scenario.tools, network.size, body, ready, timing, ports=most_ports)
+    position = _initial(scenario.initial.position, "position", network.size, body)
+    touching, tool = touching_of(scenario.tools, network.size, body, ready, timing, start=position, ports=most_ports)
     extra = np.zeros((network.size, 1 + len(network.weights)))
     extra[:, 0] = per_user(scenario.synchronisation.extra_damping, network.size, "synchronisation.extra_damping")
     return Prepared(
@@ -101,7 +102,7 @@ def prepare(scenario: Scenario) -> Prepared:
         ports=ports,
         local_damping=_local_damping(scenario, timing),
         extra_damping=extra,
-        position=_initial(scenario.initial.position, "position", network.size, body),
+        position=position,
         velocity=_initial(scenario.initial.velocity, "velocity", network.size, body),
         nodes=_recorded(scenario, body),
         touching=touching,
@@ -160,10 +161,15 @@ def _initial(given: list[Any] | None, name: str, users: int, body: Body) -> Floa
 
 def _recorded(scenario: Scenario, body: Body) -> Int:
     wish = scenario.record.nodes
+    if wish == "all":
+        return np.arange(body.nodes, dtype=np.int32)
     if wish is None:
         if body.nodes <= _ALL_NODES:
             return np.arange(body.nodes, dtype=np.int32)
-        held = {hand.node for hand in scenario.hands} or {1}
+        held = {hand.node for hand in scenario.hands}
+        for tool in scenario.tools:
+            held.add(1 + int(np.argmin(np.linalg.norm(body.rest - np.array(tool.at), axis=1))))
+        held = held or {1}
         return np.array(sorted(held), dtype=np.int32) - 1
     for number in wish:
         if number > body.nodes:

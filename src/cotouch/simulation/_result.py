@@ -59,9 +59,10 @@ def simulate(scenario: "Scenario | str | Path | Mapping[str, Any]") -> "xr.Datas
 
     Returns:
         Dimensions `user`, `step` (a user's own steps; 0 is the initial state; NaN after its last), `node`, `axis`,
-        `hand`, `tool`, `direction` (a receiver's view of a neighbour, "1<-2"), `link`, `tick` (network-wide records) and
-        `weight`. Every variable has its unit in `attrs`; the dataset's `attrs` hold the scenario as JSON, the energy
-        residual relative to the energy in play, and the passivity margin [J].
+        `hand`, `tool`, `direction` (a receiver's view of a neighbour, "1<-2"), `link`, `tick` (network-wide records),
+        `weight`, and `frame` with `node_all` where whole copies are asked for. Every variable has its unit in `attrs`;
+        the dataset's `attrs` hold the scenario as JSON, the energy residual relative to the energy in play, and the
+        passivity margin [J].
 
     Raises:
         InputError: something in the scenario is wrong.
@@ -97,7 +98,7 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
     data: dict[str, tuple[tuple[str, ...], Any]] = {}
 
     def put(name: str, dims: tuple[str, ...], values: npt.NDArray[Any], owner: npt.NDArray[Any] | None = None) -> None:
-        if owner is not None and gaps:
+        if owner is not None and gaps and "step" in dims:
             values = np.array(values)
             values[np.arange(records)[None, :] > taken[owner, None]] = np.nan
         data[name] = (dims, values)
@@ -151,8 +152,9 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
     put("tick_time", ("tick",), time[timing.reference, :ticks].copy())
     put("local_damping", ("user", "weight"), prepared.local_damping)
     if outcome.frame_time.size:
-        shown = [[prepared.model.to_nodes(copy) for copy in frame] for frame in outcome.frames]
-        put("frame_position", ("frame", "user", "node_all", "axis"), (np.array(shown) + body.rest).astype(np.float32))
+        shown = np.array([[prepared.model.to_nodes(copy) for copy in frame] for frame in outcome.frames])
+        with np.errstate(over="ignore"):  # of a run that diverges
+            put("frame_position", ("frame", "user", "node_all", "axis"), (shown + body.rest).astype(np.float32))
     for name, (dims, values) in data.items():
         unit, meaning = _UNITS[name]
         data[name] = (dims, values, {"units": unit, "long_name": meaning})  # pyright: ignore[reportArgumentType]

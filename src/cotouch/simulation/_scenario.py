@@ -119,7 +119,10 @@ class Scenario(Table):
                 tables[table] = {**kept.model_dump(exclude_unset=True), option: value}
             else:
                 tables[table] = value
-        return type(self).make(**tables)
+        result = type(self).make(**tables)
+        if not {name.partition("__")[0] for name in changes} & {"body", "hands", "tools"}:
+            result._built = self._built
+        return result
 
     def build_body(self) -> Body:
         """The shared object; read and built once."""

@@ -479,10 +479,11 @@ class Recording(Table):
 
     Attributes:
         every: one of how many steps.
-        nodes: numbers from 1; by default all up to 64, else those held.
+        nodes: numbers from 1, or "all"; by default all up to 64, else those held and those nearest to where tools
+            start.
         frames: whole copies so many times a second, for an animation [Hz]; by default none.
     """
 
     every: Annotated[int, Field(ge=1)] = 1
-    nodes: list[Annotated[Number, Field(ge=1)]] | None = None
+    nodes: list[Annotated[Number, Field(ge=1)]] | Literal["all"] | None = None
     frames: Positive | None = None

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.device import DEVICE_BOOKS
+from cotouch.device import DEVICE_BOOKS, excess_bound
 from cotouch.simulation._batch import Outcome
 from cotouch.simulation._prepare import Prepared
 
@@ -32,6 +32,10 @@ UNITS = {
     "coupling_work": ("J", "work of the coupling on the proxy so far"),
     "coupling_energy": ("J", "energy on the coupling's account, its spring and its tank"),
     "coupling_excess": ("J", "most that the coupling has given both sides together so far: passive if bounded"),
+    "coupling_bound": (
+        "J",
+        "what the excess can at most come to, with the speed and the servo periods that there were",
+    ),
 }
 # Those above that every tool has; the rest belong to tools with a device.
 _LOSSES = ("hand_loss", "viscous_loss", "coulomb_loss")
@@ -53,6 +57,12 @@ def tool_variables(prepared: Prepared, outcome: Outcome) -> dict[str, tuple[tupl
             values = np.where(held.reshape(-1, *(1,) * (values.ndim - 1)), values, np.nan)
         data[name] = (("tool", "step", "axis")[: values.ndim], values)
 
+    def bound(tool: int) -> float:
+        device = int(touching.couplings.device[tool])
+        fastest, longest = (float(books[name][tool].max()) for name in ("fastest", "longest"))
+        largest = float(np.linalg.norm(record.device_force[tool], axis=-1).max())
+        return excess_bound(touching.devices, device, fastest, longest, largest)
+
     put("tool_position", record.place[..., :3])
     put("tool_velocity", record.rate[..., :3])
     put("touch_force", record.force[..., :3])
@@ -71,6 +81,8 @@ def tool_variables(prepared: Prepared, outcome: Outcome) -> dict[str, tuple[tupl
     put("coupling_work", record.coupling[0], device=True)
     put("coupling_energy", books["spring_energy"] + books["tank"], device=True)
     put("coupling_excess", record.coupling[1], device=True)
+    limits = [bound(int(tool)) if touching.couplings.device[tool] >= 0 else np.nan for tool in range(order.size)]
+    put("coupling_bound", np.array(limits), device=True)
     return data
 
 

@@ -1,13 +1,29 @@
 """The tables of a scenario for tools: proxies, the devices that move them, and the hands on those."""
 
+from itertools import pairwise
 from typing import Annotated, Literal, Self, final
 
-from pydantic import Field, FiniteFloat, model_validator
+from pydantic import Discriminator, Field, FiniteFloat, Tag, model_validator
 
 from cotouch.device import PRESETS
 from cotouch.simulation._tables import NonNegative, Number, Place, Positive, Table
 
+# Of a device's servo, where neither a scenario nor a product says it [Hz].
+DEFAULT_RATE = 1000.0
+# Options of a hand that only one on a device has, and of a device that only one law of the coupling has.
 _OF_DEVICES = ("mass", "reaction", "correction", "reach", "blend")
+_OF_PSPM = ("rate", "periods", "window", "cap", "reserve", "declared")
+_OF_VIRTUAL = ("lower",)
+
+
+def _path_form(value: object) -> str:
+    return "waypoints()" if isinstance(value, list) and any(isinstance(row, list) for row in value) else "place()"  # pyright: ignore[reportUnknownVariableType]
+
+
+Way = Annotated[
+    Annotated[list[FiniteFloat], Tag("place()")] | Annotated[list[list[FiniteFloat]], Tag("waypoints()")],
+    Discriminator(_path_form),
+]
 
 
 @final
@@ -34,7 +50,7 @@ class ToolHand(Table):
         blend: over which the equilibrium comes to its path after taking hold [s].
     """
 
-    path: list[FiniteFloat] | list[list[FiniteFloat]] = Field(default_factory=lambda: [0.0, 0.0, 0.0])
+    path: Way = Field(default_factory=lambda: [0.0, 0.0, 0.0])
     amplitude: Place = Field(default_factory=lambda: [0.0, 0.0, 0.0])
     frequency: NonNegative = 0.0
     phase: FiniteFloat = 0.0
@@ -57,7 +73,7 @@ class ToolHand(Table):
             raise ValueError(f"path has the waypoint {wrong}; it must be a time and 3 numbers")
         if not rows and len(self.path) != 3:
             raise ValueError(f"path is {self.path}; it must be 3 numbers or waypoints [time, x, y, z]")
-        if any(b[0] <= a[0] for a, b in zip(rows, rows[1:], strict=False)):
+        if any(b[0] <= a[0] for a, b in pairwise(rows)):
             raise ValueError(f"the times of path are {[row[0] for row in rows]}; they must increase")
         if self.release is not None and self.release <= self.begin:
             raise ValueError(f"release is {self.release} s but begin is {self.begin} s; it must be later")
@@ -69,12 +85,12 @@ class DeviceTable(Table):
     """A simulated device between a hand and a tool; see `cotouch.device`.
 
     Attributes:
-        preset: a product with its nominal force, friction, resolution and rate; what is given here goes first.
-        kind: "cartesian", or "phantom" for the PHANToM 1.5 with its own dynamics.
+        preset: a product with its nominal mass, force, friction, resolution and rate; what is given here goes first.
+        kind: "cartesian", or "phantom" for the PHANToM 1.5 with its own dynamics (the default of that preset).
         mass: apparent at the tip of a Cartesian device [kg].
         viscous: friction [Ns/m]; of a PHANToM's joints [Nm s/rad].
         coulomb: friction [N]; of a PHANToM's joints [Nm].
-        rate: of the servo [Hz].
+        rate: of the servo [Hz]; like all that PSPM alone has, not with "virtual", where the body's step sets the pace.
         periods: of the servo, used in turn, instead of a rate [s].
         window: over which velocity is measured [s].
         resolution: of the encoders [m], of a PHANToM's joints [rad].
@@ -90,12 +106,12 @@ class DeviceTable(Table):
     """
 
     preset: str | None = None
-    kind: Literal["cartesian", "phantom"] = "cartesian"
+    kind: Literal["cartesian", "phantom"] | None = None
     mass: Positive | None = None
     viscous: NonNegative | None = None
     coulomb: NonNegative | None = None
     rate: Positive | None = None
-    periods: list[Positive] | None = None
+    periods: Annotated[list[Positive], Field(min_length=1, max_length=1000)] | None = None
     window: NonNegative = 0.02
     resolution: NonNegative | None = None
     force: Positive | None = None
@@ -113,9 +129,19 @@ class DeviceTable(Table):
             raise ValueError(f'preset is "{self.preset}"; it must be one of {", ".join(PRESETS)}')
         if self.rate is not None and self.periods is not None:
             raise ValueError("rate and periods are given; give only one of them")
-        if self.kind == "phantom" and self.mass is not None:
+        if self.kind == "phantom" and self.preset not in (None, "phantom"):
+            raise ValueError(f'kind is "phantom" but preset is "{self.preset}"; leave one of them out')
+        if self.sort() == "phantom" and self.mass is not None:
             raise ValueError(f"mass is {self.mass} kg; a PHANToM has its own, leave it out")
+        others = _OF_PSPM if self.coupling == "virtual" else _OF_VIRTUAL
+        for name in others:
+            if name in self.model_fields_set:
+                raise ValueError(f'{name} is given, but with coupling "{self.coupling}" it has no effect; leave it out')
         return self
+
+    def sort(self) -> Literal["cartesian", "phantom"]:
+        """How it moves."""
+        return self.kind or ("phantom" if self.preset == "phantom" else "cartesian")
 
 
 @final

@@ -17,7 +17,7 @@ from cotouch.device import (
     assemble,
     couplings,
 )
-from cotouch.errors import DeviceError, ScenarioError
+from cotouch.errors import BodyError, DeviceError, ScenarioError
 from cotouch.mechanics import (
     GRASP,
     TOUCH,
@@ -28,16 +28,17 @@ from cotouch.mechanics import (
     tools,
     touch_work,
 )
+from cotouch.simulation._clear import clear_place
 from cotouch.simulation._hands import Hands
 from cotouch.simulation._schedule import Schedule
-from cotouch.simulation._tool_tables import DeviceTable, ToolHand, ToolTable
+from cotouch.simulation._tool_tables import DEFAULT_RATE, DeviceTable, ToolHand, ToolTable
 from cotouch.simulation._touching import Touching
 
 Float = npt.NDArray[np.float64]
 
 
 def touching_of(
-    tables: list[ToolTable], users: int, body: Body, model: Model, timing: Schedule, *, ports: int
+    tables: list[ToolTable], users: int, body: Body, model: Model, timing: Schedule, *, start: Float, ports: int
 ) -> tuple[Touching | None, list[int]]:
     """The tools of a scenario, ordered by user, and which tool each table became; None without tools.
 
@@ -47,17 +48,29 @@ def touching_of(
         body: the shared object.
         model: the same for the kernels.
         timing: the body's steps, which a virtual coupling must be passive at.
+        start: displacements of all copies at the start, (users, n, d) [m].
         ports: most hands of one user that hold the body directly.
 
     Raises:
-        ScenarioError: a tool names a user that is not there, or a device or hand is wrong.
+        ScenarioError: a tool names a user that is not there or starts inside the body, or a device or hand is wrong.
         BodyError: the body has not three axes.
     """
     if not tables:
         return None, []
+    if body.dimension != 3:
+        raise BodyError(f"tools touch bodies of 3 axes, but this one has {body.dimension}{_remedy(body.dimension)}")
     for number, table in enumerate(tables, start=1):
         if table.user > users:
             raise ScenarioError(f"tools[{number}].user is {table.user}; the network has users 1 to {users}")
+        if table.kind == "touch" and table.begin == 0.0:
+            reached = clear_place(body, start[table.user - 1], np.array(table.at), table.radius)
+            if reached is not None:
+                depth, place = reached
+                raise ScenarioError(
+                    f"tools[{number}].at is {table.at}; a tool that touches starts outside, but with its radius of "
+                    f"{table.radius:g} m this one is {depth:.3g} m deep in the body; move it to "
+                    f"[{', '.join(f'{x:.4g}' for x in place + 0.0)}] or farther, or make it a grasp"
+                )
     surface = surface_of(model)
     order = sorted(range(len(tables)), key=lambda index: tables[index].user)
     chosen = [tables[index] for index in order]
@@ -74,10 +87,13 @@ def touching_of(
             own.grip_stiffness[t], own.grip_damping[t] = table.stiffness, table.damping
         if table.device is None:
             continue
+        where = f"tools[{order[t] + 1}]"
         try:
             device = device_model(table.device, table.hand, timing.length[table.user - 1])
         except DeviceError as error:
-            raise ScenarioError(f"tools[{order[t] + 1}]: {error}") from None
+            raise ScenarioError(f"{where}.device: {error}") from None
+        if table.hand is not None and isinstance(device.plant, PhantomPlant):
+            _reachable(device.plant, table.hand, where)
         joined.device[t] = len(models)
         joined.origin[t, :3] = table.at
         joined.stiffness[t], joined.damping[t] = device.coupling.stiffness, device.coupling.damping
@@ -120,8 +136,8 @@ def device_model(table: DeviceTable, hand: ToolHand | None, lengths: Float) -> D
         DeviceError: a number is out of range, or a virtual coupling is not passive.
     """
     product = None if table.preset is None else PRESETS[table.preset]
-    rate = table.rate or (1000.0 if product is None else product.rate)
-    phantom = table.kind == "phantom"
+    rate = table.rate or (DEFAULT_RATE if product is None else product.rate)
+    phantom = table.sort() == "phantom"
     plant: CartesianPlant | PhantomPlant
     if phantom:
         given = {name: getattr(table, name) for name in ("viscous", "coulomb") if getattr(table, name) is not None}
@@ -132,20 +148,22 @@ def device_model(table: DeviceTable, hand: ToolHand | None, lengths: Float) -> D
             viscous=_first(table.viscous, None, 0.0125),
             coulomb=_first(table.coulomb, product and product.friction, 0.0),
         )
+    # What a PHANToM's encoders tell apart at the tip they do at the end of its upper arm, about.
+    lever = plant.lengths()[0] if isinstance(plant, PhantomPlant) else 1.0
     servo = Servo(
         period=tuple(table.periods) if table.periods else 1.0 / rate,
         window=table.window,
-        resolution=_first(table.resolution, None if product is None or phantom else product.resolution, 0.0),
+        resolution=_first(table.resolution, product and product.resolution / lever, 0.0),
         force=_first(table.force, product and product.force, inf),
     )
     stiffness = table.stiffness
     if table.coupling == "virtual":
         # A PHANToM's joints damp its tip by at least their own damping over the square of its longest lever.
-        lever = sum(plant.lengths()) if isinstance(plant, PhantomPlant) else 1.0
+        longest = sum(plant.lengths()) if isinstance(plant, PhantomPlant) else 1.0
         known = lengths[lengths > 0.0]
         stiffness = checked_virtual_coupling(
             stiffness=stiffness,
-            device_damping=plant.viscous / lever**2,
+            device_damping=plant.viscous / longest**2,
             period=float(known.max()),
             damping=table.damping,
             spread=float((known[1:] / known[:-1]).max(initial=1.0)),
@@ -164,6 +182,30 @@ def device_model(table: DeviceTable, hand: ToolHand | None, lengths: Float) -> D
         ),
         hand=None if hand is None else SimulatedHand(**hand.model_dump()),
     )
+
+
+def _remedy(axes: int) -> str:
+    """How to give a body more axes, in the words of a scenario."""
+    return "; give a point the rest place [0, 0, 0], a chain dimension = 3, a lattice a shape of 3 numbers" * (axes < 3)
+
+
+def _reachable(plant: PhantomPlant, hand: ToolHand, where: str) -> None:
+    """Refuses a hand that leads a PHANToM's tip to where it does not reach.
+
+    Raises:
+        ScenarioError: it does.
+    """
+    rows = [row[1:] for row in hand.path if isinstance(row, list)] or [[float(x) for x in hand.path]]  # pyright: ignore[reportArgumentType]
+    for row in rows:
+        for sign in (-1.0, 0.0, 1.0):
+            x, y, z = (float(p + sign * a) for p, a in zip(row, hand.amplitude, strict=True))
+            try:
+                plant.joints((x, y, z))
+            except DeviceError:
+                raise ScenarioError(
+                    f"{where}.hand.path leads to [{x:g}, {y:g}, {z:g}] m from where the tool starts; a PHANToM's tip "
+                    "does not reach there, so shorten the path"
+                ) from None
 
 
 def _first(*values: float | None) -> float:

@@ -1,0 +1,123 @@
+"""From a run to its animation."""
+
+import json
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.body import Body
+from cotouch.errors import ScenarioError
+from cotouch.simulation._animation import Animation, GripTracks, ToolTracks, UserSeries
+from cotouch.simulation._metrics import felt
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from cotouch.simulation._scenario import Scenario
+
+Float = npt.NDArray[np.float64]
+
+# A browser draws no more pictures a second, and nobody watches more of them; places of all users in all frames that a
+# page and the memory of a small machine hold.
+_RATE = 60.0
+_MOST_FRAMES = 1200
+_MOST_PLACES = 6_000_000
+_LARGEST = 1e6
+
+
+def frame_rate(scenario: "Scenario") -> float:
+    """How many frames a second an animation of a scenario should have: 60, fewer for long runs and big bodies [Hz]."""
+    body = scenario.build_body()
+    places = max(body.nodes, 0 if body.skin is None else body.skin.vertices.shape[0]) * scenario.network.size
+    duration = scenario.steps.duration
+    return max(min(_RATE, _MOST_FRAMES / duration, _MOST_PLACES / (places * duration)), 1.0 / duration)
+
+
+def animation(run: "xr.Dataset", body: Body) -> Animation:
+    """What a run looked like.
+
+    Args:
+        run: a result of `simulate` with frames (`record.frames`).
+        body: of the run.
+
+    Returns:
+        Every user's copy with its tools and hands and what they feel, and how far each copy is from the mean of all. A
+        body with a skin is drawn as that, any other as nodes, joined where springs join them.
+
+    Raises:
+        ScenarioError: the run has no frames, or it is of another body.
+    """
+    if "frame_position" not in run:
+        raise ScenarioError("the run has no frames; set record.frames in the scenario, in Hz")
+    frames = run["frame_position"].values
+    sound = np.flatnonzero(~(np.abs(frames) < _LARGEST).all(axis=(1, 2, 3)))  # a run that diverged is shown until then
+    frames = frames[: sound[0] if sound.size else None]
+    if frames.shape[2:] != body.rest.shape:
+        raise ScenarioError(
+            f"the run's body has {frames.shape[2]} nodes and {frames.shape[3]} axes, this one {body.nodes} and "
+            f"{body.dimension}; give the body of the run"
+        )
+    when = run["frame"].values[: frames.shape[0]].astype(np.float64)
+    tables: dict[str, Any] = json.loads(run.attrs["scenario"])
+    apart = np.linalg.norm(frames - frames.mean(axis=1, keepdims=True), axis=-1)
+    shape: dict[str, Any]
+    if body.skin is not None and body.skin.triangles.size:
+        shape = {"skin": body.skin, "displacement": frames - body.rest.astype(np.float32)}
+    else:
+        shape = {"vertices": frames, "rest": body.rest, "edges": _edges(body)}
+    return Animation(
+        title=run.attrs["title"],
+        users=[str(name) for name in run["user"].values],
+        time=when,
+        tools=_tools(run, tables, when),
+        grips=_grips(run, tables, when, frames),
+        links=[(a - 1, b - 1) for a, b in tables["network"]["links"]],
+        series=[UserSeries(name="Discrepancy", unit="m", values=apart.max(axis=2))],
+        **shape,
+    )
+
+
+def _edges(body: Body) -> npt.NDArray[np.int64]:
+    """Pairs of nodes that a spring joins, (E, 2)."""
+    per = 1 if body.form == "node" else body.dimension
+    springs = body.stiffness_int.tocoo()
+    known = springs.data != 0.0
+    pairs = np.stack([springs.coords[0][known] // per, springs.coords[1][known] // per], axis=1)
+    return np.unique(pairs[pairs[:, 0] < pairs[:, 1]], axis=0)
+
+
+def _tools(run: "xr.Dataset", tables: dict[str, Any], when: Float) -> ToolTracks | None:
+    tools: list[dict[str, Any]] = tables.get("tools", [])
+    if not tools:
+        return None
+    owner = [tool["user"] - 1 for tool in tools]
+    return ToolTracks(
+        owner=owner,
+        centre=_at(run, owner, run["tool_position"].values, when),
+        radius=[tool["radius"] for tool in tools],
+        force=_at(run, owner, felt(run), when),
+    )
+
+
+def _grips(run: "xr.Dataset", tables: dict[str, Any], when: Float, frames: npt.NDArray[Any]) -> GripTracks | None:
+    hands: list[dict[str, Any]] = tables["hands"]
+    if not hands:
+        return None
+    owner = [hand["user"] - 1 for hand in hands]
+    return GripTracks(
+        owner=owner,
+        place=frames[:, owner, [hand["node"] - 1 for hand in hands]],
+        force=_at(run, owner, run["hand_force"].values, when),
+    )
+
+
+def _at(run: "xr.Dataset", owner: list[int], values: Float, when: Float) -> Float:
+    """Values at the times of frames, straight between the steps of each thing's user, (frames, things, axes)."""
+    result = np.zeros((when.size, len(owner), values.shape[-1]))
+    for thing, user in enumerate(owner):
+        time = run["time"].values[user]
+        known = np.isfinite(time)
+        for axis in range(values.shape[-1]):
+            result[:, thing, axis] = np.interp(when, time[known], values[thing, known, axis])
+    return result
