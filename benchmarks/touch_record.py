@@ -1,7 +1,7 @@
 """Random scenarios with tools for the record: contacts that switch at random, on random bodies, steps and networks.
 
-Every scenario is drawn from (seed, number) alone, so that a single one can be run again with `--only NUMBER`. Findings go
-to a file as they come, so that a long run can be taken up again with `--resume FILE`.
+Every scenario is drawn from (seed, number) alone, so that a single one can be run again with `--only NUMBER`. Findings
+go to a file as they come, so that a long run can be taken up again with `--resume FILE`.
 """
 
 import argparse
@@ -52,7 +52,10 @@ class Finding:
         device_residual: in those of devices and hands.
         given: most that contacts gave body and proxies together.
         used: largest share of its d² that a PSPM coupling gave away.
-        virtual: most that a virtual coupling gave beyond what its device's damping and friction paid.
+        virtual: most that a virtual coupling gave beyond what its device's damping and friction paid, the motors always
+            able to do what was asked.
+        saturated: virtual couplings whose motors were not always able, which is outside their condition.
+        beyond: how many of those gave more.
         margin: least of Σ v̂ᵀ f T; negative: energy came out of the copies.
         looks: forces of touches that were looked at.
         pulls: how many of them were no sum of pushes.
@@ -69,6 +72,8 @@ class Finding:
     given: float
     used: float
     virtual: float
+    saturated: int
+    beyond: int
     margin: float
     looks: int
     pulls: int
@@ -285,6 +290,8 @@ def examine(number: int) -> Finding | str:
     tools = outcome.tools
     assert tools is not None
     play = found.in_play or 1.0
+    springs = [port for port in found.couplings if port.law == "virtual"]
+    outside = [port for port in springs if port.saturated]
     return Finding(
         number=number,
         kind=kind,
@@ -295,7 +302,9 @@ def examine(number: int) -> Finding | str:
         device_residual=found.device_residual,
         given=found.given / play,
         used=found.used,
-        virtual=found.virtual / play,
+        virtual=max((port.excess for port in springs if not port.saturated), default=0.0) / play,
+        saturated=len(outside),
+        beyond=sum(port.excess > TOLERANCE * play for port in outside),
         margin=found.port_margin / play,
         looks=looks,
         pulls=pulls,
@@ -306,8 +315,8 @@ def examine(number: int) -> Finding | str:
 def _pulls(prepared: Prepared, outcome: Outcome) -> tuple[int, int]:
     """How many forces of touches were looked at, and how many are no sum of pushes away from the skin.
 
-    The skin's places come from the recorded nodes, the directions from the nearest points of all triangles within reach;
-    neither asks the contact search.
+    The skin's places come from the recorded nodes, the directions from the nearest points of all triangles within
+    reach; neither asks the contact search.
     """
     touching, tools, skin, timing = prepared.touching, outcome.tools, prepared.body.skin, prepared.schedule
     assert touching is not None
@@ -342,21 +351,37 @@ def _pulls(prepared: Prepared, outcome: Outcome) -> tuple[int, int]:
 def _directions(places: Float, triangles: npt.NDArray[np.int32], centre: Float, reach: float) -> Float:
     """Ways out of the body where a sphere may touch it, as unit rows.
 
-    From outside: from every nearest point of a triangle within reach towards the centre. From inside: the shortest way out.
+    From outside: from every nearest point of a triangle within reach towards the centre. From inside: the shortest way.
     """
     corners = places[triangles]
     across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-300)
-    gap = centre - _nearest(corners, centre)
+    near = _nearest(corners, centre)
+    gap = centre - near
     length = np.linalg.norm(gap, axis=1)
     closest = length <= length.min() * (1.0 + 1e-9) + 1e-12
     if length.min() <= 1e-12:
         return across[closest]
     towards = gap / length[:, None]
-    # Where several triangles share the nearest point, a mean of their normals says on which side of it the centre is.
-    if float(towards[closest][0] @ across[closest].mean(axis=0)) < 0.0:
+    # Where several triangles share the nearest point, the mean of their normals by their angles there says on which
+    # side of it the centre is [Baerentzen & Aanaes 2005].
+    weight = _angles(corners[closest], near[closest][0])
+    if float(towards[closest][0] @ (weight @ across[closest])) < 0.0:
         return -towards[closest]
     return towards[length <= reach]
+
+
+def _angles(corners: Float, point: Float) -> Float:
+    """Angle of every triangle at a point of it [rad]: of its corner if it is one, else a half turn or a whole one."""
+    at = np.linalg.norm(corners - point, axis=2)
+    edges = np.roll(corners, -1, axis=1) - corners
+    size = np.linalg.norm(edges, axis=2)
+    angles = np.full(corners.shape[0], np.pi)
+    for k in range(3):
+        here = at[:, k] <= 1e-9 * size.max(axis=1)
+        cosine = -np.einsum("ij,ij->i", edges[:, k], edges[:, k - 1]) / np.maximum(size[:, k] * size[:, k - 1], 1e-300)
+        angles[here] = np.arccos(np.clip(cosine[here], -1.0, 1.0))
+    return angles
 
 
 def _nearest(corners: Float, point: Float) -> Float:
@@ -448,6 +473,8 @@ def measure(count: int = SHORT, jobs: int = 1, kept: Path | None = None) -> list
     steps, switches = sum(f.steps for f in findings), sum(f.switches for f in findings)
     looks = sum(f.looks for f in findings)
     couplings = sum(f.devices for f in findings)
+    used = max((f.used for f in coupled), default=0.0)
+    outside, beyond = sum(f.saturated for f in findings), sum(f.beyond for f in findings)
     return [
         Row(
             "touch record",
@@ -462,7 +489,8 @@ def measure(count: int = SHORT, jobs: int = 1, kept: Path | None = None) -> list
             "worst energy residual, of the energy in play",
             f"{worst.residual:.1e}",
             f"≤ {TOLERANCE:g}",
-            f"above: {numbers(unbalanced)}; worst is number {worst.number}; devices and hands {device.device_residual:.1e}",
+            f"above: {numbers(unbalanced)}; worst is number {worst.number}; devices and hands "
+            f"{device.device_residual:.1e}",
         ),
         Row(
             "touch record",
@@ -476,8 +504,8 @@ def measure(count: int = SHORT, jobs: int = 1, kept: Path | None = None) -> list
             "runs with a coupling beyond its bound",
             f"{len(broke)} of {len(coupled):,}",
             "0",
-            f"numbers: {numbers(broke)}; {couplings:,} couplings; at most {max((f.used for f in coupled), default=0.0):.2g} "
-            "of d²",
+            f"numbers: {numbers(broke)}; {couplings:,} couplings; at most {used:.2g} of d²; not counted, because their "
+            f"motors saturated: {outside} virtual couplings, {beyond} of which gave energy",
         ),
         Row(
             "touch record",

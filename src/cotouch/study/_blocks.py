@@ -38,16 +38,25 @@ class TwoPort:
         excess: most that it had given device and proxy together at the end of any step [J]. A virtual coupling is paid
             for by the device's own damping and (for its encoder) friction, whose losses count as given to the coupling.
         bound: d², which the excess must not exceed [J].
+        saturated: ticks at which the motors could not do what was asked. A virtual coupling's condition supposes that
+            they can: what its proxy gets, its device must feel.
     """
 
     user: int
     law: str
     excess: float
     bound: float
+    saturated: int
 
     def numbers(self) -> dict[str, Any]:
         """For JSON."""
-        return {"user": self.user + 1, "law": self.law, "excess_j": self.excess, "bound_j": self.bound}
+        return {
+            "user": self.user + 1,
+            "law": self.law,
+            "excess_j": self.excess,
+            "bound_j": self.bound,
+            "saturated": self.saturated,
+        }
 
 
 @final
@@ -195,11 +204,12 @@ def _two_port(prepared: Prepared, outcome: Outcome, tool: int, user: int) -> Two
     servos, last = touching.devices.servos, int(outcome.taken[user])
     books = tools.device_books[:, tool, : last + 1]
     given = books[_DEVICE["work"]] + tools.coupling[0, tool, : last + 1]
+    saturated = int(books[_DEVICE["saturated"], -1])
     table = prepared.scenario.tools[prepared.tool.index(tool)].device
     assert table is not None
     if table.coupling == "virtual":
         given = given - books[_DEVICE["viscous_loss"]] - books[_DEVICE["coulomb_loss"]]
-        return TwoPort(user=user, law="virtual", excess=float(given.max()), bound=0.0)
+        return TwoPort(user=user, law="virtual", excess=float(given.max()), bound=0.0, saturated=saturated)
     force = float(servos.force[device])
     resolution = float(servos.resolution[device].max())
     bound = modulation_bound(
@@ -212,4 +222,4 @@ def _two_port(prepared: Prepared, outcome: Outcome, tool: int, user: int) -> Two
         resolution=resolution,
         axes=3,
     )
-    return TwoPort(user=user, law="pspm", excess=float(given.max()), bound=bound)
+    return TwoPort(user=user, law="pspm", excess=float(given.max()), bound=bound, saturated=saturated)

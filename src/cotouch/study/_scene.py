@@ -8,7 +8,7 @@ from cotouch.simulation._tables import Mode
 
 # Nodes along x, y, z, and how far they are apart [m].
 SHAPE = (14, 10, 8)
-SMALL = (6, 4, 4)
+SMALL = (9, 7, 5)
 SPACING = 0.01
 # N/m: between neighbours, and of every node of the lower face to the ground; together about as stiff as the links.
 STIFFNESS, GROUND = 100.0, 100.0
