@@ -90,6 +90,6 @@ own damping, so user 4’s has 3&nbsp;Ns/m, which most products have not.</p>
 {quantity(constant.damping, "Ns/m")} with constant delays, {quantity(freshest.damping, "Ns/m")} with freshest samples).
 The hands do nothing but hold. After {quantity(crossed, "s", 2)} the shared object has returned all that it was
 given; at the end it has given {quantity(-gone, "J", 2)} out of nothing. Contacts, couplings and devices stay passive
-throughout: contacts gave at most {quantity(below.given, "J", 2)}, couplings {num(100 * below.used, 2)} % of their d². The books
-balance to {num(below.energy_residual, 2)} there, too: they say how much the age of the samples put in.</p>"""
+throughout: contacts gave at most {quantity(below.given, "J", 2)}, couplings {num(100 * below.used, 2)} % of their d².
+The books balance to {num(below.energy_residual, 2)} there, too: they say how much the age of the samples put in.</p>"""
     return Section(anchor="solid", title="All four blocks, in three dimensions", body=body)

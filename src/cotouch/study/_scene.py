@@ -69,7 +69,7 @@ def tools(shape: tuple[int, int, int]) -> list[dict[str, Any]]:
     rows: list[tuple[list[float], list[float], dict[str, Any], dict[str, Any]]] = [
         (
             [0.0, 0.5 * wide, high],
-            [-0.06, 0.0, 0.03],
+            [-0.038, 0.0, 0.015],  # more than this a PHANToM's motors cannot hold
             {"kind": "grasp", "radius": 0.015, "stiffness": 400.0, "damping": 1.0},
             {"kind": "phantom", "preset": "phantom"},
         ),

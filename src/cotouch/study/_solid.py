@@ -11,6 +11,7 @@ from cotouch.simulation import Prepared, prepare
 from cotouch.simulation._batch import Outcome, run_batch
 from cotouch.simulation._tables import Mode
 from cotouch.study._blocks import Blocks, blocks
+from cotouch.study._data import five_users
 from cotouch.study._scene import DURATION, FRAMES, RELEASE, SHAPE, SMALL, SPACING, scene
 from cotouch.study._theorem import Claim
 
@@ -155,7 +156,7 @@ def solid(network: Network, *, quick: bool = False) -> Solid:
 
 def warm_up() -> None:
     """Compiles what a body with tools needs, into the cache on disk."""
-    network = Network(users=["1"] * 5, spring=np.ones((5, 5)) - np.eye(5), delay=1e-3 * (np.ones((5, 5)) - np.eye(5)))
+    network = Network.read(five_users())
     run_batch(prepare(scene(network, "constant", shape=SMALL).replace(steps__duration=0.05)))
 
 
