@@ -4,7 +4,7 @@ import argparse
 
 from rich.console import Console
 
-from benchmarks import engine, planner, record, scaling, step
+from benchmarks import engine, planner, record, scaling, step, touch
 from benchmarks._report import Row, add_write, finish
 
 
@@ -20,6 +20,7 @@ def main() -> None:
             ("engine", engine.measure),
             ("step", step.measure),
             ("scaling", lambda: scaling.measure(draw=options.write)),
+            ("touch", touch.measure),
             ("planner", lambda: planner.measure(long=options.long)),
             ("record", lambda: record.measure(options.count)),
         ):

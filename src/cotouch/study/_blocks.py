@@ -1,0 +1,225 @@
+"""The energy that each block of the paper's Fig. 2 gave and took in a run, from what crosses its ports.
+
+Work at a port is counted on the spot, force times the motion of whatever it acts on: of motors on devices, of couplings
+on proxies, of contacts on proxies and on the body. A block is passive if what it has given, all its ports together,
+never exceeds what it was given plus a constant; here every run starts from rest, relaxed, so the constant is 0 or a
+bound that belongs to the block.
+"""
+
+from dataclasses import dataclass
+from typing import Any, final
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.device import DEVICE_BOOKS
+from cotouch.mechanics import modulation_bound
+from cotouch.simulation import Prepared
+from cotouch.simulation._batch import Outcome
+from cotouch.simulation._engine import TOOL_BOOKS, USER_BOOKS
+
+Float = npt.NDArray[np.float64]
+Int = npt.NDArray[np.int64]
+
+_BOOK = {name: row for row, name in enumerate(USER_BOOKS + TOOL_BOOKS)}
+_DEVICE = {name: row for row, name in enumerate(DEVICE_BOOKS)}
+_ENERGIES = ("kinetic", "hand_energy", "potential")
+_LOSSES = ("hand_loss", "viscous_loss", "coulomb_loss")
+
+
+@final
+@dataclass(frozen=True, kw_only=True)
+class TwoPort:
+    """One tool's coupling.
+
+    Attributes:
+        user: whose, from 0.
+        law: "pspm" or "virtual".
+        excess: most that it had given device and proxy together at the end of any step [J]. A virtual coupling is paid
+            for by the device's own damping and (for its encoder) friction, whose losses count as given to the coupling.
+        bound: d², which the excess must not exceed [J].
+        saturated: ticks at which the motors could not do what was asked. A virtual coupling's condition supposes that
+            they can: what its proxy gets, its device must feel.
+    """
+
+    user: int
+    law: str
+    excess: float
+    bound: float
+    saturated: int
+
+    def numbers(self) -> dict[str, Any]:
+        """For JSON."""
+        return {
+            "user": self.user + 1,
+            "law": self.law,
+            "excess_j": self.excess,
+            "bound_j": self.bound,
+            "saturated": self.saturated,
+        }
+
+
+@final
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Blocks:
+    """What the ports of the blocks say, step by step in the order of the books.
+
+    Attributes:
+        time: end of every step of every user, in order, (events,) [s].
+        human: work so far of all hands, on devices, or on proxies that have none, (events,) [J].
+        device: taken so far by hands and devices: human work and the work of the motors, (events,) [J].
+        coupling: taken so far by couplings, (events,) [J].
+        contact: taken so far by proxies with their contacts, (events,) [J].
+        object: taken so far by all copies, `Σ_i Σ_k v̂_iᵀ f_i T_i`, (events,) [J].
+        given: most that the contacts of one user had ever given body and proxies together [J].
+        couplings: of the tools with a device.
+        device_residual: largest imbalance in the books of a device with its hand, of the energy in play there.
+        energy_residual: of copies, links, proxies and contacts, of the energy in play.
+        in_play: largest energy that was stored, supplied or dissipated in them [J].
+        finished: whether the motion stayed within floating point.
+    """
+
+    time: Float
+    human: Float
+    device: Float
+    coupling: Float
+    contact: Float
+    object: Float
+    given: float
+    couplings: tuple[TwoPort, ...]
+    device_residual: float
+    energy_residual: float
+    in_play: float
+    finished: bool
+
+    @property
+    def bound(self) -> float:
+        """What all couplings together may have given away [J]."""
+        return sum(port.bound for port in self.couplings)
+
+    @property
+    def port_margin(self) -> float:
+        """Least of `Σ v̂ᵀ f T` over all users and all times [J]: above 0, the copies are N-port passive from rest."""
+        return float(self.object.min(initial=0.0))
+
+    @property
+    def human_margin(self) -> float:
+        """Least work of all hands over time [J]."""
+        return float(self.human.min(initial=0.0))
+
+    @property
+    def used(self) -> float:
+        """Largest part of its d² that any PSPM coupling used."""
+        return max((port.excess / port.bound for port in self.couplings if port.law == "pspm"), default=0.0)
+
+    @property
+    def virtual(self) -> float:
+        """Most that any virtual coupling gave beyond what its device's own damping paid for [J]."""
+        return max((port.excess for port in self.couplings if port.law == "virtual"), default=0.0)
+
+    def numbers(self) -> dict[str, Any]:
+        """For JSON."""
+        return {
+            "finished": self.finished,
+            "object_least_work_j": self.port_margin,
+            "contact_most_given_j": self.given,
+            "couplings": [port.numbers() for port in self.couplings],
+            "human_least_work_j": self.human_margin,
+            "human_work_j": float(self.human[-1]),
+            "device_residual": self.device_residual,
+            "energy_residual": self.energy_residual,
+            "energy_in_play_j": self.in_play,
+        }
+
+
+def blocks(prepared: Prepared, outcome: Outcome) -> Blocks:
+    """Reads the ports of a run that recorded every step and whose tools come in the order of their users."""
+    touching, record, tools = prepared.touching, outcome.record, outcome.tools
+    assert touching is not None
+    assert tools is not None
+    assert record.every == 1
+    users = record.users.shape[1]
+    owner = np.repeat(np.arange(users), np.diff(touching.first))
+    joined = touching.couplings.device >= 0
+    drive, touched = record.users[_BOOK["drive_work"]], record.users[_BOOK["touch_work"]]
+    ports = record.users[_BOOK["supplied"]]
+    books = tools.device_books
+    motors, will = books[_DEVICE["work"]], books[_DEVICE["human"]]
+    pulled = tools.coupling[0]
+
+    def of_users(values: Float) -> Float:
+        total = np.zeros((users, values.shape[1]))
+        np.add.at(total, owner, values)
+        return total
+
+    # Proxies move exactly by T ŵ in a step, so force times change of place is the work on them.
+    moved = np.diff(tools.place[..., :3], axis=1, prepend=tools.place[:, :1, :3])
+    on_proxies = of_users(np.cumsum((tools.force[..., :3] * moved).sum(axis=2), axis=1))
+    direct = drive - of_users(pulled)
+    order = np.asarray(prepared.schedule.order[: outcome.events], dtype=np.int64)
+    step = _steps(order, users)
+    reached = np.arange(record.users.shape[2])[None, :] <= outcome.taken[:, None]
+
+    def in_order(values: Float) -> Float:
+        return np.cumsum(values[order, step] - values[order, step - 1])
+
+    ledger = record.ticks[:, : int(outcome.taken[prepared.schedule.reference]) + 1]
+    in_play = float(np.abs(ledger[:4]).max(initial=0.0))
+    energy = sum(books[_DEVICE[name]] for name in _ENERGIES)
+    flows = [motors, will, energy, sum(books[_DEVICE[name]] for name in _LOSSES)]
+    with_device = float(max(np.abs(flow).max(initial=0.0) for flow in flows))
+    unclosed = float(np.abs(books[_DEVICE["residual"]]).max(initial=0.0))
+    residual = float(np.abs(ledger[4]).max(initial=0.0))
+    return Blocks(
+        time=prepared.schedule.end[order, step - 1],
+        human=in_order(of_users(will) + direct),
+        device=in_order(of_users(will + motors)),
+        coupling=in_order(-of_users(motors + pulled)),
+        contact=in_order(drive - touched),
+        object=in_order(touched + ports),
+        given=float(np.where(reached, touched + on_proxies, 0.0).max()),
+        couplings=tuple(_two_port(prepared, outcome, int(t), int(owner[t])) for t in np.flatnonzero(joined)),
+        device_residual=unclosed / with_device if with_device > 0.0 else unclosed,
+        energy_residual=residual / in_play if in_play > 0.0 else residual,
+        in_play=in_play,
+        finished=outcome.events == prepared.schedule.order.size,
+    )
+
+
+def _steps(order: Int, users: int) -> Int:
+    """Of every event, which step of its user it is, from 1."""
+    step = np.zeros(order.size, dtype=np.int64)
+    for user in range(users):
+        own = order == user
+        step[own] = np.arange(1, int(own.sum()) + 1)
+    return step
+
+
+def _two_port(prepared: Prepared, outcome: Outcome, tool: int, user: int) -> TwoPort:
+    """Excess of a coupling at the ends of its user's steps, and d²."""
+    touching, tools = prepared.touching, outcome.tools
+    assert touching is not None
+    assert tools is not None
+    device = int(touching.couplings.device[tool])
+    servos, last = touching.devices.servos, int(outcome.taken[user])
+    books = tools.device_books[:, tool, : last + 1]
+    given = books[_DEVICE["work"]] + tools.coupling[0, tool, : last + 1]
+    saturated = int(books[_DEVICE["saturated"], -1])
+    table = prepared.scenario.tools[prepared.tool.index(tool)].device
+    assert table is not None
+    if table.coupling == "virtual":
+        given = given - books[_DEVICE["viscous_loss"]] - books[_DEVICE["coulomb_loss"]]
+        return TwoPort(user=user, law="virtual", excess=float(given.max()), bound=0.0, saturated=saturated)
+    force = float(servos.force[device])
+    resolution = float(servos.resolution[device].max())
+    bound = modulation_bound(
+        stiffness=float(servos.stiffness[device]),
+        damping=float(servos.damping[device]),
+        period=float(books[_DEVICE["longest"], -1]),
+        speed=float(books[_DEVICE["fastest"], -1]),
+        reserve=float(servos.reserve[device]),
+        force=force if resolution > 0.0 else 0.0,
+        resolution=resolution,
+        axes=3,
+    )
+    return TwoPort(user=user, law="pspm", excess=float(given.max()), bound=bound, saturated=saturated)
