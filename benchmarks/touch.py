@@ -1,4 +1,4 @@
-"""One full step of a peer with a proxy in contact, collision included, beside MuJoCo flex with a sphere pressed into it.
+"""One full step of a peer with a proxy in contact, collision included, beside MuJoCo flex with a sphere in it.
 
 A sphere of three spacings' radius is pressed into a lattice and slides on it; each step finds the contacts on the
 deformed skin, solves them together with the body, its two neighbours and the proxy, and books the energies. The clock
@@ -90,8 +90,8 @@ def _run(
         _clock(_MONOTONIC, now.ctypes.data)
         begin = now[0] * 1_000_000_000 + now[1]
         touch_step(
-            op, state, links, grips, surface, own, local, extra, lengths[k], links.last, work, touch, books, touch_books,
-            link_work, TOLERANCE, CAP, lanes,
+            op, state, links, grips, surface, own, local, extra, lengths[k], links.last, work, touch, books,
+            touch_books, link_work, TOLERANCE, CAP, lanes,
         )  # fmt: skip
         _clock(_MONOTONIC, now.ctypes.data)
         times[k] = now[0] * 1_000_000_000 + now[1] - begin
@@ -110,7 +110,7 @@ def scene(body: Body, *, mode: int = TOUCH, steps: int = STEPS) -> Scene:
     own.mass[0], own.stiffness[0], own.mode[0] = 0.05, 1000.0, mode
     own.grip_stiffness[0], own.grip_damping[0] = 200.0, 1.0
     own.drive_stiffness[0], own.drive_damping[0] = 500.0, 5.0
-    own.place[0, :3] = middle + [0.0, 0.0, own.radius[0]]
+    own.place[0, :3] = [*middle, 0.0, 0.0, own.radius[0]]
     path = np.tile(own.place[0], (steps, 1))
     when = np.arange(steps) * PERIOD
     path[:, 2] -= 0.8 * own.radius[0] * np.minimum(when / 0.2, 1.0)

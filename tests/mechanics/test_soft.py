@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
+from tests.mechanics.touching import TouchedCopy
 
 from cotouch.body import Body, lattice
-from tests.mechanics.touching import TouchedCopy
 
 T, STEPS = 2e-3, 2500
 PRESS, STIFF = 200.0, 1e5

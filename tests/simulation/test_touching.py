@@ -59,7 +59,7 @@ def test_peers_and_batch_move_alike():
         # Rounding differs where the compiler joins the same kernels in another order, and contact amplifies it.
         assert np.abs(peers.tools[user][:, 0] - batch.tools.place[user, 1 : steps + 1, :3]).max() < 1e-7
         assert np.abs(peers.position[user][-1] - batch.position[user]).max() < 1e-7
-        in_play = max(max(report.kinetic + report.elastic + report.proxy for report in peers.reports[user]), 1e-12)
+        in_play = max(*(report.kinetic + report.elastic + report.proxy for report in peers.reports[user]), 1e-12)
         assert max(abs(report.residual) for report in peers.reports[user]) < 1e-12 * in_play
 
 

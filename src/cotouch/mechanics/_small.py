@@ -1,9 +1,9 @@
 """The small problem that a step with tools comes down to: contacts and proxies, with the body as a few columns.
 
 With v̂₀ the body's motion under guessed contact forces, X = A⁻¹ H its columns, the motion is `v̂ = v̂₀ + X load`; the load
-of a contact is the guess minus its force, that of a grasp its spring's pull towards the proxy. Everything that contacts and
-proxies need to know is `Hᵀ v̂₀` and `Hᵀ X`, few numbers both. X is taken as it is, not as it should be: the forces then
-fit the motion that comes out, even if the solver of the columns stopped early.
+of a contact is the guess minus its force, that of a grasp its spring's pull towards the proxy. Everything that contacts
+and proxies need to know is `Hᵀ v̂₀` and `Hᵀ X`, few numbers both. X is taken as it is, not as it should be: the forces
+then fit the motion that comes out, even if the solver of the columns stopped early.
 """
 # pyright: reportArgumentType=false, reportReturnType=false
 

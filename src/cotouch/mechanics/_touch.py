@@ -43,8 +43,8 @@ Float = npt.NDArray[np.float64]
 
 # Gaps count as contacts up to this share of a radius, and as far as two steps of the proxy carry it.
 _MARGIN = 0.05
-# Columns need not be better than this, nor than the solver's own tolerance to the power ¾: what they leave out is a share
-# of what a contact's force changes by from step to step, in the body's motion and not in the books.
+# Columns need not be better than this, nor than the solver's own tolerance to the power ¾: what they leave out is a
+# share of what a contact's force changes by from step to step, in the body's motion and not in the books.
 _COLUMN_TOLERANCE = 1e-9
 
 
@@ -266,9 +266,7 @@ def _charge(soft: Float, found: Contacts, small: Small, tools: Tools, T: float, 
 
 
 @part
-def _guess(
-    found: Contacts, columns: Columns, small: Small, tools: Tools, axes: int, rhs: Float, modal: bool
-) -> None:
+def _guess(found: Contacts, columns: Columns, small: Small, tools: Tools, axes: int, rhs: Float, modal: bool) -> None:
     """Takes the forces on each tool to be those of the step before, for the solve that does not know them yet.
 
     Whatever the guess, the forces come out right; a good one leaves little for the columns, whose error then matters

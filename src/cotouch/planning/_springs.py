@@ -113,7 +113,8 @@ def tune_springs(
         raise NetworkError(f"rounds is {rounds}; it must be a whole number, at least 0")
     limit = _limits(network, damping_limit)
     modes = modes_table(mass, damping, stiffness)
-    closed_loop(network, *modes[0].tolist(), None)  # checks the network
+    first = modes[0]
+    closed_loop(network, float(first[0]), float(first[1]), float(first[2]), None)  # checks the network
     search = _Search(network, limit, modes)
     given = search.springs_of(network)
     factor = min(1.0, float(search.room(given)))
