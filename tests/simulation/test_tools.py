@@ -225,6 +225,17 @@ def test_every_device_is_passive_and_its_books_balance(name: str, tool: dict[str
         assert 0.0 < entry["coupling"]["bound_j"] < 0.02
 
 
+@pytest.mark.parametrize("tool", [LEFT, HOLD], ids=["touch", "grasp"])
+def test_every_joule_of_a_coupling_is_on_its_account(tool: dict[str, Any]) -> None:
+    """Where ticks and steps fall together: what both ends took and what is left on the account come to nothing."""
+    run = run_of({**tool, "device": {"rate": 1000, "stiffness": 1500, "coulomb": 0.05, "cap": 1e3}})
+    check(run)
+    left = (run["coupling_energy"] + run["device_work"] + run["coupling_work"]).values
+    flows = np.abs(run["coupling_work"].values).max()
+    assert flows > 1e-3
+    assert np.abs(left).max() < 1e-12 * flows
+
+
 def test_a_virtual_coupling_is_passive_up_to_its_limit_and_refused_above() -> None:
     steps = {"duration": 0.3, "random": {"low": 0.0005, "high": 0.002}}
     tool = {**LEFT, "device": {"coupling": "virtual", "viscous": 1.0, "damping": 0.05, "stiffness": 1e5, "lower": True}}
