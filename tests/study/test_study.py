@@ -232,8 +232,8 @@ class TestNumbers:
         assert json.loads(text)["report"] == str(found.report)
 
     def test_progress(self, found: Reproduction, told: Told) -> None:
-        assert [done for done, _, _ in told.calls] == list(range(9))
-        assert {total for _, total, _ in told.calls} == {8}
+        assert [done for done, _, _ in told.calls] == list(range(10))
+        assert {total for _, total, _ in told.calls} == {9}
         assert all(text for _, _, text in told.calls)
 
 
@@ -301,14 +301,14 @@ class TestReport:
 
     def test_has_a_table_of_contents(self, html: str, page: Page) -> None:
         sections = [attrs["id"] for tag, attrs in page.tags if tag == "section"]
-        assert len(sections) == 8
+        assert len(sections) == 9
         for anchor in sections:
             assert f'<a href="#{anchor}">' in html
 
     def test_drawings_follow_the_page(self, html: str) -> None:
         """In dark and light: no colour of their own, no fonts of their own."""
         drawings = re.findall(r"<svg.*?</svg>", html, flags=re.DOTALL)
-        assert len(drawings) == 12
+        assert len(drawings) == 14
         for drawing in drawings:
             assert not re.findall(r"#[0-9a-f]{6}\b", drawing)
             assert "font-family" not in drawing
@@ -317,7 +317,7 @@ class TestReport:
 
     def test_drawings_are_described(self, page: Page) -> None:
         described = [attrs for tag, attrs in page.tags if tag == "div" and attrs.get("role") == "img"]
-        assert len(described) == 12
+        assert len(described) == 14
         assert all(len(attrs["aria-label"] or "") > 20 for attrs in described)
 
     def test_text_of_drawings_keeps_its_digits(self, html: str) -> None:
@@ -334,7 +334,7 @@ class TestReport:
         assert "cannot be confirmed" in html
 
     def test_verdicts(self, html: str, found: Reproduction) -> None:
-        marks = len(found.theorem.claims) + len(found.topologies.references)
+        marks = len(found.theorem.claims) + len(found.topologies.references) + len(found.solid.claims)
         assert html.count('class="verdict yes"') == marks
         assert 'class="verdict no"' not in html
         assert "Not everything came out" not in html

@@ -113,6 +113,21 @@ def _tables(numbers: dict[str, Any]) -> Iterator["Table"]:
         )
     yield claims
 
+    whole = table(
+        "All four blocks, in three dimensions", "block", "claim", "constant\ndelay", "freshest", "must be", "holds"
+    )
+    found = numbers["solid"]["claims"]
+    for one, other in zip(found[::2], found[1::2], strict=True):
+        unit = f" {one['unit']}" if one["unit"] else ""
+        whole.add_row(
+            one["item"],
+            one["claim"].split(":")[0],
+            *(f"{claim['measured']:.1e}{unit}" for claim in (one, other)),
+            one["must_be"],
+            "yes" if one["holds"] and other["holds"] else "[red]no[/red]",
+        )
+    yield whole
+
     ways = table(
         "The same jittery, lossy channel, one word changed",
         "mode",

@@ -72,9 +72,12 @@ class Blocks:
         contact: taken so far by proxies with their contacts, (events,) [J].
         object: taken so far by all copies, `Σ_i Σ_k v̂_iᵀ f_i T_i`, (events,) [J].
         given: most that the contacts of one user had ever given body and proxies together [J].
+        split: largest imbalance of any user's proxies alone. A step solves proxies and body together; the sum of their
+            energies is exact, the share of each as good as the solve [J].
         couplings: of the tools with a device.
         device_residual: largest imbalance in the books of a device with its hand, of the energy in play there.
         energy_residual: of copies, links, proxies and contacts, of the energy in play.
+        aged: energy that the age of samples has put into the links by the end [J].
         in_play: largest energy that was stored, supplied or dissipated in them [J].
         finished: whether the motion stayed within floating point.
     """
@@ -86,9 +89,11 @@ class Blocks:
     contact: Float
     object: Float
     given: float
+    split: float
     couplings: tuple[TwoPort, ...]
     device_residual: float
     energy_residual: float
+    aged: float
     in_play: float
     finished: bool
 
@@ -123,11 +128,13 @@ class Blocks:
             "finished": self.finished,
             "object_least_work_j": self.port_margin,
             "contact_most_given_j": self.given,
+            "proxies_alone_j": self.split,
             "couplings": [port.numbers() for port in self.couplings],
             "human_least_work_j": self.human_margin,
             "human_work_j": float(self.human[-1]),
             "device_residual": self.device_residual,
             "energy_residual": self.energy_residual,
+            "energy_from_age_j": self.aged,
             "energy_in_play_j": self.in_play,
         }
 
@@ -155,6 +162,8 @@ def blocks(prepared: Prepared, outcome: Outcome) -> Blocks:
     # Proxies move exactly by T ŵ in a step, so force times change of place is the work on them.
     moved = np.diff(tools.place[..., :3], axis=1, prepend=tools.place[:, :1, :3])
     on_proxies = of_users(np.cumsum((tools.force[..., :3] * moved).sum(axis=2), axis=1))
+    moving = record.users[_BOOK["proxy"]]
+    alone = drive + on_proxies - (moving - moving[:, :1])
     direct = drive - of_users(pulled)
     order = np.asarray(prepared.schedule.order[: outcome.events], dtype=np.int64)
     step = _steps(order, users)
@@ -178,9 +187,11 @@ def blocks(prepared: Prepared, outcome: Outcome) -> Blocks:
         contact=in_order(drive - touched),
         object=in_order(touched + ports),
         given=float(np.where(reached, touched + on_proxies, 0.0).max()),
+        split=float(np.abs(np.where(reached, alone, 0.0)).max()),
         couplings=tuple(_two_port(prepared, outcome, int(t), int(owner[t])) for t in np.flatnonzero(joined)),
         device_residual=unclosed / with_device if with_device > 0.0 else unclosed,
         energy_residual=residual / in_play if in_play > 0.0 else residual,
+        aged=float(ledger[3, -1]),
         in_play=in_play,
         finished=outcome.events == prepared.schedule.order.size,
     )

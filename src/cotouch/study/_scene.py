@@ -8,7 +8,7 @@ from cotouch.simulation._tables import Mode
 
 # Nodes along x, y, z, and how far they are apart [m].
 SHAPE = (14, 10, 8)
-SMALL = (9, 7, 5)
+SMALL = (10, 8, 6)
 SPACING = 0.01
 # N/m: between neighbours, and of every node of the lower face to the ground; together about as stiff as the links.
 STIFFNESS, GROUND = 100.0, 100.0
@@ -56,7 +56,7 @@ def scene(network: Network, mode: Mode, *, shape: tuple[int, int, int] = SHAPE, 
         seed=_SEED,
         synchronisation={"mode": mode, "damping": "rule", "scale": scale},
         tools=tools(shape),
-        solver={"tolerance": 1e-7},
+        solver={"tolerance": 1e-9},
         record={"nodes": [1], "frames": FRAMES},
     )
 

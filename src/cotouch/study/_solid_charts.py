@@ -189,16 +189,16 @@ def energies(found: Solid) -> "Figure":
     _hold(last)
     last.plot(*_line(found.runs["constant"].blocks, "object"), color=drawing.USERS[0])
     last.plot(*_line(found.below, "object"), color=drawing.ALARM)
-    for run, color, label, offset in (
-        (found.runs["constant"].blocks, drawing.USERS[0], "the rule", 5),
-        (found.below, drawing.ALARM, f"{100 * BELOW:g} % of it", 5),
+    for run, color, label, at, offset in (
+        (found.runs["constant"].blocks, drawing.USERS[0], "the rule", 0.45 * DURATION, (4, 5)),
+        (found.below, drawing.ALARM, f"{100 * BELOW:g} % of it", RELEASE, (6, 8)),
     ):
         time, value = _line(run, "object")
-        place = int(np.searchsorted(time, 0.45 * DURATION))
+        place = int(np.searchsorted(time, at))
         last.annotate(
             label,
             (time[place], value[place]),
-            xytext=(4, offset),
+            xytext=offset,
             textcoords="offset points",
             color=color,
             fontsize=7.5,
