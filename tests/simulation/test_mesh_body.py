@@ -163,7 +163,7 @@ class TestTruncated:
         ("colour = 3", "body.colour is not an option that cotouch knows"),
         (
             "ground = {plane = {point = [0, 0], normal = [0, 0, 1]}}",
-            "body.ground.plane.point is [0, 0]: list should have",
+            "body.ground.plane.point is [0, 0]; it must have at least 3 entries",
         ),
         ("ground = {}", "body.ground: it must have exactly one of plane, box and set"),
         ("ground = 3", "body.ground is 3: input should be a valid string"),

@@ -52,7 +52,7 @@ def run(path: Path, *, out: Path | None, figures: Path | None, animation: Path |
     console.print((_tools if "tools" in figures_of_run else _users)(scenario.network.users, figures_of_run))
     console.print(_books(figures_of_run))
     for file in written:
-        console.print(f"  wrote {file}", highlight=False)
+        console.print(f"  wrote {file}", highlight=False, soft_wrap=True)
 
 
 def _users(names: tuple[str, ...], figures: dict[str, Any]) -> "Table":
