@@ -73,7 +73,7 @@ def tools(shape: tuple[int, int, int]) -> list[dict[str, Any]]:
             {"kind": "grasp", "radius": 0.015, "stiffness": 400.0, "damping": 1.0},
             {"kind": "phantom", "preset": "phantom"},
         ),
-        ([0.5 * long, -off, 0.6 * high], [0.0, 0.07, 0.0], _touch(), {"preset": "omega", "rate": 2000.0}),
+        ([0.5 * long, -off, 0.6 * high], [0.0, 0.04, 0.0], _touch(), {"preset": "omega", "rate": 2000.0}),
         (
             [long, 0.5 * wide, high],
             [0.06, 0.0, 0.03],
@@ -82,12 +82,12 @@ def tools(shape: tuple[int, int, int]) -> list[dict[str, Any]]:
         ),
         (
             [0.5 * long, wide + off, 0.6 * high],
-            [0.0, -0.07, 0.0],
+            [0.0, -0.04, 0.0],
             _touch(),
             # Its own damping pays for the sampled spring: so much, that is, as the longest step of the body needs.
             {"preset": "delta", "viscous": 3.0, "coupling": "virtual", "stiffness": 400.0, "damping": 0.2},
         ),
-        ([0.55 * long, 0.5 * wide, high + off], [0.01, 0.0, -0.07], _touch(friction=0.4), {"preset": "falcon"}),
+        ([0.55 * long, 0.5 * wide, high + off], [0.01, 0.0, -0.05], _touch(friction=0.4), {"preset": "falcon"}),
     ]
     return [
         {
