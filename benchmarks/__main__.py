@@ -4,7 +4,7 @@ import argparse
 
 from rich.console import Console
 
-from benchmarks import engine, planner, record, scaling, step
+from benchmarks import engine, live, planner, record, scaling, step
 from benchmarks._report import Row, add_write, finish
 
 
@@ -21,6 +21,7 @@ def main() -> None:
             ("step", step.measure),
             ("scaling", lambda: scaling.measure(draw=options.write)),
             ("planner", lambda: planner.measure(long=options.long)),
+            ("live", live.measure),
             ("record", lambda: record.measure(options.count)),
         ):
             status.update(f"{name} ...")

@@ -105,7 +105,9 @@ class Codec:
         self._spans = [layout.span(chunk) for chunk in range(layout.chunks)]
         self._starts = np.array([span.start for span in self._spans])
         # Rounding is monotone: what is within the limit before it is within the rounded limit after it.
-        self._limit = max(layout.limit, float(np.asarray(layout.limit, dtype=self._wire)))
+        self._bits = np.dtype(f"<u{self._wire.itemsize}")
+        self._unsigned = self._bits.type((1 << 8 * self._wire.itemsize - 1) - 1)
+        self._limit = int(np.array(layout.limit, dtype=self._wire).view(self._bits))
 
     def write(self, state: Float) -> Written | Refusal:
         """Puts a state into numbers of the wire; refused if no receiver would take them.
@@ -186,9 +188,10 @@ class Codec:
         times = times and abs(echo) <= _LAST_TIME and 0.0 <= held <= _LAST_TIME
         if not (times and -2.0 * _LAST_TIME <= age <= worst <= 2.0 * _LAST_TIME):
             return Refusal.TIME
-        values = np.frombuffer(payload, dtype=self._wire, offset=HEAD_BYTES).astype(np.float64)
-        # Quick and sufficient; false for NaN, and for what is worth a second look.
-        if not float(values @ values) <= self._limit**2 and not float(np.abs(values).max()) <= self._limit:
+        # Without their sign, floating point numbers are ordered as their bits are, infinity and NaN above all others;
+        # and integers raise no flags, whatever is in them.
+        if int((np.frombuffer(payload, self._bits, offset=HEAD_BYTES) & self._unsigned).max()) > self._limit:
             return Refusal.STATE
+        values = np.frombuffer(payload, self._wire, offset=HEAD_BYTES).astype(np.float64)
         heading = Heading(said, user, index, stamp, T, flags, newest, heard, echo, held, age, worst)
         return Chunk(heading, chunk, values.reshape(count, self.layout.axes))

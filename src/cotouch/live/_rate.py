@@ -12,7 +12,9 @@ from typing import NamedTuple, final
 
 # An interval has at least so many datagrams: at 30 % loss what arrives is then known to 6 %, so 1/2 is told from 1.
 _LEAST_SENT = 100
-_LEAST_INTERVAL = 0.2
+_LEAST_INTERVAL = 0.5
+# After a change, what jitter holds back is still to come when what overtook it is counted [s].
+_SETTLE = 0.5
 _DOWN = 0.5
 _UP = 0.05  # of the highest rate
 # The path's own losses and jitter are believed a little less with every clean interval, so that a wrong belief passes.
@@ -23,6 +25,7 @@ _REST = 10
 _SILENCE = 1.0
 
 
+@final
 class Trend(Enum):
     """What the last interval led to."""
 
@@ -71,6 +74,7 @@ class SendRate:
         self._heard: float | None = None
         self._started: tuple[float, int, int] | None = None
         self._skip = -1  # reports about datagrams up to this one are about the rate before
+        self._reached = float("inf")
         self._waits: list[float] = []
         self._trial: tuple[float, _Interval] | None = None
         self._before_silence = highest
@@ -78,10 +82,12 @@ class SendRate:
 
     def due(self, now: float) -> bool:
         """Whether a state is to be sent now; if so, it is taken as sent."""
-        if now < self._due:
+        period = 1.0 / self.rate
+        # Half a period early is in time, so that a sender at its own rate never misses by a hair. The next is counted
+        # from when this one was due, so that the mean rate is right; but what was missed is not made up for.
+        if now < self._due - 0.5 * period:
             return False
-        # From when it was due, so that the mean rate is right; but what was missed is not made up for.
-        self._due = max(self._due + 1.0 / self.rate, now)
+        self._due = (now if now >= self._due + period else self._due) + period
         if self._heard is not None and now - self._heard > _SILENCE and self.trend is not Trend.SILENT:
             self._before_silence = self.rate if self._trial is None else self._trial[0]
             self._turn(self._lowest, Trend.SILENT, -1)
@@ -105,13 +111,15 @@ class SendRate:
             self._turn(_DOWN * self._before_silence, Trend.HOLD, sent)
         if self._started is None:
             if newest >= self._skip:
-                self._started = (now, newest, count)
-                self._waits.clear()
+                self._reached = min(self._reached, now)
+                if now >= self._reached + _SETTLE:
+                    self._started = (now, newest, count)
+                    self._waits.clear()
             return
         then, first, before = self._started
         if newest < first or count < before:
             if newest < first // 2:  # not merely overtaken: the numbers began anew with new keys
-                self._started, self._skip = None, -1
+                self._turn(self.rate, Trend.HOLD, -1)
             return
         if path is not None and shortest is not None:
             self._waits.append(path - shortest)
@@ -163,8 +171,8 @@ class SendRate:
 
     def _turn(self, rate: float, trend: Trend, sent: int) -> None:
         """Changes the rate and waits until reports are about it."""
-        if trend is Trend.SILENT:
+        if trend in {Trend.SILENT, Trend.HOLD}:
             self._trial = None
         self.rate = min(self._highest, max(self._lowest, rate))
         self.trend = trend
-        self._started, self._skip = None, sent
+        self._started, self._skip, self._reached = None, sent, float("inf")

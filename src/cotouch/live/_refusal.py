@@ -1,8 +1,10 @@
 """Why a datagram was refused: counted, never raised."""
 
 from enum import Enum
+from typing import final
 
 
+@final
 class Refusal(Enum):
     """Reasons, in the order in which they are looked for."""
 
