@@ -3,6 +3,7 @@
 Two processes, 1 kHz, 1.2 kB; raw and sealed datagrams take turns, so that other work weighs on both alike.
 """
 
+import contextlib
 import json
 import os
 import select
@@ -90,7 +91,10 @@ def receive(port_raw: int, port_sealed: int, seconds: float) -> None:
 
 
 def latency() -> list[Row]:
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as one, socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as two:
+    with (
+        socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as one,
+        socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as two,
+    ):
         for probe in (one, two):
             probe.bind(("127.0.0.1", 0))
         ports = one.getsockname()[1], two.getsockname()[1]
@@ -121,8 +125,24 @@ def latency() -> list[Row]:
     values = [np.percentile(times * 1e6, marks) for times in seen]
     for name, times, value in zip(("raw UDP", "sealed, as used"), seen, values, strict=True):
         numbers = " / ".join(f"{number:,.0f}" for number in value)
-        rows.append(Row("live", f"sample to sample, 1.2 kB, 1 kHz: {name}, p50 / p99 / p99.9", f"{numbers} µs", "", f"{len(times):,} of {round(1000 * SECONDS):,} arrived"))
-    rows.append(Row("live", "— sealed beside raw, p50", f"+{values[1][0] - values[0][0]:.0f} µs", "", f"{values[1][0] / values[0][0]:.2f} ×; coding, sealing, opening, checking and assembling included"))
+        rows.append(
+            Row(
+                "live",
+                f"sample to sample, 1.2 kB, 1 kHz: {name}, p50 / p99 / p99.9",
+                f"{numbers} µs",
+                "",
+                f"{len(times):,} of {round(1000 * SECONDS):,} arrived",
+            )
+        )
+    rows.append(
+        Row(
+            "live",
+            "— sealed beside raw, p50",
+            f"+{values[1][0] - values[0][0]:.0f} µs",
+            "",
+            f"{values[1][0] / values[0][0]:.2f} ×; coding, sealing, opening, checking and assembling included",
+        )
+    )
     return rows
 
 
@@ -146,9 +166,8 @@ def costs() -> list[Row]:
         assembly.take(codec.read(opened.payload, epoch=0, sender=0))
 
     payload, head, nonce = bytes(1160), bytes(16), bytes(12)
-    ciphers = {
-        "AES-128-GCM": AESGCM(bytes(16)), "AES-256-GCM": AESGCM(bytes(32)), "ChaCha20-Poly1305": ChaCha20Poly1305(bytes(32)),
-    }  # fmt: skip
+    ciphers = {"AES-128-GCM": AESGCM(bytes(16)), "AES-256-GCM": AESGCM(bytes(32))}
+    ciphers |= {"ChaCha20-Poly1305": ChaCha20Poly1305(bytes(32))}
     alone = {
         name: lambda cipher=cipher: cipher.decrypt(nonce, cipher.encrypt(nonce, payload, head), head)
         for name, cipher in ciphers.items()
@@ -199,18 +218,14 @@ def _dtls() -> object:
         ends.append(end)
 
     def pump(source: SSL.Connection, sink: SSL.Connection) -> None:
-        try:
+        with contextlib.suppress(SSL.WantReadError):
             while True:
                 sink.bio_write(source.bio_read(65536))
-        except SSL.WantReadError:
-            pass
 
     for _ in range(20):
         for end, other in (ends, ends[::-1]):
-            try:
+            with contextlib.suppress(SSL.WantReadError):
                 end.do_handshake()
-            except SSL.WantReadError:
-                pass
             pump(end, other)
     payload = bytes(1160)
 
@@ -250,7 +265,7 @@ def neighbours(count: int = 5, steps: int = 3000) -> list[Row]:
     return [
         Row(
             "live", f"{count} neighbours, 1.2 kB each way, every step", f"{total:.0f} µs", "",
-            f"reading {reading:.0f}, sending {sending:.0f}; {total / 10:.1f} % of a core at 1 kHz; {useful:,} samples used",
+            f"reading {reading:.0f}, sending {sending:.0f}; {total / 10:.1f} % of a core at 1 kHz; {useful:,} used",
         )
     ]  # fmt: skip
 

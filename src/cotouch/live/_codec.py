@@ -71,12 +71,12 @@ class Chunk(NamedTuple):
     Attributes:
         heading: what it says besides.
         chunk: which one of the layout.
-        values: (rows of the chunk, axes).
+        values: as on the wire, (rows of the chunk, axes).
     """
 
     heading: Heading
     chunk: int
-    values: Float
+    values: npt.NDArray[np.floating]
 
 
 class Written(NamedTuple):
@@ -99,7 +99,7 @@ class Codec:
 
     def __init__(self, layout: Layout) -> None:
         self.layout = layout
-        self._coding = CODINGS.index(layout.coding)
+        self._coding, self._axes, self._chunk = CODINGS.index(layout.coding), layout.axes, layout.chunk
         self._wire = layout.dtype
         self._item = layout.dtype.itemsize * layout.axes
         self._spans = [layout.span(chunk) for chunk in range(layout.chunks)]
@@ -107,6 +107,8 @@ class Codec:
         # Rounding is monotone: what is within the limit before it is within the rounded limit after it.
         self._bits = np.dtype(f"<u{self._wire.itemsize}")
         self._unsigned = self._bits.type((1 << 8 * self._wire.itemsize - 1) - 1)
+        # In half precision a sum of squares says little.
+        self._surely = 0.99 * layout.limit**2 if layout.coding != "float16" else -1.0
         self._limit = int(np.array(layout.limit, dtype=self._wire).view(self._bits))
 
     def write(self, state: Float) -> Written | Refusal:
@@ -117,9 +119,11 @@ class Codec:
         """
         layout = self.layout
         exact = layout.reduce(state)
-        if not float(np.abs(exact).max()) <= layout.limit:
+        if layout.coding != "float64" and not float(np.abs(exact).max()) <= layout.limit:  # would not even round
             return Refusal.STATE
         wire = np.ascontiguousarray(exact, dtype=self._wire)
+        if not self._within(wire.reshape(-1)):
+            return Refusal.STATE
         raw, item = wire.tobytes(), self._item
         bodies = [raw[span.start * item : span.stop * item] for span in self._spans]
         if layout.coding == "float64" and layout.basis is None:
@@ -176,7 +180,7 @@ class Codec:
             return Refusal.EPOCH
         if user != sender:
             return Refusal.SENDER
-        chunk, rest = divmod(first, self.layout.chunk)
+        chunk, rest = divmod(first, self._chunk)
         if rest or chunk >= len(self._spans) or count != self._spans[chunk].stop - first:
             return Refusal.RANGE
         if len(payload) != HEAD_BYTES + count * self._item:
@@ -188,10 +192,18 @@ class Codec:
         times = times and abs(echo) <= _LAST_TIME and 0.0 <= held <= _LAST_TIME
         if not (times and -2.0 * _LAST_TIME <= age <= worst <= 2.0 * _LAST_TIME):
             return Refusal.TIME
+        values = np.frombuffer(payload, self._wire, -1, HEAD_BYTES)
+        if not self._within(values):
+            return Refusal.STATE
+        heading = Heading(said, user, index, stamp, T, flags, newest, heard, echo, held, age, worst)
+        return Chunk(heading, chunk, values.reshape(count, self._axes))
+
+    def _within(self, values: npt.NDArray[np.floating]) -> bool:
+        """Whether all numbers are finite and within the limit."""
+        # A sum of squares below the largest square says so quickly, and never for NaN.
+        with np.errstate(all="ignore"):
+            if float(values.dot(values)) <= self._surely:
+                return True
         # Without their sign, floating point numbers are ordered as their bits are, infinity and NaN above all others;
         # and integers raise no flags, whatever is in them.
-        if int((np.frombuffer(payload, self._bits, offset=HEAD_BYTES) & self._unsigned).max()) > self._limit:
-            return Refusal.STATE
-        values = np.frombuffer(payload, self._wire, offset=HEAD_BYTES).astype(np.float64)
-        heading = Heading(said, user, index, stamp, T, flags, newest, heard, echo, held, age, worst)
-        return Chunk(heading, chunk, values.reshape(count, self.layout.axes))
+        return int((values.view(self._bits) & self._unsigned).max()) <= self._limit

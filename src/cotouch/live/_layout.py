@@ -93,6 +93,6 @@ class Layout:
         values = state[:, : self.axes]
         return values if self._inverse is None else self._inverse @ values
 
-    def expand(self, sent: Float, out: Float) -> None:
+    def expand(self, sent: npt.NDArray[np.floating], out: Float) -> None:
         """The state that the receiver sees, written into `out`, (rows, width)."""
         out[:, : self.axes] = sent if self.basis is None else self.basis @ sent

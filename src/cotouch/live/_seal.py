@@ -148,10 +148,12 @@ class SealedLink:
             return Refusal.CONNECTION
         if now >= self._retire:
             del self._receiving[1:]
-        receiving = next((held for held in self._receiving if held.epoch & 0xFFFF == epoch), None)
-        if receiving is None:
-            return Refusal.EPOCH_OF_KEYS
-        window, present = receiving.window, receiving is self._receiving[0]
+        receiving, present = self._receiving[0], True
+        if receiving.epoch & 0xFFFF != epoch:
+            receiving, present = self._receiving[-1], False
+            if receiving.epoch & 0xFFFF != epoch:
+                return Refusal.EPOCH_OF_KEYS
+        window = receiving.window
         if sequence >= MOST_SEALED or not window.fresh(sequence):
             return Refusal.REPLAYED
         nonce = (receiving.iv ^ sequence).to_bytes(12, "big")
