@@ -147,9 +147,9 @@ class TestNewKeys:
         link = SealedLink()
         link.install(second)
         sealed(link)
-        link.install(first)
-        link.install(second)
-        assert (link.epoch, link.sealed) == (2, 1)
+        for old in (first, second):
+            link.install(old)
+            assert (link.epoch, link.sealed, link._next) == (2, 1, None)
 
 
 def both_open(one: SealedLink, two: SealedLink) -> None:
