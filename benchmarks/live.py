@@ -28,6 +28,7 @@ from cotouch.live import (
     SampleLink,
     SamplePlane,
     SealedLink,
+    SendRate,
     UdpTransport,
 )
 from cotouch.peer import Sample
@@ -60,7 +61,7 @@ def agree(one: int, two: int) -> dict[int, LinkKeys]:
 
 
 def link_to(user: int, other: int) -> SampleLink:
-    link = SampleLink(Assembly(LAYOUT, sender=other, initial=np.zeros((45, 4))))
+    link = SampleLink(Assembly(LAYOUT, sender=other, initial=np.zeros((45, 4))), rate=SendRate(lowest=1000.0))
     link.seal.install(agree(*sorted((user, other)))[user])
     return link
 

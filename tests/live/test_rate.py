@@ -117,6 +117,15 @@ def test_an_outage_falls_to_the_lowest_rate_and_comes_back():
     assert loop.run(10.0).rate.rate == 1000.0
 
 
+def test_a_neighbour_that_was_never_heard_is_sent_to_at_the_lowest_rate():
+    """Nobody may be there, or somebody else."""
+    loop = Loop(PathLaw(down=True)).run(2.0)
+    assert (loop.rate.rate, loop.rate.trend) == (20.0, Trend.SILENT)
+    assert loop.sent < 1100
+    loop.there.law = PathLaw(delay=0.03)
+    assert loop.run(12.0).rate.rate == 1000.0
+
+
 def test_numbers_that_begin_anew_do_not_stop_it():
     """After new keys the sequence starts at 0 again."""
     loop = Loop(PathLaw(delay=0.03, rate=150.0 * SIZE, queue=0.1)).run(20.0)
@@ -130,7 +139,11 @@ def test_numbers_that_begin_anew_do_not_stop_it():
 @pytest.mark.parametrize("rate", [20.0, 333.0, 1000.0])
 def test_states_go_out_at_the_rate_and_never_in_bursts(rate: float):
     sender = SendRate(highest=rate, lowest=rate)
-    sent = [k for k in range(10_000) if sender.due(0.001 * k)]
+    sent = []
+    for k in range(10_000):
+        sender.report(0.001 * k, sent=k, newest=k, count=k, path=None, shortest=None)
+        if sender.due(0.001 * k):
+            sent.append(k)
     assert abs(len(sent) - 10.0 * rate) <= 0.002 * 10.0 * rate + 1
     assert [sender.due(20.0) for _ in range(3)] == [True, False, False]
 

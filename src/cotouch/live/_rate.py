@@ -88,7 +88,9 @@ class SendRate:
         if now < self._due - 0.5 * period:
             return False
         self._due = (now if now >= self._due + period else self._due) + period
-        if self._heard is not None and now - self._heard > _SILENCE and self.trend is not Trend.SILENT:
+        if self._heard is None:
+            self._heard = now
+        if now - self._heard > _SILENCE and self.trend is not Trend.SILENT:
             self._before_silence = self.rate if self._trial is None else self._trial[0]
             self._turn(self._lowest, Trend.SILENT, -1)
         return True

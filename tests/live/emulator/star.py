@@ -13,8 +13,9 @@ from cotouch.live import PathLaw
 
 HUB = Path(__file__).with_name("hub.py")
 # Another user's rights end at its own namespaces, which is all that is needed, where the kernel allows them.
-BECOME = ["unshare", "--net"] if os.geteuid() == 0 else ["unshare", "--user", "--map-root-user", "--net"]
-ENTER = ["nsenter", "--net"] if os.geteuid() == 0 else ["nsenter", "--user", "--preserve-credentials", "--net"]
+ROOT = os.geteuid() == 0
+BECOME = ["unshare", "--net"] if ROOT else ["unshare", "--user", "--map-root-user", "--net"]
+ENTER = ["nsenter", "--net"] if ROOT else ["nsenter", "--user", "--preserve-credentials", "--net"]
 
 
 def obstacle() -> str | None:
@@ -24,9 +25,11 @@ def obstacle() -> str | None:
         return f"{', '.join(missing)} not installed (util-linux, iproute2)"
     if not os.access("/dev/net/tun", os.R_OK | os.W_OK):
         return "/dev/net/tun is not there or not ours"
-    device = ["ip", "tuntap", "add", "dev", "try0", "mode", "tun"]
-    tried = subprocess.run([*BECOME, *device], capture_output=True, text=True, timeout=20, check=False)
-    return None if tried.returncode == 0 else f"network namespaces are not permitted: {tried.stderr.strip()}"
+    for command in (["ip", "tuntap", "add", "dev", "try0", "mode", "tun"], [sys.executable, "-c", ""]):
+        tried = subprocess.run([*BECOME, *command], capture_output=True, text=True, timeout=20, check=False)
+        if tried.returncode != 0:
+            return f"network namespaces are not permitted: {tried.stderr.strip()}"
+    return None
 
 
 class Star:
