@@ -69,6 +69,41 @@ def test_ages_over_a_bad_path():
     assert 2 * 0.02 <= users[0].links[1].ages.shortest_path < 0.1
 
 
+def test_waiting_at_the_other_end_is_not_the_paths():
+    """Who is heard rarely is told how long its stamp was held."""
+    network, users = planes(PathLaw(delay=0.02), layout(4, 3), rate=500.0)
+    for k in range(0, 500, 50):
+        run(network, users, 1, first=k)
+        run(network, users[1:], 20, first=k + 1)  # only the second sends
+        run(network, users, 29, first=k + 21) if k == 0 else None
+        users[0].poll(network.now)
+    ages = users[0].links[1].ages
+    assert 0.04 <= ages.shortest_path
+    assert ages._path.greatest <= 0.04 + 3 * T
+
+
+def test_what_is_echoed_is_the_newest_stamp():
+    network, users = planes(BAD, layout(4, 3), rate=500.0)
+    for k in range(200):
+        run(network, users, 1, first=k)
+        for plane in users:
+            link = plane.links[1 - plane.user]
+            assert link._newest is None or link._newest[0] == max(link.assembly.stamps)
+
+
+def test_there_is_no_age_before_all_rows_are_there():
+    shape = layout(100, 3)
+    network, users = planes(PathLaw(loss=0.5), shape, rate=500.0)
+    for k in range(50):
+        run(network, users, 1, first=k)
+        for plane in users:
+            link = plane.links[1 - plane.user]
+            if not link.assembly.complete:
+                assert link.ages.own is None
+    assert link.ages.own is not None
+    assert link.ages.own[1] < 50 * T
+
+
 def test_the_loss_is_seen_by_the_sender():
     network, users = planes(PathLaw(delay=0.02, loss=0.3), layout(4, 3), rate=500.0, back=PathLaw(delay=0.02))
     run(network, users, 5000)
@@ -120,7 +155,9 @@ def test_a_repeated_old_datagram_of_a_lost_one_moves_nobody_either():
     mallory = network.join("mallory")
     mallory.follow(1, "at 1")
     mallory.send(1, stolen[0])
-    run(network, users, 5, first=11)
+    users[1].poll(network.now)
+    run(network, users[1:], 1, first=11)
+    run(network, users, 5, first=12)
     assert users[1].links[0].refused[Refusal.STALE] == 1
     assert not mallory.poll()
 
