@@ -150,3 +150,9 @@ def test_an_echo_from_the_future_is_counted():
     assert ages.echoed(1.0, arrived=1.0, echo=0.5, held=0.6) is None
     assert ages.impossible == 2
     assert ages.shortest_path is None
+
+
+def test_waiting_to_be_read_is_not_the_paths_time():
+    ages = LinkAges()
+    assert ages.echoed(5.0, arrived=4.0, echo=1.0, held=1.0) == 2.0
+    assert ages.shortest_path == 2.0

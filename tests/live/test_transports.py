@@ -259,6 +259,18 @@ class TestUdp:
         one.close()
         two.close()
 
+    def test_who_left_is_a_stranger_again(self):
+        two, one = UdpTransport(stranger_rate=1.0, stranger_burst=5.0), UdpTransport()
+        one.follow(2, two.address)
+        two.follow(1, one.address)
+        two.forget(1)
+        for _ in range(50):
+            one.send(2, b"still here")
+        time.sleep(0.05)
+        assert len(two.poll()) <= 6
+        one.close()
+        two.close()
+
     def test_empty_and_longer_datagrams_are_dropped(self):
         import socket
 
