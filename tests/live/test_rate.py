@@ -84,6 +84,8 @@ def test_a_narrow_path_is_filled_but_not_flooded(capacity: float, queue: float):
     loop.run(20.0)
     assert 0.3 * capacity <= loop.mean(20.0) <= 1.3 * capacity
     assert loop.delivered - before >= 0.3 * 20.0 * capacity
+    assert loop.rate.own_loss < 0.03  # nothing of it is taken for the path's own
+    assert loop.rate.own_wait < 0.03
 
 
 @pytest.mark.parametrize("seed", range(3))
