@@ -4,7 +4,7 @@ import argparse
 
 from rich.console import Console
 
-from benchmarks import engine, planner, record, scaling, step, touch
+from benchmarks import engine, live, planner, record, scaling, step, touch
 from benchmarks._report import Row, add_write, finish
 
 
@@ -22,6 +22,7 @@ def main() -> None:
             ("scaling", lambda: scaling.measure(draw=options.write)),
             ("touch", touch.measure),
             ("planner", lambda: planner.measure(long=options.long)),
+            ("live", live.measure),
             ("record", lambda: record.measure(options.count)),
         ):
             status.update(f"{name} ...")

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
         InputError,
         NetworkError,
         ScenarioError,
+        SessionError,
+        TransportError,
         UnsupportedError,
     )
     from cotouch.network import Certificate, Network, certify
@@ -45,6 +47,8 @@ _HOME = {
     "Plan": "cotouch.planning",
     "Scenario": "cotouch.simulation",
     "ScenarioError": "cotouch.errors",
+    "SessionError": "cotouch.errors",
+    "TransportError": "cotouch.errors",
     "UnsupportedError": "cotouch.errors",
     "body_from_surface": "cotouch.body",
     "body_from_tetrahedra": "cotouch.body",
@@ -73,6 +77,8 @@ __all__ = [
     "Plan",
     "Scenario",
     "ScenarioError",
+    "SessionError",
+    "TransportError",
     "UnsupportedError",
     "__version__",
     "body_from_surface",

@@ -3,12 +3,14 @@
 ::
 
     CotouchError
-    └── InputError (also a ValueError)   what the caller handed over cannot be used; exit code 2 on the command line
-        ├── BodyError                    a matrix, a shape or a mesh
-        ├── NetworkError                 users, links, springs, delays
-        ├── DeviceError                  a device, a hand, or what couples them to the object
-        ├── ScenarioError                a scenario, one of its options, or the file it came from
-        └── UnsupportedError             correct in itself, but outside what the asked-for method can do
+    ├── InputError (also a ValueError)   what the caller handed over cannot be used; exit code 2 on the command line
+    │   ├── BodyError                    a matrix, a shape or a mesh
+    │   ├── NetworkError                 users, links, springs, delays
+    │   ├── DeviceError                  a device, a hand, or what couples them to the object
+    │   ├── ScenarioError                a scenario, one of its options, or the file it came from
+    │   ├── SessionError                 a live session: an address, keys, a layout of samples
+    │   └── UnsupportedError             correct in itself, but outside what the asked-for method can do
+    └── TransportError                   this machine or its network refused: a port that is taken, say
 
 A message is one sentence that names the thing, its value, and what would be right.
 """
@@ -38,5 +40,13 @@ class ScenarioError(InputError):
     """A scenario, one of its options, or the file it came from is wrong."""
 
 
+class SessionError(InputError):
+    """A live session that cannot be: an address, a key, a layout of samples or one of the options is wrong."""
+
+
 class UnsupportedError(InputError):
     """A correct input outside what the asked-for method can do."""
+
+
+class TransportError(CotouchError):
+    """What was asked for makes sense, but this machine or its network refused it: a port that is taken, say."""

@@ -1,0 +1,92 @@
+"""What a peer holds of one neighbour: in every chunk the newest, each with its own age."""
+
+from typing import final
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.live._codec import Chunk
+from cotouch.live._layout import Layout
+from cotouch.live._refusal import Refusal
+from cotouch.peer import Sample
+
+Float = npt.NDArray[np.float64]
+
+
+@final
+class Assembly:
+    """A neighbour's state, put together of the newest chunks; a `Link` of the peer (freshest).
+
+    A lost chunk leaves its rows as they are and ages only them. Duplicates and what was overtaken change nothing.
+
+    Attributes:
+        sender: index of the neighbour.
+        state: as far as it is known, (rows, width); changes in place.
+        stamps: of each chunk, on the neighbour's clock [s].
+        indices: of each chunk, the step it comes from; -1 before the first.
+    """
+
+    def __init__(self, layout: Layout, *, sender: int, initial: Float, stamp: float = 0.0) -> None:
+        """Starts from a state that both ends know.
+
+        Args:
+            layout: of the session.
+            sender: index of the neighbour.
+            initial: stands for what has not arrived yet, (rows, width).
+            stamp: of it [s].
+        """
+        self._layout = layout
+        self.sender = sender
+        self.state = np.array(initial, dtype=np.float64)
+        self.stamps = [stamp] * layout.chunks
+        self.indices = [-1] * layout.chunks
+
+    @property
+    def complete(self) -> bool:
+        """Whether every chunk arrived at least once."""
+        return min(self.indices) >= 0
+
+    @property
+    def oldest(self) -> float:
+        """Stamp from which the age of the whole counts [s]."""
+        return min(self.stamps)
+
+    @property
+    def newest(self) -> int:
+        """Greatest step index so far; -1: none."""
+        return max(self.indices)
+
+    def take(self, chunk: Chunk) -> Refusal | None:
+        """Takes a chunk that was read; says why, if it is of no use."""
+        at, heading = chunk.chunk, chunk.heading
+        if heading.step <= self.indices[at]:
+            return Refusal.STALE
+        if self.indices[at] >= 0 and heading.stamp <= self.stamps[at]:
+            return Refusal.BACKWARDS
+        layout = self._layout
+        if layout.basis is None:
+            self.state[layout.span(at), : layout.axes] = chunk.values
+        else:
+            layout.expand(chunk.values, self.state)
+        self.indices[at] = heading.step
+        self.stamps[at] = heading.stamp
+        return None
+
+    def offer(self, sample: Sample) -> bool:
+        """Takes a whole sample, as one that came another way than in chunks."""
+        if sample.index <= self.newest or (self.newest >= 0 and sample.stamp <= max(self.stamps)):
+            return False
+        self.state[:] = sample.position
+        self.indices = [sample.index] * len(self.indices)
+        self.stamps = [sample.stamp] * len(self.stamps)
+        return True
+
+    def ready(self, k: int) -> bool:
+        """Always: a step never waits."""
+        del k
+        return True
+
+    def choose(self, k: int) -> Sample:
+        """The newest of every row, with the stamp of the oldest; to be used before the next chunk is taken."""
+        del k
+        return Sample(sender=self.sender, index=self.newest, stamp=self.oldest, position=self.state)

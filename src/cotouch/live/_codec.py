@@ -1,0 +1,209 @@
+"""A sample on the wire: a head of 80 bytes and the numbers of one chunk, little-endian.
+
+::
+
+    version u8 | coding u8 | flags u16 | epoch u32 | sender u16 | rows u16 | first row u32 |
+    heard: greatest sequence u32 | heard: count u32 | index u64 |
+    stamp | T | echo | held | age | worst, float64 each | rows × axes numbers
+
+Nothing in it raises: what cannot be right is refused with a reason.
+"""
+
+import struct
+from typing import NamedTuple, final
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.live._layout import CODINGS, HEAD_BYTES, Layout
+from cotouch.live._refusal import Refusal
+
+Float = npt.NDArray[np.float64]
+VERSION = 1
+ECHO = 1  # echo and held mean something
+AGED = 2  # age and worst mean something
+RENEW = 4  # the sender would like new keys
+_FLAGS = ECHO | AGED | RENEW
+_HEAD = struct.Struct("<BBHIHHIIIQdddddd")
+assert _HEAD.size == HEAD_BYTES
+# 2^53 steps are 285,000 years at 1 kHz; a clock beyond 1e10 s is not one; no step takes longer than 10 s.
+_LAST_INDEX = 1 << 53
+_LAST_TIME = 1e10
+_LONGEST_STEP = 10.0
+
+
+class Heading(NamedTuple):
+    """What a datagram says besides the state.
+
+    Attributes:
+        epoch: of the session: which members, links and layout.
+        sender: index of the user.
+        step: its index, k.
+        stamp: middle of the step, on the sender's clock [s].
+        T: length of the step [s].
+        flags: `ECHO`, `AGED`, `RENEW`.
+        heard_newest: greatest sequence number that the sender opened of the addressee's, modulo 2^32.
+        heard_count: how many datagrams of the addressee it opened, modulo 2^32.
+        echo: newest stamp that the sender has of the addressee, on the addressee's clock [s].
+        held: how long ago that arrived, on the sender's clock [s].
+        age: end of the sender's step minus the oldest stamp in use, each on its own clock; so the age plus an unknown
+            offset [s].
+        worst: greatest of these in the sender's window [s].
+    """
+
+    epoch: int
+    sender: int
+    step: int
+    stamp: float
+    T: float
+    flags: int = 0
+    heard_newest: int = 0
+    heard_count: int = 0
+    echo: float = 0.0
+    held: float = 0.0
+    age: float = 0.0
+    worst: float = 0.0
+
+
+class Chunk(NamedTuple):
+    """A datagram that can be used.
+
+    Attributes:
+        heading: what it says besides.
+        chunk: which one of the layout.
+        values: as on the wire, (rows of the chunk, axes).
+    """
+
+    heading: Heading
+    chunk: int
+    values: npt.NDArray[np.floating]
+
+
+class Written(NamedTuple):
+    """A state as it goes over the wire, the same to every neighbour.
+
+    Attributes:
+        bodies: of each chunk.
+        state: what the receivers will see, (rows, width).
+        error: greatest |state - x̂| of each chunk; of the only chunk over all rows where a basis is used.
+    """
+
+    bodies: list[bytes]
+    state: Float
+    error: Float
+
+
+@final
+class Codec:
+    """Writes and reads samples of one layout."""
+
+    def __init__(self, layout: Layout) -> None:
+        self.layout = layout
+        self._coding, self._axes, self._chunk = CODINGS.index(layout.coding), layout.axes, layout.chunk
+        self._wire = layout.dtype
+        self._item = layout.dtype.itemsize * layout.axes
+        self._spans = [layout.span(chunk) for chunk in range(layout.chunks)]
+        self._starts = np.array([span.start for span in self._spans])
+        # Rounding is monotone: what is within the limit before it is within the rounded limit after it.
+        self._bits = np.dtype(f"<u{self._wire.itemsize}")
+        self._unsigned = self._bits.type((1 << 8 * self._wire.itemsize - 1) - 1)
+        # In half precision a sum of squares says little.
+        self._surely = 0.99 * layout.limit**2 if layout.coding != "float16" else -1.0
+        self._limit = int(np.array(layout.limit, dtype=self._wire).view(self._bits))
+
+    def write(self, state: Float) -> Written | Refusal:
+        """Puts a state into numbers of the wire; refused if no receiver would take them.
+
+        Args:
+            state: (rows, width).
+        """
+        layout = self.layout
+        exact = layout.reduce(state)
+        if layout.coding != "float64" and not float(np.abs(exact).max()) <= layout.limit:  # would not even round
+            return Refusal.STATE
+        wire = np.ascontiguousarray(exact, dtype=self._wire)
+        if not self._within(wire.reshape(-1)):
+            return Refusal.STATE
+        raw, item = wire.tobytes(), self._item
+        bodies = [raw[span.start * item : span.stop * item] for span in self._spans]
+        if layout.coding == "float64" and layout.basis is None:
+            return Written(bodies, state, np.zeros(len(bodies)))
+        seen = np.zeros_like(state)
+        layout.expand(wire.astype(np.float64), seen)
+        error = np.abs(seen - state)[:, : layout.axes].max(axis=1)
+        return Written(bodies, seen, np.maximum.reduceat(error, self._starts))
+
+    def datagram(self, heading: Heading, chunk: int, body: bytes) -> bytes:
+        """The datagram of a chunk, still open."""
+        span = self._spans[chunk]
+        h = heading
+        head = _HEAD.pack(
+            VERSION,
+            self._coding,
+            h.flags,
+            h.epoch,
+            h.sender,
+            span.stop - span.start,
+            span.start,
+            h.heard_newest & 0xFFFF_FFFF,
+            h.heard_count & 0xFFFF_FFFF,
+            h.step,
+            h.stamp,
+            h.T,
+            h.echo,
+            h.held,
+            h.age,
+            h.worst,
+        )
+        return head + body
+
+    def read(self, payload: bytes, *, epoch: int, sender: int) -> Chunk | Refusal:
+        """The chunk in a datagram, or why it is of no use.
+
+        Args:
+            payload: as it was opened.
+            epoch: of the session, now.
+            sender: whose link it came by.
+        """
+        if len(payload) < HEAD_BYTES:
+            return Refusal.SHORT
+        (version, coding, flags, said, user, count, first, newest, heard, index, stamp, T, echo, held, age, worst) = (
+            _HEAD.unpack_from(payload)
+        )
+        if version != VERSION:
+            return Refusal.VERSION
+        if coding != self._coding:
+            return Refusal.CODING
+        if flags & ~_FLAGS:
+            return Refusal.FLAGS
+        if said != epoch:
+            return Refusal.EPOCH
+        if user != sender:
+            return Refusal.SENDER
+        chunk, rest = divmod(first, self._chunk)
+        if rest or chunk >= len(self._spans) or count != self._spans[chunk].stop - first:
+            return Refusal.RANGE
+        if len(payload) != HEAD_BYTES + count * self._item:
+            return Refusal.SIZE
+        if index > _LAST_INDEX:
+            return Refusal.INDEX
+        # One comparison that is false for NaN stands for each.
+        times = abs(stamp) <= _LAST_TIME and 0.0 < T <= _LONGEST_STEP
+        times = times and abs(echo) <= _LAST_TIME and 0.0 <= held <= _LAST_TIME
+        if not (times and -2.0 * _LAST_TIME <= age <= worst <= 2.0 * _LAST_TIME):
+            return Refusal.TIME
+        values = np.frombuffer(payload, self._wire, -1, HEAD_BYTES)
+        if not self._within(values):
+            return Refusal.STATE
+        heading = Heading(said, user, index, stamp, T, flags, newest, heard, echo, held, age, worst)
+        return Chunk(heading, chunk, values.reshape(count, self._axes))
+
+    def _within(self, values: npt.NDArray[np.floating]) -> bool:
+        """Whether all numbers are finite and within the limit."""
+        # A sum of squares below the largest square says so quickly, and never for NaN.
+        with np.errstate(all="ignore"):
+            if float(values.dot(values)) <= self._surely:
+                return True
+        # Without their sign, floating point numbers are ordered as their bits are, infinity and NaN above all others;
+        # and integers raise no flags, whatever is in them.
+        return int((values.view(self._bits) & self._unsigned).max()) <= self._limit

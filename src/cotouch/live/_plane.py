@@ -1,0 +1,205 @@
+"""The sample plane of one user: samples out to the neighbours, theirs in, over whatever transport."""
+
+from collections import Counter
+from collections.abc import Hashable
+from dataclasses import dataclass, field
+from typing import final
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.errors import SessionError
+from cotouch.live._ages import LinkAges
+from cotouch.live._assembly import Assembly
+from cotouch.live._codec import AGED, ECHO, RENEW, Chunk, Codec, Heading, Written
+from cotouch.live._layout import Layout
+from cotouch.live._rate import SendRate
+from cotouch.live._refusal import Refusal
+from cotouch.live._seal import SealedLink, connection_of
+from cotouch.live._transport import Transport
+from cotouch.peer import Sample
+
+Float = npt.NDArray[np.float64]
+
+
+@final
+@dataclass(eq=False)
+class SampleLink:
+    """All that the sample plane holds of one neighbour.
+
+    Attributes:
+        assembly: its state, as far as it arrived; the peer's link.
+        seal: what is between the two and nobody else.
+        rate: how often it is sent to.
+        ages: of both directions.
+        refused: datagrams that came by its number and were of no use, by reason.
+        asked: whether the other end asks for new keys.
+    """
+
+    assembly: Assembly
+    seal: SealedLink = field(default_factory=SealedLink)
+    rate: SendRate = field(default_factory=SendRate)
+    ages: LinkAges = field(default_factory=LinkAges)
+    refused: Counter[Refusal] = field(default_factory=Counter[Refusal])
+    asked: bool = False
+    _newest: tuple[float, float] | None = None  # stamp and arrival
+
+    def note(self, chunk: Chunk, arrived: float, now: float) -> None:
+        """Takes what an authenticated chunk says besides its state."""
+        heading = chunk.heading
+        if self._newest is None or heading.stamp > self._newest[0]:
+            self._newest = (heading.stamp, arrived)
+        self.asked = bool(heading.flags & RENEW)
+        if heading.flags & AGED:
+            self.ages.heard(now, index=heading.step, age=heading.age, worst=heading.worst)
+        if heading.flags & ECHO:
+            path = self.ages.echoed(now, arrived=arrived, echo=heading.echo, held=heading.held)
+            self.rate.report(
+                now,
+                sent=self.seal.sealed,
+                newest=heading.heard_newest,
+                count=heading.heard_count,
+                path=path,
+                shortest=self.ages.shortest_path,
+            )
+
+    def heading(self, epoch: int, sample: Sample, T: float, now: float) -> Heading:
+        """What a datagram to this neighbour says besides the state."""
+        flags, echo, held, age, worst = 0, 0.0, 0.0, 0.0, 0.0
+        newest, count = self.seal.heard
+        if self._newest is not None and newest >= 0:
+            flags |= ECHO
+            echo, held = self._newest[0], max(0.0, now - self._newest[1])
+        if self.ages.own is not None:
+            flags |= AGED
+            age, worst = self.ages.own
+        if self.seal.wants_keys:
+            flags |= RENEW
+        return Heading(
+            epoch, sample.sender, sample.index, sample.stamp, T, flags, max(newest, 0), count, echo, held, age, worst
+        )
+
+
+@final
+class SamplePlane:
+    """Sends a user's samples to its neighbours and puts theirs together.
+
+    In every step: `poll`, the peer's step with `links[j].assembly` as its links, `stepped`, `send`. Times are those of
+    one clock of this user, the one that the transport stamps arrivals with.
+
+    Attributes:
+        user: index of this one.
+        epoch: of the session; what says another is refused.
+        links: of each neighbour.
+        refused: datagrams that belong to no link, by reason.
+    """
+
+    def __init__(self, transport: Transport, layout: Layout, *, user: int, epoch: int = 0) -> None:
+        """Sets the plane up, without neighbours.
+
+        Args:
+            transport: carries the datagrams.
+            layout: of the session.
+            user: index of this one.
+            epoch: of the session.
+        """
+        if not 0 <= user < 1 << 16 or not 0 <= epoch < 1 << 32:
+            raise SessionError(f"user {user} or epoch {epoch} does not fit 16 and 32 bits; neither counts that far")
+        self.user = user
+        self.epoch = epoch
+        self.links: dict[int, SampleLink] = {}
+        self.refused: Counter[Refusal] = Counter()
+        self._transport = transport
+        self._codec = Codec(layout)
+
+    @property
+    def layout(self) -> Layout:
+        """Of the session."""
+        return self._codec.layout
+
+    def connect(self, neighbour: int, link: SampleLink, *, at: Hashable | None = None) -> None:
+        """Adds a neighbour; its keys go to `link.seal`.
+
+        Args:
+            neighbour: index of the user.
+            link: what is held of it.
+            at: where it is, as the transport understands it; None: wherever it will be heard from.
+        """
+        if neighbour == self.user or link.assembly.sender != neighbour:
+            raise SessionError(f"user index {neighbour} cannot be this link's neighbour; take the assembly's sender")
+        self.links[neighbour] = link
+        if at is not None:
+            self._transport.follow(neighbour, at)
+
+    def disconnect(self, neighbour: int) -> None:
+        """Lets a neighbour go; what still comes of it is refused."""
+        if self.links.pop(neighbour, None) is not None:
+            self._transport.forget(neighbour)
+
+    def poll(self, now: float) -> int:
+        """Reads everything that arrived; returns how many chunks were of use.
+
+        Args:
+            now: [s].
+        """
+        useful = 0
+        by_number = {link.seal.connection: (neighbour, link) for neighbour, link in self.links.items()}
+        for arrival in self._transport.poll():
+            number = connection_of(arrival.payload)
+            if isinstance(number, Refusal):
+                self.refused[number] += 1
+                continue
+            found = by_number.get(number)
+            if found is None:
+                self.refused[Refusal.CONNECTION] += 1
+                continue
+            neighbour, link = found
+            opened = link.seal.open(arrival.payload, now)
+            if isinstance(opened, Refusal):
+                link.refused[opened] += 1
+                continue
+            if opened.newest:
+                self._transport.follow(neighbour, arrival.source)
+            chunk = self._codec.read(opened.payload, epoch=self.epoch, sender=neighbour)
+            if isinstance(chunk, Refusal):
+                link.refused[chunk] += 1
+                continue
+            link.note(chunk, arrival.time, now)
+            reason = link.assembly.take(chunk)
+            if reason is None:
+                useful += 1
+            else:
+                link.refused[reason] += 1
+        return useful
+
+    def stepped(self, now: float) -> None:
+        """Notes the ages of the samples that the step ending now has used; to be called after it, before `poll`."""
+        for link in self.links.values():
+            if link.assembly.complete:
+                link.ages.used(now, link.assembly.oldest)
+
+    def send(self, now: float, sample: Sample, T: float) -> Written | Refusal | None:
+        """Sends a sample to every neighbour whose turn it is.
+
+        Args:
+            now: [s].
+            sample: what the step told.
+            T: length of the step [s].
+
+        Returns:
+            What was sent, with its rounding error; None if it was nobody's turn; why not, if nobody would take it.
+        """
+        due = [(neighbour, link) for neighbour, link in self.links.items() if link.rate.due(now)]
+        if not due:
+            return None
+        written = self._codec.write(sample.position)
+        if isinstance(written, Refusal):
+            self.refused[written] += 1
+            return written
+        for neighbour, link in due:
+            heading = link.heading(self.epoch, sample, T, now)
+            for chunk, body in enumerate(written.bodies):
+                sealed = link.seal.seal(self._codec.datagram(heading, chunk, body))
+                if sealed is not None:
+                    self._transport.send(neighbour, sealed)
+        return written

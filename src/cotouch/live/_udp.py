@@ -1,0 +1,235 @@
+"""Datagrams over UDP: one socket for all neighbours, read without waiting."""
+
+import errno
+import ipaddress
+import socket
+import struct
+import time
+from collections.abc import Callable, Hashable
+from typing import NamedTuple, final
+
+from cotouch.errors import SessionError, TransportError
+from cotouch.live._limit import SourceLimit
+from cotouch.live._transport import MOST_BYTES, Arrival, Traffic
+
+# The kernel's own arrival times (nanoseconds): Python has no name for the option. Without it, the time of reading.
+_TIMESTAMPS = getattr(socket, "SO_TIMESTAMPNS", 35 if socket.has_ipv6 and hasattr(socket, "SO_PRIORITY") else None)
+_TIMESPEC = struct.Struct("@qq")
+_SPACE = socket.CMSG_SPACE(_TIMESPEC.size) if hasattr(socket, "CMSG_SPACE") else 0
+# Twice five neighbours with five datagrams each, 1 kHz, a tenth of a second without reading, the kernel's overhead
+# included; the kernel grants at most net.core.rmem_max.
+_RECEIVE_BUFFER = 4 << 20
+# Bounds one `poll` under a flood; what is left stays in the kernel for the next.
+_MOST_AT_ONCE = 4096
+
+
+class Address(NamedTuple):
+    """Where a neighbour is, in numbers: names are resolved by whoever has time for it."""
+
+    host: str
+    port: int
+
+
+@final
+class UdpTransport:
+    """The sample plane's socket; see `Transport`. Listens on this machine only, unless told otherwise."""
+
+    def __init__(
+        self,
+        *,
+        host: str = "127.0.0.1",
+        port: int = 0,
+        rate: float = 20_000.0,
+        burst: float = 4096.0,
+        stranger_rate: float = 200.0,
+        stranger_burst: float = 64.0,
+        clock: Callable[[], float] = time.monotonic,
+    ) -> None:
+        """Opens the socket.
+
+        Args:
+            host: address to listen on, IPv4 or IPv6, in numbers; `0.0.0.0` or `::` for all of this machine's.
+            port: 0 lets the system choose.
+            rate: datagrams that a neighbour may send in the long run [1/s].
+            burst: at once.
+            stranger_rate: likewise of a stranger, who may be a neighbour behind a new address [1/s].
+            stranger_burst: at once.
+            clock: gives the time of arrivals [s].
+
+        Raises:
+            SessionError: the address is none.
+            TransportError: the port is taken, or the address is not this machine's.
+        """
+        numeric = _numeric(host)
+        self._six = numeric.version == 6
+        self._clock = clock
+        self._limit = SourceLimit(rate=rate, burst=burst, stranger_rate=stranger_rate, stranger_burst=stranger_burst)
+        self._neighbours: dict[int, tuple[str, int]] = {}
+        self._traffic = Traffic()
+        self._last = clock()
+        self._socket: socket.socket | None = _open(str(numeric), _port(port), six=self._six)
+        self._stamped = _ask_for_stamps(self._socket)
+
+    @property
+    def address(self) -> Address:
+        """Where it listens."""
+        if self._socket is None:
+            raise TransportError("the socket is closed; open a new transport")
+        return Address(*self._socket.getsockname()[:2])
+
+    @property
+    def buffer(self) -> int:
+        """Receive buffer that the kernel granted [B]."""
+        return 0 if self._socket is None else self._socket.getsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF)
+
+    @property
+    def traffic(self) -> Traffic:
+        """What went through so far."""
+        return self._traffic
+
+    def fileno(self) -> int:
+        """For `select` and its kind; -1 when closed."""
+        return -1 if self._socket is None else self._socket.fileno()
+
+    def send(self, neighbour: int, payload: bytes) -> bool:
+        """Hands a datagram to the kernel; never waits."""
+        to = self._neighbours.get(neighbour)
+        if self._socket is None:
+            self._traffic.unsent["closed"] += 1
+        elif len(payload) > MOST_BYTES:
+            self._traffic.unsent["too long"] += 1
+        elif to is None:
+            self._traffic.unsent["no address"] += 1
+        else:
+            try:
+                self._socket.sendto(payload, to)
+            except OSError as error:  # buffer full, no route, a firewall: all of them may pass
+                self._traffic.unsent[_why(error)] += 1
+                return False
+            self._traffic.sent += 1
+            self._traffic.sent_bytes += len(payload)
+            return True
+        return False
+
+    def poll(self) -> list[Arrival]:
+        """Everything that arrived since the last call, oldest first; never waits."""
+        if self._socket is None:
+            return []
+        arrived, traffic, received = list[Arrival](), self._traffic, 0
+        read, now = self._socket.recvmsg, self._clock()
+        behind = time.time() - now  # the kernel stamps with the clock of the wall
+        for _ in range(_MOST_AT_ONCE):
+            try:
+                payload, extra, _, sender = read(MOST_BYTES + 1, _SPACE)
+            except BlockingIOError:
+                break
+            except OSError as error:  # an earlier datagram's bad news; the next call goes on
+                traffic.dropped[_why(error)] += 1
+                continue
+            source = sender[:2]
+            if not self._limit.take(now, source, _share(source[0])):
+                traffic.dropped["too many"] += 1
+                continue
+            if not 0 < len(payload) <= MOST_BYTES:
+                traffic.dropped["size"] += 1
+                continue
+            stamp = now
+            if extra and len(extra[0][2]) == _TIMESPEC.size:
+                seconds, nanoseconds = _TIMESPEC.unpack(extra[0][2])
+                # A datagram arrived after the last reading and before this one, whatever was done to the wall's clock.
+                stamp = min(max(seconds + 1e-9 * nanoseconds - behind, self._last), now)
+            arrived.append(Arrival(payload, source, stamp))
+            received += len(payload)
+        else:
+            traffic.dropped["left for later"] += 1
+        self._last = now
+        traffic.received += len(arrived)
+        traffic.received_bytes += received
+        return arrived
+
+    def follow(self, neighbour: int, source: Hashable) -> None:
+        """From now on the neighbour is there: an `Address`, or the source of an arrival.
+
+        Raises:
+            SessionError: this is no address, or one that this socket cannot reach.
+        """
+        old = self._neighbours.get(neighbour)
+        if source == old:
+            return
+        if not isinstance(source, tuple) or len(source) != 2:
+            raise SessionError(f"{source!r} is no address; it takes a host in numbers and a port")
+        new = (self._reachable(str(source[0])), _port(source[1], given=True))
+        self.forget(neighbour)
+        self._neighbours[neighbour] = new
+        self._limit.know(new)
+
+    def forget(self, neighbour: int) -> None:
+        """The neighbour left."""
+        old = self._neighbours.pop(neighbour, None)
+        if old is not None and old not in self._neighbours.values():
+            self._limit.unknow(old)
+
+    def close(self) -> None:
+        """Gives the port back."""
+        if self._socket is not None:
+            self._socket.close()
+            self._socket = None
+
+    def _reachable(self, host: str) -> str:
+        numeric = _numeric(host)
+        if self._six and numeric.version == 4:
+            return f"::ffff:{numeric}"
+        if not self._six and numeric.version == 6:
+            raise SessionError(f"neighbour {host} has an IPv6 address, but this socket listens on IPv4; listen on '::'")
+        return str(numeric) if numeric.version == 4 else host
+
+
+def _open(host: str, port: int, *, six: bool) -> socket.socket:
+    opened = socket.socket(socket.AF_INET6 if six else socket.AF_INET, socket.SOCK_DGRAM)
+    try:
+        opened.setblocking(False)
+        opened.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, _RECEIVE_BUFFER)
+        if six:
+            opened.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_V6ONLY, 0)
+        opened.bind((host, port))
+    except OSError as error:
+        opened.close()
+        known = {
+            errno.EADDRINUSE: f"UDP port {port} of {host} is taken; choose another, or 0 for any that is free",
+            errno.EADDRNOTAVAIL: f"{host} is not an address of this machine; listen on one that is",
+            errno.EACCES: f"UDP port {port} of {host} is not permitted; choose one of 1024 or above",
+        }
+        raise TransportError(known.get(error.errno or 0, f"cannot listen on {host} port {port}: {error}")) from error
+    return opened
+
+
+def _ask_for_stamps(opened: socket.socket) -> bool:
+    if _TIMESTAMPS is None:
+        return False
+    try:
+        opened.setsockopt(socket.SOL_SOCKET, _TIMESTAMPS, 1)
+    except OSError:
+        return False
+    return True
+
+
+def _numeric(host: str) -> ipaddress.IPv4Address | ipaddress.IPv6Address:
+    try:
+        return ipaddress.ip_address(host)
+    except ValueError:
+        raise SessionError(f"host {host!r} is not an address in numbers, such as 127.0.0.1 or ::1") from None
+
+
+def _port(port: object, *, given: bool = False) -> int:
+    if not isinstance(port, int) or not int(given) <= port <= 65535:
+        raise SessionError(f"port {port!r} is not a number from {int(given)} to 65535")
+    return port
+
+
+def _share(host: str) -> str:
+    """What one owner of addresses cannot change at will: an IPv4 address, or a network of 64 bits."""
+    return host if ":" not in host else ":".join(host.split(":")[:4])
+
+
+def _why(error: OSError) -> str:
+    return errno.errorcode.get(error.errno or 0, "unknown")
