@@ -29,8 +29,8 @@ _KINDS = ("nodal", "elastic", "truncated")
 _CHUNK = 20
 # Forces of touches that are looked at for pulling, of each tool.
 _LOOKS = 60
-# What may be missing of a force when it is put together from pushes. Where a truncated body is touched it also yields by
-# what its shapes leave out, which turns the skin there by a little that the record does not see.
+# What may be missing of a force when it is put together from pushes. Where a truncated body is touched it also yields
+# by what its shapes leave out, which turns the skin there by a little that the record does not see.
 _PULL, _PULL_TRUNCATED = 1e-6, 0.05
 # A sphere may touch what is this many radii from its centre, and what two steps of its motion may reach.
 _REACH = 1.05
