@@ -44,6 +44,16 @@ def test_a_finding_and_a_force_that_pulls():
     assert found.switches > 10
 
 
+def test_friction_of_one_tool_leaves_another_without():
+    """Number 12: a user's tools with and without friction; forces of those without stay along the skin's normals."""
+    prepared = prepare(record.scenario(12)[0])
+    frictions = {tool.friction > 0.0 for tool in prepared.scenario.tools if tool.user == 1 and tool.kind == "touch"}
+    assert frictions == {True, False}
+    looks, pulls = record._pulls(prepared, run_batch(prepared))
+    assert looks > 100
+    assert pulls == 0
+
+
 def test_nearest_points_of_triangles():
     corners = np.array([[[0.0, 0, 0], [1, 0, 0], [0, 1, 0]]])
     for point, nearest in (

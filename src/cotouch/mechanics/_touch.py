@@ -20,7 +20,7 @@ from cotouch.mechanics._grasp import held_place, held_rate, take
 from cotouch.mechanics._kernel import block, part
 from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._ports import correct
-from cotouch.mechanics._small import Small, put_back, reduce_step, sound
+from cotouch.mechanics._small import Small, limit, put_back, reduce_step, sound
 from cotouch.mechanics._solve import divide
 from cotouch.mechanics._state import ITERATIONS, SUPPLIED, Grips, Links, State, Workspace
 from cotouch.mechanics._step import assemble, book_energies, move, port_work, solve_step
@@ -149,6 +149,7 @@ def touch_step(
             small.compliance,
             force,
         )
+        limit(small, count, tools.account, first, last - first)
         if not sound(small, count, tools.account, first, last - first, 1.0, False):
             for j in range(count):
                 force[j] = 0.0
@@ -286,6 +287,8 @@ def _guess(found: Contacts, columns: Columns, small: Small, tools: Tools, axes: 
                 value += before[t, a] * direction[n, a] / alike
             if n == c * axes:
                 value = max(value, 0.0)
+            elif tools.friction[t] == 0.0:
+                value = 0.0  # nothing would ever take it away again
             guess[n] = value
             force[n] = value
             h = column[n]
