@@ -90,7 +90,8 @@ own damping, so user 4’s has 3&nbsp;Ns/m, which most products have not.</p>
 <h3>With too little damping</h3>
 <p>The same with {100 * BELOW:g} % of the rule’s damping (the rule asks for up to
 {quantity(constant.damping, "Ns/m")} with constant delays, {quantity(freshest.damping, "Ns/m")} with freshest samples).
-The hands do nothing but hold; how firmly decides whether it shows, which no designer knows beforehand. After {quantity(crossed, "s", 2)} the shared object has returned all that it was
+The hands do nothing but hold; how firmly decides whether it shows, which no designer knows beforehand.
+After {quantity(crossed, "s", 2)} the shared object has returned all that it was
 given; at the end it has given {quantity(-gone, "J", 2)} out of nothing. Contacts, couplings and devices stay passive
 throughout: contacts gave at most {quantity(below.given, "J", 2)}, couplings {num(100 * below.used, 2)} % of their d².
 The books balance to {num(below.energy_residual, 2)} there, too, and say where the energy comes from: the age of the
