@@ -110,7 +110,7 @@ def scene(body: Body, *, mode: int = TOUCH, steps: int = STEPS) -> Scene:
     own.mass[0], own.stiffness[0], own.mode[0] = 0.05, 1000.0, mode
     own.grip_stiffness[0], own.grip_damping[0] = 200.0, 1.0
     own.drive_stiffness[0], own.drive_damping[0] = 500.0, 5.0
-    own.place[0, :3] = [*middle, 0.0, 0.0, own.radius[0]]
+    own.place[0, :3] = middle + np.array([0.0, 0.0, own.radius[0]])
     path = np.tile(own.place[0], (steps, 1))
     when = np.arange(steps) * PERIOD
     path[:, 2] -= 0.8 * own.radius[0] * np.minimum(when / 0.2, 1.0)
