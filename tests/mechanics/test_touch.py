@@ -445,3 +445,21 @@ class TestFriction:
         if np.linalg.norm(rubbing) > 0.3 * normal * (1.0 - 1e-9):  # slips: straight against the motion
             slip = -rubbing / np.linalg.norm(rubbing)
             assert slip @ across == pytest.approx(np.linalg.norm(across), rel=0.05)
+
+
+@pytest.mark.parametrize("T", [2e-4, 1e-3, 4e-3])
+def test_a_bounce_returns_what_it_took(T: float):
+    """Off a body too heavy to move, without damping: a contact that lets go gives back all of its account."""
+    heavy = lattice((3, 3, 2), mass=1e9, stiffness=1.0, spacing=0.02)
+    copy = TouchedCopy(heavy)
+    tools = copy.tools
+    tools.radius[0], tools.stiffness[0] = 0.01, 1e5
+    tools.place[0, :3], tools.rate[0, :3] = [0.019, 0.021, 0.0335], [0.0, 0.0, -0.4]
+    copy.begin()
+    touched = 0
+    for _ in range(round(0.05 / T)):
+        copy.step(T)
+        touched += int(tools.touching[0])
+    assert touched > 0
+    assert tools.rate[0, 2] == pytest.approx(0.4, rel=1e-6)
+    assert abs(float(tools.account[0])) < 1e-7 * copy.in_play
