@@ -7,7 +7,8 @@ import numpy as np
 
 import cotouch
 from benchmarks._report import Row, command, interleave, ratio
-from cotouch.simulation import Scenario, prepare
+from cotouch.scenario import Scenario
+from cotouch.simulation import prepare
 from cotouch.simulation._batch import run_batch
 from cotouch.simulation._prepare import Prepared
 

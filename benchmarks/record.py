@@ -13,7 +13,8 @@ import numpy as np
 import numpy.typing as npt
 
 from benchmarks._report import Row, add_write, finish
-from cotouch.simulation import Scenario, prepare
+from cotouch.scenario import Scenario
+from cotouch.simulation import prepare
 from cotouch.simulation._batch import run_batch
 
 SEED = 2010

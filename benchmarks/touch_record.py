@@ -18,7 +18,8 @@ from scipy.optimize import nnls
 from benchmarks._report import Row, add_write, finish
 from cotouch.body import Body, lattice
 from cotouch.device import PRESETS
-from cotouch.simulation import Prepared, Scenario, prepare
+from cotouch.scenario import Scenario
+from cotouch.simulation import Prepared, prepare
 from cotouch.simulation._batch import Outcome, run_batch
 from cotouch.study._blocks import blocks
 

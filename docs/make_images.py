@@ -6,7 +6,8 @@ from pathlib import Path
 
 from cotouch import drawing
 from cotouch.network import Network
-from cotouch.simulation import FileTable, save_body_figure, understood
+from cotouch.scenario import FileTable
+from cotouch.simulation import save_body_figure, understood
 from cotouch.study import five_users
 from cotouch.study._charts import held_and_released
 from cotouch.study._experiment import experiment

@@ -9,7 +9,8 @@ from cotouch.body import lattice
 from cotouch.device import CartesianPlant, DeviceModel, SimulatedDevice, critical_stiffness
 from cotouch.network import Network
 from cotouch.planning import plan
-from cotouch.simulation import Scenario, prepare, run_peers, simulate
+from cotouch.scenario import Scenario
+from cotouch.simulation import prepare, run_peers, simulate
 
 sys.path.insert(0, str(Path(__file__).parent.parent))
 

@@ -30,7 +30,8 @@ if TYPE_CHECKING:
     from cotouch.network import Certificate, Network, certify
     from cotouch.peer import Peer
     from cotouch.planning import Plan, plan, tune_springs
-    from cotouch.simulation import Scenario, save, settling_time, simulate, summary
+    from cotouch.scenario import Scenario
+    from cotouch.simulation import save, settling_time, simulate, summary
 
 __version__ = "0.1.0"
 
@@ -45,7 +46,7 @@ _HOME = {
     "NetworkError": "cotouch.errors",
     "Peer": "cotouch.peer",
     "Plan": "cotouch.planning",
-    "Scenario": "cotouch.simulation",
+    "Scenario": "cotouch.scenario",
     "ScenarioError": "cotouch.errors",
     "SessionError": "cotouch.errors",
     "TransportError": "cotouch.errors",

@@ -1,7 +1,8 @@
 import numpy as np
 
 from cotouch.body import lattice
-from cotouch.simulation import Scenario, prepare, run_peers
+from cotouch.scenario import Scenario
+from cotouch.simulation import prepare, run_peers
 
 
 def test_nan_shows_in_the_state_instead_of_passing_for_rest() -> None:

@@ -13,7 +13,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from cotouch.simulation import Scenario, Schedule, prepare
+from cotouch.scenario import Scenario
+from cotouch.simulation import Schedule, prepare
 from cotouch.simulation._schedule import schedule
 
 

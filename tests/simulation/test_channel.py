@@ -1,8 +1,8 @@
 import numpy as np
 import pytest
 
+from cotouch.scenario._tables import Channel
 from cotouch.simulation._channel import draw, resent
-from cotouch.simulation._tables import Channel
 
 SEED = (7, 2, 0, 1)
 MANY = 200_000

@@ -8,7 +8,8 @@ import pytest
 
 from cotouch.body import Body, chain
 from cotouch.network import Network, rightmost_root
-from cotouch.simulation import Scenario, prepare, run_peers, simulate
+from cotouch.scenario import Scenario
+from cotouch.simulation import prepare, run_peers, simulate
 from cotouch.simulation._batch import run_batch
 
 FIVE_USERS = Path(__file__).parents[2] / "examples" / "five-users.toml"

@@ -10,7 +10,8 @@ import numpy.typing as npt
 import pytest
 import xarray as xr
 
-from cotouch.simulation import Scenario, discrepancy, felt, simulate, summary
+from cotouch.scenario import Scenario
+from cotouch.simulation import discrepancy, felt, simulate, summary
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 Made = tuple[Scenario, xr.Dataset]

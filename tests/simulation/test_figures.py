@@ -14,7 +14,8 @@ from matplotlib.figure import Figure
 
 from cotouch.drawing import DASHES, USERS, decimate, peak, prefix, user_line
 from cotouch.errors import ScenarioError
-from cotouch.simulation import Scenario, at_times, simulate
+from cotouch.scenario import Scenario
+from cotouch.simulation import at_times, simulate
 from cotouch.simulation._figures import figures, save_figures
 
 NAMES = ("positions", "forces", "energies", "ages")

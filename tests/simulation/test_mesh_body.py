@@ -13,7 +13,8 @@ from tests.body.shapes import block
 from cotouch.body import Body
 from cotouch.errors import BodyError, InputError, ScenarioError, UnsupportedError
 from cotouch.mechanics import model
-from cotouch.simulation import FileTable, Scenario, prepare, run_peers, simulate, summary
+from cotouch.scenario import FileTable, Scenario
+from cotouch.simulation import prepare, run_peers, simulate, summary
 from cotouch.simulation._batch import run_batch
 
 TOML = """

@@ -6,16 +6,8 @@ import pytest
 import xarray as xr
 
 from cotouch.body import point
-from cotouch.simulation import (
-    Scenario,
-    at_times,
-    discrepancy,
-    force_imbalance,
-    hold_window,
-    settling_time,
-    simulate,
-    summary,
-)
+from cotouch.scenario import Scenario
+from cotouch.simulation import at_times, discrepancy, force_imbalance, hold_window, settling_time, simulate, summary
 
 
 def made(

@@ -10,7 +10,8 @@ import xarray as xr
 from cotouch.body import chain
 from cotouch.errors import ScenarioError
 from cotouch.network import Network
-from cotouch.simulation import Scenario, dataset, prepare, save, simulate
+from cotouch.scenario import Scenario
+from cotouch.simulation import dataset, prepare, save, simulate
 from cotouch.simulation._batch import run_batch
 from cotouch.simulation._result import _UNITS, TOOL_UNITS
 

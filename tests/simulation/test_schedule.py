@@ -4,7 +4,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from cotouch.errors import ScenarioError
-from cotouch.simulation import Scenario, schedule
+from cotouch.scenario import Scenario
+from cotouch.simulation import schedule
 from cotouch.simulation._timing import ages, elapsed, indexed, newest, ring_size, self_paced
 
 PAIR = {"users": ["a", "b"], "spring": [[0, 50], [50, 0]], "delay": [[0, 0.03], [0.05, 0]]}

@@ -10,10 +10,11 @@ import xarray as xr
 from cotouch.body import lattice, point
 from cotouch.errors import BodyError, CotouchError, ScenarioError
 from cotouch.mechanics import virtual_coupling_limit
-from cotouch.simulation import Scenario, animation, felt, figures, frame_rate, prepare, simulate, summary
-from cotouch.simulation._clear import clear_place
+from cotouch.scenario import Scenario
+from cotouch.scenario._clear import clear_place
+from cotouch.scenario._tool_tables import DeviceTable, ToolHand, ToolTable
+from cotouch.simulation import animation, felt, figures, frame_rate, prepare, simulate, summary
 from cotouch.simulation._tool_result import UNITS as TOOL_UNITS
-from cotouch.simulation._tool_tables import DeviceTable, ToolHand, ToolTable
 
 PAIR: dict[str, Any] = {"users": ["Ann", "Ben"], "spring": [[0, 20], [20, 0]], "delay": [[0, 0.01], [0.02, 0]]}
 # One body for all runs, so that its kernels are compiled once.

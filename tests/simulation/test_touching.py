@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from cotouch.simulation import Scenario, prepare, run_peers
+from cotouch.scenario import Scenario
+from cotouch.simulation import prepare, run_peers
 from cotouch.simulation._batch import run_batch
 
 TOML = """

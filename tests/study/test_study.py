@@ -13,7 +13,7 @@ from scipy import stats
 
 from cotouch.errors import ScenarioError
 from cotouch.network import Network, connected_graphs, mixing, rightmost_root
-from cotouch.simulation import Scenario
+from cotouch.scenario import Scenario
 from cotouch.study import Reproduction, five_users, reproduce
 from cotouch.study import _data as data
 

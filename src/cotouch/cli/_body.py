@@ -15,7 +15,8 @@ def run(
 ) -> None:
     """Reads a mesh, makes the body, and says what was understood."""
     from cotouch.body import SURFACES
-    from cotouch.simulation import FileTable, save_body_figure, understood
+    from cotouch.scenario import FileTable
+    from cotouch.simulation import save_body_figure, understood
 
     given = {name: value for name, value in options.items() if value is not None}
     if most is not None:

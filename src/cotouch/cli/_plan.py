@@ -79,7 +79,7 @@ def _object(path: Path, given: dict[str, float | None], *, read: bool) -> dict[s
     said = {name: value for name, value in given.items() if value is not None}
     if read and len(said) < len(given) and "body" in tomllib.loads(path.read_text(encoding="utf-8")):
         from cotouch.planning import modes_of
-        from cotouch.simulation import Scenario
+        from cotouch.scenario import Scenario
 
         result |= modes_of(Scenario.read(path).build_body())
     return result | said

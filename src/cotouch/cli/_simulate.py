@@ -11,7 +11,8 @@ if TYPE_CHECKING:
 
 def run(path: Path, *, out: Path | None, figures: Path | None, animation: Path | None, as_json: bool) -> None:
     """Runs a scenario, writes what was asked for, prints a summary."""
-    from cotouch.simulation import Scenario, frame_rate, save, summary
+    from cotouch.scenario import Scenario
+    from cotouch.simulation import frame_rate, save, summary
     from cotouch.simulation import simulate as simulate_scenario
 
     scenario = Scenario.read(path)

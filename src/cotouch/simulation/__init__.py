@@ -14,19 +14,15 @@ from cotouch.simulation._metrics import (
 from cotouch.simulation._peers import PeerRun, run_peers
 from cotouch.simulation._prepare import Prepared, prepare
 from cotouch.simulation._result import dataset, save, simulate
-from cotouch.simulation._scenario import Scenario
 from cotouch.simulation._schedule import Schedule, schedule
 from cotouch.simulation._shown import animation, frame_rate
-from cotouch.simulation._tables import FileTable
 from cotouch.simulation._understood import save_body_figure, understood
 
 __all__ = [
     "Animation",
-    "FileTable",
     "GripTracks",
     "PeerRun",
     "Prepared",
-    "Scenario",
     "Schedule",
     "ToolTracks",
     "UserSeries",

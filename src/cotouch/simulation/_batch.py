@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.mechanics import BOOKS, Grips, workspace
+from cotouch.scenario import ToolRecord, tool_record
 from cotouch.simulation._engine import (
     SLOT_BOOKS,
     TICK_BOOKS,
@@ -21,7 +22,6 @@ from cotouch.simulation._engine import (
     run,
 )
 from cotouch.simulation._prepare import Prepared
-from cotouch.simulation._touching import ToolRecord, tool_record
 
 Float = npt.NDArray[np.float64]
 

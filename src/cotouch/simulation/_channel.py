@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.simulation._tables import Channel
+from cotouch.scenario import Channel
 
 Float = npt.NDArray[np.float64]
 

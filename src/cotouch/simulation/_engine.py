@@ -45,12 +45,13 @@ from cotouch.mechanics import (
     total,
     touch_step,
 )
-from cotouch.simulation._hands import Hands, grip
-from cotouch.simulation._touching import (
+from cotouch.scenario import (
+    Hands,
     ToolRecord,
     Touching,
     after_step,
     before_step,
+    grip,
     keep_tools,
     proxy_energy,
 )

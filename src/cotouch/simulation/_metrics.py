@@ -8,7 +8,7 @@ import numpy.typing as npt
 
 from cotouch.body import Body
 from cotouch.device import PRESETS
-from cotouch.simulation._tool_tables import DEFAULT_RATE
+from cotouch.scenario import DEFAULT_RATE
 
 if TYPE_CHECKING:
     import xarray as xr

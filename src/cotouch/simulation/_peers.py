@@ -14,9 +14,8 @@ import numpy.typing as npt
 
 from cotouch.mechanics import Grips
 from cotouch.peer import ConstantLink, FreshestLink, Link, Peer, Report, Sample
-from cotouch.simulation._hands import grip
+from cotouch.scenario import Touching, after_step_alone, before_step_alone, grip, tools_of
 from cotouch.simulation._prepare import Prepared
-from cotouch.simulation._touching import Touching, after_step_alone, before_step_alone, tools_of
 
 Float = npt.NDArray[np.float64]
 

@@ -10,12 +10,9 @@ from cotouch.body import Body
 from cotouch.errors import ScenarioError
 from cotouch.mechanics import Model, model
 from cotouch.network import damping_for
+from cotouch.scenario import Hands, Scenario, Touching, per_user, ports_of, touching_of
 from cotouch.simulation._engine import Topology
-from cotouch.simulation._hands import Hands, ports_of
-from cotouch.simulation._scenario import Scenario, per_user
 from cotouch.simulation._schedule import Schedule, schedule
-from cotouch.simulation._tools import touching_of
-from cotouch.simulation._touching import Touching
 
 Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
@@ -89,7 +86,9 @@ def prepare(scenario: Scenario) -> Prepared:
     hands, ports = ports_of(scenario.hands, network.size, body, ready)
     most_ports = int(np.diff(hands.first).max(initial=0))
     position = _initial(scenario.initial.position, "position", network.size, body)
-    touching, tool = touching_of(scenario.tools, network.size, body, ready, timing, start=position, ports=most_ports)
+    touching, tool = touching_of(
+        scenario.tools, network.size, body, ready, timing.length, start=position, ports=most_ports
+    )
     extra = np.zeros((network.size, 1 + len(network.weights)))
     extra[:, 0] = per_user(scenario.synchronisation.extra_damping, network.size, "synchronisation.extra_damping")
     return Prepared(

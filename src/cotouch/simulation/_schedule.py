@@ -9,9 +9,8 @@ import numpy.typing as npt
 
 from cotouch.errors import ScenarioError
 from cotouch.network import Network
+from cotouch.scenario import Mode, Scenario, per_user
 from cotouch.simulation._channel import Draws, certain, draw, resent
-from cotouch.simulation._scenario import Scenario, per_user
-from cotouch.simulation._tables import Mode
 from cotouch.simulation._timing import ages, elapsed, indexed, newest, ring_size, self_paced
 
 Float = npt.NDArray[np.float64]

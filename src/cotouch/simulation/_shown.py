@@ -14,7 +14,7 @@ from cotouch.simulation._metrics import felt
 if TYPE_CHECKING:
     import xarray as xr
 
-    from cotouch.simulation._scenario import Scenario
+    from cotouch.scenario import Scenario
 
 Float = npt.NDArray[np.float64]
 

@@ -8,7 +8,8 @@ import numpy.typing as npt
 
 from cotouch.errors import NetworkError, UnsupportedError
 from cotouch.network import Network, rule_damping
-from cotouch.simulation import Scenario, simulate
+from cotouch.scenario import Scenario
+from cotouch.simulation import simulate
 
 # Steps in the shortest delay, in a time constant of the slowest mode, and in that of the quickest spring.
 _IN_DELAY, _IN_CONSTANT, _IN_SPRING = 40, 500, 20

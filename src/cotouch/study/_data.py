@@ -7,7 +7,7 @@ from typing import Any, TypeAlias
 
 from cotouch.errors import ScenarioError
 from cotouch.network import Network, Pair
-from cotouch.simulation import Scenario
+from cotouch.scenario import Scenario
 from cotouch.units import user_number
 
 Progress: TypeAlias = Callable[[int, int, str], None]

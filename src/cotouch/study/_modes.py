@@ -7,7 +7,8 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.network import Network
-from cotouch.simulation import Scenario, discrepancy, settling_time, simulate, summary
+from cotouch.scenario import Scenario
+from cotouch.simulation import discrepancy, settling_time, simulate, summary
 from cotouch.study._data import holding
 from cotouch.study._experiment import DURATION, RELEASE
 

@@ -3,8 +3,7 @@
 from typing import Any
 
 from cotouch.network import Network
-from cotouch.simulation import Scenario
-from cotouch.simulation._tables import Mode
+from cotouch.scenario import Mode, Scenario
 
 # Nodes along x, y, z, and how far they are apart [m].
 SHAPE = (14, 10, 8)

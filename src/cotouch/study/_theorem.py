@@ -7,7 +7,8 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.network import Network
-from cotouch.simulation import Scenario, at_times, simulate
+from cotouch.scenario import Scenario
+from cotouch.simulation import at_times, simulate
 from cotouch.study._attack import CORNERS, Attack, worst_force
 from cotouch.study._data import START, free
 

@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from cotouch.device import DEVICE_BOOKS, Couplings, Devices, DeviceState, pull_proxy, tell_device
 from cotouch.mechanics import AWAY, Grips, Surface, Tools, TouchWork, at, block, load, part, put, store
-from cotouch.simulation._hands import Hands, grip
+from cotouch.scenario._hands import Hands, grip
 
 Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]

@@ -13,8 +13,8 @@ from pydantic import Field, InstanceOf, PrivateAttr, ValidationError, field_vali
 from cotouch.body import Body
 from cotouch.errors import ScenarioError
 from cotouch.network import Network
-from cotouch.simulation._messages import sentence
-from cotouch.simulation._tables import (
+from cotouch.scenario._messages import sentence
+from cotouch.scenario._tables import (
     BodySource,
     Channel,
     FileTable,
@@ -27,7 +27,7 @@ from cotouch.simulation._tables import (
     Synchronisation,
     Table,
 )
-from cotouch.simulation._tool_tables import ToolTable
+from cotouch.scenario._tool_tables import ToolTable
 
 # Nodes of a truncated body next to a tool's start that keep their local stiffness.
 _NEAR = 4

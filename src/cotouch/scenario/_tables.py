@@ -252,7 +252,7 @@ class FileTable(Table):
         Raises:
             ScenarioError: an option is wrong.
         """
-        from cotouch.simulation._messages import sentence
+        from cotouch.scenario._messages import sentence
 
         try:
             return cls(**options)

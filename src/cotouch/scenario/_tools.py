@@ -28,17 +28,16 @@ from cotouch.mechanics import (
     tools,
     touch_work,
 )
-from cotouch.simulation._clear import clear_place
-from cotouch.simulation._hands import Hands
-from cotouch.simulation._schedule import Schedule
-from cotouch.simulation._tool_tables import DEFAULT_RATE, DeviceTable, ToolHand, ToolTable
-from cotouch.simulation._touching import Touching
+from cotouch.scenario._clear import clear_place
+from cotouch.scenario._hands import Hands
+from cotouch.scenario._tool_tables import DEFAULT_RATE, DeviceTable, ToolHand, ToolTable
+from cotouch.scenario._touching import Touching
 
 Float = npt.NDArray[np.float64]
 
 
 def touching_of(
-    tables: list[ToolTable], users: int, body: Body, model: Model, timing: Schedule, *, start: Float, ports: int
+    tables: list[ToolTable], users: int, body: Body, model: Model, lengths: Float, *, start: Float, ports: int
 ) -> tuple[Touching | None, list[int]]:
     """The tools of a scenario, ordered by user, and which tool each table became; None without tools.
 
@@ -47,7 +46,7 @@ def touching_of(
         users: how many there are.
         body: the shared object.
         model: the same for the kernels.
-        timing: the body's steps, which a virtual coupling must be passive at.
+        lengths: of the body's steps, which a virtual coupling must be passive at, (users, steps); 0: none [s].
         start: displacements of all copies at the start, (users, n, d) [m].
         ports: most hands of one user that hold the body directly.
 
@@ -89,7 +88,7 @@ def touching_of(
             continue
         where = f"tools[{order[t] + 1}]"
         try:
-            device = device_model(table.device, table.hand, timing.length[table.user - 1])
+            device = device_model(table.device, table.hand, lengths[table.user - 1])
         except DeviceError as error:
             raise ScenarioError(f"{where}.device: {error}") from None
         if table.hand is not None and isinstance(device.plant, PhantomPlant):

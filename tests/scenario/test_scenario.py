@@ -5,7 +5,8 @@ import numpy as np
 import pytest
 
 from cotouch.errors import InputError, NetworkError, ScenarioError
-from cotouch.simulation import Scenario, prepare, schedule
+from cotouch.scenario import Scenario
+from cotouch.simulation import prepare, schedule
 
 FIVE_USERS = Path(__file__).parents[2] / "examples" / "five-users.toml"
 PAIR = """

@@ -5,7 +5,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from cotouch.simulation import _tables, _tool_tables
+from cotouch.scenario import _tables, _tool_tables
 
 
 def sentence(error: ValidationError, source: str) -> str:

@@ -10,7 +10,7 @@ import numpy.typing as npt
 from cotouch.body import Body
 from cotouch.errors import ScenarioError
 from cotouch.mechanics import Grips, Model, at, kernel, load, put, splat, store
-from cotouch.simulation._tables import Hand
+from cotouch.scenario._tables import Hand
 
 Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]

@@ -6,7 +6,7 @@ from typing import Annotated, Literal, Self, final
 from pydantic import Discriminator, Field, FiniteFloat, Tag, model_validator
 
 from cotouch.device import PRESETS
-from cotouch.simulation._tables import NonNegative, Number, Place, Positive, Table
+from cotouch.scenario._tables import NonNegative, Number, Place, Positive, Table
 
 # Of a device's servo, where neither a scenario nor a product says it [Hz].
 DEFAULT_RATE = 1000.0

@@ -1,0 +1,59 @@
+"""What a run or a session is asked for: tables read from a file, and the hands and tools that follow from them."""
+
+from cotouch.scenario._hands import Hands, grip, ports_of
+from cotouch.scenario._messages import sentence
+from cotouch.scenario._scenario import Scenario, per_user
+from cotouch.scenario._tables import (
+    Channel,
+    FileTable,
+    Mode,
+    NonNegative,
+    Number,
+    Positive,
+    Probability,
+    Table,
+)
+from cotouch.scenario._tool_tables import DEFAULT_RATE, ToolTable
+from cotouch.scenario._tools import touching_of
+from cotouch.scenario._touching import (
+    ToolRecord,
+    Touching,
+    after_step,
+    after_step_alone,
+    before_step,
+    before_step_alone,
+    keep_tools,
+    proxy_energy,
+    tool_record,
+    tools_of,
+)
+
+__all__ = [
+    "DEFAULT_RATE",
+    "Channel",
+    "FileTable",
+    "Hands",
+    "Mode",
+    "NonNegative",
+    "Number",
+    "Positive",
+    "Probability",
+    "Scenario",
+    "Table",
+    "ToolRecord",
+    "ToolTable",
+    "Touching",
+    "after_step",
+    "after_step_alone",
+    "before_step",
+    "before_step_alone",
+    "grip",
+    "keep_tools",
+    "per_user",
+    "ports_of",
+    "proxy_energy",
+    "sentence",
+    "tool_record",
+    "tools_of",
+    "touching_of",
+]
