@@ -4,6 +4,8 @@ from cotouch.live._ages import LinkAges, Window
 from cotouch.live._agreement import Agreement, Progress
 from cotouch.live._assembly import Assembly
 from cotouch.live._codec import AGED, ECHO, RENEW, Chunk, Codec, Heading, Written
+from cotouch.live._control import ControlPlane, Message, Relayed
+from cotouch.live._impaired import ImpairedTransport
 from cotouch.live._keys import DirectionKeys, Entropy, Identity, LinkKeys
 from cotouch.live._layout import HEAD_BYTES, Coding, Layout
 from cotouch.live._limit import Bucket, SourceLimit
@@ -34,20 +36,24 @@ __all__ = [
     "Chunk",
     "Codec",
     "Coding",
+    "ControlPlane",
     "DirectionKeys",
     "Entropy",
     "Heading",
     "Identity",
+    "ImpairedTransport",
     "Layout",
     "LinkAges",
     "LinkKeys",
     "MemoryNetwork",
     "MemoryTransport",
+    "Message",
     "Opened",
     "Path",
     "PathLaw",
     "Progress",
     "Refusal",
+    "Relayed",
     "ReplayWindow",
     "SampleLink",
     "SamplePlane",
