@@ -12,6 +12,7 @@ from cotouch.live import Message
 from cotouch.session._file import SessionFile
 from cotouch.session._links import Pair, delays_of, present_links
 from cotouch.session._messages import Entry, Join, Refused, Roster, Status, read, write
+from cotouch.session._replica import same_body
 
 # Who is not seen for this long has left: longer than a path takes to come back after a short outage [s].
 ABSENT_AFTER = 6.0
@@ -50,7 +51,9 @@ class Coordinator:
         refused: how many wishes were refused.
     """
 
-    def __init__(self, session: SessionFile, *, planner: Planner | None = None, fingerprint: str | None = None) -> None:
+    def __init__(
+        self, session: SessionFile, *, planner: Planner | None = None, fingerprint: list[float] | None = None
+    ) -> None:
         """Starts with nobody.
 
         Args:
@@ -138,7 +141,7 @@ class Coordinator:
 
     def _seat(self, wish: Join) -> int | str:
         """The seat that a newcomer gets, or why it gets none."""
-        if self._fingerprint is not None and wish.fingerprint != self._fingerprint:
+        if self._fingerprint is not None and not same_body(wish.fingerprint, self._fingerprint):
             return "this machine built another body from the same file; use the same version of cotouch as the others"
         holder = next((entry for entry in self.roster.members if entry.name == wish.name), None)
         if holder is not None and holder.key not in self._present:  # it crashed, and this is it again

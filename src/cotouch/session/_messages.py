@@ -27,7 +27,7 @@ class Join(Table):
     """
 
     name: Name
-    fingerprint: Text
+    fingerprint: Annotated[list[Number], Field(max_length=16)]
     version: Text
 
 

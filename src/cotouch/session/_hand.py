@@ -1,0 +1,141 @@
+"""What a user does to its own copy: nothing, what the session's file says, or whatever a device or page does."""
+
+from collections.abc import Sequence
+from typing import Protocol, final
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.body import Body
+from cotouch.mechanics import Grips, Model, Surface, Tools
+from cotouch.scenario import (
+    Scenario,
+    after_step_alone,
+    before_step_alone,
+    grip,
+    ports_of,
+    tools_of,
+    touching_of,
+)
+
+Float = npt.NDArray[np.float64]
+
+
+class Hand(Protocol):
+    """What holds and touches one copy.
+
+    Attributes:
+        grips: the ports, for the peer.
+        surface: the skin, with tools.
+        tools: the proxies; None without.
+    """
+
+    grips: Grips
+    surface: Surface | None
+    tools: Tools | None
+
+    def before(self, end: float, T: float) -> None:
+        """Writes into grips and tools what it does in the step that ends now.
+
+        Args:
+            end: time since this copy began to move [s].
+            T: length of the step [s].
+        """
+        ...
+
+    def after(self) -> None:
+        """Takes what came of the step: forces at the ports and on the proxies."""
+        ...
+
+
+def no_grips(model: Model, row: Sequence[int] = ()) -> Grips:
+    """Ports at rows of the model, which hold nothing yet."""
+    ports, width = len(row), model.width
+    rows = np.array(row, dtype=np.int32)
+    return Grips(
+        first=0,
+        last=ports,
+        row=rows,
+        shape=model.port_shapes(rows),
+        stiffness=np.zeros(ports),
+        damping=np.zeros(ports),
+        start=np.zeros((ports, width)),
+        end=np.zeros((ports, width)),
+        push=np.zeros((ports, width)),
+        force=np.zeros((ports, width)),
+    )
+
+
+@final
+class NoHand:
+    """Takes part without touching anything."""
+
+    def __init__(self, model: Model) -> None:
+        """Holds nothing.
+
+        Args:
+            model: the body.
+        """
+        self.grips = no_grips(model)
+        self.surface: Surface | None = None
+        self.tools: Tools | None = None
+
+    def before(self, end: float, T: float) -> None:
+        """Does nothing."""
+
+    def after(self) -> None:
+        """Does nothing."""
+
+
+@final
+class ScriptedHand:
+    """The hands and tools of one seat, as the session's file says."""
+
+    def __init__(
+        self, scenario: Scenario, body: Body, model: Model, *, seat: int, period: float, longest: float
+    ) -> None:
+        """Takes hold.
+
+        Args:
+            scenario: of the session, with its hands at nodes (`Scenario.placed`).
+            body: the shared object.
+            model: the same for the kernels.
+            seat: whose.
+            period: usual length of a step [s].
+            longest: greatest length of a step [s].
+
+        Raises:
+            ScenarioError: a hand, tool or device is wrong.
+        """
+        users = scenario.network.size
+        hands, _ = ports_of(scenario.hands, users, body, model)
+        self._hands = hands
+        self._cursor = hands.path_first[:-1].copy()
+        self._lanes = model.lanes
+        self.grips = no_grips(model, hands.row.tolist())._replace(
+            first=int(hands.first[seat]), last=int(hands.first[seat + 1]), shape=hands.shape
+        )
+        self.surface: Surface | None = None
+        self.tools: Tools | None = None
+        self._touching = None
+        self._seat = seat
+        if any(tool.user == seat + 1 for tool in scenario.tools):
+            most = int(np.diff(hands.first).max(initial=0))
+            still = np.zeros((users, body.nodes, body.dimension))
+            lengths = np.tile([period, longest], (users, 1))
+            self._touching, _ = touching_of(scenario.tools, users, body, model, lengths, start=still, ports=most)
+            assert self._touching is not None
+            self.surface = self._touching.surface
+            self.tools = tools_of(self._touching, seat)
+
+    def before(self, end: float, T: float) -> None:
+        """Does what the file says for this step."""
+        for port in range(self.grips.first, self.grips.last):
+            grip(self._hands, self.grips, self._cursor, port, end, T, self._lanes)
+        if self._touching is not None:
+            before_step_alone(self._touching, self._seat, end, T)
+
+    def after(self) -> None:
+        """Tells the devices what came of the step."""
+        if self._touching is not None:
+            after_step_alone(self._touching, self._seat)

@@ -1,0 +1,72 @@
+"""The host: hands out the session's file, and decides who takes part as long as it is there."""
+
+from typing import final
+
+from cotouch.live import ControlPlane, Message
+from cotouch.session._coordinator import Coordinator, Planner
+from cotouch.session._file import SessionFile
+from cotouch.session._messages import Roster, read
+from cotouch.session._watch import Watch
+
+
+@final
+class Host:
+    """Keeps a session open without taking a seat in it.
+
+    Attributes:
+        watch: what is seen of the session.
+    """
+
+    def __init__(
+        self,
+        session: SessionFile,
+        control: ControlPlane,
+        *,
+        planner: Planner | None = None,
+        fingerprint: list[float] | None = None,
+        resumed: bool = False,
+    ) -> None:
+        """Opens the session.
+
+        Args:
+            session: what was asked for.
+            control: the control plane; this member's key is the one that the invitation names.
+            planner: chooses the links, for links = "plan".
+            fingerprint: of the body.
+            resumed: whether members may be there already, who went on while the host was gone.
+        """
+        self._control = control
+        self._resumed = resumed
+        self._coordinator = Coordinator(session, planner=planner, fingerprint=fingerprint)
+        self.watch = Watch(control, host=control.identity.public)
+        control.offer(session.content)
+        for data in session.files.values():
+            control.offer(data)
+
+    def service(self, now: float) -> None:
+        """Hears, decides, says.
+
+        Args:
+            now: [s].
+        """
+        own = self._control.identity.public
+        present = self._control.present() | {own}
+        for message in self._control.poll():
+            if message.topic == "roster":  # while the host is there, nobody else decides
+                self._resume(message, now)
+                continue
+            self._coordinator.hear(message, now)
+            self.watch.hear(message, present, now)
+        for topic, body, to in self._coordinator.tick(now, present):
+            self._control.send(topic, body, to=to)
+        self.watch.follow(self._coordinator.roster, now)
+
+    def _resume(self, message: Message, now: float) -> None:
+        """Goes on from what the members decided while the host was gone."""
+        roster = read(Roster, message.body) if self._resumed else None
+        if roster is not None and roster.of(message.sender) is not None and not self._coordinator.roster.epoch:
+            self._coordinator.adopt(roster, now)
+
+    def end(self) -> None:
+        """Ends the session for everybody."""
+        self._control.send("end", b"")

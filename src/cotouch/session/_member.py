@@ -1,0 +1,198 @@
+"""One member of a session, without its process: messages, samples and times in; messages, samples and motion out."""
+
+from collections.abc import Callable
+from typing import final
+
+from cotouch.errors import SessionError
+from cotouch.live import ControlPlane, Entropy, Message
+from cotouch.session._coordinator import Coordinator, Outgoing, acting
+from cotouch.session._copy import Copy, Recorder
+from cotouch.session._file import SessionFile
+from cotouch.session._hand import Hand
+from cotouch.session._messages import Join, Refused, Roster, read, write
+from cotouch.session._replica import Replica
+from cotouch.session._ways import Ways
+
+_ASK_EVERY = 0.5
+_STATUS_EVERY = 0.5
+# A name may still be held by what crashed a moment ago: so long it is asked for again [s].
+_PATIENCE = 12.0
+
+
+@final
+class Member:
+    """Takes part: asks for a seat, follows the roster, moves its copy, decides when it is its turn to.
+
+    Call `service` some fifty times a second, and `step` at every step.
+
+    Attributes:
+        roster: the newest that is believed.
+        copy: of the object; None before there is a seat.
+        ended: whether the host ended the session.
+    """
+
+    def __init__(
+        self,
+        *,
+        session: SessionFile,
+        replica: Replica,
+        control: ControlPlane,
+        ways: Ways,
+        host: bytes,
+        name: str,
+        version: str,
+        hand: Callable[[int], Hand],
+        entropy: Entropy,
+        secret: bytes = b"",
+        coordinator: Coordinator | None = None,
+        recorder: Recorder | None = None,
+    ) -> None:
+        """Prepares to take part; nothing is said before the first `service`.
+
+        Args:
+            session: what was asked for.
+            replica: the body as built here.
+            control: the control plane.
+            ways: the sample plane's transport.
+            host: public key of the host.
+            name: that others see.
+            version: of this software.
+            hand: makes what moves the copy, given the seat.
+            entropy: gives so many bytes that nobody can guess.
+            secret: that only the invited know.
+            coordinator: takes over when it is this member's turn to decide; by default one without a planner.
+            recorder: is told of everything.
+        """
+        self.roster = Roster()
+        self.copy: Copy | None = None
+        self.ended = False
+        self._session = session
+        self._replica = replica
+        self._control = control
+        self._ways = ways
+        self._host = host
+        self._wish = Join(name=name, fingerprint=replica.fingerprint, version=version)
+        self._make_hand = hand
+        self._entropy = entropy
+        self._secret = secret
+        self._coordinator = coordinator or Coordinator(session, fingerprint=replica.fingerprint)
+        self._recorder = recorder
+        self._decides = False
+        self._asked = -float("inf")
+        self._first_asked: float | None = None
+        self._refusal: str | None = None
+        self._told = -float("inf")
+
+    @property
+    def seat(self) -> int | None:
+        """Index of this user; None before the roster has it."""
+        entry = self.roster.of(self._control.identity.public)
+        return None if entry is None else entry.seat
+
+    def service(self, now: float) -> None:
+        """Hears, decides, says.
+
+        Args:
+            now: [s].
+
+        Raises:
+            SessionError: it may not take part; the message says why.
+        """
+        own = self._control.identity.public
+        present = self._control.present() | {own}
+        decider = acting(self.roster, self._host, present)
+        for message in self._control.poll():
+            self._hear(message, decider, now)
+        self._decide(decider == own, present, now)
+        if self.seat is None:
+            self._ask(now)
+        elif self.copy is not None:
+            self._ways.tend(now)
+            self.copy.tend(now)
+            if now - self._told >= _STATUS_EVERY:
+                self._told = now
+                self._control.send("status", write(self.copy.status(now)))
+
+    def step(self, now: float, T: float) -> bool:
+        """Takes a step that ends now; False before there is something to step.
+
+        Args:
+            now: [s].
+            T: length of the step [s].
+        """
+        return self.copy is not None and self.copy.step(now, T)
+
+    def leave(self) -> None:
+        """Says that it leaves."""
+        self._control.send("leave", b"")
+
+    def _hear(self, message: Message, decider: bytes | None, now: float) -> None:
+        match message.topic:
+            case "roster":
+                roster = read(Roster, message.body)
+                if roster is not None and message.sender == decider and roster.epoch > self.roster.epoch:
+                    self._follow(roster, now)
+            case "refused":
+                said = read(Refused, message.body)
+                if said is not None and message.sender in (decider, self._host) and message.direct:
+                    self._refusal = said.reason
+            case "end":
+                self.ended |= message.sender == self._host
+            case topic if topic.startswith(("link.", "path.")):
+                entry = self.roster.of(message.sender)
+                if entry is not None and self.copy is not None:
+                    self.copy.hear(entry.seat, topic, message.body, now)
+            case _:
+                self._coordinator.hear(message, now)
+
+    def _decide(self, mine: bool, present: frozenset[bytes], now: float) -> None:
+        if mine and not self._decides:
+            self._coordinator.adopt(self.roster, now)
+        self._decides = mine
+        if not mine:
+            return
+        for topic, body, to in self._coordinator.tick(now, present):
+            self._control.send(topic, body, to=to)
+        if self._coordinator.roster.epoch > self.roster.epoch:
+            self._follow(self._coordinator.roster, now)
+
+    def _ask(self, now: float) -> None:
+        if self._first_asked is None:
+            self._first_asked = now
+        if self._refusal is not None and now - self._first_asked > _PATIENCE:
+            raise SessionError(f"the host does not let {self._wish.name} in: {self._refusal}")
+        if now - self._asked >= _ASK_EVERY:
+            self._asked = now
+            body = write(self._wish)
+            self._control.send("join", body)
+            if self._decides:
+                self._coordinator.hear(Message(self._control.identity.public, "join", body, direct=True), now)
+
+    def _follow(self, roster: Roster, now: float) -> None:
+        self.roster = roster
+        self._coordinator.adopt(roster, now)
+        seat = self.seat
+        if seat is None:
+            if self.copy is not None:  # it was cut off for so long that it was taken for gone: it asks anew
+                self.copy.alone(now)
+                self._first_asked, self._refusal = None, None
+            return
+        if self.copy is not None and self.copy.seat != seat:
+            self.copy.alone(now)
+            self.copy = None
+        if self.copy is None:
+            self.copy = Copy(
+                session=self._session,
+                replica=self._replica,
+                seat=seat,
+                hand=self._make_hand(seat),
+                control=self._control,
+                ways=self._ways,
+                entropy=self._entropy,
+                secret=self._secret,
+                recorder=self._recorder,
+            )
+        self.copy.follow(roster, now)
+
+
+__all__ = ["Member", "Outgoing"]
