@@ -6,6 +6,7 @@ from cotouch.session._hand import Hand, NoHand, ScriptedHand
 from cotouch.session._host import Host
 from cotouch.session._links import delays_of, present_links
 from cotouch.session._messages import Entry, LinkStatus, Roster, Status
+from cotouch.session._planner import LinkPlanner
 from cotouch.session._replica import Replica
 from cotouch.session._watch import Event, Seen, Watch
 from cotouch.session._ways import MemoryWays, Ways
@@ -19,6 +20,7 @@ __all__ = [
     "Event",
     "Hand",
     "Host",
+    "LinkPlanner",
     "LinkStatus",
     "MemoryWays",
     "NoHand",

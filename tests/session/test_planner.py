@@ -1,0 +1,43 @@
+import time
+
+from cotouch.session import LinkPlanner, SessionFile
+
+# Three fast users and one at the end of a slow line.
+SLOW = {(0, 1): 0.02, (0, 2): 0.02, (1, 2): 0.02, (0, 3): 0.4, (1, 3): 0.1, (2, 3): 0.4}
+
+
+def planned(text: str, seats: list[int], paths: dict[tuple[int, int], float]) -> list[tuple[int, int]]:
+    planner = LinkPlanner(SessionFile.from_toml(text))
+    try:
+        for _ in range(6000):
+            links = planner(seats, paths)
+            if links is not None:
+                return links
+            time.sleep(0.02)
+        raise AssertionError("it never answers")
+    finally:
+        planner.close()
+
+
+def test_the_one_at_the_end_of_a_slow_line_is_joined_where_it_is_nearest() -> None:
+    links = planned('[session]\nusers = 4\nlinks = "plan"\nlink_count = 3\nobjective = "damping"\n', [0, 1, 2, 3], SLOW)
+    assert (1, 3) in links
+    assert len(links) == 3
+
+
+def test_only_those_who_are_there_are_linked() -> None:
+    links = planned('[session]\nusers = 4\nlinks = "plan"\nobjective = "damping"\n', [1, 3], SLOW)
+    assert links == [(1, 3)]
+
+
+def test_springs_that_cannot_join_all_keep_what_is_given() -> None:
+    text = """
+[session]
+links = "plan"
+[network]
+users = ["1", "2", "3"]
+spring = [[0, 9, 0], [9, 0, 0], [0, 0, 0]]
+delay = [[0, 0.1, 0.1], [0.1, 0, 0.1], [0.1, 0.1, 0]]
+links = [[1, 2]]
+"""
+    assert planned(text, [0, 1, 2], {}) == [(0, 1)]
