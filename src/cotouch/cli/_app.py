@@ -207,6 +207,101 @@ def plan(
 
 
 @app.command()
+def host(
+    session: Annotated[Path, typer.Argument(help="A session, TOML.", show_default=False)],
+    listen: Annotated[
+        str, typer.Option(help="Address of this machine, in numbers, by which the others reach it.")
+    ] = "127.0.0.1",
+    port: Annotated[
+        int | None, typer.Option(help="Of TCP and UDP; by default one that is free.", show_default=False)
+    ] = None,
+    seconds: Annotated[
+        float | None, typer.Option(help="How long; by default until Ctrl-C.", show_default=False)
+    ] = None,
+    keep: Annotated[
+        Path | None,
+        typer.Option(help="Keep the session's keys here, to go on with the same invitation.", show_default=False),
+    ] = None,
+    headless: Annotated[bool, typer.Option("--headless", help="Show no table.")] = False,
+    as_json: AsJson = False,
+) -> None:
+    """Open a session, print the invitation to it, and keep it open."""
+    from cotouch.cli._session import host as run
+
+    run(session, listen=listen, port=port, seconds=seconds, keep=keep, headless=headless, as_json=as_json)
+
+
+@app.command()
+def join(
+    invitation: Annotated[
+        str,
+        typer.Argument(help="The line that the host printed, or - to read it from standard input.", show_default=False),
+    ],
+    name: Annotated[
+        str | None, typer.Option(help="That the others see; by default yours on this machine.", show_default=False)
+    ] = None,
+    device: Annotated[
+        str, typer.Option(help="What moves the copy: scripted (what the session's file says for the seat) or none.")
+    ] = "scripted",
+    seconds: Annotated[
+        float | None, typer.Option(help="How long; by default until the end.", show_default=False)
+    ] = None,
+    listen: Annotated[
+        str | None,
+        typer.Option(
+            help="Address of this machine, in numbers; by default the one that leads to the host.", show_default=False
+        ),
+    ] = None,
+    record: Annotated[Path | None, typer.Option(help="Record into this MCAP file.", show_default=False)] = None,
+    headless: Annotated[bool, typer.Option("--headless", help="Show no table.")] = False,
+    as_json: AsJson = False,
+) -> None:
+    """Take part in a session."""
+    from cotouch.cli._session import join as run
+
+    run(
+        invitation,
+        name=name,
+        hand=device,
+        seconds=seconds,
+        listen=listen,
+        record=record,
+        headless=headless,
+        as_json=as_json,
+    )
+
+
+@app.command()
+def demo(
+    users: Annotated[int, typer.Option(help="How many; the paper has five.")] = 5,
+    body: Annotated[str, typer.Option(help="point (the paper's) or block (soft, in three dimensions).")] = "point",
+    seconds: Annotated[float, typer.Option(help="How long, once all are there.", min=1.0)] = 30.0,
+    impair: Annotated[
+        list[str] | None,
+        typer.Option(
+            help="What the network does besides: loss=0.1, jitter=0.02, duplication=0.1 or reordering=0.1; again for more.",
+            show_default=False,
+        ),
+    ] = None,
+    record: Annotated[Path | None, typer.Option(help="Record every user into this folder.", show_default=False)] = None,
+    headless: Annotated[bool, typer.Option("--headless", help="Show no table.")] = False,
+    as_json: AsJson = False,
+) -> None:
+    """Play a session on this machine: the paper's five users, its links and delays, a process for each."""
+    from cotouch.cli._demo import run
+
+    run(
+        users=users,
+        body=body,
+        seconds=seconds,
+        impair=impair or [],
+        record=record,
+        headless=headless,
+        as_json=as_json,
+    )
+
+
+@app.command()
 def reproduce(
     out: Annotated[Path, typer.Option(help="Folder for the report.")] = Path("out"),
     as_json: AsJson = False,

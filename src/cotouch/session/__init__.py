@@ -1,40 +1,62 @@
 """A live session: who takes part, how they meet, and each one's copy of the object."""
 
 from cotouch.session._coordinator import ABSENT_AFTER, Coordinator, Planner, acting
+from cotouch.session._copy import Copy, Neighbour
+from cotouch.session._demo import Shown, demo_file, demo_session, play
 from cotouch.session._file import DEFAULT_RATE, MOST_USERS, SessionFile, SessionTable
 from cotouch.session._hand import Hand, NoHand, ScriptedHand
 from cotouch.session._host import Host
+from cotouch.session._join import HandKind, Taken, fetch_session, join
 from cotouch.session._links import delays_of, present_links
+from cotouch.session._member import Member
 from cotouch.session._messages import Entry, LinkStatus, Roster, Status
+from cotouch.session._open import OpenHost, open_host, watching
 from cotouch.session._planner import LinkPlanner
+from cotouch.session._process import MemberProcess
 from cotouch.session._replica import Replica
 from cotouch.session._watch import Event, Seen, Watch
-from cotouch.session._ways import MemoryWays, Ways
+from cotouch.session._ways import MemoryWays, RoutedWays, Ways
 
 __all__ = [
     "ABSENT_AFTER",
     "DEFAULT_RATE",
     "MOST_USERS",
     "Coordinator",
+    "Copy",
     "Entry",
     "Event",
     "Hand",
+    "HandKind",
     "Host",
     "LinkPlanner",
     "LinkStatus",
+    "Member",
+    "MemberProcess",
     "MemoryWays",
+    "Neighbour",
     "NoHand",
+    "OpenHost",
     "Planner",
     "Replica",
     "Roster",
+    "RoutedWays",
     "ScriptedHand",
     "Seen",
     "SessionFile",
     "SessionTable",
+    "Shown",
     "Status",
+    "Taken",
     "Watch",
     "Ways",
     "acting",
     "delays_of",
+    "demo_file",
+    "demo_session",
+    "fetch_session",
+    "join",
+    "open_host",
+    "play",
     "present_links",
+    "watching",
 ]

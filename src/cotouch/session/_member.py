@@ -1,15 +1,16 @@
 """One member of a session, without its process: messages, samples and times in; messages, samples and motion out."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import final
 
 from cotouch.errors import SessionError
 from cotouch.live import ControlPlane, Entropy, Message
-from cotouch.session._coordinator import Coordinator, Outgoing, acting
+from cotouch.mechanics import Model
+from cotouch.session._coordinator import Coordinator, acting
 from cotouch.session._copy import Copy, Recorder
 from cotouch.session._file import SessionFile
 from cotouch.session._hand import Hand
-from cotouch.session._messages import Join, Refused, Roster, read, write
+from cotouch.session._messages import Join, Refused, Roster, Status, read, write
 from cotouch.session._replica import Replica
 from cotouch.session._ways import Ways
 
@@ -41,11 +42,12 @@ class Member:
         host: bytes,
         name: str,
         version: str,
-        hand: Callable[[int], Hand],
+        hand: Callable[[int, Model], Hand],
         entropy: Entropy,
         secret: bytes = b"",
         coordinator: Coordinator | None = None,
         recorder: Recorder | None = None,
+        pace: Callable[[], Mapping[str, float]] = dict,
     ) -> None:
         """Prepares to take part; nothing is said before the first `service`.
 
@@ -57,11 +59,12 @@ class Member:
             host: public key of the host.
             name: that others see.
             version: of this software.
-            hand: makes what moves the copy, given the seat.
+            hand: makes what moves the copy, given the seat and the body's model.
             entropy: gives so many bytes that nobody can guess.
             secret: that only the invited know.
             coordinator: takes over when it is this member's turn to decide; by default one without a planner.
             recorder: is told of everything.
+            pace: what the process knows of its steps, for the status: rate, longest, missed, stood, busy.
         """
         self.roster = Roster()
         self.copy: Copy | None = None
@@ -77,6 +80,7 @@ class Member:
         self._secret = secret
         self._coordinator = coordinator or Coordinator(session, fingerprint=replica.fingerprint)
         self._recorder = recorder
+        self._pace = pace
         self._decides = False
         self._asked = -float("inf")
         self._first_asked: float | None = None
@@ -107,11 +111,12 @@ class Member:
         if self.seat is None:
             self._ask(now)
         elif self.copy is not None:
-            self._ways.tend(now)
             self.copy.tend(now)
             if now - self._told >= _STATUS_EVERY:
                 self._told = now
-                self._control.send("status", write(self.copy.status(now)))
+                status = self.status(now)
+                assert status is not None
+                self._control.send("status", write(status))
 
     def step(self, now: float, T: float) -> bool:
         """Takes a step that ends now; False before there is something to step.
@@ -121,6 +126,14 @@ class Member:
             T: length of the step [s].
         """
         return self.copy is not None and self.copy.step(now, T)
+
+    def status(self, now: float) -> Status | None:
+        """What this member says about itself; None before it has a seat.
+
+        Args:
+            now: [s].
+        """
+        return None if self.copy is None else self.copy.status(now).model_copy(update=dict(self._pace()))
 
     def leave(self) -> None:
         """Says that it leaves."""
@@ -138,12 +151,14 @@ class Member:
                     self._refusal = said.reason
             case "end":
                 self.ended |= message.sender == self._host
-            case topic if topic.startswith(("link.", "path.")):
+            case topic if topic.startswith("link."):
                 entry = self.roster.of(message.sender)
                 if entry is not None and self.copy is not None:
                     self.copy.hear(entry.seat, topic, message.body, now)
-            case _:
+            case _ if not self._ways.take(message):
                 self._coordinator.hear(message, now)
+            case _:
+                pass
 
     def _decide(self, mine: bool, present: frozenset[bytes], now: float) -> None:
         if mine and not self._decides:
@@ -185,7 +200,7 @@ class Member:
                 session=self._session,
                 replica=self._replica,
                 seat=seat,
-                hand=self._make_hand(seat),
+                hand=self._make_hand,
                 control=self._control,
                 ways=self._ways,
                 entropy=self._entropy,
@@ -193,6 +208,3 @@ class Member:
                 recorder=self._recorder,
             )
         self.copy.follow(roster, now)
-
-
-__all__ = ["Member", "Outgoing"]

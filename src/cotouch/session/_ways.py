@@ -1,71 +1,88 @@
-"""How members tell each other where they are, and how datagrams get there."""
+"""How samples get from one member to another."""
 
+from collections.abc import Mapping
 from typing import Protocol, final
 
-from cotouch.live import Transport
+from cotouch.live import Message, RoutedTransport, Transport
 
 
 class Ways(Protocol):
-    """A transport, and what its owner says and hears about addresses over the control plane."""
+    """A transport, and whoever finds out where its neighbours are."""
 
     @property
     def transport(self) -> Transport:
         """Carries the samples."""
         ...
 
-    def introduction(self) -> bytes:
-        """Where this member is, for the others."""
+    def introduce(self, seat: int, key: bytes) -> None:
+        """A neighbour is to be reached from now on.
+
+        Args:
+            seat: its index.
+            key: its public key.
+        """
         ...
 
-    def introduced(self, seat: int, key: bytes, body: bytes, now: float) -> None:
-        """Another member said where it is; what makes no sense is ignored."""
-        ...
-
-    def forget(self, seat: int) -> None:
-        """A member left, or another took its seat."""
-        ...
-
-    def tend(self, now: float) -> None:
-        """What has to be done now and then."""
+    def take(self, message: Message) -> bool:
+        """Takes a message of the control plane; whether it was about ways."""
         ...
 
     def way(self, seat: int) -> str:
-        """How datagrams get to a member: "direct", "relayed" or "none"."""
+        """How a neighbour is reached now: "direct", "relayed" or "trying"."""
         ...
 
 
 @final
-class MemoryWays:
-    """Members of one process, by name; for tests."""
+class RoutedWays:
+    """Straight where possible, else by the control plane's relay."""
 
-    def __init__(self, transport: Transport, address: str) -> None:
+    def __init__(self, routed: RoutedTransport, transport: Transport | None = None) -> None:
+        """Joins a transport with what may be on top of it.
+
+        Args:
+            routed: finds the ways.
+            transport: what the samples go through, if there is something on top, such as an emulated network.
+        """
+        self._routed = routed
+        self.transport: Transport = routed if transport is None else transport
+
+    def introduce(self, seat: int, key: bytes) -> None:
+        """Begins to look for ways."""
+        self._routed.introduce(seat, key)
+
+    def take(self, message: Message) -> bool:
+        """Takes candidates."""
+        return self._routed.take(message)
+
+    def way(self, seat: int) -> str:
+        """As the transport has it."""
+        return self._routed.way(seat).name.lower()
+
+
+@final
+class MemoryWays:
+    """Members of one process that know each other's addresses; for tests."""
+
+    def __init__(self, transport: Transport, directory: Mapping[bytes, str]) -> None:
         """Wraps a transport.
 
         Args:
             transport: over a memory network.
-            address: in it.
+            directory: address of each member by its public key.
         """
         self.transport = transport
-        self._address = address
-        self._known: set[int] = set()
+        self._directory = directory
 
-    def introduction(self) -> bytes:
-        """The address."""
-        return self._address.encode()
+    def introduce(self, seat: int, key: bytes) -> None:
+        """Follows it to its address."""
+        self.transport.follow(seat, self._directory[key])
 
-    def introduced(self, seat: int, key: bytes, body: bytes, now: float) -> None:
-        """Follows it there."""
-        del key, now
-        self._known.add(seat)
-        self.transport.follow(seat, body.decode())
-
-    def forget(self, seat: int) -> None:
-        """Forgets it."""
-        self._known.discard(seat)
-
-    def tend(self, now: float) -> None:
-        """Does nothing."""
+    def take(self, message: Message) -> bool:
+        """Nothing is said about ways."""
+        del message
+        return False
 
     def way(self, seat: int) -> str:
-        """Direct, once it is known."""
-        return "direct" if seat in self._known else "none"
+        """Always direct."""
+        del seat
+        return "direct"

@@ -1,0 +1,5 @@
+"""`python -m cotouch` is `cotouch`."""
+
+from cotouch.cli import main
+
+main()

@@ -1,0 +1,115 @@
+"""`cotouch demo`: five people at one object, each a process of its own, on this machine."""
+
+import sys
+import time
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from cotouch.cli._output import folder, print_json
+from cotouch.cli._session import interruptible, shown
+
+if TYPE_CHECKING:
+    from cotouch.session import OpenHost, Shown
+
+_LINE_EVERY = 5.0  # where nobody looks at a terminal [s]
+
+
+def run(
+    *,
+    users: int,
+    body: str,
+    seconds: float,
+    impair: Sequence[str],
+    record: Path | None,
+    headless: bool,
+    as_json: bool,
+) -> None:
+    """Plays the demonstration and says how it went."""
+    from cotouch.session import demo_session, play
+
+    session = demo_session(users=users, body=body, seconds=seconds, impair=impair)
+    if record is not None:
+        folder(record)
+    opened_by: list[OpenHost] = []
+    told = [-float("inf")]
+    quiet = headless or as_json
+    if not quiet:
+        sys.stderr.write(f"cotouch: {users} users join, each a process of its own; the first time kernels compile\n")
+    with (
+        interruptible() as stopped,
+        shown(lambda: opened_by[0].host.watch, title=session.scenario.title, quiet=quiet) as redraw,
+    ):
+
+        def each(opened: "OpenHost", now: float) -> None:
+            opened_by[:] = [opened]
+            redraw()
+            if not quiet and not sys.stderr.isatty() and now - told[0] > _LINE_EVERY:
+                told[0] = now
+                _line(opened)
+
+        outcome = play(session, seconds=seconds, each=each, stopped=stopped, record=record)
+    if as_json:
+        print_json(numbers(outcome))
+    else:
+        _print(outcome)
+    if outcome.complaints:
+        sys.exit(1)
+
+
+def numbers(outcome: "Shown") -> dict[str, Any]:
+    """The outcome for JSON."""
+    return {
+        "seconds": outcome.seconds,
+        "supplied_J": outcome.supplied,
+        "damped_J": outcome.lost,
+        "residual": outcome.residual,
+        "apart_m": outcome.apart,
+        "late_steps": outcome.missed,
+        "guarded": outcome.guarded,
+        "complaints": outcome.complaints,
+        "members": outcome.members,
+    }
+
+
+def _line(opened: "OpenHost") -> None:
+    """One line for a log."""
+    from cotouch.cli._table import balance
+
+    watch = opened.host.watch
+    if watch.members:
+        sys.stderr.write(f"cotouch: {time.strftime('%H:%M:%S')} {len(watch.members)} here; {balance(watch)}\n")
+
+
+def _print(outcome: "Shown") -> None:
+    from rich.console import Console
+    from rich.table import Table
+
+    table = Table(title=f"\nafter {outcome.seconds:.0f} s", title_justify="left", title_style="bold", box=None)
+    for name in ("user", "steps", "late", "T max ms", "hand put in J", "damped J", "residual"):
+        table.add_column(name, justify="left" if name == "user" else "right", header_style="dim")
+    for name, result in outcome.members.items():
+        status = None if result is None else result["status"]
+        if status is None:
+            table.add_row(name, "did not come to its end")
+            continue
+        table.add_row(
+            name,
+            f"{status['steps']:,}",
+            f"{status['missed']:,}",
+            f"{1e3 * status['longest']:.1f}",
+            f"{status['supplied']:.4f}",
+            f"{status['lost']:.4f}",
+            f"{status['residual']:.0e}",
+        )
+    console = Console()
+    console.print(table)
+    console.print(
+        f"\nthe hands put in {outcome.supplied:.4f} J and {outcome.lost:.4f} J were damped; copies that are linked end "
+        f"within {1e3 * outcome.apart:.2f} mm; links were guarded {outcome.guarded} times"
+    )
+    if outcome.complaints:
+        for complaint in outcome.complaints:
+            console.print(f"[red]{complaint}[/red]")
+    else:
+        console.print("[green]passive, and everything came out as it should[/green]")

@@ -1,0 +1,204 @@
+"""`cotouch host` and `cotouch join`."""
+
+import os
+import signal
+import sys
+import time
+from collections.abc import Callable, Generator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from cotouch.cli._output import print_json, writable
+from cotouch.errors import SessionError
+
+if TYPE_CHECKING:
+    from cotouch.live import Invitation
+    from cotouch.session import Taken, Watch
+
+_POLL = 0.02
+_REDRAW = 4.0  # times a second
+
+
+def host(
+    file: Path,
+    *,
+    listen: str,
+    port: int | None,
+    seconds: float | None,
+    keep: Path | None,
+    headless: bool,
+    as_json: bool,
+) -> None:
+    """Opens a session and keeps it open."""
+    from cotouch.session import SessionFile, open_host
+
+    session = SessionFile.read(file)
+    with interruptible() as stopped, open_host(session, listen=listen, port=port, keep=keep) as opened:
+        line = opened.invitation.encode()
+        if as_json:
+            print_json({"invitation": line, "session": session.digest.hex()})
+            sys.stdout.flush()
+        else:
+            sys.stdout.write(f"{line}\n")
+            sys.stdout.flush()
+            sys.stderr.write("join with: cotouch join INVITATION (the line above; whoever has it can take part)\n")
+        title = session.scenario.title or file.stem
+        with shown(lambda: opened.host.watch, title=title, invitation=line, quiet=headless or as_json) as redraw:
+            end = None if seconds is None else time.monotonic() + seconds
+            while not stopped() and (end is None or time.monotonic() < end):
+                opened.service(time.monotonic())
+                redraw()
+                time.sleep(_POLL)
+        opened.host.end()
+
+
+def join(
+    invitation: str,
+    *,
+    name: str | None,
+    hand: str,
+    seconds: float | None,
+    listen: str | None,
+    record: Path | None,
+    headless: bool,
+    as_json: bool,
+) -> None:
+    """Takes part in a session."""
+    from cotouch import __version__
+    from cotouch.live import Invitation
+    from cotouch.session import join as take_part
+
+    if hand not in {"scripted", "none"}:
+        raise SessionError(f'--device is "{hand}"; it must be scripted (what the session\'s file says) or none')
+    if record is not None:
+        writable(record)
+    decoded = Invitation.decode(sys.stdin.readline() if invitation == "-" else invitation)
+    if not (headless or as_json) and sys.stdout.isatty():
+        _with_table(decoded, name=name, hand=hand, seconds=seconds, listen=listen, record=record)
+        return
+    with interruptible() as stopped:
+        taken = take_part(
+            decoded,
+            name=name or _own_name(),
+            hand="none" if hand == "none" else "scripted",
+            seconds=seconds,
+            listen=listen,
+            record=record,
+            version=__version__,
+            say=lambda text: None if as_json else _say(text),
+            stopped=stopped,
+        )
+    if as_json:
+        print_json(numbers(taken))
+    else:
+        sys.stdout.write(sentence(taken) + "\n")
+
+
+def numbers(taken: "Taken") -> dict[str, Any]:
+    """How taking part went, for JSON; seats are numbered from 1."""
+    status = taken.status
+    return {
+        "name": taken.name,
+        "user": None if taken.seat is None else taken.seat + 1,
+        "ended": taken.why,
+        "status": None if status is None else status.model_dump(),
+        "pace": dict(taken.pace),
+        "recorded_steps": taken.recorded,
+    }
+
+
+def sentence(taken: "Taken") -> str:
+    """How taking part went, for people."""
+    status = taken.status
+    if status is None or not status.steps:
+        return f"{taken.name} did not come to take part"
+    return (
+        f"{taken.name} took {status.steps} steps in {status.time:.1f} s, {status.missed} of them late; the books balance "
+        f"to {status.residual:.1e} of the energy in play"
+        + ("" if taken.recorded is None else f"; {taken.recorded} steps are recorded")
+    )
+
+
+@contextmanager
+def interruptible() -> Generator[Callable[[], bool]]:
+    """Lets SIGINT and SIGTERM end a loop in order; a second one interrupts at once."""
+    asked: list[int] = []
+
+    def ask(number: int, frame: object) -> None:
+        del frame
+        if asked:
+            raise KeyboardInterrupt
+        asked.append(number)
+
+    before = {number: signal.signal(number, ask) for number in (signal.SIGINT, signal.SIGTERM)}
+    try:
+        yield lambda: bool(asked)
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+@contextmanager
+def shown(
+    watch: "Callable[[], Watch]", *, title: str, invitation: str | None = None, quiet: bool
+) -> Generator[Callable[[], None]]:
+    """A live table on standard error; gives a function to be called often, which draws now and then."""
+    if quiet or not sys.stderr.isatty():
+        yield lambda: None
+        return
+    from rich.console import Console
+    from rich.live import Live
+
+    from cotouch.cli._table import view
+
+    started, drawn = time.monotonic(), [-float("inf")]
+    with Live(console=Console(stderr=True), auto_refresh=False, transient=False) as live:
+
+        def redraw() -> None:
+            now = time.monotonic()
+            if now - drawn[0] >= 1.0 / _REDRAW:
+                drawn[0] = now
+                live.update(view(watch(), now, title=title, started=started, invitation=invitation), refresh=True)
+
+        yield redraw
+
+
+def _with_table(
+    invitation: "Invitation",
+    *,
+    name: str | None,
+    hand: str,
+    seconds: float | None,
+    listen: str | None,
+    record: Path | None,
+) -> None:
+    """Takes part in a process of its own, so that drawing never makes a step late, and shows the session here."""
+    from cotouch.session import MemberProcess, watching
+
+    options = ["--name", name or _own_name(), "--device", hand, "--headless"]
+    for flag, value in (("--seconds", seconds), ("--listen", listen), ("--record", record)):
+        options += [] if value is None else [flag, str(value)]
+    with interruptible() as stopped, watching(invitation, listen=listen) as watch:
+        child = MemberProcess(invitation, options)
+        try:
+            with shown(lambda: watch, title=invitation.session, quiet=False) as redraw:
+                while child.running and not stopped():
+                    watch.service(time.monotonic())
+                    redraw()
+                    time.sleep(_POLL)
+        finally:
+            code = child.stop()
+    if code:
+        sys.exit(code)
+
+
+def _own_name() -> str:
+    try:
+        return os.getlogin()[:32] or "guest"
+    except OSError:
+        return "guest"
+
+
+def _say(text: str) -> None:
+    sys.stderr.write(f"cotouch: {text} ...\n")

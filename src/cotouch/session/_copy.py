@@ -1,0 +1,396 @@
+"""One member's copy of the object, and all that joins it to its neighbours."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Protocol, final
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.live import (
+    Assembly,
+    BudgetAgreement,
+    ControlPlane,
+    Entropy,
+    SampleLink,
+    SamplePlane,
+    SendRate,
+)
+from cotouch.mechanics import Model
+from cotouch.peer import COUPLED, READY, LinkGuard, Peer, Report
+from cotouch.scenario import per_user
+from cotouch.session import _keys
+from cotouch.session._file import SessionFile
+from cotouch.session._hand import Hand
+from cotouch.session._messages import Entry, LinkStatus, Roster, Status
+from cotouch.session._replica import Replica
+from cotouch.session._totals import Totals
+from cotouch.session._ways import Ways
+
+Float = npt.NDArray[np.float64]
+
+BUDGET = "link.budget"
+# Where nobody is heard for so long after coming, nobody moves yet, and the copy starts at rest [s].
+_QUIET = 1.5
+_STATES = {COUPLED: "coupled", READY: "ready"}
+
+
+class Recorder(Protocol):
+    """Whatever keeps what a copy does."""
+
+    def setup(self, copy: "Copy", now: float) -> None:
+        """Links, damping or the number of copies changed."""
+        ...
+
+    def step(self, copy: "Copy", report: Report, now: float, T: float) -> None:
+        """A step was taken."""
+        ...
+
+    def event(self, kind: str, time: float, **fields: Any) -> None:
+        """Something happened."""
+        ...
+
+
+@final
+@dataclass(eq=False)
+class Neighbour:
+    """One end of a link.
+
+    Attributes:
+        entry: who is at the other end.
+        strength: of the spring [N/m for the weight].
+        weight: index of the spring's weight among the model's.
+        keys: how it gets its keys.
+        link: its samples.
+        guard: what keeps this end passive.
+        budget: how both ends agree on ages.
+        connected: whether the spring is there, because the neighbour's state is known.
+        guarded: how often it was guarded since it was coupled first.
+    """
+
+    entry: Entry
+    strength: float
+    weight: int
+    keys: _keys.KeyExchange
+    link: SampleLink
+    guard: LinkGuard
+    budget: BudgetAgreement
+    connected: bool = False
+    guarded: int = 0
+
+
+@final
+class Copy:
+    """Follows the roster with its links, and moves.
+
+    Attributes:
+        seat: index of this user.
+        peer: None until the copy knows where to start.
+        neighbours: by seat.
+        totals: what was booked since the start.
+    """
+
+    def __init__(
+        self,
+        *,
+        session: SessionFile,
+        replica: Replica,
+        seat: int,
+        hand: Callable[[int, Model], Hand],
+        control: ControlPlane,
+        ways: Ways,
+        entropy: Entropy,
+        secret: bytes,
+        recorder: Recorder | None,
+    ) -> None:
+        """Prepares a copy that has no links yet; see `Member` for the arguments."""
+        self.seat = seat
+        self.peer: Peer | None = None
+        self.neighbours: dict[int, Neighbour] = {}
+        self.totals = Totals()
+        self._session, self._options, self._replica = session, session.options, replica
+        self._make_hand, self._control, self._ways = hand, control, ways
+        self._hand: Hand | None = None
+        self._entropy, self._secret = entropy, secret
+        self._recorder = recorder
+        self._plane = SamplePlane(ways.transport, replica.layout, user=seat)
+        self._roster = Roster()
+        self._numbers = set[int]()
+        self._since: float | None = None  # when it came
+        self._began = 0.0  # when it began to move
+        self._last: Report | None = None
+        self._damping = np.zeros(1 + len(replica.scenario.network.weights))
+
+    # -- who is there ------------------------------------------------------------------------------------------------
+
+    def follow(self, roster: Roster, now: float) -> None:
+        """Takes up and lets go of links as the roster says, and takes its share of the object.
+
+        Args:
+            roster: the newest.
+            now: [s].
+        """
+        self._since = now if self._since is None else self._since
+        self._roster = roster
+        members = roster.by_seat()
+        wanted = {seat: members[seat] for seat in roster.neighbours(self.seat) if seat in members}
+        for seat in [seat for seat, held in self.neighbours.items() if wanted.get(seat) != held.entry]:
+            self._drop(seat)
+        for seat, entry in wanted.items():
+            if seat not in self.neighbours:
+                self._add(seat, entry)
+        if self.peer is not None:
+            self.peer.rescale(len(members))
+        self._changed(now)
+
+    def alone(self, now: float) -> None:
+        """Lets go of all links."""
+        for seat in list(self.neighbours):
+            self._drop(seat)
+        self._changed(now)
+
+    def hear(self, seat: int, topic: str, body: bytes, now: float) -> None:
+        """Takes what a member said about a link.
+
+        Args:
+            seat: of the member.
+            topic: what about.
+            body: what it said.
+            now: [s].
+        """
+        neighbour = self.neighbours.get(seat)
+        if neighbour is None:
+            return
+        if topic == _keys.TOPIC:
+            neighbour.keys.hear(body)
+        elif topic == BUDGET:
+            neighbour.budget.receive(body, now)
+
+    def tend(self, now: float) -> None:
+        """Says again what was not answered, and keeps budgets and damping at what is agreed.
+
+        Args:
+            now: [s].
+        """
+        for seat, neighbour in self.neighbours.items():
+            key = bytes.fromhex(neighbour.entry.key)
+            neighbour.keys.tend(now, asked=neighbour.link.asked)
+            if neighbour.connected:
+                for body in self._agree(seat, neighbour, now):
+                    self._control.send(BUDGET, body, to=key)
+        self._damp(now)
+
+    # -- moving ------------------------------------------------------------------------------------------------------
+
+    def step(self, now: float, T: float) -> bool:
+        """Hears the neighbours, moves, and tells them; False as long as there is nothing to move.
+
+        Args:
+            now: end of the step [s].
+            T: its length [s].
+        """
+        self._plane.poll(now)
+        if self.peer is None and not self._start(now):
+            return False
+        peer, hand = self.peer, self._hand
+        assert peer is not None
+        assert hand is not None
+        for seat, neighbour in self.neighbours.items():
+            if not neighbour.connected and neighbour.link.assembly.complete:
+                neighbour.connected = True
+                peer.connect(seat, neighbour.guard, strength=neighbour.strength, weight=neighbour.weight)
+                self._changed(now)
+        hand.before(now - self._began, T)
+        report = peer.step(now, T)
+        hand.after()
+        self._plane.stepped(now)
+        self._plane.send(now, report.sample, T)
+        self._last = report
+        self.totals.add(report, peer.neighbours)
+        self._notice()
+        if self._recorder is not None:
+            self._recorder.step(self, report, now, T)
+        return True
+
+    def _start(self, now: float) -> bool:
+        """Begins to move where a neighbour is, or where the file says, if nobody moves yet."""
+        heard = [held for held in self.neighbours.values() if held.link.assembly.complete]
+        quiet = self._since is not None and now - self._since > _QUIET
+        agreed = all(held.keys.agreed for held in self.neighbours.values())
+        if not heard and not (quiet and (agreed or now - (self._since or now) > 4.0 * _QUIET)):
+            return False
+        scenario = self._replica.scenario
+        model = self._replica.model(max(1, len(self._roster.members)))
+        hand = self._hand = self._make_hand(self.seat, model)
+        shape = (self._replica.body.nodes, self._replica.body.dimension)
+        if heard:
+            place = model.to_nodes(heard[0].link.assembly.state)
+        else:
+            given = scenario.initial.position
+            place = np.zeros(shape) if given is None else np.broadcast_to(np.asarray(given[self.seat]), shape)
+        extra = np.zeros_like(self._damping)
+        extra[0] = per_user(scenario.synchronisation.extra_damping, self._session.seats, "extra_damping")[self.seat]
+        self.peer = Peer(
+            index=self.seat,
+            model=model,
+            links={},
+            strength=[],
+            weight=[],
+            local_damping=self._damping,
+            extra_damping=extra,
+            grips=hand.grips,
+            position=place,
+            velocity=np.zeros(shape),
+            surface=hand.surface,
+            tools=hand.tools,
+            tolerance=scenario.solver.tolerance,
+            iterations=scenario.solver.iterations,
+        )
+        self._began = now
+        self.totals.begin(self.peer)
+        self._changed(now)
+        return True
+
+    def _add(self, seat: int, entry: Entry) -> None:
+        """Prepares a link; its spring comes when the neighbour is heard."""
+        network, options, layout = self._replica.scenario.network, self._options, self._replica.layout
+        assembly = Assembly(layout, sender=seat, initial=np.zeros((layout.rows, layout.width)))
+        highest = options.send_rate or 1.0 / self._session.period(self.seat)
+        link = SampleLink(assembly, rate=SendRate(highest=highest))
+        number = int.from_bytes(self._entropy(4), "big")
+        while number in self._numbers:
+            number = (number + 1) % (1 << 32)
+        self._numbers.add(number)
+        keys = _keys.KeyExchange(
+            self._control,
+            link.seal,
+            other=bytes.fromhex(entry.key),
+            session=self._session.digest,
+            connection=number,
+            entropy=self._entropy,
+            secret=self._secret,
+        )
+        guard = LinkGuard(
+            assembly,
+            seed=options.seed,
+            cap=max(options.tank, options.seed),
+            force=options.force_limit,
+            power=options.power_limit,
+            rounding=0.0,
+            epoch=1 + self._entropy(1)[0] % 255,
+        )
+        self.neighbours[seat] = Neighbour(
+            entry=entry,
+            strength=float(network.spring[self.seat, seat]),
+            weight=int(network.weight_of[self.seat, seat]) + 1,
+            keys=keys,
+            link=link,
+            guard=guard,
+            budget=BudgetAgreement(),
+        )
+        self._plane.connect(seat, link)
+        self._ways.introduce(seat, bytes.fromhex(entry.key))
+
+    def _drop(self, seat: int) -> None:
+        """Lets a link go."""
+        del self.neighbours[seat]
+        self._plane.disconnect(seat)
+        if self.peer is not None:
+            self.peer.disconnect(seat)
+
+    # -- what is agreed ----------------------------------------------------------------------------------------------
+
+    def _damp(self, now: float) -> None:
+        """Keeps the damping at what the budgets in force need, by the rule [age rule; Lee & Huang 2010, theorem 1]."""
+        needed = np.zeros_like(self._damping)
+        for neighbour in self.neighbours.values():
+            needed[neighbour.weight] += 0.5 * neighbour.strength * neighbour.budget.total
+            neighbour.guard.budget, neighbour.guard.total = neighbour.budget.budget, neighbour.budget.total
+        if (needed != self._damping).any():
+            self._damping = needed
+            if self.peer is not None:
+                self.peer.set_local_damping(needed)
+            self._changed(now)
+
+    def _changed(self, now: float) -> None:
+        if self._recorder is not None and self.peer is not None:
+            self._recorder.setup(self, now)
+
+    def _notice(self) -> None:
+        """Counts and tells what the guards noted."""
+        for seat, neighbour in self.neighbours.items():
+            events = neighbour.guard.events
+            while events:
+                event = events.popleft()
+                state = _STATES.get(event.state, "guarded")
+                neighbour.guarded += state == "guarded"
+                if self._recorder is not None:
+                    self._recorder.event(state, event.time, seat=seat, reason=event.reason)
+
+    # -- what is seen ------------------------------------------------------------------------------------------------
+
+    def status(self, now: float) -> Status:
+        """What this member says about itself.
+
+        Args:
+            now: [s].
+        """
+        peer, totals, report = self.peer, self.totals, self._last
+        if peer is None or report is None:
+            return Status(seat=self.seat, epoch=self._roster.epoch, links=[self._link(s) for s in self.neighbours])
+        needed = sum(held.strength * held.guard.total for held in self.neighbours.values()) * 0.5
+        model = peer.model
+        status = Status(
+            seat=self.seat,
+            epoch=self._roster.epoch,
+            time=now - self._began,
+            steps=peer.steps,
+            period=self._session.period(self.seat),
+            force=self._force(report),
+            position=model.to_nodes(peer.state.position).mean(axis=0).tolist(),
+            supplied=totals.supplied,
+            lost=totals.lost,
+            linked=totals.linked,
+            energy=totals.energy,
+            initial=totals.initial,
+            residual=totals.residual,
+            damping=float(self._damping.max()),
+            certificate=float(self._damping.sum() / needed - 1.0) if needed > 0.0 else None,
+            links=[self._link(seat) for seat in self.neighbours],
+            alarms=totals.alarms,
+        )
+        return status
+
+    def _force(self, report: Report) -> float:
+        """Of the hands on the copy and on the proxies, as a whole [N]."""
+        force = report.force.sum(axis=0)
+        tools = None if self._hand is None else self._hand.tools
+        if tools is not None:
+            force = force + tools.drive_force[tools.first : tools.last].sum(axis=0)[: force.size]
+        return float(np.linalg.norm(force))
+
+    def _link(self, seat: int) -> LinkStatus:
+        """What is known of a link."""
+        held = self.neighbours[seat]
+        link, peer = held.link, self.peer
+        if not held.keys.agreed:
+            return LinkStatus(seat=seat, state="keys", way=self._ways.way(seat))
+        if not held.connected or peer is None:
+            return LinkStatus(seat=seat, state="waiting", way=self._ways.way(seat))
+        books, own = held.guard.books, link.ages.own
+        apart = np.linalg.norm(peer.state.position - link.assembly.state, axis=1)
+        return LinkStatus(
+            seat=seat,
+            state=_STATES.get(books.state, "guarded"),
+            way=self._ways.way(seat),
+            age=None if own is None else own[0],
+            ages=link.ages.worst_sum,
+            budget=held.guard.total if np.isfinite(held.guard.budget) else None,
+            path=link.ages.shortest_path,
+            loss=link.rate.loss,
+            rate=link.rate.rate,
+            force=float(np.sqrt(max(0.0, 2.0 * books.potential * held.strength))),
+            work=self.totals.link_work.get(seat, 0.0),
+            difference=float(apart.max()),
+            guarded=held.guarded,
+        )

@@ -1,0 +1,287 @@
+"""A session that plays itself on this machine: the paper's five users, each a process of its own."""
+
+import json
+import time
+import tomllib
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from importlib.resources import files
+from pathlib import Path
+from typing import Any, final
+
+from cotouch.errors import SessionError
+from cotouch.session._file import MOST_USERS, SessionFile
+from cotouch.session._open import OpenHost, open_host
+from cotouch.session._process import MemberProcess
+from cotouch.session._totals import ALARM
+
+_FILE = "live.toml"
+# Compiling on a machine that never did takes so long, several processes at once [s].
+_PATIENCE = 300.0
+_POLL = 0.02
+_BODIES = ("point", "block")
+# Springs and delays of users beyond the paper's five.
+_SPRING, _DELAY = 60.0, 0.05
+_REACH = (0.10, -0.05, 0.06, -0.08, 0.02)
+_BLOCK = {
+    "kind": "lattice",
+    "shape": [8, 4, 4],
+    "mass": 1.0,
+    "stiffness": 400.0,
+    "damping": 0.4,
+    "spacing": 0.02,
+    "ground": "x-",
+    "ground_stiffness": 400.0,
+}
+# What `--impair` takes, and where it stands in a session's file.
+_IMPAIRMENTS = ("loss", "jitter", "duplication", "reordering")
+_HOLD = 0.05
+
+
+def demo_file() -> Path:
+    """The session of the paper's five users: beside this package where it is installed, else in `examples/`.
+
+    Raises:
+        SessionError: it is in neither place.
+    """
+    installed = Path(str(files("cotouch.session").joinpath(_FILE)))
+    source = Path(__file__).resolve().parents[3] / "examples" / _FILE
+    for path in (installed, source):
+        if path.is_file():
+            return path
+    raise SessionError(
+        f"{_FILE} is neither beside cotouch.session nor in the examples of the sources; reinstall cotouch"
+    )
+
+
+def demo_session(
+    *, users: int = 5, body: str = "point", seconds: float = 30.0, impair: Sequence[str] = ()
+) -> SessionFile:
+    """The session of a demonstration.
+
+    Args:
+        users: how many; of more than five, all joined to all by equal springs over equal delays.
+        body: "point" (the paper's) or "block" (a soft block in three dimensions).
+        seconds: how long; the hands let go after two thirds of it.
+        impair: what the network does besides, each such as "loss=0.1", "jitter=0.02" (s), "duplication=0.05",
+            "reordering=0.1".
+
+    Raises:
+        SessionError: one of these cannot be.
+    """
+    tables = tomllib.loads(demo_file().read_text(encoding="utf-8"))
+    if not 1 <= users <= MOST_USERS:
+        raise SessionError(f"--users is {users}; it must be from 1 to {MOST_USERS}")
+    network = tables["network"]
+    if users <= len(network["users"]):
+        network["users"] = network["users"][:users]
+        for name in ("spring", "delay"):
+            network[name] = [row[:users] for row in network[name][:users]]
+        network["links"] = [link for link in network["links"] if max(link) <= users]
+    else:
+        network["users"] = [f"user {number + 1}" for number in range(users)]
+        for name, value in (("spring", _SPRING), ("delay", _DELAY)):
+            network[name] = [[value * (i != j) for j in range(users)] for i in range(users)]
+        del network["links"]
+    release = round(2.0 * seconds / 3.0, 3)
+    tables["hands"] = [
+        {"user": n + 1, "path": [[0, 0], [2, _REACH[n % 5]]], "stiffness": 60.0, "damping": 2.0, "release": release}
+        for n in range(users)
+    ]
+    _embody(tables, body)
+    _impair(tables, impair)
+    return SessionFile.from_toml(_toml(tables), source="the demonstration")
+
+
+@final
+@dataclass(frozen=True, kw_only=True)
+class Shown:
+    """How a demonstration went.
+
+    Attributes:
+        members: what each process said at its end, by name; None of one that did not come to its end.
+        seconds: from when all were there.
+        supplied: by all hands [J].
+        lost: in all dampers [J].
+        initial: at the start [J].
+        residual: greatest of anybody's steps, of the energy in play.
+        apart: greatest difference of linked copies at the end [m].
+        missed: share of steps that came late.
+        guarded: how often links were guarded after they were coupled first.
+        complaints: what went wrong, in sentences; empty if all came out as it should.
+    """
+
+    members: dict[str, dict[str, Any] | None]
+    seconds: float
+    supplied: float
+    lost: float
+    initial: float
+    residual: float
+    apart: float
+    missed: float
+    guarded: int
+    complaints: list[str]
+
+
+def play(
+    session: SessionFile,
+    *,
+    seconds: float,
+    each: Callable[[OpenHost, float], None] = lambda opened, now: None,
+    stopped: Callable[[], bool] = lambda: False,
+    record: Path | None = None,
+) -> Shown:
+    """Plays a session with one process for each of its users.
+
+    Args:
+        session: with scripted hands.
+        seconds: how long, from when all are there.
+        each: called some fifty times a second, with the host and the time.
+        stopped: whether to end now.
+        record: an existing folder for a recording of each user.
+
+    Raises:
+        TransportError: this machine refuses a port.
+        SessionError: somebody could not take part.
+    """
+    names = session.scenario.network.users
+    with open_host(session) as opened:
+        members: dict[str, MemberProcess] = {}
+        try:
+            for name in names:
+                options = ["--name", name, "--headless"]
+                options += [] if record is None else ["--record", str(record / f"{name}.mcap")]
+                members[name] = MemberProcess(opened.invitation, options, as_json=True)
+            began = _gather(opened, members, each, stopped)
+            end = began + seconds
+            while time.monotonic() < end and not stopped():
+                _turn(opened, each)
+            opened.host.end()
+            took = time.monotonic() - began
+            finish = time.monotonic() + 10.0
+            while time.monotonic() < finish and any(member.running for member in members.values()):
+                _turn(opened, lambda opened, now: None)
+            return _summed(members, took)
+        finally:
+            for member in members.values():
+                member.close()
+
+
+def _gather(
+    opened: OpenHost,
+    members: dict[str, MemberProcess],
+    each: Callable[[OpenHost, float], None],
+    stopped: Callable[[], bool],
+) -> float:
+    """Waits until everybody moves; returns when that was [s]."""
+    patience = time.monotonic() + _PATIENCE
+    while not stopped():
+        _turn(opened, each)
+        seen = opened.host.watch.members.values()
+        if len(seen) == len(members) and all(s.status is not None and s.status.steps for s in seen):
+            break
+        for name, member in members.items():
+            if not member.running:
+                raise SessionError(f"{name} could not take part: {member.complaint() or 'it ended without a word'}")
+        if time.monotonic() > patience:
+            raise SessionError(f"{len(seen)} of {len(members)} users came within {_PATIENCE:.0f} s; try fewer")
+    return time.monotonic()
+
+
+def _turn(opened: OpenHost, each: Callable[[OpenHost, float], None]) -> None:
+    now = time.monotonic()
+    opened.service(now)
+    each(opened, now)
+    time.sleep(_POLL)
+
+
+def _summed(members: dict[str, MemberProcess], seconds: float) -> Shown:
+    results = {name: member.result() for name, member in members.items()}
+    complaints = [f"{name} ended without a result" for name, result in results.items() if result is None]
+    known = [r["status"] for r in results.values() if r is not None and r["status"] is not None]
+
+    def total(name: str) -> float:
+        return float(sum(status[name] for status in known))
+
+    supplied, initial, lost = total("supplied"), total("initial"), total("lost")
+    residual = max((status["residual"] for status in known), default=0.0)
+    links = [link for status in known for link in status["links"]]
+    apart = max((link["difference"] for link in links if link["difference"] is not None), default=0.0)
+    if supplied + initial < -ALARM * max(lost, abs(supplied)):
+        complaints.append(f"the hands got out {-supplied - initial:.3g} J that nobody put in")
+    if residual > ALARM:
+        complaints.append(f"the energy books are off by {residual:.1e} of the energy in play")
+    uncoupled = {link["state"] for link in links} - {"coupled"}
+    if uncoupled:
+        complaints.append(f"at the end some links were {', '.join(sorted(uncoupled))}")
+    steps = total("steps")
+    return Shown(
+        members=results,
+        seconds=seconds,
+        supplied=supplied,
+        lost=lost,
+        initial=initial,
+        residual=residual,
+        apart=apart,
+        missed=total("missed") / steps if steps else 0.0,
+        guarded=sum(link["guarded"] for link in links),
+        complaints=complaints,
+    )
+
+
+def _embody(tables: dict[str, Any], body: str) -> None:
+    """Puts a body in, and hands where they can hold it."""
+    if body == "point":
+        return
+    if body == "block":
+        tables["body"] = dict(_BLOCK)
+        places = [[0.14, 0.02 * (n % 4), 0.02 * (n // 4 % 4)] for n in range(len(tables["hands"]))]
+    else:
+        raise SessionError(f'--body is "{body}"; it must be {" or ".join(_BODIES)}')
+    ways = ((0.0, 0.3, 0.0), (0.0, -0.3, 0.1), (0.2, 0.0, 0.3), (0.0, 0.2, -0.3), (-0.2, 0.0, 0.2))
+    for n, (hand, place) in enumerate(zip(tables["hands"], places, strict=True)):
+        reach = [0.3 * share * 0.2 for share in ways[n % 5]]
+        hand |= {"at": place, "path": [[0, 0, 0, 0], [2, *reach]]}
+
+
+def _impair(tables: dict[str, Any], impair: Sequence[str]) -> None:
+    channel: dict[str, Any] = {}
+    for wish in impair:
+        name, _, text = wish.partition("=")
+        try:
+            value = float(text)
+        except ValueError:
+            value = -1.0
+        if name not in _IMPAIRMENTS or not 0.0 <= value <= 1.0:
+            raise SessionError(
+                f'--impair is "{wish}"; it must be {", ".join(_IMPAIRMENTS)}, "=", and a number from 0 to 1 (jitter: s)'
+            )
+        channel[name] = {"scale": value} if name == "jitter" else value
+        if name == "reordering":
+            channel["reordering_delay"] = _HOLD
+    if channel:
+        tables["channel"] = channel
+
+
+def _toml(tables: dict[str, Any]) -> str:
+    """Tables of numbers, texts, lists and one level of tables; JSON's values are TOML's, but for tables in tables."""
+    lines: list[str] = []
+
+    def value(entry: Any) -> str:
+        if isinstance(entry, dict):
+            return "{" + ", ".join(f"{name} = {value(inner)}" for name, inner in entry.items()) + "}"
+        return json.dumps(entry)
+
+    def table(header: str, entries: dict[str, Any]) -> None:
+        lines.extend(["", header, *(f"{name} = {value(entry)}" for name, entry in entries.items())])
+
+    for name, entry in tables.items():
+        if not isinstance(entry, dict | list):
+            lines.append(f"{name} = {value(entry)}")
+    for name, entry in tables.items():
+        if isinstance(entry, dict):
+            table(f"[{name}]", entry)
+        elif isinstance(entry, list):
+            for one in entry:
+                table(f"[[{name}]]", one)
+    return "\n".join(lines) + "\n"

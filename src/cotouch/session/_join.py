@@ -1,0 +1,253 @@
+"""Taking part in a session from this process: what opens sockets, reads the clock, and moves the copy in time."""
+
+import os
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Literal, final
+
+from cotouch.errors import SessionError, TransportError
+from cotouch.live import (
+    Address,
+    ControlPlane,
+    Identity,
+    ImpairedTransport,
+    Invitation,
+    Pacer,
+    RoutedTransport,
+    UdpTransport,
+    ZenohControl,
+    prepare_process,
+)
+from cotouch.mechanics import Model
+from cotouch.session._emulate import path_laws
+from cotouch.session._file import SessionFile
+from cotouch.session._hand import Hand, NoHand, ScriptedHand
+from cotouch.session._member import Member
+from cotouch.session._messages import Status
+from cotouch.session._replica import Replica
+from cotouch.session._tape import Tape
+from cotouch.session._warm import warm_up
+from cotouch.session._ways import RoutedWays
+
+HandKind = Literal["scripted", "none"]
+
+# The host answers at once, if it is there and reachable; a large mesh takes longer, but comes in pieces [s].
+_PATIENCE = 20.0
+_FILE_PATIENCE = 120.0
+_SERVICE_EVERY = 0.02
+_WAIT = 0.02
+
+
+@final
+@dataclass(frozen=True, kw_only=True)
+class Taken:
+    """How taking part went.
+
+    Attributes:
+        name: of this member.
+        seat: index of the user; None if it never had one.
+        status: the last; None before the first step.
+        why: it ended: "time", "ended" (by the host) or "stopped".
+        pace: of its steps, as the pacer counted.
+        recorded: steps in the recording; None without.
+    """
+
+    name: str
+    seat: int | None
+    status: Status | None
+    why: str
+    pace: Mapping[str, float]
+    recorded: int | None
+
+
+def fetch_session(control: ControlPlane, digest: bytes, folder: Path) -> SessionFile:
+    """The session's file and meshes, from whoever has them.
+
+    Args:
+        control: the control plane.
+        digest: SHA-256 of the description.
+        folder: an empty, private one for the meshes.
+
+    Raises:
+        TransportError: nobody answers.
+        SessionError: what came is no session of this version.
+    """
+    content = _fetched(control, digest, _PATIENCE)
+    files = {name: _fetched(control, wanted, _FILE_PATIENCE) for name, wanted in SessionFile.needed(content).items()}
+    return SessionFile.from_content(content, files, folder=folder)
+
+
+def join(
+    invitation: Invitation,
+    *,
+    name: str,
+    hand: HandKind = "scripted",
+    seconds: float | None = None,
+    listen: str | None = None,
+    record: Path | None = None,
+    version: str,
+    say: Callable[[str], None] = lambda text: None,
+    stopped: Callable[[], bool] = lambda: False,
+) -> Taken:
+    """Takes part until time is up, the host ends the session, or it is told to stop.
+
+    Args:
+        invitation: to the session.
+        name: that others see.
+        hand: what moves the copy: what the session's file says for its seat, or nothing.
+        seconds: how long, from the first step; None: until the end.
+        listen: address in numbers to listen on; None: the one by which this machine reaches the host.
+        record: file to record into; must not exist.
+        version: of this software.
+        say: is told in a few words what takes time.
+        stopped: whether to stop now.
+
+    Raises:
+        SessionError: it may not take part.
+        TransportError: the host, the network or this machine refuses.
+    """
+    identity = Identity.make(os.urandom)
+    say("joining")
+    control = ZenohControl(invitation, identity, listen=listen or "reachable")
+    try:
+        with TemporaryDirectory(prefix="cotouch-") as folder:
+            say("fetching the session")
+            session = fetch_session(control, invitation.digest, Path(folder))
+            replica = Replica.build(session)
+        for file in (session.content, *session.files.values()):
+            control.offer(file)
+        say("compiling, once on this machine")
+        warm_up(replica, partial(_hand, session, replica, hand, 0))
+        say("waiting for a seat")
+        return _take_part(
+            session,
+            replica,
+            control,
+            invitation,
+            name=name,
+            hand=hand,
+            seconds=seconds,
+            listen=listen,
+            record=record,
+            version=version,
+            stopped=stopped,
+        )
+    finally:
+        control.close()
+
+
+def _take_part(
+    session: SessionFile,
+    replica: Replica,
+    control: ZenohControl,
+    invitation: Invitation,
+    *,
+    name: str,
+    hand: HandKind,
+    seconds: float | None,
+    listen: str | None,
+    record: Path | None,
+    version: str,
+    stopped: Callable[[], bool],
+) -> Taken:
+    clock = time.monotonic
+    own = control.endpoint
+    udp = UdpTransport(host=listen or (own.host if own is not None else "0.0.0.0"), clock=clock)  # noqa: S104
+    routed = RoutedTransport(
+        udp,
+        control,
+        session=invitation.id,
+        secret=invitation.derive(b"samples", 32),
+        entropy=os.urandom,
+        mirrors=[Address(*endpoint) for endpoint in invitation.endpoints],
+    )
+    impaired = ImpairedTransport(routed, {}, clock=clock) if session.options.emulate else None
+    tape = None if record is None else Tape(record, session, replica, name=name, key=control.identity.public)
+
+    def taken(seat: int, model: Model) -> Hand:
+        pacer.retime(session.period(seat))
+        if impaired is not None:
+            for other, law in path_laws(session.scenario, seat).items():
+                impaired.set(other, law)
+        return _hand(session, replica, hand, seat, model)
+
+    pacer = Pacer(session.period(0), cap=session.options.longest_step, clock=clock)
+    member = Member(
+        session=session,
+        replica=replica,
+        control=control,
+        ways=RoutedWays(routed, impaired),
+        host=invitation.host,
+        name=name,
+        version=version,
+        hand=taken,
+        entropy=os.urandom,
+        secret=invitation.derive(b"links", 32),
+        recorder=tape,
+        pace=pacer.summary,
+    )
+    try:
+        with prepare_process():
+            why = _loop(member, pacer, seconds=seconds, stopped=stopped)
+        status = member.status(clock())
+        member.leave()
+        return Taken(
+            name=name,
+            seat=member.seat,
+            status=status,
+            why=why,
+            pace=pacer.summary(),
+            recorded=None if tape is None else tape.close(),
+        )
+    finally:
+        if tape is not None:
+            tape.close()
+        (routed if impaired is None else impaired).close()
+
+
+def _loop(member: Member, pacer: Pacer, *, seconds: float | None, stopped: Callable[[], bool]) -> str:
+    began: float | None = None
+    service = -float("inf")
+    while True:
+        now, T, _ = pacer.wait()
+        if member.step(now, T) and began is None:
+            began = now
+        if now >= service:
+            service = now + _SERVICE_EVERY
+            member.service(now)
+            if stopped():
+                return "stopped"
+        if member.ended:
+            return "ended"
+        if seconds is not None and began is not None and now - began >= seconds:
+            return "time"
+
+
+def _hand(session: SessionFile, replica: Replica, kind: HandKind, seat: int, model: Model) -> Hand:
+    if kind == "none":
+        return NoHand(model)
+    return ScriptedHand(
+        replica.scenario,
+        replica.body,
+        model,
+        seat=seat,
+        period=session.period(seat),
+        longest=session.options.longest_step,
+    )
+
+
+def _fetched(control: ControlPlane, digest: bytes, patience: float) -> bytes:
+    end = time.monotonic() + patience
+    while (content := control.fetch(digest)) is None:
+        if time.monotonic() > end:
+            who = "nobody of the session answers" if not control.present() else "nobody has the session's file"
+            raise TransportError(f"{who} within {patience:.0f} s; check that the host runs and can be reached")
+        time.sleep(_WAIT)
+    return content
+
+
+__all__ = ["HandKind", "SessionError", "Taken", "fetch_session", "join"]

@@ -1,0 +1,65 @@
+"""What a copy's books add up to."""
+
+from collections.abc import Sequence
+from typing import final
+
+from cotouch.peer import Peer, Report
+
+# A residual above this share of the energy in play means that something is broken, not round-off.
+ALARM = 1e-9
+
+
+@final
+class Totals:
+    """Sums over all steps, and what was worst.
+
+    Attributes:
+        initial: energy at the start [J].
+        supplied: work of the hands at ports and proxies [J].
+        lost: in all dampers and contacts [J].
+        linked: work of all links on the copy [J].
+        link_work: of each link by its neighbour [J].
+        rescaled: what the copy's energy changed by as members came and went [J].
+        energy: after the last step [J].
+        in_play: the most that was stored, supplied, lost or exchanged [J].
+        residual: greatest of any step, of the energy in play then.
+        total_residual: sum of all steps' residuals [J].
+        alarms: steps whose residual is too large to be round-off.
+        least: least of `supplied + initial` so far; negative: the hands got out what nobody put in [J].
+    """
+
+    def __init__(self) -> None:
+        self.initial = self.supplied = self.lost = self.linked = self.rescaled = self.energy = 0.0
+        self.in_play = self.residual = self.total_residual = 0.0
+        self.link_work: dict[int, float] = {}
+        self.alarms = 0
+        self.least = 0.0
+        self._exchanged = 0.0
+
+    def begin(self, peer: Peer) -> None:
+        """Notes what the copy starts with."""
+        self.initial = self.energy = self.in_play = peer.energy
+
+    def add(self, report: Report, neighbours: Sequence[int]) -> None:
+        """Adds a step.
+
+        Args:
+            report: of the step.
+            neighbours: as `Peer.neighbours`.
+        """
+        supplied = report.supplied + report.drive_work
+        self.supplied += supplied
+        self.lost += report.body_loss + report.local_loss + report.extra_loss + report.touch_loss
+        for seat, work in zip(neighbours, report.link_work, strict=True):
+            self.link_work[seat] = self.link_work.get(seat, 0.0) + float(work)
+            self.linked += float(work)
+            self._exchanged += abs(float(work))
+        self.rescaled += report.rescaled
+        self.energy = report.kinetic + report.elastic + report.proxy + report.touch_stored
+        self.in_play = max(self.in_play, self.energy, abs(self.supplied), self.lost, self._exchanged)
+        self.total_residual += report.residual
+        if self.in_play > 0.0:
+            share = abs(report.residual) / self.in_play
+            self.residual = max(self.residual, share)
+            self.alarms += share > ALARM
+        self.least = min(self.least, self.supplied + self.initial)

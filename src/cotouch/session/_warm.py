@@ -1,0 +1,54 @@
+"""Compiling before anybody waits: what a copy's steps need, once on this machine for each kind of body."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from cotouch.mechanics import Model
+from cotouch.peer import FreshestLink, LinkGuard, Peer, Sample
+from cotouch.session._hand import Hand
+from cotouch.session._replica import Replica
+
+_T = 1e-3
+
+
+def warm_up(replica: Replica, make: Callable[[Model], Hand]) -> None:
+    """Takes two steps of a copy that nobody sees.
+
+    Args:
+        replica: of the session.
+        make: makes the hand, given the model.
+    """
+    model = replica.model(2)
+    hand = make(model)
+    rows, width = model.operator_rows, model.width
+    body, weights = replica.body, 1 + len(replica.scenario.network.weights)
+    still = np.zeros((body.nodes, body.dimension))
+    guards = {
+        j: LinkGuard(
+            FreshestLink(Sample(sender=j, index=0, stamp=0.0, position=np.full((rows, width), place))),
+            budget=1.0,
+            total=1.0,
+            seed=1.0,
+        )
+        for j, place in ((1, 1e-6), (2, 1e3))  # one that is followed at once, one that is not
+    }
+    peer = Peer(
+        index=0,
+        model=model,
+        links=guards,
+        strength=[1.0, 1.0],
+        weight=[weights - 1] * 2,
+        local_damping=np.zeros(weights),
+        extra_damping=np.zeros(weights),
+        grips=hand.grips,
+        position=still,
+        velocity=still,
+        surface=hand.surface,
+        tools=hand.tools,
+    )
+    for k in (1, 2):
+        hand.before(k * _T, _T)
+        peer.step(k * _T, _T)
+        hand.after()
+        peer.rescale(1 + k)
