@@ -279,7 +279,7 @@ def demo(
     impair: Annotated[
         list[str] | None,
         typer.Option(
-            help="What the network does besides: loss=0.1, jitter=0.02, duplication=0.1 or reordering=0.1; again for more.",
+            help="What the network does besides: loss=0.1, jitter=0.02 (s), duplication=, reordering=; again for more.",
             show_default=False,
         ),
     ] = None,

@@ -114,8 +114,8 @@ def sentence(taken: "Taken") -> str:
     if status is None or not status.steps:
         return f"{taken.name} did not come to take part"
     return (
-        f"{taken.name} took {status.steps} steps in {status.time:.1f} s, {status.missed} of them late; the books balance "
-        f"to {status.residual:.1e} of the energy in play"
+        f"{taken.name} took {status.steps} steps in {status.time:.1f} s, {status.missed} of them late; the books "
+        f"balance to {status.residual:.1e} of the energy in play"
         + ("" if taken.recorded is None else f"; {taken.recorded} steps are recorded")
     )
 

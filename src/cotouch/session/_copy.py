@@ -340,7 +340,7 @@ class Copy:
             return Status(seat=self.seat, epoch=self._roster.epoch, links=[self._link(s) for s in self.neighbours])
         needed = sum(held.strength * held.guard.total for held in self.neighbours.values()) * 0.5
         model = peer.model
-        status = Status(
+        return Status(
             seat=self.seat,
             epoch=self._roster.epoch,
             time=now - self._began,
@@ -359,7 +359,6 @@ class Copy:
             links=[self._link(seat) for seat in self.neighbours],
             alarms=totals.alarms,
         )
-        return status
 
     def _force(self, report: Report) -> float:
         """Of the hands on the copy and on the proxies, as a whole [N]."""

@@ -127,7 +127,7 @@ def play(
     session: SessionFile,
     *,
     seconds: float,
-    each: Callable[[OpenHost, float], None] = lambda opened, now: None,
+    each: Callable[[OpenHost, float], None] | None = None,
     stopped: Callable[[], bool] = lambda: False,
     record: Path | None = None,
 ) -> Shown:
@@ -160,7 +160,7 @@ def play(
             took = time.monotonic() - began
             finish = time.monotonic() + 10.0
             while time.monotonic() < finish and any(member.running for member in members.values()):
-                _turn(opened, lambda opened, now: None)
+                _turn(opened, None)
             return _summed(members, took)
         finally:
             for member in members.values():
@@ -170,7 +170,7 @@ def play(
 def _gather(
     opened: OpenHost,
     members: dict[str, MemberProcess],
-    each: Callable[[OpenHost, float], None],
+    each: Callable[[OpenHost, float], None] | None,
     stopped: Callable[[], bool],
 ) -> float:
     """Waits until everybody moves; returns when that was [s]."""
@@ -188,10 +188,11 @@ def _gather(
     return time.monotonic()
 
 
-def _turn(opened: OpenHost, each: Callable[[OpenHost, float], None]) -> None:
+def _turn(opened: OpenHost, each: Callable[[OpenHost, float], None] | None) -> None:
     now = time.monotonic()
     opened.service(now)
-    each(opened, now)
+    if each is not None:
+        each(opened, now)
     time.sleep(_POLL)
 
 

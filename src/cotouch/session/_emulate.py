@@ -20,9 +20,7 @@ def path_laws(scenario: Scenario, seat: int) -> dict[int, PathLaw]:
         raise ScenarioError(f'channel.jitter.kind is "{channel.jitter.kind}"; a session emulates "uniform" only')
     burst = channel.burst
     if burst is not None and (burst.loss_good, burst.loss_bad) != (0.0, 1.0):
-        raise ScenarioError(
-            "channel.burst has losses of its own; a session emulates loss_good = 0 and loss_bad = 1 only"
-        )
+        raise ScenarioError("channel.burst must have loss_good = 0 and loss_bad = 1 where a session emulates it")
     return {
         other: PathLaw(
             delay=float(scenario.network.delay[other, seat]),

@@ -90,7 +90,7 @@ def join(
     listen: str | None = None,
     record: Path | None = None,
     version: str,
-    say: Callable[[str], None] = lambda text: None,
+    say: Callable[[str], None] | None = None,
     stopped: Callable[[], bool] = lambda: False,
 ) -> Taken:
     """Takes part until time is up, the host ends the session, or it is told to stop.
@@ -111,18 +111,19 @@ def join(
         TransportError: the host, the network or this machine refuses.
     """
     identity = Identity.make(os.urandom)
-    say("joining")
+    tell = say or _nobody
+    tell("joining")
     control = ZenohControl(invitation, identity, listen=listen or "reachable")
     try:
         with TemporaryDirectory(prefix="cotouch-") as folder:
-            say("fetching the session")
+            tell("fetching the session")
             session = fetch_session(control, invitation.digest, Path(folder))
             replica = Replica.build(session)
         for file in (session.content, *session.files.values()):
             control.offer(file)
-        say("compiling, once on this machine")
+        tell("compiling, once on this machine")
         warm_up(replica, partial(_hand, session, replica, hand, 0))
-        say("waiting for a seat")
+        tell("waiting for a seat")
         return _take_part(
             session,
             replica,
@@ -238,6 +239,10 @@ def _hand(session: SessionFile, replica: Replica, kind: HandKind, seat: int, mod
         period=session.period(seat),
         longest=session.options.longest_step,
     )
+
+
+def _nobody(text: str) -> None:
+    """Hears nothing."""
 
 
 def _fetched(control: ControlPlane, digest: bytes, patience: float) -> bytes:
