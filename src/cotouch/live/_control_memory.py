@@ -1,4 +1,4 @@
-"""A control plane inside one process, on a clock of its own: for tests. What is sent is signed and checked as on wires."""
+"""A control plane inside one process, on a clock of its own, for tests: signed and checked like any other."""
 
 import hashlib
 import heapq
@@ -91,6 +91,7 @@ class MemoryControlNetwork:
     def cut(self, one: bytes, other: bytes) -> None:
         """From now on nothing goes between these two, either way."""
         self._tie(one, other).set(up=False, now=self.now, lag=self.lease)
+        self._lose(one, other)
 
     def mend(self, one: bytes, other: bytes) -> None:
         """They meet again."""
@@ -98,6 +99,9 @@ class MemoryControlNetwork:
 
     def kill(self, member: bytes) -> None:
         """Ends a member without a word; the others notice after the lease."""
+        for other in self._members:
+            if other != member:
+                self._lose(member, other)
         self.drop(member, lag=self.lease)
 
     def drop(self, member: bytes, *, lag: float) -> None:
@@ -131,6 +135,12 @@ class MemoryControlNetwork:
         """A file that somebody offers whom this member can reach."""
         offered = (other.offered.get(digest) for key, other in self._members.items() if self.connected(member, key))
         return next((content for content in offered if content is not None), None)
+
+    def _lose(self, one: bytes, other: bytes) -> None:
+        """What is on its way between two is lost."""
+        for sender, receiver in ((one, other), (other, one)):
+            if receiver in self._members:
+                self._members[receiver].lose(sender)
 
     def _tie(self, one: bytes, other: bytes) -> _Tie:
         tie = self._ties.get(frozenset((one, other)))
@@ -185,12 +195,10 @@ class MemoryControl:
         """What was said since the last call."""
         out = list[Message]()
         while self._open and self._inbox and self._inbox[0][0] <= self._network.now:
-            time, _, sender, message = heapq.heappop(self._inbox)
-            # What was on its way when the tie was cut, or its sender killed, is lost.
-            if self._network.connected(sender, self._identity.public):
-                read = self._reader.read(message, time)
-                if isinstance(read, Message):
-                    out.append(read)
+            time, _, _, message = heapq.heappop(self._inbox)
+            read = self._reader.read(message, time)
+            if isinstance(read, Message):
+                out.append(read)
         return out
 
     def present(self) -> frozenset[bytes]:
@@ -236,6 +244,12 @@ class MemoryControl:
         """A message that will arrive; the sender is the true one, whatever the message says."""
         self._count += 1
         heapq.heappush(self._inbox, (time, self._count, sender, message))
+
+    def lose(self, sender: bytes) -> None:
+        """What is on its way from a sender will not arrive."""
+        now = self._network.now
+        self._inbox = [item for item in self._inbox if item[0] <= now or item[2] != sender]
+        heapq.heapify(self._inbox)
 
     def deliver_relayed(self, relayed: Relayed) -> None:
         """A datagram that will arrive."""

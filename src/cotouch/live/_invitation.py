@@ -22,7 +22,9 @@ _CHECK_BYTES = 4  # finds slips of the hand, not attackers: who can change an in
 _MOST_NAME = 64
 _MOST_ENDPOINTS = 16
 _NAME, _FOUR, _SIX = 0, 4, 6
-_HOST_NAME = re.compile(r"(?=.{1,253}\Z)[A-Za-z0-9](?:[A-Za-z0-9-]*[A-Za-z0-9])?(?:\.[A-Za-z0-9](?:[A-Za-z0-9-]*[A-Za-z0-9])?)*")
+_HOST_NAME = re.compile(
+    r"(?=.{1,253}\Z)[A-Za-z0-9](?:[A-Za-z0-9-]*[A-Za-z0-9])?(?:\.[A-Za-z0-9](?:[A-Za-z0-9-]*[A-Za-z0-9])?)*"
+)
 
 
 class Endpoint(NamedTuple):
@@ -71,7 +73,9 @@ def checked(endpoint: Endpoint) -> Endpoint:
     host, port = endpoint
     numeric = _numeric(host)
     if numeric is None and (not _HOST_NAME.fullmatch(host) or host.replace(".", "").isdigit()):
-        raise SessionError(f"host {host!r} is neither an address in numbers nor a name, such as 192.0.2.7 or example.org")
+        raise SessionError(
+            f"host {host!r} is neither an address in numbers nor a name, such as 192.0.2.7 or example.org"
+        )
     if not 1 <= port <= 65535:
         raise SessionError(f"port {port} of {host} is not a number from 1 to 65535")
     return Endpoint(host if numeric is None else str(numeric), port)

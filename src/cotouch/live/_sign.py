@@ -5,7 +5,7 @@
     magic 4 | sender 32 | recipient 32, zeros: all | counter 8 | length of topic 1 | topic | body | signature 64
 
 The signature [Ed25519, RFC 8032] covers all of it and the session, so a message is of use in one session, for those it
-was meant for, and once: the counter of a sender rises from message to message, and nothing at or below the last is taken.
+was meant for, and once: a sender's counter rises from message to message, and nothing at or below the last is taken.
 """
 
 import re
@@ -90,9 +90,13 @@ class MessageWriter:
             SessionError: the topic, the body or the recipient cannot be.
         """
         if len(topic) > _MOST_TOPIC or not _TOPIC.fullmatch(topic):
-            raise SessionError(f"topic {topic[:80]!r} is none; it takes lower-case words joined by dots, as in link.keys")
+            raise SessionError(
+                f"topic {topic[:80]!r} is none; it takes lower-case words joined by dots, as in link.keys"
+            )
         if len(body) > MOST_BODY:
-            raise SessionError(f"a message on {topic!r} has {len(body)} bytes; {MOST_BODY} go, and more as a file (offer)")
+            raise SessionError(
+                f"a message on {topic!r} has {len(body)} bytes; {MOST_BODY} go, and more as a file (offer)"
+            )
         if to is not None and (len(to) != 32 or to in {_ALL, self._identity.public}):
             raise SessionError("a message is for another member's public key of 32 bytes, or for None: everybody")
 
