@@ -133,7 +133,8 @@ class MemoryControlNetwork:
 
     def content(self, digest: bytes, member: bytes) -> bytes | None:
         """A file that somebody offers whom this member can reach."""
-        offered = (other.offered.get(digest) for key, other in self._members.items() if self.connected(member, key))
+        others = (other for key, other in self._members.items() if key != member and self.connected(member, key))
+        offered = (other.offered.get(digest) for other in others)
         return next((content for content in offered if content is not None), None)
 
     def _lose(self, one: bytes, other: bytes) -> None:

@@ -68,7 +68,9 @@ def configuration(
             "exit_on_failure": {"client": True, "peer": False, "router": False},
             "retry": {"period_init_ms": 200, "period_max_ms": 500, "period_increase_factor": 1.5},
         },
-        "scouting": {"multicast": {"enabled": multicast, **found}, "gossip": {"enabled": True, **found}},
+        # Who is there is seen by presence; opening need not wait for it.
+        "open": {"return_conditions": {"connect_scouted": False}},
+        "scouting": {"delay": 0, "multicast": {"enabled": multicast, **found}, "gossip": {"enabled": True, **found}},
         "adminspace": {"enabled": False},
         "transport": {
             "shared_memory": {"enabled": False},
