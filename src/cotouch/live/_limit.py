@@ -19,14 +19,19 @@ class Bucket:
         self._left = burst
         self._then = -float("inf")
 
-    def take(self, now: float) -> bool:
-        """Whether one more is let through; now must not run backwards [s]."""
+    def take(self, now: float, cost: float = 1.0) -> bool:
+        """Whether one more is let through.
+
+        Args:
+            now: must not run backwards [s].
+            cost: how many it counts for.
+        """
         if now > self._then:
             self._left = min(self._burst, self._left + self._rate * (now - self._then))
             self._then = now
-        if self._left < 1.0:
+        if self._left < cost:
             return False
-        self._left -= 1.0
+        self._left -= cost
         return True
 
 
@@ -60,15 +65,16 @@ class SourceLimit:
         """It is no longer."""
         self._known.pop(address, None)
 
-    def take(self, now: float, address: Hashable, share: Hashable) -> bool:
+    def take(self, now: float, address: Hashable, share: Hashable, cost: float = 1.0) -> bool:
         """Whether a datagram is read.
 
         Args:
             now: [s].
             address: where it says it came from.
             share: what strangers of one origin have in common, such as their host or network.
+            cost: how many it counts for.
         """
         bucket = self._known.get(address)
         if bucket is None:
             bucket = self._strangers[hash(share) % _STRANGERS]
-        return bucket.take(now)
+        return bucket.take(now, cost)

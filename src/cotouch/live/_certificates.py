@@ -1,0 +1,75 @@
+"""Certificates that say "was invited": made for one session from its invitation, nobody is asked for anything.
+
+The session's authority is a key that follows from the invitation's secret, so every invited member makes its own
+certificate, and both ends of a connection accept what that authority signed and nothing else. TLS then says that the
+other end *was invited*; *who* it is says the signature on each message (`_sign.py`).
+"""
+
+from datetime import UTC, datetime
+from typing import NamedTuple
+
+from cryptography import x509
+from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
+from cryptography.hazmat.primitives.serialization import Encoding, NoEncryption, PrivateFormat
+from cryptography.x509.oid import ExtendedKeyUsageOID, NameOID
+
+from cotouch.live._invitation import Invitation
+from cotouch.live._keys import Entropy
+
+# A session's authority lives as long as its invitation; clocks of members may be wrong by years and nothing is lost.
+_FROM, _UNTIL = datetime(2000, 1, 1, tzinfo=UTC), datetime(2100, 1, 1, tzinfo=UTC)
+
+
+class Certificates(NamedTuple):
+    """What one member's TLS takes, each in PEM.
+
+    Attributes:
+        authority: certificate of the session's authority, the only one that is trusted.
+        certificate: of this member; it names nobody, because a server shows it to strangers.
+        key: private key of this certificate, made for it alone.
+    """
+
+    authority: bytes
+    certificate: bytes
+    key: bytes
+
+    def __repr__(self) -> str:
+        return "Certificates()"
+
+
+def make_certificates(invitation: Invitation, *, entropy: Entropy) -> Certificates:
+    """A member's certificates [Ed25519, X.509].
+
+    Args:
+        invitation: of the session.
+        entropy: gives so many bytes that nobody can guess, such as `os.urandom`.
+    """
+    authority = Ed25519PrivateKey.from_private_bytes(invitation.derive(b"authority", 32))
+    own = Ed25519PrivateKey.from_private_bytes(entropy(32))
+    issuer = x509.Name([x509.NameAttribute(NameOID.COMMON_NAME, "cotouch session")])
+    root = (
+        _begun(issuer, issuer, 1)
+        .public_key(authority.public_key())
+        .add_extension(x509.BasicConstraints(ca=True, path_length=0), critical=True)
+        .sign(authority, None)
+    )
+    usages = [ExtendedKeyUsageOID.SERVER_AUTH, ExtendedKeyUsageOID.CLIENT_AUTH]
+    member = (
+        _begun(x509.Name([x509.NameAttribute(NameOID.COMMON_NAME, "member")]), issuer, _serial(entropy))
+        .public_key(own.public_key())
+        .add_extension(x509.BasicConstraints(ca=False, path_length=None), critical=True)
+        .add_extension(x509.ExtendedKeyUsage(usages), critical=False)
+        .add_extension(x509.SubjectAlternativeName([x509.DNSName("member.cotouch.invalid")]), critical=False)
+        .sign(authority, None)
+    )
+    key = own.private_bytes(Encoding.PEM, PrivateFormat.PKCS8, NoEncryption())
+    return Certificates(root.public_bytes(Encoding.PEM), member.public_bytes(Encoding.PEM), key)
+
+
+def _begun(subject: x509.Name, issuer: x509.Name, serial: int) -> x509.CertificateBuilder:
+    builder = x509.CertificateBuilder().subject_name(subject).issuer_name(issuer).serial_number(serial)
+    return builder.not_valid_before(_FROM).not_valid_after(_UNTIL)
+
+
+def _serial(entropy: Entropy) -> int:
+    return int.from_bytes(entropy(16), "big") >> 1 | 1
