@@ -1,0 +1,21 @@
+"""What live peers did, on disk: recorded off the loop, read back, played, exported, audited."""
+
+from cotouch.recording._body import RecordedBody
+from cotouch.recording._columns import LinkPhase
+from cotouch.recording._header import RecordHeader
+from cotouch.recording._reader import read_recording
+from cotouch.recording._recorder import Recorded, Recorder, both_clocks
+from cotouch.recording._recording import Event, Recording, Setup
+
+__all__ = [
+    "Event",
+    "LinkPhase",
+    "RecordHeader",
+    "Recorded",
+    "RecordedBody",
+    "Recorder",
+    "Recording",
+    "Setup",
+    "both_clocks",
+    "read_recording",
+]
