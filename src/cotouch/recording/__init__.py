@@ -1,14 +1,20 @@
 """What live peers did, on disk: recorded off the loop, read back, played, exported, audited."""
 
+from cotouch.recording._audit import Audit, UserBooks, audit
 from cotouch.recording._body import RecordedBody
 from cotouch.recording._columns import LinkPhase
 from cotouch.recording._header import RecordHeader
+from cotouch.recording._findings import Finding
+from cotouch.recording._links import LinkBooks
 from cotouch.recording._reader import read_recording
 from cotouch.recording._recorder import Recorded, Recorder, both_clocks
 from cotouch.recording._recording import Event, Recording, Setup
 
 __all__ = [
+    "Audit",
     "Event",
+    "Finding",
+    "LinkBooks",
     "LinkPhase",
     "RecordHeader",
     "Recorded",
@@ -16,6 +22,8 @@ __all__ = [
     "Recorder",
     "Recording",
     "Setup",
+    "UserBooks",
+    "audit",
     "both_clocks",
     "read_recording",
 ]

@@ -18,6 +18,7 @@ from cotouch.mechanics import Model
 Float = npt.NDArray[np.float64]
 
 _MATRICES = ("mass", "damping", "stiffness")
+_UNREADABLE = (OSError, ValueError, KeyError, EOFError, IndexError, TypeError, zipfile.BadZipFile, zlib.error)
 
 
 @final
@@ -93,11 +94,13 @@ class RecordedBody:
 
     def form(self, matrix: sp.csr_array, left: Float, right: Float | None = None) -> Float:
         """`leftᵀ matrix right`, for fields (steps, body rows, axes), (steps,)."""
-        right = left if right is None else right
-        steps, rows, axes = left.shape
-        turned = np.ascontiguousarray(right.transpose(1, 0, 2)).reshape(rows, steps * axes)
-        image = np.asarray(matrix @ turned).reshape(rows, steps, axes)
-        return np.einsum("sra,rsa->s", left, image)
+        return np.einsum("sra,sra->s", left, self.image(matrix, left if right is None else right))
+
+    def image(self, matrix: sp.csr_array, field: Float) -> Float:
+        """`matrix field` at every step, for fields (steps, body rows, axes)."""
+        steps, rows, axes = field.shape
+        turned = np.ascontiguousarray(field.transpose(1, 0, 2)).reshape(rows, steps * axes)
+        return np.asarray(matrix @ turned).reshape(rows, steps, axes).transpose(1, 0, 2)
 
     def to_bytes(self) -> bytes:
         """As a compressed NPZ file."""
@@ -138,7 +141,7 @@ class RecordedBody:
                     modes=arrays["modes"] if "modes" in arrays.files else None,
                     order=arrays["order"] if "order" in arrays.files else None,
                 )
-        except (OSError, ValueError, KeyError, EOFError, IndexError, TypeError, zipfile.BadZipFile, zlib.error) as error:
+        except _UNREADABLE as error:
             raise RecordingError(f"the recording's body cannot be read: {error}") from None
         if result.rest.ndim != 2 or size not in {result.rest.shape[0], result.rest.size}:
             raise RecordingError(f"the recording's body has {size} rows and a rest shape of {result.rest.shape}")

@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from cotouch.mechanics import State, Tools
 from cotouch.peer import Report
-from cotouch.recording._columns import SCALARS, UNKNOWN, Batch, LinkPhase
+from cotouch.recording._columns import SCALARS, UNSAID, Batch, LinkPhase
 
 Float = npt.NDArray[np.float64]
 Extra = Mapping[str, float | Sequence[float] | npt.NDArray[Any]]
@@ -130,7 +130,7 @@ class Buffer:
         if self.extents.neighbours:
             self._link_work[k] = report.link_work
             self._age[k] = report.age
-            self._used[k] = UNKNOWN if used is None else used
+            self._used[k] = UNSAID if used is None else used
             self._phase[k] = LinkPhase.COUPLED if phase is None else phase
         if tools is not None and self._tools:
             own = slice(tools.first, tools.last)

@@ -1,8 +1,9 @@
 """What a recording holds for every step, and how a batch of steps becomes bytes: one array after the other.
 
-A batch is: length of the heading (uint32), heading (JSON, UTF-8, padded with spaces to 8 bytes), arrays. All numbers are
-little-endian, arrays in C order, one after the other in the order of the heading. The heading says name, type and shape
-of each; the first extent is the number of steps, for those in `STATES` the number of steps whose state was kept.
+A batch is: length of the heading (uint32), heading (JSON, UTF-8, spaces up to a multiple of 8 bytes), arrays. All
+numbers are little-endian, arrays in C order, one after the other in the order of the heading. The heading says name,
+type and shape of each; the first extent is the number of steps, for state_row, x, v and middle that of the steps whose
+state was kept.
 """
 
 import json
@@ -42,7 +43,7 @@ VECTORS: dict[str, tuple[str, str, str]] = {
     "force": ("N", "mean force of the step at every port", "ports, axes"),
     "link_work": ("J", "work that each link did on the copy", "links"),
     "age": ("s", "of each link's sample at the end of the step, by the clocks as they are", "links"),
-    "used": ("1", "index of the sample that each link used; -1 the one before the first, -2 not known or mixed", "links"),
+    "used": ("1", "index of each link's sample; -1 the one before the first, -2 mixed of several, -3 not said", "links"),
     "phase": ("1", "of each link: 0 coupled, 1 guarded, 2 suspended, 3 engaging", "links"),
     "tool_place": ("m", "place of every proxy after the step", "tools, 3"),
     "tool_rate": ("m/s", "velocity of every proxy after the step", "tools, 3"),
@@ -56,7 +57,7 @@ STATES: dict[str, tuple[str, str, str]] = {
     "v": ("m/s", "velocity after the step", "rows, axes"),
     "middle": ("m", "position at mid-step: the sample that the neighbours were told", "rows, axes"),
 }
-UNKNOWN = -2
+MIXED, UNSAID = -2, -3
 _TYPES = ("<f8", "<f4", "<i8", "<i4", "|i1")
 _LENGTH = struct.Struct("<I")
 _MOST_COLUMNS = 1000

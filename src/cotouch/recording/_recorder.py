@@ -122,6 +122,7 @@ class Recorder:
         ports: Sequence[int] | None = (),
         tool_mass: Sequence[float] | npt.NDArray[np.float64] = (),
         link_damping: Sequence[float] | None = None,
+        rounding: float = 0.0,
         **fields: Any,
     ) -> None:
         """Says what the books of the next steps follow from; before the first step, and whenever one of it changes.
@@ -139,6 +140,8 @@ class Recorder:
             tool_mass: of every proxy [kg].
             link_damping: share of B_i that each link has, for weights other than d = 1 [Ns/m]; None: in proportion to
                 spring and ages.
+            rounding: most that a coordinate of a sample may differ from what its sender recorded, where samples are
+                sent with fewer digits [m].
             **fields: whatever else should be kept with it.
         """
         self._neighbours = tuple(int(user) for user in neighbours)
@@ -154,6 +157,7 @@ class Recorder:
             ports=None if ports is None else [int(node) for node in ports],
             tool_mass=_list(tool_mass),
             link_damping=None if link_damping is None else _list(link_damping),
+            rounding=float(rounding),
             **fields,
         )
 

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.errors import RecordingError
-from cotouch.recording._columns import STATES, UNKNOWN, Batch
+from cotouch.recording._columns import STATES, UNSAID, Batch
 from cotouch.recording._header import RecordHeader
 from cotouch.units import user_number
 
@@ -20,7 +20,7 @@ Int = npt.NDArray[np.int64]
 
 _LINKS = ("link_work", "age", "used", "phase")
 # What a column of integers says where there is no link.
-_NONE = {"used": UNKNOWN, "phase": 0}
+_NONE = {"used": UNSAID, "phase": 0}
 
 
 @final
@@ -55,6 +55,7 @@ class Setup(NamedTuple):
         ports: node of each port; None: not said.
         tool_mass: of every proxy [kg].
         link_damping: share of B_i of each link [Ns/m]; None: not said.
+        rounding: most that a coordinate of a sample may differ from what was sent [m].
     """
 
     first: int
@@ -67,6 +68,7 @@ class Setup(NamedTuple):
     ports: tuple[int, ...] | None
     tool_mass: tuple[float, ...]
     link_damping: tuple[float, ...] | None
+    rounding: float
 
 
 @final
@@ -78,7 +80,7 @@ class Recording:
         path: of the file.
         header: who and what.
         neighbours: every user that there was a link to, in the order of the entries of the columns of links.
-        columns: by name, (steps, ...): those of docs/recording.md and any others; NaN (or -2, of `used`) where a step
+        columns: by name, (steps, ...): those of docs/recording.md and any others; NaN (or -3, of `used`) where a step
             had no such link or value.
         states: `state_row` (the step that each state belongs to), `x`, `v`, `middle`, the last three
             (states, rows, axes).
@@ -153,9 +155,8 @@ class Recording:
         starts = [int(np.searchsorted(index, setup.first)) for setup in self.setups]
         starts[0] = 0
         ends = [*starts[1:], self.steps]
-        return [
-            (setup, slice(start, end)) for setup, start, end in zip(self.setups, starts, ends, strict=True) if end > start
-        ]
+        spans = zip(self.setups, starts, ends, strict=True)
+        return [(setup, slice(start, end)) for setup, start, end in spans if end > start]
 
 
 def recording_of(
@@ -253,6 +254,7 @@ def _setup(event: Event) -> Setup:
             ports=None if said["ports"] is None else tuple(map(int, said["ports"])),
             tool_mass=tuple(map(float, said["tool_mass"])),
             link_damping=None if shared is None else tuple(map(float, shared)),
+            rounding=float(said["rounding"]),
         )
     except (KeyError, TypeError, ValueError) as error:
         raise RecordingError(f"a setup of the recording cannot be read: {error!r}") from None
