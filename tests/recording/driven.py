@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.body import Body, point
-from cotouch.mechanics import Grips, Model, Tools, model
+from cotouch.mechanics import Grips, Model, model
 from cotouch.peer import FreshestLink, Link, Peer, Report, Sample
 from cotouch.recording import RecordedBody, Recorder, RecordHeader
 
@@ -37,7 +37,7 @@ class Driven:
     """Some users around a table; `run` records each into a file of `folder`.
 
     `damping` None is what the age rule asks for these delays and periods. `change` alters what is recorded, never what
-    is done; `disturb` alters the peer before its step.
+    is done; `disturb` alters the peer before its step, `deliver` what arrives at a receiver.
     """
 
     folder: Path
@@ -52,6 +52,7 @@ class Driven:
     unix_error: Sequence[float] = (0.0, 0.0, 0.0, 0.0, 0.0)
     change: Change | None = None
     disturb: Callable[[Peer, float], None] | None = None
+    deliver: Callable[[int, Sample], Sample] | None = None
     with_used: bool = False
     options: dict[str, Any] = field(default_factory=dict)
     rename: Callable[[int], str] = lambda user: ("Ann", "Ben", "Cyd", "Dot", "Eve")[user]  # noqa: E731
@@ -118,7 +119,7 @@ class Driven:
             unix=1e9 + self.unix_error[user],
             configuration={"title": "a test"},
         )
-        recorder = Recorder(self.path(user), header, **self.options)
+        recorder = Recorder(self.path(user), header, **{"buffers": 64, **self.options})  # time runs faster than disks
         axes = self.body.dimension
         recorder.setup(
             self.clocks[user],
@@ -151,7 +152,7 @@ class Driven:
             peer, own = peers[user], now + self.clocks[user]
             while queue and queue[0][0] < now:
                 _, _, receiver, sample = heapq.heappop(queue)
-                peers[receiver].receive(sample)
+                peers[receiver].receive(sample if self.deliver is None else self.deliver(receiver, sample))
             if user in self.hands:
                 self.hands[user](peer, now, self.periods[user])
             if self.disturb is not None:
@@ -169,7 +170,9 @@ class Driven:
                 used=used if self.with_used else None,
             )
             for j in self.neighbours(user):
-                heapq.heappush(queue, (now + self.delay[j, user], len(queue) + 10 * report.sample.index, j, report.sample))
+                heapq.heappush(
+                    queue, (now + self.delay[j, user], len(queue) + 10 * report.sample.index, j, report.sample)
+                )
         for recorder in recorders:
             done = recorder.close()
             assert done.failure is None
@@ -178,7 +181,3 @@ class Driven:
 
 def zeros_like(ready: Model) -> Float:
     return np.zeros((ready.operator_rows, ready.width))
-
-
-def no_tools(peer: Peer) -> Tools | None:
-    return peer.tools

@@ -4,8 +4,10 @@ from cotouch.recording._audit import Audit, UserBooks, audit
 from cotouch.recording._body import RecordedBody
 from cotouch.recording._columns import LinkPhase
 from cotouch.recording._header import RecordHeader
+from cotouch.recording._dataset import recordings_dataset, save_dataset
 from cotouch.recording._findings import Finding
 from cotouch.recording._links import LinkBooks
+from cotouch.recording._play import Played, play
 from cotouch.recording._reader import read_recording
 from cotouch.recording._recorder import Recorded, Recorder, both_clocks
 from cotouch.recording._recording import Event, Recording, Setup
@@ -16,6 +18,7 @@ __all__ = [
     "Finding",
     "LinkBooks",
     "LinkPhase",
+    "Played",
     "RecordHeader",
     "Recorded",
     "RecordedBody",
@@ -25,5 +28,8 @@ __all__ = [
     "UserBooks",
     "audit",
     "both_clocks",
+    "play",
     "read_recording",
+    "recordings_dataset",
+    "save_dataset",
 ]

@@ -178,7 +178,9 @@ def audit(recordings: Sequence[Recording], *, tolerance: float = TOLERANCE) -> A
     notes = missing_words(recordings, names)
     offsets, corrected = align(recordings)
     if corrected:
-        notes.append("the machines' Unix times cannot both be right; clocks are laid side by side by the ages of samples")
+        notes.append(
+            "the machines' Unix times cannot both be right; clocks are laid side by side by the ages of samples"
+        )
     moved = motions(recordings, offsets)
     grid = grid_of(moved)
     start = float(grid[0])
@@ -239,7 +241,9 @@ def _belong(recordings: Sequence[Recording]) -> None:
             raise RecordingError(f"{other.path} is of another body than {first.path}; give recordings of one session")
     for one, two in zip(recordings[:-1], recordings[1:], strict=True):
         if one.user == two.user:
-            raise RecordingError(f"{one.path} and {two.path} are both of user {user_number(one.user)}; give one of them")
+            raise RecordingError(
+                f"{one.path} and {two.path} are both of user {user_number(one.user)}; give one of them"
+            )
 
 
 def _asked(recording: Recording, others: dict[int, Recording]) -> dict[int, float]:

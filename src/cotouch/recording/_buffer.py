@@ -164,8 +164,6 @@ class Buffer:
         names = ("tool_place", "tool_rate", "drive_force", "touch_force")
         columns |= {name: values[:n, :, :3] for name, values in zip(names, self._tools, strict=False)}
         columns["state_row"] = self._row[:m]
-        columns |= {
-            name: values[:m, :, :axes] for name, values in zip(("x", "v", "middle"), self._state, strict=True)
-        }
+        columns |= {name: values[:m, :, :axes] for name, values in zip(("x", "v", "middle"), self._state, strict=True)}
         columns |= {name: values[:n] for name, values in self._extra.items()}
         return Batch(self.extents.neighbours, columns)

@@ -43,7 +43,11 @@ VECTORS: dict[str, tuple[str, str, str]] = {
     "force": ("N", "mean force of the step at every port", "ports, axes"),
     "link_work": ("J", "work that each link did on the copy", "links"),
     "age": ("s", "of each link's sample at the end of the step, by the clocks as they are", "links"),
-    "used": ("1", "index of each link's sample; -1 the one before the first, -2 mixed of several, -3 not said", "links"),
+    "used": (
+        "1",
+        "index of each link's sample; -1 the one before the first, -2 mixed of several, -3 not said",
+        "links",
+    ),
     "phase": ("1", "of each link: 0 coupled, 1 guarded, 2 suspended, 3 engaging", "links"),
     "tool_place": ("m", "place of every proxy after the step", "tools, 3"),
     "tool_rate": ("m/s", "velocity of every proxy after the step", "tools, 3"),

@@ -96,7 +96,9 @@ def findings_of(motion: Motion, tolerance: float, start: float, names: dict[int,
     booked = residual + _explained(motion)
     # What the books explain and the recorded numbers don't is in one of the places above.
     if _counts(residual, tolerance) and (not found or _counts(booked, tolerance)):
-        add("step", residual, f"steps of {names[recording.user]} gained {_joule(_most(residual))} that nothing explains")
+        add(
+            "step", residual, f"steps of {names[recording.user]} gained {_joule(_most(residual))} that nothing explains"
+        )
     carried = np.where(motion.members, 0.0, motion.carried)
     if _counts(carried, tolerance):
         words = f"{_joule(_most(carried))} came into {names[recording.user]}'s copy between two of its steps"
@@ -135,7 +137,9 @@ def _explained(motion: Motion) -> Float:
 
 
 def _counts(energies: Float, tolerance: float) -> bool:
-    return bool(np.abs(energies).max(initial=0.0) > tolerance or np.abs(np.cumsum(energies)).max(initial=0.0) > tolerance)
+    return bool(
+        np.abs(energies).max(initial=0.0) > tolerance or np.abs(np.cumsum(energies)).max(initial=0.0) > tolerance
+    )
 
 
 def _most(energies: Float) -> float:

@@ -299,6 +299,6 @@ def _lost(motion: Motion, grid: Float) -> Bool:
     bad = np.zeros(grid.size, dtype=bool)
     for step in np.flatnonzero(~recording.consecutive)[1:]:
         bad |= (grid > motion.end[step - 1]) & (grid <= motion.begin[step] + 1e-9)
-    if not recording.closed:
+    if not recording.closed or recording.missing_after:
         bad |= grid > motion.end[-1]
     return bad

@@ -250,9 +250,7 @@ def _samples(other: Recording, used: Int, stamp: Float) -> Int:
     )
 
 
-def _carried(
-    recording: Recording, kept: Bool, stored: Float, start: Float, gained: Float
-) -> tuple[Float, Bool]:
+def _carried(recording: Recording, kept: Bool, stored: Float, start: Float, gained: Float) -> tuple[Float, Bool]:
     """What came into the copy between steps, beyond what the steps whose states are not recorded booked."""
     carried, members = np.zeros(kept.size), np.zeros(kept.size, dtype=bool)
     index = recording.columns["index"]

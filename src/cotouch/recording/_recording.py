@@ -129,10 +129,18 @@ class Recording:
         return follows
 
     @property
+    def missing_after(self) -> int:
+        """Steps that were taken after the last one in it and are not in it, as far as it says."""
+        said = [event.first for event in self.events if event.kind == "closed"]
+        said += [int(event.fields.get("last", -1)) + 1 for event in self.events if event.kind == "gap"]
+        return max(0, max(said, default=0) - 1 - int(self.columns["index"][-1]))
+
+    @property
     def missing(self) -> int:
-        """Steps between the first and the last that are not in it."""
+        """Steps that were taken and are not in it, as far as it says."""
         index = self.columns["index"]
-        return int(index[-1] - index[0] + 1 - index.size)
+        first = min([int(index[0]), *(event.first for event in self.events if event.kind == "setup")])
+        return int(index[-1] - first + 1 - index.size) + self.missing_after
 
     @cached_property
     def setups(self) -> tuple[Setup, ...]:
@@ -217,8 +225,10 @@ def _links(name: str, neighbours: tuple[int, ...], batches: Sequence[Batch]) -> 
     parts: list[Array] = []
     for batch in batches:
         steps = batch.columns["end"].size
-        part = np.full((steps, len(neighbours)), _NONE[name]) if name in _NONE else np.full(
-            (steps, len(neighbours)), np.nan
+        part = (
+            np.full((steps, len(neighbours)), _NONE[name])
+            if name in _NONE
+            else np.full((steps, len(neighbours)), np.nan)
         )
         if name in batch.columns:
             for at, user in enumerate(batch.neighbours):
