@@ -55,7 +55,7 @@ class Driven:
     deliver: Callable[[int, Sample], Sample] | None = None
     with_used: bool = False
     options: dict[str, Any] = field(default_factory=dict)
-    rename: Callable[[int], str] = lambda user: ("Ann", "Ben", "Cyd", "Dot", "Eve")[user]  # noqa: E731
+    rename: Callable[[int], str] = lambda user: ("Ann", "Ben", "Cyd", "Dot", "Eve")[user]
 
     def __post_init__(self) -> None:
         self.users = len(self.periods)
@@ -80,7 +80,6 @@ class Driven:
         ready, width = self.model, self.model.width
         rows = ready.port_rows(0)
         ports = rows.size
-        zeros = lambda: np.zeros((ports, width))  # noqa: E731
         links: dict[int, Link] = {
             j: FreshestLink(Sample(sender=j, index=-1, stamp=self.clocks[j], position=zeros_like(ready)))
             for j in self.neighbours(user)
@@ -100,10 +99,10 @@ class Driven:
                 shape=ready.port_shapes(rows),
                 stiffness=np.zeros(ports),
                 damping=np.zeros(ports),
-                start=zeros(),
-                end=zeros(),
-                push=zeros(),
-                force=zeros(),
+                start=np.zeros((ports, width)),
+                end=np.zeros((ports, width)),
+                push=np.zeros((ports, width)),
+                force=np.zeros((ports, width)),
             ),
             position=np.zeros((self.body.nodes, self.body.dimension)),
             velocity=np.zeros((self.body.nodes, self.body.dimension)),

@@ -10,6 +10,7 @@ Nothing is taken from the peers' own books that recorded motion and forces say (
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any, final
 
 import numpy as np
@@ -77,6 +78,7 @@ class Audit:
         users: their books.
         links: of those that both ends are recorded of.
         findings: energy that is not accounted for, largest first; empty if all is well.
+        complete: whether every step of everybody is recorded with its state.
         notes: what could not be judged, or is worth knowing; one sentence each.
         tolerance: what energies may differ by [J].
         in_play: the most that was stored, supplied or lost [J].
@@ -92,6 +94,7 @@ class Audit:
     users: tuple[UserBooks, ...]
     links: tuple[LinkBooks, ...]
     findings: tuple[Finding, ...]
+    complete: bool
     notes: tuple[str, ...]
     tolerance: float
     in_play: float
@@ -117,13 +120,14 @@ class Audit:
             rest = f" ({more} more {'finding' if more == 1 else 'findings'})" if more else ""
             return f"Violated: {first.words}, first at {first.time:.4g} s{rest}."
         least = f"the least that users had put in, with what was there at the start, is {self.margin:.4g} J"
-        partly = "" if not self.notes else ", in what is recorded"
+        partly = "" if self.complete else ", in what is recorded"
         return f"Holds{partly}: every step's energy is explained to {self.tolerance:.2g} J, and {least}."
 
     def numbers(self) -> dict[str, Any]:
         """Everything but the series, for JSON; users numbered from 1."""
         return {
             "holds": self.holds,
+            "complete": self.complete,
             "verdict": self.verdict,
             "tolerance_j": self.tolerance,
             "energy_in_play_j": self.in_play,
@@ -176,6 +180,7 @@ def audit(recordings: Sequence[Recording], *, tolerance: float = TOLERANCE) -> A
     _belong(recordings)
     names = {recording.user: recording.name for recording in recordings}
     notes = missing_words(recordings, names)
+    complete = not notes
     offsets, corrected = align(recordings)
     if corrected:
         notes.append(
@@ -213,6 +218,7 @@ def audit(recordings: Sequence[Recording], *, tolerance: float = TOLERANCE) -> A
         users=tuple(_user(m, sum(need.values()), first) for m, need in zip(moved, asked, strict=True)),
         links=tuple(links),
         findings=tuple(sorted(found, key=lambda finding: -abs(finding.energy))),
+        complete=complete,
         notes=tuple(notes),
         tolerance=allowed,
         in_play=in_play,
@@ -239,7 +245,7 @@ def _belong(recordings: Sequence[Recording]) -> None:
         same = other.header.body, first.header.body
         if any(not np.array_equal(*(getattr(body, part).data for body in same)) for part in ("mass", "stiffness")):
             raise RecordingError(f"{other.path} is of another body than {first.path}; give recordings of one session")
-    for one, two in zip(recordings[:-1], recordings[1:], strict=True):
+    for one, two in pairwise(recordings):
         if one.user == two.user:
             raise RecordingError(
                 f"{one.path} and {two.path} are both of user {user_number(one.user)}; give one of them"

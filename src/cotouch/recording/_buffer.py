@@ -66,7 +66,7 @@ class Buffer:
         steps, links, width = extents.steps, len(extents.neighbours), extents.width
         kept = -(-steps // extents.every) + 1
         self._scalars = np.zeros((steps, len(SCALARS)))
-        self._bytes = memoryview(self._scalars).cast("B")
+        self._bytes = self._scalars.data.cast("B")
         self._force = np.zeros((steps, extents.ports, width))
         self._link_work = np.zeros((steps, links))
         self._age = np.zeros((steps, links))

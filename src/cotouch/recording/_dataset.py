@@ -38,11 +38,12 @@ _PLAIN = {
     "touch_stored": ("J", "energy in contacts and grasps"),
     "iterations": ("1", "iterations of the solver in the step; 0 where it is a closed form"),
 }
+# By the recorded name: the one in a run, unit, meaning.
 _TOOLS = {
-    "tool_place": ("m", "place of a proxy"),
-    "tool_rate": ("m/s", "velocity of a proxy"),
-    "drive_force": ("N", "mean force over the step of what pulls a proxy"),
-    "touch_force": ("N", "mean force over the step of contacts or grasp on a proxy"),
+    "tool_place": ("tool_position", "m", "position y of a proxy"),
+    "tool_rate": ("tool_velocity", "m/s", "velocity w of a proxy"),
+    "drive_force": ("drive_force", "N", "mean force over the step of what pulls a proxy"),
+    "touch_force": ("touch_force", "N", "mean force over the step of contacts or grasp on a proxy"),
 }
 
 
@@ -89,7 +90,7 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
             out[(at, *(slice(0, extent) for extent in np.shape(values)))] = values
         data[name] = (dims, out, {"units": unit, "long_name": text})
 
-    def column(name: str, dims: tuple[str, ...], unit: str, text: str) -> None:
+    def column(name: str, dims: tuple[str, ...], unit: str, text: str, shown: str = "") -> None:
         """One of the recorded columns, with NaN for the state before the first step."""
         parts = [
             (at, _shifted(recording.columns[name]))
@@ -97,7 +98,7 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
             if name in recording.columns
         ]
         if parts:
-            put(name, dims, parts, unit, text)
+            put(shown or name, dims, parts, unit, text)
 
     times = [
         np.concatenate([[begin - start], recording.columns["end"] + offset - start])
@@ -113,8 +114,8 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
         column(name, ("user", "step"), unit, text)
     forces = [_shifted(_force(recording)) for recording in recordings]
     put("force", ("user", "step", "axis"), list(enumerate(forces)), "N", "sum of the mean forces at a user's ports")
-    for name, (unit, text) in _TOOLS.items():
-        column(name, ("user", "step", "tool", "space"), unit, text)
+    for name, (shown, unit, text) in _TOOLS.items():
+        column(name, ("user", "step", "tool", "space"), unit, text, shown)
     directions = [(at, entry) for at, recording in enumerate(recordings) for entry in range(len(recording.neighbours))]
     if directions:
         for name, unit, text in (
@@ -130,7 +131,7 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
                 parts.append((k, first if name == "link_work" else _shifted(values)))
             put(name, ("direction", "step"), parts, unit, text)
     _states(recordings, times, put)
-    known = {*data, "index", "end", "T", "residual"}
+    known = {*data, *_TOOLS, "index", "end", "T"}
     extra = [name for recording in recordings for name in recording.columns if name not in known]
     for name in dict.fromkeys(extra):
         unit, text = next(
@@ -146,7 +147,7 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
             "axis": list(_AXES[: rest.shape[1]]),
             "node": np.arange(1, rest.shape[0] + 1),
             **({"direction": np.array(names, dtype=np.str_)} if names else {}),
-            **({"space": list(_AXES)} if "tool_place" in data else {}),
+            **({"space": list(_AXES)} if "tool_position" in data else {}),
         },
         attrs=_attributes(recordings, users, start),
     )

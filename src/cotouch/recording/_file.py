@@ -35,14 +35,14 @@ _BOOKS_SCHEMA: dict[str, Any] = {
     "description": "sums over one batch of steps; energies in J, times in s",
     "properties": {
         **{name: {"type": "integer"} for name in ("first", "last")},
-        **{name: _NUMBER for name in ("begin", "end", "supplied", "lost", "stored", "residual")},
+        **dict.fromkeys(("begin", "end", "supplied", "lost", "stored", "residual"), _NUMBER),
         "links": {
             "type": "array",
             "items": {
                 "type": "object",
                 "properties": {
                     "neighbour": {"type": "integer"},
-                    **{name: _NUMBER for name in ("work", "age_min", "age_max")},
+                    **dict.fromkeys(("work", "age_min", "age_max"), _NUMBER),
                 },
             },
         },

@@ -3,6 +3,7 @@
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from importlib.metadata import version
 from typing import Any, final
 
 from cotouch.errors import RecordingError
@@ -50,15 +51,13 @@ class RecordHeader:
 
     def metadata(self) -> dict[str, str]:
         """What goes into the file's metadata record: strings only, as MCAP wants them."""
-        from cotouch import __version__
-
         return {
             "schema": str(SCHEMA),
             "user": str(self.user),
             "name": self.name,
             "key": self.key,
             "session": self.session,
-            "version": self.version or f"cotouch {__version__}",
+            "version": self.version or f"cotouch {version('cotouch')}",
             "monotonic": repr(self.monotonic),
             "unix": repr(self.unix),
             "body_hash": self.body_hash,

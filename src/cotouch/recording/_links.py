@@ -1,8 +1,8 @@
 """One link's energy, from the recordings of both ends: what it did to the copies, what its spring holds, what it lost.
 
-Copies are followed as they move in real time: along a straight line in every step, standing between steps. Then work is
-linear within a step, and the spring `½ ‖x_i - x_j‖²` in K is known at every instant. With `W` the work on the copies and
-`ā` the ages that the damping was made for,
+Copies are followed as they move in real time: along a straight line in every step, standing between steps. Then work
+is linear within a step, and the spring `½ ‖x_i - x_j‖²` in K is known at every instant. With `W` the work on the copies
+and `ā` the ages that the damping was made for,
 
     W_ij + W_ji + ΔS  ≤  ½ (ā_ij + ā_ji) K (∫‖v_i‖² + ∫‖v_j‖²)
 
