@@ -9,6 +9,7 @@
     │   ├── DeviceError                  a device, a hand, or what couples them to the object
     │   ├── ScenarioError                a scenario, one of its options, or the file it came from
     │   ├── SessionError                 a live session: an address, keys, a layout of samples
+    │   ├── RecordingError               a recording that cannot be read, written or used for what was asked
     │   └── UnsupportedError             correct in itself, but outside what the asked-for method can do
     └── TransportError                   this machine or its network refused: a port that is taken, say
 
@@ -42,6 +43,10 @@ class ScenarioError(InputError):
 
 class SessionError(InputError):
     """A live session that cannot be: an address, a key, a layout of samples or one of the options is wrong."""
+
+
+class RecordingError(InputError):
+    """A recording that cannot be read, written or used for what was asked."""
 
 
 class UnsupportedError(InputError):

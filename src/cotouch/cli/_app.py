@@ -312,6 +312,49 @@ def reproduce(
     run(out, as_json=as_json)
 
 
+@app.command()
+def replay(
+    file: Annotated[Path, typer.Argument(help="A recording, MCAP.", show_default=False)],
+    speed: Annotated[float, typer.Option(help="Seconds of the recording in a second.")] = 1.0,
+    start: Annotated[float, typer.Option("--from", help="Where to begin [s].")] = 0.0,
+    stop: Annotated[float | None, typer.Option("--to", help="Where to end [s].", show_default=False)] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Play one user's recording: rate, force, books and links as they were; with --json only sum it up."""
+    from cotouch.cli._replay import run
+
+    run(file, speed=speed, start=start, stop=stop, as_json=as_json)
+
+
+@app.command()
+def audit(
+    files: Annotated[list[Path], typer.Argument(help="Recordings of one session, MCAP.", show_default=False)],
+    tolerance: Annotated[
+        float | None,
+        typer.Option(help="Share of the energy in play that may be rounding (1e-9).", show_default=False, min=0.0),
+    ] = None,
+    figures: Annotated[Path | None, typer.Option(help="Draw a figure into this folder.", show_default=False)] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Work the energy of a session out anew from its recordings; exit code 1 if it does not add up."""
+    from cotouch.cli._audit import run
+
+    if not run(files, figures=figures, tolerance=tolerance, as_json=as_json):
+        raise typer.Exit(1)
+
+
+@app.command()
+def export(
+    files: Annotated[list[Path], typer.Argument(help="Recordings of one session, MCAP.", show_default=False)],
+    out: Annotated[Path, typer.Option(help="The NetCDF file to write.", show_default=False)],
+    as_json: AsJson = False,
+) -> None:
+    """Write the recordings of a session into one NetCDF file, with the names of a simulated run."""
+    from cotouch.cli._export import run
+
+    run(files, out=out, as_json=as_json)
+
+
 def main() -> None:
     """Runs the command; what the user got wrong is one sentence and exit code 2."""
     try:

@@ -1,0 +1,35 @@
+"""`cotouch export`."""
+
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from cotouch.cli._output import print_json, working, writable
+
+
+def run(files: Sequence[Path], *, out: Path, as_json: bool) -> None:
+    """Writes recordings of one session into one NetCDF file."""
+    from cotouch.recording import read_recording, recordings_dataset, save_dataset
+
+    writable(out)
+    with working("Reading ...", quiet=as_json):
+        recordings = [read_recording(file) for file in files]
+    run_of_all = recordings_dataset(recordings)
+    with working("Writing ...", quiet=as_json):
+        save_dataset(run_of_all, out)
+    sizes = {str(name): int(size) for name, size in run_of_all.sizes.items()}
+    if as_json:
+        print_json(
+            {
+                "file": str(out),
+                "users": [recording.name for recording in recordings],
+                "sizes": sizes,
+                "missing_steps": [recording.missing for recording in recordings],
+                "broken": [recording.broken for recording in recordings],
+            }
+        )
+        return
+    sys.stdout.write(f"wrote {out}: " + ", ".join(f"{size} {name}" for name, size in sizes.items()) + "\n")
+    for recording in recordings:
+        if recording.broken is not None:
+            sys.stderr.write(f"{recording.path} is not whole: {recording.broken}\n")

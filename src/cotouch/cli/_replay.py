@@ -1,0 +1,181 @@
+"""`cotouch replay`."""
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.cli._output import number, print_json
+from cotouch.units import user_number
+
+if TYPE_CHECKING:
+    from rich.table import Table
+
+    from cotouch.recording import Recording
+
+# Of the table, while it plays; and of the lines where there is no terminal, in seconds of the recording.
+_REFRESH = 10.0
+_LINE = 1.0
+# Rate and residual are taken over so much of the recording [s].
+_WINDOW = 0.5
+
+
+def run(path: Path, *, speed: float, start: float, stop: float | None, as_json: bool) -> None:
+    """Plays one user's recording as a table, as lines without a terminal, or only sums it up."""
+    from cotouch.recording import play, read_recording
+
+    recording = read_recording(path)
+    if as_json:
+        print_json(_summary(recording))
+        return
+    steps = play(recording, speed=speed, start=start, stop=float("inf") if stop is None else stop)
+    shown = -float("inf")
+    if not sys.stdout.isatty():
+        for step in steps:
+            if step.time >= shown + _LINE:
+                shown = step.time
+                sys.stdout.write(_line(recording, step.row, step.time) + "\n")
+                sys.stdout.flush()
+    else:
+        from rich.live import Live
+
+        row, time = 0, 0.0
+        with Live(refresh_per_second=_REFRESH, transient=True) as live:
+            for step in steps:
+                row, time = step.row, step.time
+                if time >= shown + speed / _REFRESH:
+                    shown = time
+                    live.update(_table(recording, row, time))
+        _print(_table(recording, row, time))
+    if recording.broken is not None or recording.missing:
+        sys.stderr.write(f"{_gaps(recording)}\n")
+
+
+def _print(table: "Table") -> None:
+    from rich.console import Console
+
+    Console().print(table)
+
+
+def _gaps(recording: "Recording") -> str:
+    words = [] if recording.broken is None else [f"not whole: {recording.broken}"]
+    if recording.missing:
+        words.append(f"{recording.missing} steps are missing")
+    return f"{recording.path} is {'; '.join(words)}" if recording.broken else f"in {recording.path} {words[-1]}"
+
+
+def _now(recording: "Recording", row: int) -> dict[str, Any]:
+    """What there is to say of one step and those just before it."""
+    columns = recording.columns
+    end = float(columns["end"][row])
+    first = int(np.searchsorted(columns["end"], end - _WINDOW, side="right"))
+    own = slice(first, row + 1)
+    span = end - float(columns["end"][first] - columns["T"][first])
+    force = columns["force"][row]
+    return {
+        "rate": (row + 1 - first) / span,
+        "T": float(columns["T"][row]),
+        "force": float(np.linalg.norm(force.sum(axis=0))) if force.size else 0.0,
+        "residual": float(np.abs(columns["residual"][own]).max()),
+        "stored": sum(float(columns[name][row]) for name in ("kinetic", "elastic", "proxy", "touch_stored")),
+        "links": [
+            {
+                "neighbour": user,
+                "age": float(columns["age"][row, entry]),
+                "phase": _phase(int(columns["phase"][row, entry]), float(columns["age"][row, entry])),
+                "work": float(np.nansum(columns["link_work"][own, entry])),
+            }
+            for entry, user in enumerate(recording.neighbours)
+        ],
+    }
+
+
+def _phase(code: int, age: float) -> str:
+    from cotouch.recording import LinkPhase
+
+    if not np.isfinite(age):
+        return "no link"
+    return LinkPhase(code).name.lower() if code in list(LinkPhase) else f"phase {code}"
+
+
+def _line(recording: "Recording", row: int, time: float) -> str:
+    now = _now(recording, row)
+    links = ", ".join(
+        f"{user_number(link['neighbour'])}: {number(1e3 * link['age'], 'ms', 3)} {link['phase']}"
+        for link in now["links"]
+    )
+    return (
+        f"{time:9.3f} s  {number(now['rate'], 'Hz')}  T {number(1e3 * now['T'], 'ms', 3)}  "
+        f"force {number(now['force'], 'N', 3)}  residual {number(now['residual'], 'J', 2)}  [{links}]"
+    )
+
+
+def _table(recording: "Recording", row: int, time: float) -> "Table":
+    from rich.box import SIMPLE_HEAD
+    from rich.markup import escape
+    from rich.table import Table
+
+    now = _now(recording, row)
+    caption = (
+        f"{number(now['rate'], 'Hz')} · T {number(1e3 * now['T'], 'ms', 3)} · force {number(now['force'], 'N', 3)} · "
+        f"stored {number(now['stored'], 'J', 3)} · residual {number(now['residual'], 'J', 2)}"
+    )
+    title = f"{escape(recording.name)}, {time:.2f} s of {_seconds(recording):.2f} s"
+    table = Table(title=title, caption=caption, box=SIMPLE_HEAD, title_justify="left", caption_justify="left")
+    table.add_column("neighbour")
+    table.add_column("link")
+    table.add_column("age\nms", justify="right")
+    table.add_column(f"work in {_WINDOW:g} s\nJ", justify="right")
+    for link in now["links"]:
+        table.add_row(
+            str(user_number(link["neighbour"])),
+            link["phase"],
+            number(1e3 * link["age"], digits=3),
+            number(link["work"]),
+        )
+    return table
+
+
+def _seconds(recording: "Recording") -> float:
+    columns = recording.columns
+    return float(columns["end"][-1] - columns["end"][0] + columns["T"][0])
+
+
+def _summary(recording: "Recording") -> dict[str, Any]:
+    columns = recording.columns
+    T, force = columns["T"], np.linalg.norm(columns["force"].sum(axis=1), axis=-1)
+    counts: dict[str, int] = {}
+    for event in recording.events:
+        counts[event.kind] = counts.get(event.kind, 0) + 1
+    return {
+        "file": recording.path,
+        "user": user_number(recording.user),
+        "name": recording.name,
+        "session": recording.header.session,
+        "version": recording.header.version,
+        "whole": recording.broken is None,
+        "broken": recording.broken,
+        "steps": recording.steps,
+        "missing_steps": recording.missing,
+        "seconds": _seconds(recording),
+        "rate_hz": recording.steps / float(T.sum()),
+        "T_s": {"min": float(T.min()), "mean": float(T.mean()), "max": float(T.max())},
+        "peak_force_n": float(force.max(initial=0.0)),
+        "residual_j": float(np.abs(columns["residual"]).max()),
+        "supplied_j": float(columns["supplied"].sum() + columns["drive_work"].sum()),
+        "links": [
+            {"neighbour": user_number(user), **_ages(columns["age"][:, entry])}
+            for entry, user in enumerate(recording.neighbours)
+        ],
+        "events": counts,
+    }
+
+
+def _ages(age: npt.NDArray[np.float64]) -> dict[str, float | None]:
+    known = age[np.isfinite(age)]
+    if known.size == 0:
+        return {"age_p50_s": None, "age_p99_s": None, "age_max_s": None}
+    middle, high, most = np.quantile(known, [0.5, 0.99, 1.0])
+    return {"age_p50_s": float(middle), "age_p99_s": float(high), "age_max_s": float(most)}

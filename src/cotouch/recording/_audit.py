@@ -1,0 +1,359 @@
+"""The audit: do the recordings of all users say together that nobody got energy out of the network, and if not, where?
+
+Nothing is taken from the peers' own books that recorded motion and forces say (`_motion.py`). Then, for the whole:
+
+* every step's energy is explained, at every user;
+* N-port passivity [Lee & Huang 2010, eq. 4]: at every instant users have put in `Σ ∫ f v ≥ -c²`, c² what was stored at
+  the beginning;
+* what the links made through the age of samples (`_links.py`) was taken by the damping of the synchronisation.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any, final
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.errors import RecordingError
+from cotouch.recording._findings import Finding, findings_of, missing_words
+from cotouch.recording._links import LinkBooks, ages, align, grid_of, link_books, so_far
+from cotouch.recording._motion import LOSSES, Motion, motions
+from cotouch.recording._recording import Recording
+from cotouch.units import user_number
+
+Float = npt.NDArray[np.float64]
+
+# Share of the energy in play that rounding may make of it.
+TOLERANCE = 1e-9
+
+
+@final
+@dataclass(frozen=True, kw_only=True)
+class UserBooks:
+    """One user's energy over the whole recording, worked out anew [J].
+
+    Attributes:
+        user: index.
+        name: of the user.
+        steps: recorded.
+        worked_out: steps whose state is recorded.
+        supplied: by hands and by what pulls the proxies.
+        body_loss: taken by the body's own dampers.
+        local_loss: by the damping of the synchronisation.
+        extra_loss: by the extra damping.
+        touch_loss: in contacts and grasps.
+        link_work: of all links on the copy.
+        members: came with others' joining and leaving, or with the user's own start after the first.
+        stored: at the end less at the start.
+        residual: what nothing explains.
+        damping: least B_i there was, over the identity [Ns/m].
+        asked: what the age rule asks for, for the ages that there were [Ns/m].
+    """
+
+    user: int
+    name: str
+    steps: int
+    worked_out: int
+    supplied: float
+    body_loss: float
+    local_loss: float
+    extra_loss: float
+    touch_loss: float
+    link_work: float
+    members: float
+    stored: float
+    residual: float
+    damping: float
+    asked: float
+
+
+@final
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Audit:
+    """What came out.
+
+    Attributes:
+        users: their books.
+        links: of those that both ends are recorded of.
+        findings: energy that is not accounted for, largest first; empty if all is well.
+        complete: whether every step of everybody is recorded with its state.
+        notes: what could not be judged, or is worth knowing; one sentence each.
+        tolerance: what energies may differ by [J].
+        in_play: the most that was stored, supplied or lost [J].
+        initial: c², stored at the beginning [J].
+        margin: the least of `Σ ∫ f v + c²` [J].
+        margin_time: when, since the beginning [s].
+        time: instants of the next three, since the beginning [s].
+        supplied: by all users so far [J].
+        made: by all links through the age of samples so far [J].
+        taken: by all damping of the synchronisation so far [J].
+    """
+
+    users: tuple[UserBooks, ...]
+    links: tuple[LinkBooks, ...]
+    findings: tuple[Finding, ...]
+    complete: bool
+    notes: tuple[str, ...]
+    tolerance: float
+    in_play: float
+    initial: float
+    margin: float
+    margin_time: float
+    time: Float
+    supplied: Float
+    made: Float
+    taken: Float
+
+    @property
+    def holds(self) -> bool:
+        """Whether all energy is accounted for, and nobody got out more than was there."""
+        return not self.findings
+
+    @property
+    def verdict(self) -> str:
+        """In words."""
+        if not self.holds:
+            first = self.findings[0]
+            more = len(self.findings) - 1
+            rest = f" ({more} more {'finding' if more == 1 else 'findings'})" if more else ""
+            return f"Violated: {first.words}, first at {first.time:.4g} s{rest}."
+        least = f"the least that users had put in, with what was there at the start, is {self.margin:.4g} J"
+        partly = "" if self.complete else ", in what is recorded"
+        return f"Holds{partly}: every step's energy is explained to {self.tolerance:.2g} J, and {least}."
+
+    def numbers(self) -> dict[str, Any]:
+        """Everything but the series, for JSON; users numbered from 1."""
+        return {
+            "holds": self.holds,
+            "complete": self.complete,
+            "verdict": self.verdict,
+            "tolerance_j": self.tolerance,
+            "energy_in_play_j": self.in_play,
+            "initial_j": self.initial,
+            "passivity_margin_j": self.margin,
+            "passivity_margin_time_s": self.margin_time,
+            "users": [{**vars(books), "user": user_number(books.user)} for books in self.users],
+            "links": [
+                {
+                    "link": [user_number(user) for user in books.ends],
+                    "work_j": list(books.work),
+                    "spring_j": books.spring,
+                    "dissipated_j": books.dissipated,
+                    "made_by_phase_j": dict(books.by_phase),
+                    "excess_j": books.excess,
+                    "age_s": list(books.age),
+                    "judged": books.strict,
+                    "without_gap": books.whole,
+                    "as_booked": books.unknown,
+                }
+                for books in self.links
+            ],
+            "findings": [
+                {
+                    "place": finding.place,
+                    "user": None if finding.user is None else user_number(finding.user),
+                    "link": None if finding.link is None else [user_number(user) for user in finding.link],
+                    "energy_j": finding.energy,
+                    "time_s": finding.time,
+                    "step": finding.step,
+                    "words": finding.words,
+                }
+                for finding in self.findings
+            ],
+            "notes": list(self.notes),
+        }
+
+
+def audit(recordings: Sequence[Recording], *, tolerance: float = TOLERANCE) -> Audit:
+    """Recomputes the energy of a session from the recordings of its users.
+
+    Args:
+        recordings: of different users of the same session; one is enough for its own books.
+        tolerance: share of the energy in play that rounding may make of it.
+
+    Raises:
+        RecordingError: they do not belong together.
+    """
+    recordings = sorted(recordings, key=lambda recording: recording.user)
+    _belong(recordings)
+    names = {recording.user: recording.name for recording in recordings}
+    notes = missing_words(recordings, names)
+    complete = not notes
+    offsets, corrected = align(recordings)
+    if corrected:
+        notes.append(
+            "the machines' Unix times cannot both be right; clocks are laid side by side by the ages of samples"
+        )
+    moved = motions(recordings, offsets)
+    grid = grid_of(moved)
+    start = float(grid[0])
+    asked = [_asked(recording, {other.user: other for other in recordings}) for recording in recordings]
+    links = _links(moved, grid, asked)
+    supply = sum((so_far(m, m.known["supplied"] + m.known["drive_work"], grid) for m in moved), np.zeros(grid.size))
+    made = sum((books.made for books in links), np.zeros(grid.size))
+    taken = sum((so_far(m, m.known["local_loss"], grid) for m in moved), np.zeros(grid.size))
+    initial = sum(float(m.start[0]) for m in moved) + sum(books.initial for books in links)
+    lost = sum(float(m.known[name].sum()) for m in moved for name in LOSSES)
+    in_play = max(float(np.abs(supply).max()), lost, sum(float(m.stored.max()) for m in moved), initial)
+    rounding = sum(m.rounding * np.sqrt(m.end.size) for m in moved)
+    allowed = tolerance * in_play + 10.0 * float(rounding)
+    found = [finding for m in moved for finding in findings_of(m, allowed, start, names)]
+    margin = supply + initial
+    least = int(np.argmin(margin))
+    if margin[least] < -allowed:
+        words = f"users got {-margin[least]:.4g} J more out of the network than they had put in"
+        found.append(_of_network(float(-margin[least]), float(grid[least]) - start, words))
+    found += _links_beyond(links, made - taken, grid, allowed, names)
+    for books, need in zip(moved, asked, strict=True):
+        have = _least_damping(books.recording)
+        if sum(need.values()) > have * (1.0 + 1e-9):
+            notes.append(
+                f"the damping of {books.recording.name} was {have:.4g} Ns/m; the age rule asks for "
+                f"{sum(need.values()):.4g} Ns/m with the ages that there were"
+            )
+    first = min(float(m.begin[0]) for m in moved)
+    return Audit(
+        users=tuple(_user(m, sum(need.values()), first) for m, need in zip(moved, asked, strict=True)),
+        links=tuple(links),
+        findings=tuple(sorted(found, key=lambda finding: -abs(finding.energy))),
+        complete=complete,
+        notes=tuple(notes),
+        tolerance=allowed,
+        in_play=in_play,
+        initial=initial,
+        margin=float(margin[least]),
+        margin_time=float(grid[least]) - start,
+        time=grid - start,
+        supplied=supply,
+        made=made,
+        taken=taken,
+    )
+
+
+def _belong(recordings: Sequence[Recording]) -> None:
+    if not recordings:
+        raise RecordingError("no recording was given; an audit needs at least one")
+    first = recordings[0]
+    for other in recordings[1:]:
+        if other.header.session != first.header.session:
+            raise RecordingError(
+                f"{other.path} is of session {other.header.session!r}, {first.path} of {first.header.session!r}; give "
+                "recordings of one session"
+            )
+        same = other.header.body, first.header.body
+        if any(not np.array_equal(*(getattr(body, part).data for body in same)) for part in ("mass", "stiffness")):
+            raise RecordingError(f"{other.path} is of another body than {first.path}; give recordings of one session")
+    for one, two in pairwise(recordings):
+        if one.user == two.user:
+            raise RecordingError(
+                f"{one.path} and {two.path} are both of user {user_number(one.user)}; give one of them"
+            )
+
+
+def _asked(recording: Recording, others: dict[int, Recording]) -> dict[int, float]:
+    """Damping that the age rule asks of a user, by link, for the ages that there were [Ns/m]."""
+    result: dict[int, float] = {}
+    for user in recording.neighbours:
+        here = ages(recording, user)
+        other = others.get(user)
+        there = ages(other, recording.user) if other is not None and recording.user in other.neighbours else None
+        if here is None:
+            result[user] = 0.0
+            continue
+        strength = max(
+            (s.strength[s.neighbours.index(user)] for s in recording.setups if user in s.neighbours), default=0.0
+        )
+        # Of a neighbour that is not recorded, the way back is taken to be as long.
+        result[user] = 0.5 * strength * (here.most + (here.most if there is None else there.most))
+    return result
+
+
+def _links(moved: Sequence[Motion], grid: Float, asked: Sequence[dict[int, float]]) -> list[LinkBooks]:
+    result: list[LinkBooks] = []
+    for i, one in enumerate(moved):
+        for j in range(i + 1, len(moved)):
+            two = moved[j]
+            users = one.recording.user, two.recording.user
+            if users[1] in one.recording.neighbours and users[0] in two.recording.neighbours:
+                shares = _share(one, users[1], asked[i]), _share(two, users[0], asked[j])
+                result.append(link_books(one, two, grid, shares))
+    return result
+
+
+def _share(motion: Motion, user: int, asked: dict[int, float]) -> Float:
+    """Share of the user's damping that is this link's, per step."""
+    share = np.zeros(motion.end.size)
+    for setup, span in motion.recording.setup_rows():
+        if user not in setup.neighbours:
+            continue
+        if setup.link_damping is not None:
+            parts = dict(zip(setup.neighbours, setup.link_damping, strict=True))
+        else:
+            parts = {other: asked[other] for other in setup.neighbours}
+        total = sum(parts.values())
+        share[span] = parts[user] / total if total > 0.0 else 0.0
+    return share
+
+
+def _links_beyond(
+    links: Sequence[LinkBooks], beyond: Float, grid: Float, allowed: float, names: dict[int, str]
+) -> list[Finding]:
+    """Links that made more than the damping took, if all together did.
+
+    One alone may: its share of the damping is a convention, and what another link leaves over is there for it.
+    """
+    judged = [books for books in links if books.strict]
+    if not judged or len(judged) < len(links):
+        return []
+    together = float(beyond.max()) if all(books.whole for books in links) else np.inf
+    over = [books for books in judged if books.excess > allowed]
+    if together <= allowed or not over:
+        return []
+    result: list[Finding] = []
+    for books in over:
+        one, two = (names[user] for user in books.ends)
+        words = f"the link of {one} and {two} made {books.excess:.4g} J more than its damping took"
+        result.append(
+            Finding(
+                user=None,
+                link=books.ends,
+                place="link",
+                energy=books.excess,
+                time=books.moment - float(grid[0]),
+                step=None,
+                words=words,
+            )
+        )
+    return result
+
+
+def _of_network(energy: float, time: float, words: str) -> Finding:
+    return Finding(user=None, link=None, place="network", energy=energy, time=time, step=None, words=words)
+
+
+def _least_damping(recording: Recording) -> float:
+    return min(setup.local_damping[0] if setup.local_damping else 0.0 for setup in recording.setups)
+
+
+def _user(motion: Motion, asked: float, first: float) -> UserBooks:
+    recording, known = motion.recording, motion.known
+    late = float(motion.start[0]) if motion.begin[0] > first + 1.0 else 0.0
+    return UserBooks(
+        user=recording.user,
+        name=recording.name,
+        steps=recording.steps,
+        worked_out=int(motion.kept.sum()),
+        supplied=float(known["supplied"].sum() + known["drive_work"].sum()),
+        body_loss=float(known["body_loss"].sum()),
+        local_loss=float(known["local_loss"].sum()),
+        extra_loss=float(known["extra_loss"].sum()),
+        touch_loss=float(recording.columns["touch_loss"].sum()),
+        link_work=float(motion.link.sum()),
+        members=float(motion.carried[motion.members].sum()) + late,
+        stored=float(motion.stored[-1] - motion.start[0]),
+        residual=float(motion.residual.sum()),
+        damping=_least_damping(recording),
+        asked=asked,
+    )

@@ -1,0 +1,158 @@
+"""What a recording holds for every step, and how a batch of steps becomes bytes: one array after the other.
+
+A batch is: length of the heading (uint32), heading (JSON, UTF-8, spaces up to a multiple of 8 bytes), arrays. All
+numbers are little-endian, arrays in C order, one after the other in the order of the heading. The heading says name,
+type and shape of each; the first extent is the number of steps, for state_row, x, v and middle that of the steps whose
+state was kept.
+"""
+
+import json
+import math
+import struct
+from enum import IntEnum
+from typing import Any, NamedTuple, final
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.errors import RecordingError
+
+Array = npt.NDArray[Any]
+
+# One number for each step, in the order in which the recorder packs them.
+SCALARS: dict[str, tuple[str, str]] = {
+    "index": ("1", "k, the number of the step, from 0"),
+    "end": ("s", "end of the step on the user's monotonic clock"),
+    "T": ("s", "length of the step"),
+    "supplied": ("J", "work done at the ports"),
+    "body_loss": ("J", "dissipated by the body's own dampers"),
+    "local_loss": ("J", "dissipated by the damping B_i of the synchronisation"),
+    "extra_loss": ("J", "dissipated by the extra damping B_e"),
+    "kinetic": ("J", "kinetic energy after the step"),
+    "elastic": ("J", "elastic energy after the step"),
+    "drive_work": ("J", "work done on the proxies by what pulls them"),
+    "touch_work": ("J", "work done on the body by contacts and grasps"),
+    "touch_loss": ("J", "dissipated in contacts and grasps"),
+    "proxy": ("J", "kinetic energy of the proxies after the step"),
+    "touch_stored": ("J", "energy in contacts and grasps after the step"),
+    "residual": ("J", "what the books of the step do not explain"),
+    "iterations": ("1", "of the solver"),
+}
+# More than one number for each step: unit, meaning, extents after the first.
+VECTORS: dict[str, tuple[str, str, str]] = {
+    "force": ("N", "mean force of the step at every port", "ports, axes"),
+    "link_work": ("J", "work that each link did on the copy", "links"),
+    "age": ("s", "of each link's sample at the end of the step, by the clocks as they are", "links"),
+    "used": (
+        "1",
+        "index of each link's sample; -1 the one before the first, -2 mixed of several, -3 not said",
+        "links",
+    ),
+    "phase": ("1", "of each link: 0 coupled, 1 guarded, 2 suspended, 3 engaging", "links"),
+    "tool_place": ("m", "place of every proxy after the step", "tools, 3"),
+    "tool_rate": ("m/s", "velocity of every proxy after the step", "tools, 3"),
+    "drive_force": ("N", "mean force of what pulls each proxy", "tools, 3"),
+    "touch_force": ("N", "mean force of contacts or grasp on each proxy", "tools, 3"),
+}
+# Every m-th step only; `state_row` says which steps of the batch these are.
+STATES: dict[str, tuple[str, str, str]] = {
+    "state_row": ("1", "row of the batch that the state belongs to", ""),
+    "x": ("m", "position after the step, from rest, in the rows of the model", "rows, axes"),
+    "v": ("m/s", "velocity after the step", "rows, axes"),
+    "middle": ("m", "position at mid-step: the sample that the neighbours were told", "rows, axes"),
+}
+MIXED, UNSAID = -2, -3
+_TYPES = ("<f8", "<f4", "<i8", "<i4", "|i1")
+_LENGTH = struct.Struct("<I")
+_MOST_COLUMNS = 1000
+
+
+@final
+class LinkPhase(IntEnum):
+    """What a link was doing in a step."""
+
+    COUPLED = 0
+    GUARDED = 1
+    SUSPENDED = 2
+    ENGAGING = 3
+
+
+class Batch(NamedTuple):
+    """Some steps in a row.
+
+    Attributes:
+        neighbours: users at the other ends of the links, in the order of the columns' entries.
+        columns: by name; the first extent is the number of steps, for `STATES` that of the states.
+    """
+
+    neighbours: tuple[int, ...]
+    columns: dict[str, Array]
+
+
+def pack(batch: Batch) -> bytes:
+    """A batch as bytes."""
+    arrays = {name: _little(values) for name, values in batch.columns.items()}
+    heading = {
+        "neighbours": list(batch.neighbours),
+        "columns": [[name, values.dtype.str, list(values.shape)] for name, values in arrays.items()],
+    }
+    text = json.dumps(heading, separators=(",", ":")).encode()
+    text += b" " * (-(len(text) + _LENGTH.size) % 8)
+    return b"".join([_LENGTH.pack(len(text)), text, *(values.tobytes() for values in arrays.values())])
+
+
+def unpack(data: bytes) -> Batch:
+    """The inverse of `pack`; believes nothing that the bytes say about themselves.
+
+    Raises:
+        RecordingError: they are not a batch.
+    """
+    try:
+        (length,) = _LENGTH.unpack_from(data)
+        heading = json.loads(data[_LENGTH.size : _LENGTH.size + length])
+        neighbours = tuple(int(user) for user in heading["neighbours"])
+        described = [(str(name), str(kind), tuple(map(int, shape))) for name, kind, shape in heading["columns"]]
+    except (struct.error, ValueError, KeyError, TypeError) as error:
+        raise RecordingError(f"a batch of {len(data)} bytes has no heading that can be read: {error}") from None
+    if len(described) > _MOST_COLUMNS:
+        raise RecordingError(f"a batch says it has {len(described)} columns; at most {_MOST_COLUMNS} are read")
+    columns: dict[str, Array] = {}
+    offset = _LENGTH.size + length
+    for name, kind, shape in described:
+        if kind not in _TYPES or not shape or min(shape) < 0:
+            raise RecordingError(f"column {name!r} of a batch has type {kind} and shape {shape}; types are {_TYPES}")
+        size = math.prod(shape) * np.dtype(kind).itemsize
+        if offset + size > len(data):
+            raise RecordingError(f"column {name!r} of a batch takes {size} bytes, more than are left")
+        columns[name] = np.frombuffer(data, kind, math.prod(shape), offset).reshape(shape)
+        offset += size
+    steps = {
+        values.shape[0] for name, values in columns.items() if name not in STATES
+    }  # extra columns have a row for every step as well
+    states = {values.shape[0] for name, values in columns.items() if name in STATES}
+    if len(steps) > 1 or len(states) > 1 or not {"index", "end", "T"} <= set(columns):
+        raise RecordingError("the columns of a batch have different lengths, or it has no index, end and T")
+    links = [columns[name] for name in ("link_work", "age", "used", "phase") if name in columns]
+    if any(values.ndim != 2 or values.shape[1] != len(neighbours) for values in links):
+        raise RecordingError(f"a batch has {len(neighbours)} links, but columns of another width")
+    rows = columns.get("state_row", np.zeros(0))
+    if rows.size and not (rows.min() >= 0 and rows.max() < columns["end"].size and np.all(np.diff(rows) > 0)):
+        raise RecordingError("the states of a batch belong to steps that it does not have")
+    return Batch(neighbours, columns)
+
+
+def description(extra: dict[str, tuple[str, str]]) -> bytes:
+    """The schema of the channel of steps: what a batch is, and unit and meaning of every column, as JSON."""
+    columns = {
+        **{name: {"unit": unit, "meaning": meaning} for name, (unit, meaning) in SCALARS.items()},
+        **{
+            name: {"unit": unit, "meaning": meaning, "extents": extents}
+            for name, (unit, meaning, extents) in (VECTORS | STATES).items()
+        },
+        **{name: {"unit": unit, "meaning": meaning} for name, (unit, meaning) in extra.items()},
+    }
+    return json.dumps({"encoding": (__doc__ or "").strip(), "columns": columns}, indent=1).encode()
+
+
+def _little(values: Array) -> Array:
+    return np.ascontiguousarray(values, dtype=values.dtype.newbyteorder("<"))

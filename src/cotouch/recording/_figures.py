@@ -1,0 +1,52 @@
+"""The figure of an audit: what users put in, and what links made beside what the damping took."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from cotouch import drawing
+from cotouch.errors import RecordingError
+from cotouch.recording._audit import Audit
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+def audit_figure(result: Audit) -> "Figure":
+    """Draws the energy of an audit over time."""
+    with drawing.style():
+        figure = drawing.sheet(4.2)
+        above, below = figure.subplots(2, 1, sharex=True)
+        margin = result.supplied + result.initial
+        scale, unit = drawing.prefix(drawing.peak(margin), "J")
+        above.plot(*drawing.decimate(result.time, margin / scale), color=drawing.USERS[0])
+        above.axhline(0.0, color=drawing.ALARM, linewidth=0.8)
+        above.set_ylabel(unit)
+        above.set_title("Put in by all users, with what was there at the start: passive if never below zero")
+        scale, unit = drawing.prefix(drawing.peak(result.made, result.taken), "J")
+        below.plot(*drawing.decimate(result.time, result.made / scale), color=drawing.USERS[1], label="made by links")
+        below.plot(
+            *drawing.decimate(result.time, result.taken / scale), color=drawing.USERS[2], label="taken by their damping"
+        )
+        below.set_ylabel(unit)
+        below.set_xlabel("time [s]")
+        below.set_title("Made by the age of samples, taken by the damping of the synchronisation")
+        below.legend(loc="upper left")
+    return figure
+
+
+def save_audit_figures(result: Audit, folder: Path) -> list[Path]:
+    """Writes the figure into a folder as PNG, whole or not at all.
+
+    Raises:
+        RecordingError: it cannot be written.
+    """
+    target = folder / "audit.png"
+    partial = target.with_name(target.name + ".part")
+    try:
+        with drawing.style():
+            audit_figure(result).savefig(partial, format="png", dpi=200)
+        partial.replace(target)
+    except OSError as error:
+        partial.unlink(missing_ok=True)
+        raise RecordingError(f"the figure cannot be written to {target}: {error.strerror or error}") from error
+    return [target]

@@ -1,0 +1,145 @@
+"""The file of a recording: MCAP, a chunk for every batch, flushed, so that it can be cut off anywhere."""
+
+import json
+from pathlib import Path
+from typing import Any, Final, final
+
+import numpy as np
+from mcap.writer import CompressionType, Writer
+
+from cotouch.errors import RecordingError
+from cotouch.recording._columns import Batch, description, pack
+from cotouch.recording._header import RecordHeader
+
+PROFILE: Final = "cotouch"
+METADATA: Final = "cotouch"
+CONFIGURATION: Final = "configuration.json"
+BODY: Final = "body.npz"
+STEPS, EVENTS, BOOKS = "/steps", "/events", "/books"
+ENCODING: Final = "cotouch-columns"
+
+_EVENT_SCHEMA: dict[str, Any] = {
+    "type": "object",
+    "title": "cotouch.Event",
+    "properties": {
+        "kind": {"type": "string", "description": "setup, gap, joined, left, guarded, coupled, budget, alarm, ..."},
+        "time": {"type": "number", "description": "on the user's monotonic clock [s]"},
+        "first": {"type": "integer", "description": "index of the first step after it"},
+    },
+    "required": ["kind", "time", "first"],
+}
+_NUMBER = {"type": "number"}
+_BOOKS_SCHEMA: dict[str, Any] = {
+    "type": "object",
+    "title": "cotouch.Books",
+    "description": "sums over one batch of steps; energies in J, times in s",
+    "properties": {
+        **{name: {"type": "integer"} for name in ("first", "last")},
+        **dict.fromkeys(("begin", "end", "supplied", "lost", "stored", "residual"), _NUMBER),
+        "links": {
+            "type": "array",
+            "items": {
+                "type": "object",
+                "properties": {
+                    "neighbour": {"type": "integer"},
+                    **dict.fromkeys(("work", "age_min", "age_max"), _NUMBER),
+                },
+            },
+        },
+    },
+}
+
+
+@final
+class RecordingFile:
+    """Writes batches and events; used by one thread.
+
+    Raises:
+        RecordingError: the file exists, or cannot be made.
+    """
+
+    def __init__(self, path: Path, header: RecordHeader) -> None:
+        try:
+            self._stream = path.open("xb")
+        except FileExistsError:
+            raise RecordingError(f"{path} exists; a recording is never written over, name another file") from None
+        except OSError as error:
+            raise RecordingError(f"the recording {path} cannot be written: {error.strerror}") from error
+        self._offset = header.offset
+        self._writer = writer = Writer(self._stream, compression=CompressionType.ZSTD, chunk_size=1 << 62)
+        try:
+            writer.start(profile=PROFILE, library=header.metadata()["version"])
+            writer.add_metadata(METADATA, header.metadata())
+            begun = self._ns(header.monotonic)
+            configuration = json.dumps(dict(header.configuration)).encode()
+            writer.add_attachment(begun, begun, CONFIGURATION, "application/json", configuration)
+            writer.add_attachment(begun, begun, BODY, "application/x-npz", header.body.to_bytes())
+            schema = writer.register_schema("cotouch.Steps", ENCODING, description(dict(header.columns)))
+            self._steps = writer.register_channel(STEPS, ENCODING, schema)
+            self._events = self._json_channel(EVENTS, _EVENT_SCHEMA)
+            self._books = self._json_channel(BOOKS, _BOOKS_SCHEMA)
+            self._stream.flush()
+        except OSError as error:
+            self._stream.close()
+            raise RecordingError(f"the recording {path} cannot be written: {error.strerror}") from error
+
+    def batch(self, batch: Batch) -> None:
+        """Adds a batch and its books."""
+        time = self._ns(float(batch.columns["end"][-1]))
+        sequence = int(batch.columns["index"][0]) & 0xFFFF_FFFF
+        self._writer.add_message(self._steps, time, pack(batch), time, sequence)
+        self._writer.add_message(self._books, time, json.dumps(_books(batch)).encode(), time, sequence)
+
+    def event(self, fields: dict[str, Any]) -> None:
+        """Adds an event; what JSON has no word for is written as text."""
+        time = self._ns(float(fields["time"]))
+        self._writer.add_message(self._events, time, json.dumps(fields, default=_plain).encode(), time)
+
+    def flush(self) -> None:
+        """Hands everything to the operating system, so that the end of this process cannot take it back."""
+        self._writer.flush()
+
+    def finish(self) -> None:
+        """Writes the index and closes."""
+        try:
+            self._writer.finish()
+        finally:
+            self._stream.close()
+
+    def _json_channel(self, topic: str, schema: dict[str, Any]) -> int:
+        number = self._writer.register_schema(schema["title"], "jsonschema", json.dumps(schema).encode())
+        return self._writer.register_channel(topic, "json", number)
+
+    def _ns(self, time: float) -> int:
+        return max(0, round((time + self._offset) * 1e9))
+
+
+def _books(batch: Batch) -> dict[str, Any]:
+    columns = batch.columns
+    lost = sum(float(columns[name].sum()) for name in ("body_loss", "local_loss", "extra_loss", "touch_loss"))
+    stored = sum(float(columns[name][-1]) for name in ("kinetic", "elastic", "proxy", "touch_stored"))
+    return {
+        "first": int(columns["index"][0]),
+        "last": int(columns["index"][-1]),
+        "begin": float(columns["end"][0] - columns["T"][0]),
+        "end": float(columns["end"][-1]),
+        "supplied": float(columns["supplied"].sum() + columns["drive_work"].sum()),
+        "lost": lost,
+        "stored": stored,
+        "residual": float(columns["residual"].sum()),
+        "links": [
+            {
+                "neighbour": neighbour,
+                "work": float(columns["link_work"][:, at].sum()),
+                "age_min": float(columns["age"][:, at].min()),
+                "age_max": float(columns["age"][:, at].max()),
+            }
+            for at, neighbour in enumerate(batch.neighbours)
+        ],
+    }
+
+
+def _plain(value: object) -> Any:
+    if isinstance(value, np.ndarray | np.generic):
+        return value.tolist()
+    return str(value)

@@ -1,0 +1,152 @@
+"""Where a joule came from that nothing explains: one finding for each place, largest first."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import final
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.recording._motion import LOSSES, Motion
+from cotouch.recording._recording import Recording
+from cotouch.units import user_number
+
+Float = npt.NDArray[np.float64]
+
+_NAMES = {
+    "supplied": ("hands", "the work of the forces at the ports"),
+    "drive_work": ("hands", "the work of what pulls the proxies"),
+    "body_loss": ("damping", "what the body's own dampers took"),
+    "local_loss": ("damping", "what the damping B_i of the synchronisation took"),
+    "extra_loss": ("damping", "what the extra damping B_e took"),
+    "stored": ("state", "the energy of position and velocity"),
+    "proxies": ("proxies", "the motion of the proxies under the forces on them"),
+    "contacts": ("contacts", "what contacts and grasps hold and lose"),
+}
+
+
+@final
+@dataclass(frozen=True, kw_only=True)
+class Finding:
+    """Energy that is not accounted for.
+
+    Attributes:
+        user: index of the user in whose copy, or None.
+        link: the two users between whom, or None.
+        place: hands, damping, state, step, between steps, proxies, contacts, link or network.
+        energy: how much; > 0 came from nowhere [J].
+        time: when it is seen first, since the beginning [s].
+        step: index of that step of the user; None where there is none.
+        words: what is known, one sentence.
+    """
+
+    user: int | None
+    link: tuple[int, int] | None
+    place: str
+    energy: float
+    time: float
+    step: int | None
+    words: str
+
+
+def findings_of(motion: Motion, tolerance: float, start: float, names: dict[int, str]) -> list[Finding]:
+    """What does not fit in one user's recording.
+
+    Args:
+        motion: of the user.
+        tolerance: that energies may differ by [J].
+        start: of the session in shared time [s].
+        names: of users by index.
+    """
+    recording = motion.recording
+    found: list[Finding] = []
+
+    def add(place: str, energies: Float, words: str, link: tuple[int, int] | None = None) -> None:
+        step = int(np.argmax(np.abs(energies) > max(tolerance / max(energies.size, 1), 1e-3 * np.abs(energies).max())))
+        found.append(
+            Finding(
+                user=recording.user,
+                link=link,
+                place=place,
+                energy=_most(energies),
+                time=float(motion.end[step] - start),
+                step=int(recording.columns["index"][step]),
+                words=words,
+            )
+        )
+
+    for name, difference in motion.difference.items():
+        if not _counts(difference, tolerance):
+            continue
+        total = float(difference.sum())
+        if name.startswith("link "):
+            other = int(name.split()[1])
+            words = (
+                f"the link's work on {names[recording.user]}'s copy is {_joule(total)} more by the sample that "
+                f"{names.get(other, f'user {user_number(other)}')} recorded than by the books"
+            )
+            add("link", difference, words, (recording.user, other))
+        elif name in {"proxies", "contacts"}:
+            place, what = _NAMES[name]
+            add(place, difference, f"{what} at {names[recording.user]} differs from the books by {_joule(total)}")
+        else:
+            place, what = _NAMES[name]
+            add(place, difference, f"{what} at {names[recording.user]} is {_joule(total)} more than the books say")
+    residual = motion.residual
+    booked = residual + _explained(motion)
+    # What the books explain and the recorded numbers don't is in one of the places above.
+    if _counts(residual, tolerance) and (not found or _counts(booked, tolerance)):
+        add(
+            "step", residual, f"steps of {names[recording.user]} gained {_joule(_most(residual))} that nothing explains"
+        )
+    carried = np.where(motion.members, 0.0, motion.carried)
+    if _counts(carried, tolerance):
+        words = f"{_joule(_most(carried))} came into {names[recording.user]}'s copy between two of its steps"
+        add("between steps", carried, words)
+    return sorted(found, key=lambda finding: -abs(finding.energy))
+
+
+def missing_words(recordings: Sequence[Recording], names: dict[int, str]) -> list[str]:
+    """What the recordings don't hold, one sentence each."""
+    notes: list[str] = []
+    for recording in recordings:
+        own = names[recording.user]
+        if recording.broken is not None:
+            notes.append(f"the recording of {own} is not whole: {recording.broken}; it is judged up to its last batch")
+        if recording.missing:
+            notes.append(f"{recording.missing} steps of {own} are not recorded; what happened in them is not known")
+        kept = recording.states["state_row"].size
+        if kept < recording.steps:
+            notes.append(
+                f"the state of {own} is kept at {kept} of {recording.steps} steps; the others are taken as booked"
+            )
+    absent = sorted({user for recording in recordings for user in recording.neighbours} - set(names))
+    if absent:
+        who = ", ".join(f"user {user_number(user)}" for user in absent)
+        notes.append(f"there is no recording of {who}; links to them are known from one end only")
+    return notes
+
+
+def _explained(motion: Motion) -> Float:
+    """What the residual would lose if the recorded numbers were what the books say, per step."""
+    difference = motion.difference
+    links = sum((values for name, values in difference.items() if name.startswith("link ")), np.zeros(motion.end.size))
+    losses = sum((difference[name] for name in LOSSES), np.zeros(motion.end.size))
+    explained = difference["supplied"] - losses + links - np.where(motion.kept, difference["stored"], 0.0)
+    return explained + np.where(motion.recording.consecutive, difference["drive_work"], 0.0)
+
+
+def _counts(energies: Float, tolerance: float) -> bool:
+    return bool(
+        np.abs(energies).max(initial=0.0) > tolerance or np.abs(np.cumsum(energies)).max(initial=0.0) > tolerance
+    )
+
+
+def _most(energies: Float) -> float:
+    """The sum so far where it is furthest from nothing."""
+    total = np.cumsum(energies)
+    return float(total[int(np.argmax(np.abs(total)))])
+
+
+def _joule(energy: float) -> str:
+    return f"{energy:.4g} J"

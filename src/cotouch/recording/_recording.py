@@ -1,0 +1,274 @@
+"""A recording in memory: columns by name, events, and what its books follow from at every step."""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any, NamedTuple, final
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.errors import RecordingError
+from cotouch.recording._columns import STATES, UNSAID, Batch
+from cotouch.recording._header import RecordHeader
+from cotouch.units import user_number
+
+Array = npt.NDArray[Any]
+Float = npt.NDArray[np.float64]
+Int = npt.NDArray[np.int64]
+
+_LINKS = ("link_work", "age", "used", "phase")
+# What a column of integers says where there is no link.
+_NONE = {"used": UNSAID, "phase": 0}
+
+
+@final
+@dataclass(frozen=True, kw_only=True)
+class Event:
+    """Something that happened.
+
+    Attributes:
+        kind: what: setup, gap, closed, joined, left, guarded, coupled, budget, alarm, rate, ...
+        time: when, on the user's monotonic clock [s].
+        first: index of the first step after it.
+        fields: what else was said.
+    """
+
+    kind: str
+    time: float
+    first: int
+    fields: Mapping[str, Any] = field(default_factory=dict[str, Any])
+
+
+class Setup(NamedTuple):
+    """What the books of some steps follow from; see `Recorder.setup`.
+
+    Attributes:
+        first: index of the first step that it holds for.
+        copies: N.
+        neighbours: users at the other ends.
+        strength: spring of each link [N/m for the identity weight].
+        weight: index of each link's weight.
+        local_damping: B_i over the weights [Ns/m].
+        extra_damping: B_e over the weights [Ns/m].
+        ports: node of each port; None: not said.
+        tool_mass: of every proxy [kg].
+        link_damping: share of B_i of each link [Ns/m]; None: not said.
+        rounding: most that a coordinate of a sample may differ from what was sent [m].
+    """
+
+    first: int
+    copies: int
+    neighbours: tuple[int, ...]
+    strength: tuple[float, ...]
+    weight: tuple[int, ...]
+    local_damping: tuple[float, ...]
+    extra_damping: tuple[float, ...]
+    ports: tuple[int, ...] | None
+    tool_mass: tuple[float, ...]
+    link_damping: tuple[float, ...] | None
+    rounding: float
+
+
+@final
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Recording:
+    """One user's recording.
+
+    Attributes:
+        path: of the file.
+        header: who and what.
+        neighbours: every user that there was a link to, in the order of the entries of the columns of links.
+        columns: by name, (steps, ...): those of docs/recording.md and any others; NaN (or -3, of `used`) where a step
+            had no such link or value.
+        states: `state_row` (the step that each state belongs to), `x`, `v`, `middle`, the last three
+            (states, rows, axes).
+        events: in the order in which they happened.
+        broken: why the file ends early; None if it is whole.
+    """
+
+    path: str
+    header: RecordHeader
+    neighbours: tuple[int, ...]
+    columns: Mapping[str, Array]
+    states: Mapping[str, Array]
+    events: tuple[Event, ...]
+    broken: str | None
+
+    @property
+    def steps(self) -> int:
+        """Number of steps in it."""
+        return int(self.columns["end"].size)
+
+    @property
+    def user(self) -> int:
+        """Index of the user."""
+        return self.header.user
+
+    @property
+    def name(self) -> str:
+        """What to call the user: its name, or its number."""
+        return self.header.name or f"user {user_number(self.user)}"
+
+    @property
+    def time(self) -> Float:
+        """End of every step in Unix time, by this machine's clock [s]."""
+        return self.columns["end"] + self.header.offset
+
+    @property
+    def closed(self) -> bool:
+        """Whether recording ended because the user did."""
+        return any(event.kind == "closed" for event in self.events)
+
+    @cached_property
+    def consecutive(self) -> npt.NDArray[np.bool_]:
+        """Whether each step follows the one before it in the recording, (steps,); the first one does not."""
+        follows = np.zeros(self.steps, dtype=bool)
+        follows[1:] = np.diff(self.columns["index"]) == 1
+        return follows
+
+    @property
+    def missing_after(self) -> int:
+        """Steps that were taken after the last one in it and are not in it, as far as it says."""
+        said = [event.first for event in self.events if event.kind == "closed"]
+        said += [int(event.fields.get("last", -1)) + 1 for event in self.events if event.kind == "gap"]
+        return max(0, max(said, default=0) - 1 - int(self.columns["index"][-1]))
+
+    @property
+    def missing(self) -> int:
+        """Steps that were taken and are not in it, as far as it says."""
+        index = self.columns["index"]
+        first = min([int(index[0]), *(event.first for event in self.events if event.kind == "setup")])
+        return int(index[-1] - first + 1 - index.size) + self.missing_after
+
+    @cached_property
+    def setups(self) -> tuple[Setup, ...]:
+        """What the books follow from, in order.
+
+        Raises:
+            RecordingError: there is none, or one makes no sense.
+        """
+        made = [_setup(event) for event in self.events if event.kind == "setup"]
+        if not made:
+            raise RecordingError(f"{self.path} does not say what its steps follow from; it has no event of kind setup")
+        for setup in made:
+            if not set(setup.neighbours) <= set(self.neighbours) and setup.first <= self.columns["index"][-1]:
+                raise RecordingError(f"{self.path} has a setup with links that no step has: {setup.neighbours}")
+        return tuple(made)
+
+    def setup_rows(self) -> list[tuple[Setup, slice]]:
+        """Each setup with the steps it holds for."""
+        index = self.columns["index"]
+        starts = [int(np.searchsorted(index, setup.first)) for setup in self.setups]
+        starts[0] = 0
+        ends = [*starts[1:], self.steps]
+        spans = zip(self.setups, starts, ends, strict=True)
+        return [(setup, slice(start, end)) for setup, start, end in spans if end > start]
+
+
+def recording_of(
+    path: str, header: RecordHeader, batches: Sequence[Batch], events: Sequence[Event], broken: str | None
+) -> Recording:
+    """Puts batches together.
+
+    Raises:
+        RecordingError: there is no step in them, or they do not fit together.
+    """
+    if not batches:
+        raise RecordingError("it ends before its first batch of steps")
+    neighbours = tuple(sorted({user for batch in batches for user in batch.neighbours}))
+    counts = [batch.columns["end"].size for batch in batches]
+    starts = np.concatenate([[0], np.cumsum(counts)])
+    columns: dict[str, Array] = {}
+    names = dict.fromkeys(name for batch in batches for name in batch.columns if name not in STATES)
+    for name in names:
+        if name in _LINKS:
+            columns[name] = _links(name, neighbours, batches)
+            continue
+        entries = [batch.columns.get(name) for batch in batches]
+        widest = max((entry.shape[1:] for entry in entries if entry is not None), key=lambda s: (len(s), math.prod(s)))
+        columns[name] = np.concatenate(
+            [_padded(entry, count, widest) for entry, count in zip(entries, counts, strict=True)]
+        )
+    if np.any(np.diff(columns["index"]) <= 0):
+        raise RecordingError("its steps are not in order")
+    if not (np.all(np.isfinite(columns["end"])) and np.all(columns["T"] > 0.0)):
+        raise RecordingError("a step of it has a time that is not finite or a length that is not positive")
+    held = [batch.columns for batch in batches if batch.columns.get("state_row", np.zeros(0)).size]
+    states: dict[str, Array] = {"state_row": np.zeros(0, dtype=np.int64)}
+    if held:
+        rows = [
+            start + batch.columns["state_row"].astype(np.int64)
+            for start, batch in zip(starts[:-1], batches, strict=True)
+            if batch.columns.get("state_row", np.zeros(0)).size
+        ]
+        states["state_row"] = np.concatenate(rows)
+        for name in ("x", "v", "middle"):
+            parts = [batch[name] for batch in held if name in batch]
+            if len(parts) < len(held) or {part.shape[1:] for part in parts} != {(header.body.rows, header.body.axes)}:
+                raise RecordingError(f"its column {name!r} does not fit the body in its head")
+            states[name] = np.concatenate(parts)
+    return Recording(
+        path=path,
+        header=header,
+        neighbours=neighbours,
+        columns=columns,
+        states=states,
+        events=tuple(events),
+        broken=broken,
+    )
+
+
+def _links(name: str, neighbours: tuple[int, ...], batches: Sequence[Batch]) -> Array:
+    """A column of links over all batches, whose links need not be the same."""
+    parts: list[Array] = []
+    for batch in batches:
+        steps = batch.columns["end"].size
+        part = (
+            np.full((steps, len(neighbours)), _NONE[name])
+            if name in _NONE
+            else np.full((steps, len(neighbours)), np.nan)
+        )
+        if name in batch.columns:
+            for at, user in enumerate(batch.neighbours):
+                part[:, neighbours.index(user)] = batch.columns[name][:, at]
+        parts.append(part)
+    return np.concatenate(parts)
+
+
+def _padded(entry: Array | None, count: int, shape: tuple[int, ...]) -> Array:
+    if entry is not None and entry.shape[1:] == shape:
+        return entry
+    out = np.full((count, *shape), np.nan)
+    if entry is not None:
+        if entry.ndim != out.ndim or any(a > b for a, b in zip(entry.shape[1:], shape, strict=True)):
+            raise RecordingError("columns of its batches do not fit together")
+        out[tuple(slice(0, extent) for extent in entry.shape)] = entry
+    return out
+
+
+def _setup(event: Event) -> Setup:
+    said = event.fields
+    try:
+        neighbours = tuple(int(user) for user in said["neighbours"])
+        shared = said["link_damping"]
+        setup = Setup(
+            first=event.first,
+            copies=int(said["copies"]),
+            neighbours=neighbours,
+            strength=tuple(map(float, said["strength"])),
+            weight=tuple(map(int, said["weight"])),
+            local_damping=tuple(map(float, said["local_damping"])),
+            extra_damping=tuple(map(float, said["extra_damping"])),
+            ports=None if said["ports"] is None else tuple(map(int, said["ports"])),
+            tool_mass=tuple(map(float, said["tool_mass"])),
+            link_damping=None if shared is None else tuple(map(float, shared)),
+            rounding=float(said["rounding"]),
+        )
+    except (KeyError, TypeError, ValueError) as error:
+        raise RecordingError(f"a setup of the recording cannot be read: {error!r}") from None
+    sizes = {len(neighbours), len(setup.strength), len(setup.weight)}
+    if len(sizes) > 1 or setup.copies < 1:
+        raise RecordingError(f"a setup of the recording has {len(neighbours)} neighbours and lists of other lengths")
+    return setup
