@@ -1,8 +1,18 @@
 """One real peer: its samples and its control plane over real networks. Sessions and pacing are not here yet."""
 
+from cotouch.live._address import Address
 from cotouch.live._ages import LinkAges, Window
 from cotouch.live._agreement import Agreement, Progress
 from cotouch.live._assembly import Assembly
+from cotouch.live._candidates import (
+    MOST_CANDIDATES,
+    Candidate,
+    Offer,
+    Origin,
+    local_candidates,
+    read_offer,
+    write_offer,
+)
 from cotouch.live._certificates import Certificates, make_certificates
 from cotouch.live._codec import AGED, ECHO, RENEW, Chunk, Codec, Heading, Written
 from cotouch.live._control import ControlPlane, Message, Relayed
@@ -10,6 +20,7 @@ from cotouch.live._control_memory import MemoryControl, MemoryControlNetwork
 from cotouch.live._control_zenoh import ControlRouter, ZenohControl, free_port
 from cotouch.live._files import MOST_FILE
 from cotouch.live._impaired import ImpairedTransport
+from cotouch.live._interfaces import interface_hosts
 from cotouch.live._invitation import Endpoint, Invitation
 from cotouch.live._keys import DirectionKeys, Entropy, Identity, LinkKeys
 from cotouch.live._layout import HEAD_BYTES, Coding, Layout
@@ -17,12 +28,16 @@ from cotouch.live._limit import Bucket, SourceLimit
 from cotouch.live._memory import MemoryNetwork, MemoryTransport
 from cotouch.live._path import Path, PathLaw
 from cotouch.live._plane import SampleLink, SamplePlane
+from cotouch.live._probe import PROBE, PairKeys, member_key, pair_keys
+from cotouch.live._puncher import Probe, Puncher, Way
 from cotouch.live._rate import SendRate, Trend
+from cotouch.live._reflexive import Lookup, Mirror
 from cotouch.live._refusal import Refusal
 from cotouch.live._replay import ReplayWindow
+from cotouch.live._routed import ByRelay, RoutedTransport, WayChanged
 from cotouch.live._seal import MOST_SEALED, OVERHEAD, RENEW_AFTER, Opened, SealedLink, connection_of
 from cotouch.live._sign import MOST_BODY, MOST_MESSAGE, MessageReader, MessageRefusal, MessageWriter
-from cotouch.live._transport import MOST_BYTES, Arrival, Traffic, Transport
+from cotouch.live._transport import MOST_BYTES, Arrival, Ground, Traffic, Transport
 from cotouch.live._udp import Address, UdpTransport
 
 __all__ = [
@@ -31,10 +46,12 @@ __all__ = [
     "HEAD_BYTES",
     "MOST_BODY",
     "MOST_BYTES",
+    "MOST_CANDIDATES",
     "MOST_FILE",
     "MOST_MESSAGE",
     "MOST_SEALED",
     "OVERHEAD",
+    "PROBE",
     "RENEW",
     "RENEW_AFTER",
     "Address",
@@ -42,6 +59,8 @@ __all__ = [
     "Arrival",
     "Assembly",
     "Bucket",
+    "ByRelay",
+    "Candidate",
     "Certificates",
     "Chunk",
     "Codec",
@@ -51,6 +70,7 @@ __all__ = [
     "DirectionKeys",
     "Endpoint",
     "Entropy",
+    "Ground",
     "Heading",
     "Identity",
     "ImpairedTransport",
@@ -58,6 +78,7 @@ __all__ = [
     "Layout",
     "LinkAges",
     "LinkKeys",
+    "Lookup",
     "MemoryControl",
     "MemoryControlNetwork",
     "MemoryNetwork",
@@ -66,13 +87,20 @@ __all__ = [
     "MessageReader",
     "MessageRefusal",
     "MessageWriter",
+    "Mirror",
+    "Offer",
     "Opened",
+    "Origin",
+    "PairKeys",
     "Path",
     "PathLaw",
+    "Probe",
     "Progress",
+    "Puncher",
     "Refusal",
     "Relayed",
     "ReplayWindow",
+    "RoutedTransport",
     "SampleLink",
     "SamplePlane",
     "SealedLink",
@@ -82,10 +110,18 @@ __all__ = [
     "Transport",
     "Trend",
     "UdpTransport",
+    "Way",
+    "WayChanged",
     "Window",
     "Written",
     "ZenohControl",
     "connection_of",
     "free_port",
+    "interface_hosts",
+    "local_candidates",
     "make_certificates",
+    "member_key",
+    "pair_keys",
+    "read_offer",
+    "write_offer",
 ]

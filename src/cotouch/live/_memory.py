@@ -114,6 +114,10 @@ class MemoryTransport:
             return True
         return False
 
+    def bears(self, neighbour: int) -> float:  # noqa: ARG002
+        """Nothing is known here of what a path bears."""
+        return float("inf")
+
     def poll(self) -> list[Arrival]:
         """Everything that arrived since the last call."""
         if not self._open:

@@ -189,6 +189,8 @@ class SamplePlane:
         Returns:
             What was sent, with its rounding error; None if it was nobody's turn; why not, if nobody would take it.
         """
+        for neighbour, link in self.links.items():
+            link.rate.cap(self._transport.bears(neighbour) / self.layout.chunks)
         due = [(neighbour, link) for neighbour, link in self.links.items() if link.rate.due(now)]
         if not due:
             return None

@@ -63,8 +63,8 @@ class SendRate:
             lowest: [1/s].
             queue: waiting, beyond the path's own, that is worth a try [s].
         """
-        self.rate = self._highest = highest
-        self._lowest = min(lowest, highest)
+        self.rate = self._highest = self._session = highest
+        self._lowest = self._floor = min(lowest, highest)
         self._queue = queue
         self.own_loss = 0.0
         self.own_wait = 0.0
@@ -78,7 +78,28 @@ class SendRate:
         self._waits: list[float] = []
         self._trial: tuple[float, _Interval] | None = None
         self._before_silence = highest
+        self._before_cap = 0.0
         self._rest = 0
+
+    def cap(self, most: float) -> None:
+        """Nothing above this is sent from now on, not even to try; the way that it is for bears no more [1/s].
+
+        With another way begins another judgement: where there is more room than before, at half the rate that was
+        left for the narrower one, as after a silence.
+        """
+        highest = min(self._session, most)
+        if highest == self._highest:
+            return
+        wider = highest > self._highest
+        if not wider:
+            self._before_cap = max(self._before_cap, self.rate if self._trial is None else self._trial[0])
+        self._highest, self._lowest = highest, min(self._floor, highest)
+        if self.trend is Trend.SILENT:
+            self._turn(self._lowest, Trend.SILENT, -1)
+            return
+        self._turn(max(self.rate, _DOWN * self._before_cap) if wider else self.rate, Trend.HOLD, -1)
+        if highest == self._session:
+            self._before_cap = 0.0
 
     def due(self, now: float) -> bool:
         """Whether a state is to be sent now; if so, it is taken as sent."""

@@ -5,6 +5,8 @@ from collections.abc import Hashable
 from dataclasses import dataclass, field
 from typing import NamedTuple, Protocol, final
 
+from cotouch.live._address import Address
+
 # Fits every path of use without fragments: IPv6 guarantees 1,280 bytes, 48 of which are headers.
 MOST_BYTES = 1200
 
@@ -61,6 +63,10 @@ class Transport(Protocol):
         """Hands a datagram to the network; never waits. False, and counted, if that was not possible."""
         ...
 
+    def bears(self, neighbour: int) -> float:
+        """Datagrams per second that the way to a neighbour is to be given at most; inf: what it bears must show."""
+        ...
+
     def poll(self) -> list[Arrival]:
         """Everything that arrived since the last call, oldest first; never waits."""
         ...
@@ -75,4 +81,21 @@ class Transport(Protocol):
 
     def close(self) -> None:
         """Gives back what was taken of the machine; afterwards nothing is sent and nothing arrives."""
+        ...
+
+
+class Ground(Transport, Protocol):
+    """A transport over a socket of addresses, on which ways can be looked for; `UdpTransport` is one."""
+
+    @property
+    def address(self) -> Address:
+        """Where it listens."""
+        ...
+
+    def reach(self, address: Address, payload: bytes) -> bool:
+        """Hands over a datagram for an address that is no neighbour's, uncounted. False: that was not possible."""
+        ...
+
+    def now(self) -> float:
+        """Time, as arrivals are stamped [s]."""
         ...

@@ -1,14 +1,14 @@
 """Datagrams over UDP: one socket for all neighbours, read without waiting."""
 
 import errno
-import ipaddress
 import socket
 import struct
 import time
 from collections.abc import Callable, Hashable
-from typing import NamedTuple, final
+from typing import final
 
 from cotouch.errors import SessionError, TransportError
+from cotouch.live._address import Address, numeric, origin
 from cotouch.live._limit import SourceLimit
 from cotouch.live._transport import MOST_BYTES, Arrival, Traffic
 
@@ -21,13 +21,6 @@ _SPACE = socket.CMSG_SPACE(_TIMESPEC.size) if hasattr(socket, "CMSG_SPACE") else
 _RECEIVE_BUFFER = 4 << 20
 # Bounds one `poll` under a flood; what is left stays in the kernel for the next.
 _MOST_AT_ONCE = 4096
-
-
-class Address(NamedTuple):
-    """Where a neighbour is, in numbers: names are resolved by whoever has time for it."""
-
-    host: str
-    port: int
 
 
 @final
@@ -60,14 +53,14 @@ class UdpTransport:
             SessionError: the address is none.
             TransportError: the port is taken, or the address is not this machine's.
         """
-        numeric = _numeric(host)
-        self._six = numeric.version == 6
+        number = numeric(host)
+        self._six = number.version == 6
         self._clock = clock
         self._limit = SourceLimit(rate=rate, burst=burst, stranger_rate=stranger_rate, stranger_burst=stranger_burst)
         self._neighbours: dict[int, tuple[str, int]] = {}
         self._traffic = Traffic()
         self._last = clock()
-        self._socket: socket.socket | None = _open(str(numeric), _port(port), six=self._six)
+        self._socket: socket.socket | None = _open(str(number), _port(port), six=self._six)
         self._stamped = _ask_for_stamps(self._socket)
 
     @property
@@ -111,6 +104,24 @@ class UdpTransport:
             return True
         return False
 
+    def reach(self, address: Address, payload: bytes) -> bool:
+        """Hands the kernel a datagram for an address that is no neighbour's; whoever asks counts it."""
+        if self._socket is None:
+            return False
+        try:
+            self._socket.sendto(payload, (self._reachable(address.host), address.port))
+        except (OSError, SessionError):
+            return False
+        return True
+
+    def bears(self, neighbour: int) -> float:  # noqa: ARG002
+        """Nothing is known here of what a path bears."""
+        return float("inf")
+
+    def now(self) -> float:
+        """Time, as arrivals are stamped [s]."""
+        return self._clock()
+
     def poll(self) -> list[Arrival]:
         """Everything that arrived since the last call, oldest first; never waits."""
         if self._socket is None:
@@ -127,7 +138,7 @@ class UdpTransport:
                 traffic.dropped[_why(error)] += 1
                 continue
             source = sender[:2]
-            if not self._limit.take(now, source, _share(source[0])):
+            if not self._limit.take(now, source, origin(source[0])):
                 traffic.dropped["too many"] += 1
                 continue
             if not 0 < len(payload) <= MOST_BYTES:
@@ -176,12 +187,12 @@ class UdpTransport:
             self._socket = None
 
     def _reachable(self, host: str) -> str:
-        numeric = _numeric(host)
-        if self._six and numeric.version == 4:
-            return f"::ffff:{numeric}"
-        if not self._six and numeric.version == 6:
+        number = numeric(host)
+        if self._six and number.version == 4:
+            return f"::ffff:{number}"
+        if not self._six and number.version == 6:
             raise SessionError(f"neighbour {host} has an IPv6 address, but this socket listens on IPv4; listen on '::'")
-        return str(numeric) if numeric.version == 4 else host
+        return str(number) if number.version == 4 else host
 
 
 def _open(host: str, port: int, *, six: bool) -> socket.socket:
@@ -213,22 +224,10 @@ def _ask_for_stamps(opened: socket.socket) -> bool:
     return True
 
 
-def _numeric(host: str) -> ipaddress.IPv4Address | ipaddress.IPv6Address:
-    try:
-        return ipaddress.ip_address(host)
-    except ValueError:
-        raise SessionError(f"host {host!r} is not an address in numbers, such as 127.0.0.1 or ::1") from None
-
-
 def _port(port: object, *, given: bool = False) -> int:
     if not isinstance(port, int) or not int(given) <= port <= 65535:
         raise SessionError(f"port {port!r} is not a number from {int(given)} to 65535")
     return port
-
-
-def _share(host: str) -> str:
-    """What one owner of addresses cannot change at will: an IPv4 address, or a network of 64 bits."""
-    return host if ":" not in host else ":".join(host.split(":")[:4])
 
 
 def _why(error: OSError) -> str:

@@ -1,0 +1,436 @@
+"""Each neighbour by the straightest way that works: its own address, or the control plane's relay."""
+
+from collections import deque
+from collections.abc import Callable, Hashable, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple, final
+
+from cotouch.errors import SessionError
+from cotouch.live._address import Address, numeric, origin, plain
+from cotouch.live._candidates import TOPIC, Candidate, Origin, local_candidates, read_offer, write_offer
+from cotouch.live._control import ControlPlane, Message
+from cotouch.live._interfaces import interface_hosts
+from cotouch.live._keys import Entropy
+from cotouch.live._limit import SourceLimit
+from cotouch.live._probe import MEMBER_BYTES, PROBE, WORD_BYTES, Kind, label_of, member_key, pair_keys
+from cotouch.live._puncher import Puncher, Way
+from cotouch.live._reflexive import Lookup, Mirror
+from cotouch.live._transport import MOST_BYTES, Arrival, Ground, Traffic
+
+# Candidates are said again this often: messages are lost while a member is cut off.
+_TELL = 5.0
+_TELL_DIRECT = 60.0
+_TELL_LEAST = 0.5
+# A neighbour that was sent nothing for this long is idle.
+_ACTIVE = 1.0
+# The machine is asked for its interfaces at most this often.
+_LOOK_AROUND = 5.0
+_MOST_EVENTS = 256
+
+
+class ByRelay(NamedTuple):
+    """Source of a datagram that came by the control plane.
+
+    Attributes:
+        member: public key of the member it says it is from.
+    """
+
+    member: bytes
+
+
+class WayChanged(NamedTuple):
+    """A neighbour is reached another way.
+
+    Attributes:
+        neighbour: index of the user.
+        time: [s].
+        way: from now on.
+        address: where it answers, if `DIRECT`.
+    """
+
+    neighbour: int
+    time: float
+    way: Way
+    address: Address | None
+
+
+@dataclass(eq=False)
+class _Neighbour:
+    member: bytes
+    word: bytes
+    puncher: Puncher
+    label: int | None = None
+    theirs: bytes = b""
+    way: Way = Way.TRYING
+    address: Address | None = None
+    tell: float = -float("inf")  # when candidates are to be said again
+    told: float = -float("inf")
+    sent: float = -float("inf")
+    heard: tuple[Hashable, Address] | None = None  # last source, as the socket gave it and in plain form
+
+
+@final
+class RoutedTransport:
+    """Samples straight to neighbours where an address of theirs answers, and by the relay where none does.
+
+    See `Transport`. A neighbour that was introduced is sent to where it answers, whatever address a datagram of it came
+    from: `follow` only says where to ask. One that was not introduced is followed as the socket would. `poll` is to be
+    called often, for it also asks and answers: once per step, and 20 times a second at least.
+
+    Attributes:
+        direct: what went through the socket, without probes.
+        relayed: what went by the relay.
+        probes: what was sent and taken to find ways.
+    """
+
+    def __init__(
+        self,
+        ground: Ground,
+        control: ControlPlane,
+        *,
+        session: bytes,
+        secret: bytes,
+        entropy: Entropy,
+        mirrors: Sequence[Address] = (),
+        relay_rate: float = 100.0,
+        interfaces: Callable[[], Sequence[str]] = interface_hosts,
+    ) -> None:
+        """Begins without neighbours.
+
+        Args:
+            ground: socket of the samples; closed with this.
+            control: carries candidates, and what has no other way; it is its owner's to close and to poll.
+            session: what names the session.
+            secret: what only invited members know.
+            entropy: gives so many bytes that nobody can guess, such as `os.urandom`.
+            mirrors: who is asked for this member's own address: the host's sample socket, as members reach it.
+            relay_rate: datagrams to a neighbour by the relay, at most [1/s].
+            interfaces: gives the hosts of this machine's interfaces.
+
+        Raises:
+            SessionError: the rate is not positive, or a mirror is no address in numbers.
+        """
+        if not relay_rate > 0.0:
+            raise SessionError(f"relay rate is {relay_rate} per second; it must be positive")
+        self.direct, self.relayed, self.probes = Traffic(), Traffic(), Traffic()
+        self._ground = ground
+        self._control = control
+        self._session, self._secret, self._entropy = session, secret, entropy
+        self._relay_rate = relay_rate
+        self._interfaces = interfaces
+        key = member_key(secret, session)
+        self._mirror = Mirror(key)
+        self._lookup = Lookup(key, entropy)
+        self._neighbours: dict[int, _Neighbour] = {}
+        self._labels: dict[int, int] = {}
+        self._by_relay: dict[int, bytes] = {}  # neighbours that were not introduced
+        self._probe_limit = SourceLimit(rate=200.0, burst=100.0, stranger_rate=200.0, stranger_burst=100.0)
+        self._relay_limit = SourceLimit(rate=4096.0, burst=4096.0, stranger_rate=200.0, stranger_burst=64.0)
+        self._events: deque[WayChanged] = deque(maxlen=_MOST_EVENTS)
+        self._listening = ground.address
+        self._here: list[Candidate] = []
+        self._own: list[Candidate] = []
+        self._looked = -float("inf")
+        self._last = ground.now()
+        self._open = True
+        self.look(mirrors)
+        self._look_around(self._last)
+
+    @property
+    def traffic(self) -> Traffic:
+        """What went through so far, by all ways; probes are not in it."""
+        below, direct, relayed = self._ground.traffic, self.direct, self.relayed
+        return Traffic(
+            sent=direct.sent + relayed.sent,
+            sent_bytes=direct.sent_bytes + relayed.sent_bytes,
+            received=direct.received + relayed.received,
+            received_bytes=direct.received_bytes + relayed.received_bytes,
+            unsent=below.unsent + direct.unsent + relayed.unsent,
+            dropped=below.dropped + relayed.dropped + self.probes.dropped,
+        )
+
+    @property
+    def candidates(self) -> tuple[Candidate, ...]:
+        """Where this member may be reached, as neighbours are told."""
+        return tuple(self._own)
+
+    @property
+    def mapped(self) -> tuple[Address, ...]:
+        """Where others see this one; two with one host are a NAT through which nobody can punch."""
+        return tuple(self._lookup.addresses)
+
+    def look(self, mirrors: Sequence[Address]) -> None:
+        """Whom to ask for this member's own address from now on.
+
+        Raises:
+            SessionError: one is no address in numbers.
+        """
+        found = [(mirror, plain(tuple(mirror))) for mirror in mirrors]
+        for mirror, address in found:
+            if address is None:
+                raise SessionError(f"mirror {mirror!r} is not an address in numbers and a port; resolve it first")
+        self._lookup.look([address for _, address in found if address is not None])
+
+    def introduce(self, neighbour: int, member: bytes) -> None:
+        """From now on ways to this neighbour are looked for; until one is found it is reached by the relay.
+
+        Args:
+            neighbour: index of the user.
+            member: its public key.
+
+        Raises:
+            SessionError: this is no public key, or this member's own.
+        """
+        if len(member) != 32 or member == self._control.identity.public:
+            raise SessionError(f"neighbour {neighbour} takes a public key of 32 bytes that is not this member's own")
+        now = self._ground.now()
+        self.forget(neighbour)
+        self._neighbours[neighbour] = _Neighbour(member, self._entropy(WORD_BYTES), Puncher(now), tell=now)
+        self._relay_limit.know(ByRelay(member))
+
+    def way(self, neighbour: int) -> Way:
+        """How a neighbour that was introduced is reached now."""
+        return self._neighbours[neighbour].way
+
+    def events(self) -> list[WayChanged]:
+        """What changed since the last call; of too much the newest."""
+        out = list(self._events)
+        self._events.clear()
+        return out
+
+    def take(self, message: Message) -> bool:
+        """Takes a message of the control plane; whether it was one about ways."""
+        if message.topic != TOPIC:
+            return False
+        now = self._ground.now()
+        offer = read_offer(message.body) if message.direct else None
+        if offer is None:
+            self.probes.dropped["candidates"] += 1
+            return True
+        for why, count in offer.refused.items():
+            self.probes.dropped[f"candidate: {why}"] += count
+        for neighbour, known in self._neighbours.items():
+            if known.member != message.sender:
+                continue
+            if offer.word != known.theirs:
+                known.theirs = offer.word
+                known.tell = now  # it may not have ours
+                self._rekey(neighbour, known)
+            known.puncher.offer([candidate for candidate in offer.candidates if self._usable(candidate)])
+        return True
+
+    def send(self, neighbour: int, payload: bytes) -> bool:
+        """Hands a datagram to the socket or the relay; never waits."""
+        known = self._neighbours.get(neighbour)
+        member = self._by_relay.get(neighbour) if known is None else known.member
+        by = self.direct if member is None or (known is not None and known.address is not None) else self.relayed
+        if not self._open:
+            by.unsent["closed"] += 1
+            return False
+        if len(payload) > MOST_BYTES:
+            by.unsent["too long"] += 1
+            return False
+        if known is not None:
+            known.sent = self._last
+        if member is None:
+            done = self._ground.send(neighbour, payload)  # and counts why not
+        elif known is not None and known.address is not None:
+            done = self._ground.reach(known.address, payload)
+            by.unsent.update(() if done else ("system",))
+        else:
+            done = self._control.relay(member, payload)
+            by.unsent.update(() if done else ("relay",))
+        if done:
+            by.sent += 1
+            by.sent_bytes += len(payload)
+        return done
+
+    def bears(self, neighbour: int) -> float:
+        """Datagrams per second that the way to a neighbour is to be given at most."""
+        known = self._neighbours.get(neighbour)
+        if known is None:
+            return self._relay_rate if neighbour in self._by_relay else float("inf")
+        return float("inf") if known.address is not None else self._relay_rate
+
+    def poll(self) -> list[Arrival]:
+        """Everything that arrived since the last call, oldest first; also looks for ways."""
+        if not self._open:
+            return []
+        out: list[Arrival] = []
+        for arrival in self._ground.poll():
+            if arrival.payload[0] == PROBE:
+                self._probe(arrival)
+            else:
+                self.direct.received += 1
+                self.direct.received_bytes += len(arrival.payload)
+                out.append(arrival)
+        now = self._ground.now()
+        came = self._relayed(now)
+        if came:
+            out = sorted(out + came, key=lambda arrival: arrival.time)
+        self._tend(now)
+        self._last = now
+        return out
+
+    def follow(self, neighbour: int, source: Hashable) -> None:
+        """The neighbour's newest authentic datagram came from there: an address, or `ByRelay`.
+
+        Raises:
+            SessionError: this is no address, or one that the socket cannot reach.
+        """
+        known = self._neighbours.get(neighbour)
+        if isinstance(source, ByRelay):
+            # Of one that was introduced, the member is known better than from whoever handed on its datagram.
+            if known is None and self._by_relay.get(neighbour) != source.member:
+                self.forget(neighbour)
+                self._by_relay[neighbour] = source.member
+                self._relay_limit.know(source)
+            return
+        if known is not None and known.heard is not None and known.heard[0] == source:
+            known.puncher.learn(self._last, known.heard[1])
+            return
+        self._ground.follow(neighbour, source)  # its datagrams from there are no stranger's
+        self._by_relay.pop(neighbour, None)
+        address = plain(source)
+        if known is not None and address is not None:
+            known.heard = (source, address)
+            known.puncher.learn(self._last, address)
+
+    def forget(self, neighbour: int) -> None:
+        """The neighbour left."""
+        self._ground.forget(neighbour)
+        known = self._neighbours.pop(neighbour, None)
+        if known is not None and known.label is not None:
+            self._labels.pop(known.label, None)
+        member = self._by_relay.pop(neighbour, None) if known is None else known.member
+        used = {*self._by_relay.values(), *(other.member for other in self._neighbours.values())}
+        if member is not None and member not in used:
+            self._relay_limit.unknow(ByRelay(member))
+
+    def close(self) -> None:
+        """Closes the socket; the control plane stays."""
+        self._open = False
+        self._ground.close()
+
+    def _probe(self, arrival: Arrival) -> None:
+        source, datagram, dropped = plain(arrival.source), arrival.payload, self.probes.dropped
+        if source is None or len(datagram) < 2:
+            dropped["probe: shape"] += 1
+            return
+        if not self._probe_limit.take(arrival.time, source, origin(source.host)):
+            dropped["probe: too many"] += 1
+            return
+        answer: tuple[Address, bytes] | None = None
+        label = label_of(datagram)
+        if label is not None:
+            neighbour = self._labels.get(label)
+            if neighbour is None:
+                dropped["probe: label"] += 1
+                return
+            puncher = self._neighbours[neighbour].puncher
+            before = puncher.refused
+            answer = puncher.receive(arrival.time, datagram, source)
+            if puncher.refused > before:
+                dropped["probe: refused"] += 1
+                return
+            self._note(arrival.time, neighbour)
+        elif len(datagram) == MEMBER_BYTES and datagram[1] == Kind.TELL:
+            before = self._lookup.addresses
+            if not self._lookup.take(arrival.time, datagram, source):
+                dropped["probe: refused"] += 1
+                return
+            if self._lookup.addresses != before:
+                self._look_around(arrival.time)
+        else:
+            told = self._mirror.answer(datagram, source)
+            if told is None:
+                dropped["probe: refused"] += 1
+                return
+            answer = (source, told)
+        self.probes.received += 1
+        self.probes.received_bytes += len(datagram)
+        if answer is not None:
+            self._out(*answer)
+
+    def _relayed(self, now: float) -> list[Arrival]:
+        out: list[Arrival] = []
+        for payload, sender, time in self._control.relayed():
+            source = ByRelay(sender)
+            if not self._relay_limit.take(now, source, sender):
+                self.relayed.dropped["too many"] += 1
+            elif not 0 < len(payload) <= MOST_BYTES or payload[0] == PROBE:
+                self.relayed.dropped["size" if payload[:1] != bytes((PROBE,)) else "probe"] += 1
+            else:
+                out.append(Arrival(payload, source, min(max(time, self._last), now)))
+                self.relayed.received += 1
+                self.relayed.received_bytes += len(payload)
+        return out
+
+    def _tend(self, now: float) -> None:
+        """Sends what is due: questions, pings, candidates."""
+        for to, question in self._lookup.due(now):
+            self._out(to, question)
+        for neighbour, known in self._neighbours.items():
+            for to, payload in known.puncher.due(now, active=now - known.sent < _ACTIVE):
+                self._out(to, payload)
+            self._note(now, neighbour)
+            if now >= max(known.tell, known.told + _TELL_LEAST):
+                known.told = now
+                known.tell = now + (_TELL_DIRECT if known.way is Way.DIRECT else _TELL)
+                self._control.send(TOPIC, write_offer(known.word, self._own), to=known.member)
+
+    def _note(self, now: float, neighbour: int) -> None:
+        """Takes over which way the puncher has come to."""
+        known = self._neighbours[neighbour]
+        puncher = known.puncher
+        if known.way is puncher.way and known.address == puncher.address:
+            return
+        lost = known.way is Way.DIRECT and puncher.way is not Way.DIRECT
+        known.way, known.address = puncher.way, puncher.address
+        self._events.append(WayChanged(neighbour, now, known.way, known.address))
+        if lost:  # perhaps this machine is elsewhere now
+            known.tell = now
+            self._look_around(now)
+
+    def _rekey(self, neighbour: int, known: _Neighbour) -> None:
+        if known.label is not None:
+            self._labels.pop(known.label, None)
+        keys = pair_keys(
+            secret=self._secret,
+            session=self._session,
+            own=self._control.identity.public,
+            other=known.member,
+            own_word=known.word,
+            other_word=known.theirs,
+        )
+        known.label = keys.receiving[0]
+        self._labels[known.label] = neighbour
+        known.puncher.rekey(keys)
+
+    def _look_around(self, now: float) -> None:
+        """Finds out where this member may be reached; neighbours are told if that has changed."""
+        if now >= self._looked + _LOOK_AROUND:
+            self._looked = now
+            every = numeric(self._listening.host).is_unspecified
+            self._here = local_candidates(self._listening, self._interfaces() if every else ())
+        own = list(self._here)
+        here = {candidate.address for candidate in own}
+        own += [Candidate(Origin.REFLEXIVE, address) for address in self._lookup.addresses if address not in here]
+        if own != self._own:
+            self._own = own
+            for known in self._neighbours.values():
+                known.tell = now
+
+    def _usable(self, candidate: Candidate) -> bool:
+        """Whether this socket can reach an address, and may: services of this machine only if it is all there is."""
+        own, other = numeric(self._listening.host), numeric(candidate.address.host)
+        if other.version == 6 and own.version == 4:
+            return False
+        return not other.is_loopback or own.is_loopback or own.is_unspecified
+
+    def _out(self, to: Address, payload: bytes) -> None:
+        if self._ground.reach(to, payload):
+            self.probes.sent += 1
+            self.probes.sent_bytes += len(payload)
+        else:
+            self.probes.unsent["system"] += 1
