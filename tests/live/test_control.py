@@ -65,6 +65,7 @@ def over_zenoh(*, routed: bool) -> Iterator[Bed]:
     made = Invitation.make(
         session="tests",
         host=who[0].public,
+        digest=bytes(32),
         endpoints=() if routed else at,
         routers=at if routed else (),
         entropy=entropy(3),

@@ -38,7 +38,7 @@ from cotouch.live._routed import ByRelay, RoutedTransport, WayChanged
 from cotouch.live._seal import MOST_SEALED, OVERHEAD, RENEW_AFTER, Opened, SealedLink, connection_of
 from cotouch.live._sign import MOST_BODY, MOST_MESSAGE, MessageReader, MessageRefusal, MessageWriter
 from cotouch.live._transport import MOST_BYTES, Arrival, Ground, Traffic, Transport
-from cotouch.live._udp import Address, UdpTransport
+from cotouch.live._udp import UdpTransport
 
 __all__ = [
     "AGED",

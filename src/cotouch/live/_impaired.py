@@ -75,6 +75,10 @@ class ImpairedTransport:
         self._leave(now)
         return True
 
+    def bears(self, neighbour: int) -> float:
+        """Datagrams per second that the way to a neighbour is to be given at most."""
+        return self._transport.bears(neighbour)
+
     def poll(self) -> list[Arrival]:
         """Everything that arrived since the last call."""
         self._leave(self._clock())

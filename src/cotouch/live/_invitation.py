@@ -89,6 +89,7 @@ class Invitation:
     Attributes:
         session: name for people, 1 to 64 characters.
         host: public key of the host; what it signs about the session is true.
+        digest: SHA-256 of the session's description; only that is fetched.
         secret: 16 bytes that only the invited know; certificates are derived from it.
         endpoints: where the host listens.
         routers: where the session's routers listen; if there are any, everybody meets there.
@@ -96,6 +97,7 @@ class Invitation:
 
     session: str
     host: bytes
+    digest: bytes
     secret: bytes = field(repr=False)
     endpoints: tuple[Endpoint, ...]
     routers: tuple[Endpoint, ...] = ()
@@ -105,6 +107,8 @@ class Invitation:
             raise SessionError(f"the session's name {self.session!r} takes 1 to {_MOST_NAME} printable characters")
         if len(self.host) != 32:
             raise SessionError(f"the host's public key has {len(self.host)} bytes; it takes 32")
+        if len(self.digest) != 32:
+            raise SessionError(f"the hash of the session's description has {len(self.digest)} bytes; SHA-256 has 32")
         if len(self.secret) != _SECRET_BYTES:
             raise SessionError(f"the secret of an invitation has {len(self.secret)} bytes; it takes {_SECRET_BYTES}")
         for name in ("endpoints", "routers"):
@@ -121,6 +125,7 @@ class Invitation:
         *,
         session: str,
         host: bytes,
+        digest: bytes,
         endpoints: tuple[Endpoint, ...],
         routers: tuple[Endpoint, ...] = (),
         entropy: Entropy,
@@ -130,6 +135,7 @@ class Invitation:
         Args:
             session: name for people.
             host: public key of the host.
+            digest: SHA-256 of the session's description.
             endpoints: where the host listens.
             routers: where the session's routers listen.
             entropy: gives so many bytes that nobody can guess, such as `os.urandom`.
@@ -138,7 +144,7 @@ class Invitation:
             SessionError: one of them cannot be.
         """
         secret = entropy(_SECRET_BYTES)
-        return cls(session=session, host=host, secret=secret, endpoints=endpoints, routers=routers)
+        return cls(session=session, host=host, digest=digest, secret=secret, endpoints=endpoints, routers=routers)
 
     @property
     def id(self) -> bytes:
@@ -153,12 +159,12 @@ class Invitation:
             size: how many, at most 8160.
         """
         about = hashlib.sha256(self.session.encode()).digest()
-        return HKDF(SHA256(), size, salt=self.host + about, info=b"cotouch invitation 1 " + purpose).derive(self.secret)
+        return HKDF(SHA256(), size, salt=self.host + self.digest + about, info=b"cotouch invitation 1 " + purpose).derive(self.secret)
 
     def encode(self) -> str:
         """One line to be pasted."""
         name = self.session.encode()
-        body = self.secret + self.host + bytes([len(name)]) + name + _packed(self.endpoints) + _packed(self.routers)
+        body = self.secret + self.host + self.digest + bytes([len(name)]) + name + _packed(self.endpoints) + _packed(self.routers)
         body = _HEAD.pack(_VERSION, _HEAD.size + len(body) + _CHECK_BYTES) + body
         return _SCHEME + base64.urlsafe_b64encode(body + _check(body)).decode().rstrip("=")
 
@@ -196,12 +202,15 @@ def _read(body: bytes) -> Invitation:
     at = _HEAD.size
     secret, at = body[at : at + _SECRET_BYTES], at + _SECRET_BYTES
     host, at = body[at : at + 32], at + 32
+    digest, at = body[at : at + 32], at + 32
     name, at = body[at + 1 : at + 1 + body[at]], at + 1 + body[at]
     endpoints, at = _unpacked(body, at)
     routers, at = _unpacked(body, at)
     if at != len(body):
         raise IndexError(at)
-    return Invitation(session=name.decode(), host=host, secret=secret, endpoints=endpoints, routers=routers)
+    return Invitation(
+        session=name.decode(), host=host, digest=digest, secret=secret, endpoints=endpoints, routers=routers
+    )
 
 
 def _packed(endpoints: tuple[Endpoint, ...]) -> bytes:

@@ -12,6 +12,7 @@ from cotouch.live import (
     BudgetAgreement,
     ControlPlane,
     Entropy,
+    IndexedAssembly,
     SampleLink,
     SamplePlane,
     SendRate,
@@ -78,6 +79,14 @@ class Neighbour:
     connected: bool = False
     guarded: int = 0
 
+    @property
+    def used(self) -> int:
+        """Index of the sample that the last step used; -2 where it was put together of several, -3 unsaid."""
+        assembly = self.link.assembly
+        if isinstance(assembly, IndexedAssembly):
+            return -3
+        return assembly.newest if min(assembly.indices) == assembly.newest else -2
+
 
 @final
 class Copy:
@@ -88,6 +97,8 @@ class Copy:
         peer: None until the copy knows where to start.
         neighbours: by seat.
         totals: what was booked since the start.
+        damping: B_i in force, as coefficients over the weights, (weights,) [Ns/m].
+        extra_damping: B_e likewise.
     """
 
     def __init__(
@@ -119,7 +130,18 @@ class Copy:
         self._since: float | None = None  # when it came
         self._began = 0.0  # when it began to move
         self._last: Report | None = None
-        self._damping = np.zeros(1 + len(replica.scenario.network.weights))
+        self.damping = np.zeros(1 + len(replica.scenario.network.weights))
+        self.extra_damping = np.zeros_like(self.damping)
+
+    @property
+    def copies(self) -> int:
+        """Members that share the object."""
+        return max(1, len(self._roster.members))
+
+    @property
+    def ports(self) -> list[int]:
+        """Nodes that the hand's ports hold; see `Hand`."""
+        return [] if self._hand is None else self._hand.nodes
 
     # -- who is there ------------------------------------------------------------------------------------------------
 
@@ -140,7 +162,7 @@ class Copy:
             if seat not in self.neighbours:
                 self._add(seat, entry)
         if self.peer is not None:
-            self.peer.rescale(len(members))
+            self.peer.rescale(self.copies)
         self._changed(now)
 
     def alone(self, now: float) -> None:
@@ -220,7 +242,7 @@ class Copy:
         if not heard and not (quiet and (agreed or now - (self._since or now) > 4.0 * _QUIET)):
             return False
         scenario = self._replica.scenario
-        model = self._replica.model(max(1, len(self._roster.members)))
+        model = self._replica.model(self.copies)
         hand = self._hand = self._make_hand(self.seat, model)
         shape = (self._replica.body.nodes, self._replica.body.dimension)
         if heard:
@@ -228,7 +250,7 @@ class Copy:
         else:
             given = scenario.initial.position
             place = np.zeros(shape) if given is None else np.broadcast_to(np.asarray(given[self.seat]), shape)
-        extra = np.zeros_like(self._damping)
+        extra = self.extra_damping
         extra[0] = per_user(scenario.synchronisation.extra_damping, self._session.seats, "extra_damping")[self.seat]
         self.peer = Peer(
             index=self.seat,
@@ -236,7 +258,7 @@ class Copy:
             links={},
             strength=[],
             weight=[],
-            local_damping=self._damping,
+            local_damping=self.damping,
             extra_damping=extra,
             grips=hand.grips,
             position=place,
@@ -247,7 +269,6 @@ class Copy:
             iterations=scenario.solver.iterations,
         )
         self._began = now
-        self.totals.begin(self.peer)
         self._changed(now)
         return True
 
@@ -302,12 +323,12 @@ class Copy:
 
     def _damp(self, now: float) -> None:
         """Keeps the damping at what the budgets in force need, by the rule [age rule; Lee & Huang 2010, theorem 1]."""
-        needed = np.zeros_like(self._damping)
+        needed = np.zeros_like(self.damping)
         for neighbour in self.neighbours.values():
             needed[neighbour.weight] += 0.5 * neighbour.strength * neighbour.budget.total
             neighbour.guard.budget, neighbour.guard.total = neighbour.budget.budget, neighbour.budget.total
-        if (needed != self._damping).any():
-            self._damping = needed
+        if (needed != self.damping).any():
+            self.damping = needed
             if self.peer is not None:
                 self.peer.set_local_damping(needed)
             self._changed(now)
@@ -354,8 +375,8 @@ class Copy:
             energy=totals.energy,
             initial=totals.initial,
             residual=totals.residual,
-            damping=float(self._damping.max()),
-            certificate=float(self._damping.sum() / needed - 1.0) if needed > 0.0 else None,
+            damping=float(self.damping.max()),
+            certificate=float(self.damping.sum() / needed - 1.0) if needed > 0.0 else None,
             links=[self._link(seat) for seat in self.neighbours],
             alarms=totals.alarms,
         )

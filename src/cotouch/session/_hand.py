@@ -28,8 +28,10 @@ class Hand(Protocol):
         grips: the ports, for the peer.
         surface: the skin, with tools.
         tools: the proxies; None without.
+        nodes: index of the node that each of its ports holds; of a body in the full form once for every axis.
     """
 
+    nodes: list[int]
     grips: Grips
     surface: Surface | None
     tools: Tools | None
@@ -76,6 +78,7 @@ class NoHand:
         Args:
             model: the body.
         """
+        self.nodes: list[int] = []
         self.grips = no_grips(model)
         self.surface: Surface | None = None
         self.tools: Tools | None = None
@@ -110,6 +113,8 @@ class ScriptedHand:
         users = scenario.network.size
         hands, _ = ports_of(scenario.hands, users, body, model)
         self._hands = hands
+        axes = body.dimension if model.full else 1
+        self.nodes = [hand.node - 1 for hand in scenario.hands if hand.user == seat + 1 for _ in range(axes)]
         self._cursor = hands.path_first[:-1].copy()
         self._lanes = model.lanes
         self.grips = no_grips(model, hands.row.tolist())._replace(

@@ -28,6 +28,7 @@ from cotouch.session._file import SessionFile
 from cotouch.session._hand import Hand, NoHand, ScriptedHand
 from cotouch.session._member import Member
 from cotouch.session._messages import Status
+from cotouch.session._pace import Pace, pace_numbers
 from cotouch.session._replica import Replica
 from cotouch.session._tape import Tape
 from cotouch.session._warm import warm_up
@@ -170,13 +171,15 @@ def _take_part(
     tape = None if record is None else Tape(record, session, replica, name=name, key=control.identity.public)
 
     def taken(seat: int, model: Model) -> Hand:
-        pacer.retime(session.period(seat))
+        pacer.restart(session.period(seat))
+        pace.period = session.period(seat)
         if impaired is not None:
             for other, law in path_laws(session.scenario, seat).items():
                 impaired.set(other, law)
         return _hand(session, replica, hand, seat, model)
 
     pacer = Pacer(session.period(0), cap=session.options.longest_step, clock=clock)
+    pace = Pace(session.period(0), clock())
     member = Member(
         session=session,
         replica=replica,
@@ -189,11 +192,11 @@ def _take_part(
         entropy=os.urandom,
         secret=invitation.derive(b"links", 32),
         recorder=tape,
-        pace=pacer.summary,
+        pace=pace.since,
     )
     try:
         with prepare_process():
-            why = _loop(member, pacer, seconds=seconds, stopped=stopped)
+            why = _loop(member, pacer, pace, clock, seconds=seconds, stopped=stopped)
         status = member.status(clock())
         member.leave()
         return Taken(
@@ -201,7 +204,7 @@ def _take_part(
             seat=member.seat,
             status=status,
             why=why,
-            pace=pacer.summary(),
+            pace=pace_numbers(pacer.statistics()),
             recorded=None if tape is None else tape.close(),
         )
     finally:
@@ -210,18 +213,27 @@ def _take_part(
         (routed if impaired is None else impaired).close()
 
 
-def _loop(member: Member, pacer: Pacer, *, seconds: float | None, stopped: Callable[[], bool]) -> str:
+def _loop(
+    member: Member,
+    pacer: Pacer,
+    pace: Pace,
+    clock: Callable[[], float],
+    *,
+    seconds: float | None,
+    stopped: Callable[[], bool],
+) -> str:
     began: float | None = None
     service = -float("inf")
     while True:
-        now, T, _ = pacer.wait()
-        if member.step(now, T) and began is None:
-            began = now
+        now, T, stood = pacer.wait()
+        if member.step(now, T):
+            began = now if began is None else began
         if now >= service:
             service = now + _SERVICE_EVERY
             member.service(now)
             if stopped():
                 return "stopped"
+        pace.stepped(T, stood, clock() - now)
         if member.ended:
             return "ended"
         if seconds is not None and began is not None and now - began >= seconds:

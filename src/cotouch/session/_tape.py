@@ -6,6 +6,7 @@ from typing import Any, final
 import numpy as np
 
 from cotouch import __version__
+from cotouch.errors import RecordingError
 from cotouch.peer import COUPLED, Report
 from cotouch.recording import LinkPhase, RecordedBody, Recorder, RecordHeader, both_clocks
 from cotouch.session._copy import Copy
@@ -30,7 +31,8 @@ class Tape:
         Raises:
             RecordingError: the file cannot be made.
         """
-        Recorder.check(path)
+        if path.exists():
+            raise RecordingError(f"{path} exists already; name a file that is not there yet")
         self._path, self._session, self._replica = path, session, replica
         self._name, self._key = name, key
         self._recorder: Recorder | None = None

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import final
 
-from cotouch.peer import Peer, Report
+from cotouch.peer import Report
 
 # A residual above this share of the energy in play means that something is broken, not round-off.
 ALARM = 1e-9
@@ -14,6 +14,7 @@ class Totals:
     """Sums over all steps, and what was worst.
 
     Attributes:
+        steps: so many.
         initial: energy at the start [J].
         supplied: work of the hands at ports and proxies [J].
         lost: in all dampers and contacts [J].
@@ -29,16 +30,13 @@ class Totals:
     """
 
     def __init__(self) -> None:
+        self.steps = 0
         self.initial = self.supplied = self.lost = self.linked = self.rescaled = self.energy = 0.0
         self.in_play = self.residual = self.total_residual = 0.0
         self.link_work: dict[int, float] = {}
         self.alarms = 0
         self.least = 0.0
         self._exchanged = 0.0
-
-    def begin(self, peer: Peer) -> None:
-        """Notes what the copy starts with."""
-        self.initial = self.energy = self.in_play = peer.energy
 
     def add(self, report: Report, neighbours: Sequence[int]) -> None:
         """Adds a step.
@@ -48,14 +46,19 @@ class Totals:
             neighbours: as `Peer.neighbours`.
         """
         supplied = report.supplied + report.drive_work
+        lost = report.body_loss + report.local_loss + report.extra_loss + report.touch_loss
+        energy = report.kinetic + report.elastic + report.proxy + report.touch_stored
+        if not self.steps:
+            self.initial = energy - (supplied - lost + float(report.link_work.sum()) + report.rescaled)
+        self.steps += 1
         self.supplied += supplied
-        self.lost += report.body_loss + report.local_loss + report.extra_loss + report.touch_loss
+        self.lost += lost
         for seat, work in zip(neighbours, report.link_work, strict=True):
             self.link_work[seat] = self.link_work.get(seat, 0.0) + float(work)
             self.linked += float(work)
             self._exchanged += abs(float(work))
         self.rescaled += report.rescaled
-        self.energy = report.kinetic + report.elastic + report.proxy + report.touch_stored
+        self.energy = energy
         self.in_play = max(self.in_play, self.energy, abs(self.supplied), self.lost, self._exchanged)
         self.total_residual += report.residual
         if self.in_play > 0.0:
