@@ -130,6 +130,7 @@ class Copy:
         self._since: float | None = None  # when it came
         self._began = 0.0  # when it began to move
         self._last: Report | None = None
+        self._seeds = 0.0
         self.damping = np.zeros(1 + len(replica.scenario.network.weights))
         self.extra_damping = np.zeros_like(self.damping)
 
@@ -137,6 +138,11 @@ class Copy:
     def copies(self) -> int:
         """Members that share the object."""
         return max(1, len(self._roster.members))
+
+    @property
+    def seeds(self) -> float:
+        """Energy that the links were given once, so far [J]."""
+        return self._seeds
 
     @property
     def ports(self) -> list[int]:
@@ -300,6 +306,7 @@ class Copy:
             rounding=0.0,
             epoch=1 + self._entropy(1)[0] % 255,
         )
+        link.guard = guard
         self.neighbours[seat] = Neighbour(
             entry=entry,
             strength=float(network.spring[self.seat, seat]),
@@ -309,6 +316,7 @@ class Copy:
             guard=guard,
             budget=BudgetAgreement(),
         )
+        self._seeds += options.seed
         self._plane.connect(seat, link)
         self._ways.introduce(seat, bytes.fromhex(entry.key))
 
