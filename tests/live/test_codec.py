@@ -10,10 +10,11 @@ from tests.live.support import datagrams, heading, layout, state_of
 
 from cotouch.errors import SessionError
 from cotouch.live import HEAD_BYTES, MOST_BYTES, OVERHEAD, Chunk, Codec, Layout, Refusal
+from cotouch.peer import Word
 
 CODINGS = ["float64", "float32", "float16"]
 OFFSETS = {"flags": 2, "epoch": 4, "sender": 8, "rows": 10, "first": 12, "step": 24, "stamp": 32, "T": 40, "echo": 48}
-OFFSETS |= {"held": 56, "age": 64, "worst": 72, "state": 80}
+OFFSETS |= {"held": 56, "age": 64, "worst": 72, "guard": 80, "nothing": 83, "state": 84}
 
 
 def read(codec: Codec, payload: bytes) -> Chunk | Refusal:
@@ -23,12 +24,13 @@ def read(codec: Codec, payload: bytes) -> Chunk | Refusal:
 times = st.floats(-1e10, 1e10)
 spans = st.floats(0.0, 1e10)
 headings = st.builds(
-    lambda stamp, T, echo, held, ages, flags, heard: heading(
+    lambda stamp, T, echo, held, ages, flags, heard, word: heading(
         step=heard[1], stamp=stamp, T=T, echo=echo, held=held, age=min(ages), worst=max(ages), flags=flags,
-        heard_newest=heard[0], heard_count=heard[2],
+        heard_newest=heard[0], heard_count=heard[2], word=Word(*word),
     ),
     times, st.floats(1e-9, 10.0), times, spans, st.tuples(times, times), st.integers(0, 7),
     st.tuples(st.integers(0, 2**32 - 1), st.integers(0, 2**53), st.integers(0, 2**32 - 1)),
+    st.tuples(st.integers(0, 2), st.integers(0, 255), st.integers(0, 255)),
 )  # fmt: skip
 
 
@@ -140,6 +142,9 @@ BAD = [
     ("T", "<d", 11.0, Refusal.TIME),
     ("held", "<d", -1e-9, Refusal.TIME),
     ("age", "<d", 0.1, Refusal.TIME),  # above the worst
+    ("guard", "<B", 3, Refusal.GUARD),
+    ("guard", "<B", 255, Refusal.GUARD),
+    ("nothing", "<B", 1, Refusal.GUARD),
 ]
 
 

@@ -1,5 +1,6 @@
 """What a peer holds of one neighbour: in every chunk the newest, each with its own age."""
 
+from math import inf
 from typing import final
 
 import numpy as np
@@ -8,7 +9,7 @@ import numpy.typing as npt
 from cotouch.live._codec import Chunk
 from cotouch.live._layout import Layout
 from cotouch.live._refusal import Refusal
-from cotouch.peer import Sample
+from cotouch.peer import GUARDED, UNHEARD, Sample, Word
 
 Float = npt.NDArray[np.float64]
 
@@ -24,6 +25,7 @@ class Assembly:
         state: as far as it is known, (rows, width); changes in place.
         stamps: of each chunk, on the neighbour's clock [s].
         indices: of each chunk, the step it comes from; -1 before the first.
+        words: of each chunk, what the neighbour's guard said with it.
     """
 
     def __init__(self, layout: Layout, *, sender: int, initial: Float, stamp: float = 0.0) -> None:
@@ -40,11 +42,13 @@ class Assembly:
         self.state = np.array(initial, dtype=np.float64)
         self.stamps = [stamp] * layout.chunks
         self.indices = [-1] * layout.chunks
+        self.words = [UNHEARD] * layout.chunks
+        self._whole = False
 
     @property
     def complete(self) -> bool:
         """Whether every chunk arrived at least once."""
-        return min(self.indices) >= 0
+        return self._whole
 
     @property
     def oldest(self) -> float:
@@ -55,6 +59,21 @@ class Assembly:
     def newest(self) -> int:
         """Greatest step index so far; -1: none."""
         return max(self.indices)
+
+    @property
+    def word(self) -> Word:
+        """What the neighbour's guard says of all rows together.
+
+        Of chunks that were sent in different states, the most cautious counts; in different epochs, none is to be
+        relied on. What it has heard is that of the newest.
+        """
+        first = self.words[0]
+        if len(self.words) == 1:
+            return first
+        newest = self.words[self.indices.index(max(self.indices))]
+        if any(word.epoch != newest.epoch for word in self.words):
+            return Word(GUARDED, newest.epoch, newest.heard)
+        return Word(min(word.state for word in self.words), newest.epoch, newest.heard)
 
     def take(self, chunk: Chunk) -> Refusal | None:
         """Takes a chunk that was read; says why, if it is of no use."""
@@ -70,6 +89,8 @@ class Assembly:
             layout.expand(chunk.values, self.state)
         self.indices[at] = heading.step
         self.stamps[at] = heading.stamp
+        self.words[at] = heading.word
+        self._whole = self._whole or min(self.indices) >= 0
         return None
 
     def offer(self, sample: Sample) -> bool:
@@ -79,6 +100,8 @@ class Assembly:
         self.state[:] = sample.position
         self.indices = [sample.index] * len(self.indices)
         self.stamps = [sample.stamp] * len(self.stamps)
+        self.words = [sample.word] * len(self.words)
+        self._whole = True
         return True
 
     def ready(self, k: int) -> bool:
@@ -87,6 +110,11 @@ class Assembly:
         return True
 
     def choose(self, k: int) -> Sample:
-        """The newest of every row, with the stamp of the oldest; to be used before the next chunk is taken."""
+        """The newest of every row, with the stamp of the oldest; to be used before the next chunk is taken.
+
+        Until every row has arrived it is infinitely old.
+        """
         del k
-        return Sample(sender=self.sender, index=self.newest, stamp=self.oldest, position=self.state)
+        if not self._whole:
+            return Sample(sender=self.sender, index=-1, stamp=-inf, position=self.state, word=self.word)
+        return Sample(sender=self.sender, index=self.newest, stamp=self.oldest, position=self.state, word=self.word)

@@ -1,10 +1,11 @@
-"""A sample on the wire: a head of 80 bytes and the numbers of one chunk, little-endian.
+"""A sample on the wire: a head of 84 bytes and the numbers of one chunk, little-endian.
 
 ::
 
     version u8 | coding u8 | flags u16 | epoch u32 | sender u16 | rows u16 | first row u32 |
     heard: greatest sequence u32 | heard: count u32 | index u64 |
-    stamp | T | echo | held | age | worst, float64 each | rows × axes numbers
+    stamp | T | echo | held | age | worst, float64 each |
+    guard: state u8 | guard: epoch u8 | guard: heard u8 | 0 u8 | rows × axes numbers
 
 Nothing in it raises: what cannot be right is refused with a reason.
 """
@@ -17,19 +18,23 @@ import numpy.typing as npt
 
 from cotouch.live._layout import CODINGS, HEAD_BYTES, Layout
 from cotouch.live._refusal import Refusal
+from cotouch.peer import COUPLED, Word
 
 Float = npt.NDArray[np.float64]
-VERSION = 1
+VERSION = 2
 ECHO = 1  # echo and held mean something
 AGED = 2  # age and worst mean something
 RENEW = 4  # the sender would like new keys
 _FLAGS = ECHO | AGED | RENEW
-_HEAD = struct.Struct("<BBHIHHIIIQdddddd")
+_HEAD = struct.Struct("<BBHIHHIIIQddddddBBBB")
 assert _HEAD.size == HEAD_BYTES
 # 2^53 steps are 285,000 years at 1 kHz; a clock beyond 1e10 s is not one; no step takes longer than 10 s.
 _LAST_INDEX = 1 << 53
 _LAST_TIME = 1e10
 _LONGEST_STEP = 10.0
+
+
+_PLAIN = Word()
 
 
 class Heading(NamedTuple):
@@ -49,6 +54,7 @@ class Heading(NamedTuple):
         age: end of the sender's step minus the oldest stamp in use, each on its own clock; so the age plus an unknown
             offset [s].
         worst: greatest of these in the sender's window [s].
+        word: of the sender's guard of this link; see `cotouch.peer.LinkGuard`.
     """
 
     epoch: int
@@ -63,6 +69,7 @@ class Heading(NamedTuple):
     held: float = 0.0
     age: float = 0.0
     worst: float = 0.0
+    word: Word = _PLAIN
 
 
 class Chunk(NamedTuple):
@@ -154,6 +161,8 @@ class Codec:
             h.held,
             h.age,
             h.worst,
+            *h.word,
+            0,
         )
         return head + body
 
@@ -167,9 +176,10 @@ class Codec:
         """
         if len(payload) < HEAD_BYTES:
             return Refusal.SHORT
-        (version, coding, flags, said, user, count, first, newest, heard, index, stamp, T, echo, held, age, worst) = (
-            _HEAD.unpack_from(payload)
+        version, coding, flags, said, user, count, first, newest, heard, index, *rest_of_head = _HEAD.unpack_from(
+            payload
         )
+        stamp, T, echo, held, age, worst, state, guard, known, nothing = rest_of_head
         if version != VERSION:
             return Refusal.VERSION
         if coding != self._coding:
@@ -192,10 +202,13 @@ class Codec:
         times = times and abs(echo) <= _LAST_TIME and 0.0 <= held <= _LAST_TIME
         if not (times and -2.0 * _LAST_TIME <= age <= worst <= 2.0 * _LAST_TIME):
             return Refusal.TIME
+        if state > COUPLED or nothing:
+            return Refusal.GUARD
         values = np.frombuffer(payload, self._wire, -1, HEAD_BYTES)
         if not self._within(values):
             return Refusal.STATE
-        heading = Heading(said, user, index, stamp, T, flags, newest, heard, echo, held, age, worst)
+        word = Word(state, guard, known)
+        heading = Heading(said, user, index, stamp, T, flags, newest, heard, echo, held, age, worst, word)
         return Chunk(heading, chunk, values.reshape(count, self._axes))
 
     def _within(self, values: npt.NDArray[np.floating]) -> bool:

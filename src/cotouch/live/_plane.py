@@ -12,12 +12,13 @@ from cotouch.errors import SessionError
 from cotouch.live._ages import LinkAges
 from cotouch.live._assembly import Assembly
 from cotouch.live._codec import AGED, ECHO, RENEW, Chunk, Codec, Heading, Written
+from cotouch.live._indexed import IndexedAssembly
 from cotouch.live._layout import Layout
 from cotouch.live._rate import SendRate
 from cotouch.live._refusal import Refusal
 from cotouch.live._seal import SealedLink, connection_of
 from cotouch.live._transport import Transport
-from cotouch.peer import Sample
+from cotouch.peer import LinkGuard, Sample
 
 Float = npt.NDArray[np.float64]
 
@@ -34,14 +35,16 @@ class SampleLink:
         ages: of both directions.
         refused: datagrams that came by its number and were of no use, by reason.
         asked: whether the other end asks for new keys.
+        guard: what keeps this end passive; its words go with every datagram. None: this end says it is coupled.
     """
 
-    assembly: Assembly
+    assembly: Assembly | IndexedAssembly
     seal: SealedLink = field(default_factory=SealedLink)
     rate: SendRate = field(default_factory=SendRate)
     ages: LinkAges = field(default_factory=LinkAges)
     refused: Counter[Refusal] = field(default_factory=Counter[Refusal])
     asked: bool = False
+    guard: LinkGuard | None = None
     _newest: tuple[float, float] | None = None  # stamp and arrival
 
     def note(self, chunk: Chunk, arrived: float, now: float) -> None:
@@ -75,8 +78,21 @@ class SampleLink:
             age, worst = self.ages.own
         if self.seal.wants_keys:
             flags |= RENEW
+        word = sample.word if self.guard is None else self.guard.word
         return Heading(
-            epoch, sample.sender, sample.index, sample.stamp, T, flags, max(newest, 0), count, echo, held, age, worst
+            epoch,
+            sample.sender,
+            sample.index,
+            sample.stamp,
+            T,
+            flags,
+            max(newest, 0),
+            count,
+            echo,
+            held,
+            age,
+            worst,
+            word,
         )
 
 
@@ -84,8 +100,8 @@ class SampleLink:
 class SamplePlane:
     """Sends a user's samples to its neighbours and puts theirs together.
 
-    In every step: `poll`, the peer's step with `links[j].assembly` as its links, `stepped`, `send`. Times are those of
-    one clock of this user, the one that the transport stamps arrivals with.
+    In every step: `poll`, the peer's step with `links[j].assembly` as its links, or the guards around them, `stepped`,
+    `send`. Times are those of one clock of this user, the one that the transport stamps arrivals with.
 
     Attributes:
         user: index of this one.

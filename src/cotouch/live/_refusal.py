@@ -22,6 +22,7 @@ class Refusal(Enum):
     SIZE = "another size than its rows take"
     INDEX = "a step index beyond all use"
     TIME = "a stamp, echo, age or T that no clock gives"
+    GUARD = "a guard's state that there is not"
     STATE = "a state that is not finite or beyond the session's limit"
     STALE = "older than what is held"
     BACKWARDS = "a later step with an earlier stamp"

@@ -9,7 +9,7 @@ from cotouch.mechanics._coupling import (
 )
 from cotouch.mechanics._kernel import block, inner, kernel, part
 from cotouch.mechanics._model import Basis, Model, model
-from cotouch.mechanics._operator import WEIGHTS, Operator, mixed, multiply
+from cotouch.mechanics._operator import WEIGHTS, Operator, mixed, multiply, rescaled
 from cotouch.mechanics._state import (
     BODY_LOSS,
     BOOKS,
@@ -26,6 +26,7 @@ from cotouch.mechanics._state import (
     workspace,
 )
 from cotouch.mechanics._step import settle, step
+from cotouch.mechanics._stretch import approach, mixed_stretch, stretches
 from cotouch.mechanics._surface import Surface, surface_of
 from cotouch.mechanics._tools import (
     AWAY,
@@ -78,6 +79,7 @@ __all__ = [
     "Tools",
     "TouchWork",
     "Workspace",
+    "approach",
     "at",
     "block",
     "checked_virtual_coupling",
@@ -86,16 +88,19 @@ __all__ = [
     "kernel",
     "load",
     "mixed",
+    "mixed_stretch",
     "model",
     "modulate",
     "modulation_bound",
     "multiply",
     "part",
     "put",
+    "rescaled",
     "settle",
     "splat",
     "step",
     "store",
+    "stretches",
     "surface_of",
     "tools",
     "total",

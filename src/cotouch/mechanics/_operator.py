@@ -53,6 +53,22 @@ class Operator(NamedTuple):
     split: int
 
 
+def rescaled(op: Operator, *, share: float, stiffness: float) -> Operator:
+    """The same body in another number of copies, its springs in yet another.
+
+    Args:
+        op: as the model has it.
+        share: scale of M and B, > 0.
+        stiffness: scale of K, > 0.
+    """
+    ratio = stiffness / share
+    if ratio == 1.0:
+        return op._replace(share=share)
+    mix = op.mix.copy()
+    mix[STIFFNESS] *= ratio
+    return op._replace(share=share, stiffness=op.stiffness * ratio, ground=op.ground * ratio, mix=mix)
+
+
 @kernel
 def mixed(op: Operator, matrix: int) -> bool:
     """Whether a matrix (a row of `mix`) has anything off the diagonal."""

@@ -1,6 +1,23 @@
 """One user's replica, sans-IO."""
 
-from cotouch.peer._links import ConstantLink, FreshestLink, Link, Sample
-from cotouch.peer._peer import Peer, Report
+from cotouch.peer._guard import GuardBooks, GuardEvent, LinkGuard
+from cotouch.peer._links import COUPLED, GUARDED, READY, UNHEARD, ConstantLink, FreshestLink, Link, Sample, Word
+from cotouch.peer._peer import Peer
+from cotouch.peer._report import Report
 
-__all__ = ["ConstantLink", "FreshestLink", "Link", "Peer", "Report", "Sample"]
+__all__ = [
+    "COUPLED",
+    "GUARDED",
+    "READY",
+    "UNHEARD",
+    "ConstantLink",
+    "FreshestLink",
+    "GuardBooks",
+    "GuardEvent",
+    "Link",
+    "LinkGuard",
+    "Peer",
+    "Report",
+    "Sample",
+    "Word",
+]

@@ -1,12 +1,33 @@
 """Which sample of a neighbour a step uses: one of a fixed index, or the newest there is."""
 
 from dataclasses import dataclass, field
-from typing import Protocol, final
+from typing import NamedTuple, Protocol, final
 
 import numpy as np
 import numpy.typing as npt
 
 Float = npt.NDArray[np.float64]
+
+# States of one end of a link, in the order of trust; see `cotouch.peer.LinkGuard`.
+GUARDED, READY, COUPLED = range(3)
+
+
+class Word(NamedTuple):
+    """What one end of a link tells the other besides its position.
+
+    Attributes:
+        state: in which the step was taken: `GUARDED`, `READY` or `COUPLED`.
+        epoch: how often this end was guarded, 1 to 255 and round again; 0 says nothing.
+        heard: the other end's epoch as this end heard it last; 0 before.
+    """
+
+    state: int = COUPLED
+    epoch: int = 0
+    heard: int = 0
+
+
+# Of a neighbour that holds its springs itself, as in the simulator, and of one that has not been heard yet.
+_PLAIN, UNHEARD = Word(), Word(GUARDED)
 
 
 @final
@@ -19,12 +40,14 @@ class Sample:
         index: k, the number of the step, from 0.
         stamp: time at the middle of the step on the sender's clock [s].
         position: x̂, the position at the middle of the step, in the rows of the session's model, (rows, width) [m].
+        word: of the sender's guard to this neighbour; by default that of a neighbour without one.
     """
 
     sender: int
     index: int
     stamp: float
     position: Float
+    word: Word = _PLAIN
 
 
 class Link(Protocol):

@@ -1,12 +1,12 @@
 """One user's replica: samples in, sample and books out; time is handed to it, and it opens nothing."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import final
 
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.errors import NetworkError
 from cotouch.mechanics import (
     BODY_LOSS,
     BOOKS,
@@ -22,65 +22,28 @@ from cotouch.mechanics import (
     TOUCH_LOSS,
     TOUCH_STORED,
     TOUCHED,
+    WEIGHTS,
     Grips,
     Links,
     Model,
     State,
     Surface,
     Tools,
+    approach,
+    mixed_stretch,
     settle,
     step,
+    stretches,
     touch_step,
     touch_work,
     workspace,
 )
+from cotouch.peer._guard import LinkGuard
 from cotouch.peer._links import Link, Sample
+from cotouch.peer._report import Report
+from cotouch.peer._scale import CopyScale
 
 Float = npt.NDArray[np.float64]
-
-
-@final
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Report:
-    """What one step did.
-
-    Attributes:
-        sample: what the neighbours should be told.
-        force: mean force of the step at every port, (ports, width) [N].
-        supplied: work done at the ports [J].
-        body_loss: dissipated by the body's own dampers [J].
-        local_loss: by the damping B_i of the synchronisation [J].
-        extra_loss: by the extra damping B_e [J].
-        link_work: work that each link did on the copy, in the order of `Peer.neighbours` [J].
-        kinetic: energy after the step [J].
-        elastic: energy after the step [J].
-        drive_work: work done on the proxies by what pulls them [J].
-        touch_work: work done on the body by contacts and grasps [J].
-        touch_loss: dissipated in contacts and grasps [J].
-        proxy: kinetic energy of the proxies after the step [J].
-        touch_stored: energy in contacts and grasps after the step [J].
-        residual: what the books of this step do not explain [J]; round-off, or something is broken.
-        age: of each link's sample at the end of the step, by the clocks as they are [s].
-        iterations: of the solver.
-    """
-
-    sample: Sample
-    force: Float
-    supplied: float
-    body_loss: float
-    local_loss: float
-    extra_loss: float
-    link_work: Float
-    kinetic: float
-    elastic: float
-    drive_work: float
-    touch_work: float
-    touch_loss: float
-    proxy: float
-    touch_stored: float
-    residual: float
-    age: Float
-    iterations: int
 
 
 @final
@@ -88,7 +51,10 @@ class Peer:
     """One user's copy of the shared object and its links.
 
     Use it in three steps: `receive` whatever arrived, write into `grips` and `tools` what the hands do, `step`; then
-    send `report.sample` to every neighbour.
+    send `report.sample` to every neighbour. What a link's guard says goes with it: its `word`.
+
+    Links come and go between steps, and so does the share that the copy has of the body. A newcomer starts where a
+    neighbour is, at rest, with guarded links.
 
     Attributes:
         index: of the user.
@@ -124,7 +90,7 @@ class Peer:
         Args:
             index: of the user.
             model: the body, one for the session.
-            links: for each neighbour, how its samples are chosen.
+            links: for each neighbour, how its samples are chosen; a `LinkGuard` starts relaxed, where the copy is.
             strength: spring of each link [N/m for the identity weight].
             weight: index of each link's weight among the model's.
             local_damping: B_i as coefficients over the weights, (weights,) [Ns/m].
@@ -140,34 +106,27 @@ class Peer:
         rows, width = model.operator_rows, model.width
         self.index = index
         self.model = model
-        self.neighbours = tuple(links)
         self.steps = 0
         self.integrated = 0.0
         self.grips = grips
         self.state = State(
             model.to_rows(position), model.to_rows(velocity), np.zeros((rows, width)), np.zeros((rows, width))
         )
-        self._sources = tuple(links.values())
-        count = len(self._sources)
-        self._links = Links(
-            first=0,
-            last=count,
-            strength=np.asarray(strength, dtype=np.float64),
-            weight=np.asarray(weight, dtype=np.int32),
-            slot=np.arange(count, dtype=np.int64),
-            samples=np.zeros((count + 1, rows, width)),  # the last one receives this peer's own sample
-        )
+        self._scale = CopyScale(model.operator)
+        self._hold(tuple(links), tuple(links.values()), strength, weight, {})
+        self._mixed = [bool(np.any(mix)) for mix in model.operator.mix[WEIGHTS:]]
         self._local = np.ascontiguousarray(local_damping, dtype=np.float64)
         self._extra = np.ascontiguousarray(extra_damping, dtype=np.float64)
         self._work = workspace(model.operator, width, grips.last - grips.first)
         self._books = np.zeros(BOOKS)
-        self._link_work = np.zeros(count)
         self._tolerance = tolerance
         self._iterations = iterations
         self.tools = tools
         self._surface = surface
+        self._soft = None if surface is None else surface.soft
         self._touch = None
         self._touch_books = np.zeros(TOUCH_BOOKS)
+        self._rescaled = 0.0
         settle(model.operator, self.state, self._books, model.lanes)
         self._energy = float(self._books[KINETIC] + self._books[ELASTIC])
         if tools is not None:
@@ -192,6 +151,82 @@ class Peer:
             return False
         return source.offer(sample)
 
+    def connect(self, neighbour: int, link: Link, *, strength: float, weight: int = 0) -> None:
+        """Adds a link, which starts relaxed: its spring holds nothing until a step chooses a sample.
+
+        Args:
+            neighbour: index of the user.
+            link: how its samples are chosen; only a `LinkGuard` engages without making energy.
+            strength: of the spring, >= 0 [N/m for the identity weight].
+            weight: index among the model's.
+
+        Raises:
+            NetworkError: it is a neighbour already, or there is no such weight.
+        """
+        if neighbour in self.neighbours or neighbour == self.index:
+            raise NetworkError(f"user index {neighbour} is linked to user index {self.index} already; disconnect it")
+        if not (0 <= weight < len(self._mixed) and 0.0 <= strength < np.inf):
+            raise NetworkError(
+                f"a link has strength {strength:g} and weight {weight}; it takes a finite strength >= 0 and a weight "
+                f"from 0 to {len(self._mixed) - 1}"
+            )
+        held, links = self._held(), self._links
+        self._hold(
+            (*self.neighbours, neighbour),
+            (*self._sources, link),
+            (*links.strength, strength),
+            (*links.weight, weight),
+            held,
+        )
+
+    def disconnect(self, neighbour: int) -> None:
+        """Lets a link go, and what its spring holds; nothing, where there is none."""
+        if neighbour not in self.neighbours:
+            return
+        held, links = self._held(), self._links
+        kept = [at for at, other in enumerate(self.neighbours) if other != neighbour]
+        self._hold(
+            tuple(self.neighbours[at] for at in kept),
+            tuple(self._sources[at] for at in kept),
+            [float(links.strength[at]) for at in kept],
+            [int(links.weight[at]) for at in kept],
+            held,
+        )
+
+    def set_local_damping(self, coefficients: Float) -> None:
+        """Changes B_i.
+
+        Args:
+            coefficients: over the weights, (weights,), >= 0 [Ns/m].
+
+        Raises:
+            NetworkError: their number is another, or one is negative or not finite.
+        """
+        wanted = np.asarray(coefficients, dtype=np.float64)
+        if wanted.shape != self._local.shape or not np.all((wanted >= 0.0) & (wanted < np.inf)):
+            raise NetworkError(
+                f"local damping is {wanted.tolist()}; it takes {self._local.size} finite coefficients of at least 0"
+            )
+        self._local[:] = wanted
+
+    def rescale(self, copies: int) -> None:
+        """Takes part in another number of copies, as members come and go.
+
+        With more of them the copy becomes lighter and softer at once. With fewer it becomes heavier at once, at the
+        same momentum, and stiffer as far as the copy's own losses pay for it, over the coming steps.
+
+        Args:
+            copies: N, >= 1.
+        """
+        kinetic, elastic = float(self._books[KINETIC]), float(self._books[ELASTIC])
+        self._changed(self._scale.rescale(copies, self.state, kinetic, elastic))
+        settle(self._scale.operator, self.state, self._books, self.model.lanes)
+
+    @property
+    def stiffness_share(self) -> float:
+        """Share of K that the copy carries; 1/N, or less while it still rises."""
+        return self._scale.stiffness
+
     def step(self, now: float, T: float) -> Report:
         """Takes the step that ends now and lasted T.
 
@@ -200,16 +235,26 @@ class Peer:
             T: length of the step, > 0 [s].
         """
         model, links, books = self.model, self._links, self._books
+        if self._scale.rising:
+            self._changed(self._scale.rise(self.state, float(books[ELASTIC])))
+        operator = self._scale.operator
         age = np.zeros(len(self._sources))
         for at, source in enumerate(self._sources):
             sample = source.choose(self.steps)
-            links.samples[at] = sample.position
             age[at] = now - sample.stamp
+            guard, place = self._guards[at], self._places[at]
+            share = 1.0 if guard is None else self._decide(guard, at, sample, now, T)
+            if share == 1.0:
+                place[:] = sample.position
+            elif share == 0.0:
+                place[:] = self.state.position
+            else:
+                approach(self.state.position, sample.position, share, place, model.lanes)
         own = len(self._sources)
         touched = self._touch_books
         if self.tools is None or self._surface is None or self._touch is None:
             step(
-                model.operator,
+                operator,
                 self.state,
                 links,
                 self.grips,
@@ -226,7 +271,7 @@ class Peer:
             )
         else:
             touch_step(
-                model.operator,
+                operator,
                 self.state,
                 links,
                 self.grips,
@@ -245,6 +290,11 @@ class Peer:
                 self._iterations,
                 model.lanes,
             )
+        for at, guard in enumerate(self._guards):
+            if guard is not None:
+                guard.settle(float(self._work.quadratic[links.weight[at]]), T)
+        if self._scale.rising:
+            self._scale.tank += float(books[BODY_LOSS] + books[EXTRA_LOSS])
         energy = float(books[KINETIC] + books[ELASTIC] + touched[PROXY] + touched[TOUCH_STORED])
         lost = float(books[BODY_LOSS] + books[LOCAL_LOSS] + books[EXTRA_LOSS] + touched[TOUCH_LOSS])
         supplied = float(books[SUPPLIED] + touched[DRIVE])
@@ -266,8 +316,63 @@ class Peer:
             residual=energy - self._energy - supplied + lost - float(self._link_work.sum()),
             age=age,
             iterations=int(books[ITERATIONS]),
+            rescaled=self._rescaled,
+            guards=tuple(None if guard is None else guard.books for guard in self._guards),
         )
         self._energy = energy
+        self._rescaled = 0.0
         self.steps += 1
         self.integrated += T
         return report
+
+    def _decide(self, guard: LinkGuard, at: int, sample: Sample, now: float, T: float) -> float:
+        """How far the guard lets its spring follow."""
+        w, x, lanes = int(self._links.weight[at]), self.state.position, self.model.lanes
+        operator, place = self._scale.operator, self._places[at]
+        if self._mixed[w]:
+            work = self._work
+            wish = mixed_stretch(operator, w, x, sample.position, work.stretch, work.image, lanes)
+            held = mixed_stretch(operator, w, x, place, work.stretch, work.image, lanes)
+        else:
+            wish, held = stretches(operator.weight[w], x, sample.position, place, lanes)
+        return guard.decide(sample, wish, held, now, T)
+
+    def _changed(self, energy: float) -> None:
+        """Books what the copy's energy changed by between steps."""
+        self._energy += energy
+        self._rescaled += energy
+        if self._surface is not None and self._surface.soft.size and self._soft is not None:
+            self._surface = self._surface._replace(soft=self._soft * self._scale.softness)
+
+    def _held(self) -> dict[int, Float]:
+        """Set positions of the links, by neighbour."""
+        return {other: self._places[at].copy() for at, other in enumerate(self.neighbours)}
+
+    def _hold(
+        self,
+        neighbours: tuple[int, ...],
+        sources: tuple[Link, ...],
+        strength: Sequence[float],
+        weight: Sequence[int],
+        held: Mapping[int, Float],
+    ) -> None:
+        """Takes these links; what was held is kept, what is new starts where the copy is."""
+        count, position = len(sources), self.state.position
+        samples = np.zeros((count + 1, *position.shape))  # the last one receives this peer's own sample
+        for at, other in enumerate(neighbours):
+            samples[at] = held.get(other, position)
+        self._links = Links(
+            first=0,
+            last=count,
+            strength=np.asarray(strength, dtype=np.float64),
+            weight=np.asarray(weight, dtype=np.int32),
+            slot=np.arange(count, dtype=np.int64),
+            samples=samples,
+        )
+        self._places = [samples[at] for at in range(count)]
+        self._link_work = np.zeros(count)
+        self.neighbours, self._sources = neighbours, sources
+        self._guards = tuple(source if isinstance(source, LinkGuard) else None for source in sources)
+        for guard, stiffness in zip(self._guards, strength, strict=True):
+            if guard is not None:
+                guard.attach(float(stiffness))

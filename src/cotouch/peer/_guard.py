@@ -1,0 +1,343 @@
+"""One end of a link that stays passive whatever becomes of the other end and of the way between them.
+
+The spring to the newest sample (freshest, or of a constant index) is passive as long as samples are at most as old as
+was agreed, at both ends: the age rule. An end that cannot rely on that is *guarded*: it holds a set position ȳ and
+moves it towards the newest sample only as far as it has energy for (PSPM, see `cotouch.mechanics.modulate`), which is
+passive alone. Three states follow, told to the other end with every sample, together with the *epoch*, the number of
+times that this end was guarded, and the other's epoch as heard last::
+
+    COUPLED ──  a sample too old, the other end guarded or in another epoch, too much power    ──▶ GUARDED, epoch + 1
+    GUARDED ──  ȳ = y and age within budget for as long as both budgets, and heard by the other  ──▶ READY
+    READY   ──  ȳ ≠ y, or age beyond the budget                                                  ──▶ GUARDED, epoch + 1
+    READY   ──  the other is READY or COUPLED and has heard this epoch                           ──▶ COUPLED
+
+**What the age rule pays.** With A_ij the budget of end i in i's own measure (offset of the clocks included; only sums
+and differences with measured ages count, so it drops out), i damps with ½K(A_ij + A_ji): the first part pays for what
+i's own samples are wrong by, the second for what the other's are. While the age is a, `½K(A_ij - a - T/2)‖v̂‖²_W T` of
+the first part is left over (the half step is for steps longer than the age). It goes to the tank E.
+
+**Why going guarded is passive.** The energy of the new end's spring, U = ½K‖x - ȳ‖²_W, is paid from the tank. The other
+end never uses a sample of a guarded end, so to it this end stands still, at the place where it was guarded: its
+spring's energy goes on without a jump, and its errors are covered by the damping from before. Then it is guarded
+itself, and pays for its own. From then on both are passive alone, so that all of ½K(A_ij + A_ji) may go to the tank
+while ȳ is away from y: that is what brings copies together again.
+
+**Why coupling is passive.** With d = x_i - x_j and e, p what the two moved while their samples travelled, two guarded
+ends that have caught up hold U_i = ½K‖d + e‖² and U_j = ½K‖d - p‖², and
+
+    ½K‖d‖² = U_i + U_j - ½K‖d + e - p‖² - K e·p   ≤   U_i + U_j + ½K(a_ij ∫‖v_i‖² + a_ji ∫‖v_j‖²)
+
+over the last ages: an end pays its own age a. That, and what the other's samples will cost, is the damping that an end
+that has caught up does not put into its tank. It needs the time of both budgets, and so long an end catches up before
+it is READY; its forces are those of a coupled end already. Which instant of that time the other end will take is
+unknown, so the tank that stays is the least of that time.
+
+**Rounding.** A sample on the wire may be off by ε (in W's norm). A coupled end pays `K ε‖v̂‖_W T` a step from its tank;
+what one step takes beyond it is a debt, and guards the link. A guarded end needs no more than its account. At coupling,
+the product above grows by K(‖e‖ + ‖p‖)ε + Kε², of which ends that leave another 1/16 of both budgets out of their tanks
+pay all but 17 K ε²; that comes out of the tank.
+"""
+
+from collections import deque
+from math import inf, sqrt
+from typing import NamedTuple, final
+
+from cotouch.errors import NetworkError
+from cotouch.peer._links import COUPLED, GUARDED, READY, Link, Sample, Word
+
+# Share of both budgets that pays for the rounding of samples at coupling; 1/share + 1 times K ε² is left.
+_ROUNDING_SHARE = 1.0 / 16.0
+_BURST = 0.1  # [s] of the power that may come at once
+_MOST_EVENTS = 256
+_LAST_EPOCH = 255
+
+
+class GuardEvent(NamedTuple):
+    """A change of an end's state.
+
+    Attributes:
+        time: end of the step that was the first in the new state, on this end's clock [s].
+        state: the new one.
+        reason: in a few words.
+    """
+
+    time: float
+    state: int
+    reason: str
+
+
+class GuardBooks(NamedTuple):
+    """Where the energy of one end is and went, all since the beginning [J].
+
+    `tank = seed + credited - paid - lost`, and the work that the link did on the copy is `injected` less what the
+    spring holds after the step.
+
+    Attributes:
+        state: in the last step.
+        epoch: how often this end was guarded, modulo 255.
+        potential: U, what the spring held as the last step began, with the set position of that step.
+        tank: E; negative: a debt.
+        credited: damping that went to the tank.
+        paid: what the tank paid for moving the set position, for going guarded and for rounding.
+        lost: what the tank could not hold, or might have belonged to the coupled link.
+        injected: what moving the set position, by the tank or by the coupled neighbour, put into the spring.
+    """
+
+    state: int
+    epoch: int
+    potential: float
+    tank: float
+    credited: float
+    paid: float
+    lost: float
+    injected: float
+
+
+@final
+class LinkGuard:
+    """A link's source of samples with what keeps this end passive; a `Link` of the peer.
+
+    The peer asks `choose` for the sample, `decide` how far the spring may follow it, and tells `settle` what the step
+    did. Between steps its owner may change `budget` and `total`, as the two ends agreed.
+
+    Attributes:
+        source: of the samples.
+        budget: A_ij, greatest age at the end of a step at which a sample may be used, as this end's clock shows it;
+            -inf as long as nothing is agreed [s].
+        total: A_ij + A_ji, as far as this end's damping covers it, >= 0 [s].
+        state: `GUARDED`, `READY` or `COUPLED`.
+        epoch: how often this end was guarded.
+        tank: E [J].
+        events: the last 256 changes of state; whoever reads them may clear them.
+    """
+
+    def __init__(
+        self,
+        source: Link,
+        *,
+        budget: float = -inf,
+        total: float = 0.0,
+        balance: float = 1.0,
+        seed: float = 0.0,
+        cap: float = inf,
+        force: float = inf,
+        power: float = inf,
+        burst: float | None = None,
+        rounding: float = 0.0,
+        epoch: int = 1,
+    ) -> None:
+        """Starts guarded and relaxed.
+
+        Args:
+            source: which sample a step would use.
+            budget: A_ij [s].
+            total: A_ij + A_ji [s].
+            balance: d_j/d_i of the age rule; the damping that pays is `½K total balance`.
+            seed: what the tank starts with, so that copies at rest apart meet; counts once in the bound on what the
+                users can get out, >= 0 [J].
+            cap: what the tank keeps at most, >= seed [J].
+            force: greatest force of the spring, in the norm of the link's weight, > 0 [N].
+            power: what the neighbour may put in by moving its copy, for long, > 0 [W].
+            burst: and at once, > 0; None: what the power gives in 0.1 s [J].
+            rounding: bound on the error of a sample, in the norm of the link's weight, >= 0 [m].
+            epoch: 1 to 255; another one after a restart than before it.
+
+        Raises:
+            NetworkError: an option is out of range.
+        """
+        for name, value, least, strict in (
+            ("balance", balance, 0.0, True),
+            ("seed", seed, 0.0, False),
+            ("cap", cap, seed, False),
+            ("force", force, 0.0, True),
+            ("power", power, 0.0, True),
+            ("burst", inf if burst is None else burst, 0.0, True),
+            ("rounding", rounding, 0.0, False),
+        ):
+            if not (value > least if strict else value >= least):
+                raise NetworkError(
+                    f"the guard's {name} is {value:g}; it must be {'above' if strict else 'at least'} {least:g}"
+                )
+        if not 1 <= epoch <= _LAST_EPOCH:
+            raise NetworkError(f"the guard's epoch is {epoch}; it must be from 1 to {_LAST_EPOCH}")
+        self.source = source
+        self.budget = budget
+        self.total = total
+        self.state = GUARDED
+        self.epoch = epoch
+        self.tank = seed
+        self.events = deque[GuardEvent](maxlen=_MOST_EVENTS)
+        self._balance, self._cap, self._rounding = balance, cap, rounding
+        self._force, self._power, self._burst = force, power, _BURST * power if burst is None else burst
+        self._bucket = self._burst
+        self._strength = 0.0
+        self._most = inf  # of U, by the force
+        self._charge = 0.0  # at coupling
+        self._heard = 0
+        self._partner = 0  # the other's epoch that this end is coupled with
+        self._potential = 0.0
+        self._caught = 0.0  # for how long ȳ = y with an age within the budget
+        self._catching = False  # in this step
+        self._least = inf  # tank since then
+        self._surplus = 0.0  # of the budget, in this step
+        self._credited = self._paid = self._lost = self._injected = 0.0
+
+    def attach(self, strength: float) -> None:
+        """Learns the link's spring [N/m for the identity weight]; the peer calls it."""
+        self._strength = strength
+        self._most = 0.5 * self._force**2 / strength if strength > 0.0 else inf
+        self._charge = strength * self._rounding**2 * (1.0 / _ROUNDING_SHARE + 1.0)
+
+    @property
+    def word(self) -> Word:
+        """What the other end must be told with the sample of the step that was just taken."""
+        return Word(self.state, self.epoch, self._heard)
+
+    @property
+    def books(self) -> GuardBooks:
+        """Energies, as they are now."""
+        return GuardBooks(
+            self.state,
+            self.epoch,
+            self._potential,
+            self.tank,
+            self._credited,
+            self._paid,
+            self._lost,
+            self._injected,
+        )
+
+    def offer(self, sample: Sample) -> bool:
+        """Hands a sample to the source."""
+        return self.source.offer(sample)
+
+    def ready(self, k: int) -> bool:
+        """Whether the source has what step k needs."""
+        return self.source.ready(k)
+
+    def choose(self, k: int) -> Sample:
+        """The sample that step k would use."""
+        return self.source.choose(k)
+
+    def decide(self, sample: Sample, wish: float, held: float, now: float, T: float) -> float:
+        """How far the spring may follow the sample in the coming step: `ȳ = x + share (y - x)`.
+
+        Args:
+            sample: the newest, y.
+            wish: ‖x - y‖²_W, x at the start of the step [m²]; a sample at no finite distance is ignored.
+            held: ‖x - ȳ‖²_W, with ȳ of the step before [m²].
+            now: end of the step [s].
+            T: its length [s].
+
+        Returns:
+            The share, in [0, 1].
+        """
+        word, half = sample.word, 0.5 * self._strength
+        wish, held = half * wish, half * held
+        if not wish < inf:
+            wish, goal = inf, 0.0
+        else:
+            goal = min(wish, self._most)
+        self._bucket = min(self._burst, self._bucket + self._power * T)
+        left = self.budget - (now - sample.stamp) if sample.index >= 0 else -inf
+        if self._rounding > 0.0:
+            left -= _ROUNDING_SHARE * self.total
+        fresh = left >= 0.0
+        self._surplus = max(0.0, left - 0.5 * T) if fresh else 0.0
+        if sample.index >= 0:
+            self._heard = word.epoch
+        if self.state == COUPLED:
+            reason = self._why_guard(word, fresh, goal - held)
+            if not reason:
+                self._move(goal, held)
+                return 1.0 if goal == wish else sqrt(goal / wish)
+            self._fall(now, reason, self.tank)
+            available = self.tank
+        else:
+            available = self.tank + held
+        potential = self._affordable(goal, held, available)
+        caught = fresh and potential == wish
+        if self.state == READY and not (caught and self._caught >= self.total):
+            self._fall(now, "left behind" if fresh else "too old", self._least)
+            available = self.tank
+            potential = self._affordable(goal, held, available)
+        if not caught:
+            self._caught, self._least = 0.0, inf
+        self._paid += self.tank - (available - potential)
+        self.tank = available - potential
+        self._move(potential, held)
+        self._catching = caught
+        if caught:
+            self._least = min(self._least, self.tank)
+            self._rise(word, now)
+            self._caught += T
+            return 1.0
+        return sqrt(potential / wish) if potential > 0.0 else 0.0
+
+    def settle(self, square: float, T: float) -> None:
+        """Books what the step left over.
+
+        Args:
+            square: ‖v̂‖²_W, v̂ the mean velocity of the step [m²/s²].
+            T: its length [s].
+        """
+        trusted = self.state == COUPLED or self._catching
+        span = self._surplus if trusted else self.total
+        gain = 0.5 * self._strength * self._balance * span * square * T
+        self._credited += gain
+        if self._rounding > 0.0 and self.state == COUPLED:
+            price = self._strength * self._rounding * sqrt(square) * T
+            self._paid += price
+            gain -= price
+        self._keep(self.tank + gain)
+
+    def _why_guard(self, word: Word, fresh: bool, rise: float) -> str:
+        """Why a coupled end cannot stay so; empty if it can."""
+        if not fresh:
+            return "too old"
+        if word.state == GUARDED:
+            return "the other is guarded"
+        if word.epoch != self._partner:
+            return "the other was guarded"
+        if rise > self._bucket:
+            return "too much power"
+        return "rounding" if self.tank < 0.0 else ""
+
+    def _affordable(self, goal: float, held: float, available: float) -> float:
+        """The potential nearest to the wish that energy and power allow."""
+        return max(0.0, min(goal, available, held + self._bucket))
+
+    def _move(self, potential: float, held: float) -> None:
+        """Takes ȳ as moved."""
+        rise = potential - held
+        self._injected += rise
+        self._bucket -= max(rise, 0.0)
+        self._potential = potential
+
+    def _keep(self, tank: float) -> None:
+        """Fills the tank; what it cannot hold is lost."""
+        self.tank = min(tank, self._cap)
+        self._lost += tank - self.tank
+
+    def _fall(self, now: float, reason: str, tank: float) -> None:
+        """Guards the link, with so much in the tank and nothing in the spring."""
+        self._lost += self.tank - tank
+        self.tank = tank
+        self.state = GUARDED
+        self.epoch = self.epoch % _LAST_EPOCH + 1
+        self._caught, self._least = 0.0, inf
+        self.events.append(GuardEvent(now, GUARDED, reason))
+
+    def _rise(self, word: Word, now: float) -> None:
+        """An end that has caught up becomes ready, and then couples."""
+        if self._caught < self.total or word.heard != self.epoch:
+            return
+        if word.state != GUARDED and self._least >= self._charge:
+            self._lost += self.tank - self._least
+            self._paid += self._charge
+            self.tank = self._least - self._charge
+            self.state, self._partner = COUPLED, word.epoch
+            self.events.append(GuardEvent(now, COUPLED, "both have caught up"))
+        elif self.state == GUARDED:
+            self.state = READY
+            self.events.append(GuardEvent(now, READY, "caught up"))

@@ -1,0 +1,94 @@
+"""A copy's share of the body as members come and go: it changes at once, but rises only as far as energy pays."""
+
+from typing import final
+
+from cotouch.errors import NetworkError
+from cotouch.mechanics import Operator, State, rescaled
+
+
+@final
+class CopyScale:
+    """Which share of M, B and K a copy carries.
+
+    With one member more, M/N, B/N and K/N fall at once, and energy with them; the newcomer starts with that share. With
+    one less, velocity is scaled so that momentum stays, which lowers kinetic energy, and K/N rises only as far as
+    energy pays: what the velocity lost, and what the body's own and the extra dampers take until it is done.
+
+    Attributes:
+        operator: the body's matrices in these shares.
+        stiffness: share of K; that of M and B is `operator.share`.
+        tank: what there is to pay with [J].
+    """
+
+    def __init__(self, operator: Operator) -> None:
+        """Starts with the shares of the model."""
+        self.operator = operator
+        self.stiffness = operator.share
+        self.tank = 0.0
+        self._model = operator
+
+    @property
+    def rising(self) -> bool:
+        """Whether K still has to rise."""
+        return self.stiffness < self.operator.share
+
+    @property
+    def softness(self) -> float:
+        """How much softer the copy is than the model's."""
+        return self._model.share / self.stiffness
+
+    def rescale(self, copies: int, state: State, kinetic: float, elastic: float) -> float:
+        """Takes part in another number of copies.
+
+        Args:
+            copies: N, >= 1.
+            state: of the copy; changed in place.
+            kinetic: energy [J].
+            elastic: energy [J].
+
+        Returns:
+            What the energy changed by, <= 0 [J].
+        """
+        if copies < 1:
+            raise NetworkError(f"copies is {copies}; there must be at least 1 user")
+        share, before = 1.0 / copies, self.operator.share
+        if share > before:
+            slower = before / share
+            state.velocity[:] *= slower
+            state.momentum[:] *= slower
+            change = kinetic * (slower - 1.0)
+            self.tank -= change
+            self._set(share, self.stiffness, state)
+            return change
+        stiffness = min(self.stiffness, share)
+        change = kinetic * (share / before - 1.0) + elastic * (stiffness / self.stiffness - 1.0)
+        self._set(share, stiffness, state)
+        return change
+
+    def rise(self, state: State, elastic: float) -> float:
+        """Raises K's share as far as the tank pays; before a step.
+
+        Args:
+            state: of the copy; changed in place.
+            elastic: energy [J].
+
+        Returns:
+            What the elastic energy rose by [J].
+        """
+        share = self.operator.share
+        price = elastic * (share / self.stiffness - 1.0)
+        if price <= self.tank:
+            self._set(share, share, state)
+            self.tank = 0.0
+            return price
+        paid = self.tank
+        if paid > 0.0:
+            self._set(share, self.stiffness * (1.0 + paid / elastic), state)
+            self.tank = 0.0
+        return paid
+
+    def _set(self, share: float, stiffness: float, state: State) -> None:
+        before = self.stiffness / self.operator.share
+        self.operator = rescaled(self._model, share=share, stiffness=stiffness)
+        self.stiffness = stiffness
+        state.tension[:] *= (stiffness / share) / before
