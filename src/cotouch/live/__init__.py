@@ -1,4 +1,4 @@
-"""One real peer: its samples over real networks. Sessions, control and pacing are not here yet."""
+"""One real peer: its samples over real networks. Sessions and control are not here yet."""
 
 from cotouch.live._ages import LinkAges, Window
 from cotouch.live._agreement import Agreement, Progress
@@ -8,8 +8,10 @@ from cotouch.live._keys import DirectionKeys, Entropy, Identity, LinkKeys
 from cotouch.live._layout import HEAD_BYTES, Coding, Layout
 from cotouch.live._limit import Bucket, SourceLimit
 from cotouch.live._memory import MemoryNetwork, MemoryTransport
+from cotouch.live._pacing import Pacer, PaceStatistics, Turn
 from cotouch.live._path import Path, PathLaw
 from cotouch.live._plane import SampleLink, SamplePlane
+from cotouch.live._process import ProcessState, prepare_process
 from cotouch.live._rate import SendRate, Trend
 from cotouch.live._refusal import Refusal
 from cotouch.live._replay import ReplayWindow
@@ -44,8 +46,11 @@ __all__ = [
     "MemoryNetwork",
     "MemoryTransport",
     "Opened",
+    "PaceStatistics",
+    "Pacer",
     "Path",
     "PathLaw",
+    "ProcessState",
     "Progress",
     "Refusal",
     "ReplayWindow",
@@ -57,8 +62,10 @@ __all__ = [
     "Traffic",
     "Transport",
     "Trend",
+    "Turn",
     "UdpTransport",
     "Window",
     "Written",
     "connection_of",
+    "prepare_process",
 ]
