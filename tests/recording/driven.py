@@ -149,6 +149,7 @@ class Driven:
             for user, period in enumerate(self.periods)
             for k in range(1, int(self.seconds / period) + 1)
         )
+        sent = 0
         for now, user in steps:
             peer, own = peers[user], now + self.clocks[user]
             while queue and queue[0][0] < now:
@@ -172,9 +173,8 @@ class Driven:
                 phase=None if self.phase is None else self.phase(user, now),
             )
             for j in self.neighbours(user):
-                heapq.heappush(
-                    queue, (now + self.delay[j, user], len(queue) + 10 * report.sample.index, j, report.sample)
-                )
+                sent += 1
+                heapq.heappush(queue, (now + self.delay[j, user], sent, j, report.sample))
         for recorder in recorders:
             done = recorder.close()
             assert done.failure is None

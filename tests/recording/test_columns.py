@@ -35,15 +35,14 @@ def test_there_and_back(steps: int, links: int, data: st.DataObject) -> None:
 
 @settings(max_examples=300)
 @given(st.data())
-def test_broken_bytes_are_refused_in_one_sentence_or_are_a_batch(data: st.DataObject) -> None:
+def test_broken_bytes_are_refused_or_are_a_batch(data: st.DataObject) -> None:
     good = bytearray(pack(batch(6, 2, 3)))
     for _ in range(data.draw(st.integers(1, 8))):
         good[data.draw(st.integers(0, len(good) - 1))] = data.draw(st.integers(0, 255))
     del good[data.draw(st.integers(0, len(good))) :]
     try:
         found = unpack(bytes(good))
-    except RecordingError as error:
-        assert str(error)
+    except RecordingError:
         return
     count = found.columns["end"].size
     assert all(values.shape[0] == count for name, values in found.columns.items() if name not in STATES)

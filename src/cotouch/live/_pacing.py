@@ -28,8 +28,8 @@ class Turn(NamedTuple):
     Attributes:
         now: end of the step on the pacer's clock [s].
         T: length of the step, at most the cap [s].
-        too_long: how much longer it really was than the cap, mostly 0; for so long the copy stood still, and links should
-            be told [s].
+        too_long: how much longer it really was than the cap, mostly 0; for so long the copy stood still, and links
+            should be told [s].
     """
 
     now: float
