@@ -314,7 +314,7 @@ def recorded_world(scenario: Scenario, folder: Path) -> list[Path]:
             strength=[float(scenario.network.spring[i, j]) for j in peer.neighbours],
             local_damping=prepared.local_damping[i],
             extra_damping=prepared.extra_damping[i],
-            ports=[],
+            ports=None,
             tool_mass=[] if tools is None else tools.mass[tools.first : tools.last],
         )
         recorders.append(recorder)
