@@ -53,6 +53,7 @@ class Driven:
     change: Change | None = None
     disturb: Callable[[Peer, float], None] | None = None
     deliver: Callable[[int, Sample], Sample] | None = None
+    phase: Callable[[int, float], Sequence[int]] | None = None
     with_used: bool = False
     options: dict[str, Any] = field(default_factory=dict)
     rename: Callable[[int], str] = lambda user: ("Ann", "Ben", "Cyd", "Dot", "Eve")[user]
@@ -60,6 +61,7 @@ class Driven:
     def __post_init__(self) -> None:
         self.users = len(self.periods)
         self.model: Model = model(self.body, copies=self.users)
+        self.recorders: list[Recorder] = []
         self.reports: list[list[Report]] = [[] for _ in range(self.users)]
         self.states: list[list[tuple[Float, Float]]] = [[] for _ in range(self.users)]
 
@@ -140,13 +142,14 @@ class Driven:
     def run(self) -> list[Path]:
         """Steps, sends and records until the time is over; returns the files."""
         peers = [self.peer(user) for user in range(self.users)]
-        recorders = [self.recorder(user, peer) for user, peer in enumerate(peers)]
+        recorders = self.recorders = [self.recorder(user, peer) for user, peer in enumerate(peers)]
         queue: list[tuple[float, int, int, Sample]] = []
         steps = sorted(
             (k * period, user)
             for user, period in enumerate(self.periods)
             for k in range(1, int(self.seconds / period) + 1)
         )
+        sent = 0
         for now, user in steps:
             peer, own = peers[user], now + self.clocks[user]
             while queue and queue[0][0] < now:
@@ -167,11 +170,11 @@ class Driven:
                 T=self.periods[user],
                 state=peer.state,
                 used=used if self.with_used else None,
+                phase=None if self.phase is None else self.phase(user, now),
             )
             for j in self.neighbours(user):
-                heapq.heappush(
-                    queue, (now + self.delay[j, user], len(queue) + 10 * report.sample.index, j, report.sample)
-                )
+                sent += 1
+                heapq.heappush(queue, (now + self.delay[j, user], sent, j, report.sample))
         for recorder in recorders:
             done = recorder.close()
             assert done.failure is None

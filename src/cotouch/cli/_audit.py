@@ -1,6 +1,6 @@
 """`cotouch audit`."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -9,7 +9,7 @@ from cotouch.cli._output import folder, number, print_json, working
 if TYPE_CHECKING:
     from rich.table import Table
 
-    from cotouch.recording import Audit
+    from cotouch.recording import Audit, UserBooks
 
 
 def run(files: Sequence[Path], *, figures: Path | None, tolerance: float | None, as_json: bool) -> bool:
@@ -60,31 +60,24 @@ def _users(result: "Audit") -> "Table":
     from rich.table import Table
 
     table = Table(box=SIMPLE_HEAD, title="Energy of each user [J]", title_justify="left")
-    table.add_column("user")
-    for heading in (
-        "put in",
-        "links",
-        "body's\ndampers",
-        "sync.\ndamping",
-        "extra\ndamping",
-        "contacts",
-        "joining",
-        "stored",
-    ):
-        table.add_column(heading, justify="right")
-    table.add_column("unexplained", justify="right")
+    table.add_column("")
     for books in result.users:
-        values = (
-            books.supplied,
-            books.link_work,
-            -books.body_loss,
-            -books.local_loss,
-            -books.extra_loss,
-            -books.touch_loss,
-            books.members,
-            books.stored,
-        )
-        table.add_row(books.name, *(number(value) for value in values), number(books.residual, digits=2))
+        table.add_column(books.name, justify="right")
+    rows: list[tuple[str, Callable[[UserBooks], float]]] = [
+        ("put in by hands and tools", lambda books: books.supplied),
+        ("work of the links", lambda books: books.link_work),
+        ("taken by the body's dampers", lambda books: 0.0 - books.body_loss),
+        ("taken by damping B of the links", lambda books: 0.0 - books.local_loss),
+        ("taken by extra damping B_e", lambda books: 0.0 - books.extra_loss),
+        ("lost in contacts and grasps", lambda books: 0.0 - books.touch_loss),
+        ("came with joining and leaving", lambda books: books.members),
+        ("stored, more than at the start", lambda books: books.stored),
+    ]
+    for label, value in rows:
+        values = [value(books) for books in result.users]
+        if any(values) or "joining" not in label:
+            table.add_row(label, *(number(entry) for entry in values))
+    table.add_row("unexplained", *(number(books.residual, digits=2) for books in result.users))
     return table
 
 

@@ -5,7 +5,7 @@ import zipfile
 import zlib
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, final
+from typing import TYPE_CHECKING, Any, final
 
 import numpy as np
 import numpy.typing as npt
@@ -13,7 +13,9 @@ import scipy.sparse as sp
 
 from cotouch.body import Matrix
 from cotouch.errors import RecordingError
-from cotouch.mechanics import Model
+
+if TYPE_CHECKING:  # reading a recording needs no kernels
+    from cotouch.mechanics import Model
 
 Float = npt.NDArray[np.float64]
 
@@ -60,7 +62,7 @@ class RecordedBody:
         return self.mass.shape[0] if self.modes is None else self.modes.shape[1]
 
     @classmethod
-    def of(cls, model: Model, *, weights: Sequence[Matrix] = ()) -> "RecordedBody":
+    def of(cls, model: "Model", *, weights: Sequence[Matrix] = ()) -> "RecordedBody":
         """Takes it from a model.
 
         Args:

@@ -2,14 +2,16 @@
 
 import struct
 from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple, final
+from typing import TYPE_CHECKING, Any, NamedTuple, final
 
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.mechanics import State, Tools
-from cotouch.peer import Report
 from cotouch.recording._columns import SCALARS, UNSAID, Batch, LinkPhase
+
+if TYPE_CHECKING:
+    from cotouch.mechanics import State, Tools
+    from cotouch.peer import Report
 
 Float = npt.NDArray[np.float64]
 Extra = Mapping[str, float | Sequence[float] | npt.NDArray[Any]]
@@ -90,11 +92,11 @@ class Buffer:
 
     def put(
         self,
-        report: Report,
+        report: "Report",
         end: float,
         T: float,
-        state: State,
-        tools: Tools | None,
+        state: "State",
+        tools: "Tools | None",
         used: Sequence[int] | npt.NDArray[np.int64] | None,
         phase: Sequence[int] | npt.NDArray[np.int8] | None,
         extra: Extra | None,

@@ -12,6 +12,9 @@ from cotouch.recording._recording import Recording
 
 Float = npt.NDArray[np.float64]
 
+# Times that differ by no more are the same: they come from sums and differences of large numbers [s].
+_SAME = 1e-9
+
 
 class Played(NamedTuple):
     """One step of a recording.
@@ -59,7 +62,7 @@ def play(
         raise RecordingError(f"speed is {speed:g}; it must be greater than 0")
     columns, states = recording.columns, recording.states
     ends = columns["end"] - columns["end"][0] + columns["T"][0]
-    rows = np.flatnonzero((ends >= start) & (ends <= stop))
+    rows = np.flatnonzero((ends >= start - _SAME) & (ends <= stop + _SAME))
     if rows.size == 0:
         raise RecordingError(
             f"nothing of {recording.path} lies between {start:g} s and {stop:g} s; it has {float(ends[-1]):.4g} s"

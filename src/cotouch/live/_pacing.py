@@ -1,0 +1,190 @@
+"""Pacing: steps at a fixed rate on a monotonic clock; a late one takes longer, and none is made up for.
+
+Sleep to shortly before the deadline, then look at the clock without sleeping: how late a sleep ends is the operating
+system's business, how late the loop is then is not. Deadlines are `t₀ + k·period`; those that passed are left out.
+"""
+
+import math
+import time
+from array import array
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple, final
+
+from cotouch.errors import SessionError
+
+# A step shorter than this share of the period is not worth its work; the next deadline is taken.
+_LEAST = 0.5
+# Lateness of so many newest steps is kept for its quantiles.
+_KEPT = 1 << 16
+# Looks at a clock that stands still, and sleeps that end at once, are given up after so many.
+_MOST_LOOKS = 1_000_000
+_MOST_SLEEPS = 64
+
+
+class Turn(NamedTuple):
+    """What a step is to do.
+
+    Attributes:
+        now: end of the step on the pacer's clock [s].
+        T: length of the step, at most the cap [s].
+        too_long: how much longer it really was than the cap, mostly 0; for so long the copy stood still, and links
+            should be told [s].
+    """
+
+    now: float
+    T: float
+    too_long: float
+
+
+@final
+@dataclass(frozen=True, kw_only=True)
+class PaceStatistics:
+    """How well the rate was kept.
+
+    Attributes:
+        steps: taken.
+        missed: deadlines that were left out.
+        too_long: steps that were longer than the cap.
+        late_p50: median of how late steps came after their deadlines, of the newest 65,536 [s].
+        late_p99: 99th percentile [s].
+        late_p999: 99.9th percentile [s].
+        T_min: shortest step [s].
+        T_mean: mean of steps, as they really were [s].
+        T_max: longest step, as it really was [s].
+        busy: share of the time that was not spent waiting.
+    """
+
+    steps: int
+    missed: int
+    too_long: int
+    late_p50: float
+    late_p99: float
+    late_p999: float
+    T_min: float
+    T_mean: float
+    T_max: float
+    busy: float
+
+
+@final
+class Pacer:
+    """One loop's clock.
+
+    `wait` once for every step: it returns when the step's time is over, and says how long the step was.
+
+    Examples:
+        >>> pacer = Pacer(0.001, cap=0.02)
+        >>> turn = pacer.wait()
+        >>> turn.T > 0.0
+        True
+    """
+
+    def __init__(
+        self,
+        period: float,
+        *,
+        cap: float = math.inf,
+        spin: float = 100e-6,
+        clock: Callable[[], float] = time.monotonic,
+        sleep: Callable[[float], None] = time.sleep,
+    ) -> None:
+        """Prepares the loop; the first step begins now.
+
+        Args:
+            period: wanted length of a step, > 0 [s].
+            cap: longest T that a step may have, >= `period` [s].
+            spin: how long before the deadline sleeping ends, >= 0; what is longer costs that share of a core [s].
+            clock: monotonic time [s].
+            sleep: waits so long, or a little longer [s].
+
+        Raises:
+            SessionError: one of them is out of its range.
+        """
+        if not 0.0 < period < math.inf:
+            raise SessionError(f"period is {period:g} s; it must be a time > 0")
+        if not cap >= period:
+            raise SessionError(f"cap is {cap:g} s; no step could be as long as the period, {period:g} s")
+        if not 0.0 <= spin < math.inf:
+            raise SessionError(f"spin is {spin:g} s; it must be a time >= 0")
+        self._period = period
+        self._cap = cap
+        self._spin = spin
+        self._clock = clock
+        self._sleep = sleep
+        self._late = array("d", bytes(8 * _KEPT))
+        self.restart()
+
+    @property
+    def period(self) -> float:
+        """Wanted length of a step [s]."""
+        return self._period
+
+    def restart(self, period: float | None = None) -> None:
+        """Begins anew: the grid of deadlines starts now, statistics are empty.
+
+        Args:
+            period: another one, > 0 and at most the cap; None: as before [s].
+
+        Raises:
+            SessionError: it is not.
+        """
+        if period is not None:
+            if not 0.0 < period <= self._cap:
+                raise SessionError(f"period is {period:g} s; it must be > 0 and at most the cap, {self._cap:g} s")
+            self._period = period
+        self._steps = self._missed = self._long = 0
+        self._shortest, self._longest, self._waited = math.inf, 0.0, 0.0
+        self._begin = self._last = self._clock()
+        self._next = 1
+
+    def wait(self) -> Turn:
+        """Waits for the deadline of this step, or not at all if it has passed."""
+        clock = self._clock
+        deadline = self._begin + self._next * self._period
+        before = now = clock()
+        for _ in range(_MOST_SLEEPS):
+            ahead = deadline - now - self._spin
+            if ahead <= 0.0:
+                break
+            self._sleep(ahead)
+            now = clock()
+        for _ in range(_MOST_LOOKS):
+            if now >= deadline:
+                break
+            now = clock()
+        self._waited += now - before
+        T = max(now - self._last, 1e-9)  # a clock that stands still must not make a step of no length
+        self._last = now
+        self._late[self._steps % _KEPT] = now - deadline
+        self._steps += 1
+        self._shortest, self._longest = min(self._shortest, T), max(self._longest, T)
+        following = math.ceil((now - self._begin) / self._period + _LEAST)
+        following = max(following, self._next + 1)
+        self._missed += following - self._next - 1
+        self._next = following
+        if self._cap >= T:
+            return Turn(now, T, 0.0)
+        self._long += 1
+        return Turn(now, self._cap, T - self._cap)
+
+    def statistics(self) -> PaceStatistics:
+        """How well the rate was kept since the beginning; NaN where there was no step yet."""
+        late = sorted(self._late[: min(self._steps, _KEPT)])
+        elapsed = self._last - self._begin
+
+        def quantile(share: float) -> float:
+            return late[min(len(late) - 1, int(share * len(late)))] if late else math.nan
+
+        return PaceStatistics(
+            steps=self._steps,
+            missed=self._missed,
+            too_long=self._long,
+            late_p50=quantile(0.5),
+            late_p99=quantile(0.99),
+            late_p999=quantile(0.999),
+            T_min=self._shortest if self._steps else math.nan,
+            T_mean=elapsed / self._steps if self._steps else math.nan,
+            T_max=self._longest if self._steps else math.nan,
+            busy=1.0 - self._waited / elapsed if elapsed > 0.0 else math.nan,
+        )

@@ -1,0 +1,203 @@
+"""The pacer on clocks that are made up, and once on the real one; what a process is given and gives back."""
+
+import gc
+import math
+import os
+import subprocess
+import sys
+from collections.abc import Iterator
+from itertools import pairwise
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from cotouch.errors import SessionError
+from cotouch.live import Pacer, prepare_process
+
+PERIOD = 0.001
+
+
+class Clock:
+    """Every look takes a microsecond; sleeps last as long as they should and a little more."""
+
+    def __init__(self, begin: float = 0.0, oversleep: Iterator[float] | None = None) -> None:
+        self.now = begin
+        self.slept: list[float] = []
+        self._oversleep = oversleep
+
+    def time(self) -> float:
+        self.now += 1e-6
+        return self.now
+
+    def sleep(self, seconds: float) -> None:
+        assert seconds > 0.0
+        self.slept.append(seconds)
+        self.now += seconds + (next(self._oversleep) if self._oversleep else 0.0)
+
+
+def pacer(clock: Clock, **options: float) -> Pacer:
+    return Pacer(PERIOD, clock=clock.time, sleep=clock.sleep, **options)
+
+
+def test_steps_end_on_the_grid() -> None:
+    clock = Clock(1000.0)
+    paced = pacer(clock)
+    begin = clock.now
+    for k in range(1, 200):
+        turn = paced.wait()
+        assert 0.0 <= turn.now - (begin + k * PERIOD) < 3e-6
+        assert pytest.approx(PERIOD, abs=3e-6) == turn.T
+        assert turn.too_long == 0.0
+    assert max(clock.slept) <= PERIOD - 100e-6  # the rest is spent looking
+    done = paced.statistics()
+    assert (done.steps, done.missed, done.too_long) == (199, 0, 0)
+    assert 0.0 <= done.late_p50 <= done.late_p99 <= done.late_p999 < 3e-6
+    assert done.busy < 0.01
+
+
+def test_a_late_step_takes_longer_and_none_is_made_up_for() -> None:
+    clock = Clock()
+    paced = pacer(clock)
+    begin = clock.now
+    paced.wait()
+    clock.now += 5.3 * PERIOD  # the loop was away
+    late = paced.wait()
+    assert pytest.approx(5.3 * PERIOD, abs=5e-6) == late.T
+    following = [paced.wait() for _ in range(10)]
+    assert pytest.approx(0.7 * PERIOD, abs=5e-6) == following[0].T  # back on the grid
+    for turn in following[1:]:
+        assert pytest.approx(PERIOD, abs=5e-6) == turn.T
+    for turn in following:
+        assert abs((turn.now - begin) / PERIOD - round((turn.now - begin) / PERIOD)) < 0.01
+    assert paced.statistics().missed == 4  # those that should have ended 3, 4, 5 and 6 periods after the beginning
+
+
+def test_beyond_the_cap_the_rest_is_told() -> None:
+    clock = Clock()
+    paced = pacer(clock, cap=0.01)
+    paced.wait()
+    clock.now += 0.05
+    turn = paced.wait()
+    assert turn.T == 0.01
+    assert turn.too_long == pytest.approx(0.04, abs=1e-5)
+    assert paced.wait().too_long == 0.0
+    assert paced.statistics().too_long == 1
+    assert paced.statistics().T_max == pytest.approx(0.05, abs=1e-5)
+
+
+@given(
+    st.lists(st.floats(0.0, 0.02), min_size=1, max_size=60),
+    st.lists(st.floats(0.0, 0.005), min_size=1),
+    st.floats(0.0, 0.001),
+)
+def test_time_is_never_lost_and_steps_never_come_in_bursts(
+    work: list[float], oversleep: list[float], spin: float
+) -> None:
+    def late() -> Iterator[float]:
+        while True:
+            yield from oversleep
+
+    clock = Clock(50.0, late())
+    paced = pacer(clock, spin=spin, cap=0.004)
+    begin = clock.now
+    turns = []
+    for seconds in work:
+        clock.now += seconds
+        turns.append(paced.wait())
+    assert sum(turn.T + turn.too_long for turn in turns) == pytest.approx(turns[-1].now - begin, abs=1e-9)
+    assert all(turn.T <= 0.004 for turn in turns)
+    for turn, seconds in zip(turns[1:], work[1:], strict=True):
+        assert min(0.5 * PERIOD, max(seconds, 0.5 * PERIOD)) - 1e-9 <= turn.T
+    for one, two in pairwise(turns):
+        assert two.now > one.now
+
+
+def test_a_clock_that_stands_still_ends_nothing_but_the_waiting() -> None:
+    paced = Pacer(PERIOD, clock=lambda: 5.0, sleep=lambda _: None)
+    turn = paced.wait()
+    assert turn.now == 5.0
+    assert turn.T > 0.0
+
+
+def test_restart_begins_a_new_grid() -> None:
+    clock = Clock()
+    paced = pacer(clock)
+    paced.wait()
+    clock.now += 1.0
+    paced.restart(0.005)
+    assert pytest.approx(0.005, abs=1e-5) == paced.wait().T
+    assert paced.statistics().steps == 1
+    assert paced.period == 0.005
+
+
+def test_nothing_is_known_before_the_first_step() -> None:
+    done = pacer(Clock()).statistics()
+    assert done.steps == 0
+    assert math.isnan(done.late_p50)
+    assert math.isnan(done.T_mean)
+
+
+@pytest.mark.parametrize(
+    ("period", "options", "words"),
+    [
+        (0.0, {}, "period is 0 s"),
+        (math.nan, {}, "period is nan s"),
+        (0.01, {"cap": 0.001}, "cap is 0.001 s"),
+        (0.01, {"spin": -1.0}, "spin is -1 s"),
+    ],
+)
+def test_what_makes_no_sense_is_refused(period: float, options: dict[str, float], words: str) -> None:
+    with pytest.raises(SessionError, match=words):
+        Pacer(period, **options)
+
+
+def test_on_the_real_clock() -> None:
+    paced = Pacer(0.002)
+    turns = [paced.wait() for _ in range(50)]
+    assert all(turn.T >= 0.001 for turn in turns)
+    assert sum(turn.T for turn in turns) == pytest.approx(50 * paced.statistics().T_mean)
+
+
+def test_a_process_gets_back_what_it_gave() -> None:
+    interval, enabled = sys.getswitchinterval(), gc.isenabled()
+    with prepare_process(real_time=None) as state:
+        assert not gc.isenabled()
+        assert gc.get_freeze_count() > 0
+        assert state.collector_off
+        assert state.real_time_refused == "not asked for"
+        assert sys.getswitchinterval() == state.switch_interval <= interval
+        if sys.platform.startswith("linux"):
+            assert state.timer_slack == 1
+    assert gc.isenabled() == enabled
+    assert gc.get_freeze_count() == 0
+    assert sys.getswitchinterval() == interval
+
+
+@pytest.mark.parametrize("threads", ["1", "4"])
+def test_real_time_only_with_one_blas_thread(threads: str) -> None:
+    """In a process of its own; where it is not permitted, the reason is said."""
+    program = (
+        "import os\n"
+        "from cotouch.live import prepare_process\n"
+        "before = os.sched_getscheduler(0)\n"
+        "with prepare_process() as state:\n"
+        "    inside = os.sched_getscheduler(0) & 0xff\n"
+        "print(state.real_time, inside == os.SCHED_FIFO, os.sched_getscheduler(0) == before, state.real_time_refused)\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program],
+        env={**os.environ, "OPENBLAS_NUM_THREADS": threads, "OMP_NUM_THREADS": threads, "MKL_NUM_THREADS": threads},
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=True,
+    )
+    priority, inside, back, refused = done.stdout.split(maxsplit=3)
+    assert back == "True"
+    assert (priority == "10") == (inside == "True") == (refused.strip() == "None")
+    if threads == "4" and "threadpoolctl" not in sys.modules:
+        try:
+            import threadpoolctl  # noqa: F401
+        except ImportError:
+            assert "BLAS" in refused

@@ -1,0 +1,85 @@
+"""Recordings as one dataset: the names and numbers of a simulated run."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+from tests.recording.driven import Driven, pulled
+from tests.recording.test_audit import recorded_world
+
+from cotouch.body import lattice
+from cotouch.errors import RecordingError
+from cotouch.recording import read_recording, recordings_dataset, save_dataset
+from cotouch.scenario import Scenario
+from cotouch.simulation import at_times, simulate
+
+
+def test_it_is_the_dataset_of_the_same_run_in_the_simulator(tmp_path: Path) -> None:
+    """Names, dimensions, units and values; metrics that are made for one take the other."""
+    scenario = Scenario.make(
+        network={"users": ["Ann", "Ben"], "spring": [[0, 60], [60, 0]], "delay": [[0, 0.02], [0.03, 0]]},
+        body={"kind": "chain", "nodes": 3, "dimension": 2},
+        steps={"duration": 0.5, "period": [0.004, 0.01]},
+        hands=[{"user": 1, "node": 2, "path": [0.1, -0.05]}],
+        record={"nodes": "all"},
+    )
+    recorded = recordings_dataset([read_recording(path) for path in recorded_world(scenario, tmp_path)])
+    run = simulate(scenario)
+    names = ["time", "period", "position", "velocity", "supplied", "body_loss", "local_loss", "extra_loss", "kinetic"]
+    for name in [*names, "elastic", "iterations", "link_work", "age", "force"]:
+        assert recorded[name].dims == run[name].dims, name
+        assert recorded[name].shape == run[name].shape, name
+        assert recorded[name].attrs["units"] == run[name].attrs["units"], name
+        first = 1 if np.isnan(recorded[name].values[0, 0]).all() else 0  # energies before the first step are not kept
+        assert np.allclose(
+            recorded[name].values[:, first:], run[name].values[:, first:], rtol=0, atol=1e-12, equal_nan=True
+        ), name
+    assert float(run["supplied"].max()) > 1e-3
+    assert recorded["direction"].values.tolist() == run["direction"].values.tolist()
+    assert recorded["user"].values.tolist() == ["Ann", "Ben"]
+    times = np.linspace(0.1, 0.4, 7)
+    assert np.allclose(at_times(recorded, "position", times), at_times(run, "position", times))
+
+
+def test_values_of_every_user_at_its_own_steps(tmp_path: Path) -> None:
+    driven = Driven(tmp_path, clocks=(5.0, 700.0), hands={0: pulled()}, body=lattice((2, 2, 2)))
+    run = recordings_dataset([read_recording(path) for path in driven.run()[::-1]])
+    assert run.sizes["step"] == 251
+    for user, steps in enumerate((250, 100)):
+        own = run.isel(user=user)
+        assert np.isfinite(own["time"]).sum() == steps + 1
+        assert own["time"].values[: steps + 1] == pytest.approx(driven.periods[user] * np.arange(steps + 1), abs=1e-6)
+        places = np.array([driven.model.to_nodes(x) for x, _ in driven.states[user]]) + driven.body.rest
+        assert np.allclose(own["position"].values[1 : steps + 1], places, rtol=0, atol=1e-15)
+        assert np.allclose(own["position"].values[0], driven.body.rest, rtol=0, atol=1e-15)
+        assert own["supplied"].values[steps] == pytest.approx(sum(r.supplied for r in driven.reports[user]))
+        assert own["force"].values[7] == pytest.approx(driven.reports[user][6].force[0, :3])
+    assert run["age"].sel(direction="1<-2").values[1:251] == pytest.approx([float(r.age[0]) for r in driven.reports[0]])
+
+
+def test_states_that_are_kept_less_often_have_their_own_dimension(tmp_path: Path) -> None:
+    driven = Driven(tmp_path, options={"every": 10})
+    run = recordings_dataset([read_recording(path) for path in driven.run()])
+    assert run["position"].dims == ("user", "state", "node", "axis")
+    assert run["state_time"].values[0, :3] == pytest.approx([0.004, 0.044, 0.084])
+    assert run["position"].values[0, 2, 0, 0] == driven.states[0][20][0][0, 0]
+
+
+def test_the_file_is_whole_or_not_there(tmp_path: Path) -> None:
+    run = recordings_dataset([read_recording(path) for path in Driven(tmp_path).run()])
+    save_dataset(run, tmp_path / "x.nc")
+    with xr.open_dataset(tmp_path / "x.nc", engine="h5netcdf") as again:
+        for name, values in run.data_vars.items():
+            assert np.array_equal(values, again[name], equal_nan=True)
+            assert again[name].attrs["units"]
+        assert again.attrs["session"] == "table"
+    with pytest.raises(RecordingError, match="cannot be written"):
+        save_dataset(run, tmp_path / "no" / "x.nc")
+    assert not list(tmp_path.glob("**/*.part"))
+
+
+def test_two_of_the_same_user_are_refused(tmp_path: Path) -> None:
+    one = read_recording(Driven(tmp_path).run()[0])
+    with pytest.raises(RecordingError, match="of the same user"):
+        recordings_dataset([one, one])
