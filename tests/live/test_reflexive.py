@@ -65,6 +65,14 @@ def test_a_nat_that_forgets_is_noticed():
     assert asking.run(20.0).lookup.addresses == [Address("198.51.100.1", 6000)]
 
 
+def test_in_a_hurry_it_is_asked_at_once():
+    nat = Nat("198.51.100.1")
+    asking = Asking(nat).run(5.0)
+    nat.forget()
+    asking.lookup.hurry(asking.net.now)
+    assert asking.run(0.2).lookup.addresses == [Address("198.51.100.1", 6000)]
+
+
 def test_a_mirror_that_is_gone_is_asked_rarely_and_forgotten():
     asking = Asking(Nat("198.51.100.1")).run(5.0)
     asking.silent = True
