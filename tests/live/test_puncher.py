@@ -284,6 +284,37 @@ def test_addresses_that_were_learnt_are_few():
     assert len(asked) == 1
 
 
+def test_addresses_that_change_without_end_do_not_hasten_pings_either():
+    first, second = keys()
+    puncher = Puncher(0.0)
+    puncher.rekey(first)
+    sent = 0
+    for k in range(1000):
+        puncher.receive(0.001 * k, ping(second, k), Address("192.0.2.1", 1000 + k))
+        sent += len(puncher.due(0.001 * k, active=True))
+    assert 5 <= sent <= 11
+
+
+def test_who_is_heard_from_elsewhere_is_not_asked_there_while_its_way_works():
+    """Each end may have chosen another of two ways that both work."""
+    two = Two(None, None).run(5.0)
+    other = Address("203.0.113.66", 6)
+    for _ in range(500):
+        two.punchers[0].learn(two.net.now, other)
+        two.step()
+    assert other not in {to for _, _, to, _ in two.net.log}
+
+
+def test_the_same_keys_again_do_not_begin_numbers_anew():
+    first, second = keys()
+    puncher = Puncher(0.0)
+    puncher.rekey(first)
+    at = Address("192.0.2.1", 5)
+    assert puncher.receive(0.0, ping(second, 0), at) is not None
+    puncher.rekey(first)
+    assert puncher.receive(0.0, ping(second, 0), at) is None
+
+
 def test_offers_without_end_do_not_hasten_pings():
     puncher = Puncher(0.0)
     puncher.rekey(keys()[0])

@@ -44,7 +44,7 @@ def test_the_nats_address_is_found_and_kept():
 
 
 def test_a_way_that_takes_longer_than_the_hurry():
-    asking = Asking(Nat("198.51.100.1"), delay=0.8).run(10.0)
+    asking = Asking(Nat("198.51.100.1"), delay=0.8).run(2.0)
     assert asking.lookup.addresses == [Address("198.51.100.1", 5000)]
 
 
