@@ -76,6 +76,13 @@ def test_unknown_origins_and_families_are_refused(origin: int, family: int):
     assert read_offer(b"\1\1" + WORD + bytes((0, 4, 0, 7, 192, 0, 2, 1))) is not None
 
 
+def test_more_than_the_most_is_refused():
+    """Whoever says more than anybody needs is to make no neighbour probe."""
+    entry = bytes((0, 4, 0, 7, 192, 0, 2, 1))
+    assert read_offer(bytes((1, MOST_CANDIDATES)) + WORD + MOST_CANDIDATES * entry) is not None
+    assert read_offer(bytes((1, MOST_CANDIDATES + 1)) + WORD + (MOST_CANDIDATES + 1) * entry) is None
+
+
 def test_another_version_is_refused():
     assert read_offer(b"\2" + write_offer(WORD, [])[1:]) is None
 

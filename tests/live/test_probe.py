@@ -45,9 +45,9 @@ def test_an_address_is_not_found_in_the_answer():
     assert bytes((192, 0, 2, 7)) not in answer
 
 
-@pytest.mark.parametrize("other", [member_key(b"other", b"session"), member_key(b"secret", b"other")])
-def test_only_members_are_answered(other: bytes):
-    key = member_key(b"secret", b"session")
+@pytest.mark.parametrize(("secret", "session"), [(b"other", b"session"), (b"secret", b"other")])
+def test_only_members_are_answered(secret: bytes, session: bytes):
+    key, other = member_key(b"secret", b"session"), member_key(secret, session)
     assert tell(key, ask(other, bytes(16)), Address("192.0.2.7", 1)) is None
     answer = tell(other, ask(other, bytes(16)), Address("192.0.2.7", 1))
     assert told(key, answer) is None

@@ -138,6 +138,59 @@ def test_numbers_that_begin_anew_do_not_stop_it():
     assert loop.run(40.0).rate.rate == 1000.0
 
 
+@pytest.mark.parametrize("cap", [5.0, 100.0])
+def test_nothing_is_sent_above_a_cap_and_nothing_tried(cap: float):
+    """Also on a path with losses, where more would be tried."""
+    loop = Loop(PathLaw(delay=0.03, loss=0.2))
+    loop.rate.cap(cap)
+    loop.run(30.0)
+    assert max(loop.history) == cap
+    assert loop.sent <= 30.0 * cap + 1
+
+
+def test_a_narrower_path_below_the_cap_is_found():
+    loop = Loop(PathLaw(delay=0.03, rate=40.0 * SIZE, queue=0.5))
+    loop.rate.cap(100.0)
+    loop.run(60.0)
+    assert loop.mean(20.0) <= 60.0
+
+
+def test_without_its_cap_it_rises_again_and_a_cap_that_stays_changes_nothing():
+    loop, free = Loop(PathLaw(delay=0.03)).run(5.0), Loop(PathLaw(delay=0.03)).run(5.0)
+    for _ in range(3):
+        loop.rate.cap(100.0)
+        loop.run(1.0)
+    assert loop.rate.rate == 100.0
+    loop.rate.cap(float("inf"))
+    assert loop.rate.rate == 500.0
+    assert loop.run(10.0).rate.rate == 1000.0
+    free.rate.cap(float("inf"))
+    assert free.run(5.0).history[-1] == 1000.0
+
+
+def test_the_rate_before_a_silence_is_not_forgotten_under_a_cap():
+    """A way is lost, another takes over, the first comes back."""
+    loop = Loop(PathLaw(delay=0.03)).run(2.0)
+    loop.back.law = PathLaw(down=True)
+    loop.run(2.0)
+    loop.rate.cap(100.0)
+    loop.back.law = PathLaw(delay=0.03)
+    assert loop.run(2.0).rate.rate == 100.0
+    loop.rate.cap(float("inf"))
+    assert loop.rate.rate == 500.0
+
+
+def test_a_silence_under_a_cap_ends_under_it():
+    loop = Loop(PathLaw(delay=0.03)).run(2.0)
+    loop.rate.cap(100.0)
+    loop.back.law = PathLaw(down=True)
+    loop.run(3.0)
+    assert loop.rate.rate == 20.0
+    loop.rate.cap(50.0)
+    loop.back.law = PathLaw(delay=0.03)
+    assert loop.run(5.0).rate.rate == 50.0
+
+
 @pytest.mark.parametrize("rate", [20.0, 333.0, 1000.0])
 def test_states_go_out_at_the_rate_and_never_in_bursts(rate: float):
     sender = SendRate(highest=rate, lowest=rate)

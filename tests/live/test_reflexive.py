@@ -44,7 +44,7 @@ def test_the_nats_address_is_found_and_kept():
 
 
 def test_a_way_that_takes_longer_than_the_hurry():
-    asking = Asking(Nat("198.51.100.1"), delay=0.8).run(10.0)
+    asking = Asking(Nat("198.51.100.1"), delay=0.8).run(2.0)
     assert asking.lookup.addresses == [Address("198.51.100.1", 5000)]
 
 
@@ -63,6 +63,14 @@ def test_a_nat_that_forgets_is_noticed():
     asking = Asking(nat).run(5.0)
     nat.forget()
     assert asking.run(20.0).lookup.addresses == [Address("198.51.100.1", 6000)]
+
+
+def test_in_a_hurry_it_is_asked_at_once():
+    nat = Nat("198.51.100.1")
+    asking = Asking(nat).run(5.0)
+    nat.forget()
+    asking.lookup.hurry(asking.net.now)
+    assert asking.run(0.2).lookup.addresses == [Address("198.51.100.1", 6000)]
 
 
 def test_a_mirror_that_is_gone_is_asked_rarely_and_forgotten():

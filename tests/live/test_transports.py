@@ -5,9 +5,11 @@ from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 import pytest
+from tests.live.internet import Exchange
+from tests.live.support import entropy, identities
 
 from cotouch.errors import SessionError, TransportError
-from cotouch.live import MOST_BYTES, Arrival, MemoryNetwork, Transport, UdpTransport
+from cotouch.live import MOST_BYTES, Arrival, ByRelay, MemoryNetwork, RoutedTransport, Transport, UdpTransport
 
 
 class Pair(NamedTuple):
@@ -64,10 +66,43 @@ def over_udp(host: str) -> Iterator[Pair]:
         transport.close()
 
 
+def routed(*, relayed: bool) -> Iterator[Pair]:
+    """Either by the sockets or by the relay; nobody was introduced, so everybody is followed."""
+    exchange, opened = Exchange(time.monotonic), list[RoutedTransport]()
+    members = identities(4)
+
+    def make() -> RoutedTransport:
+        control = exchange.join(members[len(opened)])
+        opened.append(RoutedTransport(UdpTransport(), control, session=b"", secret=b"", entropy=entropy(1)))
+        return opened[-1]
+
+    def at(member: int) -> object:
+        return ByRelay(members[member].public) if relayed else opened[member]._ground.address
+
+    def wait() -> None:
+        time.sleep(0.0 if relayed else 0.005)
+
+    def move(transport: Transport) -> Transport:
+        other = make()
+        other.follow(2, at(1))
+        transport.close()
+        return other
+
+    one, two, stranger = make(), make(), make()
+    one.follow(2, at(1))
+    two.follow(1, at(0))
+    stranger.follow(2, at(1))
+    yield Pair(one, two, stranger, wait, move)
+    for transport in opened:
+        transport.close()
+
+
 TRANSPORTS = {
     "memory": in_memory,
     "udp": lambda: over_udp("127.0.0.1"),
     "udp6": lambda: over_udp("::1"),
+    "routed": lambda: routed(relayed=False),
+    "relayed": lambda: routed(relayed=True),
 }
 
 

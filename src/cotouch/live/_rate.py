@@ -92,7 +92,8 @@ class SendRate:
             return
         wider = highest > self._highest
         if not wider:
-            self._before_cap = max(self._before_cap, self.rate if self._trial is None else self._trial[0])
+            before = self._before_silence if self.trend is Trend.SILENT else self.rate
+            self._before_cap = max(self._before_cap, before if self._trial is None else self._trial[0])
         self._highest, self._lowest = highest, min(self._floor, highest)
         if self.trend is Trend.SILENT:
             self._turn(self._lowest, Trend.SILENT, -1)

@@ -58,6 +58,11 @@ class Lookup:
         """Whom to ask from now on, in plain form; what others answered is forgotten."""
         self._mirrors = {mirror: self._mirrors.get(mirror) or _Asked() for mirror in mirrors}
 
+    def hurry(self, now: float) -> None:
+        """Asks again at once: a way was lost, so a NAT may have forgotten."""
+        for asked in self._mirrors.values():
+            asked.due, asked.tries = now, 0
+
     def due(self, now: float) -> list[tuple[Address, bytes]]:
         """Questions to be sent now [s], and where to."""
         out: list[tuple[Address, bytes]] = []

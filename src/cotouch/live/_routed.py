@@ -388,8 +388,9 @@ class RoutedTransport:
         lost = known.way is Way.DIRECT and puncher.way is not Way.DIRECT
         known.way, known.address = puncher.way, puncher.address
         self._events.append(WayChanged(neighbour, now, known.way, known.address))
-        if lost:  # perhaps this machine is elsewhere now
+        if lost:  # perhaps this machine is elsewhere now, or its NAT has forgotten
             known.tell = now
+            self._lookup.hurry(now)
             self._look_around(now)
 
     def _rekey(self, neighbour: int, known: _Neighbour) -> None:
