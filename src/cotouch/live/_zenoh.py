@@ -74,6 +74,8 @@ def configuration(
         "adminspace": {"enabled": False},
         "transport": {
             "shared_memory": {"enabled": False},
+            # Closing waits for a connection that is just being opened.
+            "unicast": {"open_timeout": 3000, "accept_timeout": 3000},
             "link": {
                 "protocols": ["tls"],
                 "tls": tls,
