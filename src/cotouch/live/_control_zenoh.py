@@ -1,7 +1,6 @@
 """The control plane over Eclipse Zenoh with mutual TLS; see `ControlPlane`."""
 
 import base64
-import binascii
 import ipaddress
 import os
 import socket
@@ -420,5 +419,5 @@ def _endpoint(text: str) -> Endpoint | None:
         return None
     try:
         return checked(Endpoint.parse(base64.urlsafe_b64decode(text + "=" * (-len(text) % 4)).decode()))
-    except (SessionError, binascii.Error, UnicodeDecodeError):
+    except ValueError:  # of base64, of UTF-8, or of the endpoint
         return None

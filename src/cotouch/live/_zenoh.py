@@ -64,7 +64,7 @@ def configuration(
         "listen": {"endpoints": [_locator(endpoint) for endpoint in listen], "exit_on_failure": True},
         "connect": {
             "endpoints": [_locator(endpoint) for endpoint in connect],
-            "timeout_ms": {"client": 5000, "peer": -1, "router": -1},
+            "timeout_ms": {"client": 3000, "peer": -1, "router": -1},
             "exit_on_failure": {"client": True, "peer": False, "router": False},
             "retry": {"period_init_ms": 200, "period_max_ms": 500, "period_increase_factor": 1.5},
         },
@@ -74,6 +74,8 @@ def configuration(
         "adminspace": {"enabled": False},
         "transport": {
             "shared_memory": {"enabled": False},
+            # Closing waits for a connection that is just being opened.
+            "unicast": {"open_timeout": 3000, "accept_timeout": 3000},
             "link": {
                 "protocols": ["tls"],
                 "tls": tls,

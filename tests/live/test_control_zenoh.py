@@ -1,0 +1,242 @@
+"""What only the control plane over Zenoh has: ports, strangers, routers that end, liars among the invited."""
+
+import hashlib
+import os
+import socket
+import ssl
+import time
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from tests.live.support import entropy, identities
+
+from cotouch.errors import SessionError, TransportError
+from cotouch.live import (
+    ControlRouter,
+    Endpoint,
+    Invitation,
+    MessageWriter,
+    ZenohControl,
+    _control_zenoh,
+    free_port,
+    make_certificates,
+)
+
+WHO = identities(4)
+
+
+def invitation(*, routed: bool = False, seed: int = 1) -> Invitation:
+    at = (Endpoint("127.0.0.1", free_port()),)
+    places = {"routers": at, "endpoints": ()} if routed else {"endpoints": at}
+    return Invitation.make(session="zenoh", host=WHO[0].public, entropy=entropy(seed), **places)
+
+
+@pytest.fixture
+def stack() -> Iterator[ExitStack]:
+    with ExitStack() as stack:
+        yield stack
+
+
+def joined(stack: ExitStack, made: Invitation, count: int) -> list[ZenohControl]:
+    planes = []
+    for one in WHO[:count]:
+        planes.append(ZenohControl(made, one))
+        stack.callback(planes[-1].close)
+    until(lambda: all(len(plane.present()) == count - 1 for plane in planes))
+    return planes
+
+
+def until(done: Callable[[], object]) -> None:
+    for _ in range(3000):
+        if done():
+            return
+        time.sleep(0.005)
+    pytest.fail("it did not come")
+
+
+def test_one_connection_for_each_two(stack: ExitStack):
+    planes = joined(stack, invitation(), 4)
+    time.sleep(0.3)
+    assert [len(plane._session.info.links()) for plane in planes] == [3, 3, 3, 3]
+
+
+def test_a_taken_port_is_named(stack: ExitStack):
+    made = invitation()
+    joined(stack, made, 1)
+    with pytest.raises(TransportError, match=rf"port of 127\.0\.0\.1:{made.endpoints[0].port} is taken"):
+        ZenohControl(made, WHO[0])
+
+
+def test_another_machines_address_is_named():
+    made = invitation()
+    with pytest.raises(TransportError, match=r"192\.0\.2\.1:9 is not an address of this machine"):
+        ZenohControl(made, WHO[0], listen=Endpoint("192.0.2.1", 9))
+    with pytest.raises(TransportError, match=r"192\.0\.2\.1 is not an address of this machine"):
+        ZenohControl(made, WHO[1], listen="192.0.2.1")
+    with pytest.raises(SessionError, match="'everywhere' is not an address in numbers"):
+        ZenohControl(made, WHO[1], listen="everywhere")
+
+
+def test_no_router_is_named():
+    made = invitation(routed=True)
+    with pytest.raises(TransportError, match=rf"no router .* answers at 127\.0\.0\.1:{made.routers[0].port}"):
+        ZenohControl(made, WHO[0])
+
+
+def listening() -> set[tuple[str, int]]:
+    """Addresses and ports on which this process listens, as Linux tells."""
+    mine = set()
+    for descriptor in Path("/proc/self/fd").iterdir():
+        try:
+            mine.add(str(descriptor.readlink()))
+        except OSError:
+            continue
+    out = set()
+    for table, family in (("tcp", socket.AF_INET), ("tcp6", socket.AF_INET6)):
+        for line in Path("/proc/self/net", table).read_text().splitlines()[1:]:
+            _, local, _, state, *_, inode = line.split()[:10]
+            if state == "0A" and f"socket:[{inode}]" in mine:
+                raw, port = local.split(":")
+                words = [bytes.fromhex(raw[k : k + 8])[::-1] for k in range(0, len(raw), 8)]
+                out.add((socket.inet_ntop(family, b"".join(words)), int(port, 16)))
+    return out
+
+
+@pytest.mark.skipif(not Path("/proc/self/net/tcp").exists(), reason="only Linux tells who listens where")
+def test_nobody_listens_but_where_told(stack: ExitStack):
+    before = listening()
+    made = invitation()
+    planes = joined(stack, made, 3)
+    found = listening() - before
+    assert found == {tuple(plane.endpoint) for plane in planes}
+    assert {host for host, _ in found} == {"127.0.0.1"}
+    reachable = ZenohControl(made, WHO[3], listen="reachable")
+    stack.callback(reachable.close)
+    assert listening() - before - found == {tuple(reachable.endpoint)}
+    routed = invitation(routed=True)
+    router = ControlRouter(routed, listen=routed.routers)
+    stack.callback(router.close)
+    now = listening()
+    joined(stack, routed, 2)
+    assert listening() == now
+
+
+class TestStrangers:
+    """Plain TLS at the host's port, with whatever certificate there is."""
+
+    def answer(self, made: Invitation, certificates: tuple[bytes, bytes] | None, folder: Path) -> str:
+        context = ssl.SSLContext(ssl.PROTOCOL_TLS_CLIENT)
+        context.check_hostname, context.verify_mode = False, ssl.CERT_NONE
+        if certificates:
+            file = folder / "own.pem"
+            file.write_bytes(b"".join(certificates))
+            context.load_cert_chain(file)
+        with socket.create_connection(made.endpoints[0]) as plain:
+            plain.settimeout(1.0)
+            try:
+                with context.wrap_socket(plain) as wrapped:
+                    return "closed" if wrapped.recv(1) == b"" else "spoken to"
+            except TimeoutError:
+                return "let in"
+            except (ssl.SSLError, ConnectionError) as error:
+                return str(error)
+
+    def test_are_sent_away(self, stack: ExitStack, tmp_path: Path):
+        made, other = invitation(), invitation(seed=2)
+        joined(stack, made, 1)
+        mine, theirs = (make_certificates(one, entropy=entropy(5))[1:] for one in (made, other))
+        assert self.answer(made, mine, tmp_path) == "let in"
+        assert "certificate" in self.answer(made, None, tmp_path).lower()
+        assert "alert" in self.answer(made, theirs, tmp_path).lower()
+
+    def test_learn_nothing_from_the_certificate(self, stack: ExitStack, tmp_path: Path):
+        made = invitation()
+        (host,) = joined(stack, made, 1)
+        seen = ssl.PEM_cert_to_DER_cert(ssl.get_server_certificate(made.endpoints[0]))
+        for secret in (made.secret, made.session.encode(), made.host, made.id, host.identity.public.hex().encode()):
+            assert secret not in seen
+
+
+def test_members_meet_again_when_their_router_comes_back(stack: ExitStack):
+    made = invitation(routed=True)
+    router = ControlRouter(made, listen=made.routers)
+    one, two = joined(stack, made, 2)
+    router.close()
+    until(lambda: not one.present() | two.present())
+    router = ControlRouter(made, listen=made.routers)
+    stack.callback(router.close)
+    until(lambda: one.present() and two.present())
+    one.send("again", b"")
+    until(lambda: [message.topic for message in two.poll()] == ["again"])
+
+
+def test_a_liar_serves_a_file(stack: ExitStack):
+    """What it sends has another hash: not taken, counted, and the true one is found."""
+    planes = joined(stack, invitation(), 3)
+    content = os.urandom(1000)
+    digest = hashlib.sha256(content).digest()
+    planes[1]._files._have[digest] = b"lies"
+    assert planes[2].fetch(digest) is None
+    until(lambda: planes[2]._files.corrupt[planes[1].identity.public.hex()] == 1)
+    assert planes[2].fetch(digest) is None
+    planes[0].offer(content)
+    until(lambda: planes[2].fetch(digest) is not None)
+    assert planes[2].fetch(digest) == content
+
+
+def test_what_nobody_polls_is_bounded(stack: ExitStack, monkeypatch: pytest.MonkeyPatch):
+    one, two = joined(stack, invitation(), 2)
+    monkeypatch.setattr(_control_zenoh, "_MOST_HELD", 5000)
+    for _ in range(10):
+        one.send("long", bytes(1000))
+        time.sleep(0.01)
+    until(lambda: two.dropped["not polled"] == 4)
+    assert len(two.poll()) == 6
+    one.send("long", bytes(1000))
+    until(two.poll)
+
+
+def test_what_cannot_be_sent_yet_is_bounded(stack: ExitStack, monkeypatch: pytest.MonkeyPatch):
+    one, two = joined(stack, invitation(), 2)
+    monkeypatch.setattr(_control_zenoh, "_BURST", 1.0)
+    monkeypatch.setattr(_control_zenoh, "_MOST_MESSAGES", 50)
+    for _ in range(2000):
+        one.send("much", b"")
+    assert one.dropped["not sent yet"] > 1000
+    until(two.poll)
+
+
+def test_relays_are_counted_against_their_sender(stack: ExitStack):
+    import zenoh
+
+    one, two = joined(stack, invitation(), 2)
+    key, waiting = f"{one._prefix}/relay/{one._me}/{two._me}", zenoh.CongestionControl.BLOCK
+    for _ in range(3000):
+        one._session.put(key, b"flood", congestion_control=waiting)
+    until(lambda: two.dropped["relayed"] > 0)
+    assert 0 < len(two.relayed()) < 2900
+
+
+def test_a_flood_of_messages_is_not_read(stack: ExitStack):
+    import zenoh
+
+    one, two = joined(stack, invitation(), 2)
+    writer = MessageWriter(WHO[0], b"of another session".ljust(32), started=1)
+    noise = writer.write("noise", b"")
+    for _ in range(3000):
+        one._session.put(f"{one._prefix}/said/{one._me}/all", noise, congestion_control=zenoh.CongestionControl.BLOCK)
+    until(lambda: sum(two.refused.values()) >= 3000)
+    counts = {reason.name: count for reason, count in two.refused.items()}
+    assert counts["RATE"] > 2500
+
+
+@given(st.text(max_size=500) | st.binary(max_size=300).map(bytes.hex))
+def test_what_stands_in_a_key_may_be_anything(text: str):
+    assert _control_zenoh._endpoint(text) is None or isinstance(_control_zenoh._endpoint(text), Endpoint)
+    member = _control_zenoh._member([text])
+    assert member is None or len(member) == 32
+    assert _control_zenoh._member([]) is None
