@@ -1,25 +1,34 @@
-"""One real peer: its samples and its control plane over real networks. Sessions and pacing are not here yet."""
-"""One real peer: its samples over real networks. Sessions and control are not here yet."""
+"""One real peer: its samples, its control plane and its pace over real networks."""
 
 from cotouch.live._address import Address
 from cotouch.live._ages import LinkAges, Window
 from cotouch.live._agreement import Agreement, Progress
 from cotouch.live._assembly import Assembly
-from cotouch.live._candidates import Candidate, MOST_CANDIDATES, Offer, Origin, local_candidates, read_offer, write_offer
+from cotouch.live._budget import BudgetAgreement
+from cotouch.live._candidates import (
+    MOST_CANDIDATES,
+    Candidate,
+    Offer,
+    Origin,
+    local_candidates,
+    read_offer,
+    write_offer,
+)
 from cotouch.live._certificates import Certificates, make_certificates
-from cotouch.live._codec import AGED, Chunk, Codec, ECHO, Heading, RENEW, Written
+from cotouch.live._codec import AGED, ECHO, RENEW, Chunk, Codec, Heading, Written
 from cotouch.live._control import ControlPlane, Message, Relayed
 from cotouch.live._control_memory import MemoryControl, MemoryControlNetwork
 from cotouch.live._control_zenoh import ControlRouter, ZenohControl, free_port
 from cotouch.live._files import MOST_FILE
 from cotouch.live._impaired import ImpairedTransport
+from cotouch.live._indexed import IndexedAssembly
 from cotouch.live._interfaces import interface_hosts
 from cotouch.live._invitation import Endpoint, Invitation
 from cotouch.live._keys import DirectionKeys, Entropy, Identity, LinkKeys
-from cotouch.live._layout import Coding, HEAD_BYTES, Layout
+from cotouch.live._layout import HEAD_BYTES, Coding, Layout
 from cotouch.live._limit import Bucket, SourceLimit
 from cotouch.live._memory import MemoryNetwork, MemoryTransport
-from cotouch.live._pacing import PaceStatistics, Pacer, Turn
+from cotouch.live._pacing import Pacer, PaceStatistics, Turn
 from cotouch.live._path import Path, PathLaw
 from cotouch.live._plane import SampleLink, SamplePlane
 from cotouch.live._probe import PROBE, PairKeys, member_key, pair_keys
@@ -30,18 +39,31 @@ from cotouch.live._reflexive import Lookup, Mirror
 from cotouch.live._refusal import Refusal
 from cotouch.live._replay import ReplayWindow
 from cotouch.live._routed import ByRelay, RoutedTransport, WayChanged
-from cotouch.live._seal import MOST_SEALED, OVERHEAD, Opened, RENEW_AFTER, SealedLink, connection_of
+from cotouch.live._seal import MOST_SEALED, OVERHEAD, RENEW_AFTER, Opened, SealedLink, connection_of
 from cotouch.live._sign import MOST_BODY, MOST_MESSAGE, MessageReader, MessageRefusal, MessageWriter
-from cotouch.live._transport import Arrival, Ground, MOST_BYTES, Traffic, Transport
+from cotouch.live._transport import MOST_BYTES, Arrival, Ground, Traffic, Transport
 from cotouch.live._udp import UdpTransport
 
 __all__ = [
     "AGED",
+    "ECHO",
+    "HEAD_BYTES",
+    "MOST_BODY",
+    "MOST_BYTES",
+    "MOST_CANDIDATES",
+    "MOST_FILE",
+    "MOST_MESSAGE",
+    "MOST_SEALED",
+    "OVERHEAD",
+    "PROBE",
+    "RENEW",
+    "RENEW_AFTER",
     "Address",
     "Agreement",
     "Arrival",
     "Assembly",
     "Bucket",
+    "BudgetAgreement",
     "ByRelay",
     "Candidate",
     "Certificates",
@@ -51,25 +73,18 @@ __all__ = [
     "ControlPlane",
     "ControlRouter",
     "DirectionKeys",
-    "ECHO",
     "Endpoint",
     "Entropy",
     "Ground",
-    "HEAD_BYTES",
     "Heading",
     "Identity",
     "ImpairedTransport",
+    "IndexedAssembly",
     "Invitation",
     "Layout",
     "LinkAges",
     "LinkKeys",
     "Lookup",
-    "MOST_BODY",
-    "MOST_BYTES",
-    "MOST_CANDIDATES",
-    "MOST_FILE",
-    "MOST_MESSAGE",
-    "MOST_SEALED",
     "MemoryControl",
     "MemoryControlNetwork",
     "MemoryNetwork",
@@ -79,11 +94,9 @@ __all__ = [
     "MessageRefusal",
     "MessageWriter",
     "Mirror",
-    "OVERHEAD",
     "Offer",
     "Opened",
     "Origin",
-    "PROBE",
     "PaceStatistics",
     "Pacer",
     "PairKeys",
@@ -93,8 +106,6 @@ __all__ = [
     "ProcessState",
     "Progress",
     "Puncher",
-    "RENEW",
-    "RENEW_AFTER",
     "Refusal",
     "Relayed",
     "ReplayWindow",

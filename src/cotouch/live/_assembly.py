@@ -72,8 +72,8 @@ class Assembly:
             return first
         newest = self.words[self.indices.index(max(self.indices))]
         if any(word.epoch != newest.epoch for word in self.words):
-            return Word(GUARDED, newest.epoch, newest.heard)
-        return Word(min(word.state for word in self.words), newest.epoch, newest.heard)
+            return newest._replace(state=GUARDED)
+        return newest._replace(state=min(word.state for word in self.words))
 
     def take(self, chunk: Chunk) -> Refusal | None:
         """Takes a chunk that was read; says why, if it is of no use."""

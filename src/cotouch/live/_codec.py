@@ -1,11 +1,11 @@
-"""A sample on the wire: a head of 84 bytes and the numbers of one chunk, little-endian.
+"""A sample on the wire: a head of 92 bytes and the numbers of one chunk, little-endian.
 
 ::
 
     version u8 | coding u8 | flags u16 | epoch u32 | sender u16 | rows u16 | first row u32 |
     heard: greatest sequence u32 | heard: count u32 | index u64 |
     stamp | T | echo | held | age | worst, float64 each |
-    guard: state u8 | guard: epoch u8 | guard: heard u8 | 0 u8 | rows × axes numbers
+    guard: given float64 | guard: state u8 | guard: epoch u8 | guard: heard u8 | 0 u8 | rows × axes numbers
 
 Nothing in it raises: what cannot be right is refused with a reason.
 """
@@ -26,12 +26,13 @@ ECHO = 1  # echo and held mean something
 AGED = 2  # age and worst mean something
 RENEW = 4  # the sender would like new keys
 _FLAGS = ECHO | AGED | RENEW
-_HEAD = struct.Struct("<BBHIHHIIIQddddddBBBB")
+_HEAD = struct.Struct("<BBHIHHIIIQdddddddBBBB")
 assert _HEAD.size == HEAD_BYTES
 # 2^53 steps are 285,000 years at 1 kHz; a clock beyond 1e10 s is not one; no step takes longer than 10 s.
 _LAST_INDEX = 1 << 53
 _LAST_TIME = 1e10
 _LONGEST_STEP = 10.0
+_MOST_GIVEN = 1e12  # [J]
 
 
 _PLAIN = Word()
@@ -161,7 +162,8 @@ class Codec:
             h.held,
             h.age,
             h.worst,
-            *h.word,
+            h.word.given,
+            *h.word[:3],
             0,
         )
         return head + body
@@ -179,7 +181,7 @@ class Codec:
         version, coding, flags, said, user, count, first, newest, heard, index, *rest_of_head = _HEAD.unpack_from(
             payload
         )
-        stamp, T, echo, held, age, worst, state, guard, known, nothing = rest_of_head
+        stamp, T, echo, held, age, worst, given, state, guard, known, nothing = rest_of_head
         if version != VERSION:
             return Refusal.VERSION
         if coding != self._coding:
@@ -202,12 +204,12 @@ class Codec:
         times = times and abs(echo) <= _LAST_TIME and 0.0 <= held <= _LAST_TIME
         if not (times and -2.0 * _LAST_TIME <= age <= worst <= 2.0 * _LAST_TIME):
             return Refusal.TIME
-        if state > COUPLED or nothing:
+        if state > COUPLED or nothing or not 0.0 <= given <= _MOST_GIVEN:
             return Refusal.GUARD
         values = np.frombuffer(payload, self._wire, -1, HEAD_BYTES)
         if not self._within(values):
             return Refusal.STATE
-        word = Word(state, guard, known)
+        word = Word(state, guard, known, given)
         heading = Heading(said, user, index, stamp, T, flags, newest, heard, echo, held, age, worst, word)
         return Chunk(heading, chunk, values.reshape(count, self._axes))
 

@@ -159,12 +159,22 @@ class Invitation:
             size: how many, at most 8160.
         """
         about = hashlib.sha256(self.session.encode()).digest()
-        return HKDF(SHA256(), size, salt=self.host + self.digest + about, info=b"cotouch invitation 1 " + purpose).derive(self.secret)
+        return HKDF(
+            SHA256(), size, salt=self.host + self.digest + about, info=b"cotouch invitation 1 " + purpose
+        ).derive(self.secret)
 
     def encode(self) -> str:
         """One line to be pasted."""
         name = self.session.encode()
-        body = self.secret + self.host + self.digest + bytes([len(name)]) + name + _packed(self.endpoints) + _packed(self.routers)
+        body = (
+            self.secret
+            + self.host
+            + self.digest
+            + bytes([len(name)])
+            + name
+            + _packed(self.endpoints)
+            + _packed(self.routers)
+        )
         body = _HEAD.pack(_VERSION, _HEAD.size + len(body) + _CHECK_BYTES) + body
         return _SCHEME + base64.urlsafe_b64encode(body + _check(body)).decode().rstrip("=")
 

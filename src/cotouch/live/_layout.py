@@ -13,7 +13,7 @@ from cotouch.live._transport import MOST_BYTES
 Float = npt.NDArray[np.float64]
 Coding = Literal["float64", "float32", "float16"]
 CODINGS: tuple[Coding, ...] = ("float64", "float32", "float16")
-HEAD_BYTES = 84
+HEAD_BYTES = 92
 _ROOM = MOST_BYTES - OVERHEAD - HEAD_BYTES
 # Largest relative error of rounding to nearest, and half the smallest number there is.
 _ROUNDING = {"float64": (0.0, 0.0), "float32": (2.0**-24, 2.0**-150), "float16": (2.0**-11, 2.0**-25)}

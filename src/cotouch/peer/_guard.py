@@ -32,6 +32,12 @@ that has caught up does not put into its tank. It needs the time of both budgets
 it is READY; its forces are those of a coupled end already. Which instant of that time the other end will take is
 unknown, so the tank that stays is the least of that time.
 
+**Who has what the other lacks.** Copies that were apart for long meet again only if both ends can pay. An end that has
+caught up gives what its tank holds to a guarded other end: what was given in all goes with every sample, so that losses
+and repetitions do not matter. It gives no more than the least of the time since it caught up, see above. Energy on its
+way belongs to nobody and is lost with the link. A copy's links help each other, too (`Peer`): what coupled ones do not
+need goes to those that lack it, with what the body's own damping and B_e took.
+
 **Rounding.** A sample on the wire may be off by ε (in W's norm). A coupled end pays `K ε‖v̂‖_W T` a step from its tank;
 what one step takes beyond it is a debt, and guards the link. A guarded end needs no more than its account. At coupling,
 the product above grows by K(‖e‖ + ‖p‖)ε + Kε², of which ends that leave another 1/16 of both budgets out of their tanks
@@ -69,8 +75,8 @@ class GuardEvent(NamedTuple):
 class GuardBooks(NamedTuple):
     """Where the energy of one end is and went, all since the beginning [J].
 
-    `tank = seed + credited - paid - lost`, and the work that the link did on the copy is `injected` less what the
-    spring holds after the step.
+    `tank = seed + credited + taken - given - paid - lost`, and the work that the link did on the copy is `injected` less
+    what the spring holds after the step.
 
     Attributes:
         state: in the last step.
@@ -78,6 +84,8 @@ class GuardBooks(NamedTuple):
         potential: U, what the spring held as the last step began, with the set position of that step.
         tank: E; negative: a debt.
         credited: damping that went to the tank.
+        taken: what the other end and the copy's other links gave.
+        given: to them.
         paid: what the tank paid for moving the set position, for going guarded and for rounding.
         lost: what the tank could not hold, or might have belonged to the coupled link.
         injected: what moving the set position, by the tank or by the coupled neighbour, put into the spring.
@@ -88,6 +96,8 @@ class GuardBooks(NamedTuple):
     potential: float
     tank: float
     credited: float
+    taken: float
+    given: float
     paid: float
     lost: float
     injected: float
@@ -167,6 +177,7 @@ class LinkGuard:
         self.epoch = epoch
         self.tank = seed
         self.events = deque[GuardEvent](maxlen=_MOST_EVENTS)
+        self._keep_back = seed
         self._balance, self._cap, self._rounding = balance, cap, rounding
         self._force, self._power, self._burst = force, power, _BURST * power if burst is None else burst
         self._bucket = self._burst
@@ -178,8 +189,11 @@ class LinkGuard:
         self._potential = 0.0
         self._caught = 0.0  # for how long ȳ = y with an age within the budget
         self._catching = False  # in this step
-        self._least = inf  # tank since then
+        self._recent = self._older = inf  # least tank, of two stretches of time since then
+        self._stretch = 0.0  # how long the recent one is
         self._surplus = 0.0  # of the budget, in this step
+        self._known: float | None = None  # what the other gave in all, as heard
+        self._given = self._shared = self._taken = 0.0
         self._credited = self._paid = self._lost = self._injected = 0.0
 
     def attach(self, strength: float) -> None:
@@ -191,7 +205,7 @@ class LinkGuard:
     @property
     def word(self) -> Word:
         """What the other end must be told with the sample of the step that was just taken."""
-        return Word(self.state, self.epoch, self._heard)
+        return Word(self.state, self.epoch, self._heard, self._given)
 
     @property
     def books(self) -> GuardBooks:
@@ -202,6 +216,8 @@ class LinkGuard:
             self._potential,
             self.tank,
             self._credited,
+            self._taken,
+            self._given + self._shared,
             self._paid,
             self._lost,
             self._injected,
@@ -246,6 +262,7 @@ class LinkGuard:
         self._surplus = max(0.0, left - 0.5 * T) if fresh else 0.0
         if sample.index >= 0:
             self._heard = word.epoch
+            self._receive(word.given)
         if self.state == COUPLED:
             reason = self._why_guard(word, fresh, goal - held)
             if not reason:
@@ -262,14 +279,16 @@ class LinkGuard:
             available = self.tank
             potential = self._affordable(goal, held, available)
         if not caught:
-            self._caught, self._least = 0.0, inf
+            self._forget()
         self._paid += self.tank - (available - potential)
         self.tank = available - potential
         self._move(potential, held)
         self._catching = caught
         if caught:
-            self._least = min(self._least, self.tank)
+            self._remember(word, T)
             self._rise(word, now)
+            if word.state == GUARDED and word.epoch and self.state != COUPLED:
+                self._give()
             self._caught += T
             return 1.0
         return sqrt(potential / wish) if potential > 0.0 else 0.0
@@ -290,6 +309,66 @@ class LinkGuard:
             self._paid += price
             gain -= price
         self._keep(self.tank + gain)
+
+    @property
+    def wanting(self) -> bool:
+        """Whether this end cannot follow its neighbour for want of energy, as of the last step."""
+        return self.state == GUARDED and not self._catching
+
+    def donate(self) -> float:
+        """Takes out of the tank of a coupled end what it can do without, for the copy's other links [J]."""
+        if self.state != COUPLED or self.tank <= self._keep_back:
+            return 0.0
+        spare = self.tank - self._keep_back
+        self.tank = self._keep_back
+        self._shared += spare
+        return spare
+
+    def help(self, energy: float) -> None:
+        """Gets energy of the copy's other links, or of its own damping.
+
+        Args:
+            energy: >= 0 [J].
+        """
+        self._taken += energy
+        self._keep(self.tank + energy)
+
+    def _receive(self, given: float) -> None:
+        """Takes what the other end gave since it was heard last; what it gave before that is nobody's."""
+        if self._known is None:
+            self._known = given
+        elif given > self._known:
+            self.help(given - self._known)
+            self._known = given
+
+    @property
+    def _least(self) -> float:
+        """Of the tank, over the time in which the other end may have coupled."""
+        return min(self._recent, self._older)
+
+    def _remember(self, word: Word, T: float) -> None:
+        """Notes the tank of an end that has caught up.
+
+        Until the sample that says GUARDED was sent, the other end had not coupled; so long ago as both budgets it was.
+        """
+        if word.state == GUARDED and self._stretch >= self.total:
+            self._older, self._recent, self._stretch = self._recent, inf, 0.0
+        self._stretch += T
+        self._recent = min(self._recent, self.tank)
+
+    def _forget(self) -> None:
+        """Begins anew to catch up."""
+        self._caught = self._stretch = 0.0
+        self._recent = self._older = inf
+
+    def _give(self) -> None:
+        """Gives the other end, which lacks it, what this one has for certain."""
+        spare = min(self.tank, self._least) - self._charge
+        if spare > 0.0:
+            self.tank -= spare
+            self._recent -= spare
+            self._older -= spare
+            self._given += spare
 
     def _why_guard(self, word: Word, fresh: bool, rise: float) -> str:
         """Why a coupled end cannot stay so; empty if it can."""
@@ -325,7 +404,7 @@ class LinkGuard:
         self.tank = tank
         self.state = GUARDED
         self.epoch = self.epoch % _LAST_EPOCH + 1
-        self._caught, self._least = 0.0, inf
+        self._forget()
         self.events.append(GuardEvent(now, GUARDED, reason))
 
     def _rise(self, word: Word, now: float) -> None:

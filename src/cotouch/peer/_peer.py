@@ -295,6 +295,8 @@ class Peer:
                 guard.settle(float(self._work.quadratic[links.weight[at]]), T)
         if self._scale.rising:
             self._scale.tank += float(books[BODY_LOSS] + books[EXTRA_LOSS])
+        else:
+            self._share(float(books[BODY_LOSS] + books[EXTRA_LOSS]))
         energy = float(books[KINETIC] + books[ELASTIC] + touched[PROXY] + touched[TOUCH_STORED])
         lost = float(books[BODY_LOSS] + books[LOCAL_LOSS] + books[EXTRA_LOSS] + touched[TOUCH_LOSS])
         supplied = float(books[SUPPLIED] + touched[DRIVE])
@@ -336,6 +338,14 @@ class Peer:
         else:
             wish, held = stretches(operator.weight[w], x, sample.position, place, lanes)
         return guard.decide(sample, wish, held, now, T)
+
+    def _share(self, spare: float) -> None:
+        """Lets links that cannot follow have what other links, and the copy's own damping, can spare [J]."""
+        wanting = [guard for guard in self._guards if guard is not None and guard.wanting]
+        if wanting:
+            spare += sum(guard.donate() for guard in self._guards if guard is not None)
+            for guard in wanting:
+                guard.help(spare / len(wanting))
 
     def _changed(self, energy: float) -> None:
         """Books what the copy's energy changed by between steps."""

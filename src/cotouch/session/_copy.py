@@ -13,6 +13,7 @@ from cotouch.live import (
     ControlPlane,
     Entropy,
     IndexedAssembly,
+    LinkAges,
     SampleLink,
     SamplePlane,
     SendRate,
@@ -33,6 +34,8 @@ Float = npt.NDArray[np.float64]
 BUDGET = "link.budget"
 # Where nobody is heard for so long after coming, nobody moves yet, and the copy starts at rest [s].
 _QUIET = 1.5
+# Steps that may come late by so many periods without a budget being raised for it.
+_SLACK = 2.0
 _STATES = {COUPLED: "coupled", READY: "ready"}
 
 
@@ -166,7 +169,7 @@ class Copy:
             self._drop(seat)
         for seat, entry in wanted.items():
             if seat not in self.neighbours:
-                self._add(seat, entry)
+                self._add(seat, entry, now)
         if self.peer is not None:
             self.peer.rescale(self.copies)
         self._changed(now)
@@ -192,7 +195,7 @@ class Copy:
         if topic == _keys.TOPIC:
             neighbour.keys.hear(body)
         elif topic == BUDGET:
-            neighbour.budget.receive(body, now)
+            neighbour.budget.receive(now, body)
 
     def tend(self, now: float) -> None:
         """Says again what was not answered, and keeps budgets and damping at what is agreed.
@@ -200,11 +203,14 @@ class Copy:
         Args:
             now: [s].
         """
-        for seat, neighbour in self.neighbours.items():
+        for neighbour in self.neighbours.values():
             key = bytes.fromhex(neighbour.entry.key)
             neighbour.keys.tend(now, asked=neighbour.link.asked)
             if neighbour.connected:
-                for body in self._agree(seat, neighbour, now):
+                neighbour.budget.propose(now, neighbour.link.ages)
+                neighbour.budget.advance(now)
+                body = neighbour.budget.message(now)
+                if body is not None:
                     self._control.send(BUDGET, body, to=key)
         self._damp(now)
 
@@ -278,12 +284,13 @@ class Copy:
         self._changed(now)
         return True
 
-    def _add(self, seat: int, entry: Entry) -> None:
+    def _add(self, seat: int, entry: Entry, now: float) -> None:
         """Prepares a link; its spring comes when the neighbour is heard."""
         network, options, layout = self._replica.scenario.network, self._options, self._replica.layout
         assembly = Assembly(layout, sender=seat, initial=np.zeros((layout.rows, layout.width)))
         highest = options.send_rate or 1.0 / self._session.period(self.seat)
-        link = SampleLink(assembly, rate=SendRate(highest=highest))
+        ages = LinkAges(window=options.window)
+        link = SampleLink(assembly, rate=SendRate(highest=highest), ages=ages)
         number = int.from_bytes(self._entropy(4), "big")
         while number in self._numbers:
             number = (number + 1) % (1 << 32)
@@ -314,7 +321,12 @@ class Copy:
             keys=keys,
             link=link,
             guard=guard,
-            budget=BudgetAgreement(),
+            budget=BudgetAgreement(
+                life=max(1, int(1e9 * now)),
+                quantile=options.quantile,
+                margin=options.margin,
+                slack=_SLACK * self._session.period(self.seat),
+            ),
         )
         self._seeds += options.seed
         self._plane.connect(seat, link)

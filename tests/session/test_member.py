@@ -1,0 +1,194 @@
+import numpy as np
+import pytest
+
+from cotouch.errors import SessionError
+from cotouch.live import PathLaw
+from tests.session.world import World
+
+THREE = """
+[session]
+users = 3
+spring = 60.0
+seed = 1e-3
+[body]
+mass = 0.5
+damping = 0.2
+[steps]
+rate = 250
+[[hands]]
+user = 1
+path = [[0, 0], [1, 0.05]]
+stiffness = 40.0
+damping = 1.0
+"""
+
+
+def three(**options) -> World:
+    world = World(THREE, **options)
+    for name in ("Ann", "Ben", "Cleo"):
+        world.join(name, moves=name == "Ann")
+    world.until(world.all_coupled, 12.0)
+    return world
+
+
+def test_three_meet_couple_and_follow_one_hand() -> None:
+    world = three()
+    world.run(6.0)
+    assert world.apart() < 1e-3
+    assert abs(world.people[2].position[0, 0] - 0.05) < 5e-3
+    world.check()
+
+
+def test_one_joins_while_the_others_hold_the_object_without_a_jerk() -> None:
+    world = World(THREE)
+    ann, ben = world.join("Ann"), world.join("Ben", moves=False)
+    world.until(world.all_coupled, 12.0)
+    world.run(4.0)
+    before = ben.position.copy()
+    cleo = world.join("Cleo", moves=False)
+    fastest = 0.0
+    for _ in range(60):
+        world.run(0.05)
+        for person in (ann, ben):
+            fastest = max(fastest, float(np.abs(person.copy.peer.state.velocity).max()))
+    world.until(world.all_coupled, 12.0)
+    assert fastest < 0.02
+    assert np.abs(cleo.position - before).max() < 5e-3
+    assert ann.copy.peer.model is not None
+    assert {p.copy.copies for p in world.people} == {3}
+    world.check()
+
+
+@pytest.mark.parametrize("how", ["leave", "kill"])
+def test_one_goes_and_the_others_go_on(how: str) -> None:
+    world = three()
+    world.run(2.0)
+    ben = world.people[1]
+    getattr(world, how)(ben)
+    world.run(10.0)
+    assert [p.name for p in world.people] == ["Ann", "Cleo"]
+    assert {p.copy.copies for p in world.people} == {2}
+    assert world.all_coupled()
+    assert world.apart() < 1e-3
+    world.check()
+
+
+def test_who_crashed_comes_back_under_its_name() -> None:
+    world = three()
+    cleo = world.people[2]
+    seat = cleo.member.seat
+    world.kill(cleo)
+    world.run(1.0)
+    again = world.join("Cleo", moves=False)
+    world.until(lambda: again.member.seat is not None and world.all_coupled(), 20.0)
+    assert again.member.seat == seat
+    world.run(3.0)
+    assert world.apart() < 1e-3
+    world.check()
+
+
+def test_the_host_dies_and_people_still_come_and_go() -> None:
+    world = three()
+    world.kill_host()
+    world.run(3.0)
+    assert world.all_coupled()
+    world.leave(world.people[1])
+    world.run(3.0)
+    dan = world.join("Dan", moves=False)
+    world.until(lambda: dan.member.seat is not None and world.all_coupled(), 15.0)
+    assert {p.copy.copies for p in world.people} == {3}
+    world.check()
+
+
+def test_the_first_takes_over_when_the_host_and_the_lowest_seat_die_at_once() -> None:
+    world = three()
+    world.kill_host()
+    world.kill(world.people[0])
+    world.run(12.0)
+    assert {p.copy.copies for p in world.people} == {2}
+    assert world.all_coupled()
+    world.check()
+
+
+def test_an_outage_guards_the_link_and_it_couples_again() -> None:
+    world = three()
+    ann, ben, cleo = world.people
+    world.run(1.0)
+    for other in (ben, cleo):
+        world.paths(ann, other, PathLaw(delay=0.005, down=True))
+    world.run(4.0)
+    assert "coupled" not in ann.states().values()
+    for other in (ben, cleo):
+        world.paths(ann, other, PathLaw(delay=0.005))
+    world.until(world.all_coupled, 20.0)
+    world.run(6.0)
+    assert world.apart() < 2e-3
+    world.check()
+
+
+def test_one_way_is_enough_to_guard_both_ends() -> None:
+    world = three()
+    ann, ben, _ = world.people
+    world.paths(ann, ben, PathLaw(delay=0.005, down=True), both=False)
+    world.run(2.0)
+    assert ann.states()[1] != "coupled"
+    assert ben.states()[0] != "coupled"
+    world.check()
+
+
+def test_a_bad_network() -> None:
+    law = PathLaw(delay=0.03, jitter=0.05, loss=0.3, duplication=0.1, reordering=0.3, hold=0.03)
+    world = World(THREE, law=law, seed=3)
+    for name in ("Ann", "Ben", "Cleo"):
+        world.join(name, moves=name == "Ann")
+    world.until(world.all_coupled, 25.0)
+    world.run(8.0)
+    assert world.apart() < 5e-3
+    world.check()
+
+
+def test_a_peer_that_stalls_is_waited_for_by_nobody() -> None:
+    world = three()
+    ben = world.people[1]
+    ben.stalled_until = world.now + 3.0
+    world.run(3.0)
+    assert world.people[0].states()[1] != "coupled"
+    world.until(world.all_coupled, 20.0)
+    world.check()
+
+
+def test_a_name_that_stays_taken_is_an_error() -> None:
+    world = three()
+    other = world.join("Ben", moves=False)
+    with pytest.raises(SessionError, match='"Ben" is taken'):
+        world.run(20.0)
+    assert other.member.seat is None
+
+
+def test_what_is_said_of_itself_adds_up() -> None:
+    world = three()
+    world.run(3.0)
+    for person in world.people:
+        status = person.copy.status(world.now)
+        assert status.steps > 0
+        assert status.certificate is not None
+        assert status.certificate >= -1e-12
+        balance = status.initial + status.supplied + status.linked - status.lost - status.energy
+        assert abs(balance) < 1e-9
+        assert {link.way for link in status.links} == {"direct"}
+    host = world.host
+    assert host is not None
+    assert {seen.entry.name for seen in host.watch.members.values()} == {"Ann", "Ben", "Cleo"}
+    assert all(seen.status is not None for seen in host.watch.members.values())
+
+
+def test_others_cannot_decide() -> None:
+    world = three()
+    mallory = world.people[1]
+    before = world.people[2].member.roster
+    forged = before.model_copy(update={"epoch": before.epoch + 100, "links": []})
+    mallory.control.send("roster", forged.model_dump_json().encode())
+    mallory.control.send("end", b"")
+    world.run(2.0)
+    assert world.people[2].member.roster.epoch == before.epoch
+    assert not world.people[2].member.ended

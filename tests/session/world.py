@@ -1,0 +1,192 @@
+"""A session without processes, sockets or clocks: members on one virtual clock, over networks in memory."""
+
+import numpy as np
+
+from cotouch.live import (
+    Identity,
+    ImpairedTransport,
+    MemoryControl,
+    MemoryControlNetwork,
+    MemoryNetwork,
+    MemoryTransport,
+    PathLaw,
+    Transport,
+)
+from cotouch.mechanics import Model
+from cotouch.session import Copy, Hand, Host, Member, MemoryWays, NoHand, Replica, ScriptedHand, SessionFile
+from cotouch.session._emulate import path_laws
+
+_SERVICE = 0.02
+
+
+def entropy(seed: int):
+    rng = np.random.default_rng(seed)
+    return lambda size: rng.bytes(size)
+
+
+class Person:
+    """A member, and what of it the world moves."""
+
+    def __init__(self, world: "World", name: str, *, moves: bool, offset: float) -> None:
+        self.name = name
+        self.world = world
+        world.count += 1
+        made = entropy(1000 * world.seed + world.count)
+        self.identity = Identity.make(made)
+        self.control: MemoryControl = world.controls.join(self.identity)
+        address = f"{name} {world.count}"
+        world.directory[self.identity.public] = address
+        self.samples: MemoryTransport = world.samples.join(address)
+        self.offset = offset
+        carrier: Transport = self.samples
+        self.impaired = None
+        if world.session.options.emulate:
+            carrier = self.impaired = ImpairedTransport(self.samples, {}, clock=lambda: world.now, seed=world.count)
+        self.member = Member(
+            session=world.session,
+            replica=world.replica,
+            control=self.control,
+            ways=MemoryWays(carrier, world.directory),
+            host=world.host_identity.public,
+            name=name,
+            version="test",
+            hand=self._hand if moves else lambda seat, model: NoHand(model),
+            entropy=made,
+            secret=b"secret",
+        )
+        self.alive = True
+        self.next = world.now
+        self.last = world.now
+        self.service = world.now
+        self.stalled_until = 0.0
+
+    def _hand(self, seat: int, model: Model) -> Hand:
+        session, replica = self.world.session, self.world.replica
+        if self.impaired is not None:
+            for other, law in path_laws(session.scenario, seat).items():
+                self.impaired.set(other, law)
+        return ScriptedHand(
+            replica.scenario,
+            replica.body,
+            model,
+            seat=seat,
+            period=session.period(seat),
+            longest=session.options.longest_step,
+        )
+
+    @property
+    def copy(self) -> Copy:
+        assert self.member.copy is not None
+        return self.member.copy
+
+    @property
+    def position(self) -> np.ndarray:
+        peer = self.copy.peer
+        assert peer is not None
+        return peer.model.to_nodes(peer.state.position)
+
+    def states(self) -> dict[int, str]:
+        return {link.seat: link.state for link in self.copy.status(self.world.now).links}
+
+    def turn(self, now: float) -> None:
+        if now < self.next or now < self.stalled_until:
+            return
+        seat = self.member.seat
+        period = self.world.session.period(seat or 0)
+        T = min(now - self.last, self.world.session.options.longest_step)
+        self.last = now
+        self.next = now + period * self.world.rng.uniform(0.9, 1.1)
+        if T > 0.0:
+            self.member.step(now, T)
+        if now >= self.service:
+            self.service = now + _SERVICE
+            self.member.service(now)
+
+
+class World:
+    """Host, members and both networks."""
+
+    def __init__(self, text: str, *, seed: int = 0, law: PathLaw | None = None, tick: float = 5e-4) -> None:
+        self.session = SessionFile.from_toml(text)
+        self.replica = Replica.build(self.session)
+        self.seed = seed
+        self.rng = np.random.default_rng(seed)
+        self.tick = tick
+        self.now = 0.0
+        self.count = 0
+        self.samples = MemoryNetwork(law=law or PathLaw(delay=0.005), seed=seed)
+        self.controls = MemoryControlNetwork(delay=0.01, seed=seed)
+        self.directory: dict[bytes, str] = {}
+        self.host_identity = Identity.make(entropy(seed + 7))
+        self.host_control = self.controls.join(self.host_identity)
+        self.host: Host | None = Host(self.session, self.host_control)
+        self.people: list[Person] = []
+        self.gone: list[Person] = []
+
+    def join(self, name: str, *, moves: bool = True) -> Person:
+        person = Person(self, name, moves=moves, offset=float(self.rng.uniform(-1e3, 1e3)))
+        self.people.append(person)
+        return person
+
+    def kill(self, person: Person) -> None:
+        self.controls.kill(person.identity.public)
+        self._out(person)
+
+    def leave(self, person: Person) -> None:
+        person.member.leave()
+        person.control.close()
+        self._out(person)
+
+    def kill_host(self) -> None:
+        self.controls.kill(self.host_identity.public)
+        self.host = None
+
+    def _out(self, person: Person) -> None:
+        person.samples.close()
+        person.alive = False
+        self.people.remove(person)
+        self.gone.append(person)
+
+    def paths(self, one: Person, other: Person, law: PathLaw, *, both: bool = True) -> None:
+        """Another law between two."""
+        self.samples.set(one.samples.address, other.samples.address, law)
+        if both:
+            self.samples.set(other.samples.address, one.samples.address, law)
+
+    def run(self, seconds: float) -> None:
+        for _ in range(round(seconds / self.tick)):
+            self.now += self.tick
+            self.samples.now = self.controls.now = self.now
+            if self.host is not None:
+                self.host.service(self.now)
+            for person in self.people:
+                person.turn(self.now)
+
+    def until(self, done, seconds: float) -> None:
+        end = self.now + seconds
+        while not done():
+            assert self.now < end, f"not within {seconds} s"
+            self.run(0.05)
+
+    def all_coupled(self) -> bool:
+        return all(
+            p.member.copy is not None and p.copy.peer is not None and set(p.states().values()) <= {"coupled"}
+            for p in self.people
+        )
+
+    def apart(self) -> float:
+        places = [person.position for person in self.people]
+        return max(float(np.abs(a - b).max()) for a in places for b in places)
+
+    def check(self) -> None:
+        """Everybody's books, and those of the whole: of those who left, too."""
+        everybody = [p for p in (*self.people, *self.gone) if p.member.copy is not None and p.copy.peer is not None]
+        seeds = 0.0
+        for person in everybody:
+            totals = person.copy.totals
+            assert totals.alarms == 0
+            assert totals.residual < 1e-10
+            seeds += person.copy.seeds
+        supplied = sum(p.copy.totals.supplied + p.copy.totals.initial for p in everybody)
+        risen = sum(max(0.0, p.copy.totals.rescaled) for p in everybody)
+        assert supplied + seeds + risen >= -1e-9
