@@ -41,7 +41,7 @@ def small(tmp_path: Path) -> Path:
 def test_help_names_every_command_and_loads_nothing_heavy() -> None:
     done = cotouch("--help")
     assert done.returncode == 0
-    for command in ("simulate", "certify", "plan", "body", "reproduce"):
+    for command in ("simulate", "certify", "plan", "body", "reproduce", "replay", "audit", "export"):
         assert command in done.stdout
     heavy = "('numba', 'numpy', 'xarray', 'pydantic', 'rich', 'trimesh', 'meshio', 'skfem')"
     code = f"import sys, cotouch.cli; print([name for name in {heavy} if name in sys.modules])"

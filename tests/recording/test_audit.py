@@ -13,6 +13,7 @@ from cotouch.errors import RecordingError
 from cotouch.mechanics import model, settle
 from cotouch.peer import Peer, Report, Sample
 from cotouch.recording import Audit, LinkPhase, audit, read_recording
+from cotouch.recording._links import align
 from cotouch.scenario import Scenario
 from cotouch.simulation import prepare
 from cotouch.simulation._peers import _World
@@ -181,10 +182,15 @@ def test_enough_damping_takes_what_the_ages_make(tmp_path: Path) -> None:
 def test_unix_times_that_are_apart_are_corrected(tmp_path: Path) -> None:
     right = audited(Driven(tmp_path, hands=STRONG))
     (tmp_path / "b").mkdir()
-    wrong = audited(Driven(tmp_path / "b", hands=STRONG, unix_error=(0.0, 0.4), clocks=(5.0, 900.0)))
+    apart = Driven(tmp_path / "b", hands=STRONG, unix_error=(0.0, 0.4), clocks=(5.0, 900.0))
+    recordings = [read_recording(path) for path in apart.run()]
+    offsets, corrected = align(recordings)
+    assert corrected
+    # The ways take 50 and 30 ms, and samples wait for a step: half the difference is what cannot be known.
+    assert offsets[1] - offsets[0] == pytest.approx(-895.0, abs=0.02)
+    wrong = audit(recordings)
     assert wrong.holds
     assert any("laid side by side" in note for note in wrong.notes)
-    # The way there and back take 50 and 30 ms: half the difference is what cannot be known.
     assert wrong.links[0].spring == pytest.approx(right.links[0].spring, rel=0.5)
     assert wrong.links[0].work == pytest.approx(right.links[0].work, rel=1e-9)
 
@@ -350,6 +356,19 @@ def test_tools_are_audited_too(tmp_path: Path) -> None:
     assert not forged.holds
     assert {finding.place for finding in forged.findings} <= {"proxies", "step"}
     assert {finding.user for finding in forged.findings} == {0}
+
+
+def test_a_copy_that_leaves_floating_point_is_no_copy_that_holds(tmp_path: Path) -> None:
+    def burst(peer: Peer, now: float) -> None:
+        if peer.index == 1 and peer.steps == 60:
+            peer.state.velocity[:] = np.inf
+
+    with np.errstate(all="ignore"):
+        result = audited(Driven(tmp_path, disturb=burst))
+    first = result.findings[0]
+    assert (first.place, first.energy) == ("state", np.inf)
+    assert {(finding.user, finding.step) for finding in result.findings if finding.place == "state"} >= {(1, 60)}
+    assert not result.holds
 
 
 def test_recordings_that_do_not_belong_together_are_refused(tmp_path: Path) -> None:

@@ -175,6 +175,7 @@ def test_a_disk_that_cannot_follow_costs_whole_batches_and_says_so(tmp_path: Pat
     assert sum(event.fields["steps"] for event in gaps) == done.dropped_steps
     index = read.columns["index"]
     for event in gaps:
+        assert event.fields["last"] - event.first + 1 == event.fields["steps"]
         assert not np.any((index >= event.first) & (index <= event.fields["last"]))
     assert np.array_equal(read.columns["force"][:, 0, 0], 2.0 * index)  # what is there is not mixed up
 

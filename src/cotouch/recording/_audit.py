@@ -45,7 +45,7 @@ class UserBooks:
         extra_loss: by the extra damping.
         touch_loss: in contacts and grasps.
         link_work: of all links on the copy.
-        members: came with others' joining and leaving, or with the user's own start after the first.
+        members: came with others' joining and leaving.
         stored: at the end less at the start.
         residual: what nothing explains.
         damping: least B_i there was, over the identity [Ns/m].
@@ -83,7 +83,7 @@ class Audit:
         tolerance: what energies may differ by [J].
         in_play: the most that was stored, supplied or lost [J].
         initial: c², stored at the beginning [J].
-        margin: the least of `Σ ∫ f v + c²` [J].
+        margin: the least of `Σ ∫ f v + c²`, with what others' joining and leaving brought or took [J].
         margin_time: when, since the beginning [s].
         time: instants of the next three, since the beginning [s].
         supplied: by all users so far [J].
@@ -181,6 +181,11 @@ def audit(recordings: Sequence[Recording], *, tolerance: float = TOLERANCE) -> A
     names = {recording.user: recording.name for recording in recordings}
     notes = missing_words(recordings, names)
     complete = not notes
+    left: list[Finding] = []
+    for at, recording in enumerate(recordings):
+        if recording.finite < recording.steps:
+            left.append(_left(recording))
+            recordings[at] = recording.first_steps(recording.finite)
     offsets, corrected = align(recordings)
     if corrected:
         notes.append(
@@ -199,8 +204,10 @@ def audit(recordings: Sequence[Recording], *, tolerance: float = TOLERANCE) -> A
     in_play = max(float(np.abs(supply).max()), lost, sum(float(m.stored.max()) for m in moved), initial)
     rounding = sum(m.rounding * np.sqrt(m.end.size) for m in moved)
     allowed = tolerance * in_play + 10.0 * float(rounding)
-    found = [finding for m in moved for finding in findings_of(m, allowed, start, names)]
-    margin = supply + initial
+    found = left + [finding for m in moved for finding in findings_of(m, allowed, start, names)]
+    # What a change of members brings or takes is nobody's work, but was there to be taken out afterwards.
+    members = sum((so_far(m, np.where(m.members, m.carried, 0.0), grid) for m in moved), np.zeros(grid.size))
+    margin = supply + initial + members
     least = int(np.argmin(margin))
     if margin[least] < -allowed:
         words = f"users got {-margin[least]:.4g} J more out of the network than they had put in"
@@ -213,9 +220,8 @@ def audit(recordings: Sequence[Recording], *, tolerance: float = TOLERANCE) -> A
                 f"the damping of {books.recording.name} was {have:.4g} Ns/m; the age rule asks for "
                 f"{sum(need.values()):.4g} Ns/m with the ages that there were"
             )
-    first = min(float(m.begin[0]) for m in moved)
     return Audit(
-        users=tuple(_user(m, sum(need.values()), first) for m, need in zip(moved, asked, strict=True)),
+        users=tuple(_user(m, sum(need.values())) for m, need in zip(moved, asked, strict=True)),
         links=tuple(links),
         findings=tuple(sorted(found, key=lambda finding: -abs(finding.energy))),
         complete=complete,
@@ -250,6 +256,26 @@ def _belong(recordings: Sequence[Recording]) -> None:
             raise RecordingError(
                 f"{one.path} and {two.path} are both of user {user_number(one.user)}; give one of them"
             )
+
+
+def _left(recording: Recording) -> Finding:
+    """Of a copy that left floating point, after which nothing can be worked out.
+
+    Raises:
+        RecordingError: it did so at once.
+    """
+    row, columns = recording.finite, recording.columns
+    if row == 0:
+        raise RecordingError(f"the first step of {recording.path} has numbers that are not finite")
+    return Finding(
+        user=recording.user,
+        link=None,
+        place="state",
+        energy=float("inf"),
+        time=float(columns["end"][row] - columns["end"][0] + columns["T"][0]),
+        step=int(columns["index"][row]),
+        words=f"the numbers of {recording.name} are not finite any more, and nothing can be said from there on",
+    )
 
 
 def _asked(recording: Recording, others: dict[int, Recording]) -> dict[int, float]:
@@ -337,9 +363,8 @@ def _least_damping(recording: Recording) -> float:
     return min(setup.local_damping[0] if setup.local_damping else 0.0 for setup in recording.setups)
 
 
-def _user(motion: Motion, asked: float, first: float) -> UserBooks:
+def _user(motion: Motion, asked: float) -> UserBooks:
     recording, known = motion.recording, motion.known
-    late = float(motion.start[0]) if motion.begin[0] > first + 1.0 else 0.0
     return UserBooks(
         user=recording.user,
         name=recording.name,
@@ -351,7 +376,7 @@ def _user(motion: Motion, asked: float, first: float) -> UserBooks:
         extra_loss=float(known["extra_loss"].sum()),
         touch_loss=float(recording.columns["touch_loss"].sum()),
         link_work=float(motion.link.sum()),
-        members=float(motion.carried[motion.members].sum()) + late,
+        members=float(motion.carried[motion.members].sum()),
         stored=float(motion.stored[-1] - motion.start[0]),
         residual=float(motion.residual.sum()),
         damping=_least_damping(recording),

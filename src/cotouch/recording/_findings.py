@@ -82,7 +82,7 @@ def findings_of(motion: Motion, tolerance: float, start: float, names: dict[int,
         if name.startswith("link "):
             other = int(name.split()[1])
             words = (
-                f"the link's work on {names[recording.user]}'s copy is {_joule(total)} more by the sample that "
+                f"the link's work on {names[recording.user]}'s copy is {_beside(total)} by the sample that "
                 f"{names.get(other, f'user {user_number(other)}')} recorded than by the books"
             )
             add("link", difference, words, (recording.user, other))
@@ -91,7 +91,7 @@ def findings_of(motion: Motion, tolerance: float, start: float, names: dict[int,
             add(place, difference, f"{what} at {names[recording.user]} differs from the books by {_joule(total)}")
         else:
             place, what = _NAMES[name]
-            add(place, difference, f"{what} at {names[recording.user]} is {_joule(total)} more than the books say")
+            add(place, difference, f"{what} at {names[recording.user]} is {_beside(total)} than the books say")
     residual = motion.residual
     booked = residual + _explained(motion)
     # What the books explain and the recorded numbers don't is in one of the places above.
@@ -146,6 +146,10 @@ def _most(energies: Float) -> float:
     """The sum so far where it is furthest from nothing."""
     total = np.cumsum(energies)
     return float(total[int(np.argmax(np.abs(total)))])
+
+
+def _beside(energy: float) -> str:
+    return f"{abs(energy):.4g} J {'more' if energy > 0 else 'less'}"
 
 
 def _joule(energy: float) -> str:

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, NamedTuple, final
 
@@ -156,6 +156,29 @@ class Recording:
             if not set(setup.neighbours) <= set(self.neighbours) and setup.first <= self.columns["index"][-1]:
                 raise RecordingError(f"{self.path} has a setup with links that no step has: {setup.neighbours}")
         return tuple(made)
+
+    @cached_property
+    def finite(self) -> int:
+        """How many steps there are before the first whose numbers are not all finite."""
+        bad = self.steps
+        for name in ("supplied", "kinetic", "elastic", "drive_work", "proxy", "touch_stored", "residual", "force"):
+            rows = np.flatnonzero(~np.isfinite(self.columns[name].reshape(self.steps, -1)).all(axis=1))
+            bad = min(bad, int(rows[0])) if rows.size else bad
+        for name in ("x", "v", "middle"):
+            values = self.states.get(name, np.zeros((0, 1)))
+            rows = np.flatnonzero(~np.isfinite(values.reshape(values.shape[0], -1)).all(axis=1)) if values.size else []
+            bad = min(bad, int(self.states["state_row"][rows[0]])) if len(rows) else bad
+        return bad
+
+    def first_steps(self, count: int) -> "Recording":
+        """The same with so many steps only, as if it had been cut off there."""
+        kept = int(np.searchsorted(self.states["state_row"], count))
+        return replace(
+            self,
+            columns={name: values[:count] for name, values in self.columns.items()},
+            states={name: values[:kept] for name, values in self.states.items()},
+            events=tuple(event for event in self.events if event.kind != "closed"),
+        )
 
     def setup_rows(self) -> list[tuple[Setup, slice]]:
         """Each setup with the steps it holds for."""
