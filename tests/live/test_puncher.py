@@ -106,7 +106,7 @@ def test_nats_with_random_ports_are_given_up_and_tried_again_now_and_then():
     assert first <= 12 * 2
     two.run(600.0)
     assert two.ways == [Way.RELAYED] * 2
-    assert 5 <= (max(two.sent) - first) / 8 <= 14  # rounds of four pings to two addresses, ever rarer
+    assert 10 <= (max(two.sent) - first) / 8 <= 20  # rounds of four pings to two addresses, ever rarer
     assert len(two.history) == 2
 
 
@@ -214,8 +214,8 @@ def test_an_idle_way_costs_little_and_keeps_the_nats():
     before = len(two.net.log)
     two.run(300.0)
     log = two.net.log[before:]
-    # A question and an answer in 15 s from each end, and four pings a minute to a straighter address that is none.
-    assert len(log) <= 2 * (2 * 22 + 4 * 6)
+    # A question and an answer in 15 s from each end, and four pings in 40 s to a straighter address that is none.
+    assert len(log) <= 2 * (2 * 22 + 4 * 9)
     assert max(b[0] - a[0] for a, b in pairwise(log)) <= 15.1
     assert two.ways == [Way.DIRECT] * 2
 

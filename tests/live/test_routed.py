@@ -197,6 +197,33 @@ def test_nobody_moves_a_way_by_repeating_a_sample():
     assert not [arrival for arrival in mallory.poll() if arrival.payload[0] == 0xC1]
 
 
+def test_who_is_only_heard_by_its_samples_is_asked_where_they_come_from():
+    """Its NAT has forgotten, and its own pings are lost."""
+    box = nat(1)
+    world = World(box, None).run(5.0, Way.DIRECT)
+    box.forget()
+    carry, socket = world.net.carry, world.pair[0].socket
+    world.net.carry = lambda sender, to, payload: (
+        None if sender is socket and payload[:2] == b"\xc2\3" else carry(sender, to, payload)
+    )
+    world.run(1.5)
+    assert world.pair[1].events[-1].address == Address("192.0.2.1", 6000)
+
+
+def test_who_comes_later_is_told_at_once(alone):
+    net, exchange, transport, _ = alone
+    other = exchange.join(identities(2)[1])
+    transport.introduce(1, other.identity.public)
+    transport.poll()
+    assert len(other.poll()) == 1
+    net.now = 1.0
+    body = write_offer(bytes(16), [])
+    for _ in range(3):
+        transport.take(Message(other.identity.public, "path.candidates", body, True))
+        transport.poll()
+    assert len(other.poll()) == 1
+
+
 def test_while_a_member_is_cut_off_from_all_nothing_breaks():
     world = World(nat(1), nat(2)).run(5.0, Way.DIRECT)
     world.net.cut = lambda source, to: True

@@ -38,11 +38,12 @@ from cotouch.live._rate import SendRate, Trend
 from cotouch.live._reflexive import Lookup, Mirror
 from cotouch.live._refusal import Refusal
 from cotouch.live._replay import ReplayWindow
-from cotouch.live._routed import ByRelay, RoutedTransport, WayChanged
+from cotouch.live._routed import RoutedTransport
 from cotouch.live._seal import MOST_SEALED, OVERHEAD, RENEW_AFTER, Opened, SealedLink, connection_of
 from cotouch.live._sign import MOST_BODY, MOST_MESSAGE, MessageReader, MessageRefusal, MessageWriter
 from cotouch.live._transport import MOST_BYTES, Arrival, Ground, Traffic, Transport
 from cotouch.live._udp import UdpTransport
+from cotouch.live._ways import ByRelay, WayChanged
 
 __all__ = [
     "AGED",

@@ -23,9 +23,10 @@ _LAP = 0.25
 _PACE = 0.02
 # After the last ping of a round, before it is given up [s].
 _PATIENCE = 2.0
-# Until the next round.
+# Until the next round; at the longest so that one end's pings still find open what the other's have opened, for half a
+# minute at least, whenever each of them begins.
 _RETRY = 5.0
-_LEAST_OFTEN = 60.0
+_LEAST_OFTEN = 40.0
 # The way in use is asked so often while samples go there; it is lost after so long and so many without an answer.
 _CHECK = 0.25
 _SILENCE = 2.0

@@ -64,7 +64,7 @@ class SendRate:
             queue: waiting, beyond the path's own, that is worth a try [s].
         """
         self.rate = self._highest = self._session = highest
-        self._lowest = self._floor = min(lowest, highest)
+        self._lowest = min(lowest, highest)
         self._queue = queue
         self.own_loss = 0.0
         self.own_wait = 0.0
@@ -94,7 +94,7 @@ class SendRate:
         if not wider:
             before = self._before_silence if self.trend is Trend.SILENT else self.rate
             self._before_cap = max(self._before_cap, before if self._trial is None else self._trial[0])
-        self._highest, self._lowest = highest, min(self._floor, highest)
+        self._highest = highest
         if self.trend is Trend.SILENT:
             self._turn(self._lowest, Trend.SILENT, -1)
             return

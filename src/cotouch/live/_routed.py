@@ -2,8 +2,7 @@
 
 from collections import deque
 from collections.abc import Callable, Hashable, Sequence
-from dataclasses import dataclass
-from typing import NamedTuple, final
+from typing import final
 
 from cotouch.errors import SessionError
 from cotouch.live._address import Address, numeric, origin, plain
@@ -16,6 +15,7 @@ from cotouch.live._probe import MEMBER_BYTES, PROBE, WORD_BYTES, Kind, label_of,
 from cotouch.live._puncher import Puncher, Way
 from cotouch.live._reflexive import Lookup, Mirror
 from cotouch.live._transport import MOST_BYTES, Arrival, Ground, Traffic
+from cotouch.live._ways import ByRelay, Known, WayChanged
 
 # Candidates are said again this often: messages are lost while a member is cut off.
 _TELL = 5.0
@@ -26,47 +26,6 @@ _ACTIVE = 1.0
 # The machine is asked for its interfaces at most this often.
 _LOOK_AROUND = 5.0
 _MOST_EVENTS = 256
-
-
-class ByRelay(NamedTuple):
-    """Source of a datagram that came by the control plane.
-
-    Attributes:
-        member: public key of the member it says it is from.
-    """
-
-    member: bytes
-
-
-class WayChanged(NamedTuple):
-    """A neighbour is reached another way.
-
-    Attributes:
-        neighbour: index of the user.
-        time: [s].
-        way: from now on.
-        address: where it answers, if `DIRECT`.
-    """
-
-    neighbour: int
-    time: float
-    way: Way
-    address: Address | None
-
-
-@dataclass(eq=False)
-class _Neighbour:
-    member: bytes
-    word: bytes
-    puncher: Puncher
-    label: int | None = None
-    theirs: bytes = b""
-    way: Way = Way.TRYING
-    address: Address | None = None
-    tell: float = -float("inf")  # when candidates are to be said again
-    told: float = -float("inf")
-    sent: float = -float("inf")
-    heard: tuple[Hashable, Address] | None = None  # last source, as the socket gave it and in plain form
 
 
 @final
@@ -121,7 +80,7 @@ class RoutedTransport:
         key = member_key(secret, session)
         self._mirror = Mirror(key)
         self._lookup = Lookup(key, entropy)
-        self._neighbours: dict[int, _Neighbour] = {}
+        self._neighbours: dict[int, Known] = {}
         self._labels: dict[int, int] = {}
         self._by_relay: dict[int, bytes] = {}  # neighbours that were not introduced
         self._probe_limit = SourceLimit(rate=200.0, burst=100.0, stranger_rate=200.0, stranger_burst=100.0)
@@ -185,7 +144,7 @@ class RoutedTransport:
             raise SessionError(f"neighbour {neighbour} takes a public key of 32 bytes that is not this member's own")
         now = self._ground.now()
         self.forget(neighbour)
-        self._neighbours[neighbour] = _Neighbour(member, self._entropy(WORD_BYTES), Puncher(now), tell=now)
+        self._neighbours[neighbour] = Known(member, self._entropy(WORD_BYTES), Puncher(now), tell=now)
         self._relay_limit.know(ByRelay(member))
 
     def way(self, neighbour: int) -> Way:
@@ -393,7 +352,7 @@ class RoutedTransport:
             self._lookup.hurry(now)
             self._look_around(now)
 
-    def _rekey(self, neighbour: int, known: _Neighbour) -> None:
+    def _rekey(self, neighbour: int, known: Known) -> None:
         if known.label is not None:
             self._labels.pop(known.label, None)
         keys = pair_keys(

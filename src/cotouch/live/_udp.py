@@ -5,6 +5,7 @@ import socket
 import struct
 import time
 from collections.abc import Callable, Hashable
+from functools import lru_cache
 from typing import final
 
 from cotouch.errors import SessionError, TransportError
@@ -109,7 +110,7 @@ class UdpTransport:
         if self._socket is None:
             return False
         try:
-            self._socket.sendto(payload, (self._reachable(address.host), address.port))
+            self._socket.sendto(payload, (_reachable(address.host, six=self._six), address.port))
         except (OSError, SessionError):
             return False
         return True
@@ -169,7 +170,7 @@ class UdpTransport:
             return
         if not isinstance(source, tuple) or len(source) != 2:
             raise SessionError(f"{source!r} is no address; it takes a host in numbers and a port")
-        new = (self._reachable(str(source[0])), _port(source[1], given=True))
+        new = (_reachable(str(source[0]), six=self._six), _port(source[1], given=True))
         self.forget(neighbour)
         self._neighbours[neighbour] = new
         self._limit.know(new)
@@ -186,13 +187,15 @@ class UdpTransport:
             self._socket.close()
             self._socket = None
 
-    def _reachable(self, host: str) -> str:
-        number = numeric(host)
-        if self._six and number.version == 4:
-            return f"::ffff:{number}"
-        if not self._six and number.version == 6:
-            raise SessionError(f"neighbour {host} has an IPv6 address, but this socket listens on IPv4; listen on '::'")
-        return str(number) if number.version == 4 else host
+
+@lru_cache(1024)
+def _reachable(host: str, *, six: bool) -> str:
+    number = numeric(host)
+    if six and number.version == 4:
+        return f"::ffff:{number}"
+    if not six and number.version == 6:
+        raise SessionError(f"neighbour {host} has an IPv6 address, but this socket listens on IPv4; listen on '::'")
+    return str(number) if number.version == 4 else host
 
 
 def _open(host: str, port: int, *, six: bool) -> socket.socket:
