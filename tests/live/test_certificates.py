@@ -84,8 +84,8 @@ def test_a_member_cannot_make_an_authority(tmp_path: Path):
         .issuer_name(parent.subject)
         .public_key(key.public_key())
         .serial_number(7)
-        .not_valid_before(datetime.datetime(2000, 1, 1))
-        .not_valid_after(datetime.datetime(2100, 1, 1))
+        .not_valid_before(datetime.datetime(2000, 1, 1, tzinfo=datetime.UTC))
+        .not_valid_after(datetime.datetime(2100, 1, 1, tzinfo=datetime.UTC))
         .sign(key, None)
     )
     chain = child.public_bytes(Encoding.PEM) + member.certificate

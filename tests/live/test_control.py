@@ -145,6 +145,7 @@ def test_all_others_hear_what_is_for_all(bed: Bed):
     for at in (0, 2):
         assert collect(bed, at, 1) == [Message(bed.who[1].public, "roster", b"everybody", direct=False)]
     assert bed.planes[1].poll() == []
+    assert not bed.planes[1].refused  # nothing of its own came back
 
 
 def test_one_hears_what_is_for_one(bed: Bed):
@@ -267,12 +268,12 @@ def test_a_file_may_be_asked_for_before_it_is_offered(bed: Bed):
 
 
 def test_datagrams_are_handed_on(bed: Bed):
-    sent = [k.to_bytes(2, "big") * (MOST_BYTES // 2) for k in range(20)]
+    sent = [k.to_bytes(2, "big") * (MOST_BYTES // 2) for k in range(60)]
     got = []
 
     def done() -> bool:
         got.extend(bed.planes[2].relayed())
-        return len(got) >= 20
+        return len(got) >= 60
 
     for payload in sent:
         assert bed.planes[1].relay(bed.who[2].public, payload)

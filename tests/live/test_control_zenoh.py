@@ -174,6 +174,20 @@ def test_members_meet_again_when_their_router_comes_back(stack: ExitStack):
     until(lambda: [message.topic for message in two.poll()] == ["again"])
 
 
+def test_the_end_of_an_earlier_start_does_not_hide_a_later_one(stack: ExitStack):
+    """A member that was killed comes back before the others noticed; then they notice."""
+    made = invitation()
+    (host, earlier) = joined(stack, made, 2)
+    later = ZenohControl(made, WHO[1])
+    stack.callback(later.close)
+    until(lambda: len(host._alive[WHO[1].public]) == 2)
+    earlier.close()
+    until(lambda: len(host._alive[WHO[1].public]) == 1)
+    assert host.present() == {WHO[1].public}
+    later.send("hello", b"")
+    until(host.poll)
+
+
 def test_a_liar_serves_a_file(stack: ExitStack):
     """What it sends has another hash: not taken, counted, and the true one is found."""
     planes = joined(stack, invitation(), 3)

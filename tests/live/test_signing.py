@@ -114,13 +114,11 @@ def test_long_messages_count_for_more():
 
 
 def test_all_together_are_limited():
-    listener = reader(rate=10.0, burst=40.0, total=2.0)
-    out = []
-    for member in range(60):
-        said = writer(Identity.make(entropy(member)))
-        out += [listener.read(said.write("a", b""), 0.0) for _ in range(2)]
-    assert sum(isinstance(one, Message) for one in out) <= 80
-    assert isinstance(listener.read(writer().write("a", b""), 100.0), Message)
+    listener = reader(rate=400.0, burst=400.0, total=0.1)
+    messages = [writer(Identity.make(entropy(member))).write("a", b"") for member in range(60)]
+    taken = [isinstance(listener.read(message, 0.0), Message) for message in messages]
+    assert taken == [True] * 39 + [False] * 21
+    assert isinstance(listener.read(writer().write("a", b""), 1.0), Message)
 
 
 def test_made_up_senders_are_bounded(monkeypatch: pytest.MonkeyPatch):

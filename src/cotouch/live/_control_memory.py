@@ -15,6 +15,7 @@ from cotouch.live._sign import MessageReader, MessageRefusal, MessageWriter
 from cotouch.live._transport import MOST_BYTES
 
 
+@final
 class _Tie:
     """Whether two members see each other, and since when."""
 
