@@ -463,3 +463,27 @@ def test_a_bounce_returns_what_it_took(T: float):
     assert touched > 0
     assert tools.rate[0, 2] == pytest.approx(0.4, rel=1e-6)
     assert abs(float(tools.account[0])) < 1e-7 * copy.in_play
+
+
+@pytest.mark.parametrize("tolerance", [1e-12, 1e-10, 1e-8, 1e-6, 1e-4])
+def test_what_is_pressed_in_pushes_however_coarse_the_solver(tolerance: float):
+    """Off light, soft bodies: an account that would be overdrawn by what the solver left out costs the whole force."""
+    rng = np.random.default_rng(3)
+    pressed, lost = 0, 0
+    for _ in range(20):
+        body = lattice((3, 3, 2), mass=10.0 ** rng.uniform(-2, 1), stiffness=10.0 ** rng.uniform(2, 4), spacing=0.02)
+        copy = TouchedCopy(body, tolerance=tolerance)
+        tools = copy.tools
+        tools.radius[0], tools.stiffness[0] = 0.01, 10.0 ** rng.uniform(3, 6)
+        tools.place[0, :3], tools.rate[0, 2] = [0.02, 0.02, 0.0305], -0.4
+        copy.begin()
+        T = 10.0 ** rng.uniform(-3.5, -2.5)
+        for _ in range(round(0.04 / T)):
+            copy.step(T)
+            if np.any(copy.touch.small.depth[: copy.count] > 0.0):
+                pressed += 1
+                lost += int(tools.touching[0] == 0)
+        assert copy.debt >= -1e-12 * copy.in_play
+        assert copy.residual <= 1e-10 * copy.in_play
+    assert pressed > 60
+    assert lost == 0

@@ -132,10 +132,12 @@ def touch_step(
         families = op.entries.shape[0]
         values = op.entries[0] if families == 1 else work.values
         scale = work.scale[0] if families == 1 else 1.0 if families > 1 else 0.0
+        coarse = 0.0
         if modal:
             modal_columns(columns.dense, columns.answer, ports, port_count, used, diagonal)
         else:
-            solve_columns(op, values, scale, diagonal, columns, used, max(tolerance**0.75, _COLUMN_TOLERANCE), cap)
+            coarse = max(tolerance**0.75, _COLUMN_TOLERANCE)
+            solve_columns(op, values, scale, diagonal, columns, used, coarse, cap)
         count = contacts * axes
         reduce_step(columns, small, T, last - first, count, used, mean)
         sweep(
@@ -149,7 +151,7 @@ def touch_step(
             small.compliance,
             force,
         )
-        limit(small, count, tools.account, first, last - first)
+        limit(small, count, tools.account, first, last - first, coarse)
         if not sound(small, count, tools.account, first, last - first, 1.0, False):
             for j in range(count):
                 force[j] = 0.0
