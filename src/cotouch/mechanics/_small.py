@@ -46,6 +46,7 @@ class Small(NamedTuple):
         compliance: R, (elements, elements).
         force: (elements,).
         guess: what the solve for v̂₀ took the force to be, (elements,).
+        trail: scratch of the sweeps, (2, elements).
         rate: mean velocity of the body less that of the proxy along each element, (elements,).
         yielding: Hᵀ X, (columns, columns).
         reading: Hᵀ v̂ at the columns, (columns, 4).
@@ -72,6 +73,7 @@ class Small(NamedTuple):
     compliance: Float
     force: Float
     guess: Float
+    trail: Float
     rate: Float
     yielding: Float
     reading: Float
@@ -102,6 +104,7 @@ def small(contacts: int, tools: int, columns: int) -> Small:
         compliance=np.zeros((elements, elements)),
         force=np.zeros(elements),
         guess=np.zeros(elements),
+        trail=np.zeros((2, elements)),
         rate=np.zeros(elements),
         yielding=np.zeros((columns, columns)),
         reading=np.zeros((columns, 4)),

@@ -150,6 +150,7 @@ def touch_step(
             small.free,
             small.compliance,
             force,
+            small.trail,
         )
         limit(small, count, tools.account, first, last - first, coarse)
         if not sound(small, count, tools.account, first, last - first, 1.0, False):
