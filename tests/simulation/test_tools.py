@@ -8,12 +8,15 @@ import pytest
 import xarray as xr
 
 from cotouch.body import lattice, point
+from cotouch.device import DeviceModel, PhantomPlant, Servo, assemble, sure_force
+from cotouch.device._phantom import joint_torques
 from cotouch.errors import BodyError, CotouchError, ScenarioError
 from cotouch.mechanics import virtual_coupling_limit
 from cotouch.scenario import Scenario
 from cotouch.scenario._clear import clear_place
 from cotouch.scenario._tool_tables import DeviceTable, ToolHand, ToolTable
 from cotouch.simulation import animation, felt, figures, frame_rate, prepare, simulate, summary
+from cotouch.simulation._batch import run_batch
 from cotouch.simulation._tool_result import UNITS as TOOL_UNITS
 
 PAIR: dict[str, Any] = {"users": ["Ann", "Ben"], "spring": [[0, 20], [20, 0]], "delay": [[0, 0.01], [0.02, 0]]}
@@ -255,6 +258,46 @@ def test_a_virtual_coupling_is_passive_up_to_its_limit_and_refused_above() -> No
     tool["device"]["stiffness"] = 1.001 * limit
     with pytest.raises(ScenarioError, match=r"tools\[1\]\.device: .*is passive up to"):
         run_of(tool, steps=steps)
+
+
+@pytest.mark.parametrize("kind", ["touch", "grasp"])
+@pytest.mark.parametrize("seed", [2, 3, 4])
+def test_a_virtual_coupling_saturates_with_its_motors_and_stays_passive(kind: str, seed: int) -> None:
+    """Pulled about far beyond what the motors can do. A linear spring that they cut off gives energy, without end."""
+    rng = np.random.default_rng(seed)
+    hand = {"path": [[0.1 * k, *rng.normal(0.0, 0.06, 3).tolist()] for k in range(8)], "grip": 4.0}
+    device = {"coupling": "virtual", "stiffness": 800, "damping": 0.5, "viscous": 2.0, "force": 1.0, "mass": 0.1}
+    tool = {**(LEFT if kind == "touch" else HOLD), "user": 1, "hand": hand, "device": device}
+    steps = {"duration": 0.8, "random": {"low": 0.0008, "high": 0.001}}
+    prepared = prepare(Scenario.make(network=PAIR, body=BLOCK, steps=steps, tools=[tool]))
+    assert prepared.touching is not None
+    couplings = prepared.touching.couplings
+    assert couplings.most[0] == 1.0
+    outcome = run_batch(prepared)
+    assert outcome.tools is not None
+    moved = np.abs(outcome.tools.coupling[0]).max()
+    assert moved > 1e-3
+    assert outcome.tools.coupling[1].max() <= 1e-12 * moved
+    assert np.linalg.norm(outcome.tools.drive[0, 1:, :3], axis=1).max() < 1.3  # the proxy's pull is limited, too
+    couplings.most[0] = np.inf
+    linear = run_batch(prepared)
+    assert linear.tools is not None
+    if kind == "grasp":
+        assert linear.tools.coupling[1].max() > 0.1 * moved
+
+
+def test_the_force_that_a_phantom_can_do_everywhere_is_within_its_torques() -> None:
+    devices, _ = assemble([DeviceModel(plant=PhantomPlant()), DeviceModel(servo=Servo(force=3.0)), DeviceModel()])
+    plants, most = devices.plants, sure_force(devices, 0)
+    rng = np.random.default_rng(0)
+    used = 0.0
+    for _ in range(2000):
+        force = rng.normal(size=3)
+        force *= most / np.linalg.norm(force)
+        torques = joint_torques(plants, 0, *rng.uniform(-np.pi, np.pi, 3), *force)
+        used = max(used, *(np.abs(torques) / devices.servos.torque[0, :3]))
+    assert 0.8 < used <= 1.0
+    assert (sure_force(devices, 1), sure_force(devices, 2)) == (3.0, np.inf)
 
 
 @pytest.mark.parametrize("steps", [{"rate": [500, 1700]}, {"random": {"low": 0.0003, "high": 0.004}}])
