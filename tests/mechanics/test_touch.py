@@ -487,3 +487,63 @@ def test_what_is_pressed_in_pushes_however_coarse_the_solver(tolerance: float):
         assert copy.residual <= 1e-10 * copy.in_play
     assert pressed > 60
     assert lost == 0
+
+
+class TestDeep:
+    """A tool that comes to be deep in the body without having passed its skin slowly."""
+
+    def deep(self) -> TouchedCopy:
+        copy = TouchedCopy(block(shape=(5, 5, 5)))
+        copy.tools.radius[:] = 0.15 * SPACING
+        copy.tools.place[0, :3] = [2.0 * SPACING, 2.1 * SPACING, 2.6 * SPACING]  # 1.4 spacings below the top
+        return copy
+
+    @pytest.mark.parametrize("before", [AWAY, GRASP])
+    def test_is_kept_from_going_deeper_from_the_first_step_that_it_touches(self, before: int):
+        copy = self.deep()
+        tools = copy.tools
+        tools.mode[:] = before
+        copy.begin()
+        copy.step(1e-3)
+        tools.mode[:] = TOUCH
+        tools.rate[0, :3] = [0.0, 0.0, -0.05]
+        copy.begin()
+        copy.step(1e-3)
+        assert copy.count == 1
+        assert copy.touch.found.normal[0, :3] == pytest.approx([0.0, 0.0, 1.0], abs=1e-2)
+        assert tools.touch_force[0, 2] > 0.0
+        assert copy.residual <= 1e-10 * copy.in_play
+        assert copy.debt == 0.0
+
+    def test_is_let_out_without_a_push(self):
+        copy = self.deep()
+        copy.tools.rate[0, :3] = [0.0, 0.0, 0.05]
+        copy.begin()
+        copy.step(1e-3)
+        assert copy.count == 1
+        assert not copy.tools.touch_force.any()
+
+    def test_is_found_where_one_step_took_it(self):
+        """From rest above the skin to a spacing below it."""
+        copy = self.deep()
+        tools = copy.tools
+        tools.place[0, 2] = 4.5 * SPACING
+        copy.begin()
+        tools.push[0, 2] = -2.0 * tools.mass[0] * 1.5 * SPACING / 1e-3**2
+        copy.step(1e-3)
+        assert tools.place[0, 2] == pytest.approx(3.0 * SPACING)
+        assert not tools.touching.any()
+        tools.push[:] = 0.0
+        copy.step(1e-3)
+        assert tools.touching[0] == 1
+        assert tools.touch_force[0, 2] > 0.0
+        assert copy.residual <= 1e-10 * copy.in_play
+
+    def test_far_away_it_touches_nothing(self):
+        copy = self.deep()
+        copy.tools.place[0, 2] = 50.0 * SPACING
+        copy.tools.rate[0, 2] = -1.0
+        copy.begin()
+        copy.step(1e-3)
+        assert copy.count == 0
+        assert not copy.tools.inside.any()
