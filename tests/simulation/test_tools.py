@@ -8,8 +8,6 @@ import pytest
 import xarray as xr
 
 from cotouch.body import lattice, point
-from cotouch.device import DeviceModel, PhantomPlant, Servo, assemble, sure_force
-from cotouch.device._phantom import joint_torques
 from cotouch.errors import BodyError, CotouchError, ScenarioError
 from cotouch.mechanics import virtual_coupling_limit
 from cotouch.scenario import Scenario
@@ -278,26 +276,13 @@ def test_a_virtual_coupling_saturates_with_its_motors_and_stays_passive(kind: st
     moved = np.abs(outcome.tools.coupling[0]).max()
     assert moved > 1e-3
     assert outcome.tools.coupling[1].max() <= 1e-12 * moved
-    assert np.linalg.norm(outcome.tools.drive[0, 1:, :3], axis=1).max() < 1.3  # the proxy's pull is limited, too
+    pull = np.linalg.norm(outcome.tools.drive[0, :, :3], axis=1).max()
     couplings.most[0] = np.inf
     linear = run_batch(prepared)
     assert linear.tools is not None
-    if kind == "grasp":
-        assert linear.tools.coupling[1].max() > 0.1 * moved
-
-
-def test_the_force_that_a_phantom_can_do_everywhere_is_within_its_torques() -> None:
-    devices, _ = assemble([DeviceModel(plant=PhantomPlant()), DeviceModel(servo=Servo(force=3.0)), DeviceModel()])
-    plants, most = devices.plants, sure_force(devices, 0)
-    rng = np.random.default_rng(0)
-    used = 0.0
-    for _ in range(2000):
-        force = rng.normal(size=3)
-        force *= most / np.linalg.norm(force)
-        torques = joint_torques(plants, 0, *rng.uniform(-np.pi, np.pi, 3), *force)
-        used = max(used, *(np.abs(torques) / devices.servos.torque[0, :3]))
-    assert 0.8 < used <= 1.0
-    assert (sure_force(devices, 1), sure_force(devices, 2)) == (3.0, np.inf)
+    assert linear.tools.coupling[1].max() > 0.01 * moved
+    # The proxy is pulled no harder either, but for what its own motion adds.
+    assert pull < min(2.0, 0.3 * np.linalg.norm(linear.tools.drive[0, :, :3], axis=1).max())
 
 
 @pytest.mark.parametrize("steps", [{"rate": [500, 1700]}, {"random": {"low": 0.0003, "high": 0.004}}])
