@@ -37,16 +37,24 @@ class Copy(NamedTuple):
     lengths: Float
 
 
-def cube(side: int, ground: Ground = "z-") -> Body:
-    """side³ nodes in three dimensions, 6 neighbours each, with dampers, held at one face or all over."""
+def cube(side: int, ground: Ground = "z-", *, rayleigh: bool = False) -> Body:
+    """side³ nodes in three dimensions, 6 neighbours each, with dampers, held at one face or all over.
+
+    Args:
+        side: nodes along an edge.
+        ground: what is held.
+        rayleigh: whether it is damped there like between the nodes, so that its modes are its own.
+    """
     stiffness = MASS / side**3 * (2.0 * STIFF / PERIOD) ** 2 / 12.0  # ω_max² = 12 k/m
+    held = 0.1 * stiffness
     return lattice(
         (side,) * 3,
         mass=MASS,
         stiffness=stiffness,
         damping=stiffness * 2.0**-16,
         ground=ground,
-        ground_stiffness=0.1 * stiffness,
+        ground_stiffness=held,
+        ground_damping=held * 2.0**-16 if rayleigh else 0.0,
     )
 
 

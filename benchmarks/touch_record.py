@@ -54,10 +54,9 @@ class Finding:
         device_residual: in those of devices and hands.
         given: most that contacts gave body and proxies together.
         used: largest share of its d² that a PSPM coupling gave away.
-        virtual: most that a virtual coupling gave beyond what its device's damping and friction paid, the motors always
-            able to do what was asked.
-        saturated: virtual couplings whose motors were not always able, which is outside their condition.
-        beyond: how many of those gave more.
+        virtual: most that a virtual coupling gave beyond what its device's damping and friction paid.
+        saturated: virtual couplings whose motors could not always do what was asked.
+        beyond: how many of those gave more than was paid.
         margin: least of Σ v̂ᵀ f T; negative: energy came out of the copies.
         looks: forces of touches that were looked at.
         pulls: how many of them were no sum of pushes.
@@ -316,7 +315,7 @@ def examine(number: int) -> Finding | str:
         device_residual=found.device_residual,
         given=found.given / play,
         used=found.used,
-        virtual=max((port.excess for port in springs if not port.saturated), default=0.0) / play,
+        virtual=max((port.excess for port in springs), default=0.0) / play,
         saturated=len(outside),
         beyond=sum(port.excess > TOLERANCE * play for port in outside),
         margin=found.port_margin / play,
@@ -518,8 +517,8 @@ def measure(count: int = SHORT, jobs: int = 1, kept: Path | None = None) -> list
             "runs with a coupling beyond its bound",
             f"{len(broke)} of {len(coupled):,}",
             "0",
-            f"numbers: {numbers(broke)}; {couplings:,} couplings; at most {used:.2g} of d²; not counted, because their "
-            f"motors saturated: {outside} virtual couplings, {beyond} of which gave energy",
+            f"numbers: {numbers(broke)}; {couplings:,} couplings; PSPM at most {used:.2g} of d²; motors of {outside} "
+            f"virtual couplings saturated, {beyond} of which gave energy",
         ),
         Row(
             "touch record",

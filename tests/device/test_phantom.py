@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 from tests.device.support import BOOK, in_play
 
-from cotouch.device import Coupling, DeviceModel, PhantomPlant, Servo, SimulatedHand, advance, assemble
+from cotouch.device import Coupling, DeviceModel, PhantomPlant, Servo, SimulatedHand, advance, assemble, sure_force
 
 L1, L2, L3, L5, L6 = 0.215, 0.170, 0.0325, -0.0368, 0.0527
 MASS = {"a": 0.0202, "c": 0.0249, "be": 0.2359, "df": 0.1906}
@@ -175,6 +175,18 @@ def test_a_force_at_the_tip_becomes_torques_by_the_jacobian(q):
     state.told[0, :3] = force
     advance(devices, state, 0, 1e-4)
     np.testing.assert_allclose(state.effort[0, :3], jacobian(q).T @ force, atol=1e-9)
+
+
+@given(q=angles)
+def test_what_its_motors_can_do_everywhere(q):
+    plant = PhantomPlant()
+    devices, _ = assemble([DeviceModel(plant=plant), DeviceModel(servo=Servo(force=3.0)), DeviceModel()])
+    most = sure_force(devices, 0)
+    largest = most * np.linalg.norm(jacobian(q), axis=0)  # of each torque, in the direction worst for it
+    assert np.all(largest <= np.array(plant.torque) * (1.0 + 1e-8))
+    stretched = most * np.linalg.norm(jacobian(np.array([0.0, 0.0, np.pi / 2])), axis=0)
+    assert np.max(stretched / np.array(plant.torque)) == pytest.approx(1.0, rel=1e-8)
+    assert (sure_force(devices, 1), sure_force(devices, 2)) == (3.0, np.inf)
 
 
 def reference(q, v, until, *, weigh=False, wrong=0.0):

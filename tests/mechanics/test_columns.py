@@ -98,6 +98,19 @@ def test_touch_no_row_out_of_reach():
     assert not yielding.work.direction.any()
 
 
+def test_later_groups_reach_no_farther_than_their_own_iterations():
+    body = chain(400, mass=1.0, stiffness=1000.0)
+    reached: list[int] = []
+    for count in (4, 12):  # the same four columns, three times
+        yielding = Yielding(body, np.random.default_rng(0), count, heavy=1e6, entries=1)
+        yielding.work.row[:count, 0] = np.resize([100, 150, 200, 250], count)
+        yielding.work.value[:count, 0] = 1.0
+        answers = yielding.solve()
+        assert np.array_equal(answers, np.tile(answers[:, :4], count // 4))
+        reached.append(int(yielding.work.size[0]))
+    assert reached[1] == reached[0] < 200
+
+
 @pytest.mark.parametrize("cap", [1, 2, 5])
 def test_a_cap_leaves_a_smaller_yield(cap: int):
     """What conjugate gradients give so far never yields more than A⁻¹: contacts come out too stiff, never too soft."""

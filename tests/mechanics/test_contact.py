@@ -143,7 +143,7 @@ def problem(
 
 def swept(count: int, axes: int, parts: list[Array]) -> tuple[Array, int]:
     force = np.zeros(count * axes)
-    sweeps = sweep(count, axes, *parts, force)
+    sweeps = sweep(count, axes, *parts, force, np.zeros((2, count * axes)))
     return force, sweeps
 
 
@@ -219,6 +219,16 @@ class TestSweep:
         together = resist(count * stiffness, e, free, r, 0.0)
         assert force.sum() == pytest.approx(together, rel=1e-9)
         assert force == pytest.approx(np.full(count, together / count), rel=1e-6)
+
+    @pytest.mark.parametrize("apart", [3e-2, 1e-2, 1e-3])
+    def test_contacts_that_hardly_move_apart_settle(self, apart: float):
+        """On a light body: plain sweeps come nearer by a share of `apart` only. All of them touch: a linear problem."""
+        r, stiffness, e = 1e-2, 1e6, np.array([1.0e-3, 1.2e-3, 0.8e-3])
+        R = r * ((1.0 - apart) * np.ones((3, 3)) + apart * np.eye(3))
+        wanted = stiffness * np.array([1.1e-3, 1.0e-3, 0.9e-3])
+        free = (R + 2.0 / stiffness * np.eye(3)) @ wanted - 2.0 * e
+        force, _ = swept(3, 1, [e, np.full(3, stiffness), np.zeros(3), np.zeros(3), free, R])
+        assert force == pytest.approx(wanted, rel=1e-7)
 
     def test_nothing_near_takes_one_sweep(self):
         parts = problem(np.random.default_rng(1), 3, 1)

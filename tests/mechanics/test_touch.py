@@ -463,3 +463,87 @@ def test_a_bounce_returns_what_it_took(T: float):
     assert touched > 0
     assert tools.rate[0, 2] == pytest.approx(0.4, rel=1e-6)
     assert abs(float(tools.account[0])) < 1e-7 * copy.in_play
+
+
+@pytest.mark.parametrize("tolerance", [1e-12, 1e-10, 1e-8, 1e-6, 1e-4])
+def test_what_is_pressed_in_pushes_however_coarse_the_solver(tolerance: float):
+    """Off light, soft bodies: an account that would be overdrawn by what the solver left out costs the whole force."""
+    rng = np.random.default_rng(3)
+    pressed, lost = 0, 0
+    for _ in range(20):
+        body = lattice((3, 3, 2), mass=10.0 ** rng.uniform(-2, 1), stiffness=10.0 ** rng.uniform(2, 4), spacing=0.02)
+        copy = TouchedCopy(body, tolerance=tolerance)
+        tools = copy.tools
+        tools.radius[0], tools.stiffness[0] = 0.01, 10.0 ** rng.uniform(3, 6)
+        tools.place[0, :3], tools.rate[0, 2] = [0.02, 0.02, 0.0305], -0.4
+        copy.begin()
+        T = 10.0 ** rng.uniform(-3.5, -2.5)
+        for _ in range(round(0.04 / T)):
+            copy.step(T)
+            if np.any(copy.touch.small.depth[: copy.count] > 0.0):
+                pressed += 1
+                lost += int(tools.touching[0] == 0)
+        assert copy.debt >= -1e-12 * copy.in_play
+        assert copy.residual <= 1e-10 * copy.in_play
+    assert pressed > 60
+    assert lost == 0
+
+
+class TestDeep:
+    """A tool that comes to be deep in the body without having passed its skin slowly."""
+
+    def deep(self) -> TouchedCopy:
+        copy = TouchedCopy(block(shape=(5, 5, 5)))
+        copy.tools.radius[:] = 0.15 * SPACING
+        copy.tools.place[0, :3] = [2.0 * SPACING, 2.1 * SPACING, 2.6 * SPACING]  # 1.4 spacings below the top
+        return copy
+
+    @pytest.mark.parametrize("before", [AWAY, GRASP])
+    def test_is_kept_from_going_deeper_from_the_first_step_that_it_touches(self, before: int):
+        copy = self.deep()
+        tools = copy.tools
+        tools.mode[:] = before
+        copy.begin()
+        copy.step(1e-3)
+        tools.mode[:] = TOUCH
+        tools.rate[0, :3] = [0.0, 0.0, -0.05]
+        copy.begin()
+        copy.step(1e-3)
+        assert copy.count == 1
+        assert copy.touch.found.normal[0, :3] == pytest.approx([0.0, 0.0, 1.0], abs=1e-2)
+        assert tools.touch_force[0, 2] > 0.0
+        assert copy.residual <= 1e-10 * copy.in_play
+        assert copy.debt == 0.0
+
+    def test_is_let_out_without_a_push(self):
+        copy = self.deep()
+        copy.tools.rate[0, :3] = [0.0, 0.0, 0.05]
+        copy.begin()
+        copy.step(1e-3)
+        assert copy.count == 1
+        assert not copy.tools.touch_force.any()
+
+    def test_is_found_where_one_step_took_it(self):
+        """From rest above the skin to a spacing below it."""
+        copy = self.deep()
+        tools = copy.tools
+        tools.place[0, 2] = 4.5 * SPACING
+        copy.begin()
+        tools.push[0, 2] = -2.0 * tools.mass[0] * 1.5 * SPACING / 1e-3**2
+        copy.step(1e-3)
+        assert tools.place[0, 2] == pytest.approx(3.0 * SPACING)
+        assert not tools.touching.any()
+        tools.push[:] = 0.0
+        copy.step(1e-3)
+        assert tools.touching[0] == 1
+        assert tools.touch_force[0, 2] > 0.0
+        assert copy.residual <= 1e-10 * copy.in_play
+
+    def test_far_away_it_touches_nothing(self):
+        copy = self.deep()
+        copy.tools.place[0, 2] = 50.0 * SPACING
+        copy.tools.rate[0, 2] = -1.0
+        copy.begin()
+        copy.step(1e-3)
+        assert copy.count == 0
+        assert not copy.tools.inside.any()

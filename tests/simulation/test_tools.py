@@ -14,6 +14,7 @@ from cotouch.scenario import Scenario
 from cotouch.scenario._clear import clear_place
 from cotouch.scenario._tool_tables import DeviceTable, ToolHand, ToolTable
 from cotouch.simulation import animation, felt, figures, frame_rate, prepare, simulate, summary
+from cotouch.simulation._batch import run_batch
 from cotouch.simulation._tool_result import UNITS as TOOL_UNITS
 
 PAIR: dict[str, Any] = {"users": ["Ann", "Ben"], "spring": [[0, 20], [20, 0]], "delay": [[0, 0.01], [0.02, 0]]}
@@ -255,6 +256,33 @@ def test_a_virtual_coupling_is_passive_up_to_its_limit_and_refused_above() -> No
     tool["device"]["stiffness"] = 1.001 * limit
     with pytest.raises(ScenarioError, match=r"tools\[1\]\.device: .*is passive up to"):
         run_of(tool, steps=steps)
+
+
+@pytest.mark.parametrize("kind", ["touch", "grasp"])
+@pytest.mark.parametrize("seed", [2, 3, 4])
+def test_a_virtual_coupling_saturates_with_its_motors_and_stays_passive(kind: str, seed: int) -> None:
+    """Pulled about far beyond what the motors can do. A linear spring that they cut off gives energy, without end."""
+    rng = np.random.default_rng(seed)
+    hand = {"path": [[0.1 * k, *rng.normal(0.0, 0.06, 3).tolist()] for k in range(8)], "grip": 4.0}
+    device = {"coupling": "virtual", "stiffness": 800, "damping": 0.5, "viscous": 2.0, "force": 1.0, "mass": 0.1}
+    tool = {**(LEFT if kind == "touch" else HOLD), "user": 1, "hand": hand, "device": device}
+    steps = {"duration": 0.8, "random": {"low": 0.0008, "high": 0.001}}
+    prepared = prepare(Scenario.make(network=PAIR, body=BLOCK, steps=steps, tools=[tool]))
+    assert prepared.touching is not None
+    couplings = prepared.touching.couplings
+    assert couplings.most[0] == 1.0
+    outcome = run_batch(prepared)
+    assert outcome.tools is not None
+    moved = np.abs(outcome.tools.coupling[0]).max()
+    assert moved > 1e-3
+    assert outcome.tools.coupling[1].max() <= 1e-12 * moved
+    pull = np.linalg.norm(outcome.tools.drive[0, :, :3], axis=1).max()
+    couplings.most[0] = np.inf
+    linear = run_batch(prepared)
+    assert linear.tools is not None
+    assert linear.tools.coupling[1].max() > 0.01 * moved
+    # The proxy is pulled no harder either, but for what its own motion adds.
+    assert pull < min(2.0, 0.3 * np.linalg.norm(linear.tools.drive[0, :, :3], axis=1).max())
 
 
 @pytest.mark.parametrize("steps", [{"rate": [500, 1700]}, {"random": {"low": 0.0003, "high": 0.004}}])

@@ -24,7 +24,8 @@ def run(path: Path, *, out: Path | None, figures: Path | None, animation: Path |
         writable(animation)
         if scenario.record.frames is None:
             scenario = scenario.replace(record__frames=frame_rate(scenario))
-    with working("Simulating (the first run of all compiles the kernels, for about half a minute)", quiet=as_json):
+    wait = "a minute and a half" if scenario.tools else "half a minute"
+    with working(f"Simulating (the first run of all compiles the kernels, for about {wait})", quiet=as_json):
         result = simulate_scenario(scenario)
     written: list[Path] = []
     if out is not None:

@@ -2,7 +2,7 @@
 
 from cotouch.device._advance import advance
 from cotouch.device._assemble import assemble
-from cotouch.device._couple import Couplings, couplings, excess_bound, pull_proxy, tell_device
+from cotouch.device._couple import Couplings, couplings, excess_bound, pull_proxy, sure_force, tell_device
 from cotouch.device._critical import critical_stiffness, rings
 from cotouch.device._models import CartesianPlant, Coupling, DeviceModel, PhantomPlant, Servo, SimulatedHand
 from cotouch.device._simulated import DeviceSample, SimulatedDevice
@@ -35,5 +35,6 @@ __all__ = [
     "preset",
     "pull_proxy",
     "rings",
+    "sure_force",
     "tell_device",
 ]

@@ -2,8 +2,10 @@
 
 What whoever steps the proxy does with it, in each step from t to t + T:
 
-* *PSPM, or a sampled spring.* `advance` to any time up to now; hand `sample` and `sent` to the proxy's side, late or
-  never as the channel likes; after the step write the proxy's place to `wish` and its total to `received`.
+* *PSPM, or a sampled spring.* `advance` to any time up to now; pull the proxy towards `sample`; after the step write
+  the proxy's place to `wish`. With PSPM both ends here draw on one account, the device's spring and tank in `books`
+  (`_couple.py`). With a proxy in another process each end has its own, and they tell each other totals, late or never
+  as the channel likes: `sent` and `received` (`SimulatedDevice`).
 * *Told force.* `advance` to t, the start of the step; with q = `sample` and v = `sample_velocity` step the proxy under
   `τ = k (q - y⁺) + b (v - ŵ)`; write -τ to `told`. The next `advance`, to t + T, holds it.
 """

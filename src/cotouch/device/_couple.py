@@ -5,7 +5,7 @@ spring, and there is one account of the energy in it: a tick of the servo books 
 a step of the body what the spring did on the proxy. Whoever looks at the other's new place moves the spring's end
 there only as far as the account allows. The implicit step can take no more than the spring has; the servo may overdraw
 by what one held force does (`cotouch.mechanics.modulation_bound`). With a virtual coupling the body's step computes the
-force, and the device holds it.
+force, and the device holds it; it asks for no more than the motors can do, wherever the device is.
 """
 # An array indexed by an element of another is a number to numba and an array to numpy's types.
 # pyright: reportArgumentType=false, reportReturnType=false
@@ -44,6 +44,7 @@ class Couplings(NamedTuple):
         origin: place of the device's origin in the body's frame, (tools, 4) [m].
         stiffness: k at the proxy, (tools,) [N/m].
         damping: b at the proxy, (tools,) [Ns/m].
+        most: of a virtual coupling: the force at which it saturates, (tools,) [N].
         before: y at the start of the step, (tools, 4) [m].
         work: Σ τᵀŵ T, done on the proxy since the start, (tools,) [J].
         excess: largest `∫τᵀq̇ dt + Σ τᵀŵ T` so far: two-port passive if bounded, (tools,) [J]. Where the coupling counts
@@ -55,6 +56,7 @@ class Couplings(NamedTuple):
     origin: Float
     stiffness: Float
     damping: Float
+    most: Float
     before: Float
     work: Float
     excess: Float
@@ -67,10 +69,22 @@ def couplings(count: int) -> Couplings:
         origin=np.zeros((count, 4)),
         stiffness=np.zeros(count),
         damping=np.zeros(count),
+        most=np.full(count, inf),
         before=np.zeros((count, 4)),
         work=np.zeros(count),
         excess=np.zeros(count),
     )
+
+
+def sure_force(devices: Devices, d: int) -> float:
+    """The force that a device's motors can do in every direction and wherever it is; may be infinite [N]."""
+    servos, plants = devices.servos, devices.plants
+    most = float(servos.force[d])
+    if plants.kind[d] == PHANTOM:
+        # The first joint turns both arms, each of the others its own.
+        levers = np.array([plants.length[d].sum(), *plants.length[d]])
+        most = min(most, float((servos.torque[d, :3] / levers).min()))
+    return most
 
 
 def excess_bound(devices: Devices, d: int, fastest: float, longest: float, largest: float) -> float:
@@ -126,6 +140,14 @@ def pull_proxy(
     store(couplings.before, t, place, LANES)
     rate = load(state.sample_velocity, d, LANES)
     if at(devices.servos.law, d) == TOLD:
+        # The gap at the start of the step is shortened, which makes k (q - y) the slope of a convex energy, no steeper
+        # than k; the damper gets what force is left. What the coupling makes in a period then keeps its bound, which it
+        # does not if motors cut off the force of a linear spring and damper.
+        most, pull, drag = at(couplings.most, t), k * total(gap * gap) ** 0.5, b * total(rate * rate) ** 0.5
+        if pull > most:
+            gap, pull = (most / pull) * gap, most
+        if pull + drag > most:
+            b *= (most - pull) / drag
         # k (q - y⁺) + b (v - ŵ): the end of the step rather than its middle is what makes half of k T damping.
         store(tools.push, t, b * rate, LANES)
         b += 0.5 * k * T

@@ -338,7 +338,8 @@ def touching(
         centre: of all spheres, (tools, 4) [m].
         radius: of this one [m].
         margin: gaps up to it count, because they may close within the step [m].
-        inside: whether the centre was inside the body before; the way out is then looked for however far it is.
+        inside: whether the centre may be inside the body, because it was before or nobody looked; the way out is then
+            looked for however far it is.
         position: displacement in the model's rows.
         lanes: fixes the width.
 

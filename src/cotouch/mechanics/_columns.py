@@ -36,6 +36,7 @@ class Columns(NamedTuple):
         reach: rows that any column reaches, nearest first, (rows,).
         mark: whether a row is in `reach`, (rows,).
         size: number of rows in `reach`, (1,).
+        ring: how many rows of `reach` lie within 0, 1, ... neighbours of the columns' own rows, (rows + 1,).
         residual: scratch (rows, 4).
         direction: scratch (rows, 4), zero outside of a solve.
         image: scratch (rows, 4).
@@ -50,6 +51,7 @@ class Columns(NamedTuple):
     reach: Int
     mark: npt.NDArray[np.int8]
     size: Int
+    ring: Int
     residual: Float
     direction: Float
     image: Float
@@ -69,6 +71,7 @@ def columns(rows: int, most: int, *, held: int, modal: bool) -> Columns:
         reach=np.zeros(nodal, dtype=np.int32),
         mark=np.zeros(nodal, dtype=np.int8),
         size=np.zeros(1, dtype=np.int32),
+        ring=np.zeros(nodal + 1, dtype=np.int32),
         residual=np.zeros((nodal, 4)),
         direction=np.zeros((nodal, 4)),
         image=np.zeros((nodal, 4)),
@@ -113,7 +116,8 @@ def solve_columns(
                 work.mark[i] = 1
                 work.reach[size] = i
                 size += 1
-    seeds = size
+    seeds, rings, whole = size, 1, False
+    work.ring[0] = seeds
     zero = splat(0.0, FOUR)
     tiny = splat(_TINY, FOUR)
     for group in range((count + 3) // 4):
@@ -134,17 +138,22 @@ def solve_columns(
             store(work.direction, i, z, FOUR)
             square = square + r * z
         store(work.lane, 0, square, FOUR)
-        first, last = 0, seeds  # the rows whose neighbours may be new, the rows that the direction has reached
+        ring = 0  # how far the direction has reached; no group goes farther than its own iterations
         for _ in range(cap):
-            if last == size:
-                grown = _grow(op, work, first, last)
+            if ring + 1 == rings and not whole:
+                grown = _grow(op, work, work.ring[ring - 1] if ring > 0 else 0, size)
                 for place in range(size, grown):
                     i = work.reach[place]
                     for other in range(group + 1):  # earlier groups do not reach it: zero, not of another step
                         store(work.answer[other], i, zero, FOUR)
                     store(work.residual, i, zero, FOUR)
-                first, size = last, grown
-            last = size
+                whole = grown == size
+                if not whole:
+                    work.ring[rings] = grown
+                    rings += 1
+                size = grown
+            ring = min(ring + 1, rings - 1)
+            last = work.ring[ring]
             curvature = zero
             for place in range(last):
                 i = work.reach[place]

@@ -18,6 +18,10 @@ Int = npt.NDArray[np.int32]
 
 SWEEPS = 200
 _SETTLED = 1e-13
+# Sweeps before the first guess ahead, sweeps from one to the next, and the slowest shrinking it believes.
+_PATIENCE = 4
+_BETWEEN = 2
+_SLOWEST = 0.999
 
 
 @part
@@ -107,8 +111,13 @@ def sweep(
     free: Float,
     compliance: Float,
     force: Float,
+    trail: Float,
 ) -> int:
     """Forces of several contacts that feel each other, by Gauss-Seidel.
+
+    Contacts that hardly move apart, as two spheres on a light body, settle by a little less in each sweep. Where the
+    changes of two sweeps shrink along each other, the forces are put where that would end [Aitken's process for
+    vectors, after Irons & Tuck 1969]; the sweep after it makes them forces again.
 
     Args:
         count: of contacts.
@@ -120,13 +129,16 @@ def sweep(
         free: motion of each element without any contact, (count * axes,).
         compliance: R, (elements, elements).
         force: result, (elements,); the start, too.
+        trail: scratch (2, elements): forces before a sweep, their change in it.
 
     Returns:
         How many sweeps.
     """
-    elements = count * axes
+    elements, since = count * axes, 0
     for number in range(SWEEPS):
         largest, change = 0.0, 0.0
+        for j in range(elements):
+            trail[0, j] = force[j]
         for c in range(count):
             n = c * axes
             own = free[n]
@@ -152,4 +164,16 @@ def sweep(
                 force[n + 1], force[n + 2] = p, q
         if change <= _SETTLED * largest or elements == 1:
             return number + 1
+        along = square = 0.0
+        for j in range(elements):
+            moved = force[j] - trail[0, j]
+            along += moved * trail[1, j]
+            square += trail[1, j] * trail[1, j]
+            trail[1, j] = moved
+        since += 1
+        if number + 1 >= _PATIENCE and since >= _BETWEEN and number + 1 < SWEEPS and along > 0.0:
+            shrinks = min(along / square, _SLOWEST)
+            for j in range(elements):
+                force[j] += shrinks / (1.0 - shrinks) * trail[1, j]
+            since = 0
     return SWEEPS

@@ -27,7 +27,7 @@ Int = npt.NDArray[np.int32]
 _NOTICED = 1e-15
 # How deep an account may go into debt, as a share of the energy that moves within the step.
 _DEBT = 1e-12
-# What contacts leave in an account that they would empty: room for what the solver of the columns missed.
+# What contacts at least leave in an account that they would empty: room for rounding and for the scale of the step.
 _LEFT = 1e-8
 
 
@@ -46,6 +46,7 @@ class Small(NamedTuple):
         compliance: R, (elements, elements).
         force: (elements,).
         guess: what the solve for v̂₀ took the force to be, (elements,).
+        trail: scratch of the sweeps, (2, elements).
         rate: mean velocity of the body less that of the proxy along each element, (elements,).
         yielding: Hᵀ X, (columns, columns).
         reading: Hᵀ v̂ at the columns, (columns, 4).
@@ -72,6 +73,7 @@ class Small(NamedTuple):
     compliance: Float
     force: Float
     guess: Float
+    trail: Float
     rate: Float
     yielding: Float
     reading: Float
@@ -102,6 +104,7 @@ def small(contacts: int, tools: int, columns: int) -> Small:
         compliance=np.zeros((elements, elements)),
         force=np.zeros(elements),
         guess=np.zeros(elements),
+        trail=np.zeros((2, elements)),
         rate=np.zeros(elements),
         yielding=np.zeros((columns, columns)),
         reading=np.zeros((columns, 4)),
@@ -227,12 +230,21 @@ def _substitute_column(factor: Float, size: int, values: Float, j: int) -> None:
 
 
 @part
-def limit(small: Small, elements: int, account: Float, first: int, tools: int) -> None:
+def limit(small: Small, elements: int, account: Float, first: int, tools: int, coarse: float) -> None:
     """Shortens the forces of a tool whose contacts would take all of its account, or more.
 
     A contact that lets go returns all that is in it, and unfinished sweeps may ask for more. What the forces gain is
     concave in a common factor, so the factor that fits if the motion stayed fits all the more if it changes with them.
+
+    Args:
+        small: forces.
+        elements: number of elements.
+        account: of all tools [J].
+        first: the first of these tools.
+        tools: how many.
+        coarse: how coarse the columns are, which is what the motion may differ by from what the forces were found for.
     """
+    most = 1.0 - min(max(coarse, _LEFT), 0.5)
     owner, free, compliance, force = small.owner, small.free, small.compliance, small.force
     for p in range(tools):
         gained = 0.0
@@ -243,8 +255,8 @@ def limit(small: Small, elements: int, account: Float, first: int, tools: int) -
                     motion -= compliance[j, k] * force[k]
                 gained += force[j] * motion
         have = max(account[first + p], 0.0)
-        if gained < -(1.0 - _LEFT) * have:
-            factor = (1.0 - _LEFT) * have / -gained
+        if gained < -most * have:
+            factor = most * have / -gained
             for j in range(elements):
                 if owner[j] == p:
                     force[j] *= factor

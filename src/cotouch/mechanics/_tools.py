@@ -57,7 +57,8 @@ class Tools(NamedTuple):
         rate: w, (tools, 4) [m/s].
         account: energy in the contacts of each tool, (tools,) [J].
         grip_energy: energy in the springs of its grasp, (tools,) [J].
-        inside: whether the centre is inside the body, (tools,).
+        inside: 0: the centre is outside the body; 1: it is inside or may be, and the skin is looked for however far it
+            is, (tools,).
         held: how many nodes it holds; -1: it does not hold, (tools,).
         hold: which, (tools, MOST_HELD).
         offset: stretch-free place of each relative to y, less its rest place, (tools * MOST_HELD, 4) [m].
@@ -120,7 +121,7 @@ def tools(count: int) -> Tools:
         rate=row(),
         account=line(),
         grip_energy=line(),
-        inside=whole(),
+        inside=np.ones(count, dtype=np.int32),
         held=np.full(count, -1, dtype=np.int32),
         hold=np.zeros((count, MOST_HELD), dtype=np.int32),
         offset=np.zeros((count * MOST_HELD, 4)),

@@ -16,33 +16,20 @@ from cotouch.mechanics._collide import Contacts, Hits, touching
 from cotouch.mechanics._columns import Columns, solve_columns
 from cotouch.mechanics._contact import sweep
 from cotouch.mechanics._elements import elements, gather, hold, modal_columns
-from cotouch.mechanics._grasp import held_place, held_rate, take
+from cotouch.mechanics._grasp import take
 from cotouch.mechanics._kernel import block, part
 from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._ports import correct
+from cotouch.mechanics._settle import margin_of, settle_contacts, settle_tools
 from cotouch.mechanics._small import Small, limit, put_back, reduce_step, sound
 from cotouch.mechanics._solve import divide
 from cotouch.mechanics._state import ITERATIONS, SUPPLIED, Grips, Links, State, Workspace
 from cotouch.mechanics._step import assemble, book_energies, move, port_work, solve_step
 from cotouch.mechanics._surface import Fit, Surface, refit
-from cotouch.mechanics._tools import (
-    AWAY,
-    DRIVE,
-    GRASP,
-    MOST_HELD,
-    PROXY,
-    TOUCH,
-    TOUCH_LOSS,
-    TOUCH_STORED,
-    TOUCHED,
-    Tools,
-    TouchWork,
-)
+from cotouch.mechanics._tools import AWAY, GRASP, TOUCH, TOUCH_LOSS, Tools, TouchWork
 
 Float = npt.NDArray[np.float64]
 
-# Gaps count as contacts up to this share of a radius, and as far as two steps of the proxy carry it.
-_MARGIN = 0.05
 # Columns need not be better than this, nor than the solver's own tolerance to the power ¾: what they leave out is a
 # share of what a contact's force changes by from step to step, in the body's motion and not in the books.
 _COLUMN_TOLERANCE = 1e-9
@@ -132,10 +119,12 @@ def touch_step(
         families = op.entries.shape[0]
         values = op.entries[0] if families == 1 else work.values
         scale = work.scale[0] if families == 1 else 1.0 if families > 1 else 0.0
+        coarse = 0.0
         if modal:
             modal_columns(columns.dense, columns.answer, ports, port_count, used, diagonal)
         else:
-            solve_columns(op, values, scale, diagonal, columns, used, max(tolerance**0.75, _COLUMN_TOLERANCE), cap)
+            coarse = max(tolerance**0.75, _COLUMN_TOLERANCE)
+            solve_columns(op, values, scale, diagonal, columns, used, coarse, cap)
         count = contacts * axes
         reduce_step(columns, small, T, last - first, count, used, mean)
         sweep(
@@ -148,8 +137,9 @@ def touch_step(
             small.free,
             small.compliance,
             force,
+            small.trail,
         )
-        limit(small, count, tools.account, first, last - first)
+        limit(small, count, tools.account, first, last - first, coarse)
         if not sound(small, count, tools.account, first, last - first, 1.0, False):
             for j in range(count):
                 force[j] = 0.0
@@ -173,8 +163,8 @@ def touch_step(
             modal,
             lanes,
         )
-        _settle_contacts(tools, small, T, contacts, axes, touch_books)
-    _settle_tools(surface, fit, tools, small.mean, T, position, mean, touch_books)
+        settle_contacts(tools, small, T, contacts, axes, touch_books)
+    settle_tools(surface, fit, tools, small.mean, T, position, mean, touch_books)
     books[SUPPLIED] = port_work(op, state, grips, T, mean, lanes)
     move(op, state, links, T, sample, work, link_work, lanes)
     book_energies(op, state, local_damping, extra_damping, T, work, books, lanes)
@@ -216,14 +206,11 @@ def _meet(
             take(surface, fit, tools, t, position, lanes)
         within = False
         if mode[t] == TOUCH:
-            speed = 0.0
-            for a in range(3):
-                speed += rate[t, a] * rate[t, a]
-            margin = _MARGIN * radius[t] + 2.0 * T * math.sqrt(speed)
+            margin = margin_of(radius[t], rate, t, T)
             within = touching(surface, fit, hits, found, t, place, radius[t], margin, inside[t] != 0, position, lanes)
             if friction[t] > 0.0:
                 axes = 3
-        inside[t] = 1 if within else 0
+        inside[t] = 1 if within or mode[t] != TOUCH else 0
     return axes
 
 
@@ -318,79 +305,3 @@ def _drive(tools: Tools, small: Small, T: float) -> None:
         for a in range(3):
             wish = 0.5 * k * (start[t, a] + end[t, a]) + (b / T) * (end[t, a] - start[t, a]) + push[t, a]
             drive[3 * p + a] = heavy * rate[t, a] + wish - k * place[t, a]
-
-
-@part
-def _settle_contacts(tools: Tools, small: Small, T: float, count: int, axes: int, touch_books: Float) -> None:
-    """What the contacts' forces did in the step that came of them: to the body, and to the accounts."""
-    first, touching_now, touch_force, account = tools.first, tools.touching, tools.touch_force, tools.account
-    owner, force, direction, rate, mean = small.owner, small.force, small.direction, small.rate, small.mean
-    for c in range(count):
-        p = owner[c * axes]
-        t = first + p
-        if force[c * axes] > 0.0:
-            touching_now[t] += 1
-        for j in range(c * axes, c * axes + axes):
-            proxy = 0.0
-            for a in range(3):
-                proxy += direction[j, a] * mean[3 * p + a]
-                touch_force[t, a] += force[j] * direction[j, a]
-            touch_books[TOUCHED] -= T * force[j] * (rate[j] + proxy)
-            account[t] += T * force[j] * rate[j]
-
-
-@part
-def _settle_tools(
-    surface: Surface,
-    fit: Fit,
-    tools: Tools,
-    proxies: Float,
-    T: float,
-    position: Float,
-    mean: Float,
-    touch_books: Float,
-) -> None:
-    """Forces, work and energies of drives and grasps; new places and velocities."""
-    hold_row, rest, shape, moved = surface.hold_row, surface.rest, surface.shape, fit.place
-    stiffness, damping, first_place, last_place = (
-        tools.drive_stiffness,
-        tools.drive_damping,
-        tools.drive_start,
-        tools.drive_end,
-    )
-    grip_stiffness, grip_damping, held, hold_of = tools.grip_stiffness, tools.grip_damping, tools.held, tools.hold
-    grip_energy, account, touching_now, mass = tools.grip_energy, tools.account, tools.touching, tools.mass
-    places, rates, offset, push = tools.place, tools.rate, tools.offset, tools.push
-    drive_force, touch_force = tools.drive_force, tools.touch_force
-    for t in range(tools.first, tools.last):
-        p, k, b = t - tools.first, stiffness[t], damping[t]
-        kb, bb = grip_stiffness[t], grip_damping[t]
-        square = 0.0
-        drive_force[t, 3] = 0.0
-        if held[t] > 0:
-            grip_energy[t] = 0.0
-            touching_now[t] = held[t]
-        for a in range(3):
-            w = proxies[3 * p + a]
-            start, end = first_place[t, a], last_place[t, a]
-            force = k * (0.5 * (start + end) - places[t, a] - 0.5 * T * w) + b * ((end - start) / T - w) + push[t, a]
-            drive_force[t, a] = force
-            touch_books[DRIVE] += T * force * w
-            for c in range(max(held[t], 0)):
-                h = hold_of[t, c]
-                before = held_place(hold_row, rest, moved, h, a, position) - places[t, a]
-                before -= offset[t * MOST_HELD + c, a]
-                v = held_rate(hold_row, shape, h, a, mean)
-                pull = kb * (before + 0.5 * T * (v - w)) + bb * (v - w)  # on the proxy
-                after = before + T * (v - w)
-                touch_force[t, a] += pull
-                grip_energy[t] += 0.5 * kb * after * after
-                touch_books[TOUCHED] -= T * pull * v
-                touch_books[TOUCH_LOSS] += T * bb * (v - w) * (v - w)
-        for a in range(3):
-            w = proxies[3 * p + a]
-            places[t, a] += T * w
-            rates[t, a] = 2.0 * w - rates[t, a]
-            square += rates[t, a] * rates[t, a]
-        touch_books[PROXY] += 0.5 * mass[t] * square
-        touch_books[TOUCH_STORED] += account[t] + grip_energy[t]

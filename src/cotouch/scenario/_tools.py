@@ -16,6 +16,7 @@ from cotouch.device import (
     SimulatedHand,
     assemble,
     couplings,
+    sure_force,
 )
 from cotouch.errors import BodyError, DeviceError, ScenarioError
 from cotouch.mechanics import (
@@ -98,6 +99,8 @@ def touching_of(
         joined.stiffness[t], joined.damping[t] = device.coupling.stiffness, device.coupling.damping
         models.append(device)
     devices, states = assemble(models)
+    for t in np.flatnonzero(joined.device >= 0):
+        joined.most[t] = sure_force(devices, int(joined.device[t]))
     owner = np.array([table.user - 1 for table in chosen])
     first = np.searchsorted(owner, np.arange(users + 1)).astype(np.int32)
     hands = _drives(chosen)

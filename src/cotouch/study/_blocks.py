@@ -38,8 +38,8 @@ class TwoPort:
         excess: most that it had given device and proxy together at the end of any step [J]. A virtual coupling is paid
             for by the device's own damping and (for its encoder) friction, whose losses count as given to the coupling.
         bound: d², which the excess must not exceed [J].
-        saturated: ticks at which the motors could not do what was asked. A virtual coupling's condition supposes that
-            they can: what its proxy gets, its device must feel.
+        saturated: ticks at which the motors could not do what was asked. A virtual coupling asks for no more than they
+            can, but for what its proxy's motion in the step adds.
     """
 
     user: int
