@@ -3,7 +3,9 @@
 from cotouch.live._ages import LinkAges, Window
 from cotouch.live._agreement import Agreement, Progress
 from cotouch.live._assembly import Assembly
+from cotouch.live._budget import BudgetAgreement
 from cotouch.live._codec import AGED, ECHO, RENEW, Chunk, Codec, Heading, Written
+from cotouch.live._indexed import IndexedAssembly
 from cotouch.live._keys import DirectionKeys, Entropy, Identity, LinkKeys
 from cotouch.live._layout import HEAD_BYTES, Coding, Layout
 from cotouch.live._limit import Bucket, SourceLimit
@@ -31,6 +33,7 @@ __all__ = [
     "Arrival",
     "Assembly",
     "Bucket",
+    "BudgetAgreement",
     "Chunk",
     "Codec",
     "Coding",
@@ -38,6 +41,7 @@ __all__ = [
     "Entropy",
     "Heading",
     "Identity",
+    "IndexedAssembly",
     "Layout",
     "LinkAges",
     "LinkKeys",

@@ -147,6 +147,10 @@ class LinkAges:
         own = self._own.greatest
         return None if own is None or self._reported is None else own + self._reported[1]
 
+    def own_quantile(self, q: float) -> float | None:
+        """The q-quantile of the ages here, offset included; None before the first step [s]."""
+        return self._own.quantile(q)
+
     def sum_quantile(self, q: float) -> float | None:
         """The q-quantile of the ages here plus that of those there; None until both are known [s]."""
         own, others = self._own.quantile(q), self._others.quantile(q)

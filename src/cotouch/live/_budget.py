@@ -1,0 +1,224 @@
+"""How the two ends of a link agree on age budgets while it runs, so that damping always covers what is in force.
+
+Each end uses a budget of its own, A, as its clock shows ages, and the damping of both must cover the sum of both
+budgets; offsets of the clocks drop out of that sum and of nothing else. So an end asks, the other end grants::
+
+    asks for more    own damping is raised    ──ask──▶     damping is raised, then
+    A is raised, once the grant has stood     ◀──grant──   it is granted
+    for as long as both budgets
+    A is lowered at once                      ──ask──▶     grant and damping are lowered
+
+A message says all that its sender knows, so that losses and repetitions do not matter: its life and the number of its
+message, the other's life and message that it heard last, what it asks for, what it grants. One that was overtaken is
+dropped, and a grant counts only if whoever gave it had heard the present wish. An end that begins a new life (it was
+restarted) has no budget until it is granted one in that life; who hears of it gives up its own until then, because what
+the old life granted is gone. Budgets of one direction are at no time above what the other end grants.
+"""
+
+import struct
+from math import inf, isfinite
+from typing import final
+
+from cotouch.errors import SessionError
+from cotouch.live._ages import LinkAges
+
+# magic, own life, other's life as heard, own number, other's number as heard, ask, grant (NaN: nothing)
+_MESSAGE = struct.Struct("<4sQQIIdd")
+_MAGIC = b"ctb1"
+_LAST = 0xFFFF_FFFF
+_MOST = 2.1e10  # no clock shows more
+_NOTHING = float("nan")
+
+
+@final
+class BudgetAgreement:
+    """One end of one link. Opens nothing: messages in, messages and budgets out.
+
+    Let the guard have `budget` and `total` after every call, and the copy at least the damping of `total`; where `total`
+    falls, that may come later.
+
+    Attributes:
+        budget: A in force, as this end's clock shows ages; -inf: none [s].
+    """
+
+    def __init__(
+        self,
+        *,
+        life: int,
+        quantile: float = 1.0,
+        margin: float = 0.25,
+        slack: float = 0.0,
+        patience: float = 5.0,
+        every: float = 0.25,
+    ) -> None:
+        """Starts without a budget.
+
+        Args:
+            life: grows with every restart of this end, 1 to 2^64 - 1; a time of day in nanoseconds will do.
+            quantile: of the ages in the window that the budget is to cover, in (0, 1].
+            margin: what is added, as a share of both ends' ages together, >= 0.
+            slack: what is added besides, such as the longest step, >= 0 [s].
+            patience: for so long a smaller budget must do before it is lowered, >= 0 [s].
+            every: how often a message is sent as long as the other end does not answer, > 0 [s].
+
+        Raises:
+            SessionError: an option is out of range.
+        """
+        if not 0 < life < 1 << 64:
+            raise SessionError(f"the life of a budget's end is {life}; it must be from 1 to 2^64 - 1")
+        if not 0.0 < quantile <= 1.0:
+            raise SessionError(f"the quantile of ages is {quantile:g}; it must be above 0 and at most 1")
+        for name, value in (("margin", margin), ("slack", slack), ("patience", patience)):
+            if not 0.0 <= value < inf:
+                raise SessionError(f"a budget's {name} is {value:g}; it must be finite and at least 0")
+        if not 0.0 < every < inf:
+            raise SessionError(f"a budget's message is due every {every:g} s; it takes a finite time above 0")
+        self.budget = -inf
+        self._life = life
+        self._quantile, self._margin, self._slack = quantile, margin, slack
+        self._patience, self._every = patience, every
+        self._ask: float | None = None  # what this end would use
+        self._grant: float | None = None  # the most that the other end may use
+        self._number = 0  # of the newest thing said
+        self._asked = 0  # number that the present wish was said with
+        self._other_life = 0
+        self._other_number = 0
+        self._granted_since: float | None = None
+        self._covered = 0.0
+        self._due = -inf
+        self._small: tuple[float, float] | None = None  # since when less would do, and how much at most
+
+    @property
+    def total(self) -> float:
+        """Sum of both budgets that this end's damping must cover, >= 0 [s]."""
+        return self._covered
+
+    @property
+    def settled(self) -> bool:
+        """Whether the budget in force is the one wished for."""
+        return self._ask is not None and self.budget == self._ask
+
+    def propose(self, now: float, ages: LinkAges) -> None:
+        """Looks at the ages, and asks for another budget if they call for one; to be called now and then.
+
+        A larger one is asked for as soon as half of the margin is used up, a smaller one when less than half of it would
+        have been used up for as long as patience lasts.
+
+        Args:
+            now: time of this end, never backwards [s].
+            ages: of the link.
+        """
+        own, both = ages.own_quantile(self._quantile), ages.sum_quantile(self._quantile)
+        if own is None or both is None:
+            return
+        spare = self._margin * max(0.0, both)
+        self.wish(now, own + self._slack + spare, spare=spare)
+
+    def wish(self, now: float, budget: float, *, spare: float = 0.0) -> None:
+        """Asks for a budget; sooner for a larger one than for a smaller one.
+
+        Args:
+            now: [s].
+            budget: what would do, as this end's clock shows ages [s].
+            spare: how much of it is margin [s].
+        """
+        if self._ask is None or budget > self._ask + 0.5 * spare:
+            self._change(now, budget)
+            return
+        if budget >= self._ask - 0.5 * spare:
+            self._small = None
+            return
+        since, most = self._small or (now, budget)
+        self._small = (since, max(most, budget))
+        if now - since >= self._patience:
+            self._change(now, self._small[1])
+
+    def _change(self, now: float, budget: float) -> None:
+        self._small = None
+        if self._ask == budget:
+            return
+        self._ask = budget
+        self.budget = min(self.budget, budget)
+        self._granted_since = None
+        self._say()
+        self._asked = self._number
+        self._cover()
+        self._due = now
+
+    def message(self, now: float) -> bytes | None:
+        """What is to be said now, if anything: at once after a change, and again until it is settled; later rarely."""
+        if now < self._due:
+            return None
+        self._due = now + (4.0 if self.settled else 1.0) * self._every
+        return _MESSAGE.pack(
+            _MAGIC,
+            self._life,
+            self._other_life,
+            self._number,
+            self._other_number,
+            _NOTHING if self._ask is None else self._ask,
+            _NOTHING if self._grant is None else self._grant,
+        )
+
+    def receive(self, now: float, message: bytes) -> bool:
+        """Takes a message of the other end; False if it is of no use.
+
+        Args:
+            now: [s].
+            message: as it arrived.
+        """
+        if len(message) != _MESSAGE.size or not message.startswith(_MAGIC):
+            return False
+        _, life, heard_life, number, heard, ask, grant = _MESSAGE.unpack(message)
+        if life == 0 or not all(value != value or abs(value) <= _MOST for value in (ask, grant)):
+            return False
+        if life < self._other_life or (life == self._other_life and number < self._other_number):
+            return False
+        if life > self._other_life:
+            self._forget(now)
+            self._other_life = life
+        self._other_number = number
+        if isfinite(ask) and ask != self._grant:
+            self._grant = ask
+            self._cover()
+            self._say()
+            self._due = now
+        if heard_life != self._life or heard < self._number or number == 0:
+            self._due = min(self._due, now + 0.5 * self._every)
+        answered = heard_life == self._life and heard >= self._asked
+        if answered and self._ask is not None and isfinite(grant) and grant >= self._ask:
+            if self._granted_since is None:
+                self._granted_since = now
+        self.advance(now)
+        return True
+
+    def advance(self, now: float) -> None:
+        """Raises the budget when its time has come; to be called often [s]."""
+        if self._granted_since is None or self._ask is None or self._grant is None:
+            return
+        if self.budget != self._ask and now - self._granted_since >= self._covered:
+            self.budget = self._ask
+            self._cover()
+
+    def _forget(self, now: float) -> None:
+        """The other end began a new life: what its old one granted is gone, and it uses nothing."""
+        self.budget = -inf
+        self._grant = None
+        self._other_number = 0
+        self._granted_since = None
+        if self._ask is not None:  # only a grant of the new life counts
+            self._say()
+            self._asked = self._number
+        self._cover()
+        self._due = now
+
+    def _cover(self) -> None:
+        """The damping falls only with what is in force, asked for or granted."""
+        if self._ask is None or self._grant is None:
+            self._covered = 0.0
+            return
+        self._covered = max(0.0, max(self.budget, self._ask) + self._grant)
+
+    def _say(self) -> None:
+        if self._number < _LAST:
+            self._number += 1
