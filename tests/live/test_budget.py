@@ -116,6 +116,32 @@ def test_a_budget_is_raised_last_and_lowered_first():
     assert raised < pair.now
 
 
+def test_an_old_grant_is_not_taken_for_the_answer_to_a_new_wish():
+    """Granted, not wanted any more, wanted again: the grant of before is late, and has been taken back since."""
+    first, second = (BudgetAgreement(life=1, patience=0.0) for _ in range(2))
+    said: list[bytes] = []
+
+    def say(end: BudgetAgreement, now: float) -> bytes:
+        message = end.message(now)
+        assert message is not None
+        return message
+
+    second.wish(0.0, 0.1)
+    first.wish(0.0, 0.5)
+    first.receive(0.0, say(second, 0.0))
+    second.receive(0.0, say(first, 0.0))
+    said.append(say(second, 0.0))  # grants 0.5, and is late
+    for now in (0.1, 0.2):
+        first.wish(now, 0.1)
+    second.receive(0.2, say(first, 0.2))
+    assert second.total == pytest.approx(0.2)
+    first.wish(0.3, 0.5)
+    first.receive(0.3, said[0])
+    for now in np.arange(0.3, 3.0, 0.1):
+        first.advance(float(now))
+    assert first.budget == -np.inf
+
+
 def test_it_does_not_chatter():
     """Wishes that wander within half the margin change nothing, and little is said once all is settled."""
     pair, rng = Pair(), np.random.default_rng(0)
