@@ -196,7 +196,7 @@ def test_members_come_and_go_and_the_books_stay_balanced():
         if k % 20 == 10 and len(guards) < 3:
             new = next(j for j in (1, 2, 3) if j not in guards)
             start = Sample(sender=new, index=-1, stamp=-np.inf, position=np.zeros(rows), word=UNHEARD)
-            guards[new] = LinkGuard(FreshestLink(start), budget=0.05, total=0.1, seed=1e-3)
+            guards[new] = LinkGuard(FreshestLink(start), budget=0.05, total=0.1, seed=1.0)
             one.connect(new, guards[new], strength=30.0)
             copies += 1
             one.rescale(copies)
