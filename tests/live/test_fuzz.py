@@ -108,7 +108,10 @@ def inside(count: int) -> None:
             else:
                 reasons.add(result)
         expected = {Refusal.SHORT, Refusal.VERSION, Refusal.CODING, Refusal.FLAGS, Refusal.EPOCH, Refusal.SENDER}
-        assert expected | {Refusal.RANGE, Refusal.SIZE, Refusal.INDEX, Refusal.TIME, Refusal.STATE} == reasons
+        assert (
+            expected | {Refusal.RANGE, Refusal.SIZE, Refusal.INDEX, Refusal.TIME, Refusal.GUARD, Refusal.STATE}
+            == reasons
+        )
 
 
 def test_noise_from_outside():

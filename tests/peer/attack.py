@@ -152,36 +152,9 @@ def knots(plan: Plan, speed: np.ndarray, length: float) -> Policy:
     return move
 
 
-def climb(
-    plan: Plan, guard: Callable[..., LinkGuard], *, seed: int, tries: int, length: float
-) -> tuple[float, Outcome]:
-    """Searches the motion that gets most out, beside what it loses; (worst ratio, its outcome)."""
-    rng = np.random.default_rng(seed)
-    users, spans = len(plan.ends), int(plan.order[-1][0] / length) + 1
-    best, worst = rng.normal(size=(users, spans)), np.inf
-    if users == 2:  # the age rule is tight where two move against each other
-        best[1] = -best[0]
-    result = None
-    for attempt in range(tries):
-        trial = best.copy()
-        if attempt:
-            chosen = rng.random(trial.shape) < rng.choice([0.1, 0.3, 1.0])
-            trial += chosen * rng.normal(size=trial.shape) * rng.choice([0.03, 0.3, 1.0])
-            if rng.random() < 0.3:
-                trial[:, int(rng.integers(spans)) :] *= rng.choice([-1.0, 0.0, 0.5])
-        outcome = attack(plan, knots(plan, trial, length), guard)
-        ratio = outcome.supplied / max(outcome.scale, 1e-12)
-        if ratio == 0.0:  # nothing yet: lose little where much was stored
-            ratio = outcome.final / max(outcome.scale, 1e-12)
-        if ratio < worst:
-            best, worst, result = trial, ratio, outcome
-    assert result is not None
-    return result.supplied / max(result.scale, 1e-12), result
-
-
-def random_plan(seed: int, *, duration: float = 1.5, users: int | None = None, **options: float) -> Plan:
+def random_plan(number: int, *, duration: float = 1.5, users: int | None = None, **options: float) -> Plan:
     """Two to five users with rates, paths, outages and clocks of their own."""
-    rng = np.random.default_rng(seed)
+    rng = np.random.default_rng(number)
     users = int(rng.integers(2, 6)) if users is None else users
     T = [float(rng.choice([0.01, 0.02, 0.03])) for _ in range(users)]
     ends = []
@@ -203,7 +176,7 @@ def random_plan(seed: int, *, duration: float = 1.5, users: int | None = None, *
     for i, j in ways:
         budget[i, j] = ways[j, i].delay + 1.5 * ways[j, i].jitter + 1.5 * (T[i] + T[j]) * float(rng.choice([1.0, 1.5]))
     offset = [float(rng.choice([0.0, 3.0, -7.0])) for _ in range(users)]
-    return Plan(ends, links, ways, budget, offset, options, seed)
+    return Plan(ends, links, ways, budget, offset, options, number)
 
 
 def greedy(seed: int, *, eager: float = 1.0, switch: float = 0.1, push: float = 1.0) -> Policy:
@@ -224,9 +197,9 @@ def greedy(seed: int, *, eager: float = 1.0, switch: float = 0.1, push: float = 
     return move
 
 
-def tight_plan(seed: int, *, duration: float = 4.0, **options: float) -> Plan:
+def tight_plan(number: int, *, duration: float = 4.0, **options: float) -> Plan:
     """Two users with equal steps and constant delays, budgets met exactly, and one or more outages of either way."""
-    rng = np.random.default_rng(seed)
+    rng = np.random.default_rng(number)
     T = 0.01
     ends = [T * np.arange(1, int(duration / T) + 1) for _ in range(2)]
     steps = [int(rng.integers(0, 4)) for _ in range(2)]
@@ -239,4 +212,4 @@ def tight_plan(seed: int, *, duration: float = 4.0, **options: float) -> Plan:
         ways[pair] = Way((delay + 0.5) * T, outages=outages)
     # a sample of the step that ends at t arrives at t + (delay + ½) T, is used by the step that ends T/2 later at most
     budget = {(i, j): (steps[0 if (j, i) == (0, 1) else 1] + 1.5) * T + 1e-9 for i, j in ((0, 1), (1, 0))}
-    return Plan(ends, [(0, 1)], ways, budget, [0.0, 0.0], options, seed)
+    return Plan(ends, [(0, 1)], ways, budget, [0.0, 0.0], options, number)

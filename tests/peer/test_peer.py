@@ -1,9 +1,10 @@
 import numpy as np
 import pytest
 
-from cotouch.body import point
+from cotouch.body import lattice, point
+from cotouch.errors import NetworkError
 from cotouch.mechanics import Grips, model
-from cotouch.peer import ConstantLink, FreshestLink, Peer, Sample
+from cotouch.peer import COUPLED, READY, UNHEARD, ConstantLink, FreshestLink, LinkGuard, Peer, Sample, Word
 
 
 def sample(sender: int, index: int, value: float) -> Sample:
@@ -93,3 +94,195 @@ def test_a_late_step_takes_longer_and_stays_balanced() -> None:
         report = one.step(now, T)
         assert abs(report.residual) < 1e-13
     assert one.steps == 500
+
+
+def alone(*, stiffness: float = 4.0, damping: float = 0.5, copies: int = 2, velocity: float = 0.4) -> Peer:
+    ready = model(point(mass=1.0, stiffness=stiffness, damping=damping), copies=copies)
+    empty = np.zeros(0)
+    return Peer(
+        index=0,
+        model=ready,
+        links={},
+        strength=[],
+        weight=[],
+        local_damping=np.array([0.0]),
+        extra_damping=np.array([0.0]),
+        grips=Grips(
+            first=0, last=0, row=np.zeros(0, np.int32), shape=ready.port_shapes(np.zeros(0, np.int32)),
+            stiffness=empty, damping=empty, start=np.zeros((0, 1)), end=np.zeros((0, 1)), push=np.zeros((0, 1)),
+            force=np.zeros((0, 1)),
+        ),
+        position=np.array([[0.3]]),
+        velocity=np.array([[velocity]]),
+    )  # fmt: skip
+
+
+def energy(one: Peer, *, mass: float, stiffness: float) -> float:
+    return 0.5 * mass * float(one.state.velocity[0, 0]) ** 2 + 0.5 * stiffness * float(one.state.position[0, 0]) ** 2
+
+
+def test_one_member_more_takes_its_share_at_once():
+    one = alone()
+    before = energy(one, mass=1 / 2, stiffness=4 / 2)
+    one.rescale(3)
+    assert one.state.velocity[0, 0] == 0.4
+    report = one.step(0.01, 0.01)
+    assert report.rescaled == pytest.approx(-before / 3, rel=1e-14)
+    assert report.kinetic + report.elastic == pytest.approx(energy(one, mass=1 / 3, stiffness=4 / 3), rel=1e-14)
+    assert abs(report.residual) < 1e-16
+
+
+def test_one_member_less_keeps_momentum_and_stiffens_as_it_is_paid_for():
+    one = alone()
+    before = energy(one, mass=1 / 2, stiffness=4 / 2)
+    one.rescale(1)
+    assert one.state.velocity[0, 0] == pytest.approx(0.2, rel=1e-15)  # half as fast, twice as heavy
+    assert one.stiffness_share == 0.5
+    shares, total, lost = [], 0.0, 0.0
+    for k in range(400):
+        report = one.step(0.01 * (k + 1), 0.01)
+        total, lost = total + report.rescaled, lost + report.body_loss
+        assert abs(report.residual) < 1e-15
+        # Nobody put anything in, and what changed with the shares never was more than what had been lost.
+        assert report.kinetic + report.elastic <= before + 1e-15
+        assert total <= lost + 1e-15
+        assert report.kinetic + report.elastic == pytest.approx(
+            energy(one, mass=1.0, stiffness=4.0 * one.stiffness_share), abs=1e-15
+        )
+        shares.append(one.stiffness_share)
+    assert 0.5 < shares[0] < 1.0
+    assert shares == sorted(shares)
+    assert shares[-1] == 1.0
+
+
+def test_without_losses_the_stiffness_waits_until_the_body_is_at_rest_shape():
+    one = alone(damping=0.0, velocity=0.0)
+    one.rescale(1)
+    lifted = 0.0
+    for k in range(200):
+        report = one.step(0.01 * (k + 1), 0.01)
+        lifted += report.rescaled
+        assert report.kinetic + report.elastic <= 0.5 * 2.0 * 0.09 + 1e-14
+    assert lifted == 0.0
+    assert one.stiffness_share == 0.5
+
+
+def test_members_come_and_go_and_the_books_stay_balanced():
+    rng = np.random.default_rng(0)
+    body = lattice((3, 3, 2), spacing=0.1, mass=1.0, stiffness=80.0, damping=0.5, ground="all", ground_stiffness=2.0)
+    ready = model(body, copies=3)
+    empty, rows = np.zeros(0), (ready.operator_rows, ready.width)
+    one = Peer(
+        index=0,
+        model=ready,
+        links={},
+        strength=[],
+        weight=[],
+        local_damping=np.array([0.0]),
+        extra_damping=np.array([0.1]),
+        grips=Grips(
+            first=0, last=0, row=np.zeros(0, np.int32), shape=ready.port_shapes(np.zeros(0, np.int32)),
+            stiffness=empty, damping=empty, start=np.zeros((0, 4)), end=np.zeros((0, 4)), push=np.zeros((0, 4)),
+            force=np.zeros((0, 4)),
+        ),
+        position=rng.normal(size=(body.nodes, 3)) * 0.01,
+        velocity=rng.normal(size=(body.nodes, 3)) * 0.1,
+    )  # fmt: skip
+    now, copies = 0.0, 3
+    guards: dict[int, LinkGuard] = {}
+    for k in range(300):
+        T = float(rng.uniform(0.002, 0.02))
+        now += T
+        if k % 20 == 10 and len(guards) < 3:
+            new = next(j for j in (1, 2, 3) if j not in guards)
+            start = Sample(sender=new, index=-1, stamp=-np.inf, position=np.zeros(rows), word=UNHEARD)
+            guards[new] = LinkGuard(FreshestLink(start), budget=0.05, total=0.1, seed=1.0)
+            one.connect(new, guards[new], strength=30.0)
+            copies += 1
+            one.rescale(copies)
+            one.set_local_damping(np.array([0.5 * 30.0 * 0.1 * len(guards)]))
+            assert one.neighbours == tuple(guards)
+        elif k % 50 == 49:
+            gone = next(iter(guards))
+            del guards[gone]
+            one.disconnect(gone)
+            one.disconnect(gone)
+            copies -= 1
+            one.rescale(copies)
+            assert not one.receive(Sample(sender=gone, index=10**6, stamp=now, position=np.zeros(rows)))
+        for j, guard in guards.items():
+            place = np.zeros(rows)
+            place[:, :3] = 0.02 * np.sin(3.0 * now + j)
+            one.receive(Sample(sender=j, index=k, stamp=now - 0.01, position=place, word=Word(READY, 5, guard.epoch)))
+        report = one.step(now, T)
+        assert len(report.guards) == len(guards) == report.link_work.size
+        assert abs(report.residual) < 1e-12 * max(1.0, report.kinetic + report.elastic)
+        for at, (guard, books) in enumerate(zip(guards.values(), report.guards, strict=True)):
+            assert books == guard.books
+            # What the spring holds after the step, by the guard's books and by the copy's.
+            stretch = one.state.position - one._places[at]
+            held = 0.5 * 30.0 * float((ready.operator.weight[0][:, None] * stretch**2).sum())
+            assert held == pytest.approx(books.potential - report.link_work[at], abs=1e-12)
+    assert any(guard.state == COUPLED for guard in guards.values())
+
+
+def test_a_new_link_is_relaxed_where_the_copy_is():
+    one = alone()
+    start = Sample(sender=4, index=-1, stamp=-np.inf, position=np.zeros((1, 1)), word=UNHEARD)
+    one.connect(4, LinkGuard(FreshestLink(start), budget=0.1, total=0.2), strength=1e4)
+    one.receive(Sample(sender=4, index=0, stamp=0.0, position=np.full((1, 1), 9.0), word=Word(COUPLED, 1, 1)))
+    report = one.step(0.01, 0.01)
+    assert report.guards[0].potential == 0.0
+    # Only the implicit part of the spring acts, K T/2 v̂, which is a damper.
+    assert -1.0 < report.link_work[0] < 0.0
+
+
+@pytest.mark.parametrize("change", [
+    lambda one: one.connect(0, one._sources[0], strength=1.0),
+    lambda one: one.connect(1, one._sources[0], strength=1.0),
+    lambda one: one.connect(2, one._sources[0], strength=-1.0),
+    lambda one: one.connect(2, one._sources[0], strength=1.0, weight=1),
+    lambda one: one.set_local_damping(np.array([-1.0])),
+    lambda one: one.set_local_damping(np.array([np.nan])),
+    lambda one: one.set_local_damping(np.zeros(2)),
+    lambda one: one.rescale(0),
+])  # fmt: skip
+def test_what_cannot_be_is_refused(change):
+    with pytest.raises(NetworkError):
+        change(peer())
+
+
+def test_norms_in_a_weight_that_couples_rows_are_the_dense_ones():
+    """Guarded links under every kind of weight: what the guard is told is ‖x - y‖²_W."""
+    body = lattice((3, 2, 2), spacing=0.1, mass=1.0, stiffness=80.0)
+    rng = np.random.default_rng(1)
+    laplacian = body.stiffness / 80.0
+    ready = model(body, copies=2, weights=[laplacian + 0.5 * np.eye(body.nodes)], basis="nodal")
+    empty, rows = np.zeros(0), (ready.operator_rows, ready.width)
+    y = np.zeros(rows)
+    y[:, :3] = rng.normal(size=(body.nodes, 3))
+    seen: list[tuple[float, float]] = []
+
+    guard = LinkGuard(FreshestLink(Sample(sender=1, index=0, stamp=0.0, position=y)), seed=1e9)
+    decide = guard.decide
+    guard.decide = lambda sample, wish, held, now, T: (  # pyright: ignore[reportAttributeAccessIssue]
+        seen.append((wish, held)),
+        decide(sample, wish, held, now, T),
+    )[1]
+    one = Peer(
+        index=0, model=ready, links={1: guard}, strength=[3.0], weight=[1],
+        local_damping=np.array([0.0, 1.0]), extra_damping=np.zeros(2),
+        grips=Grips(
+            first=0, last=0, row=np.zeros(0, np.int32), shape=ready.port_shapes(np.zeros(0, np.int32)),
+            stiffness=empty, damping=empty, start=np.zeros((0, 4)), end=np.zeros((0, 4)), push=np.zeros((0, 4)),
+            force=np.zeros((0, 4)),
+        ),
+        position=rng.normal(size=(body.nodes, 3)), velocity=rng.normal(size=(body.nodes, 3)),
+    )  # fmt: skip
+    W = np.asarray(laplacian + 0.5 * np.eye(body.nodes))
+    for k in range(3):
+        x, held = ready.to_nodes(one.state.position), ready.to_nodes(one._places[0])
+        one.step(0.01 * (k + 1), 0.01)
+        away, before = x - ready.to_nodes(y), x - held
+        assert seen[k][0] == pytest.approx(np.einsum("ia,ij,ja", away, W, away), rel=1e-12)
+        assert seen[k][1] == pytest.approx(np.einsum("ia,ij,ja", before, W, before), rel=1e-12, abs=1e-12)

@@ -1,9 +1,9 @@
 import numpy as np
 import pytest
+from tests.session.world import World
 
 from cotouch.errors import SessionError
 from cotouch.live import PathLaw
-from tests.session.world import World
 
 THREE = """
 [session]

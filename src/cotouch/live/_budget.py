@@ -16,7 +16,7 @@ the old life granted is gone. Budgets of one direction are at no time above what
 """
 
 import struct
-from math import inf, isfinite
+from math import inf, isfinite, isnan
 from typing import final
 
 from cotouch.errors import SessionError
@@ -34,8 +34,8 @@ _NOTHING = float("nan")
 class BudgetAgreement:
     """One end of one link. Opens nothing: messages in, messages and budgets out.
 
-    Let the guard have `budget` and `total` after every call, and the copy at least the damping of `total`; where `total`
-    falls, that may come later.
+    Let the guard have `budget` and `total` after every call, and the copy at least the damping of `total`; where
+    `total` falls, that may come later.
 
     Attributes:
         budget: A in force, as this end's clock shows ages; -inf: none [s].
@@ -101,8 +101,8 @@ class BudgetAgreement:
     def propose(self, now: float, ages: LinkAges) -> None:
         """Looks at the ages, and asks for another budget if they call for one; to be called now and then.
 
-        A larger one is asked for as soon as half of the margin is used up, a smaller one when less than half of it would
-        have been used up for as long as patience lasts.
+        A larger one is asked for as soon as half of the margin is used up, a smaller one when one by half the margin
+        smaller would have done for as long as patience lasts.
 
         Args:
             now: time of this end, never backwards [s].
@@ -170,7 +170,7 @@ class BudgetAgreement:
         if len(message) != _MESSAGE.size or not message.startswith(_MAGIC):
             return False
         _, life, heard_life, number, heard, ask, grant = _MESSAGE.unpack(message)
-        if life == 0 or not all(value != value or abs(value) <= _MOST for value in (ask, grant)):
+        if life == 0 or not all(isnan(value) or abs(value) <= _MOST for value in (ask, grant)):
             return False
         if life < self._other_life or (life == self._other_life and number < self._other_number):
             return False
@@ -185,10 +185,10 @@ class BudgetAgreement:
             self._due = now
         if heard_life != self._life or heard < self._number or number == 0:
             self._due = min(self._due, now + 0.5 * self._every)
-        answered = heard_life == self._life
-        if answered and self._ask is not None and isfinite(grant) and grant >= self._ask:
-            if self._granted_since is None:
-                self._granted_since = now
+        answered = heard_life == self._life and heard >= self._asked
+        granted = answered and self._ask is not None and isfinite(grant) and grant >= self._ask
+        if granted and self._granted_since is None:
+            self._granted_since = now
         self.advance(now)
         return True
 

@@ -75,8 +75,8 @@ class GuardEvent(NamedTuple):
 class GuardBooks(NamedTuple):
     """Where the energy of one end is and went, all since the beginning [J].
 
-    `tank = seed + credited + taken - given - paid - lost`, and the work that the link did on the copy is `injected` less
-    what the spring holds after the step.
+    `tank = seed + credited + taken - given - paid - lost`, and the work that the link did on the copy is `injected`
+    less what the spring holds after the step.
 
     Attributes:
         state: in the last step.
