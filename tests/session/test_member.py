@@ -192,3 +192,15 @@ def test_others_cannot_decide() -> None:
     world.run(2.0)
     assert world.people[2].member.roster.epoch == before.epoch
     assert not world.people[2].member.ended
+
+
+@pytest.mark.parametrize("mode", ["constant", "self-paced"])
+def test_a_constant_index_delay_couples_too(mode: str) -> None:
+    world = World(THREE + f'[synchronisation]\nmode = "{mode}"\n', law=PathLaw(delay=0.01, loss=0.02))
+    for name in ("Ann", "Ben", "Cleo"):
+        world.join(name, moves=name == "Ann")
+    world.until(world.all_coupled, 15.0)
+    world.run(6.0)
+    assert world.apart() < 2e-3
+    assert abs(world.people[2].position[0, 0] - 0.05) < 5e-3
+    world.check()

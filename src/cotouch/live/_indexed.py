@@ -74,6 +74,12 @@ class IndexedAssembly:
         return self._current.index >= 0
 
     @property
+    def state(self) -> Float:
+        """The newest whole state, (rows, width)."""
+        newest = self._whole.get(self.newest)
+        return self._current.position if newest is None else newest.position
+
+    @property
     def oldest(self) -> float:
         """Stamp of the state that the last step used [s]."""
         return self._current.stamp

@@ -42,6 +42,19 @@ def acting(roster: Roster, host: bytes, present: frozenset[bytes]) -> bytes | No
     return next((there[seat] for seat in sorted(there) if there[seat] in present), None)
 
 
+def believed(roster: Roster, known: Roster, sender: bytes, host: bytes, present: frozenset[bytes]) -> bool:
+    """Whether a roster is newer and comes from the one who decides.
+
+    Args:
+        roster: that was said.
+        known: the newest so far; one who knows none takes it from the one who decides among those it names.
+        sender: public key of who said it.
+        host: public key of the host.
+        present: public keys of those who are there.
+    """
+    return roster.epoch > known.epoch and sender == acting(known if known.members else roster, host, present)
+
+
 @final
 class Coordinator:
     """Keeps the roster while this member is the one who decides.

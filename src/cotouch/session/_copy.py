@@ -1,5 +1,6 @@
 """One member's copy of the object, and all that joins it to its neighbours."""
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Protocol, final
@@ -36,6 +37,8 @@ BUDGET = "link.budget"
 _QUIET = 1.5
 # Steps that may come late by so many periods without a budget being raised for it.
 _SLACK = 2.0
+# A peer that waits for its neighbours says its last sample again after this [s].
+_TELL_AGAIN = 0.1
 _STATES = {COUPLED: "coupled", READY: "ready"}
 
 
@@ -81,6 +84,12 @@ class Neighbour:
     budget: BudgetAgreement
     connected: bool = False
     guarded: int = 0
+
+    @property
+    def heard(self) -> bool:
+        """Whether the neighbour's whole state is known."""
+        assembly = self.link.assembly
+        return assembly.newest >= 0 if isinstance(assembly, IndexedAssembly) else assembly.complete
 
     @property
     def used(self) -> int:
@@ -133,6 +142,10 @@ class Copy:
         self._since: float | None = None  # when it came
         self._began = 0.0  # when it began to move
         self._last: Report | None = None
+        self._mode = replica.scenario.synchronisation.mode
+        self._owed = 0.0  # time since the last step, where steps may have to wait [s]
+        self._told = -float("inf")
+        self._length = 0.0  # of the last step [s]
         self._seeds = 0.0
         self.damping = np.zeros(1 + len(replica.scenario.network.weights))
         self.extra_damping = np.zeros_like(self.damping)
@@ -230,25 +243,34 @@ class Copy:
         assert peer is not None
         assert hand is not None
         for seat, neighbour in self.neighbours.items():
-            if not neighbour.connected and neighbour.link.assembly.complete:
+            if not neighbour.connected and neighbour.heard:
                 neighbour.connected = True
+                self._align(neighbour)
                 peer.connect(seat, neighbour.guard, strength=neighbour.strength, weight=neighbour.weight)
                 self._changed(now)
-        hand.before(now - self._began, T)
-        report = peer.step(now, T)
+        self._owed = min(self._owed + T, self._options.longest_step)
+        if self._mode == "self-paced" and not peer.ready:
+            if now - self._told >= _TELL_AGAIN and self._last is not None:  # two must not wait for each other for ever
+                self._told = now
+                self._plane.send(now, self._last.sample, self._length)
+            return True
+        length, self._owed = self._owed, 0.0
+        self._told, self._length = now, length
+        hand.before(now - self._began, length)
+        report = peer.step(now, length)
         hand.after()
         self._plane.stepped(now)
-        self._plane.send(now, report.sample, T)
+        self._plane.send(now, report.sample, length)
         self._last = report
         self.totals.add(report, peer.neighbours)
         self._notice()
         if self._recorder is not None:
-            self._recorder.step(self, report, now, T)
+            self._recorder.step(self, report, now, length)
         return True
 
     def _start(self, now: float) -> bool:
         """Begins to move where a neighbour is, or where the file says, if nobody moves yet."""
-        heard = [held for held in self.neighbours.values() if held.link.assembly.complete]
+        heard = [held for held in self.neighbours.values() if held.heard]
         quiet = self._since is not None and now - self._since > _QUIET
         agreed = all(held.keys.agreed for held in self.neighbours.values())
         if not heard and not (quiet and (agreed or now - (self._since or now) > 4.0 * _QUIET)):
@@ -280,6 +302,8 @@ class Copy:
             tolerance=scenario.solver.tolerance,
             iterations=scenario.solver.iterations,
         )
+        if self._mode != "freshest" and heard:
+            self.peer.steps = 1 + max(held.link.assembly.newest for held in heard)
         self._began = now
         self._changed(now)
         return True
@@ -287,7 +311,12 @@ class Copy:
     def _add(self, seat: int, entry: Entry, now: float) -> None:
         """Prepares a link; its spring comes when the neighbour is heard."""
         network, options, layout = self._replica.scenario.network, self._options, self._replica.layout
-        assembly = Assembly(layout, sender=seat, initial=np.zeros((layout.rows, layout.width)))
+        still = np.zeros((layout.rows, layout.width))
+        assembly: Assembly | IndexedAssembly = (
+            Assembly(layout, sender=seat, initial=still)
+            if self._mode == "freshest"
+            else IndexedAssembly(layout, sender=seat, initial=still, delay=self._index_delay(seat))
+        )
         highest = options.send_rate or 1.0 / self._session.period(self.seat)
         ages = LinkAges(window=options.window)
         link = SampleLink(assembly, rate=SendRate(highest=highest), ages=ages)
@@ -331,6 +360,20 @@ class Copy:
         self._seeds += options.seed
         self._plane.connect(seat, link)
         self._ways.introduce(seat, bytes.fromhex(entry.key))
+
+    def _index_delay(self, seat: int) -> int:
+        """N_ij of a neighbour, from the file: as given, or what covers the delay that it says."""
+        given = self._replica.scenario.synchronisation.index_delay
+        if given is not None:
+            return max(1, given[self.seat][seat])
+        delay = float(self._replica.scenario.network.delay[self.seat, seat])
+        return 1 + math.ceil(delay / self._session.period(self.seat))
+
+    def _align(self, neighbour: Neighbour) -> None:
+        """Counts a neighbour's steps from where they are when it is heard first: nobody began at the same time."""
+        assembly, peer = neighbour.link.assembly, self.peer
+        if isinstance(assembly, IndexedAssembly) and peer is not None:
+            assembly.delay = max(1, peer.steps - assembly.newest + assembly.delay)
 
     def _drop(self, seat: int) -> None:
         """Lets a link go."""

@@ -6,7 +6,7 @@ from typing import final
 from cotouch.errors import SessionError
 from cotouch.live import ControlPlane, Entropy, Message
 from cotouch.mechanics import Model
-from cotouch.session._coordinator import Coordinator, acting
+from cotouch.session._coordinator import Coordinator, acting, believed
 from cotouch.session._copy import Copy, Recorder
 from cotouch.session._file import SessionFile
 from cotouch.session._hand import Hand
@@ -106,7 +106,7 @@ class Member:
         present = self._control.present() | {own}
         decider = acting(self.roster, self._host, present)
         for message in self._control.poll():
-            self._hear(message, decider, now)
+            self._hear(message, decider, present, now)
         self._decide(decider == own, present, now)
         if self.seat is None:
             self._ask(now)
@@ -139,11 +139,11 @@ class Member:
         """Says that it leaves."""
         self._control.send("leave", b"")
 
-    def _hear(self, message: Message, decider: bytes | None, now: float) -> None:
+    def _hear(self, message: Message, decider: bytes | None, present: frozenset[bytes], now: float) -> None:
         match message.topic:
             case "roster":
                 roster = read(Roster, message.body)
-                if roster is not None and message.sender == decider and roster.epoch > self.roster.epoch:
+                if roster is not None and believed(roster, self.roster, message.sender, self._host, present):
                     self._follow(roster, now)
             case "refused":
                 said = read(Refused, message.body)

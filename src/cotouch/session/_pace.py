@@ -60,9 +60,6 @@ class Pace:
         self._time = self._busy = self._longest = 0.0
 
 
-def pace_numbers(statistics: PaceStatistics) -> dict[str, float | None]:
-    """The statistics of a whole run for JSON [s]."""
-    return {
-        name: None if isinstance(value, float) and math.isnan(value) else value
-        for name, value in vars(statistics).items()
-    }
+def pace_numbers(statistics: PaceStatistics) -> dict[str, float]:
+    """The statistics of a whole run, without what is not known [s]."""
+    return {name: value for name, value in vars(statistics).items() if not math.isnan(value)}

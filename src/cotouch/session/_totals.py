@@ -7,6 +7,8 @@ from cotouch.peer import Report
 
 # A residual above this share of the energy in play means that something is broken, not round-off.
 ALARM = 1e-9
+# Round-off of less than this is not worth an alarm, whatever the share of a copy at rest [J].
+_LEAST = 1e-9
 
 
 @final
@@ -32,7 +34,8 @@ class Totals:
     def __init__(self) -> None:
         self.steps = 0
         self.initial = self.supplied = self.lost = self.linked = self.rescaled = self.energy = 0.0
-        self.in_play = self.residual = self.total_residual = 0.0
+        self.in_play = _LEAST
+        self.residual = self.total_residual = 0.0
         self.link_work: dict[int, float] = {}
         self.alarms = 0
         self.least = 0.0
@@ -61,8 +64,7 @@ class Totals:
         self.energy = energy
         self.in_play = max(self.in_play, self.energy, abs(self.supplied), self.lost, self._exchanged)
         self.total_residual += report.residual
-        if self.in_play > 0.0:
-            share = abs(report.residual) / self.in_play
-            self.residual = max(self.residual, share)
-            self.alarms += share > ALARM
+        share = abs(report.residual) / self.in_play
+        self.residual = max(self.residual, share)
+        self.alarms += share > ALARM
         self.least = min(self.least, self.supplied + self.initial)

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import NamedTuple, final
 
 from cotouch.live import ControlPlane, Message
-from cotouch.session._coordinator import acting
+from cotouch.session._coordinator import believed
 from cotouch.session._messages import Entry, Roster, Status, read
 
 _MOST_EVENTS = 200
@@ -92,7 +92,7 @@ class Watch:
         """
         if message.topic == "roster":
             roster = read(Roster, message.body)
-            if roster is not None and message.sender == acting(self.roster, self._host, present):
+            if roster is not None and believed(roster, self.roster, message.sender, self._host, present):
                 self.follow(roster, now)
         elif message.topic == "status":
             status, entry = read(Status, message.body), self.roster.of(message.sender)
