@@ -18,7 +18,8 @@ from cotouch.live._certificates import Certificates, make_certificates
 from cotouch.live._codec import AGED, ECHO, RENEW, Chunk, Codec, Heading, Written
 from cotouch.live._control import ControlPlane, Message, Relayed
 from cotouch.live._control_memory import MemoryControl, MemoryControlNetwork
-from cotouch.live._control_zenoh import ControlRouter, ZenohControl, free_port
+from cotouch.live._control_router import ControlRouter
+from cotouch.live._control_zenoh import ZenohControl, free_port
 from cotouch.live._files import MOST_FILE
 from cotouch.live._impaired import ImpairedTransport
 from cotouch.live._indexed import IndexedAssembly

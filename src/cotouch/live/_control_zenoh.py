@@ -337,43 +337,6 @@ class ZenohControl:
                 self._introducer.gone(member, at)
 
 
-@final
-class ControlRouter:
-    """Where members of one session meet who cannot reach each other: carries what they say, and cannot change it.
-
-    It is invited like a member, and reads what passes.
-    """
-
-    def __init__(
-        self,
-        invitation: Invitation,
-        *,
-        listen: Sequence[Endpoint],
-        connect: Sequence[Endpoint] = (),
-        lease: float = 1.5,
-        entropy: Entropy = os.urandom,
-    ) -> None:
-        """Opens it.
-
-        Args:
-            invitation: to the session.
-            listen: where members find it.
-            connect: other routers of the session.
-            lease: after which a silent member is gone [s].
-            entropy: gives so many bytes that nobody can guess.
-
-        Raises:
-            TransportError: a port is taken, or an address is not this machine's.
-        """
-        certificates = make_certificates(invitation, entropy=entropy)
-        at, connect = [checked(endpoint) for endpoint in listen], [checked(endpoint) for endpoint in connect]
-        self._session = open_session(configuration("router", certificates, listen=at, connect=connect, lease=lease))
-
-    def close(self) -> None:
-        """Ends it."""
-        close_session(self._session)
-
-
 def _listening(invitation: Invitation, listen: Endpoint | str | None, *, host: bool) -> tuple[Endpoint, ...]:
     if isinstance(listen, Endpoint):
         return (checked(listen),)
