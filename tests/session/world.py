@@ -21,7 +21,7 @@ _SERVICE = 0.02
 
 def entropy(seed: int):
     rng = np.random.default_rng(seed)
-    return lambda size: rng.bytes(size)
+    return rng.bytes
 
 
 class Person:
