@@ -5,7 +5,7 @@
     version u8 | coding u8 | flags u16 | epoch u32 | sender u16 | rows u16 | first row u32 |
     heard: greatest sequence u32 | heard: count u32 | index u64 |
     stamp | T | echo | held | age | worst, float64 each |
-    guard: given float64 | guard: state u8 | guard: epoch u8 | guard: heard u8 | 0 u8 | rows × axes numbers
+    guard: given float64 | guard: state u8 | guard: epoch u8 | guard: heard u8 | guard: wanting u8 | rows × axes numbers
 
 Nothing in it raises: what cannot be right is refused with a reason.
 """
@@ -33,6 +33,7 @@ _LAST_INDEX = 1 << 53
 _LAST_TIME = 1e10
 _LONGEST_STEP = 10.0
 _MOST_GIVEN = 1e12  # [J]
+_SIGN = 87  # byte with the sign of what was given, for -0 is not below 0
 
 
 _PLAIN = Word()
@@ -164,7 +165,7 @@ class Codec:
             h.worst,
             h.word.given,
             *h.word[:3],
-            0,
+            h.word.wanting,
         )
         return head + body
 
@@ -181,7 +182,7 @@ class Codec:
         version, coding, flags, said, user, count, first, newest, heard, index, *rest_of_head = _HEAD.unpack_from(
             payload
         )
-        stamp, T, echo, held, age, worst, given, state, guard, known, nothing = rest_of_head
+        stamp, T, echo, held, age, worst, given, state, guard, known, wanting = rest_of_head
         if version != VERSION:
             return Refusal.VERSION
         if coding != self._coding:
@@ -204,12 +205,12 @@ class Codec:
         times = times and abs(echo) <= _LAST_TIME and 0.0 <= held <= _LAST_TIME
         if not (times and -2.0 * _LAST_TIME <= age <= worst <= 2.0 * _LAST_TIME):
             return Refusal.TIME
-        if state > COUPLED or nothing or not 0.0 <= given <= _MOST_GIVEN:
+        if state > COUPLED or wanting > 1 or payload[_SIGN] & 0x80 or not given <= _MOST_GIVEN:
             return Refusal.GUARD
         values = np.frombuffer(payload, self._wire, -1, HEAD_BYTES)
         if not self._within(values):
             return Refusal.STATE
-        word = Word(state, guard, known, given)
+        word = Word(state, guard, known, given, bool(wanting))
         heading = Heading(said, user, index, stamp, T, flags, newest, heard, echo, held, age, worst, word)
         return Chunk(heading, chunk, values.reshape(count, self._axes))
 
