@@ -11,9 +11,12 @@ from typing import Any, final
 
 from cotouch.errors import SessionError
 from cotouch.session._file import MOST_USERS, SessionFile
+from cotouch.session._hand import ScriptedHand
 from cotouch.session._open import OpenHost, open_host
 from cotouch.session._process import MemberProcess
+from cotouch.session._replica import Replica
 from cotouch.session._totals import ALARM
+from cotouch.session._warm import compiles, warm_up
 
 _FILE = "live.toml"
 # Compiling on a machine that never did takes so long, several processes at once [s].
@@ -144,6 +147,15 @@ def play(
         TransportError: this machine refuses a port.
         SessionError: somebody could not take part.
     """
+    if compiles(session):  # here, once, rather than in every process at the same time
+        replica = Replica.build(session)
+        longest = session.options.longest_step
+        warm_up(
+            replica,
+            lambda model: ScriptedHand(
+                replica.scenario, replica.body, model, seat=0, period=session.period(0), longest=longest
+            ),
+        )
     names = session.scenario.network.users
     with open_host(session) as opened:
         members: dict[str, MemberProcess] = {}

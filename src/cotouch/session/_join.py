@@ -31,7 +31,7 @@ from cotouch.session._messages import Status
 from cotouch.session._pace import Pace, pace_numbers
 from cotouch.session._replica import Replica
 from cotouch.session._tape import Tape
-from cotouch.session._warm import warm_up
+from cotouch.session._warm import compiles, warm_up
 from cotouch.session._ways import RoutedWays
 
 HandKind = Literal["scripted", "none"]
@@ -122,7 +122,8 @@ def join(
             replica = Replica.build(session)
         for file in (session.content, *session.files.values()):
             control.offer(file)
-        tell("compiling, once on this machine")
+        if compiles(session):
+            tell("compiling, once on this machine, which takes a minute or two")
         warm_up(replica, partial(_hand, session, replica, hand, 0))
         tell("waiting for a seat")
         return _take_part(

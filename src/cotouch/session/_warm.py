@@ -4,12 +4,19 @@ from collections.abc import Callable
 
 import numpy as np
 
-from cotouch.mechanics import Model
+from cotouch.compiled import cold
+from cotouch.mechanics import Model, step, touch_step
 from cotouch.peer import FreshestLink, LinkGuard, Peer, Sample
+from cotouch.session._file import SessionFile
 from cotouch.session._hand import Hand
 from cotouch.session._replica import Replica
 
 _T = 1e-3
+
+
+def compiles(session: SessionFile) -> bool:
+    """Whether `warm_up` is going to compile, once on this machine, which takes a minute or two."""
+    return cold(touch_step if session.scenario.tools else step)
 
 
 def warm_up(replica: Replica, make: Callable[[Model], Hand]) -> None:
