@@ -204,3 +204,15 @@ def test_a_constant_index_delay_couples_too(mode: str) -> None:
     assert world.apart() < 2e-3
     assert abs(world.people[2].position[0, 0] - 0.05) < 5e-3
     world.check()
+
+
+def test_rounded_samples_are_paid_for() -> None:
+    text = THREE.replace("seed = 1e-3", 'seed = 1e-3\ncoding = "float32"\nreach = 1.0')
+    world = World(text)
+    for name in ("Ann", "Ben", "Cleo"):
+        world.join(name, moves=name == "Ann")
+    assert 0.0 < world.replica.rounding < 1e-7
+    world.until(world.all_coupled, 15.0)
+    world.run(4.0)
+    assert abs(world.people[2].position[0, 0] - 0.05) < 5e-3
+    world.check()

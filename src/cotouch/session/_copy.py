@@ -339,7 +339,7 @@ class Copy:
             cap=max(options.tank, options.seed),
             force=options.force_limit,
             power=options.power_limit,
-            rounding=0.0,
+            rounding=self._replica.rounding,
             epoch=1 + self._entropy(1)[0] % 255,
         )
         link.guard = guard

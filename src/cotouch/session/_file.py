@@ -45,7 +45,8 @@ class SessionTable(Table):
         power_limit: that one neighbour's motion can put in, on average over a second [W].
         tank: most energy that a link's tank holds [J].
         seed: energy that a link has once, to begin with [J].
-        coding: of a number on the wire.
+        coding: of a number on the wire; what the rounding of others than "float64" can cost is paid for.
+        reach: greatest displacement of any node along an axis; what is farther is not sent, and not taken [m].
         send_rate: highest rate of samples on each link [1/s]; by default the sender's own.
         emulate: put the delays of `[network]` and the law of `[channel]` on every direct path, to try a network on one
             machine.
@@ -66,6 +67,7 @@ class SessionTable(Table):
     tank: NonNegative = 0.05
     seed: NonNegative = 1e-3
     coding: Coding = "float64"
+    reach: Annotated[float, Field(gt=0.0, le=1e4)] = 10.0
     send_rate: Positive | None = None
     emulate: bool = False
 

@@ -1,5 +1,6 @@
 """A session's body on this machine: the same for everybody, ready for the kernels, and shown to be the same."""
 
+import math
 from dataclasses import dataclass
 from typing import Any, final
 
@@ -7,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.body import Body
+from cotouch.errors import SessionError
 from cotouch.live import Layout
 from cotouch.mechanics import Model, model
 from cotouch.scenario import Scenario
@@ -47,8 +49,21 @@ class Replica:
         body = scenario.build_body()
         ready = model(body, copies=1, weights=scenario.network.weights, basis=_basis(scenario, body))
         axes = 1 if ready.full else body.dimension
-        layout = Layout(rows=ready.operator_rows, width=ready.width, axes=axes, coding=session.options.coding)
+        coding, reach = session.options.coding, session.options.reach
+        if coding != "float64" and (scenario.network.weights or body.truncation is not None):
+            raise SessionError(
+                f'session.coding is "{coding}"; with link weights of their own or a truncated body it must be "float64"'
+            )
+        layout = Layout(rows=ready.operator_rows, width=ready.width, axes=axes, coding=coding, limit=reach)
         return cls(scenario, body, layout, _fingerprint(ready))
+
+    @property
+    def rounding(self) -> float:
+        """Bound on the error of a sample by its coding, in the norm of all rows [m]."""
+        layout = self.layout
+        if layout.coding == "float64":
+            return 0.0
+        return layout.rounding(layout.limit) * math.sqrt(layout.rows * layout.axes)
 
     def model(self, copies: int) -> Model:
         """The body's model as one of so many copies."""
