@@ -17,6 +17,7 @@ from cotouch.session._file import SessionFile
 Float = npt.NDArray[np.float64]
 
 _PROBES = 6
+_SHAPES = 1e4
 # Machines round differently; other bodies, or modes of another sign, differ by far more.
 _SAME = 1e-6
 
@@ -54,7 +55,8 @@ class Replica:
             raise SessionError(
                 f'session.coding is "{coding}"; with link weights of their own or a truncated body it must be "float64"'
             )
-        layout = Layout(rows=ready.operator_rows, width=ready.width, axes=axes, coding=coding, limit=reach)
+        limit = reach if ready.modes is None else _SHAPES  # coordinates of shapes are not displacements
+        layout = Layout(rows=ready.operator_rows, width=ready.width, axes=axes, coding=coding, limit=limit)
         return cls(scenario, body, layout, _fingerprint(ready))
 
     @property
