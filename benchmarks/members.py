@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from benchmarks._report import Row, command
-from cotouch.live import Invitation, Path, PathLaw
+from cotouch.live import Assembly, Invitation, Path, PathLaw
 from cotouch.peer import LinkGuard, Peer
 from cotouch.session import SessionFile, join, open_host
 
@@ -71,16 +71,15 @@ def member() -> None:
     asked = json.loads(sys.stdin.readline())
     turns: list[tuple[float, float, int, list[int]]] = []
     ages: list[float] = []
-    plain, began, counted = Peer.step, [0.0], [0.0, 0.0]
+    plain, counted = Peer.step, [0.0, 0.0]
 
     def timed(peer: Peer, now: float, T: float) -> Any:
         report = plain(peer, now, T)
         done = time.monotonic()
-        began[0] = began[0] or done
         if done >= asked["from"] and done < asked["until"]:
             if not counted[0]:
                 counted[:] = done, time.process_time()
-            used = [g.source.newest if isinstance(g, LinkGuard) else -1 for g in peer._sources]
+            used = [_newest(source) for source in peer._sources]
             turns.append((now, done, report.sample.index, used))
             ages.extend(report.age)
             counted[2:] = done, time.process_time()
@@ -107,6 +106,12 @@ def member() -> None:
         ),
         flush=True,
     )  # fmt: skip
+
+
+def _newest(link: object) -> int:
+    """Index of the sample that a link has just given."""
+    source = link.source if isinstance(link, LinkGuard) else link
+    return source.newest if isinstance(source, Assembly) else -1
 
 
 def raw() -> None:
