@@ -16,7 +16,7 @@ $(STAMP): pyproject.toml uv.lock
 	@touch $@
 
 demo: $(STAMP)
-	$(BIN)/cotouch reproduce
+	$(BIN)/cotouch demo --seconds 30
 
 check: $(STAMP)
 	$(BIN)/ruff format --check .

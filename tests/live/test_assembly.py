@@ -111,7 +111,11 @@ def test_nothing_is_relied_on_before_all_rows_are_there():
         assert (held.choose(0).index, held.choose(0).stamp) == (-1, -math.inf)
         assert held.choose(0).word.state == GUARDED
     held.take(chunk(3, 2, word=Word(COUPLED, 4, 2)))
-    assert (held.choose(0).index, held.choose(0).stamp, held.choose(0).word) == (3, 0.003, (COUPLED, 4, 2))
+    assert (held.choose(0).index, held.choose(0).stamp, held.choose(0).word) == (
+        3,
+        0.003,
+        Word(COUPLED, 4, 2),
+    )
 
 
 @given(st.lists(st.tuples(st.integers(0, 2), st.integers(1, 3), st.integers(0, 3)), min_size=3, max_size=3))
@@ -119,7 +123,7 @@ def test_chunks_of_different_states_or_epochs_are_as_good_as_the_worst(words: li
     held = assembly()
     for at, word in enumerate(words):
         held.take(chunk(at, at, word=Word(*word)))
-    state, epoch, heard = held.word
+    state, epoch, heard, *_ = held.word
     assert (epoch, heard) == words[2][1:]  # the newest
     alike = len({word[1] for word in words}) == 1
     assert state == (min(word[0] for word in words) if alike else GUARDED)

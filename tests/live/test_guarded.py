@@ -105,8 +105,8 @@ def test_words_travel_with_every_datagram():
     for plane in users:
         link = plane.links[1 - plane.user]
         assert link.guard is not None
-        assert link.assembly.word == (COUPLED, 1, 1)
-        assert link.guard.word == (COUPLED, 1, 1)
+        assert link.assembly.word[:3] == (COUPLED, 1, 1)
+        assert link.guard.word[:3] == (COUPLED, 1, 1)
 
 
 def test_half_precision_is_paid_for():

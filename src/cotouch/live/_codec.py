@@ -5,7 +5,7 @@
     version u8 | coding u8 | flags u16 | epoch u32 | sender u16 | rows u16 | first row u32 |
     heard: greatest sequence u32 | heard: count u32 | index u64 |
     stamp | T | echo | held | age | worst, float64 each |
-    guard: given float64 | guard: state u8 | guard: epoch u8 | guard: heard u8 | 0 u8 | rows × axes numbers
+    guard: given float64 | guard: state u8 | guard: epoch u8 | guard: heard u8 | guard: wanting u8 | rows × axes numbers
 
 Nothing in it raises: what cannot be right is refused with a reason.
 """
@@ -34,6 +34,7 @@ _LAST_TIME = 1e10
 _LONGEST_STEP = 10.0
 _MOST_GIVEN = 1e12  # [J]
 _FEW = 16
+_SIGN = 87  # byte with the sign of what was given, for -0 is not below 0
 
 
 _PLAIN = Word()
@@ -149,7 +150,7 @@ class Codec:
         """The datagram of a chunk, still open."""
         first, rows = self._places[chunk]
         epoch, sender, step, stamp, T, flags, newest, count, echo, held, age, worst, word = heading
-        state, guard, known, given = word
+        state, guard, known, given, wanting = word
         head = _HEAD.pack(
             VERSION,
             self._coding,
@@ -171,7 +172,7 @@ class Codec:
             state,
             guard,
             known,
-            0,
+            wanting,
         )
         return head + body
 
@@ -206,7 +207,7 @@ class Codec:
             state,
             guard,
             known,
-            nothing,
+            wanting,
         ) = _HEAD.unpack_from(payload)
         if version != VERSION:
             return Refusal.VERSION
@@ -230,12 +231,12 @@ class Codec:
         times = times and abs(echo) <= _LAST_TIME and 0.0 <= held <= _LAST_TIME
         if not (times and -2.0 * _LAST_TIME <= age <= worst <= 2.0 * _LAST_TIME):
             return Refusal.TIME
-        if state > COUPLED or nothing or not 0.0 <= given <= _MOST_GIVEN:
+        if state > COUPLED or wanting > 1 or payload[_SIGN] & 0x80 or not given <= _MOST_GIVEN:
             return Refusal.GUARD
         values = np.frombuffer(payload, self._wire, -1, HEAD_BYTES)
         if not self._within(values):
             return Refusal.STATE
-        word = Word(state, guard, known, given)
+        word = Word(state, guard, known, given, bool(wanting))
         heading = Heading(said, user, index, stamp, T, flags, newest, heard, echo, held, age, worst, word)
         return Chunk(heading, chunk, values.reshape(count, self._axes))
 

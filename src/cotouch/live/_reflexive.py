@@ -29,6 +29,7 @@ class Mirror:
         return None if address is None else tell(self._key, datagram, address)
 
 
+@final
 class _Asked:
     __slots__ = ("answer", "due", "tries", "word")
 

@@ -1,8 +1,6 @@
 """What a step with tools came to: work and energies of contacts, drives and grasps, and where the proxies went."""
 # pyright: reportArgumentType=false, reportReturnType=false
 
-import math
-
 import numpy as np
 import numpy.typing as npt
 
@@ -10,29 +8,9 @@ from cotouch.mechanics._grasp import held_place, held_rate
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._small import Small
 from cotouch.mechanics._surface import Fit, Surface
-from cotouch.mechanics._tools import (
-    DRIVE,
-    MOST_HELD,
-    PROXY,
-    TOUCH_LOSS,
-    TOUCH_STORED,
-    TOUCHED,
-    Tools,
-)
+from cotouch.mechanics._tools import DRIVE, MOST_HELD, PROXY, TOUCH_LOSS, TOUCH_STORED, TOUCHED, Tools
 
 Float = npt.NDArray[np.float64]
-
-# Gaps count as contacts up to this share of a radius, and as far as two steps of the proxy carry it.
-_MARGIN = 0.05
-
-
-@part
-def margin_of(radius: float, rate: Float, t: int, T: float) -> float:
-    """How far beyond a tool's radius contacts are looked for [m]."""
-    speed = 0.0
-    for a in range(3):
-        speed += rate[t, a] * rate[t, a]
-    return _MARGIN * radius + 2.0 * T * math.sqrt(speed)
 
 
 @part
@@ -77,12 +55,10 @@ def settle_tools(
     grip_energy, account, touching_now, mass = tools.grip_energy, tools.account, tools.touching, tools.mass
     places, rates, offset, push = tools.place, tools.rate, tools.offset, tools.push
     drive_force, touch_force = tools.drive_force, tools.touch_force
-    radius, inside = tools.radius, tools.inside
     for t in range(tools.first, tools.last):
         p, k, b = t - tools.first, stiffness[t], damping[t]
         kb, bb = grip_stiffness[t], grip_damping[t]
-        square = moved_square = 0.0
-        margin = margin_of(radius[t], rates, t, T)
+        square = 0.0
         drive_force[t, 3] = 0.0
         if held[t] > 0:
             grip_energy[t] = 0.0
@@ -107,10 +83,7 @@ def settle_tools(
         for a in range(3):
             w = proxies[3 * p + a]
             places[t, a] += T * w
-            moved_square += T * w * T * w
             rates[t, a] = 2.0 * w - rates[t, a]
             square += rates[t, a] * rates[t, a]
-        if moved_square > margin * margin:
-            inside[t] = 1  # it went farther than was looked, perhaps through the skin
         touch_books[PROXY] += 0.5 * mass[t] * square
         touch_books[TOUCH_STORED] += account[t] + grip_energy[t]

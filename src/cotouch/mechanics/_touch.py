@@ -20,7 +20,7 @@ from cotouch.mechanics._grasp import take
 from cotouch.mechanics._kernel import block, part
 from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._ports import correct
-from cotouch.mechanics._settle import margin_of, settle_contacts, settle_tools
+from cotouch.mechanics._settle import settle_contacts, settle_tools
 from cotouch.mechanics._small import Small, limit, put_back, reduce_step, sound
 from cotouch.mechanics._solve import divide
 from cotouch.mechanics._state import ITERATIONS, SUPPLIED, Grips, Links, State, Workspace
@@ -30,6 +30,8 @@ from cotouch.mechanics._tools import AWAY, GRASP, TOUCH, TOUCH_LOSS, Tools, Touc
 
 Float = npt.NDArray[np.float64]
 
+# Gaps count as contacts up to this share of a radius, and as far as two steps of the proxy carry it.
+_MARGIN = 0.05
 # Columns need not be better than this, nor than the solver's own tolerance to the power ¾: what they leave out is a
 # share of what a contact's force changes by from step to step, in the body's motion and not in the books.
 _COLUMN_TOLERANCE = 1e-9
@@ -206,11 +208,14 @@ def _meet(
             take(surface, fit, tools, t, position, lanes)
         within = False
         if mode[t] == TOUCH:
-            margin = margin_of(radius[t], rate, t, T)
+            speed = 0.0
+            for a in range(3):
+                speed += rate[t, a] * rate[t, a]
+            margin = _MARGIN * radius[t] + 2.0 * T * math.sqrt(speed)
             within = touching(surface, fit, hits, found, t, place, radius[t], margin, inside[t] != 0, position, lanes)
             if friction[t] > 0.0:
                 axes = 3
-        inside[t] = 1 if within or mode[t] != TOUCH else 0
+        inside[t] = 1 if within or mode[t] != TOUCH else 0  # where nobody looked, it may be
     return axes
 
 

@@ -33,10 +33,10 @@ it is READY; its forces are those of a coupled end already. Which instant of tha
 unknown, so the tank that stays is the least of that time.
 
 **Who has what the other lacks.** Copies that were apart for long meet again only if both ends can pay. An end that has
-caught up gives what its tank holds to a guarded other end: what was given in all goes with every sample, so that losses
-and repetitions do not matter. It gives no more than the least of the time since it caught up, see above. Energy on its
-way belongs to nobody and is lost with the link. A copy's links help each other, too (`Peer`): what coupled ones do not
-need goes to those that lack it, with what the body's own damping and B_e took.
+caught up gives what its tank holds to another end that says that it lacks energy: what was given in all goes with every
+sample, so that losses and repetitions do not matter. It gives no more than the least of the time since it caught up, see
+above. Energy on its way belongs to nobody and is lost with the link. A copy's links help each other, too (`Peer`): what
+coupled ones do not need goes to those that lack it, with what the body's own damping and B_e took.
 
 **Rounding.** A sample on the wire may be off by ε (in W's norm). A coupled end pays `K ε‖v̂‖_W T` a step from its tank;
 what one step takes beyond it is a debt, and guards the link. A guarded end needs no more than its account. At coupling,
@@ -189,6 +189,7 @@ class LinkGuard:
         self._potential = 0.0
         self._caught = 0.0  # for how long ȳ = y with an age within the budget
         self._catching = False  # in this step
+        self._short = False  # of energy, in this step
         self._recent = self._older = inf  # least tank, of two stretches of time since then
         self._stretch = 0.0  # how long the recent one is
         self._surplus = 0.0  # of the budget, in this step
@@ -205,7 +206,7 @@ class LinkGuard:
     @property
     def word(self) -> Word:
         """What the other end must be told with the sample of the step that was just taken."""
-        return Word(self.state, self.epoch, self._heard, self._given)
+        return Word(self.state, self.epoch, self._heard, self._given, self.wanting)
 
     @property
     def books(self) -> GuardBooks:
@@ -266,6 +267,7 @@ class LinkGuard:
             self._heard = word.epoch
             if word.given != self._known:
                 self._receive(word.given)
+        self._short = False
         if self.state == COUPLED:
             reason = self._why_guard(word, fresh, goal - held)
             if not reason:
@@ -281,6 +283,7 @@ class LinkGuard:
             self._fall(now, "left behind" if fresh else "too old", self._least)
             available = self.tank
             potential = self._affordable(goal, held, available)
+        self._short = fresh and potential < goal and available <= potential
         if not caught:
             self._forget()
         self._paid += self.tank - (available - potential)
@@ -290,7 +293,7 @@ class LinkGuard:
         if caught:
             self._remember(word, T)
             self._rise(word, now)
-            if word.state == GUARDED and word.epoch and self.state != COUPLED:
+            if word.wanting and word.state == GUARDED and self.state != COUPLED:
                 self._give()
             self._caught += T
             return 1.0
@@ -316,7 +319,7 @@ class LinkGuard:
     @property
     def wanting(self) -> bool:
         """Whether this end cannot follow its neighbour for want of energy, as of the last step."""
-        return self.state == GUARDED and not self._catching
+        return self._short
 
     def donate(self) -> float:
         """Takes out of the tank of a coupled end what it can do without, for the copy's other links [J]."""
@@ -366,7 +369,7 @@ class LinkGuard:
 
     def _give(self) -> None:
         """Gives the other end, which lacks it, what this one has for certain."""
-        spare = min(self.tank, self._least) - self._charge
+        spare = min(self.tank, self._least) - 2.0 * self._charge  # what coupling will cost, and more
         if spare > 0.0:
             self.tank -= spare
             self._recent -= spare

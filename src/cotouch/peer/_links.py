@@ -20,12 +20,14 @@ class Word(NamedTuple):
         epoch: how often this end was guarded, 1 to 255 and round again; 0 says nothing.
         heard: the other end's epoch as this end heard it last; 0 before.
         given: energy that this end gave to the other, all since the beginning, >= 0 [J].
+        wanting: whether this end cannot follow its neighbour for want of energy.
     """
 
     state: int = COUPLED
     epoch: int = 0
     heard: int = 0
     given: float = 0.0
+    wanting: bool = False
 
 
 # Of a neighbour that holds its springs itself, as in the simulator, and of one that has not been heard yet.

@@ -39,7 +39,7 @@ from cotouch.mechanics import (
     workspace,
 )
 from cotouch.peer._guard import LinkGuard
-from cotouch.peer._links import GUARDED, Link, Sample
+from cotouch.peer._links import Link, Sample
 from cotouch.peer._report import Report
 from cotouch.peer._scale import CopyScale
 
@@ -355,7 +355,7 @@ class Peer:
 
     def _share(self, spare: float) -> None:
         """Lets links that cannot follow have what other links, and the copy's own damping, can spare [J]."""
-        wanting = [guard for guard in self._guards if guard is not None and guard.state == GUARDED and guard.wanting]
+        wanting = [guard for guard in self._guards if guard is not None and guard.wanting]
         if wanting:
             spare += sum(guard.donate() for guard in self._guards if guard is not None)
             for guard in wanting:
