@@ -33,6 +33,17 @@ def test_the_window_does_not_grow_without_end():
     assert len(window._greatest) <= 20_001
 
 
+def test_quantiles_of_a_window_that_is_full():
+    rng = np.random.default_rng(3)
+    window, values = Window(1e9), rng.normal(0.0, 1.0, 21_000)
+    window.add(-1.0, 0.0)
+    assert window.quantile(0.5) == 0.0
+    for k, value in enumerate(values):
+        window.add(float(k), float(value))
+    for q in (0.0, 0.25, 0.5, 0.99, 1.0):
+        assert window.quantile(q) == np.quantile(values[-20_000:], q, method="higher")
+
+
 def simulate(seed: int, offset: float, drift: float, loss: float, window: float):
     """Two users at their own rates over a bad path. True ages are kept beside what the two find with their clocks."""
     rng = np.random.default_rng(seed)

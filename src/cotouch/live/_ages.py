@@ -5,10 +5,10 @@ the clocks. Both ends' offsets are opposite, hence the sum of what both find is 
 that sum is all the age rule asks for. Every sample carries what its sender found to the other end.
 """
 
+from bisect import bisect_left, insort
 from collections import deque
+from math import ceil
 from typing import final
-
-import numpy as np
 
 # Bounds memory where steps are short and the window is long.
 _MOST_KEPT = 20_000
@@ -18,7 +18,10 @@ _DRIFT = 1e-4
 
 @final
 class Window:
-    """Values of the last so many seconds: their greatest, smallest and quantiles; adding one costs constant time."""
+    """Values of the last so many seconds: their greatest, smallest and quantiles.
+
+    Adding one and asking cost about a microsecond, however many there are: both happen in the loop of a peer.
+    """
 
     def __init__(self, length: float) -> None:
         """Makes an empty window.
@@ -30,20 +33,34 @@ class Window:
         self._values = deque[tuple[float, float]](maxlen=_MOST_KEPT)
         self._greatest = deque[tuple[float, float]]()
         self._smallest = deque[tuple[float, float]]()
+        self._sorted: list[float] | None = None  # kept as soon as somebody asks for a quantile other than the ends
 
     def add(self, now: float, value: float) -> None:
         """Adds a value; now must not run backwards [s]."""
-        self._values.append((now, value))
-        while self._greatest and self._greatest[-1][1] <= value:
-            self._greatest.pop()
-        while self._smallest and self._smallest[-1][1] >= value:
-            self._smallest.pop()
-        self._greatest.append((now, value))
-        self._smallest.append((now, value))
-        first = max(now - self._length, self._values[0][0]) if len(self._values) == _MOST_KEPT else now - self._length
-        for kept in (self._values, self._greatest, self._smallest):
-            while kept[0][0] < first:
-                kept.popleft()
+        values, greatest, smallest, ordered = self._values, self._greatest, self._smallest, self._sorted
+        if ordered is not None:
+            if len(values) == _MOST_KEPT:
+                del ordered[bisect_left(ordered, values[0][1])]
+            insort(ordered, value)
+        entry = (now, value)
+        values.append(entry)
+        while greatest and greatest[-1][1] <= value:
+            greatest.pop()
+        while smallest and smallest[-1][1] >= value:
+            smallest.pop()
+        greatest.append(entry)
+        smallest.append(entry)
+        first = now - self._length
+        while values[0][0] < first:
+            _, old = values.popleft()
+            if ordered is not None:
+                del ordered[bisect_left(ordered, old)]
+        if len(values) == _MOST_KEPT:
+            first = max(first, values[0][0])
+        while greatest[0][0] < first:
+            greatest.popleft()
+        while smallest[0][0] < first:
+            smallest.popleft()
 
     def __len__(self) -> int:
         return len(self._values)
@@ -62,7 +79,12 @@ class Window:
         """The q-quantile, rounded up to a value that occurred; None without values."""
         if not self._values:
             return None
-        return float(np.quantile([value for _, value in self._values], q, method="higher"))
+        at = ceil(q * (len(self._values) - 1))
+        if at == len(self._values) - 1:
+            return self._greatest[0][1]
+        if self._sorted is None:
+            self._sorted = sorted(value for _, value in self._values)
+        return self._sorted[at]
 
 
 @final

@@ -44,6 +44,10 @@ class Assembly:
         self.indices = [-1] * layout.chunks
         self.words = [UNHEARD] * layout.chunks
         self._whole = False
+        # Where each chunk goes; none with a basis, which spreads every number over all rows.
+        spans = [] if layout.basis is not None else [layout.span(chunk) for chunk in range(layout.chunks)]
+        self._parts = [self.state[span, : layout.axes] for span in spans]
+        self._chosen: Sample | None = None
 
     @property
     def complete(self) -> bool:
@@ -78,19 +82,21 @@ class Assembly:
     def take(self, chunk: Chunk) -> Refusal | None:
         """Takes a chunk that was read; says why, if it is of no use."""
         at, heading = chunk.chunk, chunk.heading
-        if heading.step <= self.indices[at]:
+        held, step, stamp = self.indices[at], heading.step, heading.stamp
+        if step <= held:
             return Refusal.STALE
-        if self.indices[at] >= 0 and heading.stamp <= self.stamps[at]:
+        if held >= 0 and stamp <= self.stamps[at]:
             return Refusal.BACKWARDS
-        layout = self._layout
-        if layout.basis is None:
-            self.state[layout.span(at), : layout.axes] = chunk.values
+        if self._parts:
+            self._parts[at][...] = chunk.values
         else:
-            layout.expand(chunk.values, self.state)
-        self.indices[at] = heading.step
-        self.stamps[at] = heading.stamp
+            self._layout.expand(chunk.values, self.state)
+        self.indices[at] = step
+        self.stamps[at] = stamp
         self.words[at] = heading.word
-        self._whole = self._whole or min(self.indices) >= 0
+        self._chosen = None
+        if not self._whole:
+            self._whole = min(self.indices) >= 0
         return None
 
     def offer(self, sample: Sample) -> bool:
@@ -101,7 +107,7 @@ class Assembly:
         self.indices = [sample.index] * len(self.indices)
         self.stamps = [sample.stamp] * len(self.stamps)
         self.words = [sample.word] * len(self.words)
-        self._whole = True
+        self._whole, self._chosen = True, None
         return True
 
     def ready(self, k: int) -> bool:
@@ -117,4 +123,8 @@ class Assembly:
         del k
         if not self._whole:
             return Sample(sender=self.sender, index=-1, stamp=-inf, position=self.state, word=self.word)
-        return Sample(sender=self.sender, index=self.newest, stamp=self.oldest, position=self.state, word=self.word)
+        if self._chosen is None:
+            self._chosen = Sample(
+                sender=self.sender, index=self.newest, stamp=self.oldest, position=self.state, word=self.word
+            )
+        return self._chosen

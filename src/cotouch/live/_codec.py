@@ -33,6 +33,7 @@ _LAST_INDEX = 1 << 53
 _LAST_TIME = 1e10
 _LONGEST_STEP = 10.0
 _MOST_GIVEN = 1e12  # [J]
+_FEW = 16
 _SIGN = 87  # byte with the sign of what was given, for -0 is not below 0
 
 
@@ -113,12 +114,15 @@ class Codec:
         self._item = layout.dtype.itemsize * layout.axes
         self._spans = [layout.span(chunk) for chunk in range(layout.chunks)]
         self._starts = np.array([span.start for span in self._spans])
+        self._places = [(span.start, span.stop - span.start) for span in self._spans]
+        self._sizes = [HEAD_BYTES + count * self._item for _, count in self._places]
         # Rounding is monotone: what is within the limit before it is within the rounded limit after it.
         self._bits = np.dtype(f"<u{self._wire.itemsize}")
         self._unsigned = self._bits.type((1 << 8 * self._wire.itemsize - 1) - 1)
         # In half precision a sum of squares says little.
         self._surely = 0.99 * layout.limit**2 if layout.coding != "float16" else -1.0
-        self._limit = int(np.array(layout.limit, dtype=self._wire).view(self._bits))
+        limit = np.array(layout.limit, dtype=self._wire)
+        self._limit, self._most = int(limit.view(self._bits)), float(limit)
 
     def write(self, state: Float) -> Written | Refusal:
         """Puts a state into numbers of the wire; refused if no receiver would take them.
@@ -144,28 +148,31 @@ class Codec:
 
     def datagram(self, heading: Heading, chunk: int, body: bytes) -> bytes:
         """The datagram of a chunk, still open."""
-        span = self._spans[chunk]
-        h = heading
+        first, rows = self._places[chunk]
+        epoch, sender, step, stamp, T, flags, newest, count, echo, held, age, worst, word = heading
+        state, guard, known, given, wanting = word
         head = _HEAD.pack(
             VERSION,
             self._coding,
-            h.flags,
-            h.epoch,
-            h.sender,
-            span.stop - span.start,
-            span.start,
-            h.heard_newest & 0xFFFF_FFFF,
-            h.heard_count & 0xFFFF_FFFF,
-            h.step,
-            h.stamp,
-            h.T,
-            h.echo,
-            h.held,
-            h.age,
-            h.worst,
-            h.word.given,
-            *h.word[:3],
-            h.word.wanting,
+            flags,
+            epoch,
+            sender,
+            rows,
+            first,
+            newest & 0xFFFF_FFFF,
+            count & 0xFFFF_FFFF,
+            step,
+            stamp,
+            T,
+            echo,
+            held,
+            age,
+            worst,
+            given,
+            state,
+            guard,
+            known,
+            wanting,
         )
         return head + body
 
@@ -179,10 +186,29 @@ class Codec:
         """
         if len(payload) < HEAD_BYTES:
             return Refusal.SHORT
-        version, coding, flags, said, user, count, first, newest, heard, index, *rest_of_head = _HEAD.unpack_from(
-            payload
-        )
-        stamp, T, echo, held, age, worst, given, state, guard, known, wanting = rest_of_head
+        (
+            version,
+            coding,
+            flags,
+            said,
+            user,
+            count,
+            first,
+            newest,
+            heard,
+            index,
+            stamp,
+            T,
+            echo,
+            held,
+            age,
+            worst,
+            given,
+            state,
+            guard,
+            known,
+            wanting,
+        ) = _HEAD.unpack_from(payload)
         if version != VERSION:
             return Refusal.VERSION
         if coding != self._coding:
@@ -194,9 +220,9 @@ class Codec:
         if user != sender:
             return Refusal.SENDER
         chunk, rest = divmod(first, self._chunk)
-        if rest or chunk >= len(self._spans) or count != self._spans[chunk].stop - first:
+        if rest or chunk >= len(self._spans) or count != self._places[chunk][1]:
             return Refusal.RANGE
-        if len(payload) != HEAD_BYTES + count * self._item:
+        if len(payload) != self._sizes[chunk]:
             return Refusal.SIZE
         if index > _LAST_INDEX:
             return Refusal.INDEX
@@ -216,6 +242,9 @@ class Codec:
 
     def _within(self, values: npt.NDArray[np.floating]) -> bool:
         """Whether all numbers are finite and within the limit."""
+        if values.size <= _FEW:  # the reader's own numbers cost less than a call about all of them
+            most = self._most
+            return all(-most <= value <= most for value in values.tolist())
         # A sum of squares below the largest square says so quickly, and never for NaN.
         with np.errstate(all="ignore"):
             if float(values.dot(values)) <= self._surely:

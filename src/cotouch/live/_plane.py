@@ -49,21 +49,17 @@ class SampleLink:
 
     def note(self, chunk: Chunk, arrived: float, now: float) -> None:
         """Takes what an authenticated chunk says besides its state."""
-        heading = chunk.heading
-        if self._newest is None or heading.stamp > self._newest[0]:
-            self._newest = (heading.stamp, arrived)
-        self.asked = bool(heading.flags & RENEW)
-        if heading.flags & AGED:
-            self.ages.heard(now, index=heading.step, age=heading.age, worst=heading.worst)
-        if heading.flags & ECHO:
-            path = self.ages.echoed(now, arrived=arrived, echo=heading.echo, held=heading.held)
+        _, _, step, stamp, _, flags, newest, count, echo, held, age, worst, _ = chunk.heading
+        if self._newest is None or stamp > self._newest[0]:
+            self._newest = (stamp, arrived)
+        self.asked = bool(flags & RENEW)
+        ages = self.ages
+        if flags & AGED:
+            ages.heard(now, index=step, age=age, worst=worst)
+        if flags & ECHO:
+            path = ages.echoed(now, arrived=arrived, echo=echo, held=held)
             self.rate.report(
-                now,
-                sent=self.seal.sealed,
-                newest=heading.heard_newest,
-                count=heading.heard_count,
-                path=path,
-                shortest=self.ages.shortest_path,
+                now, sent=self.seal.sealed, newest=newest, count=count, path=path, shortest=ages.shortest_path
             )
 
     def heading(self, epoch: int, sample: Sample, T: float, now: float) -> Heading:
@@ -73,9 +69,10 @@ class SampleLink:
         if self._newest is not None and newest >= 0:
             flags |= ECHO
             echo, held = self._newest[0], max(0.0, now - self._newest[1])
-        if self.ages.own is not None:
+        own = self.ages.own
+        if own is not None:
             flags |= AGED
-            age, worst = self.ages.own
+            age, worst = own
         if self.seal.wants_keys:
             flags |= RENEW
         word = sample.word if self.guard is None else self.guard.word
@@ -127,6 +124,7 @@ class SamplePlane:
         self.refused: Counter[Refusal] = Counter()
         self._transport = transport
         self._codec = Codec(layout)
+        self._by_number: dict[int | None, tuple[int, SampleLink]] = {}
 
     @property
     def layout(self) -> Layout:
@@ -144,12 +142,14 @@ class SamplePlane:
         if neighbour == self.user or link.assembly.sender != neighbour:
             raise SessionError(f"user index {neighbour} cannot be this link's neighbour; take the assembly's sender")
         self.links[neighbour] = link
+        self._by_number.clear()
         if at is not None:
             self._transport.follow(neighbour, at)
 
     def disconnect(self, neighbour: int) -> None:
         """Lets a neighbour go; what still comes of it is refused."""
         if self.links.pop(neighbour, None) is not None:
+            self._by_number.clear()
             self._transport.forget(neighbour)
 
     def poll(self, now: float) -> int:
@@ -158,35 +158,45 @@ class SamplePlane:
         Args:
             now: [s].
         """
-        useful = 0
-        by_number = {link.seal.connection: (neighbour, link) for neighbour, link in self.links.items()}
-        for arrival in self._transport.poll():
-            number = connection_of(arrival.payload)
+        arrivals = self._transport.poll()
+        if not arrivals:
+            return 0
+        useful, current = 0, False
+        by_number, transport, read = self._by_number, self._transport, self._codec.read
+        for payload, source, time in arrivals:
+            number = connection_of(payload)
             if isinstance(number, Refusal):
                 self.refused[number] += 1
                 continue
             found = by_number.get(number)
+            if not current and (found is None or found[1].seal.connection != number):  # new keys since the last look
+                by_number = self._by_number = self._numbered()
+                found, current = by_number.get(number), True
             if found is None:
                 self.refused[Refusal.CONNECTION] += 1
                 continue
             neighbour, link = found
-            opened = link.seal.open(arrival.payload, now)
+            opened = link.seal.open(payload, now)
             if isinstance(opened, Refusal):
                 link.refused[opened] += 1
                 continue
             if opened.newest:
-                self._transport.follow(neighbour, arrival.source)
-            chunk = self._codec.read(opened.payload, epoch=self.epoch, sender=neighbour)
+                transport.follow(neighbour, source)
+            chunk = read(opened.payload, epoch=self.epoch, sender=neighbour)
             if isinstance(chunk, Refusal):
                 link.refused[chunk] += 1
                 continue
-            link.note(chunk, arrival.time, now)
+            link.note(chunk, time, now)
             reason = link.assembly.take(chunk)
             if reason is None:
                 useful += 1
             else:
                 link.refused[reason] += 1
         return useful
+
+    def _numbered(self) -> dict[int | None, tuple[int, SampleLink]]:
+        """Links by the number that datagrams to this end bear."""
+        return {link.seal.connection: (neighbour, link) for neighbour, link in self.links.items()}
 
     def stepped(self, now: float) -> None:
         """Notes the ages of the samples that the step ending now has used; to be called after it, before `poll`."""
@@ -205,19 +215,22 @@ class SamplePlane:
         Returns:
             What was sent, with its rounding error; None if it was nobody's turn; why not, if nobody would take it.
         """
+        bears, chunks, due = self._transport.bears, self.layout.chunks, list[tuple[int, SampleLink]]()
         for neighbour, link in self.links.items():
-            link.rate.cap(self._transport.bears(neighbour) / self.layout.chunks)
-        due = [(neighbour, link) for neighbour, link in self.links.items() if link.rate.due(now)]
+            link.rate.cap(bears(neighbour) / chunks)
+            if link.rate.due(now):
+                due.append((neighbour, link))
         if not due:
             return None
-        written = self._codec.write(sample.position)
+        codec, send = self._codec, self._transport.send
+        written = codec.write(sample.position)
         if isinstance(written, Refusal):
             self.refused[written] += 1
             return written
         for neighbour, link in due:
             heading = link.heading(self.epoch, sample, T, now)
             for chunk, body in enumerate(written.bodies):
-                sealed = link.seal.seal(self._codec.datagram(heading, chunk, body))
+                sealed = link.seal.seal(codec.datagram(heading, chunk, body))
                 if sealed is not None:
-                    self._transport.send(neighbour, sealed)
+                    send(neighbour, sealed)
         return written

@@ -46,8 +46,9 @@ class ReplayWindow:
         block = number // _BITS
         if number > self.newest:
             last = self.newest // _BITS
-            for entered in range(max(last, block - self._blocks) + 1, block + 1):
-                self._ring[entered % self._blocks] = 0
+            if block != last:
+                for entered in range(max(last, block - self._blocks) + 1, block + 1):
+                    self._ring[entered % self._blocks] = 0
             self.newest = number
         self._ring[block % self._blocks] |= 1 << (number % _BITS)
         self.count += 1

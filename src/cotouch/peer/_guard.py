@@ -255,15 +255,18 @@ class LinkGuard:
             wish, goal = inf, 0.0
         else:
             goal = min(wish, self._most)
-        self._bucket = min(self._burst, self._bucket + self._power * T)
+        bucket = self._bucket + self._power * T
+        self._bucket = min(bucket, self._burst)
         left = self.budget - (now - sample.stamp) if sample.index >= 0 else -inf
         if self._rounding > 0.0:
             left -= _ROUNDING_SHARE * self.total
         fresh = left >= 0.0
-        self._surplus = max(0.0, left - 0.5 * T) if fresh else 0.0
+        surplus = left - 0.5 * T
+        self._surplus = surplus if fresh and surplus > 0.0 else 0.0
         if sample.index >= 0:
             self._heard = word.epoch
-            self._receive(word.given)
+            if word.given != self._known:
+                self._receive(word.given)
         self._short = False
         if self.state == COUPLED:
             reason = self._why_guard(word, fresh, goal - held)
@@ -393,13 +396,16 @@ class LinkGuard:
         """Takes ȳ as moved."""
         rise = potential - held
         self._injected += rise
-        self._bucket -= max(rise, 0.0)
+        if rise > 0.0:
+            self._bucket -= rise
         self._potential = potential
 
     def _keep(self, tank: float) -> None:
         """Fills the tank; what it cannot hold is lost."""
-        self.tank = min(tank, self._cap)
-        self._lost += tank - self.tank
+        if tank > self._cap:
+            self._lost += tank - self._cap
+            tank = self._cap
+        self.tank = tank
 
     def _fall(self, now: float, reason: str, tank: float) -> None:
         """Guards the link, with so much in the tank and nothing in the spring."""

@@ -1,7 +1,7 @@
 """One user's replica: samples in, sample and books out; time is handed to it, and it opens nothing."""
 
 from collections.abc import Mapping, Sequence
-from typing import final
+from typing import NamedTuple, final
 
 import numpy as np
 import numpy.typing as npt
@@ -44,6 +44,16 @@ from cotouch.peer._report import Report
 from cotouch.peer._scale import CopyScale
 
 Float = npt.NDArray[np.float64]
+
+
+class _End(NamedTuple):
+    """A link as a step goes through it."""
+
+    source: Link
+    guard: LinkGuard | None
+    place: Float
+    weight: int
+    diagonal: Float | None  # of the weight, the same in any number of copies; None where it couples rows
 
 
 @final
@@ -112,9 +122,10 @@ class Peer:
         self.state = State(
             model.to_rows(position), model.to_rows(velocity), np.zeros((rows, width)), np.zeros((rows, width))
         )
+        self._lanes = model.lanes
         self._scale = CopyScale(model.operator)
-        self._hold(tuple(links), tuple(links.values()), strength, weight, {})
         self._mixed = [bool(np.any(mix)) for mix in model.operator.mix[WEIGHTS:]]
+        self._hold(tuple(links), tuple(links.values()), strength, weight, {})
         self._local = np.ascontiguousarray(local_damping, dtype=np.float64)
         self._extra = np.ascontiguousarray(extra_damping, dtype=np.float64)
         self._work = workspace(model.operator, width, grips.last - grips.first)
@@ -234,23 +245,23 @@ class Peer:
             now: time on this peer's clock [s].
             T: length of the step, > 0 [s].
         """
-        model, links, books = self.model, self._links, self._books
-        if self._scale.rising:
-            self._changed(self._scale.rise(self.state, float(books[ELASTIC])))
-        operator = self._scale.operator
-        age = np.zeros(len(self._sources))
-        for at, source in enumerate(self._sources):
+        links, books, lanes, scale, position = self._links, self._books, self._lanes, self._scale, self.state.position
+        if scale.rising:
+            self._changed(scale.rise(self.state, float(books[ELASTIC])))
+        operator = scale.operator
+        age: list[float] = []
+        for end in self._ends:
+            source, guard, place, _, _ = end
             sample = source.choose(self.steps)
-            age[at] = now - sample.stamp
-            guard, place = self._guards[at], self._places[at]
-            share = 1.0 if guard is None else self._decide(guard, at, sample, now, T)
+            age.append(now - sample.stamp)
+            share = 1.0 if guard is None else self._decide(guard, end, sample, now, T)
             if share == 1.0:
-                place[:] = sample.position
+                place[...] = sample.position
             elif share == 0.0:
-                place[:] = self.state.position
+                place[...] = position
             else:
-                approach(self.state.position, sample.position, share, place, model.lanes)
-        own = len(self._sources)
+                approach(position, sample.position, share, place, lanes)
+        own = len(self._ends)
         touched = self._touch_books
         if self.tools is None or self._surface is None or self._touch is None:
             step(
@@ -267,7 +278,7 @@ class Peer:
                 self._link_work,
                 self._tolerance,
                 self._iterations,
-                model.lanes,
+                lanes,
             )
         else:
             touch_step(
@@ -288,36 +299,39 @@ class Peer:
                 self._link_work,
                 self._tolerance,
                 self._iterations,
-                model.lanes,
+                lanes,
             )
-        for at, guard in enumerate(self._guards):
+        # As Python's own numbers from here on: one by one out of an array they take longer than the step of a point.
+        square, did, touch = self._work.quadratic.tolist(), books.tolist(), touched.tolist()
+        for _, guard, _, weight, _ in self._ends:
             if guard is not None:
-                guard.settle(float(self._work.quadratic[links.weight[at]]), T)
-        if self._scale.rising:
-            self._scale.tank += float(books[BODY_LOSS] + books[EXTRA_LOSS])
+                guard.settle(square[weight], T)
+        if scale.rising:
+            scale.tank += did[BODY_LOSS] + did[EXTRA_LOSS]
         else:
-            self._share(float(books[BODY_LOSS] + books[EXTRA_LOSS]))
-        energy = float(books[KINETIC] + books[ELASTIC] + touched[PROXY] + touched[TOUCH_STORED])
-        lost = float(books[BODY_LOSS] + books[LOCAL_LOSS] + books[EXTRA_LOSS] + touched[TOUCH_LOSS])
-        supplied = float(books[SUPPLIED] + touched[DRIVE])
+            self._share(did[BODY_LOSS] + did[EXTRA_LOSS])
+        energy = did[KINETIC] + did[ELASTIC] + touch[PROXY] + touch[TOUCH_STORED]
+        lost = did[BODY_LOSS] + did[LOCAL_LOSS] + did[EXTRA_LOSS] + touch[TOUCH_LOSS]
+        supplied = did[SUPPLIED] + touch[DRIVE]
+        link_work = self._link_work.copy()
         report = Report(
             sample=Sample(sender=self.index, index=self.steps, stamp=now - 0.5 * T, position=links.samples[own].copy()),
             force=self.grips.force[self.grips.first : self.grips.last].copy(),
-            supplied=float(books[SUPPLIED]),
-            body_loss=float(books[BODY_LOSS]),
-            local_loss=float(books[LOCAL_LOSS]),
-            extra_loss=float(books[EXTRA_LOSS]),
-            link_work=self._link_work.copy(),
-            kinetic=float(books[KINETIC]),
-            elastic=float(books[ELASTIC]),
-            drive_work=float(touched[DRIVE]),
-            touch_work=float(touched[TOUCHED]),
-            touch_loss=float(touched[TOUCH_LOSS]),
-            proxy=float(touched[PROXY]),
-            touch_stored=float(touched[TOUCH_STORED]),
-            residual=energy - self._energy - supplied + lost - float(self._link_work.sum()),
-            age=age,
-            iterations=int(books[ITERATIONS]),
+            supplied=did[SUPPLIED],
+            body_loss=did[BODY_LOSS],
+            local_loss=did[LOCAL_LOSS],
+            extra_loss=did[EXTRA_LOSS],
+            link_work=link_work,
+            kinetic=did[KINETIC],
+            elastic=did[ELASTIC],
+            drive_work=touch[DRIVE],
+            touch_work=touch[TOUCHED],
+            touch_loss=touch[TOUCH_LOSS],
+            proxy=touch[PROXY],
+            touch_stored=touch[TOUCH_STORED],
+            residual=energy - self._energy - supplied + lost - sum(link_work.tolist()),
+            age=np.array(age),
+            iterations=int(did[ITERATIONS]),
             rescaled=self._rescaled,
             guards=tuple(None if guard is None else guard.books for guard in self._guards),
         )
@@ -327,16 +341,16 @@ class Peer:
         self.integrated += T
         return report
 
-    def _decide(self, guard: LinkGuard, at: int, sample: Sample, now: float, T: float) -> float:
+    def _decide(self, guard: LinkGuard, end: "_End", sample: Sample, now: float, T: float) -> float:
         """How far the guard lets its spring follow."""
-        w, x, lanes = int(self._links.weight[at]), self.state.position, self.model.lanes
-        operator, place = self._scale.operator, self._places[at]
-        if self._mixed[w]:
-            work = self._work
+        x, lanes = self.state.position, self._lanes
+        _, _, place, w, diagonal = end
+        if diagonal is None:
+            work, operator = self._work, self._scale.operator
             wish = mixed_stretch(operator, w, x, sample.position, work.stretch, work.image, lanes)
             held = mixed_stretch(operator, w, x, place, work.stretch, work.image, lanes)
         else:
-            wish, held = stretches(operator.weight[w], x, sample.position, place, lanes)
+            wish, held = stretches(diagonal, x, sample.position, place, lanes)
         return guard.decide(sample, wish, held, now, T)
 
     def _share(self, spare: float) -> None:
@@ -383,6 +397,10 @@ class Peer:
         self._link_work = np.zeros(count)
         self.neighbours, self._sources = neighbours, sources
         self._guards = tuple(source if isinstance(source, LinkGuard) else None for source in sources)
+        self._ends = [
+            _End(source, guard, place, int(w), None if self._mixed[w] else self.model.operator.weight[w])
+            for source, guard, place, w in zip(sources, self._guards, self._places, weight, strict=True)
+        ]
         for guard, stiffness in zip(self._guards, strength, strict=True):
             if guard is not None:
                 guard.attach(float(stiffness))

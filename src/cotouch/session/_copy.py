@@ -39,6 +39,8 @@ _QUIET = 1.5
 _SLACK = 2.0
 # A peer that waits for its neighbours says its last sample again after this [s].
 _TELL_AGAIN = 0.1
+# Links that are tended at once, between two steps.
+_AT_ONCE = 8
 _STATES = {COUPLED: "coupled", READY: "ready"}
 
 
@@ -147,6 +149,7 @@ class Copy:
         self._told = -float("inf")
         self._length = 0.0  # of the last step [s]
         self._seeds = 0.0
+        self._turn = 0
         self.damping = np.zeros(1 + len(replica.scenario.network.weights))
         self.extra_damping = np.zeros_like(self.damping)
 
@@ -216,7 +219,7 @@ class Copy:
         Args:
             now: [s].
         """
-        for neighbour in self.neighbours.values():
+        for neighbour in self._turns():
             key = bytes.fromhex(neighbour.entry.key)
             neighbour.keys.tend(now, asked=neighbour.link.asked)
             if neighbour.connected:
@@ -226,6 +229,15 @@ class Copy:
                 if body is not None:
                     self._control.send(BUDGET, body, to=key)
         self._damp(now)
+
+    def _turns(self) -> list[Neighbour]:
+        """Whose turn it is to be tended: everybody's, or so many one after the other."""
+        held = list(self.neighbours.values())
+        if len(held) <= _AT_ONCE:
+            return held
+        first = self._turn % len(held)
+        self._turn = first + _AT_ONCE
+        return (held + held)[first : first + _AT_ONCE]
 
     # -- moving ------------------------------------------------------------------------------------------------------
 

@@ -173,7 +173,7 @@ def _take_part(
 
     def taken(seat: int, model: Model) -> Hand:
         pacer.restart(session.period(seat))
-        pace.period = session.period(seat)
+        pace.restart(session.period(seat))
         if impaired is not None:
             for other, law in path_laws(session.scenario, seat).items():
                 impaired.set(other, law)
@@ -227,9 +227,11 @@ def _loop(
     service = -float("inf")
     while True:
         now, T, stood = pacer.wait()
-        if member.step(now, T):
-            began = now if began is None else began
-        if now >= service:
+        if member.step(now, T) and began is None:
+            began = now
+            pacer.restart()  # making the copy took longer than a step; nobody waited for one yet
+            pace.restart()
+        if now >= service or member.pending:
             service = now + _SERVICE_EVERY
             member.service(now)
             if stopped():

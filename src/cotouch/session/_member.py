@@ -1,11 +1,13 @@
 """One member of a session, without its process: messages, samples and times in; messages, samples and motion out."""
 
+from collections import deque
 from collections.abc import Callable, Mapping
 from typing import final
 
 from cotouch.errors import SessionError
 from cotouch.live import ControlPlane, Entropy, Message
 from cotouch.mechanics import Model
+from cotouch.session import _keys
 from cotouch.session._coordinator import Coordinator, acting, believed
 from cotouch.session._copy import Copy, Recorder
 from cotouch.session._file import SessionFile
@@ -18,13 +20,16 @@ _ASK_EVERY = 0.5
 _STATUS_EVERY = 0.5
 # A name may still be held by what crashed a moment ago: so long it is asked for again [s].
 _PATIENCE = 12.0
+# A turn of `service` stands between two steps, so what it takes up is bounded; signatures and rosters count for more.
+_EFFORT = 12
+_HEAVY = {"roster": 6, _keys.TOPIC: 6}
 
 
 @final
 class Member:
     """Takes part: asks for a seat, follows the roster, moves its copy, decides when it is its turn to.
 
-    Call `service` some fifty times a second, and `step` at every step.
+    Call `service` some fifty times a second, or after the next step while `pending`, and `step` at every step.
 
     Attributes:
         roster: the newest that is believed.
@@ -86,6 +91,12 @@ class Member:
         self._first_asked: float | None = None
         self._refusal: str | None = None
         self._told = -float("inf")
+        self._waiting = deque[Message]()
+
+    @property
+    def pending(self) -> bool:
+        """Whether `service` left something for its next turn."""
+        return bool(self._waiting)
 
     @property
     def seat(self) -> int | None:
@@ -94,7 +105,7 @@ class Member:
         return None if entry is None else entry.seat
 
     def service(self, now: float) -> None:
-        """Hears, decides, says.
+        """Hears, decides, says; not everything at once, so that no turn keeps the next step waiting for long.
 
         Args:
             now: [s].
@@ -105,18 +116,25 @@ class Member:
         own = self._control.identity.public
         present = self._control.present() | {own}
         decider = acting(self.roster, self._host, present)
-        for message in self._control.poll():
+        waiting, effort = self._waiting, 0
+        if not waiting:  # else what is said piles up where it is bounded
+            waiting.extend(self._control.poll())
+        while waiting and effort < _EFFORT:
+            message = waiting.popleft()
+            effort += _HEAVY.get(message.topic, 1)
             self._hear(message, decider, present, now)
         self._decide(decider == own, present, now)
         if self.seat is None:
             self._ask(now)
         elif self.copy is not None:
-            self.copy.tend(now)
-            if now - self._told >= _STATUS_EVERY:
+            since = now - self._told
+            if since >= _STATUS_EVERY and (not waiting or since >= 2.0 * _STATUS_EVERY):
                 self._told = now
                 status = self.status(now)
                 assert status is not None
                 self._control.send("status", write(status))
+            else:
+                self.copy.tend(now)
 
     def step(self, now: float, T: float) -> bool:
         """Takes a step that ends now; False before there is something to step.

@@ -22,7 +22,15 @@ class Pace:
             now: [s].
         """
         del now
-        self.period = period
+        self.restart(period)
+
+    def restart(self, period: float | None = None) -> None:
+        """Begins to count anew.
+
+        Args:
+            period: another wanted length of a step; None: as before [s].
+        """
+        self.period = self.period if period is None else period
         self._missed = 0
         self._stood = 0.0
         self._clear()

@@ -53,13 +53,14 @@ class Totals:
         energy = report.kinetic + report.elastic + report.proxy + report.touch_stored
         if not self.steps:
             self.initial = energy - (supplied - lost + float(report.link_work.sum()) + report.rescaled)
+        link_work = self.link_work
         self.steps += 1
         self.supplied += supplied
         self.lost += lost
-        for seat, work in zip(neighbours, report.link_work, strict=True):
-            self.link_work[seat] = self.link_work.get(seat, 0.0) + float(work)
-            self.linked += float(work)
-            self._exchanged += abs(float(work))
+        for seat, work in zip(neighbours, report.link_work.tolist(), strict=True):
+            link_work[seat] = link_work.get(seat, 0.0) + work
+            self.linked += work
+            self._exchanged += abs(work)
         self.rescaled += report.rescaled
         self.energy = energy
         self.in_play = max(self.in_play, self.energy, abs(self.supplied), self.lost, self._exchanged)
