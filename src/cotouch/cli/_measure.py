@@ -63,7 +63,7 @@ def _print(found: "Measured", out: Path | None) -> None:
     linked = {*network.links, *((b, a) for a, b in network.links)}
     table = Table(
         box=SIMPLE_HEAD,
-        title="Delay one way, ms: half of the way there and back",
+        title="One way, ms",
         title_justify="left",
         title_style="bold",
     )
@@ -79,9 +79,9 @@ def _print(found: "Measured", out: Path | None) -> None:
         table.add_row(name, *cells)
     console = Console()
     console.print(table)
-    notes = ["* linked now; measured by its samples, the others by pings."]
+    notes = ["Half of the quickest way there and back; * linked now."]
     if missing:
-        notes.append("? not measured: reached by the relay only.")
+        notes.append("? not measured: they reach each other by the relay only.")
     if found.emulated:
         notes.append("The session emulates a network; its delays are in these.")
     if out is not None:

@@ -177,8 +177,8 @@ class Status(Table):
     )
 
     def measured(self) -> dict[int, float]:
-        """Times there and back by the other's seat [s]: as samples find them on links, elsewhere as pings do."""
-        return dict(self.paths) | {link.seat: link.path for link in self.links if link.path is not None}
+        """Times there and back by the other's seat [s]: as pings find them; by a relay, as the samples of a link do."""
+        return {link.seat: max(link.path, 0.0) for link in self.links if link.path is not None} | dict(self.paths)
 
 
 def read(kind: type[T], body: bytes) -> T | None:
