@@ -126,8 +126,8 @@ def _print(outcome: "Shown") -> None:
     console = Console()
     console.print(table)
     console.print(
-        f"\n{balance(known)} Copies that are linked end within {1e3 * outcome.apart:.2f} mm of each other; links were held "
-        f"back {_times(outcome.guarded)} after they had coupled.",
+        f"\n{balance(known)} Copies that are linked end within {1e3 * outcome.apart:.2f} mm of each other; links were "
+        f"held back {_times(outcome.guarded)} after they had coupled.",
         highlight=False,
     )
     if outcome.complaints:

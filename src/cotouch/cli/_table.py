@@ -6,7 +6,6 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from rich.console import RenderableType
-
     from rich.text import Text
 
     from cotouch.session import LinkStatus, Seen, Status, Watch
@@ -105,7 +104,7 @@ def _legend(known: "Sequence[Status]") -> "Text":
             legend.append(mark, style=colour).append(f" {meaning}   ", style="dim")
     if any(link.way == "relayed" for status in known for link in status.links):
         legend.append("~ by the relay   ", style="dim")
-    legend.append("ages: of both directions, what damping is for", style="dim")
+    legend.append("\nages: how old the samples of both ends are; budget: what the damping covers", style="dim")
     return legend
 
 
