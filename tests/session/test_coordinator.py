@@ -171,7 +171,7 @@ def test_links_are_planned_from_what_is_measured_and_anew_when_it_changes() -> N
     world = World('[session]\nusers = 3\nlinks = "plan"\nreplan = true\n', planner=planner)
     for number in range(3):
         world.join(number, f"{number}")
-    world.tick(1.0)
+    world.tick(6.0)
     assert world.roster.links == [(0, 1), (0, 2), (1, 2)]
     slow = status(0, {1: 0.5, 2: 0.04})
     world.coordinator.hear(Message(key(0), "status", slow, direct=False), world.now)

@@ -46,7 +46,7 @@ class Person:
             session=world.session,
             replica=world.replica,
             control=self.control,
-            ways=MemoryWays(carrier, world.directory),
+            ways=MemoryWays(carrier, world.directory, path=lambda other: world.path(address, other)),
             host=world.host_identity.public,
             name=name,
             version="test",
@@ -152,6 +152,11 @@ class World:
         self.samples.set(one.samples.address, other.samples.address, law)
         if both:
             self.samples.set(other.samples.address, one.samples.address, law)
+
+    def path(self, one: str, other: str) -> float | None:
+        """There and back between two addresses, as pings would find it; None where they do not get through."""
+        laws = self.samples.law(one, other), self.samples.law(other, one)
+        return None if any(law.down for law in laws) else sum(law.delay for law in laws)
 
     def run(self, seconds: float) -> None:
         for _ in range(round(seconds / self.tick)):

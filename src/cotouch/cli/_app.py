@@ -272,6 +272,30 @@ def join(
 
 
 @app.command()
+def measure(
+    invitation: Annotated[
+        str,
+        typer.Argument(help="The line that the host printed, or - to read it from standard input.", show_default=False),
+    ],
+    seconds: Annotated[float, typer.Option(help="How long to watch.", min=0.5)] = 10.0,
+    out: Annotated[
+        Path | None, typer.Option(help="Write the network to this TOML file, for cotouch plan.", show_default=False)
+    ] = None,
+    listen: Annotated[
+        str | None,
+        typer.Option(
+            help="Address of this machine, in numbers; by default the one that leads to the host.", show_default=False
+        ),
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Measure how far those who take part in a session are from each other, without taking part."""
+    from cotouch.cli._measure import run
+
+    run(invitation, seconds=seconds, listen=listen, out=out, as_json=as_json)
+
+
+@app.command()
 def demo(
     users: Annotated[int, typer.Option(help="How many; the paper has five.")] = 5,
     body: Annotated[str, typer.Option(help="point (the paper's) or block (soft, in three dimensions).")] = "point",

@@ -12,6 +12,16 @@ from cotouch.cli._session import interruptible, shown
 if TYPE_CHECKING:
     from cotouch.session import OpenHost, Shown
 
+_COLUMNS = (
+    ("user", ""),
+    ("steps", ""),
+    ("late", ""),
+    ("longest", "ms"),
+    ("hand put in", "J"),
+    ("delays added", "J"),
+    ("damped", "J"),
+    ("books", "off by"),
+)
 _LINE_EVERY = 5.0  # where nobody looks at a terminal [s]
 
 
@@ -62,7 +72,9 @@ def numbers(outcome: "Shown") -> dict[str, Any]:
     return {
         "seconds": outcome.seconds,
         "supplied_J": outcome.supplied,
+        "delays_added_J": outcome.linked,
         "damped_J": outcome.lost,
+        "in_copies_J": outcome.energy,
         "residual": outcome.residual,
         "apart_m": outcome.apart,
         "late_steps": outcome.missed,
@@ -76,40 +88,54 @@ def _line(opened: "OpenHost") -> None:
     """One line for a log."""
     from cotouch.cli._table import balance
 
-    watch = opened.host.watch
-    if watch.members:
-        sys.stderr.write(f"cotouch: {time.strftime('%H:%M:%S')} {len(watch.members)} here; {balance(watch)}\n")
+    members = opened.host.watch.members
+    known = [seen.status for seen in members.values() if seen.status is not None]
+    if known:
+        sys.stderr.write(f"cotouch: {time.strftime('%H:%M:%S')} {len(members)} here. {balance(known)}\n")
 
 
 def _print(outcome: "Shown") -> None:
     from rich.console import Console
     from rich.table import Table
+    from rich.text import Text
 
-    table = Table(title=f"\nafter {outcome.seconds:.0f} s", title_justify="left", title_style="bold", box=None)
-    for name in ("user", "steps", "late", "T max ms", "hand put in J", "damped J", "residual"):
-        table.add_column(name, justify="left" if name == "user" else "right", header_style="dim")
+    from cotouch.cli._table import balance, verdict
+    from cotouch.session import Status
+
+    table = Table(title=f"\nAfter {outcome.seconds:.0f} s", title_justify="left", title_style="bold", box=None)
+    for name, unit in _COLUMNS:
+        head = Text(name, style="bold").append(f"\n{unit}", style="dim")
+        table.add_column(head, justify="left" if name == "user" else "right", no_wrap=True)
+    known: list[Status] = []
     for name, result in outcome.members.items():
         status = None if result is None else result["status"]
         if status is None:
-            table.add_row(name, "did not come to its end")
+            table.add_row(name, Text("no result", style="red"))
             continue
+        known.append(Status.model_validate(status))
         table.add_row(
             name,
             f"{status['steps']:,}",
             f"{status['missed']:,}",
             f"{1e3 * status['longest']:.1f}",
             f"{status['supplied']:.4f}",
+            f"{status['linked']:.4f}",
             f"{status['lost']:.4f}",
             f"{status['residual']:.0e}",
         )
     console = Console()
     console.print(table)
     console.print(
-        f"\nthe hands put in {outcome.supplied:.4f} J and {outcome.lost:.4f} J were damped; copies that are linked end "
-        f"within {1e3 * outcome.apart:.2f} mm; links were guarded {outcome.guarded} times"
+        f"\n{balance(known)} Copies that are linked end within {1e3 * outcome.apart:.2f} mm of each other; links were "
+        f"held back {_times(outcome.guarded)} after they had coupled.",
+        highlight=False,
     )
     if outcome.complaints:
         for complaint in outcome.complaints:
-            console.print(f"[red]{complaint}[/red]")
+            console.print(f"[red]{complaint}[/red]", highlight=False)
     else:
-        console.print("[green]passive, and everything came out as it should[/green]")
+        console.print(f"[green]{verdict(known)}[/green]", highlight=False)
+
+
+def _times(count: int) -> str:
+    return {0: "never", 1: "once"}.get(count, f"{count} times")

@@ -96,7 +96,7 @@ def join(
 
 
 def numbers(taken: "Taken") -> dict[str, Any]:
-    """How taking part went, for JSON; seats are numbered from 1."""
+    """How taking part went, for JSON; the user is numbered from 1, seats in the status from 0."""
     status = taken.status
     return {
         "name": taken.name,

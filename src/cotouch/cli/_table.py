@@ -3,20 +3,38 @@
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from rich.console import RenderableType
+    from rich.text import Text
 
-    from cotouch.session import LinkStatus, Seen, Watch
+    from cotouch.session import LinkStatus, Seen, Status, Watch
 
-# States of a link, so that a row of them can be read at a glance.
+# States of a link, so that a row of them can be read at a glance: mark, colour, what it means.
 _MARKS = {
-    "coupled": ("●", "green"),
-    "ready": ("◐", "yellow"),
-    "guarded": ("○", "red"),
-    "waiting": ("·", "dim"),
-    "keys": ("·", "dim"),
+    "coupled": ("●", "green", "coupled"),
+    "ready": ("◐", "yellow", "about to couple"),
+    "guarded": ("○", "red", "held back until it is safe"),
+    "waiting": ("·", "dim", "connecting"),
+    "keys": ("·", "dim", "connecting"),
 }
-_COLUMNS = ("user", "links", "age ms", "rate Hz", "late", "apart mm", "force N", "residual", "certificate")
+# Heading, unit, whether it is text.
+_COLUMNS = (
+    ("user", "", True),
+    ("linked to", "", True),
+    ("ages", "ms", False),
+    ("budget", "ms", False),
+    ("steps", "1/s", False),
+    ("late", "", False),
+    ("apart", "mm", False),
+    ("hand", "N", False),
+    ("books", "off by", False),
+    ("damping", "spare", False),
+)
 _EVENTS = 5
+_RECENT = 20.0  # [s]
+_ROUND_OFF = 1e-9  # [J]
+_SLOW = 0.9  # share of the wanted rate below which it is marked
 
 
 def view(watch: "Watch", now: float, *, title: str, started: float, invitation: str | None = None) -> "RenderableType":
@@ -34,65 +52,96 @@ def view(watch: "Watch", now: float, *, title: str, started: float, invitation: 
     from rich.text import Text
 
     table = Table(title=f"{title} · {now - started:.0f} s", title_justify="left", title_style="bold", box=None)
-    for name in _COLUMNS:
-        table.add_column(name, justify="left" if name in {"user", "links"} else "right", header_style="dim")
+    for name, unit, text in _COLUMNS:
+        head = Text(name, style="bold").append(f"\n{unit}", style="dim")
+        table.add_column(head, justify="left" if text else "right", no_wrap=True)
     for seat in sorted(watch.members):
         table.add_row(*_row(watch.members[seat], now))
-    parts: list[RenderableType] = [table]
     if not watch.members:
-        parts.append(
-            Text("nobody is here yet" + (f"; join with\n\n  cotouch join {invitation}\n" if invitation else ""))
-        )
-    else:
-        parts.append(Text(f"\n{balance(watch)}"))
-    recent = [event for event in watch.events if now - event.time < 20.0][-_EVENTS:]
+        how = f"; join with\n\n  cotouch join {invitation}\n" if invitation else ""
+        return Group(Text(f"{title} · {now - started:.0f} s", style="bold"), Text(f"nobody is here yet{how}"))
+    known = [seen.status for seen in watch.members.values() if seen.status is not None]
+    parts: list[RenderableType] = [table, Text(), _legend(known)]
+    parts.append(Text(f"{balance(known)} {verdict(known)}"))
+    recent = [event for event in watch.events if now - event.time < _RECENT][-_EVENTS:]
     parts += [Text(f"{event.time - started:6.1f} s  {event.text}", style="dim") for event in recent]
     return Group(*parts)
 
 
-def balance(watch: "Watch") -> str:
-    """The energy of the whole in a sentence."""
-    known = [seen.status for seen in watch.members.values() if seen.status is not None]
-    supplied = sum(status.supplied for status in known)
+def balance(known: "Sequence[Status]") -> str:
+    """Where the energy of the whole came from and went, in a sentence."""
+    supplied, linked = (sum(getattr(status, name) for status in known) for name in ("supplied", "linked"))
+    lost, stored = (sum(getattr(status, name) for status in known) for name in ("lost", "energy"))
     start = sum(status.initial for status in known)
-    stored = sum(status.energy for status in known)
-    lost = sum(status.lost for status in known)
-    return f"the hands put in {supplied:.4g} J, {lost:.4g} J were damped, {stored:.4g} J are in the copies; " + (
-        "passive so far" if supplied + start >= -1e-9 else f"{-supplied - start:.3g} J came from nowhere"
-    )
+    shared = stored - (start + supplied + linked - lost)  # what copies changed by as people came and went
+    gave = [f"Hands {'put in' if supplied >= 0.0 else 'took out'} {abs(supplied):.4f} J"]
+    if start > _ROUND_OFF:
+        gave.append(f"{start:.4f} J were there")
+    gave.append(f"delays added {linked:.4f} J" if linked >= 0.0 else f"links took {-linked:.4f} J")
+    if abs(shared) > _ROUND_OFF:
+        gave.append(f"sharing the object anew {'added' if shared > 0.0 else 'took'} {abs(shared):.4f} J")
+    return f"{', '.join(gave)}, damping took {lost:.4f} J; {stored:.4f} J are in the copies."
+
+
+def verdict(known: "Sequence[Status]") -> str:
+    """Whether the whole is passive, in a sentence."""
+    margin = sum(status.supplied + status.initial for status in known)
+    if margin >= -_ROUND_OFF:
+        return "Passive: nobody got out what nobody had put in."
+    return f"NOT PASSIVE: {-margin:.3g} J came out that nobody put in."
+
+
+def _legend(known: "Sequence[Status]") -> "Text":
+    """What the marks mean, of those that can be seen now, and the rest of the headings."""
+    from rich.text import Text
+
+    seen = {link.state for status in known for link in status.links} | {"coupled"}
+    legend = Text()
+    told: set[str] = set()
+    for state, (mark, colour, meaning) in _MARKS.items():
+        if state in seen and meaning not in told:
+            told.add(meaning)
+            legend.append(mark, style=colour).append(f" {meaning}   ", style="dim")
+    if any(link.way == "relayed" for status in known for link in status.links):
+        legend.append("~ by the relay   ", style="dim")
+    legend.append("\nages: how old the samples of both ends are; budget: what the damping covers", style="dim")
+    return legend
 
 
 def _row(seen: "Seen", now: float) -> list["str | RenderableType"]:
     from rich.text import Text
 
     status = seen.status
-    name = Text(seen.entry.name, style="dim" if seen.stale(now) else "bold")
+    name = Text(f"{seen.entry.seat + 1} ", style="dim")
+    name.append(seen.entry.name, style="dim" if seen.stale(now) else "bold")
     if status is None:
-        return [name, "starting"]
+        return [name, Text("starting", style="dim")]
     marks = Text()
     for link in status.links:
-        mark, colour = _MARKS.get(link.state, ("?", "red"))
-        marks.append(f"{mark}{link.seat + 1}{'~' if link.way == 'relayed' else ''} ", style=colour)
+        mark, colour, _ = _MARKS.get(link.state, ("?", "red", ""))
+        marks.append(mark, style=colour).append(f"{link.seat + 1}{'~' if link.way == 'relayed' else ''} ")
     apart = max((link.difference for link in status.links if link.difference is not None), default=None)
+    ages, budget = _ages(status.links)
     margin = status.certificate
-    colour = "green" if margin is None or margin >= 0.0 else "red"
+    slow = status.period > 0.0 and status.rate < _SLOW / status.period
     return [
         name,
         marks,
-        _ages(status.links),
-        f"{status.rate:.0f}",
-        f"{status.missed}",
+        ages,
+        budget,
+        Text(f"{status.rate:.0f}", style="yellow" if slow else ""),
+        f"{status.missed:,}",
         "" if apart is None else f"{1e3 * apart:.1f}",
         f"{status.force:.2f}",
-        Text(f"{status.residual:.0e}", style="bold red" if status.alarms else ""),
-        "" if margin is None else Text(f"{100 * margin:+.0f} %", style=colour),
+        Text(f"{status.residual:.0e}", style="bold red" if status.alarms else "green"),
+        "" if margin is None else Text(f"{100 * margin + 0.0:.0f} %", style="green" if margin >= -1e-9 else "bold red"),
     ]
 
 
-def _ages(links: "list[LinkStatus]") -> str:
+def _ages(links: "list[LinkStatus]") -> tuple[str, str]:
     """Greatest sum of both directions' ages of any link, and what is budgeted for it."""
     known = [(link.ages, link.budget) for link in links if link.ages is not None]
     if not known:
-        return ""
+        return "", ""
     ages, budget = max(known, key=lambda pair: pair[0])
-    return f"{1e3 * ages:.0f}" + ("" if budget is None else f" / {1e3 * budget:.0f}")
+    return f"{1e3 * ages:.0f}", "" if budget is None else f"{1e3 * budget:.0f}"

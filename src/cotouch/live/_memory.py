@@ -37,6 +37,10 @@ class MemoryNetwork:
         """Changes the law of one direction."""
         self._path(sender, receiver).law = law
 
+    def law(self, sender: str, receiver: str) -> PathLaw:
+        """The law of one direction."""
+        return self._path(sender, receiver).law
+
     def join(self, address: str) -> "MemoryTransport":
         """A transport at this address."""
         if address in self._waiting:

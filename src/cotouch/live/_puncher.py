@@ -11,9 +11,9 @@ from enum import Enum
 from typing import NamedTuple, final
 
 from cotouch.live._address import Address
+from cotouch.live._ages import Window
 from cotouch.live._candidates import Candidate, Origin
 from cotouch.live._probe import Kind, PairKeys, ping, pong, read_pair
-from cotouch.live._reflexive import KEEP
 from cotouch.live._replay import ReplayWindow
 
 # A round: pings to all addresses in turn. The first opens a NAT, the next get through; some are lost.
@@ -29,6 +29,10 @@ _RETRY = 5.0
 _LEAST_OFTEN = 40.0
 # The way in use is asked so often while samples go there; it is lost after so long and so many without an answer.
 _CHECK = 0.25
+# Of one that no samples go to, so that it is known how far away it is.
+_IDLE_CHECK = 5.0
+# Over which the quickest way there and back is looked for [s].
+_WINDOW = 20.0
 _SILENCE = 2.0
 _UNANSWERED = 4
 # An address that answers is better than one that has not for this long.
@@ -72,6 +76,7 @@ class Puncher:
         self.address: Address | None = None
         self.round_trip = 0.0
         self.refused = 0
+        self._trips = Window(_WINDOW)
         self._keys: PairKeys | None = None
         self._number = 0
         self._seen = ReplayWindow(8)
@@ -89,6 +94,11 @@ class Puncher:
         self._checked = -float("inf")
         self._waiting: float | None = None  # since when the way in use was asked without an answer
         self._unanswered = 0
+
+    @property
+    def quickest(self) -> float | None:
+        """The quickest way there and back lately; None while no address answers [s]."""
+        return self._trips.smallest if self.way is Way.DIRECT else None
 
     def rekey(self, keys: PairKeys) -> None:
         """Takes the pair's keys; what was asked with others is forgotten."""
@@ -177,6 +187,9 @@ class Puncher:
         new = source != self.address
         self.way, self.address = Way.DIRECT, source
         self.round_trip = now - then
+        if new:
+            self._trips = Window(_WINDOW)
+        self._trips.add(now, self.round_trip)
         self._waiting, self._unanswered = None, 0
         if new:
             self._checked, self._pause = then, _RETRY
@@ -203,7 +216,7 @@ class Puncher:
 
     def _check(self, now: float, out: list[Probe], *, active: bool) -> None:
         doubtful = self._waiting is not None and now - self._waiting > self.round_trip + _CHECK
-        if self.address is not None and now - self._checked >= (_CHECK if active or doubtful else KEEP):
+        if self.address is not None and now - self._checked >= (_CHECK if active or doubtful else _IDLE_CHECK):
             self._checked = now
             self._unanswered += 1
             self._waiting = now if self._waiting is None else self._waiting

@@ -131,7 +131,7 @@ class RoutedTransport:
         self._lookup.look([address for _, address in found if address is not None])
 
     def introduce(self, neighbour: int, member: bytes) -> None:
-        """From now on ways to this neighbour are looked for; until one is found it is reached by the relay.
+        """From now on ways to this neighbour are looked for; it is reached by the relay meanwhile. Again: no change.
 
         Args:
             neighbour: index of the user.
@@ -142,14 +142,20 @@ class RoutedTransport:
         """
         if len(member) != 32 or member == self._control.identity.public:
             raise SessionError(f"neighbour {neighbour} takes a public key of 32 bytes that is not this member's own")
-        now = self._ground.now()
-        self.forget(neighbour)
-        self._neighbours[neighbour] = Known(member, self._entropy(WORD_BYTES), Puncher(now), tell=now)
-        self._relay_limit.know(ByRelay(member))
+        known = self._neighbours.get(neighbour)
+        if known is None or known.member != member:
+            self.forget(neighbour)
+            self._neighbours[neighbour] = Known(member, self._entropy(WORD_BYTES), Puncher(self._ground.now()))
+            self._relay_limit.know(ByRelay(member))
 
     def way(self, neighbour: int) -> Way:
         """How a neighbour that was introduced is reached now."""
         return self._neighbours[neighbour].way
+
+    def path(self, neighbour: int) -> float | None:
+        """Quickest way there and back of the last 20 s to one that was introduced; None if it is not direct [s]."""
+        known = self._neighbours.get(neighbour)
+        return None if known is None else known.puncher.quickest
 
     def events(self) -> list[WayChanged]:
         """What changed since the last call; of too much the newest."""
@@ -224,8 +230,7 @@ class RoutedTransport:
                 self.direct.received_bytes += len(arrival.payload)
                 out.append(arrival)
         now = self._ground.now()
-        came = self._relayed(now)
-        if came:
+        if came := self._relayed(now):
             out = sorted(out + came, key=lambda arrival: arrival.time)
         self._tend(now)
         self._last = now
@@ -280,8 +285,7 @@ class RoutedTransport:
             dropped["probe: too many"] += 1
             return
         answer: tuple[Address, bytes] | None = None
-        label = label_of(datagram)
-        if label is not None:
+        if (label := label_of(datagram)) is not None:
             neighbour = self._labels.get(label)
             if neighbour is None:
                 dropped["probe: label"] += 1

@@ -8,6 +8,7 @@ from cotouch.session._hand import Hand, NoHand, ScriptedHand
 from cotouch.session._host import Host
 from cotouch.session._join import HandKind, Taken, fetch_session, join
 from cotouch.session._links import delays_of, present_links
+from cotouch.session._measure import Measured, measure, measured
 from cotouch.session._member import Member
 from cotouch.session._messages import Entry, LinkStatus, Roster, Status
 from cotouch.session._open import OpenHost, open_host, watching
@@ -30,6 +31,7 @@ __all__ = [
     "Host",
     "LinkPlanner",
     "LinkStatus",
+    "Measured",
     "Member",
     "MemberProcess",
     "MemoryWays",
@@ -55,6 +57,8 @@ __all__ = [
     "demo_session",
     "fetch_session",
     "join",
+    "measure",
+    "measured",
     "open_host",
     "play",
     "present_links",

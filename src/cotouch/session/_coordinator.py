@@ -22,6 +22,8 @@ _REPEAT = 2.0
 _REPLAN_EVERY = 10.0
 _REPLAN_SHARE = 0.25
 _REPLAN_LEAST = 2e-3
+# Who came is measured for so long before links are planned without what is still not known [s].
+_MEASURE = 5.0
 
 Planner = Callable[[list[int], dict[Pair, float]], list[Pair] | None]
 
@@ -88,10 +90,12 @@ class Coordinator:
         self._planned: tuple[list[int], dict[Pair, float]] | None = None
         self._asked: tuple[list[int], dict[Pair, float]] | None = None
         self._planned_at = -float("inf")
+        self._changed: float | None = None
 
     def adopt(self, roster: Roster, now: float) -> None:
         """Goes on from a roster that somebody else made."""
         if roster.epoch >= self.roster.epoch:
+            self._forget_paths(roster.members)
             self.roster = roster
             self._seen = {entry.key: now for entry in roster.members}
 
@@ -106,13 +110,12 @@ class Coordinator:
         elif message.topic == "status":
             said, entry = read(Status, message.body), self.roster.of(message.sender)
             if said is not None and entry is not None:
-                for link in said.links:
-                    if link.path is not None:
-                        pair = (min(entry.seat, link.seat), max(entry.seat, link.seat))
-                        self._paths[pair] = link.path
+                for seat, both in said.measured().items():
+                    if seat != entry.seat:
+                        self.measured((min(entry.seat, seat), max(entry.seat, seat)), both)
 
     def measured(self, pair: Pair, both: float) -> None:
-        """Takes a time there and back of a pair that may not be linked [s]."""
+        """Takes a time there and back of a pair, linked or not, the smaller seat first [s]."""
         self._paths[pair] = both
 
     def tick(self, now: float, present: frozenset[bytes]) -> list[Outgoing]:
@@ -181,6 +184,7 @@ class Coordinator:
 
     def _change(self, members: list[Entry]) -> None:
         seats = [entry.seat for entry in members]
+        self._forget_paths(members)
         network = self._session.scenario.network
         if self._planner is None:
             links = present_links(network, seats)
@@ -188,6 +192,12 @@ class Coordinator:
             kept = network.with_links(self.roster.links) if self.roster.links else network.with_links([])
             links = present_links(kept, seats)
         self._announce(members, links)
+
+    def _forget_paths(self, members: list[Entry]) -> None:
+        """What was measured of a seat that is now somebody else's, or nobody's, is of no use."""
+        same = {entry.seat for entry in self.roster.members if entry in members}
+        self._paths = {pair: both for pair, both in self._paths.items() if set(pair) <= same}
+        self._changed = None
 
     def _announce(self, members: list[Entry], links: list[Pair]) -> None:
         self.roster = Roster(epoch=self.roster.epoch + 1, members=members, links=links)
@@ -211,7 +221,9 @@ class Coordinator:
 
     def _worth_it(self, now: float, seats: list[int]) -> bool:
         if self._planned is None or self._planned[0] != seats:
-            return True
+            self._changed = now if self._changed is None else self._changed
+            known = all((a, b) in self._paths for a in seats for b in seats if a < b)
+            return known or now - self._changed >= _MEASURE
         if not self._session.options.replan or now - self._planned_at < _REPLAN_EVERY:
             return False
         before = delays_of(self._session.scenario.network, self._planned[1])

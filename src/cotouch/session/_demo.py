@@ -106,6 +106,8 @@ class Shown:
         seconds: from when all were there.
         supplied: by all hands [J].
         lost: in all dampers [J].
+        linked: work of all links on the copies: what delays added, less what links took [J].
+        energy: in the copies at the end [J].
         initial: at the start [J].
         residual: greatest of anybody's steps, of the energy in play.
         apart: greatest difference of linked copies at the end [m].
@@ -118,6 +120,8 @@ class Shown:
     seconds: float
     supplied: float
     lost: float
+    linked: float
+    energy: float
     initial: float
     residual: float
     apart: float
@@ -233,6 +237,8 @@ def _summed(members: dict[str, MemberProcess], seconds: float) -> Shown:
         seconds=seconds,
         supplied=supplied,
         lost=lost,
+        linked=total("linked"),
+        energy=total("energy"),
         initial=initial,
         residual=residual,
         apart=apart,

@@ -91,6 +91,7 @@ class Member:
         self._first_asked: float | None = None
         self._refusal: str | None = None
         self._told = -float("inf")
+        self._met = set[int]()
         self._waiting = deque[Message]()
 
     @property
@@ -151,11 +152,24 @@ class Member:
         Args:
             now: [s].
         """
-        return None if self.copy is None else self.copy.status(now).model_copy(update=dict(self._pace()))
+        if self.copy is None:
+            return None
+        return self.copy.status(now).model_copy(update={**self._pace(), "paths": self._paths()})
 
     def leave(self) -> None:
         """Says that it leaves."""
         self._control.send("leave", b"")
+
+    def _paths(self) -> list[tuple[int, float]]:
+        """Times there and back to all others; pings do not go through what is emulated, so its delays are added."""
+        own, delay = self.seat, self._session.scenario.network.delay
+        found: list[tuple[int, float]] = []
+        for seat in self._met:
+            path = self._ways.path(seat)
+            if own is not None and path is not None:
+                emulated = float(delay[own, seat] + delay[seat, own]) if self._session.options.emulate else 0.0
+                found.append((seat, path + emulated))
+        return found
 
     def _hear(self, message: Message, decider: bytes | None, present: frozenset[bytes], now: float) -> None:
         match message.topic:
@@ -208,6 +222,7 @@ class Member:
         if seat is None:
             if self.copy is not None:  # it was cut off for so long that it was taken for gone: it asks anew
                 self.copy.alone(now)
+                self._meet({})
                 self._first_asked, self._refusal = None, None
             return
         if self.copy is not None and self.copy.seat != seat:
@@ -226,3 +241,12 @@ class Member:
                 recorder=self._recorder,
             )
         self.copy.follow(roster, now)
+        self._meet({entry.seat: bytes.fromhex(entry.key) for entry in roster.members if entry.seat != seat})
+
+    def _meet(self, others: Mapping[int, bytes]) -> None:
+        """Looks for ways to all others, linked or not: how far they are decides who should be linked."""
+        for gone in self._met - others.keys():
+            self._ways.transport.forget(gone)
+        for seat, key in others.items():
+            self._ways.introduce(seat, key)
+        self._met = set(others)

@@ -13,6 +13,7 @@ Key = Annotated[str, StringConstraints(pattern=r"^[0-9a-f]{64}$")]
 Name = Annotated[str, StringConstraints(min_length=1, max_length=32, pattern=r"^[^\x00-\x1f\x7f]+$")]
 Text = Annotated[str, StringConstraints(max_length=200)]
 Number = Annotated[FiniteFloat, Field(ge=-1e12, le=1e12)]
+Path = Annotated[FiniteFloat, Field(ge=0.0, le=1e6)]
 T = TypeVar("T", bound=Table)
 
 
@@ -145,6 +146,8 @@ class Status(Table):
         certificate: what the damping exceeds what the budgets in force need by, as a share.
         links: to each neighbour.
         alarms: of the books, so far.
+        paths: seat of another member, linked or not, and the quickest way there and back as pings find it [s]; with
+            what is emulated.
     """
 
     seat: Seat
@@ -169,6 +172,13 @@ class Status(Table):
     certificate: Number | None = None
     links: Annotated[list[LinkStatus], Field(max_length=MOST_USERS)] = Field(default_factory=list[LinkStatus])
     alarms: int = 0
+    paths: Annotated[list[tuple[Seat, Path]], Field(max_length=MOST_USERS)] = Field(
+        default_factory=list[tuple[Seat, float]]
+    )
+
+    def measured(self) -> dict[int, float]:
+        """Times there and back by the other's seat [s]: as pings find them; by a relay, as the samples of a link do."""
+        return {link.seat: max(link.path, 0.0) for link in self.links if link.path is not None} | dict(self.paths)
 
 
 def read(kind: type[T], body: bytes) -> T | None:

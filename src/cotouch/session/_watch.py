@@ -6,6 +6,7 @@ from typing import NamedTuple, final
 
 from cotouch.live import ControlPlane, Message
 from cotouch.session._coordinator import believed
+from cotouch.session._links import Pair
 from cotouch.session._messages import Entry, Roster, Status, read
 
 _MOST_EVENTS = 200
@@ -118,6 +119,16 @@ class Watch:
         if (gone or come) and self.roster.links and before.keys() == after.keys():
             self.events.append(Event(now, f"links changed: {_pairs(come)} for {_pairs(gone)}"))
         self.roster = roster
+
+    def paths(self) -> dict[Pair, float]:
+        """Quickest way there and back of each pair of those who are there, as far as either said one [s]."""
+        found: dict[Pair, float] = {}
+        for seat, seen in self.members.items():
+            for other, both in ({} if seen.status is None else seen.status.measured()).items():
+                if other in self.members and other != seat:
+                    pair = (min(seat, other), max(seat, other))
+                    found[pair] = min(both, found.get(pair, both))
+        return found
 
     def _note(self, entry: Entry, status: Status, now: float) -> None:
         seen = self.members.setdefault(entry.seat, Seen(entry))

@@ -1,6 +1,6 @@
 """How samples get from one member to another."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Protocol, final
 
 from cotouch.live import Message, RoutedTransport, Transport
@@ -15,12 +15,16 @@ class Ways(Protocol):
         ...
 
     def introduce(self, seat: int, key: bytes) -> None:
-        """A neighbour is to be reached from now on.
+        """A member is to be reached from now on, or still is.
 
         Args:
             seat: its index.
             key: its public key.
         """
+        ...
+
+    def path(self, seat: int) -> float | None:
+        """How long the quickest way there and back took lately, without what is emulated; None: not known [s]."""
         ...
 
     def take(self, message: Message) -> bool:
@@ -50,6 +54,10 @@ class RoutedWays:
         """Begins to look for ways."""
         self._routed.introduce(seat, key)
 
+    def path(self, seat: int) -> float | None:
+        """As pings found it."""
+        return self._routed.path(seat)
+
     def take(self, message: Message) -> bool:
         """Takes candidates."""
         return self._routed.take(message)
@@ -63,19 +71,33 @@ class RoutedWays:
 class MemoryWays:
     """Members of one process that know each other's addresses; for tests."""
 
-    def __init__(self, transport: Transport, directory: Mapping[bytes, str]) -> None:
+    def __init__(
+        self,
+        transport: Transport,
+        directory: Mapping[bytes, str],
+        *,
+        path: Callable[[str], float | None] = lambda address: None,  # noqa: ARG005
+    ) -> None:
         """Wraps a transport.
 
         Args:
             transport: over a memory network.
             directory: address of each member by its public key.
+            path: time there and back to an address [s].
         """
         self.transport = transport
         self._directory = directory
+        self._path = path
+        self._at: dict[int, str] = {}
 
     def introduce(self, seat: int, key: bytes) -> None:
         """Follows it to its address."""
-        self.transport.follow(seat, self._directory[key])
+        self._at[seat] = self._directory[key]
+        self.transport.follow(seat, self._at[seat])
+
+    def path(self, seat: int) -> float | None:
+        """As it was told."""
+        return self._path(self._at[seat]) if seat in self._at else None
 
     def take(self, message: Message) -> bool:
         """Nothing is said about ways."""

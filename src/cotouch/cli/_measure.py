@@ -1,0 +1,89 @@
+"""`cotouch measure`."""
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from cotouch.cli._output import print_json, working, writable
+from cotouch.cli._session import interruptible
+from cotouch.errors import SessionError
+
+if TYPE_CHECKING:
+    from cotouch.session import Measured
+
+
+def run(invitation: str, *, seconds: float, listen: str | None, out: Path | None, as_json: bool) -> None:
+    """Watches a session, and prints or writes how far its members are from each other."""
+    from cotouch.live import Invitation
+    from cotouch.session import measure
+
+    if out is not None:
+        writable(out)
+    decoded = Invitation.decode(sys.stdin.readline() if invitation == "-" else invitation)
+    with interruptible() as stopped, working(f"watching for {seconds:g} s ...", quiet=as_json):
+        found = measure(decoded, seconds=seconds, listen=listen, stopped=stopped)
+    if out is not None:
+        _write(out, found.toml())
+    if as_json:
+        print_json(numbers(found))
+    else:
+        _print(found, out)
+
+
+def numbers(found: "Measured") -> dict[str, Any]:
+    """What was measured, for JSON; users are numbered from 1."""
+    network = found.network
+    return {
+        "users": list(network.users),
+        "delay_s": network.delay.tolist(),
+        "spring_N_per_m": network.spring.tolist(),
+        "links": [[a + 1, b + 1] for a, b in network.links],
+        "not_measured": [[a + 1, b + 1] for a, b in found.missing],
+        "emulated": found.emulated,
+    }
+
+
+def _write(out: Path, text: str) -> None:
+    beside = out.with_name(f".{out.name}.part")
+    try:
+        beside.write_text(text, encoding="utf-8")
+        beside.replace(out)
+    except OSError as error:
+        beside.unlink(missing_ok=True)
+        raise SessionError(f"the network cannot be written to {out}: {error.strerror}") from error
+
+
+def _print(found: "Measured", out: Path | None) -> None:
+    from rich.box import SIMPLE_HEAD
+    from rich.console import Console
+    from rich.table import Table
+
+    network = found.network
+    missing = {*found.missing, *((b, a) for a, b in found.missing)}
+    linked = {*network.links, *((b, a) for a, b in network.links)}
+    table = Table(
+        box=SIMPLE_HEAD,
+        title="One way, ms",
+        title_justify="left",
+        title_style="bold",
+    )
+    table.add_column("")
+    for name in network.users:
+        table.add_column(name, justify="right")
+    for i, name in enumerate(network.users):
+        cells = [
+            "" if i == j else "?" if (i, j) in missing else f"{1e3 * network.delay[i, j]:.1f}"
+            + ("*" if (i, j) in linked else " ")
+            for j in range(network.size)
+        ]  # fmt: skip
+        table.add_row(name, *cells)
+    console = Console()
+    console.print(table)
+    notes = ["Half of the quickest way there and back; * linked now."]
+    if missing:
+        notes.append("? not measured: they reach each other by the relay only.")
+    if found.emulated:
+        notes.append("The session emulates a network; its delays are in these.")
+    if out is not None:
+        notes.append(f"Written to {out}; plan with: cotouch plan {out} --links {max(1, len(network.links))}")
+    console.print("\n".join(notes), highlight=False, markup=False, soft_wrap=True)

@@ -1,0 +1,121 @@
+"""How far those who take part are from each other, as their own machines find it."""
+
+import os
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import final
+
+import numpy as np
+
+from cotouch.errors import SessionError
+from cotouch.live import Identity, Invitation, ZenohControl
+from cotouch.network import Network
+from cotouch.session._file import SessionFile
+from cotouch.session._join import fetch_session
+from cotouch.session._links import Pair, delays_of
+from cotouch.session._watch import Watch
+
+_POLL = 0.02
+
+
+@final
+@dataclass(frozen=True, kw_only=True)
+class Measured:
+    """The network of a session as it is.
+
+    Attributes:
+        network: of those who are there: their names, the session's springs, measured delays, the links in force. A
+            delay is half of the quickest way there and back [s]: without common clocks only their sum can be known.
+        missing: pairs of its users that nobody could measure, because they reach each other by the relay only and are
+            not linked; their delay is the one in the session's file.
+        emulated: whether the session puts delays of its own on the real ones; they are in what was measured.
+    """
+
+    network: Network
+    missing: list[Pair]
+    emulated: bool
+
+    def toml(self) -> str:
+        """As a file for `cotouch plan`, with a comment for each pair that was not measured."""
+        network = self.network
+        lines = ["# Measured: half of the quickest way there and back, in each direction.", "[network]"]
+        if self.emulated:
+            lines.insert(1, "# The session emulates a network; its delays are in these.")
+        names = ", ".join(_text(name) for name in network.users)
+        lines += [f"users = [{names}]", "spring = [ # N/m"]
+        lines += [f"  [{', '.join(f'{value:g}' for value in row)}]," for row in network.spring]
+        lines += ["]", "delay = [ # s"]
+        lines += [f"  [{', '.join(f'{value:.6f}' if value else '0' for value in row)}]," for row in network.delay]
+        lines += ["]", f"links = [{', '.join(f'[{a + 1}, {b + 1}]' for a, b in network.links)}]"]
+        for a, b in self.missing:
+            lines.append(f"# {a + 1} and {b + 1} could not be measured; this is the delay in the session's file")
+        return "\n".join(lines) + "\n"
+
+
+def measured(watch: Watch, session: SessionFile) -> Measured:
+    """What members have said of their ways so far.
+
+    Args:
+        watch: of the session.
+        session: its file.
+
+    Raises:
+        SessionError: fewer than two take part.
+    """
+    there = watch.roster.by_seat()
+    if len(there) < 2:
+        who = f"only {next(iter(there.values())).name}" if there else "nobody"
+        raise SessionError(f"{who} takes part in the session; a way can be measured from two on")
+    paths = watch.paths()
+    seats, whole = sorted(there), session.scenario.network
+    chosen = np.ix_(seats, seats)
+    index = {seat: n for n, seat in enumerate(seats)}
+    pairs = [(a, b) for a in seats for b in seats if a < b]
+    network = Network(
+        users=[there[seat].name for seat in seats],
+        spring=whole.spring[chosen],
+        delay=delays_of(whole, paths)[chosen],
+        links=[(index[a], index[b]) for a, b in watch.roster.links if a in index and b in index],
+    )
+    missing = [(index[a], index[b]) for a, b in pairs if (a, b) not in paths]
+    return Measured(network=network, missing=missing, emulated=session.options.emulate)
+
+
+def measure(
+    invitation: Invitation,
+    *,
+    seconds: float,
+    listen: str | None = None,
+    stopped: Callable[[], bool] = lambda: False,
+) -> Measured:
+    """Watches a session without taking part.
+
+    Args:
+        invitation: to the session.
+        seconds: how long; members look back some 10 to 20 s themselves.
+        listen: address in numbers to listen on; None: the one by which this machine reaches the host.
+        stopped: whether to end now.
+
+    Raises:
+        SessionError: fewer than two take part.
+        TransportError: nobody answers, or this machine refuses.
+    """
+    control = ZenohControl(invitation, Identity.make(os.urandom), listen=listen or "reachable")
+    try:
+        with TemporaryDirectory(prefix="cotouch-") as folder:
+            session = fetch_session(control, invitation.digest, Path(folder))
+        watch = Watch(control, host=invitation.host)
+        end = time.monotonic() + seconds
+        while time.monotonic() < end and not stopped():
+            watch.service(time.monotonic())
+            time.sleep(_POLL)
+        return measured(watch, session)
+    finally:
+        control.close()
+
+
+def _text(name: str) -> str:
+    return '"' + name.replace("\\", "\\\\").replace('"', '\\"') + '"'

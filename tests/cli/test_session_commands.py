@@ -1,0 +1,238 @@
+"""host, join, measure and demo as users run them: processes that meet on 127.0.0.1."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+import tomllib
+from collections.abc import Callable, Generator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from cotouch.cli import main
+from cotouch.live import Endpoint, Identity, Invitation, free_port
+
+COMMAND = [sys.executable, "-c", "from cotouch.cli import main; main()"]
+TWO = """
+title = "Two"
+[network]
+users = ["Ann", "Ben"]
+spring = [[0, 50], [50, 0]]
+delay = [[0, 0.03], [0.01, 0]]
+[steps]
+rate = 100
+[session]
+emulate = true
+[[hands]]
+user = 1
+path = [[0, 0], [1, 0.05]]
+"""
+
+
+class Running:
+    """Processes of one test, all ended with it; output goes to files, so that nobody waits for a reader."""
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+        self._all: list[subprocess.Popen[bytes]] = []
+
+    def start(self, name: str, *arguments: str | Path, said: str = "") -> subprocess.Popen[bytes]:
+        out, err = (self._folder / f"{name}.{kind}" for kind in ("out", "err"))
+        with out.open("wb") as a, err.open("wb") as b:
+            process = subprocess.Popen([*COMMAND, *map(str, arguments)], stdin=subprocess.PIPE, stdout=a, stderr=b)
+        self._all.append(process)
+        assert process.stdin is not None
+        process.stdin.write(said.encode())
+        process.stdin.close()
+        return process
+
+    def out(self, name: str) -> str:
+        return (self._folder / f"{name}.out").read_text()
+
+    def err(self, name: str) -> str:
+        return (self._folder / f"{name}.err").read_text()
+
+    def until(self, done: Callable[[], object], what: str, seconds: float = 120.0) -> None:
+        end = time.monotonic() + seconds
+        while not done():
+            assert time.monotonic() < end, f"{what}: not within {seconds} s"
+            time.sleep(0.05)
+
+    def close(self) -> None:
+        for process in self._all:
+            if process.poll() is None:
+                process.kill()
+                process.wait()
+
+
+@pytest.fixture
+def running(tmp_path: Path) -> Generator[Running]:
+    made = Running(tmp_path)
+    yield made
+    made.close()
+
+
+def interrupted(process: "subprocess.Popen[bytes]") -> int:
+    os.kill(process.pid, signal.SIGINT)
+    return process.wait(60)
+
+
+def test_a_session_from_invitation_to_audit(running: Running, tmp_path: Path) -> None:
+    (tmp_path / "two.toml").write_text(TWO)
+    host_of = ("host", tmp_path / "two.toml", "--keep", tmp_path / "keys")
+    host = running.start("host", *host_of)
+    running.until(lambda: running.out("host").endswith("\n"), "the invitation")
+    line = running.out("host").strip()
+    assert Invitation.decode(line).session == "Two"
+    assert "cotouch join" in running.err("host")
+    assert (tmp_path / "keys").stat().st_mode & 0o077 == 0
+
+    ann_of = ("join", "-", "--name", "Ann", "--headless", "--record", tmp_path / "a.mcap")
+    ann = running.start("Ann", *ann_of, said=f"{line}\n")
+    ben = running.start("Ben", "join", line, "--name", "Ben", "--record", tmp_path / "b.mcap", "--json")
+    recorded = [tmp_path / "a.mcap", tmp_path / "b.mcap"]  # begun with the first step
+    running.until(lambda: all(path.exists() for path in recorded), "both move")
+    measure_of = ("measure", "-", "--seconds", "5", "--out", tmp_path / "n.toml", "--json")
+    measuring = running.start("measure", *measure_of, said=line)
+    taken = running.start("taken", "join", line, "--name", "Ann", "--json")
+
+    assert measuring.wait(60) == 0, running.err("measure")
+    found = json.loads(running.out("measure"))
+    assert found["users"] == ["Ann", "Ben"]
+    assert found["not_measured"] == []
+    assert found["emulated"]
+    delay = found["delay_s"][0][1]
+    assert delay == found["delay_s"][1][0]
+    assert 0.02 <= delay < 0.5  # half of 0.03 and 0.01 s, which are emulated, and what this machine adds
+    written = tomllib.loads((tmp_path / "n.toml").read_text())["network"]
+    assert written["links"] == [[1, 2]]
+    assert written["spring"] == [[0, 50], [50, 0]]
+    assert abs(written["delay"][0][1] - delay) < 1e-6
+
+    assert taken.wait(60) == 2
+    assert running.err("taken") == (
+        'cotouch: the host does not let Ann in: the name "Ann" is taken by somebody who is here; choose another with '
+        "--name\n"
+    )
+    assert running.out("taken") == ""
+    assert interrupted(ben) == 0
+    result = json.loads(running.out("Ben"))
+    assert (result["name"], result["user"], result["ended"]) == ("Ben", 2, "stopped")
+    assert result["recorded_steps"] == result["status"]["steps"] > 100
+    assert result["status"]["links"][0]["state"] == "coupled"
+    assert running.err("Ben") == ""
+    assert interrupted(ann) == 0
+    assert running.out("Ann").startswith("Ann took ")
+    assert "are recorded" in running.out("Ann")
+    assert interrupted(host) == 0
+
+    again = running.start("again", *host_of, "--json")
+    running.until(lambda: running.out("again").endswith("}\n"), "the invitation again")
+    assert json.loads(running.out("again"))["invitation"] == line
+    assert interrupted(again) == 0
+    audited = running.start("audit", "audit", tmp_path / "a.mcap", tmp_path / "b.mcap", "--json")
+    assert audited.wait(120) == 0, running.err("audit")
+    assert json.loads(running.out("audit"))["holds"] is True
+
+
+def test_who_is_there_when_the_host_ends_the_session_ends_too(running: Running, tmp_path: Path) -> None:
+    (tmp_path / "two.toml").write_text(TWO)
+    host = running.start("host", "host", tmp_path / "two.toml", "--json")
+    running.until(lambda: running.out("host").endswith("}\n"), "the invitation")
+    line = json.loads(running.out("host"))["invitation"]
+    ann = running.start("Ann", "join", "-", "--device", "none", "--json", said=line)
+    ben = running.start("Ben", "join", line, "--name", "Ben", "--seconds", "1", "--headless", said=line)
+    assert ben.wait(120) == 0
+    assert running.out("Ben").startswith("Ben took ")
+    watched = running.start("watch", "measure", "-", "--seconds", "4", said=line)
+    assert watched.wait(60) == 2  # one alone has no way to anybody
+    assert "from two on" in running.err("watch")
+    assert interrupted(host) == 0
+    assert ann.wait(60) == 0
+    assert json.loads(running.out("Ann"))["ended"] == "ended"
+
+
+@pytest.mark.parametrize(
+    "options",
+    [("--users", "3", "--impair", "loss=0.05", "--impair", "jitter=0.005"), ("--users", "2", "--body", "block")],
+)
+def test_demo(running: Running, options: tuple[str, ...]) -> None:
+    done = running.start("demo", "demo", "--seconds", "3", "--json", *options)
+    done.wait(300)
+    shown: dict[str, Any] = json.loads(running.out("demo"))
+    assert len(shown["members"]) == int(options[1])
+    assert shown["residual"] < 1e-9
+    assert done.returncode == bool(shown["complaints"])
+    assert not [said for said in shown["complaints"] if "coupled" not in said]  # a busy machine guards its links
+    explained = shown["supplied_J"] + shown["delays_added_J"] - shown["damped_J"] - shown["in_copies_J"]
+    assert abs(explained) < 0.01 * shown["damped_J"]  # what remains is from sharing the object among more
+
+
+def invitation(host: str = "127.0.0.1") -> str:
+    identity = Identity.make(os.urandom)
+    at = Endpoint(host, free_port(host))
+    return Invitation.make(
+        session="Nobody", digest=bytes(32), host=identity.public, endpoints=(at,), entropy=os.urandom
+    ).encode()
+
+
+def said(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], *arguments: str | Path) -> str:
+    """What the command says on standard error, which must be one sentence, and ends with 2."""
+    monkeypatch.setattr(sys, "argv", ["cotouch", *map(str, arguments)])
+    with pytest.raises(SystemExit) as caught:
+        main()
+    out, err = capsys.readouterr()
+    assert caught.value.code == 2
+    assert out == ""
+    assert err.startswith("cotouch: ")
+    assert err.count("\n") == 1
+    return err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "part"),
+    [
+        (("join", "hello"), "invitation"),
+        (("join", "{cut}"), "invitation"),
+        (("join", "{changed}"), "invitation"),
+        (("measure", "cotouch:"), "invitation"),
+        (("join", "{whole}", "--device", "glove"), '--device is "glove"; it must be scripted'),
+        (("join", "{whole}", "--record", "{missing}/a.mcap"), "does not exist"),
+        (("measure", "{whole}", "--out", "{missing}/n.toml"), "does not exist"),
+        (("host", "{missing}.toml"), "cannot be read"),
+        (("host", "{file}", "--listen", "my.machine"), "my.machine"),
+        (("host", "{file}", "--keep", "{file}"), "does not hold the keys"),
+        (("demo", "--users", "0"), "--users is 0; it must be from 1 to 32"),
+        (("demo", "--users", "33"), "--users is 33"),
+        (("demo", "--body", "ball"), '--body is "ball"; it must be point or block'),
+        (("demo", "--impair", "loss=2"), '--impair is "loss=2"'),
+        (("demo", "--impair", "noise=0.1"), '--impair is "noise=0.1"'),
+    ],
+)
+def test_what_is_wrong_is_one_sentence(
+    arguments: tuple[str, ...],
+    part: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    whole = invitation()
+    other = "A" if whole[-1] != "A" else "B"
+    file = tmp_path / "two.toml"
+    file.write_text(TWO)
+    given = {
+        "whole": whole, "cut": whole[:-9], "changed": whole[:40] + other + whole[41:],
+        "file": str(file), "missing": str(tmp_path / "no"),
+    }  # fmt: skip
+    assert part in said(monkeypatch, capsys, *(argument.format(**given) for argument in arguments))
+
+
+@pytest.mark.parametrize("command", ["join", "measure"])
+def test_nobody_answers(command: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.setattr("cotouch.session._join._PATIENCE", 1.0)
+    options = ["--json"] if command == "join" else []
+    assert "nobody of the session answers within 1 s" in said(monkeypatch, capsys, command, invitation(), *options)
