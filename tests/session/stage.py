@@ -40,11 +40,25 @@ class Stage:
         (folder / "session.toml").write_text(session)
         at = len(names)
         self.host = self.start(
-            at, "host", "host", str(folder / "session.toml"), "--listen", network.address(at), "--port", "7000", "--json"
+            at,
+            "host",
+            "host",
+            str(folder / "session.toml"),
+            "--listen",
+            network.address(at),
+            "--port",
+            "7000",
+            "--json",
         )
         self.invitation = self.wait(lambda: json.loads(self.out("host"))["invitation"], "the host")
         self.start(
-            at + 1, "spectator", self.invitation, network.address(at + 1), str(self.seen), "150", program=[str(SPECTATOR)]
+            at + 1,
+            "spectator",
+            self.invitation,
+            network.address(at + 1),
+            str(self.seen),
+            "150",
+            program=[str(SPECTATOR)],
         )
 
     def start(self, at: int, label: str, *arguments: str, program: list[str] | None = None) -> subprocess.Popen[bytes]:
@@ -81,7 +95,9 @@ class Stage:
                 value = None
             if value:
                 return value
-            assert time.monotonic() < end, f"{words}; seen: {self.seen.exists() and self.seen.read_text()}\n{self.errors()}"
+            assert time.monotonic() < end, (
+                f"{words}; seen: {self.seen.exists() and self.seen.read_text()}\n{self.errors()}"
+            )
             for name, process in self.members.items():
                 assert process.poll() in {None, -9, 0}, f"{name} ended: {self.errors()}"
             time.sleep(0.05)
@@ -95,8 +111,11 @@ class Stage:
         def all_are() -> bool:
             seen = self.members_seen()
             ends = [link["state"] for name in names for link in seen[name]["links"]]
-            return all(seen[n]["steps"] for n in names) and bool(ends) and set(ends) <= {"coupled"} and (
-                links is None or len(ends) == 2 * links
+            return (
+                all(seen[n]["steps"] for n in names)
+                and bool(ends)
+                and set(ends) <= {"coupled"}
+                and (links is None or len(ends) == 2 * links)
             )
 
         return all_are

@@ -61,7 +61,8 @@ def bent(recordings: list[Recording], who: int, name: str, change) -> list[Recor
     one = recordings[who]
     values = np.array(one.columns[name], dtype=float)
     half = one.steps // 2
-    values[half:] = change(values[half:], one.columns["phase"][half:])
+    ben = one.neighbours.index(1)
+    values[half:, ben] = change(values[half:, ben], one.columns["phase"][half:, ben])
     return [*recordings[:who], replace(one, columns={**one.columns, name: values}), *recordings[who + 1 :]]
 
 
@@ -98,13 +99,19 @@ def test_what_a_guarded_end_moves_unpaid_is_found(recordings: list[Recording]) -
 
 
 def test_what_no_damping_took_is_not_credited(recordings: list[Recording]) -> None:
-    more = bent(recordings, 0, "credited", lambda values, phase: 2.0 * values)
+    more = bent(recordings, 0, "credited", lambda values, phase: values + 1e3 * (values - values[0]))
     got = more[0].columns["credited"] - recordings[0].columns["credited"]
     spilled = np.array(recordings[0].columns["spilled"]) + got
     forged = replace(more[0], columns={**more[0].columns, "spilled": spilled})
     words = [finding.words for finding in audit([forged, *recordings[1:]]).findings]
     assert words
     assert all("credited" in text for text in words)
+
+
+def test_books_that_are_not_finite_hide_nothing(recordings: list[Recording]) -> None:
+    for name in GUARDS:
+        result = audit(bent(recordings, 0, name, lambda values, phase: values * np.nan))
+        assert "not finite" in result.findings[0].words
 
 
 def test_a_share_that_rises_unpaid_is_found(recordings: list[Recording]) -> None:

@@ -278,6 +278,7 @@ class LinkGuard:
             self._fall(now, "left behind" if fresh else "too old", self._least)
             available = self.tank
             potential = self._affordable(goal, held, available)
+            caught = fresh and potential == wish
         if not caught:
             self._forget()
         self._paid += self.tank - (available - potential)

@@ -56,8 +56,8 @@ def lives(recording: Recording) -> list[Life]:
     index = recording.columns["index"]
     open_now: dict[int, Life] = {}
     done: list[Life] = []
-    for setup in recording.setups:
-        first = int(np.searchsorted(index, setup.first)) if done or open_now else 0
+    for at, setup in enumerate(recording.setups):
+        first = int(np.searchsorted(index, setup.first)) if at else 0
         keys = setup.keys or (None,) * len(setup.neighbours)
         seeds = setup.seeds or (None,) * len(setup.neighbours)
         here = {user: (key, seed) for user, key, seed in zip(setup.neighbours, keys, seeds, strict=True)}
@@ -112,6 +112,12 @@ def unbalanced(recording: Recording, link: Float, local_loss: Float) -> Iterator
     for life in lives(recording):
         at, column = life.steps, recording.neighbours.index(life.user)
         book = {name: columns[name][at, column] for name in GUARDS}
+        if not all(np.isfinite(values).all() for values in book.values()):
+            bad = np.where(np.all([np.isfinite(values) for values in book.values()], axis=0), 0.0, np.inf)
+            yield Unbalanced(
+                life.user, "the books of a guard have numbers that are not finite", _placed(bad, at, recording)
+            )
+            continue
         # A step after a gap has nothing to be compared with, nor has the first of a guard that began before.
         follows = recording.consecutive[at].copy()
         follows[0] = False
@@ -141,5 +147,5 @@ def _rise(values: Float, follows: Bool) -> Float:
 
 def _placed(values: Float, at: slice, recording: Recording) -> Float:
     out = np.zeros(recording.steps)
-    out[at] = np.nan_to_num(values)
+    out[at] = values
     return out

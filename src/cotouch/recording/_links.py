@@ -159,9 +159,7 @@ def link_books(one: Motion, two: Motion, grid: Float, shares: tuple[Float, Float
     ends = one.recording.user, two.recording.user
     sides = (one, one.recording.neighbours.index(ends[1])), (two, two.recording.neighbours.index(ends[0]))
     other = two.recording.header.key, one.recording.header.key
-    here = [
-        linked_steps(m.recording, user, key) for (m, _), user, key in zip(sides, ends[::-1], other, strict=True)
-    ]
+    here = [linked_steps(m.recording, user, key) for (m, _), user, key in zip(sides, ends[::-1], other, strict=True)]
     works = [so_far(m, m.link[:, c] * own, grid) for (m, c), own in zip(sides, here, strict=True)]
     taken = np.zeros(grid.size)
     for motion, share, own in zip((one, two), shares, here, strict=True):
@@ -200,7 +198,9 @@ def link_books(one: Motion, two: Motion, grid: Float, shares: tuple[Float, Float
         whole=not bool(bad.any()),
         initial=float(counted[0]),
         unknown=1.0 - found / steps_of if steps_of else 1.0,
-        granted=sum(granted(m.recording, user, key) for (m, _), user, key in zip(sides, ends[::-1], other, strict=True)),
+        granted=sum(
+            granted(m.recording, user, key) for (m, _), user, key in zip(sides, ends[::-1], other, strict=True)
+        ),
     )
 
 

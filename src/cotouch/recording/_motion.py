@@ -79,10 +79,7 @@ def motions(recordings: Sequence[Recording], offsets: Sequence[float]) -> list[M
     Raises:
         RecordingError: they do not belong together.
     """
-    return [
-        _motion(recording, recordings, offset)
-        for recording, offset in zip(recordings, offsets, strict=True)
-    ]
+    return [_motion(recording, recordings, offset) for recording, offset in zip(recordings, offsets, strict=True)]
 
 
 def _motion(recording: Recording, others: Sequence[Recording], offset: float) -> Motion:
