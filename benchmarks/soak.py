@@ -56,6 +56,7 @@ class Soak:
         self.residual, self.alarms, self.died = 0.0, 0, 0
 
     def join(self, name: str) -> None:
+        """Starts a member, recorded into a file of its own."""
         path = self.folder / f"{name}{len(self.files)}.mcap"
         self.files.append(path)
         self.members[name] = MemberProcess(
@@ -63,6 +64,7 @@ class Soak:
         )
 
     def turn(self) -> None:
+        """Lets the host hear."""
         self.opened.service(time.monotonic())
         time.sleep(0.02)
 
@@ -92,6 +94,7 @@ class Soak:
         return time.monotonic() + float(self.rng.uniform(0.2, 2.5)), self.members[name].pid
 
     def run(self, seconds: float) -> None:
+        """All of it, from when everybody is there."""
         for name in self.names:
             self.join(name)
         self._gather()
@@ -121,6 +124,7 @@ class Soak:
         raise SystemExit(f"not all members came within {_PATIENCE:.0f} s")
 
     def close(self) -> list[dict[str, Any] | None]:
+        """Ends the session; what each member says at its end."""
         self.opened.host.end()
         end = time.monotonic() + 10.0
         while time.monotonic() < end and any(member.running for member in self.members.values()):
@@ -159,6 +163,7 @@ def measure(minutes: float = MINUTES, seed: int = 0) -> list[Row]:
         result = audit(recordings)
     grew, slope = soak.growth()
     done = sum(one is not None for one in results)
+    words = result.findings[0].words if result.findings else "no findings"
     faults = ", ".join(f"{count} {what}" for what, count in soak.faults.items())
     what = f"{minutes:g} min, 5 members at {RATE} Hz, faults every 3 to 7 s"
     return [
@@ -170,7 +175,7 @@ def measure(minutes: float = MINUTES, seed: int = 0) -> list[Row]:
             f"{soak.alarms} alarms"),
         Row("soak", "— audit of all recordings", "holds" if result.holds else "violated", "holds",
             f"{len(recordings)} recordings, {unread} of members killed before a step; {size:.0f} MB; "
-            f"least of all hands' work {result.margin:.3g} J; " + (result.findings[0].words if result.findings else "no findings")),
+            f"least of all hands' work {result.margin:.3g} J; " + words),
     ]  # fmt: skip
 
 

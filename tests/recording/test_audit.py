@@ -10,7 +10,6 @@ from tests.recording.driven import Driven, pulled
 
 from cotouch.body import lattice, point
 from cotouch.errors import RecordingError
-from cotouch.mechanics import model, settle
 from cotouch.peer import Peer, Report, Sample
 from cotouch.recording import Audit, LinkPhase, audit, read_recording
 from cotouch.recording._links import align

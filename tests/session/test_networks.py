@@ -139,7 +139,7 @@ def test_partition_one_way_outage_crash_of_a_member_and_of_the_host(tmp_path: Pa
             played.members["Cleo"].wait(10)
             killed = time.monotonic()
             played.join("Cleo")
-            played.wait(lambda: played.recordings["Cleo"][1].exists(), "Cleo did not come back")
+            played.wait(played.recordings["Cleo"][1].exists, "Cleo did not come back")
             settled("the crash")
 
             played.host.kill()

@@ -1,7 +1,6 @@
-"""Recordings of a session with a cut path, a crash and a return, on a virtual clock: they hold, and no book may be bent."""
+"""Recordings of a session with a cut path, a crash and a return, on a virtual clock: no book of them may be bent."""
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest

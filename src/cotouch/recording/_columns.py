@@ -61,7 +61,7 @@ STATES: dict[str, tuple[str, str, str]] = {
     "v": ("m/s", "velocity after the step", "rows, axes"),
     "middle": ("m", "position at mid-step: the sample that the neighbours were told", "rows, axes"),
 }
-# Of each link with a guard, extra columns that an audit knows; see `cotouch.peer.GuardBooks`. All so far, but the first two.
+# Extra columns of links with a guard that an audit knows (`cotouch.peer.GuardBooks`); all but two are sums so far.
 GUARDS: dict[str, tuple[str, str]] = {
     "tank": ("J", "energy in the tank of each link after the step"),
     "potential": ("J", "energy in the spring of each link as the step began"),
