@@ -183,11 +183,10 @@ def calmest(recordings: list[Recording], begin: float, end: float, *, span: floa
 
 
 def worst_force(recording: Recording) -> float:
-    """Of any link's spring in any step, from what it holds [N]; in the middle of a step, from its sample."""
+    """Of any link's spring in any step, from what it holds [N]."""
     worst = 0.0
     for setup, span in recording.setup_rows():
-        if setup.neighbours:
-            potential = recording.columns["potential"][span][:, : len(setup.neighbours)]
-            force = np.sqrt(2.0 * np.maximum(potential, 0.0) * np.array(setup.strength))
-            worst = max(worst, float(np.nanmax(force, initial=0.0)))
+        for user, strength in zip(setup.neighbours, setup.strength, strict=True):
+            potential = recording.columns["potential"][span, recording.neighbours.index(user)]
+            worst = max(worst, float(np.sqrt(2.0 * strength * max(0.0, float(np.nanmax(potential, initial=0.0))))))
     return worst
