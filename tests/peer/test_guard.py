@@ -304,6 +304,17 @@ def test_copies_at_rest_apart_meet_by_what_the_hand_of_one_put_in():
     balanced(outcome)
 
 
+def test_an_end_that_was_ready_and_falls_back_gets_no_spring_that_it_cannot_pay():
+    """Budgets are raised while it waits; the other end has all that was in its tank, and may have coupled."""
+    end = guard(seed=0.0625)
+    for k in range(15):
+        feed(end, k, Word(GUARDED, 7, 1, wanting=True))
+    assert end.state == READY
+    end.total = 1.0
+    assert feed(end, 15, Word(GUARDED, 7, 1), wish=0.01, held=0.01) == 0.0
+    assert (end.state, end.tank, end.books.potential) == (GUARDED, 0.0, 0.0)
+
+
 @given(st.floats(1e-6, 1e3), st.floats(0.0, 10.0), st.booleans())
 def test_the_force_is_limited(limit: float, distance: float, together: bool):
     end = guard(force=limit, seed=1e9)

@@ -10,7 +10,6 @@ from tests.recording.driven import Driven, pulled
 
 from cotouch.body import lattice, point
 from cotouch.errors import RecordingError
-from cotouch.mechanics import model, settle
 from cotouch.peer import Peer, Report, Sample
 from cotouch.recording import Audit, LinkPhase, audit, read_recording
 from cotouch.recording._links import align
@@ -252,10 +251,9 @@ def test_phases_of_a_link_share_what_it_made(tmp_path: Path) -> None:
 
 def test_somebody_joins_and_every_copy_gets_lighter(tmp_path: Path) -> None:
     driven = Driven(tmp_path, hands=STRONG)
-    lighter = model(driven.body, copies=3)
 
     def join(peer: Peer, now: float) -> None:
-        if now >= 0.5 and peer.model is not lighter:
+        if now >= 0.5 and peer.stiffness_share > 0.4:
             recorder = driven.recorders[peer.index]
             recorder.setup(
                 now,
@@ -266,10 +264,7 @@ def test_somebody_joins_and_every_copy_gets_lighter(tmp_path: Path) -> None:
                 extra_damping=[0.1],
                 ports=[0],
             )
-            books = np.zeros(7)
-            settle(lighter.operator, peer.state, books, lighter.lanes)
-            peer.model = lighter
-            peer._energy = float(books[4] + books[5])  # type: ignore[attr-defined]
+            peer.rescale(3)
 
     driven.disturb = join
     result = audited(driven)

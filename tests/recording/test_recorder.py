@@ -44,6 +44,8 @@ def report(k: int, links: int = 1, value: float = 0.0) -> Report:
         residual=11.0,
         age=np.full(links, 0.01),
         iterations=12,
+        rescaled=0.0,
+        guards=(),
     )
 
 

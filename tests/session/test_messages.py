@@ -38,7 +38,12 @@ def test_a_member_that_says_anything_at_all_changes_nothing_for_the_others() -> 
     world = three()
     mallory = world.people[1]
     rng = np.random.default_rng(0)
-    spoken = [write(mallory.member.roster), write(mallory.copy.status(world.now)), rng.bytes(44), b"ctk1" + rng.bytes(180)]
+    spoken = [
+        write(mallory.member.roster),
+        write(mallory.copy.status(world.now)),
+        rng.bytes(44),
+        b"ctk1" + rng.bytes(180),
+    ]
     roster = world.people[0].member.roster
     for _ in range(40):
         for _ in range(8):

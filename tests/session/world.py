@@ -1,5 +1,7 @@
 """A session without processes, sockets or clocks: members on one virtual clock, over networks in memory."""
 
+from pathlib import Path
+
 import numpy as np
 
 from cotouch.live import (
@@ -15,6 +17,7 @@ from cotouch.live import (
 from cotouch.mechanics import Model
 from cotouch.session import Copy, Hand, Host, Member, MemoryWays, NoHand, Replica, ScriptedHand, SessionFile
 from cotouch.session._emulate import path_laws
+from cotouch.session._tape import Tape
 
 _SERVICE = 0.02
 
@@ -42,6 +45,11 @@ class Person:
         self.impaired = None
         if world.session.options.emulate:
             carrier = self.impaired = ImpairedTransport(self.samples, {}, clock=lambda: world.now, seed=world.count)
+        self.tape = None
+        if world.folder is not None:
+            path = world.folder / f"{name} {world.count}.mcap"
+            world.recordings.append(path)
+            self.tape = Tape(path, world.session, world.replica, name=name, key=self.identity.public)
         self.member = Member(
             session=world.session,
             replica=world.replica,
@@ -53,6 +61,7 @@ class Person:
             hand=self._hand if moves else lambda seat, model: NoHand(model),
             entropy=made,
             secret=b"secret",
+            recorder=self.tape,
         )
         self.alive = True
         self.next = world.now
@@ -106,7 +115,17 @@ class Person:
 class World:
     """Host, members and both networks."""
 
-    def __init__(self, text: str, *, seed: int = 0, law: PathLaw | None = None, tick: float = 5e-4) -> None:
+    def __init__(
+        self,
+        text: str,
+        *,
+        seed: int = 0,
+        law: PathLaw | None = None,
+        tick: float = 5e-4,
+        folder: Path | None = None,
+    ) -> None:
+        self.folder = folder
+        self.recordings: list[Path] = []
         self.session = SessionFile.from_toml(text)
         self.replica = Replica.build(self.session)
         self.seed = seed
@@ -143,6 +162,8 @@ class World:
 
     def _out(self, person: Person) -> None:
         person.samples.close()
+        if person.tape is not None:
+            person.tape.close()
         person.alive = False
         self.people.remove(person)
         self.gone.append(person)

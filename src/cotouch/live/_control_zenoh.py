@@ -15,6 +15,7 @@ from cotouch.errors import SessionError, TransportError
 from cotouch.live._certificates import make_certificates
 from cotouch.live._control import Message, Relayed
 from cotouch.live._files import Files
+from cotouch.live._forward import Forwarder
 from cotouch.live._introducer import Introducer
 from cotouch.live._invitation import Endpoint, Invitation, checked
 from cotouch.live._keys import Entropy, Identity
@@ -138,6 +139,8 @@ class ZenohControl:
 
             self._introducer = Introducer(self._own, beside, clock)
         self._files = Files(self._session, self._prefix, self._me)
+        self._host = invitation.host
+        self._forwarder = Forwarder(self._session, self._prefix, clock) if host else None
         self._declare(entropy)
         self._speaker = threading.Thread(target=self._speak, name="cotouch speaker", daemon=True)
         self._speaker.start()
@@ -270,9 +273,10 @@ class ZenohControl:
             while not limit.take(time.monotonic(), cost):
                 time.sleep(0.5 / _RATE)
             to = "all" if said.to is None else said.to.hex()
+            far = said.to is not None and said.to not in self._present and self._host in self._present
             try:
                 self._session.put(
-                    f"{self._prefix}/said/{self._me}/{to}",
+                    f"{self._prefix}/{'via' if far else 'said'}/{self._me}/{to}",
                     self._writer.write(*said),
                     congestion_control=zenoh.CongestionControl.BLOCK,
                     priority=zenoh.Priority.INTERACTIVE_HIGH,

@@ -15,6 +15,9 @@ if TYPE_CHECKING:
 
 # One chunk of a file and its envelope: what is longer is not put together at all.
 _MOST_MESSAGE = 1 << 20
+# Opening takes four ways there and back, of up to 2 s each in the paper's network; who was found by gossip is dialled
+# only once [ms].
+_OPENING = 10_000
 # A client can hang at its end; nobody waits longer for it.
 _CLOSING = 2.0
 
@@ -74,8 +77,7 @@ def configuration(
         "adminspace": {"enabled": False},
         "transport": {
             "shared_memory": {"enabled": False},
-            # Closing waits for a connection that is just being opened.
-            "unicast": {"open_timeout": 3000, "accept_timeout": 3000},
+            "unicast": {"open_timeout": _OPENING, "accept_timeout": _OPENING},
             "link": {
                 "protocols": ["tls"],
                 "tls": tls,

@@ -283,6 +283,7 @@ class LinkGuard:
             self._fall(now, "left behind" if fresh else "too old", self._least)
             available = self.tank
             potential = self._affordable(goal, held, available)
+            caught = fresh and potential == wish
         self._short = fresh and potential < goal and available <= potential
         if not caught:
             self._forget()

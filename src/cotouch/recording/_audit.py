@@ -17,8 +17,10 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.errors import RecordingError
+from cotouch.recording._columns import GUARDS
 from cotouch.recording._findings import Finding, findings_of, missing_words
-from cotouch.recording._links import LinkBooks, ages, align, grid_of, link_books, so_far
+from cotouch.recording._guards import seeds
+from cotouch.recording._links import LinkBooks, ages, align, grid_of, link_books, linked, so_far
 from cotouch.recording._motion import LOSSES, Motion, motions
 from cotouch.recording._recording import Recording
 from cotouch.units import user_number
@@ -176,7 +178,7 @@ def audit(recordings: Sequence[Recording], *, tolerance: float = TOLERANCE) -> A
     Raises:
         RecordingError: they do not belong together.
     """
-    recordings = sorted(recordings, key=lambda recording: recording.user)
+    recordings = sorted(recordings, key=lambda recording: (recording.user, float(recording.time[0])))
     _belong(recordings)
     names = {recording.user: recording.name for recording in recordings}
     notes = missing_words(recordings, names)
@@ -194,12 +196,12 @@ def audit(recordings: Sequence[Recording], *, tolerance: float = TOLERANCE) -> A
     moved = motions(recordings, offsets)
     grid = grid_of(moved)
     start = float(grid[0])
-    asked = [_asked(recording, {other.user: other for other in recordings}) for recording in recordings]
+    asked = [_asked(recording, recordings) for recording in recordings]
     links = _links(moved, grid, asked)
     supply = sum((so_far(m, m.known["supplied"] + m.known["drive_work"], grid) for m in moved), np.zeros(grid.size))
     made = sum((books.made for books in links), np.zeros(grid.size))
     taken = sum((so_far(m, m.known["local_loss"], grid) for m in moved), np.zeros(grid.size))
-    initial = sum(float(m.start[0]) for m in moved) + sum(books.initial for books in links)
+    initial = sum(float(m.start[0]) + seeds(m.recording) for m in moved) + sum(books.initial for books in links)
     lost = sum(float(m.known[name].sum()) for m in moved for name in LOSSES)
     in_play = max(float(np.abs(supply).max()), lost, sum(float(m.stored.max()) for m in moved), initial)
     rounding = sum(m.rounding * np.sqrt(m.end.size) for m in moved)
@@ -212,10 +214,16 @@ def audit(recordings: Sequence[Recording], *, tolerance: float = TOLERANCE) -> A
     if margin[least] < -allowed:
         words = f"users got {-margin[least]:.4g} J more out of the network than they had put in"
         found.append(_of_network(float(-margin[least]), float(grid[least]) - start, words))
-    found += _links_beyond(links, made - taken, grid, allowed, names)
+    # Guarded ends may spend what they were given once, and what the body's own damping took.
+    spare = allowed + sum(
+        seeds(m.recording) + float(m.known["body_loss"].sum() + m.known["extra_loss"].sum())
+        for m in moved
+        if _guarded(m)
+    )
+    found += _links_beyond(links, made - taken, grid, allowed, spare, names)
     for books, need in zip(moved, asked, strict=True):
         have = _least_damping(books.recording)
-        if sum(need.values()) > have * (1.0 + 1e-9):
+        if sum(need.values()) > have * (1.0 + 1e-9) and not _guarded(books):  # a guard judges every sample by itself
             notes.append(
                 f"the damping of {books.recording.name} was {have:.4g} Ns/m; the age rule asks for "
                 f"{sum(need.values()):.4g} Ns/m with the ages that there were"
@@ -252,7 +260,8 @@ def _belong(recordings: Sequence[Recording]) -> None:
         if any(not np.array_equal(*(getattr(body, part).data for body in same)) for part in ("mass", "stiffness")):
             raise RecordingError(f"{other.path} is of another body than {first.path}; give recordings of one session")
     for one, two in pairwise(recordings):
-        if one.user == two.user:
+        again = one.header.key and two.header.key and one.header.key != two.header.key
+        if one.user == two.user and not again:
             raise RecordingError(
                 f"{one.path} and {two.path} are both of user {user_number(one.user)}; give one of them"
             )
@@ -278,13 +287,17 @@ def _left(recording: Recording) -> Finding:
     )
 
 
-def _asked(recording: Recording, others: dict[int, Recording]) -> dict[int, float]:
+def _guarded(motion: Motion) -> bool:
+    return set(GUARDS) <= set(motion.recording.columns)
+
+
+def _asked(recording: Recording, recordings: Sequence[Recording]) -> dict[int, float]:
     """Damping that the age rule asks of a user, by link, for the ages that there were [Ns/m]."""
     result: dict[int, float] = {}
     for user in recording.neighbours:
         here = ages(recording, user)
-        other = others.get(user)
-        there = ages(other, recording.user) if other is not None and recording.user in other.neighbours else None
+        back = [ages(o, recording.user) for o in recordings if o.user == user and recording.user in o.neighbours]
+        there = max((age for age in back if age is not None), key=lambda age: age.most, default=None)
         if here is None:
             result[user] = 0.0
             continue
@@ -302,7 +315,7 @@ def _links(moved: Sequence[Motion], grid: Float, asked: Sequence[dict[int, float
         for j in range(i + 1, len(moved)):
             two = moved[j]
             users = one.recording.user, two.recording.user
-            if users[1] in one.recording.neighbours and users[0] in two.recording.neighbours:
+            if linked(one.recording, two.recording):
                 shares = _share(one, users[1], asked[i]), _share(two, users[0], asked[j])
                 result.append(link_books(one, two, grid, shares))
     return result
@@ -324,7 +337,7 @@ def _share(motion: Motion, user: int, asked: dict[int, float]) -> Float:
 
 
 def _links_beyond(
-    links: Sequence[LinkBooks], beyond: Float, grid: Float, allowed: float, names: dict[int, str]
+    links: Sequence[LinkBooks], beyond: Float, grid: Float, allowed: float, spare: float, names: dict[int, str]
 ) -> list[Finding]:
     """Links that made more than the damping took, if all together did.
 
@@ -334,8 +347,8 @@ def _links_beyond(
     if not judged or len(judged) < len(links):
         return []
     together = float(beyond.max()) if all(books.whole for books in links) else np.inf
-    over = [books for books in judged if books.excess > allowed]
-    if together <= allowed or not over:
+    over = [books for books in judged if books.excess > allowed + books.granted]
+    if together <= spare or not over:
         return []
     result: list[Finding] = []
     for books in over:

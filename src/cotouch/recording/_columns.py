@@ -61,6 +61,17 @@ STATES: dict[str, tuple[str, str, str]] = {
     "v": ("m/s", "velocity after the step", "rows, axes"),
     "middle": ("m", "position at mid-step: the sample that the neighbours were told", "rows, axes"),
 }
+# Extra columns of links with a guard that an audit knows (`cotouch.peer.GuardBooks`); all but two are sums so far.
+GUARDS: dict[str, tuple[str, str]] = {
+    "tank": ("J", "energy in the tank of each link after the step"),
+    "potential": ("J", "energy in the spring of each link as the step began"),
+    "credited": ("J", "damping that went to the tank of each link"),
+    "taken": ("J", "what the tank of each link got of the other end and of the copy's other links"),
+    "given": ("J", "what the tank of each link gave to these"),
+    "paid": ("J", "what the tank of each link paid for moving the spring's end, and for rounding"),
+    "spilled": ("J", "what the tank of each link could not hold or keep"),
+    "injected": ("J", "what moving its end put into the spring of each link"),
+}
 MIXED, UNSAID = -2, -3
 _TYPES = ("<f8", "<f4", "<i8", "<i4", "|i1")
 _LENGTH = struct.Struct("<I")
@@ -132,7 +143,7 @@ def unpack(data: bytes) -> Batch:
     states = {values.shape[0] for name, values in columns.items() if name in STATES}
     if len(steps) > 1 or len(states) > 1 or not {"index", "end", "T"} <= set(columns):
         raise RecordingError("the columns of a batch have different lengths, or it has no index, end and T")
-    links = [columns[name] for name in ("link_work", "age", "used", "phase") if name in columns]
+    links = [columns[name] for name in ("link_work", "age", "used", "phase", *GUARDS) if name in columns]
     if any(values.ndim != 2 or values.shape[1] != len(neighbours) for values in links):
         raise RecordingError(f"a batch has {len(neighbours)} links, but columns of another width")
     rows = columns.get("state_row", np.zeros(0))

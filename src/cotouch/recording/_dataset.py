@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.errors import RecordingError
-from cotouch.recording._columns import LinkPhase
+from cotouch.recording._columns import GUARDS, LinkPhase
 from cotouch.recording._links import align
 from cotouch.recording._recording import Recording
 from cotouch.units import user_number
@@ -123,16 +123,19 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
             ("age", "s", "age of the sample used, by the clocks as they are"),
             ("used", "1", "index of the sample used; < 0 where it has none"),
             ("phase", "1", "of the link: " + ", ".join(f"{phase.value} {phase.name.lower()}" for phase in LinkPhase)),
+            *((name, *said) for name, said in GUARDS.items() if any(name in r.columns for r in recordings)),
         ):
             parts = []
             for k, (at, entry) in enumerate(directions):
+                if name not in recordings[at].columns:
+                    continue
                 values = recordings[at].columns[name][:, entry].astype(float)
                 first = np.concatenate([[0.0], np.cumsum(np.nan_to_num(values))])
                 parts.append((k, first if name == "link_work" else _shifted(values)))
             put(name, ("direction", "step"), parts, unit, text)
     _states(recordings, times, put)
     known = {*data, *_TOOLS, "index", "end", "T"}
-    extra = [name for recording in recordings for name in recording.columns if name not in known]
+    extra = [name for recording in recordings for name in recording.columns if name not in known and name not in GUARDS]
     for name in dict.fromkeys(extra):
         unit, text = next(
             (r.header.columns[name] for r in recordings if name in r.header.columns), ("1", "as recorded")

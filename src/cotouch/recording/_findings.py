@@ -7,6 +7,7 @@ from typing import final
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.recording._guards import unbalanced
 from cotouch.recording._motion import LOSSES, Motion
 from cotouch.recording._recording import Recording
 from cotouch.units import user_number
@@ -33,7 +34,7 @@ class Finding:
     Attributes:
         user: index of the user in whose copy, or None.
         link: the two users between whom, or None.
-        place: hands, damping, state, step, between steps, proxies, contacts, link or network.
+        place: hands, damping, state, step, between steps, proxies, contacts, guard, link or network.
         energy: how much; > 0 came from nowhere [J].
         time: when it is seen first, since the beginning [s].
         step: index of that step of the user; None where there is none.
@@ -99,6 +100,20 @@ def findings_of(motion: Motion, tolerance: float, start: float, names: dict[int,
         add(
             "step", residual, f"steps of {names[recording.user]} gained {_joule(_most(residual))} that nothing explains"
         )
+    for lacking in unbalanced(recording, motion.link, motion.known["local_loss"]):
+        if _counts(lacking.energy, tolerance):
+            other = lacking.user
+            pair = None if other is None else (recording.user, other)
+            to = "" if other is None else f" towards {names.get(other, f'user {user_number(other)}')}"
+            words = f"at {names[recording.user]}{to} {lacking.words}, by {_joule(_most(lacking.energy))}"
+            add("guard", lacking.energy, words, pair)
+    # Shares that rise as members leave are paid by what the copy lost.
+    came = np.cumsum(np.where(motion.members, motion.carried, 0.0))
+    unpaid = came - np.cumsum(motion.known["body_loss"] + motion.known["extra_loss"])
+    if unpaid.max(initial=0.0) > tolerance:
+        rises = np.diff(np.maximum.accumulate(np.maximum(unpaid, 0.0)), prepend=0.0)
+        words = f"{_joule(_most(rises))} came into {names[recording.user]}'s copy as members came and went, unpaid"
+        add("between steps", rises, words)
     carried = np.where(motion.members, 0.0, motion.carried)
     if _counts(carried, tolerance):
         words = f"{_joule(_most(carried))} came into {names[recording.user]}'s copy between two of its steps"

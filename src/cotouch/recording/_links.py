@@ -17,6 +17,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.recording._columns import LinkPhase
+from cotouch.recording._guards import granted, linked_steps
 from cotouch.recording._motion import Motion
 from cotouch.recording._recording import Recording
 
@@ -57,6 +58,7 @@ class LinkBooks:
         whole: whether there is no gap.
         initial: energy in the spring at the beginning [J].
         unknown: share of its steps whose work is as booked.
+        granted: what the tanks of guarded ends had besides its damping: seeds, and what others gave them [J].
     """
 
     ends: tuple[int, int]
@@ -74,6 +76,7 @@ class LinkBooks:
     whole: bool
     initial: float
     unknown: float
+    granted: float = 0.0
 
 
 def ages(recording: Recording, neighbour: int) -> Ages | None:
@@ -82,6 +85,17 @@ def ages(recording: Recording, neighbour: int) -> Ages | None:
     age = recording.columns["age"][:, column]
     counted = age[np.isfinite(age) & (recording.columns["phase"][:, column] == LinkPhase.COUPLED)]
     return Ages(float(counted.min()), float(counted.max())) if counted.size else None
+
+
+def linked(one: Recording, two: Recording) -> bool:
+    """Whether both had a link to the other; who came again under another key is another."""
+    return (
+        one.user != two.user
+        and two.user in one.neighbours
+        and one.user in two.neighbours
+        and bool(linked_steps(one, two.user, two.header.key).any())
+        and bool(linked_steps(two, one.user, one.header.key).any())
+    )
 
 
 def align(recordings: Sequence[Recording]) -> tuple[list[float], bool]:
@@ -94,13 +108,11 @@ def align(recordings: Sequence[Recording]) -> tuple[list[float], bool]:
     offsets = [recording.header.offset - base for recording in recordings]
     apart: dict[tuple[int, int], float] = {}
     wrong = False
-    at = {recording.user: k for k, recording in enumerate(recordings)}
     for i, one in enumerate(recordings):
-        for user in one.neighbours:
-            j = at.get(user)
-            if j is None or j < i or one.user not in recordings[j].neighbours:
+        for j, two in enumerate(recordings):
+            if j < i or not linked(one, two):
                 continue
-            there, back = ages(one, user), ages(recordings[j], one.user)
+            there, back = ages(one, two.user), ages(two, one.user)
             if there is None or back is None:
                 continue
             ahead = offsets[i] - offsets[j]
@@ -146,12 +158,15 @@ def link_books(one: Motion, two: Motion, grid: Float, shares: tuple[Float, Float
     """
     ends = one.recording.user, two.recording.user
     sides = (one, one.recording.neighbours.index(ends[1])), (two, two.recording.neighbours.index(ends[0]))
-    works = [so_far(motion, motion.link[:, c], grid) for motion, c in sides]
+    other = two.recording.header.key, one.recording.header.key
+    here = [linked_steps(m.recording, user, key) for (m, _), user, key in zip(sides, ends[::-1], other, strict=True)]
+    works = [so_far(m, m.link[:, c] * own, grid) for (m, c), own in zip(sides, here, strict=True)]
     taken = np.zeros(grid.size)
-    for motion, share in zip((one, two), shares, strict=True):
-        taken += so_far(motion, motion.known["local_loss"] * share, grid)
-    strength = np.maximum(*(_at_grid(motion, _strength(motion, c), grid) for motion, c in sides))
-    status = np.maximum(*(_at_grid(motion, _status(motion, c), grid) for motion, c in sides))
+    for motion, share, own in zip((one, two), shares, here, strict=True):
+        taken += so_far(motion, motion.known["local_loss"] * share * own, grid)
+    ours = list(zip(sides, here, strict=True))
+    strength = np.maximum(*(_at_grid(m, _strength(m, c) * own, grid) for (m, c), own in ours))
+    status = np.maximum(*(_at_grid(m, np.where(own, _status(m, c), ABSENT), grid) for (m, c), own in ours))
     spring = _spring(one, two, grid) * strength
     counted = np.where(status == LinkPhase.COUPLED, spring, 0.0)
     lost = [_lost(motion, grid) for motion in (one, two)]
@@ -183,6 +198,9 @@ def link_books(one: Motion, two: Motion, grid: Float, shares: tuple[Float, Float
         whole=not bool(bad.any()),
         initial=float(counted[0]),
         unknown=1.0 - found / steps_of if steps_of else 1.0,
+        granted=sum(
+            granted(m.recording, user, key) for (m, _), user, key in zip(sides, ends[::-1], other, strict=True)
+        ),
     )
 
 

@@ -79,13 +79,10 @@ def motions(recordings: Sequence[Recording], offsets: Sequence[float]) -> list[M
     Raises:
         RecordingError: they do not belong together.
     """
-    return [
-        _motion(recording, {other.user: other for other in recordings}, offset)
-        for recording, offset in zip(recordings, offsets, strict=True)
-    ]
+    return [_motion(recording, recordings, offset) for recording, offset in zip(recordings, offsets, strict=True)]
 
 
-def _motion(recording: Recording, others: Mapping[int, Recording], offset: float) -> Motion:
+def _motion(recording: Recording, others: Sequence[Recording], offset: float) -> Motion:
     columns, body = recording.columns, recording.header.body
     steps, T = recording.steps, columns["T"]
     rows = recording.states["state_row"]
@@ -115,7 +112,9 @@ def _motion(recording: Recording, others: Mapping[int, Recording], offset: float
         rounding = max(rounding, size)
         for entry, neighbour in enumerate(setup.neighbours):
             column = recording.neighbours.index(neighbour)
-            work, found = step.link(entry, column, others.get(neighbour), at)
+            key = setup.keys[entry] if setup.keys is not None else ""
+            other = next((o for o in others if o.user == neighbour and (not key or o.header.key in {"", key})), None)
+            work, found = step.link(entry, column, other, at)
             link[at[found], column] = work[found]
             link_known[at[found], column] = True
     extra, drive, tool_difference = _tools(recording)
@@ -163,20 +162,23 @@ class _Steps:
         self.x = x
         self.mean = 2.0 * (x - self.middle) / T[:, None, None]
         self.share = 1.0 / setup.copies
+        shares = recording.columns.get("stiffness_share")
+        at = recording.states["state_row"][chosen]
+        self.stiff = np.full(T.size, self.share) if shares is None else np.asarray(shares[at], dtype=np.float64)
 
     def energies(self) -> tuple[Float, Float, float]:
         """After each step, before it, and what rounding may make of them."""
         body = self.body
         start, speed = 2.0 * self.middle - self.x, 2.0 * self.mean - self.v
-        after = body.form(body.mass, self.v) + body.form(body.stiffness, self.x)
-        before = body.form(body.mass, speed) + body.form(body.stiffness, start)
+        after = self.share * body.form(body.mass, self.v) + self.stiff * body.form(body.stiffness, self.x)
+        before = self.share * body.form(body.mass, speed) + self.stiff * body.form(body.stiffness, start)
         # The stretch of a body that has travelled is a small difference of large places; so is its mean velocity.
         places = np.abs(self.x).max(axis=(1, 2), initial=0.0)
         stiff = float(np.abs(body.stiffness).sum())
         heavy = float(np.abs(body.mass).sum())
         fast = np.abs(self.v).max(axis=(1, 2), initial=0.0)
         size = stiff * places**2 + heavy * places * fast / self.T
-        return 0.5 * self.share * after, 0.5 * self.share * before, _EPS * self.share * float(size.max(initial=0.0))
+        return 0.5 * after, 0.5 * before, _EPS * self.share * float(size.max(initial=0.0))
 
     def losses(self) -> tuple[Float, Float, Float]:
         """By the body's dampers, by B_i and by B_e."""
@@ -265,6 +267,9 @@ def _carried(recording: Recording, kept: Bool, stored: Float, start: Float, gain
     whole = breaks[rows[1:]] == breaks[rows[:-1]]
     between = total[rows[1:]] - total[rows[:-1] + 1]
     carried[rows[1:]] = np.where(whole, start[rows[1:]] - stored[rows[:-1]] - between, 0.0)
+    shares = recording.columns.get("stiffness_share")
+    if shares is not None:  # K's share rises over some steps
+        members[rows[1:]] = np.diff(shares[rows]) != 0.0
     for first in changed:
         after = np.searchsorted(index[rows], first)
         if 0 < after < rows.size:

@@ -66,7 +66,7 @@ def _recording(data: bytes, name: str) -> Recording:
             elif isinstance(record, Footer):
                 broken = None
     except _BROKEN as error:
-        broken = f"it breaks off: {error or type(error).__name__}"
+        broken = f"it breaks off: {str(error) or type(error).__name__}"
     if metadata is None or CONFIGURATION not in attachments or BODY not in attachments:
         raise RecordingError("it is no recording of cotouch, or ends before its head does")
     header = RecordHeader.read(metadata, attachments[CONFIGURATION], attachments[BODY])

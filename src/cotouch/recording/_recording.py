@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.errors import RecordingError
-from cotouch.recording._columns import STATES, UNSAID, Batch
+from cotouch.recording._columns import GUARDS, STATES, UNSAID, Batch
 from cotouch.recording._header import RecordHeader
 from cotouch.units import user_number
 
@@ -56,6 +56,8 @@ class Setup(NamedTuple):
         tool_mass: of every proxy [kg].
         link_damping: share of B_i of each link [Ns/m]; None: not said.
         rounding: most that a coordinate of a sample may differ from what was sent [m].
+        keys: of the users at the other ends; None: not said.
+        seeds: what the tank of each link started with [J]; None: not said.
     """
 
     first: int
@@ -69,6 +71,8 @@ class Setup(NamedTuple):
     tool_mass: tuple[float, ...]
     link_damping: tuple[float, ...] | None
     rounding: float
+    keys: tuple[str, ...] | None = None
+    seeds: tuple[float, ...] | None = None
 
 
 @final
@@ -206,7 +210,7 @@ def recording_of(
     columns: dict[str, Array] = {}
     names = dict.fromkeys(name for batch in batches for name in batch.columns if name not in STATES)
     for name in names:
-        if name in _LINKS:
+        if name in _LINKS or name in GUARDS:
             columns[name] = _links(name, neighbours, batches)
             continue
         entries = [batch.columns.get(name) for batch in batches]
@@ -288,10 +292,13 @@ def _setup(event: Event) -> Setup:
             tool_mass=tuple(map(float, said["tool_mass"])),
             link_damping=None if shared is None else tuple(map(float, shared)),
             rounding=float(said["rounding"]),
+            keys=None if said.get("keys") is None else tuple(map(str, said["keys"])),
+            seeds=None if said.get("seeds") is None else tuple(map(float, said["seeds"])),
         )
     except (KeyError, TypeError, ValueError) as error:
         raise RecordingError(f"a setup of the recording cannot be read: {error!r}") from None
     sizes = {len(neighbours), len(setup.strength), len(setup.weight)}
+    sizes |= {len(more) for more in (setup.keys, setup.seeds) if more is not None}
     if len(sizes) > 1 or setup.copies < 1:
         raise RecordingError(f"a setup of the recording has {len(neighbours)} neighbours and lists of other lengths")
     return setup

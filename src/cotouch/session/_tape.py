@@ -8,10 +8,12 @@ import numpy as np
 from cotouch import __version__
 from cotouch.errors import RecordingError
 from cotouch.peer import COUPLED, Report
-from cotouch.recording import LinkPhase, RecordedBody, Recorder, RecordHeader, both_clocks
+from cotouch.recording import GUARDS, LinkPhase, RecordedBody, Recorder, RecordHeader, both_clocks
 from cotouch.session._copy import Copy
 from cotouch.session._file import SessionFile
 from cotouch.session._replica import Replica
+
+_BOOKS = [(name, "lost" if name == "spilled" else name) for name in GUARDS]
 
 
 @final
@@ -58,9 +60,7 @@ class Tape:
                 columns={
                     "stiffness_share": ("1", "share of K that the copy carries"),
                     "rescaled": ("J", "what the copy's energy changed by before the step, as members came and went"),
-                    "tank": ("J", "energy in the tank of each link"),
-                    "potential": ("J", "energy in the spring of each link as the step began, if guarded"),
-                    "credited": ("J", "damping that went to the tank of each link, so far"),
+                    **GUARDS,
                 },
             )
             self._recorder = Recorder(self._path, header)
@@ -79,6 +79,7 @@ class Tape:
             budgets=[link.guard.budget if np.isfinite(link.guard.budget) else None for link in held],
             names=[link.entry.name for link in held],
             keys=[link.entry.key for link in held],
+            seeds=[self._session.options.seed for _ in held],
         )
 
     def step(self, copy: Copy, report: Report, now: float, T: float) -> None:
@@ -100,9 +101,7 @@ class Tape:
             extra={
                 "stiffness_share": peer.stiffness_share,
                 "rescaled": report.rescaled,
-                "tank": np.array([book.tank for book in books]),
-                "potential": np.array([book.potential for book in books]),
-                "credited": np.array([book.credited for book in books]),
+                **{name: np.array([getattr(book, field) for book in books]) for name, field in _BOOKS},
             },
         )
 

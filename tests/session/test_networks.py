@@ -1,0 +1,162 @@
+"""Whole sessions over emulated networks: host and members are processes in namespaces, everything is recorded.
+
+Control and samples go through the same star. Faults follow each other within one session, to save the starts.
+"""
+
+import json
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+from tests.live.emulator.star import Star, obstacle
+from tests.live.test_networks import DELAY, LINKS
+from tests.session.stage import Stage, apart, audited, calmest, everywhere, stage, worst_force
+
+from cotouch.live import PathLaw
+from cotouch.recording import LinkPhase, Recording
+
+no_star = obstacle()
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(no_star is not None, reason=f"no emulated network: {no_star}"),
+]
+
+ROOT = Path(__file__).parents[2]
+FORCE = 20.0
+RESIDUAL = 1e-9
+NEAR = 5e-3  # copies that follow one hand come this near each other while it rests [m]
+# One hand, which goes back and forth and rests in between.
+HAND = """
+[session]
+window = 4.0
+force_limit = {force}
+[[hands]]
+user = 1
+path = [{path}]
+stiffness = 60.0
+damping = 2.0
+"""
+
+
+def hand(rest: float) -> str:
+    places = [f"[{t}, {x}]" for k in range(60) for t, x in (((rest + 0.5) * k, 0.1 * (k % 2)),) for t, x in (
+        (t, x), (t + rest, x))]  # fmt: skip
+    return HAND.format(path=", ".join(places), force=FORCE)
+
+
+def papers() -> str:
+    text = (ROOT / "examples" / "live.toml").read_text()
+    table = text[: text.index("[session]")].replace("rate = 500", "rate = 200")
+    return table + hand(5.0)
+
+
+THREE = """
+title = "Three users"
+[network]
+users = ["Ann", "Ben", "Cleo"]
+spring = [[0, 60, 60], [60, 0, 60], [60, 60, 0]]
+delay = [[0, 0.01, 0.01], [0.01, 0, 0.01], [0.01, 0.01, 0]]
+[body]
+mass = 1.0
+[steps]
+rate = 200
+""" + hand(1.5)
+
+
+def judged(played: Stage, said: dict[str, dict]) -> list[Recording]:
+    """What holds after every session; returns the recordings."""
+    seen = json.loads(played.seen.read_text())["members"]
+    for status in [*seen.values(), *(one["status"] for one in said.values())]:
+        assert status["residual"] <= RESIDUAL
+        assert status["alarms"] == 0
+    result, recordings = audited(played)
+    assert result.holds, result.verdict
+    assert max(abs(books.residual) for books in result.users) <= RESIDUAL * result.in_play
+    assert max(worst_force(recording) for recording in recordings) <= FORCE * (1.0 + 1e-9)
+    assert all((recording.columns["phase"] == LinkPhase.COUPLED).any() for recording in recordings)
+    return recordings
+
+
+def test_the_papers_network_with_jitter_reordering_and_loss(tmp_path: Path) -> None:
+    names = ["Ann", "Ben", "Cleo", "Dan", "Eve"]
+
+    def paths(**more: float) -> None:
+        everywhere(lambda i, j: PathLaw(delay=DELAY[i][j], **more), star, range(5))
+
+    with Star(7, seconds=170.0) as star:
+        for user in range(5):  # the host is near everybody, over paths that are as bad
+            for other in (5, 6):
+                star.set(user, other, PathLaw(delay=0.02))
+                star.set(other, user, PathLaw(delay=0.02))
+        paths()
+        with stage(star, tmp_path, papers(), names) as played:
+            for name in names:
+                played.join(name)
+            played.wait(played.coupled(*names, links=len(LINKS)), "not all came together")
+            for law in ({"jitter": 0.2}, {"reordering": 0.5, "hold": 0.05}, {"loss": 0.3}):
+                paths(**law)
+                time.sleep(4.0)
+            paths()
+            played.wait(played.coupled(*names, links=len(LINKS)), "not all came together again")
+            calm = time.monotonic()
+            time.sleep(7.0)
+            said = {name: played.stop(name) for name in names}
+    recordings = judged(played, said)
+    assert calmest(recordings, calm, calm + 7.0) < NEAR
+
+
+def test_partition_one_way_outage_crash_of_a_member_and_of_the_host(tmp_path: Path) -> None:
+    names = ["Ann", "Ben", "Cleo"]
+    clean = PathLaw(delay=0.01)
+    times: dict[str, float] = {}
+
+    def settled(what: str) -> None:
+        played.wait(played.coupled(*names, links=3), f"not all came together after {what}")
+        times[what] = time.monotonic()
+        time.sleep(2.6)
+
+    with Star(5, seconds=170.0) as star:
+        everywhere(lambda i, j: clean, star, range(5))
+        with stage(star, tmp_path, THREE, names) as played:
+            for name in names:
+                played.join(name)
+            settled("the start")
+
+            everywhere(lambda i, j: PathLaw(down=True) if 2 in {i, j} else clean, star, range(5))
+            cut = time.monotonic()
+            time.sleep(4.0)
+            everywhere(lambda i, j: clean, star, range(5))
+            healed = time.monotonic()
+            settled("the partition")
+
+            star.set(0, 1, PathLaw(down=True))
+            time.sleep(3.0)
+            star.set(0, 1, clean)
+            settled("the outage one way")
+
+            played.members["Cleo"].kill()
+            played.members["Cleo"].wait(10)
+            killed = time.monotonic()
+            played.join("Cleo")
+            played.wait(played.recordings["Cleo"][1].exists, "Cleo did not come back")
+            settled("the crash")
+
+            played.host.kill()
+            played.host.wait(10)
+            time.sleep(3.0)
+            settled("the end of the host")
+            said = {name: played.stop(name) for name in names}
+    recordings = judged(played, said)
+    assert [recording.name for recording in recordings] == ["Ann", "Ben", "Cleo", "Cleo"]
+    assert recordings[2].broken is not None
+    assert recordings[2].columns["end"][-1] > killed - 0.6  # readable up to its last batch
+    lost = recordings[0].columns["phase"][:, recordings[0].neighbours.index(2)]
+    during = (recordings[0].columns["end"] > cut + 0.5) & (recordings[0].columns["end"] < healed)
+    assert set(lost[during]) == {LinkPhase.GUARDED}
+    moved = apart(recordings[:3], np.arange(cut + 0.5, healed, 0.01))
+    assert moved.max() > 4 * NEAR  # what recovers below
+    for what, since in times.items():
+        there = [r for r in recordings if r.columns["end"][0] < since and r.columns["end"][-1] > since + 2.4]
+        assert len(there) == 3, what
+        assert calmest(there, since, since + 2.4) < NEAR, what

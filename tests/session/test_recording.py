@@ -1,0 +1,119 @@
+"""Recordings of a session with a cut path, a crash and a return, on a virtual clock: no book of them may be bent."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from tests.session.world import World
+
+from cotouch.live import PathLaw
+from cotouch.recording import GUARDS, LinkPhase, Recording, audit, read_recording
+
+SESSION = """
+[session]
+users = 3
+spring = 60.0
+[body]
+kind = "chain"
+nodes = 2
+spacing = 1.0
+dimension = 1
+mass = 0.5
+damping = 0.5
+stiffness = 50.0
+ground = [1]
+ground_stiffness = 30.0
+[steps]
+rate = 250
+[[hands]]
+user = 1
+at = [1.0]
+path = [[0, 0], [1, 0.05], [3, 0.05], [5, -0.05], [8, -0.05], [9, 0.05], [13, 0.05], [14, -0.05]]
+stiffness = 40.0
+damping = 1.0
+"""
+
+
+@pytest.fixture(scope="module")
+def recordings(tmp_path_factory: pytest.TempPathFactory) -> list[Recording]:
+    """Ann, Ben, Cleo, and Cleo again."""
+    world = World(SESSION, folder=tmp_path_factory.mktemp("session"), tick=1e-3)
+    ann, ben, cleo = (world.join(name, moves=name == "Ann") for name in ("Ann", "Ben", "Cleo"))
+    world.until(world.all_coupled, 12.0)
+    world.paths(ann, ben, PathLaw(down=True))
+    world.run(2.0)
+    world.paths(ann, ben, PathLaw(delay=0.005))
+    world.run(1.0)
+    world.kill(cleo)
+    world.run(8.0)  # she is taken for gone, and the copies get heavier and stiffer
+    world.join("Cleo", moves=False)
+    world.run(3.0)
+    world.check()
+    for person in world.people:
+        assert person.tape is not None
+        person.tape.close()
+    return [read_recording(path) for path in world.recordings]
+
+
+def bent(recordings: list[Recording], who: int, name: str, change) -> list[Recording]:
+    """With one column of one of them changed, from the middle on."""
+    one = recordings[who]
+    values = np.array(one.columns[name], dtype=float)
+    half = one.steps // 2
+    ben = one.neighbours.index(1)
+    values[half:, ben] = change(values[half:, ben], one.columns["phase"][half:, ben])
+    return [*recordings[:who], replace(one, columns={**one.columns, name: values}), *recordings[who + 1 :]]
+
+
+def test_all_of_it_holds(recordings: list[Recording]) -> None:
+    result = audit(recordings)
+    assert result.holds, result.verdict
+    assert [recording.name for recording in recordings] == ["Ann", "Ben", "Cleo", "Cleo"]
+    # Both of Cleo's lives are linked to both others.
+    assert [books.ends for books in result.links] == [(0, 1), (0, 2), (0, 2), (1, 2), (1, 2)]
+    assert all(books.work[0] != 0.0 for books in result.links)
+    guarded = [recording.columns["phase"] == LinkPhase.GUARDED for recording in recordings]
+    assert all(phase.any() for phase in guarded)
+    shares = recordings[0].columns["stiffness_share"]
+    assert shares[-1] == shares.min() < shares.max()  # K rose when she was gone, as far as losses paid
+    assert max(abs(books.residual) for books in result.users) < 1e-12
+
+
+@pytest.mark.parametrize("name", GUARDS)
+def test_each_book_of_a_guard_counts(recordings: list[Recording], name: str) -> None:
+    result = audit(bent(recordings, 0, name, lambda values, phase: values + 1e-3))
+    assert {finding.place for finding in result.findings} == {"guard"}
+    assert abs(result.findings[0].energy) == pytest.approx(1e-3, rel=1e-6)
+
+
+def test_what_a_guarded_end_moves_unpaid_is_found(recordings: list[Recording]) -> None:
+    """Tank and payments are lowered alike, so that the tank's own balance stays."""
+    less = bent(recordings, 0, "paid", lambda values, phase: 0.5 * values)
+    gave = recordings[0].columns["paid"] - less[0].columns["paid"]
+    spilled = np.array(recordings[0].columns["spilled"]) + gave
+    forged = replace(less[0], columns={**less[0].columns, "spilled": spilled})
+    words = [finding.words for finding in audit([forged, *recordings[1:]]).findings]
+    assert words
+    assert all("unpaid" in text for text in words)
+
+
+def test_what_no_damping_took_is_not_credited(recordings: list[Recording]) -> None:
+    more = bent(recordings, 0, "credited", lambda values, phase: values + 1e3 * (values - values[0]))
+    got = more[0].columns["credited"] - recordings[0].columns["credited"]
+    spilled = np.array(recordings[0].columns["spilled"]) + got
+    forged = replace(more[0], columns={**more[0].columns, "spilled": spilled})
+    words = [finding.words for finding in audit([forged, *recordings[1:]]).findings]
+    assert words
+    assert all("credited" in text for text in words)
+
+
+def test_books_that_are_not_finite_hide_nothing(recordings: list[Recording]) -> None:
+    for name in GUARDS:
+        result = audit(bent(recordings, 0, name, lambda values, phase: values * np.nan))
+        assert "not finite" in result.findings[0].words
+
+
+def test_a_share_that_rises_unpaid_is_found(recordings: list[Recording]) -> None:
+    one = recordings[0]
+    without = replace(one, columns={n: values for n, values in one.columns.items() if n != "stiffness_share"})
+    assert {f.user for f in audit([without, *recordings[1:]]).findings} == {0}
