@@ -138,8 +138,9 @@ def test_a_session_from_invitation_to_audit(running: Running, tmp_path: Path) ->
     code = audited.wait(120)
     report = json.loads(running.out("audit"))
     assert code == (not report["holds"]), running.err("audit")
-    # KNOWN: the audit does not know of the energy that each end has to begin with (session.seed, 1 mJ), and blames a link
-    # that begins while a hand moves. Nothing else may be found, and no more than both ends' seeds.
+    # KNOWN, to be settled: the audit finds that a link which begins while a hand moves made some 1e-5 J. It does
+    # not know of the energy that each end has to begin with (session.seed, 1 mJ), the
+    # likely cause; no more than that is let pass.
     assert all(found["place"] == "link" and found["energy_j"] < 2e-3 for found in report["findings"])
 
 
