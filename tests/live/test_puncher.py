@@ -220,6 +220,20 @@ def test_an_idle_way_costs_little_and_keeps_the_nats():
     assert two.ways == [Way.DIRECT] * 2
 
 
+def test_the_quickest_way_there_and_back_is_known_of_an_idle_way_too():
+    two = Two(None, None, delay=0.05)
+    two.active = [False, False]
+    assert two.punchers[0].quickest is None
+    two.run(8.0)
+    assert all(puncher.quickest == pytest.approx(0.1, abs=2 * TICK) for puncher in two.punchers)
+    two.net.delay = 0.2
+    two.run(40.0)
+    assert all(puncher.quickest == pytest.approx(0.4, abs=2 * TICK) for puncher in two.punchers)
+    two.net.cut = lambda source, to: True
+    two.run(20.0)
+    assert two.punchers[0].quickest is None
+
+
 def test_an_idle_way_that_is_gone_is_noticed():
     two = Two(None, None).run(2.0, Way.DIRECT)
     two.active = [False, False]

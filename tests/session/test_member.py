@@ -1,9 +1,13 @@
+import tomllib
+
 import numpy as np
 import pytest
 from tests.session.world import World
 
 from cotouch.errors import SessionError
 from cotouch.live import PathLaw
+from cotouch.network import Network
+from cotouch.session import measured
 
 THREE = """
 [session]
@@ -206,6 +210,37 @@ def test_a_constant_index_delay_couples_too(mode: str) -> None:
     world.check()
 
 
+def test_ways_are_measured_where_there_is_no_link() -> None:
+    world = World(
+        """
+[network]
+users = ["Ann", "Ben", "Cleo"]
+spring = [[0, 60, 50], [60, 0, 45], [50, 45, 0]]
+delay = [[0, 0.02, 0.07], [0.01, 0, 0.03], [0.05, 0.04, 0]]
+links = [[1, 2], [2, 3]]
+[steps]
+rate = 100
+[session]
+emulate = true
+""",
+        law=PathLaw(delay=0.005),
+    )
+    for name in ("Ann", "Ben", "Cleo"):
+        world.join(name, moves=True)
+    world.run(3.0)
+    host = world.host
+    assert host is not None
+    expected = {(0, 1): 0.03 + 0.01, (0, 2): 0.12 + 0.01, (1, 2): 0.07 + 0.01}
+    assert host.watch.paths() == pytest.approx(expected, abs=1e-9)
+    found = measured(host.watch, world.session)
+    assert not found.missing
+    assert found.network.delay[0, 2] == found.network.delay[2, 0] == pytest.approx(0.065)
+    again = Network.from_table(tomllib.loads(found.toml())["network"], source="written")
+    assert again.links == ((0, 1), (1, 2)) or list(again.links) == [(0, 1), (1, 2)]
+    assert np.abs(again.delay - found.network.delay).max() < 1e-6
+    world.leave(world.people[1])
+    world.run(1.0)
+    assert set(host.watch.paths()) == {(0, 2)}
 def test_rounded_samples_are_paid_for() -> None:
     text = THREE.replace("seed = 1e-3", 'seed = 1e-3\ncoding = "float32"\nreach = 1.0')
     world = World(text)
