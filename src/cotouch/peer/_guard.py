@@ -33,10 +33,10 @@ it is READY; its forces are those of a coupled end already. Which instant of tha
 unknown, so the tank that stays is the least of that time.
 
 **Who has what the other lacks.** Copies that were apart for long meet again only if both ends can pay. An end that has
-caught up gives what its tank holds to another end that says that it lacks energy: what was given in all goes with every
-sample, so that losses and repetitions do not matter. It gives no more than the least of the time since it caught up, see
-above. Energy on its way belongs to nobody and is lost with the link. A copy's links help each other, too (`Peer`): what
-coupled ones do not need goes to those that lack it, with what the body's own damping and B_e took.
+caught up gives what its tank holds to an end that says that it lacks energy: what was given in all goes with every
+sample, so that losses and repetitions do not matter. It gives no more than the least of the time since it caught up,
+see above. Energy on its way belongs to nobody and is lost with the link. A copy's links help each other, too (`Peer`):
+what coupled ones do not need goes to those that lack it, with what the body's own damping and B_e took.
 
 **Rounding.** A sample on the wire may be off by ε (in W's norm). A coupled end pays `K ε‖v̂‖_W T` a step from its tank;
 what one step takes beyond it is a debt, and guards the link. A guarded end needs no more than its account. At coupling,
