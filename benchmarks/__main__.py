@@ -4,7 +4,7 @@ import argparse
 
 from rich.console import Console
 
-from benchmarks import engine, live, planner, record, recording, scaling, step, touch
+from benchmarks import engine, live, members, planner, record, recording, scaling, step, touch
 from benchmarks._report import Row, add_write, finish
 
 
@@ -23,6 +23,7 @@ def main() -> None:
             ("touch", touch.measure),
             ("planner", lambda: planner.measure(long=options.long)),
             ("live", live.measure),
+            ("members", members.measure),
             ("recording", recording.measure),
             ("record", lambda: record.measure(options.count)),
         ):

@@ -15,7 +15,19 @@ import numpy as np
 
 RESULTS = Path(__file__).parent / "RESULTS.md"
 # The order of the sections.
-SECTIONS = ("engine", "step", "scaling", "touch", "planner", "live", "recording", "record", "touch record", "soak")
+SECTIONS = (
+    "engine",
+    "step",
+    "scaling",
+    "touch",
+    "planner",
+    "live",
+    "members",
+    "recording",
+    "record",
+    "touch record",
+    "soak",
+)
 
 
 class Row(NamedTuple):

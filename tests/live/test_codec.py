@@ -225,3 +225,20 @@ def test_noise_is_refused_and_nothing_raised(noise: bytes):
     codec = Codec(layout(100, 3))
     assert isinstance(read(codec, noise), Refusal)
     assert isinstance(read(codec, b"\1\0\0\0\3\0\0\0\1\0\x2d\0\0\0\0\0" + noise), Refusal | Chunk)
+
+
+@pytest.mark.parametrize("coding", CODINGS)
+@pytest.mark.parametrize("rows", [1, 5, 16, 17, 40])
+def test_the_limit_holds_for_few_numbers_as_for_many(rows: int, coding: str):
+    shape = layout(rows, 1, coding=coding, limit=1000.0)
+    codec = Codec(shape)
+    (payload,) = datagrams(codec, np.zeros((rows, shape.width)), heading())
+    size = shape.dtype.itemsize
+    for at in (0, rows - 1):
+        for value, fits in ((1000.0, True), (-1000.0, True), (-0.0, True), (1000.6, False), (-1000.6, False)):
+            there = HEAD_BYTES + at * size
+            changed = payload[:there] + np.array(value, dtype=shape.dtype).tobytes() + payload[there + size :]
+            assert (read(codec, changed) is Refusal.STATE) != fits
+        for value in (math.nan, -math.nan, math.inf, -math.inf):
+            changed = payload[:there] + np.array(value, dtype=shape.dtype).tobytes() + payload[there + size :]
+            assert read(codec, changed) is Refusal.STATE

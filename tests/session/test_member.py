@@ -1,11 +1,12 @@
 import tomllib
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from tests.session.world import World
 
 from cotouch.errors import SessionError
-from cotouch.live import PathLaw
+from cotouch.live import Message, PathLaw
 from cotouch.network import Network
 from cotouch.session import measured
 
@@ -241,6 +242,8 @@ emulate = true
     world.leave(world.people[1])
     world.run(1.0)
     assert set(host.watch.paths()) == {(0, 2)}
+
+
 def test_rounded_samples_are_paid_for() -> None:
     text = THREE.replace("seed = 1e-3", 'seed = 1e-3\ncoding = "float32"\nreach = 1.0')
     world = World(text)
@@ -251,3 +254,31 @@ def test_rounded_samples_are_paid_for() -> None:
     world.run(4.0)
     assert abs(world.people[2].position[0, 0] - 0.05) < 5e-3
     world.check()
+
+
+def test_a_turn_takes_up_so_many_messages_and_forgets_none() -> None:
+    world = three()
+    member, heard = world.people[0].member, []
+    hear, poll = member._hear, world.people[0].control.poll
+    member._hear = lambda message, *rest: (heard.append(message), hear(message, *rest))
+    flood = [Message(world.people[1].identity.public, "status", bytes([k]), direct=False) for k in range(100)]
+    world.people[0].control.poll = lambda: [flood.pop(0) for _ in range(len(flood))] + poll()
+    most, turns = 0, 0
+    while turns == 0 or member.pending:
+        before = len(heard)
+        member.service(world.now)
+        most, turns = max(most, len(heard) - before), turns + 1
+        assert turns < 50
+    said = [message.body[0] for message in heard if len(message.body) == 1]
+    assert said == list(range(100))
+    assert most <= 12
+    assert turns >= 9
+
+
+def test_links_are_tended_in_turns_where_they_are_many() -> None:
+    copy = three().people[0].copy
+    one = next(iter(copy.neighbours.values()))
+    copy.neighbours = {seat: replace(one, guarded=seat) for seat in range(1, 21)}
+    seen = [neighbour.guarded for _ in range(5) for neighbour in copy._turns()]
+    assert len(seen) == 40
+    assert sorted(seen) == sorted([*range(1, 21)] * 2)

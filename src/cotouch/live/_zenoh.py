@@ -1,6 +1,7 @@
 """What all that speaks Zenoh here has in common: configuration, opening, closing. Zenoh loads on first use."""
 
 import base64
+import contextlib
 import json
 import threading
 from collections.abc import Sequence
@@ -120,7 +121,13 @@ def open_session(configured: str) -> "zenoh.Session":
 
 def close_session(session: "zenoh.Session") -> None:
     """Closes a session of Zenoh, and waits for it a little."""
-    closing = threading.Thread(target=session.close, daemon=True)
+    import zenoh
+
+    def close() -> None:
+        with contextlib.suppress(zenoh.ZError):  # it waits for links that are gone, and says so
+            session.close()
+
+    closing = threading.Thread(target=close, daemon=True)
     closing.start()
     closing.join(_CLOSING)
 

@@ -33,7 +33,7 @@ it is READY; its forces are those of a coupled end already. Which instant of tha
 unknown, so the tank that stays is the least of that time.
 
 **Who has what the other lacks.** Copies that were apart for long meet again only if both ends can pay. An end that has
-caught up gives what its tank holds to another end that says that it lacks energy: what was given in all goes with every
+caught up gives what its tank holds to an end that says that it lacks energy: what was given in all goes with every
 sample, so that losses and repetitions do not matter. It gives no more than the least of the time since it caught up,
 see above. Energy on its way belongs to nobody and is lost with the link. A copy's links help each other, too (`Peer`):
 what coupled ones do not need goes to those that lack it, with what the body's own damping and B_e took.

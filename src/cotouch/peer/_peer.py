@@ -245,27 +245,25 @@ class Peer:
             now: time on this peer's clock [s].
             T: length of the step, > 0 [s].
         """
-        links, books, lanes, scale, position = self._links, self._books, self._lanes, self._scale, self.state.position
+        links, books, lanes, scale, x = self._links, self._books, self._lanes, self._scale, self.state.position
         if scale.rising:
             self._changed(scale.rise(self.state, float(books[ELASTIC])))
-        operator = scale.operator
         age: list[float] = []
         for end in self._ends:
-            source, guard, place, _, _ = end
-            sample = source.choose(self.steps)
+            guard, place, sample = end.guard, end.place, end.source.choose(self.steps)
             age.append(now - sample.stamp)
             share = 1.0 if guard is None else self._decide(guard, end, sample, now, T)
             if share == 1.0:
                 place[...] = sample.position
             elif share == 0.0:
-                place[...] = position
+                place[...] = x
             else:
-                approach(position, sample.position, share, place, lanes)
+                approach(x, sample.position, share, place, lanes)
         own = len(self._ends)
         touched = self._touch_books
         if self.tools is None or self._surface is None or self._touch is None:
             step(
-                operator,
+                scale.operator,
                 self.state,
                 links,
                 self.grips,
@@ -282,7 +280,7 @@ class Peer:
             )
         else:
             touch_step(
-                operator,
+                scale.operator,
                 self.state,
                 links,
                 self.grips,
@@ -303,9 +301,8 @@ class Peer:
             )
         # As Python's own numbers from here on: one by one out of an array they take longer than the step of a point.
         square, did, touch = self._work.quadratic.tolist(), books.tolist(), touched.tolist()
-        for _, guard, _, weight, _ in self._ends:
-            if guard is not None:
-                guard.settle(square[weight], T)
+        for guard, end in self._guarded:
+            guard.settle(square[end.weight], T)
         if scale.rising:
             scale.tank += did[BODY_LOSS] + did[EXTRA_LOSS]
         else:
@@ -313,7 +310,6 @@ class Peer:
         energy = did[KINETIC] + did[ELASTIC] + touch[PROXY] + touch[TOUCH_STORED]
         lost = did[BODY_LOSS] + did[LOCAL_LOSS] + did[EXTRA_LOSS] + touch[TOUCH_LOSS]
         supplied = did[SUPPLIED] + touch[DRIVE]
-        link_work = self._link_work.copy()
         report = Report(
             sample=Sample(sender=self.index, index=self.steps, stamp=now - 0.5 * T, position=links.samples[own].copy()),
             force=self.grips.force[self.grips.first : self.grips.last].copy(),
@@ -321,7 +317,7 @@ class Peer:
             body_loss=did[BODY_LOSS],
             local_loss=did[LOCAL_LOSS],
             extra_loss=did[EXTRA_LOSS],
-            link_work=link_work,
+            link_work=self._link_work.copy(),
             kinetic=did[KINETIC],
             elastic=did[ELASTIC],
             drive_work=touch[DRIVE],
@@ -329,14 +325,13 @@ class Peer:
             touch_loss=touch[TOUCH_LOSS],
             proxy=touch[PROXY],
             touch_stored=touch[TOUCH_STORED],
-            residual=energy - self._energy - supplied + lost - sum(link_work.tolist()),
+            residual=energy - self._energy - supplied + lost - sum(self._link_work.tolist()),
             age=np.array(age),
             iterations=int(did[ITERATIONS]),
             rescaled=self._rescaled,
-            guards=tuple(None if guard is None else guard.books for guard in self._guards),
+            guards=tuple(None if end.guard is None else end.guard.books for end in self._ends),
         )
-        self._energy = energy
-        self._rescaled = 0.0
+        self._energy, self._rescaled = energy, 0.0
         self.steps += 1
         self.integrated += T
         return report
@@ -355,9 +350,9 @@ class Peer:
 
     def _share(self, spare: float) -> None:
         """Lets links that cannot follow have what other links, and the copy's own damping, can spare [J]."""
-        wanting = [guard for guard in self._guards if guard is not None and guard.wanting]
+        wanting = [guard for guard, _ in self._guarded if guard.wanting]
         if wanting:
-            spare += sum(guard.donate() for guard in self._guards if guard is not None)
+            spare += sum(guard.donate() for guard, _ in self._guarded)
             for guard in wanting:
                 guard.help(spare / len(wanting))
 
@@ -393,14 +388,13 @@ class Peer:
             slot=np.arange(count, dtype=np.int64),
             samples=samples,
         )
+        self.neighbours, self._sources, self._link_work = neighbours, sources, np.zeros(count)
         self._places = [samples[at] for at in range(count)]
-        self._link_work = np.zeros(count)
-        self.neighbours, self._sources = neighbours, sources
-        self._guards = tuple(source if isinstance(source, LinkGuard) else None for source in sources)
-        self._ends = [
-            _End(source, guard, place, int(w), None if self._mixed[w] else self.model.operator.weight[w])
-            for source, guard, place, w in zip(sources, self._guards, self._places, weight, strict=True)
-        ]
+        diagonals = [None if self._mixed[w] else self.model.operator.weight[w] for w in weight]
+        self._guards = [source if isinstance(source, LinkGuard) else None for source in sources]
+        ends = zip(sources, self._guards, self._places, map(int, weight), diagonals, strict=True)
+        self._ends = [_End(*end) for end in ends]
+        self._guarded = [(end.guard, end) for end in self._ends if end.guard is not None]
         for guard, stiffness in zip(self._guards, strength, strict=True):
             if guard is not None:
                 guard.attach(float(stiffness))
