@@ -201,4 +201,5 @@ def _own_name() -> str:
 
 
 def _say(text: str) -> None:
-    sys.stderr.write(f"cotouch: {text} ...\n")
+    if sys.stderr.isatty():
+        sys.stderr.write(f"cotouch: {text} ...\n")

@@ -127,7 +127,8 @@ def close_session(session: "zenoh.Session") -> None:
         with contextlib.suppress(zenoh.ZError):  # it waits for links that are gone, and says so
             session.close()
 
-    closing = threading.Thread(target=close, daemon=True)
+    # Not a daemon: one that is still in Zenoh when Python ends takes the process down. Zenoh gives up after 10 s.
+    closing = threading.Thread(target=close, name="cotouch closing")
     closing.start()
     closing.join(_CLOSING)
 
