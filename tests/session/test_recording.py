@@ -55,13 +55,15 @@ def recordings(tmp_path_factory: pytest.TempPathFactory) -> list[Recording]:
     return [read_recording(path) for path in world.recordings]
 
 
-def bent(recordings: list[Recording], who: int, name: str, change, *, share: float = 0.5) -> list[Recording]:
+def bent(
+    recordings: list[Recording], who: int, name: str, change, *, share: float = 0.5, other: int = 1
+) -> list[Recording]:
     """With one column of one of them changed, after a share of the steps."""
     one = recordings[who]
     values = np.array(one.columns[name], dtype=float)
     half = int(share * one.steps)
-    ben = one.neighbours.index(1)
-    values[half:, ben] = change(values[half:, ben], one.columns["phase"][half:, ben])
+    link = one.neighbours.index(other)
+    values[half:, link] = change(values[half:, link], one.columns["phase"][half:, link])
     return [*recordings[:who], replace(one, columns={**one.columns, name: values}), *recordings[who + 1 :]]
 
 
@@ -88,11 +90,11 @@ def test_each_book_of_a_guard_counts(recordings: list[Recording], name: str) -> 
 
 def test_what_a_guarded_end_moves_unpaid_is_found(recordings: list[Recording]) -> None:
     """Tank and payments are lowered alike, so that the tank's own balance stays."""
-    less = bent(recordings, 0, "paid", lambda values, phase: 0.5 * values, share=0.0)
-    gave = recordings[0].columns["paid"] - less[0].columns["paid"]
-    spilled = np.array(recordings[0].columns["spilled"]) + gave
-    forged = replace(less[0], columns={**less[0].columns, "spilled": spilled})
-    words = [finding.words for finding in audit([forged, *recordings[1:]]).findings]
+    less = bent(recordings, 1, "paid", lambda values, phase: 0.5 * values, share=0.0, other=0)
+    gave = recordings[1].columns["paid"] - less[1].columns["paid"]
+    spilled = np.array(recordings[1].columns["spilled"]) + gave
+    forged = replace(less[1], columns={**less[1].columns, "spilled": spilled})
+    words = [finding.words for finding in audit([recordings[0], forged, *recordings[2:]]).findings]
     assert words
     assert all("unpaid" in text for text in words)
 
