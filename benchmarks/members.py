@@ -264,8 +264,7 @@ def delay() -> list[Row]:
         ),
         Row(
             "members", "— raw UDP beside it, p50 / p99 / p99.9", f"{_figures(seen)} µs", "",
-            f"{len(seen):,} datagrams; sample to force is {1e6 * float(np.median(delays)) / over:.0f} × as long, "
-            "half a step of it waiting for the next step on average",
+            f"{len(seen):,} datagrams; sample to force is {1e6 * float(np.median(delays)) / over:.0f} × as long",
         ),
     ]  # fmt: skip
 
