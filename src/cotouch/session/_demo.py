@@ -30,11 +30,11 @@ _BLOCK = {
     "kind": "lattice",
     "shape": [8, 4, 4],
     "mass": 1.0,
-    "stiffness": 400.0,
+    "stiffness": 60.0,
     "damping": 0.4,
     "spacing": 0.02,
     "ground": "x-",
-    "ground_stiffness": 400.0,
+    "ground_stiffness": 60.0,
 }
 # What `--impair` takes, and where it stands in a session's file.
 _IMPAIRMENTS = ("loss", "jitter", "duplication", "reordering")
@@ -259,8 +259,8 @@ def _embody(tables: dict[str, Any], body: str) -> None:
         raise SessionError(f'--body is "{body}"; it must be {" or ".join(_BODIES)}')
     ways = ((0.0, 0.3, 0.0), (0.0, -0.3, 0.1), (0.2, 0.0, 0.3), (0.0, 0.2, -0.3), (-0.2, 0.0, 0.2))
     for n, (hand, place) in enumerate(zip(tables["hands"], places, strict=True)):
-        reach = [0.3 * share * 0.2 for share in ways[n % 5]]
-        hand |= {"at": place, "path": [[0, 0, 0, 0], [2, *reach]]}
+        reach = [0.06 * share for share in ways[n % 5]]  # so far that a hand feels the others
+        hand |= {"at": place, "path": [[0, 0, 0, 0], [2, *reach]], "stiffness": 200.0}
 
 
 def _impair(tables: dict[str, Any], impair: Sequence[str]) -> None:
