@@ -87,7 +87,7 @@ def meet(members: list[Process]) -> None:
 def test_the_others_go_on_without_the_host(start: Callable[..., Process]):
     who = identities(4)
     at = Endpoint("127.0.0.1", free_port())
-    made = Invitation.make(session="killed", host=who[0].public, endpoints=(at,), entropy=entropy(1))
+    made = Invitation.make(session="killed", host=who[0].public, digest=bytes(32), endpoints=(at,), entropy=entropy(1))
     members = [start(made, one) for one in who]
     for member in members:
         assert member.read()["here"] == member.key
@@ -120,7 +120,7 @@ def test_without_the_secret_nobody_joins(start: Callable[..., Process]):
     who = identities(3)
     at = Endpoint("127.0.0.1", free_port())
     made, other = (
-        Invitation.make(session="secret", host=who[0].public, endpoints=(at,), entropy=entropy(seed)) for seed in (1, 2)
+        Invitation.make(session="secret", host=who[0].public, digest=bytes(32), endpoints=(at,), entropy=entropy(seed)) for seed in (1, 2)
     )
     host, uninvited, invited = start(made, who[0]), start(other, who[1]), start(made, who[2])
     for member in (host, uninvited, invited):

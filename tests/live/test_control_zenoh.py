@@ -32,7 +32,7 @@ WHO = identities(4)
 def invitation(*, routed: bool = False, seed: int = 1) -> Invitation:
     at = (Endpoint("127.0.0.1", free_port()),)
     places = {"routers": at, "endpoints": ()} if routed else {"endpoints": at}
-    return Invitation.make(session="zenoh", host=WHO[0].public, entropy=entropy(seed), **places)
+    return Invitation.make(session="zenoh", host=WHO[0].public, digest=bytes(32), entropy=entropy(seed), **places)
 
 
 @pytest.fixture

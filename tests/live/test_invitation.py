@@ -20,7 +20,8 @@ SESSIONS = st.text(st.characters(categories=("L", "N", "P", "S")), min_size=1, m
 
 
 def made(**changes: object) -> Invitation:
-    values = {"session": "lab", "host": HOST, "endpoints": (Endpoint("192.0.2.7", 7447),), "entropy": entropy(1)}
+    at = (Endpoint("192.0.2.7", 7447),)
+    values = {"session": "lab", "host": HOST, "digest": bytes(range(32)), "endpoints": at, "entropy": entropy(1)}
     return Invitation.make(**(values | changes))  # pyright: ignore[reportArgumentType]
 
 
@@ -37,7 +38,7 @@ def test_what_is_encoded_is_decoded(session: str, endpoints: tuple, routers: tup
 
 
 def test_a_short_line():
-    assert len(made().encode()) < 110
+    assert len(made().encode()) < 150
 
 
 @given(st.data())
@@ -108,8 +109,8 @@ def test_the_secret_is_not_shown():
 
 def test_what_is_derived_hangs_on_secret_host_session_and_purpose():
     one = made()
-    others = [made(session="lab2"), made(host=bytes(32)), made(entropy=entropy(2))]
-    assert len({one.id, one.derive(b"else", 32), *(other.id for other in others)}) == 5
+    others = [made(session="lab2"), made(host=bytes(32)), made(digest=bytes(32)), made(entropy=entropy(2))]
+    assert len({one.id, one.derive(b"else", 32), *(other.id for other in others)}) == 6
     assert made(endpoints=(Endpoint("::1", 5),)).id == one.id
 
 
@@ -120,6 +121,7 @@ def test_what_is_derived_hangs_on_secret_host_session_and_purpose():
         ({"session": "a\nb"}, "1 to 64 printable"),
         ({"session": "x" * 65}, "1 to 64 printable"),
         ({"host": b"short"}, "5 bytes; it takes 32"),
+        ({"digest": b"short"}, "has 5 bytes; SHA-256 has 32"),
         ({"endpoints": ()}, "names no endpoint"),
         ({"endpoints": (Endpoint("::1", 1),) * 17}, "at most 16"),
         ({"endpoints": (Endpoint("::1", 0),)}, "port 0 of ::1"),
