@@ -13,7 +13,9 @@ HOST = identities(1)[0].public
 
 def certificates(*, secret: int = 1, own: int = 5) -> Certificates:
     at = (Endpoint("127.0.0.1", 1),)
-    invitation = Invitation.make(session="certificates", host=HOST, digest=bytes(32), endpoints=at, entropy=entropy(secret))
+    invitation = Invitation.make(
+        session="certificates", host=HOST, digest=bytes(32), endpoints=at, entropy=entropy(secret)
+    )
     return make_certificates(invitation, entropy=entropy(own))
 
 

@@ -120,7 +120,8 @@ def test_without_the_secret_nobody_joins(start: Callable[..., Process]):
     who = identities(3)
     at = Endpoint("127.0.0.1", free_port())
     made, other = (
-        Invitation.make(session="secret", host=who[0].public, digest=bytes(32), endpoints=(at,), entropy=entropy(seed)) for seed in (1, 2)
+        Invitation.make(session="secret", host=who[0].public, digest=bytes(32), endpoints=(at,), entropy=entropy(seed))
+        for seed in (1, 2)
     )
     host, uninvited, invited = start(made, who[0]), start(other, who[1]), start(made, who[2])
     for member in (host, uninvited, invited):
