@@ -149,10 +149,10 @@ def _flex(side: int, integrator: str, softer: float) -> Callable[[], object]:
     return advance
 
 
-def _diverges(advance: Callable[[], object]) -> bool:
+def _diverges(advance: Callable[[], object], steps: int = 50) -> bool:
     """Whether a few steps are enough to leave the range of numbers."""
     try:
-        for _ in range(50):
+        for _ in range(steps):
             advance()
     except AssertionError:
         return True
