@@ -1,5 +1,42 @@
 """Devices that are held in a hand: what they have in common, and the loop that holds them safely."""
 
+from cotouch.haptics._conformance import Finding, conform
 from cotouch.haptics._device import Device, DeviceReading, Flag
+from cotouch.haptics._frames import FORCE_DIMENSION, FRAMES, HAPLY, OPENHAPTICS, OPENXR, OURS, Frame
+from cotouch.haptics._registry import (
+    GROUP,
+    DeviceChoice,
+    Driver,
+    Option,
+    device_names,
+    driver,
+    make_device,
+    open_device,
+)
+from cotouch.haptics._simulated import SIMULATED, SimulatedOnClock, simulated_model
 
-__all__ = ["Device", "DeviceReading", "Flag"]
+__all__ = [
+    "FORCE_DIMENSION",
+    "FRAMES",
+    "GROUP",
+    "HAPLY",
+    "OPENHAPTICS",
+    "OPENXR",
+    "OURS",
+    "SIMULATED",
+    "Device",
+    "DeviceChoice",
+    "DeviceReading",
+    "Driver",
+    "Finding",
+    "Flag",
+    "Frame",
+    "Option",
+    "SimulatedOnClock",
+    "conform",
+    "device_names",
+    "driver",
+    "make_device",
+    "open_device",
+    "simulated_model",
+]
