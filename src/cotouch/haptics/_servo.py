@@ -1,7 +1,7 @@
 """The servo's process: opens the device, holds it at its rate, and talks to the peer by two boards.
 
 Started as the guardian's child (`_link.py`), told what to do in the first line of its standard input. It says on
-standard output, in lines of JSON, that it is ready or why not, and what went wrong; nothing else is ever written in the loop.
+standard output, in lines of JSON, that it is ready or why not, and what went wrong; nothing is written in the loop.
 """
 
 import json
