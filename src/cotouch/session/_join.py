@@ -9,7 +9,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Literal, final
 
-from cotouch.errors import SessionError, TransportError
+from cotouch.errors import TransportError
 from cotouch.live import (
     Address,
     ControlPlane,
@@ -180,7 +180,7 @@ def _take_part(
         return _hand(session, replica, hand, seat, model)
 
     pacer = Pacer(session.period(0), cap=session.options.longest_step, clock=clock)
-    pace = Pace(session.period(0), clock())
+    pace = Pace(session.period(0))
     member = Member(
         session=session,
         replica=replica,
@@ -268,6 +268,3 @@ def _fetched(control: ControlPlane, digest: bytes, patience: float) -> bytes:
             raise TransportError(f"{who} within {patience:.0f} s; check that the host runs and can be reached")
         time.sleep(_WAIT)
     return content
-
-
-__all__ = ["HandKind", "SessionError", "Taken", "fetch_session", "join"]
