@@ -192,20 +192,18 @@ class Copy:
             now: end of the step [s].
             T: its length [s].
         """
-        self._plane.poll(now)
-        if self.peer is None and not self._start(now):
-            return False
+        if self.peer is None:
+            self._plane.poll(now)
+            if not self._start(now):
+                return False
         peer, hand = self.peer, self._hand
         assert peer is not None
         assert hand is not None
-        for seat, neighbour in self.neighbours.items():
-            if not neighbour.connected and neighbour.heard:
-                neighbour.connected = True
-                self._align(neighbour)
-                peer.connect(seat, neighbour.guard, strength=neighbour.strength, weight=neighbour.weight)
-                self._changed(now)
         self._owed = min(self._owed + T, self._options.longest_step)
-        if self._mode == "self-paced" and not peer.ready:
+        waits = self._mode == "self-paced"
+        if waits:
+            self._hear(peer, now)
+        if waits and not peer.ready:
             if now - self._told >= _TELL_AGAIN and self._last is not None:  # two must not wait for each other for ever
                 self._told = now
                 self._plane.send(now, self._last.sample, self._length)
@@ -213,16 +211,37 @@ class Copy:
         length, self._owed = self._owed, 0.0
         self._told, self._length = now, length
         hand.before(now - self._began, length)
-        report = peer.step(now, length)
-        hand.after()
+        if not waits:  # as late as can be: what comes after this waits for the next step
+            self._hear(peer, now)
+        sample = peer.move(now, length)
         self._plane.stepped(now)
-        self._plane.send(now, report.sample, length)
+        self._plane.send(now, sample, length)  # as early as can be: what is only for this copy comes after it
+        hand.after()
+        report = peer.account()
         self._last = report
         self.totals.add(report, peer.neighbours)
         self._notice()
         if self._recorder is not None:
             self._recorder.step(self, report, now, length)
         return True
+
+    def listen(self, now: float) -> None:
+        """Reads what arrived, ahead of the step that will use it.
+
+        Args:
+            now: [s].
+        """
+        self._plane.poll(now)
+
+    def _hear(self, peer: Peer, now: float) -> None:
+        """Reads what arrived; a neighbour that is heard first gets its spring."""
+        self._plane.poll(now)
+        for seat, neighbour in self.neighbours.items():
+            if not neighbour.connected and neighbour.heard:
+                neighbour.connected = True
+                self._align(neighbour)
+                peer.connect(seat, neighbour.guard, strength=neighbour.strength, weight=neighbour.weight)
+                self._changed(now)
 
     def _start(self, now: float) -> bool:
         """Begins to move where a neighbour is, or where the file says, if nobody moves yet."""
@@ -329,15 +348,18 @@ class Copy:
 
     # -- what is seen ------------------------------------------------------------------------------------------------
 
-    def status(self, now: float) -> Status:
+    def status(self, now: float, links: list[LinkStatus] | None = None) -> Status:
         """What this member says about itself.
 
         Args:
             now: [s].
+            links: what it says of its links, if that was worked out before.
         """
+        if links is None:
+            links = [self.link_status(seat) for seat in self.neighbours]
         peer, totals, report = self.peer, self.totals, self._last
         if peer is None or report is None:
-            return Status(seat=self.seat, epoch=self._roster.epoch, links=self._links())
+            return Status(seat=self.seat, epoch=self._roster.epoch, links=links)
         needed = sum(held.strength * held.guard.total for held in self.neighbours.values()) * 0.5
         model = peer.model
         return Status(
@@ -356,7 +378,7 @@ class Copy:
             residual=totals.residual,
             damping=float(self.damping.max()),
             certificate=float(self.damping.sum() / needed - 1.0) if needed > 0.0 else None,
-            links=self._links(),
+            links=links,
             alarms=totals.alarms,
         )
 
@@ -368,10 +390,12 @@ class Copy:
             force = force + tools.drive_force[tools.first : tools.last].sum(axis=0)[: force.size]
         return float(np.linalg.norm(force))
 
-    def _links(self) -> list[LinkStatus]:
-        """What is known of the links."""
+    def link_status(self, seat: int) -> LinkStatus:
+        """What is known of a link.
+
+        Args:
+            seat: of a neighbour.
+        """
         position = None if self.peer is None else self.peer.state.position
-        return [
-            held.status(position, way=self._ways.way(seat), work=self.totals.link_work.get(seat, 0.0))
-            for seat, held in self.neighbours.items()
-        ]
+        work = self.totals.link_work.get(seat, 0.0)
+        return self.neighbours[seat].status(position, way=self._ways.way(seat), work=work)
