@@ -211,7 +211,7 @@ class Pacer:
         begin, end = deadline - self._spin - self._lead, deadline - _LOOK
         for _ in range(_MOST_SLEEPS):
             due = idle.due()
-            if not now < due < begin:
+            if max(due, now) >= begin:
                 break
             now = self._doze(now, due)
             idle.look(now)

@@ -136,6 +136,8 @@ class Member:
                 self._telling = self._tell(self.copy, now)
             if self._telling is None:
                 self.copy.tend(now)
+            elif effort and since < _STATUS_EVERY:
+                pass  # hearing took this turn
             elif next(self._telling, True):  # it yields nothing but None
                 self._telling = None
 
