@@ -281,18 +281,18 @@ def test_a_status_is_said_in_pieces_and_whole() -> None:
     control = person.control
     send = control.send
     control.send = lambda topic, body, *, to=None: (said.append((topic, body)), send(topic, body, to=to))[1]
-    looked = list[int]()
-    plain = person.copy.link_status
-    person.copy.link_status = lambda seat: (looked.append(seat), plain(seat))[1]
-    world.run(0.7)
-    told = [(len(said), len(looked))]
-    while not any(topic == "status" for topic, _ in said):
-        before = len(looked)
-        person.member.service(world.now)
-        world.run(0.01)
-        assert len(looked) <= before + 1  # a link at a time
-        told.append((len(said), len(looked)))
-        assert len(told) < 60
+    turns, looked = 0, list[int]()  # in which turn a link was looked at
+    status_of, serve = person.copy.link_status, person.member.service
+
+    def service(now: float) -> None:
+        nonlocal turns
+        turns += 1
+        serve(now)
+
+    person.copy.link_status = lambda seat: (looked.append(turns), status_of(seat))[1]
+    person.member.service = service
+    world.until(lambda: any(topic == "status" for topic, _ in said) and len(looked) >= 2, 2.0)
+    assert len(set(looked)) == len(looked)
     status = Status.model_validate_json(next(body for topic, body in said if topic == "status"))
     assert [link.seat for link in status.links] == [1, 2]
     assert status.steps > 0

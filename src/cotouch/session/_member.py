@@ -178,7 +178,7 @@ class Member:
             yield
         if copy is not self.copy:
             return
-        status = self._whole(copy.status(now, links))
+        status = self._whole(copy.status(now, [link for link in links if link.seat in copy.neighbours]))
         yield
         self._control.send("status", write(status))
 
