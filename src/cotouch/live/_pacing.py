@@ -24,9 +24,9 @@ _MOST_LOOKS = 1_000_000
 _MOST_SLEEPS = 64
 # A look that finds nothing takes less than this; nearer to the deadline only the clock is looked at [s].
 _LOOK = 30e-6
-# Reading is given at most this share of the period, and what it took is forgotten by this share with every step.
+# Reading is given as long as it took lately, but at most this share of the period; a step counts for so much of that.
 _MOST_LEAD = 0.3
-_FORGET = 0.02
+_LEARN = 0.05
 
 
 class Idle(Protocol):
@@ -222,7 +222,8 @@ class Pacer:
         idle.look(now)
         then, now = now, clock()
         self.worked = now - then
-        self._lead = min(max(self.worked, (1.0 - _FORGET) * self._lead), _MOST_LEAD * self._period)
+        self._lead += _LEARN * (min(self.worked, _MOST_LEAD * self._period) - self._lead)
+        now = self._doze(now, deadline - self._spin)  # there was less to read than usual
         for _ in range(_MOST_LOOKS):
             if now >= end:
                 break
