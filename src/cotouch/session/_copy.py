@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.live import (
+    LOWEST_RATE,
     Assembly,
     BudgetAgreement,
     ControlPlane,
@@ -37,6 +38,8 @@ BUDGET = "link.budget"
 _QUIET = 1.5
 # Steps that may come late by so many periods without a budget being raised for it.
 _SLACK = 2.0
+# A path that loses so many samples in a row, at the slowest that they come, does not only lose some; see `LinkAges`.
+_OUTAGE = 10.0
 # A peer that waits for its neighbours says its last sample again after this [s].
 _TELL_AGAIN = 0.1
 # Links that are tended at once, between two steps.
@@ -329,8 +332,9 @@ class Copy:
             if self._mode == "freshest"
             else IndexedAssembly(layout, sender=seat, initial=still, delay=self._index_delay(seat))
         )
-        highest = options.send_rate or 1.0 / self._session.period(self.seat)
-        ages = LinkAges(window=options.window)
+        highest = 1.0 / self._send_period(self.seat)
+        slowest = max(1.0 / LOWEST_RATE, self._send_period(seat), self._session.period(self.seat))
+        ages = LinkAges(window=options.window, outage=_OUTAGE * slowest)
         link = SampleLink(assembly, rate=SendRate(highest=highest), ages=ages)
         number = int.from_bytes(self._entropy(4), "big")
         while number in self._numbers:
@@ -372,6 +376,11 @@ class Copy:
         self._seeds += options.seed
         self._plane.connect(seat, link)
         self._ways.introduce(seat, bytes.fromhex(entry.key))
+
+    def _send_period(self, seat: int) -> float:
+        """Least time between samples of a user [s]."""
+        rate = self._options.send_rate
+        return 1.0 / rate if rate else self._session.period(seat)
 
     def _index_delay(self, seat: int) -> int:
         """N_ij of a neighbour, from the file: as given, or what covers the delay that it says."""
@@ -472,13 +481,13 @@ class Copy:
             return LinkStatus(seat=seat, state="keys", way=self._ways.way(seat))
         if not held.connected or peer is None:
             return LinkStatus(seat=seat, state="waiting", way=self._ways.way(seat))
-        books, own = held.guard.books, link.ages.own
+        books = held.guard.books
         apart = np.linalg.norm(peer.state.position - link.assembly.state, axis=1)
         return LinkStatus(
             seat=seat,
             state=_STATES.get(books.state, "guarded"),
             way=self._ways.way(seat),
-            age=None if own is None else own[0],
+            age=link.ages.age,
             ages=link.ages.worst_sum,
             budget=held.guard.total if np.isfinite(held.guard.budget) else None,
             path=link.ages.shortest_path,
