@@ -1,0 +1,129 @@
+"""What every haptic device is to us, whoever made it."""
+
+from dataclasses import dataclass
+from enum import IntFlag
+from typing import Protocol, final
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.device import DeviceSpec
+
+Float = npt.NDArray[np.float64]
+
+
+@final
+class Flag(IntFlag):
+    """What a device says of itself in a cycle.
+
+    Attributes:
+        CALIBRATED: positions can be trusted.
+        FORCE_ON: the motors follow.
+        HELD: a hand is sensed; devices that cannot sense one never say so.
+        LIMITED: the device applied less than it was told, or something else.
+        LATE: the device did not answer in its time.
+        STALE: the position is that of the cycle before, because nothing new came.
+    """
+
+    CALIBRATED = 1
+    FORCE_ON = 2
+    HELD = 4
+    LIMITED = 8
+    LATE = 16
+    STALE = 32
+
+
+_NONE = Flag(0)
+
+
+@final
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class DeviceReading:
+    """What one cycle gave, in our frame: x forward, y left, z up, right-handed.
+
+    Attributes:
+        time: of the measurement, on a monotonic clock [s].
+        position: of the tip, (3,) [m].
+        velocity: of the tip, (3,) [m/s].
+        force: that the motors really apply, (3,) [N]; NaN where the device does not say.
+        buttons: bit n is button n.
+        flags: see `Flag`.
+        orientation: of the handle, quaternion xyzw; None where it is not measured.
+    """
+
+    time: float
+    position: Float
+    velocity: Float
+    force: Float
+    buttons: int = 0
+    flags: Flag = _NONE
+    orientation: Float | None = None
+
+
+class Device(Protocol):
+    """A device that is held in a hand.
+
+    One thread calls all methods but `stop`, in the order open, calibrate, enable_force, exchange..., close. What goes
+    wrong raises `DeviceError` with one sentence; after that only `stop` and `close` are called. A device without motors
+    (`spec.actuated` is 0) takes any force and applies none.
+
+    Attributes:
+        spec: its limits.
+    """
+
+    @property
+    def spec(self) -> DeviceSpec:
+        """Limits; nominal before `open`, of the opened device afterwards where it tells them."""
+        ...
+
+    def open(self) -> None:
+        """Connects; motors stay off.
+
+        Raises:
+            DeviceError: it is missing, busy, or its vendor's library is not installed; says what to do.
+        """
+        ...
+
+    def calibrate(self, *, allow_motion: bool) -> None:
+        """Makes positions absolute, if they are not.
+
+        Args:
+            allow_motion: whether the device may move by itself. If not, and it must, the error's sentence says what the
+                user has to do by hand.
+
+        Raises:
+            DeviceError: it is not calibrated.
+        """
+        ...
+
+    def enable_force(self, on: bool = True) -> None:
+        """Lets the motors follow, from zero; or not.
+
+        Args:
+            on: whether they may.
+
+        Raises:
+            DeviceError: the device refuses.
+        """
+        ...
+
+    def exchange(self, force: Float) -> DeviceReading:
+        """One cycle: commands a force and measures.
+
+        Blocks as long as the device's own cycle takes, never longer than the driver's time limit.
+
+        Args:
+            force: on the hand, (3,) [N]; finite.
+
+        Raises:
+            DeviceError: a fault; motors are off or will be by the device's own watchdog.
+        """
+        ...
+
+    def stop(self) -> None:
+        """Takes all force away, now. From any thread, at any time, as often as one likes; never raises."""
+        ...
+
+    def close(self) -> None:
+        """Stops and lets go of the device. May be called again; never raises."""
+        ...
