@@ -69,7 +69,7 @@ def test_the_papers_network_with_jitter_reordering_and_loss(tmp_path: Path) -> N
         everywhere(lambda i, j: PathLaw(delay=DELAY[i][j], **more), star, range(5))
 
     with Star(7, seconds=170.0) as star:
-        for user in range(5):  # to host and spectator paths are short and clean; see the next test
+        for user in range(5):  # to host and spectator paths are short and clean
             for other in (5, 6):
                 star.set(user, other, PathLaw(delay=0.02))
                 star.set(other, user, PathLaw(delay=0.02))
@@ -94,24 +94,6 @@ def test_the_papers_network_with_jitter_reordering_and_loss(tmp_path: Path) -> N
     near, again = (float(apart(recordings, np.arange(t, t + 5.9, 0.01)).max()) for t in (before, calm))
     assert near < 0.04
     assert again < 1.25 * near
-
-
-def test_the_way_to_the_host_is_bad(tmp_path: Path) -> None:
-    """Joining, keys and budgets go over TCP that loses 30 % each way; samples between members have good paths."""
-    names = ["Ann", "Ben", "Cleo"]
-    bad, clean = PathLaw(delay=0.02, jitter=0.05, loss=0.3), PathLaw(delay=0.01)
-    with Star(5, seconds=150.0) as star:
-        everywhere(lambda i, j: bad if 3 in {i, j} and 4 not in {i, j} else clean, star, range(5))
-        with stage(star, tmp_path, THREE, names) as played:
-            for name in names:
-                played.join(name)
-            played.wait(played.coupled(*names, links=3), "not all came together")
-            since = time.monotonic()
-            time.sleep(10.0)
-            played.wait(played.coupled(*names, links=3), "not all came together again")
-            said = {name: played.stop(name) for name in names}
-    recordings = judged(played, said, FORCE)
-    assert calmest(recordings, since, since + 9.5) < NEAR
 
 
 def test_partition_one_way_outage_crash_of_a_member_and_of_the_host(tmp_path: Path) -> None:
