@@ -20,6 +20,8 @@ WORLDS = tuple(
         "session",
         "live",
         "recording",
+        "board",
+        "pacing",
         "haptics",
         "drivers",
         "cli",

@@ -1,8 +1,11 @@
 """Devices that are held in a hand: what they have in common, and the loop that holds them safely."""
 
 from cotouch.haptics._conformance import Finding, conform
+from cotouch.haptics._core import Order, Report, ServoCore
 from cotouch.haptics._device import Device, DeviceReading, Flag
+from cotouch.haptics._ends import DeviceEnd, EndOptions, ProxyEnd, Pull, Purse, Word, checked
 from cotouch.haptics._frames import FORCE_DIMENSION, FRAMES, HAPLY, OPENHAPTICS, OPENXR, OURS, Frame
+from cotouch.haptics._limits import UNKNOWN_FORCE, SafetyLimits
 from cotouch.haptics._registry import (
     GROUP,
     DeviceChoice,
@@ -13,9 +16,32 @@ from cotouch.haptics._registry import (
     make_device,
     open_device,
 )
+from cotouch.haptics._safety import Cause, Heat, SafetyChain, Seen, Vector, saturate, silence, size, slew, spoken
 from cotouch.haptics._simulated import SIMULATED, SimulatedOnClock, simulated_model
 
 __all__ = [
+    "Order",
+    "Report",
+    "ServoCore",
+    "DeviceEnd",
+    "EndOptions",
+    "ProxyEnd",
+    "Pull",
+    "Purse",
+    "Word",
+    "checked",
+    "UNKNOWN_FORCE",
+    "SafetyLimits",
+    "Cause",
+    "Heat",
+    "SafetyChain",
+    "Seen",
+    "Vector",
+    "saturate",
+    "silence",
+    "size",
+    "slew",
+    "spoken",
     "FORCE_DIMENSION",
     "FRAMES",
     "GROUP",

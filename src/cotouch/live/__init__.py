@@ -29,11 +29,10 @@ from cotouch.live._keys import DirectionKeys, Entropy, Identity, LinkKeys
 from cotouch.live._layout import HEAD_BYTES, Coding, Layout
 from cotouch.live._limit import Bucket, SourceLimit
 from cotouch.live._memory import MemoryNetwork, MemoryTransport
-from cotouch.live._pacing import Pacer, PaceStatistics, Turn
+from cotouch.pacing import Pacer, PaceStatistics, ProcessState, Turn, prepare_process
 from cotouch.live._path import Path, PathLaw
 from cotouch.live._plane import SampleLink, SamplePlane
 from cotouch.live._probe import PROBE, PairKeys, member_key, pair_keys
-from cotouch.live._process import ProcessState, prepare_process
 from cotouch.live._puncher import Probe, Puncher, Way
 from cotouch.live._rate import SendRate, Trend
 from cotouch.live._reflexive import Lookup, Mirror
