@@ -96,6 +96,7 @@ class ForceDimension:
         try:
             dhd.enable_force(False)
             family, product = SYSTEMS.get(dhd.system(), ("omega", "device of unknown kind"))
+            _check_family(self._index, family, product, self._family)
             self._spec = replace(
                 SPECS[family], name=f"{'Novint' if family == 'falcon' else 'Force Dimension'} {product}"
             )
@@ -217,3 +218,8 @@ class ForceDimension:
         """Takes the force away, and says why."""
         self.stop()
         return DeviceError(why)
+
+
+def _check_family(index: int, family: str, product: str, wanted: str | None) -> None:
+    if wanted is not None and wanted != family:
+        raise DeviceError(f"the Force Dimension device {index} is a {product}; it must be a {wanted}, as was asked for")

@@ -81,6 +81,7 @@ class Inverse3:
         self._lock = threading.Lock()  # what is sent after stop() is zero
         self._on = False
         self._greeted = False
+        self._lost = False  # the connection is gone, and zero was sent over another one
         self._owed = 0  # answers that are still to come
         self._asked = 0.0
         self._sent: list[Float] = [np.zeros(3), np.zeros(3)]
@@ -102,8 +103,8 @@ class Inverse3:
     def open(self) -> None:
         """See `Device.open`."""
         self.close()
-        self._on = self._greeted = False
-        self._owed, self._watch = 0, SampleWatch()
+        self._on = self._greeted = self._lost = False
+        self._identity, self._owed, self._watch = "", 0, SampleWatch()
         try:
             self._socket = WebSocket(self._url, what=_WHAT, timeout=_CONNECT, hint=_HINT)
             if self._events_url is not None:
@@ -162,20 +163,20 @@ class Inverse3:
         return self._read(0.5 * (self._asked + now))
 
     def stop(self) -> None:
-        """See `Device.stop`."""
+        """See `Device.stop`. Where the connection is gone, zero is sent over another one."""
         self._on = False
         link = self._socket
-        if link is None:
+        if link is None or self._lost or not self._identity:
             return
         if not self._lock.acquire(timeout=0.02):
-            link.abort()
+            self._leave(link)
             return
         try:
             link.send(self._message(np.zeros(3)))
             self._owed += 1
             self._sent = [np.zeros(3), np.zeros(3)]
-        except Exception:  # noqa: BLE001  whatever it is, cutting the connection is what is left
-            link.abort()
+        except Exception:  # noqa: BLE001  whatever it is, this connection is of no use any more
+            self._leave(link)
         finally:
             self._lock.release()
 
@@ -202,6 +203,11 @@ class Inverse3:
         if first is None:
             raise DeviceError(f"{_WHAT} at {self._url} sends no frame within {_CONNECT:g} s; is its version 3.1?")
         return first
+
+    def _leave(self, link: WebSocket) -> None:
+        self._lost = True
+        link.abort()
+        halt(self._identity, url=self._url)
 
     def _opened(self) -> WebSocket:
         if self._socket is None:

@@ -39,7 +39,7 @@ _LATE, _LIMIT = 0.01, 0.04
 _JOB = 0.1
 _POLL = 0.05
 # ctypes needs every callback referenced for as long as the library may call it, whatever becomes of its device.
-_ALIVE: set[object] = set()
+_ALIVE: dict[int, object] = {}
 
 
 @final
@@ -90,7 +90,7 @@ class Touch:
         self._reset()
         self._hd = hd
         self._callback = CALLBACK(self._tick)
-        _ALIVE.add(self._callback)
+        _ALIVE[id(self._callback)] = self._callback
         try:
             most, lasting = hd.numbers(MAX_FORCE, 1)[0], hd.numbers(CONTINUOUS_FORCE, 1)[0]
             least = np.array(hd.numbers(USABLE_WORKSPACE, 6)).reshape(2, 3)
@@ -171,7 +171,7 @@ class Touch:
         hd, self._hd = self._hd, None
         if hd is not None:
             hd.halt()
-            _ALIVE.discard(self._callback)
+            _ALIVE.pop(id(self._callback), None)
             self._callback = None
 
     def _tick(self, _data: int | None) -> int:

@@ -166,10 +166,10 @@ class WebSocket:
 
     def _flush(self) -> None:
         for data in self._protocol.data_to_send():
+            if not data:
+                self.abort()  # both ends have said goodbye, or the other one is gone
+                continue
             try:
-                if data:
-                    self._socket.sendall(data)
-                else:
-                    self._socket.shutdown(socket.SHUT_WR)
+                self._socket.sendall(data)
             except OSError as error:
                 raise ConnectionLostError(f"the connection failed ({error.strerror or error})") from None
