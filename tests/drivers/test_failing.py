@@ -37,8 +37,8 @@ def gone(device: Device, board: Board, fault: Fault, value: float, words: str) -
     [
         (Fault.UNPLUGGED, 0.0, ""),
         (Fault.FROZEN, 0.0, "repeats one position"),
-        (Fault.SLOW, 0.06, "did not answer within 40 ms"),
-        (Fault.SILENT, 0.0, "did not answer within 40 ms"),
+        (Fault.SLOW, 0.09, "did not answer within 60 ms"),
+        (Fault.SILENT, 0.0, "did not answer within 60 ms"),
         (Fault.SAFETY, 0.0, "stall_detected"),
         (Fault.CLOSED, 0.0, "it closed the connection"),
         (Fault.MISSING, 0.0, "left out cursor_position"),
@@ -54,7 +54,7 @@ def test_inverse3(service: Service, fault: Fault, value: float, words: str):
     [
         (Fault.UNPLUGGED, 0.0, "communication error"),
         (Fault.FROZEN, 0.0, "repeats one position"),
-        (Fault.SLOW, 0.06, "ms for a cycle"),
+        (Fault.SLOW, 0.09, "ms for a cycle"),
         (Fault.TAKEN_AWAY, 2.0, "it was too fast"),
         (Fault.TAKEN_AWAY, 3.0, "watchdog"),
         (Fault.SAFETY, 0.0, "redundant encoders disagree"),
@@ -69,7 +69,7 @@ def test_force_dimension(board: Board, built: Path, fault: Fault, value: float, 
     [
         (Fault.UNPLUGGED, 0.0, "Communication error"),
         (Fault.FROZEN, 0.0, "repeats one position"),
-        (Fault.SLOW, 0.06, "does not tick"),
+        (Fault.SLOW, 0.09, "does not tick"),
         (Fault.SILENT, 0.0, "does not tick"),
         (Fault.SAFETY, 0x201, "0x201"),
         (Fault.SAFETY, 0x202, "0x202"),

@@ -26,7 +26,7 @@ _FORCE = 5.0
 # Who answers later is late: the last place is said again. A cycle at 1 kHz and its answer take a fifth of that [s].
 _LATE = 0.005
 # Who does not answer for this long has failed; with what follows, well within 100 ms [s].
-LIMIT = 0.04
+LIMIT = 0.06
 MIDDLE = (0.0, -0.12, 0.15)
 """Where the handle is in the middle of its workspace, in the service's axes; nominal [m]."""
 _CONNECT = 2.0

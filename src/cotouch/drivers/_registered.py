@@ -103,7 +103,7 @@ HAPLY = Driver(
         "id": "identity of the device, if there are several",
         "url": "of the service; ws://localhost:10001",
         "events": "url of the service's events; ws://localhost:10020, or none",
-        "limit": "within which the service must answer, 0.005 to 0.08 [s]; 0.04",
+        "limit": "within which the service must answer, 0.005 to 0.08 [s]; 0.06",
     },
     watchdog="Not known to us: we assume that the service goes on with the last force, and send zero from elsewhere.",
     halt=_halt_inverse3,

@@ -34,7 +34,7 @@ Float = npt.NDArray[np.float64]
 # A force that nobody renewed for so long is taken away by the tick itself [s].
 _SILENCE = 0.02
 # An exchange waits this long for a tick, then says LATE [s]; a library that does not tick for longer has failed [s].
-_LATE, _LIMIT = 0.01, 0.04
+_LATE, _LIMIT = 0.01, 0.05
 # Of what is asked of the ticking thread aside from forces, such as enabling motors [s].
 _JOB = 0.1
 _POLL = 0.05
