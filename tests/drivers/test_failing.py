@@ -141,6 +141,7 @@ def test_stop_from_another_thread_while_the_loop_goes_on_pushing(pair: tuple[Dev
         last = push(device, 100)  # the loop knows nothing of it
         thread.join()
         assert not last.flags & Flag.FORCE_ON
+        assert not np.any(board.get("motor" if isinstance(device, Inverse3) else "force"))  # nor is any asked for
         assert board.zero_after(stopped[0]) < 0.05
         device.enable_force()
         push(device, 20)
