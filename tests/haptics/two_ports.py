@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from cotouch.device import DeviceSpec, SimulatedDevice
+from cotouch.device import DeviceSpec
 from cotouch.haptics import EndOptions, Order, ProxyEnd, Report, SafetyLimits, ServoCore, SimulatedOnClock, Word
 
 Array = np.ndarray

@@ -241,7 +241,11 @@ def join(
         str | None, typer.Option(help="That the others see; by default yours on this machine.", show_default=False)
     ] = None,
     device: Annotated[
-        str, typer.Option(help="What moves the copy: scripted (what the session's file says for the seat) or none.")
+        str,
+        typer.Option(
+            help="What moves the copy: scripted (what the session's file says for the seat), none, or a device, such "
+            "as simulated:touch; cotouch devices list shows them all."
+        ),
     ] = "scripted",
     seconds: Annotated[
         float | None, typer.Option(help="How long; by default until the end.", show_default=False)

@@ -210,7 +210,7 @@ class ServoCore:
             moved = (place[0] - before[0], place[1] - before[1], place[2] - before[2])
             self._out += sum(f * m for f, m in zip(self._acted, moved, strict=True))
             far = size(moved)
-            if T > 0.0 and (far > self._farthest or T > self._longest):
+            if T > 0.0 and (far > self._farthest or self._longest < T):
                 self._farthest, self._longest = max(self._farthest, far), max(self._longest, T)
                 self._bound = max(self._bound, self.end.bound(far / T, T, self._limits.force))
         self._acted = self._force

@@ -7,9 +7,9 @@ believe is there draw it twice. So each end has a *purse* of its own, and books 
 * the device's end `-F·Δq` for a force held between two measured places, less what encoder and levers may hide;
 * the proxy's end `-τᵀŵ T`, what the spring of the implicit step really did.
 
-An end moves its set position only as far as its purse goes (PSPM, `cotouch.mechanics.modulate`). What one gives to the
-other it takes out of its own purse first, and publishes **the sum of all that it gave since the start**. These sums only
-rise. So whatever is lost, late, read twice or never:
+An end moves its set position only as far as its purse goes (PSPM, `cotouch.mechanics.modulate`). What one gives to
+the other it takes out of its own purse first, and publishes **the sum of all that it gave since the start**. These sums
+only rise. So whatever is lost, late, read twice or never:
 
     received by i, as i knows it  ≤  given to i, in truth          (an old sum is a smaller one)
 

@@ -20,7 +20,7 @@ class SafetyLimits:
         force: largest [N]. Half of what the device can do, or 2 N where that is unknown: enough to feel a wall, and a
             fault in what computes it stays below what the hand is used to from this device. At most the device's own.
         rise: shortest time from nothing to the largest force [s]. 10 ms: a contact still feels hard, but a jump of the
-            full force becomes a push that a hand of half a kilogramme has left at 2 cm/s for each newton. At least that.
+            full force becomes a push. At least that.
         ramp: from enabling, or after any removal, to the full force [s]. 0.5 s: longer than it takes to notice and let
             go (0.15 to 0.2 s). At least 0.2 s.
         fade_after: silence of the peer after which its force fades [s]. 20 ms: two steps of a peer at 100 Hz. At most
@@ -33,7 +33,7 @@ class SafetyLimits:
             it the joints come to their stops. At most that.
         wall: stiffness of that spring [N/m]. Half of what the device renders well. At most all of it.
         continuous: force that may stay [N]: what the vendor allows for long, or half the largest force. At most that.
-        heat: time constant of what heats the motors, ∫F² [s]. 10 s: of small motors' windings the shorter. At most that.
+        heat: time constant of what heats the motors, ∫F² [s]. 10 s: short among windings of small motors. At most that.
 
     Raises:
         DeviceError: never by itself; `of` checks.

@@ -135,7 +135,7 @@ def slew(force: Vector, before: Vector, most: float) -> float:
 
 @final
 class Heat:
-    """What heats the motors: the square of the force, forgotten with a time constant; it never exceeds what may stay."""
+    """What heats the motors: the square of the force, forgotten with a time constant; never more than what may stay."""
 
     def __init__(self, continuous: float, time: float) -> None:
         """Cold.
@@ -240,7 +240,7 @@ class SafetyChain:
             causes |= Cause.OFF
         elif not seen.follows:
             causes |= Cause.DEVICE
-        if not (seen.stale < limits.zero_after and T < limits.zero_after):
+        if not (seen.stale < limits.zero_after and limits.zero_after > T):
             causes |= Cause.LATE
         share = silence(seen.age, limits.fade_after, limits.zero_after)
         if share < 1.0:

@@ -29,7 +29,6 @@ from cotouch.live._keys import DirectionKeys, Entropy, Identity, LinkKeys
 from cotouch.live._layout import HEAD_BYTES, Coding, Layout
 from cotouch.live._limit import Bucket, SourceLimit
 from cotouch.live._memory import MemoryNetwork, MemoryTransport
-from cotouch.pacing import Pacer, PaceStatistics, ProcessState, Turn, prepare_process
 from cotouch.live._path import Path, PathLaw
 from cotouch.live._plane import SampleLink, SamplePlane
 from cotouch.live._probe import PROBE, PairKeys, member_key, pair_keys
@@ -44,6 +43,7 @@ from cotouch.live._sign import MOST_BODY, MOST_MESSAGE, MessageReader, MessageRe
 from cotouch.live._transport import MOST_BYTES, Arrival, Ground, Traffic, Transport
 from cotouch.live._udp import UdpTransport
 from cotouch.live._ways import ByRelay, WayChanged
+from cotouch.pacing import Pacer, PaceStatistics, ProcessState, Turn, prepare_process
 
 __all__ = [
     "AGED",
