@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.drivers._evdev import EV_ABS, EV_KEY, EventFile, Ioctl, Opener, kernel_ioctl
-from cotouch.drivers._passive import PASSIVE
+from cotouch.drivers._passive import PASSIVE, UNSAID
 from cotouch.errors import DeviceError
 from cotouch.haptics import DeviceReading, Flag
 
@@ -119,7 +119,7 @@ class Gamepad:
             time=now,
             position=self._position.copy(),
             velocity=step / elapsed if elapsed > 0.0 else np.zeros(3),
-            force=np.zeros(3),
+            force=np.array(UNSAID),
             buttons=self._buttons,
             flags=Flag.CALIBRATED | (Flag.FORCE_ON if self._on else Flag(0)),
         )

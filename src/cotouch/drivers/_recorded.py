@@ -9,7 +9,7 @@ from typing import final
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.drivers._passive import PASSIVE
+from cotouch.drivers._passive import PASSIVE, UNSAID
 from cotouch.errors import DeviceError, RecordingError
 from cotouch.haptics import DeviceReading, Flag
 from cotouch.recording import read_recording
@@ -54,7 +54,7 @@ class RecordedHand:
         self.middle, self.length = np.zeros(3), 0.0
         self._times, self._places = np.zeros(0), np.zeros((0, 3))
         self._began = 0.0
-        self._open = False
+        self._open = self._on = False
 
     def open(self) -> None:
         """See `Device.open`."""
@@ -85,9 +85,9 @@ class RecordedHand:
         self._opened()
 
     def enable_force(self, on: bool = True) -> None:
-        """See `Device.enable_force`; there is no force."""
-        del on
+        """See `Device.enable_force`; only said."""
         self._opened()
+        self._on = on
 
     def exchange(self, force: Float) -> DeviceReading:
         """See `Device.exchange`; takes no time and any force."""
@@ -100,15 +100,20 @@ class RecordedHand:
             at, way = (turn, 1.0) if turn < self.length else (2.0 * self.length - turn, -1.0)
         position, velocity = self._motion(at)
         return DeviceReading(
-            time=now, position=position, velocity=way * velocity, force=np.zeros(3), flags=Flag.CALIBRATED
+            time=now,
+            position=position,
+            velocity=way * velocity,
+            force=np.array(UNSAID),
+            flags=Flag.CALIBRATED | (Flag.FORCE_ON if self._on else Flag(0)),
         )
 
     def stop(self) -> None:
-        """See `Device.stop`; there is no force."""
+        """See `Device.stop`."""
+        self._on = False
 
     def close(self) -> None:
         """See `Device.close`."""
-        self._open = False
+        self._open = self._on = False
 
     def _motion(self, at: float) -> tuple[Float, Float]:
         """Along straight lines between the steps; at rest behind the last."""

@@ -1,30 +1,18 @@
-"""Our drivers in the registry of devices; what each needs loads when a device of it is made."""
+"""Drivers in the registry of devices, except Haply's; a vendor's library loads when a device is opened."""
 
 import contextlib
 from collections.abc import Sequence
 from dataclasses import replace
 
 from cotouch.device import PRESETS
+from cotouch.drivers._dhd import count
+from cotouch.drivers._evdev import gamepads
+from cotouch.drivers._force_dimension import ForceDimension
+from cotouch.drivers._gamepad import Gamepad
 from cotouch.drivers._passive import PASSIVE
+from cotouch.drivers._touch import Touch
 from cotouch.errors import DeviceError
 from cotouch.haptics import Device, Driver
-
-
-def _inverse3(
-    *,
-    id: str | int | None = None,  # noqa: A002  the service's word
-    url: str | None = None,
-    events: str | None = None,
-    limit: float | None = None,
-) -> Device:
-    from cotouch.drivers._inverse import EVENTS, LIMIT, SERVICE, Inverse3
-
-    return Inverse3(
-        None if id is None else str(id),
-        url=url or SERVICE,
-        events=None if events == "none" else events or EVENTS,
-        limit=LIMIT if limit is None else float(limit),
-    )
 
 
 def _force_dimension(
@@ -36,8 +24,6 @@ def _force_dimension(
     velocity_threshold: int | None = None,
     wait: float = 20.0,
 ) -> Device:
-    from cotouch.drivers._force_dimension import ForceDimension
-
     return ForceDimension(
         index,
         family=variant,
@@ -49,14 +35,10 @@ def _force_dimension(
 
 
 def _touch(*, name: str | None = None, library: str | None = None, wait: float = 20.0) -> Device:
-    from cotouch.drivers._touch import Touch
-
     return Touch(name, library=library, hand_seconds=float(wait))
 
 
 def _gamepad(*, path: str | None = None, speed: float = 0.2) -> Device:
-    from cotouch.drivers._gamepad import Gamepad
-
     return Gamepad(path, speed=float(speed))
 
 
@@ -68,49 +50,15 @@ def _recorded(*, path: str = "", tool: int = 1, repeat: bool = False) -> Device:
     return RecordedHand(path, tool=tool, repeat=repeat)
 
 
-def _halt_inverse3(*, id: str | int | None = None, **options: str | float) -> None:  # noqa: A002
-    from cotouch.drivers._inverse import SERVICE, halt
-
-    halt(None if id is None else str(id), url=str(options.get("url", SERVICE)))
-
-
-def _present_inverse3() -> Sequence[str]:
-    from cotouch.drivers._inverse import present
-
-    return present()
-
-
 def _present_force_dimension() -> Sequence[str]:
-    from cotouch.drivers._dhd import count
-
     with contextlib.suppress(DeviceError):
         return [f"number {index}" for index in range(count())]
     return ()
 
 
 def _present_gamepad() -> Sequence[str]:
-    from cotouch.drivers._evdev import gamepads
-
     return gamepads()
 
-
-HAPLY = Driver(
-    name="haply",
-    summary="Haply Inverse3 with or without VerseGrip, through the Inverse Service",
-    make=_inverse3,
-    spec=replace(PRESETS["inverse3"], force=5.0),
-    options={
-        "id": "identity of the device, if there are several",
-        "url": "of the service; ws://localhost:10001",
-        "events": "url of the service's events; ws://localhost:10020, or none",
-        "limit": "within which the service must answer, 0.005 to 0.08 [s]; 0.06",
-    },
-    watchdog="Not known to us: we assume that the service goes on with the last force, and send zero from elsewhere.",
-    halt=_halt_inverse3,
-    present=_present_inverse3,
-    tested="a service written from the published schema; no device",
-)
-"""Haply Inverse3."""
 
 FORCE_DIMENSION = Driver(
     name="force_dimension",

@@ -3,6 +3,7 @@
 #define COTOUCH_DEVICE_H
 #define _GNU_SOURCE
 #include <fcntl.h>
+#include <signal.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -34,7 +35,7 @@ struct board {
   int32_t system;      /* 132 kind of device */
   double motor[3];     /* 136 force that the motors have [N] */
   double max_force;    /* 160 that the host allowed [N] */
-  int32_t open;        /* 168 */
+  int32_t open;        /* 168 process that has it; 0: none */
   int32_t sets;        /* 172 forces set so far */
   char said[64];       /* 176 the last violation */
 };
@@ -57,6 +58,9 @@ static volatile struct board *map_board(const char *path) {
   close(file);
   return page == MAP_FAILED ? NULL : page;
 }
+
+/* Whether a living program has it: the system closes what a dead one had open. */
+static inline int taken(volatile struct board *b) { return b->open && kill(b->open, 0) == 0; }
 
 static inline void violated(volatile struct board *b, const char *what) {
   if (!b) return;

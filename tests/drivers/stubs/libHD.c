@@ -31,10 +31,10 @@ const char *hdGetErrorString(HDerror code) {
 }
 
 HHD hdInitDevice(const char *name) {
-  if (!b || !b->open) b = map_board(getenv("COTOUCH_STANDIN"));
+  if (!b || b->open != getpid()) b = map_board(getenv("COTOUCH_STANDIN"));
   if (!b || b->fault == UNPLUGGED || (name && strcmp(name, "Default Device"))) { raise_error(0x0300); return 0xFFFFFFFF; }
-  if (b->open) { raise_error(0x0301); return 0xFFFFFFFF; }
-  b->open = 1;
+  if (taken(b)) { raise_error(0x0301); return 0xFFFFFFFF; }
+  b->open = getpid();
   b->enabled = 0;
   count = framed = 0;
   return 1;

@@ -13,7 +13,7 @@ static volatile struct board *device(void) { return b; }
 
 /* Every call that names a device: -1 if it cannot be reached. */
 static int reach(char ID, const char *name) {
-  if (!device() || ID != 0 || !b->open) {
+  if (!device() || ID != 0 || b->open != getpid()) {
     violated(b, name);
     last = "invalid device";
     return -1;
@@ -27,15 +27,16 @@ static int reach(char ID, const char *name) {
 
 const char *dhdErrorGetLastStr(void) { return last; }
 int dhdGetDeviceCount(void) {
-  if (!b || !b->open) b = map_board(getenv("COTOUCH_STANDIN"));
+  if (!b || b->open != getpid()) b = map_board(getenv("COTOUCH_STANDIN"));
   return device() && b->fault != UNPLUGGED ? 1 : 0;
 }
 
 int drdOpenID(char ID) {
   if (!device() || ID != 0) { last = "no device found"; return -1; }
   if (b->fault == REFUSED) { last = "device is already in use by another application"; return -1; }
-  if (b->open) violated(b, "drdOpenID: open already");
-  b->open = 1;
+  if (taken(b) && b->open == getpid()) violated(b, "drdOpenID: open already");
+  if (taken(b)) { last = "device is already in use by another application"; return -1; }
+  b->open = getpid();
   b->enabled = 0;
   b->cause = 0;
   return 0;
