@@ -118,8 +118,10 @@ class ServoCore:
         self._force = ZERO
         self._begun: float | None = None
         self._last = self._fresh = 0.0
+        self._rate = ZERO
         self._tick = 0
         self._path = deque[tuple[float, Vector]]()
+        self._place: Vector | None = None
         self._farthest = self._longest = self._bound = 0.0
         self._out = 0.0  # work of the motors by the observer's own books [J]
         self._acted = ZERO
@@ -158,11 +160,12 @@ class ServoCore:
         place = _vector(reading.position)
         if not isfinite(size(place)):
             self.chain.fail(Cause.FAULT)
-            place = self._path[-1][1] if self._path else ZERO
+            place = self._place or ZERO
         said = _vector(reading.force)
         self._observe(place, T)
         self.end.measure(place, self._force, said if isfinite(size(said)) else None)
-        rate, quick = self._rates(now, place)
+        self._place = place
+        rate, quick = self._rates(reading.time, place)
         if first or not reading.flags & Flag.STALE:
             self._fresh = now
         self._buttons(reading.buttons, size(rate), now)
@@ -205,8 +208,8 @@ class ServoCore:
 
     def _observe(self, place: Vector, T: float) -> None:
         """The observer's books: nothing but forces that were told and measured places."""
-        if self._path:
-            before = self._path[-1][1]
+        if self._place is not None:
+            before = self._place
             moved = (place[0] - before[0], place[1] - before[1], place[2] - before[2])
             self._out += sum(f * m for f, m in zip(self._acted, moved, strict=True))
             far = size(moved)
@@ -220,22 +223,28 @@ class ServoCore:
         purse = self.end.purse
         return self._out - (purse.received - purse.given + self.end.options.seed + self._bound + _SLACK)
 
-    def _rates(self, now: float, place: Vector) -> tuple[Vector, float]:
-        """Velocity over the window, and the quickest of the last moments [m/s]."""
+    def _rates(self, time: float, place: Vector) -> tuple[Vector, float]:
+        """Velocity over the window, and the quickest of the last moments [m/s].
+
+        Times are those of the measurements: a loop that is late takes nothing for quick.
+        """
         path = self._path
-        if not path or now > path[-1][0]:
-            path.append((now, place))
-        while len(path) > 2 and path[1][0] <= now - _WINDOW:
+        if path and time <= path[-1][0]:
+            return self._rate, 0.0
+        path.append((time, place))
+        while len(path) > 2 and path[1][0] <= time - _WINDOW:
             path.popleft()
         if len(path) < 2:
             return ZERO, 0.0
         then, start = path[0]
-        rate = scaled(1.0 / (now - then), (place[0] - start[0], place[1] - start[1], place[2] - start[2]))
-        recent, there = next((entry for entry in path if entry[0] >= now - _QUICK), path[-2])
-        if recent >= now:
-            recent, there = path[-2]
-        moved = (place[0] - there[0], place[1] - there[1], place[2] - there[2])
-        return rate, size(moved) / (now - recent)
+        self._rate = scaled(1.0 / (time - then), (place[0] - start[0], place[1] - start[1], place[2] - start[2]))
+        quick = 0.0
+        for recent, there in reversed(path):
+            if time - recent >= _QUICK:
+                moved = (place[0] - there[0], place[1] - there[1], place[2] - there[2])
+                quick = size(moved) / (time - recent)
+                break
+        return self._rate, quick
 
     def _buttons(self, buttons: int, speed: float, now: float) -> None:
         """Whoever holds the device re-arms it by holding its first button."""

@@ -127,16 +127,15 @@ class SimulatedOnClock:
         if not math.isfinite(size):
             raise DeviceError(f"force is {wanted.tolist()} N; it must be finite")
         device.tell(force=wanted if self._on else (0.0, 0.0, 0.0))
-        # The motors are limited in what they are told, as a vendor's library does it.
-        share = min(1.0, self.spec.force / size) if size > 0.0 else 1.0
+        held = device.advance(device.time)  # no time passes; the motors take what of the force their torques allow
         flags = Flag.CALIBRATED if self._calibrated else Flag(0)
         if self._on:
-            flags |= Flag.FORCE_ON | (Flag.LIMITED if share < 1.0 or sample.limited else Flag(0))
+            flags |= Flag.FORCE_ON | (Flag.LIMITED if held.limited else Flag(0))
         return DeviceReading(
             time=now,
             position=sample.position,
             velocity=sample.velocity,
-            force=share * wanted if self._on else np.zeros(3),
+            force=held.force,
             flags=flags | Flag.HELD if self._model.hand is not None else flags,
         )
 
