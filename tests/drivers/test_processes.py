@@ -4,6 +4,7 @@ The Inverse Service keeps the last force for ever, the omega has the watchdog of
 nothing at all but being opened anew.
 """
 
+import json
 import os
 import signal
 import subprocess
@@ -98,8 +99,6 @@ def test_a_guardian_that_is_killed_leaves_no_force(held: Held):
 
 
 def test_a_peer_that_is_killed_leaves_no_force(setting: Setting):
-    import json
-
     choice, board = setting
     command = [sys.executable, "-c", PEER, choice.name, json.dumps(dict(choice.options))]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, cwd=ROOT) as peer:
@@ -117,6 +116,7 @@ def test_a_peer_that_is_killed_leaves_no_force(setting: Setting):
     assert board.zero_after(began) < WITHIN
 
 
+@pytest.mark.parametrize("setting", ["haply"], indirect=True)
 def test_positions_that_are_no_numbers_leave_no_force(held: Held):
     held.board.inject(Fault.NOT_A_NUMBER)
     held.until(lambda: held.link.causes & Cause.FAULT, "fault")
@@ -124,6 +124,7 @@ def test_positions_that_are_no_numbers_leave_no_force(held: Held):
     assert held.board.zero_after(held.board.get("struck")) < WITHIN
 
 
+@pytest.mark.parametrize("setting", ["touch"], indirect=True)
 def test_the_reason_of_a_driver_reaches_the_peer(held: Held):
     held.board.inject(Fault.UNPLUGGED)
     held.until(lambda: any("the device failed: the" in text for text in held.said), "told")
