@@ -38,6 +38,7 @@ CALLBACK: Any = _SERVO(c_uint, c_void_p)
 """HDSchedulerCallback."""
 
 
+@final
 class ErrorInfo(ctypes.Structure):
     """HDErrorInfo, which hdGetError returns by value."""
 

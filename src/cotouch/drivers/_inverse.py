@@ -13,8 +13,8 @@ import numpy.typing as npt
 from cotouch.device import PRESETS, DeviceSpec
 from cotouch.drivers._inverse_frame import InverseState, choose, identities, read_event, read_frame, read_state
 from cotouch.drivers._watch import SampleWatch
-from cotouch.drivers._websocket import ConnectionLostError, WebSocket
-from cotouch.errors import DeviceError
+from cotouch.drivers._websocket import WebSocket
+from cotouch.errors import DeviceError, TransportError
 from cotouch.haptics import HAPLY, DeviceReading, Flag
 
 Float = npt.NDArray[np.float64]
@@ -113,7 +113,7 @@ class Inverse3:
             self._identity = choose(frame, self._wanted)
             self._take(read_state(frame, self._identity))
             self._check_status(opening=True)
-        except ConnectionLostError as lost:
+        except TransportError as lost:
             self.close()
             raise DeviceError(f"{_WHAT} at {self._url} cannot be used: {lost}") from None
         except BaseException:
@@ -155,7 +155,7 @@ class Inverse3:
             now = time.monotonic()
             self._take(read_state(read_frame(data), self._identity))
             self._listen()
-        except ConnectionLostError as lost:
+        except TransportError as lost:
             raise self._fault(f"the connection to the Inverse Service is gone: {lost}") from None
         except DeviceError as error:
             raise self._fault(str(error)) from None

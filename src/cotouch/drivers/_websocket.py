@@ -17,15 +17,11 @@ from websockets.frames import Frame, Opcode
 from websockets.protocol import State
 from websockets.uri import parse_uri
 
-from cotouch.errors import DeviceError
+from cotouch.errors import DeviceError, TransportError
 
 # The longest frame that a service with some devices sends is a few thousand characters.
 _MOST = 1 << 20
 _PIECE = 1 << 16
-
-
-class ConnectionLostError(Exception):
-    """The other end closed, or the network failed; the text ends a sentence."""
 
 
 @final
@@ -65,7 +61,7 @@ class WebSocket:
         self._selector.register(self._socket, selectors.EVENT_READ)
         try:
             answered = self._handshake(end)
-        except (ConnectionLostError, InvalidHandshake, InvalidMessage) as error:
+        except (TransportError, InvalidHandshake, InvalidMessage) as error:
             self.close()
             raise DeviceError(f"what answers at {url} is not {what}: {error}") from None
         except BaseException:
@@ -79,13 +75,13 @@ class WebSocket:
         """Sends one message.
 
         Raises:
-            ConnectionLostError: it cannot be sent.
+            TransportError: it cannot be sent.
         """
         if not self._lock.acquire(timeout=0.02):
-            raise ConnectionLostError("another thread does not let go of the connection")
+            raise TransportError("another thread does not let go of the connection")
         try:
             if self._protocol.state is not State.OPEN:
-                raise ConnectionLostError("the connection is closed")
+                raise TransportError("the connection is closed")
             self._protocol.send_text(text)
             self._flush()
         finally:
@@ -98,7 +94,7 @@ class WebSocket:
             timeout: to wait [s]; 0: not at all.
 
         Raises:
-            ConnectionLostError: there will be none.
+            TransportError: there will be none.
         """
         end = time.monotonic() + timeout
         while not self._ready:
@@ -142,7 +138,7 @@ class WebSocket:
         except (BlockingIOError, InterruptedError):
             return True
         except (OSError, ValueError) as error:
-            raise ConnectionLostError(f"the connection failed ({error})") from None
+            raise TransportError(f"the connection failed ({error})") from None
         with self._lock:
             if data:
                 self._protocol.receive_data(data)
@@ -153,7 +149,7 @@ class WebSocket:
                 self._event(event)
         if self._protocol.state is not State.OPEN and not self._ready and self._protocol.handshake_exc is None:
             said = self._protocol.close_reason
-            raise ConnectionLostError("it closed the connection" + (f' and said "{said}"' if said else ""))
+            raise TransportError("it closed the connection" + (f' and said "{said}"' if said else ""))
         return True
 
     def _event(self, event: object) -> None:
@@ -172,4 +168,4 @@ class WebSocket:
             try:
                 self._socket.sendall(data)
             except OSError as error:
-                raise ConnectionLostError(f"the connection failed ({error.strerror or error})") from None
+                raise TransportError(f"the connection failed ({error.strerror or error})") from None
