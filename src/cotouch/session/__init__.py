@@ -1,7 +1,7 @@
 """A live session: who takes part, how they meet, and each one's copy of the object."""
 
 from cotouch.session._coordinator import ABSENT_AFTER, Coordinator, Planner, acting
-from cotouch.session._copy import Copy, Neighbour
+from cotouch.session._copy import Copy
 from cotouch.session._demo import Shown, demo_file, demo_session, play
 from cotouch.session._file import DEFAULT_RATE, MOST_USERS, SessionFile, SessionTable
 from cotouch.session._hand import Hand, NoHand, ScriptedHand
@@ -11,6 +11,7 @@ from cotouch.session._links import delays_of, present_links
 from cotouch.session._measure import Measured, measure, measured
 from cotouch.session._member import Member
 from cotouch.session._messages import Entry, LinkStatus, Roster, Status
+from cotouch.session._neighbour import Neighbour
 from cotouch.session._open import OpenHost, open_host, watching
 from cotouch.session._planner import LinkPlanner
 from cotouch.session._process import MemberProcess

@@ -1,5 +1,6 @@
 """Taking part in a session from this process: what opens sockets, reads the clock, and moves the copy in time."""
 
+import math
 import os
 import time
 from collections.abc import Callable, Mapping
@@ -9,7 +10,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any, Literal, final
 
-from cotouch.errors import SessionError, TransportError
+from cotouch.errors import TransportError
 from cotouch.live import (
     Address,
     ControlPlane,
@@ -222,8 +223,9 @@ def _take_part(
                 impaired.set(other, law)
         return _hand(session, replica, hand, held, seat, model)
 
-    pacer = Pacer(session.period(0), cap=session.options.longest_step, clock=clock)
-    pace = Pace(session.period(0), clock())
+    listening = _Listening(impaired)
+    pacer = Pacer(session.period(0), cap=session.options.longest_step, clock=clock, idle=listening)
+    pace = Pace(session.period(0))
     member = Member(
         session=session,
         replica=replica,
@@ -238,6 +240,7 @@ def _take_part(
         recorder=tape,
         pace=pace.since,
     )
+    listening.member = member
     try:
         with prepare_process():
             why = _loop(member, pacer, pace, clock, partial(held.tend, tape), seconds=seconds, stopped=stopped)
@@ -256,6 +259,28 @@ def _take_part(
         if tape is not None:
             tape.close()
         (routed if impaired is None else impaired).close()
+
+
+@final
+class _Listening:
+    """What the loop does while it waits: it reads samples, and lets go of what an emulated network held back.
+
+    Attributes:
+        member: whose samples.
+    """
+
+    def __init__(self, impaired: ImpairedTransport | None) -> None:
+        self.member: Member | None = None
+        self._impaired = impaired
+
+    def due(self) -> float:
+        """When the next datagram leaves the emulated network; inf: there is none [s]."""
+        return math.inf if self._impaired is None else self._impaired.due
+
+    def look(self, now: float) -> None:
+        """Reads what arrived."""
+        if self.member is not None:
+            self.member.listen(now)
 
 
 def _loop(
@@ -282,7 +307,7 @@ def _loop(
             tend(now)
             if stopped():
                 return "stopped"
-        pace.stepped(T, stood, clock() - now)
+        pace.stepped(T, stood, clock() - now + pacer.worked)
         if member.ended:
             return "ended"
         if seconds is not None and began is not None and now - began >= seconds:
@@ -324,6 +349,3 @@ def _fetched(control: ControlPlane, digest: bytes, patience: float) -> bytes:
             raise TransportError(f"{who} within {patience:.0f} s; check that the host runs and can be reached")
         time.sleep(_WAIT)
     return content
-
-
-__all__ = ["HandKind", "SessionError", "Taken", "fetch_session", "join"]
