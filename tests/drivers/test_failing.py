@@ -142,10 +142,14 @@ def test_stop_from_another_thread_while_the_loop_goes_on_pushing(pair: tuple[Dev
         thread.join()
         assert not last.flags & Flag.FORCE_ON
         assert not np.any(board.get("motor" if isinstance(device, Inverse3) else "force"))  # nor is any asked for
-        assert board.zero_after(stopped[0]) < 0.05
+        assert board.zero_after(stopped[0]) < WITHIN
         device.enable_force()
-        push(device, 20)
-        assert np.linalg.norm(board.get("motor")) == pytest.approx(np.linalg.norm(PUSH), rel=1e-5)
+        wanted = pytest.approx(float(np.linalg.norm(PUSH)), rel=1e-5)
+        for _ in range(500):  # the process that plays the motors may have to wait for its turn
+            push(device, 1)
+            if float(np.linalg.norm(board.get("motor"))) == wanted:
+                break
+        assert float(np.linalg.norm(board.get("motor"))) == wanted
     finally:
         device.close()
 

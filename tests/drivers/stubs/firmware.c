@@ -36,6 +36,7 @@ int main(int count, char **arguments) {
     }
     then = t;
     for (int a = 0; a < 3; a++) { b->position[a] = x[a]; b->velocity[a] = v[a]; }
+    b->stamp = t;
     rest(2e-4);
   }
   return 0;

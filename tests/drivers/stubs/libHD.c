@@ -73,7 +73,7 @@ void hdGetDoublev(HDenum what, double *out) {
     case 0x2050:
       if (!framed) { violated(b, "hdGetDoublev: no frame"); raise_error(0x0402); }
       if (faulty(b, SLOW)) rest(b->value);
-      for (int a = 0; a < 3; a++) { if (!frozen) held[a] = 1e3 * b->position[a]; out[a] = held[a]; }
+      for (int a = 0; a < 3; a++) { if (!frozen) held[a] = 1e3 * place(b, a); out[a] = held[a]; }
       out[1] += 10.0; /* the middle of the workspace is 10 mm up */
       if (faulty(b, NOT_A_NUMBER)) out[0] = NAN;
       break;

@@ -117,7 +117,7 @@ int dhdGetPosition(double *px, double *py, double *pz, char ID) {
   double *out[3] = {px, py, pz};
   int frozen = faulty(b, FROZEN);
   for (int a = 0; a < 3; a++) {
-    if (!frozen) held[a] = b->position[a];
+    if (!frozen) held[a] = place(b, a);
     *out[a] = held[a];
   }
   if (faulty(b, NOT_A_NUMBER)) *px = NAN;
