@@ -16,6 +16,7 @@ from cotouch.live import (
 )
 from cotouch.mechanics import Model
 from cotouch.session import Copy, Hand, Host, Member, MemoryWays, NoHand, Replica, ScriptedHand, SessionFile
+from cotouch.session._coordinator import Planner
 from cotouch.session._emulate import path_laws
 from cotouch.session._tape import Tape
 
@@ -123,6 +124,7 @@ class World:
         law: PathLaw | None = None,
         tick: float = 5e-4,
         folder: Path | None = None,
+        planner: Planner | None = None,
     ) -> None:
         self.folder = folder
         self.recordings: list[Path] = []
@@ -138,7 +140,7 @@ class World:
         self.directory: dict[bytes, str] = {}
         self.host_identity = Identity.make(entropy(seed + 7))
         self.host_control = self.controls.join(self.host_identity)
-        self.host: Host | None = Host(self.session, self.host_control)
+        self.host: Host | None = Host(self.session, self.host_control, planner=planner)
         self.people: list[Person] = []
         self.gone: list[Person] = []
 

@@ -33,7 +33,7 @@ from cotouch.live._path import Path, PathLaw
 from cotouch.live._plane import SampleLink, SamplePlane
 from cotouch.live._probe import PROBE, PairKeys, member_key, pair_keys
 from cotouch.live._puncher import Probe, Puncher, Way
-from cotouch.live._rate import SendRate, Trend
+from cotouch.live._rate import LOWEST_RATE, SendRate, Trend
 from cotouch.live._reflexive import Lookup, Mirror
 from cotouch.live._refusal import Refusal
 from cotouch.live._replay import ReplayWindow
@@ -43,12 +43,13 @@ from cotouch.live._sign import MOST_BODY, MOST_MESSAGE, MessageReader, MessageRe
 from cotouch.live._transport import MOST_BYTES, Arrival, Ground, Traffic, Transport
 from cotouch.live._udp import UdpTransport
 from cotouch.live._ways import ByRelay, WayChanged
-from cotouch.pacing import Pacer, PaceStatistics, ProcessState, Turn, prepare_process
+from cotouch.pacing import Pacer, PaceStatistics, ProcessState, Turn, few_arenas, prepare_process
 
 __all__ = [
     "AGED",
     "ECHO",
     "HEAD_BYTES",
+    "LOWEST_RATE",
     "MOST_BODY",
     "MOST_BYTES",
     "MOST_CANDIDATES",
@@ -127,6 +128,7 @@ __all__ = [
     "Written",
     "ZenohControl",
     "connection_of",
+    "few_arenas",
     "free_port",
     "interface_hosts",
     "local_candidates",

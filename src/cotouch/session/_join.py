@@ -21,6 +21,7 @@ from cotouch.live import (
     RoutedTransport,
     UdpTransport,
     ZenohControl,
+    few_arenas,
     prepare_process,
 )
 from cotouch.mechanics import Model
@@ -121,6 +122,7 @@ def join(
         TransportError: the host, the network or this machine refuses.
         DeviceError: the device does not open.
     """
+    few_arenas()
     identity = Identity.make(os.urandom)
     tell = say or _nobody
     if device is not None:
