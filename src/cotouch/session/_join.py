@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Literal, final
+from typing import Any, Literal, final
 
 from cotouch.errors import TransportError
 from cotouch.live import (
@@ -25,9 +25,11 @@ from cotouch.live import (
     prepare_process,
 )
 from cotouch.mechanics import Model
+from cotouch.session._device_hand import DeviceHand
 from cotouch.session._emulate import path_laws
 from cotouch.session._file import SessionFile
 from cotouch.session._hand import Hand, NoHand, ScriptedHand
+from cotouch.session._held import HeldDevice, held_device
 from cotouch.session._member import Member
 from cotouch.session._messages import Status
 from cotouch.session._pace import Pace, pace_numbers
@@ -57,6 +59,7 @@ class Taken:
         why: it ended: "time", "ended" (by the host) or "stopped".
         pace: of its steps, as the pacer counted.
         recorded: steps in the recording; None without.
+        device: its name, what was said of it, and how its servo kept pace; None without.
     """
 
     name: str
@@ -65,6 +68,7 @@ class Taken:
     why: str
     pace: Mapping[str, float]
     recorded: int | None
+    device: Mapping[str, Any] | None = None
 
 
 def fetch_session(control: ControlPlane, digest: bytes, folder: Path) -> SessionFile:
@@ -89,10 +93,12 @@ def join(
     *,
     name: str,
     hand: HandKind = "scripted",
+    device: str | None = None,
     seconds: float | None = None,
     listen: str | None = None,
     record: Path | None = None,
     version: str,
+    warn: Callable[[str], None] | None = None,
     say: Callable[[str], None] | None = None,
     stopped: Callable[[], bool] = lambda: False,
 ) -> Taken:
@@ -102,20 +108,55 @@ def join(
         invitation: to the session.
         name: that others see.
         hand: what moves the copy: what the session's file says for its seat, or nothing.
+        device: that moves the copy instead, in the words of `cotouch.haptics.DeviceChoice.read`; None: none.
         seconds: how long, from the first step; None: until the end.
         listen: address in numbers to listen on; None: the one by which this machine reaches the host.
         record: file to record into; must not exist.
         version: of this software.
+        warn: is told in a sentence why a device's force is off.
         say: is told in a few words what takes time.
         stopped: whether to stop now.
 
     Raises:
         SessionError: it may not take part.
         TransportError: the host, the network or this machine refuses.
+        DeviceError: the device does not open.
     """
     few_arenas()
     identity = Identity.make(os.urandom)
     tell = say or _nobody
+    if device is not None:
+        tell("opening the device")
+    with held_device(device, warn or _nobody) as held:
+        return _join(
+            invitation,
+            identity,
+            held,
+            name=name,
+            hand=hand,
+            seconds=seconds,
+            listen=listen,
+            record=record,
+            version=version,
+            tell=tell,
+            stopped=stopped,
+        )
+
+
+def _join(
+    invitation: Invitation,
+    identity: Identity,
+    held: HeldDevice,
+    *,
+    name: str,
+    hand: HandKind,
+    seconds: float | None,
+    listen: str | None,
+    record: Path | None,
+    version: str,
+    tell: Callable[[str], None],
+    stopped: Callable[[], bool],
+) -> Taken:
     tell("joining")
     control = ZenohControl(invitation, identity, listen=listen or "reachable")
     try:
@@ -127,13 +168,14 @@ def join(
             control.offer(file)
         if compiles(session):
             tell("compiling, once on this machine, which takes a minute or two")
-        warm_up(replica, partial(_hand, session, replica, hand, 0))
+        warm_up(replica, partial(_hand, session, replica, hand, held.unheld, 0))
         tell("waiting for a seat")
         return _take_part(
             session,
             replica,
             control,
             invitation,
+            held,
             name=name,
             hand=hand,
             seconds=seconds,
@@ -151,6 +193,7 @@ def _take_part(
     replica: Replica,
     control: ZenohControl,
     invitation: Invitation,
+    held: HeldDevice,
     *,
     name: str,
     hand: HandKind,
@@ -180,7 +223,7 @@ def _take_part(
         if impaired is not None:
             for other, law in path_laws(session.scenario, seat).items():
                 impaired.set(other, law)
-        return _hand(session, replica, hand, seat, model)
+        return _hand(session, replica, hand, held, seat, model)
 
     listening = _Listening(impaired)
     pacer = Pacer(session.period(0), cap=session.options.longest_step, clock=clock, idle=listening)
@@ -202,7 +245,7 @@ def _take_part(
     listening.member = member
     try:
         with prepare_process():
-            why = _loop(member, pacer, pace, clock, seconds=seconds, stopped=stopped)
+            why = _loop(member, pacer, pace, clock, partial(held.tend, tape), seconds=seconds, stopped=stopped)
         status = member.status(clock())
         member.leave()
         return Taken(
@@ -212,6 +255,7 @@ def _take_part(
             why=why,
             pace=pace_numbers(pacer.statistics()),
             recorded=None if tape is None else tape.close(),
+            device=held.summary(),
         )
     finally:
         if tape is not None:
@@ -246,6 +290,7 @@ def _loop(
     pacer: Pacer,
     pace: Pace,
     clock: Callable[[], float],
+    tend: Callable[[float], None],
     *,
     seconds: float | None,
     stopped: Callable[[], bool],
@@ -261,6 +306,7 @@ def _loop(
         if now >= service or member.pending:
             service = now + _SERVICE_EVERY
             member.service(now)
+            tend(now)
             if stopped():
                 return "stopped"
         pace.stepped(T, stood, clock() - now + pacer.worked)
@@ -270,7 +316,17 @@ def _loop(
             return "time"
 
 
-def _hand(session: SessionFile, replica: Replica, kind: HandKind, seat: int, model: Model) -> Hand:
+def _hand(session: SessionFile, replica: Replica, kind: HandKind, held: HeldDevice, seat: int, model: Model) -> Hand:
+    if held.wanted:
+        return DeviceHand(
+            replica.scenario,
+            replica.body,
+            model,
+            seat=seat,
+            period=session.period(seat),
+            longest=session.options.longest_step,
+            link=held.link,
+        )
     if kind == "none":
         return NoHand(model)
     return ScriptedHand(
