@@ -17,7 +17,7 @@ from pathlib import Path
 
 import numpy as np
 
-EXCHANGE, ENABLE, OFF, NAN, DEAF, FROZEN, SLOW, THROW = range(8)
+EXCHANGE, ENABLE, OFF, NAN, DEAF, FROZEN, SLOW, THROW, GOOD = range(9)
 _ASK = struct.Struct("<i3d")
 _ANSWER = struct.Struct("<d3d3d3di")
 

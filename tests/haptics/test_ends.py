@@ -116,6 +116,24 @@ def test_a_hand_that_follows_the_force_gets_no_more_than_the_bound():
         assert worst > 0.5 * options.seed  # it really got at what was there
 
 
+def test_two_ticks_of_a_held_force_take_no_more_than_the_bound():
+    """At rest the spring has all that it may; then the tip goes with the force for two ticks, as far as hurts most."""
+    stiffness, step = 800.0, 1.5e-3
+    seed = 2.0 * stiffness * step**2
+    end = DeviceEnd(EndOptions(stiffness=stiffness, damping=0.0, seed=seed), resolution=0.0, lever=1e9)
+    place, acting, coming, out, forces = 0.0, 0.0, 0.0, 0.0, []
+    for k in range(60):
+        moved = step if k in {50, 51} else 0.0
+        out += acting * moved
+        place += moved
+        end.measure((place, 0.0, 0.0), (coming, 0.0, 0.0))
+        acting = coming
+        coming = end.decide((place + 0.1, 0.0, 0.0), (0.0, 0.0, 0.0), Word(), 1e-3)[0]
+        forces.append(acting)
+    assert min(forces[2:50]) == pytest.approx(max(forces[2:50]))  # it does not take turns with itself
+    assert 0.5 * seed < out <= seed + end.bound(step / 1e-3, 1e-3, 0.0)
+
+
 def test_one_process_for_each_end_feels_as_one():
     """With the seed, the spring is whole most of the time, at 200 Hz as at 1000 Hz; the proxy follows."""
     for rate in (1000.0, 200.0):

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 from tests.conftest import ROOT
-from tests.haptics.plant import THROW, Plant
+from tests.haptics.plant import GOOD, THROW, Plant
 
 from cotouch.errors import DeviceError
 from cotouch.haptics import Cause, DeviceChoice, ProxyEnd, ServoLink
@@ -112,7 +112,7 @@ def test_a_peer_that_says_nothing_leaves_no_force_and_may_come_back(plant: Plant
     plant.tell(THROW)
     held.until(lambda: held.link.causes & Cause.FAST, "latched")
     held.until(lambda: any("faster than a hand" in text for text in held.said), "told")
-    plant.tell(0)
+    plant.tell(GOOD)
     held.until(lambda: plant.force == 0.0, "no force")
     held.link.rearm()
     held.until(lambda: plant.force > 0.0, "force after it is re-armed")

@@ -108,9 +108,17 @@ def test_heat_lets_much_for_a_moment_and_what_may_stay_for_ever():
     assert max(a - b for a, b in itertools.pairwise(held)) < 0.01  # it comes down smoothly
 
 
+def test_a_force_that_stays_comes_down_to_what_may_stay():
+    chain, found = SafetyChain(LIMITS), 0.0
+    for k in range(6000):
+        found = chain.limit((1.6, 0.0, 0.0), _quiet(0.005 * k, T=0.005)) * 1.6
+    assert found == pytest.approx(LIMITS.continuous, rel=0.02)
+    assert chain.causes == Cause.HOT
+
+
 def _quiet(now: float, **changes) -> Seen:
-    usual = {"age": 0.0, "stale": 0.0, "speed": 0.1, "excess": -1.0, "enabled": True, "follows": True}
-    return Seen(now=now, T=1e-3, **(usual | changes))
+    usual = {"T": 1e-3, "age": 0.0, "stale": 0.0, "speed": 0.1, "excess": -1.0, "enabled": True, "follows": True}
+    return Seen(now=now, **(usual | changes))
 
 
 def _risen(chain: SafetyChain, start: float = 0.0) -> float:

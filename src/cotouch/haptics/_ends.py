@@ -216,7 +216,8 @@ class DeviceEnd:
         assert self._place is not None, "measure first"
         options, place, purse = self.options, self._place, self.purse
         purse.hear(word, max(0.0, purse.energy - self._acting), T)
-        available = purse.energy - self._acting
+        # Half, so that two ticks with little energy share it instead of taking turns.
+        available = min(purse.energy - self._acting, 0.5 * purse.energy)
         force = scaled(-options.damping, rate)
         out = size(place)
         self.wall_energy = springs = 0.0

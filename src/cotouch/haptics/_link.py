@@ -97,6 +97,7 @@ class ServoLink:
         self._causes, self._last_words, self._last_said = NO_CAUSE, "", -float("inf")
         self._step = self._rearm = 0
         self._over = ""
+        self._silent = False
         self._felt = False  # whether there ever was force
         self.statistics: dict[str, Any] = {}
         settings = ServoSettings(
@@ -172,6 +173,10 @@ class ServoLink:
                 self._notice(f"force is off or less: {spoken(causes)}")
             elif self._last_words:
                 self._notice("force is back")
+        silent = self.gone and not self._over
+        if silent and not self._silent:
+            self._notice("nothing is heard of the device's servo; the proxy is left alone until it is back")
+        self._silent = silent
         fresh, self._notices = self._notices, []
         return fresh
 
