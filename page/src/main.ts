@@ -18,8 +18,9 @@ onSystemTheme(theme);
 const stats = new Stats();
 const connection = new Connection(store, token, `${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/ws`);
 connection.onPoint = (number, time) => stats.pointed(number, time);
-const { stageElement } = mountShell(document.getElementById("app")!, store, connection);
-const stage = mountStage(stageElement, store, connection, stats);
+const shell = mountShell(document.getElementById("app")!, store, connection);
+const stage = mountStage(shell.stageElement, store, connection, stats);
+shell.attach(stage);
 
 declare global {
   interface Window {
