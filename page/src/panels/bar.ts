@@ -56,7 +56,7 @@ export function topBar(
   const sign = icon("wait", 18);
   const level = h("span", { class: "unseen" });
   const words = h("span", { class: "verdict-words" }, "Connecting …");
-  const verdict = h("button", { type: "button", class: "verdict", id: "verdict", "data-tip": "How stable the session is; opens its margin" }, sign, level, words);
+  const verdict = h("button", { type: "button", class: "verdict", id: "verdict",  }, sign, level, words);
   verdict.addEventListener("click", () => context.tab.set("margin"));
   const invite = button("Invite", does.invite, { icon: "invite", class: "button", id: "invite", tip: "Let somebody take part from another computer (I)" });
   const recording = recorder(context);
@@ -83,7 +83,9 @@ export function topBar(
     redraw(sign, now?.level ?? "wait");
     text(level, now ? `${LEVELS[now.level]}: ` : "");
     const sentence = now?.text ?? (store.connection === "open" ? "Waiting for the copies …" : store.connection === "lost" ? "Connection lost" : "Connecting …");
-    text(words, sentence && sentence[0]?.toUpperCase() + sentence.slice(1));
+    const said = sentence && sentence[0]?.toUpperCase() + sentence.slice(1);
+    text(words, said);
+    attribute(verdict, "data-tip", `${said}. Opens the margin of every link.`);
     document.title = [store.scene?.title, "cotouch"].filter(Boolean).join(" · ");
     invite.hidden = !store.scene?.invitation;
   };

@@ -11,7 +11,12 @@ export interface Line {
   dash?: number[];
 }
 
+// From which share of the plain unit on it is used without a prefix.
+const unitFrom: Record<string, number> = { N: 0.05, J: 0.2 };
 const PREFIXES: readonly [number, string][] = [[1, ""], [1e-3, "m"], [1e-6, "µ"], [1e-9, "n"]];
+
+// Steps of an axis; 2.5 would need a digit more.
+const STEPS = Array.from({ length: 22 }, (_, i) => [1, 2, 5].map((step) => Number(`${step}e${i - 14}`))).flat();
 
 function style(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
@@ -70,23 +75,23 @@ export class Chart {
     );
     const ink = (): string => style("--muted");
     const rule = (): string => style("--rule");
-    const font = `10.5px ${style("--sans") || "system-ui"}`;
+    const font = `11px ${style("--sans") || "system-ui"}`;
     this.plot = new uPlot(
       {
         width: 200,
         height: 90,
-        padding: [6, 8, 0, 0],
+        padding: [6, 16, 0, 0],
         legend: { show: false },
         cursor: { y: false, drag: { x: false, y: false }, points: { size: 5 }, sync: { key: sync } },
         scales: { x: { time: false, range: [-seconds, 0] }, y: { range: () => this.limits } },
         axes: [
           {
-            stroke: ink, font, size: 20, gap: 2, space: 40,
+            stroke: ink, font, size: 20, gap: 2, space: 38, incrs: [1, 2, 5, 10, 20],
             grid: { stroke: rule, width: 1 }, ticks: { show: false },
             values: (_plot, splits) => splits.map((at) => (at === 0 ? "now" : `${number(at)} s`)),
           },
           {
-            stroke: ink, font, size: 38, gap: 4, space: 24,
+            stroke: ink, font, size: 38, gap: 4, space: 24, incrs: STEPS,
             grid: { stroke: rule, width: 1 }, ticks: { show: false },
             values: (_plot, splits, _axis, _space, step) => {
               const digits = Math.max(0, -Math.floor(Math.log10(step / this.scale + 1e-12)));
@@ -124,7 +129,7 @@ export class Chart {
     for (let i = 0; i < time.length; i++) time[i] = (table.time[i] ?? 0) - now;
     this.limits = this.axis.fit(extent(table.values));
     const most = Math.max(Math.abs(this.limits[0]), Math.abs(this.limits[1]));
-    const [scale, prefix] = PREFIXES.find(([size]) => most >= size) ?? [1e-9, "n"];
+    const [scale, prefix] = PREFIXES.find(([size]) => most >= size * (unitFrom[this.unit] ?? 1)) ?? [1e-9, "n"];
     this.scale = scale;
     text(this.unitWords, prefix + this.unit);
     this.lines.forEach((line, i) => {

@@ -94,7 +94,7 @@ export function energyPanel(context: Context): HTMLElement {
     update();
   }, { class: "button small", tip: "Leaves out what was before" });
   const { element, body } = panel("energy", "Energy", EXPLANATION, zero);
-  const [came, went] = [h("div", { class: "bar" }), h("div", { class: "bar" })];
+  const [came, went] = [h("div", { class: "stack" }), h("div", { class: "stack" })];
   const [cameSum, wentSum] = [h("span", { class: "sum tabular" }), h("span", { class: "sum tabular" })];
   const head = h("tr", null, h("th", { scope: "col" }, "user"), ...COLUMNS.map((one) => h("th", { scope: "col", "data-tip": one.tip, tabindex: 0 }, `${one.sign} ${one.words}`.trim())));
   const rows = h("tbody");
@@ -153,6 +153,7 @@ export function energyPanel(context: Context): HTMLElement {
         if (cell) text(cell, si(one[column.key], "J", 1e-12));
       });
     }
+    attribute(table, "data-initial", all.some((row) => row.initial) ? "" : null);
     COLUMNS.forEach((column, i) => {
       const cell = sums[i];
       if (cell) text(cell, si(all.reduce((total_, row) => total_ + row[column.key], 0), "J", 1e-12));

@@ -9,12 +9,12 @@ export interface Point {
 export const WIDTH = 360;
 export const HEIGHT = 248;
 export const RADIUS = 16;
-const CENTRE: Point = { x: WIDTH / 2, y: HEIGHT / 2 };
+const CENTRE: Point = { x: WIDTH / 2, y: HEIGHT / 2 + 2 };
 const SHARES = [0.5, 0.42, 0.58, 0.34, 0.66, 0.28, 0.72];
 
 /** Places of so many users on an ellipse, the first on top, clockwise. */
 export function places(users: number): Point[] {
-  const [rx, ry] = users === 2 ? [104, 0] : [112, 92];
+  const [rx, ry] = users === 2 ? [104, 0] : [104, 92];
   return Array.from({ length: users }, (_, i) => {
     const angle = (2 * Math.PI * i) / users + (users === 2 ? Math.PI : -Math.PI / 2);
     return { x: CENTRE.x + rx * Math.cos(angle), y: CENTRE.y + ry * Math.sin(angle) };

@@ -40,7 +40,7 @@ export function inviteDialog(context: Context): { open: () => void } {
         h("label", { class: "field" }, h("span", null, "1. Whose place shall be taken?"), h("span", { class: "row" }, seats, free)),
         note,
         h("div", { class: "field" }, h("span", null, "2. On the other computer, type"), command, h("span", { class: "row" }, button("Copy the command", () => void copy(context, command.value, "Command"), { class: "button small primary" }))),
-        h("div", { class: "field" }, h("span", null, "or paste the invitation alone into "), invitation, h("span", { class: "row" }, button("Copy the invitation", () => void copy(context, invitation.value, "Invitation"), { class: "button small" }))),
+        h("div", { class: "field" }, h("span", null, "or hand over the invitation alone"), invitation, h("span", { class: "row" }, button("Copy the invitation", () => void copy(context, invitation.value, "Invitation"), { class: "button small" }))),
       ),
       h("figure", { class: "qr-frame" }, code, h("figcaption", null, "or scan it")),
     ),

@@ -124,15 +124,14 @@ function linkDrawing(context: Context, pair: Pair, at: readonly Point[], share: 
 function userDrawing(context: Context, seat: number, at: Point): Drawn {
   const { store } = context;
   const name = nameOf(store, seat);
-  const short = name.length > 14 ? `${name.slice(0, 13)}…` : name;
-  const above = at.y < HEIGHT / 2 - 60;
-  const left = at.x < WIDTH / 2 - 20;
-  const right = at.x > WIDTH / 2 + 20;
-  const aside = Math.abs(at.x - WIDTH / 2) > 60;
-  const label = aside && !above
-    ? { x: at.x, y: at.y + RADIUS + 14, anchor: "middle" }
-    : above ? { x: at.x, y: at.y - RADIUS - 6, anchor: "middle" }
-    : { x: at.x + (left ? -1 : right ? 1 : 0) * (RADIUS + 6), y: at.y + RADIUS + 14, anchor: left ? "end" : right ? "start" : "middle" };
+  // At the sides a name stands beside its user, else above or below, where links do not go.
+  const aside = Math.abs(at.x - WIDTH / 2) > 80;
+  const right = at.x > WIDTH / 2;
+  const most = aside ? 10 : 16;
+  const short = name.length > most ? `${name.slice(0, most - 1)}…` : name;
+  const label = aside
+    ? { x: at.x + (right ? 1 : -1) * (RADIUS + 8), y: at.y + 4, anchor: right ? "start" : "end" }
+    : { x: at.x, y: at.y + (at.y < HEIGHT / 2 ? -RADIUS - 7 : RADIUS + 16), anchor: "middle" };
   const group = s(
     "g",
     { class: "node", style: `--user:var(--user-${seat});--on-user:var(--on-user-${seat})`, "data-seat": seat },

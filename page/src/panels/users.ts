@@ -88,12 +88,12 @@ function card(context: Context, seat: number): { element: HTMLElement; update: (
       ),
     ),
   );
-  const take = button("Act as this user", () => {
+  const take = button("Take over", () => {
     store.take(seat);
     history.replaceState(null, "", addressFor(seat));
     context.say(`This page now acts as ${nameOf(store, seat)}.`);
   }, { class: "button small", icon: "grab", tip: "Your pointer moves this user’s hand" });
-  const window_ = button("Second window", () => void open(addressFor(seat), "_blank", "noopener"), {
+  const window_ = button("New window", () => void open(addressFor(seat), "_blank", "noopener"), {
     class: "button small", icon: "window", tip: "Open another page that acts as this user",
   });
   const kill = button("Stop process", () => void context.act("kill", { seat }), {
