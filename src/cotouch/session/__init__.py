@@ -15,19 +15,25 @@ from cotouch.session._open import OpenHost, open_host, watching
 from cotouch.session._planner import LinkPlanner
 from cotouch.session._process import MemberProcess
 from cotouch.session._replica import Replica
+from cotouch.session._stage import HAND_MODES, CopyView, Emulated, HandMode, HandView, Overview, Pointer, Scene, Stage
 from cotouch.session._watch import Event, Seen, Watch
 from cotouch.session._ways import MemoryWays, RoutedWays, Ways
 
 __all__ = [
     "ABSENT_AFTER",
     "DEFAULT_RATE",
+    "HAND_MODES",
     "MOST_USERS",
     "Coordinator",
     "Copy",
+    "CopyView",
+    "Emulated",
     "Entry",
     "Event",
     "Hand",
     "HandKind",
+    "HandMode",
+    "HandView",
     "Host",
     "LinkPlanner",
     "LinkStatus",
@@ -38,15 +44,19 @@ __all__ = [
     "Neighbour",
     "NoHand",
     "OpenHost",
+    "Overview",
     "Planner",
+    "Pointer",
     "Replica",
     "Roster",
     "RoutedWays",
+    "Scene",
     "ScriptedHand",
     "Seen",
     "SessionFile",
     "SessionTable",
     "Shown",
+    "Stage",
     "Status",
     "Taken",
     "Watch",
