@@ -1,5 +1,7 @@
 // The picture: rails for a body in one dimension, else the object in space; made anew for every run of the server.
 import "./stage.css";
+import { mountRails } from "./rails/rails";
+import { mountSpace } from "./space/space";
 import type { Connection } from "./connection";
 import type { Stats } from "./stats";
 import type { Store } from "./store";
@@ -13,6 +15,8 @@ export interface View {
   dispose(): void;
 }
 
+const SORRY = "The picture needs WebGL 2, which this browser does not give; everything beside it works.";
+
 export interface Stage extends View {}
 
 export function mountStage(element: HTMLElement, store: Store, connection: Connection, stats: Stats): Stage {
@@ -24,8 +28,13 @@ export function mountStage(element: HTMLElement, store: Store, connection: Conne
     shown = scene.started;
     view?.dispose();
     view = null;
-    void connection, stats;
-    element.textContent = `${scene.title}: ${scene.points.length / 3} points`;
+    element.classList.add("ct-stage");
+    try {
+      view = (scene.dimension === 1 ? mountRails : mountSpace)(element, scene, store, connection, stats);
+    } catch (error) {
+      element.replaceChildren(Object.assign(document.createElement("p"), { className: "ct-sorry", textContent: SORRY }));
+      console.warn(error);
+    }
   };
   const off = store.on("scene", show);
   show();

@@ -18,11 +18,11 @@ export class Orbit {
   private now: Place;
   private fit = 1;
 
-  /** @param radius of a ball around the centre with all in it [m] @param flat whether to look straight down */
-  constructor(centre: Vector3, private readonly radius: number, flat: boolean) {
+  /** @param size radius of a ball around the centre with all in it [m] @param flat whether to look straight down */
+  constructor(centre: Vector3, readonly size: number, flat: boolean) {
     this.camera.up.set(0, 0, 1);
-    this.camera.near = radius * 0.02;
-    this.camera.far = radius * 60;
+    this.camera.near = size * 0.02;
+    this.camera.far = size * 60;
     this.home = { target: centre.clone(), yaw: flat ? -Math.PI / 2 : -1.08, pitch: flat ? LIMIT : 0.36, zoom: 1 };
     this.goal = clone(this.home);
     this.now = clone(this.home);
@@ -32,7 +32,7 @@ export class Orbit {
   aspect(width: number, height: number): void {
     this.camera.aspect = width / Math.max(height, 1);
     const half = Math.tan((this.camera.fov * Math.PI) / 360) * Math.min(1, this.camera.aspect);
-    this.fit = (1.12 * this.radius) / half + 0.25 * this.radius;
+    this.fit = (1.12 * this.size) / half + 0.25 * this.size;
     this.camera.updateProjectionMatrix();
     this.apply();
   }
@@ -73,7 +73,7 @@ export class Orbit {
   /** Follows what was asked for; whether it is still moving. @param share of the way, 1 at once */
   step(share: number): boolean {
     const { now, goal } = this;
-    const far = Math.abs(goal.yaw - now.yaw) + Math.abs(goal.pitch - now.pitch) + Math.abs(Math.log(goal.zoom / now.zoom)) + goal.target.distanceTo(now.target) / this.radius;
+    const far = Math.abs(goal.yaw - now.yaw) + Math.abs(goal.pitch - now.pitch) + Math.abs(Math.log(goal.zoom / now.zoom)) + goal.target.distanceTo(now.target) / this.size;
     if (far === 0) return false;
     const part = far < 1e-3 ? 1 : share;
     now.yaw += (goal.yaw - now.yaw) * part;

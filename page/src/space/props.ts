@@ -64,6 +64,10 @@ export interface HandPose {
 
 export class HandProp {
   readonly group = new Group();
+  /** Where its name belongs. */
+  readonly spot = new Vector3();
+  /** Of the last pose [N]. */
+  force = 0;
   private readonly skin: ShaderMaterial;
   private readonly cord: ShaderMaterial;
   private readonly glass: ShaderMaterial;
@@ -106,7 +110,8 @@ export class HandProp {
   /** @param face what turns a ring towards the eye */
   pose(hand: HandPose, face: Quaternion): void {
     const { size } = this;
-    const force = hand.force.length();
+    const force = (this.force = hand.force.length());
+    this.spot.copy(hand.proxy);
     const share = Math.min(force / this.full, 1);
     const thick = size * (0.006 + 0.012 * share);
     paint(this.cord, tension(share));
