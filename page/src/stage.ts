@@ -12,12 +12,16 @@ export interface View {
   reset(): void;
   /** Makes a user's copy stand out for a moment. */
   pulse(seat: number): void;
+  knob?(): { x: number; y: number } | null;
   dispose(): void;
 }
 
 const SORRY = "The picture needs WebGL 2, which this browser does not give; everything beside it works.";
 
-export interface Stage extends View {}
+export interface Stage extends View {
+  /** Where a user's slider is in the picture of rails [pixels]; null in space. */
+  knob(): { x: number; y: number } | null;
+}
 
 export function mountStage(element: HTMLElement, store: Store, connection: Connection, stats: Stats): Stage {
   let view: View | null = null;
@@ -40,6 +44,7 @@ export function mountStage(element: HTMLElement, store: Store, connection: Conne
   show();
   return {
     reset: () => view?.reset(),
+    knob: () => view?.knob?.() ?? null,
     pulse: (seat) => view?.pulse(seat),
     dispose: () => {
       off();

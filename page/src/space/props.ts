@@ -1,6 +1,7 @@
 // A hand in the picture: proxy, force arrow, rope, and the ball that pushes.
-import { ConeGeometry, CylinderGeometry, Group, Mesh, Quaternion, ShaderMaterial, SphereGeometry, TorusGeometry, Vector3 } from "three";
+import { ConeGeometry, CylinderGeometry, GreaterDepth, Group, Mesh, Quaternion, ShaderMaterial, SphereGeometry, TorusGeometry, Vector3 } from "three";
 import { channels } from "../colours";
+import { tension } from "../tension";
 import { prop } from "./shaders";
 
 const sphere = new SphereGeometry(1, 28, 18);
@@ -38,15 +39,6 @@ function span(mesh: Mesh, from: Vector3, to: Vector3, radius: number): void {
   mesh.scale.set(radius, length, radius);
 }
 
-/** The colour of a rope: from slack grey over amber to red. */
-export function tension(share: number): string {
-  const stops = [[148, 158, 170], [240, 180, 60], [220, 50, 47]] as const;
-  const at = Math.min(Math.max(share, 0), 1) * 2;
-  const low = Math.min(Math.floor(at), 1);
-  const mix = stops[low]!.map((value, i) => Math.round(value + (stops[low + 1]![i]! - value) * (at - low)));
-  return `#${mix.map((value) => value.toString(16).padStart(2, "0")).join("")}`;
-}
-
 export interface HandPose {
   /** Of the object: the held point, or the ball's proxy. */
   place: Vector3;
@@ -71,6 +63,7 @@ export class HandProp {
   private readonly skin: ShaderMaterial;
   private readonly cord: ShaderMaterial;
   private readonly glass: ShaderMaterial;
+  private readonly hidden = new Map<ShaderMaterial, ShaderMaterial>();
   private readonly proxy: Mesh;
   private readonly knot: Mesh;
   private readonly rope: Mesh;
@@ -86,9 +79,20 @@ export class HandProp {
     this.skin = material(hex);
     this.cord = material(hex);
     this.glass = material(hex, 0.55);
+    for (const by of [this.skin, this.cord, this.glass]) {
+      const faint = material(hex, 0.2);
+      faint.depthFunc = GreaterDepth;
+      faint.uniforms.colour = by.uniforms.colour!;
+      this.hidden.set(by, faint);
+    }
     const mesh = (geometry: typeof sphere | typeof rod | typeof cone | typeof ring, by: ShaderMaterial) => {
       const made = new Mesh(geometry, by);
       made.frustumCulled = false;
+      // Behind the object a hand still shows, faintly.
+      const behind = new Mesh(geometry, this.hidden.get(by)!);
+      behind.frustumCulled = false;
+      behind.renderOrder = 20;
+      made.add(behind);
       this.group.add(made);
       return made;
     };
@@ -114,7 +118,7 @@ export class HandProp {
     this.spot.copy(hand.proxy);
     const share = Math.min(force / this.full, 1);
     const thick = size * (0.006 + 0.012 * share);
-    paint(this.cord, tension(share));
+    paint(this.cord, tension(share, false));
     this.proxy.material = hand.radius > 0 ? this.glass : this.skin;
     this.proxy.position.copy(hand.proxy);
     this.proxy.scale.setScalar(hand.radius > 0 ? hand.radius : size * 0.042);
@@ -141,6 +145,6 @@ export class HandProp {
   }
 
   dispose(): void {
-    for (const made of [this.skin, this.cord, this.glass]) made.dispose();
+    for (const made of [this.skin, this.cord, this.glass, ...this.hidden.values()]) made.dispose();
   }
 }

@@ -178,13 +178,19 @@ export const ground = {
     }
     void main() {
       vec2 d = (at - centre) / reach;
-      vec2 uv = vec2(0.5 + 0.5 * d.x, 0.5 - 0.5 * d.y);
-      vec4 near = textureLod(shadow, uv, 2.5), mid = textureLod(shadow, uv, 3.5), far = textureLod(shadow, uv, 4.6);
-      float h = far.r > 0.001 ? far.g / far.r : 1.0;
-      float soft = mix(mix(near.r, mid.r, smoothstep(0.0, 0.2, h)), far.r, smoothstep(0.15, 0.6, h));
-      float cover = strength * soft * (1.0 - 0.75 * smoothstep(0.0, 1.0, h));
-      float fade = smoothstep(2.1, 0.3, length(d));
-      float grid = opacity * fade * max(lines((at - centre) / pitch), 0.55 * lines((at - centre) / pitch * 5.0));
+      float away = length(d), cover = 0.0, fade = smoothstep(2.1, 0.3, away);
+      vec2 q = (at - centre) / pitch;
+      if (away > 2.1) discard;
+      if (away < 1.3) {
+        vec2 uv = vec2(0.5 + 0.5 * d.x, 0.5 - 0.5 * d.y);
+        vec4 far = textureLod(shadow, uv, 4.6);
+        if (far.r > 0.003) {
+          float h = far.g / far.r;
+          float soft = mix(mix(textureLod(shadow, uv, 2.5).r, textureLod(shadow, uv, 3.5).r, smoothstep(0.0, 0.2, h)), far.r, smoothstep(0.15, 0.6, h));
+          cover = strength * soft * (1.0 - 0.75 * smoothstep(0.0, 1.0, h));
+        }
+      }
+      float grid = opacity * fade * max(lines(q), 0.55 * lines(q * 5.0));
       float all = cover + grid * (1.0 - cover);
       gl_FragColor = vec4(mix(line, dark, cover / max(all, 1e-4)), all);
     }`,

@@ -16,6 +16,7 @@ import { cells } from "./layout";
 import { Orbit } from "./orbit";
 import { type Cell, type Hit, pick, project } from "./pick";
 import { type HandPose, HandProp, material, paint } from "./props";
+import { inSoftware, Quality } from "./quality";
 import { Shape } from "./shape";
 import { Touch } from "./touch";
 
@@ -60,13 +61,12 @@ class Space implements View {
   private handle = 0;
   private peak = 0;
   private pulsed = { seat: -1, since: -Infinity };
-  private slow = 0;
-  private ratio = 1;
+  private readonly quality = new Quality(() => Math.min(devicePixelRatio || 1, 2));
 
   constructor(element: HTMLElement, private readonly scene: Scene, private readonly store: Store, private readonly connection: Connection, private readonly stats: Stats) {
     const radius = scene.radius || 1;
     const flat = scene.dimension < 3;
-    this.renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: "high-performance" });
+    this.renderer = new WebGLRenderer({ antialias: !inSoftware(), alpha: true, powerPreference: "high-performance" });
     this.renderer.setClearAlpha(0);
     this.renderer.autoClear = false;
     this.canvas = this.renderer.domElement;
@@ -195,8 +195,7 @@ class Space implements View {
     if (!box || box.width < 1 || box.height < 1) return;
     this.width = Math.round(box.width);
     this.height = Math.round(box.height);
-    this.ratio = Math.min(devicePixelRatio || 1, this.slow > 40 ? 1 : 2);
-    this.renderer.setPixelRatio(this.ratio);
+    this.renderer.setPixelRatio(this.quality.ratio);
     this.renderer.setSize(this.width, this.height);
     this.arrange();
     this.draw();
@@ -242,17 +241,10 @@ class Space implements View {
       this.render(now);
       if (fresh) {
         this.stats.drew(this.shown!.echo, this.shown!.received, performance.now());
-        this.adapt(seconds);
+        if (this.quality.took(seconds)) this.resize();
       }
     }
     if (moving) this.draw();
-  }
-
-  /** A screen that has more pixels than the machine can draw gets fewer. */
-  private adapt(seconds: number): void {
-    if (this.ratio <= 1 || this.slow > 40) return;
-    this.slow = seconds > 0.024 ? this.slow + 1 : Math.max(this.slow - 1, 0);
-    if (this.slow > 40) this.resize();
   }
 
   private take(frame: Frame): void {
@@ -319,7 +311,7 @@ class Space implements View {
       this.dot.visible = !!this.hovered && cell === this.area[0];
       if (this.hovered) this.dot.position.fromArray(this.mine.moving.places, 3 * this.shape.corner[this.hovered.point]!);
       this.ground.shadow(renderer, shown.moving, common.scale.value);
-      common.height.value = cell.height * this.ratio;
+      common.height.value = cell.height * this.quality.ratio;
       const bottom = this.height - cell.y - cell.height;
       renderer.setScissorTest(true);
       renderer.setScissor(cell.x, bottom, cell.width, cell.height);

@@ -98,7 +98,6 @@ export class Touch {
     const { canvas, hold, orbit } = this.picture;
     const at = this.at(event);
     canvas.setPointerCapture(event.pointerId);
-    canvas.focus({ preventScroll: true });
     this.pointers.set(event.pointerId, at);
     this.moved = 0;
     if (event.pointerType === "touch" && this.pointers.size === 2) {
