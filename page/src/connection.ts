@@ -37,6 +37,7 @@ export class Connection {
   private pointed = -Infinity;
   private pointTimer = 0;
   private closed = false;
+  private said: number | null = null;
 
   constructor(
     private readonly store: Store,
@@ -129,6 +130,7 @@ export class Connection {
         this.wait = SOONEST;
         this.store.connected("open");
         this.store.show(readScene(message));
+        if (this.said !== this.store.seat) this.hello(); // the first hello didn't know whom to act for
       } else if (message.type === "state") this.store.told(message as State);
       else if (message.type === "told") this.answer(message.id, message as Told);
       else if (message.type === "error") refusal = String(message.text);
@@ -147,8 +149,8 @@ export class Connection {
 
   private hello(): void {
     if (this.socket?.readyState !== WebSocket.OPEN) return;
-    const known = this.store.scene !== null || new URLSearchParams(location.search).has("user");
-    this.socket.send(writeHello(this.token, known ? this.store.seat : null, document.hidden ? HIDDEN : RATE));
+    this.said = this.store.scene || this.store.wished !== null ? this.store.seat : null;
+    this.socket.send(writeHello(this.token, this.said, document.hidden ? HIDDEN : RATE));
   }
 
   private hurry(): void {

@@ -1,5 +1,7 @@
 // The picture: rails for a body in one dimension, else the object in space; made anew for every run of the server.
 import "./stage.css";
+import { mountRails } from "./rails/rails";
+import { mountSpace } from "./space/space";
 import type { Connection } from "./connection";
 import type { Stats } from "./stats";
 import type { Store } from "./store";
@@ -10,10 +12,16 @@ export interface View {
   reset(): void;
   /** Makes a user's copy stand out for a moment. */
   pulse(seat: number): void;
+  knob?(): { x: number; y: number } | null;
   dispose(): void;
 }
 
-export interface Stage extends View {}
+const SORRY = "The picture needs WebGL 2, which this browser does not give; everything beside it works.";
+
+export interface Stage extends View {
+  /** Where a user's slider is in the picture of rails [pixels]; null in space. */
+  knob(): { x: number; y: number } | null;
+}
 
 export function mountStage(element: HTMLElement, store: Store, connection: Connection, stats: Stats): Stage {
   let view: View | null = null;
@@ -24,13 +32,19 @@ export function mountStage(element: HTMLElement, store: Store, connection: Conne
     shown = scene.started;
     view?.dispose();
     view = null;
-    void connection, stats;
-    element.textContent = `${scene.title}: ${scene.points.length / 3} points`;
+    element.classList.add("ct-stage");
+    try {
+      view = (scene.dimension === 1 ? mountRails : mountSpace)(element, scene, store, connection, stats);
+    } catch (error) {
+      element.replaceChildren(Object.assign(document.createElement("p"), { className: "ct-sorry", textContent: SORRY }));
+      console.warn(error);
+    }
   };
   const off = store.on("scene", show);
   show();
   return {
     reset: () => view?.reset(),
+    knob: () => view?.knob?.() ?? null,
     pulse: (seat) => view?.pulse(seat),
     dispose: () => {
       off();

@@ -39,7 +39,8 @@ export class Store {
   readonly history = new History();
   settings: Settings = saved();
   private readonly listeners = new Map<Kind, Set<() => void>>();
-  private wished: number | null;
+  /** The seat that the address or the user asked for; null: whichever there is. */
+  wished: number | null;
 
   /** @param wished the seat that the address asks for, if any */
   constructor(wished: number | null = null) {
