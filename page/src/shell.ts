@@ -4,7 +4,7 @@ import type { Connection } from "./connection";
 import { banners } from "./panels/banners";
 import { topBar } from "./panels/bar";
 import { type Aiming, type Context, type Level, type Pair, TABS, type Tab, Value } from "./panels/context";
-import { attribute, h, icon, redraw, text } from "./panels/dom";
+import { attribute, button, h, icon, redraw, text } from "./panels/dom";
 import { energyPanel } from "./panels/energy";
 import { eventsPanel } from "./panels/events";
 import { inviteDialog } from "./panels/invite";
@@ -24,8 +24,8 @@ import { tour } from "./tour";
 export interface Picture {
   reset(): void;
   pulse(seat: number): void;
-  /** The point of the object under a place in the window, or beside it in the plane through its middle; null: none. */
-  place?(x: number, y: number): { node: number; to: Vec } | null;
+  /** The drawn point that a place of the window is nearest to, and where in the session it is [m]; null: nowhere. */
+  aim(x: number, y: number): { point: number; to: Vec } | null;
 }
 
 export interface Shell {
@@ -101,13 +101,19 @@ function aim(context: Context, stage: HTMLElement, picture: () => Picture | null
     event.preventDefault();
     event.stopImmediatePropagation();
     if (event.type !== "pointerdown") return;
-    const goal = picture()?.place?.(event.clientX, event.clientY) ?? null;
-    if (!goal) return context.say("There is nothing of the object there; click nearer to it.", "warn");
+    const found = picture()?.aim(event.clientX, event.clientY) ?? null;
+    if (!found) return context.say("There is nothing of the object there; click nearer to it.", "warn");
     context.aiming.set(null);
-    void context.act("hand", { seat: aiming.seat, mode: "pull", ...goal });
+    const held = context.store.frame?.copies.find((copy) => copy.seat === aiming.seat)?.node ?? -1;
+    const node = held >= 0 ? held : (context.store.scene?.skin?.node[found.point] ?? found.point);
+    void context.act("hand", { seat: aiming.seat, mode: "pull", node, to: found.to });
   };
   for (const kind of ["pointerdown", "pointermove", "pointerup"] as const) addEventListener(kind, swallow, true);
-  addEventListener("keydown", (event) => event.key === "Escape" && context.aiming.set(null));
+  addEventListener("keydown", (event) => {
+    if (event.key !== "Escape" || event.defaultPrevented) return;
+    if (context.aiming.get()) context.aiming.set(null);
+    else if (!document.querySelector("dialog[open]")) context.link.set(null);
+  });
   context.aiming.on((aiming) => stage.toggleAttribute("data-aiming", aiming !== null));
 }
 
@@ -148,7 +154,7 @@ export function mountShell(root: HTMLElement, store: Store, connection: Connecti
     },
   };
   let picture: Picture | null = null;
-  const stageElement = h("div", { id: "stage", role: "application", "aria-label": "The object; G grabs, arrows move, Escape lets go", tabindex: 0 });
+  const stageElement = h("div", { id: "stage" });
   const reset = (): void => picture?.reset();
   const invite = inviteDialog(context);
   const guide = tour(context, root);
@@ -167,8 +173,9 @@ export function mountShell(root: HTMLElement, store: Store, connection: Connecti
     marginPanel(context),
     eventsPanel(context),
   );
+  const skip = button("To the object", () => stageElement.querySelector<HTMLElement>(".ct-canvas")?.focus(), { class: "skip" });
   root.classList.add("shell");
-  root.prepend(h("a", { class: "skip", href: "#stage" }, "To the object"), bar.element, banners(context), main);
+  root.prepend(skip, bar.element, banners(context), main);
   if (matchMedia("(max-width: 899px)").matches) context.tab.set("users");
   context.opened.on((seat) => seat !== null && picture?.pulse(seat));
   aim(context, stageElement, () => picture);

@@ -3,6 +3,7 @@ import "./stage.css";
 import { mountRails } from "./rails/rails";
 import { mountSpace } from "./space/space";
 import type { Connection } from "./connection";
+import type { Vec } from "./protocol";
 import type { Stats } from "./stats";
 import type { Store } from "./store";
 
@@ -13,6 +14,8 @@ export interface View {
   /** Makes a user's copy stand out for a moment. */
   pulse(seat: number): void;
   knob?(): { x: number; y: number } | null;
+  /** The drawn point that a place of the window is nearest to, and where in the session it is [m]; null: nowhere. */
+  aim(x: number, y: number): { point: number; to: Vec } | null;
   dispose(): void;
 }
 
@@ -46,6 +49,7 @@ export function mountStage(element: HTMLElement, store: Store, connection: Conne
     reset: () => view?.reset(),
     knob: () => view?.knob?.() ?? null,
     pulse: (seat) => view?.pulse(seat),
+    aim: (x, y) => view?.aim(x, y) ?? null,
     dispose: () => {
       off();
       view?.dispose();

@@ -65,7 +65,8 @@ def world(running: Browser, kind: Kind = "1d") -> Generator[World]:
     made = World(running, kind)
     try:
         yield made
-        assert made.complaints == []
+        if made.complaints:
+            raise AssertionError(made.complaints)
     finally:
         made.close()
 

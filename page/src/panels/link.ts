@@ -94,7 +94,7 @@ export function linkCard(context: Context): HTMLElement {
   const close = button("", () => context.link.set(null), { icon: "close", class: "button bare", label: "Close the link’s card" });
   const element = h(
     "aside",
-    { id: "link", class: "card", "aria-labelledby": "link-title", hidden: true },
+    { id: "link", class: "card", "aria-labelledby": "link-title", tabindex: -1, hidden: true },
     h("div", { class: "panel-head" }, title, h("div", { class: "grow" }), close),
     h("p", { class: "condition" }, sign, state, " ", means),
     margin,

@@ -84,8 +84,10 @@ function linkDrawing(context: Context, pair: Pair, at: readonly Point[], share: 
   let wished = 0;
   group.addEventListener("keydown", (event) => {
     if (drafting()) return;
-    if (event.key === "Enter" || event.key === " ") context.link.set(samePair(context.link.get(), pair) ? null : pair);
-    else if ("+-=−".includes(event.key) && can(context, "impair")) {
+    if (event.key === "Enter" || event.key === " ") {
+      context.link.set(samePair(context.link.get(), pair) ? null : pair);
+      document.getElementById("link")?.focus();
+    } else if ("+-=−".includes(event.key) && can(context, "impair")) {
       wished = Math.min(Math.max(delayOf() + (event.key === "+" || event.key === "=" ? NUDGE : -NUDGE), 0), MOST);
       send(wished);
     } else return;

@@ -3,7 +3,7 @@ import { alpha, isDark, onSystemTheme, userColour } from "../colours";
 import type { Connection } from "../connection";
 import { delaysFrom, inWords, length, linkDelay, newtons, nice } from "../delays";
 import { Furniture } from "../furniture";
-import type { Copy, Frame, Scene } from "../protocol";
+import type { Copy, Frame, Scene, Vec } from "../protocol";
 import { tension } from "../tension";
 import type { View } from "../stage";
 import type { Stats } from "../stats";
@@ -81,6 +81,12 @@ class Rails implements View, Told {
   knob(seat = this.store.seat): { x: number; y: number } | null {
     const copy = this.copy(seat);
     return copy ? { x: this.x(this.mean(copy)), y: this.y(seat) } : null;
+  }
+
+  aim(x: number): { point: number; to: Vec } | null {
+    const along = x - this.canvas.getBoundingClientRect().left;
+    const found = this.reach(along, this.y(this.store.seat), true);
+    return found && { point: found.point, to: [this.metres(along), 0, 0] };
   }
 
   dispose(): void {

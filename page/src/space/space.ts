@@ -4,7 +4,7 @@ import { isDark, onSystemTheme, userColour } from "../colours";
 import type { Connection } from "../connection";
 import { delaysFrom, inWords, length, newtons, nice } from "../delays";
 import { Furniture } from "../furniture";
-import type { Frame, Scene } from "../protocol";
+import type { Frame, Scene, Vec } from "../protocol";
 import type { View } from "../stage";
 import type { Stats } from "../stats";
 import type { Store } from "../store";
@@ -14,7 +14,7 @@ import { Hold } from "./hold";
 import { Labels } from "./labels";
 import { cells } from "./layout";
 import { Orbit } from "./orbit";
-import { type Cell, type Hit, pick, project } from "./pick";
+import { type Cell, type Hit, pick, project, rayAt } from "./pick";
 import { type HandPose, HandProp, material, paint } from "./props";
 import { inSoftware, Quality } from "./quality";
 import { Shape } from "./shape";
@@ -153,6 +153,20 @@ class Space implements View {
   pick(x: number, y: number, reach: number): Hit | null {
     if (this.cellAt(x, y) !== this.area[0]) return null;
     return pick(this.mine.moving, this.orbit.camera, this.area[0]!, x, y, reach);
+  }
+
+  aim(x: number, y: number): { point: number; to: Vec } | null {
+    const box = this.canvas.getBoundingClientRect();
+    const cell = this.cellAt(x - box.left, y - box.top);
+    const moving = (this.copies.get(cell.seat) ?? this.mine).moving;
+    const ray = rayAt(this.orbit.camera, cell, x - box.left, y - box.top);
+    const over = pick(moving, this.orbit.camera, cell, x - box.left, y - box.top, 0);
+    const near = over ?? pick(moving, this.orbit.camera, cell, x - box.left, y - box.top, Infinity);
+    if (!near) return null;
+    // Beside the object: as far away as the point that is nearest in the picture.
+    const away = this.orbit.camera.getWorldDirection(new Vector3());
+    const to = over?.surface ?? ray.at(near.place.clone().sub(ray.origin).dot(away) / ray.direction.dot(away), new Vector3());
+    return { point: near.point, to: [to.x, to.y, to.z] };
   }
 
   hover(hit: Hit | null): void {
