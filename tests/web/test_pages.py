@@ -379,7 +379,7 @@ class TestMalformed:
             pages = [other.__enter__() for other in others]
             try:
                 pages[-1].frame()
-                with visit(still) as late:
+                with visit(still, hello=False) as late:
                     code, reason = late.closed()
                 assert (code, "16 pages" in reason) == (1013, True)
             finally:

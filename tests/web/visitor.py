@@ -76,7 +76,11 @@ class Visitor:
 def visit(server: PageServer, *, origin: str | None = "", hello: bool = True, **entries: Any) -> Iterator[Visitor]:
     own = server.address.rstrip("/")
     with connect(
-        own.replace("http", "ws") + "/ws", origin=own if origin == "" else origin, compression=None, max_size=None
+        own.replace("http", "ws") + "/ws",
+        origin=own if origin == "" else origin,
+        compression=None,
+        max_size=None,
+        max_queue=None,
     ) as connection:
         visitor = Visitor(connection)
         if hello:
