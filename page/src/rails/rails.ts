@@ -77,10 +77,9 @@ class Rails implements View, Told {
     this.draw();
   }
 
-  /** Where a user's slider is in the picture [pixels]. */
-  knob(seat = this.store.seat): { x: number; y: number } | null {
-    const copy = this.copy(seat);
-    return copy ? { x: this.x(this.mean(copy)), y: this.y(seat) } : null;
+  spot(point = 0): { x: number; y: number; point: number } | null {
+    const copy = this.copy(this.store.seat);
+    return copy ? { x: this.x(this.place(copy, point)), y: this.y(this.store.seat), point } : null;
   }
 
   dispose(): void {

@@ -128,6 +128,21 @@ class Space implements View {
     this.draw();
   }
 
+  spot(point?: number): { x: number; y: number; point: number } | null {
+    const cell = this.area[0]!;
+    // Of those in front, the one that is nearest to the middle.
+    const seen = point ?? this.pick(cell.x + cell.width / 2, cell.y + cell.height / 2, cell.width)?.point;
+    if (seen === undefined) return null;
+    const at = project(this.orbit.camera, cell, new Vector3().fromArray(this.mine.moving.places, 3 * this.shape.corner[seen]!));
+    return at && { ...at, point: seen };
+  }
+
+  probe(): object {
+    const box = this.canvas.getBoundingClientRect();
+    const at = project(this.orbit.camera, this.area[0]!, this.hold.target);
+    return { hold: this.hold, orbit: this.orbit, target: at && [at.x + box.left, at.y + box.top] };
+  }
+
   dispose(): void {
     cancelAnimationFrame(this.handle);
     this.handle = -1;
