@@ -37,9 +37,9 @@ export function inWords(seconds: number): string {
   return seconds < 0.9995 ? `${Math.round(seconds * 1000)} ms` : `${seconds.toFixed(1)} s`;
 }
 
-/** A length with a unit that fits it: "12 mm". */
-export function length(metres: number): string {
-  const size = Math.abs(metres);
+/** A length with a unit that fits it, or the most that is beside it: "12 mm". */
+export function length(metres: number, most = metres): string {
+  const size = Math.abs(most);
   const [factor, unit] = size < 0.00095 ? [1e6, "µm"] : size < 0.095 ? [1e3, "mm"] : size < 0.95 ? [1e2, "cm"] : [1, "m"];
   const value = metres * factor;
   return `${value.toFixed(Math.abs(value) < 9.95 && value !== Math.round(value) ? 1 : 0).replace("-", "−")} ${unit}`;

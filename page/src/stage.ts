@@ -13,17 +13,19 @@ export interface View {
   reset(): void;
   /** Makes a user's copy stand out for a moment. */
   pulse(seat: number): void;
-  knob?(): { x: number; y: number } | null;
   /** The drawn point that a place of the window is nearest to, and where in the session it is [m]; null: nowhere. */
   aim(x: number, y: number): { point: number; to: Vec } | null;
+  spot(point?: number): { x: number; y: number; point: number } | null;
+  /** What tests measure; of no use to the page. */
+  probe?(): object;
   dispose(): void;
 }
 
 const SORRY = "The picture needs WebGL 2, which this browser does not give; everything beside it works.";
 
 export interface Stage extends View {
-  /** Where a user's slider is in the picture of rails [pixels]; null in space. */
-  knob(): { x: number; y: number } | null;
+  /** Where a drawn point of one's own copy is, or one that can be seen if none is named [pixels of the window]; null while unknown. */
+  spot(point?: number): { x: number; y: number; point: number } | null;
 }
 
 export function mountStage(element: HTMLElement, store: Store, connection: Connection, stats: Stats): Stage {
@@ -47,7 +49,12 @@ export function mountStage(element: HTMLElement, store: Store, connection: Conne
   show();
   return {
     reset: () => view?.reset(),
-    knob: () => view?.knob?.() ?? null,
+    probe: () => view?.probe?.() ?? {},
+    spot: (point) => {
+      const found = view?.spot(point);
+      const box = element.getBoundingClientRect();
+      return found ? { ...found, x: found.x + box.left, y: found.y + box.top } : null;
+    },
     pulse: (seat) => view?.pulse(seat),
     aim: (x, y) => view?.aim(x, y) ?? null,
     dispose: () => {

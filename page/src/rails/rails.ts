@@ -77,10 +77,9 @@ class Rails implements View, Told {
     this.draw();
   }
 
-  /** Where a user's slider is in the picture [pixels]. */
-  knob(seat = this.store.seat): { x: number; y: number } | null {
-    const copy = this.copy(seat);
-    return copy ? { x: this.x(this.mean(copy)), y: this.y(seat) } : null;
+  spot(point = 0): { x: number; y: number; point: number } | null {
+    const copy = this.copy(this.store.seat);
+    return copy ? { x: this.x(this.place(copy, point)), y: this.y(this.store.seat), point } : null;
   }
 
   aim(x: number): { point: number; to: Vec } | null {
@@ -158,7 +157,12 @@ class Rails implements View, Told {
   }
 
   private get gap(): number {
-    return (this.height - 96) / this.scene.users.length;
+    return (this.height - this.foot - 30) / this.scene.users.length;
+  }
+
+  /** Room below the rails, for the scale, a hint and what marks mean [pixels]. */
+  private get foot(): number {
+    return this.narrow ? 108 : 66;
   }
 
   /** Force that draws the longest arrow [N]. */
@@ -255,11 +259,12 @@ class Rails implements View, Told {
     this.springs(ink);
     for (const seat of seats) this.beliefs(seat, ink);
     for (const seat of seats) this.slider(seat, ink);
+    this.key(ink);
   }
 
   private scale(ink: Ink): void {
     const { pen } = this;
-    const bottom = this.height - 62;
+    const bottom = this.height - this.foot + 4;
     for (let i = -4; i <= 4; i++) {
       const x = Math.round(this.middle + (i / 8) * (this.right - this.left)) + 0.5;
       pen.strokeStyle = i === 0 ? alpha(ink.dark ? "#ffffff" : "#1b2330", 0.22) : ink.line;
@@ -269,10 +274,18 @@ class Rails implements View, Told {
       pen.lineTo(x, bottom);
       pen.stroke();
       if (i % 2 === 0) {
-        const label = i === 0 ? "rest" : `${i > 0 ? "+" : ""}${length((i / 4) * this.half)}`;
+        const label = i === 0 ? "rest" : `${i > 0 ? "+" : ""}${length((i / 4) * this.half, this.half / 2)}`;
         text(pen, label, x, bottom + 13, { size: 11.5, colour: ink.soft, align: "center" });
       }
     }
+  }
+
+  /** What the marks mean. */
+  private key(ink: Ink): void {
+    const y = this.height - 25;
+    const x = this.narrow ? 22 : 32;
+    belief(this.pen, x, y, 5.5, ink.soft, ink);
+    text(this.pen, this.narrow ? "where a user knows its neighbours to be" : "where a user knows its neighbours to be: late", x + 13, y, { size: 12, colour: ink.soft });
   }
 
   private rail(seat: number, ink: Ink, now: number): void {
@@ -300,7 +313,7 @@ class Rails implements View, Told {
     const name = this.scene.users.find((user) => user.seat === seat)!.name;
     const delay = store.state ? delaysFrom(store.state, store.seat).get(seat) : undefined;
     const old = copy && !copy.direct ? `, ${inWords(copy.age)} old` : "";
-    const note = gone ? "not here" : mine ? "you" : !store.state ? "" : delay === undefined ? "out of reach" : `feels you ${inWords(delay)} later${old}`;
+    const note = gone ? "not here" : mine ? "you" : !store.state ? "" : delay === undefined ? "out of reach" : this.narrow ? `+${inWords(delay)}` : `feels you ${inWords(delay)} later${old}`;
     const [nx, ny] = this.narrow ? [this.left - 8, y - this.gap * 0.33] : [26, y - 9];
     text(pen, name, nx, ny, { size: 15, weight: 650, colour: gone ? ink.soft : colour });
     const beside = this.narrow ? [nx + pen.measureText(name).width + 8, ny] : [nx, y + 10];

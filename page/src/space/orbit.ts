@@ -18,8 +18,14 @@ export class Orbit {
   private now: Place;
   private fit = 1;
 
-  /** @param size radius of a ball around the centre with all in it [m] @param flat whether to look straight down */
-  constructor(centre: Vector3, readonly size: number, flat: boolean) {
+  private readonly fits = new Map<string, number>();
+
+  /**
+   * @param size radius of a ball around the centre with all in it [m]
+   * @param cloud places that are to be seen at first, behind each other [m]
+   * @param flat whether to look straight down
+   */
+  constructor(centre: Vector3, readonly size: number, private readonly cloud: Float32Array, flat: boolean) {
     this.camera.up.set(0, 0, 1);
     this.camera.near = size * 0.02;
     this.camera.far = size * 60;
@@ -31,10 +37,29 @@ export class Orbit {
   /** For a picture of this size. */
   aspect(width: number, height: number): void {
     this.camera.aspect = width / Math.max(height, 1);
-    const half = Math.tan((this.camera.fov * Math.PI) / 360) * Math.min(1, this.camera.aspect);
-    this.fit = (1.12 * this.size) / half + 0.25 * this.size;
+    this.fit = this.fitted(this.camera.aspect);
     this.camera.updateProjectionMatrix();
     this.apply();
+  }
+
+  /** From how far all of the cloud is seen at first. */
+  private fitted(aspect: number): number {
+    const key = aspect.toFixed(3);
+    const known = this.fits.get(key);
+    if (known) return known;
+    const { target, yaw, pitch } = this.home;
+    const back = new Vector3(Math.cos(yaw) * Math.cos(pitch), Math.sin(yaw) * Math.cos(pitch), Math.sin(pitch));
+    const right = new Vector3(0, 0, 1).cross(back).normalize(), up = back.clone().cross(right), q = new Vector3();
+    const half = Math.tan((this.camera.fov * Math.PI) / 360);
+    const stride = 3 * Math.max(1, Math.floor(this.cloud.length / 3 / 500));
+    let fit = 0.5 * this.size;
+    for (let i = 0; i < this.cloud.length; i += stride) {
+      q.fromArray(this.cloud, i).sub(target);
+      // Room for what is pulled out of it, and for names.
+      fit = Math.max(fit, q.dot(back) + 1.42 * Math.max(Math.abs(q.dot(right)) / aspect, 1.12 * Math.abs(q.dot(up))) / half);
+    }
+    this.fits.set(key, fit);
+    return fit;
   }
 
   turn(dx: number, dy: number): void {

@@ -76,7 +76,7 @@ export const ghost = {
     varying float v;
     void main() {
       float rim = 1.0 - abs(dot(normalize(n), normalize(-p)));
-      float cover = v * strength * (0.14 + 0.86 * pow(rim, 1.7)) + flash * 0.35;
+      float cover = v * strength * (0.05 + 0.95 * pow(rim, 1.5)) + flash * 0.35;
       gl_FragColor = vec4(mix(colour, vec3(1.0), flash * 0.3), min(cover, 1.0));
     }`,
 };

@@ -77,7 +77,7 @@ class Space implements View {
     element.append(this.canvas);
     this.shape = new Shape(scene);
     this.common = new Common(radius, scene.points.length / 3);
-    this.orbit = new Orbit(new Vector3(...scene.centre), radius, flat);
+    this.orbit = new Orbit(new Vector3(...scene.centre), radius, scene.points, flat);
     this.full = 0.6 * scene.stiffness * radius;
     this.hold = new Hold(connection, radius, scene.stiffness, flat);
     for (const { seat } of scene.users) {
@@ -126,6 +126,21 @@ class Space implements View {
   pulse(seat: number): void {
     this.pulsed = { seat, since: performance.now() };
     this.draw();
+  }
+
+  spot(point?: number): { x: number; y: number; point: number } | null {
+    const cell = this.area[0]!;
+    // Of those in front, the one that is nearest to the middle.
+    const seen = point ?? this.pick(cell.x + cell.width / 2, cell.y + cell.height / 2, cell.width)?.point;
+    if (seen === undefined) return null;
+    const at = project(this.orbit.camera, cell, new Vector3().fromArray(this.mine.moving.places, 3 * this.shape.corner[seen]!));
+    return at && { ...at, point: seen };
+  }
+
+  probe(): object {
+    const box = this.canvas.getBoundingClientRect();
+    const at = project(this.orbit.camera, this.area[0]!, this.hold.target);
+    return { hold: this.hold, orbit: this.orbit, target: at && [at.x + box.left, at.y + box.top] };
   }
 
   dispose(): void {
@@ -378,7 +393,7 @@ class Space implements View {
       const copy = this.shown?.copies.find((other) => other.seat === cell.seat);
       const gone = state?.members[cell.seat]?.here === false || !copy;
       const old = copy && !copy.direct ? `, shown ${inWords(copy.age)} old` : "";
-      const text = cell.seat === mine ? "you" : gone ? "not here" : delay === undefined ? `out of reach${old}` : `feels you ${inWords(delay)} later${old}`;
+      const text = cell.seat === mine ? "you" : gone ? "not here" : delay === undefined ? `out of reach${old}` : cell.width < 240 ? `+${inWords(delay)}` : `feels you ${inWords(delay)} later${old}`;
       this.labels.put(`cell${cell.seat}`, "title", cell.seat, named(cell.seat), text, cell.x + 14, cell.y + 12);
     }
     for (const [seat, hand] of this.hands) {
@@ -387,6 +402,8 @@ class Space implements View {
       if (!at || at.x < cell.x || at.x > cell.x + cell.width || at.y < cell.y || at.y > cell.y + cell.height) continue;
       const force = hand.force > 0.005 * this.full ? newtons(hand.force) : "";
       if (this.side && !force) continue;
+      at.x = Math.min(at.x, cell.x + cell.width - (this.side ? 74 : 112));
+      at.y = Math.max(at.y, cell.y + 34);
       this.labels.put(`hand${seat}`, "hand", seat, this.side ? "" : seat === mine && this.hold.holds ? "You" : named(seat), force, at.x, at.y);
     }
   }

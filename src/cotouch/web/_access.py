@@ -83,7 +83,7 @@ class Access:
 
     def token_right(self, token: str | None) -> bool:
         """Whether somebody has the token; takes as long whatever is wrong with it."""
-        return token is not None and hmac.compare_digest(token.encode(), self.token.encode())
+        return token is not None and hmac.compare_digest(token.encode(errors="replace"), self.token.encode())
 
 
 @final

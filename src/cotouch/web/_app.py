@@ -17,7 +17,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 from cotouch.web._access import HEADERS, Access
 from cotouch.web._hub import MOST_PAGES, Hub
 from cotouch.web._page import Page
-from cotouch.web._protocol import Hello, Malformed, read_binary, read_text
+from cotouch.web._protocol import Hello, MalformedError, read_binary, read_text
 
 if TYPE_CHECKING:
     from starlette.types import ASGIApp, Message, Receive, Scope, Send
@@ -146,10 +146,10 @@ class _Routes:
         refusal: str | None = None
         try:
             await self._listen(socket, page)
-        except Malformed as error:
+        except MalformedError as error:
             refusal = str(error)
-        except (WebSocketDisconnect, asyncio.TimeoutError) as error:
-            refusal = "no hello came" if isinstance(error, asyncio.TimeoutError) else None
+        except (TimeoutError, WebSocketDisconnect) as error:
+            refusal = "no hello came" if isinstance(error, TimeoutError) else None
         finally:
             hub.leave(page)
             sender.cancel()
@@ -167,22 +167,22 @@ class _Routes:
             data, text = message.get("bytes"), message.get("text")
             if data is not None:
                 if not page.binary.take(clock()):
-                    raise Malformed("too many messages: a page sends at most some 2,000 a second")
+                    raise MalformedError("too many messages: a page sends at most some 2,000 a second")
                 read = read_binary(data)
                 if page.hello is None:
-                    raise Malformed("the first message must be a hello")
+                    raise MalformedError("the first message must be a hello")
                 if isinstance(read, int):
                     hub.acknowledged(page, read)
                 else:
                     hub.pointed(page, read)
             elif text is not None:
                 if not page.text.take(clock()):
-                    raise Malformed("too many messages: a page asks for at most some 100 things a second")
+                    raise MalformedError("too many messages: a page asks for at most some 100 things a second")
                 asked = read_text(text)
                 if isinstance(asked, Hello):
                     hub.hello(page, asked)
                 elif page.hello is None:
-                    raise Malformed("the first message must be a hello")
+                    raise MalformedError("the first message must be a hello")
                 else:
                     hub.asked(page, asked)
 
@@ -193,7 +193,7 @@ def _no_token() -> Response:
 
 async def _refuse(socket: WebSocket, reason: str, *, told: bool) -> None:
     """Says why, and closes; one that takes no more is left to the end of its connection."""
-    short = reason.encode()[:_MOST_REASON].decode(errors="ignore")
+    short = reason.encode(errors="replace")[:_MOST_REASON].decode(errors="ignore")
 
     async def say() -> None:
         if told:
@@ -202,5 +202,5 @@ async def _refuse(socket: WebSocket, reason: str, *, told: bool) -> None:
 
     try:
         await asyncio.wait_for(say(), _STUCK)
-    except (asyncio.TimeoutError, WebSocketDisconnect, RuntimeError):
+    except (TimeoutError, WebSocketDisconnect, RuntimeError):
         return

@@ -1,6 +1,7 @@
 """Who moves which user's pointer: of several pages that act for one seat, one."""
 
 from collections import deque
+from dataclasses import replace
 from typing import Final, final
 
 from cotouch.session import CopyView, Pointer, Stage
@@ -28,7 +29,7 @@ class Control:
         self._own = frozenset(stage.scene.own)
         self._holders: dict[int, Page] = {}
         self._waiting: dict[int, list[Page]] = {}
-        self._held: set[int] = set()  # seats whose pointer is not free
+        self._held: dict[int, Pointer] = {}  # by seat, where a pointer holds or pushes
         self._number = 0
         self._passed = {seat: deque[tuple[int, int, float, Page]](maxlen=_KEPT) for seat in self._own}
 
@@ -90,23 +91,38 @@ class Control:
             page: that sent it.
             message: what it sent; its point is one that is drawn.
             now: [s].
+
+        Raises:
+            SessionError: the stage does not take it.
         """
         seat = message.seat
         if self._holders.get(seat) is not page or page.seat != seat:
             return False
-        self._number += 1
-        self._passed[seat].append((self._number, message.number, now, page))
         pointer = Pointer(
-            number=self._number,
+            number=self._number + 1,
             mode=message.mode,
             node=self._nodes[message.point] if message.mode == "grab" else -1,
             target=message.target,
             radius=message.radius,
             stiffness=message.stiffness,
         )
-        (self._held.discard if message.mode == "free" else self._held.add)(seat)
         self._stage.point(seat, pointer)
+        self._number += 1
+        self._passed[seat].append((self._number, message.number, now, page))
+        self._held.pop(seat, None)
+        if message.mode != "free":
+            self._held[seat] = pointer
         return True
+
+    def repeat(self) -> None:
+        """Tells the stage again where pointers are that stand still: a hand that hears nothing for long lets go."""
+        for seat, pointer in list(self._held.items()):
+            self._number += 1
+            self._held[seat] = told = replace(pointer, number=self._number)
+            if self._passed[seat]:
+                _, theirs, came, whose = self._passed[seat][-1]
+                self._passed[seat].append((self._number, theirs, came, whose))
+            self._stage.point(seat, told)
 
     def echo(self, page: Page, view: CopyView | None, now: float) -> tuple[int, float]:
         """Number of the newest pointer of this page that its copy has used, and how long ago it came [s]."""
@@ -127,6 +143,6 @@ class Control:
     def _let_go(self, seat: int) -> None:
         """So that no hand goes on holding where nobody leads it."""
         if seat in self._held:
-            self._held.discard(seat)
+            del self._held[seat]
             self._number += 1
             self._stage.point(seat, Pointer(number=self._number, mode="free", node=-1, target=(0.0, 0.0, 0.0)))

@@ -1,6 +1,7 @@
 """Between a stage and the pages that show it: when who is sent what, and what becomes of what they ask for."""
 
 import asyncio
+import contextlib
 import json
 import secrets
 import time
@@ -15,16 +16,17 @@ from cotouch.web._access import Access
 from cotouch.web._control import Control
 from cotouch.web._frames import FrameEncoder
 from cotouch.web._page import Page
-from cotouch.web._protocol import VERSION, Do, Hello, Malformed, PointerMessage
+from cotouch.web._protocol import VERSION, Do, Hello, MalformedError, PointerMessage
 from cotouch.web._scene import nodes_of_points, scene_message, state_message
 
 MOST_PAGES: Final = 16
 _RATE, _RATE_OF_BIG, _BIG = 60.0, 30.0, 10_000  # frames a second; above so many points
 _STATE = 0.2  # between two states [s]
 _TOGETHER = 0.003  # frames that are due within so long are made in one pass [s]
-# After a pointer came, the copy's next step is awaited for so long, then shown; frames stay this share of a period apart.
+# After a pointer came, a step of the copy is awaited for so long [s]; frames stay so far apart, in periods.
 _ANSWER, _APART = 0.003, 0.8
 _ASKED: Final = 8  # answers that one page may wait for at a time
+_COMPLAIN: Final = 1.0  # between two sentences on pointers that a stage does not take [s]
 _WATCH_ONLY = "this page may only watch: open the address with the token, as cotouch printed it"
 
 
@@ -83,43 +85,59 @@ class Hub:
         """A page says what it is.
 
         Raises:
-            Malformed: it is of another version, or acts for a seat that there is not.
+            MalformedError: it is of another version, or acts for a seat that there is not.
         """
         scene = self.stage.scene
         if message.version != VERSION:
-            raise Malformed(
+            raise MalformedError(
                 f"the page speaks version {message.version}, cotouch {__version__} version {VERSION}; reload"
             )
         if message.seat is not None and message.seat >= len(scene.users):
-            raise Malformed(f"the page's seat is {message.seat}; there are 0 to {len(scene.users) - 1}")
-        self._control.leave(page)
+            raise MalformedError(f"the page's seat is {message.seat}; there are 0 to {len(scene.users) - 1}")
+        acts = self.access.token_right(message.token)
+        first = page.hello is None
+        if first or (message.seat, acts) != (page.seat, page.acts):
+            if not first:
+                self._control.leave(page)
+            before, page.acts = page.acts, acts
+            page.hello = message
+            self._control.enter(page)
+            if first or before != acts:
+                self._tell_scene(page)
         page.hello = message
-        page.acts = self.access.token_right(message.token)
         page.period = max(self._period, 1.0 / message.rate)
         page.due = self._clock()
-        self._control.enter(page)
-        if page.acts not in self._scenes:
-            told = scene_message(scene, version=__version__, started=self.started, acts=page.acts)
-            self._scenes[page.acts] = json.dumps(told)
-        page.scene(self._scenes[page.acts])
         self._show_state()
         self._schedule()
+
+    def _tell_scene(self, page: Page) -> None:
+        if page.acts not in self._scenes:
+            told = scene_message(self.stage.scene, version=__version__, started=self.started, acts=page.acts)
+            self._scenes[page.acts] = json.dumps(told)
+        page.scene(self._scenes[page.acts])
 
     def pointed(self, page: Page, message: PointerMessage) -> None:
         """A page moves its pointer.
 
         Raises:
-            Malformed: it points at something that is not drawn.
+            MalformedError: it points at something that is not drawn.
         """
         if message.point >= self._control.points:
-            raise Malformed(f"the pointer's point is {message.point}; there are 0 to {self._control.points - 1}")
+            raise MalformedError(f"the pointer's point is {message.point}; there are 0 to {self._control.points - 1}")
         now = self._clock()
         if not page.acts:
             if not page.told_why:
                 page.told_why = True
                 page.tell(type="told", id=0, ok=False, text=_WATCH_ONLY)
             return
-        if self._control.point(page, message, now) and now - page.sent >= _APART * page.period:
+        try:
+            passed = self._control.point(page, message, now)
+        except CotouchError as error:
+            if now - page.complained >= _COMPLAIN:
+                page.complained = now
+                page.tell(type="told", id=0, ok=False, text=str(error))
+            return
+        if passed and now - page.sent >= _APART * page.period:
             page.due = min(page.due, now + _ANSWER)
             self._schedule()
 
@@ -203,7 +221,7 @@ class Hub:
         now = self._clock()
         due = [page for page in self._pages if page.takes() and page.due <= now + _TOGETHER]
         if due:
-            views = self.stage.views()
+            views = self._views()
             wanted = {page: _seats(page, views) for page in due}
             watched = set[int]().union(*(_seats(page, views) for page in self._pages if page.hello is not None))
             self._encoder.update(views, watched)
@@ -218,19 +236,28 @@ class Hub:
                 page.offer(self.frames, frame, now)
         self._schedule()
 
+    def _views(self) -> Mapping[int, CopyView]:
+        """The newest copies; none while the session comes or goes."""
+        try:
+            return self.stage.views()
+        except (CotouchError, OSError):
+            return {}
+
     def _show_state(self) -> None:
         """Tells every page how things are, now and from now on."""
         if self._state_timer is not None:
             self._state_timer.cancel()
         loop = asyncio.get_running_loop()
         self._state_timer = loop.call_later(_STATE, self._show_state)
+        with contextlib.suppress(CotouchError):
+            self._control.repeat()
         overview = self.stage.overview()
         if self._was_recording and overview.recording is None:
             self._look_for_recording()
         self._was_recording = overview.recording is not None
         common = state_message(
             overview,
-            self.stage.views(),
+            self._views(),
             now=self._clock(),
             start=self._start,
             control="",

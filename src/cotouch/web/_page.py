@@ -28,6 +28,7 @@ class Page:
         sent: when the last frame was [s].
         skipped: frames that were replaced by newer ones before they went out.
         told_why: whether it was told that it may only watch.
+        complained: when it was told last that its pointer cannot be there [s].
         answering: what it asked for and was not answered yet.
     """
 
@@ -39,6 +40,7 @@ class Page:
         self.due = self.sent = 0.0
         self.skipped = 0
         self.told_why = False
+        self.complained = -float("inf")
         self.answering = 0
         self.binary, self.text = Allowance(_BINARY, _BINARY), Allowance(_TEXT, 2.0 * _TEXT)
         self._socket = socket

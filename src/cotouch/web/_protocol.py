@@ -28,7 +28,7 @@ MOST_BYTES: Final = 16_384  # of a message from a page: every pair of 32 users, 
 Seat = Annotated[int, Field(ge=0, le=255)]
 
 
-class Malformed(ValueError):
+class MalformedError(ValueError):
     """A message that no page of this version sends; the reason is told to whoever sent it."""
 
 
@@ -53,15 +53,15 @@ class PointerMessage:
         """Reads one.
 
         Raises:
-            Malformed: it is none.
+            MalformedError: it is none.
         """
         _, self.seat, action, zero, self.number, self.point, x, y, z, radius, stiffness, sent = _POINTER.unpack(message)
         if action >= len(_ACTIONS) or zero:
-            raise Malformed(f"the pointer's action is {action}; it must be 0, 1 or 2, and the byte after it 0")
+            raise MalformedError(f"the pointer's action is {action}; it must be 0, 1 or 2, and the byte after it 0")
         if not (abs(x) <= _FAR and abs(y) <= _FAR and abs(z) <= _FAR):
-            raise Malformed(f"the pointer's target is {x}, {y}, {z}; it must be within {_FAR:.0f} m")
+            raise MalformedError(f"the pointer's target is {x}, {y}, {z}; it must be within {_FAR:.0f} m")
         if not (0.0 <= radius <= _FAR and 0.0 <= stiffness <= _STIFF and math.isfinite(sent)):
-            raise Malformed(f"the pointer's radius or stiffness is {radius} or {stiffness}, or its time {sent}")
+            raise MalformedError(f"the pointer's radius or stiffness is {radius} or {stiffness}, or its time {sent}")
         self.mode: HandMode = _ACTIONS[action]
         self.target: tuple[float, float, float] = (x, y, z)
         self.radius: float = radius
@@ -114,26 +114,26 @@ def read_binary(message: bytes) -> PointerMessage | int:
     """A pointer, or the number of the frame that is acknowledged.
 
     Raises:
-        Malformed: it is neither.
+        MalformedError: it is neither.
     """
     kind = message[0] if message else -1
     if kind == _POINTER_KIND and len(message) == _POINTER.size:
         return PointerMessage(message)
     if kind == _ACK_KIND and len(message) == _ACK.size and message[1:4] == b"\0\0\0":
         return int(_ACK.unpack(message)[1])
-    raise Malformed(f"a binary message of kind {kind} and {len(message)} bytes; pointers are 2 and 40, acks 3 and 8")
+    raise MalformedError(f"a binary message of kind {kind} with {len(message)} bytes; pointers are 2, 40, acks 3, 8")
 
 
 def read_text(message: str) -> Hello | Do:
     """What a page asks for.
 
     Raises:
-        Malformed: it is nothing that can be asked for.
+        MalformedError: it is nothing that can be asked for.
     """
     try:
         content = json.loads(message, parse_constant=_refuse)
         if not isinstance(content, dict):
-            raise Malformed("a text message must be one JSON object")
+            raise MalformedError("a text message must be one JSON object")
         if content.get("type") == "do":
             rest = {name: value for name, value in content.items() if name not in _DO_FIELDS}
             return Do.model_validate(
@@ -143,15 +143,15 @@ def read_text(message: str) -> Hello | Do:
     except ValidationError as error:
         first = error.errors()[0]
         place = ".".join(str(part) for part in first["loc"]) or "the message"
-        raise Malformed(f"{place}: {first['msg']}") from error
+        raise MalformedError(f"{place}: {first['msg']}") from error
     except (ValueError, RecursionError) as error:
-        if isinstance(error, Malformed):
+        if isinstance(error, MalformedError):
             raise
-        raise Malformed("a text message must be JSON") from error
+        raise MalformedError("a text message must be JSON") from error
 
 
 def _refuse(constant: str) -> float:
-    raise Malformed(f"a text message holds {constant}, which is no number of JSON")
+    raise MalformedError(f"a text message holds {constant}, which is no number of JSON")
 
 
 def mode_index(mode: HandMode) -> int:

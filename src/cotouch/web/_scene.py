@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from cotouch.body import Body
-from cotouch.session import CopyView, LinkStatus, Overview, Scene
+from cotouch.session import CopyView, Overview, Scene, Status
 from cotouch.web._verdict import judged
 
 _EVENTS = 40  # of the last
@@ -93,14 +93,14 @@ def state_message(
     for seat in sorted(here | set(overview.statuses) | set(overview.alive)):
         status = overview.statuses.get(seat)
         view = views.get(seat)
-        members[str(seat)] = ({"seat": seat} if status is None else status.model_dump(exclude={"links"})) | {
+        members[str(seat)] = (status or Status(seat=seat)).model_dump() | {
             "known": status is not None,
             "here": seat in here,
             "alive": overview.alive.get(seat),
             "hand": view.hands[0].mode if view is not None and view.hands else "free",
         }
         for link in () if status is None else status.links:
-            ends[f"{seat}-{link.seat}"] = _link(link)
+            ends[f"{seat}-{link.seat}"] = link.model_dump()
     return {
         "type": "state",
         "time": now - start,
@@ -121,10 +121,6 @@ def state_message(
         "pages": pages,
         "ended": overview.ended,
     }
-
-
-def _link(link: LinkStatus) -> dict[str, Any]:
-    return link.model_dump()
 
 
 def _packed(array: Any, kind: str) -> str:

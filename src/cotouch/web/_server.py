@@ -2,6 +2,7 @@
 
 import asyncio
 import logging
+import os
 import secrets
 import socket
 import threading
@@ -88,7 +89,7 @@ class PageServer:
     @property
     def local(self) -> bool:
         """Whether only this machine can reach it."""
-        return bool(self._socket.getsockname()) and _loopback(self.listen)
+        return _loopback(self.listen)
 
     def close(self) -> None:
         """Stops within a second or so; may be called again."""
@@ -112,7 +113,8 @@ class PageServer:
         from cotouch.web._protocol import MOST_BYTES
 
         # What goes wrong is told to the page that caused it; requests are not logged, because some carry the token.
-        logging.getLogger("uvicorn.error").setLevel(logging.CRITICAL)
+        for name in ("uvicorn.error", "uvicorn.access"):
+            logging.getLogger(name).setLevel(logging.CRITICAL)
         access = Access(listen=self.listen, token=self.token)
         hub = Hub(stage, access)
         config = uvicorn.Config(
@@ -174,7 +176,8 @@ def _bound(listen: str, port: int | None) -> socket.socket:
     for number in tried:
         made = socket.socket(found[0], socket.SOCK_STREAM)
         try:
-            made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+            if os.name == "posix":  # elsewhere it would let two servers share a port
+                made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
             made.bind((found[4][0], number))
             made.listen(128)
         except OSError as error:
