@@ -254,6 +254,8 @@ def join(
     ] = None,
     record: Annotated[Path | None, typer.Option(help="Record into this MCAP file.", show_default=False)] = None,
     headless: Annotated[bool, typer.Option("--headless", help="Show no table.")] = False,
+    boards: Annotated[Path | None, typer.Option(hidden=True)] = None,
+    unsafe: Annotated[bool, typer.Option("--unsafe", hidden=True)] = False,
     as_json: AsJson = False,
 ) -> None:
     """Take part in a session."""
@@ -267,6 +269,8 @@ def join(
         listen=listen,
         record=record,
         headless=headless,
+        boards=boards,
+        unsafe=unsafe,
         as_json=as_json,
     )
 

@@ -10,7 +10,7 @@ from cotouch.cli._output import folder, print_json
 from cotouch.cli._session import interruptible, shown
 
 if TYPE_CHECKING:
-    from cotouch.session import OpenHost, Shown
+    from cotouch.session import DemoStage, Shown
 
 _COLUMNS = (
     ("user", ""),
@@ -41,22 +41,22 @@ def run(
     session = demo_session(users=users, body=body, seconds=seconds, impair=impair)
     if record is not None:
         folder(record)
-    opened_by: list[OpenHost] = []
+    stages: list[DemoStage] = []
     told = [-float("inf")]
     quiet = headless or as_json
     if not quiet:
         sys.stderr.write(f"cotouch: {users} users join, each a process of its own; the first time kernels compile\n")
     with (
         interruptible() as stopped,
-        shown(lambda: opened_by[0].host.watch, title=session.scenario.title, quiet=quiet) as redraw,
+        shown(lambda: stages[0].opened.host.watch, title=session.scenario.title, quiet=quiet) as redraw,
     ):
 
-        def each(opened: "OpenHost", now: float) -> None:
-            opened_by[:] = [opened]
+        def each(stage: "DemoStage", now: float) -> None:
+            stages[:] = [stage]
             redraw()
             if not quiet and not sys.stderr.isatty() and now - told[0] > _LINE_EVERY:
                 told[0] = now
-                _line(opened)
+                _line(stage)
 
         outcome = play(session, seconds=seconds, each=each, stopped=stopped, record=record)
     if as_json:
@@ -84,11 +84,11 @@ def numbers(outcome: "Shown") -> dict[str, Any]:
     }
 
 
-def _line(opened: "OpenHost") -> None:
+def _line(stage: "DemoStage") -> None:
     """One line for a log."""
     from cotouch.cli._table import balance
 
-    members = opened.host.watch.members
+    members = stage.opened.host.watch.members
     known = [seen.status for seen in members.values() if seen.status is not None]
     if known:
         sys.stderr.write(f"cotouch: {time.strftime('%H:%M:%S')} {len(members)} here. {balance(known)}\n")

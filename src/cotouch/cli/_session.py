@@ -63,6 +63,8 @@ def join(
     record: Path | None,
     headless: bool,
     as_json: bool,
+    boards: Path | None = None,
+    unsafe: bool = False,
 ) -> None:
     """Takes part in a session."""
     from cotouch import __version__
@@ -86,6 +88,8 @@ def join(
             listen=listen,
             record=record,
             version=__version__,
+            boards=boards,
+            unsafe=unsafe,
             say=lambda text: None if as_json else _say(text),
             stopped=stopped,
         )

@@ -10,11 +10,13 @@ from pathlib import Path
 from typing import Any, final
 
 from cotouch.errors import SessionError
+from cotouch.session._boards import board_folder
+from cotouch.session._demo_stage import DemoStage
 from cotouch.session._file import MOST_USERS, SessionFile
-from cotouch.session._hand import ScriptedHand
-from cotouch.session._open import OpenHost, open_host
+from cotouch.session._open import open_host
 from cotouch.session._process import MemberProcess
 from cotouch.session._replica import Replica
+from cotouch.session._told import ToldHand
 from cotouch.session._totals import ALARM
 from cotouch.session._warm import compiles, warm_up
 
@@ -133,8 +135,8 @@ class Shown:
 def play(
     session: SessionFile,
     *,
-    seconds: float,
-    each: Callable[[OpenHost, float], None] | None = None,
+    seconds: float | None,
+    each: Callable[[DemoStage, float], None] | None = None,
     stopped: Callable[[], bool] = lambda: False,
     record: Path | None = None,
 ) -> Shown:
@@ -142,8 +144,8 @@ def play(
 
     Args:
         session: with scripted hands.
-        seconds: how long, from when all are there.
-        each: called some fifty times a second, with the host and the time.
+        seconds: how long, from when all are there; None: until it is stopped.
+        each: called some fifty times a second, with the stage and the time.
         stopped: whether to end now.
         record: an existing folder for a recording of each user.
 
@@ -151,49 +153,44 @@ def play(
         TransportError: this machine refuses a port.
         SessionError: somebody could not take part.
     """
-    if compiles(session):  # here, once, rather than in every process at the same time
-        replica = Replica.build(session)
+    replica = Replica.build(session)
+    if compiles(session, touched=replica.body.skin is not None):
+        # Here, once, rather than in every process at the same time.
         longest = session.options.longest_step
         warm_up(
             replica,
-            lambda model: ScriptedHand(
+            lambda model: ToldHand(
                 replica.scenario, replica.body, model, seat=0, period=session.period(0), longest=longest
             ),
         )
-    names = session.scenario.network.users
-    with open_host(session) as opened:
-        members: dict[str, MemberProcess] = {}
+    with open_host(session) as opened, board_folder() as boards:
+        stage = DemoStage(session, opened, replica, boards, record=record)
         try:
-            for name in names:
-                options = ["--name", name, "--headless"]
-                options += [] if record is None else ["--record", str(record / f"{name}.mcap")]
-                members[name] = MemberProcess(opened.invitation, options, as_json=True)
-            began = _gather(opened, members, each, stopped)
-            end = began + seconds
+            stage.start()
+            began = _gather(stage, each, stopped)
+            stage.choose_links()
+            end = began + (float("inf") if seconds is None else seconds)
             while time.monotonic() < end and not stopped():
-                _turn(opened, each)
+                _turn(stage, each)
             opened.host.end()
             took = time.monotonic() - began
             finish = time.monotonic() + 10.0
-            while time.monotonic() < finish and any(member.running for member in members.values()):
-                _turn(opened, None)
-            return _summed(members, took)
+            while time.monotonic() < finish and any(member.running for member in stage.members.values()):
+                _turn(stage, None)
+            return _summed(stage.members, took, acted=stage.acted)
         finally:
-            for member in members.values():
-                member.close()
+            stage.close()
 
 
-def _gather(
-    opened: OpenHost,
-    members: dict[str, MemberProcess],
-    each: Callable[[OpenHost, float], None] | None,
-    stopped: Callable[[], bool],
-) -> float:
+def _gather(stage: DemoStage, each: Callable[[DemoStage, float], None] | None, stopped: Callable[[], bool]) -> float:
     """Waits until everybody moves; returns when that was [s]."""
     patience = time.monotonic() + _PATIENCE
+    members = stage.members
     while not stopped():
-        _turn(opened, each)
-        seen = opened.host.watch.members.values()
+        _turn(stage, each)
+        if stage.acted:  # somebody killed one of them meanwhile, say
+            break
+        seen = stage.opened.host.watch.members.values()
         if len(seen) == len(members) and all(s.status is not None and s.status.steps for s in seen):
             break
         for name, member in members.items():
@@ -204,17 +201,18 @@ def _gather(
     return time.monotonic()
 
 
-def _turn(opened: OpenHost, each: Callable[[OpenHost, float], None] | None) -> None:
+def _turn(stage: DemoStage, each: Callable[[DemoStage, float], None] | None) -> None:
     now = time.monotonic()
-    opened.service(now)
+    stage.tick(now)
     if each is not None:
-        each(opened, now)
+        each(stage, now)
     time.sleep(_POLL)
 
 
-def _summed(members: dict[str, MemberProcess], seconds: float) -> Shown:
+def _summed(members: dict[str, MemberProcess], seconds: float, *, acted: bool) -> Shown:
+    """What came of it; where somebody changed how it went, who was killed or cut off is nothing to complain about."""
     results = {name: member.result() for name, member in members.items()}
-    complaints = [f"{name} ended without a result" for name, result in results.items() if result is None]
+    complaints = [f"{name} ended without a result" for name, result in results.items() if result is None and not acted]
     known = [r["status"] for r in results.values() if r is not None and r["status"] is not None]
 
     def total(name: str) -> float:
@@ -224,12 +222,12 @@ def _summed(members: dict[str, MemberProcess], seconds: float) -> Shown:
     residual = max((status["residual"] for status in known), default=0.0)
     links = [link for status in known for link in status["links"]]
     apart = max((link["difference"] for link in links if link["difference"] is not None), default=0.0)
-    if supplied + initial < -ALARM * max(lost, abs(supplied)):
+    if supplied + initial < -ALARM * max(lost, abs(supplied)) and not acted:
         complaints.append(f"the hands got out {-supplied - initial:.3g} J that nobody put in")
     if residual > ALARM:
         complaints.append(f"the energy books are off by {residual:.1e} of the energy in play")
     apart_links = sum(link["state"] not in {"coupled", "ready"} for link in links)
-    if apart_links:  # one that is ready has caught up, and waits for as long as its budgets
+    if apart_links and not acted:  # one that is ready has caught up, and waits for as long as its budgets
         complaints.append(f"at the end {apart_links} of {len(links)} ends of links were not coupled")
     steps = total("steps")
     return Shown(
