@@ -7,10 +7,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any, final
 
 from cotouch.errors import SessionError
 from cotouch.session._boards import board_folder
+from cotouch.session._cushion import HALF, cushion, stl
 from cotouch.session._demo_stage import DemoStage
 from cotouch.session._file import MOST_USERS, SessionFile
 from cotouch.session._open import open_host
@@ -24,7 +26,7 @@ _FILE = "live.toml"
 # Compiling on a machine that never did takes so long, several processes at once [s].
 _PATIENCE = 300.0
 _POLL = 0.02
-_BODIES = ("point", "block")
+_BODIES = ("point", "block", "soft")
 # Springs and delays of users beyond the paper's five.
 _SPRING, _DELAY = 60.0, 0.05
 _REACH = (0.10, -0.05, 0.06, -0.08, 0.02)
@@ -38,6 +40,27 @@ _BLOCK = {
     "ground": "x-",
     "ground_stiffness": 60.0,
 }
+# The cushion in its lowest modes; its links are a part of the paper's springs at every node, and none of its paths of
+# 0.8 s, which would take so much damping that it moved like one in honey.
+_SOFT_FILE = "cushion.stl"
+_SOFT = {
+    "file": _SOFT_FILE,
+    "unit": "m",
+    "resolution": 10,
+    "model": "elastic",
+    "young": 3e3,
+    "poisson": 0.35,
+    "density": 250.0,
+    "rayleigh_mass": 1.0,
+    "rayleigh_stiffness": 0.01,
+    "ground": {"box": {"low": [-1.0, -1.0, -1.0], "high": [1.0, 1.0, -0.02]}},
+    "ground_stiffness": 2.0,
+    "modes": 60,
+}
+_SOFT_SHARE = 1.0 / 120.0
+_SLOW = 0.5
+# How fast hands go around that never let go [Hz].
+_ROUND = (0.11, 0.17, 0.13, 0.19, 0.15)
 # What `--impair` takes, and where it stands in a session's file.
 _IMPAIRMENTS = ("loss", "jitter", "duplication", "reordering")
 _HOLD = 0.05
@@ -60,14 +83,14 @@ def demo_file() -> Path:
 
 
 def demo_session(
-    *, users: int = 5, body: str = "point", seconds: float = 30.0, impair: Sequence[str] = ()
+    *, users: int = 5, body: str = "point", seconds: float | None = 30.0, impair: Sequence[str] = ()
 ) -> SessionFile:
     """The session of a demonstration.
 
     Args:
         users: how many; of more than five, all joined to all by equal springs over equal delays.
-        body: "point" (the paper's) or "block" (a soft block in three dimensions).
-        seconds: how long; the hands let go after two thirds of it.
+        body: "point" (the paper's), "block" (a lattice in three dimensions) or "soft" (a cushion).
+        seconds: how long; the hands let go after two thirds of it. None: they never do, and go on moving.
         impair: what the network does besides, each such as "loss=0.1", "jitter=0.02" (s), "duplication=0.05",
             "reordering=0.1".
 
@@ -88,14 +111,22 @@ def demo_session(
         for name, value in (("spring", _SPRING), ("delay", _DELAY)):
             network[name] = [[value * (i != j) for j in range(users)] for i in range(users)]
         del network["links"]
-    release = round(2.0 * seconds / 3.0, 3)
     tables["hands"] = [
-        {"user": n + 1, "path": [[0, 0], [2, _REACH[n % 5]]], "stiffness": 60.0, "damping": 2.0, "release": release}
-        for n in range(users)
+        {"user": n + 1, "path": [[0, 0], [2, _REACH[n % 5]]], "stiffness": 60.0, "damping": 2.0} for n in range(users)
     ]
     _embody(tables, body)
+    for n, hand in enumerate(tables["hands"]):
+        if seconds is not None:
+            hand["release"] = round(2.0 * seconds / 3.0, 3)
+        else:
+            last = hand["path"][-1][1:]
+            hand["amplitude"] = last if len(last) > 1 else last[0]
+            hand["frequency"] = _ROUND[n % 5]
     _impair(tables, impair)
-    return SessionFile.from_toml(_toml(tables), source="the demonstration")
+    with TemporaryDirectory(prefix="cotouch-") as folder:
+        if body == "soft":
+            Path(folder, _SOFT_FILE).write_bytes(stl(*cushion()))
+        return SessionFile.from_toml(_toml(tables), source="the demonstration", folder=Path(folder))
 
 
 @final
@@ -153,6 +184,19 @@ def play(
         TransportError: this machine refuses a port.
         SessionError: somebody could not take part.
     """
+    with TemporaryDirectory(prefix="cotouch-") as folder:
+        if session.files:  # a mesh is read again from where it lies
+            session = SessionFile.from_content(session.content, session.files, folder=Path(folder))
+        return _played(session, seconds, each, stopped, record)
+
+
+def _played(
+    session: SessionFile,
+    seconds: float | None,
+    each: Callable[[DemoStage, float], None] | None,
+    stopped: Callable[[], bool],
+    record: Path | None,
+) -> Shown:
     replica = Replica.build(session)
     if compiles(session, touched=replica.body.skin is not None):
         # Here, once, rather than in every process at the same time.
@@ -253,12 +297,34 @@ def _embody(tables: dict[str, Any], body: str) -> None:
     if body == "block":
         tables["body"] = dict(_BLOCK)
         places = [[0.14, 0.02 * (n % 4), 0.02 * (n // 4 % 4)] for n in range(len(tables["hands"]))]
+    elif body == "soft":
+        _cushion(tables)
+        return
     else:
         raise SessionError(f'--body is "{body}"; it must be {" or ".join(_BODIES)}')
     ways = ((0.0, 0.3, 0.0), (0.0, -0.3, 0.1), (0.2, 0.0, 0.3), (0.0, 0.2, -0.3), (-0.2, 0.0, 0.2))
     for n, (hand, place) in enumerate(zip(tables["hands"], places, strict=True)):
         reach = [0.06 * share for share in ways[n % 5]]  # so far that a hand feels the others
         hand |= {"at": place, "path": [[0, 0, 0, 0], [2, *reach]], "stiffness": 200.0}
+
+
+def _cushion(tables: dict[str, Any]) -> None:
+    """The cushion: held at its corners and in the middle, at shares of its half width."""
+    tables["body"] = dict(_SOFT)
+    network = tables["network"]
+    network["spring"] = [[_SOFT_SHARE * spring for spring in row] for row in network["spring"]]
+    if "links" in network:
+        near = [[a, b] for a, b in network["links"] if network["delay"][a - 1][b - 1] < _SLOW]
+        network["links"] = near
+    places = ((0.85, 0.85, 0.0), (-0.85, 0.85, 0.0), (-0.85, -0.85, 0.0), (0.85, -0.85, 0.0), (0.0, 0.0, 0.3))
+    ways = ((0.3, 0.3, 0.3), (-0.3, 0.2, 0.4), (-0.2, -0.3, -0.2), (0.3, -0.2, 0.4), (0.0, 0.0, 0.5))
+    for n, hand in enumerate(tables["hands"]):
+        hand |= {
+            "at": [HALF * share for share in places[n % 5]],
+            "path": [[0, 0, 0, 0], [2, *(HALF * share for share in ways[n % 5])]],
+            "stiffness": 60.0,
+            "damping": 1.0,
+        }
 
 
 def _impair(tables: dict[str, Any], impair: Sequence[str]) -> None:

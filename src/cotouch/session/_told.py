@@ -128,6 +128,7 @@ class ToldHand:
             self.surface, self.tools = self._touching.surface, tools_of(self._touching, seat)
             if balls:
                 self._ball = Ball(self._touching.tools, len(tables), body, size=self._size)
+        self._tabled = bool(tables)
         self._drawn = [t for t, tool in enumerate(tables) if tool.device is None]  # tools that no device moves
         self._slots = [*(("hand", h) for h in range(len(own))), *(("tool", t) for t in range(len(tables)))]
         self.mode: HandMode = "script" if scripted else "free"
@@ -159,7 +160,7 @@ class ToldHand:
 
     def after(self) -> None:
         """Tells the devices of the file what came of the step."""
-        if self._touching is not None:
+        if self._touching is not None and self._tabled:
             after_step_alone(self._touching, self._seat)
 
     def show(self, fields: dict[str, npt.NDArray[Any]]) -> None:
@@ -204,7 +205,7 @@ class ToldHand:
             grips.stiffness[:first] *= share
             grips.damping[:first] *= share
             grips.push[:first] *= share
-        if self._touching is None:
+        if self._touching is None or not self._tabled:
             return
         before_step_alone(self._touching, self._seat, end, T)
         if share < 1.0:

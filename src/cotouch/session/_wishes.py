@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, TypeGuard
 
 from cotouch.body import Body
 from cotouch.errors import SessionError
@@ -155,5 +155,5 @@ def links_of(arguments: Mapping[str, Any], choices: Mapping[str, Sequence[Pair]]
     return sorted(found)
 
 
-def _finite(value: object) -> bool:
+def _finite(value: object) -> TypeGuard[float]:
     return isinstance(value, int | float) and not isinstance(value, bool) and abs(value) <= _FARTHEST
