@@ -16,7 +16,7 @@ _PIECES = 14
 # How square the outline is: 2 a circle, more a square.
 _SQUARE = 3.5
 # How far corners stick out, and how deep the middle lies, as shares.
-_EARS, _DENT = 0.10, 0.35
+_EARS, _DENT = 0.06, 0.35
 
 
 def cushion() -> tuple[Float, Ints]:

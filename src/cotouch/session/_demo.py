@@ -48,16 +48,16 @@ _SOFT = {
     "unit": "m",
     "resolution": 10,
     "model": "elastic",
-    "young": 3e3,
+    "young": 1e4,
     "poisson": 0.35,
     "density": 250.0,
     "rayleigh_mass": 1.0,
     "rayleigh_stiffness": 0.01,
     "ground": {"box": {"low": [-1.0, -1.0, -1.0], "high": [1.0, 1.0, -0.02]}},
-    "ground_stiffness": 2.0,
+    "ground_stiffness": 10.0,
     "modes": 60,
 }
-_SOFT_SHARE = 1.0 / 120.0
+_SOFT_SHARE = 1.0 / 40.0
 _SLOW = 0.5
 # How fast hands go around that never let go [Hz].
 _ROUND = (0.11, 0.17, 0.13, 0.19, 0.15)
@@ -322,8 +322,8 @@ def _cushion(tables: dict[str, Any]) -> None:
         hand |= {
             "at": [HALF * share for share in places[n % 5]],
             "path": [[0, 0, 0, 0], [2, *(HALF * share for share in ways[n % 5])]],
-            "stiffness": 60.0,
-            "damping": 1.0,
+            "stiffness": 150.0,
+            "damping": 3.0,
         }
 
 

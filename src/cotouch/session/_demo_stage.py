@@ -79,6 +79,7 @@ class DemoStage:
         )
         self._events = deque[Event](maxlen=_MOST_EVENTS)
         self._killed = set[str]()
+        self._loosened = set[str]()  # hands that let go while damping is lowered
         self._share, self._caught = 1.0, dict.fromkeys(self._names, 0)
         self._lives = dict.fromkeys(self._names, 0)
         self._pool = ThreadPoolExecutor(1, thread_name_prefix="cotouch choices")
@@ -293,7 +294,18 @@ class DemoStage:
         return "damping is what passivity needs, and links are guarded"
 
     def _damp(self, share: float) -> None:
+        """Hands of the file let go meanwhile: holding damps, and would hide what is to be seen."""
         self._share = share
+        if share < 1.0:
+            scripted = [name for name in self._names if self._desk.mode(name) == "script"]
+            self._loosened.update(scripted)
+            for name in scripted:
+                self._desk.hand(name, "free")
+        else:
+            for name in self._loosened:
+                if self._desk.mode(name) == "free":
+                    self._desk.hand(name, "script")
+            self._loosened.clear()
         self._desk.damping(share)
 
     def _do_record(self, given: Mapping[str, Any]) -> str:

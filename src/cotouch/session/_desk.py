@@ -76,6 +76,11 @@ class Desk:
         """Tells a hand what to do; see `Stage.do`."""
         self._tell(name, mode, node=node, to=to or (0.0, 0.0, 0.0), pointer=0, radius=0.0, stiffness=0.0)
 
+    def mode(self, name: str) -> HandMode:
+        """What a hand was told last."""
+        with self._lock:
+            return HAND_MODES[int(self._own[name].orders.fields["mode"].item())]
+
     def impair(self, to: int, of: int, **law: float) -> None:
         """Changes what is done to samples from `of` to `to`; what is not named stays.
 
