@@ -11,6 +11,7 @@ from cotouch.session._join import HandKind, Taken, fetch_session, join
 from cotouch.session._links import delays_of, present_links
 from cotouch.session._measure import Measured, measure, measured
 from cotouch.session._member import Member
+from cotouch.session._member_stage import MemberStage, member_stage
 from cotouch.session._messages import Entry, LinkStatus, Roster, Status
 from cotouch.session._open import OpenHost, open_host, watching
 from cotouch.session._planner import LinkPlanner
@@ -52,6 +53,7 @@ __all__ = [
     "Measured",
     "Member",
     "MemberProcess",
+    "MemberStage",
     "MemoryWays",
     "Neighbour",
     "NoHand",
@@ -81,6 +83,7 @@ __all__ = [
     "join",
     "measure",
     "measured",
+    "member_stage",
     "open_host",
     "play",
     "present_links",

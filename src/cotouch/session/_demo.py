@@ -111,11 +111,12 @@ def demo_session(
         for name, value in (("spring", _SPRING), ("delay", _DELAY)):
             network[name] = [[value * (i != j) for j in range(users)] for i in range(users)]
         del network["links"]
-    tables["hands"] = [
+    hands: list[dict[str, Any]] = [
         {"user": n + 1, "path": [[0, 0], [2, _REACH[n % 5]]], "stiffness": 60.0, "damping": 2.0} for n in range(users)
     ]
+    tables["hands"] = hands
     _embody(tables, body)
-    for n, hand in enumerate(tables["hands"]):
+    for n, hand in enumerate(hands):
         if seconds is not None:
             hand["release"] = round(2.0 * seconds / 3.0, 3)
         else:

@@ -223,14 +223,7 @@ class DemoStage:
         name = self._names[_wishes.seat_of(given, self._scene.own)]
         mode, node, to = _wishes.hand_of(given, self._scene.body)
         self._desk.hand(name, mode, node=node, to=to)
-        words = {
-            "script": "goes on as the session's file says",
-            "free": "lets go",
-            "hold": "holds still",
-            "pull": "pulls there",
-            "wander": "wanders",
-        }
-        return f"{name} {words[mode]}"
+        return f"{name} {_wishes.WORDS[mode]}"
 
     def _do_impair(self, given: Mapping[str, Any]) -> str:
         a, b = _wishes.pair_of(given, len(self._names))

@@ -9,8 +9,14 @@ from cotouch.errors import SessionError
 from cotouch.session._links import Pair
 from cotouch.session._stage import HandMode, Pointer
 
-# What a hand can be told in a word.
-WORDS: tuple[HandMode, ...] = ("script", "free", "hold", "pull", "wander")
+# What a hand can be told in a word, and how that is said.
+WORDS: dict[HandMode, str] = {
+    "script": "goes on as the session's file says",
+    "free": "lets go",
+    "hold": "holds still",
+    "pull": "pulls there",
+    "wander": "wanders",
+}
 # Most that may be emulated [s].
 _LONGEST = 5.0
 # A place farther from rest than this is a mistake [m].
