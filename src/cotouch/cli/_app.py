@@ -302,7 +302,13 @@ def measure(
 @app.command()
 def demo(
     users: Annotated[int, typer.Option(help="How many; the paper has five.")] = 5,
-    body: Annotated[str, typer.Option(help="point (the paper's) or block (soft, in three dimensions).")] = "point",
+    body: Annotated[
+        str | None,
+        typer.Option(
+            help="point (the paper's), block (in three dimensions) or soft (a cushion); by default soft with a page.",
+            show_default=False,
+        ),
+    ] = None,
     seconds: Annotated[float, typer.Option(help="How long, once all are there.", min=1.0)] = 30.0,
     impair: Annotated[
         list[str] | None,

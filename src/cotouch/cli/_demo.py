@@ -2,7 +2,8 @@
 
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -28,16 +29,29 @@ _LINE_EVERY = 5.0  # where nobody looks at a terminal [s]
 def run(
     *,
     users: int,
-    body: str,
-    seconds: float,
+    body: str | None,
+    seconds: float | None,
     impair: Sequence[str],
     record: Path | None,
     headless: bool,
     as_json: bool,
+    beside: "Callable[[DemoStage], AbstractContextManager[object]] | None" = None,
 ) -> None:
-    """Plays the demonstration and says how it went."""
+    """Plays the demonstration and says how it went.
+
+    Args:
+        users: how many.
+        body: see `demo_session`; None: the cushion where there is something beside, else the paper's point.
+        seconds: how long; None: until it is interrupted.
+        impair: what the network does besides.
+        record: folder for recordings.
+        headless: whether to show no table.
+        as_json: whether to print numbers.
+        beside: what goes on with the stage as long as there is one; a page's server, say.
+    """
     from cotouch.session import demo_session, play
 
+    body = body or ("point" if beside is None else "soft")
     session = demo_session(users=users, body=body, seconds=seconds, impair=impair)
     if record is not None:
         folder(record)
@@ -58,7 +72,9 @@ def run(
                 told[0] = now
                 _line(stage)
 
-        outcome = play(session, seconds=seconds, each=each, stopped=stopped, record=record)
+        outcome = play(
+            session, seconds=seconds, each=each, stopped=stopped, record=record, beside=beside or nullcontext
+        )
     if as_json:
         print_json(numbers(outcome))
     else:

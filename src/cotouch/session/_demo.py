@@ -4,6 +4,7 @@ import json
 import time
 import tomllib
 from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
@@ -171,6 +172,7 @@ def play(
     each: Callable[[DemoStage, float], None] | None = None,
     stopped: Callable[[], bool] = lambda: False,
     record: Path | None = None,
+    beside: Callable[[DemoStage], AbstractContextManager[object]] = nullcontext,
 ) -> Shown:
     """Plays a session with one process for each of its users.
 
@@ -180,6 +182,7 @@ def play(
         each: called some fifty times a second, with the stage and the time.
         stopped: whether to end now.
         record: an existing folder for a recording of each user.
+        beside: entered with the stage before anybody is there, and left before it closes; a page's server, say.
 
     Raises:
         TransportError: this machine refuses a port.
@@ -188,7 +191,7 @@ def play(
     with TemporaryDirectory(prefix="cotouch-") as folder:
         if session.files:  # a mesh is read again from where it lies
             session = SessionFile.from_content(session.content, session.files, folder=Path(folder))
-        return _played(session, seconds, each, stopped, record)
+        return _played(session, seconds, each, stopped, record, beside)
 
 
 def _played(
@@ -197,6 +200,7 @@ def _played(
     each: Callable[[DemoStage, float], None] | None,
     stopped: Callable[[], bool],
     record: Path | None,
+    beside: Callable[[DemoStage], AbstractContextManager[object]],
 ) -> Shown:
     replica = Replica.build(session)
     if compiles(session, touched=replica.body.skin is not None):
@@ -211,17 +215,18 @@ def _played(
     with open_host(session) as opened, board_folder() as boards:
         stage = DemoStage(session, opened, replica, boards, record=record)
         try:
-            stage.start()
-            began = _gather(stage, each, stopped)
-            stage.choose_links()
-            end = began + (float("inf") if seconds is None else seconds)
-            while time.monotonic() < end and not stopped():
-                _turn(stage, each)
-            opened.host.end()
-            took = time.monotonic() - began
-            finish = time.monotonic() + 10.0
-            while time.monotonic() < finish and any(member.running for member in stage.members.values()):
-                _turn(stage, None)
+            with beside(stage):
+                stage.start()
+                began = _gather(stage, each, stopped)
+                stage.choose_links()
+                end = began + (float("inf") if seconds is None else seconds)
+                while time.monotonic() < end and not stopped():
+                    _turn(stage, each)
+                opened.host.end()
+                took = time.monotonic() - began
+                finish = time.monotonic() + 10.0
+                while time.monotonic() < finish and any(member.running for member in stage.members.values()):
+                    _turn(stage, None)
             return _summed(stage.members, took, acted=stage.acted)
         finally:
             stage.close()
