@@ -254,6 +254,8 @@ def join(
     ] = None,
     record: Annotated[Path | None, typer.Option(help="Record into this MCAP file.", show_default=False)] = None,
     headless: Annotated[bool, typer.Option("--headless", help="Show no table.")] = False,
+    boards: Annotated[Path | None, typer.Option(hidden=True)] = None,
+    unsafe: Annotated[bool, typer.Option("--unsafe", hidden=True)] = False,
     as_json: AsJson = False,
 ) -> None:
     """Take part in a session."""
@@ -267,6 +269,8 @@ def join(
         listen=listen,
         record=record,
         headless=headless,
+        boards=boards,
+        unsafe=unsafe,
         as_json=as_json,
     )
 
@@ -298,7 +302,13 @@ def measure(
 @app.command()
 def demo(
     users: Annotated[int, typer.Option(help="How many; the paper has five.")] = 5,
-    body: Annotated[str, typer.Option(help="point (the paper's) or block (soft, in three dimensions).")] = "point",
+    body: Annotated[
+        str | None,
+        typer.Option(
+            help="point (the paper's), block (in three dimensions) or soft (a cushion); by default soft with a page.",
+            show_default=False,
+        ),
+    ] = None,
     seconds: Annotated[float, typer.Option(help="How long, once all are there.", min=1.0)] = 30.0,
     impair: Annotated[
         list[str] | None,
