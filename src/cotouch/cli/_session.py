@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from cotouch.cli._output import print_json, writable
+from cotouch.cli._page import page as paged
 from cotouch.errors import SessionError
 
 if TYPE_CHECKING:
@@ -65,6 +66,9 @@ def join(
     as_json: bool,
     boards: Path | None = None,
     unsafe: bool = False,
+    page: bool = False,
+    port: int | None = None,
+    page_listen: str = "127.0.0.1",
 ) -> None:
     """Takes part in a session."""
     from cotouch import __version__
@@ -76,6 +80,22 @@ def join(
     if record is not None:
         writable(record)
     decoded = Invitation.decode(sys.stdin.readline() if invitation == "-" else invitation)
+    if page:
+        if as_json:
+            raise SessionError("--page and --json are given; with a page a process of its own takes part, so drop one")
+        with paged(wanted=True, port=port, listen=page_listen) as beside:
+            assert beside is not None
+            staged(
+                decoded,
+                beside,
+                name=name,
+                hand=hand,
+                seconds=seconds,
+                listen=listen,
+                record=record,
+                quiet=headless,
+            )
+        return
     if not (headless or as_json) and sys.stdout.isatty():
         _with_table(decoded, name=name, hand=hand, seconds=seconds, listen=listen, record=record)
         return
