@@ -46,8 +46,9 @@ function toasts(): { element: HTMLElement; say: Context["say"] } {
   return {
     element: h("div", { class: "toasts" }, bubble, spoken),
     say(said: string, level: Level = "info") {
-      text(words, said);
-      text(spoken, said);
+      const sentence = said.slice(0, 1).toUpperCase() + said.slice(1);
+      text(words, sentence);
+      text(spoken, sentence);
       attribute(bubble, "data-level", level);
       redraw(sign, level === "info" ? "wait" : level);
       bubble.hidden = false;

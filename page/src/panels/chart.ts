@@ -88,10 +88,10 @@ export class Chart {
           {
             stroke: ink, font, size: 20, gap: 2, space: 38, incrs: [1, 2, 5, 10, 20],
             grid: { stroke: rule, width: 1 }, ticks: { show: false },
-            values: (_plot, splits) => splits.map((at) => (at === 0 ? "now" : `${number(at)} s`)),
+            values: (_plot, splits) => splits.map((at) => (at === 0 ? "now" : at === -seconds ? "" : `${number(at)}\u202fs`)),
           },
           {
-            stroke: ink, font, size: 38, gap: 4, space: 24, incrs: STEPS,
+            stroke: ink, font, size: 38, gap: 4, space: 20, incrs: STEPS,
             grid: { stroke: rule, width: 1 }, ticks: { show: false },
             values: (_plot, splits, _axis, _space, step) => {
               const digits = Math.max(0, -Math.floor(Math.log10(step / this.scale + 1e-12)));

@@ -92,9 +92,9 @@ function card(context: Context, seat: number): { element: HTMLElement; update: (
     store.take(seat);
     history.replaceState(null, "", addressFor(seat));
     context.say(`This page now acts as ${nameOf(store, seat)}.`);
-  }, { class: "button small", icon: "grab", tip: "Your pointer moves this user’s hand" });
+  }, { class: "button small", tip: "Your pointer moves this user’s hand" });
   const window_ = button("New window", () => void open(addressFor(seat), "_blank", "noopener"), {
-    class: "button small", icon: "window", tip: "Open another page that acts as this user",
+    class: "button small", tip: "Open another page that acts as this user",
   });
   const kill = button("Stop process", () => void context.act("kill", { seat }), {
     class: "button small danger", icon: "stop", tip: "Ends this user’s process at once, as a crash would",
