@@ -15,7 +15,8 @@ interface Step {
   /** What to do; and whether it was. */
   task: string;
   done: (context: Context, memory: Memory) => boolean;
-  where: string;
+  /** What is shown, the first of these that is seen; may depend on what was done. */
+  where: string | ((memory: Memory) => string);
   tab?: Tab;
   /** What has to be so for it to be done at all; in words where it is not. */
   needs?: (context: Context) => string | null;
@@ -68,7 +69,7 @@ export const STEPS: readonly Step[] = [
     title: "Pull against somebody",
     words: "A scripted hand can be told what to do. Two who pull against each other feel each other’s force, through the network.",
     task: "Unfold another user, tell the hand Hold or Pull, and draw the other way.",
-    where: "#users",
+    where: (memory) => (memory.told ? "#stage" : "#users"),
     tab: "users",
     needs: hands,
     done: (context, memory) => {
@@ -209,7 +210,8 @@ export function tour(context: Context, root: HTMLElement): { open: () => void; i
   root.append(hole, card, offer);
 
   const found = (): HTMLElement | null => {
-    for (const one of (STEPS[at]?.where ?? "").split(", ")) {
+    const where = STEPS[at]?.where ?? "";
+    for (const one of (typeof where === "string" ? where : where(memory)).split(", ")) {
       const element = document.querySelector<HTMLElement>(one);
       if (element && element.getClientRects().length) return element;
     }
