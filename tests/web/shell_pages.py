@@ -5,7 +5,6 @@ from contextlib import contextmanager
 from typing import Any
 
 from playwright.sync_api import Browser, Page
-
 from tests.web.fake_stage import FakeStage, Kind
 
 from cotouch.web import PageServer
@@ -14,6 +13,7 @@ from cotouch.web import PageServer
 PATIENCE = 15_000
 READY = "() => window.cotouch?.store.state && window.cotouch.store.frame && document.querySelector('.user')"
 PHONE = {"viewport": {"width": 390, "height": 844}, "has_touch": True, "is_mobile": True}
+LINK = '.link[data-link="{}-{}"]'
 # Whoever was here before is not invited to the tour again.
 BEFORE = 'localStorage.setItem("cotouch.tour", localStorage.getItem("cotouch.tour") ?? JSON.stringify({over: true}))'
 
@@ -77,7 +77,8 @@ def grab(page: Page, offset: float) -> None:
         """offset => {
             const { store, connection } = window.cotouch;
             const rest = store.scene.points;
-            connection.point({ action: 'grab', point: 0, target: [rest[0] + offset, rest[1], rest[2]], radius: 0, stiffness: 0 });
+            connection.point({ action: 'grab', point: 0, target: [rest[0] + offset, rest[1], rest[2]],
+                radius: 0, stiffness: 0 });
         }""",
         offset,
     )
@@ -86,7 +87,8 @@ def grab(page: Page, offset: float) -> None:
 def let_go(page: Page) -> None:
     """Lets go of it."""
     page.evaluate(
-        "() => window.cotouch.connection.point({ action: 'free', point: 0, target: [0, 0, 0], radius: 0, stiffness: 0 })"
+        "() => window.cotouch.connection.point({
+                action: 'free', point: 0, target: [0, 0, 0], radius: 0, stiffness: 0 })"
     )
 
 
@@ -97,3 +99,10 @@ def words(page: Page, selector: str, pattern: str) -> None:
             (one) => one.getClientRects().length && new RegExp(pattern, 'u').test(one.textContent))""",
         arg=[selector, pattern],
     )
+
+
+def choose(page: Page, a: int, b: int) -> None:
+    """Opens the card of a link, as the keyboard does."""
+    page.focus(LINK.format(a, b))
+    page.keyboard.press("Enter")
+    page.wait_for_selector("#link")
