@@ -87,8 +87,8 @@ def grab(page: Page, offset: float) -> None:
 def let_go(page: Page) -> None:
     """Lets go of it."""
     page.evaluate(
-        "() => window.cotouch.connection.point({
-                action: 'free', point: 0, target: [0, 0, 0], radius: 0, stiffness: 0 })"
+        """() => window.cotouch.connection.point(
+            { action: 'free', point: 0, target: [0, 0, 0], radius: 0, stiffness: 0 })"""
     )
 
 

@@ -25,11 +25,11 @@ FEED = """async (bursts) => {
         return store.history.count; }"""
 
 # What can be pressed or set and has no name.
-NAMELESS = """() => [...document.querySelectorAll('button, a, input, select, textarea, [role=button], [role=checkbox],
-    [role=img]')]
-            .filter((one) => !(one.getAttribute('aria-label') || one.textContent.trim() ||
-                one.closest('label')))
-            .map((one) => one.outerHTML.slice(0, 120))"""
+NAMELESS = """() => {
+    const roles = ['button', 'checkbox', 'radio', 'tab', 'img'].map((role) => `[role=${role}]`);
+    return [...document.querySelectorAll(['button', 'a', 'input', 'select', 'textarea', ...roles].join(','))]
+        .filter((one) => !(one.getAttribute('aria-label') || one.textContent.trim() || one.closest('label')))
+        .map((one) => one.outerHTML.slice(0, 120)); }"""
 
 # Names of elements that more than one has.
 DOUBLED = """() => {
