@@ -17,7 +17,9 @@ FEED = """async (bursts) => {
         let last = store.frame;
         for (let burst = 0; burst < bursts; burst++) {
             for (let i = 0; i < 300; i++) {
-                last = { ...last, time: last.time + 1 / 60, number: last.number + 1, received: performance.now() };
+                const copies = last.copies.map((copy) => ({ ...copy, displacement: copy.displacement.slice() }));
+                const { time, number } = last;
+                last = { ...last, copies, time: time + 1 / 60, number: number + 1, received: performance.now() };
                 store.drawn(last);
             }
             await new Promise((done) => setTimeout(done, 60));

@@ -119,6 +119,11 @@ def test_the_tour_invites_runs_through_and_is_taken_up_again(here: World) -> Non
     assert page.is_hidden("#tour-offer")
     page.keyboard.press("t")
     words(page, "#tour .tour-number", "Step 3 of 10")
+    # So it is where nobody said that he leaves.
+    page.reload()
+    page.wait_for_function(READY)
+    page.keyboard.press("t")
+    words(page, "#tour .tour-number", "Step 3 of 10")
     page.evaluate("() => window.cotouch.store.set({ layout: 'side' })")
     grab(page, 0.08)
     done(page)
