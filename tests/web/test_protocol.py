@@ -1,5 +1,6 @@
 """Whatever a page sends is understood or refused, and nothing else."""
 
+import contextlib
 import json
 import math
 
@@ -54,10 +55,8 @@ def test_an_ack_is_its_number(number: int):
 @settings(max_examples=300)
 @given(st.one_of(st.binary(max_size=60), st.binary(min_size=40, max_size=40).map(lambda b: b"\2" + b[1:])))
 def test_bytes_never_do_anything_else(data: bytes):
-    try:
+    with contextlib.suppress(MalformedError):
         assert isinstance(read_binary(data), PointerMessage | int)
-    except MalformedError as error:
-        assert str(error)
 
 
 values = st.recursive(
@@ -72,10 +71,8 @@ hellos = st.dictionaries(names, values | st.sampled_from(["hello", "do", "all"])
 @settings(max_examples=300)
 @given(st.one_of(st.text(max_size=80), hellos.map(json.dumps), values.map(json.dumps)))
 def test_texts_never_do_anything_else(text: str):
-    try:
+    with contextlib.suppress(MalformedError):
         assert isinstance(read_text(text), Hello | Do)
-    except MalformedError as error:
-        assert str(error)
 
 
 @pytest.mark.parametrize(

@@ -15,13 +15,13 @@ import numpy as np
 import psutil
 import pytest
 from tests.web.fake_stage import FakeStage
-from tests.web.reader import packed, pointer
+from tests.web.reader import packed
 from tests.web.visitor import PATIENCE, visit
 from websockets.exceptions import InvalidStatus
 
 from cotouch import __version__
 from cotouch.errors import SessionError, TransportError
-from cotouch.web import PORT, PageServer
+from cotouch.web import PORT, PageAddress, PageServer
 
 PAGE = "<!doctype html><title>page</title>"
 
@@ -108,7 +108,8 @@ class TestWhoIsLetIn:
         with socket.create_connection(("127.0.0.1", server.port), PATIENCE) as raw:
             raw.sendall(
                 b"GET /ws HTTP/1.1\r\nHost: evil.example\r\nOrigin: http://evil.example\r\nConnection: Upgrade\r\n"
-                b"Upgrade: websocket\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n\r\n"
+                b"Upgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
+                b"Sec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n\r\n"
             )
             assert raw.recv(100).startswith(b"HTTP/1.1 403")
 
@@ -210,7 +211,7 @@ class TestStartAndStop:
             server.close()
         assert code == 1012  # "service restart": the page tries again
         assert not [thread for thread in set(threading.enumerate()) - before if thread.name == "cotouch-page"]
-        with pytest.raises(OSError):
+        with pytest.raises(ConnectionRefusedError):
             socket.create_connection(("127.0.0.1", server.port), 1.0).close()
 
     def test_a_port_that_was_asked_for_is_not_another(self):
@@ -225,6 +226,23 @@ class TestStartAndStop:
     def test_what_cannot_be(self, listen: str, port: int):
         with pytest.raises(SessionError):
             PageServer(FakeStage("1d"), listen=listen, port=port)
+
+    def test_a_port_is_held_before_there_is_anything_to_serve(self):
+        at = PageAddress(port=0)
+        with socket.create_connection(("127.0.0.1", at.port), PATIENCE) as early:
+            early.sendall(f"GET /none HTTP/1.1\r\nHost: 127.0.0.1:{at.port}\r\n\r\n".encode())
+            with PageServer(FakeStage("1d"), at=at) as server:
+                assert server.port == at.port
+                assert early.recv(100).startswith(b"HTTP/1.1 404")
+
+    def test_a_ticket_is_good_once(self, server: PageServer):
+        ticket = server.ticket()
+        assert server.token not in ticket
+        path = ticket.removeprefix(server.address.rstrip("/"))
+        first, second = get(server, path), get(server, path)
+        assert (first.status, first.headers["Location"]) == (303, f"/#token={server.token}")
+        assert (second.status, second.headers["Location"]) == (303, "/")
+        assert get(server, "/open").headers["Location"] == "/"
 
     def test_elsewhere_only_when_told(self):
         with PageServer(FakeStage("1d"), listen="127.0.0.2", port=0) as server:

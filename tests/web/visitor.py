@@ -5,7 +5,9 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
+import pytest
 from tests.web.reader import Picture, ack, read_frame
+from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 
 from cotouch.web import PageServer
@@ -61,15 +63,11 @@ class Visitor:
 
     def closed(self) -> tuple[int, str]:
         """Reads to the end; code and reason."""
-        from websockets.exceptions import ConnectionClosed
-
-        try:
-            for _ in range(MOST):
-                self.next()
-        except ConnectionClosed as error:
-            assert error.rcvd is not None
-            return error.rcvd.code, error.rcvd.reason
-        raise AssertionError("it was not closed")
+        with pytest.raises(ConnectionClosed) as ended:
+            self.until(lambda _: False, "the end")
+        received = ended.value.rcvd
+        assert received is not None
+        return received.code, received.reason
 
 
 @contextmanager

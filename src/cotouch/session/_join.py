@@ -23,6 +23,7 @@ from cotouch.live import (
     prepare_process,
 )
 from cotouch.mechanics import Model
+from cotouch.session._boards import BoardFolder
 from cotouch.session._emulate import path_laws
 from cotouch.session._file import SessionFile
 from cotouch.session._hand import Hand, NoHand, ScriptedHand
@@ -31,8 +32,10 @@ from cotouch.session._messages import Status
 from cotouch.session._pace import Pace, pace_numbers
 from cotouch.session._replica import Replica
 from cotouch.session._tape import Tape
+from cotouch.session._told import ToldHand
 from cotouch.session._warm import compiles, warm_up
 from cotouch.session._ways import RoutedWays
+from cotouch.session._window import Window
 
 HandKind = Literal["scripted", "none"]
 
@@ -91,6 +94,8 @@ def join(
     listen: str | None = None,
     record: Path | None = None,
     version: str,
+    boards: Path | None = None,
+    unsafe: bool = False,
     say: Callable[[str], None] | None = None,
     stopped: Callable[[], bool] = lambda: False,
 ) -> Taken:
@@ -104,6 +109,8 @@ def join(
         listen: address in numbers to listen on; None: the one by which this machine reaches the host.
         record: file to record into; must not exist.
         version: of this software.
+        boards: folder of the boards by which this member is shown and told things on this machine; see `_boards`.
+        unsafe: whether it may be told to take less damping than passivity needs.
         say: is told in a few words what takes time.
         stopped: whether to stop now.
 
@@ -122,9 +129,10 @@ def join(
             replica = Replica.build(session)
         for file in (session.content, *session.files.values()):
             control.offer(file)
-        if compiles(session):
+        told = boards is not None
+        if compiles(session, touched=told and replica.body.skin is not None):
             tell("compiling, once on this machine, which takes a minute or two")
-        warm_up(replica, partial(_hand, session, replica, hand, 0))
+        warm_up(replica, partial(_hand, session, replica, hand, 0, told=told))
         tell("waiting for a seat")
         return _take_part(
             session,
@@ -137,6 +145,8 @@ def join(
             listen=listen,
             record=record,
             version=version,
+            boards=boards,
+            unsafe=unsafe,
             stopped=stopped,
         )
     finally:
@@ -155,6 +165,8 @@ def _take_part(
     listen: str | None,
     record: Path | None,
     version: str,
+    boards: Path | None,
+    unsafe: bool,
     stopped: Callable[[], bool],
 ) -> Taken:
     clock = time.monotonic
@@ -168,16 +180,21 @@ def _take_part(
         entropy=os.urandom,
         mirrors=[Address(*endpoint) for endpoint in invitation.endpoints],
     )
-    impaired = ImpairedTransport(routed, {}, clock=clock) if session.options.emulate else None
-    tape = None if record is None else Tape(record, session, replica, name=name, key=control.identity.public)
+    worse = session.options.emulate or boards is not None
+    impaired = ImpairedTransport(routed, {}, clock=clock) if worse else None
+    key = control.identity.public
+    tape = None if record is None else Tape(record, session, replica, name=name, key=key)
+    window = None
+    if boards is not None:
+        window = Window(BoardFolder(boards), name, session, replica, key=key, unsafe=unsafe, recorder=tape)
 
     def taken(seat: int, model: Model) -> Hand:
         pacer.restart(session.period(seat))
         pace.restart(session.period(seat))
-        if impaired is not None:
+        if impaired is not None and session.options.emulate:
             for other, law in path_laws(session.scenario, seat).items():
                 impaired.set(other, law)
-        return _hand(session, replica, hand, seat, model)
+        return _hand(session, replica, hand, seat, model, window=window, told=window is not None)
 
     pacer = Pacer(session.period(0), cap=session.options.longest_step, clock=clock)
     pace = Pace(session.period(0), clock())
@@ -192,12 +209,13 @@ def _take_part(
         hand=taken,
         entropy=os.urandom,
         secret=invitation.derive(b"links", 32),
-        recorder=tape,
+        recorder=tape if window is None else window,
         pace=pace.since,
+        delays=None if window is None else lambda: window.delays,
     )
     try:
         with prepare_process():
-            why = _loop(member, pacer, pace, clock, seconds=seconds, stopped=stopped)
+            why = _loop(member, pacer, pace, clock, window, impaired, seconds=seconds, stopped=stopped)
         status = member.status(clock())
         member.leave()
         return Taken(
@@ -209,6 +227,8 @@ def _take_part(
             recorded=None if tape is None else tape.close(),
         )
     finally:
+        if window is not None:
+            window.close()
         if tape is not None:
             tape.close()
         (routed if impaired is None else impaired).close()
@@ -219,6 +239,8 @@ def _loop(
     pacer: Pacer,
     pace: Pace,
     clock: Callable[[], float],
+    window: Window | None,
+    emulator: ImpairedTransport | None,
     *,
     seconds: float | None,
     stopped: Callable[[], bool],
@@ -234,6 +256,10 @@ def _loop(
         if now >= service or member.pending:
             service = now + _SERVICE_EVERY
             member.service(now)
+            if window is not None:
+                window.service(now, member.seat, emulator)
+                if member.copy is not None:
+                    member.copy.give_damping(window.damping, now)
             if stopped():
                 return "stopped"
         pace.stepped(T, stood, clock() - now)
@@ -243,7 +269,30 @@ def _loop(
             return "time"
 
 
-def _hand(session: SessionFile, replica: Replica, kind: HandKind, seat: int, model: Model) -> Hand:
+def _hand(
+    session: SessionFile,
+    replica: Replica,
+    kind: HandKind,
+    seat: int,
+    model: Model,
+    *,
+    window: Window | None = None,
+    told: bool = False,
+) -> Hand:
+    if told:
+        hand = ToldHand(
+            replica.scenario,
+            replica.body,
+            model,
+            seat=seat,
+            period=session.period(seat),
+            longest=session.options.longest_step,
+            scripted=kind == "scripted",
+            wishes=(lambda: None) if window is None else window.wishes,
+        )
+        if window is not None:
+            window.holds(hand, seat)
+        return hand
     if kind == "none":
         return NoHand(model)
     return ScriptedHand(

@@ -2,6 +2,7 @@
 
 import hmac
 import ipaddress
+import secrets
 from typing import Final, final
 from urllib.parse import urlsplit
 
@@ -50,6 +51,7 @@ class Access:
             token: see the class.
         """
         self.token = token
+        self._tickets = set[str]()
         self._listen = listen.strip("[]").lower()
 
     def host_allowed(self, header: str | None, arrived_at: str | None) -> bool:
@@ -63,7 +65,7 @@ class Access:
         if name is None:
             return False
         if name in LOOPBACK:
-            return arrived_at is None or _is_loopback(arrived_at)
+            return arrived_at is None or is_loopback(arrived_at)
         if name == self._listen:
             return True
         return arrived_at is not None and _same(name, arrived_at)
@@ -83,7 +85,19 @@ class Access:
 
     def token_right(self, token: str | None) -> bool:
         """Whether somebody has the token; takes as long whatever is wrong with it."""
-        return token is not None and hmac.compare_digest(token.encode(errors="replace"), self.token.encode())
+        return token is not None and _equal(self.token, token)
+
+    def ticket(self) -> str:
+        """What is good for the token, once: for a command line, which every user of this machine can read."""
+        made = secrets.token_urlsafe(24)
+        self._tickets.add(made)
+        return made
+
+    def redeemed(self, ticket: str | None) -> bool:
+        """Whether a ticket was good; it is not any more."""
+        found = next((one for one in self._tickets if ticket is not None and _equal(one, ticket)), None)
+        self._tickets.discard(found or "")
+        return found is not None
 
 
 @final
@@ -114,8 +128,13 @@ class Allowance:
         return True
 
 
-def _is_loopback(address: str) -> bool:
+def is_loopback(address: str) -> bool:
+    """Whether an address, in numbers, leads nowhere but to this machine."""
     return _number(address) is not None and ipaddress.ip_address(_plain(address)).is_loopback
+
+
+def _equal(right: str, given: str) -> bool:
+    return hmac.compare_digest(given.encode(errors="replace"), right.encode())
 
 
 def _same(one: str, other: str) -> bool:

@@ -51,6 +51,7 @@ def application(hub: Hub, access: Access, static: Path) -> "ASGIApp":
             WebSocketRoute("/ws", routes.socket),
             Route("/recording.zip", routes.recording, methods=["GET"]),
             Route("/qr.svg", routes.qr, methods=["GET"]),
+            Route("/open", routes.open, methods=["GET"]),
             Route("/", routes.file, methods=["GET"]),
             Route("/{name}", routes.file, methods=["GET"]),
         ]
@@ -109,6 +110,12 @@ class _Routes:
             return Response(status_code=304, headers=headers)
         return Response(content, media_type=_KINDS[path.suffix], headers=headers)
 
+    async def open(self, request: Request) -> Response:
+        """Leads to the page, with the token if there is a good ticket."""
+        good = self._access.redeemed(request.query_params.get("ticket"))
+        headers = {"Location": f"/#token={self._access.token}" if good else "/", "Cache-Control": "no-store"}
+        return Response(status_code=303, headers=headers)
+
     async def recording(self, request: Request) -> Response:
         """The last recording."""
         if not self._access.token_right(request.query_params.get("token")):
@@ -123,7 +130,7 @@ class _Routes:
         """The invitation as a picture."""
         if not self._access.token_right(request.query_params.get("token")):
             return _no_token()
-        invitation = self._hub.stage.scene.invitation
+        invitation = self._hub.scene.invitation
         if invitation is None:
             return PlainTextResponse("this session gives no invitation away here\n", 404)
         import segno

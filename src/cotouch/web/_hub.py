@@ -35,6 +35,7 @@ class Hub:
     """See the module; lives in the server's event loop.
 
     Attributes:
+        scene: of the stage; does not change.
         started: names this run of the server.
         frames: made so far.
     """
@@ -47,12 +48,12 @@ class Hub:
             access: who may act.
             clock: that the stage's copies go by [s].
         """
-        self.stage, self.access = stage, access
+        self.stage, self.access, self.scene = stage, access, stage.scene
         self.started = secrets.token_hex(8)
         self.frames = 0
         self._clock, self._start = clock, clock()
-        self._encoder = FrameEncoder(stage.scene.body)
-        self._control = Control(stage, nodes_of_points(stage.scene.body).tolist())
+        self._encoder = FrameEncoder(self.scene.body)
+        self._control = Control(stage, nodes_of_points(self.scene.body).tolist())
         self._period = 1.0 / (_RATE if self._encoder.points <= _BIG else _RATE_OF_BIG)
         self._pages: list[Page] = []
         self._scenes: dict[bool, str] = {}
@@ -87,7 +88,7 @@ class Hub:
         Raises:
             MalformedError: it is of another version, or acts for a seat that there is not.
         """
-        scene = self.stage.scene
+        scene = self.scene
         if message.version != VERSION:
             raise MalformedError(
                 f"the page speaks version {message.version}, cotouch {__version__} version {VERSION}; reload"
@@ -112,7 +113,7 @@ class Hub:
 
     def _tell_scene(self, page: Page) -> None:
         if page.acts not in self._scenes:
-            told = scene_message(self.stage.scene, version=__version__, started=self.started, acts=page.acts)
+            told = scene_message(self.scene, version=__version__, started=self.started, acts=page.acts)
             self._scenes[page.acts] = json.dumps(told)
         page.scene(self._scenes[page.acts])
 
@@ -177,8 +178,8 @@ class Hub:
             return _WATCH_ONLY
         if message.what == "control":
             return None
-        if message.what not in self.stage.scene.may:
-            return f'"{message.what}" cannot be done here; {", ".join(sorted(self.stage.scene.may)) or "nothing"} can'
+        if message.what not in self.scene.may:
+            return f'"{message.what}" cannot be done here; {", ".join(sorted(self.scene.may)) or "nothing"} can'
         if self._control.of(page) == "other":
             return "another page has the control; take it over first"
         seat = message.arguments.get("seat")

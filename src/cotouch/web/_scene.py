@@ -12,7 +12,6 @@ from cotouch.web._verdict import judged
 
 _EVENTS = 40  # of the last
 _MOST_EDGES = 60_000
-_USUAL_STIFFNESS = 60.0  # of a hand [N/m]
 
 
 def scene_message(scene: Scene, *, version: str, started: str, acts: bool) -> dict[str, Any]:
@@ -53,7 +52,7 @@ def scene_message(scene: Scene, *, version: str, started: str, acts: bool) -> di
         "edges": None if skin is not None else _packed(_edges(body), "<u4"),
         "radius": float(np.linalg.norm(drawn - centre, axis=1).max(initial=0.0)),
         "centre": centre.tolist(),
-        "stiffness": _USUAL_STIFFNESS,
+        "stiffness": scene.stiffness,
         "started": started,
     }
 

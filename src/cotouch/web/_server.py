@@ -2,22 +2,20 @@
 
 import asyncio
 import logging
-import os
 import secrets
-import socket
 import threading
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, final
 
-from cotouch.errors import SessionError, TransportError
+from cotouch.errors import TransportError
+from cotouch.web._access import Access
+from cotouch.web._address import PageAddress
 
 if TYPE_CHECKING:
     import uvicorn
 
     from cotouch.session import Stage
 
-PORT: Final = 8765
-_TRIED: Final = 20  # ports after the usual one, where that is taken
 _STATIC: Final = Path(__file__).parent / "static"
 _START, _STOP = 10.0, 5.0  # patience [s]
 _GRACE: Final = 0.5  # for pages that take no more [s]
@@ -29,9 +27,9 @@ class PageServer:
     """Serves the page of a stage until it is closed.
 
     Attributes:
-        listen: address that it listens on.
         port: that it listens on.
         token: that lets a page act.
+        local: whether only this machine can reach it.
 
     Examples:
         >>> with PageServer(stage) as server:  # doctest: +SKIP
@@ -43,17 +41,19 @@ class PageServer:
         self,
         stage: "Stage",
         *,
+        at: PageAddress | None = None,
         listen: str = "127.0.0.1",
         port: int | None = None,
         token: str | None = None,
         static: Path | None = None,
     ) -> None:
-        """Takes a port and begins to serve; returns when the page can be opened.
+        """Begins to serve; returns when the page can be opened.
 
         Args:
             stage: what is shown; it is called from the server's thread.
-            listen: address of this machine. Everything but loopback can be reached, and overheard, by others.
-            port: 1 to 65535; 0: any. None: the usual one, or the next that is free.
+            at: an address that was taken already; it is closed with the server. None: one is taken.
+            listen: see `PageAddress`.
+            port: see `PageAddress`.
             token: None: a new one.
             static: folder of the page's files; None: the one in the package.
 
@@ -61,10 +61,9 @@ class PageServer:
             SessionError: the address or the port makes no sense.
             TransportError: the port is taken, or not allowed.
         """
-        self.token = secrets.token_urlsafe(24) if token is None else token
-        self.listen = listen
-        self._socket = _bound(listen, port)
-        self.port: int = self._socket.getsockname()[1]
+        self._at = at or PageAddress(listen=listen, port=port)
+        self._access = Access(listen=self._at.listen, token=token or secrets.token_urlsafe(24))
+        self.token, self.port, self.local = self._access.token, self._at.port, self._at.local
         self._ready = threading.Event()
         self._server: uvicorn.Server | None = None
         self._thread = threading.Thread(
@@ -78,25 +77,23 @@ class PageServer:
     @property
     def address(self) -> str:
         """Where the page is, without the token: whoever opens it may watch."""
-        plain = {"0.0.0.0": "127.0.0.1", "::": "::1"}.get(self.listen, self.listen)  # noqa: S104 - told, not bound
-        return f"http://{f'[{plain}]' if ':' in plain else plain}:{self.port}/"
+        return self._at.url
 
     @property
     def url(self) -> str:
         """Where the page is, with the token; whoever has this may act."""
         return f"{self.address}#token={self.token}"
 
-    @property
-    def local(self) -> bool:
-        """Whether only this machine can reach it."""
-        return _loopback(self.listen)
+    def ticket(self) -> str:
+        """Leads to `url`, once; for the command line of a browser, which every user of this machine can read."""
+        return f"{self.address}open?ticket={self._access.ticket()}"
 
     def close(self) -> None:
         """Stops within a second or so; may be called again."""
         if self._server is not None:
             self._server.should_exit = True
         self._thread.join(_STOP)
-        self._socket.close()
+        self._at.close()
 
     def __enter__(self) -> "PageServer":
         return self
@@ -107,7 +104,6 @@ class PageServer:
     def _run(self, stage: "Stage", static: Path) -> None:
         import uvicorn
 
-        from cotouch.web._access import Access
         from cotouch.web._app import application
         from cotouch.web._hub import Hub
         from cotouch.web._protocol import MOST_BYTES
@@ -115,10 +111,9 @@ class PageServer:
         # What goes wrong is told to the page that caused it; requests are not logged, because some carry the token.
         for name in ("uvicorn.error", "uvicorn.access"):
             logging.getLogger(name).setLevel(logging.CRITICAL)
-        access = Access(listen=self.listen, token=self.token)
-        hub = Hub(stage, access)
+        hub = Hub(stage, self._access)
         config = uvicorn.Config(
-            application(hub, access, static),
+            application(hub, self._access, static),
             loop="asyncio",
             http="h11",
             ws="websockets-sansio",
@@ -138,7 +133,7 @@ class PageServer:
 
         async def serve() -> None:
             announced = asyncio.create_task(self._announce(server))
-            await server.serve(sockets=[self._socket])
+            await server.serve(sockets=[self._at.socket])
             announced.cancel()
 
         try:
@@ -154,38 +149,3 @@ class PageServer:
             await asyncio.sleep(0.05)
         await asyncio.sleep(_GRACE)
         server.force_exit = True
-
-
-def _loopback(listen: str) -> bool:
-    from cotouch.web._access import LOOPBACK
-
-    return listen.strip("[]") in LOOPBACK or listen.startswith("127.")
-
-
-def _bound(listen: str, port: int | None) -> socket.socket:
-    """A socket that listens."""
-    if port is not None and not 0 <= port <= 65_535:
-        raise SessionError(f"the page's port is {port}; it must be from 0 to 65535")
-    plain = listen.strip("[]")
-    try:
-        found = socket.getaddrinfo(plain, None, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE)[0]
-    except (OSError, UnicodeError) as error:
-        raise SessionError(f'the page\'s address is "{listen}"; it must be an address of this machine') from error
-    tried = [PORT + k for k in range(_TRIED)] if port is None else [port]
-    reason = ""
-    for number in tried:
-        made = socket.socket(found[0], socket.SOCK_STREAM)
-        try:
-            if os.name == "posix":  # elsewhere it would let two servers share a port
-                made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-            made.bind((found[4][0], number))
-            made.listen(128)
-        except OSError as error:
-            made.close()
-            reason = error.strerror or str(error)
-        else:
-            made.setblocking(False)
-            return made
-    asked = f"port {tried[0]}" if len(tried) == 1 else f"none of the ports {tried[0]} to {tried[-1]}"
-    wrong = f"{asked} of {listen} can be had" if len(tried) > 1 else f"{asked} of {listen} cannot be had"
-    raise TransportError(f"{wrong} for the page ({reason}); give another with --port")
