@@ -8,7 +8,7 @@ from tests.session.world import World
 from cotouch.errors import SessionError
 from cotouch.live import Message, PathLaw
 from cotouch.network import Network
-from cotouch.session import measured
+from cotouch.session import Status, measured
 
 THREE = """
 [session]
@@ -273,6 +273,62 @@ def test_a_turn_takes_up_so_many_messages_and_forgets_none() -> None:
     assert said == list(range(100))
     assert most <= 12
     assert turns >= 9
+
+
+def test_a_status_is_said_in_pieces_and_whole() -> None:
+    world = three()
+    person, said = world.people[0], list[tuple[str, bytes]]()
+    control = person.control
+    send = control.send
+    control.send = lambda topic, body, *, to=None: (said.append((topic, body)), send(topic, body, to=to))[1]
+    turns, looked = 0, list[int]()  # in which turn a link was looked at
+    status_of, serve = person.copy.link_status, person.member.service
+
+    def service(now: float) -> None:
+        nonlocal turns
+        turns += 1
+        serve(now)
+
+    person.copy.link_status = lambda seat: (looked.append(turns), status_of(seat))[1]
+    person.member.service = service
+    world.until(lambda: any(topic == "status" for topic, _ in said) and len(looked) >= 2, 2.0)
+    assert len(set(looked)) == len(looked)
+    status = Status.model_validate_json(next(body for topic, body in said if topic == "status"))
+    assert [link.seat for link in status.links] == [1, 2]
+    assert status.steps > 0
+    for _ in range(3):
+        person.member.service(world.now)
+    assert not person.member.pending
+
+
+def test_a_neighbour_that_goes_is_left_out_of_what_is_being_said() -> None:
+    world = three()
+    person = world.people[0]
+    for _ in range(200):
+        if person.member.pending:
+            break
+        world.run(0.005)
+    assert person.member.pending
+    person.copy.alone(world.now)
+    for _ in range(5):
+        person.member.service(world.now)
+    assert not person.member.pending
+
+
+def test_samples_are_read_between_steps_and_used_in_the_next() -> None:
+    world = three()
+    ann, ben = world.people[0], world.people[1]
+    link = ann.copy.neighbours[1].link
+    steps, before = ann.copy.peer.steps, link.assembly.newest
+    ann.stalled_until = world.now + 0.05
+    world.run(0.04)
+    assert link.assembly.newest == before  # nobody read
+    ann.member.listen(world.now)
+    assert ann.copy.peer.steps == steps
+    assert link.assembly.newest > before + 5
+    assert ben.copy.peer.steps > link.assembly.newest
+    world.run(1.0)
+    world.check()
 
 
 def test_links_are_tended_in_turns_where_they_are_many() -> None:

@@ -111,9 +111,13 @@ def test_a_drag_moves_the_held_point_here_first_then_there_and_release_lets_it_r
         # The hand is where the pointer is, in the plane through the point that faces the eye.
         seat, pointer = here.stage.pointers[-1]
         assert (seat, pointer.mode) == (0, "grab")
+        wanted = page.evaluate("() => window.cotouch.stage.probe().hold.target.toArray()")
+        wait(page, lambda: here.stage.pointers[-1][1].target == pytest.approx(wanted, rel=1e-5))
         where = page.evaluate("() => window.cotouch.stage.probe().target")
         assert where == pytest.approx([x - 70.0, y - 50.0], abs=2.0)
-        assert page.evaluate("() => window.watched.most[0]") > 0.01
+        assert page.evaluate("() => window.watched.most[0]") > 0.005
+        # And what is drawn follows.
+        until(page, "(at => at.x < value[1] - 2 && at.y < value[2] - 2)(stage.spot(value[0]))", [point, x, y])
         page.mouse.up()
         wait(page, lambda: here.stage.pointers[-1][1].mode == "free")
         until(page, f"store.frame.copies.every(copy => {REACH} < 0.001)", point)
@@ -137,7 +141,7 @@ def test_pointers_are_few_and_the_last_counts(running: Browser) -> None:
         )
         wait(page, lambda: len(here.stage.pointers) > before)
         page.wait_for_timeout(100)
-        assert len(here.stage.pointers) - before <= 2 + took / 8
+        assert len(here.stage.pointers) - before <= 10 + took / 8
         wanted = page.evaluate("() => window.cotouch.stage.probe().hold.target.toArray()")
         assert here.stage.pointers[-1][1].target == pytest.approx(wanted, rel=1e-5)
         page.keyboard.press("Escape")

@@ -40,6 +40,9 @@ export class Drag {
     };
     on(canvas, "pointerdown", (event) => this.down(event));
     on(canvas, "pointermove", (event) => this.move(event));
+    on(canvas, "pointerrawupdate" as "pointermove", (event) => {
+      if (this.holds && event.pointerId === this.finger) this.follow(this.at(event).x, event.timeStamp);
+    });
     on(canvas, "pointerup", (event) => this.up(event));
     on(canvas, "pointercancel", (event) => this.up(event));
     on(canvas, "dblclick", (event) => {

@@ -240,7 +240,11 @@ class Rails implements View, Told {
 
   private lag(seconds: number): boolean {
     const copy = this.copy(this.store.seat);
-    if (!this.drag.holds || !copy) return false;
+    if (!this.drag.holds || !copy) {
+      this.proxy = NaN; // the next hold begins where the pointer is
+      return false;
+    }
+    if (Number.isNaN(this.proxy)) this.proxy = this.drag.target;
     const share = this.force();
     const place = this.place(copy, this.drag.point);
     const goal = this.drag.target + ((place - this.drag.target) * 0.6 * share) / (share + 0.45);
@@ -273,7 +277,7 @@ class Rails implements View, Told {
       pen.moveTo(x, 22);
       pen.lineTo(x, bottom);
       pen.stroke();
-      if (i % 2 === 0) {
+      if (i % 2 === 0 && !(this.narrow && Math.abs(i) > 2)) {
         const label = i === 0 ? "rest" : `${i > 0 ? "+" : ""}${length((i / 4) * this.half, this.half / 2)}`;
         text(pen, label, x, bottom + 13, { size: 11.5, colour: ink.soft, align: "center" });
       }
@@ -285,7 +289,7 @@ class Rails implements View, Told {
     const y = this.height - 25;
     const x = this.narrow ? 22 : 32;
     belief(this.pen, x, y, 5.5, ink.soft, ink);
-    text(this.pen, this.narrow ? "where a user knows its neighbours to be" : "where a user knows its neighbours to be: late", x + 13, y, { size: 12, colour: ink.soft });
+    text(this.pen, "where a user believes its neighbours to be, by what has arrived", x + 13, y, { size: 12, colour: ink.soft });
   }
 
   private rail(seat: number, ink: Ink, now: number): void {

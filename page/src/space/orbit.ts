@@ -56,7 +56,7 @@ export class Orbit {
     for (let i = 0; i < this.cloud.length; i += stride) {
       q.fromArray(this.cloud, i).sub(target);
       // Room for what is pulled out of it, and for names.
-      fit = Math.max(fit, q.dot(back) + 1.42 * Math.max(Math.abs(q.dot(right)) / aspect, 1.12 * Math.abs(q.dot(up))) / half);
+      fit = Math.max(fit, q.dot(back) + (aspect < 1 ? 1.2 : 1.42) * Math.max(Math.abs(q.dot(right)) / aspect, 1.12 * Math.abs(q.dot(up))) / half);
     }
     this.fits.set(key, fit);
     return fit;

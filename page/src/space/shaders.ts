@@ -66,7 +66,9 @@ export const ghost = {
       vec4 q = modelViewMatrix * vec4(position + shift * scale, 1.0);
       n = mat3(modelViewMatrix) * normal;
       p = q.xyz;
-      v = smoothstep(0.05, 1.0, length(shift - own) * scale / apart);
+      // Where both surfaces cross they differ along neither's normal: no seam is seen.
+      vec3 differs = (shift - own) * scale / apart;
+      v = max(smoothstep(0.1, 1.0, dot(differs, normalize(normal + 1e-20))), 0.5 * smoothstep(3.0, 8.0, length(differs)));
       gl_Position = projectionMatrix * q;
     }`,
   fragment: /* glsl */ `

@@ -293,7 +293,7 @@ class Space implements View {
 
   /** What one's own hand looks like: the proxy lags the more, the harder it pulls. @returns whether it moves */
   private haptic(seconds: number): boolean {
-    if (!this.hold.holds) return false;
+    if (!this.hold.holds) return !(this.fresh = true);
     const { moving } = this.mine;
     if (this.hold.action === "grab") this.place.fromArray(moving.places, 3 * this.shape.corner[this.hold.point]!);
     else {

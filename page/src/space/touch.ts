@@ -46,6 +46,8 @@ export class Touch {
     };
     on(canvas, "pointerdown", (event) => this.down(event));
     on(canvas, "pointermove", (event) => this.move(event));
+    // Where the browser has it, before the next picture is due: what is held moves a few ms sooner.
+    on(canvas, "pointerrawupdate" as "pointermove", (event) => this.raw(event));
     on(canvas, "pointerup", (event) => this.up(event));
     on(canvas, "pointercancel", (event) => this.up(event));
     on(canvas, "pointerleave", () => this.leave());
@@ -147,6 +149,12 @@ export class Touch {
     else if (this.doing === "pan") orbit.pan(dx, dy, height);
     this.pointers.set(event.pointerId, at);
     this.picture.draw();
+  }
+
+  private raw(event: PointerEvent): void {
+    if (this.doing !== "hold" || event.pointerId !== this.holder) return;
+    const at = this.at(event);
+    this.picture.hold.follow(rayAt(this.picture.orbit.camera, this.picture.ownCell(), at.x, at.y), event.timeStamp);
   }
 
   private up(event: PointerEvent): void {
