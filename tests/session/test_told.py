@@ -95,6 +95,16 @@ def test_it_never_jerks(body: str) -> None:
     assert copy.jerk() < 0.15 * most
 
 
+def test_a_grab_begins_where_the_node_is() -> None:
+    copy = Held(scenario("point"))
+    copy.run(0.1)
+    copy.tell("grab", 0, (0.3, 0.0, 0.0), 1, stiffness=200.0)
+    copy.run(0.02)
+    assert 0.0 < float(copy.force()[0]) < 1.0  # of 60 N that a spring to the pointer would have
+    copy.run(0.5)
+    assert max(float(force[0]) for force in copy.forces) > 5.0
+
+
 def test_hold_keeps_what_is_held_where_it_is_and_script_goes_on_at_the_present_time() -> None:
     path = [[0, 0], [1.0, 0.1], [2.0, -0.1]]
     copy = Held(scenario("point", SCRIPT.format(path=path)))
