@@ -8,7 +8,7 @@ def test_it_reaches_a_goal_and_hardly_passes_it() -> None:
     mover = Mover(1)
     seen = []
     for _ in range(500):
-        mover.move([0.1], 0.002, speed=1.0, sharpness=60.0, rush=20.0)
+        mover.move([0.1], 0.002, speed=1.0, sharpness=60.0, rush=8.0)
         seen.append(mover.place[0])
     assert seen[-1] == pytest.approx(0.1, abs=1e-6)
     assert max(seen) < 0.101

@@ -21,10 +21,21 @@ rate = 250
 """
 
 
+CHAIN = SESSION.replace(
+    "mass = 0.4",
+    'kind = "chain"\nnodes = 2\nspacing = 0.1\ndimension = 1\nmass = 0.4\nstiffness = 50.0\nground = [1]\n'
+    "ground_stiffness = 30.0",
+)
+
+
 @pytest.fixture
 def world(tmp_path: Path) -> World:
+    return made(SESSION, tmp_path)
+
+
+def made(text: str, tmp_path: Path) -> World:
     (tmp_path / "recordings").mkdir()
-    made = World(SESSION, tick=1e-3, boards=BoardFolder(tmp_path))
+    made = World(text, tick=1e-3, boards=BoardFolder(tmp_path))
     for name in made.session.scenario.network.users:
         made.join(name)
     made.until(made.all_coupled, 12.0)
@@ -155,15 +166,16 @@ def test_who_may_not_lower_the_damping_does_not(world: World) -> None:
     assert [person.copy.damping_share for person in world.people] == [1.0, 1.0]
 
 
-def test_a_recording_begins_and_ends_while_everybody_moves_and_holds(world: World) -> None:
+def test_a_recording_begins_and_ends_while_everybody_moves_and_holds(tmp_path: Path) -> None:
+    world = made(CHAIN, tmp_path)
     one, other = world.people
     desk = told(world, one.name)
-    desk.hand(one.name, "wander")
+    desk.hand(one.name, "wander", node=0)
     world.run(1.0)
     desk.record(1)
     world.run(0.5)
     assert {desk.number(person.name, "recording") for person in world.people} == {1}
-    desk.point(other.name, Pointer(number=1, mode="grab", node=0, target=(0.05, 0.0, 0.0)))
+    desk.point(other.name, Pointer(number=1, mode="grab", node=1, target=(0.15, 0.0, 0.0)))
     world.run(0.8)
     desk.record(0)
     for _ in range(100):
