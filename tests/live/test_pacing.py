@@ -3,10 +3,12 @@
 import gc
 import math
 import os
+import platform
 import subprocess
 import sys
 from collections.abc import Iterator
 from itertools import pairwise
+from pathlib import Path
 
 import pytest
 from hypothesis import given
@@ -120,6 +122,99 @@ def test_a_clock_that_stands_still_ends_nothing_but_the_waiting() -> None:
     assert turn.T > 0.0
 
 
+class Reader:
+    """Something to do while waiting: finds something when it is due, and when time `takes` has to be spent on it."""
+
+    def __init__(self, clock: Clock, *, takes: float = 0.0, every: float = math.inf) -> None:
+        self.clock = clock
+        self.takes, self.every = takes, every
+        self.looks: list[float] = []
+        self.next = every
+        self.fresh = False
+
+    def due(self) -> float:
+        return self.next
+
+    def look(self, now: float) -> None:
+        assert now <= self.clock.now
+        self.looks.append(now)
+        while self.next <= now:
+            self.next += self.every
+        self.clock.now += self.takes if self.fresh else 1e-6
+        self.fresh = False
+
+
+def test_what_arrived_is_read_in_time_and_again_until_shortly_before_the_deadline() -> None:
+    clock = Clock()
+    reader = Reader(clock, takes=200e-6)
+    paced = Pacer(PERIOD, clock=clock.time, sleep=clock.sleep, idle=reader)
+    begin = clock.now
+    for k in range(1, 150):
+        reader.fresh = True
+        reader.looks.clear()
+        turn = paced.wait()
+        deadline = begin + k * PERIOD
+        assert paced.worked == pytest.approx(200e-6, abs=5e-6)
+        assert len(reader.looks) < 100
+        if k < 100:  # how long reading takes is not known yet
+            assert 0.0 <= turn.now - deadline < 150e-6
+            continue
+        assert 0.0 <= turn.now - deadline < 3e-6
+        assert 280e-6 < deadline - reader.looks[0] < 320e-6  # not before it must: what comes later is read as well
+        assert 29e-6 < deadline - reader.looks[-1] < 60e-6
+    assert paced.statistics().busy == pytest.approx(0.2, abs=0.02)
+
+
+def test_with_nothing_to_read_it_sleeps_on() -> None:
+    clock = Clock()
+    reader = Reader(clock, takes=200e-6)
+    paced = Pacer(PERIOD, clock=clock.time, sleep=clock.sleep, idle=reader)
+    for _ in range(100):
+        reader.fresh = True
+        paced.wait()
+    clock.slept.clear()
+    paced.wait()
+    assert len(clock.slept) == 2
+    assert sum(clock.slept) == pytest.approx(PERIOD - 100e-6, abs=5e-6)
+
+
+def test_reading_that_takes_long_is_given_a_share_of_the_period_only() -> None:
+    clock = Clock()
+    reader = Reader(clock, takes=5e-3)
+    paced = Pacer(PERIOD, clock=clock.time, sleep=clock.sleep, idle=reader)
+    reader.fresh = True
+    paced.wait()
+    for _ in range(20):
+        reader.looks.clear()
+        turn = paced.wait()
+        assert reader.looks[0] >= turn.now - 0.45 * PERIOD
+
+
+def test_what_is_due_is_looked_at_when_it_is() -> None:
+    clock = Clock()
+    reader = Reader(clock, every=0.00023)
+    paced = Pacer(PERIOD, clock=clock.time, sleep=clock.sleep, idle=reader)
+    for _ in range(40):
+        paced.wait()
+        clock.now += 20e-6  # the step
+    checked = 0
+    for due in (n * 0.00023 for n in range(1, 170)):
+        if 0.00003 < due % PERIOD < 0.00096:  # else the step, or the last look before it, is in the way
+            checked += 1
+            assert any(-1e-9 <= look - due < 30e-6 for look in reader.looks)
+    assert checked > 140
+
+
+def test_a_due_time_that_has_passed_keeps_nobody_from_sleeping() -> None:
+    clock = Clock()
+    reader = Reader(clock)
+    reader.next = -1.0
+    reader.every = 0.0
+    reader.look = reader.looks.append  # does not help
+    Pacer(PERIOD, clock=clock.time, sleep=clock.sleep, idle=reader).wait()
+    assert sum(clock.slept) > 0.8 * PERIOD
+
+
 def test_restart_begins_a_new_grid() -> None:
     clock = Clock()
     paced = pacer(clock)
@@ -201,3 +296,38 @@ def test_real_time_only_with_one_blas_thread(threads: str) -> None:
             import threadpoolctl  # noqa: F401
         except ImportError:
             assert "BLAS" in refused
+
+
+ARENAS = """
+import ctypes, pathlib, sys, threading
+from cotouch.live import few_arenas
+if "few" in sys.argv:
+    assert few_arenas()
+go, gone = threading.Barrier(13), threading.Barrier(13)
+def work():
+    held = [bytes(3000) for _ in range(50)]
+    go.wait(20)
+    gone.wait(20)
+threads = [threading.Thread(target=work, daemon=True) for _ in range(12)]
+for thread in threads:
+    thread.start()
+go.wait(20)
+libc = ctypes.CDLL(None)
+libc.fopen.restype = ctypes.c_void_p
+stream = ctypes.c_void_p(libc.fopen(sys.argv[1].encode(), b"w"))
+libc.malloc_info(0, stream)
+libc.fclose(stream)
+gone.wait(20)
+print(pathlib.Path(sys.argv[1]).read_text().count("<heap nr="))
+"""
+
+
+@pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="arenas are glibc's")
+def test_threads_share_two_arenas(tmp_path: Path):
+    def arenas(*options: str) -> int:
+        environment = {name: value for name, value in os.environ.items() if name != "MALLOC_ARENA_MAX"}
+        command = [sys.executable, "-c", ARENAS, str(tmp_path / "arenas.xml"), *options]
+        return int(subprocess.run(command, capture_output=True, check=True, timeout=60, env=environment).stdout)
+
+    assert arenas() > 4
+    assert arenas("few") <= 2

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from cotouch.errors import SessionError
-from cotouch.live import MemoryNetwork, Path, PathLaw
+from cotouch.live import ImpairedTransport, MemoryNetwork, Path, PathLaw
 
 
 def fates(law: PathLaw, count: int = 20_000, seed: int = 0, size: int = 1000, period: float = 0.001):
@@ -78,3 +78,31 @@ def test_an_address_belongs_to_one():
     network.join("here")
     with pytest.raises(SessionError, match="'here' is taken"):
         network.join("here")
+
+
+def test_an_emulated_delay_is_exact_for_whoever_polls_when_something_is_due() -> None:
+    network = MemoryNetwork(seed=0)
+    far, near = network.join("far"), network.join("near")
+    transport = ImpairedTransport(far, {1: PathLaw(delay=0.02, jitter=0.01)}, clock=lambda: network.now, seed=3)
+    transport.follow(1, "near")
+    assert transport.due == float("inf")
+    sent: dict[bytes, float] = {}
+    took: list[float] = []
+
+    def until(end: float) -> None:
+        while (due := transport.due) <= end:
+            network.now = due
+            transport.poll()
+            took.extend(due - sent[arrival.payload] for arrival in near.poll())
+        network.now = end
+
+    for k in range(2000):
+        until(0.001 * k)
+        payload = k.to_bytes(4, "big")
+        sent[payload] = network.now
+        assert transport.send(1, payload)
+    until(10.0)
+    assert transport.due == float("inf")
+    path = Path(PathLaw(delay=0.02, jitter=0.01), np.random.default_rng([3, 1]))
+    exact = [when - 0.001 * k for k in range(2000) for when in path.arrivals(0.001 * k, 4)]
+    assert sorted(took) == pytest.approx(sorted(exact), abs=1e-12)

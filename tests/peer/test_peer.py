@@ -64,6 +64,24 @@ def test_a_step_is_the_papers_equation() -> None:
     assert abs(report.residual) < 1e-15
 
 
+def test_a_sample_is_there_before_the_books() -> None:
+    """`move` and `account` are the two halves of `step`, to the bit."""
+    whole, halves = peer(stiffness=10.0), peer(stiffness=10.0)
+    for k in range(20):
+        for one in (whole, halves):
+            one.receive(sample(1, k, 0.5 - 0.01 * k))
+        told = halves.move(0.01 * (k + 1), 0.01)
+        assert (told.index, halves.steps) == (k, k + 1)
+        here, there = whole.step(0.01 * (k + 1), 0.01), halves.account()
+        assert there.sample is told
+        assert (told.index, told.stamp) == (here.sample.index, here.sample.stamp)
+        assert np.array_equal(told.position, here.sample.position)
+        assert (there.supplied, there.residual, there.kinetic) == (here.supplied, here.residual, here.kinetic)
+        assert np.array_equal(there.age, here.age)
+    assert np.array_equal(whole.state.position, halves.state.position)
+    assert whole.integrated == halves.integrated
+
+
 def test_a_peer_listens_to_its_neighbours_only() -> None:
     one = peer()
     assert not one.receive(sample(5, 0, 1.0))

@@ -8,7 +8,7 @@ from tests.session.world import World
 from cotouch.errors import SessionError
 from cotouch.live import Message, PathLaw
 from cotouch.network import Network
-from cotouch.session import measured
+from cotouch.session import Status, measured
 
 THREE = """
 [session]
@@ -116,17 +116,25 @@ def test_the_first_takes_over_when_the_host_and_the_lowest_seat_die_at_once() ->
 
 
 def test_an_outage_guards_the_link_and_it_couples_again() -> None:
+    """At once: the outage is in nobody's budget, so nobody has to hold still for as long as it was."""
     world = three()
     ann, ben, cleo = world.people
     world.run(1.0)
+
+    def totals() -> list[float]:
+        return [held.guard.total for person in world.people for held in person.copy.neighbours.values()]
+
+    before = totals()
     for other in (ben, cleo):
         world.paths(ann, other, PathLaw(delay=0.005, down=True))
     world.run(4.0)
     assert "coupled" not in ann.states().values()
     for other in (ben, cleo):
         world.paths(ann, other, PathLaw(delay=0.005))
-    world.until(world.all_coupled, 20.0)
+    world.until(world.all_coupled, 1.0)
     world.run(6.0)
+    assert world.all_coupled()
+    assert max(totals()) < 1.5 * max(before)
     assert world.apart() < 2e-3
     world.check()
 
@@ -158,7 +166,7 @@ def test_a_peer_that_stalls_is_waited_for_by_nobody() -> None:
     ben.stalled_until = world.now + 3.0
     world.run(3.0)
     assert world.people[0].states()[1] != "coupled"
-    world.until(world.all_coupled, 20.0)
+    world.until(world.all_coupled, 1.5)
     world.check()
 
 
@@ -273,6 +281,62 @@ def test_a_turn_takes_up_so_many_messages_and_forgets_none() -> None:
     assert said == list(range(100))
     assert most <= 12
     assert turns >= 9
+
+
+def test_a_status_is_said_in_pieces_and_whole() -> None:
+    world = three()
+    person, said = world.people[0], list[tuple[str, bytes]]()
+    control = person.control
+    send = control.send
+    control.send = lambda topic, body, *, to=None: (said.append((topic, body)), send(topic, body, to=to))[1]
+    turns, looked = 0, list[int]()  # in which turn a link was looked at
+    status_of, serve = person.copy.link_status, person.member.service
+
+    def service(now: float) -> None:
+        nonlocal turns
+        turns += 1
+        serve(now)
+
+    person.copy.link_status = lambda seat: (looked.append(turns), status_of(seat))[1]
+    person.member.service = service
+    world.until(lambda: any(topic == "status" for topic, _ in said) and len(looked) >= 2, 2.0)
+    assert len(set(looked)) == len(looked)
+    status = Status.model_validate_json(next(body for topic, body in said if topic == "status"))
+    assert [link.seat for link in status.links] == [1, 2]
+    assert status.steps > 0
+    for _ in range(3):
+        person.member.service(world.now)
+    assert not person.member.pending
+
+
+def test_a_neighbour_that_goes_is_left_out_of_what_is_being_said() -> None:
+    world = three()
+    person = world.people[0]
+    for _ in range(200):
+        if person.member.pending:
+            break
+        world.run(0.005)
+    assert person.member.pending
+    person.copy.alone(world.now)
+    for _ in range(5):
+        person.member.service(world.now)
+    assert not person.member.pending
+
+
+def test_samples_are_read_between_steps_and_used_in_the_next() -> None:
+    world = three()
+    ann, ben = world.people[0], world.people[1]
+    link = ann.copy.neighbours[1].link
+    steps, before = ann.copy.peer.steps, link.assembly.newest
+    ann.stalled_until = world.now + 0.05
+    world.run(0.04)
+    assert link.assembly.newest == before  # nobody read
+    ann.member.listen(world.now)
+    assert ann.copy.peer.steps == steps
+    assert link.assembly.newest > before + 5
+    assert ben.copy.peer.steps > link.assembly.newest
+    world.run(1.0)
+    world.check()
 
 
 def test_links_are_tended_in_turns_where_they_are_many() -> None:

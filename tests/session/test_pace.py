@@ -2,7 +2,7 @@ from cotouch.session._pace import Pace
 
 
 def test_what_was_before_a_restart_does_not_count() -> None:
-    pace = Pace(0.002, 0.0)
+    pace = Pace(0.002)
     pace.stepped(0.05, 0.3, 0.3)
     assert pace.since()["missed"] == 174
     pace.restart()

@@ -17,7 +17,8 @@ _MOST_WAITING = 100_000
 class ImpairedTransport:
     """Holds back, loses and doubles what is sent, by a law for each neighbour; see `Transport`.
 
-    What is due leaves at the next call, so delays are longer by up to the time between two of them.
+    What is due leaves at the next call. Delays are exact for whoever polls once `due` has come, else longer by up to
+    the time between two calls.
     """
 
     def __init__(
@@ -51,6 +52,11 @@ class ImpairedTransport:
             self._paths[neighbour].law = law
         else:
             self._paths[neighbour] = Path(law, np.random.default_rng([self._seed, neighbour]))
+
+    @property
+    def due(self) -> float:
+        """When the next datagram is to leave; inf: none waits [s]."""
+        return self._waiting[0][0] if self._waiting else float("inf")
 
     def law(self, neighbour: int) -> PathLaw:
         """The law of the direction to a neighbour."""

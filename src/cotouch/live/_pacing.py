@@ -2,6 +2,8 @@
 
 Sleep to shortly before the deadline, then look at the clock without sleeping: how late a sleep ends is the operating
 system's business, how late the loop is then is not. Deadlines are `t₀ + k·period`; those that passed are left out.
+What can be done before the deadline, such as reading what arrived, is done while waiting: as late as it can be and
+still be done in time, so that the step finds everything that came until then, and finds it read.
 """
 
 import math
@@ -9,7 +11,7 @@ import time
 from array import array
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import NamedTuple, final
+from typing import NamedTuple, Protocol, final
 
 from cotouch.errors import SessionError
 
@@ -20,6 +22,27 @@ _KEPT = 1 << 16
 # Looks at a clock that stands still, and sleeps that end at once, are given up after so many.
 _MOST_LOOKS = 1_000_000
 _MOST_SLEEPS = 64
+# A look that finds nothing takes less than this; nearer to the deadline only the clock is looked at [s].
+_LOOK = 30e-6
+# Reading is given as long as it took lately, but at most this share of the period; a step counts for so much of that.
+_MOST_LEAD = 0.3
+_LEARN = 0.05
+
+
+class Idle(Protocol):
+    """What a loop does while it waits."""
+
+    def due(self) -> float:
+        """When it wants to look at the latest, on the pacer's clock; inf: before the deadline is soon enough [s]."""
+        ...
+
+    def look(self, now: float) -> None:
+        """Does what can be done now; never waits.
+
+        Args:
+            now: on the pacer's clock [s].
+        """
+        ...
 
 
 class Turn(NamedTuple):
@@ -73,6 +96,9 @@ class Pacer:
 
     `wait` once for every step: it returns when the step's time is over, and says how long the step was.
 
+    Attributes:
+        worked: time before the deadline of the last step that was spent on reading, not on waiting [s].
+
     Examples:
         >>> pacer = Pacer(0.001, cap=0.02)
         >>> turn = pacer.wait()
@@ -88,6 +114,7 @@ class Pacer:
         spin: float = 100e-6,
         clock: Callable[[], float] = time.monotonic,
         sleep: Callable[[float], None] = time.sleep,
+        idle: Idle | None = None,
     ) -> None:
         """Prepares the loop; the first step begins now.
 
@@ -97,6 +124,7 @@ class Pacer:
             spin: how long before the deadline sleeping ends, >= 0; what is longer costs that share of a core [s].
             clock: monotonic time [s].
             sleep: waits so long, or a little longer [s].
+            idle: what is done meanwhile; None: nothing.
 
         Raises:
             SessionError: one of them is out of its range.
@@ -112,6 +140,8 @@ class Pacer:
         self._spin = spin
         self._clock = clock
         self._sleep = sleep
+        self._idle = idle
+        self._lead = self.worked = 0.0
         self._late = array("d", bytes(8 * _KEPT))
         self.restart()
 
@@ -143,17 +173,14 @@ class Pacer:
         clock = self._clock
         deadline = self._begin + self._next * self._period
         before = now = clock()
-        for _ in range(_MOST_SLEEPS):
-            ahead = deadline - now - self._spin
-            if ahead <= 0.0:
-                break
-            self._sleep(ahead)
-            now = clock()
+        self.worked = 0.0
+        idle = self._idle
+        now = self._doze(now, deadline - self._spin) if idle is None else self._look(idle, now, deadline)
         for _ in range(_MOST_LOOKS):
             if now >= deadline:
                 break
             now = clock()
-        self._waited += now - before
+        self._waited += now - before - self.worked
         T = max(now - self._last, 1e-9)  # a clock that stands still must not make a step of no length
         self._last = now
         self._late[self._steps % _KEPT] = now - deadline
@@ -167,6 +194,42 @@ class Pacer:
             return Turn(now, T, 0.0)
         self._long += 1
         return Turn(now, self._cap, T - self._cap)
+
+    def _doze(self, now: float, end: float) -> float:
+        """Sleeps until shortly after the end, with more than one sleep if they end early; returns the time then."""
+        for _ in range(_MOST_SLEEPS):
+            ahead = end - now
+            if ahead <= 0.0:
+                break
+            self._sleep(ahead)
+            now = self._clock()
+        return now
+
+    def _look(self, idle: Idle, now: float, deadline: float) -> float:
+        """Looks whenever something is due, then once in time for the deadline, then again until it is near."""
+        clock = self._clock
+        begin, end = deadline - self._spin - self._lead, deadline - _LOOK
+        for _ in range(_MOST_SLEEPS):
+            due = idle.due()
+            if max(due, now) >= begin:
+                break
+            now = self._doze(now, due)
+            idle.look(now)
+            now = clock()
+        now = self._doze(now, begin)
+        if now >= end:
+            return now
+        idle.look(now)
+        then, now = now, clock()
+        self.worked = now - then
+        self._lead += _LEARN * (min(self.worked, _MOST_LEAD * self._period) - self._lead)
+        now = self._doze(now, deadline - self._spin)  # there was less to read than usual
+        for _ in range(_MOST_LOOKS):
+            if now >= end:
+                break
+            idle.look(now)
+            now = clock()
+        return now
 
     def statistics(self) -> PaceStatistics:
         """How well the rate was kept since the beginning; NaN where there was no step yet."""

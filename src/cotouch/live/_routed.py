@@ -26,6 +26,8 @@ _ACTIVE = 1.0
 # The machine is asked for its interfaces at most this often.
 _LOOK_AROUND = 5.0
 _MOST_EVENTS = 256
+# Ways are tended at most this often, however often arrivals are looked for.
+_TEND = 0.002
 
 
 @final
@@ -78,8 +80,7 @@ class RoutedTransport:
         self._relay_rate = relay_rate
         self._interfaces = interfaces
         key = member_key(secret, session)
-        self._mirror = Mirror(key)
-        self._lookup = Lookup(key, entropy)
+        self._mirror, self._lookup = Mirror(key), Lookup(key, entropy)
         self._neighbours: dict[int, Known] = {}
         self._labels: dict[int, int] = {}
         self._by_relay: dict[int, bytes] = {}  # neighbours that were not introduced
@@ -87,10 +88,9 @@ class RoutedTransport:
         self._relay_limit = SourceLimit(rate=4096.0, burst=4096.0, stranger_rate=200.0, stranger_burst=64.0)
         self._events: deque[WayChanged] = deque(maxlen=_MOST_EVENTS)
         self._listening = ground.address
-        self._here: list[Candidate] = []
-        self._own: list[Candidate] = []
+        self._here, self._own = list[Candidate](), list[Candidate]()
         self._looked = -float("inf")
-        self._last = ground.now()
+        self._last, self._tended = ground.now(), -float("inf")
         self._open = True
         self.look(mirrors)
         self._look_around(self._last)
@@ -189,11 +189,9 @@ class RoutedTransport:
         known = self._neighbours.get(neighbour)
         member = self._by_relay.get(neighbour) if known is None else known.member
         by = self.direct if member is None or (known is not None and known.address is not None) else self.relayed
-        if not self._open:
-            by.unsent["closed"] += 1
-            return False
-        if len(payload) > MOST_BYTES:
-            by.unsent["too long"] += 1
+        why = "closed" if not self._open else "too long" if len(payload) > MOST_BYTES else None
+        if why is not None:
+            by.unsent[why] += 1
             return False
         if known is not None:
             known.sent = self._last
@@ -232,7 +230,9 @@ class RoutedTransport:
         now = self._ground.now()
         if came := self._relayed(now):
             out = sorted(out + came, key=lambda arrival: arrival.time)
-        self._tend(now)
+        if now >= self._tended + _TEND:
+            self._tended = now
+            self._tend(now)
         self._last = now
         return out
 

@@ -127,13 +127,15 @@ class UdpTransport:
         """Everything that arrived since the last call, oldest first; never waits."""
         if self._socket is None:
             return []
-        arrived, traffic, received = list[Arrival](), self._traffic, 0
+        arrived, traffic, received, behind = list[Arrival](), self._traffic, 0, None
         read, now = self._socket.recvmsg, self._clock()
-        behind = time.time() - now  # the kernel stamps with the clock of the wall
         for _ in range(_MOST_AT_ONCE):
             try:
                 payload, extra, _, sender = read(MOST_BYTES + 1, _SPACE)
             except BlockingIOError:
+                if not arrived:  # the most frequent case by far
+                    self._last = now
+                    return arrived
                 break
             except OSError as error:  # an earlier datagram's bad news; the next call goes on
                 traffic.dropped[_why(error)] += 1
@@ -148,6 +150,8 @@ class UdpTransport:
             stamp = now
             if extra and len(extra[0][2]) == _TIMESPEC.size:
                 seconds, nanoseconds = _TIMESPEC.unpack(extra[0][2])
+                if behind is None:
+                    behind = time.time() - self._clock()  # the kernel stamps with the clock of the wall
                 # A datagram arrived after the last reading and before this one, whatever was done to the wall's clock.
                 stamp = min(max(seconds + 1e-9 * nanoseconds - behind, self._last), now)
             arrived.append(Arrival(payload, source, stamp))

@@ -130,14 +130,14 @@ class Peer:
         self._extra = np.ascontiguousarray(extra_damping, dtype=np.float64)
         self._work = workspace(model.operator, width, grips.last - grips.first)
         self._books = np.zeros(BOOKS)
-        self._tolerance = tolerance
-        self._iterations = iterations
+        self._solver = tolerance, iterations
         self.tools = tools
         self._surface = surface
         self._soft = None if surface is None else surface.soft
         self._touch = None
         self._touch_books = np.zeros(TOUCH_BOOKS)
         self._rescaled = 0.0
+        self._moved: tuple[Sample, list[float], float] | None = None  # the last step, not in the books yet
         settle(model.operator, self.state, self._books, model.lanes)
         self._energy = float(self._books[KINETIC] + self._books[ELASTIC])
         if tools is not None:
@@ -239,11 +239,24 @@ class Peer:
         return self._scale.stiffness
 
     def step(self, now: float, T: float) -> Report:
-        """Takes the step that ends now and lasted T.
+        """Takes the step that ends now and lasted T: `move` and `account`.
 
         Args:
             now: time on this peer's clock [s].
             T: length of the step, > 0 [s].
+        """
+        self.move(now, T)
+        return self.account()
+
+    def move(self, now: float, T: float) -> Sample:
+        """Moves through the step that ends now and lasted T; `account` must follow before anything else changes.
+
+        Args:
+            now: time on this peer's clock [s].
+            T: length of the step, > 0 [s].
+
+        Returns:
+            What the neighbours should be told, with the words that the links' guards have now.
         """
         links, books, lanes, scale, x = self._links, self._books, self._lanes, self._scale, self.state.position
         if scale.rising:
@@ -260,45 +273,25 @@ class Peer:
             else:
                 approach(x, sample.position, share, place, lanes)
         own = len(self._ends)
-        touched = self._touch_books
-        if self.tools is None or self._surface is None or self._touch is None:
-            step(
-                scale.operator,
-                self.state,
-                links,
-                self.grips,
-                self._local,
-                self._extra,
-                T,
-                own,
-                self._work,
-                books,
-                self._link_work,
-                self._tolerance,
-                self._iterations,
-                lanes,
-            )
+        op, state, grips, work = scale.operator, self.state, self.grips, self._work
+        surface, tools, touch, touched = self._surface, self.tools, self._touch, self._touch_books
+        damping, rest = (self._local, self._extra), (self._link_work, *self._solver, lanes)
+        if tools is None or surface is None or touch is None:
+            step(op, state, links, grips, *damping, T, own, work, books, *rest)
         else:
-            touch_step(
-                scale.operator,
-                self.state,
-                links,
-                self.grips,
-                self._surface,
-                self.tools,
-                self._local,
-                self._extra,
-                T,
-                own,
-                self._work,
-                self._touch,
-                books,
-                touched,
-                self._link_work,
-                self._tolerance,
-                self._iterations,
-                lanes,
-            )
+            touch_step(op, state, links, grips, surface, tools, *damping, T, own, work, touch, books, touched, *rest)
+        self.steps += 1
+        self.integrated += T
+        sample = Sample(
+            sender=self.index, index=self.steps - 1, stamp=now - 0.5 * T, position=links.samples[own].copy()
+        )
+        self._moved = sample, age, T
+        return sample
+
+    def account(self) -> Report:
+        """Books the step that was just moved through; guards get what it left over."""
+        assert self._moved is not None
+        books, touched, scale, (sample, age, T) = self._books, self._touch_books, self._scale, self._moved
         # As Python's own numbers from here on: one by one out of an array they take longer than the step of a point.
         square, did, touch = self._work.quadratic.tolist(), books.tolist(), touched.tolist()
         for guard, end in self._guarded:
@@ -311,7 +304,7 @@ class Peer:
         lost = did[BODY_LOSS] + did[LOCAL_LOSS] + did[EXTRA_LOSS] + touch[TOUCH_LOSS]
         supplied = did[SUPPLIED] + touch[DRIVE]
         report = Report(
-            sample=Sample(sender=self.index, index=self.steps, stamp=now - 0.5 * T, position=links.samples[own].copy()),
+            sample=sample,
             force=self.grips.force[self.grips.first : self.grips.last].copy(),
             supplied=did[SUPPLIED],
             body_loss=did[BODY_LOSS],
@@ -332,8 +325,6 @@ class Peer:
             guards=tuple(None if end.guard is None else end.guard.books for end in self._ends),
         )
         self._energy, self._rescaled = energy, 0.0
-        self.steps += 1
-        self.integrated += T
         return report
 
     def _decide(self, guard: LinkGuard, end: "_End", sample: Sample, now: float, T: float) -> float:

@@ -1,7 +1,7 @@
 """A live session: who takes part, how they meet, and each one's copy of the object."""
 
 from cotouch.session._coordinator import ABSENT_AFTER, Coordinator, Planner, acting
-from cotouch.session._copy import Copy, Neighbour
+from cotouch.session._copy import Copy
 from cotouch.session._demo import Shown, demo_file, demo_session, play
 from cotouch.session._demo_stage import DemoStage
 from cotouch.session._file import DEFAULT_RATE, MOST_USERS, SessionFile, SessionTable
@@ -13,6 +13,7 @@ from cotouch.session._measure import Measured, measure, measured
 from cotouch.session._member import Member
 from cotouch.session._member_stage import MemberStage, member_stage
 from cotouch.session._messages import Entry, LinkStatus, Roster, Status
+from cotouch.session._neighbour import Neighbour
 from cotouch.session._open import OpenHost, open_host, watching
 from cotouch.session._planner import LinkPlanner
 from cotouch.session._process import MemberProcess

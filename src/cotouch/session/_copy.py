@@ -1,31 +1,20 @@
 """One member's copy of the object, and all that joins it to its neighbours."""
 
-import math
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any, Protocol, final
 
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.live import (
-    Assembly,
-    BudgetAgreement,
-    ControlPlane,
-    Entropy,
-    IndexedAssembly,
-    LinkAges,
-    SampleLink,
-    SamplePlane,
-    SendRate,
-)
+from cotouch.live import ControlPlane, Entropy, IndexedAssembly, SamplePlane
 from cotouch.mechanics import Model
-from cotouch.peer import COUPLED, READY, LinkGuard, Peer, Report
+from cotouch.peer import Peer, Report
 from cotouch.scenario import per_user
 from cotouch.session import _keys
 from cotouch.session._file import SessionFile
 from cotouch.session._hand import Hand
 from cotouch.session._messages import Entry, LinkStatus, Roster, Status
+from cotouch.session._neighbour import STATES, Neighbour
 from cotouch.session._replica import Replica
 from cotouch.session._totals import Totals
 from cotouch.session._ways import Ways
@@ -35,13 +24,10 @@ Float = npt.NDArray[np.float64]
 BUDGET = "link.budget"
 # Where nobody is heard for so long after coming, nobody moves yet, and the copy starts at rest [s].
 _QUIET = 1.5
-# Steps that may come late by so many periods without a budget being raised for it.
-_SLACK = 2.0
 # A peer that waits for its neighbours says its last sample again after this [s].
 _TELL_AGAIN = 0.1
 # Links that are tended at once, between two steps.
 _AT_ONCE = 8
-_STATES = {COUPLED: "coupled", READY: "ready"}
 
 
 class Recorder(Protocol):
@@ -58,48 +44,6 @@ class Recorder(Protocol):
     def event(self, kind: str, time: float, **fields: Any) -> None:
         """Something happened."""
         ...
-
-
-@final
-@dataclass(eq=False)
-class Neighbour:
-    """One end of a link.
-
-    Attributes:
-        entry: who is at the other end.
-        strength: of the spring [N/m for the weight].
-        weight: index of the spring's weight among the model's.
-        keys: how it gets its keys.
-        link: its samples.
-        guard: what keeps this end passive.
-        budget: how both ends agree on ages.
-        connected: whether the spring is there, because the neighbour's state is known.
-        guarded: how often it was guarded since it was coupled first.
-    """
-
-    entry: Entry
-    strength: float
-    weight: int
-    keys: _keys.KeyExchange
-    link: SampleLink
-    guard: LinkGuard
-    budget: BudgetAgreement
-    connected: bool = False
-    guarded: int = 0
-
-    @property
-    def heard(self) -> bool:
-        """Whether the neighbour's whole state is known."""
-        assembly = self.link.assembly
-        return assembly.newest >= 0 if isinstance(assembly, IndexedAssembly) else assembly.complete
-
-    @property
-    def used(self) -> int:
-        """Index of the sample that the last step used; -2 where it was put together of several, -3 unsaid."""
-        assembly = self.link.assembly
-        if isinstance(assembly, IndexedAssembly):
-            return -3
-        return assembly.newest if min(assembly.indices) == assembly.newest else -2
 
 
 @final
@@ -250,20 +194,18 @@ class Copy:
             now: end of the step [s].
             T: its length [s].
         """
-        self._plane.poll(now)
-        if self.peer is None and not self._start(now):
-            return False
+        if self.peer is None:
+            self._plane.poll(now)
+            if not self._start(now):
+                return False
         peer, hand = self.peer, self._hand
         assert peer is not None
         assert hand is not None
-        for seat, neighbour in self.neighbours.items():
-            if not neighbour.connected and neighbour.heard:
-                neighbour.connected = True
-                self._align(neighbour)
-                peer.connect(seat, neighbour.guard, strength=neighbour.strength, weight=neighbour.weight)
-                self._changed(now)
         self._owed = min(self._owed + T, self._options.longest_step)
-        if self._mode == "self-paced" and not peer.ready:
+        waits = self._mode == "self-paced"
+        if waits:
+            self._hear(peer, now)
+        if waits and not peer.ready:
             if now - self._told >= _TELL_AGAIN and self._last is not None:  # two must not wait for each other for ever
                 self._told = now
                 self._plane.send(now, self._last.sample, self._length)
@@ -271,16 +213,37 @@ class Copy:
         length, self._owed = self._owed, 0.0
         self._told, self._length = now, length
         hand.before(now - self._began, length)
-        report = peer.step(now, length)
-        hand.after()
+        if not waits:  # as late as can be: what comes after this waits for the next step
+            self._hear(peer, now)
+        sample = peer.move(now, length)
         self._plane.stepped(now)
-        self._plane.send(now, report.sample, length)
+        self._plane.send(now, sample, length)  # as early as can be: what is only for this copy comes after it
+        hand.after()
+        report = peer.account()
         self._last = report
         self.totals.add(report, peer.neighbours)
         self._notice()
         if self._recorder is not None:
             self._recorder.step(self, report, now, length)
         return True
+
+    def listen(self, now: float) -> None:
+        """Reads what arrived, ahead of the step that will use it.
+
+        Args:
+            now: [s].
+        """
+        self._plane.poll(now)
+
+    def _hear(self, peer: Peer, now: float) -> None:
+        """Reads what arrived; a neighbour that is heard first gets its spring."""
+        self._plane.poll(now)
+        for seat, neighbour in self.neighbours.items():
+            if not neighbour.connected and neighbour.heard:
+                neighbour.connected = True
+                self._align(neighbour)
+                peer.connect(seat, neighbour.guard, strength=neighbour.strength, weight=neighbour.weight)
+                self._changed(now)
 
     def _start(self, now: float) -> bool:
         """Begins to move where a neighbour is, or where the file says, if nobody moves yet."""
@@ -324,64 +287,24 @@ class Copy:
 
     def _add(self, seat: int, entry: Entry, now: float) -> None:
         """Prepares a link; its spring comes when the neighbour is heard."""
-        network, options, layout = self._replica.scenario.network, self._options, self._replica.layout
-        still = np.zeros((layout.rows, layout.width))
-        assembly: Assembly | IndexedAssembly = (
-            Assembly(layout, sender=seat, initial=still)
-            if self._mode == "freshest"
-            else IndexedAssembly(layout, sender=seat, initial=still, delay=self._index_delay(seat))
-        )
-        highest = options.send_rate or 1.0 / self._session.period(self.seat)
-        ages = LinkAges(window=options.window)
-        link = SampleLink(assembly, rate=SendRate(highest=highest), ages=ages)
         number = int.from_bytes(self._entropy(4), "big")
         while number in self._numbers:
             number = (number + 1) % (1 << 32)
         self._numbers.add(number)
-        keys = _keys.KeyExchange(
-            self._control,
-            link.seal,
-            other=bytes.fromhex(entry.key),
-            session=self._session.digest,
-            connection=number,
+        self.neighbours[seat] = made = Neighbour.make(
+            entry,
+            session=self._session,
+            replica=self._replica,
+            seat=self.seat,
+            control=self._control,
+            number=number,
             entropy=self._entropy,
             secret=self._secret,
+            now=now,
         )
-        guard = LinkGuard(
-            assembly,
-            seed=options.seed,
-            cap=max(options.tank, options.seed),
-            force=options.force_limit,
-            power=options.power_limit,
-            rounding=self._replica.rounding,
-            epoch=1 + self._entropy(1)[0] % 255,
-        )
-        link.guard = guard
-        self.neighbours[seat] = Neighbour(
-            entry=entry,
-            strength=float(network.spring[self.seat, seat]),
-            weight=int(network.weight_of[self.seat, seat]) + 1,
-            keys=keys,
-            link=link,
-            guard=guard,
-            budget=BudgetAgreement(
-                life=max(1, int(1e9 * now)),
-                quantile=options.quantile,
-                margin=options.margin,
-                slack=_SLACK * self._session.period(self.seat),
-            ),
-        )
-        self._seeds += options.seed
-        self._plane.connect(seat, link)
+        self._seeds += self._options.seed
+        self._plane.connect(seat, made.link)
         self._ways.introduce(seat, bytes.fromhex(entry.key))
-
-    def _index_delay(self, seat: int) -> int:
-        """N_ij of a neighbour, from the file: as given, or what covers the delay that it says."""
-        given = self._replica.scenario.synchronisation.index_delay
-        if given is not None:
-            return max(1, given[self.seat][seat])
-        delay = float(self._replica.scenario.network.delay[self.seat, seat])
-        return 1 + math.ceil(delay / self._session.period(self.seat))
 
     def _align(self, neighbour: Neighbour) -> None:
         """Counts a neighbour's steps from where they are when it is heard first: nobody began at the same time."""
@@ -435,22 +358,25 @@ class Copy:
             events = neighbour.guard.events
             while events:
                 event = events.popleft()
-                state = _STATES.get(event.state, "guarded")
+                state = STATES.get(event.state, "guarded")
                 neighbour.guarded += state == "guarded"
                 if self._recorder is not None:
                     self._recorder.event(state, event.time, seat=seat, reason=event.reason)
 
     # -- what is seen ------------------------------------------------------------------------------------------------
 
-    def status(self, now: float) -> Status:
+    def status(self, now: float, links: list[LinkStatus] | None = None) -> Status:
         """What this member says about itself.
 
         Args:
             now: [s].
+            links: what it says of its links, if that was worked out before.
         """
+        if links is None:
+            links = [self.link_status(seat) for seat in self.neighbours]
         peer, totals, report = self.peer, self.totals, self._last
         if peer is None or report is None:
-            return Status(seat=self.seat, epoch=self._roster.epoch, links=[self._link(s) for s in self.neighbours])
+            return Status(seat=self.seat, epoch=self._roster.epoch, links=links)
         needed = sum(held.strength * held.guard.total for held in self.neighbours.values()) * 0.5
         model = peer.model
         return Status(
@@ -469,7 +395,7 @@ class Copy:
             residual=totals.residual,
             damping=float(self.damping.max()),
             certificate=float(self.damping.sum() / needed - 1.0) if needed > 0.0 else None,
-            links=[self._link(seat) for seat in self.neighbours],
+            links=links,
             alarms=totals.alarms,
         )
 
@@ -481,28 +407,12 @@ class Copy:
             force = force + tools.drive_force[tools.first : tools.last].sum(axis=0)[: force.size]
         return float(np.linalg.norm(force))
 
-    def _link(self, seat: int) -> LinkStatus:
-        """What is known of a link."""
-        held = self.neighbours[seat]
-        link, peer = held.link, self.peer
-        if not held.keys.agreed:
-            return LinkStatus(seat=seat, state="keys", way=self._ways.way(seat))
-        if not held.connected or peer is None:
-            return LinkStatus(seat=seat, state="waiting", way=self._ways.way(seat))
-        books, own = held.guard.books, link.ages.own
-        apart = np.linalg.norm(peer.state.position - link.assembly.state, axis=1)
-        return LinkStatus(
-            seat=seat,
-            state=_STATES.get(books.state, "guarded"),
-            way=self._ways.way(seat),
-            age=None if own is None else own[0],
-            ages=link.ages.worst_sum,
-            budget=held.guard.total if np.isfinite(held.guard.budget) else None,
-            path=link.ages.shortest_path,
-            loss=link.rate.loss,
-            rate=link.rate.rate,
-            force=float(np.sqrt(max(0.0, 2.0 * books.potential * held.strength))),
-            work=self.totals.link_work.get(seat, 0.0),
-            difference=float(apart.max()),
-            guarded=held.guarded,
-        )
+    def link_status(self, seat: int) -> LinkStatus:
+        """What is known of a link.
+
+        Args:
+            seat: of a neighbour.
+        """
+        position = None if self.peer is None else self.peer.state.position
+        work = self.totals.link_work.get(seat, 0.0)
+        return self.neighbours[seat].status(position, way=self._ways.way(seat), work=work)

@@ -1,5 +1,6 @@
 """Taking part in a session from this process: what opens sockets, reads the clock, and moves the copy in time."""
 
+import math
 import os
 import time
 from collections.abc import Callable, Mapping
@@ -9,7 +10,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Literal, final
 
-from cotouch.errors import SessionError, TransportError
+from cotouch.errors import TransportError
 from cotouch.live import (
     Address,
     ControlPlane,
@@ -20,6 +21,7 @@ from cotouch.live import (
     RoutedTransport,
     UdpTransport,
     ZenohControl,
+    few_arenas,
     prepare_process,
 )
 from cotouch.mechanics import Model
@@ -118,6 +120,7 @@ def join(
         SessionError: it may not take part.
         TransportError: the host, the network or this machine refuses.
     """
+    few_arenas()
     identity = Identity.make(os.urandom)
     tell = say or _nobody
     tell("joining")
@@ -196,8 +199,9 @@ def _take_part(
                 impaired.set(other, law)
         return _hand(session, replica, hand, seat, model, window=window, told=window is not None)
 
-    pacer = Pacer(session.period(0), cap=session.options.longest_step, clock=clock)
-    pace = Pace(session.period(0), clock())
+    listening = _Listening(impaired)
+    pacer = Pacer(session.period(0), cap=session.options.longest_step, clock=clock, idle=listening)
+    pace = Pace(session.period(0))
     member = Member(
         session=session,
         replica=replica,
@@ -213,6 +217,7 @@ def _take_part(
         pace=pace.since,
         delays=None if window is None else lambda: window.delays,
     )
+    listening.member = member
     try:
         with prepare_process():
             why = _loop(member, pacer, pace, clock, window, impaired, seconds=seconds, stopped=stopped)
@@ -232,6 +237,28 @@ def _take_part(
         if tape is not None:
             tape.close()
         (routed if impaired is None else impaired).close()
+
+
+@final
+class _Listening:
+    """What the loop does while it waits: it reads samples, and lets go of what an emulated network held back.
+
+    Attributes:
+        member: whose samples.
+    """
+
+    def __init__(self, impaired: ImpairedTransport | None) -> None:
+        self.member: Member | None = None
+        self._impaired = impaired
+
+    def due(self) -> float:
+        """When the next datagram leaves the emulated network; inf: there is none [s]."""
+        return math.inf if self._impaired is None else self._impaired.due
+
+    def look(self, now: float) -> None:
+        """Reads what arrived."""
+        if self.member is not None:
+            self.member.listen(now)
 
 
 def _loop(
@@ -262,7 +289,7 @@ def _loop(
                     member.copy.give_damping(window.damping, now)
             if stopped():
                 return "stopped"
-        pace.stepped(T, stood, clock() - now)
+        pace.stepped(T, stood, clock() - now + pacer.worked)
         if member.ended:
             return "ended"
         if seconds is not None and began is not None and now - began >= seconds:
@@ -317,6 +344,3 @@ def _fetched(control: ControlPlane, digest: bytes, patience: float) -> bytes:
             raise TransportError(f"{who} within {patience:.0f} s; check that the host runs and can be reached")
         time.sleep(_WAIT)
     return content
-
-
-__all__ = ["HandKind", "SessionError", "Taken", "fetch_session", "join"]

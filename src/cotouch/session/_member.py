@@ -1,7 +1,7 @@
 """One member of a session, without its process: messages, samples and times in; messages, samples and motion out."""
 
 from collections import deque
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import final
 
 import numpy as np
@@ -15,7 +15,7 @@ from cotouch.session._coordinator import Coordinator, acting, believed
 from cotouch.session._copy import Copy, Recorder
 from cotouch.session._file import MOST_USERS, SessionFile
 from cotouch.session._hand import Hand
-from cotouch.session._messages import Join, Refused, Roster, Status, read, write
+from cotouch.session._messages import Join, LinkStatus, Refused, Roster, Status, read, write
 from cotouch.session._replica import Replica
 from cotouch.session._ways import Ways
 
@@ -25,7 +25,7 @@ _STATUS_EVERY = 0.5
 _PATIENCE = 12.0
 # A turn of `service` stands between two steps, so what it takes up is bounded; signatures and rosters count for more.
 _EFFORT = 12
-_HEAVY = {"roster": 6, _keys.TOPIC: 6}
+_HEAVY = {"roster": 6, _keys.TOPIC: 6, "status": 4}
 
 
 @final
@@ -100,11 +100,12 @@ class Member:
         self._told = -float("inf")
         self._met = set[int]()
         self._waiting = deque[Message]()
+        self._telling: Iterator[None] | None = None
 
     @property
     def pending(self) -> bool:
         """Whether `service` left something for its next turn."""
-        return bool(self._waiting)
+        return bool(self._waiting) or self._telling is not None
 
     @property
     def seat(self) -> int | None:
@@ -133,16 +134,28 @@ class Member:
             self._hear(message, decider, present, now)
         self._decide(decider == own, present, now)
         if self.seat is None:
+            self._telling = None
             self._ask(now)
         elif self.copy is not None:
             since = now - self._told
-            if since >= _STATUS_EVERY and (not waiting or since >= 2.0 * _STATUS_EVERY):
+            if self._telling is None and since >= _STATUS_EVERY and (not waiting or since >= 2.0 * _STATUS_EVERY):
                 self._told = now
-                status = self.status(now)
-                assert status is not None
-                self._control.send("status", write(status))
-            else:
+                self._telling = self._tell(self.copy, now)
+            if self._telling is None:
                 self.copy.tend(now)
+            elif effort and since < _STATUS_EVERY:
+                pass  # hearing took this turn
+            elif next(self._telling, True):  # it yields nothing but None
+                self._telling = None
+
+    def listen(self, now: float) -> None:
+        """Reads samples ahead of the step that will use them; may be called at any time between two steps.
+
+        Args:
+            now: [s].
+        """
+        if self.copy is not None:
+            self.copy.listen(now)
 
     def step(self, now: float, T: float) -> bool:
         """Takes a step that ends now; False before there is something to step.
@@ -161,11 +174,28 @@ class Member:
         """
         if self.copy is None:
             return None
-        return self.copy.status(now).model_copy(update={**self._pace(), "paths": self._paths()})
+        return self._whole(self.copy.status(now))
+
+    def _tell(self, copy: Copy, now: float) -> Iterator[None]:
+        """Says what there is to say about this member, a piece in every turn: all at once would take half a step."""
+        links: list[LinkStatus] = []
+        for seat in list(copy.neighbours):
+            if seat in copy.neighbours:
+                links.append(copy.link_status(seat))
+            yield
+        if copy is not self.copy:
+            return
+        status = self._whole(copy.status(now, [link for link in links if link.seat in copy.neighbours]))
+        yield
+        self._control.send("status", write(status))
 
     def leave(self) -> None:
         """Says that it leaves."""
         self._control.send("leave", b"")
+
+    def _whole(self, status: Status) -> Status:
+        """With what the copy does not know."""
+        return status.model_copy(update={**self._pace(), "paths": self._paths()})
 
     def _paths(self) -> list[tuple[int, float]]:
         """Times there and back to all others; pings do not go through what is emulated, so its delays are added."""

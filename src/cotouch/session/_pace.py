@@ -14,14 +14,12 @@ class Pace:
         period: wanted length of a step [s].
     """
 
-    def __init__(self, period: float, now: float) -> None:
+    def __init__(self, period: float) -> None:
         """Begins to count.
 
         Args:
             period: wanted length of a step [s].
-            now: [s].
         """
-        del now
         self.restart(period)
 
     def restart(self, period: float | None = None) -> None:
