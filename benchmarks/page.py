@@ -71,7 +71,7 @@ class _Played:
         return None
 
 
-def visit(address: str, token: str, seconds: float, pointing: float) -> dict[str, Any]:
+def visit(address: str, token: str, seconds: float, pointing: float, timed: bool = True) -> dict[str, Any]:
     """A page without a browser: what it saw.
 
     Args:
@@ -79,6 +79,7 @@ def visit(address: str, token: str, seconds: float, pointing: float) -> dict[str
         token: of the server.
         seconds: how long.
         pointing: pointers a second; 0: none.
+        timed: whether their places say when they were sent, for a stage that reads it there.
     """
     from websockets.sync.client import connect
 
@@ -97,6 +98,8 @@ def visit(address: str, token: str, seconds: float, pointing: float) -> dict[str
                 part = time.monotonic() % 1000.0
                 x = np.float32(int(part) / 1000.0)  # the rest goes into y, so that single precision is enough
                 y = np.float32(part - float(x) * 1000.0)
+                if not timed:
+                    x, y = np.float32(0.02), np.float32(0.02)
                 page.send(struct.pack("<BBBBII3fffd", 2, 0, 1, 0, number, 0, x, y, 0.0, 0.0, 0.0, 1e3 * now))
             try:
                 message = page.recv(max(min(due, end) - time.monotonic(), 0.0) if pointing else 1.0)
@@ -115,11 +118,11 @@ def visit(address: str, token: str, seconds: float, pointing: float) -> dict[str
 
 
 def _page(server: PageServer, pointing: float = 0.0, seconds: float = SECONDS) -> dict[str, Any]:
-    return _visitor(server.address, server.token, seconds, pointing)
+    return _visitor(server.address, server.token, seconds, pointing, timed=True)
 
 
-def _visitor(address: str, token: str, seconds: float, pointing: float) -> dict[str, Any]:
-    asked = json.dumps([address, token, seconds, pointing])
+def _visitor(address: str, token: str, seconds: float, pointing: float, *, timed: bool) -> dict[str, Any]:
+    asked = json.dumps([address, token, seconds, pointing, timed])
     done = subprocess.run(
         [sys.executable, "-m", "benchmarks.page", "--visit"],
         input=asked, capture_output=True, text=True, check=True, timeout=seconds + 60.0,
@@ -162,7 +165,7 @@ def demonstration() -> list[Row]:
     with _demo() as (process, address, token):
         before = _cpu_of(process, 6.0)
         start, came = _times_of(process), time.monotonic()
-        found = _visitor(address, token, SECONDS, 60.0)
+        found = _visitor(address, token, SECONDS, 60.0, timed=False)
         with_page = (_times_of(process) - start) / (time.monotonic() - came)
     waits = np.array(found["waits"])
     return [
