@@ -3,7 +3,7 @@ PYTHON ?= python3.11
 BIN := .venv/bin
 STAMP := .venv/.stamp
 
-.PHONY: setup demo test browser check format bench clean
+.PHONY: setup demo test browser nats check format bench clean
 
 setup: $(STAMP)
 
@@ -30,7 +30,13 @@ browser:
 		&& apt-get update --quiet && DEBIAN_FRONTEND=noninteractive apt-get install --yes --quiet chromium; } \
 		|| echo "no chromium here and no way to install it: tests in a browser will be skipped"
 
-test: check browser
+# For the tests of users behind NATs, which are this kernel's; likewise.
+nats:
+	@command -v iptables >/dev/null || { command -v apt-get >/dev/null && test "$$(id -u)" = 0 \
+		&& apt-get update --quiet && DEBIAN_FRONTEND=noninteractive apt-get install --yes --quiet iptables; } \
+		|| echo "no iptables here and no way to install it: tests of NATs will be skipped"
+
+test: check browser nats
 	$(BIN)/pytest -n 2 --dist worksteal
 
 format: $(STAMP)

@@ -23,6 +23,7 @@ SECTIONS = (
     "planner",
     "live",
     "members",
+    "page",
     "recording",
     "record",
     "touch record",

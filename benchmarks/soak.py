@@ -84,6 +84,9 @@ class Soak:
     def fault(self) -> tuple[float, int] | None:
         """Does one; returns when to let whom go on."""
         name = self.names[int(self.rng.integers(len(self.names)))]
+        if not self.members[name].running:  # which is counted, and must not end everything
+            self.join(name)
+            return None
         if self.rng.random() < 0.25:
             self.members[name].close()
             self.join(name)
@@ -131,16 +134,26 @@ class Soak:
             self.turn()
         return [member.result() for member in self.members.values()]
 
-    def growth(self) -> tuple[float, float]:
-        """Most that a process grew by from a third of its life to its end [B], and of the longest-lived, per minute."""
-        grew, longest = 0.0, (0.0, 0.0)
-        for seen in self.memory.values():
+    @property
+    def largest(self) -> float:
+        """Most that any process took [B]."""
+        return float(max(size for seen in self.memory.values() for _, size in seen))
+
+    def growth(self) -> tuple[float, list[float]]:
+        """Most that a process grew by from a third of its life to its end [B], and slopes of the longest-lived member.
+
+        The slopes are least squares over the second quarter of its life and over its second half [B/min].
+        """
+        grew, longest = 0.0, (0.0, 0)
+        for pid, seen in self.memory.items():
             life = seen[-1][0] - seen[0][0]
-            settled = seen[len(seen) // 3]
             if life > 60.0:
-                grew = max(grew, float(seen[-1][1] - settled[1]))
-                longest = max(longest, (life, (seen[-1][1] - settled[1]) / (seen[-1][0] - settled[0]) * 60.0))
-        return grew, longest[1]
+                grew = max(grew, float(seen[-1][1] - seen[len(seen) // 3][1]))
+                longest = max(longest, (life if pid else 0.0, pid))
+        seen = np.array(self.memory[longest[1]])
+        half = len(seen) // 2
+        parts = [seen[half // 2 : half], seen[half:]]
+        return grew, [60.0 * float(np.polyfit(part[:, 0] - part[0, 0], part[:, 1], 1)[0]) for part in parts]
 
 
 def measure(minutes: float = MINUTES, seed: int = 0) -> list[Row]:
@@ -161,7 +174,7 @@ def measure(minutes: float = MINUTES, seed: int = 0) -> list[Row]:
             except ValueError:
                 unread += 1
         result = audit(recordings)
-    grew, slope = soak.growth()
+    grew, (before, after) = soak.growth()
     done = sum(one is not None for one in results)
     words = result.findings[0].words if result.findings else "no findings"
     faults = ", ".join(f"{count} {what}" for what, count in soak.faults.items())
@@ -170,7 +183,8 @@ def measure(minutes: float = MINUTES, seed: int = 0) -> list[Row]:
         Row("soak", what, f"{done} of 5 came to the end", "5 of 5", f"{faults}; paths cut about every 40 s each"),
         Row("soak", "— processes that ended by themselves", str(soak.died), "0"),
         Row("soak", "— memory: most that any process grew by after its first third", f"{grew / 1e6:.1f} MB", "flat",
-            f"the longest-lived: {slope / 1e6:+.2f} MB/min"),
+            f"slope of the longest-lived member: {before / 1e6:+.2f} MB/min in its second quarter, "
+            f"{after / 1e6:+.2f} in its second half, of {soak.largest / 1e6:.0f} MB"),
         Row("soak", "— energy residual, worst of all steps, of the energy in play", f"{soak.residual:.1e}", "≤ 1e-9",
             f"{soak.alarms} alarms"),
         Row("soak", "— audit of all recordings", "holds" if result.holds else "violated", "holds",

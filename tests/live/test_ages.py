@@ -168,3 +168,90 @@ def test_waiting_to_be_read_is_not_the_paths_time():
     ages = LinkAges()
     assert ages.echoed(5.0, arrived=4.0, echo=1.0, held=1.0) == 2.0
     assert ages.shortest_path == 2.0
+
+
+STEP, PATH = 0.01, 0.05
+
+
+class Receiver:
+    """Steps of 10 ms, and a sample of 50 ms for each of them while there are any."""
+
+    def __init__(self, **options: float) -> None:
+        self.ages, self.k, self.stamp = LinkAges(**options), 0, -PATH
+
+    @property
+    def worst(self) -> float:
+        assert self.ages.own is not None
+        return self.ages.own[1]
+
+    def steps(self, seconds: float, *, arrives: bool = True, late: float = 0.0) -> None:
+        for _ in range(round(seconds / STEP)):
+            self.k += 1
+            now = self.k * STEP
+            if arrives:
+                self.stamp = now - PATH - late
+            self.ages.used(now, self.stamp)
+            assert self.ages.own is not None
+            assert self.ages.own[0] <= self.ages.own[1]  # or nobody would believe what is told
+
+
+def test_an_outage_is_not_the_path():
+    end = Receiver()
+    end.steps(3.0)
+    end.steps(4.0, arrives=False)
+    assert end.ages.age == pytest.approx(PATH + 4.0)
+    end.steps(0.4, late=0.3)  # what was held up
+    assert end.ages.age == pytest.approx(PATH + 0.3)
+    end.steps(3.0)
+    assert end.worst == pytest.approx(PATH)
+    assert end.ages.own_quantile(0.5) == pytest.approx(PATH)
+    assert end.ages.outages == 1
+    end.steps(1.0, late=0.3)  # the path itself has become longer
+    assert end.worst == pytest.approx(PATH + 0.3)
+
+
+def test_what_a_path_loses_now_and_then_counts():
+    end = Receiver()
+    end.steps(3.0)
+    end.steps(0.45, arrives=False)
+    assert end.worst == pytest.approx(PATH)  # nobody knows yet which it is
+    end.steps(0.5)
+    assert end.worst == pytest.approx(PATH + 0.45)
+    assert end.ages.outages == 0
+    assert len(end.ages._own) == 395  # every step's, so that a quantile is a share of the time
+
+
+def test_outages_that_recur_are_the_path():
+    end = Receiver(window=10.0)
+    for gap in (2.0, 0.8):
+        end.steps(1.0)
+        end.steps(gap, arrives=False)
+    end.steps(1.0)
+    assert end.worst == pytest.approx(PATH)
+    end.steps(1.2, arrives=False)
+    end.steps(0.1)
+    assert end.worst == pytest.approx(PATH + 0.8 + STEP)  # the age that it would have had in the next step
+    assert end.ages.own_quantile(0.5) == end.worst
+    assert end.ages.sum_quantile(1.0) is None
+    end.steps(9.0)
+    assert end.worst == pytest.approx(PATH)
+
+
+def test_a_long_outage_takes_no_memory():
+    end = Receiver()
+    end.steps(1.0)
+    end.steps(600.0, arrives=False)
+    assert len(end.ages._pending) == len(end.ages._counted) == 0
+    assert len(end.ages._own) < 150
+    for _ in range(100):
+        end.steps(0.6, arrives=False)
+        end.steps(0.02)
+    assert len(end.ages._ends) <= 32
+
+
+def test_who_sends_seldom_has_longer_pauses():
+    end = Receiver(outage=2.0)
+    end.steps(1.0)
+    end.steps(1.5, arrives=False)
+    end.steps(0.5)
+    assert end.worst == pytest.approx(PATH + 1.5)

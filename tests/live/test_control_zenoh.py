@@ -20,8 +20,10 @@ from cotouch.live import (
     Endpoint,
     Invitation,
     MessageWriter,
+    Relayed,
     ZenohControl,
     _control_zenoh,
+    _forward,
     free_port,
     make_certificates,
 )
@@ -233,6 +235,42 @@ def test_relays_are_counted_against_their_sender(stack: ExitStack):
         one._session.put(key, b"flood", congestion_control=waiting)
     until(lambda: two.dropped["relayed"] > 0)
     assert 0 < len(two.relayed()) < 2900
+
+
+def test_the_host_hands_on_datagrams_of_who_is_not_seen(stack: ExitStack):
+    """Two of three do not see each other, as behind two NATs."""
+    host, one, two = joined(stack, invitation(), 3)
+    one._present = two._present = frozenset({host.identity.public})
+    two._relay_limit.unknow(one.identity.public)
+    got: list[Relayed] = []
+
+    def come(count: int) -> bool:
+        got.extend(two.relayed())
+        return len(got) >= count
+
+    for k in range(50):
+        assert one.relay(two.identity.public, bytes([k]))
+        time.sleep(0.01)
+    until(lambda: come(45))  # a relay may drop
+    assert {relayed.payload for relayed in got} <= {bytes([k]) for k in range(50)}
+    assert {relayed.sender for relayed in got} == {one.identity.public}
+    assert host.relayed() == []
+
+    one._present = frozenset()
+    assert not one.relay(two.identity.public, b"nobody takes it")
+
+
+def test_it_hands_on_so_many_of_each(stack: ExitStack, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(_forward, "_PASS_BURST", 20.0)
+    monkeypatch.setattr(_forward, "_PASS_RATE", 1e-3)
+    host, one, two = joined(stack, invitation(), 3)
+    one._present = frozenset({host.identity.public})
+    for k in range(60):
+        one.relay(two.identity.public, bytes([k]))
+        time.sleep(0.01)
+    one.send("last", b"")
+    until(host.poll)
+    assert 10 < len(two.relayed()) <= 20
 
 
 def test_a_flood_of_messages_is_not_read(stack: ExitStack):

@@ -3,10 +3,12 @@
 import gc
 import math
 import os
+import platform
 import subprocess
 import sys
 from collections.abc import Iterator
 from itertools import pairwise
+from pathlib import Path
 
 import pytest
 from hypothesis import given
@@ -294,3 +296,38 @@ def test_real_time_only_with_one_blas_thread(threads: str) -> None:
             import threadpoolctl  # noqa: F401
         except ImportError:
             assert "BLAS" in refused
+
+
+ARENAS = """
+import ctypes, pathlib, sys, threading
+from cotouch.live import few_arenas
+if "few" in sys.argv:
+    assert few_arenas()
+go, gone = threading.Barrier(13), threading.Barrier(13)
+def work():
+    held = [bytes(3000) for _ in range(50)]
+    go.wait(20)
+    gone.wait(20)
+threads = [threading.Thread(target=work, daemon=True) for _ in range(12)]
+for thread in threads:
+    thread.start()
+go.wait(20)
+libc = ctypes.CDLL(None)
+libc.fopen.restype = ctypes.c_void_p
+stream = ctypes.c_void_p(libc.fopen(sys.argv[1].encode(), b"w"))
+libc.malloc_info(0, stream)
+libc.fclose(stream)
+gone.wait(20)
+print(pathlib.Path(sys.argv[1]).read_text().count("<heap nr="))
+"""
+
+
+@pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="arenas are glibc's")
+def test_threads_share_two_arenas(tmp_path: Path):
+    def arenas(*options: str) -> int:
+        environment = {name: value for name, value in os.environ.items() if name != "MALLOC_ARENA_MAX"}
+        command = [sys.executable, "-c", ARENAS, str(tmp_path / "arenas.xml"), *options]
+        return int(subprocess.run(command, capture_output=True, check=True, timeout=60, env=environment).stdout)
+
+    assert arenas() > 4
+    assert arenas("few") <= 2

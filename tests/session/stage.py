@@ -13,11 +13,12 @@ import numpy as np
 from tests.live.emulator.star import ENTER
 
 from cotouch.live import PathLaw
-from cotouch.recording import Audit, Recording, audit, read_recording
+from cotouch.recording import Audit, LinkPhase, Recording, audit, read_recording
 
 SPECTATOR = Path(__file__).with_name("spectator.py")
 # What any wait is bounded by; what is waited for takes a tenth of it.
 PATIENCE = 90.0
+RESIDUAL = 1e-9
 
 
 class Network(Protocol):
@@ -154,6 +155,20 @@ def stage(network: Network, folder: Path, session: str, names: list[str]) -> Ite
 def audited(stage: Stage) -> tuple[Audit, list[Recording]]:
     recordings = [read_recording(path) for paths in stage.recordings.values() for path in paths]
     return audit(recordings), recordings
+
+
+def judged(played: Stage, said: dict[str, dict], force: float) -> list[Recording]:
+    """What holds after every session; returns the recordings."""
+    seen = json.loads(played.seen.read_text())["members"]
+    for status in [*seen.values(), *(one["status"] for one in said.values())]:
+        assert status["residual"] <= RESIDUAL
+        assert status["alarms"] == 0
+    result, recordings = audited(played)
+    assert result.holds, result.verdict
+    assert max(abs(books.residual) for books in result.users) <= RESIDUAL * result.in_play
+    assert max(worst_force(recording) for recording in recordings) <= force * (1.0 + 1e-9)
+    assert all((recording.columns["phase"] == LinkPhase.COUPLED).any() for recording in recordings)
+    return recordings
 
 
 def everywhere(receiver_delay: Callable[[int, int], PathLaw], star: object, users: range) -> None:

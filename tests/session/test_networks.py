@@ -3,7 +3,6 @@
 Control and samples go through the same star. Faults follow each other within one session, to save the starts.
 """
 
-import json
 import time
 from pathlib import Path
 
@@ -11,10 +10,10 @@ import numpy as np
 import pytest
 from tests.live.emulator.star import Star, obstacle
 from tests.live.test_networks import DELAY, LINKS
-from tests.session.stage import Stage, apart, audited, calmest, everywhere, stage, worst_force
+from tests.session.stage import apart, calmest, everywhere, judged, stage
 
 from cotouch.live import PathLaw
-from cotouch.recording import LinkPhase, Recording
+from cotouch.recording import LinkPhase
 
 no_star = obstacle()
 pytestmark = [
@@ -24,7 +23,6 @@ pytestmark = [
 
 ROOT = Path(__file__).parents[2]
 FORCE = 20.0
-RESIDUAL = 1e-9
 NEAR = 8e-3  # after faults that took copies 20 mm apart and more [m]
 # One hand, which goes back and forth and rests in between.
 HAND = """
@@ -64,20 +62,6 @@ rate = 200
 """ + hand(3.5)
 
 
-def judged(played: Stage, said: dict[str, dict]) -> list[Recording]:
-    """What holds after every session; returns the recordings."""
-    seen = json.loads(played.seen.read_text())["members"]
-    for status in [*seen.values(), *(one["status"] for one in said.values())]:
-        assert status["residual"] <= RESIDUAL
-        assert status["alarms"] == 0
-    result, recordings = audited(played)
-    assert result.holds, result.verdict
-    assert max(abs(books.residual) for books in result.users) <= RESIDUAL * result.in_play
-    assert max(worst_force(recording) for recording in recordings) <= FORCE * (1.0 + 1e-9)
-    assert all((recording.columns["phase"] == LinkPhase.COUPLED).any() for recording in recordings)
-    return recordings
-
-
 def test_the_papers_network_with_jitter_reordering_and_loss(tmp_path: Path) -> None:
     names = ["Ann", "Ben", "Cleo", "Dan", "Eve"]
 
@@ -85,7 +69,7 @@ def test_the_papers_network_with_jitter_reordering_and_loss(tmp_path: Path) -> N
         everywhere(lambda i, j: PathLaw(delay=DELAY[i][j], **more), star, range(5))
 
     with Star(7, seconds=170.0) as star:
-        for user in range(5):  # the host is near everybody, over paths that are as bad
+        for user in range(5):  # to host and spectator paths are short and clean
             for other in (5, 6):
                 star.set(user, other, PathLaw(delay=0.02))
                 star.set(other, user, PathLaw(delay=0.02))
@@ -102,10 +86,11 @@ def test_the_papers_network_with_jitter_reordering_and_loss(tmp_path: Path) -> N
             paths()
             played.wait(played.coupled(*names, links=len(LINKS)), "not all came together again")
             calm = time.monotonic()
-            time.sleep(7.0)
+            time.sleep(6.0)
             said = {name: played.stop(name) for name in names}
-    recordings = judged(played, said)
-    # So long ages need so much damping that copies are always on their way; they are as near as before the faults.
+    recordings = judged(played, said, FORCE)
+    # So long ages need so much damping that copies are always on their way. What the jitter asked for stays in the
+    # budgets for a window and the patience with it, 9 s: meanwhile copies follow by so much more slowly.
     near, again = (float(apart(recordings, np.arange(t, t + 5.9, 0.01)).max()) for t in (before, calm))
     assert near < 0.04
     assert again < 1.25 * near
@@ -152,7 +137,7 @@ def test_partition_one_way_outage_crash_of_a_member_and_of_the_host(tmp_path: Pa
             time.sleep(3.0)
             settled("the end of the host")
             said = {name: played.stop(name) for name in names}
-    recordings = judged(played, said)
+    recordings = judged(played, said, FORCE)
     assert [recording.name for recording in recordings] == ["Ann", "Ben", "Cleo", "Cleo"]
     assert recordings[2].broken is not None
     assert recordings[2].columns["end"][-1] > killed - 0.6  # readable up to its last batch

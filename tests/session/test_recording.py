@@ -7,7 +7,7 @@ import pytest
 from tests.session.world import World
 
 from cotouch.live import PathLaw
-from cotouch.recording import GUARDS, LinkPhase, Recording, audit, read_recording
+from cotouch.recording import EXCHANGE, GUARDS, LinkPhase, Recording, audit, read_recording
 
 SESSION = """
 [session]
@@ -107,6 +107,94 @@ def test_what_no_damping_took_is_not_credited(recordings: list[Recording]) -> No
     words = [finding.words for finding in audit([forged, *recordings[1:]]).findings]
     assert words
     assert all("credited" in text for text in words)
+
+
+@pytest.fixture(scope="module")
+def exchange(tmp_path_factory: pytest.TempPathFactory) -> list[Recording]:
+    """Ann's hand goes away while nothing passes; Ben has next to no energy of his own to follow, and gets hers."""
+    text = """
+[session]
+users = 2
+spring = 60.0
+seed = 1e-6
+[body]
+mass = 0.5
+damping = 0.2
+[steps]
+rate = 250
+[[hands]]
+user = 1
+path = [[0, 0], [2, 0.0], [3, 0.1]]
+stiffness = 40.0
+damping = 1.0
+"""
+    world = World(text, folder=tmp_path_factory.mktemp("exchange"), tick=1e-3)
+    ann, ben = world.join("Ann"), world.join("Ben", moves=False)
+    world.until(world.all_coupled, 3.0)
+    world.paths(ann, ben, PathLaw(down=True))
+    world.run(2.0)
+    world.paths(ann, ben, PathLaw(delay=0.005))
+    world.run(3.0)
+    assert world.all_coupled()
+    world.check()
+    for person in world.people:
+        assert person.tape is not None
+        person.tape.close()
+    return [read_recording(path) for path in world.recordings]
+
+
+def forged(one: Recording, link: int, energy: float, *names: str, since: float = 0.7) -> Recording:
+    """So much more in some books of a link, at once."""
+    more = np.zeros((one.steps, len(one.neighbours)))
+    more[int(since * one.steps) :, link] = energy
+    return replace(one, columns={**one.columns, **{name: one.columns[name] + more for name in names}})
+
+
+def test_what_one_end_took_the_other_gave(exchange: list[Recording]) -> None:
+    """What is forged balances at the one who took it: only both recordings together show it."""
+    ann, ben = exchange
+    assert audit(exchange).holds
+    gave, got = float(np.nanmax(ann.columns["sent"])), float(np.nanmax(ben.columns["received"]))
+    assert gave == got > 0.01
+    one = forged(ben, 0, 1.0, "received", "taken", "spilled")
+    (finding,) = audit([ann, one]).findings
+    assert (finding.place, finding.user, finding.link) == ("guard", 1, (1, 0))
+    assert finding.energy == pytest.approx(1.0, rel=1e-9)
+    assert finding.step == ben.columns["index"][int(0.7 * ben.steps)]
+    assert finding.words == "Ben took 1 J of Ann that Ann had not given"
+    assert audit([one]).holds
+    # Ann says that she gave it, and has it from nowhere else; but not, if she did so later.
+    for since, users in ((0.6, []), (0.8, [1])):
+        two = forged(ann, 0, 1.0, "sent", "given", since=since)
+        spilled = two.columns["spilled"] - (two.columns["sent"] - ann.columns["sent"])
+        two = replace(two, columns={**two.columns, "spilled": spilled})
+        assert [f.user for f in audit([two, one]).findings] == users
+    # An old recording, which does not say, is judged by what it says.
+    old = [replace(r, columns={n: v for n, v in r.columns.items() if n not in EXCHANGE}) for r in exchange]
+    assert audit(old).holds
+    assert audit([old[0], one]).holds
+
+
+def test_a_recording_that_was_cut_off_accuses_nobody(exchange: list[Recording]) -> None:
+    """What the other gave after its last batch is not known."""
+    ann, ben = exchange
+    cut = ann.first_steps(int(0.2 * ann.steps))
+    assert float(np.nanmax(cut.columns["sent"])) == 0.0
+    assert [f.user for f in audit([cut, ben]).findings if "had not given" in f.words] == [1]
+    assert not [f for f in audit([replace(cut, broken="cut off"), ben]).findings if "had not given" in f.words]
+
+
+@pytest.mark.parametrize(
+    ("names", "words"),
+    [
+        (("received",), "exchanged more"),
+        (("sent",), "exchanged more"),
+        (("taken", "spilled"), "took more of the copy"),
+    ],
+)
+def test_what_tanks_take_comes_from_somewhere(recordings: list[Recording], names: tuple[str, ...], words: str) -> None:
+    one = forged(recordings[0], recordings[0].neighbours.index(1), 1.0, *names)
+    assert any(words in finding.words for finding in audit([one]).findings)
 
 
 def test_books_that_are_not_finite_hide_nothing(recordings: list[Recording]) -> None:

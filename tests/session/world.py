@@ -17,6 +17,7 @@ from cotouch.live import (
 from cotouch.mechanics import Model
 from cotouch.session import Copy, Hand, Host, Member, MemoryWays, NoHand, Replica, ScriptedHand, SessionFile
 from cotouch.session._boards import BoardFolder
+from cotouch.session._coordinator import Planner
 from cotouch.session._desk import Desk
 from cotouch.session._emulate import path_laws
 from cotouch.session._tape import Tape
@@ -150,6 +151,7 @@ class World:
         tick: float = 5e-4,
         folder: Path | None = None,
         boards: BoardFolder | None = None,
+        planner: Planner | None = None,
     ) -> None:
         self.folder = folder
         self.boards = boards
@@ -166,7 +168,7 @@ class World:
         self.directory: dict[bytes, str] = {}
         self.host_identity = Identity.make(entropy(seed + 7))
         self.host_control = self.controls.join(self.host_identity)
-        self.host: Host | None = Host(self.session, self.host_control)
+        self.host: Host | None = Host(self.session, self.host_control, planner=planner)
         names = self.session.scenario.network.users
         self.desk = None if boards is None else Desk(boards, self.session, list(names))
         self.people: list[Person] = []

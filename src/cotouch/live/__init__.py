@@ -33,9 +33,9 @@ from cotouch.live._pacing import Pacer, PaceStatistics, Turn
 from cotouch.live._path import Path, PathLaw
 from cotouch.live._plane import SampleLink, SamplePlane
 from cotouch.live._probe import PROBE, PairKeys, member_key, pair_keys
-from cotouch.live._process import ProcessState, prepare_process
+from cotouch.live._process import ProcessState, few_arenas, prepare_process
 from cotouch.live._puncher import Probe, Puncher, Way
-from cotouch.live._rate import SendRate, Trend
+from cotouch.live._rate import LOWEST_RATE, SendRate, Trend
 from cotouch.live._reflexive import Lookup, Mirror
 from cotouch.live._refusal import Refusal
 from cotouch.live._replay import ReplayWindow
@@ -50,6 +50,7 @@ __all__ = [
     "AGED",
     "ECHO",
     "HEAD_BYTES",
+    "LOWEST_RATE",
     "MOST_BODY",
     "MOST_BYTES",
     "MOST_CANDIDATES",
@@ -128,6 +129,7 @@ __all__ = [
     "Written",
     "ZenohControl",
     "connection_of",
+    "few_arenas",
     "free_port",
     "interface_hosts",
     "local_candidates",

@@ -3,17 +3,30 @@
 Each end subtracts a stamp of the other's clock from a time of its own, so what it finds is the age plus the offset of
 the clocks. Both ends' offsets are opposite, hence the sum of what both find is the sum of the true ages, exactly, and
 that sum is all the age rule asks for. Every sample carries what its sender found to the other end.
+
+**An outage is not the path.** While nothing comes, the last sample gets as old as the outage is long. No budget could
+be of use for that: the link is guarded anyhow, and would stay so for as long as such budgets take, or hold everybody up
+by their damping. So ages count only once the next sample is there, and only if it came soon enough; what comes just
+after an outage was held up by it. Outages that recur, though, are how this path is: of three in the window, the
+shortest counts. What counts decides only what is asked for; every sample in use is judged by its own age.
 """
 
 from bisect import bisect_left, insort
 from collections import deque
-from math import ceil
+from math import ceil, inf
 from typing import final
 
 # Bounds memory where steps are short and the window is long.
 _MOST_KEPT = 20_000
 # A path cannot take less than no time; clocks that drift apart by 1e-4 while an echo is held can make it look so.
 _DRIFT = 1e-4
+# Ten samples at the lowest rate: ten in a row a path may lose, at 30 %, once in 170,000 [s].
+_OUTAGE = 0.5
+# So many outages in a window are no accident.
+_RECUR = 3
+_MOST_ENDS = 32
+# Ages that take their place in the window at once, between two steps.
+_AT_ONCE = 8
 
 
 @final
@@ -93,15 +106,26 @@ class LinkAges:
 
     Attributes:
         impossible: how many echoes came back before they were sent, as only a wrong or lying clock gives.
+        outages: how many there were.
     """
 
-    def __init__(self, *, window: float = 10.0) -> None:
+    def __init__(self, *, window: float = 10.0, outage: float = _OUTAGE) -> None:
         """Starts without knowledge.
 
         Args:
             window: over which ages are looked at [s].
+            outage: steps for longer than this without anything newer are an outage, > 0 [s].
         """
         self.impossible = 0
+        self.outages = 0
+        self._outage = outage
+        self._oldest: float | None = None  # stamp in use
+        self._since = 0.0  # first step that used it
+        self._settled = -inf  # ages count again
+        self._pending = deque[tuple[float, float]]()  # ages of the sample in use, from its second step on
+        self._counted = deque[tuple[float, float]]()  # on their way into the window
+        self._ends = deque[tuple[float, float]](maxlen=_MOST_ENDS)  # of outages: when, and the age then
+        self._window = window
         self._own = Window(window)
         self._others = Window(window)
         self._path = Window(window)
@@ -118,9 +142,39 @@ class LinkAges:
         Returns:
             The age plus the offset of the clocks [s].
         """
-        self._age = now - oldest
-        self._own.add(now, self._age)
-        return self._age
+        age = self._age = now - oldest
+        if self._oldest is None or oldest != self._oldest:
+            if self._oldest is not None and now - self._since > self._outage:
+                self._end_outage(now, now - self._oldest)
+            self._counted.extend(self._pending)
+            self._pending.clear()
+            self._oldest, self._since = oldest, now
+            if now >= self._settled:
+                self._counted.append((now, age))
+        elif now - self._since > self._outage:
+            self._pending.clear()
+        elif now >= self._settled:
+            self._pending.append((now, age))
+        for _ in range(min(_AT_ONCE, len(self._counted))):
+            self._own.add(*self._counted.popleft())
+        while self._ends and self._ends[0][0] < now - self._window:
+            self._ends.popleft()
+        return age
+
+    def _end_outage(self, now: float, age: float) -> None:
+        self.outages += 1
+        self._settled = now + self._outage
+        self._pending.clear()
+        self._ends.append((now, age))
+
+    def _recurring(self) -> float:
+        """Age that outages lead to again and again; -inf without."""
+        return sorted(age for _, age in self._ends)[-_RECUR] if len(self._ends) >= _RECUR else -inf
+
+    @property
+    def _worst(self) -> float | None:
+        greatest = self._own.greatest
+        return None if greatest is None else max(greatest, self._recurring())
 
     def heard(self, now: float, *, index: int, age: float, worst: float) -> None:
         """Notes what the other end found.
@@ -155,10 +209,18 @@ class LinkAges:
         return path
 
     @property
+    def age(self) -> float | None:
+        """Of the last step, offset included, whether it counts or not; None before the first [s]."""
+        return self._age
+
+    @property
     def own(self) -> tuple[float, float] | None:
-        """This end's last age and the greatest of its window, offset included; None before the first step."""
-        worst = self._own.greatest
-        return None if self._age is None or worst is None else (self._age, worst)
+        """This end's last age, as far as it counts, and the greatest that does; None before the first step [s].
+
+        The offset of the clocks is included.
+        """
+        worst = self._worst
+        return None if self._age is None or worst is None else (min(self._age, worst), worst)
 
     @property
     def worst_sum(self) -> float | None:
@@ -166,16 +228,17 @@ class LinkAges:
 
         None until both are known.
         """
-        own = self._own.greatest
+        own = self._worst
         return None if own is None or self._reported is None else own + self._reported[1]
 
     def own_quantile(self, q: float) -> float | None:
         """The q-quantile of the ages here, offset included; None before the first step [s]."""
-        return self._own.quantile(q)
+        own = self._own.quantile(q)
+        return None if own is None else max(own, self._recurring())
 
     def sum_quantile(self, q: float) -> float | None:
         """The q-quantile of the ages here plus that of those there; None until both are known [s]."""
-        own, others = self._own.quantile(q), self._others.quantile(q)
+        own, others = self.own_quantile(q), self._others.quantile(q)
         return None if own is None or others is None else own + others
 
     @property

@@ -35,6 +35,8 @@ _MOST_RELAYED = 4096
 _MOST_ALIVE = 4096
 # Below what others take of one sender, so that nothing said in a hurry is refused there.
 _RATE, _BURST = 400.0, 900.0
+# Datagrams of whom this member does not see come through the host, at a relay's rate and twice that.
+_UNSEEN_RATE, _UNSEEN_BURST = 200.0, 64.0
 _NOWHERE = "-"
 
 
@@ -116,7 +118,9 @@ class ZenohControl:
         self._inbox, self._heard_bytes, self._polled_bytes = deque[Message](), 0, 0
         self._outbox, self._said_bytes, self._sent_bytes = SimpleQueue[_Said | None](), 0, 0
         self._relays = deque[Relayed](maxlen=_MOST_RELAYED)
-        self._relay_limit = SourceLimit(rate=4000.0, burst=1024.0, stranger_rate=20.0, stranger_burst=20.0)
+        self._relay_limit = SourceLimit(
+            rate=4000.0, burst=1024.0, stranger_rate=_UNSEEN_RATE, stranger_burst=_UNSEEN_BURST
+        )
         self._alive: dict[bytes, dict[str, Endpoint | None]] = {}
         self._present = frozenset[bytes]()
         self._closed = False
@@ -205,14 +209,15 @@ class ZenohControl:
         return self._files.fetch(digest)
 
     def relay(self, to: bytes, payload: bytes) -> bool:
-        """Hands on a datagram; dropped rather than queued."""
+        """Hands on a datagram, through the host to whom this member does not see; dropped rather than queued."""
         import zenoh
 
-        if self._closed or len(payload) > MOST_BYTES or to not in self._present:
+        near = to in self._present
+        if self._closed or len(payload) > MOST_BYTES or not (near or self._host in self._present):
             return False
         try:
             self._session.put(
-                f"{self._prefix}/relay/{self._me}/{to.hex()}",
+                f"{self._prefix}/{'relay' if near else 'pass'}/{self._me}/{to.hex()}",
                 payload,
                 congestion_control=zenoh.CongestionControl.DROP,
                 priority=zenoh.Priority.DATA_HIGH,

@@ -14,6 +14,9 @@ _SET_TIMER_SLACK, _GET_TIMER_SLACK = 29, 30  # of prctl(2)
 _SLACK = 1  # [ns]
 # Another thread that computes must hand over the interpreter sooner than after 5 ms, Python's default.
 _SWITCH = 200e-6
+# Threads that come and go, as Zenoh's do whenever a path breaks, leave memory behind in arenas of their own, of which
+# glibc makes up to eight times the cores. Number of arenas, and of `mallopt`'s parameter for it.
+_ARENAS, _ARENA_MAX = 2, -8
 _BLAS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
 
 
@@ -37,6 +40,23 @@ class ProcessState:
     blas_threads: int | None
     collector_off: bool
     switch_interval: float
+
+
+def few_arenas() -> bool:
+    """Lets all threads share two arenas of glibc's allocator, so that memory stays flat however often threads change.
+
+    To be called before threads are started; whoever set `MALLOC_ARENA_MAX` keeps it. Cannot be undone.
+
+    Returns:
+        Whether it is so from now on; False with another libc.
+    """
+    if not sys.platform.startswith("linux") or "MALLOC_ARENA_MAX" in os.environ:
+        return False
+    try:
+        mallopt = ctypes.CDLL(None).mallopt
+    except (OSError, AttributeError):
+        return False
+    return bool(mallopt(_ARENA_MAX, _ARENAS) == 1)
 
 
 @contextmanager

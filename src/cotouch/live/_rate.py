@@ -10,6 +10,8 @@ from enum import Enum
 from math import sqrt
 from typing import NamedTuple, final
 
+# The rate that is left where nothing is heard [1/s].
+LOWEST_RATE = 20.0
 # An interval has at least so many datagrams: at 30 % loss what arrives is then known to 6 %, so 1/2 is told from 1.
 _LEAST_SENT = 100
 _LEAST_INTERVAL = 0.5
@@ -55,7 +57,7 @@ class SendRate:
         trend: what it led to.
     """
 
-    def __init__(self, *, highest: float = 1000.0, lowest: float = 20.0, queue: float = 0.015) -> None:
+    def __init__(self, *, highest: float = 1000.0, lowest: float = LOWEST_RATE, queue: float = 0.015) -> None:
         """Starts at the highest rate.
 
         Args:

@@ -89,6 +89,8 @@ class GuardBooks(NamedTuple):
         paid: what the tank paid for moving the set position, for going guarded and for rounding.
         lost: what the tank could not hold, or might have belonged to the coupled link.
         injected: what moving the set position, by the tank or by the coupled neighbour, put into the spring.
+        sent: of what was given, that to the other end.
+        received: of what was taken, that of the other end.
     """
 
     state: int
@@ -101,6 +103,8 @@ class GuardBooks(NamedTuple):
     paid: float
     lost: float
     injected: float
+    sent: float
+    received: float
 
 
 @final
@@ -196,7 +200,7 @@ class LinkGuard:
         self._stretch = 0.0  # how long the recent one is
         self._surplus = 0.0  # of the budget, in this step
         self._known: float | None = None  # what the other gave in all, as heard
-        self._given = self._shared = self._taken = 0.0
+        self._given = self._received = self._shared = self._taken = 0.0
         self._credited = self._paid = self._lost = self._injected = 0.0
 
     def attach(self, strength: float) -> None:
@@ -224,6 +228,8 @@ class LinkGuard:
             self._paid,
             self._lost,
             self._injected,
+            self._given,
+            self._received,
         )
 
     def offer(self, sample: Sample) -> bool:
@@ -351,6 +357,7 @@ class LinkGuard:
         if self._known is None:
             self._known = given
         elif given > self._known:
+            self._received += given - self._known
             self.help(given - self._known)
             self._known = given
 

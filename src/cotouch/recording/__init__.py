@@ -2,7 +2,7 @@
 
 from cotouch.recording._audit import Audit, UserBooks, audit
 from cotouch.recording._body import RecordedBody
-from cotouch.recording._columns import GUARDS, LinkPhase
+from cotouch.recording._columns import EXCHANGE, GUARDS, LinkPhase
 from cotouch.recording._dataset import recordings_dataset, save_dataset
 from cotouch.recording._figures import audit_figure, save_audit_figures
 from cotouch.recording._findings import Finding
@@ -14,6 +14,7 @@ from cotouch.recording._recorder import Recorded, Recorder, both_clocks
 from cotouch.recording._recording import Event, Recording, Setup
 
 __all__ = [
+    "EXCHANGE",
     "GUARDS",
     "Audit",
     "Event",

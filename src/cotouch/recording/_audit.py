@@ -18,7 +18,7 @@ import numpy.typing as npt
 
 from cotouch.errors import RecordingError
 from cotouch.recording._columns import GUARDS
-from cotouch.recording._findings import Finding, findings_of, missing_words
+from cotouch.recording._findings import Finding, exchanged, findings_of, missing_words
 from cotouch.recording._guards import seeds
 from cotouch.recording._links import LinkBooks, ages, align, grid_of, link_books, linked, so_far
 from cotouch.recording._motion import LOSSES, Motion, motions
@@ -207,6 +207,7 @@ def audit(recordings: Sequence[Recording], *, tolerance: float = TOLERANCE) -> A
     rounding = sum(m.rounding * np.sqrt(m.end.size) for m in moved)
     allowed = tolerance * in_play + 10.0 * float(rounding)
     found = left + [finding for m in moved for finding in findings_of(m, allowed, start, names)]
+    found += exchanged(moved, allowed, start, names)
     # What a change of members brings or takes is nobody's work, but was there to be taken out afterwards.
     members = sum((so_far(m, np.where(m.members, m.carried, 0.0), grid) for m in moved), np.zeros(grid.size))
     margin = supply + initial + members

@@ -72,6 +72,11 @@ GUARDS: dict[str, tuple[str, str]] = {
     "spilled": ("J", "what the tank of each link could not hold or keep"),
     "injected": ("J", "what moving its end put into the spring of each link"),
 }
+# Likewise; of these, what went over the link.
+EXCHANGE: dict[str, tuple[str, str]] = {
+    "sent": ("J", "what the tank of each link gave to the other end"),
+    "received": ("J", "what the tank of each link got of the other end"),
+}
 MIXED, UNSAID = -2, -3
 _TYPES = ("<f8", "<f4", "<i8", "<i4", "|i1")
 _LENGTH = struct.Struct("<I")

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.errors import RecordingError
-from cotouch.recording._columns import GUARDS, LinkPhase
+from cotouch.recording._columns import EXCHANGE, GUARDS, LinkPhase
 from cotouch.recording._links import align
 from cotouch.recording._recording import Recording
 from cotouch.units import user_number
@@ -117,13 +117,14 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
     for name, (shown, unit, text) in _TOOLS.items():
         column(name, ("user", "step", "tool", "space"), unit, text, shown)
     directions = [(at, entry) for at, recording in enumerate(recordings) for entry in range(len(recording.neighbours))]
+    books = GUARDS | EXCHANGE
     if directions:
         for name, unit, text in (
             ("link_work", "J", "work of the link on its receiver so far"),
             ("age", "s", "age of the sample used, by the clocks as they are"),
             ("used", "1", "index of the sample used; < 0 where it has none"),
             ("phase", "1", "of the link: " + ", ".join(f"{phase.value} {phase.name.lower()}" for phase in LinkPhase)),
-            *((name, *said) for name, said in GUARDS.items() if any(name in r.columns for r in recordings)),
+            *((name, *said) for name, said in books.items() if any(name in r.columns for r in recordings)),
         ):
             parts = []
             for k, (at, entry) in enumerate(directions):
@@ -135,7 +136,7 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
             put(name, ("direction", "step"), parts, unit, text)
     _states(recordings, times, put)
     known = {*data, *_TOOLS, "index", "end", "T"}
-    extra = [name for recording in recordings for name in recording.columns if name not in known and name not in GUARDS]
+    extra = [name for recording in recordings for name in recording.columns if name not in known and name not in books]
     for name in dict.fromkeys(extra):
         unit, text = next(
             (r.header.columns[name] for r in recordings if name in r.header.columns), ("1", "as recorded")

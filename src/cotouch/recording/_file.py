@@ -1,10 +1,13 @@
 """The file of a recording: MCAP, a chunk for every batch, flushed, so that it can be cut off anywhere."""
 
 import json
+import struct
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, Final, final
 
 import numpy as np
+from mcap.records import ChunkIndex
 from mcap.writer import CompressionType, Writer
 
 from cotouch.errors import RecordingError
@@ -49,6 +52,60 @@ _BOOKS_SCHEMA: dict[str, Any] = {
     },
 }
 
+# Where the writer keeps what its summary will say of every chunk, until the end.
+_INDICES = "_Writer__chunk_indices"
+_ENTRY, _MESSAGES = struct.Struct("<7QB"), struct.Struct("<HQ")
+
+
+@final
+class ChunkIndices:
+    """What a summary says of every chunk, in a fifth of the memory: the only thing that grows as a recording does."""
+
+    def __init__(self, compression: str) -> None:
+        """Starts without chunks.
+
+        Args:
+            compression: of all of them.
+        """
+        self._compression = compression
+        self._packed = bytearray()
+
+    def append(self, index: ChunkIndex) -> None:
+        """Adds a chunk."""
+        offsets = index.message_index_offsets
+        self._packed += _ENTRY.pack(
+            index.chunk_start_offset,
+            index.chunk_length,
+            index.message_start_time,
+            index.message_end_time,
+            index.message_index_length,
+            index.compressed_size,
+            index.uncompressed_size,
+            len(offsets),
+        )
+        for channel, offset in offsets.items():
+            self._packed += _MESSAGES.pack(channel, offset)
+
+    def __iter__(self) -> Iterator[ChunkIndex]:
+        """All chunks, as the writer made them."""
+        at, packed = 0, bytes(self._packed)
+        while at < len(packed):
+            start, length, first, last, messages, compressed, size, count = _ENTRY.unpack_from(packed, at)
+            at += _ENTRY.size
+            end = at + count * _MESSAGES.size
+            yield ChunkIndex(
+                chunk_start_offset=start,
+                chunk_length=length,
+                message_start_time=first,
+                message_end_time=last,
+                message_index_length=messages,
+                message_index_offsets=dict(_MESSAGES.iter_unpack(packed[at:end])),
+                compressed_size=compressed,
+                uncompressed_size=size,
+                compression=self._compression,
+            )
+            at = end
+
 
 @final
 class RecordingFile:
@@ -67,6 +124,9 @@ class RecordingFile:
             raise RecordingError(f"the recording {path} cannot be written: {error.strerror}") from error
         self._offset = header.offset
         self._writer = writer = Writer(self._stream, compression=CompressionType.ZSTD, chunk_size=1 << 62)
+        held = vars(writer)
+        if held.get(_INDICES) == []:  # a writer that keeps them elsewhere only takes more memory
+            held[_INDICES] = ChunkIndices("zstd")
         try:
             writer.start(profile=PROFILE, library=header.metadata()["version"])
             writer.add_metadata(METADATA, header.metadata())

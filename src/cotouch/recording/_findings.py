@@ -7,7 +7,7 @@ from typing import final
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.recording._guards import unbalanced
+from cotouch.recording._guards import unbalanced, unfounded
 from cotouch.recording._motion import LOSSES, Motion
 from cotouch.recording._recording import Recording
 from cotouch.units import user_number
@@ -119,6 +119,39 @@ def findings_of(motion: Motion, tolerance: float, start: float, names: dict[int,
         words = f"{_joule(_most(carried))} came into {names[recording.user]}'s copy between two of its steps"
         add("between steps", carried, words)
     return sorted(found, key=lambda finding: -abs(finding.energy))
+
+
+def exchanged(moved: Sequence[Motion], tolerance: float, start: float, names: dict[int, str]) -> list[Finding]:
+    """Energy that an end of a link got of the other, which never gave it.
+
+    Args:
+        moved: motions of all users.
+        tolerance: that energies may differ by [J].
+        start: of the session in shared time [s].
+        names: of users by index.
+    """
+    found: list[Finding] = []
+    for one in moved:
+        for two in moved:
+            if one.recording.user == two.recording.user:
+                continue
+            lacks = unfounded(one.recording, two.recording, one.end, two.end)
+            if _counts(lacks, tolerance):
+                step = int(np.argmax(lacks > 0.0))
+                users = one.recording.user, two.recording.user
+                taker, giver = (names[user] for user in users)
+                found.append(
+                    Finding(
+                        user=users[0],
+                        link=users,
+                        place="guard",
+                        energy=_most(lacks),
+                        time=float(one.end[step] - start),
+                        step=int(one.recording.columns["index"][step]),
+                        words=f"{taker} took {_joule(_most(lacks))} of {giver} that {giver} had not given",
+                    )
+                )
+    return found
 
 
 def missing_words(recordings: Sequence[Recording], names: dict[int, str]) -> list[str]:

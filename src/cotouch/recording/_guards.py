@@ -5,7 +5,9 @@ Of every end of a link, as long as it has one guard, with U the energy in its sp
 * tank = seed + credited + taken - given - paid - spilled, after every step;
 * injected - U of a step is what the link did on the copy up to then, by recorded motion where that is known;
 * what moves the spring's end while it is guarded is paid: injected rises no more than paid;
-* what all tanks of a copy are credited in a step, its damping B_i took.
+* what all tanks of a copy are credited in a step, its damping B_i took;
+* what an end got of the other, it took, and the other had given it by then;
+* what else the tanks of a copy took, they gave each other, or the body's damping and B_e took it.
 """
 
 from collections.abc import Iterator
@@ -14,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.recording._columns import GUARDS, LinkPhase
+from cotouch.recording._columns import EXCHANGE, GUARDS, LinkPhase
 from cotouch.recording._recording import Recording
 
 Float = npt.NDArray[np.float64]
@@ -108,10 +110,11 @@ def unbalanced(recording: Recording, link: Float, local_loss: Float) -> Iterator
     columns = recording.columns
     if not set(GUARDS) <= set(columns):
         return
-    credited = np.zeros(recording.steps)
+    credited, helped, shared = (np.zeros(recording.steps) for _ in range(3))
+    exchange = set(EXCHANGE) <= set(columns)
     for life in lives(recording):
         at, column = life.steps, recording.neighbours.index(life.user)
-        book = {name: columns[name][at, column] for name in GUARDS}
+        book = {name: columns[name][at, column] for name in (*GUARDS, *(EXCHANGE if exchange else ()))}
         if not all(np.isfinite(values).all() for values in book.values()):
             bad = np.where(np.all([np.isfinite(values) for values in book.values()], axis=0), 0.0, np.inf)
             yield Unbalanced(
@@ -135,8 +138,64 @@ def unbalanced(recording: Recording, link: Float, local_loss: Float) -> Iterator
         unpaid = np.where(columns["phase"][at, column] == LinkPhase.GUARDED, np.maximum(paid, 0.0), 0.0)
         yield Unbalanced(life.user, "a guarded link moved its spring's end unpaid", _placed(unpaid, at, recording))
         credited[at] += _rise(book["credited"], follows)
+        if exchange:
+            gave, got = _rise(book["sent"], follows), _rise(book["received"], follows)
+            more = np.maximum(gave - _rise(book["given"], follows), 0.0)
+            more += np.maximum(got - _rise(book["taken"], follows), 0.0) + np.maximum(-got, 0.0)
+            yield Unbalanced(
+                life.user, "a tank exchanged more with the other end than at all", _placed(more, at, recording)
+            )
+            helped[at] += _rise(book["taken"], follows) - got
+            shared[at] += _rise(book["given"], follows) - gave
     beyond = np.maximum(credited - local_loss, 0.0)
     yield Unbalanced(None, "tanks were credited more than the damping took", beyond)
+    if exchange:
+        most = np.cumsum(shared + columns["body_loss"] + columns["extra_loss"])
+        words = "tanks took more of the copy than others gave and its own damping lost"
+        yield Unbalanced(None, words, _rises(np.cumsum(helped) - most))
+
+
+def unfounded(one: Recording, two: Recording, at_one: Float, at_two: Float) -> Float:
+    """What an end got of the other that the other had not given by then, per step of the first [J].
+
+    Nothing where either does not say, where the second is not recorded to the end of what the first got, or has gaps
+    and more than one guard.
+
+    Args:
+        one: of the user who got it.
+        two: of the one at the other end.
+        at_one: ends of the first one's steps, on a clock that both share [s].
+        at_two: likewise of the second.
+    """
+    nothing = np.zeros(one.steps)
+    if not set(EXCHANGE) <= set(one.columns) & set(two.columns):
+        return nothing
+    got, (gave, guards) = _so_far(one, "received", two)[0], _so_far(two, "sent", one)
+    if two.missing and guards > 1:
+        return nothing
+    # The first step that ends no earlier: what it had given is no less, whatever is not recorded in between.
+    when = np.searchsorted(at_two, at_one)
+    late = when == at_two.size
+    least = np.where(late, np.inf if two.broken is not None else gave[-1], gave[np.minimum(when, at_two.size - 1)])
+    return _rises(got - least)
+
+
+def _so_far(recording: Recording, name: str, other: Recording) -> tuple[Float, int]:
+    """A sum over all guards towards another, after each step, and how many guards these were."""
+    out, before, count = np.zeros(recording.steps), 0.0, 0
+    for life in lives(recording):
+        if life.user == other.user and (life.key is None or not other.header.key or life.key == other.header.key):
+            values = np.nan_to_num(recording.columns[name][life.steps, recording.neighbours.index(life.user)])
+            out[life.steps] = before + values
+            before += float(values[-1])
+            out[life.steps.stop :] = before
+            count += 1
+    return out, count
+
+
+def _rises(values: Float) -> Float:
+    """What a sum, where it is above all before and above zero, rose by."""
+    return np.diff(np.maximum.accumulate(np.maximum(values, 0.0)), prepend=0.0)
 
 
 def _rise(values: Float, follows: Bool) -> Float:

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.errors import RecordingError
-from cotouch.recording._columns import GUARDS, STATES, UNSAID, Batch
+from cotouch.recording._columns import EXCHANGE, GUARDS, STATES, UNSAID, Batch
 from cotouch.recording._header import RecordHeader
 from cotouch.units import user_number
 
@@ -210,7 +210,7 @@ def recording_of(
     columns: dict[str, Array] = {}
     names = dict.fromkeys(name for batch in batches for name in batch.columns if name not in STATES)
     for name in names:
-        if name in _LINKS or name in GUARDS:
+        if name in _LINKS or name in GUARDS or name in EXCHANGE:
             columns[name] = _links(name, neighbours, batches)
             continue
         entries = [batch.columns.get(name) for batch in batches]

@@ -21,6 +21,7 @@ from cotouch.live import (
     RoutedTransport,
     UdpTransport,
     ZenohControl,
+    few_arenas,
     prepare_process,
 )
 from cotouch.mechanics import Model
@@ -119,6 +120,7 @@ def join(
         SessionError: it may not take part.
         TransportError: the host, the network or this machine refuses.
     """
+    few_arenas()
     identity = Identity.make(os.urandom)
     tell = say or _nobody
     tell("joining")

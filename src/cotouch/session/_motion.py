@@ -34,31 +34,38 @@ class Mover:
         self.place = list(place)
         self.rate = [0.0] * len(self.place)
 
-    def move(self, goal: Sequence[float], T: float, *, speed: float, sharpness: float) -> None:
-        """Goes on for T, exactly as the equation of motion says if the goal stands still meanwhile.
+    def move(self, goal: Sequence[float], T: float, *, speed: float, sharpness: float, rush: float) -> None:
+        """Goes on for T, exactly as the equation of motion says where speed and acceleration allow it.
 
         Args:
             goal: [m].
             T: [s].
-            speed: that it never exceeds [m/s].
+            speed: that it does not go on to exceed [m/s].
             sharpness: ω; it is about 2/ω late [1/s].
+            rush: greatest acceleration [m/s²].
         """
         decay = math.exp(-sharpness * T)
-        place, rate, square = self.place, self.rate, 0.0
-        moves: list[float] = []
-        for axis, aim in enumerate(goal):
-            gap = place[axis] - aim
-            push = (rate[axis] + sharpness * gap) * T
-            move = (gap + push) * decay - gap
-            rate[axis] = (rate[axis] - sharpness * push) * decay
-            moves.append(move)
-            square += move * move
-        most = speed * T
-        if square > most * most:
-            share = most / math.sqrt(square)
-            moves = [share * move for move in moves]
-            self.rate = [move / T for move in moves]
-        self.place = [here + move for here, move in zip(place, moves, strict=True)]
+        gaps = [here - aim for here, aim in zip(self.place, goal, strict=True)]
+        pushes = [(r + sharpness * g) * T for g, r in zip(gaps, self.rate, strict=True)]
+        free = [((g + p) * decay - g) / T for g, p in zip(gaps, pushes, strict=True)]  # mean rate of the step
+        # No faster than it can brake before the goal, with half of what it may.
+        slow = _shortened(free, min(speed, math.sqrt(rush * _length(gaps))))
+        wanted = [s - r for s, r in zip(slow, self.rate, strict=True)]
+        change = _shortened(wanted, rush * T)
+        if slow is free and change is wanted:
+            self.rate = [(r - sharpness * p) * decay for r, p in zip(self.rate, pushes, strict=True)]
+        else:
+            free = self.rate = [r + c for r, c in zip(self.rate, change, strict=True)]
+        self.place = [here + r * T for here, r in zip(self.place, free, strict=True)]
+
+
+def _length(vector: Sequence[float]) -> float:
+    return math.sqrt(sum(x * x for x in vector))
+
+
+def _shortened(vector: list[float], most: float) -> list[float]:
+    length = _length(vector)
+    return vector if length <= most else [most / length * x for x in vector]
 
 
 @final

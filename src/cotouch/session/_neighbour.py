@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.live import (
+    LOWEST_RATE,
     Assembly,
     BudgetAgreement,
     ControlPlane,
@@ -28,6 +29,8 @@ Float = npt.NDArray[np.float64]
 STATES = {COUPLED: "coupled", READY: "ready"}
 # Steps that may come late by so many periods without a budget being raised for it.
 _SLACK = 2.0
+# A path that loses so many samples in a row, at the slowest that they come, does not only lose some; see `LinkAges`.
+_OUTAGE = 10.0
 
 
 @final
@@ -107,9 +110,9 @@ class Neighbour:
                 layout, sender=entry.seat, initial=still, delay=_index_delay(session, replica, seat, entry.seat)
             )
         )
-        highest = options.send_rate or 1.0 / session.period(seat)
-        ages = LinkAges(window=options.window)
-        link = SampleLink(assembly, rate=SendRate(highest=highest), ages=ages)
+        slowest = max(1.0 / LOWEST_RATE, _send_period(session, entry.seat), session.period(seat))
+        ages = LinkAges(window=options.window, outage=_OUTAGE * slowest)
+        link = SampleLink(assembly, rate=SendRate(highest=1.0 / _send_period(session, seat)), ages=ages)
         keys = _keys.KeyExchange(
             control,
             link.seal,
@@ -157,13 +160,13 @@ class Neighbour:
             return LinkStatus(seat=seat, state="keys", way=way)
         if not self.connected or position is None:
             return LinkStatus(seat=seat, state="waiting", way=way)
-        books, own = self.guard.books, link.ages.own
+        books = self.guard.books
         apart = np.linalg.norm(position - link.assembly.state, axis=1)
         return LinkStatus(
             seat=seat,
             state=STATES.get(books.state, "guarded"),
             way=way,
-            age=None if own is None else own[0],
+            age=link.ages.age,
             ages=link.ages.worst_sum,
             budget=self.guard.total if np.isfinite(self.guard.budget) else None,
             path=link.ages.shortest_path,
@@ -174,6 +177,12 @@ class Neighbour:
             difference=float(apart.max()),
             guarded=self.guarded,
         )
+
+
+def _send_period(session: SessionFile, seat: int) -> float:
+    """Least time between samples of a user [s]."""
+    rate = session.options.send_rate
+    return 1.0 / rate if rate else session.period(seat)
 
 
 def _index_delay(session: SessionFile, replica: Replica, seat: int, other: int) -> int:

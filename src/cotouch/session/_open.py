@@ -10,7 +10,16 @@ from pathlib import Path
 from typing import final
 
 from cotouch.errors import SessionError, TransportError
-from cotouch.live import Endpoint, Identity, Invitation, RoutedTransport, UdpTransport, ZenohControl, free_port
+from cotouch.live import (
+    Endpoint,
+    Identity,
+    Invitation,
+    RoutedTransport,
+    UdpTransport,
+    ZenohControl,
+    few_arenas,
+    free_port,
+)
 from cotouch.session._file import SessionFile
 from cotouch.session._host import Host
 from cotouch.session._planner import LinkPlanner
@@ -62,6 +71,7 @@ def open_host(
         SessionError: the address is none, or the file is of another session.
         TransportError: the port is taken.
     """
+    few_arenas()
     identity, invitation = _kept(keep, session) if keep is not None and keep.exists() else (None, None)
     resumed = identity is not None
     if identity is None or invitation is None:

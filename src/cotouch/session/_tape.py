@@ -8,12 +8,12 @@ import numpy as np
 from cotouch import __version__
 from cotouch.errors import RecordingError
 from cotouch.peer import COUPLED, Report
-from cotouch.recording import GUARDS, LinkPhase, RecordedBody, Recorder, RecordHeader, both_clocks
+from cotouch.recording import EXCHANGE, GUARDS, LinkPhase, RecordedBody, Recorder, RecordHeader, both_clocks
 from cotouch.session._copy import Copy
 from cotouch.session._file import SessionFile
 from cotouch.session._replica import Replica
 
-_BOOKS = [(name, "lost" if name == "spilled" else name) for name in GUARDS]
+_BOOKS = [(name, "lost" if name == "spilled" else name) for name in (*GUARDS, *EXCHANGE)]
 
 
 @final
@@ -61,6 +61,7 @@ class Tape:
                     "stiffness_share": ("1", "share of K that the copy carries"),
                     "rescaled": ("J", "what the copy's energy changed by before the step, as members came and went"),
                     **GUARDS,
+                    **EXCHANGE,
                 },
             )
             self._recorder = Recorder(self._path, header)

@@ -40,9 +40,9 @@ _DAMPING = 0.03
 _MOST = 20.0
 # A spring grows to its whole stiffness in so long, one of the file after an absence slower, and fades [s].
 _GROW, _RETURN, _FADE = 0.05, 0.5, 0.1
-# How fast places move, in radii of the body in a second, and how closely they follow: see `Mover`.
-_POINTED: dict[str, float] = {"speed": 12.0, "sharpness": 120.0}
-_PULLED: dict[str, float] = {"speed": 2.0, "sharpness": 8.0}
+# How fast places move, in radii of the body in a second, how closely they follow [1/s], and how fast they speed up, in
+# radii in a square second: see `Mover`.
+_POINTED, _PULLED = (12.0, 120.0, 200.0), (2.0, 8.0, 200.0)
 # How far it wanders, in radii.
 _REACH = 0.5
 _HOLDING: frozenset[HandMode] = frozenset({"hold", "pull", "wander", "grab"})
@@ -233,10 +233,12 @@ class ToldHand:
         rest = self._body.rest[self._node].tolist()
         start = [a - b for a, b in zip(mover.place, rest, strict=True)]
         if holding:
-            goal, motion = self._goal, _POINTED if self.mode == "grab" else _PULLED
+            goal = self._goal
             if self.mode == "wander":
                 goal = [a + b for a, b in zip(rest, self._wander.at(end), strict=True)]
-            mover.move(goal, T, speed=motion["speed"] * self._size, sharpness=motion["sharpness"])
+            self._go(mover, goal, T, _POINTED if self.mode == "grab" else _PULLED)
+        else:
+            self._go(mover, mover.place, T, _POINTED)  # comes to rest while it fades
         stop = [a - b for a, b in zip(mover.place, rest, strict=True)]
         if self._model.full:
             grips.start[ports, 0], grips.end[ports, 0] = start, stop
@@ -264,9 +266,13 @@ class ToldHand:
             T,
             stiffness=self._stiffness,
             damping=self._ratio * self._stiffness,
-            speed=_POINTED["speed"] * self._size,
-            sharpness=_POINTED["sharpness"],
+            speed=_POINTED[0] * self._size,
+            sharpness=_POINTED[1],
+            rush=_POINTED[2] * self._size,
         )
+
+    def _go(self, mover: Mover, goal: Sequence[float], T: float, how: tuple[float, float, float]) -> None:
+        mover.move(goal, T, speed=how[0] * self._size, sharpness=how[1], rush=how[2] * self._size)
 
     # -- what is seen ------------------------------------------------------------------------------------------------
 

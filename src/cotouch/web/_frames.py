@@ -111,7 +111,8 @@ class FrameEncoder:
         for k, field in enumerate(fields):
             moved[:, 3 * k : 3 * k + self._dimension] = field
         moved *= np.float32(1.0 / self.scale)
-        np.nan_to_num(moved, copy=False)
+        if not np.isfinite(moved).all():
+            np.nan_to_num(moved, copy=False)
         drawn = moved if self._table is None else np.asarray(self._table @ moved)
         np.rint(drawn, drawn)
         np.clip(drawn, -_MOST, _MOST, drawn)
