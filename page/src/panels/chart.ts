@@ -18,6 +18,8 @@ const PREFIXES: readonly [number, string][] = [[1, ""], [1e-3, "m"], [1e-6, "µ"
 // Steps of an axis; 2.5 would need a digit more.
 const STEPS = Array.from({ length: 22 }, (_, i) => [1, 2, 5].map((step) => Number(`${step}e${i - 14}`))).flat();
 
+const LEAST_GAP = 0.4; // s
+
 function style(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 }
@@ -30,7 +32,8 @@ function gaps(plot: uPlot, series: number, from: number, to: number): [number, n
     if (!Number.isNaN(row[i])) continue;
     let end = i;
     while (end < to && Number.isNaN(row[end + 1])) end++;
-    found.push([place(i - 1), place(end + 1)]);
+    // A frame or two without a user are no gap.
+    if ((plot.data[0][end + 1] ?? Infinity) - (plot.data[0][i - 1] ?? -Infinity) > LEAST_GAP) found.push([place(i - 1), place(end + 1)]);
     i = end;
   }
   return found;

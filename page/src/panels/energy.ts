@@ -5,10 +5,11 @@ import { attribute, button, h, panel, shown, text } from "./dom";
 import { percent, si } from "./format";
 
 const EXPLANATION =
-  "Every step books where its energy went, exactly, so both bars are equally long: what came in is what is still there or " +
+  "Every step books where its energy went, to rounding, so both bars are equally long: what came in is what is still there or " +
   "was damped. Hands put energy in, and take some back. Links are springs between copies: they give back what they hold, and " +
   "delay makes them give more than they took, because news that is late pushes at the wrong moment. The damping is made to take " +
-  "at least that; this is what keeps the session stable. What is left over is the residual: rounding, and nothing else.";
+  "at least that; this is what keeps the session stable. The rest is what copies gained or lost as members came and went, because " +
+  "each then holds another share of the object, and rounding.";
 
 export interface Row {
   seat: number;
@@ -20,7 +21,7 @@ export interface Row {
   residual: number;
 }
 
-/** One user's account; energies in J. It closes: initial + hands + links − damped − stored is the residual. */
+/** One user's account; energies in J. Initial + hands + links − damped − stored is the rest: changes of the copy’s share, and rounding. */
 export function account(seat: number, status: Partial<MemberStatus>, before: Partial<MemberStatus> | null): Row {
   const since = (kind: "supplied" | "linked" | "lost"): number => (status[kind] ?? 0) - (before?.[kind] ?? 0);
   const initial = before ? (before.energy ?? 0) : (status.initial ?? 0);
@@ -63,7 +64,7 @@ const COLUMNS: { key: keyof Row; words: string; sign: string; tip: string }[] = 
   { key: "initial", words: "start", sign: "+", tip: "In the copy when counting began" },
   { key: "damped", words: "damped", sign: "−", tip: "Lost in this copy’s dampers" },
   { key: "stored", words: "in copy", sign: "−", tip: "In this copy now, as motion and in springs" },
-  { key: "residual", words: "left over", sign: "=", tip: "The rest; rounding only" },
+  { key: "residual", words: "rest", sign: "=", tip: "What this copy gained or lost as members came and went, and rounding" },
 ];
 
 function bar(element: HTMLElement, parts: readonly Part[], total: number, name: (seat: number) => string): void {
@@ -137,7 +138,7 @@ export function energyPanel(context: Context): HTMLElement {
     text(wentSum, si(out, "J", 1e-12));
     const left = in_ - out;
     const worst = Math.max(0, ...Object.values(store.state?.members ?? {}).map((member) => member.residual ?? 0));
-    text(closing, total > 0 ? `Left over: ${si(left, "J", 1e-15)}, ${exponent(left / total)} of all. Worst single step: ${exponent(worst)} of the energy in play.` : "");
+    text(closing, total > 0 ? `Rest: ${si(left, "J", 1e-15)}, ${exponent(left / total)} of all, from members who came and went. Worst single step: off by ${exponent(worst)} of the energy in play.` : "");
     for (const [seat, row] of cells) if (!all.some((one) => one.seat === seat)) (row.element.remove(), cells.delete(seat));
     for (const one of all) {
       let row = cells.get(one.seat);
@@ -147,6 +148,8 @@ export function energyPanel(context: Context): HTMLElement {
         row = { element: line, cells: own };
         cells.set(one.seat, row);
         rows.append(line);
+        // By seat, whoever came first.
+        for (const seat of [...cells.keys()].sort((a, b) => a - b)) rows.append(cells.get(seat)?.element ?? line);
       }
       COLUMNS.forEach((column, i) => {
         const cell = row.cells[i];
