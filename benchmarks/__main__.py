@@ -4,7 +4,7 @@ import argparse
 
 from rich.console import Console
 
-from benchmarks import drivers, engine, live, members, planner, record, recording, scaling, step, touch
+from benchmarks import drivers, engine, live, members, page, planner, record, recording, scaling, step, touch
 from benchmarks._report import Row, add_write, finish
 
 
@@ -25,6 +25,7 @@ def main() -> None:
             ("live", live.measure),
             ("members", members.measure),
             ("drivers", drivers.measure),
+            ("page", page.measure),
             ("recording", recording.measure),
             ("record", lambda: record.measure(options.count)),
         ):

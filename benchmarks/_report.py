@@ -24,6 +24,7 @@ SECTIONS = (
     "live",
     "members",
     "drivers",
+    "page",
     "recording",
     "record",
     "touch record",

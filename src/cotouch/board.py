@@ -57,14 +57,8 @@ class _Layout:
         self.stride = _aligned(_SLOT.size + size)
         self.total = self.first + _SLOTS * self.stride
 
-    def views(self, memory: memoryview, slot: int) -> dict[str, Array]:
-        start = self.first + slot * self.stride + _SLOT.size
-        return self._views(memory[start : start + self.size])
-
-    def copied(self, content: bytes) -> dict[str, Array]:
-        return self._views(memoryview(bytearray(content)))
-
-    def _views(self, content: memoryview) -> dict[str, Array]:
+    def views(self, content: memoryview) -> dict[str, Array]:
+        """The fields in what a slot holds."""
         return {
             name: np.ndarray(shape, kind, buffer=content, offset=self.places[name])
             for name, (shape, kind) in self.fields.items()
@@ -110,21 +104,18 @@ class BoardWriter:
         self._map[_HEAD.size : _HEAD.size + len(layout.description)] = layout.description
         part.rename(path)  # so that nobody attaches to half a board
         self.number = 0
-        self.fields: dict[str, Array] = {name: np.zeros(shape, kind) for name, (shape, kind) in layout.fields.items()}
-        self._slots = [layout.views(memoryview(self._map), slot) for slot in range(_SLOTS)]
+        self._content = bytearray(layout.size)
+        self.fields: dict[str, Array] = layout.views(memoryview(self._content))
 
     def publish(self) -> None:
         """Makes what the fields hold now the newest."""
         layout, number = self._layout, self.number + 1
         slot = number % _SLOTS
         start = layout.first + slot * layout.stride
+        content = start + _SLOT.size
         _SLOT.pack_into(self._map, start, -1, 0)
-        for name, view in self._slots[slot].items():
-            view[...] = self.fields[name]
-        check = 0
-        if layout.checked:
-            content = start + _SLOT.size
-            check = zlib.crc32(memoryview(self._map)[content : content + layout.size])
+        self._map[content : content + layout.size] = self._content
+        check = zlib.crc32(self._content) if layout.checked else 0
         _SLOT.pack_into(self._map, start, number, check)
         _NEWEST.pack_into(self._map, layout.newest, number)
         self.number = number
@@ -191,7 +182,7 @@ class BoardReader:
             after, _ = _SLOT.unpack_from(self._map, start)
             if before == after == number and (not layout.checked or zlib.crc32(content) == check):
                 self.number = number
-                return layout.copied(content)
+                return layout.views(memoryview(bytearray(content)))
         return None
 
     def close(self) -> None:

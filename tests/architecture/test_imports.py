@@ -24,6 +24,7 @@ WORLDS = tuple(
         "pacing",
         "haptics",
         "drivers",
+        "web",
         "cli",
         "__main__",
     )

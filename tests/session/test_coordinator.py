@@ -2,6 +2,7 @@ from typing import Any
 
 import pytest
 
+from cotouch.errors import NetworkError
 from cotouch.live import Message
 from cotouch.session import ABSENT_AFTER, Coordinator, Roster, SessionFile, acting, present_links
 from cotouch.session._messages import Join, LinkStatus, Refused, Status, read, write
@@ -201,3 +202,22 @@ def test_links_of_those_present_are_one_piece() -> None:
     assert present_links(network, [0, 3]) == []  # no spring may join these
     assert present_links(network, [1, 3]) == [(1, 3)]
     assert present_links(network, [2]) == []
+
+
+def test_links_that_somebody_chose_stay_as_people_come_and_go() -> None:
+    world = World(planner=lambda seats, paths: [(0, 1), (1, 2)][: len(seats) - 1])
+    for number, name in ((1, "Ann"), (2, "Ben"), (3, "Cleo")):
+        world.join(number, name)
+    world.tick(10.0)
+    assert world.roster.links == [(0, 1), (1, 2)]
+    epoch = world.roster.epoch
+    world.coordinator.choose([(0, 2), (1, 2), (1, 3)])
+    assert world.roster.links == [(0, 2), (1, 2)]
+    assert world.roster.epoch == epoch + 1
+    world.join(4, "Dan")
+    world.tick(20.0)  # no plan takes their place
+    assert world.roster.links == [(0, 2), (1, 2), (1, 3)]
+    world.coordinator.choose([(0, 1)])
+    assert world.roster.links == [(0, 1), (1, 2), (1, 3)]  # everybody is joined to somebody
+    with pytest.raises(NetworkError):
+        world.coordinator.choose([(0, 3)])

@@ -1,6 +1,7 @@
 import time
 
-from cotouch.session import LinkPlanner, SessionFile
+from cotouch.session import LinkPlanner, SessionFile, demo_session
+from cotouch.session._planner import notable_links
 
 # Three fast users and one at the end of a slow line.
 SLOW = {(0, 1): 0.02, (0, 2): 0.02, (1, 2): 0.02, (0, 3): 0.4, (1, 3): 0.1, (2, 3): 0.4}
@@ -41,3 +42,9 @@ delay = [[0, 0.1, 0.1], [0.1, 0, 0.1], [0.1, 0.1, 0]]
 links = [[1, 2]]
 """
     assert planned(text, [0, 1, 2], {}) == [(0, 1)]
+
+
+def test_of_the_paper_s_network_the_best_links_are_those_that_it_starts_with() -> None:
+    choices = notable_links(demo_session())
+    assert choices["best"] == choices["start"] == [(0, 1), (0, 3), (1, 2), (1, 3), (2, 3), (3, 4)]
+    assert choices["worst"] == [(0, 2), (0, 3), (1, 2), (1, 4), (2, 3), (2, 4)]

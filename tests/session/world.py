@@ -16,9 +16,13 @@ from cotouch.live import (
 )
 from cotouch.mechanics import Model
 from cotouch.session import Copy, Hand, Host, Member, MemoryWays, NoHand, Replica, ScriptedHand, SessionFile
+from cotouch.session._boards import BoardFolder
 from cotouch.session._coordinator import Planner
+from cotouch.session._desk import Desk
 from cotouch.session._emulate import path_laws
 from cotouch.session._tape import Tape
+from cotouch.session._told import ToldHand
+from cotouch.session._window import Window
 
 _SERVICE = 0.02
 
@@ -44,13 +48,19 @@ class Person:
         self.offset = offset
         carrier: Transport = self.samples
         self.impaired = None
-        if world.session.options.emulate:
+        if world.session.options.emulate or world.boards is not None:
             carrier = self.impaired = ImpairedTransport(self.samples, {}, clock=lambda: world.now, seed=world.count)
         self.tape = None
         if world.folder is not None:
             path = world.folder / f"{name} {world.count}.mcap"
             world.recordings.append(path)
             self.tape = Tape(path, world.session, world.replica, name=name, key=self.identity.public)
+        self.window = None
+        if world.boards is not None:
+            key = self.identity.public
+            self.window = Window(
+                world.boards, name, world.session, world.replica, key=key, unsafe=True, recorder=self.tape
+            )
         self.member = Member(
             session=world.session,
             replica=world.replica,
@@ -62,7 +72,7 @@ class Person:
             hand=self._hand if moves else lambda seat, model: NoHand(model),
             entropy=made,
             secret=b"secret",
-            recorder=self.tape,
+            recorder=self.tape if self.window is None else self.window,
         )
         self.alive = True
         self.next = world.now
@@ -72,9 +82,21 @@ class Person:
 
     def _hand(self, seat: int, model: Model) -> Hand:
         session, replica = self.world.session, self.world.replica
-        if self.impaired is not None:
+        if self.impaired is not None and session.options.emulate:
             for other, law in path_laws(session.scenario, seat).items():
                 self.impaired.set(other, law)
+        if self.window is not None:
+            hand = ToldHand(
+                replica.scenario,
+                replica.body,
+                model,
+                seat=seat,
+                period=session.period(seat),
+                longest=session.options.longest_step,
+                wishes=self.window.wishes,
+            )
+            self.window.holds(hand, seat)
+            return hand
         return ScriptedHand(
             replica.scenario,
             replica.body,
@@ -111,6 +133,10 @@ class Person:
         if now >= self.service:
             self.service = now + _SERVICE
             self.member.service(now)
+            if self.window is not None:
+                self.window.service(now, seat, self.impaired)
+                if self.member.copy is not None:
+                    self.member.copy.give_damping(self.window.damping, now)
 
 
 class World:
@@ -124,9 +150,11 @@ class World:
         law: PathLaw | None = None,
         tick: float = 5e-4,
         folder: Path | None = None,
+        boards: BoardFolder | None = None,
         planner: Planner | None = None,
     ) -> None:
         self.folder = folder
+        self.boards = boards
         self.recordings: list[Path] = []
         self.session = SessionFile.from_toml(text)
         self.replica = Replica.build(self.session)
@@ -141,6 +169,8 @@ class World:
         self.host_identity = Identity.make(entropy(seed + 7))
         self.host_control = self.controls.join(self.host_identity)
         self.host: Host | None = Host(self.session, self.host_control, planner=planner)
+        names = self.session.scenario.network.users
+        self.desk = None if boards is None else Desk(boards, self.session, list(names))
         self.people: list[Person] = []
         self.gone: list[Person] = []
 
@@ -166,6 +196,10 @@ class World:
         person.samples.close()
         if person.tape is not None:
             person.tape.close()
+        if person.window is not None:
+            person.window.close()
+            assert self.desk is not None
+            self.desk.forget(person.name)
         person.alive = False
         self.people.remove(person)
         self.gone.append(person)

@@ -22,6 +22,14 @@ AsJson = Annotated[
     bool, typer.Option("--json", help="Print one JSON object on standard output and nothing else there.")
 ]
 
+PagePort = Annotated[
+    int | None, typer.Option(help="Of the page; by default 8765, or the next that is free.", show_default=False)
+]
+PageListen = Annotated[
+    str, typer.Option(help="Address of this machine for the page; other than loopback, others can reach it.")
+]
+_DEMO = 30.0  # [s]
+
 
 def _version(wanted: bool) -> None:
     if wanted:
@@ -258,6 +266,11 @@ def join(
     ] = None,
     record: Annotated[Path | None, typer.Option(help="Record into this MCAP file.", show_default=False)] = None,
     headless: Annotated[bool, typer.Option("--headless", help="Show no table.")] = False,
+    boards: Annotated[Path | None, typer.Option(hidden=True)] = None,
+    unsafe: Annotated[bool, typer.Option("--unsafe", hidden=True)] = False,
+    page: Annotated[bool, typer.Option("--page", help="Serve a page for a browser, to see and to take hold.")] = False,
+    port: PagePort = None,
+    page_listen: PageListen = "127.0.0.1",
     as_json: AsJson = False,
 ) -> None:
     """Take part in a session."""
@@ -271,6 +284,11 @@ def join(
         listen=listen,
         record=record,
         headless=headless,
+        boards=boards,
+        unsafe=unsafe,
+        page=page,
+        port=port,
+        page_listen=page_listen,
         as_json=as_json,
     )
 
@@ -302,8 +320,21 @@ def measure(
 @app.command()
 def demo(
     users: Annotated[int, typer.Option(help="How many; the paper has five.")] = 5,
-    body: Annotated[str, typer.Option(help="point (the paper's) or block (soft, in three dimensions).")] = "point",
-    seconds: Annotated[float, typer.Option(help="How long, once all are there.", min=1.0)] = 30.0,
+    body: Annotated[
+        str | None,
+        typer.Option(
+            help="point (the paper's), block (in three dimensions) or soft (a cushion); by default soft with a page.",
+            show_default=False,
+        ),
+    ] = None,
+    seconds: Annotated[
+        float | None,
+        typer.Option(
+            help="How long, once all are there; by default 30 s, and at a terminal with a page until interrupted.",
+            min=1.0,
+            show_default=False,
+        ),
+    ] = None,
     impair: Annotated[
         list[str] | None,
         typer.Option(
@@ -312,21 +343,36 @@ def demo(
         ),
     ] = None,
     record: Annotated[Path | None, typer.Option(help="Record every user into this folder.", show_default=False)] = None,
+    page: Annotated[
+        bool | None,
+        typer.Option(
+            "--page/--no-page",
+            help="Serve a page for a browser; by default unless --headless or --json is given.",
+            show_default=False,
+        ),
+    ] = None,
+    port: PagePort = None,
+    page_listen: PageListen = "127.0.0.1",
     headless: Annotated[bool, typer.Option("--headless", help="Show no table.")] = False,
     as_json: AsJson = False,
 ) -> None:
     """Play a session on this machine: the paper's five users, its links and delays, a process for each."""
     from cotouch.cli._demo import run
+    from cotouch.cli._page import page as paged
+    from cotouch.cli._page import watched
 
-    run(
-        users=users,
-        body=body,
-        seconds=seconds,
-        impair=impair or [],
-        record=record,
-        headless=headless,
-        as_json=as_json,
-    )
+    wanted = not (headless or as_json) if page is None else page
+    with paged(wanted=wanted, port=port, listen=page_listen) as beside:
+        run(
+            users=users,
+            body=body,
+            seconds=_DEMO if seconds is None and not (wanted and watched()) else seconds,
+            impair=impair or [],
+            record=record,
+            headless=headless,
+            as_json=as_json,
+            beside=beside,
+        )
 
 
 @app.command()

@@ -2,7 +2,8 @@
 
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -10,7 +11,7 @@ from cotouch.cli._output import folder, print_json
 from cotouch.cli._session import interruptible, shown
 
 if TYPE_CHECKING:
-    from cotouch.session import OpenHost, Shown
+    from cotouch.session import DemoStage, Shown
 
 _COLUMNS = (
     ("user", ""),
@@ -28,37 +29,52 @@ _LINE_EVERY = 5.0  # where nobody looks at a terminal [s]
 def run(
     *,
     users: int,
-    body: str,
-    seconds: float,
+    body: str | None,
+    seconds: float | None,
     impair: Sequence[str],
     record: Path | None,
     headless: bool,
     as_json: bool,
+    beside: "Callable[[DemoStage], AbstractContextManager[object]] | None" = None,
 ) -> None:
-    """Plays the demonstration and says how it went."""
+    """Plays the demonstration and says how it went.
+
+    Args:
+        users: how many.
+        body: see `demo_session`; None: the cushion where there is something beside, else the paper's point.
+        seconds: how long; None: until it is interrupted.
+        impair: what the network does besides.
+        record: folder for recordings.
+        headless: whether to show no table.
+        as_json: whether to print numbers.
+        beside: what goes on with the stage as long as there is one; a page's server, say.
+    """
     from cotouch.session import demo_session, play
 
+    body = body or ("point" if beside is None else "soft")
     session = demo_session(users=users, body=body, seconds=seconds, impair=impair)
     if record is not None:
         folder(record)
-    opened_by: list[OpenHost] = []
+    stages: list[DemoStage] = []
     told = [-float("inf")]
     quiet = headless or as_json
     if not quiet:
         sys.stderr.write(f"cotouch: {users} users join, each a process of its own; the first time kernels compile\n")
     with (
         interruptible() as stopped,
-        shown(lambda: opened_by[0].host.watch, title=session.scenario.title, quiet=quiet) as redraw,
+        shown(lambda: stages[0].opened.host.watch, title=session.scenario.title, quiet=quiet) as redraw,
     ):
 
-        def each(opened: "OpenHost", now: float) -> None:
-            opened_by[:] = [opened]
+        def each(stage: "DemoStage", now: float) -> None:
+            stages[:] = [stage]
             redraw()
             if not quiet and not sys.stderr.isatty() and now - told[0] > _LINE_EVERY:
                 told[0] = now
-                _line(opened)
+                _line(stage)
 
-        outcome = play(session, seconds=seconds, each=each, stopped=stopped, record=record)
+        outcome = play(
+            session, seconds=seconds, each=each, stopped=stopped, record=record, beside=beside or nullcontext
+        )
     if as_json:
         print_json(numbers(outcome))
     else:
@@ -84,11 +100,11 @@ def numbers(outcome: "Shown") -> dict[str, Any]:
     }
 
 
-def _line(opened: "OpenHost") -> None:
+def _line(stage: "DemoStage") -> None:
     """One line for a log."""
     from cotouch.cli._table import balance
 
-    members = opened.host.watch.members
+    members = stage.opened.host.watch.members
     known = [seen.status for seen in members.values() if seen.status is not None]
     if known:
         sys.stderr.write(f"cotouch: {time.strftime('%H:%M:%S')} {len(members)} here. {balance(known)}\n")

@@ -5,16 +5,17 @@ import signal
 import sys
 import time
 from collections.abc import Callable, Generator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, ExitStack, contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from cotouch.cli._output import print_json, writable
+from cotouch.cli._page import page as paged
 from cotouch.errors import SessionError
 
 if TYPE_CHECKING:
     from cotouch.live import Invitation
-    from cotouch.session import Taken, Watch
+    from cotouch.session import MemberStage, Taken, Watch
 
 _POLL = 0.02
 _REDRAW = 4.0  # times a second
@@ -63,6 +64,11 @@ def join(
     record: Path | None,
     headless: bool,
     as_json: bool,
+    boards: Path | None = None,
+    unsafe: bool = False,
+    page: bool = False,
+    port: int | None = None,
+    page_listen: str = "127.0.0.1",
 ) -> None:
     """Takes part in a session."""
     from cotouch import __version__
@@ -75,6 +81,22 @@ def join(
     if record is not None:
         writable(record)
     decoded = Invitation.decode(sys.stdin.readline() if invitation == "-" else invitation)
+    if page:
+        if as_json:
+            raise SessionError("--page and --json are given; with a page a process of its own takes part, so drop one")
+        with paged(wanted=True, port=port, listen=page_listen) as beside:
+            assert beside is not None
+            staged(
+                decoded,
+                beside,
+                name=name,
+                hand=hand,
+                seconds=seconds,
+                listen=listen,
+                record=record,
+                quiet=headless,
+            )
+        return
     if not (headless or as_json) and sys.stdout.isatty():
         _with_table(decoded, name=name, hand=hand, seconds=seconds, listen=listen, record=record)
         return
@@ -89,6 +111,8 @@ def join(
             listen=listen,
             record=record,
             version=__version__,
+            boards=boards,
+            unsafe=unsafe,
             say=lambda text: None if as_json else _say(text),
             stopped=stopped,
         )
@@ -180,9 +204,8 @@ def _with_table(
     """Takes part in a process of its own, so that drawing never makes a step late, and shows the session here."""
     from cotouch.session import MemberProcess, watching
 
-    options = ["--name", name or _own_name(), "--device", hand, "--headless"]
-    for flag, value in (("--seconds", seconds), ("--listen", listen), ("--record", record)):
-        options += [] if value is None else [flag, str(value)]
+    options = ["--name", name or _own_name(), "--headless", *_options(hand=hand, seconds=seconds, record=record)]
+    options += [] if listen is None else ["--listen", listen]
     with interruptible() as stopped, watching(invitation, listen=listen) as watch:
         child = MemberProcess(invitation, options)
         try:
@@ -195,6 +218,60 @@ def _with_table(
             code = child.stop()
     if code:
         sys.exit(code)
+
+
+def staged(
+    invitation: "Invitation",
+    beside: "Callable[[MemberStage], AbstractContextManager[object]]",
+    *,
+    name: str | None,
+    hand: str,
+    seconds: float | None,
+    listen: str | None,
+    record: Path | None,
+    quiet: bool,
+) -> None:
+    """Takes part in a process of its own, with a stage here.
+
+    Args:
+        invitation: to the session.
+        beside: entered with the stage once the own copy moves, and left before it closes; a page's server, say.
+        name: that others see.
+        hand: what moves the copy at first.
+        seconds: how long.
+        listen: address in numbers to listen on.
+        record: file to record the whole part into.
+        quiet: whether to show no table.
+    """
+    from cotouch.session import member_stage
+
+    options = _options(hand=hand, seconds=seconds, record=record)
+    with (
+        interruptible() as stopped,
+        member_stage(invitation, name=name or _own_name(), listen=listen, options=options) as stage,
+        shown(lambda: stage.watch, title=invitation.session, quiet=quiet) as redraw,
+        ExitStack() as serving,
+    ):
+        served = False
+        while stage.member.running and not stopped():
+            stage.tick(time.monotonic())
+            if not served and stage.seat is not None:
+                served = True
+                serving.enter_context(beside(stage))
+            redraw()
+            time.sleep(_POLL)
+        serving.close()
+        code = stage.close()
+    if code:
+        sys.exit(code)
+
+
+def _options(*, hand: str, seconds: float | None, record: Path | None) -> list[str]:
+    """Of the process that takes part."""
+    options = ["--device", hand]
+    for flag, value in (("--seconds", seconds), ("--record", record)):
+        options += [] if value is None else [flag, str(value)]
+    return options
 
 
 def _own_name() -> str:

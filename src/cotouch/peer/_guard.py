@@ -123,6 +123,7 @@ class LinkGuard:
         epoch: how often this end was guarded.
         tank: E [J].
         events: the last 256 changes of state; whoever reads them may clear them.
+        bypassed: follows every sample, whatever it costs; for who wants to show what a guard is good for.
     """
 
     def __init__(
@@ -181,6 +182,7 @@ class LinkGuard:
         self.epoch = epoch
         self.tank = seed
         self.events = deque[GuardEvent](maxlen=_MOST_EVENTS)
+        self.bypassed = False
         self._keep_back = seed
         self._balance, self._cap, self._rounding = balance, cap, rounding
         self._force, self._power, self._burst = force, power, _BURST * power if burst is None else burst
@@ -274,6 +276,10 @@ class LinkGuard:
             if word.given != self._known:
                 self._receive(word.given)
         self._short = False
+        if self.bypassed and sample.index >= 0 and wish < inf:
+            self._catching = False
+            self._move(wish, held)
+            return 1.0
         if self.state == COUPLED:
             reason = self._why_guard(word, fresh, goal - held)
             if not reason:

@@ -9,6 +9,7 @@ from collections.abc import Callable
 from typing import NamedTuple, final
 
 from cotouch.live import Message
+from cotouch.network import Network
 from cotouch.session._file import SessionFile
 from cotouch.session._links import Pair, delays_of, present_links
 from cotouch.session._messages import Entry, Join, Refused, Roster, Status, read, write
@@ -82,6 +83,7 @@ class Coordinator:
         self._session = session
         self._planner = planner
         self._fingerprint = fingerprint
+        self._chosen: Network | None = None
         self._seen: dict[str, float] = {}
         self._present: set[str] = set()
         self._said = -float("inf")
@@ -113,6 +115,21 @@ class Coordinator:
                 for seat, both in said.measured().items():
                     if seat != entry.seat:
                         self.measured((min(entry.seat, seat), max(entry.seat, seat)), both)
+
+    def choose(self, links: list[Pair]) -> None:
+        """Takes links that somebody chose in place of the session's and of a plan; who comes is joined to somebody.
+
+        Args:
+            links: pairs of seats.
+
+        Raises:
+            NetworkError: a pair has no spring, or there are no such seats.
+        """
+        self._chosen = self._session.scenario.network.with_links(links)
+        seats = [entry.seat for entry in self.roster.members]
+        wanted = present_links(self._chosen, seats)
+        if wanted != self.roster.links:
+            self._announce(self.roster.members, wanted)
 
     def measured(self, pair: Pair, both: float) -> None:
         """Takes a time there and back of a pair, linked or not, the smaller seat first [s]."""
@@ -186,8 +203,8 @@ class Coordinator:
         seats = [entry.seat for entry in members]
         self._forget_paths(members)
         network = self._session.scenario.network
-        if self._planner is None:
-            links = present_links(network, seats)
+        if self._planner is None or self._chosen is not None:
+            links = present_links(self._chosen or network, seats)
         else:  # what is there is kept until a plan is made, and everybody is joined to somebody
             kept = network.with_links(self.roster.links) if self.roster.links else network.with_links([])
             links = present_links(kept, seats)
@@ -204,7 +221,7 @@ class Coordinator:
         self._said = -float("inf")
 
     def _replan(self, now: float) -> None:
-        if self._planner is None or len(self.roster.members) < 2:
+        if self._planner is None or self._chosen is not None or len(self.roster.members) < 2:
             return
         seats = [entry.seat for entry in self.roster.members]
         if self._asked is None:

@@ -57,6 +57,7 @@ class Copy:
         totals: what was booked since the start.
         damping: B_i in force, as coefficients over the weights, (weights,) [Ns/m].
         extra_damping: B_e likewise.
+        damping_share: of what the rule needs; below 1 the copy is not passive, see `give_damping`.
     """
 
     def __init__(
@@ -96,6 +97,7 @@ class Copy:
         self._turn = 0
         self.damping = np.zeros(1 + len(replica.scenario.network.weights))
         self.extra_damping = np.zeros_like(self.damping)
+        self.damping_share = 1.0
 
     @property
     def copies(self) -> int:
@@ -321,12 +323,27 @@ class Copy:
 
     # -- what is agreed ----------------------------------------------------------------------------------------------
 
+    def give_damping(self, share: float, now: float) -> None:
+        """Takes so much of the damping that the rule needs, and trusts every link, to show what becomes of that.
+
+        Args:
+            share: 1: the rule and its guards; below, nothing is passive.
+            now: [s].
+        """
+        if share != self.damping_share:
+            self.damping_share = share
+            if self._recorder is not None:
+                self._recorder.event("damping", now, share=share)
+            self._damp(now)
+
     def _damp(self, now: float) -> None:
         """Keeps the damping at what the budgets in force need, by the rule [age rule; Lee & Huang 2010, theorem 1]."""
         needed = np.zeros_like(self.damping)
         for neighbour in self.neighbours.values():
             needed[neighbour.weight] += 0.5 * neighbour.strength * neighbour.budget.total
             neighbour.guard.budget, neighbour.guard.total = neighbour.budget.budget, neighbour.budget.total
+            neighbour.guard.bypassed = self.damping_share < 1.0
+        needed *= self.damping_share
         if (needed != self.damping).any():
             self.damping = needed
             if self.peer is not None:

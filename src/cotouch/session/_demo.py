@@ -4,17 +4,22 @@ import json
 import time
 import tomllib
 from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any, final
 
 from cotouch.errors import SessionError
+from cotouch.session._boards import board_folder
+from cotouch.session._cushion import HALF, cushion, stl
+from cotouch.session._demo_stage import DemoStage
 from cotouch.session._file import MOST_USERS, SessionFile
-from cotouch.session._hand import ScriptedHand
-from cotouch.session._open import OpenHost, open_host
+from cotouch.session._open import open_host
 from cotouch.session._process import MemberProcess
 from cotouch.session._replica import Replica
+from cotouch.session._told import ToldHand
 from cotouch.session._totals import ALARM
 from cotouch.session._warm import compiles, warm_up
 
@@ -22,7 +27,7 @@ _FILE = "live.toml"
 # Compiling on a machine that never did takes so long, several processes at once [s].
 _PATIENCE = 300.0
 _POLL = 0.02
-_BODIES = ("point", "block")
+_BODIES = ("point", "block", "soft")
 # Springs and delays of users beyond the paper's five.
 _SPRING, _DELAY = 60.0, 0.05
 _REACH = (0.10, -0.05, 0.06, -0.08, 0.02)
@@ -36,6 +41,27 @@ _BLOCK = {
     "ground": "x-",
     "ground_stiffness": 60.0,
 }
+# The cushion in its lowest modes; its links are a part of the paper's springs at every node, and none of its paths of
+# 0.8 s, which would take so much damping that it moved like one in honey.
+_SOFT_FILE = "cushion.stl"
+_SOFT = {
+    "file": _SOFT_FILE,
+    "unit": "m",
+    "resolution": 10,
+    "model": "elastic",
+    "young": 1e4,
+    "poisson": 0.35,
+    "density": 250.0,
+    "rayleigh_mass": 1.0,
+    "rayleigh_stiffness": 0.01,
+    "ground": {"box": {"low": [-1.0, -1.0, -1.0], "high": [1.0, 1.0, -0.02]}},
+    "ground_stiffness": 10.0,
+    "modes": 60,
+}
+_SOFT_SHARE = 1.0 / 40.0
+_SLOW = 0.5
+# How fast hands go around that never let go [Hz].
+_ROUND = (0.11, 0.17, 0.13, 0.19, 0.15)
 # What `--impair` takes, and where it stands in a session's file.
 _IMPAIRMENTS = ("loss", "jitter", "duplication", "reordering")
 _HOLD = 0.05
@@ -58,14 +84,14 @@ def demo_file() -> Path:
 
 
 def demo_session(
-    *, users: int = 5, body: str = "point", seconds: float = 30.0, impair: Sequence[str] = ()
+    *, users: int = 5, body: str = "point", seconds: float | None = 30.0, impair: Sequence[str] = ()
 ) -> SessionFile:
     """The session of a demonstration.
 
     Args:
         users: how many; of more than five, all joined to all by equal springs over equal delays.
-        body: "point" (the paper's) or "block" (a soft block in three dimensions).
-        seconds: how long; the hands let go after two thirds of it.
+        body: "point" (the paper's), "block" (a lattice in three dimensions) or "soft" (a cushion).
+        seconds: how long; the hands let go after two thirds of it. None: they never do, and go on moving.
         impair: what the network does besides, each such as "loss=0.1", "jitter=0.02" (s), "duplication=0.05",
             "reordering=0.1".
 
@@ -86,14 +112,23 @@ def demo_session(
         for name, value in (("spring", _SPRING), ("delay", _DELAY)):
             network[name] = [[value * (i != j) for j in range(users)] for i in range(users)]
         del network["links"]
-    release = round(2.0 * seconds / 3.0, 3)
-    tables["hands"] = [
-        {"user": n + 1, "path": [[0, 0], [2, _REACH[n % 5]]], "stiffness": 60.0, "damping": 2.0, "release": release}
-        for n in range(users)
+    hands: list[dict[str, Any]] = [
+        {"user": n + 1, "path": [[0, 0], [2, _REACH[n % 5]]], "stiffness": 60.0, "damping": 2.0} for n in range(users)
     ]
+    tables["hands"] = hands
     _embody(tables, body)
+    for n, hand in enumerate(hands):
+        if seconds is not None:
+            hand["release"] = round(2.0 * seconds / 3.0, 3)
+        else:
+            last = hand["path"][-1][1:]
+            hand["amplitude"] = last if len(last) > 1 else last[0]
+            hand["frequency"] = _ROUND[n % 5]
     _impair(tables, impair)
-    return SessionFile.from_toml(_toml(tables), source="the demonstration")
+    with TemporaryDirectory(prefix="cotouch-") as folder:
+        if body == "soft":
+            Path(folder, _SOFT_FILE).write_bytes(stl(*cushion()))
+        return SessionFile.from_toml(_toml(tables), source="the demonstration", folder=Path(folder))
 
 
 @final
@@ -133,67 +168,79 @@ class Shown:
 def play(
     session: SessionFile,
     *,
-    seconds: float,
-    each: Callable[[OpenHost, float], None] | None = None,
+    seconds: float | None,
+    each: Callable[[DemoStage, float], None] | None = None,
     stopped: Callable[[], bool] = lambda: False,
     record: Path | None = None,
+    beside: Callable[[DemoStage], AbstractContextManager[object]] = nullcontext,
 ) -> Shown:
     """Plays a session with one process for each of its users.
 
     Args:
         session: with scripted hands.
-        seconds: how long, from when all are there.
-        each: called some fifty times a second, with the host and the time.
+        seconds: how long, from when all are there; None: until it is stopped.
+        each: called some fifty times a second, with the stage and the time.
         stopped: whether to end now.
         record: an existing folder for a recording of each user.
+        beside: entered with the stage before anybody is there, and left before it closes; a page's server, say.
 
     Raises:
         TransportError: this machine refuses a port.
         SessionError: somebody could not take part.
     """
-    if compiles(session):  # here, once, rather than in every process at the same time
-        replica = Replica.build(session)
+    with TemporaryDirectory(prefix="cotouch-") as folder:
+        if session.files:  # a mesh is read again from where it lies
+            session = SessionFile.from_content(session.content, session.files, folder=Path(folder))
+        return _played(session, seconds, each, stopped, record, beside)
+
+
+def _played(
+    session: SessionFile,
+    seconds: float | None,
+    each: Callable[[DemoStage, float], None] | None,
+    stopped: Callable[[], bool],
+    record: Path | None,
+    beside: Callable[[DemoStage], AbstractContextManager[object]],
+) -> Shown:
+    replica = Replica.build(session)
+    if compiles(session, touched=replica.body.skin is not None):
+        # Here, once, rather than in every process at the same time.
         longest = session.options.longest_step
         warm_up(
             replica,
-            lambda model: ScriptedHand(
+            lambda model: ToldHand(
                 replica.scenario, replica.body, model, seat=0, period=session.period(0), longest=longest
             ),
         )
-    names = session.scenario.network.users
-    with open_host(session) as opened:
-        members: dict[str, MemberProcess] = {}
+    with open_host(session) as opened, board_folder() as boards:
+        stage = DemoStage(session, opened, replica, boards, record=record)
         try:
-            for name in names:
-                options = ["--name", name, "--headless"]
-                options += [] if record is None else ["--record", str(record / f"{name}.mcap")]
-                members[name] = MemberProcess(opened.invitation, options, as_json=True)
-            began = _gather(opened, members, each, stopped)
-            end = began + seconds
-            while time.monotonic() < end and not stopped():
-                _turn(opened, each)
-            opened.host.end()
-            took = time.monotonic() - began
-            finish = time.monotonic() + 10.0
-            while time.monotonic() < finish and any(member.running for member in members.values()):
-                _turn(opened, None)
-            return _summed(members, took)
+            with beside(stage):
+                stage.start()
+                began = _gather(stage, each, stopped)
+                stage.choose_links()
+                end = began + (float("inf") if seconds is None else seconds)
+                while time.monotonic() < end and not stopped():
+                    _turn(stage, each)
+                opened.host.end()
+                took = time.monotonic() - began
+                finish = time.monotonic() + 10.0
+                while time.monotonic() < finish and any(member.running for member in stage.members.values()):
+                    _turn(stage, None)
+            return _summed(stage.members, took, acted=stage.acted)
         finally:
-            for member in members.values():
-                member.close()
+            stage.close()
 
 
-def _gather(
-    opened: OpenHost,
-    members: dict[str, MemberProcess],
-    each: Callable[[OpenHost, float], None] | None,
-    stopped: Callable[[], bool],
-) -> float:
+def _gather(stage: DemoStage, each: Callable[[DemoStage, float], None] | None, stopped: Callable[[], bool]) -> float:
     """Waits until everybody moves; returns when that was [s]."""
     patience = time.monotonic() + _PATIENCE
+    members = stage.members
     while not stopped():
-        _turn(opened, each)
-        seen = opened.host.watch.members.values()
+        _turn(stage, each)
+        if stage.acted:  # somebody killed one of them meanwhile, say
+            break
+        seen = stage.opened.host.watch.members.values()
         if len(seen) == len(members) and all(s.status is not None and s.status.steps for s in seen):
             break
         for name, member in members.items():
@@ -204,17 +251,18 @@ def _gather(
     return time.monotonic()
 
 
-def _turn(opened: OpenHost, each: Callable[[OpenHost, float], None] | None) -> None:
+def _turn(stage: DemoStage, each: Callable[[DemoStage, float], None] | None) -> None:
     now = time.monotonic()
-    opened.service(now)
+    stage.tick(now)
     if each is not None:
-        each(opened, now)
+        each(stage, now)
     time.sleep(_POLL)
 
 
-def _summed(members: dict[str, MemberProcess], seconds: float) -> Shown:
+def _summed(members: dict[str, MemberProcess], seconds: float, *, acted: bool) -> Shown:
+    """What came of it; where somebody changed how it went, who was killed or cut off is nothing to complain about."""
     results = {name: member.result() for name, member in members.items()}
-    complaints = [f"{name} ended without a result" for name, result in results.items() if result is None]
+    complaints = [f"{name} ended without a result" for name, result in results.items() if result is None and not acted]
     known = [r["status"] for r in results.values() if r is not None and r["status"] is not None]
 
     def total(name: str) -> float:
@@ -224,12 +272,12 @@ def _summed(members: dict[str, MemberProcess], seconds: float) -> Shown:
     residual = max((status["residual"] for status in known), default=0.0)
     links = [link for status in known for link in status["links"]]
     apart = max((link["difference"] for link in links if link["difference"] is not None), default=0.0)
-    if supplied + initial < -ALARM * max(lost, abs(supplied)):
+    if supplied + initial < -ALARM * max(lost, abs(supplied)) and not acted:
         complaints.append(f"the hands got out {-supplied - initial:.3g} J that nobody put in")
     if residual > ALARM:
         complaints.append(f"the energy books are off by {residual:.1e} of the energy in play")
     apart_links = sum(link["state"] not in {"coupled", "ready"} for link in links)
-    if apart_links:  # one that is ready has caught up, and waits for as long as its budgets
+    if apart_links and not acted:  # one that is ready has caught up, and waits for as long as its budgets
         complaints.append(f"at the end {apart_links} of {len(links)} ends of links were not coupled")
     steps = total("steps")
     return Shown(
@@ -255,12 +303,34 @@ def _embody(tables: dict[str, Any], body: str) -> None:
     if body == "block":
         tables["body"] = dict(_BLOCK)
         places = [[0.14, 0.02 * (n % 4), 0.02 * (n // 4 % 4)] for n in range(len(tables["hands"]))]
+    elif body == "soft":
+        _cushion(tables)
+        return
     else:
         raise SessionError(f'--body is "{body}"; it must be {" or ".join(_BODIES)}')
     ways = ((0.0, 0.3, 0.0), (0.0, -0.3, 0.1), (0.2, 0.0, 0.3), (0.0, 0.2, -0.3), (-0.2, 0.0, 0.2))
     for n, (hand, place) in enumerate(zip(tables["hands"], places, strict=True)):
         reach = [0.06 * share for share in ways[n % 5]]  # so far that a hand feels the others
         hand |= {"at": place, "path": [[0, 0, 0, 0], [2, *reach]], "stiffness": 200.0}
+
+
+def _cushion(tables: dict[str, Any]) -> None:
+    """The cushion: held at its corners and in the middle, at shares of its half width."""
+    tables["body"] = dict(_SOFT)
+    network = tables["network"]
+    network["spring"] = [[_SOFT_SHARE * spring for spring in row] for row in network["spring"]]
+    if "links" in network:
+        near = [[a, b] for a, b in network["links"] if network["delay"][a - 1][b - 1] < _SLOW]
+        network["links"] = near
+    places = ((0.85, 0.85, 0.0), (-0.85, 0.85, 0.0), (-0.85, -0.85, 0.0), (0.85, -0.85, 0.0), (0.0, 0.0, 0.3))
+    ways = ((0.3, 0.3, 0.3), (-0.3, 0.2, 0.4), (-0.2, -0.3, -0.2), (0.3, -0.2, 0.4), (0.0, 0.0, 0.5))
+    for n, hand in enumerate(tables["hands"]):
+        hand |= {
+            "at": [HALF * share for share in places[n % 5]],
+            "path": [[0, 0, 0, 0], [2, *(HALF * share for share in ways[n % 5])]],
+            "stiffness": 150.0,
+            "damping": 3.0,
+        }
 
 
 def _impair(tables: dict[str, Any], impair: Sequence[str]) -> None:

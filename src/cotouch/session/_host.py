@@ -5,6 +5,7 @@ from typing import final
 from cotouch.live import ControlPlane, Message
 from cotouch.session._coordinator import Coordinator, Planner
 from cotouch.session._file import SessionFile
+from cotouch.session._links import Pair
 from cotouch.session._messages import Roster, read
 from cotouch.session._watch import Watch
 
@@ -66,6 +67,15 @@ class Host:
         roster = read(Roster, message.body) if self._resumed else None
         if roster is not None and roster.of(message.sender) is not None and not self._coordinator.roster.epoch:
             self._coordinator.adopt(roster, now)
+
+    @property
+    def roster(self) -> Roster:
+        """Who takes part, and who is linked to whom."""
+        return self._coordinator.roster
+
+    def choose(self, links: list[Pair]) -> None:
+        """Takes these links from now on; see `Coordinator.choose`."""
+        self._coordinator.choose(links)
 
     def end(self) -> None:
         """Ends the session for everybody."""

@@ -25,6 +25,7 @@ from cotouch.live import (
     prepare_process,
 )
 from cotouch.mechanics import Model
+from cotouch.session._boards import BoardFolder
 from cotouch.session._device_hand import DeviceHand
 from cotouch.session._emulate import path_laws
 from cotouch.session._file import SessionFile
@@ -35,8 +36,10 @@ from cotouch.session._messages import Status
 from cotouch.session._pace import Pace, pace_numbers
 from cotouch.session._replica import Replica
 from cotouch.session._tape import Tape
+from cotouch.session._told import ToldHand
 from cotouch.session._warm import compiles, warm_up
 from cotouch.session._ways import RoutedWays
+from cotouch.session._window import Window
 
 HandKind = Literal["scripted", "none"]
 
@@ -99,6 +102,8 @@ def join(
     record: Path | None = None,
     version: str,
     warn: Callable[[str], None] | None = None,
+    boards: Path | None = None,
+    unsafe: bool = False,
     say: Callable[[str], None] | None = None,
     stopped: Callable[[], bool] = lambda: False,
 ) -> Taken:
@@ -114,6 +119,8 @@ def join(
         record: file to record into; must not exist.
         version: of this software.
         warn: is told in a sentence why a device's force is off.
+        boards: folder of the boards by which this member is shown and told things on this machine; see `_boards`.
+        unsafe: whether it may be told to take less damping than passivity needs.
         say: is told in a few words what takes time.
         stopped: whether to stop now.
 
@@ -138,6 +145,8 @@ def join(
             listen=listen,
             record=record,
             version=version,
+            boards=boards,
+            unsafe=unsafe,
             tell=tell,
             stopped=stopped,
         )
@@ -154,6 +163,8 @@ def _join(
     listen: str | None,
     record: Path | None,
     version: str,
+    boards: Path | None,
+    unsafe: bool,
     tell: Callable[[str], None],
     stopped: Callable[[], bool],
 ) -> Taken:
@@ -166,9 +177,10 @@ def _join(
             replica = Replica.build(session)
         for file in (session.content, *session.files.values()):
             control.offer(file)
-        if compiles(session):
+        told = boards is not None
+        if compiles(session, touched=told and replica.body.skin is not None):
             tell("compiling, once on this machine, which takes a minute or two")
-        warm_up(replica, partial(_hand, session, replica, hand, held.unheld, 0))
+        warm_up(replica, partial(_hand, session, replica, hand, held.unheld, 0, told=told))
         tell("waiting for a seat")
         return _take_part(
             session,
@@ -182,6 +194,8 @@ def _join(
             listen=listen,
             record=record,
             version=version,
+            boards=boards,
+            unsafe=unsafe,
             stopped=stopped,
         )
     finally:
@@ -201,6 +215,8 @@ def _take_part(
     listen: str | None,
     record: Path | None,
     version: str,
+    boards: Path | None,
+    unsafe: bool,
     stopped: Callable[[], bool],
 ) -> Taken:
     clock = time.monotonic
@@ -214,16 +230,21 @@ def _take_part(
         entropy=os.urandom,
         mirrors=[Address(*endpoint) for endpoint in invitation.endpoints],
     )
-    impaired = ImpairedTransport(routed, {}, clock=clock) if session.options.emulate else None
-    tape = None if record is None else Tape(record, session, replica, name=name, key=control.identity.public)
+    worse = session.options.emulate or boards is not None
+    impaired = ImpairedTransport(routed, {}, clock=clock) if worse else None
+    key = control.identity.public
+    tape = None if record is None else Tape(record, session, replica, name=name, key=key)
+    window = None
+    if boards is not None:
+        window = Window(BoardFolder(boards), name, session, replica, key=key, unsafe=unsafe, recorder=tape)
 
     def taken(seat: int, model: Model) -> Hand:
         pacer.restart(session.period(seat))
         pace.restart(session.period(seat))
-        if impaired is not None:
+        if impaired is not None and session.options.emulate:
             for other, law in path_laws(session.scenario, seat).items():
                 impaired.set(other, law)
-        return _hand(session, replica, hand, held, seat, model)
+        return _hand(session, replica, hand, held, seat, model, window=window, told=window is not None)
 
     listening = _Listening(impaired)
     pacer = Pacer(session.period(0), cap=session.options.longest_step, clock=clock, idle=listening)
@@ -239,13 +260,15 @@ def _take_part(
         hand=taken,
         entropy=os.urandom,
         secret=invitation.derive(b"links", 32),
-        recorder=tape,
+        recorder=tape if window is None else window,
         pace=pace.since,
+        delays=None if window is None else lambda: window.delays,
     )
     listening.member = member
     try:
         with prepare_process():
-            why = _loop(member, pacer, pace, clock, partial(held.tend, tape), seconds=seconds, stopped=stopped)
+            tend = partial(held.tend, tape)
+            why = _loop(member, pacer, pace, clock, tend, window, impaired, seconds=seconds, stopped=stopped)
         status = member.status(clock())
         member.leave()
         return Taken(
@@ -258,6 +281,8 @@ def _take_part(
             device=held.summary(),
         )
     finally:
+        if window is not None:
+            window.close()
         if tape is not None:
             tape.close()
         (routed if impaired is None else impaired).close()
@@ -291,6 +316,8 @@ def _loop(
     pace: Pace,
     clock: Callable[[], float],
     tend: Callable[[float], None],
+    window: Window | None,
+    emulator: ImpairedTransport | None,
     *,
     seconds: float | None,
     stopped: Callable[[], bool],
@@ -307,6 +334,10 @@ def _loop(
             service = now + _SERVICE_EVERY
             member.service(now)
             tend(now)
+            if window is not None:
+                window.service(now, member.seat, emulator)
+                if member.copy is not None:
+                    member.copy.give_damping(window.damping, now)
             if stopped():
                 return "stopped"
         pace.stepped(T, stood, clock() - now + pacer.worked)
@@ -316,27 +347,39 @@ def _loop(
             return "time"
 
 
-def _hand(session: SessionFile, replica: Replica, kind: HandKind, held: HeldDevice, seat: int, model: Model) -> Hand:
+def _hand(
+    session: SessionFile,
+    replica: Replica,
+    kind: HandKind,
+    held: HeldDevice,
+    seat: int,
+    model: Model,
+    *,
+    window: Window | None = None,
+    told: bool = False,
+) -> Hand:
+    period, longest = session.period(seat), session.options.longest_step
     if held.wanted:
         return DeviceHand(
+            replica.scenario, replica.body, model, seat=seat, period=period, longest=longest, link=held.link
+        )
+    if told:
+        hand = ToldHand(
             replica.scenario,
             replica.body,
             model,
             seat=seat,
-            period=session.period(seat),
-            longest=session.options.longest_step,
-            link=held.link,
+            period=period,
+            longest=longest,
+            scripted=kind == "scripted",
+            wishes=(lambda: None) if window is None else window.wishes,
         )
+        if window is not None:
+            window.holds(hand, seat)
+        return hand
     if kind == "none":
         return NoHand(model)
-    return ScriptedHand(
-        replica.scenario,
-        replica.body,
-        model,
-        seat=seat,
-        period=session.period(seat),
-        longest=session.options.longest_step,
-    )
+    return ScriptedHand(replica.scenario, replica.body, model, seat=seat, period=period, longest=longest)
 
 
 def _nobody(text: str) -> None:

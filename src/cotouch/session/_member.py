@@ -4,13 +4,16 @@ from collections import deque
 from collections.abc import Callable, Iterator, Mapping
 from typing import final
 
+import numpy as np
+import numpy.typing as npt
+
 from cotouch.errors import SessionError
 from cotouch.live import ControlPlane, Entropy, Message
 from cotouch.mechanics import Model
 from cotouch.session import _keys
 from cotouch.session._coordinator import Coordinator, acting, believed
 from cotouch.session._copy import Copy, Recorder
-from cotouch.session._file import SessionFile
+from cotouch.session._file import MOST_USERS, SessionFile
 from cotouch.session._hand import Hand
 from cotouch.session._messages import Join, LinkStatus, Refused, Roster, Status, read, write
 from cotouch.session._replica import Replica
@@ -53,6 +56,7 @@ class Member:
         coordinator: Coordinator | None = None,
         recorder: Recorder | None = None,
         pace: Callable[[], Mapping[str, float]] = dict,
+        delays: Callable[[], npt.NDArray[np.float64]] | None = None,
     ) -> None:
         """Prepares to take part; nothing is said before the first `service`.
 
@@ -70,6 +74,7 @@ class Member:
             coordinator: takes over when it is this member's turn to decide; by default one without a planner.
             recorder: is told of everything.
             pace: what the process knows of its steps, for the status: rate, longest, missed, stood, busy.
+            delays: that are emulated now, [to, from], (users, users) [s]; None: as the session says.
         """
         self.roster = Roster()
         self.copy: Copy | None = None
@@ -86,6 +91,8 @@ class Member:
         self._coordinator = coordinator or Coordinator(session, fingerprint=replica.fingerprint)
         self._recorder = recorder
         self._pace = pace
+        given = session.scenario.network.delay if session.options.emulate else np.zeros((MOST_USERS, MOST_USERS))
+        self._delays = delays or (lambda: given)
         self._decides = False
         self._asked = -float("inf")
         self._first_asked: float | None = None
@@ -192,13 +199,12 @@ class Member:
 
     def _paths(self) -> list[tuple[int, float]]:
         """Times there and back to all others; pings do not go through what is emulated, so its delays are added."""
-        own, delay = self.seat, self._session.scenario.network.delay
+        own, delay = self.seat, self._delays()
         found: list[tuple[int, float]] = []
         for seat in self._met:
             path = self._ways.path(seat)
             if own is not None and path is not None:
-                emulated = float(delay[own, seat] + delay[seat, own]) if self._session.options.emulate else 0.0
-                found.append((seat, path + emulated))
+                found.append((seat, path + float(delay[own, seat] + delay[seat, own])))
         return found
 
     def _hear(self, message: Message, decider: bytes | None, present: frozenset[bytes], now: float) -> None:

@@ -78,6 +78,37 @@ class LinkPlanner:
         return sorted((seats[a], seats[b]) for a, b in found.best.links)
 
 
+def notable_links(session: SessionFile) -> dict[str, list[Pair]]:
+    """The links that a session starts with, and the best and the worst as many, by its delays; takes its time.
+
+    Args:
+        session: with two or more users.
+
+    Returns:
+        Pairs of seats, by "start", "best", "worst"; without the last two where nothing was found.
+    """
+    network = session.scenario.network
+    choices = {"start": sorted((int(a), int(b)) for a, b in network.links)}
+    modes = _modes(session)
+    try:
+        found = plan(
+            network,
+            links=len(choices["start"]),
+            objective="decay",
+            time_unit=_TIME_UNIT,
+            rounding="nearest",
+            seconds=_SECONDS,
+            jobs=1,
+            top=1,
+            mass=modes.get("mass", 1.0),
+            damping=modes.get("damping", 0.0),
+            stiffness=modes.get("stiffness", 0.0),
+        )
+    except CotouchError:
+        return choices
+    return choices | {"best": sorted(found.best.links), "worst": sorted(found.worst.links)}
+
+
 def _modes(session: SessionFile) -> dict[str, npt.NDArray[np.float64]]:
     """The body's modes; of one that has none by itself, or is too large, that of its whole mass moving freely."""
     body = session.scenario.build_body()

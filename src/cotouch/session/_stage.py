@@ -36,6 +36,7 @@ class Scene:
         own: seats whose copies are moved by processes of this stage; only their hands can be told anything.
         may: what `Stage.do` knows of here: "hand", "impair", "cut", "kill", "revive", "links", "damping", "record".
         invitation: with which others take part; None if this stage does not give it away.
+        stiffness: of a hand, unless a pointer says another [N/m].
     """
 
     title: str
@@ -44,6 +45,7 @@ class Scene:
     own: tuple[int, ...]
     may: frozenset[str]
     invitation: str | None = None
+    stiffness: float = 100.0
 
 
 @final
@@ -187,6 +189,9 @@ class Stage(Protocol):
     def point(self, seat: int, pointer: Pointer) -> None:
         """Moves a user's pointer; takes effect with the next step of its copy.
 
+        A pointer that holds or pushes is to be told again at least twice a second, also where it stands still: a hand
+        that hears nothing of it for a second lets go, because whoever held it has gone.
+
         Args:
             seat: of `Scene.own`.
             pointer: where to.
@@ -194,7 +199,7 @@ class Stage(Protocol):
         ...
 
     def do(self, what: str, arguments: Mapping[str, Any]) -> str:
-        """Does one of `Scene.may`, and says in a sentence what was done.
+        """Does one of `Scene.may`, and says in a sentence what was done; may wait for the session's loop.
 
         Args:
             what: one of

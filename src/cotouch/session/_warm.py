@@ -14,9 +14,14 @@ from cotouch.session._replica import Replica
 _T = 1e-3
 
 
-def compiles(session: SessionFile) -> bool:
-    """Whether `warm_up` is going to compile, once on this machine, which takes a minute or two."""
-    return cold(touch_step if session.scenario.tools else step)
+def compiles(session: SessionFile, *, touched: bool = False) -> bool:
+    """Whether `warm_up` is going to compile, once on this machine, which takes a minute or two.
+
+    Args:
+        session: that is taken part in.
+        touched: whether its object may be touched besides what the file says.
+    """
+    return cold(touch_step if session.scenario.tools or touched else step)
 
 
 def warm_up(replica: Replica, make: Callable[[Model], Hand]) -> None:

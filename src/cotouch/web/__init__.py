@@ -1,1 +1,7 @@
 """The page in the browser: what it shows, and the server that it comes from."""
+
+from cotouch.web._address import PORT, PageAddress
+from cotouch.web._server import PageServer
+from cotouch.web._verdict import Verdict, judged
+
+__all__ = ["PORT", "PageAddress", "PageServer", "Verdict", "judged"]

@@ -1,0 +1,270 @@
+"""The page's server: frames and bytes a second, its share of a core, from a pointer to Python, from start to frame.
+
+The page is a process of its own that reads, acknowledges and points as a browser does. Copies are made beforehand and
+shown one after the other, so that what is measured is the server and not who makes them.
+"""
+
+import contextlib
+import json
+import os
+import signal
+import struct
+import subprocess
+import sys
+import time
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, cast
+
+import numpy as np
+import psutil
+
+from benchmarks._report import Row, command
+from cotouch.session import CopyView, Overview, Pointer, Scene
+from cotouch.web import PageServer
+
+SECONDS = 12.0
+KEPT = 64  # views of each copy
+STEPS = 500.0  # a second
+GOAL = {"3d": "≤ 10 %", "big": ""}
+_HELLO = {"type": "hello", "version": 1, "want": "all", "rate": 60, "seat": 0}
+
+
+class _Played:
+    """A stage that shows what was made beforehand; notes when pointers came."""
+
+    def __init__(self, kind: str) -> None:
+        from tests.web.fake_stage import FakeStage, Kind
+
+        now = [0.0]
+        made = FakeStage(cast("Kind", kind), clock=lambda: now[0])
+        self.scene: Scene = made.scene
+        self._kept: list[Mapping[int, CopyView]] = []
+        for _ in range(KEPT):
+            now[0] += 0.05
+            self._kept.append(made.views())
+        self._overview: Overview = made.overview()
+        self.late: list[float] = []
+        self._heard = 0
+
+    def views(self) -> Mapping[int, CopyView]:
+        now = time.monotonic()
+        views = self._kept[int(now * STEPS) % KEPT]
+        return {seat: replace(view, time=now, heard=self._heard) for seat, view in views.items()}
+
+    def overview(self) -> Overview:
+        return self._overview
+
+    def point(self, seat: int, pointer: Pointer) -> None:
+        del seat
+        # The page puts the time of its event, on the clock of this machine, where the target's places are.
+        sent = pointer.target[0] * 1000.0 + pointer.target[1]
+        self.late.append(time.monotonic() % 1000.0 - sent if sent else 0.0)
+        self._heard = pointer.number
+
+    def do(self, what: str, arguments: Mapping[str, Any]) -> str:
+        del arguments
+        return what
+
+    def recorded(self) -> bytes | None:
+        return None
+
+
+def visit(address: str, token: str, seconds: float, pointing: float, timed: bool = True) -> dict[str, Any]:
+    """A page without a browser: what it saw.
+
+    Args:
+        address: of the page.
+        token: of the server.
+        seconds: how long.
+        pointing: pointers a second; 0: none.
+        timed: whether their places say when they were sent, for a stage that reads it there.
+    """
+    from websockets.sync.client import connect
+
+    began = time.monotonic()
+    frames, size, waits, first = 0, 0, [], 0.0
+    own = address.rstrip("/")
+    with connect(
+        own.replace("http", "ws") + "/ws", origin=own, compression=None, max_size=None, max_queue=None
+    ) as page:
+        page.send(json.dumps(_HELLO | {"token": token}))
+        number, due, seen = 0, began + 0.5, 0
+        end = began + seconds
+        while (now := time.monotonic()) < end:
+            if pointing and now >= due:
+                number, due = number + 1, max(due + 1.0 / pointing, now)
+                part = time.monotonic() % 1000.0
+                x = np.float32(int(part) / 1000.0)  # the rest goes into y, so that single precision is enough
+                y = np.float32(part - float(x) * 1000.0)
+                if not timed:
+                    x, y = np.float32(0.02), np.float32(0.02)
+                page.send(struct.pack("<BBBBII3fffd", 2, 0, 1, 0, number, 0, x, y, 0.0, 0.0, 0.0, 1e3 * now))
+            try:
+                message = page.recv(max(min(due, end) - time.monotonic(), 0.0) if pointing else 1.0)
+            except TimeoutError:
+                continue
+            if isinstance(message, bytes):
+                if not first:
+                    first = time.monotonic() - began
+                page.send(struct.pack("<B3xI", 3, struct.unpack_from("<I", message, 4)[0]))
+                frames, size = frames + 1, size + len(message)
+                echo, waited = struct.unpack_from("<II", message, 24)
+                if echo > seen:
+                    seen = echo
+                    waits.append(1e-6 * waited)
+    return {"first": first, "frames": frames / seconds, "bytes": size / seconds, "waits": waits}
+
+
+def _page(server: PageServer, pointing: float = 0.0, seconds: float = SECONDS) -> dict[str, Any]:
+    return _visitor(server.address, server.token, seconds, pointing, timed=True)
+
+
+def _visitor(address: str, token: str, seconds: float, pointing: float, *, timed: bool) -> dict[str, Any]:
+    asked = json.dumps([address, token, seconds, pointing, timed])
+    done = subprocess.run(
+        [sys.executable, "-m", "benchmarks.page", "--visit"],
+        input=asked, capture_output=True, text=True, check=True, timeout=seconds + 60.0,
+    )  # fmt: skip
+    return json.loads(done.stdout)
+
+
+def served() -> list[Row]:
+    """Against copies that are made beforehand."""
+    rows: list[Row] = []
+    for kind, what in (("3d", "5 copies of 1,924 points"), ("big", "5 copies of 20,002 points")):
+        stage = _Played(kind)
+        started = time.perf_counter()
+        with PageServer(stage, port=0) as server:
+            ready = time.perf_counter() - started
+            before = time.process_time()
+            time.sleep(3.0)
+            idle, before = (time.process_time() - before) / 3.0, time.process_time()
+            found = _page(server)
+            used = (time.process_time() - before) / SECONDS
+            late = _page(server, 60.0)
+        seconds = np.array([x for x in stage.late if x > 0.0])
+        rows += [
+            Row("page", f"{what}: frames a second", f"{found['frames']:.1f}", "≥ 55" if kind == "3d" else "≥ 30",
+                f"{found['bytes'] / 1e6:.2f} MB/s; {load()}"),
+            Row("page", f"{what}: server's share of a core, one page", f"{100.0 * used:.1f} %", GOAL[kind],
+                f"{100.0 * idle:.2f} % while nobody watches; CPU time of its process"),
+            Row("page", f"{what}: pointer sent to Python, p50 / p99", _times(seconds), "p50 ≤ 3 ms",
+                f"{seconds.size} pointers, 60 a second; {load()}"),
+            Row("page", f"{what}: pointer to the frame that shows it, p50 / p99", _times(np.array(late["waits"])), "",
+                "by the server's clock; the copy answers at once"),
+            Row("page", f"{what}: server ready, then first frame to a page", f"{1e3 * ready:.0f} ms, "
+                f"{1e3 * found['first']:.0f} ms", "≤ 1 s", "the page connects, greets and gets scene and frame"),
+        ]  # fmt: skip
+    return rows
+
+
+def demonstration() -> list[Row]:
+    """Against the demonstration as users start it: a process for each of five users."""
+    with _demo() as (process, address, token):
+        before = _cpu_of(process, 6.0)
+        start, came = _times_of(process), time.monotonic()
+        found = _visitor(address, token, SECONDS, 60.0, timed=False)
+        with_page = (_times_of(process) - start) / (time.monotonic() - came)
+    waits = np.array(found["waits"])
+    return [
+        Row("page", "demonstration, five users, soft body: frames a second", f"{found['frames']:.1f}", "≥ 55",
+            f"{found['bytes'] / 1e6:.2f} MB/s, 60 pointers a second; {load()}"),
+        Row("page", "demonstration: its process with one page, and with none", f"{100.0 * with_page:.1f} %, "
+            f"{100.0 * before:.1f} %", "10 % apart", "share of a core; without a page it is the session's host"),
+        Row("page", "demonstration: pointer at the server to the frame whose copy has used it, p50 / p99",
+            _times(waits), "≤ 16 ms to the screen", f"{waits.size} pointers; boards and a step lie between"),
+    ]  # fmt: skip
+
+
+@contextlib.contextmanager
+def _demo() -> Any:
+    arguments = [sys.executable, "-m", "cotouch", "demo", "--seconds", "45", "--page", "--headless", "--port", "0"]
+    process = subprocess.Popen(arguments, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    assert process.stderr is not None
+    try:
+        line = next(line for line in process.stderr if "the page is at" in line)
+        address, _, token = line.split()[-1].partition("#token=")
+        time.sleep(12.0)  # until all are there and coupled
+        yield process, address, token
+    finally:
+        process.send_signal(signal.SIGTERM)
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            process.wait(30)
+        process.kill()
+        process.wait()
+
+
+def _times_of(process: "subprocess.Popen[str]") -> float:
+    used = psutil.Process(process.pid).cpu_times()
+    return used.user + used.system
+
+
+def _cpu_of(process: "subprocess.Popen[str]", seconds: float) -> float:
+    start = _times_of(process)
+    time.sleep(seconds)
+    return (_times_of(process) - start) / seconds
+
+
+def _times(seconds: np.ndarray) -> str:
+    if not seconds.size:
+        return "none came"
+    low, high = np.quantile(seconds, [0.5, 0.99])
+    return f"{1e3 * low:.1f} / {1e3 * high:.1f} ms"
+
+
+def load() -> str:
+    """What else the machine did."""
+    return f"load {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores"
+
+
+def in_browser(static: Path | None = None) -> list[Row]:
+    """In chromium, which draws without a graphics card here: what the page itself says of its frames and drags."""
+    import shutil
+
+    program = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+    if program is None:
+        return [Row("page", "in a browser", "not measured", "", "no chromium on this machine")]
+    from playwright.sync_api import sync_playwright
+
+    flags = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+    rows: list[Row] = []
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=program, args=flags)
+        for kind, what, goal in (("3d", "1,924", "≥ 55"), ("big", "20,002", "≥ 30")):
+            with PageServer(_Played(kind), port=0, static=static) as server:
+                page = browser.new_page(viewport={"width": 1280, "height": 720})
+                page.goto(server.url)
+                page.wait_for_function("() => window.cotouch && window.cotouch.stats.frames > 30", timeout=120_000)
+                before = page.evaluate("() => [window.cotouch.stats.frames, performance.now()]")
+                page.wait_for_timeout(8_000)
+                after = page.evaluate("() => [window.cotouch.stats.frames, performance.now()]")
+                rate = 1e3 * (after[0] - before[0]) / (after[1] - before[1])
+                page.mouse.move(640, 330)
+                page.mouse.down()
+                for k in range(120):
+                    page.mouse.move(640 + k % 60, 330 + k % 40)
+                    page.wait_for_timeout(16)
+                drags = np.array(page.evaluate("() => window.cotouch.stats.dragToMesh")) / 1e3
+                page.mouse.up()
+                page.close()
+            rows += [
+                Row("page", f"browser, {what} points: mesh updates a second", f"{rate:.1f}", goal,
+                    f"1280 × 720, chromium, drawn by the processor; {load()}"),
+                Row("page", f"browser, {what} points: drag to mesh on the screen, p50 / p99", _times(drags), "≤ 16 ms",
+                    f"{drags.size} drags"),
+            ]  # fmt: skip
+        browser.close()
+    return rows
+
+
+def measure() -> list[Row]:
+    return [*served(), *demonstration(), *in_browser()]
+
+
+if __name__ == "__main__":
+    if "--visit" in sys.argv:
+        print(json.dumps(visit(*json.loads(sys.stdin.read()))))
+    else:
+        command(measure, cast("str", __doc__))

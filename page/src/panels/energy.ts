@@ -1,0 +1,187 @@
+/** Where every joule went: what was put in, and where it is now. */
+import type { MemberStatus } from "../protocol";
+import { type Context, nameOf } from "./context";
+import { attribute, button, h, panel, shown, text } from "./dom";
+import { percent, si } from "./format";
+
+const EXPLANATION =
+  "Every step books where its energy went, to rounding, so both bars are equally long: what came in is what is still there or " +
+  "was damped. Hands put energy in, and take some back. Links are springs between copies: they give back what they hold, and " +
+  "delay makes them give more than they took, because news that is late pushes at the wrong moment. The damping is made to take " +
+  "at least that; this is what keeps the session stable. The rest is what copies gained or lost as members came and went, because " +
+  "each then holds another share of the object, and rounding.";
+
+export interface Row {
+  seat: number;
+  initial: number;
+  hands: number;
+  links: number;
+  damped: number;
+  stored: number;
+  residual: number;
+}
+
+/** One user's account; energies in J. Initial + hands + links − damped − stored is the rest: changes of the copy’s share, and rounding. */
+export function account(seat: number, status: Partial<MemberStatus>, before: Partial<MemberStatus> | null): Row {
+  const since = (kind: "supplied" | "linked" | "lost"): number => (status[kind] ?? 0) - (before?.[kind] ?? 0);
+  const initial = before ? (before.energy ?? 0) : (status.initial ?? 0);
+  const row = { seat, initial, hands: since("supplied"), links: since("linked"), damped: since("lost"), stored: status.energy ?? 0 };
+  return { ...row, residual: row.initial + row.hands + row.links - row.damped - row.stored };
+}
+
+interface Part {
+  label: string;
+  value: number;
+  class: string;
+  seat?: number;
+}
+
+/** What came in and where it went, as parts above 0; both sum to the same, up to the residual. */
+export function sides(rows: readonly Row[]): { came: Part[]; went: Part[] } {
+  const came: Part[] = [];
+  const went: Part[] = [];
+  const put = (value: number, source: Omit<Part, "value">, sink: Omit<Part, "value">): void => {
+    if (value > 0) came.push({ ...source, value });
+    else if (value < 0) went.push({ ...sink, value: -value });
+  };
+  for (const row of rows) {
+    put(row.hands, { label: "hand", class: "hand", seat: row.seat }, { label: "taken back by hand", class: "hand", seat: row.seat });
+  }
+  put(rows.reduce((sum, row) => sum + row.initial, 0), { label: "at the start", class: "initial" }, { label: "at the start", class: "initial" });
+  put(
+    rows.reduce((sum, row) => sum + row.links, 0),
+    { label: "added by links", class: "links" },
+    { label: "held or taken by links", class: "links" },
+  );
+  put(-rows.reduce((sum, row) => sum + row.damped, 0), { label: "dampers", class: "damped" }, { label: "damped", class: "damped" });
+  put(-rows.reduce((sum, row) => sum + row.stored, 0), { label: "copies", class: "stored" }, { label: "in the copies", class: "stored" });
+  return { came, went };
+}
+
+const COLUMNS: { key: keyof Row; words: string; sign: string; tip: string }[] = [
+  { key: "hands", words: "hands", sign: "", tip: "Put in by this user’s hand, less what it took back" },
+  { key: "links", words: "links", sign: "+", tip: "Work of the links on this copy: what delays added, less what springs hold" },
+  { key: "initial", words: "start", sign: "+", tip: "In the copy when counting began" },
+  { key: "damped", words: "damped", sign: "−", tip: "Lost in this copy’s dampers" },
+  { key: "stored", words: "in copy", sign: "−", tip: "In this copy now, as motion and in springs" },
+  { key: "residual", words: "rest", sign: "=", tip: "What this copy gained or lost as members came and went, and rounding" },
+];
+
+function bar(element: HTMLElement, parts: readonly Part[], total: number, name: (seat: number) => string): void {
+  while (element.children.length > parts.length) element.lastElementChild?.remove();
+  while (element.children.length < parts.length) element.append(h("div", null, h("span")));
+  parts.forEach((part, i) => {
+    const one = element.children[i] as HTMLElement;
+    const share = total > 0 ? part.value / total : 0;
+    const label = part.seat === undefined ? part.label : `${part.label} of ${name(part.seat)}`;
+    attribute(one, "class", `part part-${part.class}`);
+    one.style.width = `${(100 * share).toFixed(2)}%`;
+    if (part.seat !== undefined) {
+      one.style.setProperty("--user", `var(--user-${part.seat})`);
+      one.style.setProperty("--on-user", `var(--on-user-${part.seat})`);
+    }
+    attribute(one, "data-tip", `${label}: ${si(part.value, "J", 1e-12)}`);
+    const words = part.seat === undefined ? part.label : String(part.seat + 1);
+    if (one.firstElementChild) text(one.firstElementChild, share > (part.seat === undefined ? 0.18 : 0.06) ? words : "");
+  });
+}
+
+export function energyPanel(context: Context): HTMLElement {
+  const { store } = context;
+  const base = new Map<number, Partial<MemberStatus>>();
+  const zero = button("Count from now", () => {
+    if (base.size) base.clear();
+    else for (const [seat, member] of Object.entries(store.state?.members ?? {})) base.set(Number(seat), { ...member });
+    update();
+  }, { class: "button small", tip: "Leaves out what was before" });
+  const { element, body } = panel("energy", "Energy", EXPLANATION, zero);
+  const [came, went] = [h("div", { class: "stack" }), h("div", { class: "stack" })];
+  const [cameSum, wentSum] = [h("span", { class: "sum tabular" }), h("span", { class: "sum tabular" })];
+  const head = h("tr", null, h("th", { scope: "col" }, "user"), ...COLUMNS.map((one) => h("th", { scope: "col", "data-tip": one.tip, tabindex: 0 }, `${one.sign} ${one.words}`.trim())));
+  const rows = h("tbody");
+  const sums = COLUMNS.map(() => h("td"));
+  const closing = h("p", { class: "expected tabular" });
+  const empty = h("p", { class: "hint" }, "Nothing was booked yet.");
+  const table = h("table", { class: "numbers ledger" }, h("thead", null, head), rows, h("tfoot", null, h("tr", null, h("th", { scope: "row" }, "all"), ...sums)));
+  const full = h(
+    "div",
+    { hidden: true },
+    h("div", { class: "bar-row" }, h("span", { class: "bar-name" }, "came in"), came, cameSum),
+    h("div", { class: "bar-row" }, h("span", { class: "bar-name" }, "went to"), went, wentSum),
+    closing,
+    h("div", { class: "scroll" }, table),
+  );
+  body.append(empty, full);
+  const cells = new Map<number, { element: HTMLElement; cells: HTMLElement[] }>();
+  const update = (): void => {
+    if (body.offsetParent === null && cells.size) return;
+    const all = Object.entries(store.state?.members ?? {})
+      .filter(([, member]) => member.steps)
+      .map(([key, member]) => {
+        const seat = Number(key);
+        const before = base.get(seat) ?? null;
+        // A process that began anew counts from its own start.
+        if (before && (member.steps ?? 0) < (before.steps ?? 0)) base.delete(seat);
+        return account(seat, member, base.get(seat) ?? null);
+      });
+    shown(full, all.length > 0);
+    shown(empty, all.length === 0);
+    text(zero.firstElementChild ?? zero, base.size ? "Count from the start" : "Count from now");
+    const both = sides(all);
+    const sum = (parts: readonly Part[]): number => parts.reduce((total, part) => total + part.value, 0);
+    const [in_, out] = [sum(both.came), sum(both.went)];
+    const total = Math.max(in_, out);
+    const name = (seat: number): string => nameOf(store, seat);
+    bar(came, both.came, total, name);
+    bar(went, both.went, total, name);
+    text(cameSum, si(in_, "J", 1e-12));
+    text(wentSum, si(out, "J", 1e-12));
+    const left = in_ - out;
+    const worst = Math.max(0, ...Object.values(store.state?.members ?? {}).map((member) => member.residual ?? 0));
+    text(closing, total > 0 ? `Rest: ${si(left, "J", 1e-15)}, ${exponent(left / total)} of all, from members who came and went. Worst single step: off by ${exponent(worst)} of the energy in play.` : "");
+    for (const [seat, row] of cells) if (!all.some((one) => one.seat === seat)) (row.element.remove(), cells.delete(seat));
+    for (const one of all) {
+      let row = cells.get(one.seat);
+      if (!row) {
+        const own = COLUMNS.map(() => h("td"));
+        const line = h("tr", null, h("th", { scope: "row", title: name(one.seat) }, h("span", { class: "badge tiny", style: `--user:var(--user-${one.seat});--on-user:var(--on-user-${one.seat})` }, String(one.seat + 1))), ...own);
+        row = { element: line, cells: own };
+        cells.set(one.seat, row);
+        rows.append(line);
+        // By seat, whoever came first.
+        for (const seat of [...cells.keys()].sort((a, b) => a - b)) rows.append(cells.get(seat)?.element ?? line);
+      }
+      COLUMNS.forEach((column, i) => {
+        const cell = row.cells[i];
+        if (cell) text(cell, si(one[column.key], "J", 1e-12));
+      });
+    }
+    attribute(table, "data-initial", all.some((row) => row.initial) ? "" : null);
+    COLUMNS.forEach((column, i) => {
+      const cell = sums[i];
+      if (cell) text(cell, si(all.reduce((total_, row) => total_ + row[column.key], 0), "J", 1e-12));
+    });
+  };
+  store.on("state", update);
+  let run = store.scene?.started;
+  store.on("scene", () => {
+    if (store.scene?.started !== run) base.clear();
+    run = store.scene?.started;
+    update();
+  });
+  context.tab.on(update);
+  update();
+  return element;
+}
+
+const RAISED: Record<string, string> = { "-": "⁻", "0": "⁰", "1": "¹", "2": "²", "3": "³", "4": "⁴", "5": "⁵", "6": "⁶", "7": "⁷", "8": "⁸", "9": "⁹" };
+
+/** A share as 3 · 10⁻¹²; from a hundredth on in per cent. */
+export function exponent(share: number): string {
+  if (!Number.isFinite(share)) return "–";
+  const size = Math.abs(share);
+  if (size === 0) return "0";
+  if (size >= 0.01) return percent(size);
+  const power = Math.floor(Math.log10(size));
+  return `${Math.round(size / 10 ** power)} · 10${[...String(power)].map((digit) => RAISED[digit] ?? "").join("")}`;
+}

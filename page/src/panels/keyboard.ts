@@ -1,0 +1,97 @@
+/** Single keys that do what buttons do, and a page that tells them. */
+import { turnTheme } from "../theme";
+import { type Context, nameOf } from "./context";
+import { h } from "./dom";
+import { dialog } from "./dialog";
+import { addressFor } from "./users";
+
+const OFF = "cotouch.keys";
+
+export interface Deeds {
+  tour: () => void;
+  invite: () => void;
+  record: () => void;
+  freeze: () => void;
+  reset: () => void;
+}
+
+const COLOURS = ["displacement", "stress", "plain"] as const;
+
+const TABLE: [string, string][] = [
+  ["1 … 8", "act as this user"],
+  ["G", "grab the nearest point; arrows move it, Esc lets go"],
+  ["B", "grab or push with the ball"],
+  ["S", "copies overlaid or side by side"],
+  ["C", "what colours show"],
+  ["0", "look from the start again"],
+  ["F", "freeze the plots"],
+  ["R", "record, stop"],
+  ["I", "invite"],
+  ["T", "tour: ← → for steps, Esc leaves"],
+  ["D", "theme"],
+  ["Tab, Enter", "reach and open everything, links as well"],
+  ["+ −", "delay of the link that has the focus"],
+  ["?", "this page"],
+];
+
+/** Whether somebody types text or sets a value, so that keys are his. */
+function typing(target: EventTarget | null): boolean {
+  return target instanceof Element && target.closest("input, textarea, select, [contenteditable]") !== null;
+}
+
+export function keyboard(context: Context, deeds: Deeds): { open: () => void } {
+  const { store } = context;
+  let off = false;
+  try {
+    off = localStorage.getItem(OFF) === "off";
+  } catch {
+    // Without storage keys are on.
+  }
+  const single = h("input", { type: "checkbox" });
+  single.checked = !off;
+  single.addEventListener("change", () => {
+    off = !single.checked;
+    try {
+      localStorage.setItem(OFF, off ? "off" : "on");
+    } catch {
+      // Then it holds until the page is left.
+    }
+  });
+  const box = dialog("Keyboard", [
+    h("dl", { class: "keys" }, ...TABLE.flatMap(([keys, does]) => [h("dt", null, ...keys.split(" ").map((key) => (key === "…" ? " … " : h("kbd", null, key)))), h("dd", null, does)])),
+    h("label", { class: "check" }, single, h("span", null, "Single keys do these things")),
+  ], []);
+  const act: Record<string, () => void> = {
+    b: () => store.set({ tool: store.settings.tool === "grab" ? "ball" : "grab" }),
+    s: () => store.set({ layout: store.settings.layout === "overlay" ? "side" : "overlay" }),
+    c: () => store.set({ colour: COLOURS[(COLOURS.indexOf(store.settings.colour) + 1) % COLOURS.length] ?? "plain" }),
+    "0": deeds.reset,
+    f: deeds.freeze,
+    r: deeds.record,
+    i: deeds.invite,
+    t: deeds.tour,
+    d: () => turnTheme(store),
+  };
+  document.addEventListener("keydown", (event) => {
+    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || event.repeat || typing(event.target)) return;
+    if (document.querySelector("dialog[open]")) return;
+    if (event.key === "?") {
+      event.preventDefault();
+      return box.open();
+    }
+    if (off) return;
+    const seat = Number(event.key) - 1;
+    if (event.key.length === 1 && seat >= 0 && seat < 8) {
+      if (!store.scene?.own.includes(seat)) {
+        if (store.scene?.users.some((user) => user.seat === seat)) context.say(`${nameOf(store, seat)} moves elsewhere; this page cannot act for that user.`, "warn");
+        return;
+      }
+      store.take(seat);
+      history.replaceState(null, "", addressFor(seat));
+      context.say(`This page now acts as ${nameOf(store, seat)}.`);
+      return;
+    }
+    act[event.key.toLowerCase()]?.();
+  });
+  return { open: box.open };
+}

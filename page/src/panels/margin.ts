@@ -1,0 +1,154 @@
+/** What is guaranteed, with how much to spare, and a way to see what happens without it. */
+import { agesChart } from "./ages";
+import { type Context, can, keyOf, nameOf, pairOf, samePair } from "./context";
+import { attribute, button, h, icon, panel, redraw, shown, text } from "./dom";
+import { NONE, linkName, ms, number, percent } from "./format";
+import { dialog } from "./dialog";
+import { CONDITIONS, condition, spare, worse } from "./words";
+
+const EXPLANATION =
+  "Passive means: whatever the users do, the session as a whole never gives out more energy than hands put in, so nothing can " +
+  "start to swing by itself. It holds as long as each copy’s damping is at least what the ages on its links ask for. Damping is " +
+  "made for a budget of ages on each link; what ages leave of it is to spare. A link that goes over its budget is guarded: it then " +
+  "spends only what it has saved.";
+
+/** The dialog that lowers the damping below what is needed. */
+export function dampingDialog(context: Context): { open: () => void } {
+  const output = h("output", { class: "tabular" });
+  const input = h("input", { type: "range", min: 2, max: 95, step: 1, value: 20, "aria-label": "Share of the damping that is needed" });
+  const wear = (): void => {
+    text(output, `${input.value} % of what is needed`);
+    input.style.setProperty("--share", `${((Number(input.value) - 2) / 93) * 100}%`);
+  };
+  input.addEventListener("input", wear);
+  wear();
+  const box = dialog("Lower the damping", [
+    h(
+      "p",
+      { class: "warning" },
+      icon("warn", 20),
+      h("span", null, "Below what the delays need, nothing keeps energy from growing: copies can begin to shake by themselves, and shake harder until they are stopped. That is what you will see, in numbers and in the picture."),
+    ),
+    h("p", null, "Do this with simulated hands only. Let go of any real device first."),
+    h("label", { class: "slider" }, h("span", null, "damping"), input, output),
+    h("p", { class: "hint" }, "A banner stays until it is restored, and one click restores it. The copies then come to rest."),
+  ], [
+    { words: "Lower it", class: "button danger", act: () => void context.act("damping", { share: Number(input.value) / 100 }) },
+    { words: "Leave it as it is", class: "button primary", act: () => undefined, focus: true },
+  ]);
+  return { open: box.open };
+}
+
+export function marginPanel(context: Context): HTMLElement {
+  const { store } = context;
+  const lowering = dampingDialog(context);
+  const lower = button("Lower damping …", () => lowering.open(), { icon: "warn", class: "button small danger", id: "lower", tip: "Shows what the damping is for" });
+  const restore = button("Restore damping", () => void context.act("damping", { share: 1 }), { class: "button small primary" });
+  const { element, body } = panel("margin", "Margin", EXPLANATION, lower, restore);
+  const sign = icon("good", 18);
+  const sentence = h("span", null);
+  const certificate = h("p", { class: "certificate" }, sign, sentence);
+  const links = h("tbody");
+  const users = h("tbody");
+  body.append(
+    certificate,
+    h(
+      "table",
+      { class: "numbers" },
+      h("thead", null, h("tr", null, ...["link", "ages", "of budget", "to spare", ""].map((words) => h("th", { scope: "col" }, words)))),
+      links,
+    ),
+    agesChart(context),
+    h(
+      "table",
+      { class: "numbers" },
+      h(
+        "thead",
+        null,
+        h(
+          "tr",
+          null,
+          h("th", { scope: "col" }, "user"),
+          h("th", { scope: "col", "data-tip": "Largest coefficient of the damping of the copy", tabindex: 0 }, "damping"),
+          h("th", { scope: "col", "data-tip": "What the damping exceeds what the budgets in force need by", tabindex: 0 }, "above need"),
+        ),
+      ),
+      users,
+    ),
+  );
+  const update = (): void => {
+    const state = store.state;
+    const lowered = !!state && state.damping < 1;
+    shown(lower, !lowered);
+    shown(restore, lowered);
+    lower.disabled = restore.disabled = !can(context, "damping");
+    if (!state || body.offsetParent === null) return;
+    attribute(certificate, "data-level", state.verdict.level);
+    redraw(sign, state.verdict.level);
+    text(sentence, state.verdict.text);
+    const pairs = state.links.map(([a, b]) => pairOf(a, b));
+    const key = JSON.stringify([pairs, store.scene?.started]);
+    if (links.dataset.key !== key) {
+      links.dataset.key = key;
+      links.replaceChildren(
+        ...pairs.map((pair) =>
+          h(
+            "tr",
+            { "data-link": keyOf(pair) },
+            h("th", { scope: "row" }, button(linkName(...pair), () => context.link.set(pair), { class: "plain", label: `Open link ${linkName(...pair)}` })),
+            h("td"),
+            h("td"),
+            h("td", { class: "gauge" }, h("i"), h("span")),
+            h("td", { class: "word" }),
+          ),
+        ),
+      );
+    }
+    pairs.forEach((pair, i) => {
+      const cells = links.children[i]?.children;
+      if (!cells) return;
+      const now = condition(state, ...pair);
+      const left = spare(state, ...pair);
+      attribute(links.children[i] as Element, "data-condition", now);
+      attribute(links.children[i] as Element, "data-chosen", samePair(pair, context.link.get()) ? "" : null);
+      text(cells[1] as Element, ms(worse(state, ...pair, "ages")));
+      text(cells[2] as Element, ms(worse(state, ...pair, "budget")));
+      const gauge = cells[3] as HTMLElement;
+      gauge.style.setProperty("--share", `${Math.round(100 * Math.min(Math.max(1 - (left ?? 1), 0), 1))}%`);
+      attribute(gauge, "data-level", left === null ? null : left < 0 ? "bad" : left < 0.1 ? "warn" : "good");
+      text(gauge.lastElementChild as Element, left === null ? NONE : left < 0 ? `${percent(-left, 0)} over` : percent(left, 0));
+      text(cells[4] as Element, CONDITIONS[now].words);
+    });
+    const seats = Object.keys(state.members).map(Number).sort((a, b) => a - b);
+    const whom = JSON.stringify([seats, store.scene?.started]);
+    if (users.dataset.key !== whom) {
+      users.dataset.key = whom;
+      users.replaceChildren(
+        ...seats.map((seat) =>
+          h(
+            "tr",
+            null,
+            h("th", { scope: "row" }, h("span", { class: "badge tiny", style: `--user:var(--user-${seat});--on-user:var(--on-user-${seat})` }, String(seat + 1)), " ", nameOf(store, seat)),
+            h("td"),
+            h("td"),
+          ),
+        ),
+      );
+    }
+    seats.forEach((seat, i) => {
+      const cells = users.children[i]?.children;
+      const member = state.members[seat];
+      if (!cells || !member) return;
+      text(cells[1] as Element, member.steps ? `${number(member.damping, 2)}\u202fN·s/m` : NONE);
+      const above = member.certificate;
+      text(cells[2] as Element, typeof above === "number" ? percent(above) : NONE);
+      attribute(cells[2] as Element, "data-level", typeof above === "number" ? (above < 0 ? "bad" : "good") : null);
+    });
+  };
+  store.on("state", update);
+  store.on("connection", update);
+  context.tab.on(update);
+  context.link.on(update);
+  update();
+  return element;
+}

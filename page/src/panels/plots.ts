@@ -1,0 +1,160 @@
+/** Position, force and energy of all users over the last seconds. */
+import { isDark, userColour } from "../colours";
+import type { Quantity } from "../history";
+import { Chart } from "./chart";
+import { type Context, nameOf } from "./context";
+import { button, h, panel, redraw, text } from "./dom";
+import { type Table, csv, thinned } from "./series";
+
+const EXPLANATION =
+  "The last 20 seconds of every copy, in the colours of the users; the line of the user that this page acts for is wider. Position is the mean " +
+  "displacement along the axis that moves most, force is the hand’s on the copy, energy is what the copy holds in motion and " +
+  "springs. Move over a plot to read values; without, the newest are shown. Saved numbers are not thinned.";
+const WAIT = 45; // ms between two drawings, at least
+const KINDS: { kind: Quantity; what: string; unit: string; floor: number; tip: string }[] = [
+  { kind: "position", what: "Position", unit: "m", floor: 2e-3, tip: "Mean displacement of each copy from rest" },
+  { kind: "force", what: "Force", unit: "N", floor: 0.05, tip: "Of each user’s hand on his copy" },
+  { kind: "energy", what: "Energy", unit: "J", floor: 1e-5, tip: "In each copy: of its motion and its springs" },
+];
+
+/** Gives a file to who reads the page. */
+export function download(name: string, content: Blob): void {
+  const address = URL.createObjectURL(content);
+  h("a", { href: address, download: name }).click();
+  setTimeout(() => URL.revokeObjectURL(address), 1000);
+}
+
+/** The panel of plots, and a way to freeze it by a key. */
+export function plotsPanel(context: Context): { element: HTMLElement; freeze: () => void } {
+  const { store } = context;
+  let frozen: Map<Quantity, Table> | null = null;
+  let frozenAt = 0;
+  let charts: Chart[] = [];
+  let seats: number[] = [];
+  let drawnAt = 0;
+  let drawnVersion = -1;
+
+  const table = (kind: Quantity): Table =>
+    frozen?.get(kind) ?? { time: store.history.time(), values: seats.map((seat) => store.history.series(kind, seat)) };
+  const now = (): number => {
+    if (frozen) return frozenAt;
+    const frame = store.frame;
+    if (!frame) return 0;
+    return frame.time + Math.min((performance.now() - frame.received) / 1000, store.connection === "open" ? 0.25 : 0);
+  };
+  const freeze = (): void => {
+    if (frozen) frozen = null;
+    else {
+      frozenAt = now();
+      frozen = new Map(KINDS.map(({ kind }) => [kind, table(kind)]));
+    }
+    const sign = stop.querySelector("svg");
+    if (sign) redraw(sign, frozen ? "play" : "pause");
+    text(stop.lastElementChild ?? stop, frozen ? "Go on" : "Freeze");
+    stop.setAttribute("aria-pressed", String(!!frozen));
+    element.toggleAttribute("data-frozen", !!frozen);
+    drawnVersion = -1;
+  };
+  const stop = button("Freeze", freeze, { icon: "pause", class: "button small", id: "freeze" });
+  const saveCsv = button("CSV", () => {
+    const [first, ...rest] = KINDS.map(({ kind, what, unit }) => ({ what, unit, table: table(kind) }));
+    if (!first) return;
+    const all = [first, ...rest];
+    const heads = ["time_s", ...all.flatMap(({ what, unit }) => seats.map((seat) => `${what.toLowerCase()}_${unit} ${seat + 1} ${nameOf(store, seat)}`))];
+    const numbers = csv(heads, { time: first.table.time, values: all.flatMap((one) => one.table.values) });
+    download("cotouch.csv", new Blob([numbers], { type: "text/csv" }));
+  }, { icon: "save", class: "button small", label: "Save the numbers as CSV" });
+  const savePng = button("PNG", () => {
+    picture(context, charts, seats)?.toBlob((blob) => blob && download("cotouch.png", blob));
+  }, { icon: "save", class: "button small", label: "Save the plots as a picture" });
+  const { element, body } = panel("plots", "Plots", EXPLANATION, stop, saveCsv, savePng);
+  body.classList.add("charts");
+
+  let built = "";
+  const build = (): void => {
+    const scene = store.scene;
+    const key = scene ? JSON.stringify([scene.started, scene.users]) : "";
+    if (key === built) return;
+    built = key;
+    if (frozen) freeze();
+    for (const chart of charts) chart.dispose();
+    seats = (scene?.users ?? []).map((user) => user.seat);
+    charts = KINDS.map(
+      ({ what, unit, floor, tip }) =>
+        new Chart(
+          what,
+          unit,
+          floor,
+          seats.map((seat) => ({
+            name: nameOf(store, seat),
+            colour: () => userColour(seat, isDark(store.settings.theme)),
+            width: () => (seat === store.seat ? 2.25 : 1.25),
+          })),
+          store.history.seconds,
+          "users",
+          tip,
+        ),
+    );
+    body.replaceChildren(...charts.map((chart) => chart.element));
+    drawnVersion = -1;
+  };
+  const draw = (at: number): void => {
+    requestAnimationFrame(draw);
+    // Nothing is worked out for what is not seen; the browser itself pauses this in a hidden page.
+    if (at - drawnAt < WAIT || !charts.length || body.offsetParent === null) return;
+    if (drawnVersion === store.history.version && (frozen || store.connection !== "open")) return;
+    if (frozen && drawnVersion >= 0) return;
+    drawnAt = at;
+    drawnVersion = store.history.version;
+    const moment = now();
+    KINDS.forEach(({ kind }, i) => {
+      const chart = charts[i];
+      chart?.draw(thinned(table(kind), store.history.seconds, chart.room), moment);
+    });
+  };
+  store.on("scene", build);
+  store.on("settings", () => {
+    for (const chart of charts) chart.redraw();
+  });
+  build();
+  requestAnimationFrame(draw);
+  return { element, freeze };
+}
+
+function picture(context: Context, charts: readonly Chart[], seats: readonly number[]): HTMLCanvasElement | null {
+  const first = charts[0]?.canvas;
+  if (!first) return null;
+  const look = getComputedStyle(document.documentElement);
+  const scale = devicePixelRatio || 1;
+  const line = 22 * scale;
+  const canvas = h("canvas", {
+    width: Math.max(...charts.map((chart) => chart.canvas.width)) + 2 * line,
+    height: charts.reduce((sum, chart) => sum + chart.canvas.height + line, 3 * line),
+  });
+  const pen = canvas.getContext("2d");
+  if (!pen) return null;
+  pen.fillStyle = look.getPropertyValue("--panel");
+  pen.fillRect(0, 0, canvas.width, canvas.height);
+  pen.textBaseline = "middle";
+  const write = (words: string, x: number, y: number, weight: number, colour: string): number => {
+    pen.font = `${weight} ${12 * scale}px system-ui, sans-serif`;
+    pen.fillStyle = colour;
+    pen.fillText(words, x, y);
+    return pen.measureText(words).width;
+  };
+  const ink = look.getPropertyValue("--ink");
+  let x = line;
+  for (const seat of seats) {
+    pen.fillStyle = userColour(seat, isDark(context.store.settings.theme));
+    pen.fillRect(x, line - 5 * scale, 10 * scale, 10 * scale);
+    x += 15 * scale;
+    x += write(nameOf(context.store, seat), x, line, 400, ink) + 16 * scale;
+  }
+  let y = 2 * line;
+  for (const chart of charts) {
+    write(chart.caption, line, y, 600, ink);
+    pen.drawImage(chart.canvas, line, y + line / 2);
+    y += chart.canvas.height + line;
+  }
+  return canvas;
+}

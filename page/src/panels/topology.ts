@@ -1,0 +1,126 @@
+/** Which users are linked: best, worst, as at the start, or as one draws it; and what to expect of it. */
+import type { State } from "../protocol";
+import { type Context, type Pair, can, keyOf, nameOf, pairOf } from "./context";
+import { attribute, button, choice, h, shown, text } from "./dom";
+import { ms, number } from "./format";
+import { unreached } from "./graph";
+
+type Name = "start" | "best" | "worst" | "yours";
+
+const MEANS: Record<Name, string> = {
+  start: "As the session began.",
+  best: "Differences between copies fade fastest over these links.",
+  worst: "As many links, but differences fade slowest: watch the copies come back late.",
+  yours: "Click the lines between users to join or part them, then apply.",
+};
+
+/** Quickest way there and back between two users, as they measured it, linked or not [s]. */
+export function wayBetween(state: State, a: number, b: number): number | null {
+  for (const [from, to] of [[a, b], [b, a]] as const) {
+    const measured = (state.members[from] as { paths?: [number, number][] } | undefined)?.paths?.find(([seat]) => seat === to)?.[1];
+    const path = state.ends[`${from}-${to}`]?.path ?? measured;
+    if (typeof path === "number") return Math.max(path, 0);
+  }
+  return null;
+}
+
+/** Mean way over links, and the sum of ways at the user where it is greatest; null if one is not known. */
+export function load(state: State, links: readonly Pair[]): { mean: number; most: number } | null {
+  const sums = new Map<number, number>();
+  let all = 0;
+  for (const [a, b] of links) {
+    const way = wayBetween(state, a, b);
+    if (way === null) return null;
+    all += way;
+    for (const seat of [a, b]) sums.set(seat, (sums.get(seat) ?? 0) + way);
+  }
+  return links.length ? { mean: all / links.length, most: Math.max(...sums.values()) } : null;
+}
+
+function same(a: readonly Pair[], b: readonly Pair[]): boolean {
+  const keys = new Set(a.map(keyOf));
+  return a.length === b.length && b.every((pair) => keys.has(keyOf(pair)));
+}
+
+const pairs = (links: readonly (readonly [number, number])[]): Pair[] => links.map(([a, b]) => pairOf(a, b));
+
+export function topologyChoices(
+  context: Context,
+  draft: Set<string>,
+  drafted: (on: boolean) => void,
+  redrawn: () => void,
+): { element: HTMLElement; update(): void; changed(): void } {
+  const { store } = context;
+  let drafting = false;
+  let asked: Name | null = null;
+  const means = h("p", { class: "means" });
+  const expected = h("p", { class: "expected tabular" });
+  const warning = h("p", { class: "problem", role: "status", hidden: true });
+  const links = (name: Name): Pair[] =>
+    name === "yours"
+      ? [...draft].map((key) => key.split("-").map(Number) as [number, number])
+      : pairs(store.state?.choices[name] ?? []);
+  const draw = (on: boolean): void => {
+    drafting = on;
+    draft.clear();
+    if (on) for (const pair of pairs(store.state?.links ?? [])) draft.add(keyOf(pair));
+    drafted(on);
+  };
+  const choose = (name: Name): void => {
+    asked = name;
+    if (name === "yours") {
+      if (!drafting) draw(true);
+    } else {
+      if (drafting) draw(false);
+      void context.act("links", { choice: name });
+    }
+    redrawn();
+  };
+  const options = choice<Name>(
+    "Links",
+    (["start", "best", "worst", "yours"] as const).map((value) => ({ value, words: value[0]?.toUpperCase() + value.slice(1), tip: MEANS[value] })),
+    choose,
+  );
+  const apply = button("Apply", () => {
+    const wanted = links("yours");
+    void context.act("links", { links: wanted }).then((done) => {
+      if (done) draw(false);
+    });
+  }, { class: "button small primary" });
+  const leave = button("Cancel", () => {
+    asked = null;
+    draw(false);
+  }, { class: "button small" });
+  const drafts = h("div", { class: "actions", hidden: true }, apply, leave);
+  const update = (): void => {
+    const state = store.state;
+    const now = pairs(state?.links ?? []);
+    for (const name of ["start", "best", "worst"] as const) options.allow(name, can(context, "links") && links(name).length > 0);
+    options.allow("yours", can(context, "links"));
+    const current: Name | null = drafting
+      ? "yours"
+      : asked && asked !== "yours" && same(links(asked), now) ? asked
+      : ((["start", "best", "worst"] as const).find((name) => links(name).length && same(links(name), now)) ?? (now.length ? "yours" : null));
+    options.mark(current);
+    const subject: Pair[] = drafting ? links("yours") : now;
+    text(means, current ? (current === "yours" && !drafting ? "Links of your own." : MEANS[current]) : "");
+    const [before, after] = state ? [load(state, pairs(state.choices.start ?? state.links)), load(state, subject)] : [null, null];
+    let words = subject.length ? `${subject.length} links` : "";
+    if (after) words += `, mean way there and back ${ms(after.mean)}`;
+    if (before && after && before.most > 0 && !same(subject, pairs(state?.choices.start ?? []))) {
+      words += `. The busiest user needs about ${number(after.most / before.most, 1)} × the damping of the start, if springs are alike`;
+    }
+    text(expected, words && `${words}.`);
+    shown(drafts, drafting);
+    const alone = drafting ? unreached((store.scene?.users ?? []).map((user) => user.seat), subject) : [];
+    text(warning, alone.length ? `No way leads to ${alone.map((seat) => nameOf(store, seat)).join(", ")}.` : "");
+    shown(warning, alone.length > 0);
+    apply.disabled = alone.length > 0 || same(subject, now) || !can(context, "links");
+    attribute(options.element, "data-drafting", drafting ? "" : null);
+  };
+  return {
+    element: h("div", { class: "topology", id: "topology" }, options.element, means, expected, warning, drafts),
+    update,
+    changed: redrawn,
+  };
+}

@@ -1,0 +1,87 @@
+/** What states are called, in words that need no paper. */
+import type { LinkStatus, State } from "../protocol";
+import type { IconName } from "./dom";
+
+export type Presence = "here" | "starting" | "gone" | "stopped" | "awaited";
+
+export const PRESENCE: Record<Presence, { words: string; icon: IconName }> = {
+  here: { words: "here", icon: "good" },
+  starting: { words: "starting", icon: "wait" },
+  gone: { words: "gone", icon: "bad" },
+  stopped: { words: "stopped", icon: "bad" },
+  awaited: { words: "not here yet", icon: "wait" },
+};
+
+/** Whether a user takes part. */
+export function presence(state: State | null, seat: number): Presence {
+  const member = state?.members[seat];
+  if (!member) return "awaited";
+  if (member.alive === false) return "stopped";
+  if (!member.here) return member.alive ? "starting" : member.steps ? "gone" : "awaited";
+  return member.steps ? "here" : "starting";
+}
+
+/** What a link is, from what both its ends say and what is done to it. */
+export type Condition = "coupled" | "catching" | "guarded" | "waiting" | "cut" | "off";
+
+export const CONDITIONS: Record<Condition, { words: string; means: string; icon: IconName }> = {
+  coupled: { words: "coupled", means: "Both ends feel each other through the spring.", icon: "good" },
+  catching: {
+    words: "catching up",
+    means: "The end has caught up and shows that it can be relied on; it couples when both have.",
+    icon: "wait",
+  },
+  guarded: {
+    words: "guarded",
+    means: "News is older than its budget, or was. The end moves its spring only as far as its saved energy pays for.",
+    icon: "warn",
+  },
+  waiting: { words: "waiting", means: "Nothing was heard yet.", icon: "wait" },
+  cut: { words: "cut", means: "Nothing gets through. Each end lets go of its spring without a kick.", icon: "bad" },
+  off: { words: "not linked", means: "These two are not joined directly.", icon: "minus" },
+};
+
+const ENDS: Record<string, Condition> = { coupled: "coupled", ready: "catching", guarded: "guarded", waiting: "waiting", keys: "waiting" };
+
+/** How one end calls its state; `end` is null where it said nothing. */
+export function endCondition(end: LinkStatus | null | undefined): Condition {
+  return end ? (ENDS[end.state] ?? "waiting") : "waiting";
+}
+
+const WORST: Condition[] = ["cut", "guarded", "waiting", "catching", "coupled"];
+
+/** How a link is: as the worse of its ends; cut where it was cut both ways or one. */
+export function condition(state: State | null, a: number, b: number): Condition {
+  if (!state) return "waiting";
+  if (isCut(state, a, b)) return "cut";
+  if (!state.links.some(([x, y]) => (x === a && y === b) || (x === b && y === a))) return "off";
+  const ends = [endCondition(state.ends[`${a}-${b}`]), endCondition(state.ends[`${b}-${a}`])];
+  return WORST.find((one) => ends.includes(one)) ?? "waiting";
+}
+
+/** Whether samples are kept from getting through, in either direction. */
+export function isCut(state: State, a: number, b: number): boolean {
+  return !!(state.emulated[`${a}-${b}`]?.cut || state.emulated[`${b}-${a}`]?.cut);
+}
+
+/** The greater of what both ends say; null where neither does. */
+export function worse(state: State | null, a: number, b: number, kind: "age" | "ages" | "path" | "loss" | "budget"): number | null {
+  const all = [state?.ends[`${a}-${b}`]?.[kind], state?.ends[`${b}-${a}`]?.[kind]].filter((x): x is number => typeof x === "number");
+  return all.length ? Math.max(...all) : null;
+}
+
+/** Share of a link's budget that its ages leave; null where one is unknown. */
+export function spare(state: State | null, a: number, b: number): number | null {
+  const [ages, budget] = [worse(state, a, b, "ages"), worse(state, a, b, "budget")];
+  return ages === null || budget === null || budget <= 0 ? null : 1 - ages / budget;
+}
+
+export const MODES: Record<string, string> = {
+  script: "follows the script",
+  free: "hand free",
+  hold: "holds still",
+  pull: "pulls",
+  wander: "wanders",
+  grab: "pointer grabs",
+  ball: "pointer pushes",
+};

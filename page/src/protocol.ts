@@ -1,0 +1,269 @@
+// What the page and the server say to each other: JSON as text, frames and pointers as little-endian binary.
+
+export type Vec = [number, number, number];
+
+/** How a hand moves, by the number that stands for it in frames; as cotouch.session has it. */
+export const HAND_MODES = ["script", "free", "hold", "pull", "wander", "grab", "ball"] as const;
+export type HandMode = (typeof HAND_MODES)[number];
+
+export interface User {
+  seat: number;
+  name: string;
+}
+
+/** What a server run shows; does not change while it runs. Lengths in m. */
+export interface Scene {
+  title: string;
+  version: string;
+  dimension: 1 | 2 | 3;
+  users: User[];
+  /** Seats whose hands this server can move. */
+  own: number[];
+  /** What `Connection.do` may ask for here. */
+  may: string[];
+  invitation: string | null;
+  nodes: { count: number; rest: Float32Array };
+  skin: { vertices: number; rest: Float32Array; triangles: Uint32Array; node: Uint32Array } | null;
+  /** Pairs of nodes, for bodies without a skin. */
+  edges: Uint32Array | null;
+  radius: number;
+  centre: Vec;
+  /** Usual stiffness of a hand [N/m]. */
+  stiffness: number;
+  /** Which run of the server this is. */
+  started: string;
+  /** Places at rest of what is drawn, (V*3): the skin's vertices, or the nodes. */
+  points: Float32Array;
+}
+
+export interface LinkStatus {
+  seat: number;
+  state: string;
+  way: string;
+  age: number | null;
+  ages: number | null;
+  budget: number | null;
+  path: number | null;
+  loss: number;
+  rate: number;
+  force: number;
+  work: number;
+  difference: number | null;
+  guarded: number;
+}
+
+export interface MemberStatus {
+  seat: number;
+  epoch: number;
+  time: number;
+  steps: number;
+  rate: number;
+  period: number;
+  longest: number;
+  missed: number;
+  stood: number;
+  busy: number;
+  force: number;
+  position: number[];
+  supplied: number;
+  lost: number;
+  linked: number;
+  energy: number;
+  initial: number;
+  residual: number;
+  damping: number;
+  certificate: number | null;
+  links: LinkStatus[];
+  alarms: number;
+  here: boolean;
+  alive: boolean | null;
+  hand: HandMode;
+}
+
+export interface Emulated {
+  delay: number;
+  jitter: number;
+  loss: number;
+  cut: boolean;
+}
+
+/** How things are; five times a second. Members may be told only in part before they said anything. */
+export interface State {
+  time: number;
+  members: Record<string, Partial<MemberStatus> & { here: boolean; alive: boolean | null; hand: HandMode }>;
+  links: [number, number][];
+  /** "a-b": what a knows of its link to b. */
+  ends: Record<string, LinkStatus>;
+  /** "a-b": what is done to samples that a receives from b. */
+  emulated: Record<string, Emulated>;
+  choices: Record<string, [number, number][]>;
+  damping: number;
+  recording: number | null;
+  recorded: boolean;
+  events: { time: number; text: string }[];
+  verdict: { level: "good" | "warn" | "bad"; text: string };
+  control: "mine" | "other" | "none";
+  pages: number;
+  ended: boolean;
+}
+
+/** One copy in a frame. */
+export interface Copy {
+  seat: number;
+  mode: HandMode;
+  /** Told by its own process; else what a neighbour knows of it. */
+  direct: boolean;
+  hasHand: boolean;
+  hands: number;
+  /** Of the copy at the frame's time [s]. */
+  age: number;
+  target: Vec;
+  place: Vec;
+  /** Of the hand on the object [N]. */
+  force: Vec;
+  /** Of the ball; 0: none [m]. */
+  radius: number;
+  /** [J] */
+  energy: number;
+  supplied: number;
+  lost: number;
+  linked: number;
+  /** Held; -1: none. */
+  node: number;
+  /** Displacement of every point, times `Frame.scale` in m; a view into the message. */
+  displacement: Int16Array;
+}
+
+export interface Frame {
+  number: number;
+  /** On the server's clock [s]. */
+  time: number;
+  points: number;
+  scale: number;
+  /** Newest pointer message that the controlled copy has used. */
+  echo: number;
+  /** Between that pointer's arrival at the server and this frame [s]. */
+  served: number;
+  copies: Copy[];
+  /** When it arrived, as performance.now() [ms]. */
+  received: number;
+}
+
+export type Action = "ball" | "grab" | "free";
+const ACTIONS: Action[] = ["ball", "grab", "free"];
+
+export interface PointerMessage {
+  seat: number;
+  action: Action;
+  number: number;
+  point: number;
+  target: Vec;
+  radius: number;
+  stiffness: number;
+  /** performance.now() of the event [ms]. */
+  time: number;
+}
+
+const VERSION = 1;
+const HEADER = 32;
+const BLOCK = 68;
+
+function bytes(text: string): ArrayBuffer {
+  const raw = atob(text);
+  const result = new Uint8Array(raw.length);
+  for (let i = 0; i < raw.length; i++) result[i] = raw.charCodeAt(i);
+  return result.buffer;
+}
+
+/** A scene as it comes, with its numbers decoded. */
+export function readScene(message: any): Scene {
+  const rest = new Float32Array(bytes(message.nodes.rest));
+  const skin = message.skin && {
+    vertices: message.skin.vertices as number,
+    rest: new Float32Array(bytes(message.skin.rest)),
+    triangles: new Uint32Array(bytes(message.skin.triangles)),
+    node: new Uint32Array(bytes(message.skin.node)),
+  };
+  return {
+    ...message,
+    nodes: { count: message.nodes.count, rest },
+    skin,
+    edges: message.edges ? new Uint32Array(bytes(message.edges)) : null,
+    started: String(message.started),
+    points: skin ? skin.rest : rest,
+  };
+}
+
+function vec(view: DataView, at: number): Vec {
+  return [view.getFloat32(at, true), view.getFloat32(at + 4, true), view.getFloat32(at + 8, true)];
+}
+
+/** A frame; its displacements stay where they arrived. Throws where the message is none. */
+export function readFrame(buffer: ArrayBuffer, received: number): Frame {
+  const view = new DataView(buffer);
+  if (buffer.byteLength < HEADER || view.getUint8(0) !== 1 || view.getUint8(1) !== VERSION) {
+    throw new RangeError("not a frame of version 1");
+  }
+  const count = view.getUint16(2, true);
+  const points = view.getUint32(16, true);
+  const size = BLOCK + 4 * Math.ceil((points * 6) / 4);
+  if (buffer.byteLength !== HEADER + count * size) throw new RangeError("a frame of the wrong length");
+  const copies: Copy[] = [];
+  for (let i = 0; i < count; i++) {
+    const at = HEADER + i * size;
+    const flags = view.getUint8(at + 2);
+    copies.push({
+      seat: view.getUint8(at),
+      mode: HAND_MODES[view.getUint8(at + 1)] ?? "free",
+      direct: (flags & 1) > 0,
+      hasHand: (flags & 2) > 0,
+      hands: view.getUint8(at + 3),
+      age: view.getFloat32(at + 4, true),
+      target: vec(view, at + 8),
+      place: vec(view, at + 20),
+      force: vec(view, at + 32),
+      radius: view.getFloat32(at + 44, true),
+      energy: view.getFloat32(at + 48, true),
+      supplied: view.getFloat32(at + 52, true),
+      lost: view.getFloat32(at + 56, true),
+      linked: view.getFloat32(at + 60, true),
+      node: view.getInt32(at + 64, true),
+      displacement: new Int16Array(buffer, at + BLOCK, points * 3),
+    });
+  }
+  return {
+    number: view.getUint32(4, true),
+    time: view.getFloat64(8, true),
+    points,
+    scale: view.getFloat32(20, true),
+    echo: view.getUint32(24, true),
+    served: view.getUint32(28, true) / 1e6,
+    copies,
+    received,
+  };
+}
+
+export function writePointer(message: PointerMessage): ArrayBuffer {
+  const view = new DataView(new ArrayBuffer(40));
+  view.setUint8(0, 2);
+  view.setUint8(1, message.seat);
+  view.setUint8(2, ACTIONS.indexOf(message.action));
+  view.setUint32(4, message.number, true);
+  view.setUint32(8, message.point, true);
+  message.target.forEach((value, axis) => view.setFloat32(12 + 4 * axis, value, true));
+  view.setFloat32(24, message.radius, true);
+  view.setFloat32(28, message.stiffness, true);
+  view.setFloat64(32, message.time, true);
+  return view.buffer as ArrayBuffer;
+}
+
+export function writeAck(number: number): ArrayBuffer {
+  const view = new DataView(new ArrayBuffer(8));
+  view.setUint8(0, 3);
+  view.setUint32(4, number, true);
+  return view.buffer as ArrayBuffer;
+}
+
+export function writeHello(token: string | null, seat: number | null, rate: number): string {
+  return JSON.stringify({ type: "hello", version: VERSION, token, seat, want: "all", rate });
+}

@@ -1,0 +1,102 @@
+// What this page's hand does in space: one pointer, finger, stick or key at a time. Knows no picture.
+import { Plane, type Ray, Vector3 } from "three";
+import type { Connection } from "../connection";
+import type { Vec } from "../protocol";
+
+export class Hold {
+  /** What the hand does now. */
+  action: "free" | "grab" | "ball" = "free";
+  /** Drawn point that is held; -1: none. */
+  point = -1;
+  /** Where the pointer is in space [m]. */
+  readonly target = new Vector3();
+  /** Of the ball [m]. */
+  radius: number;
+  private readonly plane = new Plane();
+  private readonly offset = new Vector3();
+  /** How far the ball has been pushed in by pressing [m]. */
+  private pressed = 0;
+
+  constructor(private readonly connection: Connection, private readonly size: number, private readonly stiffness: number, private readonly flat: boolean) {
+    this.radius = 0.16 * size;
+  }
+
+  get holds(): boolean {
+    return this.action !== "free";
+  }
+
+  /** Takes a point; the pointer met the object at `met` and moves in the plane through it that faces the eye. */
+  grab(point: number, place: Vector3, met: Vector3, away: Vector3, time?: number): void {
+    this.action = "grab";
+    this.point = point;
+    this.plane.setFromNormalAndCoplanarPoint(away, met);
+    this.offset.subVectors(place, met);
+    this.target.copy(place);
+    this.send(time);
+  }
+
+  /** Puts the ball where it touches the object. */
+  press(met: Vector3, away: Vector3, time?: number): void {
+    this.action = "ball";
+    this.point = -1;
+    this.pressed = 0;
+    this.offset.copy(away).multiplyScalar(-this.radius);
+    this.target.copy(met).add(this.offset);
+    this.plane.setFromNormalAndCoplanarPoint(away, met);
+    this.send(time);
+  }
+
+  /** A held button pushes the ball in, up to half of it. @returns whether it still moves */
+  push(seconds: number, away: Vector3): boolean {
+    if (this.action !== "ball" || this.pressed >= 1) return false;
+    const more = Math.min(seconds / 0.35, 1 - this.pressed);
+    this.pressed += more;
+    this.shift(away.clone().multiplyScalar(more * this.radius));
+    return true;
+  }
+
+  /** The pointer is on this ray now. */
+  follow(ray: Ray, time?: number): void {
+    const met = ray.intersectPlane(this.plane, new Vector3());
+    if (!met || !this.holds) return;
+    this.target.copy(met).add(this.offset);
+    this.limit();
+    this.send(time);
+  }
+
+  /** Moves towards or away from the eye. */
+  depth(metres: number, away: Vector3): void {
+    if (this.holds && !this.flat) this.shift(away.clone().multiplyScalar(metres));
+  }
+
+  /** Moves by keys or a stick. */
+  shift(by: Vector3): void {
+    if (!this.holds) return;
+    this.offset.add(by);
+    this.target.add(by);
+    this.limit();
+    this.send();
+  }
+
+  release(time?: number): void {
+    if (!this.holds) return;
+    this.action = "free";
+    this.point = -1;
+    this.send(time);
+  }
+
+  /** Says again what it does; for a connection that came back. */
+  send(time?: number): void {
+    this.connection.point({
+      action: this.action, point: Math.max(this.point, 0), target: this.target.toArray() as Vec,
+      radius: this.action === "ball" ? this.radius : 0, stiffness: this.stiffness, time,
+    });
+  }
+
+  private limit(): void {
+    if (this.flat) this.target.z = 0;
+    // Nobody means to pull from the next room; a wheel can get there.
+    const far = this.target.length();
+    if (far > 50 * this.size) this.target.multiplyScalar((50 * this.size) / far);
+  }
+}

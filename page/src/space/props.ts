@@ -1,0 +1,150 @@
+// A hand in the picture: proxy, force arrow, rope, and the ball that pushes.
+import { ConeGeometry, CylinderGeometry, GreaterDepth, Group, Mesh, Quaternion, ShaderMaterial, SphereGeometry, TorusGeometry, Vector3 } from "three";
+import { channels } from "../colours";
+import { tension } from "../tension";
+import { prop } from "./shaders";
+
+const sphere = new SphereGeometry(1, 28, 18);
+const rod = new CylinderGeometry(1, 1, 1, 14, 1, true).translate(0, 0.5, 0);
+const cone = new ConeGeometry(1, 1, 20).translate(0, 0.5, 0);
+const ring = new TorusGeometry(1, 0.13, 10, 40);
+const UP = new Vector3(0, 1, 0);
+const along = new Vector3(), turn = new Quaternion();
+
+export function material(hex: string, opacity = 1): ShaderMaterial {
+  const made = new ShaderMaterial({
+    vertexShader: prop.vertex,
+    fragmentShader: prop.fragment,
+    uniforms: { colour: { value: new Vector3() }, opacity: { value: opacity } },
+    transparent: opacity < 1,
+    depthWrite: opacity >= 1,
+  });
+  paint(made, hex);
+  return made;
+}
+
+export function paint(what: ShaderMaterial, hex: string): void {
+  const [r, g, b] = channels(hex);
+  what.uniforms.colour!.value.set(r / 255, g / 255, b / 255);
+}
+
+/** Puts a unit rod or cone between two places. */
+function span(mesh: Mesh, from: Vector3, to: Vector3, radius: number): void {
+  along.subVectors(to, from);
+  const length = along.length();
+  mesh.visible = length > 1e-9;
+  if (!mesh.visible) return;
+  mesh.position.copy(from);
+  mesh.quaternion.copy(turn.setFromUnitVectors(UP, along.divideScalar(length)));
+  mesh.scale.set(radius, length, radius);
+}
+
+export interface HandPose {
+  /** Of the object: the held point, or the ball's proxy. */
+  place: Vector3;
+  /** Where the sphere is shown. */
+  proxy: Vector3;
+  /** Where the pointer is. */
+  target: Vector3;
+  /** On the object [N]. */
+  force: Vector3;
+  /** Of the ball; 0 where the hand holds. */
+  radius: number;
+  /** Whether to draw the small ring where the pointer is. */
+  pointed: boolean;
+}
+
+export class HandProp {
+  readonly group = new Group();
+  /** Where its name belongs. */
+  readonly spot = new Vector3();
+  /** Of the last pose [N]. */
+  force = 0;
+  private readonly skin: ShaderMaterial;
+  private readonly cord: ShaderMaterial;
+  private readonly glass: ShaderMaterial;
+  private readonly hidden = new Map<ShaderMaterial, ShaderMaterial>();
+  private readonly proxy: Mesh;
+  private readonly knot: Mesh;
+  private readonly rope: Mesh;
+  private readonly lead: Mesh;
+  private readonly shaft: Mesh;
+  private readonly head: Mesh;
+  private readonly mark: Mesh;
+  private readonly tip = new Vector3();
+  private readonly neck = new Vector3();
+
+  /** @param size radius of the object [m] @param full force that draws the longest arrow [N] */
+  constructor(private readonly size: number, private readonly full: number, hex: string) {
+    this.skin = material(hex);
+    this.cord = material(hex);
+    this.glass = material(hex, 0.55);
+    for (const by of [this.skin, this.cord, this.glass]) {
+      const faint = material(hex, 0.2);
+      faint.depthFunc = GreaterDepth;
+      faint.uniforms.colour = by.uniforms.colour!;
+      this.hidden.set(by, faint);
+    }
+    const mesh = (geometry: typeof sphere | typeof rod | typeof cone | typeof ring, by: ShaderMaterial) => {
+      const made = new Mesh(geometry, by);
+      made.frustumCulled = false;
+      // Behind the object a hand still shows, faintly.
+      const behind = new Mesh(geometry, this.hidden.get(by)!);
+      behind.frustumCulled = false;
+      behind.renderOrder = 20;
+      made.add(behind);
+      this.group.add(made);
+      return made;
+    };
+    this.proxy = mesh(sphere, this.skin);
+    this.knot = mesh(sphere, this.skin);
+    this.rope = mesh(rod, this.cord);
+    this.lead = mesh(rod, this.cord);
+    this.shaft = mesh(rod, this.skin);
+    this.head = mesh(cone, this.skin);
+    this.mark = mesh(ring, this.skin);
+    this.group.visible = false;
+  }
+
+  paint(hex: string): void {
+    paint(this.skin, hex);
+    paint(this.glass, hex);
+  }
+
+  /** @param face what turns a ring towards the eye */
+  pose(hand: HandPose, face: Quaternion): void {
+    const { size } = this;
+    const force = (this.force = hand.force.length());
+    this.spot.copy(hand.proxy);
+    const share = Math.min(force / this.full, 1);
+    const thick = size * (0.006 + 0.012 * share);
+    paint(this.cord, tension(share, false));
+    this.proxy.material = hand.radius > 0 ? this.glass : this.skin;
+    this.proxy.position.copy(hand.proxy);
+    this.proxy.scale.setScalar(hand.radius > 0 ? hand.radius : size * 0.042);
+    this.knot.visible = hand.radius === 0;
+    this.knot.position.copy(hand.place);
+    this.knot.scale.setScalar(size * 0.026);
+    span(this.rope, hand.place, hand.proxy, thick);
+    span(this.lead, hand.proxy, hand.target, thick * 0.8);
+    if (hand.radius > 0) this.rope.visible = false;
+    this.mark.visible = hand.pointed;
+    this.mark.position.copy(hand.target);
+    this.mark.quaternion.copy(face);
+    this.mark.scale.setScalar(size * 0.045);
+    this.shaft.visible = this.head.visible = share > 0.01 && !hand.pointed;
+    if (!this.shaft.visible) return;
+    along.copy(hand.force).divideScalar(force);
+    const length = size * (0.08 + 0.72 * share);
+    const start = hand.radius > 0 ? hand.proxy : hand.place;
+    this.tip.copy(start).addScaledVector(along, length);
+    this.neck.copy(start).addScaledVector(along, length - size * 0.09);
+    const [tip, neck] = [this.tip, this.neck];
+    span(this.shaft, start, neck, size * 0.013);
+    span(this.head, neck, tip, size * 0.036);
+  }
+
+  dispose(): void {
+    for (const made of [this.skin, this.cord, this.glass, ...this.hidden.values()]) made.dispose();
+  }
+}

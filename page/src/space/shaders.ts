@@ -1,0 +1,199 @@
+// Programs of the graphics card. Colours are worked out in sRGB and lit in linear light.
+
+const light = /* glsl */ `
+vec3 toLinear(vec3 c) { return pow(c, vec3(2.2)); }
+vec3 lit(vec3 colour, vec3 n, vec3 eye, float gloss) {
+  vec3 key = normalize(vec3(-0.45, 0.8, 0.55)), fill = normalize(vec3(0.9, 0.05, 0.35));
+  float up = 0.5 + 0.5 * n.y;
+  float wrap = max(dot(n, key) * 0.85 + 0.15, 0.0);
+  vec3 light = mix(vec3(0.30, 0.29, 0.33), vec3(0.60, 0.62, 0.66), up) + 0.78 * wrap * vec3(1.0, 0.98, 0.94)
+    + 0.16 * max(dot(n, fill), 0.0) * vec3(0.8, 0.9, 1.0);
+  vec3 halfway = normalize(key + eye);
+  float shine = pow(max(dot(n, halfway), 0.0), 42.0) * gloss;
+  float rim = pow(1.0 - max(dot(n, eye), 0.0), 3.5);
+  return pow(toLinear(colour) * light + shine + rim * 0.10 * vec3(0.8, 0.9, 1.0), vec3(1.0 / 2.2));
+}
+`;
+
+const ramp = /* glsl */ `
+uniform vec3 stops[9];
+vec3 ramp(float value) {
+  float at = clamp(value, 0.0, 1.0) * 8.0;
+  int low = min(int(at), 7);
+  return mix(stops[low], stops[low + 1], at - float(low));
+}
+`;
+
+/** A copy, solid. */
+export const solid = {
+  vertex: /* glsl */ `
+    attribute vec3 shift;
+    attribute float value;
+    uniform float scale, full;
+    uniform int by;
+    varying vec3 n, p;
+    varying float v;
+    void main() {
+      vec4 q = modelViewMatrix * vec4(position + shift * scale, 1.0);
+      n = mat3(modelViewMatrix) * normal;
+      p = q.xyz;
+      v = (by == 0 ? length(shift) * scale : value) / full;
+      gl_Position = projectionMatrix * q;
+    }`,
+  fragment: /* glsl */ `
+    ${light}${ramp}
+    uniform vec3 plain;
+    uniform int by;
+    uniform float flash;
+    varying vec3 n, p;
+    varying float v;
+    void main() {
+      vec3 eye = normalize(-p), m = normalize(n);
+      if (!gl_FrontFacing) m = -m;
+      vec3 colour = by == 2 ? plain : ramp(v);
+      gl_FragColor = vec4(mix(lit(colour, m, eye, 0.20), vec3(1.0), flash * 0.5), 1.0);
+    }`,
+};
+
+/** Another's copy over one's own: seen where the two differ, and at its rim. */
+export const ghost = {
+  vertex: /* glsl */ `
+    attribute vec3 shift, own;
+    uniform float scale, apart;
+    varying vec3 n, p;
+    varying float v;
+    void main() {
+      vec4 q = modelViewMatrix * vec4(position + shift * scale, 1.0);
+      n = mat3(modelViewMatrix) * normal;
+      p = q.xyz;
+      // Where both surfaces cross they differ along neither's normal: no seam is seen.
+      vec3 differs = (shift - own) * scale / apart;
+      v = max(smoothstep(0.1, 1.0, dot(differs, normalize(normal + 1e-20))), 0.5 * smoothstep(3.0, 8.0, length(differs)));
+      gl_Position = projectionMatrix * q;
+    }`,
+  fragment: /* glsl */ `
+    uniform vec3 colour;
+    uniform float flash, strength;
+    varying vec3 n, p;
+    varying float v;
+    void main() {
+      float rim = 1.0 - abs(dot(normalize(n), normalize(-p)));
+      float cover = v * strength * (0.05 + 0.95 * pow(rim, 1.5)) + flash * 0.35;
+      gl_FragColor = vec4(mix(colour, vec3(1.0), flash * 0.3), min(cover, 1.0));
+    }`,
+};
+
+/** Nodes as balls that face the eye, for bodies without a skin. */
+export const nodes = {
+  vertex: /* glsl */ `
+    attribute vec3 shift;
+    attribute float value;
+    uniform float scale, full, size, height;
+    uniform int by;
+    varying float v;
+    void main() {
+      vec4 q = modelViewMatrix * vec4(position + shift * scale, 1.0);
+      v = (by == 0 ? length(shift) * scale : value) / full;
+      gl_Position = projectionMatrix * q;
+      gl_PointSize = max(size * projectionMatrix[1][1] * height / gl_Position.w, 3.0);
+    }`,
+  fragment: /* glsl */ `
+    ${light}${ramp}
+    uniform vec3 plain;
+    uniform int by;
+    uniform float opacity, flash;
+    varying float v;
+    void main() {
+      vec2 c = vec2(2.0, -2.0) * (gl_PointCoord - 0.5);
+      float r = dot(c, c);
+      if (r > 1.0) discard;
+      vec3 colour = by == 2 ? plain : ramp(v);
+      gl_FragColor = vec4(mix(lit(colour, vec3(c, sqrt(1.0 - r)), vec3(0, 0, 1), 0.25), vec3(1.0), flash * 0.5), opacity);
+    }`,
+};
+
+/** Edges between nodes. */
+export const edges = {
+  vertex: nodes.vertex.replace(/gl_PointSize.*\n/, "\n"),
+  fragment: /* glsl */ `
+    ${ramp}
+    uniform vec3 plain;
+    uniform int by;
+    uniform float opacity;
+    varying float v;
+    void main() { gl_FragColor = vec4((by == 2 ? plain : ramp(v)) * 0.85, opacity); }`,
+};
+
+/** Proxies, arrows and ropes. */
+export const prop = {
+  vertex: /* glsl */ `
+    varying vec3 n, p;
+    void main() {
+      vec4 q = modelViewMatrix * vec4(position, 1.0);
+      n = normalMatrix * normal;
+      p = q.xyz;
+      gl_Position = projectionMatrix * q;
+    }`,
+  fragment: /* glsl */ `
+    ${light}
+    uniform vec3 colour;
+    uniform float opacity;
+    varying vec3 n, p;
+    void main() { gl_FragColor = vec4(lit(colour, normalize(n), normalize(-p), 0.35), opacity); }`,
+};
+
+/** What lies over the ground, seen from below: near is dark. */
+export const shade = {
+  vertex: /* glsl */ `
+    attribute vec3 shift;
+    uniform float scale, ground, reach;
+    varying float height;
+    void main() {
+      vec4 q = modelMatrix * vec4(position + shift * scale, 1.0);
+      height = (q.z - ground) / reach;
+      gl_Position = projectionMatrix * viewMatrix * q;
+    }`,
+  fragment: /* glsl */ `
+    varying float height;
+    void main() { gl_FragColor = vec4(1.0, clamp(height, 0.0, 1.0), 0.0, 1.0); }`,
+};
+
+/** Fading lines, with the object's soft shadow between them. */
+export const ground = {
+  vertex: /* glsl */ `
+    varying vec2 at;
+    void main() {
+      vec4 q = modelMatrix * vec4(position, 1.0);
+      at = q.xy;
+      gl_Position = projectionMatrix * viewMatrix * q;
+    }`,
+  fragment: /* glsl */ `
+    uniform sampler2D shadow;
+    uniform vec2 centre;
+    uniform vec3 line, dark;
+    uniform float reach, pitch, strength, opacity;
+    varying vec2 at;
+    float lines(vec2 q) {
+      vec2 width = max(fwidth(q), 1e-6);
+      vec2 l = clamp(1.15 - abs(fract(q - 0.5) - 0.5) / width, 0.0, 1.0) * clamp(0.5 / width - 1.0, 0.0, 1.0);
+      return max(l.x, l.y);
+    }
+    void main() {
+      vec2 d = (at - centre) / reach;
+      float away = length(d), cover = 0.0, fade = smoothstep(2.1, 0.3, away);
+      vec2 q = (at - centre) / pitch;
+      if (away > 2.1) discard;
+      if (away < 1.3) {
+        vec2 uv = vec2(0.5 + 0.5 * d.x, 0.5 - 0.5 * d.y);
+        vec4 far = textureLod(shadow, uv, 4.6);
+        if (far.r > 0.003) {
+          float h = far.g / far.r;
+          float soft = mix(mix(textureLod(shadow, uv, 2.5).r, textureLod(shadow, uv, 3.5).r, smoothstep(0.0, 0.2, h)), far.r, smoothstep(0.15, 0.6, h));
+          cover = strength * soft * (1.0 - 0.75 * smoothstep(0.0, 1.0, h));
+        }
+      }
+      float grid = opacity * fade * max(lines(q), 0.55 * lines(q * 5.0));
+      float all = cover + grid * (1.0 - cover);
+      gl_FragColor = vec4(mix(line, dark, cover / max(all, 1e-4)), all);
+    }`,
+};

@@ -1,0 +1,214 @@
+// What all copies share, and the moving part of each: filled in place from the messages, frame after frame.
+import { BufferAttribute, BufferGeometry, DynamicDrawUsage } from "three";
+import type { Scene } from "../protocol";
+
+/** Faces that meet at more than this are an edge, not a curve. */
+const CREASE = Math.cos((50 * Math.PI) / 180);
+
+/** The drawn points and how they hang together; skins are cut at their creases, so that corners stay sharp. */
+export class Shape {
+  /** Corner of a drawn vertex to the point it shows. */
+  readonly point: Uint32Array;
+  /** (corners * 3) */
+  readonly rest: Float32Array;
+  /** Corners of triangles; null where there are only nodes. */
+  readonly triangles: Uint32Array | null;
+  /** Pairs of corners: the sides of triangles, or the edges between nodes. */
+  readonly sides: Uint32Array;
+  /** A corner of every point. */
+  readonly corner: Uint32Array;
+  readonly restLengths: Float32Array;
+  /** Sides at every corner's point, at least 1. */
+  readonly degree: Float32Array;
+  readonly corners: number;
+
+  constructor(readonly scene: Scene) {
+    const points = scene.points.length / 3;
+    if (scene.skin) {
+      const cut = creased(scene.points, scene.skin.triangles);
+      this.point = cut.point;
+      this.triangles = cut.triangles;
+    } else {
+      this.point = Uint32Array.from({ length: points }, (_, i) => i);
+      this.triangles = null;
+    }
+    this.corners = this.point.length;
+    this.rest = new Float32Array(this.corners * 3);
+    this.corner = new Uint32Array(points);
+    this.point.forEach((point, c) => {
+      this.corner[point] = c;
+      for (let k = 0; k < 3; k++) this.rest[3 * c + k] = scene.points[3 * point + k]!;
+    });
+    this.sides = scene.skin ? sidesOf(scene.skin.triangles, this.corner, points) : (scene.edges ?? new Uint32Array());
+    const count = this.sides.length / 2;
+    this.restLengths = new Float32Array(count);
+    this.degree = new Float32Array(this.corners);
+    for (let s = 0; s < count; s++) {
+      const a = this.sides[2 * s]!, b = this.sides[2 * s + 1]!;
+      this.restLengths[s] = distance(this.rest, a, b);
+      this.degree[a]!++;
+      this.degree[b]!++;
+    }
+    for (let c = 0; c < this.corners; c++) this.degree[c] = Math.max(this.degree[c]!, 1);
+  }
+}
+
+/** One copy's places, normals and stretch. */
+export class Moving {
+  readonly geometry = new BufferGeometry();
+  readonly lines: BufferGeometry | null = null;
+  readonly shift: BufferAttribute;
+  readonly places: Float32Array;
+  /** Mean displacement [m]. */
+  readonly mean: [number, number, number] = [0, 0, 0];
+  /** Largest displacement, or share of stretch, of the last update. */
+  peak = 0;
+  private readonly normal: BufferAttribute;
+  private readonly value: BufferAttribute;
+
+  constructor(readonly shape: Shape) {
+    const n = shape.corners;
+    const attribute = (array: Int16Array | Float32Array, size: number) => new BufferAttribute(array, size).setUsage(DynamicDrawUsage);
+    this.places = shape.rest.slice();
+    this.shift = attribute(new Int16Array(3 * n), 3);
+    this.normal = attribute(new Float32Array(3 * n), 3);
+    this.value = attribute(new Float32Array(n), 1);
+    const rest = new BufferAttribute(shape.rest, 3);
+    for (const geometry of [this.geometry, ...(shape.triangles ? [] : [(this.lines = new BufferGeometry())])]) {
+      geometry.setAttribute("position", rest);
+      geometry.setAttribute("shift", this.shift);
+      geometry.setAttribute("value", this.value);
+    }
+    if (shape.triangles) {
+      this.geometry.setAttribute("normal", this.normal);
+      this.geometry.setIndex(new BufferAttribute(shape.triangles, 1));
+    }
+    this.lines?.setIndex(new BufferAttribute(shape.sides, 1));
+    this.update(new Int16Array(shape.scene.points.length), 0, false);
+  }
+
+  update(displacement: Int16Array, scale: number, stretch: boolean): void {
+    const { point, rest, corners } = this.shape;
+    const shift = this.shift.array as Int16Array;
+    const places = this.places;
+    let most = 0, x = 0, y = 0, z = 0;
+    for (let c = 0; c < corners; c++) {
+      const i = 3 * c, j = 3 * point[c]!;
+      const a = displacement[j]!, b = displacement[j + 1]!, d = displacement[j + 2]!;
+      shift[i] = a;
+      shift[i + 1] = b;
+      shift[i + 2] = d;
+      places[i] = rest[i]! + a * scale;
+      places[i + 1] = rest[i + 1]! + b * scale;
+      places[i + 2] = rest[i + 2]! + d * scale;
+      x += a;
+      y += b;
+      z += d;
+      most = Math.max(most, a * a + b * b + d * d);
+    }
+    this.mean[0] = (x * scale) / corners;
+    this.mean[1] = (y * scale) / corners;
+    this.mean[2] = (z * scale) / corners;
+    this.shift.needsUpdate = true;
+    this.peak = stretch ? this.stretch() : Math.sqrt(most) * scale;
+    if (this.shape.triangles) this.normals(this.shape.triangles);
+  }
+
+  dispose(): void {
+    this.geometry.dispose();
+    this.lines?.dispose();
+  }
+
+  private normals(triangles: Uint32Array): void {
+    const p = this.places;
+    const n = this.normal.array as Float32Array;
+    n.fill(0);
+    for (let t = 0; t < triangles.length; t += 3) {
+      const a = 3 * triangles[t]!, b = 3 * triangles[t + 1]!, c = 3 * triangles[t + 2]!;
+      const ux = p[b]! - p[a]!, uy = p[b + 1]! - p[a + 1]!, uz = p[b + 2]! - p[a + 2]!;
+      const vx = p[c]! - p[a]!, vy = p[c + 1]! - p[a + 1]!, vz = p[c + 2]! - p[a + 2]!;
+      const x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
+      n[a]! += x; n[a + 1]! += y; n[a + 2]! += z;
+      n[b]! += x; n[b + 1]! += y; n[b + 2]! += z;
+      n[c]! += x; n[c + 1]! += y; n[c + 2]! += z;
+    }
+    this.normal.needsUpdate = true;
+  }
+
+  /** How much the sides at each point are longer or shorter than at rest, in the mean. */
+  private stretch(): number {
+    const { sides, restLengths, degree, corner, point, corners } = this.shape;
+    const value = this.value.array as Float32Array;
+    value.fill(0);
+    for (let s = 0; s < restLengths.length; s++) {
+      const a = sides[2 * s]!, b = sides[2 * s + 1]!;
+      const strain = Math.abs(distance(this.places, a, b) / Math.max(restLengths[s]!, 1e-12) - 1);
+      value[a]! += strain / degree[a]!;
+      value[b]! += strain / degree[b]!;
+    }
+    let most = 0;
+    for (let c = 0; c < corners; c++) {
+      value[c] = value[corner[point[c]!]!]!;
+      most = Math.max(most, value[c]!);
+    }
+    this.value.needsUpdate = true;
+    return most;
+  }
+}
+
+function distance(places: Float32Array, a: number, b: number): number {
+  const x = places[3 * a]! - places[3 * b]!, y = places[3 * a + 1]! - places[3 * b + 1]!, z = places[3 * a + 2]! - places[3 * b + 2]!;
+  return Math.sqrt(x * x + y * y + z * z);
+}
+
+function sidesOf(triangles: Uint32Array, corner: Uint32Array, points: number): Uint32Array {
+  const seen = new Set<number>();
+  const sides: number[] = [];
+  for (let t = 0; t < triangles.length; t++) {
+    const a = triangles[t]!, b = triangles[t % 3 === 2 ? t - 2 : t + 1]!;
+    const key = Math.min(a, b) * points + Math.max(a, b);
+    if (seen.has(key)) continue;
+    seen.add(key);
+    sides.push(corner[a]!, corner[b]!);
+  }
+  return Uint32Array.from(sides);
+}
+
+/** Splits points where faces meet at an edge: faces around a point that are joined by smooth sides share a corner. */
+function creased(places: Float32Array, triangles: Uint32Array): { point: Uint32Array; triangles: Uint32Array } {
+  const faces = triangles.length / 3;
+  const normals = new Float32Array(3 * faces);
+  const around: number[][] = Array.from({ length: places.length / 3 }, () => []);
+  for (let f = 0; f < faces; f++) {
+    const [a, b, c] = [0, 1, 2].map((k) => 3 * triangles[3 * f + k]!) as [number, number, number];
+    const u = [0, 1, 2].map((k) => places[b + k]! - places[a + k]!), v = [0, 1, 2].map((k) => places[c + k]! - places[a + k]!);
+    const n = [u[1]! * v[2]! - u[2]! * v[1]!, u[2]! * v[0]! - u[0]! * v[2]!, u[0]! * v[1]! - u[1]! * v[0]!];
+    const size = Math.hypot(...n) || 1;
+    for (let k = 0; k < 3; k++) {
+      normals[3 * f + k] = n[k]! / size;
+      around[triangles[3 * f + k]!]!.push(f);
+    }
+  }
+  const smooth = (f: number, g: number) =>
+    normals[3 * f]! * normals[3 * g]! + normals[3 * f + 1]! * normals[3 * g + 1]! + normals[3 * f + 2]! * normals[3 * g + 2]! > CREASE;
+  const touches = (f: number, g: number, point: number) => {
+    for (let i = 0; i < 3; i++) for (let j = 0; j < 3; j++)
+      if (triangles[3 * f + i] === triangles[3 * g + j] && triangles[3 * f + i] !== point) return true;
+    return false;
+  };
+  const point: number[] = [];
+  const result = new Uint32Array(triangles.length);
+  around.forEach((all, p) => {
+    const left = new Set(all);
+    for (const first of all) {
+      if (!left.delete(first)) continue;
+      const group = [first];
+      for (let i = 0; i < group.length; i++)
+        for (const other of left) if (smooth(group[i]!, other) && touches(group[i]!, other, p)) { left.delete(other); group.push(other); }
+      for (const f of group) for (let k = 0; k < 3; k++) if (triangles[3 * f + k] === p) result[3 * f + k] = point.length;
+      point.push(p);
+    }
+    if (!all.length) point.push(p);
+  });
+  return { point: Uint32Array.from(point), triangles: result };
+}

@@ -1,0 +1,410 @@
+// The object in space: every user's copy, hands, ground and names, and what one's own hand does to it.
+import { Mesh, Quaternion, Scene as World, SphereGeometry, Vector3, WebGLRenderer } from "three";
+import { isDark, onSystemTheme, userColour } from "../colours";
+import type { Connection } from "../connection";
+import { delaysFrom, inWords, length, newtons, nice } from "../delays";
+import { Furniture } from "../furniture";
+import type { Frame, Scene, Vec } from "../protocol";
+import type { View } from "../stage";
+import type { Stats } from "../stats";
+import type { Store } from "../store";
+import { Common, CopyShown } from "./copy";
+import { Ground } from "./ground";
+import { Hold } from "./hold";
+import { Labels } from "./labels";
+import { cells } from "./layout";
+import { Orbit } from "./orbit";
+import { type Cell, type Hit, pick, project, rayAt } from "./pick";
+import { type HandPose, HandProp, material, paint } from "./props";
+import { inSoftware, Quality } from "./quality";
+import { Shape } from "./shape";
+import { Touch } from "./touch";
+
+const PULSE = 900; // ms
+const calm = matchMedia("(prefers-reduced-motion: reduce)");
+
+export function mountSpace(element: HTMLElement, scene: Scene, store: Store, connection: Connection, stats: Stats): View {
+  return new Space(element, scene, store, connection, stats);
+}
+
+class Space implements View {
+  readonly canvas: HTMLCanvasElement;
+  readonly orbit: Orbit;
+  readonly hold: Hold;
+  private readonly renderer: WebGLRenderer;
+  private readonly world = new World();
+  private readonly shape: Shape;
+  private readonly common: Common;
+  private readonly copies = new Map<number, CopyShown>();
+  private readonly hands = new Map<number, HandProp>();
+  private readonly ground: Ground;
+  private readonly dot: Mesh;
+  private readonly dotPaint = material("#ffffff");
+  private readonly labels: Labels;
+  private readonly furniture: Furniture;
+  private readonly touch: Touch;
+  private readonly ends: (() => void)[] = [];
+  private readonly full: number;
+  private readonly face = new Quaternion();
+  private readonly proxy = new Vector3();
+  private readonly place = new Vector3();
+  private readonly goal = new Vector3();
+  private readonly posed: HandPose = { place: new Vector3(), proxy: new Vector3(), target: new Vector3(), force: new Vector3(), radius: 0, pointed: false };
+  private fresh = true;
+  private hovered: Hit | null = null;
+  private area: Cell[] = [];
+  private width = 0;
+  private height = 0;
+  private shown: Frame | null = null;
+  private dirty = true;
+  private last = 0;
+  private handle = 0;
+  private peak = 0;
+  private pulsed = { seat: -1, since: -Infinity };
+  private readonly quality = new Quality(() => Math.min(devicePixelRatio || 1, 2));
+
+  constructor(element: HTMLElement, private readonly scene: Scene, private readonly store: Store, private readonly connection: Connection, private readonly stats: Stats) {
+    const radius = scene.radius || 1;
+    const flat = scene.dimension < 3;
+    this.renderer = new WebGLRenderer({ antialias: !inSoftware(), alpha: true, powerPreference: "high-performance" });
+    this.renderer.setClearAlpha(0);
+    this.renderer.autoClear = false;
+    this.canvas = this.renderer.domElement;
+    this.canvas.className = "ct-canvas";
+    this.canvas.tabIndex = 0;
+    this.canvas.setAttribute("role", "application");
+    this.canvas.setAttribute("aria-label", "The shared object. Drag it to pull; G grabs, arrows move, Escape lets go.");
+    element.append(this.canvas);
+    this.shape = new Shape(scene);
+    this.common = new Common(radius, scene.points.length / 3);
+    this.orbit = new Orbit(new Vector3(...scene.centre), radius, scene.points, flat);
+    this.full = 0.6 * scene.stiffness * radius;
+    this.hold = new Hold(connection, radius, scene.stiffness, flat);
+    for (const { seat } of scene.users) {
+      const copy = new CopyShown(seat, this.shape, this.common);
+      const hand = new HandProp(radius, this.full, userColour(seat, false));
+      this.copies.set(seat, copy);
+      this.hands.set(seat, hand);
+      this.world.add(copy.group, hand.group);
+    }
+    let low = Infinity;
+    for (let i = 2; i < scene.points.length; i += 3) low = Math.min(low, scene.points[i]!);
+    this.ground = new Ground(new Vector3(...scene.centre), low, radius, scene.skin ? this.mine.moving : null);
+    this.ground.mesh.visible = !flat;
+    this.dot = new Mesh(new SphereGeometry(0.022 * radius, 20, 14), this.dotPaint);
+    this.dot.visible = false;
+    this.world.add(this.ground.mesh, this.dot);
+    this.labels = new Labels(element);
+    this.furniture = new Furniture(element, store, "Take hold of the object and pull. Drag beside it to look around.");
+    this.touch = new Touch(this, store);
+    const sized = new ResizeObserver(() => this.resize());
+    sized.observe(element);
+    const dressed = () => this.dress();
+    this.ends.push(
+      () => sized.disconnect(),
+      onSystemTheme(dressed),
+      store.on("settings", dressed),
+      store.on("seat", () => {
+        this.touch.release();
+        this.dress();
+      }),
+      store.on("frame", () => this.draw()),
+      store.on("state", () => this.draw()),
+      store.on("connection", () => {
+        if (store.connection === "open" && this.hold.holds) this.hold.send();
+      }),
+    );
+    this.resize();
+    this.dress();
+  }
+
+  reset(): void {
+    this.orbit.reset();
+    this.draw();
+  }
+
+  pulse(seat: number): void {
+    this.pulsed = { seat, since: performance.now() };
+    this.draw();
+  }
+
+  spot(point?: number): { x: number; y: number; point: number } | null {
+    const cell = this.area[0]!;
+    // Of those in front, the one that is nearest to the middle.
+    const seen = point ?? this.pick(cell.x + cell.width / 2, cell.y + cell.height / 2, cell.width)?.point;
+    if (seen === undefined) return null;
+    const at = project(this.orbit.camera, cell, new Vector3().fromArray(this.mine.moving.places, 3 * this.shape.corner[seen]!));
+    return at && { ...at, point: seen };
+  }
+
+  probe(): object {
+    const box = this.canvas.getBoundingClientRect();
+    const at = project(this.orbit.camera, this.area[0]!, this.hold.target);
+    return { hold: this.hold, orbit: this.orbit, target: at && [at.x + box.left, at.y + box.top] };
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.handle);
+    this.handle = -1;
+    this.touch.dispose();
+    for (const end of this.ends) end();
+    for (const part of [...this.copies.values(), ...this.hands.values(), this.ground, this.dotPaint, this.dot.geometry, this.furniture]) part.dispose();
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
+    this.canvas.remove();
+    this.labels.element.remove();
+  }
+
+  // What touch asks.
+
+  ownCell(): Cell {
+    return this.area[0]!;
+  }
+
+  cellAt(x: number, y: number): Cell {
+    return this.area.find((cell) => x >= cell.x && x < cell.x + cell.width && y >= cell.y && y < cell.y + cell.height) ?? this.area[0]!;
+  }
+
+  pick(x: number, y: number, reach: number): Hit | null {
+    if (this.cellAt(x, y) !== this.area[0]) return null;
+    return pick(this.mine.moving, this.orbit.camera, this.area[0]!, x, y, reach);
+  }
+
+  aim(x: number, y: number): { point: number; to: Vec } | null {
+    const box = this.canvas.getBoundingClientRect();
+    const cell = this.cellAt(x - box.left, y - box.top);
+    const moving = (this.copies.get(cell.seat) ?? this.mine).moving;
+    const ray = rayAt(this.orbit.camera, cell, x - box.left, y - box.top);
+    const over = pick(moving, this.orbit.camera, cell, x - box.left, y - box.top, 0);
+    const near = over ?? pick(moving, this.orbit.camera, cell, x - box.left, y - box.top, Infinity);
+    if (!near) return null;
+    // Beside the object: as far away as the point that is nearest in the picture.
+    const away = this.orbit.camera.getWorldDirection(new Vector3());
+    const to = over?.surface ?? ray.at(near.place.clone().sub(ray.origin).dot(away) / ray.direction.dot(away), new Vector3());
+    return { point: near.point, to: [to.x, to.y, to.z] };
+  }
+
+  hover(hit: Hit | null): void {
+    if (hit?.point !== this.hovered?.point) this.draw();
+    this.hovered = hit;
+    this.canvas.dataset.over = hit ? this.store.settings.tool : "";
+  }
+
+  mayAct(): boolean {
+    return this.connection.mayAct;
+  }
+
+  force(): number {
+    return Math.min(this.pull() / this.full, 1);
+  }
+
+  draw(): void {
+    this.dirty = true;
+    if (!this.handle) this.handle = requestAnimationFrame((now) => this.tick(now));
+  }
+
+  private get mine(): CopyShown {
+    return this.copies.get(this.store.seat) ?? this.copies.values().next().value!;
+  }
+
+  private get side(): boolean {
+    return this.store.settings.layout === "side";
+  }
+
+  /** Force of one's own hand as far as it is known here: before an answer comes, that of its spring [N]. */
+  private pull(): number {
+    if (!this.hold.holds) return 0;
+    const told = this.shown?.copies.find((copy) => copy.seat === this.store.seat);
+    if (this.hold.action === "ball") return told?.mode === "ball" ? Math.hypot(...told.force) : 0;
+    return this.scene.stiffness * this.place.distanceTo(this.hold.target);
+  }
+
+  private resize(): void {
+    const box = this.canvas.parentElement?.getBoundingClientRect();
+    if (!box || box.width < 1 || box.height < 1) return;
+    this.width = Math.round(box.width);
+    this.height = Math.round(box.height);
+    this.renderer.setPixelRatio(this.quality.ratio);
+    this.renderer.setSize(this.width, this.height);
+    this.arrange();
+    this.draw();
+  }
+
+  private arrange(): void {
+    const others = this.scene.users.map((user) => user.seat).filter((seat) => seat !== this.store.seat);
+    this.area = cells([this.store.seat, ...others], this.width, this.height, this.side);
+    this.furniture.rules(this.area.length > 1 ? this.area : []);
+  }
+
+  private dress(): void {
+    const { settings } = this.store;
+    const dark = isDark(settings.theme);
+    const mode = { displacement: 0, stress: 1, plain: 2 }[settings.colour];
+    if (mode !== this.common.by.value) this.peak = 0;
+    this.common.by.value = mode;
+    for (const [seat, copy] of this.copies) {
+      copy.paint(userColour(seat, dark), dark);
+      copy.against(this.mine.moving);
+      this.hands.get(seat)!.paint(userColour(seat, dark));
+    }
+    paint(this.dotPaint, dark ? "#FFFFFF" : "#111827");
+    this.ground.colours(dark);
+    this.arrange();
+    this.shown = null; // what is coloured by may need other numbers
+    this.draw();
+  }
+
+  private tick(now: number): void {
+    this.handle = 0;
+    const seconds = Math.min((now - this.last) / 1000, 0.1);
+    this.last = now;
+    const fresh = this.store.frame !== null && this.store.frame !== this.shown;
+    if (fresh) this.take(this.store.frame!);
+    let moving = this.orbit.step(calm.matches ? 1 : 1 - Math.exp(-seconds * 18));
+    moving = this.touch.step(seconds) || moving;
+    moving = this.haptic(seconds) || moving;
+    moving = this.range(seconds) || moving;
+    moving = now - this.pulsed.since < PULSE || moving;
+    if (this.dirty || moving) {
+      this.dirty = false;
+      this.render(now);
+      if (fresh) {
+        this.stats.drew(this.shown!.echo, this.shown!.received, performance.now());
+        if (this.quality.took(seconds)) this.resize();
+      }
+    }
+    if (moving) this.draw();
+  }
+
+  private take(frame: Frame): void {
+    this.shown = frame;
+    this.common.scale.value = frame.scale;
+    const ghosts = this.side || this.store.settings.ghosts;
+    const stretch = this.common.by.value === 1;
+    let peak = 0;
+    for (const { seat, displacement } of frame.copies) {
+      const copy = this.copies.get(seat);
+      if (!copy || !(ghosts || copy === this.mine)) continue;
+      copy.moving.update(displacement, frame.scale, stretch && (this.side || copy === this.mine));
+      if (this.side || copy === this.mine) peak = Math.max(peak, copy.moving.peak);
+    }
+    this.peak = Math.max(peak, this.peak * 0.998);
+  }
+
+  /** What one's own hand looks like: the proxy lags the more, the harder it pulls. @returns whether it moves */
+  private haptic(seconds: number): boolean {
+    if (!this.hold.holds) return !(this.fresh = true);
+    const { moving } = this.mine;
+    if (this.hold.action === "grab") this.place.fromArray(moving.places, 3 * this.shape.corner[this.hold.point]!);
+    else {
+      const told = this.shown?.copies.find((copy) => copy.seat === this.store.seat);
+      if (told?.mode === "ball") this.place.fromArray(told.place);
+      else this.place.copy(this.hold.target);
+    }
+    const share = this.force();
+    const lag = this.hold.action === "ball" ? 1 : (0.6 * share) / (share + 0.45);
+    const goal = this.goal.lerpVectors(this.hold.target, this.place, lag);
+    if (this.fresh || calm.matches) this.proxy.copy(goal);
+    else this.proxy.lerp(goal, 1 - Math.exp(-seconds * 55));
+    this.fresh = false;
+    return this.proxy.distanceTo(goal) > 1e-4 * this.scene.radius;
+  }
+
+  private range(seconds: number): boolean {
+    const stretch = this.common.by.value === 1;
+    const top = nice(Math.max(this.peak, stretch ? 0.02 : 0.04 * this.scene.radius));
+    this.furniture.legend(this.store.settings.colour, stretch ? `${Math.round(top * 100)} %` : length(top));
+    const { full } = this.common;
+    full.value += (top - full.value) * (calm.matches ? 1 : 1 - Math.exp(-seconds * 6));
+    return Math.abs(full.value - top) > 0.01 * top;
+  }
+
+  private render(now: number): void {
+    const { renderer, common } = this;
+    const [, , away] = this.orbit.axes();
+    this.orbit.camera.getWorldQuaternion(this.face);
+    renderer.setScissorTest(false);
+    renderer.setViewport(0, 0, this.width, this.height);
+    renderer.clear();
+    for (const cell of this.area) {
+      this.orbit.aspect(cell.width, cell.height);
+      const shown = this.copies.get(cell.seat) ?? this.mine;
+      const told = this.shown?.copies;
+      for (const [seat, copy] of this.copies) {
+        const known = !told || told.some((other) => other.seat === seat);
+        const ghost = !this.side && this.store.settings.ghosts && known && told;
+        copy.show(copy === shown ? "solid" : ghost ? "ghost" : "hidden", this.flash(seat, now));
+        copy.order(away);
+      }
+      for (const [seat, hand] of this.hands) hand.group.visible = (!this.side || seat === cell.seat) && this.pose(seat, hand);
+      this.dot.visible = !!this.hovered && cell === this.area[0];
+      if (this.hovered) this.dot.position.fromArray(this.mine.moving.places, 3 * this.shape.corner[this.hovered.point]!);
+      this.ground.shadow(renderer, shown.moving, common.scale.value);
+      common.height.value = cell.height * this.quality.ratio;
+      const bottom = this.height - cell.y - cell.height;
+      renderer.setScissorTest(true);
+      renderer.setScissor(cell.x, bottom, cell.width, cell.height);
+      renderer.setViewport(cell.x, bottom, cell.width, cell.height);
+      renderer.render(this.world, this.orbit.camera);
+      renderer.setScissorTest(false);
+      this.name(cell);
+    }
+    this.orbit.aspect(this.area[0]!.width, this.area[0]!.height);
+    this.labels.sweep();
+  }
+
+  private flash(seat: number, now: number): number {
+    const share = (now - this.pulsed.since) / PULSE;
+    if (seat !== this.pulsed.seat || share >= 1 || share < 0) return 0;
+    return calm.matches ? 0.6 : Math.sin(share * Math.PI * 3) ** 2 * (1 - share);
+  }
+
+  /** @returns whether this user has a hand to show */
+  private pose(seat: number, prop: HandProp): boolean {
+    const pose = this.posed;
+    if (seat === this.store.seat && this.hold.holds) {
+      const force = this.pull();
+      pose.place.copy(this.place);
+      pose.proxy.copy(this.proxy);
+      pose.target.copy(this.hold.target);
+      pose.force.subVectors(pose.target, pose.place).setLength(force);
+      pose.radius = this.hold.action === "ball" ? this.hold.radius : 0;
+      pose.pointed = true;
+      prop.pose(pose, this.face);
+      return true;
+    }
+    const copy = this.shown?.copies.find((other) => other.seat === seat);
+    if (!copy?.hasHand || copy.mode === "free" || (copy.node < 0 && copy.radius === 0)) return false;
+    pose.place.fromArray(copy.place);
+    pose.target.fromArray(copy.target);
+    pose.force.fromArray(copy.force);
+    pose.proxy.copy(copy.radius > 0 ? pose.place : pose.target);
+    pose.radius = copy.radius;
+    pose.pointed = false;
+    prop.pose(pose, this.face);
+    return true;
+  }
+
+  private name(cell: Cell): void {
+    const { seat: mine, state } = this.store;
+    const named = (seat: number) => this.scene.users.find((user) => user.seat === seat)?.name ?? `User ${seat + 1}`;
+    if (this.side) {
+      const delay = state ? delaysFrom(state, mine).get(cell.seat) : 0;
+      const copy = this.shown?.copies.find((other) => other.seat === cell.seat);
+      const gone = state?.members[cell.seat]?.here === false || !copy;
+      const old = copy && !copy.direct ? `, shown ${inWords(copy.age)} old` : "";
+      const text = cell.seat === mine ? "you" : gone ? "not here" : delay === undefined ? `out of reach${old}` : cell.width < 240 ? `+${inWords(delay)}` : `feels you ${inWords(delay)} later${old}`;
+      this.labels.put(`cell${cell.seat}`, "title", cell.seat, named(cell.seat), text, cell.x + 14, cell.y + 12);
+    }
+    for (const [seat, hand] of this.hands) {
+      if (!hand.group.visible) continue;
+      const at = project(this.orbit.camera, cell, hand.spot);
+      if (!at || at.x < cell.x || at.x > cell.x + cell.width || at.y < cell.y || at.y > cell.y + cell.height) continue;
+      const force = hand.force > 0.005 * this.full ? newtons(hand.force) : "";
+      if (this.side && !force) continue;
+      at.x = Math.min(at.x, cell.x + cell.width - (this.side ? 74 : 112));
+      at.y = Math.max(at.y, cell.y + 34);
+      this.labels.put(`hand${seat}`, "hand", seat, this.side ? "" : seat === mine && this.hold.holds ? "You" : named(seat), force, at.x, at.y);
+    }
+  }
+}

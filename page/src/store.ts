@@ -1,0 +1,111 @@
+// What the page knows, in one place; whoever shows something listens here.
+import type { Theme } from "./colours";
+import { History } from "./history";
+import type { Frame, Scene, State } from "./protocol";
+
+export type ConnectionState = "connecting" | "open" | "lost" | "refused";
+export type Kind = "scene" | "state" | "frame" | "connection" | "settings" | "seat";
+
+export interface Settings {
+  /** All copies in one place, or next to each other. */
+  layout: "overlay" | "side";
+  colour: "displacement" | "stress" | "plain";
+  theme: Theme;
+  tool: "grab" | "ball";
+  /** Whether the others' copies are shown over one's own. */
+  ghosts: boolean;
+}
+
+const DEFAULTS: Settings = { layout: "overlay", colour: "displacement", theme: "auto", tool: "grab", ghosts: true };
+const KEY = "cotouch.settings";
+
+function saved(): Settings {
+  try {
+    return { ...DEFAULTS, ...JSON.parse(localStorage.getItem(KEY) ?? "{}") };
+  } catch {
+    return { ...DEFAULTS };
+  }
+}
+
+export class Store {
+  scene: Scene | null = null;
+  state: State | null = null;
+  frame: Frame | null = null;
+  connection: ConnectionState = "connecting";
+  /** Why the connection was refused, in the server's words. */
+  refusal = "";
+  /** The user that this page acts for, from 0. */
+  seat = 0;
+  readonly history = new History();
+  settings: Settings = saved();
+  private readonly listeners = new Map<Kind, Set<() => void>>();
+  /** The seat that the address or the user asked for; null: whichever there is. */
+  wished: number | null;
+
+  /** @param wished the seat that the address asks for, if any */
+  constructor(wished: number | null = null) {
+    this.wished = wished;
+    if (wished !== null) this.seat = wished;
+  }
+
+  /** Calls back after every change of a kind; returns what ends that. */
+  on(kind: Kind, f: () => void): () => void {
+    const all = this.listeners.get(kind) ?? new Set();
+    this.listeners.set(kind, all.add(f));
+    return () => all.delete(f);
+  }
+
+  emit(kind: Kind): void {
+    for (const f of [...(this.listeners.get(kind) ?? [])]) f();
+  }
+
+  set(changes: Partial<Settings>): void {
+    this.settings = { ...this.settings, ...changes };
+    try {
+      localStorage.setItem(KEY, JSON.stringify(this.settings));
+    } catch {
+      // A page without storage forgets; that is all.
+    }
+    this.emit("settings");
+  }
+
+  /** Acts for another user from now on. */
+  take(seat: number): void {
+    if (seat === this.seat) return;
+    this.seat = this.wished = seat;
+    this.emit("seat");
+  }
+
+  /** A scene arrived: of another run of the server everything begins anew. */
+  show(scene: Scene): void {
+    if (this.scene?.started !== scene.started) {
+      this.state = this.frame = null;
+      this.history.clear();
+    }
+    this.scene = scene;
+    const known = scene.users.map((user) => user.seat);
+    const wanted = this.wished !== null && known.includes(this.wished) ? this.wished : (scene.own[0] ?? known[0] ?? 0);
+    const moved = wanted !== this.seat;
+    this.seat = wanted;
+    this.emit("scene");
+    if (moved) this.emit("seat");
+  }
+
+  told(state: State): void {
+    this.state = state;
+    this.emit("state");
+  }
+
+  drawn(frame: Frame): void {
+    this.frame = frame;
+    this.history.add(frame);
+    this.emit("frame");
+  }
+
+  connected(state: ConnectionState, refusal = ""): void {
+    if (state === this.connection && refusal === this.refusal) return;
+    this.connection = state;
+    this.refusal = refusal;
+    this.emit("connection");
+  }
+}

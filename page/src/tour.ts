@@ -1,0 +1,322 @@
+/** Two minutes through everything: shows where, asks for one thing to do, and notices when it is done. */
+import { type Context, type Tab, can, keyOf, pairOf } from "./panels/context";
+import { attribute, button, h, icon, redraw, shown, text } from "./panels/dom";
+import { isCut } from "./panels/words";
+
+const KEY = "cotouch.tour";
+const LOOK = 200; // ms between two looks at whether it is done
+
+/** What a step may remember while it lasts. */
+type Memory = Record<string, unknown>;
+
+interface Step {
+  title: string;
+  words: string;
+  /** What to do; and whether it was. */
+  task: string;
+  done: (context: Context, memory: Memory) => boolean;
+  /** What is shown, the first of these that is seen; may depend on what was done. */
+  where: string | ((memory: Memory) => string);
+  tab?: Tab;
+  /** What has to be so for it to be done at all; in words where it is not. */
+  needs?: (context: Context) => string | null;
+}
+
+const needs = (what: string, words: string) => (context: Context): string | null => (can(context, what) ? null : words);
+const ownCopy = (context: Context) => context.store.frame?.copies.find((copy) => copy.seat === context.store.seat);
+const grabbing = (context: Context): boolean => {
+  const copy = ownCopy(context);
+  return copy?.mode === "grab" || copy?.mode === "ball";
+};
+const force = (context: Context): number => Math.hypot(...(ownCopy(context)?.force ?? [0, 0, 0]));
+const hands = needs("hand", "This page may only watch; go on with →.");
+const links = (list: readonly (readonly [number, number])[]): string => list.map(([a, b]) => keyOf(pairOf(a, b))).sort().join(" ");
+
+export const STEPS: readonly Step[] = [
+  {
+    title: "Take hold",
+    words: "This is one object, held by several people. Each of them has a copy of it, and yours is the solid one.",
+    task: "Press on the object, and draw.",
+    where: "#stage",
+    needs: hands,
+    done: (context) => grabbing(context) && force(context) > 0.02,
+  },
+  {
+    title: "Let go",
+    words: "What you feel is a spring between your pointer and the point you hold. The others feel you through springs between the copies.",
+    task: "Release, and watch the object swing back and come to rest.",
+    where: "#stage",
+    needs: hands,
+    done: (context, memory) => {
+      if (grabbing(context)) memory.held = true;
+      return !!memory.held && !grabbing(context);
+    },
+  },
+  {
+    title: "See the delay",
+    words: "News travels tens of milliseconds. The other copies do what yours did, but later.",
+    task: "Choose Side by side (or Ghosts), then draw again and look at the others.",
+    where: "#stage-frame",
+    needs: hands,
+    done: (context, memory) => {
+      const { layout, ghosts } = context.store.settings;
+      const first = (memory.first ??= `${layout} ${ghosts}`);
+      if (layout === "side" || `${layout} ${ghosts}` !== first) memory.seen = true;
+      return !!memory.seen && grabbing(context);
+    },
+  },
+  {
+    title: "Pull against somebody",
+    words: "A scripted hand can be told what to do. Two who pull against each other feel each other’s force, through the network.",
+    task: "Unfold another user, tell the hand Hold or Pull, and draw the other way.",
+    where: (memory) => (memory.told ? "#stage" : "#users"),
+    tab: "users",
+    needs: hands,
+    done: (context, memory) => {
+      const { state, seat } = context.store;
+      const told = Object.entries(state?.members ?? {}).some(([key, one]) => Number(key) !== seat && (one.hand === "hold" || one.hand === "pull"));
+      if (told) memory.told = true;
+      return !!memory.told && grabbing(context) && force(context) > 0.02;
+    },
+  },
+  {
+    title: "Look at a link",
+    words: "Lines join users. The number is how old the news is that a copy works with. Damping is set so that this age can do no harm.",
+    task: "Choose a link to see both its ends.",
+    where: "#network",
+    tab: "network",
+    done: (context) => context.link.get() !== null,
+  },
+  {
+    title: "Cut it",
+    words: "Networks fail. When news stays away, both ends let go of their spring without a kick, and everybody else goes on.",
+    task: "Press Cut, and watch the line and the verdict on top.",
+    where: "#link, #network",
+    tab: "network",
+    needs: needs("cut", "Links cannot be cut from here; go on with →."),
+    done: ({ store }) => !!store.state?.links.some(([a, b]) => store.state && isCut(store.state, a, b)),
+  },
+  {
+    title: "Mend it",
+    words: "When news comes again, the ends first catch up and save energy, and couple only when both can pay for it.",
+    task: "Press Mend, and wait until the link is coupled again.",
+    where: "#link, #network",
+    tab: "network",
+    needs: needs("cut", "Links cannot be mended from here; go on with →."),
+    done: ({ store }, memory) => {
+      const cut = !!store.state?.links.some(([a, b]) => store.state && isCut(store.state, a, b));
+      if (cut) memory.cut = true;
+      return !!store.state && !cut && (!!memory.cut || memory.looked === true);
+    },
+  },
+  {
+    title: "Join them badly",
+    words: "Over which links users are joined matters. With the worst choice of as many links copies agree late; with the best, soonest.",
+    task: "Choose Worst, draw and let go; then choose Best.",
+    where: "#topology",
+    tab: "network",
+    needs: needs("links", "Links are not chosen here; go on with →."),
+    done: ({ store }, memory) => {
+      const { state } = store;
+      if (!state) return false;
+      const now = links(state.links);
+      if (state.choices.worst && links(state.choices.worst) === now) memory.worst = true;
+      return !!memory.worst && !!state.choices.best && links(state.choices.best) === now;
+    },
+  },
+  {
+    title: "Follow the energy",
+    words: "Every joule is booked: put in by hands, added by delays, damped, or still in the copies. Both bars are equally long, always.",
+    task: "Open Energy, and put some in.",
+    where: "#energy",
+    tab: "energy",
+    done: (context, memory) => {
+      const supplied = Object.values(context.store.state?.members ?? {}).reduce((sum, one) => sum + Math.abs(one.supplied ?? 0), 0);
+      const first = (memory.first ??= supplied) as number;
+      return context.tab.get() === "energy" && (Math.abs(supplied - first) > 1e-6 || !can(context, "hand"));
+    },
+  },
+  {
+    title: "Take the guarantee away",
+    words: "Below the damping that delays ask for, nothing keeps energy from growing. See it once, then restore it: the copies come to rest.",
+    task: "Lower the damping, watch, and press Restore now.",
+    where: "#margin, #banner-damping",
+    tab: "margin",
+    needs: needs("damping", "Damping is not changed from here; this was the last step."),
+    done: ({ store }, memory) => {
+      const share = store.state?.damping ?? 1;
+      if (share < 1) memory.lowered = true;
+      return !!memory.lowered && share === 1;
+    },
+  },
+];
+
+function saved(): { step: number; over: boolean } {
+  try {
+    const { step = 0, over = false } = JSON.parse(localStorage.getItem(KEY) ?? "{}") as { step?: number; over?: boolean };
+    return { step: Math.min(Math.max(Math.floor(Number(step)) || 0, 0), STEPS.length - 1), over: over === true };
+  } catch {
+    return { step: 0, over: false };
+  }
+}
+
+function save(step: number, over: boolean): void {
+  try {
+    localStorage.setItem(KEY, JSON.stringify({ step, over }));
+  } catch {
+    // Then the next visit begins anew.
+  }
+}
+
+/** The tour; nothing of it is seen until it is opened. On a first visit a line invites to it. */
+export function tour(context: Context, root: HTMLElement): { open: () => void; invite: () => void } {
+  let at = 0;
+  let memory: Memory = {};
+  let running = false;
+  let finished = new Set<number>();
+  const hole = h("div", { class: "tour-hole", hidden: true, "aria-hidden": "true" });
+  const number_ = h("p", { class: "tour-number tabular" });
+  const title = h("h2", { id: "tour-title" });
+  const words = h("p", { id: "tour-words" });
+  const sign = icon("play", 16);
+  const task = h("span", null);
+  const asked = h("p", { class: "tour-task", role: "status" }, sign, task);
+  const dots = h("div", { class: "tour-dots", "aria-hidden": "true" }, ...STEPS.map(() => h("i")));
+  const back = button("Back", () => go(at - 1), { class: "button small", label: "Step before (←)" });
+  const next = button("Next", () => (at + 1 < STEPS.length ? go(at + 1) : end(true)), { class: "button small", label: "Next step (→)", id: "tour-next" });
+  const leave = button("", () => end(false), { icon: "close", class: "button bare", label: "Leave the tour (Esc); it can be taken up again" });
+  const card = h(
+    "div",
+    { class: "tour-card", id: "tour", role: "dialog", "aria-modal": "false", "aria-labelledby": "tour-title", "aria-describedby": "tour-words", tabindex: -1, hidden: true },
+    h("div", { class: "panel-head" }, number_, h("div", { class: "grow" }), leave),
+    title,
+    words,
+    asked,
+    h("div", { class: "tour-foot" }, dots, h("div", { class: "grow" }), back, next),
+  );
+  const begin = button("Start", () => open(), { class: "button small primary" });
+  const later = button("Not now", () => {
+    shown(offer, false);
+    save(at, true);
+  }, { class: "button small" });
+  const offer = h(
+    "div",
+    { class: "tour-offer", id: "tour-offer", role: "region", "aria-label": "Tour", hidden: true },
+    icon("tour", 18),
+    h("span", null, "New here? Two minutes show you everything."),
+    begin,
+    later,
+  );
+  root.append(hole, card, offer);
+
+  const found = (): HTMLElement | null => {
+    const where = STEPS[at]?.where ?? "";
+    for (const one of (typeof where === "string" ? where : where(memory)).split(", ")) {
+      const element = document.querySelector<HTMLElement>(one);
+      if (element && element.getClientRects().length) return element;
+    }
+    return null;
+  };
+  /** The hole over what is meant, and the card beside it, where there is room. */
+  const place = (): void => {
+    if (!running) return;
+    const element = found();
+    hole.hidden = !element;
+    const own = card.getBoundingClientRect();
+    const narrow = innerWidth < 720;
+    if (!element) return;
+    const box = element.getBoundingClientRect();
+    const pad = 4;
+    const [left, top] = [Math.max(box.left - pad, 2), Math.max(box.top - pad, 2)];
+    Object.assign(hole.style, {
+      left: `${left}px`, top: `${top}px`,
+      width: `${Math.min(box.right + pad, innerWidth - 2) - left}px`, height: `${Math.min(box.bottom + pad, innerHeight - 2) - top}px`,
+    });
+    if (narrow) {
+      // Above or below, whichever hides less of what is meant.
+      const low = box.top + box.height / 2 < innerHeight / 2;
+      card.style.left = "8px";
+      card.style.top = low ? `${innerHeight - own.height - 64}px` : "56px";
+      return;
+    }
+    const inside = box.width > innerWidth * 0.4;
+    const right = box.right + 12 + own.width < innerWidth;
+    const x = inside ? box.left + 16 : right ? box.right + 12 : box.left - own.width - 12;
+    const y = inside ? box.bottom - own.height - 16 : Math.min(Math.max(box.top, 60), innerHeight - own.height - 12);
+    card.style.left = `${Math.max(x, 8)}px`;
+    card.style.top = `${Math.max(y, 8)}px`;
+  };
+  const look = (): void => {
+    const step = STEPS[at];
+    if (!running || !step) return;
+    const missing = step.needs?.(context) ?? null;
+    if (!finished.has(at) && missing === null && step.done(context, memory)) {
+      finished = new Set([...finished, at]);
+      context.say(at + 1 < STEPS.length ? "Done. Go on when you like." : "That was everything.", "good");
+    }
+    const done = finished.has(at);
+    attribute(card, "data-done", done ? "" : null);
+    redraw(sign, done ? "tick" : missing ? "wait" : "play");
+    text(task, missing ?? step.task);
+    attribute(next, "class", `button small${done ? " primary" : ""}`);
+    text(next.lastElementChild ?? next, at + 1 === STEPS.length ? "Finish" : done ? "Next" : "Skip");
+    place();
+  };
+  const go = (to: number): void => {
+    at = Math.min(Math.max(to, 0), STEPS.length - 1);
+    const step = STEPS[at];
+    if (!step) return;
+    memory = { looked: true };
+    save(at, false);
+    if (step.tab) context.tab.set(step.tab);
+    text(number_, `Step ${at + 1} of ${STEPS.length}`);
+    text(title, step.title);
+    text(words, step.words);
+    back.disabled = at === 0;
+    [...dots.children].forEach((dot, i) => attribute(dot, "class", i === at ? "here" : finished.has(i) ? "done" : null));
+    look();
+  };
+  const open = (): void => {
+    running = true;
+    shown(offer, false);
+    card.hidden = false;
+    go(saved().step);
+    card.focus({ preventScroll: true });
+  };
+  const end = (over: boolean): void => {
+    running = false;
+    card.hidden = hole.hidden = true;
+    save(over ? 0 : at, true);
+    if (over) finished = new Set();
+    else context.say(`You can take the tour up again at step ${at + 1}.`);
+    document.getElementById("tour-open")?.focus();
+  };
+  document.addEventListener(
+    "keydown",
+    (event) => {
+      if (!running || document.querySelector("dialog[open]")) return;
+      const inside = card.contains(document.activeElement) || document.activeElement === document.body;
+      if (event.key === "Escape" && inside && !grabbing(context)) end(false);
+      else if (event.key === "ArrowRight" && inside && !grabbing(context)) at + 1 < STEPS.length ? go(at + 1) : end(true);
+      else if (event.key === "ArrowLeft" && inside && !grabbing(context)) go(at - 1);
+      else return;
+      event.preventDefault();
+      event.stopPropagation();
+    },
+    true,
+  );
+  addEventListener("resize", place);
+  setInterval(look, LOOK);
+  return {
+    open,
+    invite: () => {
+      let first = false;
+      try {
+        first = localStorage.getItem(KEY) === null;
+      } catch {
+        // Without storage nobody is asked again and again.
+      }
+      if (first && !running) shown(offer, true);
+    },
+  };
+}

@@ -1,0 +1,238 @@
+"""The watching side of boards: sees members of this machine, and tells them what to do.
+
+Used by several threads; nothing here takes long.
+"""
+
+import threading
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, final
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.board import BoardReader, BoardWriter
+from cotouch.errors import InputError
+from cotouch.session._boards import BOOKS, BoardFolder, emulated, laws_of, order_fields
+from cotouch.session._file import SessionFile
+from cotouch.session._stage import HAND_MODES, CopyView, Emulated, HandMode, HandView, Pointer
+
+_NO_HANDS: tuple[HandView, ...] = ()
+
+
+@final
+@dataclass
+class _Own:
+    """One member's boards."""
+
+    name: str
+    orders: BoardWriter
+    view: BoardReader | None = None
+    fields: dict[str, npt.NDArray[Any]] | None = None
+    shown: CopyView | None = None
+
+
+@final
+class Desk:
+    """The boards of members whose processes run here."""
+
+    def __init__(self, boards: BoardFolder, session: SessionFile, names: list[str]) -> None:
+        """Makes the orders; the members' processes are to be started after that.
+
+        Args:
+            boards: where they are.
+            session: that the members take part in.
+            names: of the members.
+
+        Raises:
+            InputError: a board cannot be made.
+        """
+        self._boards = boards
+        self._lock = threading.RLock()
+        users = session.scenario.network.size
+        fields = order_fields(users)
+        self._own = {name: _Own(name, BoardWriter(boards.orders(name), fields, checked=True)) for name in names}
+        self._laws = laws_of(session.scenario, emulate=session.options.emulate)
+        for own in self._own.values():
+            own.orders.fields["share"][()] = 1.0
+            own.orders.fields["laws"][...] = self._laws
+            own.orders.publish()
+
+    # -- orders ------------------------------------------------------------------------------------------------------
+
+    def point(self, name: str, pointer: Pointer) -> None:
+        """Moves a pointer; the next step of the copy knows it."""
+        self._tell(
+            name,
+            pointer.mode,
+            node=pointer.node,
+            to=pointer.target,
+            pointer=pointer.number,
+            radius=pointer.radius,
+            stiffness=pointer.stiffness,
+        )
+
+    def hand(self, name: str, mode: HandMode, *, node: int = -1, to: tuple[float, float, float] | None = None) -> None:
+        """Tells a hand what to do; see `Stage.do`."""
+        self._tell(name, mode, node=node, to=to or (0.0, 0.0, 0.0), pointer=0, radius=0.0, stiffness=0.0)
+
+    def mode(self, name: str) -> HandMode:
+        """What a hand was told last."""
+        with self._lock:
+            return HAND_MODES[int(self._own[name].orders.fields["mode"].item())]
+
+    def impair(self, to: int, of: int, **law: float) -> None:
+        """Changes what is done to samples from `of` to `to`; what is not named stays.
+
+        Args:
+            to: seat that receives.
+            of: seat that sends.
+            **law: delay, jitter [s], loss, cut.
+        """
+        with self._lock:
+            row = self._laws[to, of]
+            row[:] = [law.get(name, value) for name, value in zip(("delay", "jitter", "loss", "cut"), row, strict=True)]
+            for own in self._own.values():
+                own.orders.fields["laws"][...] = self._laws
+                own.orders.fields["impaired"] += 1
+                own.orders.publish()
+
+    def damping(self, share: float) -> None:
+        """Orders a share of the damping that is needed."""
+        self._all("share", share, "damped")
+
+    def record(self, number: int) -> None:
+        """Orders a recording; 0: none."""
+        self._all("recording", number)
+
+    def _all(self, name: str, value: float, counter: str | None = None) -> None:
+        with self._lock:
+            for own in self._own.values():
+                own.orders.fields[name][()] = value
+                if counter is not None:
+                    own.orders.fields[counter] += 1
+                own.orders.publish()
+
+    def _tell(
+        self,
+        name: str,
+        mode: HandMode,
+        *,
+        node: int,
+        to: tuple[float, float, float],
+        pointer: int,
+        radius: float,
+        stiffness: float,
+    ) -> None:
+        with self._lock:
+            fields = self._own[name].orders.fields
+            fields["hand"] += 1
+            fields["pointer"][()] = pointer
+            fields["mode"][()] = HAND_MODES.index(mode)
+            fields["node"][()] = node
+            fields["target"][...] = to
+            fields["radius"][()] = radius
+            fields["stiffness"][()] = stiffness
+            self._own[name].orders.publish()
+
+    # -- what is seen ------------------------------------------------------------------------------------------------
+
+    def views(self) -> dict[int, CopyView]:
+        """The newest of every copy, and of others what neighbours know of them."""
+        with self._lock:
+            for own in self._own.values():
+                self._look(own)
+            shown = {own.shown.seat: own.shown for own in self._own.values() if own.shown is not None}
+            for own in self._own.values():
+                if own.shown is not None and own.fields is not None:
+                    _ghosts(own.shown, own.fields, shown)
+            return shown
+
+    def emulated(self) -> dict[tuple[int, int], Emulated]:
+        """What is done on every path, (to, from)."""
+        with self._lock:
+            users = range(self._laws.shape[0])
+            return {(to, of): emulated(self._laws[to, of]) for to in users for of in users if to != of}
+
+    def number(self, name: str, field: str) -> int:
+        """A whole number of a member's board; see `view_fields`. -1 before there is one."""
+        with self._lock:
+            own = self._own[name]
+            self._look(own)
+            return -1 if own.fields is None else int(own.fields[field].item())
+
+    def forget(self, name: str) -> None:
+        """A member's process ended; it may come again, with another board."""
+        with self._lock:
+            own = self._own[name]
+            if own.view is not None:
+                own.view.close()
+            own.view = own.fields = own.shown = None
+            self._boards.view(name).unlink(missing_ok=True)
+            own.orders.fields["mode"][()] = HAND_MODES.index("script")
+            own.orders.fields["pointer"][()] = 0
+            own.orders.publish()
+
+    def close(self) -> None:
+        """Removes the orders."""
+        with self._lock:
+            for own in self._own.values():
+                if own.view is not None:
+                    own.view.close()
+                    own.view = None
+                own.orders.close()
+
+    def _look(self, own: _Own) -> None:
+        if own.view is None:
+            try:
+                own.view = BoardReader(self._boards.view(own.name))
+            except InputError:  # its process did not make it yet
+                return
+        fields = own.view.read()
+        if fields is not None:
+            own.fields = fields
+            own.shown = _copy(fields) if fields["seat"] >= 0 and fields["step"] > 0 else None
+
+
+def _copy(fields: Mapping[str, npt.NDArray[Any]]) -> CopyView:
+    books = dict(zip(BOOKS, fields["books"].tolist(), strict=True))
+    hands = tuple(
+        HandView(
+            mode=HAND_MODES[int(fields["mode"][k])],
+            node=int(fields["node"][k]),
+            target=fields["target"][k],
+            place=fields["place"][k],
+            force=fields["force"][k],
+            radius=float(fields["radius"][k]),
+        )
+        for k in range(int(fields["hands"].item()))
+    )
+    return CopyView(
+        seat=int(fields["seat"].item()),
+        time=float(fields["time"].item()),
+        step=int(fields["step"].item()),
+        displacement=fields["displacement"],
+        direct=True,
+        hands=hands,
+        supplied=books["supplied"],
+        lost=books["lost"],
+        linked=books["linked"],
+        energy=books["energy"],
+        heard=int(fields["heard"].item()),
+    )
+
+
+def _ghosts(own: CopyView, fields: Mapping[str, npt.NDArray[Any]], shown: dict[int, CopyView]) -> None:
+    """Adds what a member knows of others that nobody knows better."""
+    for seat in np.flatnonzero(fields["known"]).tolist():
+        time = own.time - float(fields["ages"][seat])
+        better = shown.get(seat)
+        if better is None or (not better.direct and better.time < time):
+            shown[seat] = CopyView(
+                seat=seat,
+                time=time,
+                step=-1,
+                displacement=fields["neighbours"][seat],
+                direct=False,
+                hands=_NO_HANDS,
+            )

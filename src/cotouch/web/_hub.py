@@ -1,0 +1,292 @@
+"""Between a stage and the pages that show it: when who is sent what, and what becomes of what they ask for."""
+
+import asyncio
+import contextlib
+import json
+import secrets
+import time
+from collections.abc import Callable, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from typing import Final, final
+
+from cotouch import __version__
+from cotouch.errors import CotouchError
+from cotouch.session import CopyView, Stage
+from cotouch.web._access import Access
+from cotouch.web._control import Control
+from cotouch.web._frames import FrameEncoder
+from cotouch.web._page import Page
+from cotouch.web._protocol import VERSION, Do, Hello, MalformedError, PointerMessage
+from cotouch.web._scene import nodes_of_points, scene_message, state_message
+
+MOST_PAGES: Final = 16
+_RATE, _RATE_OF_BIG, _BIG = 60.0, 30.0, 10_000  # frames a second; above so many points
+_STATE = 0.2  # between two states [s]
+_TOGETHER = 0.003  # frames that are due within so long are made in one pass [s]
+# After a pointer came, a step of the copy is awaited for so long [s]; frames stay so far apart, in periods.
+_ANSWER, _APART = 0.003, 0.8
+_ASKED: Final = 8  # answers that one page may wait for at a time
+_COMPLAIN: Final = 1.0  # between two sentences on pointers that a stage does not take [s]
+_WATCH_ONLY = "this page may only watch: open the address with the token, as cotouch printed it"
+
+
+@final
+class Hub:
+    """See the module; lives in the server's event loop.
+
+    Attributes:
+        scene: of the stage; does not change.
+        started: names this run of the server.
+        frames: made so far.
+    """
+
+    def __init__(self, stage: Stage, access: Access, *, clock: Callable[[], float] = time.monotonic) -> None:
+        """Prepares to serve a stage.
+
+        Args:
+            stage: what is shown.
+            access: who may act.
+            clock: that the stage's copies go by [s].
+        """
+        self.stage, self.access, self.scene = stage, access, stage.scene
+        self.started = secrets.token_hex(8)
+        self.frames = 0
+        self._clock, self._start = clock, clock()
+        self._encoder = FrameEncoder(self.scene.body)
+        self._control = Control(stage, nodes_of_points(self.scene.body).tolist())
+        self._period = 1.0 / (_RATE if self._encoder.points <= _BIG else _RATE_OF_BIG)
+        self._pages: list[Page] = []
+        self._scenes: dict[bool, str] = {}
+        self._timer: asyncio.TimerHandle | None = None
+        self._state_timer: asyncio.TimerHandle | None = None
+        self._work = ThreadPoolExecutor(1, thread_name_prefix="cotouch-page-asks")
+        self._tasks = set[asyncio.Task[None]]()
+        self._was_recording = True  # so that the first state looks for a recording
+        self._recorded = False
+        self._closed = False
+
+    def enter(self, page: Page) -> bool:
+        """A page connects; False if there are too many."""
+        if len(self._pages) >= MOST_PAGES or self._closed:
+            return False
+        self._pages.append(page)
+        return True
+
+    def leave(self, page: Page) -> None:
+        """A page is gone."""
+        self._pages.remove(page)
+        self._control.leave(page)
+        if not self._pages:
+            for timer in (self._timer, self._state_timer):
+                if timer is not None:
+                    timer.cancel()
+            self._timer = self._state_timer = None
+
+    def hello(self, page: Page, message: Hello) -> None:
+        """A page says what it is.
+
+        Raises:
+            MalformedError: it is of another version, or acts for a seat that there is not.
+        """
+        scene = self.scene
+        if message.version != VERSION:
+            raise MalformedError(
+                f"the page speaks version {message.version}, cotouch {__version__} version {VERSION}; reload"
+            )
+        if message.seat is not None and message.seat >= len(scene.users):
+            raise MalformedError(f"the page's seat is {message.seat}; there are 0 to {len(scene.users) - 1}")
+        acts = self.access.token_right(message.token)
+        first = page.hello is None
+        if first or (message.seat, acts) != (page.seat, page.acts):
+            if not first:
+                self._control.leave(page)
+            before, page.acts = page.acts, acts
+            page.hello = message
+            self._control.enter(page)
+            if first or before != acts:
+                self._tell_scene(page)
+        page.hello = message
+        page.period = max(self._period, 1.0 / message.rate)
+        page.due = self._clock()
+        self._show_state()
+        self._schedule()
+
+    def _tell_scene(self, page: Page) -> None:
+        if page.acts not in self._scenes:
+            told = scene_message(self.scene, version=__version__, started=self.started, acts=page.acts)
+            self._scenes[page.acts] = json.dumps(told)
+        page.scene(self._scenes[page.acts])
+
+    def pointed(self, page: Page, message: PointerMessage) -> None:
+        """A page moves its pointer.
+
+        Raises:
+            MalformedError: it points at something that is not drawn.
+        """
+        if message.point >= self._control.points:
+            raise MalformedError(f"the pointer's point is {message.point}; there are 0 to {self._control.points - 1}")
+        now = self._clock()
+        if not page.acts:
+            if not page.told_why:
+                page.told_why = True
+                page.tell(type="told", id=0, ok=False, text=_WATCH_ONLY)
+            return
+        try:
+            passed = self._control.point(page, message, now)
+        except CotouchError as error:
+            if now - page.complained >= _COMPLAIN:
+                page.complained = now
+                page.tell(type="told", id=0, ok=False, text=str(error))
+            return
+        if passed and now - page.sent >= _APART * page.period:
+            page.due = min(page.due, now + _ANSWER)
+            self._schedule()
+
+    def acknowledged(self, page: Page, number: int) -> None:
+        """A page has taken a frame."""
+        page.acknowledged(number)
+        self._schedule()
+
+    def asked(self, page: Page, message: Do) -> None:
+        """A page asks for something; it is answered when it is done."""
+        refused = self._refused(page, message)
+        if refused is None and message.what == "control":
+            took = self._control.take(page)
+            text = (
+                "this page has the control"
+                if took
+                else "this page acts for nobody here, so there is no control to take"
+            )
+            page.tell(type="told", id=message.id, ok=took, text=text)
+            self._show_state()
+        elif refused is not None:
+            page.tell(type="told", id=message.id, ok=False, text=refused)
+        else:
+            page.answering += 1
+            task = asyncio.get_running_loop().create_task(self._do(page, message))
+            self._tasks.add(task)
+            task.add_done_callback(self._tasks.discard)
+
+    def close(self) -> None:
+        """Lets go of everything; no page is let in any more."""
+        self._closed = True
+        self._control.release()
+        self._work.shutdown(wait=False, cancel_futures=True)
+
+    def _refused(self, page: Page, message: Do) -> str | None:
+        if not page.acts:
+            return _WATCH_ONLY
+        if message.what == "control":
+            return None
+        if message.what not in self.scene.may:
+            return f'"{message.what}" cannot be done here; {", ".join(sorted(self.scene.may)) or "nothing"} can'
+        if self._control.of(page) == "other":
+            return "another page has the control; take it over first"
+        seat = message.arguments.get("seat")
+        if message.what == "hand" and isinstance(seat, int) and not self._control.free_for(page, seat):
+            return f"another page moves the hand of user {seat + 1}"
+        if page.answering >= _ASKED:
+            return f"{_ASKED} things are being done for this page already; wait until one is done"
+        return None
+
+    async def _do(self, page: Page, message: Do) -> None:
+        loop = asyncio.get_running_loop()
+        try:
+            text = await loop.run_in_executor(self._work, self.stage.do, message.what, message.arguments)
+            ok = True
+        except CotouchError as error:
+            ok, text = False, str(error)
+        except Exception as error:  # noqa: BLE001 - a page must not wait for ever for whatever went wrong
+            ok, text = False, f"{message.what} failed inside cotouch: {type(error).__name__}"
+        page.answering -= 1
+        page.tell(type="told", id=message.id, ok=ok, text=text)
+        if self._pages:
+            self._show_state()
+
+    def _schedule(self) -> None:
+        """Sees to it that the next frame that is due is made in time."""
+        due = min((page.due for page in self._pages if page.takes()), default=None)
+        if due is None or self._closed:
+            return
+        wait = max(due - self._clock(), 0.0)
+        loop = asyncio.get_running_loop()
+        if self._timer is not None:
+            if self._timer.when() <= loop.time() + wait:
+                return
+            self._timer.cancel()
+        self._timer = loop.call_later(wait, self._tick)
+
+    def _tick(self) -> None:
+        """Makes the frames that are due, in one pass, and hands them over."""
+        self._timer = None
+        now = self._clock()
+        due = [page for page in self._pages if page.takes() and page.due <= now + _TOGETHER]
+        if due:
+            views = self._views()
+            wanted = {page: _seats(page, views) for page in due}
+            watched = set[int]().union(*(_seats(page, views) for page in self._pages if page.hello is not None))
+            self._encoder.update(views, watched)
+            now = self._clock()
+            self.frames += 1
+            for page, seats in wanted.items():
+                view = None if page.seat is None else views.get(page.seat)
+                echo, waited = self._control.echo(page, view, now)
+                frame = self._encoder.frame(
+                    seats, number=self.frames, time=now, start=self._start, echo=echo, waited=waited
+                )
+                page.offer(self.frames, frame, now)
+        self._schedule()
+
+    def _views(self) -> Mapping[int, CopyView]:
+        """The newest copies; none while the session comes or goes."""
+        try:
+            return self.stage.views()
+        except (CotouchError, OSError):
+            return {}
+
+    def _show_state(self) -> None:
+        """Tells every page how things are, now and from now on."""
+        if self._state_timer is not None:
+            self._state_timer.cancel()
+        loop = asyncio.get_running_loop()
+        self._state_timer = loop.call_later(_STATE, self._show_state)
+        with contextlib.suppress(CotouchError):
+            self._control.repeat()
+        overview = self.stage.overview()
+        if self._was_recording and overview.recording is None:
+            self._look_for_recording()
+        self._was_recording = overview.recording is not None
+        common = state_message(
+            overview,
+            self._views(),
+            now=self._clock(),
+            start=self._start,
+            control="",
+            pages=len(self._pages),
+            recorded=self._recorded,
+        )
+        told: dict[str, str] = {}
+        for page in self._pages:
+            if page.hello is not None:
+                control = self._control.of(page)
+                if control not in told:
+                    told[control] = json.dumps(common | {"control": control})
+                page.show(told[control])
+
+    def _look_for_recording(self) -> None:
+        async def look() -> None:
+            loop = asyncio.get_running_loop()
+            found = await loop.run_in_executor(self._work, self.stage.recorded)
+            self._recorded = found is not None
+
+        task = asyncio.get_running_loop().create_task(look())
+        self._tasks.add(task)
+        task.add_done_callback(self._tasks.discard)
+
+
+def _seats(page: Page, views: Mapping[int, CopyView]) -> frozenset[int]:
+    """Whose copies a page is sent."""
+    hello = page.hello
+    if hello is None:
+        return frozenset()
+    return frozenset(views) if hello.want == "all" or hello.seat is None else frozenset({hello.seat})

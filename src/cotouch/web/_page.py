@@ -1,0 +1,104 @@
+"""One open page: what it may do, what it was sent and has not taken yet, and what waits to be sent."""
+
+import asyncio
+import json
+from collections import deque
+from typing import Any, Final, final
+
+from starlette.websockets import WebSocket
+
+from cotouch.web._access import Allowance
+from cotouch.web._protocol import Hello
+
+IN_FLIGHT: Final = 2  # frames that were sent and not acknowledged
+_WAITING: Final = 64  # answers that a page lets lie
+# A mouse may report a thousand times a second; nobody clicks or slides faster than the other.
+_BINARY, _TEXT = 2_000.0, 100.0
+
+
+@final
+class Page:
+    """See the module.
+
+    Attributes:
+        hello: what it said first; None before.
+        acts: whether it has the token.
+        period: between frames [s].
+        due: when the next frame is [s].
+        sent: when the last frame was [s].
+        skipped: frames that were replaced by newer ones before they went out.
+        told_why: whether it was told that it may only watch.
+        complained: when it was told last that its pointer cannot be there [s].
+        answering: what it asked for and was not answered yet.
+    """
+
+    def __init__(self, socket: WebSocket) -> None:
+        """Prepares a page that said nothing yet."""
+        self.hello: Hello | None = None
+        self.acts = False
+        self.period = 1.0
+        self.due = self.sent = 0.0
+        self.skipped = 0
+        self.told_why = False
+        self.complained = -float("inf")
+        self.answering = 0
+        self.binary, self.text = Allowance(_BINARY, _BINARY), Allowance(_TEXT, 2.0 * _TEXT)
+        self._socket = socket
+        self._numbers = deque[int]()
+        self._frame: tuple[int, bytes] | None = None
+        self._state: str | None = None
+        self._texts = deque[str](maxlen=_WAITING)
+        self._wake = asyncio.Event()
+
+    @property
+    def seat(self) -> int | None:
+        """That it acts for."""
+        return None if self.hello is None else self.hello.seat
+
+    def takes(self) -> bool:
+        """Whether it may be sent another frame."""
+        return self.hello is not None and len(self._numbers) < IN_FLIGHT
+
+    def acknowledged(self, number: int) -> None:
+        """Takes note that frames up to this one arrived."""
+        while self._numbers and self._numbers[0] <= number:
+            self._numbers.popleft()
+
+    def offer(self, number: int, frame: bytes, now: float) -> None:
+        """Hands over the newest frame; one that still waits to go out is forgotten."""
+        if self._frame is not None:
+            self.skipped += 1
+        self._frame = (number, frame)
+        self.sent = now
+        self.due = max(self.due + self.period, now + 0.5 * self.period)
+        self._wake.set()
+
+    def scene(self, message: str) -> None:
+        """Hands over the scene."""
+        self._texts.append(message)
+        self._wake.set()
+
+    def show(self, state: str) -> None:
+        """Hands over how things are; newest wins here, too."""
+        self._state = state
+        self._wake.set()
+
+    def tell(self, **message: Any) -> None:
+        """Hands over an answer."""
+        self._texts.append(json.dumps(message))
+        self._wake.set()
+
+    async def send_all(self) -> None:
+        """Sends what was handed over, as fast as the connection takes it, until cancelled."""
+        while True:
+            await self._wake.wait()
+            self._wake.clear()
+            while self._texts:
+                await self._socket.send_text(self._texts.popleft())
+            if self._frame is not None:
+                (number, frame), self._frame = self._frame, None
+                self._numbers.append(number)
+                await self._socket.send_bytes(frame)
+            if self._state is not None:
+                state, self._state = self._state, None
+                await self._socket.send_text(state)

@@ -1,0 +1,159 @@
+"""What a page and its server say to each other: binary layouts, and what a page may ask for; checked before use."""
+
+import json
+import math
+import struct
+from typing import Annotated, Any, Final, Literal, final
+
+from pydantic import Field, ValidationError
+
+from cotouch.scenario import Table
+from cotouch.session import HAND_MODES, HandMode
+
+VERSION: Final = 1
+# kind, version, copies, number, time [s], points, scale [m], echo, since the echoed pointer came [µs]
+HEADER: Final = struct.Struct("<BBHIdIfII")
+# seat, mode, flags, hands, age [s], target, place, force (3 each), radius, energy, supplied, lost, linked, node
+COPY: Final = struct.Struct("<BBBBf3f3f3ffffffi")
+DIRECT, HAS_HAND = 1, 2
+# kind, seat, action, 0, number, point, target (3), radius, stiffness, client's time [ms]
+_POINTER: Final = struct.Struct("<BBBBII3fffd")
+_ACK: Final = struct.Struct("<B3xI")
+_FRAME_KIND, _POINTER_KIND, _ACK_KIND = 1, 2, 3
+_ACTIONS: Final[tuple[HandMode, ...]] = ("ball", "grab", "free")
+# No body is so far away, no ball so big [m] and no hand so stiff [N/m].
+_FAR, _STIFF = 1e4, 1e5
+MOST_BYTES: Final = 16_384  # of a message from a page: every pair of 32 users, written out, fits
+
+Seat = Annotated[int, Field(ge=0, le=255)]
+
+
+class MalformedError(ValueError):
+    """A message that no page of this version sends; the reason is told to whoever sent it."""
+
+
+@final
+class PointerMessage:
+    """Where the pointer of a page is.
+
+    Attributes:
+        seat: that it acts for.
+        mode: "ball", "grab" or "free".
+        number: the page's own, rising.
+        point: index of the drawn point.
+        target: [m].
+        radius: of the ball [m].
+        stiffness: of the hand [N/m]; 0: as it was.
+        sent: by the page's clock [ms].
+    """
+
+    __slots__ = ("mode", "number", "point", "radius", "seat", "sent", "stiffness", "target")
+
+    def __init__(self, message: bytes) -> None:
+        """Reads one.
+
+        Raises:
+            MalformedError: it is none.
+        """
+        _, self.seat, action, zero, self.number, self.point, x, y, z, radius, stiffness, sent = _POINTER.unpack(message)
+        if action >= len(_ACTIONS) or zero:
+            raise MalformedError(f"the pointer's action is {action}; it must be 0, 1 or 2, and the byte after it 0")
+        if not (abs(x) <= _FAR and abs(y) <= _FAR and abs(z) <= _FAR):
+            raise MalformedError(f"the pointer's target is {x}, {y}, {z}; it must be within {_FAR:.0f} m")
+        if not (0.0 <= radius <= _FAR and 0.0 <= stiffness <= _STIFF and math.isfinite(sent)):
+            raise MalformedError(f"the pointer's radius or stiffness is {radius} or {stiffness}, or its time {sent}")
+        self.mode: HandMode = _ACTIONS[action]
+        self.target: tuple[float, float, float] = (x, y, z)
+        self.radius: float = radius
+        self.stiffness: float = stiffness
+        self.sent: float = sent
+
+
+@final
+class Hello(Table):
+    """What a page says first.
+
+    Attributes:
+        type: "hello".
+        version: of the protocol.
+        token: that lets it act; None: it only watches.
+        seat: that it acts for; None: for nobody.
+        want: which copies it is sent: all, or that of its seat.
+        rate: of frames [1/s].
+    """
+
+    type: Literal["hello"]
+    version: int
+    token: Annotated[str, Field(max_length=200)] | None = None
+    seat: Seat | None = None
+    want: Literal["all", "mine"] = "all"
+    rate: Annotated[float, Field(gt=0.0, le=240.0)] = 60.0
+
+
+@final
+class Do(Table):
+    """What a page asks for; the rest of the message are arguments of `Stage.do`.
+
+    Attributes:
+        type: "do".
+        id: comes back with the answer.
+        what: see `Stage.do`; "control" is the server's own.
+        arguments: all other entries.
+    """
+
+    type: Literal["do"]
+    id: Annotated[int, Field(ge=0, lt=1 << 53)]
+    what: Annotated[str, Field(pattern=r"^[a-z]{1,20}$")]
+    arguments: dict[str, Any] = Field(default_factory=dict[str, Any])
+
+
+_DO_FIELDS = ("type", "id", "what")
+
+
+def read_binary(message: bytes) -> PointerMessage | int:
+    """A pointer, or the number of the frame that is acknowledged.
+
+    Raises:
+        MalformedError: it is neither.
+    """
+    kind = message[0] if message else -1
+    if kind == _POINTER_KIND and len(message) == _POINTER.size:
+        return PointerMessage(message)
+    if kind == _ACK_KIND and len(message) == _ACK.size and message[1:4] == b"\0\0\0":
+        return int(_ACK.unpack(message)[1])
+    raise MalformedError(f"a binary message of kind {kind} with {len(message)} bytes; pointers are 2, 40, acks 3, 8")
+
+
+def read_text(message: str) -> Hello | Do:
+    """What a page asks for.
+
+    Raises:
+        MalformedError: it is nothing that can be asked for.
+    """
+    try:
+        content = json.loads(message, parse_constant=_refuse)
+        if not isinstance(content, dict):
+            raise MalformedError("a text message must be one JSON object")
+        if content.get("type") == "do":
+            rest = {name: value for name, value in content.items() if name not in _DO_FIELDS}
+            return Do.model_validate(
+                {name: content[name] for name in _DO_FIELDS if name in content} | {"arguments": rest}
+            )
+        return Hello.model_validate(content)
+    except ValidationError as error:
+        first = error.errors()[0]
+        place = ".".join(str(part) for part in first["loc"]) or "the message"
+        raise MalformedError(f"{place}: {first['msg']}") from error
+    except (ValueError, RecursionError) as error:
+        if isinstance(error, MalformedError):
+            raise
+        raise MalformedError("a text message must be JSON") from error
+
+
+def _refuse(constant: str) -> float:
+    raise MalformedError(f"a text message holds {constant}, which is no number of JSON")
+
+
+def mode_index(mode: HandMode) -> int:
+    """Its number in frames."""
+    return HAND_MODES.index(mode)

@@ -1,0 +1,139 @@
+"""What does not change, and what changes now and then, as messages for a page."""
+
+import base64
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from cotouch.body import Body
+from cotouch.session import CopyView, Overview, Scene, Status
+from cotouch.web._verdict import judged
+
+_EVENTS = 40  # of the last
+_MOST_EDGES = 60_000
+
+
+def scene_message(scene: Scene, *, version: str, started: str, acts: bool) -> dict[str, Any]:
+    """The scene, as JSON's values.
+
+    Args:
+        scene: of the stage.
+        version: of cotouch.
+        started: names this run of the server.
+        acts: whether the page has the token; else it may do nothing and isn't told the invitation.
+    """
+    body = scene.body
+    rest = np.zeros((body.nodes, 3), np.float64)
+    rest[:, : body.dimension] = body.rest
+    skin = body.skin
+    drawn = rest if skin is None else skin.vertices
+    low, high = drawn.min(axis=0, initial=np.inf), drawn.max(axis=0, initial=-np.inf)
+    centre = 0.5 * (low + high)
+    return {
+        "type": "scene",
+        "title": scene.title,
+        "version": version,
+        "dimension": body.dimension,
+        "users": [{"seat": seat, "name": name} for seat, name in enumerate(scene.users)],
+        "own": list(scene.own),
+        "may": sorted(scene.may) if acts else [],
+        "acts": acts,
+        "invitation": scene.invitation if acts else None,
+        "nodes": {"count": body.nodes, "rest": _packed(rest, "<f4")},
+        "skin": None
+        if skin is None
+        else {
+            "vertices": skin.vertices.shape[0],
+            "rest": _packed(skin.vertices, "<f4"),
+            "triangles": _packed(skin.triangles, "<u4"),
+            "node": _packed(nodes_of_points(body), "<u4"),
+        },
+        "edges": None if skin is not None else _packed(_edges(body), "<u4"),
+        "radius": float(np.linalg.norm(drawn - centre, axis=1).max(initial=0.0)),
+        "centre": centre.tolist(),
+        "stiffness": scene.stiffness,
+        "started": started,
+    }
+
+
+def nodes_of_points(body: Body) -> np.ndarray:
+    """The node that carries most of each drawn point, (points,)."""
+    if body.skin is None:
+        return np.arange(body.nodes)
+    best = np.argmax(body.skin.weights, axis=1)
+    return np.take_along_axis(body.skin.nodes, best[:, None], axis=1)[:, 0]
+
+
+def state_message(
+    overview: Overview,
+    views: Mapping[int, CopyView],
+    *,
+    now: float,
+    start: float,
+    control: str,
+    pages: int,
+    recorded: bool,
+) -> dict[str, Any]:
+    """How things are, as JSON's values.
+
+    Args:
+        overview: of the stage.
+        views: of its copies, for what hands do.
+        now: by the clock of the stage [s].
+        start: what times count from [s].
+        control: "mine", "other" or "none".
+        pages: how many watch.
+        recorded: whether a recording can be had.
+    """
+    here = {entry.seat for entry in overview.roster.members}
+    members: dict[str, Any] = {}
+    ends: dict[str, Any] = {}
+    for seat in sorted(here | set(overview.statuses) | set(overview.alive)):
+        status = overview.statuses.get(seat)
+        view = views.get(seat)
+        members[str(seat)] = (status or Status(seat=seat)).model_dump() | {
+            "known": status is not None,
+            "here": seat in here,
+            "alive": overview.alive.get(seat),
+            "hand": view.hands[0].mode if view is not None and view.hands else "free",
+        }
+        for link in () if status is None else status.links:
+            ends[f"{seat}-{link.seat}"] = link.model_dump()
+    return {
+        "type": "state",
+        "time": now - start,
+        "members": members,
+        "links": [list(pair) for pair in overview.roster.links],
+        "ends": ends,
+        "emulated": {
+            f"{to}-{of}": {"delay": way.delay, "jitter": way.jitter, "loss": way.loss, "cut": way.cut}
+            for (to, of), way in overview.emulated.items()
+        },
+        "choices": {name: [list(pair) for pair in pairs] for name, pairs in overview.choices.items()},
+        "damping": overview.damping,
+        "recording": overview.recording,
+        "recorded": recorded,
+        "events": [{"time": event.time - start, "text": event.text} for event in list(overview.events)[-_EVENTS:]],
+        "verdict": judged(overview).as_json(),
+        "control": control,
+        "pages": pages,
+        "ended": overview.ended,
+    }
+
+
+def _packed(array: Any, kind: str) -> str:
+    return base64.b64encode(np.ascontiguousarray(array, dtype=kind).tobytes()).decode("ascii")
+
+
+def _edges(body: Body) -> np.ndarray:
+    """Pairs of nodes that springs join, (pairs, 2)."""
+    if body.form != "node":
+        step = body.dimension
+        found = body.stiffness_int.tocoo()
+        pairs = np.stack([found.coords[0] // step, found.coords[1] // step], axis=1)
+    else:
+        found = body.stiffness_int.tocoo()
+        pairs = np.stack([found.coords[0], found.coords[1]], axis=1)
+    upper = np.unique(pairs[pairs[:, 0] < pairs[:, 1]], axis=0)
+    return upper[:_MOST_EDGES]

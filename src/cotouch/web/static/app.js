@@ -1,0 +1,4383 @@
+/*! cotouch page; sources ce07318dec3567a0adac7c5bca69e08f0a0b9dcc7944e51c30690cfe16919092; licences of what it contains: licences.txt */
+var su=["#0072B2","#D55E00","#009E73","#CC79A7","#E69F00","#56B4E9","#8B6F47","#6B7280"],cv=["#3D9FE0","#F08438","#2BC495","#DE97BF","#F2B73C","#86CCF5","#B3946A","#9CA3AF"];var hv=["#414487","#355F8D","#2A788E","#21908D","#22A884","#43BF71","#7AD151","#BBDF27","#FDE725"],ja=hv,Ka=typeof matchMedia=="function"?matchMedia("(prefers-color-scheme: dark)"):null;function Ns(i){return i==="dark"||i==="auto"&&Ka!==null&&Ka.matches}function zr(i){return Ka?.addEventListener("change",i),()=>Ka?.removeEventListener("change",i)}function xi(i,e){return(e?cv:su)[i%su.length]}function np(i,e=document.documentElement){let t=Ns(i);e.dataset.theme=t?"dark":"light",e.style.colorScheme=t?"dark":"light";for(let n=0;n<su.length;n++)e.style.setProperty(`--user-${n}`,xi(n,t))}function Ds(i){let e=parseInt(i.slice(1),16);return[e>>16,e>>8&255,e&255]}function Us(i,e){return`rgb(${Ds(i).join(" ")} / ${e})`}var uv=["script","free","hold","pull","wander","grab","ball"],dv=["ball","grab","free"];function jo(i){let e=atob(i),t=new Uint8Array(e.length);for(let n=0;n<e.length;n++)t[n]=e.charCodeAt(n);return t.buffer}function ip(i){let e=new Float32Array(jo(i.nodes.rest)),t=i.skin&&{vertices:i.skin.vertices,rest:new Float32Array(jo(i.skin.rest)),triangles:new Uint32Array(jo(i.skin.triangles)),node:new Uint32Array(jo(i.skin.node))};return{...i,nodes:{count:i.nodes.count,rest:e},skin:t,edges:i.edges?new Uint32Array(jo(i.edges)):null,started:String(i.started),points:t?t.rest:e}}function ru(i,e){return[i.getFloat32(e,!0),i.getFloat32(e+4,!0),i.getFloat32(e+8,!0)]}function sp(i,e){let t=new DataView(i);if(i.byteLength<32||t.getUint8(0)!==1||t.getUint8(1)!==1)throw new RangeError("not a frame of version 1");let n=t.getUint16(2,!0),s=t.getUint32(16,!0),r=68+4*Math.ceil(s*6/4);if(i.byteLength!==32+n*r)throw new RangeError("a frame of the wrong length");let o=[];for(let a=0;a<n;a++){let l=32+a*r,c=t.getUint8(l+2);o.push({seat:t.getUint8(l),mode:uv[t.getUint8(l+1)]??"free",direct:(c&1)>0,hasHand:(c&2)>0,hands:t.getUint8(l+3),age:t.getFloat32(l+4,!0),target:ru(t,l+8),place:ru(t,l+20),force:ru(t,l+32),radius:t.getFloat32(l+44,!0),energy:t.getFloat32(l+48,!0),supplied:t.getFloat32(l+52,!0),lost:t.getFloat32(l+56,!0),linked:t.getFloat32(l+60,!0),node:t.getInt32(l+64,!0),displacement:new Int16Array(i,l+68,s*3)})}return{number:t.getUint32(4,!0),time:t.getFloat64(8,!0),points:s,scale:t.getFloat32(20,!0),echo:t.getUint32(24,!0),served:t.getUint32(28,!0)/1e6,copies:o,received:e}}function rp(i){let e=new DataView(new ArrayBuffer(40));return e.setUint8(0,2),e.setUint8(1,i.seat),e.setUint8(2,dv.indexOf(i.action)),e.setUint32(4,i.number,!0),e.setUint32(8,i.point,!0),i.target.forEach((t,n)=>e.setFloat32(12+4*n,t,!0)),e.setFloat32(24,i.radius,!0),e.setFloat32(28,i.stiffness,!0),e.setFloat64(32,i.time,!0),e.buffer}function op(i){let e=new DataView(new ArrayBuffer(8));return e.setUint8(0,3),e.setUint32(4,i,!0),e.buffer}function ap(i,e,t){return JSON.stringify({type:"hello",version:1,token:i,seat:e,want:"all",rate:t})}var ou=250,lp=2e3,fv=1e4,pv=8,mv=60,gv=5,Qa=class{constructor(e,t,n){this.store=e;this.token=t;this.address=n;e.on("seat",()=>this.hello()),document.addEventListener("visibilitychange",()=>this.hello()),addEventListener("online",()=>this.hurry()),this.dial()}store;token;address;onPoint=null;socket=null;wait=ou;timer=0;asked=0;answers=new Map;number=0;pending=null;pointed=-1/0;pointTimer=0;closed=!1;said=null;get mayAct(){let{connection:e,state:t,scene:n,seat:s}=this.store;return e==="open"&&this.token!==null&&t?.control!=="other"&&!!n?.own.includes(s)}get hasToken(){return this.token!==null}link(e){return`${e}?token=${encodeURIComponent(this.token??"")}`}do(e,t={}){let n=this.socket;if(!n||n.readyState!==WebSocket.OPEN)return Promise.resolve({ok:!1,text:"There is no connection to the server."});let s=++this.asked;return new Promise(r=>{let o=setTimeout(()=>this.answer(s,{ok:!1,text:"The server did not answer."}),fv);this.answers.set(s,a=>{clearTimeout(o),r(a)}),n.send(JSON.stringify({...t,type:"do",id:s,what:e}))})}point(e){this.pending?.action==="free"&&e.action!=="free"&&this.flush(),this.pending={...e,time:e.time??performance.now()};let t=this.pointed+pv-performance.now();t<=0||e.action==="free"?this.flush():this.pointTimer||(this.pointTimer=setTimeout(()=>this.flush(),t))}close(){this.closed=!0,clearTimeout(this.timer),clearTimeout(this.pointTimer),this.socket?.close()}flush(){clearTimeout(this.pointTimer),this.pointTimer=0;let e=this.pending;if(this.pending=null,!e||!this.mayAct||this.socket?.readyState!==WebSocket.OPEN)return;this.pointed=performance.now();let t=++this.number,n=e.time;this.socket.send(rp({...e,seat:this.store.seat,number:t,time:n})),this.onPoint?.(t,n)}dial(){if(clearTimeout(this.timer),this.closed)return;let e=new WebSocket(this.address);e.binaryType="arraybuffer",this.socket=e;let t="";e.onopen=()=>this.hello(),e.onmessage=({data:n})=>{if(n instanceof ArrayBuffer){let r=sp(n,performance.now());e.send(op(r.number)),this.store.scene&&r.points*3===this.store.scene.points.length&&this.store.drawn(r);return}let s=JSON.parse(n);s.type==="scene"?(this.wait=ou,this.store.connected("open"),this.store.show(ip(s)),this.said!==this.store.seat&&this.hello()):s.type==="state"?this.store.told(s):s.type==="told"?this.answer(s.id,s):s.type==="error"&&(t=String(s.text))},e.onclose=()=>{if(this.socket===e){this.socket=null;for(let n of[...this.answers.keys()])this.answer(n,{ok:!1,text:"The connection was lost before an answer came."});t?this.store.connected("refused",t):this.store.connection!=="refused"&&this.store.connected(this.store.scene?"lost":"connecting"),!this.closed&&(this.timer=setTimeout(()=>this.dial(),t?lp:this.wait),this.wait=Math.min(2*this.wait,lp))}}}hello(){this.socket?.readyState===WebSocket.OPEN&&(this.said=this.store.scene||this.store.wished!==null?this.store.seat:null,this.socket.send(ap(this.token,this.said,document.hidden?gv:mv)))}hurry(){this.socket||(this.wait=ou,this.dial())}answer(e,t){this.answers.get(e)?.(t),this.answers.delete(e)}};var or=class{constructor(e){this.current=e}current;listeners=new Set;get(){return this.current}set(e){if(!Object.is(e,this.current)){this.current=e;for(let t of[...this.listeners])t(e)}}on(e){return this.listeners.add(e),()=>this.listeners.delete(e)}},cp=["users","network","plots","energy","margin","events"];function Dt(i,e){return i.scene?.users.find(t=>t.seat===e)?.name??`user ${e+1}`}function Ji(i,e){return i<e?[i,e]:[e,i]}function $n(i){return`${i[0]}-${i[1]}`}function Zi(i,e){return i===e||i!==null&&e!==null&&i[0]===e[0]&&i[1]===e[1]}function Ft(i,e){let{store:t,connection:n}=i;return t.connection==="open"&&n.hasToken&&!t.state?.ended&&!!t.scene?.may.includes(e)}function hp(i,e,t){let{scene:n,frame:s}=i.store;if(!n)return null;let r=s?.copies.find(c=>c.seat===e),o=n.nodes.rest,a=r&&r.node>=0&&r.node<n.nodes.count?r.node:-1;if(a<0){let c=-1/0;for(let h=0;h<n.nodes.count;h++){let u=o[3*h]*t[0]+o[3*h+1]*t[1]+o[3*h+2]*t[2];u>c+1e-9&&([c,a]=[u,h])}}if(a<0)return null;let l=n.dimension===1?Math.max(n.radius,.1):.35*n.radius;return{node:a,to:[0,1,2].map(c=>o[3*a+c]+l*t[c])}}var yv="http://www.w3.org/2000/svg";function up(i,e,t){for(let[n,s]of Object.entries(e??{}))s==null||s===!1||(n.startsWith("on")&&typeof s=="function"?i.addEventListener(n.slice(2),s):i.setAttribute(n,s===!0?"":String(s)));for(let n of t)n&&i.append(n)}function O(i,e=null,...t){let n=document.createElement(i);return up(n,e,t),n}function Jt(i,e=null,...t){let n=document.createElementNS(yv,i);return up(n,e,t),n}function Be(i,e){i.textContent!==e&&(i.textContent=e)}function qe(i,e,t){t===null?i.removeAttribute(e):i.getAttribute(e)!==t&&i.setAttribute(e,t)}function Et(i,e){i.hidden===e&&(i.hidden=!e)}var dp={good:"M8 1.8a6.2 6.2 0 1 0 0 12.4A6.2 6.2 0 0 0 8 1.8M5.2 8.2l2 2 3.7-4.2",warn:"M8 2 1.8 13.2h12.4zM8 6.4v3.2M8 11.3v.3",bad:"M5.4 1.8h5.2l3.6 3.6v5.2l-3.6 3.6H5.4l-3.6-3.6V5.4zM5.8 5.8l4.4 4.4M10.2 5.8l-4.4 4.4",wait:"M8 1.8a6.2 6.2 0 1 0 0 12.4A6.2 6.2 0 0 0 8 1.8M8 4.6V8l2.4 1.6",close:"m4 4 8 8M12 4l-8 8",cut:"M5.6 10.6 12.6 3M10.4 10.6 3.4 3M4.2 10.4a1.7 1.7 0 1 0 0 3.4 1.7 1.7 0 0 0 0-3.4M11.8 10.4a1.7 1.7 0 1 0 0 3.4 1.7 1.7 0 0 0 0-3.4",mend:"M6.6 9.4a2.6 2.6 0 0 0 3.8.2l2-2a2.6 2.6 0 0 0-3.7-3.7l-1 1M9.4 6.6a2.6 2.6 0 0 0-3.8-.2l-2 2a2.6 2.6 0 0 0 3.7 3.7l1-1",invite:"M6.4 2.4a2.6 2.6 0 1 0 0 5.2 2.6 2.6 0 0 0 0-5.2M1.8 13.6c.3-2.6 2-4 4.6-4s4.3 1.4 4.6 4M12.4 5v4M10.4 7h4",tour:"M8 1.8a6.2 6.2 0 1 0 0 12.4A6.2 6.2 0 0 0 8 1.8m2.8 3.4L9.2 9.2l-4 1.6 1.6-4z",light:"M8 5.2a2.8 2.8 0 1 0 0 5.6 2.8 2.8 0 0 0 0-5.6M8 1.4v1.4M8 13.2v1.4M1.4 8h1.4M13.2 8h1.4M3.3 3.3l1 1M11.7 11.7l1 1M12.7 3.3l-1 1M4.3 11.7l-1 1",dark:"M13.4 9.6A5.8 5.8 0 0 1 6.4 2.6a5.8 5.8 0 1 0 7 7z",auto:"M8 1.8a6.2 6.2 0 1 0 0 12.4A6.2 6.2 0 0 0 8 1.8v12.4M8 5h3.6M8 8h5.6M8 11h3.6",record:"M8 4.6a3.4 3.4 0 1 0 0 6.8 3.4 3.4 0 0 0 0-6.8",stop:"M4.8 4.8h6.4v6.4H4.8z",save:"M8 2.4v7M5 6.8l3 3 3-3M2.8 13.2h10.4",pause:"M5.6 3.6v8.8M10.4 3.6v8.8",play:"m5.2 3.4 7 4.6-7 4.6z",keys:"M1.8 4.4h12.4v7.4H1.8zM4.4 7h.2M7 7h.2M9.6 7h.2M12 7h.2M5 9.4h6",reset:"M3 8a5 5 0 1 0 1.6-3.7M3 2.6v2.6h2.6",grab:"M5 8.4V4.6a1 1 0 0 1 2 0V7.4 3.4a1 1 0 0 1 2 0v4-3a1 1 0 0 1 2 0v3.4-1.6a1 1 0 0 1 2 0v3.4c0 3-1.6 4.6-4.2 4.6-2 0-2.8-.8-4-2.6L2.6 8.8c.6-.8 1.6-.8 2.4-.4",ball:"M6.2 6.2a3.6 3.6 0 1 0 0-.1M1.6 13.4c3.4 0 3.4-3.4 6.2-3.4s3 3.4 6.6 3.4",ghosts:"M8 2.2c-2.6 0-4.2 2-4.2 4.4v6.6l1.6-1.2 1.4 1.2L8 12l1.2 1.2 1.4-1.2 1.6 1.2V6.6c0-2.4-1.6-4.4-4.2-4.4M6.4 6.4v.4M9.6 6.4v.4",side:"M2 3.4h5v9.2H2zM9 3.4h5v9.2H9z",overlay:"M2.4 2.4h7.8v7.8H2.4zM5.8 5.8h7.8v7.8H5.8z",minus:"M3.4 8h9.2",tick:"m3.4 8.4 3 3 6.2-6.8"};function an(i,e=16){return Jt("svg",{viewBox:"0 0 16 16",width:e,height:e,class:`icon icon-${i}`,"aria-hidden":"true"},Jt("path",{d:dp[i]}))}function Cn(i,e){qe(i,"class",`icon icon-${e}`);let t=i.firstElementChild;t&&qe(t,"d",dp[e])}function Ye(i,e,t={}){return O("button",{type:"button",class:t.class??"button",id:t.id,"aria-label":t.label,"data-tip":t.tip,onclick:e},t.icon&&an(t.icon),i&&O("span",null,i))}function ar(i,e,t){let n=new Map,s=O("div",{class:"choice",role:"radiogroup","aria-label":i});for(let o of e){let a=Ye(o.words,()=>t(o.value),{class:"choice-one",...o.icon?{icon:o.icon}:{},...o.tip?{tip:o.tip}:{}});a.setAttribute("role","radio"),a.setAttribute("aria-checked","false"),a.dataset.value=o.value,n.set(o.value,a),s.append(a)}s.addEventListener("keydown",o=>{let a={ArrowRight:1,ArrowDown:1,ArrowLeft:-1,ArrowUp:-1}[o.key];if(!a)return;let l=[...n.values()].filter(h=>!h.disabled),c=l.indexOf(document.activeElement);l[(c+a+l.length)%l.length]?.focus(),o.preventDefault(),o.stopPropagation()});let r=()=>{let o=[...n.values()],a=o.find(l=>l.getAttribute("aria-checked")==="true")??o[0];for(let l of o)l.tabIndex=l===a?0:-1};return r(),{element:s,mark(o){for(let[a,l]of n)qe(l,"aria-checked",String(a===o));r()},allow(o,a){let l=n.get(o);l&&(l.disabled=!a)}}}var vv=0;function _i(i,e,t,...n){let s=`explained-${++vv}`,r=O("div",{class:"explanation",id:s,hidden:!0},t),o=O("button",{type:"button",class:"ask","aria-expanded":"false","aria-controls":s,"aria-label":`What ${e} shows`},"?");o.addEventListener("click",()=>{r.hidden=!r.hidden,o.setAttribute("aria-expanded",String(!r.hidden))});let a=O("div",{class:"panel-head"},O("h2",{id:`${i}-title`},e),o,O("div",{class:"grow"}),...n),l=O("div",{class:"panel-body"});return{element:O("section",{id:i,class:"panel","aria-labelledby":`${i}-title`},a,r,l),body:l,head:a}}function Ki(i,e){let t=Math.abs(i).toFixed(e);return i<0&&Number(t)!==0?"−"+t:t}function Fs(i,e=0){return i==null||!Number.isFinite(i)?"–":Ki(i,e)}var xv=[[1e9,"G"],[1e6,"M"],[1e3,"k"],[1,""],[.001,"m"],[1e-6,"µ"],[1e-9,"n"],[1e-12,"p"]];function fs(i,e,t=0){if(i==null||!Number.isFinite(i))return"–";let n=Math.abs(i);if(n<=t||n<1e-15)return`0 ${e}`;let[s,r]=xv.find(([l])=>n>=l*.9995)??[1e-12,"p"],o=i/s,a=Math.abs(o)>=99.95?0:Math.abs(o)>=9.995?1:2;return`${Ki(o,a)} ${r}${e}`}function el(i){return i==null||!Number.isFinite(i)?"–":Math.abs(i)<10?`${Ki(i,2)} N`:`${Ki(i,1)} N`}function On(i){if(i==null||!Number.isFinite(i))return"–";let e=Math.abs(i);return e>=.9995?`${Ki(i,2)} s`:`${Ki(i*1e3,e<.00995?1:0)} ms`}function Rn(i,e){if(i==null||!Number.isFinite(i))return"–";let t=i*100,n=Math.abs(t);return`${Ki(t,e??(n===0||n>=9.95?0:1))} %`}function fp(i){return i==null||!Number.isFinite(i)?"–":Math.abs(i)<.1?`${Ki(i*1e3,1)} mm`:`${Ki(i*100,1)} cm`}function tl(i){return i==null?"–":`${Ki(i,0)} Hz`}function nl(i){let e=Math.max(0,Math.floor(i));return`${Math.floor(e/60)}:${String(e%60).padStart(2,"0")}`}function Qo(i){return String(Math.round(i)).replace(/\B(?=(\d{3})+$)/g," ")}function ji(i,e){return`${Math.min(i,e)+1}–${Math.max(i,e)+1}`}function lr(i,e,t,...n){let s=O("span",null),r=O("div",{class:`banner banner-${i}`,id:e,role:i==="bad"?"alert":"status",hidden:!0},an(i==="info"?"wait":i,16),s,...n);return{element:r,update:()=>{let o=t();Et(r,o!==null),o!==null&&Be(s,o)}}}function pp(i){let{store:e,connection:t}=i,n=Ye("Restore now",()=>{i.act("damping",{share:1})},{class:"button small primary"}),s=Ye("Take over",()=>{i.act("control")},{class:"button small primary"}),r=Ye("Cancel",()=>i.aiming.set(null),{class:"button small"}),o=[lr("bad","banner-lost",()=>e.connection==="lost"?"The connection is lost; what you see is the last that was known. Connecting again …":null),lr("bad","banner-refused",()=>e.connection==="refused"?`The server refused this page: ${e.refusal||"no reason was given."}`:null),lr("info","banner-ended",()=>e.connection!=="refused"&&e.state?.ended?"The session has ended. What you see is its last moment.":null),lr("bad","banner-damping",()=>{let l=e.state?.damping??1;return n.disabled=!Ft(i,"damping"),e.connection==="open"&&l<1?`Damping is lowered to ${Rn(l,0)} of what is needed: the session is not passive.`:null},n),lr("info","banner-view",()=>e.connection==="open"&&e.scene&&!t.hasToken?"You are watching. To take part, open the address with the token that cotouch printed.":null),lr("warn","banner-control",()=>e.connection==="open"&&t.hasToken&&!e.state?.ended&&e.state?.control==="other"?`Another page holds the control of ${Dt(e,e.seat)}.`:null,s),lr("info","banner-aim",()=>{let l=i.aiming.get();return l?`Click in the picture where ${Dt(e,l.seat)} shall pull.`:null},r)],a=()=>{for(let l of o)l.update();document.documentElement.toggleAttribute("data-lost",e.connection==="lost"||e.connection==="refused")};for(let l of["scene","state","connection","seat"])e.on(l,a);return i.aiming.on(a),a(),O("div",{class:"banners"},...o.map(l=>l.element))}var _v={auto:"light",light:"dark",dark:"auto"},mp={auto:"as the system",light:"light",dark:"dark"};function au(i){i.set({theme:_v[i.settings.theme]})}function gp(i){let e=Ye("",()=>au(i),{icon:"auto",class:"button bare",label:"Theme",id:"theme"}),t=()=>{let{theme:n}=i.settings,s=e.querySelector("svg");s&&Cn(s,n),e.setAttribute("aria-label",`Theme: ${mp[n]}`),e.setAttribute("data-tip",`Theme: ${mp[n]} (D)`)};return i.on("settings",t),t(),e}var bv={good:"good",warn:"take note",bad:"not guaranteed"};function Mv(){return Jt("svg",{viewBox:"0 0 24 24",width:24,height:24,class:"mark","aria-hidden":"true"},Jt("circle",{cx:8,cy:9,r:5.4,class:"mark-a"}),Jt("circle",{cx:16,cy:9,r:5.4,class:"mark-b"}),Jt("circle",{cx:12,cy:15.6,r:5.4,class:"mark-c"}))}function Sv(i){let{store:e,connection:t}=i,n=()=>{Ft(i,"record")&&i.act("record",{on:e.state?.recording==null})},s=O("span",{class:"tabular"},"Record"),r=O("button",{type:"button",class:"button",id:"record","data-tip":"Record what every copy does, to audit or replay it (R)"},an("record"),s);r.addEventListener("click",n);let o=O("a",{class:"button",download:"recording.zip",hidden:!0,id:"download","data-tip":"The last recording, as a ZIP of MCAP files"},an("save"),O("span",{class:"label"},"Download")),a=()=>{let l=e.state?.recording??null,c=l!==null;qe(r,"data-on",c?"":null),qe(r,"aria-pressed",String(c)),qe(r,"aria-label",c?"Stop recording":"Record");let h=r.querySelector("svg");h&&Cn(h,c?"stop":"record"),Be(s,c?nl(l):"Record"),r.disabled=!Ft(i,"record"),Et(r,!!e.scene?.may.includes("record"));let u=!!e.state?.recorded&&!c&&t.hasToken;Et(o,u),u&&qe(o,"href",t.link("recording.zip"))};for(let l of["scene","state","connection"])e.on(l,a);return a(),{element:O("div",{class:"recorder"},r,o),toggle:n}}function yp(i,e){let{store:t}=i,n=O("span",{class:"session"}),s=an("wait",18),r=O("span",{class:"unseen"}),o=O("span",{class:"verdict-words"},"Connecting …"),a=O("button",{type:"button",class:"verdict",id:"verdict"},s,r,o);a.addEventListener("click",()=>i.tab.set("margin"));let l=Ye("Invite",e.invite,{icon:"invite",class:"button",id:"invite",tip:"Let somebody take part from another computer (I)"}),c=Sv(i),h=O("header",{class:"bar"},O("h1",{class:"brand"},Mv(),O("span",null,"cotouch"),n),a,O("div",{class:"bar-tools"},c.element,l,Ye("Tour",e.tour,{icon:"tour",class:"button",id:"tour-open",tip:"Two minutes through everything (T)"}),Ye("",e.keys,{icon:"keys",class:"button bare",label:"Keyboard shortcuts",tip:"Keyboard shortcuts (?)"}),gp(t))),u=()=>{Be(n,t.scene?.title??""),qe(n,"title",t.scene?`${t.scene.title} · cotouch ${t.scene.version}`:null);let d=t.connection==="open"?t.state?.verdict:void 0;qe(a,"data-level",d?.level??"none"),Cn(s,d?.level??"wait"),Be(r,d?`${bv[d.level]}: `:"");let f=d?.text??(t.connection==="open"?"Waiting for the copies …":t.connection==="lost"?"Connection lost":"Connecting …"),g=f&&f[0]?.toUpperCase()+f.slice(1);Be(o,g),qe(a,"data-tip",`${g}. Opens the margin of every link.`),document.title=[t.scene?.title,"cotouch"].filter(Boolean).join(" · "),l.hidden=!t.scene?.invitation};for(let d of["scene","state","connection"])t.on(d,u);return u(),{element:h,record:c.toggle}}var wv="Every step books where its energy went, to rounding, so both bars are equally long: what came in is what is still there or was damped. Hands put energy in, and take some back. Links are springs between copies: they give back what they hold, and delay makes them give more than they took, because news that is late pushes at the wrong moment. The damping is made to take at least that; this is what keeps the session stable. The rest is what copies gained or lost as members came and went, because each then holds another share of the object, and rounding.";function Ev(i,e,t){let n=o=>(e[o]??0)-(t?.[o]??0),s=t?t.energy??0:e.initial??0,r={seat:i,initial:s,hands:n("supplied"),links:n("linked"),damped:n("lost"),stored:e.energy??0};return{...r,residual:r.initial+r.hands+r.links-r.damped-r.stored}}function Tv(i){let e=[],t=[],n=(s,r,o)=>{s>0?e.push({...r,value:s}):s<0&&t.push({...o,value:-s})};for(let s of i)n(s.hands,{label:"hand",class:"hand",seat:s.seat},{label:"taken back by hand",class:"hand",seat:s.seat});return n(i.reduce((s,r)=>s+r.initial,0),{label:"at the start",class:"initial"},{label:"at the start",class:"initial"}),n(i.reduce((s,r)=>s+r.links,0),{label:"added by links",class:"links"},{label:"held or taken by links",class:"links"}),n(-i.reduce((s,r)=>s+r.damped,0),{label:"dampers",class:"damped"},{label:"damped",class:"damped"}),n(-i.reduce((s,r)=>s+r.stored,0),{label:"copies",class:"stored"},{label:"in the copies",class:"stored"}),{came:e,went:t}}var ea=[{key:"hands",words:"hands",sign:"",tip:"Put in by this user’s hand, less what it took back"},{key:"links",words:"links",sign:"+",tip:"Work of the links on this copy: what delays added, less what springs hold"},{key:"initial",words:"start",sign:"+",tip:"In the copy when counting began"},{key:"damped",words:"damped",sign:"−",tip:"Lost in this copy’s dampers"},{key:"stored",words:"in copy",sign:"−",tip:"In this copy now, as motion and in springs"},{key:"residual",words:"rest",sign:"=",tip:"What this copy gained or lost as members came and went, and rounding"}];function vp(i,e,t,n){for(;i.children.length>e.length;)i.lastElementChild?.remove();for(;i.children.length<e.length;)i.append(O("div",null,O("span")));e.forEach((s,r)=>{let o=i.children[r],a=t>0?s.value/t:0,l=s.seat===void 0?s.label:`${s.label} of ${n(s.seat)}`;qe(o,"class",`part part-${s.class}`),o.style.width=`${(100*a).toFixed(2)}%`,s.seat!==void 0&&(o.style.setProperty("--user",`var(--user-${s.seat})`),o.style.setProperty("--on-user",`var(--on-user-${s.seat})`)),qe(o,"data-tip",`${l}: ${fs(s.value,"J",1e-12)}`);let c=s.seat===void 0?s.label:String(s.seat+1);o.firstElementChild&&Be(o.firstElementChild,a>(s.seat===void 0?.18:.06)?c:"")})}function _p(i){let{store:e}=i,t=new Map,n=Ye("Count from now",()=>{if(t.size)t.clear();else for(let[b,C]of Object.entries(e.state?.members??{}))t.set(Number(b),{...C});x()},{class:"button small",tip:"Leaves out what was before"}),{element:s,body:r}=_i("energy","Energy",wv,n),[o,a]=[O("div",{class:"stack"}),O("div",{class:"stack"})],[l,c]=[O("span",{class:"sum tabular"}),O("span",{class:"sum tabular"})],h=O("tr",null,O("th",{scope:"col"},"user"),...ea.map(b=>O("th",{scope:"col","data-tip":b.tip,tabindex:0},`${b.sign} ${b.words}`.trim()))),u=O("tbody"),d=ea.map(()=>O("td")),f=O("p",{class:"expected tabular"}),g=O("p",{class:"hint"},"Nothing was booked yet."),v=O("table",{class:"numbers ledger"},O("thead",null,h),u,O("tfoot",null,O("tr",null,O("th",{scope:"row"},"all"),...d))),m=O("div",{hidden:!0},O("div",{class:"bar-row"},O("span",{class:"bar-name"},"came in"),o,l),O("div",{class:"bar-row"},O("span",{class:"bar-name"},"went to"),a,c),f,O("div",{class:"scroll"},v));r.append(g,m);let p=new Map,x=()=>{if(r.offsetParent===null&&p.size)return;let b=Object.entries(e.state?.members??{}).filter(([,F])=>F.steps).map(([F,P])=>{let V=Number(F),q=t.get(V)??null;return q&&(P.steps??0)<(q.steps??0)&&t.delete(V),Ev(V,P,t.get(V)??null)});Et(m,b.length>0),Et(g,b.length===0),Be(n.firstElementChild??n,t.size?"Count from the start":"Count from now");let C=Tv(b),A=F=>F.reduce((P,V)=>P+V.value,0),[y,S]=[A(C.came),A(C.went)],U=Math.max(y,S),I=F=>Dt(e,F);vp(o,C.came,U,I),vp(a,C.went,U,I),Be(l,fs(y,"J",1e-12)),Be(c,fs(S,"J",1e-12));let R=y-S,k=Math.max(0,...Object.values(e.state?.members??{}).map(F=>F.residual??0));Be(f,U>0?`Rest: ${fs(R,"J",1e-15)}, ${xp(R/U)} of all, from members who came and went. Worst single step: off by ${xp(k)} of the energy in play.`:"");for(let[F,P]of p)b.some(V=>V.seat===F)||(P.element.remove(),p.delete(F));for(let F of b){let P=p.get(F.seat);if(!P){let V=ea.map(()=>O("td")),q=O("tr",null,O("th",{scope:"row",title:I(F.seat)},O("span",{class:"badge tiny",style:`--user:var(--user-${F.seat});--on-user:var(--on-user-${F.seat})`},String(F.seat+1))),...V);P={element:q,cells:V},p.set(F.seat,P),u.append(q);for(let H of[...p.keys()].sort((le,Z)=>le-Z))u.append(p.get(H)?.element??q)}ea.forEach((V,q)=>{let H=P.cells[q];H&&Be(H,fs(F[V.key],"J",1e-12))})}qe(v,"data-initial",b.some(F=>F.initial)?"":null),ea.forEach((F,P)=>{let V=d[P];V&&Be(V,fs(b.reduce((q,H)=>q+H[F.key],0),"J",1e-12))})};e.on("state",x);let M=e.scene?.started;return e.on("scene",()=>{e.scene?.started!==M&&t.clear(),M=e.scene?.started,x()}),i.tab.on(x),x(),s}var Av={"-":"⁻",0:"⁰",1:"¹",2:"²",3:"³",4:"⁴",5:"⁵",6:"⁶",7:"⁷",8:"⁸",9:"⁹"};function xp(i){if(!Number.isFinite(i))return"–";let e=Math.abs(i);if(e===0)return"0";if(e>=.01)return Rn(e);let t=Math.floor(Math.log10(e));return`${Math.round(e/10**t)} · 10${[...String(t)].map(n=>Av[n]??"").join("")}`}var Cv=200;function bp(i){let{store:e}=i,{element:t,body:n}=_i("events","Events","What happened in the session: who came and went, links that were guarded, what was asked for. Newest first."),s=O("ol",{class:"events tabular"}),r=O("p",{class:"hint"},"Nothing happened yet.");n.append(r,s);let o=-1/0,a=new Set,l="",c=()=>{let h=e.scene?.started??"";h!==l&&(l=h,[o,a]=[-1/0,new Set],s.replaceChildren());for(let u of e.state?.events??[]){let d=`${u.time} ${u.text}`;u.time<o||a.has(d)||(u.time>o&&a.clear(),o=u.time,a.add(d),s.prepend(O("li",null,O("time",null,nl(u.time)),O("span",null,u.text))))}for(;s.children.length>Cv;)s.lastElementChild?.remove();Et(r,!s.children.length)};return e.on("state",c),c(),t}var Rv=0;function Vr(i,e,t){let n=`dialog-${++Rv}`,s=O("dialog",{class:"dialog","aria-labelledby":n}),r=()=>s.close();return s.append(O("div",{class:"panel-head"},O("h2",{id:n},i),O("div",{class:"grow"}),Ye("",r,{icon:"close",class:"button bare",label:"Close"})),O("div",{class:"dialog-body"},...e),O("div",{class:"dialog-actions"},...t.map(o=>{let a=Ye(o.words,()=>{r(),o.act()},{class:o.class});return o.focus&&(a.autofocus=!0),a}))),s.addEventListener("click",o=>{o.target===s&&r()}),document.body.append(s),{element:s,close:r,open:()=>{s.open||s.showModal()}}}var lu={here:{words:"here",icon:"good"},starting:{words:"starting",icon:"wait"},gone:{words:"gone",icon:"bad"},stopped:{words:"stopped",icon:"bad"},awaited:{words:"not here yet",icon:"wait"}};function Os(i,e){let t=i?.members[e];return t?t.alive===!1?"stopped":t.here?t.steps?"here":"starting":t.alive?"starting":t.steps?"gone":"awaited":"awaited"}var oi={coupled:{words:"coupled",means:"Both ends feel each other through the spring.",icon:"good"},catching:{words:"catching up",means:"The end has caught up and shows that it can be relied on; it couples when both have.",icon:"wait"},guarded:{words:"guarded",means:"News is older than its budget, or was. The end moves its spring only as far as its saved energy pays for.",icon:"warn"},waiting:{words:"waiting",means:"Nothing was heard yet.",icon:"wait"},cut:{words:"cut",means:"Nothing gets through. Each end lets go of its spring without a kick.",icon:"bad"},off:{words:"not linked",means:"These two are not joined directly.",icon:"minus"}},Pv={coupled:"coupled",ready:"catching",guarded:"guarded",waiting:"waiting",keys:"waiting"};function il(i){return i?Pv[i.state]??"waiting":"waiting"}var Iv=["cut","guarded","waiting","catching","coupled"];function Gr(i,e,t){if(!i)return"waiting";if(cr(i,e,t))return"cut";if(!i.links.some(([s,r])=>s===e&&r===t||s===t&&r===e))return"off";let n=[il(i.ends[`${e}-${t}`]),il(i.ends[`${t}-${e}`])];return Iv.find(s=>n.includes(s))??"waiting"}function cr(i,e,t){return!!(i.emulated[`${e}-${t}`]?.cut||i.emulated[`${t}-${e}`]?.cut)}function Ci(i,e,t,n){let s=[i?.ends[`${e}-${t}`]?.[n],i?.ends[`${t}-${e}`]?.[n]].filter(r=>typeof r=="number");return s.length?Math.max(...s):null}function sl(i,e,t){let[n,s]=[Ci(i,e,t,"ages"),Ci(i,e,t,"budget")];return n===null||s===null||s<=0?null:1-n/s}var Mp={script:"follows the script",free:"hand free",hold:"holds still",pull:"pulls",wander:"wanders",grab:"pointer grabs",ball:"pointer pushes"};async function Sp(i,e,t){try{await navigator.clipboard.writeText(e),i.say(`${t} copied.`,"good")}catch{i.say("The browser does not let this page copy; mark the text and copy it yourself.","warn")}}function Lv(i){return/^[\w.-]+$/.test(i)?i:`'${i.replaceAll("'","'\\''")}'`}function wp(i){let{store:e,connection:t}=i,n=O("textarea",{readonly:!0,rows:3,"aria-label":"Invitation",spellcheck:"false"}),s=O("textarea",{readonly:!0,rows:3,"aria-label":"Command",spellcheck:"false"}),r=O("select",{"aria-label":"Whose place"}),o=O("p",{class:"hint",role:"status"}),a=O("img",{alt:"The invitation as a QR code",width:168,height:168,class:"qr"}),l=Ye("Free this place",()=>{let d=Number(r.value);i.act("kill",{seat:d})},{class:"button small danger",icon:"stop"}),c=O("p",{class:"hint"},"Whoever has the invitation can take part: give it only to those you trust. The other computer must reach this one over the network."),h=Vr("Invite",[O("div",{class:"invite"},O("div",{class:"invite-words"},O("label",{class:"field"},O("span",null,"1. Whose place shall be taken?"),O("span",{class:"row"},r,l)),o,O("div",{class:"field"},O("span",null,"2. On the other computer, type"),s,O("span",{class:"row"},Ye("Copy the command",()=>{Sp(i,s.value,"Command")},{class:"button small primary"}))),O("div",{class:"field"},O("span",null,"or hand over the invitation alone"),n,O("span",{class:"row"},Ye("Copy the invitation",()=>{Sp(i,n.value,"Invitation")},{class:"button small"})))),O("figure",{class:"qr-frame"},a,O("figcaption",null,"or scan it"))),c],[]),u=()=>{if(!h.element.open)return;let d=e.scene?.invitation??"",f=Number(r.value);n.value!==d&&(n.value=d);let g=`cotouch join ${d} --name ${Lv(Dt(e,f))}`;s.value!==g&&(s.value=g);let v=Os(e.state,f),m=v==="here"||v==="starting";Be(o,m?`${Dt(e,f)} is played by a process here. Free the place first; the object stays, and whoever joins with this name takes it.`:`The place of ${Dt(e,f)} is free.`),Et(l,m),l.disabled=!Ft(i,"kill")||!e.scene?.own.includes(f)};return r.addEventListener("change",u),e.on("state",u),e.on("scene",u),{open:()=>{if(!e.scene?.invitation)return;let d=e.scene.users,f=r.value;r.replaceChildren(...d.map(v=>O("option",{value:v.seat},`${v.seat+1} · ${v.name}`)));let g=d.find(v=>!["here","starting"].includes(Os(e.state,v.seat)))??d.at(-1);r.value=f||String(g?.seat??0),a.src=t.link("qr.svg"),h.open(),u()}}}var Nv="Every user moves a copy of the object in a process of its own, at its own rate. Late steps came more than half a period after they were due; the next step is then longer, and energy stays exact. Force is what the hand exerts on its copy. Unfold a user to tell its hand what to do, to stop its process, or to act as that user.",Ep=[{value:"script",words:"Script",tip:"Move as the session’s file says"},{value:"hold",words:"Hold",tip:"Keep what is held where it is now"},{value:"free",words:"Let go",tip:"Hold nothing"},{value:"wander",words:"Wander",tip:"Draw it about slowly"},{value:"pull",words:"Pull …",tip:"Draw it to a place"}],Dv=[{words:"−x",label:"back, −x",to:[-1,0,0],from:1},{words:"+x",label:"forward, +x",to:[1,0,0],from:1},{words:"−y",label:"right, −y",to:[0,-1,0],from:2},{words:"+y",label:"left, +y",to:[0,1,0],from:2},{words:"−z",label:"down, −z",to:[0,0,-1],from:3},{words:"+z",label:"up, +z",to:[0,0,1],from:3}];function cu(i,e){let t=O("dd",null,"–");return{element:O("div",{class:"metric","data-tip":e},O("dt",null,i),t),value:t}}function rl(i){let e=new URL(location.href);return e.searchParams.set("user",String(i+1)),e.href}function Uv(i,e){let{store:t}=i,n=!!t.scene?.own.includes(e),s=an("wait",14),r=O("span",{class:"presence-words"}),o=O("span",{class:"chip chip-mine",hidden:!0},"you"),a=O("span",{class:"hand-mode"}),l=cu("rate","Steps per second"),c=cu("late","Share of steps that came late, since the start"),h=cu("force","Of the hand on its copy"),u=`user-${e}-more`,d=O("button",{type:"button",class:"user-head","aria-expanded":"false","aria-controls":u},O("span",{class:"badge",style:`--user:var(--user-${e})`},String(e+1)),O("span",{class:"user-name",style:`--user:var(--user-${e})`},Dt(t,e)),o,O("span",{class:"grow"}),O("span",{class:"presence"},s,r));d.addEventListener("click",()=>i.opened.set(i.opened.get()===e?null:e));let f=O("div",{class:"pulls",hidden:!0}),g=(S,U={})=>{i.aiming.set(null),i.act("hand",{seat:e,mode:S,...U})},v=ar(`Hand of ${Dt(t,e)}`,Ep,S=>{S!=="pull"?(f.hidden=!0,g(S)):(f.hidden=!f.hidden,i.aiming.set(f.hidden?null:{seat:e}))});f.append(O("p",{class:"hint"},"Click in the picture where to pull, or choose a direction:"),O("div",{class:"directions",role:"group","aria-label":"Direction to pull"},...Dv.filter(S=>S.from<=(t.scene?.dimension??1)).map(S=>Ye(S.words,()=>{let U=hp(i,e,S.to);U&&g("pull",U)},{class:"button small",label:`Pull ${S.label}`}))));let m=Ye("Take over",()=>{t.take(e),history.replaceState(null,"",rl(e)),i.say(`This page now acts as ${Dt(t,e)}.`)},{class:"button small",tip:"Your pointer moves this user’s hand"}),p=Ye("New window",()=>{open(rl(e),"_blank","noopener")},{class:"button small",tip:"Open another page that acts as this user"}),x=Ye("Stop process",()=>{i.act("kill",{seat:e})},{class:"button small danger",icon:"stop",tip:"Ends this user’s process at once, as a crash would"}),M=Ye("Bring back",()=>{i.act("revive",{seat:e})},{class:"button small",icon:"reset"}),b=[m,p,x,M],C=O("div",{class:"user-more",id:u,hidden:!0},v.element,f,O("div",{class:"actions"},...b)),A=O("li",{class:"user","data-seat":e},d,O("dl",{class:"metrics"},l.element,c.element,h.element),a,C);return{element:A,update:()=>{let S=t.state?.members[e],U=Os(t.state,e);Cn(s,lu[U].icon),Be(r,lu[U].words),qe(A,"data-presence",U),Et(o,t.seat===e&&n),qe(A,"data-mine",t.seat===e&&n?"":null);let I=U==="here"?S:void 0;Be(l.value,tl(I?.rate)),Be(c.value,I?.steps?Rn((I.missed??0)/I.steps):"–"),qe(c.element,"data-tip",I?.steps?`${Qo(I.missed??0)} of ${Qo(I.steps)} steps came late`:null),Be(h.value,el(I?.force)),Be(a,I?Mp[I.hand]??"":""),v.mark(I&&n?I.hand:null);let R=i.opened.get()===e;qe(d,"aria-expanded",String(R)),Et(C,R),R||(f.hidden=!0,i.aiming.get()?.seat===e&&i.aiming.set(null));let k=Ft(i,"hand")&&n&&U==="here";for(let P of Ep)v.allow(P.value,k);m.disabled=!n||t.seat===e,p.disabled=!n;let F=U==="stopped"||U==="gone"&&n;Et(x,!F),Et(M,F),x.disabled=!Ft(i,"kill")||!n||U==="awaited",M.disabled=!Ft(i,"revive")||!n}}}function Tp(i){let{store:e}=i,t=O("span",{class:"panel-note"}),{element:n,body:s}=_i("users","Users",Nv,t),r=O("ul",{class:"users"});s.append(r);let o=[],a=()=>{for(let u of o)u.update();let h=e.scene?.users??[];Be(t,h.length?`${h.filter(u=>Os(e.state,u.seat)==="here").length} of ${h.length} here`:"")},l="",c=()=>{let h=e.scene,u=h?JSON.stringify([h.started,h.users,h.own,h.dimension]):"";if(u===l)return a();l=u,o=(h?.users??[]).map(d=>Uv(i,d.seat)),r.replaceChildren(...o.map(d=>d.element)),a()};e.on("scene",c);for(let h of["state","seat","connection"])e.on(h,a);return i.opened.on(a),c(),n}var Ap="cotouch.keys",hu=["displacement","stress","plain"],Fv=[["1 … 8","act as this user"],["G","grab the nearest point; arrows move it, Esc lets go"],["B","grab or push with the ball"],["S","copies overlaid or side by side"],["C","what colours show"],["0","look from the start again"],["F","freeze the plots"],["R","record, stop"],["I","invite"],["T","tour: ← → for steps, Esc leaves"],["D","theme"],["Tab, Enter","reach and open everything, links as well"],["+ −","delay of the link that has the focus"],["?","this page"]];function Ov(i){return i instanceof Element&&i.closest("input, textarea, select, [contenteditable]")!==null}function Cp(i,e){let{store:t}=i,n=!1;try{n=localStorage.getItem(Ap)==="off"}catch{}let s=O("input",{type:"checkbox"});s.checked=!n,s.addEventListener("change",()=>{n=!s.checked;try{localStorage.setItem(Ap,n?"off":"on")}catch{}});let r=Vr("Keyboard",[O("dl",{class:"keys"},...Fv.flatMap(([a,l])=>[O("dt",null,...a.split(" ").map(c=>c==="…"?" … ":O("kbd",null,c))),O("dd",null,l)])),O("label",{class:"check"},s,O("span",null,"Single keys do these things"))],[]),o={b:()=>t.set({tool:t.settings.tool==="grab"?"ball":"grab"}),s:()=>t.set({layout:t.settings.layout==="overlay"?"side":"overlay"}),c:()=>t.set({colour:hu[(hu.indexOf(t.settings.colour)+1)%hu.length]??"plain"}),0:e.reset,f:e.freeze,r:e.record,i:e.invite,t:e.tour,d:()=>au(t)};return document.addEventListener("keydown",a=>{if(a.defaultPrevented||a.ctrlKey||a.metaKey||a.altKey||a.repeat||Ov(a.target)||document.querySelector("dialog[open]"))return;if(a.key==="?")return a.preventDefault(),r.open();if(n)return;let l=Number(a.key)-1;if(a.key.length===1&&l>=0&&l<8){if(!t.scene?.own.includes(l)){t.scene?.users.some(c=>c.seat===l)&&i.say(`${Dt(t,l)} moves elsewhere; this page cannot act for that user.`,"warn");return}t.take(l),history.replaceState(null,"",rl(l)),i.say(`This page now acts as ${Dt(t,l)}.`);return}o[a.key.toLowerCase()]?.()}),{open:r.open}}var Rp={x:180,y:126},kv=[.5,.42,.58,.34,.66,.28,.72];function Pp(i){let[e,t]=i===2?[104,0]:[104,92];return Array.from({length:i},(n,s)=>{let r=2*Math.PI*s/i+(i===2?Math.PI:-Math.PI/2);return{x:Rp.x+e*Math.cos(r),y:Rp.y+t*Math.sin(r)}})}function ol(i,e,t){return{x:i.x+(e.x-i.x)*t,y:i.y+(e.y-i.y)*t}}function Ip(i,e){let t=[];return i.map(([n,s])=>{let[r,o]=[e[n],e[s]];if(!r||!o)return .5;let a=.5,l=-1/0;for(let c of kv){let h=ol(r,o,c),u=Math.min(40-40*Math.abs(c-.5),...t.map(d=>Math.hypot((h.x-d.x)*.62,(h.y-d.y)*1.5)),...e.map(d=>Math.hypot(h.x-d.x,h.y-d.y)-6));u>l+.5&&([l,a]=[u,c])}return t.push(ol(r,o,a)),a})}function Lp(i,e){let t=new Set(i.slice(0,1));for(let n=!0;n;){n=!1;for(let[s,r]of e)t.has(s)!==t.has(r)&&(t.add(s).add(r),n=!0)}return i.filter(n=>!t.has(n))}function Np(i){return i.flatMap((e,t)=>i.slice(t+1).map(n=>e<n?[e,n]:[n,e]))}var Dp={start:"As the session began.",best:"Differences between copies fade fastest over these links.",worst:"As many links, but differences fade slowest: watch the copies come back late.",yours:"Click the lines between users to join or part them, then apply."};function Bv(i,e,t){for(let[n,s]of[[e,t],[t,e]]){let r=i.members[n]?.paths?.find(([a])=>a===s)?.[1],o=i.ends[`${n}-${s}`]?.path??r;if(typeof o=="number")return Math.max(o,0)}return null}function Up(i,e){let t=new Map,n=0;for(let[s,r]of e){let o=Bv(i,s,r);if(o===null)return null;n+=o;for(let a of[s,r])t.set(a,(t.get(a)??0)+o)}return e.length?{mean:n/e.length,most:Math.max(...t.values())}:null}function al(i,e){let t=new Set(i.map($n));return i.length===e.length&&e.every(n=>t.has($n(n)))}var ta=i=>i.map(([e,t])=>Ji(e,t));function Fp(i,e,t,n){let{store:s}=i,r=!1,o=null,a=O("p",{class:"means"}),l=O("p",{class:"expected tabular"}),c=O("p",{class:"problem",role:"status",hidden:!0}),h=x=>x==="yours"?[...e].map(M=>M.split("-").map(Number)):ta(s.state?.choices[x]??[]),u=x=>{if(r=x,e.clear(),x)for(let M of ta(s.state?.links??[]))e.add($n(M));t(x)},d=x=>{o=x,x==="yours"?r||u(!0):(r&&u(!1),i.act("links",{choice:x})),n()},f=ar("Links",["start","best","worst","yours"].map(x=>({value:x,words:x[0]?.toUpperCase()+x.slice(1),tip:Dp[x]})),d),g=Ye("Apply",()=>{let x=h("yours");i.act("links",{links:x}).then(M=>{M&&u(!1)})},{class:"button small primary"}),v=Ye("Cancel",()=>{o=null,u(!1)},{class:"button small"}),m=O("div",{class:"actions",hidden:!0},g,v),p=()=>{let x=s.state,M=ta(x?.links??[]);for(let I of["start","best","worst"])f.allow(I,Ft(i,"links")&&h(I).length>0);f.allow("yours",Ft(i,"links"));let b=r?"yours":o&&o!=="yours"&&al(h(o),M)?o:["start","best","worst"].find(I=>h(I).length&&al(h(I),M))??(M.length?"yours":null);f.mark(b);let C=r?h("yours"):M;Be(a,b?b==="yours"&&!r?"Links of your own.":Dp[b]:"");let[A,y]=x?[Up(x,ta(x.choices.start??x.links)),Up(x,C)]:[null,null],S=C.length?`${C.length} links`:"";y&&(S+=`, mean way there and back ${On(y.mean)}`),A&&y&&A.most>0&&!al(C,ta(x?.choices.start??[]))&&(S+=`. The busiest user needs about ${Fs(y.most/A.most,1)} × the damping of the start, if springs are alike`),Be(l,S&&`${S}.`),Et(m,r);let U=r?Lp((s.scene?.users??[]).map(I=>I.seat),C):[];Be(c,U.length?`No way leads to ${U.map(I=>Dt(s,I)).join(", ")}.`:""),Et(c,U.length>0),g.disabled=U.length>0||al(C,M)||!Ft(i,"links"),qe(f.element,"data-drafting",r?"":null)};return{element:O("div",{class:"topology",id:"topology"},f.element,a,l,c,m),update:p,changed:n}}var zv="Who is joined to whom. A number on a link is the age of what its slower end knows of the other, and the share of samples that got lost. Choose a link to see both its ends and to delay, disturb or cut it; draw it sideways to change its delay (1 ms for each point; with the keyboard + and −).",Op=.005,kp=.5,Vv=100;function du(i){let e=null,t=0,n=()=>{if(t=0,e===null)return;let s=e;e=null,t=window.setTimeout(n,Vv),i(s)};return s=>{e=s,t||n()}}function Gv(i,e,t,n,s){let{store:r}=i,[o,a]=e,[l,c]=[t[o]??{x:0,y:0},t[a]??{x:0,y:0}],h={x1:l.x,y1:l.y,x2:c.x,y2:c.y},u=ol(l,c,n),d=Jt("line",{...h,class:"link-line"}),f=Jt("text",{x:u.x,y:u.y+3.5,class:"link-words"}),g=Jt("rect",{class:"link-plate",rx:4,y:u.y-9,height:18}),v=Jt("g",{class:"link",tabindex:0,role:"button","data-link":$n(e)},Jt("line",{...h,class:"link-halo"}),d,Jt("line",{...h,class:"link-hit"}),g,f),m=()=>r.state?.emulated[`${o}-${a}`]?.delay??0,p=du(y=>{i.act("impair",{a:o,b:a,delay:y},!0)}),x=null,M=null;v.addEventListener("pointerdown",y=>{s()||y.button!==0||(M={x:y.clientX,delay:m()},v.setPointerCapture(y.pointerId))}),v.addEventListener("pointermove",y=>{if(!M)return;let S=y.clientX-M.x;x===null&&(Math.abs(S)<4||!Ft(i,"impair"))||(x=Math.min(Math.max(M.delay+S*.001,0),kp),p(x),A())});let b=y=>{let S=x!==null,U=M!==null;M=x=null,!S&&U&&y.type==="pointerup"&&i.link.set(Zi(i.link.get(),e)?null:e),A()};v.addEventListener("pointerup",b),v.addEventListener("pointercancel",b);let C=0;v.addEventListener("keydown",y=>{if(!s()){if(y.key==="Enter"||y.key===" ")i.link.set(Zi(i.link.get(),e)?null:e),document.getElementById("link")?.focus();else if("+-=−".includes(y.key)&&Ft(i,"impair"))C=Math.min(Math.max(m()+(y.key==="+"||y.key==="="?Op:-Op),0),kp),p(C);else return;y.preventDefault(),y.stopPropagation()}});let A=()=>{let y=Gr(r.state,o,a),S=Ci(r.state,o,a,"age"),U=Ci(r.state,o,a,"loss");qe(v,"data-condition",y),qe(v,"data-chosen",Zi(i.link.get(),e)?"":null),qe(v,"data-drawn",x===null?null:"");let I=x!==null?`+${On(x)} each way`:y==="coupled"||y==="catching"||y==="guarded"?[S===null?"":On(Math.max(S,0)),U!==null&&U>=5e-4?Rn(U):""].filter(Boolean).join(" · ")||"–":oi[y].words,R={guarded:"! ",cut:"✕ ",waiting:"… ",catching:"… "}[y]??"",k=x===null?R+I:I;Be(f,k);let F=12+k.length*6.1;qe(g,"x",(u.x-F/2).toFixed(1)),qe(g,"width",F.toFixed(1)),qe(v,"aria-label",`Link ${ji(o,a)}, ${oi[y].words}, age ${On(S)}, loss ${Rn(U)}`),qe(v,"aria-pressed",String(Zi(i.link.get(),e)))};return{group:v,update:A}}function Hv(i,e,t){let{store:n}=i,s=Dt(n,e),r=Math.abs(t.x-360/2)>80,o=t.x>360/2,a=r?10:16,l=s.length>a?`${s.slice(0,a-1)}…`:s,c=r?{x:t.x+(o?1:-1)*24,y:t.y+4,anchor:o?"start":"end"}:{x:t.x,y:t.y+(t.y<248/2?-23:32),anchor:"middle"},h=Jt("g",{class:"node",style:`--user:var(--user-${e});--on-user:var(--on-user-${e})`,"data-seat":e},Jt("title",null,s),Jt("circle",{cx:t.x,cy:t.y,r:20,class:"node-mine"}),Jt("circle",{cx:t.x,cy:t.y,r:16,class:"node-disc"}),Jt("text",{x:t.x,y:t.y+4.5,class:"node-number"},String(e+1)),Jt("text",{x:c.x,y:c.y,"text-anchor":c.anchor,class:"node-name"},l));return h.addEventListener("click",()=>{i.opened.set(e),i.tab.set("users")}),{group:h,update:()=>{qe(h,"data-presence",Os(n.state,e)),qe(h,"data-mine",n.seat===e&&n.scene?.own.includes(e)?"":null)}}}function Wv(i,e,t,n){let[s,r]=[t[e[0]]??{x:0,y:0},t[e[1]]??{x:0,y:0}],o={x1:s.x,y1:s.y,x2:r.x,y2:r.y},a=$n(e),l=Jt("g",{class:"pair",tabindex:0,role:"checkbox","aria-label":`Link ${ji(...e)}`,"data-link":a},Jt("line",{...o,class:"pair-line"}),Jt("line",{...o,class:"link-hit"})),c=()=>{i.delete(a)||i.add(a),n()};return l.addEventListener("click",c),l.addEventListener("keydown",h=>{h.key!=="Enter"&&h.key!==" "||(h.preventDefault(),c())}),{group:l,update:()=>qe(l,"aria-checked",String(i.has(a)))}}function zp(i){let{store:e}=i,{element:t,body:n}=_i("network","Network",zv),s=Jt("svg",{viewBox:`0 0 ${360} ${248}`,class:"graph",role:"group","aria-label":"Users and links"}),r=O("ul",{class:"legend"},...["coupled","guarded","cut"].map(d=>O("li",{"data-condition":d,"data-tip":oi[d].means,tabindex:0},an(oi[d].icon,12),oi[d].words))),o=new Set,a=!1,l=[],c="",h=()=>{let d=(e.scene?.users??[]).map(v=>v.seat),f=(e.state?.links??[]).map(([v,m])=>Ji(v,m)),g=JSON.stringify([a,e.scene?.started,e.scene?.users,f]);if(g!==c){c=g;let v=document.activeElement?.closest("[data-link]")?.dataset.link,m=[];Pp(d.length).forEach((b,C)=>{m[d[C]??C]=b});let p=Ip(f,m);l=[...a?Np(d).map(b=>Wv(o,b,m,()=>u.changed())):f.map((b,C)=>Gv(i,b,m,p[C]??.5,()=>a)),...d.map(b=>Hv(i,b,m[b]??{x:0,y:0}))],s.replaceChildren(...l.map(b=>b.group)),qe(s,"data-drafting",a?"":null),v&&s.querySelector(`[data-link="${v}"]`)?.focus();let M=i.link.get();M&&!f.some(b=>Zi(b,M))&&i.link.set(null)}for(let v of l)v.update();u.update(),Et(r,!a)},u=Fp(i,o,d=>{a=d,d&&i.link.set(null),h()},()=>h());n.append(s,r,u.element);for(let d of["scene","state","seat","connection"])e.on(d,h);return i.link.on(h),h(),t}var fu=[{words:"state",tip:"What this end does with its spring",show:i=>oi[il(i)].words},{words:"age",tip:"Of the newest sample in the last step, up to the offset of the two clocks",show:i=>On(i.age)},{words:"both ages",tip:"Greatest sum of the ages at both ends in the window; here clocks cancel",show:i=>On(i.ages)},{words:"budget",tip:"What the damping is made for: the sum of ages that may be",show:i=>On(i.budget)},{words:"way",tip:"Quickest way there and back",show:i=>`${On(i.path)} ${i.way}`},{words:"loss",tip:"Share of what the neighbour sent that did not come",show:i=>Rn(i.loss)},{words:"samples",tip:"Sent to the neighbour per second",show:i=>tl(i.rate)},{words:"force",tip:"Of the link’s spring on this copy",show:i=>el(i.force)},{words:"work",tip:"Of the link on this copy since the start",show:i=>fs(i.work,"J")},{words:"apart",tip:"Greatest difference between the copies, as far as known",show:i=>fp(i.difference)},{words:"guarded",tip:"How often the link was guarded",show:i=>`${Qo(i.guarded)} ×`}];function pu(i,e,t,n){let s=O("output",{class:"tabular"},t.show(0)),r=O("input",{type:"range",min:0,max:t.most,step:t.step,value:0,"aria-label":i}),o=-1/0,a=du(n),l=()=>{let c=Number(r.value);Be(s,t.show(c)),qe(r,"aria-valuetext",t.show(c)),r.style.setProperty("--share",`${100*c/t.most}%`)};return r.addEventListener("input",()=>{o=performance.now(),l(),a(Number(r.value))}),{element:O("label",{class:"slider","data-tip":e},O("span",null,i),r,s),set(c){performance.now()-o<1e3||Number(r.value)===c||(r.value=String(c),l())},enable(c){r.disabled=!c}}}function Vp(i){let{store:e}=i,t=[0,1],n=O("h2",{id:"link-title",class:"tabular"}),s=an("good",14),r=O("strong",null),o=O("span",{class:"means"}),a=O("p",{class:"expected tabular"}),l=x=>M=>{i.act("impair",{a:t[0],b:t[1],[x]:M},!0)},c={delay:pu("delay","Added to every sample, each way",{most:.5,step:.005,show:On},l("delay")),jitter:pu("jitter","Scale of what comes on top of the delay by chance",{most:.1,step:.002,show:On},l("jitter")),loss:pu("loss","Share of samples thrown away",{most:.5,step:.01,show:x=>Rn(x,0)},l("loss"))},h=Ye("Cut",()=>{let x=!(e.state&&cr(e.state,...t));i.act("cut",{a:t[0],b:t[1],on:x})},{icon:"cut",class:"button",id:"cut"}),u=Ye("Clear",()=>{i.act("impair",{a:t[0],b:t[1],delay:0,jitter:0,loss:0})},{class:"button",icon:"reset",tip:"No added delay, jitter or loss"}),d=[O("th",{scope:"col"}),O("th",{scope:"col"})],f=fu.map(()=>[O("td"),O("td")]),g=O("table",{class:"numbers"},O("thead",null,O("tr",null,O("td"),...d)),O("tbody",null,...fu.map((x,M)=>O("tr",null,O("th",{scope:"row","data-tip":x.tip,tabindex:0},x.words),...f[M]??[])))),v=Ye("",()=>i.link.set(null),{icon:"close",class:"button bare",label:"Close the link’s card"}),m=O("aside",{id:"link",class:"card","aria-labelledby":"link-title",tabindex:-1,hidden:!0},O("div",{class:"panel-head"},n,O("div",{class:"grow"}),v),O("p",{class:"condition"},s,r," ",o),a,c.delay.element,c.jitter.element,c.loss.element,O("div",{class:"actions"},h,u),g);m.addEventListener("keydown",x=>{if(x.key!=="Escape")return;let M=document.querySelector(`.link[data-link="${t.join("-")}"]`);i.link.set(null),M?.focus(),x.stopPropagation()});let p=()=>{let x=i.link.get();if(Et(m,x!==null),!x)return;t=x;let[M,b]=t,C=Gr(e.state,M,b);Be(n,`Link ${ji(M,b)}`),qe(m,"data-condition",C),Cn(s,oi[C].icon),Be(r,oi[C].words),Be(o,oi[C].means);let A=sl(e.state,M,b);Be(a,A===null||C==="cut"?"":A>=0?`${Rn(A,0)} of the budget of ages to spare.`:`Ages are ${Rn(-A,0)} over the budget.`);let y=e.state?.emulated[`${M}-${b}`];c.delay.set(y?.delay??0),c.jitter.set(y?.jitter??0),c.loss.set(y?.loss??0);for(let I of Object.values(c))I.enable(Ft(i,"impair"));u.disabled=!Ft(i,"impair");let S=!!e.state&&cr(e.state,M,b);Be(h.lastElementChild??h,S?"Mend":"Cut");let U=h.querySelector("svg");U&&Cn(U,S?"mend":"cut"),qe(h,"class",S?"button primary":"button danger"),h.disabled=!Ft(i,"cut"),[[M,b],[b,M]].forEach(([I,R],k)=>{let F=d[k];F&&(Be(F,`at ${(I??0)+1}`),qe(F,"title",Dt(e,I??0)),F.style.setProperty("--user",`var(--user-${I})`));let P=e.state?.ends[`${I}-${R}`];fu.forEach((V,q)=>{let H=f[q]?.[k];H&&Be(H,P?V.show(P):"–")})})};return e.on("state",p),e.on("scene",p),e.on("connection",p),i.link.on(x=>{p(),x&&(m.scrollTop=0)}),m}var Xv="uplot",qv="u-hz",$v="u-vt",Yv="u-title",Jv="u-wrap",Zv="u-under",Kv="u-over",jv="u-axis",dr="u-off",Qv="u-select",ex="u-cursor-x",tx="u-cursor-y",nx="u-cursor-pt",ix="u-legend",sx="u-live",rx="u-inline",ox="u-series",ax="u-marker",Gp="u-label",lx="u-value",sa="width",ra="height";var Hp="bottom",Hr="left",mu="right",Lu="#000",Wp=Lu+"0",gu="mousemove",Xp="mousedown",yu="mouseup",qp="mouseenter",$p="mouseleave",Yp="dblclick",cx="resize",hx="scroll",Jp="change",dl="dppxchange",Nu="--",Zr=typeof window<"u",Mu=Zr?document:null,Xr=Zr?window:null,ux=Zr?navigator:null,Tt,ll;function Su(){let i=devicePixelRatio;Tt!=i&&(Tt=i,ll&&Eu(Jp,ll,Su),ll=matchMedia(`(min-resolution: ${Tt-.001}dppx) and (max-resolution: ${Tt+.001}dppx)`),fr(Jp,ll,Su),Xr.dispatchEvent(new CustomEvent(dl)))}function ai(i,e){if(e!=null){let t=i.classList;!t.contains(e)&&t.add(e)}}function wu(i,e){let t=i.classList;t.contains(e)&&t.remove(e)}function Xt(i,e,t){i.style[e]=t+"px"}function Ri(i,e,t,n){let s=Mu.createElement(i);return e!=null&&ai(s,e),t?.insertBefore(s,n),s}function bi(i,e){return Ri("div",i,e)}var Zp=new WeakMap;function es(i,e,t,n,s){let r="translate("+e+"px,"+t+"px)",o=Zp.get(i);r!=o&&(i.style.transform=r,Zp.set(i,r),e<0||t<0||e>n||t>s?ai(i,dr):wu(i,dr))}var Kp=new WeakMap;function jp(i,e,t){let n=e+t,s=Kp.get(i);n!=s&&(Kp.set(i,n),i.style.background=e,i.style.borderColor=t)}var Qp=new WeakMap;function em(i,e,t,n){let s=e+""+t,r=Qp.get(i);s!=r&&(Qp.set(i,s),i.style.height=t+"px",i.style.width=e+"px",i.style.marginLeft=n?-e/2+"px":0,i.style.marginTop=n?-t/2+"px":0)}var Du={passive:!0},dx={...Du,capture:!0};function fr(i,e,t,n){e.addEventListener(i,t,n?dx:Du)}function Eu(i,e,t,n){e.removeEventListener(i,t,Du)}Zr&&Su();function Pi(i,e,t,n){let s;t=t||0,n=n||e.length-1;let r=n<=2147483647;for(;n-t>1;)s=r?t+n>>1:li((t+n)/2),e[s]<i?t=s:n=s;return i-e[t]<=e[n]-i?t:n}function Cm(i){return(t,n,s)=>{let r=-1,o=-1;for(let a=n;a<=s;a++)if(i(t[a])){r=a;break}for(let a=s;a>=n;a--)if(i(t[a])){o=a;break}return[r,o]}}var Rm=i=>i!=null,Pm=i=>i!=null&&i>0,ml=Cm(Rm),fx=Cm(Pm);function px(i,e,t,n=0,s=!1){let r=s?fx:ml,o=s?Pm:Rm;[e,t]=r(i,e,t);let a=i[e],l=i[e];if(e>-1)if(n==1)a=i[e],l=i[t];else if(n==-1)a=i[t],l=i[e];else for(let c=e;c<=t;c++){let h=i[c];o(h)&&(h<a?a=h:h>l&&(l=h))}return[a??Ot,l??-Ot]}function gl(i,e,t,n){let s=im(i),r=im(e);i==e&&(s==-1?(i*=t,e/=t):(i/=t,e*=t));let o=t==10?ps:Im,a=s==1?li:Mi,l=r==1?Mi:li,c=a(o(_n(i))),h=l(o(_n(e))),u=qr(t,c),d=qr(t,h);return t==10&&(c<0&&(u=kt(u,-c)),h<0&&(d=kt(d,-h))),n||t==2?(i=u*s,e=d*r):(i=Um(i,u),e=yl(e,d)),[i,e]}function Uu(i,e,t,n){let s=gl(i,e,t,n);return i==0&&(s[0]=0),e==0&&(s[1]=0),s}var Fu=.1,tm={mode:3,pad:Fu},aa={pad:0,soft:null,mode:0},mx={min:aa,max:aa};function fl(i,e,t,n){return vl(t)?nm(i,e,t):(aa.pad=t,aa.soft=n?0:null,aa.mode=n?3:0,nm(i,e,mx))}function St(i,e){return i??e}function gx(i,e,t){for(e=St(e,0),t=St(t,i.length-1);e<=t;){if(i[e]!=null)return!0;e++}return!1}function nm(i,e,t){let n=t.min,s=t.max,r=St(n.pad,0),o=St(s.pad,0),a=St(n.hard,-Ot),l=St(s.hard,Ot),c=St(n.soft,Ot),h=St(s.soft,-Ot),u=St(n.mode,0),d=St(s.mode,0),f=e-i,g=ps(f),v=Yn(_n(i),_n(e)),m=ps(v),p=_n(m-g);(f<1e-24||p>10)&&(f=0,(i==0||e==0)&&(f=1e-24,u==2&&c!=Ot&&(r=0),d==2&&h!=-Ot&&(o=0)));let x=f||v||1e3,M=ps(x),b=qr(10,li(M)),C=x*(f==0?i==0?.1:1:r),A=kt(Um(i-C,b/10),24),y=i>=c&&(u==1||u==3&&A<=c||u==2&&A>=c)?c:Ot,S=Yn(a,A<y&&i>=y?y:Ii(y,A)),U=x*(f==0?e==0?.1:1:o),I=kt(yl(e+U,b/10),24),R=e<=h&&(d==1||d==3&&I>=h||d==2&&I<=h)?h:-Ot,k=Ii(l,I>R&&e<=R?R:Yn(R,I));return S==k&&S==0&&(k=100),[S,k]}var yx=new Intl.NumberFormat(Zr?ux.language:"en-US"),Ou=i=>yx.format(i),ci=Math,ul=ci.PI,_n=ci.abs,li=ci.floor,xn=ci.round,Mi=ci.ceil,Ii=ci.min,Yn=ci.max,qr=ci.pow,im=ci.sign,ps=ci.log10,Im=ci.log2,vx=(i,e=1)=>ci.sinh(i)*e,vu=(i,e=1)=>ci.asinh(i/e),Ot=1/0;function sm(i){return(ps((i^i>>31)-(i>>31))|0)+1}function Tu(i,e,t){return Ii(Yn(i,e),t)}function Lm(i){return typeof i=="function"}function gt(i){return Lm(i)?i:()=>i}var xx=()=>{},Nm=i=>i,Dm=(i,e)=>e,_x=i=>null,rm=i=>!0,om=(i,e)=>i==e,bx=/\.\d*?(?=9{6,}|0{6,})/gm,pr=i=>{if(Om(i)||Bs.has(i))return i;let e=`${i}`,t=e.match(bx);if(t==null)return i;let n=t[0].length-1;if(e.indexOf("e-")!=-1){let[s,r]=e.split("e");return+`${pr(s)}e${r}`}return kt(i,n)};function hr(i,e){return pr(kt(pr(i/e))*e)}function yl(i,e){return pr(Mi(pr(i/e))*e)}function Um(i,e){return pr(li(pr(i/e))*e)}function kt(i,e=0){if(Om(i))return i;let t=10**e,n=i*t*(1+Number.EPSILON);return xn(n)/t}var Bs=new Map;function Fm(i){return((""+i).split(".")[1]||"").length}function ca(i,e,t,n){let s=[],r=n.map(Fm);for(let o=e;o<t;o++){let a=_n(o),l=kt(qr(i,o),a);for(let c=0;c<n.length;c++){let h=i==10?+`${n[c]}e${o}`:n[c]*l,u=(o>=0?0:a)+(o>=r[c]?0:r[c]),d=i==10?h:kt(h,u);s.push(d),Bs.set(d,u)}}return s}var la={},ku=[],$r=[null,null],ks=Array.isArray,Om=Number.isInteger,Mx=i=>i===void 0;function am(i){return typeof i=="string"}function vl(i){let e=!1;if(i!=null){let t=i.constructor;e=t==null||t==Object}return e}function Sx(i){return i!=null&&typeof i=="object"}var wx=Object.getPrototypeOf(Uint8Array),km="__proto__";function Yr(i,e=vl){let t;if(ks(i)){let n=i.find(s=>s!=null);if(ks(n)||e(n)){t=Array(i.length);for(let s=0;s<i.length;s++)t[s]=Yr(i[s],e)}else t=i.slice()}else if(i instanceof wx)t=i.slice();else if(e(i)){t={};for(let n in i)n!=km&&(t[n]=Yr(i[n],e))}else t=i;return t}function mn(i){let e=arguments;for(let t=1;t<e.length;t++){let n=e[t];for(let s in n)s!=km&&(vl(i[s])?mn(i[s],Yr(n[s])):i[s]=Yr(n[s]))}return i}var Ex=0,Tx=1,Ax=2;function Cx(i,e,t){for(let n=0,s,r=-1;n<e.length;n++){let o=e[n];if(o>r){for(s=o-1;s>=0&&i[s]==null;)i[s--]=null;for(s=o+1;s<t&&i[s]==null;)i[r=s++]=null}}}function Rx(i,e){if(Lx(i)){let o=i[0].slice();for(let a=1;a<i.length;a++)o.push(...i[a].slice(1));return Nx(o[0])||(o=Ix(o)),o}let t=new Set;for(let o=0;o<i.length;o++){let l=i[o][0],c=l.length;for(let h=0;h<c;h++)t.add(l[h])}let n=[Array.from(t).sort((o,a)=>o-a)],s=n[0].length,r=new Map;for(let o=0;o<s;o++)r.set(n[0][o],o);for(let o=0;o<i.length;o++){let a=i[o],l=a[0];for(let c=1;c<a.length;c++){let h=a[c],u=Array(s).fill(void 0),d=e?e[o][c]:Tx,f=[];for(let g=0;g<h.length;g++){let v=h[g],m=r.get(l[g]);v===null?d!=Ex&&(u[m]=v,d==Ax&&f.push(m)):u[m]=v}Cx(u,f,s),n.push(u)}}return n}var Px=typeof queueMicrotask>"u"?i=>Promise.resolve().then(i):queueMicrotask;function Ix(i){let e=i[0],t=e.length,n=Array(t);for(let r=0;r<n.length;r++)n[r]=r;n.sort((r,o)=>e[r]-e[o]);let s=[];for(let r=0;r<i.length;r++){let o=i[r],a=Array(t);for(let l=0;l<t;l++)a[l]=o[n[l]];s.push(a)}return s}function Lx(i){let e=i[0][0],t=e.length;for(let n=1;n<i.length;n++){let s=i[n][0];if(s.length!=t)return!1;if(s!=e){for(let r=0;r<t;r++)if(s[r]!=e[r])return!1}}return!0}function Nx(i,e=100){let t=i.length;if(t<=1)return!0;let n=0,s=t-1;for(;n<=s&&i[n]==null;)n++;for(;s>=n&&i[s]==null;)s--;if(s<=n)return!0;let r=Yn(1,li((s-n+1)/e));for(let o=i[n],a=n+r;a<=s;a+=r){let l=i[a];if(l!=null){if(l<=o)return!1;o=l}}return!0}var Bm=["January","February","March","April","May","June","July","August","September","October","November","December"],zm=["Sunday","Monday","Tuesday","Wednesday","Thursday","Friday","Saturday"];function Vm(i){return i.slice(0,3)}var Dx=zm.map(Vm),Ux=Bm.map(Vm),Fx={MMMM:Bm,MMM:Ux,WWWW:zm,WWW:Dx};function ia(i){return(i<10?"0":"")+i}function Ox(i){return(i<10?"00":i<100?"0":"")+i}var kx={YYYY:i=>i.getFullYear(),YY:i=>(i.getFullYear()+"").slice(2),MMMM:(i,e)=>e.MMMM[i.getMonth()],MMM:(i,e)=>e.MMM[i.getMonth()],MM:i=>ia(i.getMonth()+1),M:i=>i.getMonth()+1,DD:i=>ia(i.getDate()),D:i=>i.getDate(),WWWW:(i,e)=>e.WWWW[i.getDay()],WWW:(i,e)=>e.WWW[i.getDay()],HH:i=>ia(i.getHours()),H:i=>i.getHours(),h:i=>{let e=i.getHours();return e==0?12:e>12?e-12:e},AA:i=>i.getHours()>=12?"PM":"AM",aa:i=>i.getHours()>=12?"pm":"am",a:i=>i.getHours()>=12?"p":"a",mm:i=>ia(i.getMinutes()),m:i=>i.getMinutes(),ss:i=>ia(i.getSeconds()),s:i=>i.getSeconds(),fff:i=>Ox(i.getMilliseconds())};function Bu(i,e){e=e||Fx;let t=[],n=/\{([a-z]+)\}|[^{]+/gi,s;for(;s=n.exec(i);)t.push(s[0][0]=="{"?kx[s[1]]:s[0]);return r=>{let o="";for(let a=0;a<t.length;a++)o+=typeof t[a]=="string"?t[a]:t[a](r,e);return o}}var Bx=new Intl.DateTimeFormat().resolvedOptions().timeZone;function zx(i,e){let t;return e=="UTC"||e=="Etc/UTC"?t=new Date(+i+i.getTimezoneOffset()*6e4):e==Bx?t=i:(t=new Date(i.toLocaleString("en-US",{timeZone:e})),t.setMilliseconds(i.getMilliseconds())),t}var Gm=i=>i%1==0,pl=[1,2,2.5,5],Vx=ca(10,-32,0,pl),Hm=ca(10,0,32,pl),Gx=Hm.filter(Gm),ur=Vx.concat(Hm),zu=`
+`,Wm="{YYYY}",lm=zu+Wm,Xm="{M}/{D}",oa=zu+Xm,cl=oa+"/{YY}",qm="{aa}",Hx="{h}:{mm}",Wr=Hx+qm,cm=zu+Wr,hm=":{ss}",At=null;function $m(i){let e=i*1e3,t=e*60,n=t*60,s=n*24,r=s*30,o=s*365,l=(i==1?ca(10,0,3,pl).filter(Gm):ca(10,-3,0,pl)).concat([e,e*5,e*10,e*15,e*30,t,t*5,t*10,t*15,t*30,n,n*2,n*3,n*4,n*6,n*8,n*12,s,s*2,s*3,s*4,s*5,s*6,s*7,s*8,s*9,s*10,s*15,r,r*2,r*3,r*4,r*6,o,o*2,o*5,o*10,o*25,o*50,o*100]),c=[[o,Wm,At,At,At,At,At,At,1],[s*28,"{MMM}",lm,At,At,At,At,At,1],[s,Xm,lm,At,At,At,At,At,1],[n,"{h}"+qm,cl,At,oa,At,At,At,1],[t,Wr,cl,At,oa,At,At,At,1],[e,hm,cl+" "+Wr,At,oa+" "+Wr,At,cm,At,1],[i,hm+".{fff}",cl+" "+Wr,At,oa+" "+Wr,At,cm,At,1]];function h(u){return(d,f,g,v,m,p)=>{let x=[],M=m>=o,b=m>=r&&m<o,C=u(g),A=kt(C*i,3),y=xu(C.getFullYear(),M?0:C.getMonth(),b||M?1:C.getDate()),S=kt(y*i,3);if(b||M){let U=b?m/r:0,I=M?m/o:0,R=A==S?A:kt(xu(y.getFullYear()+I,y.getMonth()+U,1)*i,3),k=new Date(xn(R/i)),F=k.getFullYear(),P=k.getMonth();for(let V=0;R<=v;V++){let q=xu(F+I*V,P+U*V,1),H=q-u(kt(q*i,3));R=kt((+q+H)*i,3),R<=v&&x.push(R)}}else{let U=m>=s?s:m,I=li(g)-li(A),R=S+I+yl(A-S,U);x.push(R);let k=u(R),F=k.getHours()+k.getMinutes()/t+k.getSeconds()/n,P=m/n,V=d.axes[f]._space,q=p/V;for(;R=kt(R+m,i==1?0:3),!(R>v);)if(P>1){let H=li(kt(F+P,6))%24,Q=u(R).getHours()-H;Q>1&&(Q=-1),R-=Q*n,F=(F+P)%24;let ie=x[x.length-1];kt((R-ie)/m,3)*q>=.7&&x.push(R)}else x.push(R)}return x}}return[l,c,h]}var[Wx,Xx,qx]=$m(1),[$x,Yx,Jx]=$m(.001);ca(2,-53,53,[1]);function um(i,e){return i.map(t=>t.map((n,s)=>s==0||s==8||n==null?n:e(s==1||t[8]==0?n:t[1]+n)))}function dm(i,e){return(t,n,s,r,o)=>{let a=e.find(g=>o>=g[0])||e[e.length-1],l,c,h,u,d,f;return n.map(g=>{let v=i(g),m=v.getFullYear(),p=v.getMonth(),x=v.getDate(),M=v.getHours(),b=v.getMinutes(),C=v.getSeconds(),A=m!=l&&a[2]||p!=c&&a[3]||x!=h&&a[4]||M!=u&&a[5]||b!=d&&a[6]||C!=f&&a[7]||a[1];return l=m,c=p,h=x,u=M,d=b,f=C,A(v)})}}function Zx(i,e){let t=Bu(e);return(n,s,r,o,a)=>s.map(l=>t(i(l)))}function xu(i,e,t){return new Date(i,e,t)}function fm(i,e){return e(i)}var Kx="{YYYY}-{MM}-{DD} {h}:{mm}{aa}";function pm(i,e){return(t,n,s,r)=>r==null?Nu:e(i(n))}function jx(i,e){let t=i.series[e];return t.width?t.stroke(i,e):t.points.width?t.points.stroke(i,e):null}function Qx(i,e){return i.series[e].fill(i,e)}var e_={show:!0,live:!0,isolate:!1,mount:xx,markers:{show:!0,width:2,stroke:jx,fill:Qx,dash:"solid"},idx:null,idxs:null,values:[]};function t_(i,e){let t=i.cursor.points,n=bi(),s=t.size(i,e);Xt(n,sa,s),Xt(n,ra,s);let r=s/-2;Xt(n,"marginLeft",r),Xt(n,"marginTop",r);let o=t.width(i,e,s);return o&&Xt(n,"borderWidth",o),n}function n_(i,e){let t=i.series[e].points;return t._fill||t._stroke}function i_(i,e){let t=i.series[e].points;return t._stroke||t._fill}function s_(i,e){return i.series[e].points.size}var _u=[0,0];function r_(i,e,t){return _u[0]=e,_u[1]=t,_u}function hl(i,e,t,n=!0){return s=>{s.button==0&&(!n||s.target==e)&&t(s)}}function bu(i,e,t,n=!0){return s=>{(!n||s.target==e)&&t(s)}}var o_={show:!0,x:!0,y:!0,lock:!1,move:r_,points:{one:!1,show:t_,size:s_,width:0,stroke:i_,fill:n_},bind:{mousedown:hl,mouseup:hl,click:hl,dblclick:hl,mousemove:bu,mouseleave:bu,mouseenter:bu},drag:{setScale:!0,x:!0,y:!1,dist:0,uni:null,click:(i,e)=>{e.stopPropagation(),e.stopImmediatePropagation()},_x:!1,_y:!1},focus:{dist:(i,e,t,n,s)=>n-s,prox:-1,bias:0},hover:{skip:[void 0],prox:null,bias:0},left:-10,top:-10,idx:null,dataIdx:null,idxs:null,event:null},Ym={show:!0,stroke:"rgba(0,0,0,0.07)",width:2},Vu=mn({},Ym,{filter:Dm}),Jm=mn({},Vu,{size:10}),Zm=mn({},Ym,{show:!1}),Gu='12px system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, "Noto Sans", sans-serif, "Apple Color Emoji", "Segoe UI Emoji", "Segoe UI Symbol", "Noto Color Emoji"',Km="bold "+Gu,jm=1.5,mm={show:!0,scale:"x",stroke:Lu,space:50,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:Km,side:2,grid:Vu,ticks:Jm,border:Zm,font:Gu,lineGap:jm,rotate:0},a_="Value",l_="Time",gm={show:!0,scale:"x",auto:!1,sorted:1,min:Ot,max:-Ot,idxs:[]};function c_(i,e,t,n,s){return e.map(r=>r==null?"":Ou(r))}function h_(i,e,t,n,s,r,o){let a=[],l=Bs.get(s)||0;t=o?t:kt(yl(t,s),l);for(let c=t;c<=n;c=kt(c+s,l))a.push(Object.is(c,-0)?0:c);return a}function Au(i,e,t,n,s,r,o){let a=[],l=i.scales[i.axes[e].scale].log,c=l==10?ps:Im,h=li(c(t));s=qr(l,h),l==10&&(s=ur[Pi(s,ur)]);let u=t,d=s*l;l==10&&(d=ur[Pi(d,ur)]);do a.push(u),u=u+s,l==10&&!Bs.has(u)&&(u=kt(u,Bs.get(s))),u>=d&&(s=u,d=s*l,l==10&&(d=ur[Pi(d,ur)]));while(u<=n);return a}function u_(i,e,t,n,s,r,o){let l=i.scales[i.axes[e].scale].asinh,c=n>l?Au(i,e,Yn(l,t),n,s):[l],h=n>=0&&t<=0?[0]:[];return(t<-l?Au(i,e,Yn(l,-n),-t,s):[l]).reverse().map(d=>-d).concat(h,c)}var Qm=/./,d_=/[12357]/,f_=/[125]/,ym=/1/,Cu=(i,e,t,n)=>i.map((s,r)=>e==4&&s==0||r%n==0&&t.test(s.toExponential()[s<0?1:0])?s:null);function p_(i,e,t,n,s){let r=i.axes[t],o=r.scale,a=i.scales[o],l=i.valToPos,c=r._space,h=l(10,o),u=l(9,o)-h>=c?Qm:l(7,o)-h>=c?d_:l(5,o)-h>=c?f_:ym;if(u==ym){let d=_n(l(1,o)-h);if(d<c)return Cu(e.slice().reverse(),a.distr,u,Mi(c/d)).reverse()}return Cu(e,a.distr,u,1)}function m_(i,e,t,n,s){let r=i.axes[t],o=r.scale,a=r._space,l=i.valToPos,c=_n(l(1,o)-l(2,o));return c<a?Cu(e.slice().reverse(),3,Qm,Mi(a/c)).reverse():e}function g_(i,e,t,n){return n==null?Nu:e==null?"":Ou(e)}var vm={show:!0,scale:"y",stroke:Lu,space:30,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:Km,side:3,grid:Vu,ticks:Jm,border:Zm,font:Gu,lineGap:jm,rotate:0};function y_(i,e){let t=3+(i||1)*2;return kt(t*e,3)}function v_(i,e){let{scale:t,idxs:n}=i.series[0],s=i._data[0],r=i.valToPos(s[n[0]],t,!0),o=i.valToPos(s[n[1]],t,!0),a=_n(o-r),l=i.series[e],c=a/(l.points.space*Tt);return n[1]-n[0]<=c}var xm={scale:null,auto:!0,sorted:0,min:Ot,max:-Ot},eg=(i,e,t,n,s)=>s,_m={show:!0,auto:!0,sorted:0,gaps:eg,alpha:1,facets:[mn({},xm,{scale:"x"}),mn({},xm,{scale:"y"})]},bm={scale:"y",auto:!0,sorted:0,show:!0,spanGaps:!1,gaps:eg,alpha:1,points:{show:v_,filter:null},values:null,min:Ot,max:-Ot,idxs:[],path:null,clip:null};function x_(i,e,t,n,s){return t/10}var tg={time:!0,auto:!0,distr:1,log:10,asinh:1,min:null,max:null,dir:1,ori:0},__=mn({},tg,{time:!1,ori:1}),Mm={};function ng(i,e){let t=Mm[i];return t||(t={key:i,plots:[],sub(n){t.plots.push(n)},unsub(n){t.plots=t.plots.filter(s=>s!=n)},pub(n,s,r,o,a,l,c){for(let h=0;h<t.plots.length;h++)t.plots[h]!=s&&t.plots[h].pub(n,s,r,o,a,l,c)}},i!=null&&(Mm[i]=t)),t}var Jr=1,Ru=2;function mr(i,e,t){let n=i.mode,s=i.series[e],r=n==2?i._data[e]:i._data,o=i.scales,a=i.bbox,l=r[0],c=n==2?r[1]:r[e],h=n==2?o[s.facets[0].scale]:o[i.series[0].scale],u=n==2?o[s.facets[1].scale]:o[s.scale],d=a.left,f=a.top,g=a.width,v=a.height,m=i.valToPosH,p=i.valToPosV;return h.ori==0?t(s,l,c,h,u,m,p,d,f,g,v,_l,Kr,Ml,sg,og):t(s,l,c,h,u,p,m,f,d,v,g,bl,jr,Xu,rg,ag)}function Hu(i,e){let t=0,n=0,s=St(i.bands,ku);for(let r=0;r<s.length;r++){let o=s[r];o.series[0]==e?t=o.dir:o.series[1]==e&&(o.dir==1?n|=1:n|=2)}return[t,n==1?-1:n==2?1:n==3?2:0]}function b_(i,e,t,n,s){let r=i.mode,o=i.series[e],a=r==2?o.facets[1].scale:o.scale,l=i.scales[a];return s==-1?l.min:s==1?l.max:l.distr==3?l.dir==1?l.min:l.max:0}function ms(i,e,t,n,s,r){return mr(i,e,(o,a,l,c,h,u,d,f,g,v,m)=>{let p=o.pxRound,x=c.dir*(c.ori==0?1:-1),M=c.ori==0?Kr:jr,b,C;x==1?(b=t,C=n):(b=n,C=t);let A=p(u(a[b],c,v,f)),y=p(d(l[b],h,m,g)),S=p(u(a[C],c,v,f)),U=p(d(r==1?h.max:h.min,h,m,g)),I=new Path2D(s);return M(I,S,U),M(I,A,U),M(I,A,y),I})}function xl(i,e,t,n,s,r){let o=null;if(i.length>0){o=new Path2D;let a=e==0?Ml:Xu,l=t;for(let u=0;u<i.length;u++){let d=i[u];if(d[1]>d[0]){let f=d[0]-l;f>0&&a(o,l,n,f,n+r),l=d[1]}}let c=t+s-l,h=10;c>0&&a(o,l,n-h/2,c,n+r+h)}return o}function M_(i,e,t){let n=i[i.length-1];n&&n[0]==e?n[1]=t:i.push([e,t])}function Wu(i,e,t,n,s,r,o){let a=[],l=i.length;for(let c=s==1?t:n;c>=t&&c<=n;c+=s)if(e[c]===null){let u=c,d=c;if(s==1)for(;++c<=n&&e[c]===null;)d=c;else for(;--c>=t&&e[c]===null;)d=c;let f=r(i[u]),g=d==u?f:r(i[d]),v=u-s;f=o<=0&&v>=0&&v<l?r(i[v]):f;let p=d+s;g=o>=0&&p>=0&&p<l?r(i[p]):g,g>=f&&a.push([f,g])}return a}function Sm(i){return i==0?Nm:i==1?xn:e=>hr(e,i)}function ig(i){let e=i==0?_l:bl,t=i==0?(s,r,o,a,l,c)=>{s.arcTo(r,o,a,l,c)}:(s,r,o,a,l,c)=>{s.arcTo(o,r,l,a,c)},n=i==0?(s,r,o,a,l)=>{s.rect(r,o,a,l)}:(s,r,o,a,l)=>{s.rect(o,r,l,a)};return(s,r,o,a,l,c=0,h=0)=>{c==0&&h==0?n(s,r,o,a,l):(c=Ii(c,a/2,l/2),h=Ii(h,a/2,l/2),e(s,r+c,o),t(s,r+a,o,r+a,o+l,c),t(s,r+a,o+l,r,o+l,h),t(s,r,o+l,r,o,h),t(s,r,o,r+a,o,c),s.closePath())}}var _l=(i,e,t)=>{i.moveTo(e,t)},bl=(i,e,t)=>{i.moveTo(t,e)},Kr=(i,e,t)=>{i.lineTo(e,t)},jr=(i,e,t)=>{i.lineTo(t,e)},Ml=ig(0),Xu=ig(1),sg=(i,e,t,n,s,r)=>{i.arc(e,t,n,s,r)},rg=(i,e,t,n,s,r)=>{i.arc(t,e,n,s,r)},og=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(e,t,n,s,r,o)},ag=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(t,e,s,n,o,r)};function lg(i){return(e,t,n,s,r)=>mr(e,t,(o,a,l,c,h,u,d,f,g,v,m)=>{let{pxRound:p,points:x}=o,M,b;c.ori==0?(M=_l,b=sg):(M=bl,b=rg);let C=kt(x.width*Tt,3),A=(x.size-x.width)/2*Tt,y=kt(A*2,3),S=new Path2D,U=new Path2D,{left:I,top:R,width:k,height:F}=e.bbox;Ml(U,I-y,R-y,k+y*2,F+y*2);let P=V=>{if(l[V]!=null){let q=p(u(a[V],c,v,f)),H=p(d(l[V],h,m,g));M(S,q+A,H),b(S,q,H,A,0,ul*2)}};if(r)r.forEach(P);else for(let V=n;V<=s;V++)P(V);return{stroke:C>0?S:null,fill:S,clip:U,flags:Jr|Ru}})}function cg(i){return(e,t,n,s,r,o)=>{n!=s&&(r!=n&&o!=n&&i(e,t,n),r!=s&&o!=s&&i(e,t,s),i(e,t,o))}}var S_=cg(Kr),w_=cg(jr);function hg(i){let e=St(i?.alignGaps,0);return(t,n,s,r)=>mr(t,n,(o,a,l,c,h,u,d,f,g,v,m)=>{[s,r]=ml(l,s,r);let p=o.pxRound,x=F=>p(u(F,c,v,f)),M=F=>p(d(F,h,m,g)),b,C;c.ori==0?(b=Kr,C=S_):(b=jr,C=w_);let A=c.dir*(c.ori==0?1:-1),y={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,flags:Jr},S=y.stroke,U=!1;if(r-s>=v*4){let F=ue=>t.posToVal(ue,c.key,!0),P=null,V=null,q,H,le,Z=x(a[A==1?s:r]),Q=x(a[s]),ie=x(a[r]),de=F(A==1?Q+1:ie-1);for(let ue=A==1?s:r;ue>=s&&ue<=r;ue+=A){let ee=a[ue],ve=(A==1?ee<de:ee>de)?Z:x(ee),Ae=l[ue];ve==Z?Ae!=null?(H=Ae,P==null?(b(S,ve,M(H)),q=P=V=H):H<P?P=H:H>V&&(V=H)):Ae===null&&(U=!0):(P!=null&&C(S,Z,M(P),M(V),M(q),M(H)),Ae!=null?(H=Ae,b(S,ve,M(H)),P=V=q=H):(P=V=null,Ae===null&&(U=!0)),Z=ve,de=F(Z+A))}P!=null&&P!=V&&le!=Z&&C(S,Z,M(P),M(V),M(q),M(H))}else for(let F=A==1?s:r;F>=s&&F<=r;F+=A){let P=l[F];P===null?U=!0:P!=null&&b(S,x(a[F]),M(P))}let[R,k]=Hu(t,n);if(o.fill!=null||R!=0){let F=y.fill=new Path2D(S),P=o.fillTo(t,n,o.min,o.max,R),V=M(P),q=x(a[s]),H=x(a[r]);A==-1&&([H,q]=[q,H]),b(F,H,V),b(F,q,V)}if(!o.spanGaps){let F=[];U&&F.push(...Wu(a,l,s,r,A,x,e)),y.gaps=F=o.gaps(t,n,s,r,F),y.clip=xl(F,c.ori,f,g,v,m)}return k!=0&&(y.band=k==2?[ms(t,n,s,r,S,-1),ms(t,n,s,r,S,1)]:ms(t,n,s,r,S,k)),y})}function E_(i){let e=St(i.align,1),t=St(i.ascDesc,!1),n=St(i.alignGaps,0),s=St(i.extend,!1);return(r,o,a,l)=>mr(r,o,(c,h,u,d,f,g,v,m,p,x,M)=>{[a,l]=ml(u,a,l);let b=c.pxRound,{left:C,width:A}=r.bbox,y=Q=>b(g(Q,d,x,m)),S=Q=>b(v(Q,f,M,p)),U=d.ori==0?Kr:jr,I={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,flags:Jr},R=I.stroke,k=d.dir*(d.ori==0?1:-1),F=S(u[k==1?a:l]),P=y(h[k==1?a:l]),V=P,q=P;s&&e==-1&&(q=C,U(R,q,F)),U(R,P,F);for(let Q=k==1?a:l;Q>=a&&Q<=l;Q+=k){let ie=u[Q];if(ie==null)continue;let de=y(h[Q]),ue=S(ie);e==1?U(R,de,F):U(R,V,ue),U(R,de,ue),F=ue,V=de}let H=V;s&&e==1&&(H=C+A,U(R,H,F));let[le,Z]=Hu(r,o);if(c.fill!=null||le!=0){let Q=I.fill=new Path2D(R),ie=c.fillTo(r,o,c.min,c.max,le),de=S(ie);U(Q,H,de),U(Q,q,de)}if(!c.spanGaps){let Q=[];Q.push(...Wu(h,u,a,l,k,y,n));let ie=c.width*Tt/2,de=t||e==1?ie:-ie,ue=t||e==-1?-ie:ie;Q.forEach(ee=>{ee[0]+=de,ee[1]+=ue}),I.gaps=Q=c.gaps(r,o,a,l,Q),I.clip=xl(Q,d.ori,m,p,x,M)}return Z!=0&&(I.band=Z==2?[ms(r,o,a,l,R,-1),ms(r,o,a,l,R,1)]:ms(r,o,a,l,R,Z)),I})}function wm(i,e,t,n,s,r,o=Ot){if(i.length>1){let a=null;for(let l=0,c=1/0;l<i.length;l++)if(e[l]!==void 0){if(a!=null){let h=_n(i[l]-i[a]);h<c&&(c=h,o=_n(t(i[l],n,s,r)-t(i[a],n,s,r)))}a=l}}return o}function T_(i){i=i||la;let e=St(i.size,[.6,Ot,1]),t=i.align||0,n=i.gap||0,s=i.radius;s=s==null?[0,0]:typeof s=="number"?[s,0]:s;let r=gt(s),o=1-e[0],a=St(e[1],Ot),l=St(e[2],1),c=St(i.disp,la),h=St(i.each,f=>{}),{fill:u,stroke:d}=c;return(f,g,v,m)=>mr(f,g,(p,x,M,b,C,A,y,S,U,I,R)=>{let k=p.pxRound,F=t,P=n*Tt,V=a*Tt,q=l*Tt,H,le;b.ori==0?[H,le]=r(f,g):[le,H]=r(f,g);let Z=b.dir*(b.ori==0?1:-1),Q=b.ori==0?Ml:Xu,ie=b.ori==0?h:(Re,Je,ot,Se,Ut,Ve,$e)=>{h(Re,Je,ot,Ut,Se,$e,Ve)},de=St(f.bands,ku).find(Re=>Re.series[0]==g),ue=de!=null?de.dir:0,ee=p.fillTo(f,g,p.min,p.max,ue),me=k(y(ee,C,R,U)),ve,Ae,Me,We=I,rt=k(p.width*Tt),Ge=!1,ut=null,lt=null,it=null,$t=null;u!=null&&(rt==0||d!=null)&&(Ge=!0,ut=u.values(f,g,v,m),lt=new Map,new Set(ut).forEach(Re=>{Re!=null&&lt.set(Re,new Path2D)}),rt>0&&(it=d.values(f,g,v,m),$t=new Map,new Set(it).forEach(Re=>{Re!=null&&$t.set(Re,new Path2D)})));let{x0:Bt,size:cn}=c;if(Bt!=null&&cn!=null){F=1,x=Bt.values(f,g,v,m),Bt.unit==2&&(x=x.map(ot=>f.posToVal(S+ot*I,b.key,!0)));let Re=cn.values(f,g,v,m);cn.unit==2?Ae=Re[0]*I:Ae=A(Re[0],b,I,S)-A(0,b,I,S),We=wm(x,M,A,b,I,S,We),Me=We-Ae+P}else We=wm(x,M,A,b,I,S,We),Me=We*o+P,Ae=We-Me;Me<1&&(Me=0),rt>=Ae/2&&(rt=0),Me<5&&(k=Nm);let Lt=Me>0,Sn=We-Me-(Lt?rt:0);Ae=k(Tu(Sn,q,V)),ve=(F==0?Ae/2:F==Z?0:Ae)-F*Z*((F==0?P/2:0)+(Lt?rt/2:0));let bt={stroke:null,fill:null,clip:null,band:null,gaps:null,flags:0},yn=Ge?null:new Path2D,Qt=null;if(de!=null)Qt=f.data[de.series[1]];else{let{y0:Re,y1:Je}=c;Re!=null&&Je!=null&&(M=Je.values(f,g,v,m),Qt=Re.values(f,g,v,m))}let hn=H*Ae,z=le*Ae;for(let Re=Z==1?v:m;Re>=v&&Re<=m;Re+=Z){let Je=M[Re];if(Je==null)continue;if(Qt!=null){let $=Qt[Re]??0;if(Je-$==0)continue;me=y($,C,R,U)}let ot=b.distr!=2||c!=null?x[Re]:Re,Se=A(ot,b,I,S),Ut=y(St(Je,ee),C,R,U),Ve=k(Se-ve),$e=k(Yn(Ut,me)),L=k(Ii(Ut,me)),w=$e-L;if(Je!=null){let $=Je<0?z:hn,he=Je<0?hn:z;Ge?(rt>0&&it[Re]!=null&&Q($t.get(it[Re]),Ve,L+li(rt/2),Ae,Yn(0,w-rt),$,he),ut[Re]!=null&&Q(lt.get(ut[Re]),Ve,L+li(rt/2),Ae,Yn(0,w-rt),$,he)):Q(yn,Ve,L+li(rt/2),Ae,Yn(0,w-rt),$,he),ie(f,g,Re,Ve-rt/2,L,Ae+rt,w)}}return rt>0?bt.stroke=Ge?$t:yn:Ge||(bt._fill=p.width==0?p._fill:p._stroke??p._fill,bt.width=0),bt.fill=Ge?lt:yn,bt})}function A_(i,e){let t=St(e?.alignGaps,0);return(n,s,r,o)=>mr(n,s,(a,l,c,h,u,d,f,g,v,m,p)=>{[r,o]=ml(c,r,o);let x=a.pxRound,M=H=>x(d(H,h,m,g)),b=H=>x(f(H,u,p,v)),C,A,y;h.ori==0?(C=_l,y=Kr,A=og):(C=bl,y=jr,A=ag);let S=h.dir*(h.ori==0?1:-1),U=M(l[S==1?r:o]),I=U,R=[],k=[];for(let H=S==1?r:o;H>=r&&H<=o;H+=S)if(c[H]!=null){let Z=l[H],Q=M(Z);R.push(I=Q),k.push(b(c[H]))}let F={stroke:i(R,k,C,y,A,x),fill:null,clip:null,band:null,gaps:null,flags:Jr},P=F.stroke,[V,q]=Hu(n,s);if(a.fill!=null||V!=0){let H=F.fill=new Path2D(P),le=a.fillTo(n,s,a.min,a.max,V),Z=b(le);y(H,I,Z),y(H,U,Z)}if(!a.spanGaps){let H=[];H.push(...Wu(l,c,r,o,S,M,t)),F.gaps=H=a.gaps(n,s,r,o,H),F.clip=xl(H,h.ori,g,v,m,p)}return q!=0&&(F.band=q==2?[ms(n,s,r,o,P,-1),ms(n,s,r,o,P,1)]:ms(n,s,r,o,P,q)),F})}function C_(i){return A_(R_,i)}function R_(i,e,t,n,s,r){let o=i.length;if(o<2)return null;let a=new Path2D;if(t(a,i[0],e[0]),o==2)n(a,i[1],e[1]);else{let l=Array(o),c=Array(o-1),h=Array(o-1),u=Array(o-1);for(let d=0;d<o-1;d++)h[d]=e[d+1]-e[d],u[d]=i[d+1]-i[d],c[d]=h[d]/u[d];l[0]=c[0];for(let d=1;d<o-1;d++)c[d]===0||c[d-1]===0||c[d-1]>0!=c[d]>0?l[d]=0:(l[d]=3*(u[d-1]+u[d])/((2*u[d]+u[d-1])/c[d-1]+(u[d]+2*u[d-1])/c[d]),isFinite(l[d])||(l[d]=0));l[o-1]=c[o-2];for(let d=0;d<o-1;d++)s(a,i[d]+u[d]/3,e[d]+l[d]*u[d]/3,i[d+1]-u[d]/3,e[d+1]-l[d+1]*u[d]/3,i[d+1],e[d+1])}return a}var Pu=new Set;function Em(){for(let i of Pu)i.syncRect(!0)}Zr&&(fr(cx,Xr,Em),fr(hx,Xr,Em,!0),fr(dl,Xr,()=>{Nn.pxRatio=Tt}));var P_=hg(),I_=lg();function Tm(i,e,t,n){return(n?[i[0],i[1]].concat(i.slice(2)):[i[0]].concat(i.slice(1))).map((r,o)=>Iu(r,o,e,t))}function L_(i,e){return i.map((t,n)=>n==0?{}:mn({},e,t))}function Iu(i,e,t,n){return mn({},e==0?t:n,i)}function ug(i,e,t){return e==null?$r:[e,t]}var N_=ug;function D_(i,e,t){return e==null?$r:fl(e,t,Fu,!0)}function dg(i,e,t,n){return e==null?$r:gl(e,t,i.scales[n].log,!1)}var U_=dg;function fg(i,e,t,n){return e==null?$r:Uu(e,t,i.scales[n].log,!1)}var F_=fg;function O_(i,e,t,n,s){let r=Yn(sm(i),sm(e)),o=e-i,a=Pi(s/n*o,t);do{let l=t[a],c=n*l/o;if(c>=s&&r+(l<5?Bs.get(l):0)<=17)return[l,c]}while(++a<t.length);return[0,0]}function Am(i){let e,t;return i=i.replace(/(\d+)px/,(n,s)=>(e=xn((t=+s)*Tt))+"px"),[i,e,t]}function k_(i){i.show&&[i.font,i.labelFont].forEach(e=>{let t=kt(e[2]*Tt,1);e[0]=e[0].replace(/[0-9.]+px/,t+"px"),e[1]=t})}function Nn(i,e,t){let n={mode:St(i.mode,1)},s=n.mode;function r(_,E,N,D){let X=E.valToPct(_);return D+N*(E.dir==-1?1-X:X)}function o(_,E,N,D){let X=E.valToPct(_);return D+N*(E.dir==-1?X:1-X)}function a(_,E,N,D){return E.ori==0?r(_,E,N,D):o(_,E,N,D)}n.valToPosH=r,n.valToPosV=o;let l=!1;n.status=0;let c=n.root=bi(Xv);if(i.id!=null&&(c.id=i.id),ai(c,i.class),i.title){let _=bi(Yv,c);_.textContent=i.title}let h=Ri("canvas"),u=n.ctx=h.getContext("2d"),d=bi(Jv,c);fr("click",d,_=>{_.target===g&&(Gt!=Ur||Yt!=Fr)&&Ln.click(n,_)},!0);let f=n.under=bi(Zv,d);d.appendChild(h);let g=n.over=bi(Kv,d);i=Yr(i);let v=+St(i.pxAlign,1),m=Sm(v);(i.plugins||[]).forEach(_=>{_.opts&&(i=_.opts(n,i)||i)});let p=i.ms||.001,x=n.series=s==1?Tm(i.series||[],gm,bm,!1):L_(i.series||[null],_m),M=n.axes=Tm(i.axes||[],mm,vm,!0),b=n.scales={},C=n.bands=i.bands||[];C.forEach(_=>{_.fill=gt(_.fill||null),_.dir=St(_.dir,-1)});let A=s==2?x[1].facets[0].scale:x[0].scale,y={axes:us,series:ft},S=(i.drawOrder||["axes","series"]).map(_=>y[_]);function U(_){let E=_.distr==3?N=>ps(N>0?N:_.clamp(n,N,_.min,_.max,_.key)):_.distr==4?N=>vu(N,_.asinh):_.distr==100?N=>_.fwd(N):N=>N;return N=>{let D=E(N),{_min:X,_max:K}=_,ae=K-X;return(D-X)/ae}}function I(_){let E=b[_];if(E==null){let N=(i.scales||la)[_]||la;if(N.from!=null){I(N.from);let D=mn({},b[N.from],N,{key:_});D.valToPct=U(D),b[_]=D}else{E=b[_]=mn({},_==A?tg:__,N),E.key=_;let D=E.time,X=E.range,K=ks(X);if((_!=A||s==2&&!D)&&(K&&(X[0]==null||X[1]==null)&&(X={min:X[0]==null?tm:{mode:1,hard:X[0],soft:X[0]},max:X[1]==null?tm:{mode:1,hard:X[1],soft:X[1]}},K=!1),!K&&vl(X))){let ae=X;X=(fe,_e,Ne)=>_e==null?$r:fl(_e,Ne,ae)}E.range=gt(X||(D?N_:_==A?E.distr==3?U_:E.distr==4?F_:ug:E.distr==3?dg:E.distr==4?fg:D_)),E.auto=gt(K?!1:E.auto),E.clamp=gt(E.clamp||x_),E._min=E._max=null,E.valToPct=U(E)}}}I("x"),I("y"),s==1&&x.forEach(_=>{I(_.scale)}),M.forEach(_=>{I(_.scale)});for(let _ in i.scales)I(_);let R=b[A],k=R.distr,F,P;R.ori==0?(ai(c,qv),F=r,P=o):(ai(c,$v),F=o,P=r);let V={};for(let _ in b){let E=b[_];(E.min!=null||E.max!=null)&&(V[_]={min:E.min,max:E.max},E.min=E.max=null)}let q=i.tzDate||(_=>new Date(xn(_/p))),H=i.fmtDate||Bu,le=p==1?qx(q):Jx(q),Z=dm(q,um(p==1?Xx:Yx,H)),Q=pm(q,fm(Kx,H)),ie=[],de=n.legend=mn({},e_,i.legend),ue=n.cursor=mn({},o_,{drag:{y:s==2}},i.cursor),ee=de.show,me=ue.show,ve=de.markers;de.idxs=ie,ve.width=gt(ve.width),ve.dash=gt(ve.dash),ve.stroke=gt(ve.stroke),ve.fill=gt(ve.fill);let Ae,Me,We,rt=[],Ge=[],ut,lt=!1,it={};if(de.live){let _=x[1]?x[1].values:null;lt=_!=null,ut=lt?_(n,1,0):{_:0};for(let E in ut)it[E]=Nu}if(ee)if(Ae=Ri("table",ix,c),We=Ri("tbody",null,Ae),de.mount(n,Ae),lt){Me=Ri("thead",null,Ae,We);let _=Ri("tr",null,Me);Ri("th",null,_);for(var $t in ut)Ri("th",Gp,_).textContent=$t}else ai(Ae,rx),de.live&&ai(Ae,sx);let Bt={show:!0},cn={show:!1};function Lt(_,E){if(E==0&&(lt||!de.live||s==2))return $r;let N=[],D=Ri("tr",ox,We,We.childNodes[E]);ai(D,_.class),_.show||ai(D,dr);let X=Ri("th",null,D);if(ve.show){let fe=bi(ax,X);if(E>0){let _e=ve.width(n,E);_e&&(fe.style.border=_e+"px "+ve.dash(n,E)+" "+ve.stroke(n,E)),fe.style.background=ve.fill(n,E)}}let K=bi(Gp,X);_.label instanceof HTMLElement?K.appendChild(_.label):K.textContent=_.label,E>0&&(ve.show||(K.style.color=_.width>0?ve.stroke(n,E):ve.fill(n,E)),bt("click",X,fe=>{if(ue._lock)return;je(fe);let _e=x.indexOf(_);if((fe.ctrlKey||fe.metaKey)!=de.isolate){let Ne=x.some((De,Fe)=>Fe>0&&Fe!=_e&&De.show);x.forEach((De,Fe)=>{Fe>0&&Xi(Fe,Ne?Fe==_e?Bt:cn:Bt,!0,pn.setSeries)})}else Xi(_e,{show:!_.show},!0,pn.setSeries)},!1),Qe&&bt(qp,X,fe=>{ue._lock||(je(fe),Xi(x.indexOf(_),kr,!0,pn.setSeries))},!1));for(var ae in ut){let fe=Ri("td",lx,D);fe.textContent="--",N.push(fe)}return[D,N]}let Sn=new Map;function bt(_,E,N,D=!0){let X=Sn.get(E)||{},K=ue.bind[_](n,E,N,D);K&&(fr(_,E,X[_]=K),Sn.set(E,X))}function yn(_,E,N){let D=Sn.get(E)||{};for(let X in D)(_==null||X==_)&&(Eu(X,E,D[X]),delete D[X]);_==null&&Sn.delete(E)}let Qt=0,hn=0,z=0,Re=0,Je=0,ot=0,Se=Je,Ut=ot,Ve=z,$e=Re,L=0,w=0,$=0,he=0;n.bbox={};let oe=!1,ye=!1,xe=!1,te=!1,se=!1,pe=!1;function B(_,E,N){(N||_!=n.width||E!=n.height)&&re(_,E),ct(!1),xe=!0,ye=!0,Fn()}function re(_,E){n.width=Qt=z=_,n.height=hn=Re=E,Je=ot=0,be(),He();let N=n.bbox;L=N.left=hr(Je*Tt,.5),w=N.top=hr(ot*Tt,.5),$=N.width=hr(z*Tt,.5),he=N.height=hr(Re*Tt,.5)}let ne=3;function we(){let _=!1,E=0;for(;!_;){E++;let N=Lr(E),D=Wi(E);_=E==ne||N&&D,_||(re(n.width,n.height),ye=!0)}}function ge({width:_,height:E}){B(_,E)}n.setSize=ge;function be(){let _=!1,E=!1,N=!1,D=!1;M.forEach((X,K)=>{if(X.show&&X._show){let{side:ae,_size:fe}=X,_e=ae%2,Ne=X.label!=null?X.labelSize:0,De=fe+Ne;De>0&&(_e?(z-=De,ae==3?(Je+=De,D=!0):N=!0):(Re-=De,ae==0?(ot+=De,_=!0):E=!0))}}),Gi[0]=_,Gi[1]=N,Gi[2]=E,Gi[3]=D,z-=Ei[1]+Ei[3],Je+=Ei[3],Re-=Ei[2]+Ei[0],ot+=Ei[0]}function He(){let _=Je+z,E=ot+Re,N=Je,D=ot;function X(K,ae){switch(K){case 1:return _+=ae,_-ae;case 2:return E+=ae,E-ae;case 3:return N-=ae,N+ae;case 0:return D-=ae,D+ae}}M.forEach((K,ae)=>{if(K.show&&K._show){let fe=K.side;K._pos=X(fe,K._size),K.label!=null&&(K._lpos=X(fe,K.labelSize))}})}if(ue.dataIdx==null){let _=ue.hover,E=_.skip=new Set(_.skip??[]);E.add(void 0);let N=_.prox=gt(_.prox),D=_.bias??=0;ue.dataIdx=(X,K,ae,fe)=>{if(K==0)return ae;let _e=ae,Ne=N(X,K,ae,fe)??Ot,De=Ne>=0&&Ne<Ot,Fe=R.ori==0?z:Re,st=ue.left,wt=e[0],Mt=e[K];if(E.has(Mt[ae])){_e=null;let pt=null,Ke=null,Xe;if(D==0||D==-1)for(Xe=ae;pt==null&&Xe-- >0;)E.has(Mt[Xe])||(pt=Xe);if(D==0||D==1)for(Xe=ae;Ke==null&&Xe++<Mt.length;)E.has(Mt[Xe])||(Ke=Xe);if(pt!=null||Ke!=null)if(De){let Wt=pt==null?-1/0:F(wt[pt],R,Fe,0),nn=Ke==null?1/0:F(wt[Ke],R,Fe,0),An=st-Wt,Nt=nn-st;An<=Nt?An<=Ne&&(_e=pt):Nt<=Ne&&(_e=Ke)}else _e=Ke==null?pt:pt==null?Ke:ae-pt<=Ke-ae?pt:Ke}else De&&_n(st-F(wt[ae],R,Fe,0))>Ne&&(_e=null);return _e}}let je=_=>{ue.event=_};ue.idxs=ie,ue._lock=!1;let ce=ue.points;ce.show=gt(ce.show),ce.size=gt(ce.size),ce.stroke=gt(ce.stroke),ce.width=gt(ce.width),ce.fill=gt(ce.fill);let Oe=n.focus=mn({},i.focus||{alpha:.3},ue.focus),Qe=Oe.prox>=0,Ce=Qe&&ce.one,at=[],Vt=[],Gn=[];function Wo(_,E){let N=ce.show(n,E);if(N instanceof HTMLElement)return ai(N,nx),ai(N,_.class),es(N,-10,-10,z,Re),g.insertBefore(N,at[E]),N}function Rr(_,E){if(s==1||E>0){let N=s==1&&b[_.scale].time,D=_.value;_.value=N?am(D)?pm(q,fm(D,H)):D||Q:D||g_,_.label=_.label||(N?l_:a_)}if(Ce||E>0){_.width=_.width==null?1:_.width,_.paths=_.paths||P_||_x,_.fillTo=gt(_.fillTo||b_),_.pxAlign=+St(_.pxAlign,v),_.pxRound=Sm(_.pxAlign),_.stroke=gt(_.stroke||null),_.fill=gt(_.fill||null),_._stroke=_._fill=_._paths=_._focus=null;let N=y_(Yn(1,_.width),1),D=_.points=mn({},{size:N,width:Yn(1,N*.2),stroke:_.stroke,space:N*2,paths:I_,_stroke:null,_fill:null},_.points);D.show=gt(D.show),D.filter=gt(D.filter),D.fill=gt(D.fill),D.stroke=gt(D.stroke),D.paths=gt(D.paths),D.pxAlign=_.pxAlign}if(ee){let N=Lt(_,E);rt.splice(E,0,N[0]),Ge.splice(E,0,N[1]),de.values.push(null)}if(me){ie.splice(E,0,null);let N=null;Ce?E==0&&(N=Wo(_,E)):E>0&&(N=Wo(_,E)),at.splice(E,0,N),Vt.splice(E,0,0),Gn.splice(E,0,0)}Tn("addSeries",E)}function Yh(_,E){E=E??x.length,_=s==1?Iu(_,E,gm,bm):Iu(_,E,{},_m),x.splice(E,0,_),Rr(x[E],E)}n.addSeries=Yh;function $a(_){if(x.splice(_,1),ee){de.values.splice(_,1),Ge.splice(_,1);let E=rt.splice(_,1)[0];yn(null,E.firstChild),E.remove()}me&&(ie.splice(_,1),at.splice(_,1)[0].remove(),Vt.splice(_,1),Gn.splice(_,1)),Tn("delSeries",_)}n.delSeries=$a;let Gi=[!1,!1,!1,!1];function ls(_,E){if(_._show=_.show,_.show){let N=_.side%2,D=b[_.scale];D==null&&(_.scale=N?x[1].scale:A,D=b[_.scale]);let X=D.time;_.size=gt(_.size),_.space=gt(_.space),_.rotate=gt(_.rotate),ks(_.incrs)&&_.incrs.forEach(ae=>{!Bs.has(ae)&&Bs.set(ae,Fm(ae))}),_.incrs=gt(_.incrs||(D.distr==2?Gx:X?p==1?Wx:$x:ur)),_.splits=gt(_.splits||(X&&D.distr==1?le:D.distr==3?Au:D.distr==4?u_:h_)),_.stroke=gt(_.stroke),_.grid.stroke=gt(_.grid.stroke),_.ticks.stroke=gt(_.ticks.stroke),_.border.stroke=gt(_.border.stroke);let K=_.values;_.values=ks(K)&&!ks(K[0])?gt(K):X?ks(K)?dm(q,um(K,H)):am(K)?Zx(q,K):K||Z:K||c_,_.filter=gt(_.filter||(D.distr>=3&&D.log==10?p_:D.distr==3&&D.log==2?m_:Dm)),_.font=Am(_.font),_.labelFont=Am(_.labelFont),_._size=_.size(n,null,E,0),_._space=_._rotate=_._incrs=_._found=_._splits=_._values=null,_._size>0&&(Gi[E]=!0,_._el=bi(jv,d))}}function cs(_,E,N,D){let[X,K,ae,fe]=N,_e=E%2,Ne=0;return _e==0&&(fe||K)&&(Ne=E==0&&!X||E==2&&!ae?xn(mm.size/3):0),_e==1&&(X||ae)&&(Ne=E==1&&!K||E==3&&!fe?xn(vm.size/2):0),Ne}let Xo=n.padding=(i.padding||[cs,cs,cs,cs]).map(_=>gt(St(_,cs))),Ei=n._padding=Xo.map((_,E)=>_(n,E,Gi,0)),en,rn=null,on=null,Hi=s==1?x[0].idxs:null,ni=null,As=!1;function qo(_,E){if(e=_??[],n.data=n._data=e,s==2){en=0;for(let N=1;N<x.length;N++)en+=e[N][0].length}else{e.length==0&&(n.data=n._data=e=[[]]),ni=e[0],en=ni.length;let N=e;if(k==2){N=e.slice();let D=N[0]=Array(en);for(let X=0;X<en;X++)D[X]=X}n._data=e=N}if(ct(!0),Tn("setData"),k==2&&(xe=!0),E!==!1){let N=R;N.auto(n,As)?$o():Ps(A,N.min,N.max),te=te||ue.left>=0,pe=!0,Fn()}}n.setData=qo;function $o(){As=!0;let _,E;s==1&&(en>0?(rn=Hi[0]=0,on=Hi[1]=en-1,_=e[0][rn],E=e[0][on],k==2?(_=rn,E=on):_==E&&(k==3?[_,E]=gl(_,_,R.log,!1):k==4?[_,E]=Uu(_,_,R.log,!1):R.time?E=_+xn(86400/p):[_,E]=fl(_,E,Fu,!0))):(rn=Hi[0]=_=null,on=Hi[1]=E=null)),Ps(A,_,E)}let Pr,Cs,Ir,T,G,j,Y,J,Ee,Pe;function Te(_,E,N,D,X,K){_??=Wp,N??=ku,D??="butt",X??=Wp,K??="round",_!=Pr&&(u.strokeStyle=Pr=_),X!=Cs&&(u.fillStyle=Cs=X),E!=Ir&&(u.lineWidth=Ir=E),K!=G&&(u.lineJoin=G=K),D!=j&&(u.lineCap=j=D),N!=T&&u.setLineDash(T=N)}function Ie(_,E,N,D){E!=Cs&&(u.fillStyle=Cs=E),_!=Y&&(u.font=Y=_),N!=J&&(u.textAlign=J=N),D!=Ee&&(u.textBaseline=Ee=D)}function ze(_,E,N,D,X=0){if(D.length>0&&_.auto(n,As)&&(E==null||E.min==null)){let K=St(rn,0),ae=St(on,D.length-1),fe=N.min==null?px(D,K,ae,X,_.distr==3):[N.min,N.max];_.min=Ii(_.min,N.min=fe[0]),_.max=Yn(_.max,N.max=fe[1])}}let et={min:null,max:null};function dt(){for(let D in b){let X=b[D];V[D]==null&&(X.min==null||V[A]!=null&&X.auto(n,As))&&(V[D]=et)}for(let D in b){let X=b[D];V[D]==null&&X.from!=null&&V[X.from]!=null&&(V[D]=et)}V[A]!=null&&ct(!0);let _={};for(let D in V){let X=V[D];if(X!=null){let K=_[D]=Yr(b[D],Sx);if(X.min!=null)mn(K,X);else if(D!=A||s==2)if(en==0&&K.from==null){let ae=K.range(n,null,null,D);K.min=ae[0],K.max=ae[1]}else K.min=Ot,K.max=-Ot}}if(en>0){x.forEach((D,X)=>{if(s==1){let K=D.scale,ae=V[K];if(ae==null)return;let fe=_[K];if(X==0){let _e=fe.range(n,fe.min,fe.max,K);fe.min=_e[0],fe.max=_e[1],rn=Pi(fe.min,e[0]),on=Pi(fe.max,e[0]),on-rn>1&&(e[0][rn]<fe.min&&rn++,e[0][on]>fe.max&&on--),D.min=ni[rn],D.max=ni[on]}else D.show&&D.auto&&ze(fe,ae,D,e[X],D.sorted);D.idxs[0]=rn,D.idxs[1]=on}else if(X>0&&D.show&&D.auto){let[K,ae]=D.facets,fe=K.scale,_e=ae.scale,[Ne,De]=e[X],Fe=_[fe],st=_[_e];Fe!=null&&ze(Fe,V[fe],K,Ne,K.sorted),st!=null&&ze(st,V[_e],ae,De,ae.sorted),D.min=ae.min,D.max=ae.max}});for(let D in _){let X=_[D],K=V[D];if(X.from==null&&(K==null||K.min==null)){let ae=X.range(n,X.min==Ot?null:X.min,X.max==-Ot?null:X.max,D);X.min=ae[0],X.max=ae[1]}}}for(let D in _){let X=_[D];if(X.from!=null){let K=_[X.from];if(K.min==null)X.min=X.max=null;else{let ae=X.range(n,K.min,K.max,D);X.min=ae[0],X.max=ae[1]}}}let E={},N=!1;for(let D in _){let X=_[D],K=b[D];if(K.min!=X.min||K.max!=X.max){K.min=X.min,K.max=X.max;let ae=K.distr;K._min=ae==3?ps(K.min):ae==4?vu(K.min,K.asinh):ae==100?K.fwd(K.min):K.min,K._max=ae==3?ps(K.max):ae==4?vu(K.max,K.asinh):ae==100?K.fwd(K.max):K.max,E[D]=N=!0}}if(N){x.forEach((D,X)=>{s==2?X>0&&E.y&&(D._paths=null):E[D.scale]&&(D._paths=null)});for(let D in E)xe=!0,Tn("setScale",D);me&&ue.left>=0&&(te=pe=!0)}for(let D in V)V[D]=null}function ke(_){let E=Tu(rn-1,0,en-1),N=Tu(on+1,0,en-1);for(;_[E]==null&&E>0;)E--;for(;_[N]==null&&N<en-1;)N++;return[E,N]}function ft(){if(en>0){let _=x.some(E=>E._focus)&&Pe!=Oe.alpha;_&&(u.globalAlpha=Pe=Oe.alpha),x.forEach((E,N)=>{if(N>0&&E.show&&(Zt(N,!1),Zt(N,!0),E._paths==null)){let D=Pe;Pe!=E.alpha&&(u.globalAlpha=Pe=E.alpha);let X=s==2?[0,e[N][0].length-1]:ke(e[N]);E._paths=E.paths(n,N,X[0],X[1]),Pe!=D&&(u.globalAlpha=Pe=D)}}),x.forEach((E,N)=>{if(N>0&&E.show){let D=Pe;Pe!=E.alpha&&(u.globalAlpha=Pe=E.alpha),E._paths!=null&&Rt(N,!1);{let X=E._paths!=null?E._paths.gaps:null,K=E.points.show(n,N,rn,on,X),ae=E.points.filter(n,N,K,X);(K||ae)&&(E.points._paths=E.points.paths(n,N,rn,on,ae),Rt(N,!0))}Pe!=D&&(u.globalAlpha=Pe=D),Tn("drawSeries",N)}}),_&&(u.globalAlpha=Pe=1)}}function Zt(_,E){let N=E?x[_].points:x[_];N._stroke=N.stroke(n,_),N._fill=N.fill(n,_)}function Rt(_,E){let N=E?x[_].points:x[_],{stroke:D,fill:X,clip:K,flags:ae,_stroke:fe=N._stroke,_fill:_e=N._fill,_width:Ne=N.width}=N._paths;Ne=kt(Ne*Tt,3);let De=null,Fe=Ne%2/2;E&&_e==null&&(_e=Ne>0?"#fff":fe);let st=N.pxAlign==1&&Fe>0;if(st&&u.translate(Fe,Fe),!E){let wt=L-Ne/2,Mt=w-Ne/2,pt=$+Ne,Ke=he+Ne;De=new Path2D,De.rect(wt,Mt,pt,Ke)}E?Ue(fe,Ne,N.dash,N.cap,_e,D,X,ae,K):Pt(_,fe,Ne,N.dash,N.cap,_e,D,X,ae,De,K),st&&u.translate(-Fe,-Fe)}function Pt(_,E,N,D,X,K,ae,fe,_e,Ne,De){let Fe=!1;_e!=0&&C.forEach((st,wt)=>{if(st.series[0]==_){let Mt=x[st.series[1]],pt=e[st.series[1]],Ke=(Mt._paths||la).band;ks(Ke)&&(Ke=st.dir==1?Ke[0]:Ke[1]);let Xe,Wt=null;Mt.show&&Ke&&gx(pt,rn,on)?(Wt=st.fill(n,wt)||K,Xe=Mt._paths.clip):Ke=null,Ue(E,N,D,X,Wt,ae,fe,_e,Ne,De,Xe,Ke),Fe=!0}}),Fe||Ue(E,N,D,X,K,ae,fe,_e,Ne,De)}let vn=Jr|Ru;function Ue(_,E,N,D,X,K,ae,fe,_e,Ne,De,Fe){Te(_,E,N,D,X),(_e||Ne||Fe)&&(u.save(),_e&&u.clip(_e),Ne&&u.clip(Ne)),Fe?(fe&vn)==vn?(u.clip(Fe),De&&u.clip(De),mt(X,ae),un(_,K,E)):fe&Ru?(mt(X,ae),u.clip(Fe),un(_,K,E)):fe&Jr&&(u.save(),u.clip(Fe),De&&u.clip(De),mt(X,ae),u.restore(),un(_,K,E)):(mt(X,ae),un(_,K,E)),(_e||Ne||Fe)&&u.restore()}function un(_,E,N){N>0&&(E instanceof Map?E.forEach((D,X)=>{u.strokeStyle=Pr=X,u.stroke(D)}):E!=null&&_&&u.stroke(E))}function mt(_,E){E instanceof Map?E.forEach((N,D)=>{u.fillStyle=Cs=D,u.fill(N)}):E!=null&&_&&u.fill(E)}function hs(_,E,N,D){let X=M[_],K;if(D<=0)K=[0,0];else{let ae=X._space=X.space(n,_,E,N,D),fe=X._incrs=X.incrs(n,_,E,N,D,ae);K=O_(E,N,fe,D,ae)}return X._found=K}function dn(_,E,N,D,X,K,ae,fe,_e,Ne){let De=ae%2/2;v==1&&u.translate(De,De),Te(fe,ae,_e,Ne,fe),u.beginPath();let Fe,st,wt,Mt,pt=X+(D==0||D==3?-K:K);N==0?(st=X,Mt=pt):(Fe=X,wt=pt);for(let Ke=0;Ke<_.length;Ke++)E[Ke]!=null&&(N==0?Fe=wt=_[Ke]:st=Mt=_[Ke],u.moveTo(Fe,st),u.lineTo(wt,Mt));u.stroke(),v==1&&u.translate(-De,-De)}function Lr(_){let E=!0;return M.forEach((N,D)=>{if(!N.show)return;let X=b[N.scale];if(X.min==null){N._show&&(E=!1,N._show=!1,ct(!1));return}else N._show||(E=!1,N._show=!0,ct(!1));let K=N.side,ae=K%2,{min:fe,max:_e}=X,[Ne,De]=hs(D,fe,_e,ae==0?z:Re);if(De==0)return;let Fe=X.distr==2,st=N._splits=N.splits(n,D,fe,_e,Ne,De,Fe),wt=X.distr==2?st.map(Xe=>ni[Xe]):st,Mt=X.distr==2?ni[st[1]]-ni[st[0]]:Ne,pt=N._values=N.values(n,N.filter(n,wt,D,De,Mt),D,De,Mt);N._rotate=K==2?N.rotate(n,pt,D,De):0;let Ke=N._size;N._size=Mi(N.size(n,pt,D,_)),Ke!=null&&N._size!=Ke&&(E=!1)}),E}function Wi(_){let E=!0;return Xo.forEach((N,D)=>{let X=N(n,D,Gi,_);X!=Ei[D]&&(E=!1),Ei[D]=X}),E}function us(){for(let _=0;_<M.length;_++){let E=M[_];if(!E.show||!E._show)continue;let N=E.side,D=N%2,X,K,ae=E.stroke(n,_),fe=N==0||N==3?-1:1,[_e,Ne]=E._found;if(E.label!=null){let Xn=E.labelGap*fe,ri=xn((E._lpos+Xn)*Tt);Ie(E.labelFont[0],ae,"center",N==2?"top":Hp),u.save(),D==1?(X=K=0,u.translate(ri,xn(w+he/2)),u.rotate((N==3?-ul:ul)/2)):(X=xn(L+$/2),K=ri);let rr=Lm(E.label)?E.label(n,_,_e,Ne):E.label;u.fillText(rr,X,K),u.restore()}if(Ne==0)continue;let De=b[E.scale],Fe=D==0?$:he,st=D==0?L:w,wt=E._splits,Mt=De.distr==2?wt.map(Xn=>ni[Xn]):wt,pt=De.distr==2?ni[wt[1]]-ni[wt[0]]:_e,Ke=E.ticks,Xe=E.border,Wt=Ke.show?Ke.size:0,nn=xn(Wt*Tt),An=xn((E.alignTo==2?E._size-Wt-E.gap:E.gap)*Tt),Nt=E._rotate*-ul/180,sn=m(E._pos*Tt),ii=(nn+An)*fe,Wn=sn+ii;K=D==0?Wn:0,X=D==1?Wn:0;let yi=E.font[0],Ti=E.align==1?Hr:E.align==2?mu:Nt>0?Hr:Nt<0?mu:D==0?"center":N==3?mu:Hr,$i=Nt||D==1?"middle":N==2?"top":Hp;Ie(yi,ae,Ti,$i);let si=E.font[1]*E.lineGap,vi=wt.map(Xn=>m(a(Xn,De,Fe,st))),Ai=E._values;for(let Xn=0;Xn<Ai.length;Xn++){let ri=Ai[Xn];if(ri!=null){D==0?X=vi[Xn]:K=vi[Xn],ri=""+ri;let rr=ri.indexOf(`
+`)==-1?[ri]:ri.split(/\n/gm);for(let qn=0;qn<rr.length;qn++){let tp=rr[qn];Nt?(u.save(),u.translate(X,K+qn*si),u.rotate(Nt),u.fillText(tp,0,0),u.restore()):u.fillText(tp,X,K+qn*si)}}}Ke.show&&dn(vi,Ke.filter(n,Mt,_,Ne,pt),D,N,sn,nn,kt(Ke.width*Tt,3),Ke.stroke(n,_),Ke.dash,Ke.cap);let Yi=E.grid;Yi.show&&dn(vi,Yi.filter(n,Mt,_,Ne,pt),D,D==0?2:1,D==0?w:L,D==0?he:$,kt(Yi.width*Tt,3),Yi.stroke(n,_),Yi.dash,Yi.cap),Xe.show&&dn([sn],[1],D==0?1:0,D==0?1:2,D==1?w:L,D==1?he:$,kt(Xe.width*Tt,3),Xe.stroke(n,_),Xe.dash,Xe.cap)}Tn("drawAxes")}function ct(_){x.forEach((E,N)=>{N>0&&(E._paths=null,_&&(s==1?(E.min=null,E.max=null):E.facets.forEach(D=>{D.min=null,D.max=null})))})}let tn=!1,Hn=!1,It=[];function fn(){Hn=!1;for(let _=0;_<It.length;_++)Tn(...It[_]);It.length=0}function Fn(){tn||(Px(Of),tn=!0)}function Ya(_,E=!1){tn=!0,Hn=E,_(n),Of(),E&&It.length>0&&queueMicrotask(fn)}n.batch=Ya;function Of(){if(oe&&(dt(),oe=!1),xe&&(we(),xe=!1),ye){if(Xt(f,Hr,Je),Xt(f,"top",ot),Xt(f,sa,z),Xt(f,ra,Re),Xt(g,Hr,Je),Xt(g,"top",ot),Xt(g,sa,z),Xt(g,ra,Re),Xt(d,sa,Qt),Xt(d,ra,hn),h.width=xn(Qt*Tt),h.height=xn(hn*Tt),M.forEach(({_el:_,_show:E,_size:N,_pos:D,side:X})=>{if(_!=null)if(E){let K=X===3||X===0?N:0,ae=X%2==1;Xt(_,ae?"left":"top",D-K),Xt(_,ae?"width":"height",N),Xt(_,ae?"top":"left",ae?ot:Je),Xt(_,ae?"height":"width",ae?Re:z),wu(_,dr)}else ai(_,dr)}),Pr=Cs=Ir=G=j=Y=J=Ee=T=null,Pe=1,Zo(!0),Je!=Se||ot!=Ut||z!=Ve||Re!=$e){ct(!1);let _=z/Ve,E=Re/$e;if(me&&!te&&ue.left>=0){ue.left*=_,ue.top*=E,Nr&&es(Nr,xn(ue.left),0,z,Re),Dr&&es(Dr,0,xn(ue.top),z,Re);for(let N=0;N<at.length;N++){let D=at[N];D!=null&&(Vt[N]*=_,Gn[N]*=E,es(D,Mi(Vt[N]),Mi(Gn[N]),z,Re))}}if(Ht.show&&!se&&Ht.left>=0&&Ht.width>0){Ht.left*=_,Ht.width*=_,Ht.top*=E,Ht.height*=E;for(let N in eu)Xt(Or,N,Ht[N])}Se=Je,Ut=ot,Ve=z,$e=Re}Tn("setSize"),ye=!1}Qt>0&&hn>0&&(u.clearRect(0,0,h.width,h.height),Tn("drawClear"),S.forEach(_=>_()),Tn("draw")),Ht.show&&se&&(Ja(Ht),se=!1),me&&te&&(sr(null,!0,!1),te=!1),de.show&&de.live&&pe&&(jh(),pe=!1),l||(l=!0,n.status=1,Tn("ready")),As=!1,tn=!1}n.redraw=(_,E)=>{xe=E||!1,_!==!1?Ps(A,R.min,R.max):Fn()};function Jh(_,E){let N=b[_];if(N.from==null){if(en==0){let D=N.range(n,E.min,E.max,_);E.min=D[0],E.max=D[1]}if(E.min>E.max){let D=E.min;E.min=E.max,E.max=D}if(en>1&&E.min!=null&&E.max!=null&&E.max-E.min<1e-16)return;_==A&&N.distr==2&&en>0&&(E.min=Pi(E.min,e[0]),E.max=Pi(E.max,e[0]),E.min==E.max&&E.max++),V[_]=E,oe=!0,Fn()}}n.setScale=Jh;let Zh,Kh,Nr,Dr,kf,Bf,Ur,Fr,zf,Vf,Gt,Yt,Rs=!1,Ln=ue.drag,wn=Ln.x,En=Ln.y;me&&(ue.x&&(Zh=bi(ex,g)),ue.y&&(Kh=bi(tx,g)),R.ori==0?(Nr=Zh,Dr=Kh):(Nr=Kh,Dr=Zh),Gt=ue.left,Yt=ue.top);let Ht=n.select=mn({show:!0,over:!0,left:0,width:0,top:0,height:0},i.select),Or=Ht.show?bi(Qv,Ht.over?g:f):null;function Ja(_,E){if(Ht.show){for(let N in _)Ht[N]=_[N],N in eu&&Xt(Or,N,_[N]);E!==!1&&Tn("setSelect")}}n.setSelect=Ja;function Ky(_){if(x[_].show)ee&&wu(rt[_],dr);else if(ee&&ai(rt[_],dr),me){let N=Ce?at[0]:at[_];N!=null&&es(N,-10,-10,z,Re)}}function Ps(_,E,N){Jh(_,{min:E,max:N})}function Xi(_,E,N,D){E.focus!=null&&nv(_),E.show!=null&&x.forEach((X,K)=>{K>0&&(_==K||_==null)&&(X.show=E.show,Ky(K),s==2?(Ps(X.facets[0].scale,null,null),Ps(X.facets[1].scale,null,null)):Ps(X.scale,null,null),Fn())}),N!==!1&&Tn("setSeries",_,E),D&&Ko("setSeries",n,_,E)}n.setSeries=Xi;function jy(_,E){mn(C[_],E)}function Qy(_,E){_.fill=gt(_.fill||null),_.dir=St(_.dir,-1),E=E??C.length,C.splice(E,0,_)}function ev(_){_==null?C.length=0:C.splice(_,1)}n.addBand=Qy,n.setBand=jy,n.delBand=ev;function tv(_,E){x[_].alpha=E,me&&at[_]!=null&&(at[_].style.opacity=E),ee&&rt[_]&&(rt[_].style.opacity=E)}let ds,Is,ir,kr={focus:!0};function nv(_){if(_!=ir){let E=_==null,N=Oe.alpha!=1;x.forEach((D,X)=>{if(s==1||X>0){let K=E||X==0||X==_;D._focus=E?null:K,N&&tv(X,K?1:Oe.alpha)}}),ir=_,N&&Fn()}}ee&&Qe&&bt($p,Ae,_=>{ue._lock||(je(_),ir!=null&&Xi(null,kr,!0,pn.setSeries))});function qi(_,E,N){let D=b[E];N&&(_=_/Tt-(D.ori==1?ot:Je));let X=z;D.ori==1&&(X=Re,_=X-_),D.dir==-1&&(_=X-_);let K=D._min,ae=D._max,fe=_/X,_e=K+(ae-K)*fe,Ne=D.distr;return Ne==3?qr(10,_e):Ne==4?vx(_e,D.asinh):Ne==100?D.bwd(_e):_e}function iv(_,E){let N=qi(_,A,E);return Pi(N,e[0],rn,on)}n.valToIdx=_=>Pi(_,e[0]),n.posToIdx=iv,n.posToVal=qi,n.valToPos=(_,E,N)=>b[E].ori==0?r(_,b[E],N?$:z,N?L:0):o(_,b[E],N?he:Re,N?w:0),n.setCursor=(_,E,N)=>{Gt=_.left,Yt=_.top,sr(null,E,N)};function Gf(_,E){Xt(Or,Hr,Ht.left=_),Xt(Or,sa,Ht.width=E)}function Hf(_,E){Xt(Or,"top",Ht.top=_),Xt(Or,ra,Ht.height=E)}let Yo=R.ori==0?Gf:Hf,Jo=R.ori==1?Gf:Hf;function sv(){if(ee&&de.live)for(let _=s==2?1:0;_<x.length;_++){if(_==0&&lt)continue;let E=de.values[_],N=0;for(let D in E)Ge[_][N++].firstChild.nodeValue=E[D]}}function jh(_,E){if(_!=null&&(_.idxs?_.idxs.forEach((N,D)=>{ie[D]=N}):Mx(_.idx)||ie.fill(_.idx),de.idx=ie[0]),ee&&de.live){for(let N=0;N<x.length;N++)(N>0||s==1&&!lt)&&rv(N,ie[N]);sv()}pe=!1,E!==!1&&Tn("setLegend")}n.setLegend=jh;function rv(_,E){let N=x[_],D=_==0&&k==2?ni:e[_],X;lt?X=N.values(n,_,E)??it:(X=N.value(n,E==null?null:D[E],_,E),X=X==null?it:{_:X}),de.values[_]=X}function sr(_,E,N){zf=Gt,Vf=Yt,[Gt,Yt]=ue.move(n,Gt,Yt),ue.left=Gt,ue.top=Yt,me&&(Nr&&es(Nr,xn(Gt),0,z,Re),Dr&&es(Dr,0,xn(Yt),z,Re));let D,X=rn>on;ds=Ot,Is=null;let K=R.ori==0?z:Re,ae=R.ori==1?z:Re;if(Gt<0||en==0||X){D=ue.idx=null;for(let fe=0;fe<x.length;fe++){let _e=at[fe];_e!=null&&es(_e,-10,-10,z,Re)}Qe&&Xi(null,kr,!0,_==null&&pn.setSeries),de.live&&(ie.fill(D),pe=!0)}else{let fe,_e,Ne;s==1&&(fe=R.ori==0?Gt:Yt,_e=qi(fe,A),D=ue.idx=Pi(_e,e[0],rn,on),Ne=F(e[0][D],R,K,0));let De=-10,Fe=-10,st=0,wt=0,Mt=!0,pt="",Ke="";for(let Xe=s==2?1:0;Xe<x.length;Xe++){let Wt=x[Xe],nn=ie[Xe],An=nn==null?null:s==1?e[Xe][nn]:e[Xe][1][nn],Nt=ue.dataIdx(n,Xe,D,_e),sn=Nt==null?null:s==1?e[Xe][Nt]:e[Xe][1][Nt];if(pe=pe||sn!=An||Nt!=nn,ie[Xe]=Nt,Xe>0&&Wt.show){let ii=Nt==null?-10:Nt==D?Ne:F(s==1?e[0][Nt]:e[Xe][0][Nt],R,K,0),Wn=sn==null?-10:P(sn,s==1?b[Wt.scale]:b[Wt.facets[1].scale],ae,0);if(Qe&&sn!=null){let yi=R.ori==1?Gt:Yt,Ti=_n(Oe.dist(n,Xe,Nt,Wn,yi));if(Ti<ds){let $i=Oe.bias;if($i!=0){let si=qi(yi,Wt.scale),vi=sn>=0?1:-1,Ai=si>=0?1:-1;Ai==vi&&(Ai==1?$i==1?sn>=si:sn<=si:$i==1?sn<=si:sn>=si)&&(ds=Ti,Is=Xe)}else ds=Ti,Is=Xe}}if(pe||Ce){let yi,Ti;R.ori==0?(yi=ii,Ti=Wn):(yi=Wn,Ti=ii);let $i,si,vi,Ai,Yi,Xn,ri=!0,rr=ce.bbox;if(rr!=null){ri=!1;let qn=rr(n,Xe);vi=qn.left,Ai=qn.top,$i=qn.width,si=qn.height}else vi=yi,Ai=Ti,$i=si=ce.size(n,Xe);if(Xn=ce.fill(n,Xe),Yi=ce.stroke(n,Xe),Ce)Xe==Is&&ds<=Oe.prox&&(De=vi,Fe=Ai,st=$i,wt=si,Mt=ri,pt=Xn,Ke=Yi);else{let qn=at[Xe];qn!=null&&(Vt[Xe]=vi,Gn[Xe]=Ai,em(qn,$i,si,ri),jp(qn,Xn,Yi),es(qn,Mi(vi),Mi(Ai),z,Re))}}}}if(Ce){let Xe=Oe.prox,Wt=ir==null?ds<=Xe:ds>Xe||Is!=ir;if(pe||Wt){let nn=at[0];nn!=null&&(Vt[0]=De,Gn[0]=Fe,em(nn,st,wt,Mt),jp(nn,pt,Ke),es(nn,Mi(De),Mi(Fe),z,Re))}}}if(Ht.show&&Rs)if(_!=null){let[fe,_e]=pn.scales,[Ne,De]=pn.match,[Fe,st]=_.cursor.sync.scales,wt=_.cursor.drag;if(wn=wt._x,En=wt._y,wn||En){let{left:Mt,top:pt,width:Ke,height:Xe}=_.select,Wt=_.scales[Fe].ori,nn=_.posToVal,An,Nt,sn,ii,Wn,yi=fe!=null&&Ne(fe,Fe),Ti=_e!=null&&De(_e,st);yi&&wn?(Wt==0?(An=Mt,Nt=Ke):(An=pt,Nt=Xe),sn=b[fe],ii=F(nn(An,Fe),sn,K,0),Wn=F(nn(An+Nt,Fe),sn,K,0),Yo(Ii(ii,Wn),_n(Wn-ii))):Yo(0,K),Ti&&En?(Wt==1?(An=Mt,Nt=Ke):(An=pt,Nt=Xe),sn=b[_e],ii=P(nn(An,st),sn,ae,0),Wn=P(nn(An+Nt,st),sn,ae,0),Jo(Ii(ii,Wn),_n(Wn-ii))):Jo(0,ae)}else tu()}else{let fe=_n(zf-kf),_e=_n(Vf-Bf);if(R.ori==1){let st=fe;fe=_e,_e=st}wn=Ln.x&&fe>=Ln.dist,En=Ln.y&&_e>=Ln.dist;let Ne=Ln.uni;Ne!=null?wn&&En&&(wn=fe>=Ne,En=_e>=Ne,!wn&&!En&&(_e>fe?En=!0:wn=!0)):Ln.x&&Ln.y&&(wn||En)&&(wn=En=!0);let De,Fe;wn&&(R.ori==0?(De=Ur,Fe=Gt):(De=Fr,Fe=Yt),Yo(Ii(De,Fe),_n(Fe-De)),En||Jo(0,ae)),En&&(R.ori==1?(De=Ur,Fe=Gt):(De=Fr,Fe=Yt),Jo(Ii(De,Fe),_n(Fe-De)),wn||Yo(0,K)),!wn&&!En&&(Yo(0,0),Jo(0,0))}if(Ln._x=wn,Ln._y=En,_==null){if(N){if(ep!=null){let[fe,_e]=pn.scales;pn.values[0]=fe!=null?qi(R.ori==0?Gt:Yt,fe):null,pn.values[1]=_e!=null?qi(R.ori==1?Gt:Yt,_e):null}Ko(gu,n,Gt,Yt,z,Re,D)}if(Qe){let fe=N&&pn.setSeries,_e=Oe.prox;ir==null?ds<=_e&&Xi(Is,kr,!0,fe):ds>_e?Xi(null,kr,!0,fe):Is!=ir&&Xi(Is,kr,!0,fe)}}pe&&(de.idx=D,jh()),E!==!1&&Tn("setCursor")}let Ls=null;Object.defineProperty(n,"rect",{get(){return Ls==null&&Zo(!1),Ls}});function Zo(_=!1){_?Ls=null:(Ls=g.getBoundingClientRect(),Tn("syncRect",Ls))}function Wf(_,E,N,D,X,K,ae){ue._lock||Rs&&_!=null&&_.movementX==0&&_.movementY==0||(Qh(_,E,N,D,X,K,ae,!1,_!=null),_!=null?sr(null,!0,!0):sr(E,!0,!1))}function Qh(_,E,N,D,X,K,ae,fe,_e){if(Ls==null&&Zo(!1),je(_),_!=null)N=_.clientX-Ls.left,D=_.clientY-Ls.top;else{if(N<0||D<0){Gt=-10,Yt=-10;return}let[Ne,De]=pn.scales,Fe=E.cursor.sync,[st,wt]=Fe.values,[Mt,pt]=Fe.scales,[Ke,Xe]=pn.match,Wt=E.axes[0].side%2==1,nn=R.ori==0?z:Re,An=R.ori==1?z:Re,Nt=Wt?K:X,sn=Wt?X:K,ii=Wt?D:N,Wn=Wt?N:D;if(Mt!=null?N=Ke(Ne,Mt)?a(st,b[Ne],nn,0):-10:N=nn*(ii/Nt),pt!=null?D=Xe(De,pt)?a(wt,b[De],An,0):-10:D=An*(Wn/sn),R.ori==1){let yi=N;N=D,D=yi}}_e&&(E==null||E.cursor.event.type==gu)&&((N<=1||N>=z-1)&&(N=hr(N,z)),(D<=1||D>=Re-1)&&(D=hr(D,Re))),fe?(kf=N,Bf=D,[Ur,Fr]=ue.move(n,N,D)):(Gt=N,Yt=D)}let eu={width:0,height:0,left:0,top:0};function tu(){Ja(eu,!1)}let Xf,qf,$f,Yf;function Jf(_,E,N,D,X,K,ae){Rs=!0,wn=En=Ln._x=Ln._y=!1,Qh(_,E,N,D,X,K,ae,!0,!1),_!=null&&(bt(yu,Mu,Zf,!1),Ko(Xp,n,Ur,Fr,z,Re,null));let{left:fe,top:_e,width:Ne,height:De}=Ht;Xf=fe,qf=_e,$f=Ne,Yf=De}function Zf(_,E,N,D,X,K,ae){Rs=Ln._x=Ln._y=!1,Qh(_,E,N,D,X,K,ae,!1,!0);let{left:fe,top:_e,width:Ne,height:De}=Ht,Fe=Ne>0||De>0,st=Xf!=fe||qf!=_e||$f!=Ne||Yf!=De;if(Fe&&st&&Ja(Ht),Ln.setScale&&Fe&&st){let wt=fe,Mt=Ne,pt=_e,Ke=De;if(R.ori==1&&(wt=_e,Mt=De,pt=fe,Ke=Ne),wn&&Ps(A,qi(wt,A),qi(wt+Mt,A)),En)for(let Xe in b){let Wt=b[Xe];Xe!=A&&Wt.from==null&&Wt.min!=Ot&&Ps(Xe,qi(pt+Ke,Xe),qi(pt,Xe))}tu()}else ue.lock&&(ue._lock=!ue._lock,sr(E,!0,_!=null));_!=null&&(yn(yu,Mu),Ko(yu,n,Gt,Yt,z,Re,null))}function ov(_,E,N,D,X,K,ae){if(ue._lock)return;je(_);let fe=Rs;if(Rs){let _e=!0,Ne=!0,De=10,Fe,st;R.ori==0?(Fe=wn,st=En):(Fe=En,st=wn),Fe&&st&&(_e=Gt<=De||Gt>=z-De,Ne=Yt<=De||Yt>=Re-De),Fe&&_e&&(Gt=Gt<Ur?0:z),st&&Ne&&(Yt=Yt<Fr?0:Re),sr(null,!0,!0),Rs=!1}Gt=-10,Yt=-10,ie.fill(null),sr(null,!0,!0),fe&&(Rs=fe)}function Kf(_,E,N,D,X,K,ae){ue._lock||(je(_),$o(),tu(),_!=null&&Ko(Yp,n,Gt,Yt,z,Re,null))}function jf(){M.forEach(k_),B(n.width,n.height,!0)}fr(dl,Xr,jf);let Br={};Br.mousedown=Jf,Br.mousemove=Wf,Br.mouseup=Zf,Br.dblclick=Kf,Br.setSeries=(_,E,N,D)=>{let X=pn.match[2];N=X(n,E,N),N!=-1&&Xi(N,D,!0,!1)},me&&(bt(Xp,g,Jf),bt(gu,g,Wf),bt(qp,g,_=>{je(_),Zo(!1)}),bt($p,g,ov),bt(Yp,g,Kf),Pu.add(n),n.syncRect=Zo);let Za=n.hooks=i.hooks||{};function Tn(_,E,N){Hn?It.push([_,E,N]):_ in Za&&Za[_].forEach(D=>{D.call(null,n,E,N)})}(i.plugins||[]).forEach(_=>{for(let E in _.hooks)Za[E]=(Za[E]||[]).concat(_.hooks[E])});let Qf=(_,E,N)=>N,pn=mn({key:null,setSeries:!1,filters:{pub:rm,sub:rm},scales:[A,x[1]?x[1].scale:null],match:[om,om,Qf],values:[null,null]},ue.sync);pn.match.length==2&&pn.match.push(Qf),ue.sync=pn;let ep=pn.key,nu=ng(ep);function Ko(_,E,N,D,X,K,ae){pn.filters.pub(_,E,N,D,X,K,ae)&&nu.pub(_,E,N,D,X,K,ae)}nu.sub(n);function av(_,E,N,D,X,K,ae){pn.filters.sub(_,E,N,D,X,K,ae)&&Br[_](null,E,N,D,X,K,ae)}n.pub=av;function lv(){nu.unsub(n),Pu.delete(n),Sn.clear(),Eu(dl,Xr,jf),c.remove(),Ae?.remove(),Tn("destroy")}n.destroy=lv;function iu(){Tn("init",i,e),qo(e||i.data,!1),V[A]?Jh(A,V[A]):$o(),se=Ht.show&&(Ht.width>0||Ht.height>0),te=pe=!0,B(i.width,i.height)}return x.forEach(Rr),M.forEach(ls),t?t instanceof HTMLElement?(t.appendChild(c),iu()):t(n,iu):iu(),n}Nn.assign=mn;Nn.fmtNum=Ou;Nn.rangeNum=fl;Nn.rangeLog=gl;Nn.rangeAsinh=Uu;Nn.orient=mr;Nn.pxRatio=Tt;Nn.join=Rx;Nn.fmtDate=Bu,Nn.tzDate=zx;Nn.sync=ng;{Nn.addGap=M_,Nn.clipGaps=xl;let i=Nn.paths={points:lg};i.linear=hg,i.stepped=E_,i.bars=T_,i.spline=C_}function pg(i,e,t){let{time:n,values:s}=i,r=n.length;if(r<=2*t)return i;let o=e/t,a=Math.floor((n[0]??0)/o),l=Math.floor((n[r-1]??0)/o)-a+1,c={time:new Float64Array(2*l),values:s.map(()=>new Float32Array(2*l).fill(NaN))};for(let h=0;h<2*l;h++)c.time[h]=(a+h/2)*o;return s.forEach((h,u)=>{let d=c.values[u];if(!d)return;let f=0;for(let g=0;g<l;g++){let[v,m,p,x]=[1/0,-1/0,-1,-1];for(;f<r&&Math.floor((n[f]??0)/o)-a<=g;f++){let M=h[f]??NaN;M<v&&([v,p]=[M,f]),M>m&&([m,x]=[M,f])}p<0||(d[2*g]=p<=x?v:m,d[2*g+1]=p<=x?m:v)}}),c}function mg(i){let[e,t]=[1/0,-1/0];for(let n of i)for(let s=0;s<n.length;s++){let r=n[s]??NaN;r<e&&(e=r),r>t&&(t=r)}return e<=t?[e,t]:null}var Sl=class{constructor(e){this.floor=e}floor;low=0;high=0;fit(e){let[t,n]=e?[Math.min(e[0],0),Math.max(e[1],0)]:[0,0],s=.08*Math.max(n-t,this.floor),[r,o]=[t<0?t-s:0,n>0||t===0?Math.max(n,t===0?this.floor:0)+s:0];return this.low=r<this.low?r:this.low+(r-this.low)*.04,this.high=o>this.high?o:this.high+(o-this.high)*.04,[this.low,Math.max(this.high,this.low+this.floor)]}};function gg(i,e){let n=[i.map(s=>/[",\n]/.test(s)?`"${s.replaceAll('"','""')}"`:s).join(",")];for(let s=0;s<e.time.length;s++){let r=e.values.map(o=>Number.isNaN(o[s])?"":String(Number((o[s]??NaN).toPrecision(7))));n.push([(e.time[s]??NaN).toFixed(4),...r].join(","))}return`${n.join(`
+`)}
+`}var B_={N:.05,J:.2},z_=[[1,""],[.001,"m"],[1e-6,"µ"],[1e-9,"n"]],V_=Array.from({length:22},(i,e)=>[1,2,5].map(t=>+`${t}e${e-14}`)).flat(),G_=.4;function qu(i){return getComputedStyle(document.documentElement).getPropertyValue(i).trim()}function H_(i,e,t,n){let s=i.data[e],r=[],o=a=>i.valToPos(i.data[0][Math.min(Math.max(a,0),i.data[0].length-1)]??0,"x",!0);for(let a=t;s&&a<=n;a++){if(!Number.isNaN(s[a]))continue;let l=a;for(;l<n&&Number.isNaN(s[l+1]);)l++;(i.data[0][l+1]??1/0)-(i.data[0][a-1]??-1/0)>G_&&r.push([o(a-1),o(l+1)]),a=l}return r}var Qr=class{constructor(e,t,n,s,r,o,a){this.what=e;this.unit=t;this.lines=s;this.axis=new Sl(n),this.readout=s.map(d=>O("span",{class:"reading",title:d.name}));let l=O("div",{class:"chart-area",role:"img","aria-label":`${e} of the last ${r} s`});this.element=O("figure",{class:"chart"},O("figcaption",{"data-tip":a,tabindex:0},O("strong",null,e),this.unitWords,O("span",{class:"readings tabular"},...this.readout)),l);let c=()=>qu("--muted"),h=()=>qu("--rule"),u=`11px ${qu("--sans")||"system-ui"}`;this.plot=new Nn({width:200,height:90,padding:[6,16,0,0],legend:{show:!1},cursor:{y:!1,drag:{x:!1,y:!1},points:{size:5},sync:{key:o}},scales:{x:{time:!1,range:[-r,0]},y:{range:()=>this.limits}},axes:[{stroke:c,font:u,size:20,gap:2,space:38,incrs:[1,2,5,10,20],grid:{stroke:h,width:1},ticks:{show:!1},values:(d,f)=>f.map(g=>g===0?"now":g===-r?"":`${Fs(g)} s`)},{stroke:c,font:u,size:38,gap:4,space:20,incrs:V_,grid:{stroke:h,width:1},ticks:{show:!1},values:(d,f,g,v,m)=>{let p=Math.max(0,-Math.floor(Math.log10(m/this.scale+1e-12)));return f.map(x=>Fs(x/this.scale,Math.min(p,3)))}}],series:[{},...s.map(d=>({label:d.name,stroke:d.colour,width:1.5,points:{show:!1},spanGaps:!1,gaps:(f,g,v,m)=>H_(f,g,v,m),...d.dash?{dash:d.dash}:{}}))],hooks:{setCursor:[()=>this.read()]}},[[],...s.map(()=>[])],l),this.observer=new ResizeObserver(([d])=>{let{width:f=0,height:g=0}=d?.contentRect??{};f>20&&g>20&&this.plot.setSize({width:Math.floor(f),height:Math.floor(g)})}),this.observer.observe(l)}what;unit;lines;element;unitWords=O("span",{class:"unit"});readout;plot;axis;scale=1;limits=[0,1];observer;draw(e,t){let n=new Float64Array(e.time.length);for(let a=0;a<n.length;a++)n[a]=(e.time[a]??0)-t;this.limits=this.axis.fit(mg(e.values));let s=Math.max(Math.abs(this.limits[0]),Math.abs(this.limits[1])),[r,o]=z_.find(([a])=>s>=a*(B_[this.unit]??1))??[1e-9,"n"];this.scale=r,Be(this.unitWords,o+this.unit),this.lines.forEach((a,l)=>{let c=this.plot.series[l+1];c&&(c.width=a.width())}),this.plot.setData([n,...e.values],!0),this.read()}redraw(){this.plot.redraw(!1,!0)}get canvas(){return this.plot.ctx.canvas}get caption(){return`${this.what} [${this.unitWords.textContent??""}]`}get room(){return Math.max(this.plot.width-46,100)}dispose(){this.observer.disconnect(),this.plot.destroy(),this.element.remove()}read(){let e=this.plot.cursor.idx,t=this.plot.data[0].length-1;this.lines.forEach((n,s)=>{let r=this.readout[s],o=this.plot.data[s+1];if(!r||!o)return;let a=o[e??t],l=this.scale>0&&Math.abs((a??0)/this.scale)<10?2:1;Be(r,a==null||Number.isNaN(a)?"–":Fs(a/this.scale,l)),r.style.setProperty("--user",n.colour())})}};var W_=20,eo=128;function yg(i){let{store:e}=i,t=O("div",{class:"charts charts-one"}),n=new Float64Array(eo),s=new Map,r=new Float32Array(eo).fill(NaN),o=0,a=null,l=[],c="",h=v=>getComputedStyle(document.documentElement).getPropertyValue(v).trim(),u=v=>Zi(i.link.get(),v),d=()=>{let v=e.state;if(!v||o&&v.time<=(n[o-1]??0))return;if(o===eo){n.copyWithin(0,1);for(let p of[...s.values(),r])p.copyWithin(0,1);o--}n[o]=v.time;for(let p of s.values())p[o]=NaN;for(let p of l){let x=s.get($n(p))??new Float32Array(eo).fill(NaN);s.set($n(p),x),x[o]=Ci(v,...p,"ages")??NaN}let m=i.link.get();r[o]=(m&&Ci(v,...m,"budget"))??NaN,o++;for(let[p,x]of s)x.subarray(0,o).every(Number.isNaN)&&s.delete(p)},f=()=>{let v=(e.state?.links??[]).map(([p,x])=>Ji(p,x)),m=JSON.stringify([e.scene?.started,v]);m!==c&&(c.startsWith(JSON.stringify([e.scene?.started]).slice(0,-1))||([n,s,r,o]=[new Float64Array(eo),new Map,new Float32Array(eo).fill(NaN),0]),c=m,l=v,a?.dispose(),a=null,l.length&&(a=new Qr("Ages there and back","s",.01,[...l.map(p=>({name:ji(...p),colour:()=>h(u(p)?"--accent":"--faint"),width:()=>u(p)?2.25:1})),{name:"budget",colour:()=>h("--warn"),width:()=>1.25,dash:[5,4]}],W_,"ages","Sum of the ages at both ends of every link. Choose a link to make it and its budget stand out"),t.replaceChildren(a.element))),d(),g()},g=()=>{if(!a||!o||t.offsetParent===null)return;let v={time:n.subarray(0,o),values:[...l.map(m=>s.get($n(m))?.subarray(0,o)??new Float32Array(o).fill(NaN)),r.subarray(0,o)]};a.draw(v,n[o-1]??0)};return e.on("state",f),e.on("settings",()=>a?.redraw()),i.link.on(()=>{r.fill(NaN),g()}),i.tab.on(g),t}var X_="Passive means: whatever the users do, the session as a whole never gives out more energy than hands put in, so nothing can start to swing by itself. It holds as long as each copy’s damping is at least what the ages on its links ask for. Damping is made for a budget of ages on each link; what ages leave of it is to spare. A link that goes over its budget is guarded: it then spends only what it has saved.";function q_(i){let e=O("output",{class:"tabular"}),t=O("input",{type:"range",min:2,max:95,step:1,value:20,"aria-label":"Share of the damping that is needed"}),n=()=>{Be(e,`${t.value} % of what is needed`),t.style.setProperty("--share",`${(Number(t.value)-2)/93*100}%`)};return t.addEventListener("input",n),n(),{open:Vr("Lower the damping",[O("p",{class:"warning"},an("warn",20),O("span",null,"Below what the delays need, nothing keeps energy from growing: copies can begin to shake by themselves, and shake harder until they are stopped. That is what you will see, in numbers and in the picture.")),O("p",null,"Do this with simulated hands only. Let go of any real device first."),O("label",{class:"slider"},O("span",null,"damping"),t,e),O("p",{class:"hint"},"A banner stays until it is restored, and one click restores it. The copies then come to rest.")],[{words:"Lower it",class:"button danger",act:()=>{i.act("damping",{share:Number(t.value)/100})}},{words:"Leave it as it is",class:"button primary",act:()=>{},focus:!0}]).open}}function vg(i){let{store:e}=i,t=q_(i),n=Ye("Lower damping …",()=>t.open(),{icon:"warn",class:"button small danger",id:"lower",tip:"Shows what the damping is for"}),s=Ye("Restore damping",()=>{i.act("damping",{share:1})},{class:"button small primary"}),{element:r,body:o}=_i("margin","Margin",X_,n,s),a=an("good",18),l=O("span",null),c=O("p",{class:"certificate"},a,l),h=O("tbody"),u=O("tbody");o.append(c,O("table",{class:"numbers"},O("thead",null,O("tr",null,...["link","ages","of budget","to spare",""].map(f=>O("th",{scope:"col"},f)))),h),yg(i),O("table",{class:"numbers"},O("thead",null,O("tr",null,O("th",{scope:"col"},"user"),O("th",{scope:"col","data-tip":"Largest coefficient of the damping of the copy",tabindex:0},"damping"),O("th",{scope:"col","data-tip":"What the damping exceeds what the budgets in force need by",tabindex:0},"above need"))),u));let d=()=>{let f=e.state,g=!!f&&f.damping<1;if(Et(n,!g),Et(s,g),n.disabled=s.disabled=!Ft(i,"damping"),!f||o.offsetParent===null)return;qe(c,"data-level",f.verdict.level),Cn(a,f.verdict.level),Be(l,f.verdict.text);let v=f.links.map(([M,b])=>Ji(M,b)),m=JSON.stringify([v,e.scene?.started]);h.dataset.key!==m&&(h.dataset.key=m,h.replaceChildren(...v.map(M=>O("tr",{"data-link":$n(M)},O("th",{scope:"row"},Ye(ji(...M),()=>i.link.set(M),{class:"plain",label:`Open link ${ji(...M)}`})),O("td"),O("td"),O("td",{class:"gauge"},O("i"),O("span")),O("td",{class:"word"}))))),v.forEach((M,b)=>{let C=h.children[b]?.children;if(!C)return;let A=Gr(f,...M),y=sl(f,...M);qe(h.children[b],"data-condition",A),qe(h.children[b],"data-chosen",Zi(M,i.link.get())?"":null),Be(C[1],On(Ci(f,...M,"ages"))),Be(C[2],On(Ci(f,...M,"budget")));let S=C[3];S.style.setProperty("--share",`${Math.round(100*Math.min(Math.max(1-(y??1),0),1))}%`),qe(S,"data-level",y===null?null:y<0?"bad":y<.1?"warn":"good"),Be(S.lastElementChild,y===null?"–":y<0?`${Rn(-y,0)} over`:Rn(y,0)),Be(C[4],oi[A].words)});let p=Object.keys(f.members).map(Number).sort((M,b)=>M-b),x=JSON.stringify([p,e.scene?.started]);u.dataset.key!==x&&(u.dataset.key=x,u.replaceChildren(...p.map(M=>O("tr",null,O("th",{scope:"row"},O("span",{class:"badge tiny",style:`--user:var(--user-${M});--on-user:var(--on-user-${M})`},String(M+1))," ",Dt(e,M)),O("td"),O("td"))))),p.forEach((M,b)=>{let C=u.children[b]?.children,A=f.members[M];if(!C||!A)return;Be(C[1],A.steps?`${Fs(A.damping,2)} N·s/m`:"–");let y=A.certificate;Be(C[2],typeof y=="number"?Rn(y):"–"),qe(C[2],"data-level",typeof y=="number"?y<0?"bad":"good":null)})};return e.on("state",d),e.on("connection",d),i.tab.on(d),i.link.on(d),d(),r}var $_="The last 20 seconds of every copy, in the colours of the users; the line of the user that this page acts for is wider. Position is the mean displacement along the axis that moves most, force is the hand’s on the copy, energy is what the copy holds in motion and springs. Move over a plot to read values; without, the newest are shown. Saved numbers are not thinned.",Y_=45,wl=[{kind:"position",what:"Position",unit:"m",floor:.002,tip:"Mean displacement of each copy from rest"},{kind:"force",what:"Force",unit:"N",floor:.05,tip:"Of each user’s hand on his copy"},{kind:"energy",what:"Energy",unit:"J",floor:1e-5,tip:"In each copy: of its motion and its springs"}];function xg(i,e){let t=URL.createObjectURL(e);O("a",{href:t,download:i}).click(),setTimeout(()=>URL.revokeObjectURL(t),1e3)}function _g(i){let{store:e}=i,t=null,n=0,s=[],r=[],o=0,a=-1,l=M=>t?.get(M)??{time:e.history.time(),values:r.map(b=>e.history.series(M,b))},c=()=>{if(t)return n;let M=e.frame;return M?M.time+Math.min((performance.now()-M.received)/1e3,e.connection==="open"?.25:0):0},h=()=>{t?t=null:(n=c(),t=new Map(wl.map(({kind:b})=>[b,l(b)])));let M=u.querySelector("svg");M&&Cn(M,t?"play":"pause"),Be(u.lastElementChild??u,t?"Go on":"Freeze"),u.setAttribute("aria-pressed",String(!!t)),g.toggleAttribute("data-frozen",!!t),a=-1},u=Ye("Freeze",h,{icon:"pause",class:"button small",id:"freeze"}),d=Ye("CSV",()=>{let[M,...b]=wl.map(({kind:S,what:U,unit:I})=>({what:U,unit:I,table:l(S)}));if(!M)return;let C=[M,...b],A=["time_s",...C.flatMap(({what:S,unit:U})=>r.map(I=>`${S.toLowerCase()}_${U} ${I+1} ${Dt(e,I)}`))],y=gg(A,{time:M.table.time,values:C.flatMap(S=>S.table.values)});xg("cotouch.csv",new Blob([y],{type:"text/csv"}))},{icon:"save",class:"button small",label:"Save the numbers as CSV"}),f=Ye("PNG",()=>{J_(i,s,r)?.toBlob(M=>M&&xg("cotouch.png",M))},{icon:"save",class:"button small",label:"Save the plots as a picture"}),{element:g,body:v}=_i("plots","Plots",$_,u,d,f);v.classList.add("charts");let m="",p=()=>{let M=e.scene,b=M?JSON.stringify([M.started,M.users]):"";if(b!==m){m=b,t&&h();for(let C of s)C.dispose();r=(M?.users??[]).map(C=>C.seat),s=wl.map(({what:C,unit:A,floor:y,tip:S})=>new Qr(C,A,y,r.map(U=>({name:Dt(e,U),colour:()=>xi(U,Ns(e.settings.theme)),width:()=>U===e.seat?2.25:1.25})),e.history.seconds,"users",S)),v.replaceChildren(...s.map(C=>C.element)),a=-1}},x=M=>{if(requestAnimationFrame(x),M-o<Y_||!s.length||v.offsetParent===null||a===e.history.version&&(t||e.connection!=="open")||t&&a>=0)return;o=M,a=e.history.version;let b=c();wl.forEach(({kind:C},A)=>{let y=s[A];y?.draw(pg(l(C),e.history.seconds,y.room),b)})};return e.on("scene",p),e.on("settings",()=>{for(let M of s)M.redraw()}),p(),requestAnimationFrame(x),{element:g,freeze:h}}function J_(i,e,t){if(!e[0]?.canvas)return null;let s=getComputedStyle(document.documentElement),r=devicePixelRatio||1,o=22*r,a=O("canvas",{width:Math.max(...e.map(f=>f.canvas.width))+2*o,height:e.reduce((f,g)=>f+g.canvas.height+o,3*o)}),l=a.getContext("2d");if(!l)return null;l.fillStyle=s.getPropertyValue("--panel"),l.fillRect(0,0,a.width,a.height),l.textBaseline="middle";let c=(f,g,v,m,p)=>(l.font=`${m} ${12*r}px system-ui, sans-serif`,l.fillStyle=p,l.fillText(f,g,v),l.measureText(f).width),h=s.getPropertyValue("--ink"),u=o;for(let f of t)l.fillStyle=xi(f,Ns(i.store.settings.theme)),l.fillRect(u,o-5*r,10*r,10*r),u+=15*r,u+=c(Dt(i.store,f),u,o,400,h)+16*r;let d=2*o;for(let f of e)c(f.caption,o,d,600,h),l.drawImage(f.canvas,o,d+o/2),d+=f.canvas.height+o;return a}var bg=350;function Mg(i){let e=O("div",{class:"tip",role:"tooltip",id:"tip",hidden:!0});i.append(e);let t=0,n=null,s=()=>{clearTimeout(t),e.hidden=!0,n?.removeAttribute("aria-describedby"),n=null},r=a=>{let l=a.getAttribute("data-tip");if(!l||!a.isConnected)return;Be(e,l),(a.closest("dialog")??i).append(e),e.hidden=!1,a.setAttribute("aria-describedby","tip");let c=a.getBoundingClientRect(),h=e.getBoundingClientRect(),u=Math.min(Math.max(c.left+c.width/2-h.width/2,8),innerWidth-h.width-8),d=c.bottom+8+h.height<innerHeight;e.style.left=`${u}px`,e.style.top=`${d?c.bottom+8:c.top-h.height-8}px`},o=(a,l)=>{let c=a.target?.closest?.("[data-tip]")??null;c!==n&&(s(),c&&(n=c,t=window.setTimeout(()=>r(c),l)))};document.addEventListener("pointerover",a=>{a.pointerType!=="touch"&&o(a,bg)}),document.addEventListener("focusin",a=>{a.target.matches(":focus-visible")&&o(a,bg)}),document.addEventListener("focusout",s),document.addEventListener("pointerdown",s,!0),document.addEventListener("keydown",s,!0),document.addEventListener("scroll",s,!0)}function Sg(i,e){let{store:t}=i,n=ar("Tool",[{value:"grab",words:"Grab",icon:"grab",tip:"Take hold of a point and draw it (B changes the tool)"},{value:"ball",words:"Ball",icon:"ball",tip:"Push with a ball; Shift and wheel change its size"}],h=>t.set({tool:h})),s=ar("Copies",[{value:"overlay",words:"Overlaid",icon:"overlay",tip:"All copies in one place (S)"},{value:"side",words:"Side by side",icon:"side",tip:"Each copy by itself: see how late the others are (S)"}],h=>t.set({layout:h})),r=O("select",{"aria-label":"Colour of the object","data-tip":"What colours show (C)"},O("option",{value:"displacement"},"Displacement"),O("option",{value:"stress"},"Stretch"),O("option",{value:"plain"},"Plain"));r.addEventListener("change",()=>t.set({colour:r.value}));let o=Ye("Ghosts",()=>t.set({ghosts:!t.settings.ghosts}),{icon:"ghosts",class:"button small toggle",tip:"Show what others’ copies look like over yours"}),a=Ye("",e,{icon:"reset",class:"button small bare",label:"Look from the start again",tip:"Look from where you looked at first (0)"}),l=O("div",{class:"toolbar",id:"toolbar",role:"toolbar","aria-label":"Picture"},O("span",{class:"space-only"},n.element),O("span",{class:"space-only"},s.element),O("span",{class:"space-only select"},r),o,a),c=()=>{let{settings:h,scene:u}=t;n.mark(h.tool),s.mark(h.layout),r.value=h.colour,qe(o,"aria-pressed",String(h.ghosts)),qe(l,"data-dimension",u?String(u.dimension):null),o.disabled=u?.dimension!==1&&h.layout==="side"};return t.on("settings",c),t.on("scene",c),c(),l}var Ju="cotouch.tour",Z_=200,ha=(i,e)=>t=>Ft(t,i)?null:e,Eg=i=>i.store.frame?.copies.find(e=>e.seat===i.store.seat),zs=i=>{let e=Eg(i);return e?.mode==="grab"||e?.mode==="ball"},wg=i=>Math.hypot(...Eg(i)?.force??[0,0,0]),El=ha("hand","This page may only watch; go on with →."),$u=i=>i.map(([e,t])=>$n(Ji(e,t))).sort().join(" "),Li=[{title:"Take hold",words:"This is one object, held by several people. Each of them has a copy of it, and yours is the solid one.",task:"Press on the object, and draw.",where:"#stage",needs:El,done:i=>zs(i)&&wg(i)>.02},{title:"Let go",words:"What you feel is a spring between your pointer and the point you hold. The others feel you through springs between the copies.",task:"Release, and watch the object swing back and come to rest.",where:"#stage",needs:El,done:(i,e)=>(zs(i)&&(e.held=!0),!!e.held&&!zs(i))},{title:"See the delay",words:"News travels tens of milliseconds. The other copies do what yours did, but later.",task:"Choose Side by side (or Ghosts), then draw again and look at the others.",where:"#stage-frame",needs:El,done:(i,e)=>{let{layout:t,ghosts:n}=i.store.settings,s=e.first??=`${t} ${n}`;return(t==="side"||`${t} ${n}`!==s)&&(e.seen=!0),!!e.seen&&zs(i)}},{title:"Pull against somebody",words:"A scripted hand can be told what to do. Two who pull against each other feel each other’s force, through the network.",task:"Unfold another user, tell the hand Hold or Pull, and draw the other way.",where:i=>i.told?"#stage":"#users",tab:"users",needs:El,done:(i,e)=>{let{state:t,seat:n}=i.store;return Object.entries(t?.members??{}).some(([r,o])=>Number(r)!==n&&(o.hand==="hold"||o.hand==="pull"))&&(e.told=!0),!!e.told&&zs(i)&&wg(i)>.02}},{title:"Look at a link",words:"Lines join users. The number is how old the news is that a copy works with. Damping is set so that this age can do no harm.",task:"Choose a link to see both its ends.",where:"#network",tab:"network",done:i=>i.link.get()!==null},{title:"Cut it",words:"Networks fail. When news stays away, both ends let go of their spring without a kick, and everybody else goes on.",task:"Press Cut, and watch the line and the verdict on top.",where:"#link, #network",tab:"network",needs:ha("cut","Links cannot be cut from here; go on with →."),done:({store:i})=>!!i.state?.links.some(([e,t])=>i.state&&cr(i.state,e,t))},{title:"Mend it",words:"When news comes again, the ends first catch up and save energy, and couple only when both can pay for it.",task:"Press Mend, and wait until the link is coupled again.",where:"#link, #network",tab:"network",needs:ha("cut","Links cannot be mended from here; go on with →."),done:({store:i},e)=>{let t=!!i.state?.links.some(([n,s])=>i.state&&cr(i.state,n,s));return t&&(e.cut=!0),!!i.state&&!t&&(!!e.cut||e.looked===!0)}},{title:"Join them badly",words:"Over which links users are joined matters. With the worst choice of as many links copies agree late; with the best, soonest.",task:"Choose Worst, draw and let go; then choose Best.",where:"#topology",tab:"network",needs:ha("links","Links are not chosen here; go on with →."),done:({store:i},e)=>{let{state:t}=i;if(!t)return!1;let n=$u(t.links);return t.choices.worst&&$u(t.choices.worst)===n&&(e.worst=!0),!!e.worst&&!!t.choices.best&&$u(t.choices.best)===n}},{title:"Follow the energy",words:"Every joule is booked: put in by hands, added by delays, damped, or still in the copies. Both bars are equally long, always.",task:"Open Energy, and put some in.",where:"#energy",tab:"energy",done:(i,e)=>{let t=Object.values(i.store.state?.members??{}).reduce((s,r)=>s+Math.abs(r.supplied??0),0),n=e.first??=t;return i.tab.get()==="energy"&&(Math.abs(t-n)>1e-6||!Ft(i,"hand"))}},{title:"Take the guarantee away",words:"Below the damping that delays ask for, nothing keeps energy from growing. See it once, then restore it: the copies come to rest.",task:"Lower the damping, watch, and press Restore now.",where:"#margin, #banner-damping",tab:"margin",needs:ha("damping","Damping is not changed from here; this was the last step."),done:({store:i},e)=>{let t=i.state?.damping??1;return t<1&&(e.lowered=!0),!!e.lowered&&t===1}}];function K_(){try{let{step:i=0,over:e=!1}=JSON.parse(localStorage.getItem(Ju)??"{}");return{step:Math.min(Math.max(Math.floor(Number(i))||0,0),Li.length-1),over:e===!0}}catch{return{step:0,over:!1}}}function Yu(i,e){try{localStorage.setItem(Ju,JSON.stringify({step:i,over:e}))}catch{}}function Tg(i,e){let t=0,n={},s=!1,r=new Set,o=O("div",{class:"tour-hole",hidden:!0,"aria-hidden":"true"}),a=O("p",{class:"tour-number tabular"}),l=O("h2",{id:"tour-title"}),c=O("p",{id:"tour-words"}),h=an("play",16),u=O("span",null),d=O("p",{class:"tour-task",role:"status"},h,u),f=O("div",{class:"tour-dots","aria-hidden":"true"},...Li.map(()=>O("i"))),g=Ye("Back",()=>S(t-1),{class:"button small",label:"Step before (←)"}),v=Ye("Next",()=>t+1<Li.length?S(t+1):I(!0),{class:"button small",label:"Next step (→)",id:"tour-next"}),m=Ye("",()=>I(!1),{icon:"close",class:"button bare",label:"Leave the tour (Esc); it can be taken up again"}),p=O("div",{class:"tour-card",id:"tour",role:"dialog","aria-modal":"false","aria-labelledby":"tour-title","aria-describedby":"tour-words",tabindex:-1,hidden:!0},O("div",{class:"panel-head"},a,O("div",{class:"grow"}),m),l,c,d,O("div",{class:"tour-foot"},f,O("div",{class:"grow"}),g,v)),x=Ye("Start",()=>U(),{class:"button small primary"}),M=Ye("Not now",()=>{Et(b,!1),Yu(t,!0)},{class:"button small"}),b=O("div",{class:"tour-offer",id:"tour-offer",role:"region","aria-label":"Tour",hidden:!0},an("tour",18),O("span",null,"New here? Two minutes show you everything."),x,M);e.append(o,p,b);let C=()=>{let R=Li[t]?.where??"";for(let k of(typeof R=="string"?R:R(n)).split(", ")){let F=document.querySelector(k);if(F&&F.getClientRects().length)return F}return null},A=()=>{if(!s)return;let R=C();o.hidden=!R;let k=p.getBoundingClientRect(),F=innerWidth<720;if(!R)return;let P=R.getBoundingClientRect(),V=4,[q,H]=[Math.max(P.left-V,2),Math.max(P.top-V,2)];if(Object.assign(o.style,{left:`${q}px`,top:`${H}px`,width:`${Math.min(P.right+V,innerWidth-2)-q}px`,height:`${Math.min(P.bottom+V,innerHeight-2)-H}px`}),F){let de=P.top+P.height/2<innerHeight/2;p.style.left="8px",p.style.top=de?`${innerHeight-k.height-64}px`:"56px";return}let le=P.width>innerWidth*.4,Z=P.right+12+k.width<innerWidth,Q=le?P.left+16:Z?P.right+12:P.left-k.width-12,ie=le?P.bottom-k.height-16:Math.min(Math.max(P.top,60),innerHeight-k.height-12);p.style.left=`${Math.max(Q,8)}px`,p.style.top=`${Math.max(ie,8)}px`},y=()=>{let R=Li[t];if(!s||!R)return;let k=R.needs?.(i)??null;!r.has(t)&&k===null&&R.done(i,n)&&(r=new Set([...r,t]),i.say(t+1<Li.length?"Done. Go on when you like.":"That was everything.","good"));let F=r.has(t);qe(p,"data-done",F?"":null),Cn(h,F?"tick":k?"wait":"play"),Be(u,k??R.task),qe(v,"class",`button small${F?" primary":""}`),Be(v.lastElementChild??v,t+1===Li.length?"Finish":F?"Next":"Skip"),A()},S=R=>{t=Math.min(Math.max(R,0),Li.length-1);let k=Li[t];k&&(n={looked:!0},Yu(t,!1),k.tab&&i.tab.set(k.tab),Be(a,`Step ${t+1} of ${Li.length}`),Be(l,k.title),Be(c,k.words),g.disabled=t===0,[...f.children].forEach((F,P)=>qe(F,"class",P===t?"here":r.has(P)?"done":null)),y())},U=()=>{s=!0,Et(b,!1),p.hidden=!1,S(K_().step),p.focus({preventScroll:!0})},I=R=>{s=!1,p.hidden=o.hidden=!0,Yu(R?0:t,!0),R?r=new Set:i.say(`You can take the tour up again at step ${t+1}.`),document.getElementById("tour-open")?.focus()};return document.addEventListener("keydown",R=>{if(!s||document.querySelector("dialog[open]"))return;let k=p.contains(document.activeElement)||document.activeElement===document.body;if(R.key==="Escape"&&k&&!zs(i))I(!1);else if(R.key==="ArrowRight"&&k&&!zs(i))t+1<Li.length?S(t+1):I(!0);else if(R.key==="ArrowLeft"&&k&&!zs(i))S(t-1);else return;R.preventDefault(),R.stopPropagation()},!0),addEventListener("resize",A),setInterval(y,Z_),{open:U,invite:()=>{let R=!1;try{R=localStorage.getItem(Ju)===null}catch{}R&&!s&&Et(b,!0)}}}var j_={users:"Users",network:"Network",plots:"Plots",energy:"Energy",margin:"Margin",events:"Events"},Ag=4500;function Q_(){let i=an("good",16),e=O("span",null),t=O("div",{class:"toast",hidden:!0,"aria-hidden":"true"},i,e),n=O("div",{class:"unseen",role:"status","aria-live":"polite",id:"spoken"}),s=0;return{element:O("div",{class:"toasts"},t,n),say(r,o="info"){let a=r.slice(0,1).toUpperCase()+r.slice(1);Be(e,a),Be(n,a),qe(t,"data-level",o),Cn(i,o==="info"?"wait":o),t.hidden=!1,clearTimeout(s),s=window.setTimeout(()=>t.hidden=!0,o==="bad"?2*Ag:Ag)}}}function eb(i){let e=cp.map(s=>{let r=O("button",{type:"button",role:"tab",id:`tab-${s}`,"aria-controls":s,"data-tab":s},j_[s]);return r.addEventListener("click",()=>i.tab.set(s)),r}),t=O("div",{class:"tabs",role:"tablist","aria-label":"Instruments"},...e);t.addEventListener("keydown",s=>{let r={ArrowRight:1,ArrowLeft:-1}[s.key];if(!r)return;let o=e.filter(c=>c.getClientRects().length),a=o.indexOf(document.activeElement),l=o[(a+r+o.length)%o.length];l?.focus(),l?.dataset.tab&&i.tab.set(l.dataset.tab),s.preventDefault(),s.stopPropagation()});let n=()=>{let s=i.tab.get();document.documentElement.dataset.tab=s;let r=["energy","margin","events"].includes(s);document.documentElement.dataset.side=r?s:document.documentElement.dataset.side??"energy";let o=matchMedia("(max-width: 899px)").matches?s:document.documentElement.dataset.side;for(let a of e)qe(a,"aria-selected",String(a.dataset.tab===o)),a.tabIndex=a.dataset.tab===o?0:-1};return i.tab.on(n),matchMedia("(max-width: 899px)").addEventListener("change",n),n(),t}function tb(i,e,t){let n=s=>{let r=i.aiming.get();if(!r||!e.contains(s.target)||(s.preventDefault(),s.stopImmediatePropagation(),s.type!=="pointerdown"))return;let o=t()?.aim(s.clientX,s.clientY)??null;if(!o)return i.say("There is nothing of the object there; click nearer to it.","warn");i.aiming.set(null);let a=i.store.frame?.copies.find(c=>c.seat===r.seat)?.node??-1,l=a>=0?a:i.store.scene?.skin?.node[o.point]??o.point;i.act("hand",{seat:r.seat,mode:"pull",node:l,to:o.to})};for(let s of["pointerdown","pointermove","pointerup"])addEventListener(s,n,!0);addEventListener("keydown",s=>{s.key!=="Escape"||s.defaultPrevented||(i.aiming.get()?i.aiming.set(null):document.querySelector("dialog[open]")||i.link.set(null))}),i.aiming.on(s=>e.toggleAttribute("data-aiming",s!==null))}function nb(i){let e=-1/0,t="";i.store.on("state",()=>{let n=i.store.state;if(!n)return;let s=n.events.at(-1);s&&s.time>e&&(e>-1/0&&Be(document.getElementById("spoken")??document.createElement("i"),s.text),e=s.time),t&&t!==n.verdict.level&&i.say(n.verdict.text,n.verdict.level),t=n.verdict.level}),i.store.on("scene",()=>{i.store.state||([e,t]=[-1/0,""])})}function Cg(i,e,t){let n=Q_(),s={store:e,connection:t,link:new or(null),opened:new or(null),tab:new or("energy"),aiming:new or(null),say:n.say,async act(m,p={},x=!1){let M=await t.do(m,p);return(!M.ok||!x)&&n.say(M.text||(M.ok?"Done.":"It was refused."),M.ok?"good":"bad"),M.ok}},r=null,o=O("div",{id:"stage"}),a=()=>r?.reset(),l=wp(s),c=Tg(s,i),h=_g(s),u=yp(s,{tour:c.open,invite:l.open,keys:()=>d.open()}),d=Cp(s,{tour:c.open,invite:l.open,record:u.record,freeze:h.freeze,reset:a}),f=O("main",{class:"layout"},Tp(s),O("div",{id:"stage-frame"},o,Sg(s,a),Vp(s),n.element),h.element,zp(s),eb(s),_p(s),vg(s),bp(s)),g=Ye("To the object",()=>o.querySelector(".ct-canvas")?.focus(),{class:"skip"});i.classList.add("shell"),i.prepend(g,u.element,pp(s),f),matchMedia("(max-width: 899px)").matches&&s.tab.set("users"),s.opened.on(m=>m!==null&&r?.pulse(m)),tb(s,o,()=>r),nb(s),Mg(i);let v=e.on("scene",()=>{v(),c.invite()});return{stageElement:o,attach:m=>r=m}}function Zu(i,e,t){let n=i.emulated[`${e}-${t}`];if(n?.cut)return null;if(n&&n.delay+n.jitter>0)return n.delay+n.jitter;let s=i.ends[`${e}-${t}`];return s?.ages!=null?s.ages/2:s?.path!=null?s.path/2:n?n.delay:null}function Tl(i,e){let t=new Map([[e,0]]),n=new Set;for(;;){let s=-1;for(let[r,o]of t)!n.has(r)&&(s<0||o<t.get(s))&&(s=r);if(s<0)return t;n.add(s);for(let[r,o]of i.links){if(r!==s&&o!==s)continue;let a=r===s?o:r,l=Zu(i,a,s);if(l===null)continue;let c=t.get(s)+l;c<(t.get(a)??1/0)&&t.set(a,c)}}}function Vs(i){return i<.9995?`${Math.round(i*1e3)} ms`:`${i.toFixed(1)} s`}function Al(i,e=i){let t=Math.abs(e),[n,s]=t<95e-5?[1e6,"µm"]:t<.095?[1e3,"mm"]:t<.95?[100,"cm"]:[1,"m"],r=i*n;return`${r.toFixed(Math.abs(r)<9.95&&r!==Math.round(r)?1:0).replace("-","−")} ${s}`}function Cl(i){return`${i.toFixed(i<.995?2:i<9.95?1:0)} N`}function to(i){let e=10**Math.floor(Math.log10(Math.max(i,1e-12)));for(let t of[1,2,5,10])if(t*e>=i*.9999)return t*e;return 10*e}var Ku={displacement:"displacement",stress:"stretch",plain:""},no=class{root=document.createElement("div");key=document.createElement("figure");what=document.createElement("figcaption");most=document.createElement("span");hint=document.createElement("p");lines=document.createElement("div");off;constructor(e,t,n){this.root.className="ct-furniture",this.key.className="ct-legend";let s=document.createElement("i");s.style.background=`linear-gradient(to right, ${ja.join(", ")})`;let r=document.createElement("span");r.textContent="0",this.key.append(this.what,r,s,this.most),this.hint.className="ct-hint",this.hint.textContent=n,this.lines.className="ct-lines",this.root.append(this.lines,this.key,this.hint),e.append(this.root),this.off=t.on("frame",()=>{let o=t.frame?.copies.find(a=>a.seat===t.seat)?.mode;(o==="grab"||o==="ball")&&this.told()})}told(){this.hint.hidden=!0,this.off()}legend(e,t){this.key.hidden=!Ku[e],this.what.textContent!==Ku[e]&&(this.what.textContent=Ku[e]),this.most.textContent!==t&&(this.most.textContent=t)}rules(e){this.lines.replaceChildren(...e.map(({x:t,y:n,width:s,height:r})=>{let o=document.createElement("i");return Object.assign(o.style,{left:`${t}px`,top:`${n}px`,width:`${s}px`,height:`${r}px`}),o}))}dispose(){this.off(),this.root.remove()}};var ib=[[148,158,172],[232,160,30],[208,48,42]],sb=[[122,133,150],[245,185,66],[255,107,91]];function ua(i,e){let t=e?sb:ib,n=Math.min(Math.max(i,0),1)/.4,s=n<1?0:1;return`#${t[s].map((o,a)=>Math.round(o+(t[s+1][a]-o)*(s?(n-1)/1.5:n))).map(o=>o.toString(16).padStart(2,"0")).join("")}`}var io=class{held=!1;told=0;read(){let e=this.first();if(!e)return null;let t=!!e.buttons[0]?.pressed,n={x:e.axes[0]??0,y:e.axes[1]??0,depth:-(e.axes[3]??0),pressed:t&&!this.held,released:!t&&this.held};return this.held=t,n}rumble(e){let t=performance.now(),n=this.first()?.vibrationActuator;if(!n||t-this.told<90||e<.03)return;this.told=t;let s=Math.min(e,1);n.playEffect("dual-rumble",{duration:90*1.5,strongMagnitude:s**2,weakMagnitude:s}).catch(()=>{})}first(){try{return navigator.getGamepads?.().find(e=>e?.connected)??null}catch{return null}}};var n0=0,Ad=1,i0=2;var Da=1,s0=2,Po=3,tr=0,jn=1,ss=2,wr=0,Io=1,Cd=2,Rd=3,Pd=4,r0=5;var Er=100,o0=101,a0=102,l0=103,c0=104,h0=200,u0=201,d0=202,f0=203,Id=204,Ld=205,p0=206,m0=207,g0=208,y0=209,v0=210,x0=211,_0=212,b0=213,M0=214,tc=0,nc=1,ic=2,xo=3,sc=4,rc=5,_o=6,oc=7,Nd=0,S0=1,w0=2,rs=0,Dd=1,Ud=2,Fd=3,Od=4,kd=5,Bd=6,zd=7;var Vd=300,Tr=301,Lo=302,Fc=303,Oc=304,ac=1e3,ns=1001,lc=1002,In=1003,E0=1004;var Ua=1005;var Dn=1006,kc=1007;var Fi=1008;var gi=1009,Gd=1010,Hd=1011,No=1012,Bc=1013,Oi=1014,ki=1015,Bi=1016,zc=1017,Vc=1018,Ar=1020,Wd=35902,Xd=35899,qd=1021,$d=1022,zi=1023,Ms=1026,Es=1027,Yd=1028,Gc=1029,nr=1030,Hc=1031;var Wc=1033,Fa=33776,Oa=33777,ka=33778,Ba=33779,Xc=35840,qc=35841,$c=35842,Yc=35843,Jc=36196,Zc=37492,Kc=37496,jc=37488,Qc=37489,za=37490,eh=37491,th=37808,nh=37809,ih=37810,sh=37811,rh=37812,oh=37813,ah=37814,lh=37815,ch=37816,hh=37817,uh=37818,dh=37819,fh=37820,ph=37821,mh=36492,gh=36494,yh=36495,vh=36283,xh=36284,Va=36285,_h=36286;var va=2300,cc=2301,Ql=2302,_d=2303,bd=2400,Md=2401,Sd=2402;var T0=3200;var Jd=0,A0=1,Ts="",di="srgb",xa="srgb-linear",_a="linear",Ct="srgb";var ec=7680;var C0=519,R0=512,P0=513,I0=514,Zd=515,L0=516,N0=517,Kd=518,jd=519,D0=35044,Qd=35048;var ef="300 es",wi=2e3,ba=2001;function rb(i){for(let e=i.length-1;e>=0;--e)if(i[e]>=65535)return!0;return!1}function ob(i){return ArrayBuffer.isView(i)&&!(i instanceof DataView)}function Ma(i){return document.createElementNS("http://www.w3.org/1999/xhtml",i)}function U0(){let i=Ma("canvas");return i.style.display="block",i}var Rg={},bo=null;function tf(...i){let e="THREE."+i.shift();bo?bo("log",e,...i):console.log(e,...i)}function F0(i){let e=i[0];if(typeof e=="string"&&e.startsWith("TSL:")){let t=i[1];t&&t.isStackTrace?i[0]+=" "+t.getLocation():i[1]='Stack trace not available. Enable "THREE.Node.captureStackTrace" to capture stack traces.'}return i}function Ze(...i){i=F0(i);let e="THREE."+i.shift();if(bo)bo("warn",e,...i);else{let t=i[0];t&&t.isStackTrace?console.warn(t.getError(e)):console.warn(e,...i)}}function tt(...i){i=F0(i);let e="THREE."+i.shift();if(bo)bo("error",e,...i);else{let t=i[0];t&&t.isStackTrace?console.error(t.getError(e)):console.error(e,...i)}}function ya(...i){let e=i.join(" ");e in Rg||(Rg[e]=!0,Ze(...i))}function O0(i,e,t){return new Promise(function(n,s){function r(){switch(i.clientWaitSync(e,i.SYNC_FLUSH_COMMANDS_BIT,0)){case i.WAIT_FAILED:s();break;case i.TIMEOUT_EXPIRED:setTimeout(r,t);break;default:n()}}setTimeout(r,t)})}var k0={[tc]:tc,[ic]:_o,[sc]:sc,[xo]:rc,[nc]:nc,[_o]:ic,[oc]:oc,[rc]:xo},is=class{addEventListener(e,t){this._listeners===void 0&&(this._listeners={});let n=this._listeners;n[e]===void 0&&(n[e]=[]),n[e].indexOf(t)===-1&&n[e].push(t)}hasEventListener(e,t){let n=this._listeners;return n===void 0?!1:n[e]!==void 0&&n[e].indexOf(t)!==-1}removeEventListener(e,t){let n=this._listeners;if(n===void 0)return;let s=n[e];if(s!==void 0){let r=s.indexOf(t);r!==-1&&s.splice(r,1)}}dispatchEvent(e){let t=this._listeners;if(t===void 0)return;let n=t[e.type];if(n!==void 0){e.target=this;let s=n.slice(0);for(let r=0,o=s.length;r<o;r++)s[r].call(this,e);e.target=null}}},kn=["00","01","02","03","04","05","06","07","08","09","0a","0b","0c","0d","0e","0f","10","11","12","13","14","15","16","17","18","19","1a","1b","1c","1d","1e","1f","20","21","22","23","24","25","26","27","28","29","2a","2b","2c","2d","2e","2f","30","31","32","33","34","35","36","37","38","39","3a","3b","3c","3d","3e","3f","40","41","42","43","44","45","46","47","48","49","4a","4b","4c","4d","4e","4f","50","51","52","53","54","55","56","57","58","59","5a","5b","5c","5d","5e","5f","60","61","62","63","64","65","66","67","68","69","6a","6b","6c","6d","6e","6f","70","71","72","73","74","75","76","77","78","79","7a","7b","7c","7d","7e","7f","80","81","82","83","84","85","86","87","88","89","8a","8b","8c","8d","8e","8f","90","91","92","93","94","95","96","97","98","99","9a","9b","9c","9d","9e","9f","a0","a1","a2","a3","a4","a5","a6","a7","a8","a9","aa","ab","ac","ad","ae","af","b0","b1","b2","b3","b4","b5","b6","b7","b8","b9","ba","bb","bc","bd","be","bf","c0","c1","c2","c3","c4","c5","c6","c7","c8","c9","ca","cb","cc","cd","ce","cf","d0","d1","d2","d3","d4","d5","d6","d7","d8","d9","da","db","dc","dd","de","df","e0","e1","e2","e3","e4","e5","e6","e7","e8","e9","ea","eb","ec","ed","ee","ef","f0","f1","f2","f3","f4","f5","f6","f7","f8","f9","fa","fb","fc","fd","fe","ff"];var ju=Math.PI/180,hc=180/Math.PI;function Ga(){let i=Math.random()*4294967295|0,e=Math.random()*4294967295|0,t=Math.random()*4294967295|0,n=Math.random()*4294967295|0;return(kn[i&255]+kn[i>>8&255]+kn[i>>16&255]+kn[i>>24&255]+"-"+kn[e&255]+kn[e>>8&255]+"-"+kn[e>>16&15|64]+kn[e>>24&255]+"-"+kn[t&63|128]+kn[t>>8&255]+"-"+kn[t>>16&255]+kn[t>>24&255]+kn[n&255]+kn[n>>8&255]+kn[n>>16&255]+kn[n>>24&255]).toLowerCase()}function vt(i,e,t){return Math.max(e,Math.min(t,i))}function ab(i,e){return(i%e+e)%e}function Qu(i,e,t){return(1-t)*i+t*e}function B0(i){return Math.pow(2,Math.floor(Math.log(i)/Math.LN2))}function nf(i){switch(i.constructor){case Uint32Array:return 4294967295;case Uint16Array:return 65535;case Uint8Array:case Uint8ClampedArray:return 255;case Int32Array:return 2147483647;case Int16Array:return 32767;case Int8Array:return 127;default:return}}function lb(i,e){if(e.constructor===Float32Array)return i;let t=nf(e);if(t===void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.max(i/t,-1)}function cb(i,e){if(e.constructor===Float32Array)return i;let t=nf(e);if(t===void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.round(i*t)}var xt=class{static{this.prototype.isVector2=!0}constructor(e=0,t=0){this.x=e,this.y=t}get width(){return this.x}set width(e){this.x=e}get height(){return this.y}set height(e){this.y=e}set(e,t){return this.x=e,this.y=t,this}setScalar(e){return this.x=e,this.y=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;default:throw new Error("THREE.Vector2: index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;default:throw new Error("THREE.Vector2: index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y)}copy(e){return this.x=e.x,this.y=e.y,this}add(e){return this.x+=e.x,this.y+=e.y,this}addScalar(e){return this.x+=e,this.y+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this}subScalar(e){return this.x-=e,this.y-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this}multiply(e){return this.x*=e.x,this.y*=e.y,this}multiplyScalar(e){return this.x*=e,this.y*=e,this}divide(e){return this.x/=e.x,this.y/=e.y,this}divideScalar(e){return this.multiplyScalar(1/e)}applyMatrix3(e){let t=this.x,n=this.y,s=e.elements;return this.x=s[0]*t+s[3]*n+s[6],this.y=s[1]*t+s[4]*n+s[7],this}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this}clamp(e,t){return this.x=vt(this.x,e.x,t.x),this.y=vt(this.y,e.y,t.y),this}clampScalar(e,t){return this.x=vt(this.x,e,t),this.y=vt(this.y,e,t),this}clampLength(e,t){let n=this.length();return this.divideScalar(n||1).multiplyScalar(vt(n,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this}negate(){return this.x=-this.x,this.y=-this.y,this}dot(e){return this.x*e.x+this.y*e.y}cross(e){return this.x*e.y-this.y*e.x}lengthSq(){return this.x*this.x+this.y*this.y}length(){return Math.sqrt(this.x*this.x+this.y*this.y)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)}normalize(){return this.divideScalar(this.length()||1)}angle(){return Math.atan2(-this.y,-this.x)+Math.PI}angleTo(e){let t=Math.sqrt(this.lengthSq()*e.lengthSq());if(t===0)return Math.PI/2;let n=this.dot(e)/t;return Math.acos(vt(n,-1,1))}distanceTo(e){return Math.sqrt(this.distanceToSquared(e))}distanceToSquared(e){let t=this.x-e.x,n=this.y-e.y;return t*t+n*n}manhattanDistanceTo(e){return Math.abs(this.x-e.x)+Math.abs(this.y-e.y)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this}lerpVectors(e,t,n){return this.x=e.x+(t.x-e.x)*n,this.y=e.y+(t.y-e.y)*n,this}equals(e){return e.x===this.x&&e.y===this.y}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this}rotateAround(e,t){let n=Math.cos(t),s=Math.sin(t),r=this.x-e.x,o=this.y-e.y;return this.x=r*n-o*s+e.x,this.y=r*s+o*n+e.y,this}random(){return this.x=Math.random(),this.y=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y}},Qn=class{constructor(e=0,t=0,n=0,s=1){this.isQuaternion=!0,this._x=e,this._y=t,this._z=n,this._w=s}static slerpFlat(e,t,n,s,r,o,a){let l=n[s+0],c=n[s+1],h=n[s+2],u=n[s+3],d=r[o+0],f=r[o+1],g=r[o+2],v=r[o+3];if(u!==v||l!==d||c!==f||h!==g){let m=l*d+c*f+h*g+u*v;m<0&&(d=-d,f=-f,g=-g,v=-v,m=-m);let p=1-a;if(m<.9995){let x=Math.acos(m),M=Math.sin(x);p=Math.sin(p*x)/M,a=Math.sin(a*x)/M,l=l*p+d*a,c=c*p+f*a,h=h*p+g*a,u=u*p+v*a}else{l=l*p+d*a,c=c*p+f*a,h=h*p+g*a,u=u*p+v*a;let x=1/Math.sqrt(l*l+c*c+h*h+u*u);l*=x,c*=x,h*=x,u*=x}}e[t]=l,e[t+1]=c,e[t+2]=h,e[t+3]=u}static multiplyQuaternionsFlat(e,t,n,s,r,o){let a=n[s],l=n[s+1],c=n[s+2],h=n[s+3],u=r[o],d=r[o+1],f=r[o+2],g=r[o+3];return e[t]=a*g+h*u+l*f-c*d,e[t+1]=l*g+h*d+c*u-a*f,e[t+2]=c*g+h*f+a*d-l*u,e[t+3]=h*g-a*u-l*d-c*f,e}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){return this._z}set z(e){this._z=e,this._onChangeCallback()}get w(){return this._w}set w(e){this._w=e,this._onChangeCallback()}set(e,t,n,s){return this._x=e,this._y=t,this._z=n,this._w=s,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._w)}copy(e){return this._x=e.x,this._y=e.y,this._z=e.z,this._w=e.w,this._onChangeCallback(),this}setFromEuler(e,t=!0){let n=e._x,s=e._y,r=e._z,o=e._order,a=Math.cos,l=Math.sin,c=a(n/2),h=a(s/2),u=a(r/2),d=l(n/2),f=l(s/2),g=l(r/2);switch(o){case"XYZ":this._x=d*h*u+c*f*g,this._y=c*f*u-d*h*g,this._z=c*h*g+d*f*u,this._w=c*h*u-d*f*g;break;case"YXZ":this._x=d*h*u+c*f*g,this._y=c*f*u-d*h*g,this._z=c*h*g-d*f*u,this._w=c*h*u+d*f*g;break;case"ZXY":this._x=d*h*u-c*f*g,this._y=c*f*u+d*h*g,this._z=c*h*g+d*f*u,this._w=c*h*u-d*f*g;break;case"ZYX":this._x=d*h*u-c*f*g,this._y=c*f*u+d*h*g,this._z=c*h*g-d*f*u,this._w=c*h*u+d*f*g;break;case"YZX":this._x=d*h*u+c*f*g,this._y=c*f*u+d*h*g,this._z=c*h*g-d*f*u,this._w=c*h*u-d*f*g;break;case"XZY":this._x=d*h*u-c*f*g,this._y=c*f*u-d*h*g,this._z=c*h*g+d*f*u,this._w=c*h*u+d*f*g;break;default:Ze("Quaternion: .setFromEuler() encountered an unknown order: "+o)}return t===!0&&this._onChangeCallback(),this}setFromAxisAngle(e,t){let n=t/2,s=Math.sin(n);return this._x=e.x*s,this._y=e.y*s,this._z=e.z*s,this._w=Math.cos(n),this._onChangeCallback(),this}setFromRotationMatrix(e){let t=e.elements,n=t[0],s=t[4],r=t[8],o=t[1],a=t[5],l=t[9],c=t[2],h=t[6],u=t[10],d=n+a+u;if(d>0){let f=.5/Math.sqrt(d+1);this._w=.25/f,this._x=(h-l)*f,this._y=(r-c)*f,this._z=(o-s)*f}else if(n>a&&n>u){let f=2*Math.sqrt(1+n-a-u);this._w=(h-l)/f,this._x=.25*f,this._y=(s+o)/f,this._z=(r+c)/f}else if(a>u){let f=2*Math.sqrt(1+a-n-u);this._w=(r-c)/f,this._x=(s+o)/f,this._y=.25*f,this._z=(l+h)/f}else{let f=2*Math.sqrt(1+u-n-a);this._w=(o-s)/f,this._x=(r+c)/f,this._y=(l+h)/f,this._z=.25*f}return this._onChangeCallback(),this}setFromUnitVectors(e,t){let n=e.dot(t)+1;return n<1e-8?(n=0,Math.abs(e.x)>Math.abs(e.z)?(this._x=-e.y,this._y=e.x,this._z=0,this._w=n):(this._x=0,this._y=-e.z,this._z=e.y,this._w=n)):(this._x=e.y*t.z-e.z*t.y,this._y=e.z*t.x-e.x*t.z,this._z=e.x*t.y-e.y*t.x,this._w=n),this.normalize()}angleTo(e){return 2*Math.acos(Math.abs(vt(this.dot(e),-1,1)))}rotateTowards(e,t){let n=this.angleTo(e);if(n===0)return this;let s=Math.min(1,t/n);return this.slerp(e,s),this}identity(){return this.set(0,0,0,1)}invert(){return this.conjugate()}conjugate(){return this._x*=-1,this._y*=-1,this._z*=-1,this._onChangeCallback(),this}dot(e){return this._x*e._x+this._y*e._y+this._z*e._z+this._w*e._w}lengthSq(){return this._x*this._x+this._y*this._y+this._z*this._z+this._w*this._w}length(){return Math.sqrt(this._x*this._x+this._y*this._y+this._z*this._z+this._w*this._w)}normalize(){let e=this.length();return e===0?(this._x=0,this._y=0,this._z=0,this._w=1):(e=1/e,this._x=this._x*e,this._y=this._y*e,this._z=this._z*e,this._w=this._w*e),this._onChangeCallback(),this}multiply(e){return this.multiplyQuaternions(this,e)}premultiply(e){return this.multiplyQuaternions(e,this)}multiplyQuaternions(e,t){let n=e._x,s=e._y,r=e._z,o=e._w,a=t._x,l=t._y,c=t._z,h=t._w;return this._x=n*h+o*a+s*c-r*l,this._y=s*h+o*l+r*a-n*c,this._z=r*h+o*c+n*l-s*a,this._w=o*h-n*a-s*l-r*c,this._onChangeCallback(),this}slerp(e,t){let n=e._x,s=e._y,r=e._z,o=e._w,a=this.dot(e);a<0&&(n=-n,s=-s,r=-r,o=-o,a=-a);let l=1-t;if(a<.9995){let c=Math.acos(a),h=Math.sin(c);l=Math.sin(l*c)/h,t=Math.sin(t*c)/h,this._x=this._x*l+n*t,this._y=this._y*l+s*t,this._z=this._z*l+r*t,this._w=this._w*l+o*t,this._onChangeCallback()}else this._x=this._x*l+n*t,this._y=this._y*l+s*t,this._z=this._z*l+r*t,this._w=this._w*l+o*t,this.normalize();return this}slerpQuaternions(e,t,n){return this.copy(e).slerp(t,n)}random(){let e=2*Math.PI*Math.random(),t=2*Math.PI*Math.random(),n=Math.random(),s=Math.sqrt(1-n),r=Math.sqrt(n);return this.set(s*Math.sin(e),s*Math.cos(e),r*Math.sin(t),r*Math.cos(t))}equals(e){return e._x===this._x&&e._y===this._y&&e._z===this._z&&e._w===this._w}fromArray(e,t=0){return this._x=e[t],this._y=e[t+1],this._z=e[t+2],this._w=e[t+3],this._onChangeCallback(),this}toArray(e=[],t=0){return e[t]=this._x,e[t+1]=this._y,e[t+2]=this._z,e[t+3]=this._w,e}fromBufferAttribute(e,t){return this._x=e.getX(t),this._y=e.getY(t),this._z=e.getZ(t),this._w=e.getW(t),this._onChangeCallback(),this}toJSON(){return this.toArray()}_onChange(e){return this._onChangeCallback=e,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this._z,yield this._w}},W=class{static{this.prototype.isVector3=!0}constructor(e=0,t=0,n=0){this.x=e,this.y=t,this.z=n}set(e,t,n){return n===void 0&&(n=this.z),this.x=e,this.y=t,this.z=n,this}setScalar(e){return this.x=e,this.y=e,this.z=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setZ(e){return this.z=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;case 2:this.z=t;break;default:throw new Error("THREE.Vector3: index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;case 2:return this.z;default:throw new Error("THREE.Vector3: index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y,this.z)}copy(e){return this.x=e.x,this.y=e.y,this.z=e.z,this}add(e){return this.x+=e.x,this.y+=e.y,this.z+=e.z,this}addScalar(e){return this.x+=e,this.y+=e,this.z+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this.z=e.z+t.z,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this.z+=e.z*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this.z-=e.z,this}subScalar(e){return this.x-=e,this.y-=e,this.z-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this.z=e.z-t.z,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,this}multiplyScalar(e){return this.x*=e,this.y*=e,this.z*=e,this}multiplyVectors(e,t){return this.x=e.x*t.x,this.y=e.y*t.y,this.z=e.z*t.z,this}applyEuler(e){return this.applyQuaternion(Pg.setFromEuler(e))}applyAxisAngle(e,t){return this.applyQuaternion(Pg.setFromAxisAngle(e,t))}applyMatrix3(e){let t=this.x,n=this.y,s=this.z,r=e.elements;return this.x=r[0]*t+r[3]*n+r[6]*s,this.y=r[1]*t+r[4]*n+r[7]*s,this.z=r[2]*t+r[5]*n+r[8]*s,this}applyNormalMatrix(e){return this.applyMatrix3(e).normalize()}applyMatrix4(e){let t=this.x,n=this.y,s=this.z,r=e.elements,o=1/(r[3]*t+r[7]*n+r[11]*s+r[15]);return this.x=(r[0]*t+r[4]*n+r[8]*s+r[12])*o,this.y=(r[1]*t+r[5]*n+r[9]*s+r[13])*o,this.z=(r[2]*t+r[6]*n+r[10]*s+r[14])*o,this}applyQuaternion(e){let t=this.x,n=this.y,s=this.z,r=e.x,o=e.y,a=e.z,l=e.w,c=2*(o*s-a*n),h=2*(a*t-r*s),u=2*(r*n-o*t);return this.x=t+l*c+o*u-a*h,this.y=n+l*h+a*c-r*u,this.z=s+l*u+r*h-o*c,this}project(e){return this.applyMatrix4(e.matrixWorldInverse).applyMatrix4(e.projectionMatrix)}unproject(e){return this.applyMatrix4(e.projectionMatrixInverse).applyMatrix4(e.matrixWorld)}transformDirection(e){let t=this.x,n=this.y,s=this.z,r=e.elements;return this.x=r[0]*t+r[4]*n+r[8]*s,this.y=r[1]*t+r[5]*n+r[9]*s,this.z=r[2]*t+r[6]*n+r[10]*s,this.normalize()}divide(e){return this.x/=e.x,this.y/=e.y,this.z/=e.z,this}divideScalar(e){return this.multiplyScalar(1/e)}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this.z=Math.min(this.z,e.z),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this.z=Math.max(this.z,e.z),this}clamp(e,t){return this.x=vt(this.x,e.x,t.x),this.y=vt(this.y,e.y,t.y),this.z=vt(this.z,e.z,t.z),this}clampScalar(e,t){return this.x=vt(this.x,e,t),this.y=vt(this.y,e,t),this.z=vt(this.z,e,t),this}clampLength(e,t){let n=this.length();return this.divideScalar(n||1).multiplyScalar(vt(n,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this.z=Math.floor(this.z),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this.z=Math.ceil(this.z),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this.z=Math.round(this.z),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this.z=Math.trunc(this.z),this}negate(){return this.x=-this.x,this.y=-this.y,this.z=-this.z,this}dot(e){return this.x*e.x+this.y*e.y+this.z*e.z}lengthSq(){return this.x*this.x+this.y*this.y+this.z*this.z}length(){return Math.sqrt(this.x*this.x+this.y*this.y+this.z*this.z)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)+Math.abs(this.z)}normalize(){return this.divideScalar(this.length()||1)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this.z+=(e.z-this.z)*t,this}lerpVectors(e,t,n){return this.x=e.x+(t.x-e.x)*n,this.y=e.y+(t.y-e.y)*n,this.z=e.z+(t.z-e.z)*n,this}cross(e){return this.crossVectors(this,e)}crossVectors(e,t){let n=e.x,s=e.y,r=e.z,o=t.x,a=t.y,l=t.z;return this.x=s*l-r*a,this.y=r*o-n*l,this.z=n*a-s*o,this}projectOnVector(e){let t=e.lengthSq();if(t===0)return this.set(0,0,0);let n=e.dot(this)/t;return this.copy(e).multiplyScalar(n)}projectOnPlane(e){return ed.copy(this).projectOnVector(e),this.sub(ed)}reflect(e){return this.sub(ed.copy(e).multiplyScalar(2*this.dot(e)))}angleTo(e){let t=Math.sqrt(this.lengthSq()*e.lengthSq());if(t===0)return Math.PI/2;let n=this.dot(e)/t;return Math.acos(vt(n,-1,1))}distanceTo(e){return Math.sqrt(this.distanceToSquared(e))}distanceToSquared(e){let t=this.x-e.x,n=this.y-e.y,s=this.z-e.z;return t*t+n*n+s*s}manhattanDistanceTo(e){return Math.abs(this.x-e.x)+Math.abs(this.y-e.y)+Math.abs(this.z-e.z)}setFromSpherical(e){return this.setFromSphericalCoords(e.radius,e.phi,e.theta)}setFromSphericalCoords(e,t,n){let s=Math.sin(t)*e;return this.x=s*Math.sin(n),this.y=Math.cos(t)*e,this.z=s*Math.cos(n),this}setFromCylindrical(e){return this.setFromCylindricalCoords(e.radius,e.theta,e.y)}setFromCylindricalCoords(e,t,n){return this.x=e*Math.sin(t),this.y=n,this.z=e*Math.cos(t),this}setFromMatrixPosition(e){let t=e.elements;return this.x=t[12],this.y=t[13],this.z=t[14],this}setFromMatrixScale(e){let t=this.setFromMatrixColumn(e,0).length(),n=this.setFromMatrixColumn(e,1).length(),s=this.setFromMatrixColumn(e,2).length();return this.x=t,this.y=n,this.z=s,this}setFromMatrixColumn(e,t){return this.fromArray(e.elements,t*4)}setFromMatrix3Column(e,t){return this.fromArray(e.elements,t*3)}setFromEuler(e){return this.x=e._x,this.y=e._y,this.z=e._z,this}setFromColor(e){return this.x=e.r,this.y=e.g,this.z=e.b,this}equals(e){return e.x===this.x&&e.y===this.y&&e.z===this.z}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this.z=e[t+2],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e[t+2]=this.z,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this.z=e.getZ(t),this}random(){return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this}randomDirection(){let e=Math.random()*Math.PI*2,t=Math.random()*2-1,n=Math.sqrt(1-t*t);return this.x=n*Math.cos(e),this.y=t,this.z=n*Math.sin(e),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z}},ed=new W,Pg=new Qn,nt=class{static{this.prototype.isMatrix3=!0}constructor(e,t,n,s,r,o,a,l,c){this.elements=[1,0,0,0,1,0,0,0,1],e!==void 0&&this.set(e,t,n,s,r,o,a,l,c)}set(e,t,n,s,r,o,a,l,c){let h=this.elements;return h[0]=e,h[1]=s,h[2]=a,h[3]=t,h[4]=r,h[5]=l,h[6]=n,h[7]=o,h[8]=c,this}identity(){return this.set(1,0,0,0,1,0,0,0,1),this}copy(e){let t=this.elements,n=e.elements;return t[0]=n[0],t[1]=n[1],t[2]=n[2],t[3]=n[3],t[4]=n[4],t[5]=n[5],t[6]=n[6],t[7]=n[7],t[8]=n[8],this}extractBasis(e,t,n){return e.setFromMatrix3Column(this,0),t.setFromMatrix3Column(this,1),n.setFromMatrix3Column(this,2),this}setFromMatrix4(e){let t=e.elements;return this.set(t[0],t[4],t[8],t[1],t[5],t[9],t[2],t[6],t[10]),this}multiply(e){return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let n=e.elements,s=t.elements,r=this.elements,o=n[0],a=n[3],l=n[6],c=n[1],h=n[4],u=n[7],d=n[2],f=n[5],g=n[8],v=s[0],m=s[3],p=s[6],x=s[1],M=s[4],b=s[7],C=s[2],A=s[5],y=s[8];return r[0]=o*v+a*x+l*C,r[3]=o*m+a*M+l*A,r[6]=o*p+a*b+l*y,r[1]=c*v+h*x+u*C,r[4]=c*m+h*M+u*A,r[7]=c*p+h*b+u*y,r[2]=d*v+f*x+g*C,r[5]=d*m+f*M+g*A,r[8]=d*p+f*b+g*y,this}multiplyScalar(e){let t=this.elements;return t[0]*=e,t[3]*=e,t[6]*=e,t[1]*=e,t[4]*=e,t[7]*=e,t[2]*=e,t[5]*=e,t[8]*=e,this}determinant(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],h=e[8];return t*o*h-t*a*c-n*r*h+n*a*l+s*r*c-s*o*l}invert(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],h=e[8],u=h*o-a*c,d=a*l-h*r,f=c*r-o*l,g=t*u+n*d+s*f;if(g===0)return this.set(0,0,0,0,0,0,0,0,0);let v=1/g;return e[0]=u*v,e[1]=(s*c-h*n)*v,e[2]=(a*n-s*o)*v,e[3]=d*v,e[4]=(h*t-s*l)*v,e[5]=(s*r-a*t)*v,e[6]=f*v,e[7]=(n*l-c*t)*v,e[8]=(o*t-n*r)*v,this}transpose(){let e,t=this.elements;return e=t[1],t[1]=t[3],t[3]=e,e=t[2],t[2]=t[6],t[6]=e,e=t[5],t[5]=t[7],t[7]=e,this}getNormalMatrix(e){return this.setFromMatrix4(e).invert().transpose()}transposeIntoArray(e){let t=this.elements;return e[0]=t[0],e[1]=t[3],e[2]=t[6],e[3]=t[1],e[4]=t[4],e[5]=t[7],e[6]=t[2],e[7]=t[5],e[8]=t[8],this}setUvTransform(e,t,n,s,r,o,a){let l=Math.cos(r),c=Math.sin(r);return this.set(n*l,n*c,-n*(l*o+c*a)+o+e,-s*c,s*l,-s*(-c*o+l*a)+a+t,0,0,1),this}scale(e,t){return ya("Matrix3: .scale() is deprecated. Use .makeScale() instead."),this.premultiply(td.makeScale(e,t)),this}rotate(e){return ya("Matrix3: .rotate() is deprecated. Use .makeRotation() instead."),this.premultiply(td.makeRotation(-e)),this}translate(e,t){return ya("Matrix3: .translate() is deprecated. Use .makeTranslation() instead."),this.premultiply(td.makeTranslation(e,t)),this}makeTranslation(e,t){return e.isVector2?this.set(1,0,e.x,0,1,e.y,0,0,1):this.set(1,0,e,0,1,t,0,0,1),this}makeRotation(e){let t=Math.cos(e),n=Math.sin(e);return this.set(t,-n,0,n,t,0,0,0,1),this}makeScale(e,t){return this.set(e,0,0,0,t,0,0,0,1),this}equals(e){let t=this.elements,n=e.elements;for(let s=0;s<9;s++)if(t[s]!==n[s])return!1;return!0}fromArray(e,t=0){for(let n=0;n<9;n++)this.elements[n]=e[n+t];return this}toArray(e=[],t=0){let n=this.elements;return e[t]=n[0],e[t+1]=n[1],e[t+2]=n[2],e[t+3]=n[3],e[t+4]=n[4],e[t+5]=n[5],e[t+6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e}clone(){return new this.constructor().fromArray(this.elements)}},td=new nt,Ig=new nt().set(.4123908,.3575843,.1804808,.212639,.7151687,.0721923,.0193308,.1191948,.9505322),Lg=new nt().set(3.2409699,-1.5373832,-.4986108,-.9692436,1.8759675,.0415551,.0556301,-.203977,1.0569715);function hb(){let i={enabled:!0,workingColorSpace:xa,spaces:{},convert:function(s,r,o){return this.enabled===!1||r===o||!r||!o||(this.spaces[r].transfer===Ct&&(s.r=bs(s.r),s.g=bs(s.g),s.b=bs(s.b)),this.spaces[r].primaries!==this.spaces[o].primaries&&(s.applyMatrix3(this.spaces[r].toXYZ),s.applyMatrix3(this.spaces[o].fromXYZ)),this.spaces[o].transfer===Ct&&(s.r=vo(s.r),s.g=vo(s.g),s.b=vo(s.b))),s},workingToColorSpace:function(s,r){return this.convert(s,this.workingColorSpace,r)},colorSpaceToWorking:function(s,r){return this.convert(s,r,this.workingColorSpace)},getPrimaries:function(s){return this.spaces[s].primaries},getTransfer:function(s){return s===Ts?_a:this.spaces[s].transfer},getToneMappingMode:function(s){return this.spaces[s].outputColorSpaceConfig.toneMappingMode||"standard"},getLuminanceCoefficients:function(s,r=this.workingColorSpace){return s.fromArray(this.spaces[r].luminanceCoefficients)},define:function(s){Object.assign(this.spaces,s)},_getMatrix:function(s,r,o){return s.copy(this.spaces[o].fromXYZ).multiply(this.spaces[r].toXYZ)},_getDrawingBufferColorSpace:function(s){return this.spaces[s].outputColorSpaceConfig.drawingBufferColorSpace},_getUnpackColorSpace:function(s=this.workingColorSpace){return this.spaces[s].workingColorSpaceConfig.unpackColorSpace}},e=[.64,.33,.3,.6,.15,.06],t=[.2126,.7152,.0722],n=[.3127,.329];return i.define({[xa]:{primaries:e,whitePoint:n,transfer:_a,toXYZ:Ig,fromXYZ:Lg,luminanceCoefficients:t,workingColorSpaceConfig:{unpackColorSpace:di},outputColorSpaceConfig:{drawingBufferColorSpace:di}},[di]:{primaries:e,whitePoint:n,transfer:Ct,toXYZ:Ig,fromXYZ:Lg,luminanceCoefficients:t,outputColorSpaceConfig:{drawingBufferColorSpace:di}}}),i}var yt=hb();function bs(i){return i<.04045?i*.0773993808:Math.pow(i*.9478672986+.0521327014,2.4)}function vo(i){return i<.0031308?i*12.92:1.055*Math.pow(i,.41666)-.055}var so,uc=class{static getDataURL(e,t="image/png"){if(/^data:/i.test(e.src)||typeof HTMLCanvasElement>"u")return e.src;let n;if(e instanceof HTMLCanvasElement)n=e;else{so===void 0&&(so=Ma("canvas")),so.width=e.width,so.height=e.height;let s=so.getContext("2d");e instanceof ImageData?s.putImageData(e,0,0):s.drawImage(e,0,0,e.width,e.height),n=so}return n.toDataURL(t)}static sRGBToLinear(e){if(typeof HTMLImageElement<"u"&&e instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&e instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&e instanceof ImageBitmap){let t=Ma("canvas");t.width=e.width,t.height=e.height;let n=t.getContext("2d");n.drawImage(e,0,0,e.width,e.height);let s=n.getImageData(0,0,e.width,e.height),r=s.data;for(let o=0;o<r.length;o++)r[o]=bs(r[o]/255)*255;return n.putImageData(s,0,0),t}else if(e.data){let t=e.data.slice(0);for(let n=0;n<t.length;n++)t instanceof Uint8Array||t instanceof Uint8ClampedArray?t[n]=Math.floor(bs(t[n]/255)*255):t[n]=bs(t[n]);return{data:t,width:e.width,height:e.height}}else return Ze("ImageUtils.sRGBToLinear(): Unsupported image type. No color space conversion applied."),e}},ub=0,Mo=class{constructor(e=null){this.isTextureSource=!0,Object.defineProperty(this,"id",{value:ub++}),this.uuid=Ga(),this.data=e,this.dataReady=!0,this.version=0}getSize(e){let t=this.data;return typeof HTMLVideoElement<"u"&&t instanceof HTMLVideoElement?e.set(t.videoWidth,t.videoHeight,0):typeof VideoFrame<"u"&&t instanceof VideoFrame?e.set(t.displayWidth,t.displayHeight,0):t!==null?e.set(t.width||0,t.height||0,t.depth||0):e.set(0,0,0),e}set needsUpdate(e){e===!0&&this.version++}toJSON(e){let t=e===void 0||typeof e=="string";if(!t&&e.images[this.uuid]!==void 0)return e.images[this.uuid];let n={uuid:this.uuid,url:""},s=this.data;if(s!==null){let r;if(Array.isArray(s)){r=[];for(let o=0,a=s.length;o<a;o++)s[o].isDataTexture?r.push(nd(s[o].image)):r.push(nd(s[o]))}else r=nd(s);n.url=r}return t||(e.images[this.uuid]=n),n}};function nd(i){return typeof HTMLImageElement<"u"&&i instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&i instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&i instanceof ImageBitmap?uc.getDataURL(i):i.data?{data:Array.from(i.data),width:i.width,height:i.height,type:i.data.constructor.name}:(Ze("Texture: Unable to serialize Texture."),{})}var db=0,id=new W,ei=class i extends is{constructor(e=i.DEFAULT_IMAGE,t=i.DEFAULT_MAPPING,n=ns,s=ns,r=Dn,o=Fi,a=zi,l=gi,c=i.DEFAULT_ANISOTROPY,h=Ts){super(),this.isTexture=!0,Object.defineProperty(this,"id",{value:db++}),this.uuid=Ga(),this.name="",this.source=new Mo(e),this.mipmaps=[],this.mapping=t,this.channel=0,this.wrapS=n,this.wrapT=s,this.magFilter=r,this.minFilter=o,this.anisotropy=c,this.format=a,this.internalFormat=null,this.type=l,this.offset=new xt(0,0),this.repeat=new xt(1,1),this.center=new xt(0,0),this.rotation=0,this.matrixAutoUpdate=!0,this.matrix=new nt,this.generateMipmaps=!0,this.mipmapsAutoUpdate=!0,this.premultiplyAlpha=!1,this.flipY=!0,this.unpackAlignment=4,this.colorSpace=h,this.userData={},this.updateRanges=[],this.version=0,this.onUpdate=null,this.renderTarget=null,this.isRenderTargetTexture=!1,this.isArrayTexture=!!(e&&e.depth&&e.depth>1),this.pmremVersion=0,this.isPMREMTexture=!1,this.normalized=!1}get width(){return this.source.getSize(id).x}get height(){return this.source.getSize(id).y}get depth(){return this.source.getSize(id).z}get image(){return this.source.data}set image(e){this.source.data=e}updateMatrix(){this.matrix.setUvTransform(this.offset.x,this.offset.y,this.repeat.x,this.repeat.y,this.rotation,this.center.x,this.center.y)}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.length=0}clone(){return new this.constructor().copy(this)}copy(e){return this.name=e.name,this.source=e.source,this.mipmaps=e.mipmaps.slice(0),this.mapping=e.mapping,this.channel=e.channel,this.wrapS=e.wrapS,this.wrapT=e.wrapT,this.magFilter=e.magFilter,this.minFilter=e.minFilter,this.anisotropy=e.anisotropy,this.format=e.format,this.internalFormat=e.internalFormat,this.type=e.type,this.normalized=e.normalized,this.offset.copy(e.offset),this.repeat.copy(e.repeat),this.center.copy(e.center),this.rotation=e.rotation,this.matrixAutoUpdate=e.matrixAutoUpdate,this.matrix.copy(e.matrix),this.generateMipmaps=e.generateMipmaps,this.mipmapsAutoUpdate=e.mipmapsAutoUpdate,this.premultiplyAlpha=e.premultiplyAlpha,this.flipY=e.flipY,this.unpackAlignment=e.unpackAlignment,this.colorSpace=e.colorSpace,this.renderTarget=e.renderTarget,this.isRenderTargetTexture=e.isRenderTargetTexture,this.isPMREMTexture=e.isPMREMTexture,this.isArrayTexture=e.isArrayTexture,this.userData=JSON.parse(JSON.stringify(e.userData)),this.needsUpdate=!0,this}setValues(e){for(let t in e){let n=e[t];if(n===void 0){Ze(`Texture.setValues(): parameter '${t}' has value of undefined.`);continue}let s=this[t];if(s===void 0){Ze(`Texture.setValues(): property '${t}' does not exist.`);continue}s&&n&&s.isVector2&&n.isVector2||s&&n&&s.isVector3&&n.isVector3||s&&n&&s.isMatrix3&&n.isMatrix3?s.copy(n):this[t]=n}}toJSON(e){let t=e===void 0||typeof e=="string";if(!t&&e.textures[this.uuid]!==void 0)return e.textures[this.uuid];let n={metadata:{version:4.7,type:"Texture",generator:"Texture.toJSON"},uuid:this.uuid,name:this.name,image:this.source.toJSON(e).uuid,mapping:this.mapping,channel:this.channel,repeat:[this.repeat.x,this.repeat.y],offset:[this.offset.x,this.offset.y],center:[this.center.x,this.center.y],rotation:this.rotation,wrap:[this.wrapS,this.wrapT],format:this.format,internalFormat:this.internalFormat,type:this.type,normalized:this.normalized,colorSpace:this.colorSpace,minFilter:this.minFilter,magFilter:this.magFilter,anisotropy:this.anisotropy,flipY:this.flipY,generateMipmaps:this.generateMipmaps,mipmapsAutoUpdate:this.mipmapsAutoUpdate,premultiplyAlpha:this.premultiplyAlpha,unpackAlignment:this.unpackAlignment};return Object.keys(this.userData).length>0&&(n.userData=this.userData),t||(e.textures[this.uuid]=n),n}dispose(){this.dispatchEvent({type:"dispose"})}transformUv(e){if(this.mapping!==Vd)return e;if(e.applyMatrix3(this.matrix),e.x<0||e.x>1)switch(this.wrapS){case ac:e.x=e.x-Math.floor(e.x);break;case ns:e.x=e.x<0?0:1;break;case lc:Math.abs(Math.floor(e.x)%2)===1?e.x=Math.ceil(e.x)-e.x:e.x=e.x-Math.floor(e.x);break}if(e.y<0||e.y>1)switch(this.wrapT){case ac:e.y=e.y-Math.floor(e.y);break;case ns:e.y=e.y<0?0:1;break;case lc:Math.abs(Math.floor(e.y)%2)===1?e.y=Math.ceil(e.y)-e.y:e.y=e.y-Math.floor(e.y);break}return this.flipY&&(e.y=1-e.y),e}set needsUpdate(e){e===!0&&(this.version++,this.source.needsUpdate=!0)}set needsPMREMUpdate(e){e===!0&&this.pmremVersion++}};ei.DEFAULT_IMAGE=null;ei.DEFAULT_MAPPING=Vd;ei.DEFAULT_ANISOTROPY=1;var jt=class{static{this.prototype.isVector4=!0}constructor(e=0,t=0,n=0,s=1){this.x=e,this.y=t,this.z=n,this.w=s}get width(){return this.z}set width(e){this.z=e}get height(){return this.w}set height(e){this.w=e}set(e,t,n,s){return this.x=e,this.y=t,this.z=n,this.w=s,this}setScalar(e){return this.x=e,this.y=e,this.z=e,this.w=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setZ(e){return this.z=e,this}setW(e){return this.w=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;case 2:this.z=t;break;case 3:this.w=t;break;default:throw new Error("THREE.Vector4: index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;case 2:return this.z;case 3:return this.w;default:throw new Error("THREE.Vector4: index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y,this.z,this.w)}copy(e){return this.x=e.x,this.y=e.y,this.z=e.z,this.w=e.w!==void 0?e.w:1,this}add(e){return this.x+=e.x,this.y+=e.y,this.z+=e.z,this.w+=e.w,this}addScalar(e){return this.x+=e,this.y+=e,this.z+=e,this.w+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this.z=e.z+t.z,this.w=e.w+t.w,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this.z+=e.z*t,this.w+=e.w*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this.z-=e.z,this.w-=e.w,this}subScalar(e){return this.x-=e,this.y-=e,this.z-=e,this.w-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this.z=e.z-t.z,this.w=e.w-t.w,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,this.w*=e.w,this}multiplyScalar(e){return this.x*=e,this.y*=e,this.z*=e,this.w*=e,this}applyMatrix4(e){let t=this.x,n=this.y,s=this.z,r=this.w,o=e.elements;return this.x=o[0]*t+o[4]*n+o[8]*s+o[12]*r,this.y=o[1]*t+o[5]*n+o[9]*s+o[13]*r,this.z=o[2]*t+o[6]*n+o[10]*s+o[14]*r,this.w=o[3]*t+o[7]*n+o[11]*s+o[15]*r,this}divide(e){return this.x/=e.x,this.y/=e.y,this.z/=e.z,this.w/=e.w,this}divideScalar(e){return this.multiplyScalar(1/e)}setAxisAngleFromQuaternion(e){this.w=2*Math.acos(e.w);let t=Math.sqrt(1-e.w*e.w);return t<1e-4?(this.x=1,this.y=0,this.z=0):(this.x=e.x/t,this.y=e.y/t,this.z=e.z/t),this}setAxisAngleFromRotationMatrix(e){let t,n,s,r,l=e.elements,c=l[0],h=l[4],u=l[8],d=l[1],f=l[5],g=l[9],v=l[2],m=l[6],p=l[10];if(Math.abs(h-d)<.01&&Math.abs(u-v)<.01&&Math.abs(g-m)<.01){if(Math.abs(h+d)<.1&&Math.abs(u+v)<.1&&Math.abs(g+m)<.1&&Math.abs(c+f+p-3)<.1)return this.set(1,0,0,0),this;t=Math.PI;let M=(c+1)/2,b=(f+1)/2,C=(p+1)/2,A=(h+d)/4,y=(u+v)/4,S=(g+m)/4;return M>b&&M>C?M<.01?(n=0,s=.707106781,r=.707106781):(n=Math.sqrt(M),s=A/n,r=y/n):b>C?b<.01?(n=.707106781,s=0,r=.707106781):(s=Math.sqrt(b),n=A/s,r=S/s):C<.01?(n=.707106781,s=.707106781,r=0):(r=Math.sqrt(C),n=y/r,s=S/r),this.set(n,s,r,t),this}let x=Math.sqrt((m-g)*(m-g)+(u-v)*(u-v)+(d-h)*(d-h));return Math.abs(x)<.001&&(x=1),this.x=(m-g)/x,this.y=(u-v)/x,this.z=(d-h)/x,this.w=Math.acos((c+f+p-1)/2),this}setFromMatrixPosition(e){let t=e.elements;return this.x=t[12],this.y=t[13],this.z=t[14],this.w=t[15],this}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this.z=Math.min(this.z,e.z),this.w=Math.min(this.w,e.w),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this.z=Math.max(this.z,e.z),this.w=Math.max(this.w,e.w),this}clamp(e,t){return this.x=vt(this.x,e.x,t.x),this.y=vt(this.y,e.y,t.y),this.z=vt(this.z,e.z,t.z),this.w=vt(this.w,e.w,t.w),this}clampScalar(e,t){return this.x=vt(this.x,e,t),this.y=vt(this.y,e,t),this.z=vt(this.z,e,t),this.w=vt(this.w,e,t),this}clampLength(e,t){let n=this.length();return this.divideScalar(n||1).multiplyScalar(vt(n,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this.z=Math.floor(this.z),this.w=Math.floor(this.w),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this.z=Math.ceil(this.z),this.w=Math.ceil(this.w),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this.z=Math.round(this.z),this.w=Math.round(this.w),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this.z=Math.trunc(this.z),this.w=Math.trunc(this.w),this}negate(){return this.x=-this.x,this.y=-this.y,this.z=-this.z,this.w=-this.w,this}dot(e){return this.x*e.x+this.y*e.y+this.z*e.z+this.w*e.w}lengthSq(){return this.x*this.x+this.y*this.y+this.z*this.z+this.w*this.w}length(){return Math.sqrt(this.x*this.x+this.y*this.y+this.z*this.z+this.w*this.w)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)+Math.abs(this.z)+Math.abs(this.w)}normalize(){return this.divideScalar(this.length()||1)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this.z+=(e.z-this.z)*t,this.w+=(e.w-this.w)*t,this}lerpVectors(e,t,n){return this.x=e.x+(t.x-e.x)*n,this.y=e.y+(t.y-e.y)*n,this.z=e.z+(t.z-e.z)*n,this.w=e.w+(t.w-e.w)*n,this}equals(e){return e.x===this.x&&e.y===this.y&&e.z===this.z&&e.w===this.w}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this.z=e[t+2],this.w=e[t+3],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e[t+2]=this.z,e[t+3]=this.w,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this.z=e.getZ(t),this.w=e.getW(t),this}random(){return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this.w=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z,yield this.w}},dc=class extends is{constructor(e=1,t=1,n={}){super(),n=Object.assign({generateMipmaps:!1,internalFormat:null,minFilter:Dn,depthBuffer:!0,stencilBuffer:!1,resolveColorBuffer:!0,resolveDepthBuffer:!0,resolveStencilBuffer:!0,storeMultisampledColorBuffer:!0,storeMultisampledDepthBuffer:!0,storeMultisampledStencilBuffer:!0,depthTexture:null,samples:0,count:1,depth:1,multiview:!1,useArrayDepthTexture:!1},n),this.isRenderTarget=!0,this.width=e,this.height=t,this.depth=n.depth,this.scissor=new jt(0,0,e,t),this.scissorTest=!1,this.viewport=new jt(0,0,e,t),this.textures=[];let s=n.count;for(let r=0;r<s;r++)this.textures[r]=new ei({width:e,height:t,depth:n.depth}),this.textures[r].isRenderTargetTexture=!0,this.textures[r].renderTarget=this;this._setTextureOptions(n),this.depthBuffer=n.depthBuffer,this.stencilBuffer=n.stencilBuffer,this.resolveColorBuffer=n.resolveColorBuffer,this.resolveDepthBuffer=n.resolveDepthBuffer,this.resolveStencilBuffer=n.resolveStencilBuffer,this.storeMultisampledColorBuffer=n.storeMultisampledColorBuffer,this.storeMultisampledDepthBuffer=n.storeMultisampledDepthBuffer,this.storeMultisampledStencilBuffer=n.storeMultisampledStencilBuffer,this._depthTexture=null,this.depthTexture=n.depthTexture,this.samples=n.samples,this.multiview=n.multiview,this.useArrayDepthTexture=n.useArrayDepthTexture}_setTextureOptions(e={}){let t={minFilter:Dn,generateMipmaps:!1,flipY:!1,internalFormat:null};e.mapping!==void 0&&(t.mapping=e.mapping),e.wrapS!==void 0&&(t.wrapS=e.wrapS),e.wrapT!==void 0&&(t.wrapT=e.wrapT),e.wrapR!==void 0&&(t.wrapR=e.wrapR),e.magFilter!==void 0&&(t.magFilter=e.magFilter),e.minFilter!==void 0&&(t.minFilter=e.minFilter),e.format!==void 0&&(t.format=e.format),e.type!==void 0&&(t.type=e.type),e.anisotropy!==void 0&&(t.anisotropy=e.anisotropy),e.colorSpace!==void 0&&(t.colorSpace=e.colorSpace),e.flipY!==void 0&&(t.flipY=e.flipY),e.generateMipmaps!==void 0&&(t.generateMipmaps=e.generateMipmaps),e.mipmapsAutoUpdate!==void 0&&(t.mipmapsAutoUpdate=e.mipmapsAutoUpdate),e.internalFormat!==void 0&&(t.internalFormat=e.internalFormat);for(let n=0;n<this.textures.length;n++)this.textures[n].setValues(t)}get texture(){return this.textures[0]}set texture(e){this.textures[0]=e}set depthTexture(e){this._depthTexture!==null&&this._depthTexture.renderTarget===this&&(this._depthTexture.renderTarget=null),e!==null&&e.renderTarget===null&&(e.renderTarget=this),this._depthTexture=e}get depthTexture(){return this._depthTexture}setSize(e,t,n=1){if(this.width!==e||this.height!==t||this.depth!==n){this.width=e,this.height=t,this.depth=n;for(let s=0,r=this.textures.length;s<r;s++)this.textures[s].image.width=e,this.textures[s].image.height=t,this.textures[s].image.depth=n,this.textures[s].isData3DTexture!==!0&&(this.textures[s].isArrayTexture=this.textures[s].image.depth>1);this.dispose()}this.viewport.set(0,0,e,t),this.scissor.set(0,0,e,t)}clone(){return new this.constructor().copy(this)}copy(e){this.width=e.width,this.height=e.height,this.depth=e.depth,this.scissor.copy(e.scissor),this.scissorTest=e.scissorTest,this.viewport.copy(e.viewport),this.textures.length=0;for(let t=0,n=e.textures.length;t<n;t++){this.textures[t]=e.textures[t].clone(),this.textures[t].isRenderTargetTexture=!0,this.textures[t].renderTarget=this;let s=Object.assign({},e.textures[t].image);this.textures[t].source=new Mo(s)}if(this.depthBuffer=e.depthBuffer,this.stencilBuffer=e.stencilBuffer,this.resolveColorBuffer=e.resolveColorBuffer,this.resolveDepthBuffer=e.resolveDepthBuffer,this.resolveStencilBuffer=e.resolveStencilBuffer,this.storeMultisampledColorBuffer=e.storeMultisampledColorBuffer,this.storeMultisampledDepthBuffer=e.storeMultisampledDepthBuffer,this.storeMultisampledStencilBuffer=e.storeMultisampledStencilBuffer,e.depthTexture!==null)if(e.depthTexture.renderTarget===e){let t=e.depthTexture.clone();t.renderTarget=null,this.depthTexture=t}else this.depthTexture=e.depthTexture;else this.depthTexture=null;return this.samples=e.samples,this.multiview=e.multiview,this.useArrayDepthTexture=e.useArrayDepthTexture,this}dispose(){this.dispatchEvent({type:"dispose"})}},Kn=class extends dc{constructor(e=1,t=1,n={}){super(e,t,n),this.isWebGLRenderTarget=!0}},Sa=class extends ei{constructor(e=null,t=1,n=1,s=1){super(null),this.isDataArrayTexture=!0,this.image={data:e,width:t,height:n,depth:s},this.magFilter=In,this.minFilter=In,this.wrapR=ns,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1,this.layerUpdates=new Set}copy(e){return super.copy(e),this.wrapR=e.wrapR,this}addLayerUpdate(e){this.layerUpdates.add(e)}clearLayerUpdates(){this.layerUpdates.clear()}};var fc=class extends ei{constructor(e=null,t=1,n=1,s=1){super(null),this.isData3DTexture=!0,this.image={data:e,width:t,height:n,depth:s},this.magFilter=In,this.minFilter=In,this.wrapR=ns,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}copy(e){return super.copy(e),this.wrapR=e.wrapR,this}};var zt=class i{static{this.prototype.isMatrix4=!0}constructor(e,t,n,s,r,o,a,l,c,h,u,d,f,g,v,m){this.elements=[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],e!==void 0&&this.set(e,t,n,s,r,o,a,l,c,h,u,d,f,g,v,m)}set(e,t,n,s,r,o,a,l,c,h,u,d,f,g,v,m){let p=this.elements;return p[0]=e,p[4]=t,p[8]=n,p[12]=s,p[1]=r,p[5]=o,p[9]=a,p[13]=l,p[2]=c,p[6]=h,p[10]=u,p[14]=d,p[3]=f,p[7]=g,p[11]=v,p[15]=m,this}identity(){return this.set(1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1),this}clone(){return new i().fromArray(this.elements)}copy(e){let t=this.elements,n=e.elements;return t[0]=n[0],t[1]=n[1],t[2]=n[2],t[3]=n[3],t[4]=n[4],t[5]=n[5],t[6]=n[6],t[7]=n[7],t[8]=n[8],t[9]=n[9],t[10]=n[10],t[11]=n[11],t[12]=n[12],t[13]=n[13],t[14]=n[14],t[15]=n[15],this}copyPosition(e){let t=this.elements,n=e.elements;return t[12]=n[12],t[13]=n[13],t[14]=n[14],this}setFromMatrix3(e){let t=e.elements;return this.set(t[0],t[3],t[6],0,t[1],t[4],t[7],0,t[2],t[5],t[8],0,0,0,0,1),this}extractBasis(e,t,n){return this.determinantAffine()===0?(e.set(1,0,0),t.set(0,1,0),n.set(0,0,1),this):(e.setFromMatrixColumn(this,0),t.setFromMatrixColumn(this,1),n.setFromMatrixColumn(this,2),this)}makeBasis(e,t,n){return this.set(e.x,t.x,n.x,0,e.y,t.y,n.y,0,e.z,t.z,n.z,0,0,0,0,1),this}extractRotation(e){if(e.determinantAffine()===0)return this.identity();let t=this.elements,n=e.elements,s=1/ro.setFromMatrixColumn(e,0).length(),r=1/ro.setFromMatrixColumn(e,1).length(),o=1/ro.setFromMatrixColumn(e,2).length();return t[0]=n[0]*s,t[1]=n[1]*s,t[2]=n[2]*s,t[3]=0,t[4]=n[4]*r,t[5]=n[5]*r,t[6]=n[6]*r,t[7]=0,t[8]=n[8]*o,t[9]=n[9]*o,t[10]=n[10]*o,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromEuler(e){let t=this.elements,n=e.x,s=e.y,r=e.z,o=Math.cos(n),a=Math.sin(n),l=Math.cos(s),c=Math.sin(s),h=Math.cos(r),u=Math.sin(r);if(e.order==="XYZ"){let d=o*h,f=o*u,g=a*h,v=a*u;t[0]=l*h,t[4]=-l*u,t[8]=c,t[1]=f+g*c,t[5]=d-v*c,t[9]=-a*l,t[2]=v-d*c,t[6]=g+f*c,t[10]=o*l}else if(e.order==="YXZ"){let d=l*h,f=l*u,g=c*h,v=c*u;t[0]=d+v*a,t[4]=g*a-f,t[8]=o*c,t[1]=o*u,t[5]=o*h,t[9]=-a,t[2]=f*a-g,t[6]=v+d*a,t[10]=o*l}else if(e.order==="ZXY"){let d=l*h,f=l*u,g=c*h,v=c*u;t[0]=d-v*a,t[4]=-o*u,t[8]=g+f*a,t[1]=f+g*a,t[5]=o*h,t[9]=v-d*a,t[2]=-o*c,t[6]=a,t[10]=o*l}else if(e.order==="ZYX"){let d=o*h,f=o*u,g=a*h,v=a*u;t[0]=l*h,t[4]=g*c-f,t[8]=d*c+v,t[1]=l*u,t[5]=v*c+d,t[9]=f*c-g,t[2]=-c,t[6]=a*l,t[10]=o*l}else if(e.order==="YZX"){let d=o*l,f=o*c,g=a*l,v=a*c;t[0]=l*h,t[4]=v-d*u,t[8]=g*u+f,t[1]=u,t[5]=o*h,t[9]=-a*h,t[2]=-c*h,t[6]=f*u+g,t[10]=d-v*u}else if(e.order==="XZY"){let d=o*l,f=o*c,g=a*l,v=a*c;t[0]=l*h,t[4]=-u,t[8]=c*h,t[1]=d*u+v,t[5]=o*h,t[9]=f*u-g,t[2]=g*u-f,t[6]=a*h,t[10]=v*u+d}return t[3]=0,t[7]=0,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromQuaternion(e){return this.compose(fb,e,pb)}lookAt(e,t,n){let s=this.elements;return hi.subVectors(e,t),hi.lengthSq()===0&&(hi.z=1),hi.normalize(),Gs.crossVectors(n,hi),Gs.lengthSq()===0&&(Math.abs(n.z)===1?hi.x+=1e-4:hi.z+=1e-4,hi.normalize(),Gs.crossVectors(n,hi)),Gs.normalize(),Rl.crossVectors(hi,Gs),s[0]=Gs.x,s[4]=Rl.x,s[8]=hi.x,s[1]=Gs.y,s[5]=Rl.y,s[9]=hi.y,s[2]=Gs.z,s[6]=Rl.z,s[10]=hi.z,this}multiply(e){return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let n=e.elements,s=t.elements,r=this.elements,o=n[0],a=n[4],l=n[8],c=n[12],h=n[1],u=n[5],d=n[9],f=n[13],g=n[2],v=n[6],m=n[10],p=n[14],x=n[3],M=n[7],b=n[11],C=n[15],A=s[0],y=s[4],S=s[8],U=s[12],I=s[1],R=s[5],k=s[9],F=s[13],P=s[2],V=s[6],q=s[10],H=s[14],le=s[3],Z=s[7],Q=s[11],ie=s[15];return r[0]=o*A+a*I+l*P+c*le,r[4]=o*y+a*R+l*V+c*Z,r[8]=o*S+a*k+l*q+c*Q,r[12]=o*U+a*F+l*H+c*ie,r[1]=h*A+u*I+d*P+f*le,r[5]=h*y+u*R+d*V+f*Z,r[9]=h*S+u*k+d*q+f*Q,r[13]=h*U+u*F+d*H+f*ie,r[2]=g*A+v*I+m*P+p*le,r[6]=g*y+v*R+m*V+p*Z,r[10]=g*S+v*k+m*q+p*Q,r[14]=g*U+v*F+m*H+p*ie,r[3]=x*A+M*I+b*P+C*le,r[7]=x*y+M*R+b*V+C*Z,r[11]=x*S+M*k+b*q+C*Q,r[15]=x*U+M*F+b*H+C*ie,this}multiplyScalar(e){let t=this.elements;return t[0]*=e,t[4]*=e,t[8]*=e,t[12]*=e,t[1]*=e,t[5]*=e,t[9]*=e,t[13]*=e,t[2]*=e,t[6]*=e,t[10]*=e,t[14]*=e,t[3]*=e,t[7]*=e,t[11]*=e,t[15]*=e,this}determinant(){let e=this.elements,t=e[0],n=e[4],s=e[8],r=e[12],o=e[1],a=e[5],l=e[9],c=e[13],h=e[2],u=e[6],d=e[10],f=e[14],g=e[3],v=e[7],m=e[11],p=e[15],x=l*f-c*d,M=a*f-c*u,b=a*d-l*u,C=o*f-c*h,A=o*d-l*h,y=o*u-a*h;return t*(v*x-m*M+p*b)-n*(g*x-m*C+p*A)+s*(g*M-v*C+p*y)-r*(g*b-v*A+m*y)}determinantAffine(){let e=this.elements,t=e[0],n=e[4],s=e[8],r=e[1],o=e[5],a=e[9],l=e[2],c=e[6],h=e[10];return t*(o*h-a*c)-n*(r*h-a*l)+s*(r*c-o*l)}transpose(){let e=this.elements,t;return t=e[1],e[1]=e[4],e[4]=t,t=e[2],e[2]=e[8],e[8]=t,t=e[6],e[6]=e[9],e[9]=t,t=e[3],e[3]=e[12],e[12]=t,t=e[7],e[7]=e[13],e[13]=t,t=e[11],e[11]=e[14],e[14]=t,this}setPosition(e,t,n){let s=this.elements;return e.isVector3?(s[12]=e.x,s[13]=e.y,s[14]=e.z):(s[12]=e,s[13]=t,s[14]=n),this}invert(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],h=e[8],u=e[9],d=e[10],f=e[11],g=e[12],v=e[13],m=e[14],p=e[15],x=t*a-n*o,M=t*l-s*o,b=t*c-r*o,C=n*l-s*a,A=n*c-r*a,y=s*c-r*l,S=h*v-u*g,U=h*m-d*g,I=h*p-f*g,R=u*m-d*v,k=u*p-f*v,F=d*p-f*m,P=x*F-M*k+b*R+C*I-A*U+y*S;if(P===0)return this.set(0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0);let V=1/P;return e[0]=(a*F-l*k+c*R)*V,e[1]=(s*k-n*F-r*R)*V,e[2]=(v*y-m*A+p*C)*V,e[3]=(d*A-u*y-f*C)*V,e[4]=(l*I-o*F-c*U)*V,e[5]=(t*F-s*I+r*U)*V,e[6]=(m*b-g*y-p*M)*V,e[7]=(h*y-d*b+f*M)*V,e[8]=(o*k-a*I+c*S)*V,e[9]=(n*I-t*k-r*S)*V,e[10]=(g*A-v*b+p*x)*V,e[11]=(u*b-h*A-f*x)*V,e[12]=(a*U-o*R-l*S)*V,e[13]=(t*R-n*U+s*S)*V,e[14]=(v*M-g*C-m*x)*V,e[15]=(h*C-u*M+d*x)*V,this}scale(e){let t=this.elements,n=e.x,s=e.y,r=e.z;return t[0]*=n,t[4]*=s,t[8]*=r,t[1]*=n,t[5]*=s,t[9]*=r,t[2]*=n,t[6]*=s,t[10]*=r,t[3]*=n,t[7]*=s,t[11]*=r,this}getMaxScaleOnAxis(){let e=this.elements,t=e[0]*e[0]+e[1]*e[1]+e[2]*e[2],n=e[4]*e[4]+e[5]*e[5]+e[6]*e[6],s=e[8]*e[8]+e[9]*e[9]+e[10]*e[10];return Math.sqrt(Math.max(t,n,s))}makeTranslation(e,t,n){return e.isVector3?this.set(1,0,0,e.x,0,1,0,e.y,0,0,1,e.z,0,0,0,1):this.set(1,0,0,e,0,1,0,t,0,0,1,n,0,0,0,1),this}makeRotationX(e){let t=Math.cos(e),n=Math.sin(e);return this.set(1,0,0,0,0,t,-n,0,0,n,t,0,0,0,0,1),this}makeRotationY(e){let t=Math.cos(e),n=Math.sin(e);return this.set(t,0,n,0,0,1,0,0,-n,0,t,0,0,0,0,1),this}makeRotationZ(e){let t=Math.cos(e),n=Math.sin(e);return this.set(t,-n,0,0,n,t,0,0,0,0,1,0,0,0,0,1),this}makeRotationAxis(e,t){let n=Math.cos(t),s=Math.sin(t),r=1-n,o=e.x,a=e.y,l=e.z,c=r*o,h=r*a;return this.set(c*o+n,c*a-s*l,c*l+s*a,0,c*a+s*l,h*a+n,h*l-s*o,0,c*l-s*a,h*l+s*o,r*l*l+n,0,0,0,0,1),this}makeScale(e,t,n){return this.set(e,0,0,0,0,t,0,0,0,0,n,0,0,0,0,1),this}makeShear(e,t,n,s,r,o){return this.set(1,n,r,0,e,1,o,0,t,s,1,0,0,0,0,1),this}compose(e,t,n){let s=this.elements,r=t._x,o=t._y,a=t._z,l=t._w,c=r+r,h=o+o,u=a+a,d=r*c,f=r*h,g=r*u,v=o*h,m=o*u,p=a*u,x=l*c,M=l*h,b=l*u,C=n.x,A=n.y,y=n.z;return s[0]=(1-(v+p))*C,s[1]=(f+b)*C,s[2]=(g-M)*C,s[3]=0,s[4]=(f-b)*A,s[5]=(1-(d+p))*A,s[6]=(m+x)*A,s[7]=0,s[8]=(g+M)*y,s[9]=(m-x)*y,s[10]=(1-(d+v))*y,s[11]=0,s[12]=e.x,s[13]=e.y,s[14]=e.z,s[15]=1,this}decompose(e,t,n){let s=this.elements;e.x=s[12],e.y=s[13],e.z=s[14];let r=this.determinantAffine();if(r===0)return n.set(1,1,1),t.identity(),this;let o=ro.set(s[0],s[1],s[2]).length(),a=ro.set(s[4],s[5],s[6]).length(),l=ro.set(s[8],s[9],s[10]).length();r<0&&(o=-o),Ni.copy(this);let c=1/o,h=1/a,u=1/l;return Ni.elements[0]*=c,Ni.elements[1]*=c,Ni.elements[2]*=c,Ni.elements[4]*=h,Ni.elements[5]*=h,Ni.elements[6]*=h,Ni.elements[8]*=u,Ni.elements[9]*=u,Ni.elements[10]*=u,t.setFromRotationMatrix(Ni),n.x=o,n.y=a,n.z=l,this}makePerspective(e,t,n,s,r,o,a=wi,l=!1){let c=this.elements,h=2*r/(t-e),u=2*r/(n-s),d=(t+e)/(t-e),f=(n+s)/(n-s),g,v;if(l)g=r/(o-r),v=o*r/(o-r);else if(a===wi)g=-(o+r)/(o-r),v=-2*o*r/(o-r);else if(a===ba)g=-o/(o-r),v=-o*r/(o-r);else throw new Error("THREE.Matrix4.makePerspective(): Invalid coordinate system: "+a);return c[0]=h,c[4]=0,c[8]=d,c[12]=0,c[1]=0,c[5]=u,c[9]=f,c[13]=0,c[2]=0,c[6]=0,c[10]=g,c[14]=v,c[3]=0,c[7]=0,c[11]=-1,c[15]=0,this}makeOrthographic(e,t,n,s,r,o,a=wi,l=!1){let c=this.elements,h=2/(t-e),u=2/(n-s),d=-(t+e)/(t-e),f=-(n+s)/(n-s),g,v;if(l)g=1/(o-r),v=o/(o-r);else if(a===wi)g=-2/(o-r),v=-(o+r)/(o-r);else if(a===ba)g=-1/(o-r),v=-r/(o-r);else throw new Error("THREE.Matrix4.makeOrthographic(): Invalid coordinate system: "+a);return c[0]=h,c[4]=0,c[8]=0,c[12]=d,c[1]=0,c[5]=u,c[9]=0,c[13]=f,c[2]=0,c[6]=0,c[10]=g,c[14]=v,c[3]=0,c[7]=0,c[11]=0,c[15]=1,this}equals(e){let t=this.elements,n=e.elements;for(let s=0;s<16;s++)if(t[s]!==n[s])return!1;return!0}fromArray(e,t=0){for(let n=0;n<16;n++)this.elements[n]=e[n+t];return this}toArray(e=[],t=0){let n=this.elements;return e[t]=n[0],e[t+1]=n[1],e[t+2]=n[2],e[t+3]=n[3],e[t+4]=n[4],e[t+5]=n[5],e[t+6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e[t+9]=n[9],e[t+10]=n[10],e[t+11]=n[11],e[t+12]=n[12],e[t+13]=n[13],e[t+14]=n[14],e[t+15]=n[15],e}},ro=new W,Ni=new zt,fb=new W(0,0,0),pb=new W(1,1,1),Gs=new W,Rl=new W,hi=new W,Ng=new zt,Dg=new Qn,Ys=class i{constructor(e=0,t=0,n=0,s=i.DEFAULT_ORDER){this.isEuler=!0,this._x=e,this._y=t,this._z=n,this._order=s}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){return this._z}set z(e){this._z=e,this._onChangeCallback()}get order(){return this._order}set order(e){this._order=e,this._onChangeCallback()}set(e,t,n,s=this._order){return this._x=e,this._y=t,this._z=n,this._order=s,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._order)}copy(e){return this._x=e._x,this._y=e._y,this._z=e._z,this._order=e._order,this._onChangeCallback(),this}setFromRotationMatrix(e,t=this._order,n=!0){let s=e.elements,r=s[0],o=s[4],a=s[8],l=s[1],c=s[5],h=s[9],u=s[2],d=s[6],f=s[10];switch(t){case"XYZ":this._y=Math.asin(vt(a,-1,1)),Math.abs(a)<.9999999?(this._x=Math.atan2(-h,f),this._z=Math.atan2(-o,r)):(this._x=Math.atan2(d,c),this._z=0);break;case"YXZ":this._x=Math.asin(-vt(h,-1,1)),Math.abs(h)<.9999999?(this._y=Math.atan2(a,f),this._z=Math.atan2(l,c)):(this._y=Math.atan2(-u,r),this._z=0);break;case"ZXY":this._x=Math.asin(vt(d,-1,1)),Math.abs(d)<.9999999?(this._y=Math.atan2(-u,f),this._z=Math.atan2(-o,c)):(this._y=0,this._z=Math.atan2(l,r));break;case"ZYX":this._y=Math.asin(-vt(u,-1,1)),Math.abs(u)<.9999999?(this._x=Math.atan2(d,f),this._z=Math.atan2(l,r)):(this._x=0,this._z=Math.atan2(-o,c));break;case"YZX":this._z=Math.asin(vt(l,-1,1)),Math.abs(l)<.9999999?(this._x=Math.atan2(-h,c),this._y=Math.atan2(-u,r)):(this._x=0,this._y=Math.atan2(a,f));break;case"XZY":this._z=Math.asin(-vt(o,-1,1)),Math.abs(o)<.9999999?(this._x=Math.atan2(d,c),this._y=Math.atan2(a,r)):(this._x=Math.atan2(-h,f),this._y=0);break;default:Ze("Euler: .setFromRotationMatrix() encountered an unknown order: "+t)}return this._order=t,n===!0&&this._onChangeCallback(),this}setFromQuaternion(e,t,n){return Ng.makeRotationFromQuaternion(e),this.setFromRotationMatrix(Ng,t,n)}setFromVector3(e,t=this._order){return this.set(e.x,e.y,e.z,t)}reorder(e){return Dg.setFromEuler(this),this.setFromQuaternion(Dg,e)}equals(e){return e._x===this._x&&e._y===this._y&&e._z===this._z&&e._order===this._order}fromArray(e){return this._x=e[0],this._y=e[1],this._z=e[2],e[3]!==void 0&&(this._order=e[3]),this._onChangeCallback(),this}toArray(e=[],t=0){return e[t]=this._x,e[t+1]=this._y,e[t+2]=this._z,e[t+3]=this._order,e}_onChange(e){return this._onChangeCallback=e,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this._z,yield this._order}};Ys.DEFAULT_ORDER="XYZ";var wa=class{constructor(){this.mask=1}set(e){this.mask=(1<<e|0)>>>0}enable(e){this.mask|=1<<e|0}enableAll(){this.mask=-1}toggle(e){this.mask^=1<<e|0}disable(e){this.mask&=~(1<<e|0)}disableAll(){this.mask=0}test(e){return(this.mask&e.mask)!==0}isEnabled(e){return(this.mask&(1<<e|0))!==0}},mb=0,Ug=new W,oo=new Qn,gs=new zt,Pl=new W,da=new W,gb=new W,yb=new Qn,Fg=new W(1,0,0),Og=new W(0,1,0),kg=new W(0,0,1),Bg={type:"added"},vb={type:"removed"},ao={type:"childadded",child:null},sd={type:"childremoved",child:null},ti=class i extends is{constructor(){super(),this.isObject3D=!0,Object.defineProperty(this,"id",{value:mb++}),this.uuid=Ga(),this.name="",this.type="Object3D",this.parent=null,this.children=[],this.up=i.DEFAULT_UP.clone();let e=new W,t=new Ys,n=new Qn,s=new W(1,1,1);function r(){n.setFromEuler(t,!1)}function o(){t.setFromQuaternion(n,void 0,!1)}t._onChange(r),n._onChange(o),Object.defineProperties(this,{position:{configurable:!0,enumerable:!0,value:e},rotation:{configurable:!0,enumerable:!0,value:t},quaternion:{configurable:!0,enumerable:!0,value:n},scale:{configurable:!0,enumerable:!0,value:s},modelViewMatrix:{value:new zt},normalMatrix:{value:new nt}}),this.matrix=new zt,this.matrixWorld=new zt,this.matrixAutoUpdate=i.DEFAULT_MATRIX_AUTO_UPDATE,this.matrixWorldAutoUpdate=i.DEFAULT_MATRIX_WORLD_AUTO_UPDATE,this.matrixWorldNeedsUpdate=!1,this.layers=new wa,this.visible=!0,this.castShadow=!1,this.receiveShadow=!1,this.frustumCulled=!0,this.renderOrder=0,this.animations=[],this.customDepthMaterial=void 0,this.customDistanceMaterial=void 0,this.static=!1,this.userData={},this.pivot=null}onBeforeShadow(){}onAfterShadow(){}onBeforeRender(){}onAfterRender(){}applyMatrix4(e){this.matrixAutoUpdate&&this.updateMatrix(),this.matrix.premultiply(e),this.matrix.decompose(this.position,this.quaternion,this.scale),this.pivot!==null&&this.position.copy(this.pivot).applyMatrix4(this.matrix).sub(this.pivot)}applyQuaternion(e){return this.quaternion.premultiply(e),this}setRotationFromAxisAngle(e,t){this.quaternion.setFromAxisAngle(e,t)}setRotationFromEuler(e){this.quaternion.setFromEuler(e,!0)}setRotationFromMatrix(e){this.quaternion.setFromRotationMatrix(e)}setRotationFromQuaternion(e){this.quaternion.copy(e)}rotateOnAxis(e,t){return oo.setFromAxisAngle(e,t),this.quaternion.multiply(oo),this}rotateOnWorldAxis(e,t){return oo.setFromAxisAngle(e,t),this.quaternion.premultiply(oo),this}rotateX(e){return this.rotateOnAxis(Fg,e)}rotateY(e){return this.rotateOnAxis(Og,e)}rotateZ(e){return this.rotateOnAxis(kg,e)}translateOnAxis(e,t){return Ug.copy(e).applyQuaternion(this.quaternion),this.position.add(Ug.multiplyScalar(t)),this}translateX(e){return this.translateOnAxis(Fg,e)}translateY(e){return this.translateOnAxis(Og,e)}translateZ(e){return this.translateOnAxis(kg,e)}localToWorld(e){return this.updateWorldMatrix(!0,!1),e.applyMatrix4(this.matrixWorld)}worldToLocal(e){return this.updateWorldMatrix(!0,!1),e.applyMatrix4(gs.copy(this.matrixWorld).invert())}lookAt(e,t,n){e.isVector3?Pl.copy(e):Pl.set(e,t,n);let s=this.parent;this.updateWorldMatrix(!0,!1),da.setFromMatrixPosition(this.matrixWorld),this.isCamera||this.isLight?gs.lookAt(da,Pl,this.up):gs.lookAt(Pl,da,this.up),this.quaternion.setFromRotationMatrix(gs),s&&(gs.extractRotation(s.matrixWorld),oo.setFromRotationMatrix(gs),this.quaternion.premultiply(oo.invert()))}add(e){if(arguments.length>1){for(let t=0;t<arguments.length;t++)this.add(arguments[t]);return this}return e===this?(tt("Object3D.add: object can't be added as a child of itself.",e),this):(e&&e.isObject3D?(e.removeFromParent(),e.parent=this,this.children.push(e),e.dispatchEvent(Bg),ao.child=e,this.dispatchEvent(ao),ao.child=null):tt("Object3D.add: object not an instance of THREE.Object3D.",e),this)}remove(e){if(arguments.length>1){for(let n=0;n<arguments.length;n++)this.remove(arguments[n]);return this}let t=this.children.indexOf(e);return t!==-1&&(e.parent=null,this.children.splice(t,1),e.dispatchEvent(vb),sd.child=e,this.dispatchEvent(sd),sd.child=null),this}removeFromParent(){let e=this.parent;return e!==null&&e.remove(this),this}clear(){return this.remove(...this.children)}attach(e){return this.updateWorldMatrix(!0,!1),gs.copy(this.matrixWorld).invert(),e.parent!==null&&(e.parent.updateWorldMatrix(!0,!1),gs.multiply(e.parent.matrixWorld)),e.applyMatrix4(gs),e.removeFromParent(),e.parent=this,this.children.push(e),e.updateWorldMatrix(!1,!0),e.dispatchEvent(Bg),ao.child=e,this.dispatchEvent(ao),ao.child=null,this}getObjectById(e){return this.getObjectByProperty("id",e)}getObjectByName(e){return this.getObjectByProperty("name",e)}getObjectByProperty(e,t){if(this[e]===t)return this;for(let n=0,s=this.children.length;n<s;n++){let o=this.children[n].getObjectByProperty(e,t);if(o!==void 0)return o}}getObjectsByProperty(e,t,n=[]){this[e]===t&&n.push(this);let s=this.children;for(let r=0,o=s.length;r<o;r++)s[r].getObjectsByProperty(e,t,n);return n}getWorldPosition(e){return this.updateWorldMatrix(!0,!1),e.setFromMatrixPosition(this.matrixWorld)}getWorldQuaternion(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(da,e,gb),e}getWorldScale(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(da,yb,e),e}getWorldDirection(e){this.updateWorldMatrix(!0,!1);let t=this.matrixWorld.elements;return e.set(t[8],t[9],t[10]).normalize()}raycast(){}intersectsFrustum(){return!0}traverse(e){e(this);let t=this.children;for(let n=0,s=t.length;n<s;n++)t[n].traverse(e)}traverseVisible(e){if(this.visible===!1)return;e(this);let t=this.children;for(let n=0,s=t.length;n<s;n++)t[n].traverseVisible(e)}traverseAncestors(e){let t=this.parent;t!==null&&(e(t),t.traverseAncestors(e))}updateMatrix(){this.matrix.compose(this.position,this.quaternion,this.scale);let e=this.pivot;if(e!==null){let t=e.x,n=e.y,s=e.z,r=this.matrix.elements;r[12]+=t-r[0]*t-r[4]*n-r[8]*s,r[13]+=n-r[1]*t-r[5]*n-r[9]*s,r[14]+=s-r[2]*t-r[6]*n-r[10]*s}this.matrixWorldNeedsUpdate=!0}updateMatrixWorld(e){this.matrixAutoUpdate&&this.updateMatrix(),(this.matrixWorldNeedsUpdate||e)&&(this.matrixWorldAutoUpdate===!0&&(this.parent===null?this.matrixWorld.copy(this.matrix):this.matrixWorld.multiplyMatrices(this.parent.matrixWorld,this.matrix)),this.matrixWorldNeedsUpdate=!1,e=!0);let t=this.children;for(let n=0,s=t.length;n<s;n++)t[n].updateMatrixWorld(e)}updateWorldMatrix(e,t,n=!1){let s=this.parent;if(e===!0&&s!==null&&s.updateWorldMatrix(!0,!1),this.matrixAutoUpdate&&this.updateMatrix(),(this.matrixWorldNeedsUpdate||n)&&(this.matrixWorldAutoUpdate===!0&&(this.parent===null?this.matrixWorld.copy(this.matrix):this.matrixWorld.multiplyMatrices(this.parent.matrixWorld,this.matrix)),this.matrixWorldNeedsUpdate=!1,n=!0),t===!0){let r=this.children;for(let o=0,a=r.length;o<a;o++)r[o].updateWorldMatrix(!1,!0,n)}}toJSON(e){let t=e===void 0||typeof e=="string",n={};t&&(e={geometries:{},materials:{},textures:{},images:{},shapes:{},skeletons:{},animations:{},nodes:{}},n.metadata={version:4.7,type:"Object",generator:"Object3D.toJSON"});let s={};s.uuid=this.uuid,s.type=this.type,s.name=this.name,s.castShadow=this.castShadow,s.receiveShadow=this.receiveShadow,s.visible=this.visible,s.frustumCulled=this.frustumCulled,s.renderOrder=this.renderOrder,s.static=this.static,s.matrixAutoUpdate=this.matrixAutoUpdate,Object.keys(this.userData).length>0&&(s.userData=this.userData),s.layers=this.layers.mask,s.matrix=this.matrix.toArray(),s.up=this.up.toArray(),this.pivot!==null&&(s.pivot=this.pivot.toArray()),this.morphTargetDictionary!==void 0&&(s.morphTargetDictionary=Object.assign({},this.morphTargetDictionary)),this.morphTargetInfluences!==void 0&&(s.morphTargetInfluences=this.morphTargetInfluences.slice()),this.isInstancedMesh&&(s.type="InstancedMesh",s.count=this.count,s.instanceMatrix=this.instanceMatrix.toJSON(),this.instanceColor!==null&&(s.instanceColor=this.instanceColor.toJSON())),this.isBatchedMesh&&(s.type="BatchedMesh",s.perObjectFrustumCulled=this.perObjectFrustumCulled,s.sortObjects=this.sortObjects,s.drawRanges=this._drawRanges,s.reservedRanges=this._reservedRanges,s.geometryInfo=this._geometryInfo.map(a=>({...a,boundingBox:a.boundingBox?a.boundingBox.toJSON():void 0,boundingSphere:a.boundingSphere?a.boundingSphere.toJSON():void 0})),s.instanceInfo=this._instanceInfo.map(a=>({...a})),s.availableInstanceIds=this._availableInstanceIds.slice(),s.availableGeometryIds=this._availableGeometryIds.slice(),s.nextIndexStart=this._nextIndexStart,s.nextVertexStart=this._nextVertexStart,s.geometryCount=this._geometryCount,s.maxInstanceCount=this._maxInstanceCount,s.maxVertexCount=this._maxVertexCount,s.maxIndexCount=this._maxIndexCount,s.geometryInitialized=this._geometryInitialized,s.matricesTexture=this._matricesTexture.toJSON(e),s.indirectTexture=this._indirectTexture.toJSON(e),this._colorsTexture!==null&&(s.colorsTexture=this._colorsTexture.toJSON(e)),this.boundingSphere!==null&&(s.boundingSphere=this.boundingSphere.toJSON()),this.boundingBox!==null&&(s.boundingBox=this.boundingBox.toJSON()));function r(a,l){return a[l.uuid]===void 0&&(a[l.uuid]=l.toJSON(e)),l.uuid}if(this.isScene)this.background&&(this.background.isColor?s.background=this.background.toJSON():this.background.isTexture&&(s.background=this.background.toJSON(e).uuid)),this.environment&&this.environment.isTexture&&this.environment.isRenderTargetTexture!==!0&&(s.environment=this.environment.toJSON(e).uuid);else if(this.isMesh||this.isLine||this.isPoints){s.geometry=r(e.geometries,this.geometry);let a=this.geometry.parameters;if(a!==void 0&&a.shapes!==void 0){let l=a.shapes;if(Array.isArray(l))for(let c=0,h=l.length;c<h;c++){let u=l[c];r(e.shapes,u)}else r(e.shapes,l)}}if(this.isSkinnedMesh&&(s.bindMode=this.bindMode,s.bindMatrix=this.bindMatrix.toArray(),this.skeleton!==void 0&&(r(e.skeletons,this.skeleton),s.skeleton=this.skeleton.uuid)),this.material!==void 0)if(Array.isArray(this.material)){let a=[];for(let l=0,c=this.material.length;l<c;l++)a.push(r(e.materials,this.material[l]));s.material=a}else s.material=r(e.materials,this.material);if(this.children.length>0){s.children=[];for(let a=0;a<this.children.length;a++)s.children.push(this.children[a].toJSON(e).object)}if(this.animations.length>0){s.animations=[];for(let a=0;a<this.animations.length;a++){let l=this.animations[a];s.animations.push(r(e.animations,l))}}if(t){let a=o(e.geometries),l=o(e.materials),c=o(e.textures),h=o(e.images),u=o(e.shapes),d=o(e.skeletons),f=o(e.animations),g=o(e.nodes);a.length>0&&(n.geometries=a),l.length>0&&(n.materials=l),c.length>0&&(n.textures=c),h.length>0&&(n.images=h),u.length>0&&(n.shapes=u),d.length>0&&(n.skeletons=d),f.length>0&&(n.animations=f),g.length>0&&(n.nodes=g)}return n.object=s,n;function o(a){let l=[];for(let c in a){let h=a[c];delete h.metadata,l.push(h)}return l}}clone(e){return new this.constructor().copy(this,e)}copy(e,t=!0){if(this.name=e.name,this.up.copy(e.up),this.position.copy(e.position),this.rotation.order=e.rotation.order,this.quaternion.copy(e.quaternion),this.scale.copy(e.scale),this.pivot=e.pivot!==null?e.pivot.clone():null,this.matrix.copy(e.matrix),this.matrixWorld.copy(e.matrixWorld),this.matrixAutoUpdate=e.matrixAutoUpdate,this.matrixWorldAutoUpdate=e.matrixWorldAutoUpdate,this.matrixWorldNeedsUpdate=e.matrixWorldNeedsUpdate,this.layers.mask=e.layers.mask,this.visible=e.visible,this.castShadow=e.castShadow,this.receiveShadow=e.receiveShadow,this.frustumCulled=e.frustumCulled,this.renderOrder=e.renderOrder,this.static=e.static,this.animations=e.animations.slice(),this.userData=JSON.parse(JSON.stringify(e.userData)),t===!0)for(let n=0;n<e.children.length;n++){let s=e.children[n];this.add(s.clone())}return this}dispose(){this.dispatchEvent({type:"dispose"})}};ti.DEFAULT_UP=new W(0,1,0);ti.DEFAULT_MATRIX_AUTO_UPDATE=!0;ti.DEFAULT_MATRIX_WORLD_AUTO_UPDATE=!0;var pi=class extends ti{constructor(){super(),this.isGroup=!0,this.type="Group"}},xb={type:"move"},So=class{constructor(){this._targetRay=null,this._grip=null,this._hand=null}getHandSpace(){return this._hand===null&&(this._hand=new pi,this._hand.matrixAutoUpdate=!1,this._hand.visible=!1,this._hand.joints={},this._hand.inputState={pinching:!1}),this._hand}getTargetRaySpace(){return this._targetRay===null&&(this._targetRay=new pi,this._targetRay.matrixAutoUpdate=!1,this._targetRay.visible=!1,this._targetRay.hasLinearVelocity=!1,this._targetRay.linearVelocity=new W,this._targetRay.hasAngularVelocity=!1,this._targetRay.angularVelocity=new W),this._targetRay}getGripSpace(){return this._grip===null&&(this._grip=new pi,this._grip.matrixAutoUpdate=!1,this._grip.visible=!1,this._grip.hasLinearVelocity=!1,this._grip.linearVelocity=new W,this._grip.hasAngularVelocity=!1,this._grip.angularVelocity=new W,this._grip.eventsEnabled=!1),this._grip}dispatchEvent(e){return this._targetRay!==null&&this._targetRay.dispatchEvent(e),this._grip!==null&&this._grip.dispatchEvent(e),this._hand!==null&&this._hand.dispatchEvent(e),this}connect(e){if(e&&e.hand){let t=this._hand;if(t)for(let n of e.hand.values())this._getHandJoint(t,n)}return this.dispatchEvent({type:"connected",data:e}),this}disconnect(e){return this.dispatchEvent({type:"disconnected",data:e}),this._targetRay!==null&&(this._targetRay.visible=!1),this._grip!==null&&(this._grip.visible=!1),this._hand!==null&&(this._hand.visible=!1),this}update(e,t,n){let s=null,r=null,o=null,a=this._targetRay,l=this._grip,c=this._hand;if(e&&t.session.visibilityState!=="visible-blurred"){if(c&&e.hand){o=!0;for(let v of e.hand.values()){let m=t.getJointPose(v,n),p=this._getHandJoint(c,v);m!==null&&(p.matrix.fromArray(m.transform.matrix),p.matrix.decompose(p.position,p.quaternion,p.scale),p.matrixWorldNeedsUpdate=!0,p.jointRadius=m.radius),p.visible=m!==null}let h=c.joints["index-finger-tip"],u=c.joints["thumb-tip"],d=h.position.distanceTo(u.position),f=.02,g=.005;c.inputState.pinching&&d>f+g?(c.inputState.pinching=!1,this.dispatchEvent({type:"pinchend",handedness:e.handedness,target:this})):!c.inputState.pinching&&d<=f-g&&(c.inputState.pinching=!0,this.dispatchEvent({type:"pinchstart",handedness:e.handedness,target:this}))}else l!==null&&e.gripSpace&&(r=t.getPose(e.gripSpace,n),r!==null&&(l.matrix.fromArray(r.transform.matrix),l.matrix.decompose(l.position,l.quaternion,l.scale),l.matrixWorldNeedsUpdate=!0,r.linearVelocity?(l.hasLinearVelocity=!0,l.linearVelocity.copy(r.linearVelocity)):l.hasLinearVelocity=!1,r.angularVelocity?(l.hasAngularVelocity=!0,l.angularVelocity.copy(r.angularVelocity)):l.hasAngularVelocity=!1,l.eventsEnabled&&l.dispatchEvent({type:"gripUpdated",data:e,target:this})));a!==null&&(s=t.getPose(e.targetRaySpace,n),s===null&&r!==null&&(s=r),s!==null&&(a.matrix.fromArray(s.transform.matrix),a.matrix.decompose(a.position,a.quaternion,a.scale),a.matrixWorldNeedsUpdate=!0,s.linearVelocity?(a.hasLinearVelocity=!0,a.linearVelocity.copy(s.linearVelocity)):a.hasLinearVelocity=!1,s.angularVelocity?(a.hasAngularVelocity=!0,a.angularVelocity.copy(s.angularVelocity)):a.hasAngularVelocity=!1,this.dispatchEvent(xb)))}return a!==null&&(a.visible=s!==null),l!==null&&(l.visible=r!==null),c!==null&&(c.visible=o!==null),this}_getHandJoint(e,t){if(e.joints[t.jointName]===void 0){let n=new pi;n.matrixAutoUpdate=!1,n.visible=!1,e.joints[t.jointName]=n,e.add(n)}return e.joints[t.jointName]}},z0={aliceblue:15792383,antiquewhite:16444375,aqua:65535,aquamarine:8388564,azure:15794175,beige:16119260,bisque:16770244,black:0,blanchedalmond:16772045,blue:255,blueviolet:9055202,brown:10824234,burlywood:14596231,cadetblue:6266528,chartreuse:8388352,chocolate:13789470,coral:16744272,cornflowerblue:6591981,cornsilk:16775388,crimson:14423100,cyan:65535,darkblue:139,darkcyan:35723,darkgoldenrod:12092939,darkgray:11119017,darkgreen:25600,darkgrey:11119017,darkkhaki:12433259,darkmagenta:9109643,darkolivegreen:5597999,darkorange:16747520,darkorchid:10040012,darkred:9109504,darksalmon:15308410,darkseagreen:9419919,darkslateblue:4734347,darkslategray:3100495,darkslategrey:3100495,darkturquoise:52945,darkviolet:9699539,deeppink:16716947,deepskyblue:49151,dimgray:6908265,dimgrey:6908265,dodgerblue:2003199,firebrick:11674146,floralwhite:16775920,forestgreen:2263842,fuchsia:16711935,gainsboro:14474460,ghostwhite:16316671,gold:16766720,goldenrod:14329120,gray:8421504,green:32768,greenyellow:11403055,grey:8421504,honeydew:15794160,hotpink:16738740,indianred:13458524,indigo:4915330,ivory:16777200,khaki:15787660,lavender:15132410,lavenderblush:16773365,lawngreen:8190976,lemonchiffon:16775885,lightblue:11393254,lightcoral:15761536,lightcyan:14745599,lightgoldenrodyellow:16448210,lightgray:13882323,lightgreen:9498256,lightgrey:13882323,lightpink:16758465,lightsalmon:16752762,lightseagreen:2142890,lightskyblue:8900346,lightslategray:7833753,lightslategrey:7833753,lightsteelblue:11584734,lightyellow:16777184,lime:65280,limegreen:3329330,linen:16445670,magenta:16711935,maroon:8388608,mediumaquamarine:6737322,mediumblue:205,mediumorchid:12211667,mediumpurple:9662683,mediumseagreen:3978097,mediumslateblue:8087790,mediumspringgreen:64154,mediumturquoise:4772300,mediumvioletred:13047173,midnightblue:1644912,mintcream:16121850,mistyrose:16770273,moccasin:16770229,navajowhite:16768685,navy:128,oldlace:16643558,olive:8421376,olivedrab:7048739,orange:16753920,orangered:16729344,orchid:14315734,palegoldenrod:15657130,palegreen:10025880,paleturquoise:11529966,palevioletred:14381203,papayawhip:16773077,peachpuff:16767673,peru:13468991,pink:16761035,plum:14524637,powderblue:11591910,purple:8388736,rebeccapurple:6697881,red:16711680,rosybrown:12357519,royalblue:4286945,saddlebrown:9127187,salmon:16416882,sandybrown:16032864,seagreen:3050327,seashell:16774638,sienna:10506797,silver:12632256,skyblue:8900331,slateblue:6970061,slategray:7372944,slategrey:7372944,snow:16775930,springgreen:65407,steelblue:4620980,tan:13808780,teal:32896,thistle:14204888,tomato:16737095,turquoise:4251856,violet:15631086,wheat:16113331,white:16777215,whitesmoke:16119285,yellow:16776960,yellowgreen:10145074},Hs={h:0,s:0,l:0},Il={h:0,s:0,l:0};function rd(i,e,t){return t<0&&(t+=1),t>1&&(t-=1),t<1/6?i+(e-i)*6*t:t<1/2?e:t<2/3?i+(e-i)*6*(2/3-t):i}var _t=class{constructor(e,t,n){return this.isColor=!0,this.r=1,this.g=1,this.b=1,this.set(e,t,n)}set(e,t,n){if(t===void 0&&n===void 0){let s=e;s&&s.isColor?this.copy(s):typeof s=="number"?this.setHex(s):typeof s=="string"&&this.setStyle(s)}else this.setRGB(e,t,n);return this}setScalar(e){return this.r=e,this.g=e,this.b=e,this}setHex(e,t=di){return e=Math.floor(e),this.r=(e>>16&255)/255,this.g=(e>>8&255)/255,this.b=(e&255)/255,yt.colorSpaceToWorking(this,t),this}setRGB(e,t,n,s=yt.workingColorSpace){return this.r=e,this.g=t,this.b=n,yt.colorSpaceToWorking(this,s),this}setHSL(e,t,n,s=yt.workingColorSpace){if(e=ab(e,1),t=vt(t,0,1),n=vt(n,0,1),t===0)this.r=this.g=this.b=n;else{let r=n<=.5?n*(1+t):n+t-n*t,o=2*n-r;this.r=rd(o,r,e+1/3),this.g=rd(o,r,e),this.b=rd(o,r,e-1/3)}return yt.colorSpaceToWorking(this,s),this}setStyle(e,t=di){function n(r){r!==void 0&&parseFloat(r)<1&&Ze("Color: Alpha component of "+e+" will be ignored.")}let s;if(s=/^(\w+)\(([^\)]*)\)/.exec(e)){let r,o=s[1],a=s[2];switch(o){case"rgb":case"rgba":if(r=/^\s*(\d+)\s*,\s*(\d+)\s*,\s*(\d+)\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(a))return n(r[4]),this.setRGB(Math.min(255,parseInt(r[1],10))/255,Math.min(255,parseInt(r[2],10))/255,Math.min(255,parseInt(r[3],10))/255,t);if(r=/^\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(a))return n(r[4]),this.setRGB(Math.min(100,parseFloat(r[1]))/100,Math.min(100,parseFloat(r[2]))/100,Math.min(100,parseFloat(r[3]))/100,t);break;case"hsl":case"hsla":if(r=/^\s*([+-]?(?:\d+(?:\.\d+)?|\.\d+))\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(a))return n(r[4]),this.setHSL(parseFloat(r[1])/360,parseFloat(r[2])/100,parseFloat(r[3])/100,t);break;default:Ze("Color: Unknown color model "+e)}}else if(s=/^\#([A-Fa-f\d]+)$/.exec(e)){let r=s[1],o=r.length;if(o===3)return this.setRGB(parseInt(r.charAt(0),16)/15,parseInt(r.charAt(1),16)/15,parseInt(r.charAt(2),16)/15,t);if(o===6)return this.setHex(parseInt(r,16),t);Ze("Color: Invalid hex color "+e)}else if(e&&e.length>0)return this.setColorName(e,t);return this}setColorName(e,t=di){let n=z0[e.toLowerCase()];return n!==void 0?this.setHex(n,t):Ze("Color: Unknown color "+e),this}clone(){return new this.constructor(this.r,this.g,this.b)}copy(e){return this.r=e.r,this.g=e.g,this.b=e.b,this}copySRGBToLinear(e){return this.r=bs(e.r),this.g=bs(e.g),this.b=bs(e.b),this}copyLinearToSRGB(e){return this.r=vo(e.r),this.g=vo(e.g),this.b=vo(e.b),this}convertSRGBToLinear(){return this.copySRGBToLinear(this),this}convertLinearToSRGB(){return this.copyLinearToSRGB(this),this}getHex(e=di){return yt.workingToColorSpace(Bn.copy(this),e),Math.round(vt(Bn.r*255,0,255))*65536+Math.round(vt(Bn.g*255,0,255))*256+Math.round(vt(Bn.b*255,0,255))}getHexString(e=di){return("000000"+this.getHex(e).toString(16)).slice(-6)}getHSL(e,t=yt.workingColorSpace){yt.workingToColorSpace(Bn.copy(this),t);let n=Bn.r,s=Bn.g,r=Bn.b,o=Math.max(n,s,r),a=Math.min(n,s,r),l,c,h=(a+o)/2;if(a===o)l=0,c=0;else{let u=o-a;switch(c=h<=.5?u/(o+a):u/(2-o-a),o){case n:l=(s-r)/u+(s<r?6:0);break;case s:l=(r-n)/u+2;break;case r:l=(n-s)/u+4;break}l/=6}return e.h=l,e.s=c,e.l=h,e}getRGB(e,t=yt.workingColorSpace){return yt.workingToColorSpace(Bn.copy(this),t),e.r=Bn.r,e.g=Bn.g,e.b=Bn.b,e}getStyle(e=di){yt.workingToColorSpace(Bn.copy(this),e);let t=Bn.r,n=Bn.g,s=Bn.b;return e!==di?`color(${e} ${t.toFixed(3)} ${n.toFixed(3)} ${s.toFixed(3)})`:`rgb(${Math.round(t*255)},${Math.round(n*255)},${Math.round(s*255)})`}offsetHSL(e,t,n){return this.getHSL(Hs),this.setHSL(Hs.h+e,Hs.s+t,Hs.l+n)}add(e){return this.r+=e.r,this.g+=e.g,this.b+=e.b,this}addColors(e,t){return this.r=e.r+t.r,this.g=e.g+t.g,this.b=e.b+t.b,this}addScalar(e){return this.r+=e,this.g+=e,this.b+=e,this}sub(e){return this.r=Math.max(0,this.r-e.r),this.g=Math.max(0,this.g-e.g),this.b=Math.max(0,this.b-e.b),this}multiply(e){return this.r*=e.r,this.g*=e.g,this.b*=e.b,this}multiplyScalar(e){return this.r*=e,this.g*=e,this.b*=e,this}lerp(e,t){return this.r+=(e.r-this.r)*t,this.g+=(e.g-this.g)*t,this.b+=(e.b-this.b)*t,this}lerpColors(e,t,n){return this.r=e.r+(t.r-e.r)*n,this.g=e.g+(t.g-e.g)*n,this.b=e.b+(t.b-e.b)*n,this}lerpHSL(e,t){this.getHSL(Hs),e.getHSL(Il);let n=Qu(Hs.h,Il.h,t),s=Qu(Hs.s,Il.s,t),r=Qu(Hs.l,Il.l,t);return this.setHSL(n,s,r),this}setFromVector3(e){return this.r=e.x,this.g=e.y,this.b=e.z,this}applyMatrix3(e){let t=this.r,n=this.g,s=this.b,r=e.elements;return this.r=r[0]*t+r[3]*n+r[6]*s,this.g=r[1]*t+r[4]*n+r[7]*s,this.b=r[2]*t+r[5]*n+r[8]*s,this}equals(e){return e.r===this.r&&e.g===this.g&&e.b===this.b}fromArray(e,t=0){return this.r=e[t],this.g=e[t+1],this.b=e[t+2],this}toArray(e=[],t=0){return e[t]=this.r,e[t+1]=this.g,e[t+2]=this.b,e}fromBufferAttribute(e,t){return this.r=e.getX(t),this.g=e.getY(t),this.b=e.getZ(t),this}toJSON(){return this.getHex()}*[Symbol.iterator](){yield this.r,yield this.g,yield this.b}},Bn=new _t;_t.NAMES=z0;var _r=class extends ti{constructor(){super(),this.isScene=!0,this.type="Scene",this.background=null,this.environment=null,this.fog=null,this.backgroundBlurriness=0,this.backgroundIntensity=1,this.backgroundRotation=new Ys,this.environmentIntensity=1,this.environmentRotation=new Ys,this.overrideMaterial=null,typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}copy(e,t){return super.copy(e,t),this.background=e.background!==null?e.background.clone():null,this.environment=e.environment!==null?e.environment.clone():null,this.fog=e.fog!==null?e.fog.clone():null,this.backgroundBlurriness=e.backgroundBlurriness,this.backgroundIntensity=e.backgroundIntensity,this.backgroundRotation.copy(e.backgroundRotation),this.environmentIntensity=e.environmentIntensity,this.environmentRotation.copy(e.environmentRotation),this.overrideMaterial=e.overrideMaterial!==null?e.overrideMaterial.clone():null,this.matrixAutoUpdate=e.matrixAutoUpdate,this}toJSON(e){let t=super.toJSON(e);return this.fog!==null&&(t.object.fog=this.fog.toJSON()),t.object.backgroundBlurriness=this.backgroundBlurriness,t.object.backgroundIntensity=this.backgroundIntensity,t.object.backgroundRotation=this.backgroundRotation.toArray(),t.object.environmentIntensity=this.environmentIntensity,t.object.environmentRotation=this.environmentRotation.toArray(),t}},Di=new W,ys=new W,od=new W,vs=new W,lo=new W,co=new W,zg=new W,ad=new W,ld=new W,cd=new W,hd=new jt,ud=new jt,dd=new jt,$s=class i{constructor(e=new W,t=new W,n=new W){this.a=e,this.b=t,this.c=n}static getNormal(e,t,n,s){s.subVectors(n,t),Di.subVectors(e,t),s.cross(Di);let r=s.lengthSq();return r>0?s.multiplyScalar(1/Math.sqrt(r)):s.set(0,0,0)}static getBarycoord(e,t,n,s,r){Di.subVectors(s,t),ys.subVectors(n,t),od.subVectors(e,t);let o=Di.dot(Di),a=Di.dot(ys),l=Di.dot(od),c=ys.dot(ys),h=ys.dot(od),u=o*c-a*a;if(u===0)return r.set(0,0,0),null;let d=1/u,f=(c*l-a*h)*d,g=(o*h-a*l)*d;return r.set(1-f-g,g,f)}static containsPoint(e,t,n,s){return this.getBarycoord(e,t,n,s,vs)===null?!1:vs.x>=0&&vs.y>=0&&vs.x+vs.y<=1}static getInterpolation(e,t,n,s,r,o,a,l){return this.getBarycoord(e,t,n,s,vs)===null?(l.x=0,l.y=0,"z"in l&&(l.z=0),"w"in l&&(l.w=0),null):(l.setScalar(0),l.addScaledVector(r,vs.x),l.addScaledVector(o,vs.y),l.addScaledVector(a,vs.z),l)}static getInterpolatedAttribute(e,t,n,s,r,o){return hd.setScalar(0),ud.setScalar(0),dd.setScalar(0),hd.fromBufferAttribute(e,t),ud.fromBufferAttribute(e,n),dd.fromBufferAttribute(e,s),o.setScalar(0),o.addScaledVector(hd,r.x),o.addScaledVector(ud,r.y),o.addScaledVector(dd,r.z),o}static isFrontFacing(e,t,n,s){return Di.subVectors(n,t),ys.subVectors(e,t),Di.cross(ys).dot(s)<0}set(e,t,n){return this.a.copy(e),this.b.copy(t),this.c.copy(n),this}setFromPointsAndIndices(e,t,n,s){return this.a.copy(e[t]),this.b.copy(e[n]),this.c.copy(e[s]),this}setFromAttributeAndIndices(e,t,n,s){return this.a.fromBufferAttribute(e,t),this.b.fromBufferAttribute(e,n),this.c.fromBufferAttribute(e,s),this}clone(){return new this.constructor().copy(this)}copy(e){return this.a.copy(e.a),this.b.copy(e.b),this.c.copy(e.c),this}getArea(){return Di.subVectors(this.c,this.b),ys.subVectors(this.a,this.b),Di.cross(ys).length()*.5}getMidpoint(e){return e.addVectors(this.a,this.b).add(this.c).multiplyScalar(1/3)}getNormal(e){return i.getNormal(this.a,this.b,this.c,e)}getPlane(e){return e.setFromCoplanarPoints(this.a,this.b,this.c)}getBarycoord(e,t){return i.getBarycoord(e,this.a,this.b,this.c,t)}getInterpolation(e,t,n,s,r){return i.getInterpolation(e,this.a,this.b,this.c,t,n,s,r)}containsPoint(e){return i.containsPoint(e,this.a,this.b,this.c)}isFrontFacing(e){return i.isFrontFacing(this.a,this.b,this.c,e)}intersectsBox(e){return e.intersectsTriangle(this)}closestPointToPoint(e,t){let n=this.a,s=this.b,r=this.c,o,a;lo.subVectors(s,n),co.subVectors(r,n),ad.subVectors(e,n);let l=lo.dot(ad),c=co.dot(ad);if(l<=0&&c<=0)return t.copy(n);ld.subVectors(e,s);let h=lo.dot(ld),u=co.dot(ld);if(h>=0&&u<=h)return t.copy(s);let d=l*u-h*c;if(d<=0&&l>=0&&h<=0&&l-h>0)return o=l/(l-h),t.copy(n).addScaledVector(lo,o);cd.subVectors(e,r);let f=lo.dot(cd),g=co.dot(cd);if(g>=0&&f<=g)return t.copy(r);let v=f*c-l*g;if(v<=0&&c>=0&&g<=0)return a=c/(c-g),t.copy(n).addScaledVector(co,a);let m=h*g-f*u;if(m<=0&&u-h>=0&&f-g>=0)return zg.subVectors(r,s),a=(u-h)/(u-h+(f-g)),t.copy(s).addScaledVector(zg,a);let p=1/(m+v+d);return o=v*p,a=d*p,t.copy(n).addScaledVector(lo,o).addScaledVector(co,a)}equals(e){return e.a.equals(this.a)&&e.b.equals(this.b)&&e.c.equals(this.c)}},Js=class{constructor(e=new W(1/0,1/0,1/0),t=new W(-1/0,-1/0,-1/0)){this.isBox3=!0,this.min=e,this.max=t}set(e,t){return this.min.copy(e),this.max.copy(t),this}setFromArray(e){this.makeEmpty();for(let t=0,n=e.length;t<n;t+=3)this.expandByPoint(Ui.fromArray(e,t));return this}setFromBufferAttribute(e){this.makeEmpty();for(let t=0,n=e.count;t<n;t++)this.expandByPoint(Ui.fromBufferAttribute(e,t));return this}setFromPoints(e){this.makeEmpty();for(let t=0,n=e.length;t<n;t++)this.expandByPoint(e[t]);return this}setFromCenterAndSize(e,t){let n=Ui.copy(t).multiplyScalar(.5);return this.min.copy(e).sub(n),this.max.copy(e).add(n),this}setFromObject(e,t=!1){return this.makeEmpty(),this.expandByObject(e,t)}clone(){return new this.constructor().copy(this)}copy(e){return this.min.copy(e.min),this.max.copy(e.max),this}makeEmpty(){return this.min.x=this.min.y=this.min.z=1/0,this.max.x=this.max.y=this.max.z=-1/0,this}isEmpty(){return this.max.x<this.min.x||this.max.y<this.min.y||this.max.z<this.min.z}getCenter(e){return this.isEmpty()?e.set(0,0,0):e.addVectors(this.min,this.max).multiplyScalar(.5)}getSize(e){return this.isEmpty()?e.set(0,0,0):e.subVectors(this.max,this.min)}expandByPoint(e){return this.min.min(e),this.max.max(e),this}expandByVector(e){return this.min.sub(e),this.max.add(e),this}expandByScalar(e){return this.min.addScalar(-e),this.max.addScalar(e),this}expandByObject(e,t=!1){e.updateWorldMatrix(!1,!1);let n=e.geometry;if(n!==void 0){let r=n.getAttribute("position");if(t===!0&&r!==void 0&&e.isInstancedMesh!==!0&&e.isBatchedMesh!==!0)for(let o=0,a=r.count;o<a;o++)e.isMesh===!0?e.getVertexPosition(o,Ui):Ui.fromBufferAttribute(r,o),Ui.applyMatrix4(e.matrixWorld),this.expandByPoint(Ui);else e.boundingBox!==void 0?(e.boundingBox===null&&e.computeBoundingBox(),Ll.copy(e.boundingBox)):(n.boundingBox===null&&n.computeBoundingBox(),Ll.copy(n.boundingBox)),Ll.applyMatrix4(e.matrixWorld),this.union(Ll)}let s=e.children;for(let r=0,o=s.length;r<o;r++)this.expandByObject(s[r],t);return this}containsPoint(e){return e.x>=this.min.x&&e.x<=this.max.x&&e.y>=this.min.y&&e.y<=this.max.y&&e.z>=this.min.z&&e.z<=this.max.z}containsBox(e){return this.min.x<=e.min.x&&e.max.x<=this.max.x&&this.min.y<=e.min.y&&e.max.y<=this.max.y&&this.min.z<=e.min.z&&e.max.z<=this.max.z}getParameter(e,t){return t.set((e.x-this.min.x)/(this.max.x-this.min.x),(e.y-this.min.y)/(this.max.y-this.min.y),(e.z-this.min.z)/(this.max.z-this.min.z))}intersectsBox(e){return e.max.x>=this.min.x&&e.min.x<=this.max.x&&e.max.y>=this.min.y&&e.min.y<=this.max.y&&e.max.z>=this.min.z&&e.min.z<=this.max.z}intersectsSphere(e){return this.clampPoint(e.center,Ui),Ui.distanceToSquared(e.center)<=e.radius*e.radius}intersectsPlane(e){let t,n;return e.normal.x>0?(t=e.normal.x*this.min.x,n=e.normal.x*this.max.x):(t=e.normal.x*this.max.x,n=e.normal.x*this.min.x),e.normal.y>0?(t+=e.normal.y*this.min.y,n+=e.normal.y*this.max.y):(t+=e.normal.y*this.max.y,n+=e.normal.y*this.min.y),e.normal.z>0?(t+=e.normal.z*this.min.z,n+=e.normal.z*this.max.z):(t+=e.normal.z*this.max.z,n+=e.normal.z*this.min.z),t<=-e.constant&&n>=-e.constant}intersectsTriangle(e){if(this.isEmpty())return!1;this.getCenter(fa),Nl.subVectors(this.max,fa),ho.subVectors(e.a,fa),uo.subVectors(e.b,fa),fo.subVectors(e.c,fa),Ws.subVectors(uo,ho),Xs.subVectors(fo,uo),gr.subVectors(ho,fo);let t=[0,-Ws.z,Ws.y,0,-Xs.z,Xs.y,0,-gr.z,gr.y,Ws.z,0,-Ws.x,Xs.z,0,-Xs.x,gr.z,0,-gr.x,-Ws.y,Ws.x,0,-Xs.y,Xs.x,0,-gr.y,gr.x,0];return!fd(t,ho,uo,fo,Nl)||(t=[1,0,0,0,1,0,0,0,1],!fd(t,ho,uo,fo,Nl))?!1:(Dl.crossVectors(Ws,Xs),t=[Dl.x,Dl.y,Dl.z],fd(t,ho,uo,fo,Nl))}clampPoint(e,t){return t.copy(e).clamp(this.min,this.max)}distanceToPoint(e){return this.clampPoint(e,Ui).distanceTo(e)}getBoundingSphere(e){return this.isEmpty()?e.makeEmpty():(this.getCenter(e.center),e.radius=this.getSize(Ui).length()*.5),e}intersect(e){return this.min.max(e.min),this.max.min(e.max),this.isEmpty()&&this.makeEmpty(),this}union(e){return this.min.min(e.min),this.max.max(e.max),this}applyMatrix4(e){return this.isEmpty()?this:(xs[0].set(this.min.x,this.min.y,this.min.z).applyMatrix4(e),xs[1].set(this.min.x,this.min.y,this.max.z).applyMatrix4(e),xs[2].set(this.min.x,this.max.y,this.min.z).applyMatrix4(e),xs[3].set(this.min.x,this.max.y,this.max.z).applyMatrix4(e),xs[4].set(this.max.x,this.min.y,this.min.z).applyMatrix4(e),xs[5].set(this.max.x,this.min.y,this.max.z).applyMatrix4(e),xs[6].set(this.max.x,this.max.y,this.min.z).applyMatrix4(e),xs[7].set(this.max.x,this.max.y,this.max.z).applyMatrix4(e),this.setFromPoints(xs),this)}translate(e){return this.min.add(e),this.max.add(e),this}equals(e){return e.min.equals(this.min)&&e.max.equals(this.max)}toJSON(){return{min:this.min.toArray(),max:this.max.toArray()}}fromJSON(e){return this.min.fromArray(e.min),this.max.fromArray(e.max),this}},xs=[new W,new W,new W,new W,new W,new W,new W,new W],Ui=new W,Ll=new Js,ho=new W,uo=new W,fo=new W,Ws=new W,Xs=new W,gr=new W,fa=new W,Nl=new W,Dl=new W,yr=new W;function fd(i,e,t,n,s){for(let r=0,o=i.length-3;r<=o;r+=3){yr.fromArray(i,r);let a=s.x*Math.abs(yr.x)+s.y*Math.abs(yr.y)+s.z*Math.abs(yr.z),l=e.dot(yr),c=t.dot(yr),h=n.dot(yr);if(Math.max(-Math.max(l,c,h),Math.min(l,c,h))>a)return!1}return!0}var gn=new W,Ul=new xt,_b=0,Zn=class extends is{constructor(e,t,n=!1){if(super(),Array.isArray(e))throw new TypeError("THREE.BufferAttribute: array should be a Typed Array.");this.isBufferAttribute=!0,Object.defineProperty(this,"id",{value:_b++}),this.name="",this.array=e,this.itemSize=t,this.count=e!==void 0?e.length/t:0,this.normalized=n,this.usage=D0,this.updateRanges=[],this.gpuType=ki,this.version=0,this._normalizationScale=e!==void 0?nf(e):void 0}onUploadCallback(){}set needsUpdate(e){e===!0&&this.version++}setUsage(e){return this.usage=e,this}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.length=0}copy(e){return this.name=e.name,this.array=new e.array.constructor(e.array),this.itemSize=e.itemSize,this.count=e.count,this.normalized=e.normalized,this.usage=e.usage,this.gpuType=e.gpuType,this._normalizationScale=e._normalizationScale,this}copyAt(e,t,n){e*=this.itemSize,n*=t.itemSize;for(let s=0,r=this.itemSize;s<r;s++)this.array[e+s]=t.array[n+s];return this}copyArray(e){return this.array.set(e),this}applyMatrix3(e){if(this.itemSize===2)for(let t=0,n=this.count;t<n;t++)Ul.fromBufferAttribute(this,t),Ul.applyMatrix3(e),this.setXY(t,Ul.x,Ul.y);else if(this.itemSize===3)for(let t=0,n=this.count;t<n;t++)gn.fromBufferAttribute(this,t),gn.applyMatrix3(e),this.setXYZ(t,gn.x,gn.y,gn.z);return this}applyMatrix4(e){for(let t=0,n=this.count;t<n;t++)gn.fromBufferAttribute(this,t),gn.applyMatrix4(e),this.setXYZ(t,gn.x,gn.y,gn.z);return this}applyNormalMatrix(e){for(let t=0,n=this.count;t<n;t++)gn.fromBufferAttribute(this,t),gn.applyNormalMatrix(e),this.setXYZ(t,gn.x,gn.y,gn.z);return this}transformDirection(e){for(let t=0,n=this.count;t<n;t++)gn.fromBufferAttribute(this,t),gn.transformDirection(e),this.setXYZ(t,gn.x,gn.y,gn.z);return this}set(e,t=0){return this.array.set(e,t),this}getComponent(e,t){let n=this.array[e*this.itemSize+t];return this.normalized&&(n=this._denormalize(n)),n}setComponent(e,t,n){return this.normalized&&(n=this._normalize(n)),this.array[e*this.itemSize+t]=n,this}getX(e){let t=this.array[e*this.itemSize];return this.normalized&&(t=this._denormalize(t)),t}setX(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize]=t,this}getY(e){let t=this.array[e*this.itemSize+1];return this.normalized&&(t=this._denormalize(t)),t}setY(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize+1]=t,this}getZ(e){let t=this.array[e*this.itemSize+2];return this.normalized&&(t=this._denormalize(t)),t}setZ(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize+2]=t,this}getW(e){let t=this.array[e*this.itemSize+3];return this.normalized&&(t=this._denormalize(t)),t}setW(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize+3]=t,this}setXY(e,t,n){return e*=this.itemSize,this.normalized&&(t=this._normalize(t),n=this._normalize(n)),this.array[e+0]=t,this.array[e+1]=n,this}setXYZ(e,t,n,s){return e*=this.itemSize,this.normalized&&(t=this._normalize(t),n=this._normalize(n),s=this._normalize(s)),this.array[e+0]=t,this.array[e+1]=n,this.array[e+2]=s,this}setXYZW(e,t,n,s,r){return e*=this.itemSize,this.normalized&&(t=this._normalize(t),n=this._normalize(n),s=this._normalize(s),r=this._normalize(r)),this.array[e+0]=t,this.array[e+1]=n,this.array[e+2]=s,this.array[e+3]=r,this}onUpload(e){return this.onUploadCallback=e,this}clone(){return new this.constructor(this.array,this.itemSize).copy(this)}toJSON(){let e={itemSize:this.itemSize,type:this.array.constructor.name,array:Array.from(this.array),normalized:this.normalized};return e.name=this.name,e.usage=this.usage,e.gpuType=this.gpuType,e}dispose(){this.dispatchEvent({type:"dispose"})}_denormalize(e){let t=this._normalizationScale;return t!==void 0?Math.max(e/t,-1):lb(e,this.array)}_normalize(e){let t=this._normalizationScale;return t!==void 0?Math.round(e*t):cb(e,this.array)}};var Ea=class extends Zn{constructor(e,t,n){super(new Uint16Array(e),t,n)}};var Ta=class extends Zn{constructor(e,t,n){super(new Uint32Array(e),t,n)}};var Kt=class extends Zn{constructor(e,t,n){super(new Float32Array(e),t,n)}},bb=new Js,pa=new W,pd=new W,Zs=class{constructor(e=new W,t=-1){this.isSphere=!0,this.center=e,this.radius=t}set(e,t){return this.center.copy(e),this.radius=t,this}setFromPoints(e,t){let n=this.center;t!==void 0?n.copy(t):bb.setFromPoints(e).getCenter(n);let s=0;for(let r=0,o=e.length;r<o;r++)s=Math.max(s,n.distanceToSquared(e[r]));return this.radius=Math.sqrt(s),this}copy(e){return this.center.copy(e.center),this.radius=e.radius,this}isEmpty(){return this.radius<0}makeEmpty(){return this.center.set(0,0,0),this.radius=-1,this}containsPoint(e){return e.distanceToSquared(this.center)<=this.radius*this.radius}distanceToPoint(e){return e.distanceTo(this.center)-this.radius}intersectsSphere(e){let t=this.radius+e.radius;return e.center.distanceToSquared(this.center)<=t*t}intersectsBox(e){return e.intersectsSphere(this)}intersectsPlane(e){return Math.abs(e.distanceToPoint(this.center))<=this.radius}clampPoint(e,t){let n=this.center.distanceToSquared(e);return t.copy(e),n>this.radius*this.radius&&(t.sub(this.center).normalize(),t.multiplyScalar(this.radius).add(this.center)),t}getBoundingBox(e){return this.isEmpty()?(e.makeEmpty(),e):(e.set(this.center,this.center),e.expandByScalar(this.radius),e)}applyMatrix4(e){return this.center.applyMatrix4(e),this.radius=this.radius*e.getMaxScaleOnAxis(),this}translate(e){return this.center.add(e),this}expandByPoint(e){if(this.isEmpty())return this.center.copy(e),this.radius=0,this;pa.subVectors(e,this.center);let t=pa.lengthSq();if(t>this.radius*this.radius){let n=Math.sqrt(t),s=(n-this.radius)*.5;this.center.addScaledVector(pa,s/n),this.radius+=s}return this}union(e){return e.isEmpty()?this:this.isEmpty()?(this.copy(e),this):(this.center.equals(e.center)===!0?this.radius=Math.max(this.radius,e.radius):(pd.subVectors(e.center,this.center).setLength(e.radius),this.expandByPoint(pa.copy(e.center).add(pd)),this.expandByPoint(pa.copy(e.center).sub(pd))),this)}equals(e){return e.center.equals(this.center)&&e.radius===this.radius}clone(){return new this.constructor().copy(this)}toJSON(){return{radius:this.radius,center:this.center.toArray()}}fromJSON(e){return this.radius=e.radius,this.center.fromArray(e.center),this}},Mb=0,Si=new zt,md=new ti,po=new W,ui=new Js,ma=new Js,Pn=new W,zn=class i extends is{constructor(){super(),this.isBufferGeometry=!0,Object.defineProperty(this,"id",{value:Mb++}),this.uuid=Ga(),this.name="",this.type="BufferGeometry",this.index=null,this.indirect=null,this.indirectOffset=0,this.attributes={},this.morphAttributes={},this.morphTargetsRelative=!1,this.groups=[],this.boundingBox=null,this.boundingSphere=null,this.drawRange={start:0,count:1/0},this.userData={},this._transformed=!1}getIndex(){return this.index}setIndex(e){return Array.isArray(e)?this.index=new(rb(e)?Ta:Ea)(e,1):this.index=e,this}setIndirect(e,t=0){return this.indirect=e,this.indirectOffset=t,this}getIndirect(){return this.indirect}getAttribute(e){return this.attributes[e]}setAttribute(e,t){return this.attributes[e]=t,this}deleteAttribute(e){return delete this.attributes[e],this}hasAttribute(e){return this.attributes[e]!==void 0}addGroup(e,t,n=0){this.groups.push({start:e,count:t,materialIndex:n})}clearGroups(){this.groups=[]}setDrawRange(e,t){this.drawRange.start=e,this.drawRange.count=t}applyMatrix4(e){let t=this.attributes.position;t!==void 0&&(t.applyMatrix4(e),t.needsUpdate=!0);let n=this.attributes.normal;if(n!==void 0){let r=new nt().getNormalMatrix(e);n.applyNormalMatrix(r),n.needsUpdate=!0}let s=this.attributes.tangent;return s!==void 0&&(s.transformDirection(e),s.needsUpdate=!0),this.boundingBox!==null&&this.computeBoundingBox(),this.boundingSphere!==null&&this.computeBoundingSphere(),this._transformed=!0,this}applyQuaternion(e){return Si.makeRotationFromQuaternion(e),this.applyMatrix4(Si),this}rotateX(e){return Si.makeRotationX(e),this.applyMatrix4(Si),this}rotateY(e){return Si.makeRotationY(e),this.applyMatrix4(Si),this}rotateZ(e){return Si.makeRotationZ(e),this.applyMatrix4(Si),this}translate(e,t,n){return Si.makeTranslation(e,t,n),this.applyMatrix4(Si),this}scale(e,t,n){return Si.makeScale(e,t,n),this.applyMatrix4(Si),this}lookAt(e){return md.lookAt(e),md.updateMatrix(),this.applyMatrix4(md.matrix),this}center(){return this.computeBoundingBox(),this.boundingBox.getCenter(po).negate(),this.translate(po.x,po.y,po.z),this}setFromPoints(e){let t=this.getAttribute("position");if(t===void 0){let n=[];for(let s=0,r=e.length;s<r;s++){let o=e[s];n.push(o.x,o.y,o.z||0)}this.setAttribute("position",new Kt(n,3))}else{let n=Math.min(e.length,t.count);for(let s=0;s<n;s++){let r=e[s];t.setXYZ(s,r.x,r.y,r.z||0)}e.length>t.count&&Ze("BufferGeometry: Buffer size too small for points data. Use .dispose() and create a new geometry."),t.needsUpdate=!0}return this}computeBoundingBox(){this.boundingBox===null&&(this.boundingBox=new Js);let e=this.attributes.position,t=this.morphAttributes.position;if(e&&e.isGLBufferAttribute){tt("BufferGeometry.computeBoundingBox(): GLBufferAttribute requires a manual bounding box.",this),this.boundingBox.set(new W(-1/0,-1/0,-1/0),new W(1/0,1/0,1/0));return}if(e!==void 0){if(this.boundingBox.setFromBufferAttribute(e),t)for(let n=0,s=t.length;n<s;n++){let r=t[n];ui.setFromBufferAttribute(r),this.morphTargetsRelative?(Pn.addVectors(this.boundingBox.min,ui.min),this.boundingBox.expandByPoint(Pn),Pn.addVectors(this.boundingBox.max,ui.max),this.boundingBox.expandByPoint(Pn)):(this.boundingBox.expandByPoint(ui.min),this.boundingBox.expandByPoint(ui.max))}}else this.boundingBox.makeEmpty();(isNaN(this.boundingBox.min.x)||isNaN(this.boundingBox.min.y)||isNaN(this.boundingBox.min.z))&&tt('BufferGeometry.computeBoundingBox(): Computed min/max have NaN values. The "position" attribute is likely to have NaN values.',this)}computeBoundingSphere(){this.boundingSphere===null&&(this.boundingSphere=new Zs);let e=this.attributes.position,t=this.morphAttributes.position;if(e&&e.isGLBufferAttribute){tt("BufferGeometry.computeBoundingSphere(): GLBufferAttribute requires a manual bounding sphere.",this),this.boundingSphere.set(new W,1/0);return}if(e){let n=this.boundingSphere.center;if(ui.setFromBufferAttribute(e),t)for(let r=0,o=t.length;r<o;r++){let a=t[r];ma.setFromBufferAttribute(a),this.morphTargetsRelative?(Pn.addVectors(ui.min,ma.min),ui.expandByPoint(Pn),Pn.addVectors(ui.max,ma.max),ui.expandByPoint(Pn)):(ui.expandByPoint(ma.min),ui.expandByPoint(ma.max))}ui.getCenter(n);let s=0;for(let r=0,o=e.count;r<o;r++)Pn.fromBufferAttribute(e,r),s=Math.max(s,n.distanceToSquared(Pn));if(t)for(let r=0,o=t.length;r<o;r++){let a=t[r],l=this.morphTargetsRelative;for(let c=0,h=a.count;c<h;c++)Pn.fromBufferAttribute(a,c),l&&(po.fromBufferAttribute(e,c),Pn.add(po)),s=Math.max(s,n.distanceToSquared(Pn))}this.boundingSphere.radius=Math.sqrt(s),isNaN(this.boundingSphere.radius)&&tt('BufferGeometry.computeBoundingSphere(): Computed radius is NaN. The "position" attribute is likely to have NaN values.',this)}}computeTangents(){let e=this.index,t=this.attributes;if(e===null||t.position===void 0||t.normal===void 0||t.uv===void 0){tt("BufferGeometry: .computeTangents() failed. Missing required attributes (index, position, normal or uv)");return}let n=t.position,s=t.normal,r=t.uv,o=this.getAttribute("tangent");(o===void 0||o.count!==n.count)&&(o=new Zn(new Float32Array(4*n.count),4),this.setAttribute("tangent",o));let a=[],l=[],c=new Uint8Array(n.count);for(let U=0;U<n.count;U++)a[U]=new W,l[U]=new W;let h=new W,u=new W,d=new W,f=new xt,g=new xt,v=new xt,m=new W,p=new W;function x(U,I,R){c[U]=c[I]=c[R]=1,h.fromBufferAttribute(n,U),u.fromBufferAttribute(n,I),d.fromBufferAttribute(n,R),f.fromBufferAttribute(r,U),g.fromBufferAttribute(r,I),v.fromBufferAttribute(r,R),u.sub(h),d.sub(h),g.sub(f),v.sub(f);let k=1/(g.x*v.y-v.x*g.y);isFinite(k)&&(m.copy(u).multiplyScalar(v.y).addScaledVector(d,-g.y).multiplyScalar(k),p.copy(d).multiplyScalar(g.x).addScaledVector(u,-v.x).multiplyScalar(k),a[U].add(m),a[I].add(m),a[R].add(m),l[U].add(p),l[I].add(p),l[R].add(p))}let M=this.groups;M.length===0&&(M=[{start:0,count:e.count}]);for(let U=0,I=M.length;U<I;++U){let R=M[U],k=R.start,F=R.count;for(let P=k,V=k+F;P<V;P+=3)x(e.getX(P+0),e.getX(P+1),e.getX(P+2))}let b=new W,C=new W,A=new W,y=new W;function S(U){A.fromBufferAttribute(s,U),y.copy(A);let I=a[U];b.copy(I),b.sub(A.multiplyScalar(A.dot(I))).normalize(),C.crossVectors(y,I);let k=C.dot(l[U])<0?-1:1;o.setXYZW(U,b.x,b.y,b.z,k)}for(let U=0,I=n.count;U<I;++U)c[U]&&S(U);this._transformed=!0}computeVertexNormals(){let e=this.index,t=this.getAttribute("position");if(t!==void 0){let n=this.getAttribute("normal");if(n===void 0||n.count!==t.count)n=new Zn(new Float32Array(t.count*3),3),this.setAttribute("normal",n);else for(let d=0,f=n.count;d<f;d++)n.setXYZ(d,0,0,0);let s=new W,r=new W,o=new W,a=new W,l=new W,c=new W,h=new W,u=new W;if(e)for(let d=0,f=e.count;d<f;d+=3){let g=e.getX(d+0),v=e.getX(d+1),m=e.getX(d+2);s.fromBufferAttribute(t,g),r.fromBufferAttribute(t,v),o.fromBufferAttribute(t,m),h.subVectors(o,r),u.subVectors(s,r),h.cross(u),a.fromBufferAttribute(n,g),l.fromBufferAttribute(n,v),c.fromBufferAttribute(n,m),a.add(h),l.add(h),c.add(h),n.setXYZ(g,a.x,a.y,a.z),n.setXYZ(v,l.x,l.y,l.z),n.setXYZ(m,c.x,c.y,c.z)}else for(let d=0,f=t.count;d<f;d+=3)s.fromBufferAttribute(t,d+0),r.fromBufferAttribute(t,d+1),o.fromBufferAttribute(t,d+2),h.subVectors(o,r),u.subVectors(s,r),h.cross(u),n.setXYZ(d+0,h.x,h.y,h.z),n.setXYZ(d+1,h.x,h.y,h.z),n.setXYZ(d+2,h.x,h.y,h.z);this.normalizeNormals(),n.needsUpdate=!0}}normalizeNormals(){let e=this.attributes.normal;for(let t=0,n=e.count;t<n;t++)Pn.fromBufferAttribute(e,t),Pn.normalize(),e.setXYZ(t,Pn.x,Pn.y,Pn.z)}toNonIndexed(){function e(a,l){let c=a.array,h=a.itemSize,u=a.normalized,d=new c.constructor(l.length*h),f=0,g=0;for(let v=0,m=l.length;v<m;v++){a.isInterleavedBufferAttribute?f=l[v]*a.data.stride+a.offset:f=l[v]*h;for(let p=0;p<h;p++)d[g++]=c[f++]}return new Zn(d,h,u)}if(this.index===null)return Ze("BufferGeometry.toNonIndexed(): BufferGeometry is already non-indexed."),this;let t=new i,n=this.index.array,s=this.attributes;for(let a in s){let l=s[a],c=e(l,n);t.setAttribute(a,c)}let r=this.morphAttributes;for(let a in r){let l=[],c=r[a];for(let h=0,u=c.length;h<u;h++){let d=c[h],f=e(d,n);l.push(f)}t.morphAttributes[a]=l}t.morphTargetsRelative=this.morphTargetsRelative;let o=this.groups;for(let a=0,l=o.length;a<l;a++){let c=o[a];t.addGroup(c.start,c.count,c.materialIndex)}return t}toJSON(){let e={metadata:{version:4.7,type:"BufferGeometry",generator:"BufferGeometry.toJSON"}};if(e.uuid=this.uuid,e.type=this.parameters!==void 0&&this._transformed===!0?"BufferGeometry":this.type,e.name=this.name,Object.keys(this.userData).length>0&&(e.userData=this.userData),this.parameters!==void 0&&this._transformed!==!0){let l=this.parameters;for(let c in l)l[c]!==void 0&&(e[c]=l[c]);return e}e.data={attributes:{}};let t=this.index;t!==null&&(e.data.index={type:t.array.constructor.name,array:Array.prototype.slice.call(t.array)});let n=this.attributes;for(let l in n){let c=n[l];e.data.attributes[l]=c.toJSON(e.data)}let s={},r=!1;for(let l in this.morphAttributes){let c=this.morphAttributes[l],h=[];for(let u=0,d=c.length;u<d;u++){let f=c[u];h.push(f.toJSON(e.data))}h.length>0&&(s[l]=h,r=!0)}r&&(e.data.morphAttributes=s,e.data.morphTargetsRelative=this.morphTargetsRelative);let o=this.groups;o.length>0&&(e.data.groups=JSON.parse(JSON.stringify(o)));let a=this.boundingSphere;return a!==null&&(e.data.boundingSphere=a.toJSON()),e}clone(){return new this.constructor().copy(this)}copy(e){this.index=null,this.attributes={},this.morphAttributes={},this.groups=[],this.boundingBox=null,this.boundingSphere=null;let t={};this.name=e.name;let n=e.index;n!==null&&this.setIndex(n.clone());let s=e.attributes;for(let c in s){let h=s[c];this.setAttribute(c,h.clone(t))}let r=e.morphAttributes;for(let c in r){let h=[],u=r[c];for(let d=0,f=u.length;d<f;d++)h.push(u[d].clone(t));this.morphAttributes[c]=h}this.morphTargetsRelative=e.morphTargetsRelative;let o=e.groups;for(let c=0,h=o.length;c<h;c++){let u=o[c];this.addGroup(u.start,u.count,u.materialIndex)}let a=e.boundingBox;a!==null&&(this.boundingBox=a.clone());let l=e.boundingSphere;return l!==null&&(this.boundingSphere=l.clone()),this.drawRange.start=e.drawRange.start,this.drawRange.count=e.drawRange.count,this.userData=e.userData,this._transformed=e._transformed,this}dispose(){this.dispatchEvent({type:"dispose"})}};var gd=new W,Sb=new W,wb=new nt,fi=class{constructor(e=new W(1,0,0),t=0){this.isPlane=!0,this.normal=e,this.constant=t}set(e,t){return this.normal.copy(e),this.constant=t,this}setComponents(e,t,n,s){return this.normal.set(e,t,n),this.constant=s,this}setFromNormalAndCoplanarPoint(e,t){return this.normal.copy(e),this.constant=-t.dot(this.normal),this}setFromCoplanarPoints(e,t,n){let s=gd.subVectors(n,t).cross(Sb.subVectors(e,t)).normalize();return this.setFromNormalAndCoplanarPoint(s,e),this}copy(e){return this.normal.copy(e.normal),this.constant=e.constant,this}normalize(){let e=1/this.normal.length();return this.normal.multiplyScalar(e),this.constant*=e,this}negate(){return this.constant*=-1,this.normal.negate(),this}distanceToPoint(e){return this.normal.dot(e)+this.constant}distanceToSphere(e){return this.distanceToPoint(e.center)-e.radius}projectPoint(e,t){return t.copy(e).addScaledVector(this.normal,-this.distanceToPoint(e))}intersectLine(e,t,n=!0){let s=e.delta(gd),r=this.normal.dot(s);if(r===0)return this.distanceToPoint(e.start)===0?t.copy(e.start):null;let o=-(e.start.dot(this.normal)+this.constant)/r;return n===!0&&(o<0||o>1)?null:t.copy(e.start).addScaledVector(s,o)}intersectsLine(e){let t=this.distanceToPoint(e.start),n=this.distanceToPoint(e.end);return t<0&&n>0||n<0&&t>0}intersectsBox(e){return e.intersectsPlane(this)}intersectsSphere(e){return e.intersectsPlane(this)}coplanarPoint(e){return e.copy(this.normal).multiplyScalar(-this.constant)}applyMatrix4(e,t){let n=t||wb.getNormalMatrix(e),s=this.coplanarPoint(gd).applyMatrix4(e),r=this.normal.applyMatrix3(n).normalize();return this.constant=-s.dot(r),this}translate(e){return this.constant-=e.dot(this.normal),this}equals(e){return e.normal.equals(this.normal)&&e.constant===this.constant}clone(){return new this.constructor().copy(this)}toJSON(){return{normal:this.normal.toArray(),constant:this.constant}}fromJSON(e){return this.normal.fromArray(e.normal),this.constant=e.constant,this}},Eb=0,Ss=class extends is{constructor(){super(),this.isMaterial=!0,Object.defineProperty(this,"id",{value:Eb++}),this.uuid=Ga(),this.name="",this.type="Material",this.blending=Io,this.side=tr,this.vertexColors=!1,this.opacity=1,this.transparent=!1,this.alphaHash=!1,this.blendSrc=Id,this.blendDst=Ld,this.blendEquation=Er,this.blendSrcAlpha=null,this.blendDstAlpha=null,this.blendEquationAlpha=null,this.blendColor=new _t(0,0,0),this.blendAlpha=0,this.depthFunc=xo,this.depthTest=!0,this.depthWrite=!0,this.stencilWriteMask=255,this.stencilFunc=C0,this.stencilRef=0,this.stencilFuncMask=255,this.stencilFail=ec,this.stencilZFail=ec,this.stencilZPass=ec,this.stencilWrite=!1,this.clippingPlanes=null,this.clipIntersection=!1,this.clipShadows=!1,this.shadowSide=null,this.colorWrite=!0,this.precision=null,this.polygonOffset=!1,this.polygonOffsetFactor=0,this.polygonOffsetUnits=0,this.dithering=!1,this.alphaToCoverage=!1,this.premultipliedAlpha=!1,this.forceSinglePass=!1,this.allowOverride=!0,this.visible=!0,this.toneMapped=!0,this.userData={},this.version=0,this._alphaTest=0}get alphaTest(){return this._alphaTest}set alphaTest(e){this._alphaTest>0!=e>0&&this.version++,this._alphaTest=e}onBeforeRender(){}onBeforeCompile(){}customProgramCacheKey(){return this.onBeforeCompile.toString()}setValues(e){if(e!==void 0)for(let t in e){let n=e[t];if(n===void 0){Ze(`Material: parameter '${t}' has value of undefined.`);continue}let s=this[t];if(s===void 0){Ze(`Material: '${t}' is not a property of THREE.${this.type}.`);continue}s&&s.isColor?s.set(n):s&&s.isVector2&&n&&n.isVector2||s&&s.isEuler&&n&&n.isEuler||s&&s.isVector3&&n&&n.isVector3?s.copy(n):this[t]=n}}toJSON(e){let t=e===void 0||typeof e=="string";t&&(e={textures:{},images:{}});let n={metadata:{version:4.7,type:"Material",generator:"Material.toJSON"}};n.uuid=this.uuid,n.type=this.type,n.blending=this.blending,n.side=this.side,n.shadowSide=this.shadowSide,n.vertexColors=this.vertexColors,n.opacity=this.opacity,n.transparent=this.transparent,n.blendSrc=this.blendSrc,n.blendDst=this.blendDst,n.blendEquation=this.blendEquation,n.blendSrcAlpha=this.blendSrcAlpha,n.blendDstAlpha=this.blendDstAlpha,n.blendEquationAlpha=this.blendEquationAlpha,n.blendColor=this.blendColor.getHex(),n.blendAlpha=this.blendAlpha,n.depthFunc=this.depthFunc,n.depthTest=this.depthTest,n.depthWrite=this.depthWrite,n.colorWrite=this.colorWrite,n.clipIntersection=this.clipIntersection,n.clipShadows=this.clipShadows,n.stencilWriteMask=this.stencilWriteMask,n.stencilFunc=this.stencilFunc,n.stencilRef=this.stencilRef,n.stencilFuncMask=this.stencilFuncMask,n.stencilFail=this.stencilFail,n.stencilZFail=this.stencilZFail,n.stencilZPass=this.stencilZPass,n.stencilWrite=this.stencilWrite,n.polygonOffset=this.polygonOffset,n.polygonOffsetFactor=this.polygonOffsetFactor,n.polygonOffsetUnits=this.polygonOffsetUnits,n.dithering=this.dithering,n.alphaTest=this.alphaTest,n.alphaHash=this.alphaHash,n.alphaToCoverage=this.alphaToCoverage,n.premultipliedAlpha=this.premultipliedAlpha,n.forceSinglePass=this.forceSinglePass,n.allowOverride=this.allowOverride,n.visible=this.visible,n.toneMapped=this.toneMapped,n.name=this.name,this.color&&this.color.isColor&&(n.color=this.color.getHex()),this.roughness!==void 0&&(n.roughness=this.roughness),this.metalness!==void 0&&(n.metalness=this.metalness),this.sheen!==void 0&&(n.sheen=this.sheen),this.sheenColor&&this.sheenColor.isColor&&(n.sheenColor=this.sheenColor.getHex()),this.sheenRoughness!==void 0&&(n.sheenRoughness=this.sheenRoughness),this.emissive&&this.emissive.isColor&&(n.emissive=this.emissive.getHex()),this.emissiveIntensity!==void 0&&(n.emissiveIntensity=this.emissiveIntensity),this.specular&&this.specular.isColor&&(n.specular=this.specular.getHex()),this.specularIntensity!==void 0&&(n.specularIntensity=this.specularIntensity),this.specularColor&&this.specularColor.isColor&&(n.specularColor=this.specularColor.getHex()),this.shininess!==void 0&&(n.shininess=this.shininess),this.clearcoat!==void 0&&(n.clearcoat=this.clearcoat),this.clearcoatRoughness!==void 0&&(n.clearcoatRoughness=this.clearcoatRoughness),this.diffuseRoughness!==void 0&&(n.diffuseRoughness=this.diffuseRoughness),this.diffuseRoughnessMap&&this.diffuseRoughnessMap.isTexture&&(n.diffuseRoughnessMap=this.diffuseRoughnessMap.toJSON(e).uuid),this.clearcoatMap&&this.clearcoatMap.isTexture&&(n.clearcoatMap=this.clearcoatMap.toJSON(e).uuid),this.clearcoatRoughnessMap&&this.clearcoatRoughnessMap.isTexture&&(n.clearcoatRoughnessMap=this.clearcoatRoughnessMap.toJSON(e).uuid),this.clearcoatNormalMap&&this.clearcoatNormalMap.isTexture&&(n.clearcoatNormalMap=this.clearcoatNormalMap.toJSON(e).uuid,n.clearcoatNormalScale=this.clearcoatNormalScale.toArray()),this.sheenColorMap&&this.sheenColorMap.isTexture&&(n.sheenColorMap=this.sheenColorMap.toJSON(e).uuid),this.sheenRoughnessMap&&this.sheenRoughnessMap.isTexture&&(n.sheenRoughnessMap=this.sheenRoughnessMap.toJSON(e).uuid),this.dispersion!==void 0&&(n.dispersion=this.dispersion),this.retroreflectivity!==void 0&&(n.retroreflectivity=this.retroreflectivity),this.iridescence!==void 0&&(n.iridescence=this.iridescence),this.iridescenceIOR!==void 0&&(n.iridescenceIOR=this.iridescenceIOR),this.iridescenceThicknessMinimum!==void 0&&(n.iridescenceThicknessMinimum=this.iridescenceThicknessMinimum),this.iridescenceThicknessMaximum!==void 0&&(n.iridescenceThicknessMaximum=this.iridescenceThicknessMaximum),this.iridescenceMap&&this.iridescenceMap.isTexture&&(n.iridescenceMap=this.iridescenceMap.toJSON(e).uuid),this.iridescenceThicknessMap&&this.iridescenceThicknessMap.isTexture&&(n.iridescenceThicknessMap=this.iridescenceThicknessMap.toJSON(e).uuid),this.anisotropy!==void 0&&(n.anisotropy=this.anisotropy),this.anisotropyRotation!==void 0&&(n.anisotropyRotation=this.anisotropyRotation),this.anisotropyMap&&this.anisotropyMap.isTexture&&(n.anisotropyMap=this.anisotropyMap.toJSON(e).uuid),this.map&&this.map.isTexture&&(n.map=this.map.toJSON(e).uuid),this.matcap&&this.matcap.isTexture&&(n.matcap=this.matcap.toJSON(e).uuid),this.alphaMap&&this.alphaMap.isTexture&&(n.alphaMap=this.alphaMap.toJSON(e).uuid),this.lightMap&&this.lightMap.isTexture&&(n.lightMap=this.lightMap.toJSON(e).uuid,n.lightMapIntensity=this.lightMapIntensity),this.aoMap&&this.aoMap.isTexture&&(n.aoMap=this.aoMap.toJSON(e).uuid,n.aoMapIntensity=this.aoMapIntensity),this.bumpMap&&this.bumpMap.isTexture&&(n.bumpMap=this.bumpMap.toJSON(e).uuid,n.bumpScale=this.bumpScale),this.normalMap&&this.normalMap.isTexture&&(n.normalMap=this.normalMap.toJSON(e).uuid,n.normalMapType=this.normalMapType,n.normalScale=this.normalScale.toArray()),this.displacementMap&&this.displacementMap.isTexture&&(n.displacementMap=this.displacementMap.toJSON(e).uuid,n.displacementScale=this.displacementScale,n.displacementBias=this.displacementBias),this.roughnessMap&&this.roughnessMap.isTexture&&(n.roughnessMap=this.roughnessMap.toJSON(e).uuid),this.metalnessMap&&this.metalnessMap.isTexture&&(n.metalnessMap=this.metalnessMap.toJSON(e).uuid),this.emissiveMap&&this.emissiveMap.isTexture&&(n.emissiveMap=this.emissiveMap.toJSON(e).uuid),this.specularMap&&this.specularMap.isTexture&&(n.specularMap=this.specularMap.toJSON(e).uuid),this.specularIntensityMap&&this.specularIntensityMap.isTexture&&(n.specularIntensityMap=this.specularIntensityMap.toJSON(e).uuid),this.specularColorMap&&this.specularColorMap.isTexture&&(n.specularColorMap=this.specularColorMap.toJSON(e).uuid),this.envMap&&this.envMap.isTexture&&(n.envMap=this.envMap.toJSON(e).uuid,this.combine!==void 0&&(n.combine=this.combine)),this.envMapRotation!==void 0&&(n.envMapRotation=this.envMapRotation.toArray()),this.envMapIntensity!==void 0&&(n.envMapIntensity=this.envMapIntensity),this.reflectivity!==void 0&&(n.reflectivity=this.reflectivity),this.refractionRatio!==void 0&&(n.refractionRatio=this.refractionRatio),this.gradientMap&&this.gradientMap.isTexture&&(n.gradientMap=this.gradientMap.toJSON(e).uuid),this.transmission!==void 0&&(n.transmission=this.transmission),this.transmissionMap&&this.transmissionMap.isTexture&&(n.transmissionMap=this.transmissionMap.toJSON(e).uuid),this.thickness!==void 0&&(n.thickness=this.thickness),this.thicknessMap&&this.thicknessMap.isTexture&&(n.thicknessMap=this.thicknessMap.toJSON(e).uuid),this.attenuationDistance!==void 0&&(n.attenuationDistance=this.attenuationDistance),this.attenuationColor!==void 0&&(n.attenuationColor=this.attenuationColor.getHex()),this.size!==void 0&&(n.size=this.size),this.sizeAttenuation!==void 0&&(n.sizeAttenuation=this.sizeAttenuation),Array.isArray(this.clippingPlanes)&&this.clippingPlanes.length>0&&(n.clippingPlanes=this.clippingPlanes.map(r=>r.toJSON())),this.rotation!==void 0&&(n.rotation=this.rotation),this.depthPacking!==void 0&&(n.depthPacking=this.depthPacking),this.linewidth!==void 0&&(n.linewidth=this.linewidth),this.linecap!==void 0&&(n.linecap=this.linecap),this.linejoin!==void 0&&(n.linejoin=this.linejoin),this.dashSize!==void 0&&(n.dashSize=this.dashSize),this.gapSize!==void 0&&(n.gapSize=this.gapSize),this.scale!==void 0&&(n.scale=this.scale),this.wireframe!==void 0&&(n.wireframe=this.wireframe),this.wireframeLinewidth!==void 0&&(n.wireframeLinewidth=this.wireframeLinewidth),this.wireframeLinecap!==void 0&&(n.wireframeLinecap=this.wireframeLinecap),this.wireframeLinejoin!==void 0&&(n.wireframeLinejoin=this.wireframeLinejoin),this.flatShading!==void 0&&(n.flatShading=this.flatShading),this.fog!==void 0&&(n.fog=this.fog),Object.keys(this.userData).length>0&&(n.userData=this.userData);function s(r){let o=[];for(let a in r){let l=r[a];delete l.metadata,o.push(l)}return o}if(t){let r=s(e.textures),o=s(e.images);r.length>0&&(n.textures=r),o.length>0&&(n.images=o)}return n}fromJSON(e,t){if(e.uuid!==void 0&&(this.uuid=e.uuid),e.name!==void 0&&(this.name=e.name),e.color!==void 0&&this.color!==void 0&&this.color.setHex(e.color),e.roughness!==void 0&&(this.roughness=e.roughness),e.metalness!==void 0&&(this.metalness=e.metalness),e.sheen!==void 0&&(this.sheen=e.sheen),e.sheenColor!==void 0&&(this.sheenColor=new _t().setHex(e.sheenColor)),e.sheenRoughness!==void 0&&(this.sheenRoughness=e.sheenRoughness),e.emissive!==void 0&&this.emissive!==void 0&&this.emissive.setHex(e.emissive),e.specular!==void 0&&this.specular!==void 0&&this.specular.setHex(e.specular),e.specularIntensity!==void 0&&(this.specularIntensity=e.specularIntensity),e.specularColor!==void 0&&this.specularColor!==void 0&&this.specularColor.setHex(e.specularColor),e.shininess!==void 0&&(this.shininess=e.shininess),e.clearcoat!==void 0&&(this.clearcoat=e.clearcoat),e.clearcoatRoughness!==void 0&&(this.clearcoatRoughness=e.clearcoatRoughness),e.diffuseRoughness!==void 0&&(this.diffuseRoughness=e.diffuseRoughness),e.dispersion!==void 0&&(this.dispersion=e.dispersion),e.retroreflectivity!==void 0&&(this.retroreflectivity=e.retroreflectivity),e.iridescence!==void 0&&(this.iridescence=e.iridescence),e.iridescenceIOR!==void 0&&(this.iridescenceIOR=e.iridescenceIOR),e.iridescenceThicknessMinimum!==void 0&&(this.iridescenceThicknessMinimum=e.iridescenceThicknessMinimum),e.iridescenceThicknessMaximum!==void 0&&(this.iridescenceThicknessMaximum=e.iridescenceThicknessMaximum),e.iridescenceThicknessRange!==void 0&&(this.iridescenceThicknessMinimum=e.iridescenceThicknessRange[0],this.iridescenceThicknessMaximum=e.iridescenceThicknessRange[1]),e.transmission!==void 0&&(this.transmission=e.transmission),e.thickness!==void 0&&(this.thickness=e.thickness),e.attenuationDistance!==void 0&&(this.attenuationDistance=e.attenuationDistance),e.attenuationColor!==void 0&&this.attenuationColor!==void 0&&this.attenuationColor.setHex(e.attenuationColor),e.anisotropy!==void 0&&(this.anisotropy=e.anisotropy),e.anisotropyRotation!==void 0&&(this.anisotropyRotation=e.anisotropyRotation),e.fog!==void 0&&(this.fog=e.fog),e.flatShading!==void 0&&(this.flatShading=e.flatShading),e.blending!==void 0&&(this.blending=e.blending),e.combine!==void 0&&(this.combine=e.combine),e.side!==void 0&&(this.side=e.side),e.shadowSide!==void 0&&(this.shadowSide=e.shadowSide),e.opacity!==void 0&&(this.opacity=e.opacity),e.transparent!==void 0&&(this.transparent=e.transparent),e.alphaTest!==void 0&&(this.alphaTest=e.alphaTest),e.alphaHash!==void 0&&(this.alphaHash=e.alphaHash),e.depthFunc!==void 0&&(this.depthFunc=e.depthFunc),e.depthTest!==void 0&&(this.depthTest=e.depthTest),e.depthWrite!==void 0&&(this.depthWrite=e.depthWrite),e.colorWrite!==void 0&&(this.colorWrite=e.colorWrite),e.clippingPlanes!==void 0&&(this.clippingPlanes=e.clippingPlanes.map(n=>new fi().fromJSON(n))),e.clipIntersection!==void 0&&(this.clipIntersection=e.clipIntersection),e.clipShadows!==void 0&&(this.clipShadows=e.clipShadows),e.depthPacking!==void 0&&(this.depthPacking=e.depthPacking),e.blendSrc!==void 0&&(this.blendSrc=e.blendSrc),e.blendDst!==void 0&&(this.blendDst=e.blendDst),e.blendEquation!==void 0&&(this.blendEquation=e.blendEquation),e.blendSrcAlpha!==void 0&&(this.blendSrcAlpha=e.blendSrcAlpha),e.blendDstAlpha!==void 0&&(this.blendDstAlpha=e.blendDstAlpha),e.blendEquationAlpha!==void 0&&(this.blendEquationAlpha=e.blendEquationAlpha),e.blendColor!==void 0&&this.blendColor!==void 0&&this.blendColor.setHex(e.blendColor),e.blendAlpha!==void 0&&(this.blendAlpha=e.blendAlpha),e.stencilWriteMask!==void 0&&(this.stencilWriteMask=e.stencilWriteMask),e.stencilFunc!==void 0&&(this.stencilFunc=e.stencilFunc),e.stencilRef!==void 0&&(this.stencilRef=e.stencilRef),e.stencilFuncMask!==void 0&&(this.stencilFuncMask=e.stencilFuncMask),e.stencilFail!==void 0&&(this.stencilFail=e.stencilFail),e.stencilZFail!==void 0&&(this.stencilZFail=e.stencilZFail),e.stencilZPass!==void 0&&(this.stencilZPass=e.stencilZPass),e.stencilWrite!==void 0&&(this.stencilWrite=e.stencilWrite),e.wireframe!==void 0&&(this.wireframe=e.wireframe),e.wireframeLinewidth!==void 0&&(this.wireframeLinewidth=e.wireframeLinewidth),e.wireframeLinecap!==void 0&&(this.wireframeLinecap=e.wireframeLinecap),e.wireframeLinejoin!==void 0&&(this.wireframeLinejoin=e.wireframeLinejoin),e.rotation!==void 0&&(this.rotation=e.rotation),e.linewidth!==void 0&&(this.linewidth=e.linewidth),e.linecap!==void 0&&(this.linecap=e.linecap),e.linejoin!==void 0&&(this.linejoin=e.linejoin),e.dashSize!==void 0&&(this.dashSize=e.dashSize),e.gapSize!==void 0&&(this.gapSize=e.gapSize),e.scale!==void 0&&(this.scale=e.scale),e.polygonOffset!==void 0&&(this.polygonOffset=e.polygonOffset),e.polygonOffsetFactor!==void 0&&(this.polygonOffsetFactor=e.polygonOffsetFactor),e.polygonOffsetUnits!==void 0&&(this.polygonOffsetUnits=e.polygonOffsetUnits),e.dithering!==void 0&&(this.dithering=e.dithering),e.alphaToCoverage!==void 0&&(this.alphaToCoverage=e.alphaToCoverage),e.premultipliedAlpha!==void 0&&(this.premultipliedAlpha=e.premultipliedAlpha),e.forceSinglePass!==void 0&&(this.forceSinglePass=e.forceSinglePass),e.allowOverride!==void 0&&(this.allowOverride=e.allowOverride),e.visible!==void 0&&(this.visible=e.visible),e.toneMapped!==void 0&&(this.toneMapped=e.toneMapped),e.userData!==void 0&&(this.userData=e.userData),e.vertexColors!==void 0&&(typeof e.vertexColors=="number"?this.vertexColors=e.vertexColors>0:this.vertexColors=e.vertexColors),e.size!==void 0&&(this.size=e.size),e.sizeAttenuation!==void 0&&(this.sizeAttenuation=e.sizeAttenuation),e.map!==void 0&&(this.map=t[e.map]||null),e.matcap!==void 0&&(this.matcap=t[e.matcap]||null),e.alphaMap!==void 0&&(this.alphaMap=t[e.alphaMap]||null),e.bumpMap!==void 0&&(this.bumpMap=t[e.bumpMap]||null),e.bumpScale!==void 0&&(this.bumpScale=e.bumpScale),e.normalMap!==void 0&&(this.normalMap=t[e.normalMap]||null),e.normalMapType!==void 0&&(this.normalMapType=e.normalMapType),e.normalScale!==void 0){let n=e.normalScale;Array.isArray(n)===!1&&(n=[n,n]),this.normalScale=new xt().fromArray(n)}return e.displacementMap!==void 0&&(this.displacementMap=t[e.displacementMap]||null),e.displacementScale!==void 0&&(this.displacementScale=e.displacementScale),e.displacementBias!==void 0&&(this.displacementBias=e.displacementBias),e.roughnessMap!==void 0&&(this.roughnessMap=t[e.roughnessMap]||null),e.metalnessMap!==void 0&&(this.metalnessMap=t[e.metalnessMap]||null),e.emissiveMap!==void 0&&(this.emissiveMap=t[e.emissiveMap]||null),e.emissiveIntensity!==void 0&&(this.emissiveIntensity=e.emissiveIntensity),e.specularMap!==void 0&&(this.specularMap=t[e.specularMap]||null),e.specularIntensityMap!==void 0&&(this.specularIntensityMap=t[e.specularIntensityMap]||null),e.specularColorMap!==void 0&&(this.specularColorMap=t[e.specularColorMap]||null),e.envMap!==void 0&&(this.envMap=t[e.envMap]||null),e.envMapRotation!==void 0&&this.envMapRotation.fromArray(e.envMapRotation),e.envMapIntensity!==void 0&&(this.envMapIntensity=e.envMapIntensity),e.reflectivity!==void 0&&(this.reflectivity=e.reflectivity),e.refractionRatio!==void 0&&(this.refractionRatio=e.refractionRatio),e.lightMap!==void 0&&(this.lightMap=t[e.lightMap]||null),e.lightMapIntensity!==void 0&&(this.lightMapIntensity=e.lightMapIntensity),e.aoMap!==void 0&&(this.aoMap=t[e.aoMap]||null),e.aoMapIntensity!==void 0&&(this.aoMapIntensity=e.aoMapIntensity),e.gradientMap!==void 0&&(this.gradientMap=t[e.gradientMap]||null),e.clearcoatMap!==void 0&&(this.clearcoatMap=t[e.clearcoatMap]||null),e.clearcoatRoughnessMap!==void 0&&(this.clearcoatRoughnessMap=t[e.clearcoatRoughnessMap]||null),e.clearcoatNormalMap!==void 0&&(this.clearcoatNormalMap=t[e.clearcoatNormalMap]||null),e.clearcoatNormalScale!==void 0&&(this.clearcoatNormalScale=new xt().fromArray(e.clearcoatNormalScale)),e.diffuseRoughnessMap!==void 0&&(this.diffuseRoughnessMap=t[e.diffuseRoughnessMap]||null),e.iridescenceMap!==void 0&&(this.iridescenceMap=t[e.iridescenceMap]||null),e.iridescenceThicknessMap!==void 0&&(this.iridescenceThicknessMap=t[e.iridescenceThicknessMap]||null),e.transmissionMap!==void 0&&(this.transmissionMap=t[e.transmissionMap]||null),e.thicknessMap!==void 0&&(this.thicknessMap=t[e.thicknessMap]||null),e.anisotropyMap!==void 0&&(this.anisotropyMap=t[e.anisotropyMap]||null),e.sheenColorMap!==void 0&&(this.sheenColorMap=t[e.sheenColorMap]||null),e.sheenRoughnessMap!==void 0&&(this.sheenRoughnessMap=t[e.sheenRoughnessMap]||null),this}clone(){return new this.constructor().copy(this)}copy(e){this.name=e.name,this.blending=e.blending,this.side=e.side,this.vertexColors=e.vertexColors,this.opacity=e.opacity,this.transparent=e.transparent,this.blendSrc=e.blendSrc,this.blendDst=e.blendDst,this.blendEquation=e.blendEquation,this.blendSrcAlpha=e.blendSrcAlpha,this.blendDstAlpha=e.blendDstAlpha,this.blendEquationAlpha=e.blendEquationAlpha,this.blendColor.copy(e.blendColor),this.blendAlpha=e.blendAlpha,this.depthFunc=e.depthFunc,this.depthTest=e.depthTest,this.depthWrite=e.depthWrite,this.stencilWriteMask=e.stencilWriteMask,this.stencilFunc=e.stencilFunc,this.stencilRef=e.stencilRef,this.stencilFuncMask=e.stencilFuncMask,this.stencilFail=e.stencilFail,this.stencilZFail=e.stencilZFail,this.stencilZPass=e.stencilZPass,this.stencilWrite=e.stencilWrite;let t=e.clippingPlanes,n=null;if(t!==null){let s=t.length;n=new Array(s);for(let r=0;r!==s;++r)n[r]=t[r].clone()}return this.clippingPlanes=n,this.clipIntersection=e.clipIntersection,this.clipShadows=e.clipShadows,this.shadowSide=e.shadowSide,this.colorWrite=e.colorWrite,this.precision=e.precision,this.polygonOffset=e.polygonOffset,this.polygonOffsetFactor=e.polygonOffsetFactor,this.polygonOffsetUnits=e.polygonOffsetUnits,this.dithering=e.dithering,this.alphaTest=e.alphaTest,this.alphaHash=e.alphaHash,this.alphaToCoverage=e.alphaToCoverage,this.premultipliedAlpha=e.premultipliedAlpha,this.forceSinglePass=e.forceSinglePass,this.allowOverride=e.allowOverride,this.visible=e.visible,this.toneMapped=e.toneMapped,this.userData=JSON.parse(JSON.stringify(e.userData)),this}dispose(){this.dispatchEvent({type:"dispose"})}set needsUpdate(e){e===!0&&this.version++}};var _s=new W,yd=new W,Fl=new W,Ol=new W,Ks=class{constructor(e=new W,t=new W(0,0,-1)){this.origin=e,this.direction=t}set(e,t){return this.origin.copy(e),this.direction.copy(t),this}copy(e){return this.origin.copy(e.origin),this.direction.copy(e.direction),this}at(e,t){return t.copy(this.origin).addScaledVector(this.direction,e)}lookAt(e){return this.direction.copy(e).sub(this.origin).normalize(),this}recast(e){return this.origin.copy(this.at(e,_s)),this}closestPointToPoint(e,t){t.subVectors(e,this.origin);let n=t.dot(this.direction);return n<0?t.copy(this.origin):t.copy(this.origin).addScaledVector(this.direction,n)}distanceToPoint(e){return Math.sqrt(this.distanceSqToPoint(e))}distanceSqToPoint(e){let t=_s.subVectors(e,this.origin).dot(this.direction);return t<0?this.origin.distanceToSquared(e):(_s.copy(this.origin).addScaledVector(this.direction,t),_s.distanceToSquared(e))}distanceSqToSegment(e,t,n,s){yd.copy(e).add(t).multiplyScalar(.5),Fl.copy(t).sub(e).normalize(),Ol.copy(this.origin).sub(yd);let r=e.distanceTo(t)*.5,o=-this.direction.dot(Fl),a=Ol.dot(this.direction),l=-Ol.dot(Fl),c=Ol.lengthSq(),h=Math.abs(1-o*o),u,d,f,g;if(h>0)if(u=o*l-a,d=o*a-l,g=r*h,u>=0)if(d>=-g)if(d<=g){let v=1/h;u*=v,d*=v,f=u*(u+o*d+2*a)+d*(o*u+d+2*l)+c}else d=r,u=Math.max(0,-(o*d+a)),f=-u*u+d*(d+2*l)+c;else d=-r,u=Math.max(0,-(o*d+a)),f=-u*u+d*(d+2*l)+c;else d<=-g?(u=Math.max(0,-(-o*r+a)),d=u>0?-r:Math.min(Math.max(-r,-l),r),f=-u*u+d*(d+2*l)+c):d<=g?(u=0,d=Math.min(Math.max(-r,-l),r),f=d*(d+2*l)+c):(u=Math.max(0,-(o*r+a)),d=u>0?r:Math.min(Math.max(-r,-l),r),f=-u*u+d*(d+2*l)+c);else d=o>0?-r:r,u=Math.max(0,-(o*d+a)),f=-u*u+d*(d+2*l)+c;return n&&n.copy(this.origin).addScaledVector(this.direction,u),s&&s.copy(yd).addScaledVector(Fl,d),f}intersectSphere(e,t){if(e.radius<0)return null;_s.subVectors(e.center,this.origin);let n=_s.dot(this.direction),s=_s.dot(_s)-n*n,r=e.radius*e.radius;if(s>r)return null;let o=Math.sqrt(r-s),a=n-o,l=n+o;return l<0?null:a<0?this.at(l,t):this.at(a,t)}intersectsSphere(e){return e.radius<0?!1:this.distanceSqToPoint(e.center)<=e.radius*e.radius}distanceToPlane(e){let t=e.normal.dot(this.direction);if(t===0)return e.distanceToPoint(this.origin)===0?0:null;let n=-(this.origin.dot(e.normal)+e.constant)/t;return n>=0?n:null}intersectPlane(e,t){let n=this.distanceToPlane(e);return n===null?null:this.at(n,t)}intersectsPlane(e){let t=e.distanceToPoint(this.origin);return t===0||e.normal.dot(this.direction)*t<0}intersectBox(e,t){let n,s,r,o,a,l,c=1/this.direction.x,h=1/this.direction.y,u=1/this.direction.z,d=this.origin;return c>=0?(n=(e.min.x-d.x)*c,s=(e.max.x-d.x)*c):(n=(e.max.x-d.x)*c,s=(e.min.x-d.x)*c),h>=0?(r=(e.min.y-d.y)*h,o=(e.max.y-d.y)*h):(r=(e.max.y-d.y)*h,o=(e.min.y-d.y)*h),n>o||r>s||((r>n||isNaN(n))&&(n=r),(o<s||isNaN(s))&&(s=o),u>=0?(a=(e.min.z-d.z)*u,l=(e.max.z-d.z)*u):(a=(e.max.z-d.z)*u,l=(e.min.z-d.z)*u),n>l||a>s)||((a>n||n!==n)&&(n=a),(l<s||s!==s)&&(s=l),s<0)?null:this.at(n>=0?n:s,t)}intersectsBox(e){return this.intersectBox(e,_s)!==null}intersectTriangle(e,t,n,s,r){let o=this.origin,a=this.direction,l=a.x,c=a.y,h=a.z,u=e.x-o.x,d=e.y-o.y,f=e.z-o.z,g=t.x-o.x,v=t.y-o.y,m=t.z-o.z,p=n.x-o.x,x=n.y-o.y,M=n.z-o.z,b=Math.abs(l),C=Math.abs(c),A=Math.abs(h),y,S,U,I,R,k,F,P,V,q,H,le;if(b>=C&&b>=A?(U=l,k=u,V=g,le=p,l>=0?(y=c,S=h,I=d,R=f,F=v,P=m,q=x,H=M):(y=h,S=c,I=f,R=d,F=m,P=v,q=M,H=x)):C>=A?(U=c,k=d,V=v,le=x,c>=0?(y=h,S=l,I=f,R=u,F=m,P=g,q=M,H=p):(y=l,S=h,I=u,R=f,F=g,P=m,q=p,H=M)):(U=h,k=f,V=m,le=M,h>=0?(y=l,S=c,I=u,R=d,F=g,P=v,q=p,H=x):(y=c,S=l,I=d,R=u,F=v,P=g,q=x,H=p)),U===0)return null;let Z=y/U,Q=S/U,ie=1/U,de=I-Z*k,ue=R-Q*k,ee=F-Z*V,me=P-Q*V,ve=q-Z*le,Ae=H-Q*le,Me=ve*me-Ae*ee,We=de*Ae-ue*ve,rt=ee*ue-me*de;if(s){if(Me<0||We<0||rt<0)return null}else if((Me<0||We<0||rt<0)&&(Me>0||We>0||rt>0))return null;let Ge=Me+We+rt;if(Ge===0)return null;let ut=ie*(Me*k+We*V+rt*le);return(Ge>0?ut<0:ut>0)?null:this.at(ut/Ge,r)}applyMatrix4(e){return this.origin.applyMatrix4(e),this.direction.transformDirection(e),this}equals(e){return e.origin.equals(this.origin)&&e.direction.equals(this.direction)}clone(){return new this.constructor().copy(this)}},pc=class extends Ss{constructor(e){super(),this.isMeshBasicMaterial=!0,this.type="MeshBasicMaterial",this.color=new _t(16777215),this.map=null,this.lightMap=null,this.lightMapIntensity=1,this.aoMap=null,this.aoMapIntensity=1,this.specularMap=null,this.alphaMap=null,this.envMap=null,this.envMapRotation=new Ys,this.combine=Nd,this.reflectivity=1,this.refractionRatio=.98,this.wireframe=!1,this.wireframeLinewidth=1,this.wireframeLinecap="round",this.wireframeLinejoin="round",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.lightMap=e.lightMap,this.lightMapIntensity=e.lightMapIntensity,this.aoMap=e.aoMap,this.aoMapIntensity=e.aoMapIntensity,this.specularMap=e.specularMap,this.alphaMap=e.alphaMap,this.envMap=e.envMap,this.envMapRotation.copy(e.envMapRotation),this.combine=e.combine,this.reflectivity=e.reflectivity,this.refractionRatio=e.refractionRatio,this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.wireframeLinecap=e.wireframeLinecap,this.wireframeLinejoin=e.wireframeLinejoin,this.fog=e.fog,this}},Vg=new zt,vr=new Ks,kl=new Zs,Gg=new W,Bl=new W,zl=new W,Vl=new W,vd=new W,Gl=new W,Hg=new W,Hl=new W,ln=class extends ti{constructor(e=new zn,t=new pc){super(),this.isMesh=!0,this.type="Mesh",this.geometry=e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.count=1,this.updateMorphTargets()}copy(e,t){return super.copy(e,t),e.morphTargetInfluences!==void 0?this.morphTargetInfluences=e.morphTargetInfluences.slice():this.morphTargetInfluences=void 0,e.morphTargetDictionary!==void 0?this.morphTargetDictionary=Object.assign({},e.morphTargetDictionary):this.morphTargetDictionary=void 0,this.material=Array.isArray(e.material)?e.material.slice():e.material,this.geometry=e.geometry,this}updateMorphTargets(){let t=this.geometry.morphAttributes,n=Object.keys(t);if(n.length>0){let s=t[n[0]];if(s!==void 0){this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=r}}}}getVertexPosition(e,t){let n=this.geometry,s=n.attributes.position,r=n.morphAttributes.position,o=n.morphTargetsRelative;t.fromBufferAttribute(s,e);let a=this.morphTargetInfluences;if(r&&a){Gl.set(0,0,0);for(let l=0,c=r.length;l<c;l++){let h=a[l],u=r[l];h!==0&&(vd.fromBufferAttribute(u,e),o?Gl.addScaledVector(vd,h):Gl.addScaledVector(vd.sub(t),h))}t.add(Gl)}return t}intersectsFrustum(e){return e.intersectsObject(this)}raycast(e,t){let n=this.geometry,s=this.material,r=this.matrixWorld;s!==void 0&&(n.boundingSphere===null&&n.computeBoundingSphere(),kl.copy(n.boundingSphere),kl.applyMatrix4(r),vr.copy(e.ray).recast(e.near),!(kl.containsPoint(vr.origin)===!1&&(vr.intersectSphere(kl,Gg)===null||vr.origin.distanceToSquared(Gg)>(e.far-e.near)**2))&&(Vg.copy(r).invert(),vr.copy(e.ray).applyMatrix4(Vg),!(n.boundingBox!==null&&vr.intersectsBox(n.boundingBox)===!1)&&this._computeIntersections(e,t,vr)))}_computeIntersections(e,t,n){let s,r=this.geometry,o=this.material,a=r.index,l=r.attributes.position,c=r.attributes.uv,h=r.attributes.uv1,u=r.attributes.normal,d=r.groups,f=r.drawRange;if(a!==null)if(Array.isArray(o))for(let g=0,v=d.length;g<v;g++){let m=d[g],p=o[m.materialIndex],x=Math.max(m.start,f.start),M=Math.min(a.count,Math.min(m.start+m.count,f.start+f.count));for(let b=x,C=M;b<C;b+=3){let A=a.getX(b),y=a.getX(b+1),S=a.getX(b+2);s=Wl(this,p,e,n,c,h,u,A,y,S),s&&(s.faceIndex=Math.floor(b/3),s.face.materialIndex=m.materialIndex,t.push(s))}}else{let g=Math.max(0,f.start),v=Math.min(a.count,f.start+f.count);for(let m=g,p=v;m<p;m+=3){let x=a.getX(m),M=a.getX(m+1),b=a.getX(m+2);s=Wl(this,o,e,n,c,h,u,x,M,b),s&&(s.faceIndex=Math.floor(m/3),t.push(s))}}else if(l!==void 0)if(Array.isArray(o))for(let g=0,v=d.length;g<v;g++){let m=d[g],p=o[m.materialIndex],x=Math.max(m.start,f.start),M=Math.min(l.count,Math.min(m.start+m.count,f.start+f.count));for(let b=x,C=M;b<C;b+=3){let A=b,y=b+1,S=b+2;s=Wl(this,p,e,n,c,h,u,A,y,S),s&&(s.faceIndex=Math.floor(b/3),s.face.materialIndex=m.materialIndex,t.push(s))}}else{let g=Math.max(0,f.start),v=Math.min(l.count,f.start+f.count);for(let m=g,p=v;m<p;m+=3){let x=m,M=m+1,b=m+2;s=Wl(this,o,e,n,c,h,u,x,M,b),s&&(s.faceIndex=Math.floor(m/3),t.push(s))}}}};function Tb(i,e,t,n,s,r,o,a){let l;if(e.side===jn?l=n.intersectTriangle(o,r,s,!0,a):l=n.intersectTriangle(s,r,o,e.side===tr,a),l===null)return null;Hl.copy(a),Hl.applyMatrix4(i.matrixWorld);let c=t.ray.origin.distanceTo(Hl);return c<t.near||c>t.far?null:{distance:c,point:Hl.clone(),object:i}}function Wl(i,e,t,n,s,r,o,a,l,c){i.getVertexPosition(a,Bl),i.getVertexPosition(l,zl),i.getVertexPosition(c,Vl);let h=Tb(i,e,t,n,Bl,zl,Vl,Hg);if(h){let u=new W;$s.getBarycoord(Hg,Bl,zl,Vl,u),s&&(h.uv=$s.getInterpolatedAttribute(s,a,l,c,u,new xt)),r&&(h.uv1=$s.getInterpolatedAttribute(r,a,l,c,u,new xt)),o&&(h.normal=$s.getInterpolatedAttribute(o,a,l,c,u,new W),h.normal.dot(n.direction)>0&&h.normal.multiplyScalar(-1));let d={a,b:l,c,normal:new W,materialIndex:0};$s.getNormal(Bl,zl,Vl,d.normal),h.face=d,h.barycoord=u}return h}var mc=class extends ei{constructor(e=null,t=1,n=1,s,r,o,a,l,c=In,h=In,u,d){super(null,o,a,l,c,h,s,r,u,d),this.isDataTexture=!0,this.image={data:e,width:t,height:n},this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}};var xr=new Zs,Ab=new xt(.5,.5),Xl=new W,br=class{constructor(e=new fi,t=new fi,n=new fi,s=new fi,r=new fi,o=new fi){this.planes=[e,t,n,s,r,o]}set(e,t,n,s,r,o){let a=this.planes;return a[0].copy(e),a[1].copy(t),a[2].copy(n),a[3].copy(s),a[4].copy(r),a[5].copy(o),this}copy(e){let t=this.planes;for(let n=0;n<6;n++)t[n].copy(e.planes[n]);return this}setFromProjectionMatrix(e,t=wi,n=!1){let s=this.planes,r=e.elements,o=r[0],a=r[1],l=r[2],c=r[3],h=r[4],u=r[5],d=r[6],f=r[7],g=r[8],v=r[9],m=r[10],p=r[11],x=r[12],M=r[13],b=r[14],C=r[15];if(s[0].setComponents(c-o,f-h,p-g,C-x).normalize(),s[1].setComponents(c+o,f+h,p+g,C+x).normalize(),s[2].setComponents(c+a,f+u,p+v,C+M).normalize(),s[3].setComponents(c-a,f-u,p-v,C-M).normalize(),n)s[4].setComponents(l,d,m,b).normalize(),s[5].setComponents(c-l,f-d,p-m,C-b).normalize();else if(s[4].setComponents(c-l,f-d,p-m,C-b).normalize(),t===wi)s[5].setComponents(c+l,f+d,p+m,C+b).normalize();else if(t===ba)s[5].setComponents(l,d,m,b).normalize();else throw new Error("THREE.Frustum.setFromProjectionMatrix(): Invalid coordinate system: "+t);return this}intersectsObject(e){if(e.boundingSphere!==void 0)e.boundingSphere===null&&e.computeBoundingSphere(),xr.copy(e.boundingSphere).applyMatrix4(e.matrixWorld);else{let t=e.geometry;t.boundingSphere===null&&t.computeBoundingSphere(),xr.copy(t.boundingSphere).applyMatrix4(e.matrixWorld)}return this.intersectsSphere(xr)}intersectsSprite(e){xr.center.set(0,0,0);let t=Ab.distanceTo(e.center);return xr.radius=.7071067811865476+t,xr.applyMatrix4(e.matrixWorld),this.intersectsSphere(xr)}intersectsSphere(e){let t=this.planes,n=e.center,s=-e.radius;for(let r=0;r<6;r++)if(t[r].distanceToPoint(n)<s)return!1;return!0}intersectsBox(e){let t=this.planes;for(let n=0;n<6;n++){let s=t[n];if(Xl.x=s.normal.x>0?e.max.x:e.min.x,Xl.y=s.normal.y>0?e.max.y:e.min.y,Xl.z=s.normal.z>0?e.max.z:e.min.z,s.distanceToPoint(Xl)<0)return!1}return!0}containsPoint(e){let t=this.planes;for(let n=0;n<6;n++)if(t[n].distanceToPoint(e)<0)return!1;return!0}clone(){return new this.constructor().copy(this)}},Wg=new zt,gc=class i{constructor(){this.coordinateSystem=wi,this._frustums=[],this._count=0}setFromArrayCamera(e){let t=e.cameras,n=this._frustums;for(let s=0;s<t.length;s++){let r=t[s];Wg.multiplyMatrices(r.projectionMatrix,r.matrixWorldInverse),n[s]===void 0&&(n[s]=new br),n[s].setFromProjectionMatrix(Wg,r.coordinateSystem,r.reversedDepth)}return this._count=t.length,this}getFrustum(e){return this._frustums[e]}intersectsObject(e){let t=this._frustums;for(let n=0;n<this._count;n++)if(t[n].intersectsObject(e))return!0;return!1}intersectsSprite(e){let t=this._frustums;for(let n=0;n<this._count;n++)if(t[n].intersectsSprite(e))return!0;return!1}intersectsSphere(e){let t=this._frustums;for(let n=0;n<this._count;n++)if(t[n].intersectsSphere(e))return!0;return!1}intersectsBox(e){let t=this._frustums;for(let n=0;n<this._count;n++)if(t[n].intersectsBox(e))return!0;return!1}containsPoint(e){let t=this._frustums;for(let n=0;n<this._count;n++)if(t[n].containsPoint(e))return!0;return!1}copy(e){this.coordinateSystem=e.coordinateSystem;let t=this._frustums,n=e._frustums;for(let s=0;s<e._count;s++)t[s]===void 0&&(t[s]=new br),t[s].copy(n[s]);return this._count=e._count,this}clone(){return new i().copy(this)}};var yc=class extends Ss{constructor(e){super(),this.isLineBasicMaterial=!0,this.type="LineBasicMaterial",this.color=new _t(16777215),this.map=null,this.linewidth=1,this.linecap="round",this.linejoin="round",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.linewidth=e.linewidth,this.linecap=e.linecap,this.linejoin=e.linejoin,this.fog=e.fog,this}},vc=new W,xc=new W,Xg=new zt,ga=new Ks,ql=new Zs,xd=new W,qg=new W,_c=class extends ti{constructor(e=new zn,t=new yc){super(),this.isLine=!0,this.type="Line",this.geometry=e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.updateMorphTargets()}copy(e,t){return super.copy(e,t),e.morphTargetInfluences!==void 0?this.morphTargetInfluences=e.morphTargetInfluences.slice():this.morphTargetInfluences=void 0,e.morphTargetDictionary!==void 0?this.morphTargetDictionary=Object.assign({},e.morphTargetDictionary):this.morphTargetDictionary=void 0,this.material=Array.isArray(e.material)?e.material.slice():e.material,this.geometry=e.geometry,this}computeLineDistances(){let e=this.geometry;if(e.index===null){let t=e.attributes.position,n=[0];for(let s=1,r=t.count;s<r;s++)vc.fromBufferAttribute(t,s-1),xc.fromBufferAttribute(t,s),n[s]=n[s-1],n[s]+=vc.distanceTo(xc);e.setAttribute("lineDistance",new Kt(n,1))}else Ze("Line.computeLineDistances(): Computation only possible with non-indexed BufferGeometry.");return this}intersectsFrustum(e){return e.intersectsObject(this)}raycast(e,t){let n=this.geometry,s=this.matrixWorld,r=e.params.Line.threshold,o=n.drawRange;if(n.boundingSphere===null&&n.computeBoundingSphere(),ql.copy(n.boundingSphere),ql.applyMatrix4(s),ql.radius+=r,e.ray.intersectsSphere(ql)===!1)return;Xg.copy(s).invert(),ga.copy(e.ray).applyMatrix4(Xg);let a=r/((this.scale.x+this.scale.y+this.scale.z)/3),l=a*a,c=this.isLineSegments?2:1,h=n.index,d=n.attributes.position;if(h!==null){let f=Math.max(0,o.start),g=Math.min(h.count,o.start+o.count);for(let v=f,m=g-1;v<m;v+=c){let p=h.getX(v),x=h.getX(v+1),M=$l(this,e,ga,l,p,x,v);M&&t.push(M)}if(this.isLineLoop){let v=h.getX(g-1),m=h.getX(f),p=$l(this,e,ga,l,v,m,g-1);p&&t.push(p)}}else{let f=Math.max(0,o.start),g=Math.min(d.count,o.start+o.count);for(let v=f,m=g-1;v<m;v+=c){let p=$l(this,e,ga,l,v,v+1,v);p&&t.push(p)}if(this.isLineLoop){let v=$l(this,e,ga,l,g-1,f,g-1);v&&t.push(v)}}}updateMorphTargets(){let t=this.geometry.morphAttributes,n=Object.keys(t);if(n.length>0){let s=t[n[0]];if(s!==void 0){this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=r}}}}};function $l(i,e,t,n,s,r,o){let a=i.geometry.attributes.position;if(vc.fromBufferAttribute(a,s),xc.fromBufferAttribute(a,r),t.distanceSqToSegment(vc,xc,xd,qg)>n)return;xd.applyMatrix4(i.matrixWorld);let c=e.ray.origin.distanceTo(xd);if(!(c<e.near||c>e.far))return{distance:c,point:qg.clone().applyMatrix4(i.matrixWorld),index:o,face:null,faceIndex:null,barycoord:null,object:i}}var $g=new W,Yg=new W,wo=class extends _c{constructor(e,t){super(e,t),this.isLineSegments=!0,this.type="LineSegments"}computeLineDistances(){let e=this.geometry;if(e.index===null){let t=e.attributes.position,n=[];for(let s=0,r=t.count;s<r;s+=2)$g.fromBufferAttribute(t,s),Yg.fromBufferAttribute(t,s+1),n[s]=s===0?0:n[s-1],n[s+1]=n[s]+$g.distanceTo(Yg);e.setAttribute("lineDistance",new Kt(n,1))}else Ze("LineSegments.computeLineDistances(): Computation only possible with non-indexed BufferGeometry.");return this}};var bc=class extends Ss{constructor(e){super(),this.isPointsMaterial=!0,this.type="PointsMaterial",this.color=new _t(16777215),this.map=null,this.alphaMap=null,this.size=1,this.sizeAttenuation=!0,this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.alphaMap=e.alphaMap,this.size=e.size,this.sizeAttenuation=e.sizeAttenuation,this.fog=e.fog,this}},Jg=new zt,wd=new Ks,Yl=new Zs,Jl=new W,Eo=class extends ti{constructor(e=new zn,t=new bc){super(),this.isPoints=!0,this.type="Points",this.geometry=e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.updateMorphTargets()}copy(e,t){return super.copy(e,t),e.morphTargetInfluences!==void 0?this.morphTargetInfluences=e.morphTargetInfluences.slice():this.morphTargetInfluences=void 0,e.morphTargetDictionary!==void 0?this.morphTargetDictionary=Object.assign({},e.morphTargetDictionary):this.morphTargetDictionary=void 0,this.material=Array.isArray(e.material)?e.material.slice():e.material,this.geometry=e.geometry,this}intersectsFrustum(e){return e.intersectsObject(this)}raycast(e,t){let n=this.geometry,s=this.matrixWorld,r=e.params.Points.threshold,o=n.drawRange;if(n.boundingSphere===null&&n.computeBoundingSphere(),Yl.copy(n.boundingSphere),Yl.applyMatrix4(s),Yl.radius+=r,e.ray.intersectsSphere(Yl)===!1)return;Jg.copy(s).invert(),wd.copy(e.ray).applyMatrix4(Jg);let a=r/((this.scale.x+this.scale.y+this.scale.z)/3),l=a*a,c=n.index,u=n.attributes.position;if(c!==null){let d=Math.max(0,o.start),f=Math.min(c.count,o.start+o.count);for(let g=d,v=f;g<v;g++){let m=c.getX(g);Jl.fromBufferAttribute(u,m),Zg(Jl,m,l,s,e,t,this)}}else{let d=Math.max(0,o.start),f=Math.min(u.count,o.start+o.count);for(let g=d,v=f;g<v;g++)Jl.fromBufferAttribute(u,g),Zg(Jl,g,l,s,e,t,this)}}updateMorphTargets(){let t=this.geometry.morphAttributes,n=Object.keys(t);if(n.length>0){let s=t[n[0]];if(s!==void 0){this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=r}}}}};function Zg(i,e,t,n,s,r,o){let a=wd.distanceSqToPoint(i);if(a<t){let l=new W;wd.closestPointToPoint(i,l),l.applyMatrix4(n);let c=s.ray.origin.distanceTo(l);if(c<s.near||c>s.far)return;r.push({distance:c,distanceToRay:Math.sqrt(a),point:l,index:e,face:null,faceIndex:null,barycoord:null,object:o})}}var Aa=class extends ei{constructor(e=[],t=Tr,n,s,r,o,a,l,c,h){super(e,t,n,s,r,o,a,l,c,h),this.isCubeTexture=!0,this.flipY=!1}get images(){return this.image}set images(e){this.image=e}};var ws=class extends ei{constructor(e,t,n=Oi,s,r,o,a=In,l=In,c,h=Ms,u=1){if(h!==Ms&&h!==Es)throw new Error("THREE.DepthTexture: format must be either THREE.DepthFormat or THREE.DepthStencilFormat");let d={width:e,height:t,depth:u};super(d,s,r,o,a,l,h,n,c),this.isDepthTexture=!0,this.flipY=!1,this.generateMipmaps=!1,this.compareFunction=null}copy(e){return super.copy(e),this.source=new Mo(Object.assign({},e.image)),this.compareFunction=e.compareFunction,this}toJSON(e){let t=super.toJSON(e);return t.compareFunction=this.compareFunction,t}},Ca=class extends ws{constructor(e,t=Oi,n=Tr,s,r,o=In,a=In,l,c=Ms){let h={width:e,height:e,depth:1},u=[h,h,h,h,h,h];super(e,e,t,n,s,r,o,a,l,c),this.image=u,this.isCubeDepthTexture=!0,this.isCubeTexture=!0}get images(){return this.image}set images(e){this.image=e}},Ra=class extends ei{constructor(e=null){super(),this.sourceTexture=e,this.isExternalTexture=!0}copy(e){return super.copy(e),this.sourceTexture=e.sourceTexture,this}},To=class i extends zn{constructor(e=1,t=1,n=1,s=1,r=1,o=1){super(),this.type="BoxGeometry",this.parameters={width:e,height:t,depth:n,widthSegments:s,heightSegments:r,depthSegments:o};let a=this;s=Math.floor(s),r=Math.floor(r),o=Math.floor(o);let l=[],c=[],h=[],u=[],d=0,f=0;g("z","y","x",-1,-1,n,t,e,o,r,0),g("z","y","x",1,-1,n,t,-e,o,r,1),g("x","z","y",1,1,e,n,t,s,o,2),g("x","z","y",1,-1,e,n,-t,s,o,3),g("x","y","z",1,-1,e,t,n,s,r,4),g("x","y","z",-1,-1,e,t,-n,s,r,5),this.setIndex(l),this.setAttribute("position",new Kt(c,3)),this.setAttribute("normal",new Kt(h,3)),this.setAttribute("uv",new Kt(u,2));function g(v,m,p,x,M,b,C,A,y,S,U){let I=b/y,R=C/S,k=b/2,F=C/2,P=A/2,V=y+1,q=S+1,H=0,le=0,Z=new W;for(let Q=0;Q<q;Q++){let ie=Q*R-F;for(let de=0;de<V;de++){let ue=de*I-k;Z[v]=ue*x,Z[m]=ie*M,Z[p]=P,c.push(Z.x,Z.y,Z.z),Z[v]=0,Z[m]=0,Z[p]=A>0?1:-1,h.push(Z.x,Z.y,Z.z),u.push(de/y),u.push(1-Q/S),H+=1}}for(let Q=0;Q<S;Q++)for(let ie=0;ie<y;ie++){let de=d+ie+V*Q,ue=d+ie+V*(Q+1),ee=d+(ie+1)+V*(Q+1),me=d+(ie+1)+V*Q;l.push(de,ue,me),l.push(ue,ee,me),le+=6}a.addGroup(f,le,U),f+=le,d+=H}}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.width,e.height,e.depth,e.widthSegments,e.heightSegments,e.depthSegments)}};var Ao=class i extends zn{constructor(e=1,t=1,n=1,s=32,r=1,o=!1,a=0,l=Math.PI*2){super(),this.type="CylinderGeometry",this.parameters={radiusTop:e,radiusBottom:t,height:n,radialSegments:s,heightSegments:r,openEnded:o,thetaStart:a,thetaLength:l};let c=this;s=Math.floor(s),r=Math.floor(r);let h=[],u=[],d=[],f=[],g=0,v=[],m=n/2,p=0;x(),o===!1&&(e>0&&M(!0),t>0&&M(!1)),this.setIndex(h),this.setAttribute("position",new Kt(u,3)),this.setAttribute("normal",new Kt(d,3)),this.setAttribute("uv",new Kt(f,2));function x(){let b=new W,C=new W,A=0,y=(t-e)/n;for(let S=0;S<=r;S++){let U=[],I=S/r,R=I*(t-e)+e;for(let k=0;k<=s;k++){let F=k/s,P=F*l+a,V=Math.sin(P),q=Math.cos(P);C.x=R*V,C.y=-I*n+m,C.z=R*q,u.push(C.x,C.y,C.z),b.set(V,y,q).normalize(),d.push(b.x,b.y,b.z),f.push(F,1-I),U.push(g++)}v.push(U)}for(let S=0;S<s;S++)for(let U=0;U<r;U++){let I=v[U][S],R=v[U+1][S],k=v[U+1][S+1],F=v[U][S+1];(e>0||U!==0)&&(h.push(I,R,F),A+=3),(t>0||U!==r-1)&&(h.push(R,k,F),A+=3)}c.addGroup(p,A,0),p+=A}function M(b){let C=g,A=new xt,y=new W,S=0,U=b===!0?e:t,I=b===!0?1:-1;for(let k=1;k<=s;k++)u.push(0,m*I,0),d.push(0,I,0),f.push(.5,.5),g++;let R=g;for(let k=0;k<=s;k++){let P=k/s*l+a,V=Math.cos(P),q=Math.sin(P);y.x=U*q,y.y=m*I,y.z=U*V,u.push(y.x,y.y,y.z),d.push(0,I,0),A.x=V*.5+.5,A.y=q*.5*I+.5,f.push(A.x,A.y),g++}for(let k=0;k<s;k++){let F=C+k,P=R+k;b===!0?h.push(P,P+1,F):h.push(P+1,P,F),S+=3}c.addGroup(p,S,b===!0?1:2),p+=S}}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.radiusTop,e.radiusBottom,e.height,e.radialSegments,e.heightSegments,e.openEnded,e.thetaStart,e.thetaLength)}},Pa=class i extends Ao{constructor(e=1,t=1,n=32,s=1,r=!1,o=0,a=Math.PI*2){super(0,e,t,n,s,r,o,a),this.type="ConeGeometry",this.parameters={radius:e,height:t,radialSegments:n,heightSegments:s,openEnded:r,thetaStart:o,thetaLength:a}}static fromJSON(e){return new i(e.radius,e.height,e.radialSegments,e.heightSegments,e.openEnded,e.thetaStart,e.thetaLength)}};var Mr=class i extends zn{constructor(e=1,t=1,n=1,s=1){super(),this.type="PlaneGeometry",this.parameters={width:e,height:t,widthSegments:n,heightSegments:s};let r=e/2,o=t/2,a=Math.floor(n),l=Math.floor(s),c=a+1,h=l+1,u=e/a,d=t/l,f=[],g=[],v=[],m=[];for(let p=0;p<h;p++){let x=p*d-o;for(let M=0;M<c;M++){let b=M*u-r;g.push(b,-x,0),v.push(0,0,1),m.push(M/a),m.push(1-p/l)}}for(let p=0;p<l;p++)for(let x=0;x<a;x++){let M=x+c*p,b=x+c*(p+1),C=x+1+c*(p+1),A=x+1+c*p;f.push(M,b,A),f.push(b,C,A)}this.setIndex(f),this.setAttribute("position",new Kt(g,3)),this.setAttribute("normal",new Kt(v,3)),this.setAttribute("uv",new Kt(m,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.width,e.height,e.widthSegments,e.heightSegments)}};var Sr=class i extends zn{constructor(e=1,t=32,n=16,s=0,r=Math.PI*2,o=0,a=Math.PI){super(),this.type="SphereGeometry",this.parameters={radius:e,widthSegments:t,heightSegments:n,phiStart:s,phiLength:r,thetaStart:o,thetaLength:a},t=Math.max(3,Math.floor(t)),n=Math.max(2,Math.floor(n));let l=Math.min(o+a,Math.PI),c=0,h=[],u=new W,d=new W,f=[],g=[],v=[],m=[];for(let p=0;p<=n;p++){let x=[],M=p/n,b=o+M*a,C=e*Math.cos(b),A=Math.sqrt(e*e-C*C),y=0;p===0&&o===0?y=.5/t:p===n&&l===Math.PI&&(y=-.5/t);for(let S=0;S<=t;S++){let U=S/t,I=s+U*r;u.x=-A*Math.cos(I),u.y=C,u.z=A*Math.sin(I),g.push(u.x,u.y,u.z),d.copy(u).normalize(),v.push(d.x,d.y,d.z),m.push(U+y,1-M),x.push(c++)}h.push(x)}for(let p=0;p<n;p++)for(let x=0;x<t;x++){let M=h[p][x+1],b=h[p][x],C=h[p+1][x],A=h[p+1][x+1];(p!==0||o>0)&&f.push(M,b,A),(p!==n-1||l<Math.PI)&&f.push(b,C,A)}this.setIndex(f),this.setAttribute("position",new Kt(g,3)),this.setAttribute("normal",new Kt(v,3)),this.setAttribute("uv",new Kt(m,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.radius,e.widthSegments,e.heightSegments,e.phiStart,e.phiLength,e.thetaStart,e.thetaLength)}};var Ia=class i extends zn{constructor(e=1,t=.4,n=12,s=48,r=Math.PI*2,o=0,a=Math.PI*2){super(),this.type="TorusGeometry",this.parameters={radius:e,tube:t,radialSegments:n,tubularSegments:s,arc:r,thetaStart:o,thetaLength:a},n=Math.floor(n),s=Math.floor(s);let l=[],c=[],h=[],u=[],d=new W,f=new W,g=new W;for(let v=0;v<=n;v++){let m=o+v/n*a;for(let p=0;p<=s;p++){let x=p/s*r;f.x=(e+t*Math.cos(m))*Math.cos(x),f.y=(e+t*Math.cos(m))*Math.sin(x),f.z=t*Math.sin(m),c.push(f.x,f.y,f.z),d.x=e*Math.cos(x),d.y=e*Math.sin(x),g.subVectors(f,d).normalize(),h.push(g.x,g.y,g.z),u.push(p/s),u.push(v/n)}}for(let v=1;v<=n;v++)for(let m=1;m<=s;m++){let p=(s+1)*v+m-1,x=(s+1)*(v-1)+m-1,M=(s+1)*(v-1)+m,b=(s+1)*v+m;l.push(p,x,b),l.push(x,M,b)}this.setIndex(l),this.setAttribute("position",new Kt(c,3)),this.setAttribute("normal",new Kt(h,3)),this.setAttribute("uv",new Kt(u,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.radius,e.tube,e.radialSegments,e.tubularSegments,e.arc,e.thetaStart,e.thetaLength)}};function Cr(i){let e={};for(let t in i){e[t]={};for(let n in i[t]){let s=i[t][n];if(Kg(s))s.isRenderTargetTexture?(Ze("UniformsUtils: Textures of render targets cannot be cloned via cloneUniforms() or mergeUniforms()."),e[t][n]=null):e[t][n]=s.clone();else if(Array.isArray(s))if(Kg(s[0])){let r=[];for(let o=0,a=s.length;o<a;o++)r[o]=s[o].clone();e[t][n]=r}else e[t][n]=s.slice();else e[t][n]=s}}return e}function Vn(i){let e={};for(let t=0;t<i.length;t++){let n=Cr(i[t]);for(let s in n)e[s]=n[s]}return e}function Kg(i){return i&&(i.isColor||i.isMatrix3||i.isMatrix4||i.isVector2||i.isVector3||i.isVector4||i.isTexture||i.isQuaternion)}function Cb(i){let e=[];for(let t=0;t<i.length;t++)e.push(i[t].clone());return e}function sf(i){let e=i.getRenderTarget();return e===null?i.outputColorSpace:e.isXRRenderTarget===!0?e.texture.colorSpace:yt.workingColorSpace}var V0={clone:Cr,merge:Vn},Rb=`void main() {
+	gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );
+}`,Pb=`void main() {
+	gl_FragColor = vec4( 1.0, 0.0, 0.0, 1.0 );
+}`,Un=class extends Ss{constructor(e){super(),this.isShaderMaterial=!0,this.type="ShaderMaterial",this.defines={},this.uniforms={},this.uniformsGroups=[],this.vertexShader=Rb,this.fragmentShader=Pb,this.linewidth=1,this.wireframe=!1,this.wireframeLinewidth=1,this.fog=!1,this.lights=!1,this.clipping=!1,this.forceSinglePass=!0,this.extensions={clipCullDistance:!1,multiDraw:!1},this.defaultAttributeValues={color:[1,1,1],uv:[0,0],uv1:[0,0]},this.index0AttributeName=void 0,this.uniformsNeedUpdate=!1,this.glslVersion=null,e!==void 0&&this.setValues(e)}copy(e){return super.copy(e),this.fragmentShader=e.fragmentShader,this.vertexShader=e.vertexShader,this.uniforms=Cr(e.uniforms),this.uniformsGroups=Cb(e.uniformsGroups),this.defines=Object.assign({},e.defines),this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.fog=e.fog,this.lights=e.lights,this.clipping=e.clipping,this.extensions=Object.assign({},e.extensions),this.glslVersion=e.glslVersion,this.defaultAttributeValues=Object.assign({},e.defaultAttributeValues),this.index0AttributeName=e.index0AttributeName,this.uniformsNeedUpdate=e.uniformsNeedUpdate,this}toJSON(e){let t=super.toJSON(e);t.glslVersion=this.glslVersion,t.uniforms={};for(let s in this.uniforms){let o=this.uniforms[s].value;o&&o.isTexture?t.uniforms[s]={type:"t",value:o.toJSON(e).uuid}:o&&o.isColor?t.uniforms[s]={type:"c",value:o.getHex()}:o&&o.isVector2?t.uniforms[s]={type:"v2",value:o.toArray()}:o&&o.isVector3?t.uniforms[s]={type:"v3",value:o.toArray()}:o&&o.isVector4?t.uniforms[s]={type:"v4",value:o.toArray()}:o&&o.isMatrix3?t.uniforms[s]={type:"m3",value:o.toArray()}:o&&o.isMatrix4?t.uniforms[s]={type:"m4",value:o.toArray()}:t.uniforms[s]={value:o}}Object.keys(this.defines).length>0&&(t.defines=this.defines),t.vertexShader=this.vertexShader,t.fragmentShader=this.fragmentShader,t.lights=this.lights,t.clipping=this.clipping;let n={};for(let s in this.extensions)this.extensions[s]===!0&&(n[s]=!0);return Object.keys(n).length>0&&(t.extensions=n),t}fromJSON(e,t){if(super.fromJSON(e,t),e.uniforms!==void 0)for(let n in e.uniforms){let s=e.uniforms[n];switch(this.uniforms[n]={},s.type){case"t":this.uniforms[n].value=t[s.value]||null;break;case"c":this.uniforms[n].value=new _t().setHex(s.value);break;case"v2":this.uniforms[n].value=new xt().fromArray(s.value);break;case"v3":this.uniforms[n].value=new W().fromArray(s.value);break;case"v4":this.uniforms[n].value=new jt().fromArray(s.value);break;case"m3":this.uniforms[n].value=new nt().fromArray(s.value);break;case"m4":this.uniforms[n].value=new zt().fromArray(s.value);break;default:this.uniforms[n].value=s.value}}if(e.defines!==void 0&&(this.defines=e.defines),e.vertexShader!==void 0&&(this.vertexShader=e.vertexShader),e.fragmentShader!==void 0&&(this.fragmentShader=e.fragmentShader),e.glslVersion!==void 0&&(this.glslVersion=e.glslVersion),e.extensions!==void 0)for(let n in e.extensions)this.extensions[n]=e.extensions[n];return e.lights!==void 0&&(this.lights=e.lights),e.clipping!==void 0&&(this.clipping=e.clipping),this}},Mc=class extends Un{constructor(e){super(e),this.isRawShaderMaterial=!0,this.type="RawShaderMaterial"}};var Sc=class extends Ss{constructor(e){super(),this.isMeshDepthMaterial=!0,this.type="MeshDepthMaterial",this.depthPacking=T0,this.map=null,this.alphaMap=null,this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.wireframe=!1,this.wireframeLinewidth=1,this.setValues(e)}copy(e){return super.copy(e),this.depthPacking=e.depthPacking,this.map=e.map,this.alphaMap=e.alphaMap,this.displacementMap=e.displacementMap,this.displacementScale=e.displacementScale,this.displacementBias=e.displacementBias,this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this}},wc=class extends Ss{constructor(e){super(),this.isMeshDistanceMaterial=!0,this.type="MeshDistanceMaterial",this.map=null,this.alphaMap=null,this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.setValues(e)}copy(e){return super.copy(e),this.map=e.map,this.alphaMap=e.alphaMap,this.displacementMap=e.displacementMap,this.displacementScale=e.displacementScale,this.displacementBias=e.displacementBias,this}};function mo(i,e){return!i||i.constructor===e?i:typeof e.BYTES_PER_ELEMENT=="number"?new e(i):Array.prototype.slice.call(i)}function Zl(i){return i!==void 0&&i.inTangents!==void 0&&i.outTangents!==void 0}var js=class{constructor(e,t,n,s){this.parameterPositions=e,this._cachedIndex=0,this.resultBuffer=s!==void 0?s:new t.constructor(n),this.sampleValues=t,this.valueSize=n,this.settings=null,this.DefaultSettings_={}}evaluate(e){let t=this.parameterPositions,n=this._cachedIndex,s=t[n],r=t[n-1];n:{e:{let o;t:{i:if(!(e<s)){for(let a=n+2;;){if(s===void 0){if(e<r)break i;return n=t.length,this._cachedIndex=n,this.copySampleValue_(n-1)}if(n===a)break;if(r=s,s=t[++n],e<s)break e}o=t.length;break t}if(!(e>=r)){let a=t[1];e<a&&(n=2,r=a);for(let l=n-2;;){if(r===void 0)return this._cachedIndex=0,this.copySampleValue_(0);if(n===l)break;if(s=r,r=t[--n-1],e>=r)break e}o=n,n=0;break t}break n}for(;n<o;){let a=n+o>>>1;e<t[a]?o=a:n=a+1}if(s=t[n],r=t[n-1],r===void 0)return this._cachedIndex=0,this.copySampleValue_(0);if(s===void 0)return n=t.length,this._cachedIndex=n,this.copySampleValue_(n-1)}this._cachedIndex=n,this.intervalChanged_(n,r,s)}return this.interpolate_(n,r,e,s)}getSettings_(){return this.settings||this.DefaultSettings_}copySampleValue_(e){let t=this.resultBuffer,n=this.sampleValues,s=this.valueSize,r=e*s;for(let o=0;o!==s;++o)t[o]=n[r+o];return t}interpolate_(){throw new Error("THREE.Interpolant: Call to abstract method.")}intervalChanged_(){}},Ec=class extends js{constructor(e,t,n,s){super(e,t,n,s),this._weightPrev=-0,this._offsetPrev=-0,this._weightNext=-0,this._offsetNext=-0,this.DefaultSettings_={endingStart:bd,endingEnd:bd}}intervalChanged_(e,t,n){let s=this.parameterPositions,r=e-2,o=e+1,a=s[r],l=s[o];if(a===void 0)switch(this.getSettings_().endingStart){case Md:r=e,a=2*t-n;break;case Sd:r=s.length-2,a=t+s[r]-s[r+1];break;default:r=e,a=n}if(l===void 0)switch(this.getSettings_().endingEnd){case Md:o=e,l=2*n-t;break;case Sd:o=1,l=n+s[1]-s[0];break;default:o=e-1,l=t}let c=(n-t)*.5,h=this.valueSize;this._weightPrev=c/(t-a),this._weightNext=c/(l-n),this._offsetPrev=r*h,this._offsetNext=o*h}interpolate_(e,t,n,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,h=this._offsetPrev,u=this._offsetNext,d=this._weightPrev,f=this._weightNext,g=(n-t)/(s-t),v=g*g,m=v*g,p=-d*m+2*d*v-d*g,x=(1+d)*m+(-1.5-2*d)*v+(-.5+d)*g+1,M=(-1-f)*m+(1.5+f)*v+.5*g,b=f*m-f*v;for(let C=0;C!==a;++C)r[C]=p*o[h+C]+x*o[c+C]+M*o[l+C]+b*o[u+C];return r}},Tc=class extends js{constructor(e,t,n,s){super(e,t,n,s)}interpolate_(e,t,n,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,h=(n-t)/(s-t),u=1-h;for(let d=0;d!==a;++d)r[d]=o[c+d]*u+o[l+d]*h;return r}},Ac=class extends js{constructor(e,t,n,s){super(e,t,n,s)}interpolate_(e){return this.copySampleValue_(e-1)}},Cc=class extends js{interpolate_(e,t,n,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,h=this.inTangents,u=this.outTangents;if(!h||!u){let g=(n-t)/(s-t),v=1-g;for(let m=0;m!==a;++m)r[m]=o[c+m]*v+o[l+m]*g;return r}let d=a*2,f=e-1;for(let g=0;g!==a;++g){let v=o[c+g],m=o[l+g],p=f*d+g*2,x=u[p],M=u[p+1],b=e*d+g*2,C=h[b],A=h[b+1],y=Lb(n,t,x,C,s);r[g]=G0(y,v,M,A,m)}return r}};function G0(i,e,t,n,s){let r=1-i;return r*r*r*e+3*r*r*i*t+3*r*i*i*n+i*i*i*s}function Ib(i,e,t,n,s){let r=1-i;return 3*r*r*(t-e)+6*r*i*(n-t)+3*i*i*(s-n)}function Lb(i,e,t,n,s){let r=(i-e)/(s-e);for(let o=0;o<8;o++){let a=G0(r,e,t,n,s)-i;if(Math.abs(a)<1e-10)break;let l=Ib(r,e,t,n,s);if(Math.abs(l)<1e-10)break;r=Math.max(0,Math.min(1,r-a/l))}return r}var mi=class{constructor(e,t,n,s){if(e===void 0)throw new Error("THREE.KeyframeTrack: track name is undefined");if(t===void 0||t.length===0)throw new Error("THREE.KeyframeTrack: no keyframes in track named "+e);this.name=e,this.times=mo(t,this.TimeBufferType),this.values=mo(n,this.ValueBufferType),this.setInterpolation(s||this.DefaultInterpolation)}static toJSON(e){let t=e.constructor,n;if(t.toJSON!==this.toJSON)n=t.toJSON(e);else{n={name:e.name,times:mo(e.times,Array),values:mo(e.values,Array)};let s=e.getInterpolation();s!==e.DefaultInterpolation&&(n.interpolation=s),Zl(e.settings)&&(n.settings={inTangents:mo(e.settings.inTangents,Array),outTangents:mo(e.settings.outTangents,Array)})}return n.type=e.ValueTypeName,n}InterpolantFactoryMethodDiscrete(e){return new Ac(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodLinear(e){return new Tc(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodSmooth(e){return new Ec(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodBezier(e){let t=new Cc(this.times,this.values,this.getValueSize(),e);return this.settings&&(t.inTangents=this.settings.inTangents,t.outTangents=this.settings.outTangents),t}setInterpolation(e){let t;switch(e){case va:t=this.InterpolantFactoryMethodDiscrete;break;case cc:t=this.InterpolantFactoryMethodLinear;break;case Ql:t=this.InterpolantFactoryMethodSmooth;break;case _d:t=this.InterpolantFactoryMethodBezier;break}if(t===void 0){let n="unsupported interpolation for "+this.ValueTypeName+" keyframe track named "+this.name;if(this.createInterpolant===void 0)if(e!==this.DefaultInterpolation)this.setInterpolation(this.DefaultInterpolation);else throw new Error(n);return Ze("KeyframeTrack:",n),this}return this.createInterpolant=t,this}getInterpolation(){switch(this.createInterpolant){case this.InterpolantFactoryMethodDiscrete:return va;case this.InterpolantFactoryMethodLinear:return cc;case this.InterpolantFactoryMethodSmooth:return Ql;case this.InterpolantFactoryMethodBezier:return _d}}getValueSize(){return this.values.length/this.times.length}shift(e){if(e!==0){let t=this.times;for(let n=0,s=t.length;n!==s;++n)t[n]+=e;Zl(this.settings)&&(jg(this.settings.inTangents,e),jg(this.settings.outTangents,e))}return this}scale(e){if(e!==1){let t=this.times;for(let n=0,s=t.length;n!==s;++n)t[n]*=e;Zl(this.settings)&&(Qg(this.settings.inTangents,e),Qg(this.settings.outTangents,e))}return this}trim(e,t){let n=this.times,s=n.length,r=0,o=s-1;for(;r!==s&&n[r]<e;)++r;for(;o!==-1&&n[o]>t;)--o;if(++o,r!==0||o!==s){r>=o&&(o=Math.max(o,1),r=o-1);let a=this.getValueSize();this.times=n.slice(r,o),this.values=this.values.slice(r*a,o*a)}return this}validate(){let e=!0,t=this.getValueSize();t-Math.floor(t)!==0&&(tt("KeyframeTrack: Invalid value size in track.",this),e=!1);let n=this.times,s=this.values,r=n.length;r===0&&(tt("KeyframeTrack: Track is empty.",this),e=!1);let o=null;for(let a=0;a!==r;a++){let l=n[a];if(typeof l=="number"&&isNaN(l)){tt("KeyframeTrack: Time is not a valid number.",this,a,l),e=!1;break}if(o!==null&&o>l){tt("KeyframeTrack: Out of order keys.",this,a,l,o),e=!1;break}o=l}if(s!==void 0&&ob(s))for(let a=0,l=s.length;a!==l;++a){let c=s[a];if(isNaN(c)){tt("KeyframeTrack: Value is not a valid number.",this,a,c),e=!1;break}}return e}optimize(){let e=this.times.slice(),t=this.values.slice(),n=this.getValueSize(),s=this.getInterpolation()===Ql,r=e.length-1,o=1;for(let a=1;a<r;++a){let l=!1,c=e[a],h=e[a+1];if(c!==h&&(a!==1||c!==e[0]))if(s)l=!0;else{let u=a*n,d=u-n,f=u+n;for(let g=0;g!==n;++g){let v=t[u+g];if(v!==t[d+g]||v!==t[f+g]){l=!0;break}}}if(l){if(a!==o){e[o]=e[a];let u=a*n,d=o*n;for(let f=0;f!==n;++f)t[d+f]=t[u+f]}++o}}if(r>0){e[o]=e[r];for(let a=r*n,l=o*n,c=0;c!==n;++c)t[l+c]=t[a+c];++o}return o!==e.length?(this.times=e.slice(0,o),this.values=t.slice(0,o*n)):(this.times=e,this.values=t),this}clone(){let e=this.times.slice(),t=this.values.slice(),n=this.constructor,s=new n(this.name,e,t);return s.createInterpolant=this.createInterpolant,Zl(this.settings)&&(s.settings={inTangents:this.settings.inTangents.slice(),outTangents:this.settings.outTangents.slice()}),s}};function jg(i,e){for(let t=0,n=i.length;t!==n;t+=2)i[t]+=e}function Qg(i,e){for(let t=0,n=i.length;t!==n;t+=2)i[t]*=e}mi.prototype.ValueTypeName="";mi.prototype.TimeBufferType=Float32Array;mi.prototype.ValueBufferType=Float32Array;mi.prototype.DefaultInterpolation=cc;var Qs=class extends mi{constructor(e,t,n){super(e,t,n)}};Qs.prototype.ValueTypeName="bool";Qs.prototype.ValueBufferType=Array;Qs.prototype.DefaultInterpolation=va;Qs.prototype.InterpolantFactoryMethodLinear=void 0;Qs.prototype.InterpolantFactoryMethodSmooth=void 0;var Rc=class extends mi{constructor(e,t,n,s){super(e,t,n,s)}};Rc.prototype.ValueTypeName="color";var Pc=class extends mi{constructor(e,t,n,s){super(e,t,n,s)}};Pc.prototype.ValueTypeName="number";var Ic=class extends js{constructor(e,t,n,s){super(e,t,n,s)}interpolate_(e,t,n,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=(n-t)/(s-t),c=e*a;for(let h=c+a;c!==h;c+=4)Qn.slerpFlat(r,0,o,c-a,o,c,l);return r}},La=class extends mi{constructor(e,t,n,s){super(e,t,n,s)}InterpolantFactoryMethodLinear(e){return new Ic(this.times,this.values,this.getValueSize(),e)}};La.prototype.ValueTypeName="quaternion";La.prototype.InterpolantFactoryMethodSmooth=void 0;var er=class extends mi{constructor(e,t,n){super(e,t,n)}};er.prototype.ValueTypeName="string";er.prototype.ValueBufferType=Array;er.prototype.DefaultInterpolation=va;er.prototype.InterpolantFactoryMethodLinear=void 0;er.prototype.InterpolantFactoryMethodSmooth=void 0;var Lc=class extends mi{constructor(e,t,n,s){super(e,t,n,s)}};Lc.prototype.ValueTypeName="vector";var Nc=class{constructor(e,t,n){let s=this,r=!1,o=0,a=0,l,c=[];this.onStart=void 0,this.onLoad=e,this.onProgress=t,this.onError=n,this._abortController=null,this.itemStart=function(h){a++,r===!1&&s.onStart!==void 0&&s.onStart(h,o,a),r=!0},this.itemEnd=function(h){o++,s.onProgress!==void 0&&s.onProgress(h,o,a),o===a&&(r=!1,s.onLoad!==void 0&&s.onLoad())},this.itemError=function(h){s.onError!==void 0&&s.onError(h)},this.resolveURL=function(h){return h=h.normalize("NFC"),l?l(h):h},this.setURLModifier=function(h){return l=h,this},this.addHandler=function(h,u){return c.push(h,u),this},this.removeHandler=function(h){let u=c.indexOf(h);return u!==-1&&c.splice(u,2),this},this.getHandler=function(h){for(let u=0,d=c.length;u<d;u+=2){let f=c[u],g=c[u+1];if(f.global&&(f.lastIndex=0),f.test(h))return g}return null},this.abort=function(){return this.abortController.abort(),this._abortController=null,this}}get abortController(){return this._abortController||(this._abortController=new AbortController),this._abortController}},H0=new Nc,Dc=class{constructor(e){this.manager=e!==void 0?e:H0,this.crossOrigin="anonymous",this.withCredentials=!1,this.path="",this.resourcePath="",this.requestHeader={},this.priority="auto",this.cache="default",typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}load(){}loadAsync(e,t){let n=this;return new Promise(function(s,r){n.load(e,s,t,r)})}parse(){}setCrossOrigin(e){return this.crossOrigin=e,this}setWithCredentials(e){return this.withCredentials=e,this}setPath(e){return this.path=e,this}setResourcePath(e){return this.resourcePath=e,this}setRequestHeader(e){return this.requestHeader=e,this}setPriority(e){return this.priority=e,this}setCache(e){return this.cache=e,this}abort(){return this}};Dc.DEFAULT_MATERIAL_NAME="__DEFAULT";var Kl=new W,jl=new Qn,ts=new W,Na=class extends ti{constructor(){super(),this.isCamera=!0,this.type="Camera",this.matrixWorldInverse=new zt,this.projectionMatrix=new zt,this.projectionMatrixInverse=new zt,this.coordinateSystem=wi,this._reversedDepth=!1}get reversedDepth(){return this._reversedDepth}copy(e,t){return super.copy(e,t),this.matrixWorldInverse.copy(e.matrixWorldInverse),this.projectionMatrix.copy(e.projectionMatrix),this.projectionMatrixInverse.copy(e.projectionMatrixInverse),this.coordinateSystem=e.coordinateSystem,this}getWorldDirection(e){return super.getWorldDirection(e).negate()}updateMatrixWorld(e){super.updateMatrixWorld(e),this.matrixWorld.decompose(Kl,jl,ts),ts.x===1&&ts.y===1&&ts.z===1?this.matrixWorldInverse.copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(Kl,jl,ts.set(1,1,1)).invert()}updateWorldMatrix(e,t,n=!1){super.updateWorldMatrix(e,t,n),this.matrixWorld.decompose(Kl,jl,ts),ts.x===1&&ts.y===1&&ts.z===1?this.matrixWorldInverse.copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(Kl,jl,ts.set(1,1,1)).invert()}clone(){return new this.constructor().copy(this)}},qs=new W,e0=new xt,t0=new xt,Jn=class extends Na{constructor(e=50,t=1,n=.1,s=2e3){super(),this.isPerspectiveCamera=!0,this.type="PerspectiveCamera",this.fov=e,this.zoom=1,this.near=n,this.far=s,this.focus=10,this.aspect=t,this.view=null,this.filmGauge=35,this.filmOffset=0,this.updateProjectionMatrix()}copy(e,t){return super.copy(e,t),this.fov=e.fov,this.zoom=e.zoom,this.near=e.near,this.far=e.far,this.focus=e.focus,this.aspect=e.aspect,this.view=e.view===null?null:Object.assign({},e.view),this.filmGauge=e.filmGauge,this.filmOffset=e.filmOffset,this}setFocalLength(e){let t=.5*this.getFilmHeight()/e;this.fov=hc*2*Math.atan(t),this.updateProjectionMatrix()}getFocalLength(){let e=Math.tan(ju*.5*this.fov);return .5*this.getFilmHeight()/e}getEffectiveFOV(){return hc*2*Math.atan(Math.tan(ju*.5*this.fov)/this.zoom)}getFilmWidth(){return this.filmGauge*Math.min(this.aspect,1)}getFilmHeight(){return this.filmGauge/Math.max(this.aspect,1)}getViewBounds(e,t,n){qs.set(-1,-1,.5).applyMatrix4(this.projectionMatrixInverse),t.set(qs.x,qs.y).multiplyScalar(-e/qs.z),qs.set(1,1,.5).applyMatrix4(this.projectionMatrixInverse),n.set(qs.x,qs.y).multiplyScalar(-e/qs.z)}getViewSize(e,t){return this.getViewBounds(e,e0,t0),t.subVectors(t0,e0)}setViewOffset(e,t,n,s,r,o){this.aspect=e/t,this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,offsetY:0,width:1,height:1}),this.view.enabled=!0,this.view.fullWidth=e,this.view.fullHeight=t,this.view.offsetX=n,this.view.offsetY=s,this.view.width=r,this.view.height=o,this.updateProjectionMatrix()}clearViewOffset(){this.view!==null&&(this.view.enabled=!1),this.updateProjectionMatrix()}updateProjectionMatrix(){let e=this.near,t=e*Math.tan(ju*.5*this.fov)/this.zoom,n=2*t,s=this.aspect*n,r=-.5*s,o=this.view;if(this.view!==null&&this.view.enabled){let l=o.fullWidth,c=o.fullHeight;r+=o.offsetX*s/l,t-=o.offsetY*n/c,s*=o.width/l,n*=o.height/c}let a=this.filmOffset;a!==0&&(r+=e*a/this.getFilmWidth()),this.projectionMatrix.makePerspective(r,r+s,t,t-n,e,this.far,this.coordinateSystem,this.reversedDepth),this.projectionMatrixInverse.copy(this.projectionMatrix).invert()}toJSON(e){let t=super.toJSON(e);return t.object.fov=this.fov,t.object.zoom=this.zoom,t.object.near=this.near,t.object.far=this.far,t.object.focus=this.focus,t.object.aspect=this.aspect,this.view!==null&&(t.object.view=Object.assign({},this.view)),t.object.filmGauge=this.filmGauge,t.object.filmOffset=this.filmOffset,t}};var Co=class extends Na{constructor(e=-1,t=1,n=1,s=-1,r=.1,o=2e3){super(),this.isOrthographicCamera=!0,this.type="OrthographicCamera",this.zoom=1,this.view=null,this.left=e,this.right=t,this.top=n,this.bottom=s,this.near=r,this.far=o,this.updateProjectionMatrix()}copy(e,t){return super.copy(e,t),this.left=e.left,this.right=e.right,this.top=e.top,this.bottom=e.bottom,this.near=e.near,this.far=e.far,this.zoom=e.zoom,this.view=e.view===null?null:Object.assign({},e.view),this}setViewOffset(e,t,n,s,r,o){this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,offsetY:0,width:1,height:1}),this.view.enabled=!0,this.view.fullWidth=e,this.view.fullHeight=t,this.view.offsetX=n,this.view.offsetY=s,this.view.width=r,this.view.height=o,this.updateProjectionMatrix()}clearViewOffset(){this.view!==null&&(this.view.enabled=!1),this.updateProjectionMatrix()}updateProjectionMatrix(){let e=(this.right-this.left)/(2*this.zoom),t=(this.top-this.bottom)/(2*this.zoom),n=(this.right+this.left)/2,s=(this.top+this.bottom)/2,r=n-e,o=n+e,a=s+t,l=s-t;if(this.view!==null&&this.view.enabled){let c=(this.right-this.left)/this.view.fullWidth/this.zoom,h=(this.top-this.bottom)/this.view.fullHeight/this.zoom;r+=c*this.view.offsetX,o=r+c*this.view.width,a-=h*this.view.offsetY,l=a-h*this.view.height}this.projectionMatrix.makeOrthographic(r,o,a,l,this.near,this.far,this.coordinateSystem,this.reversedDepth),this.projectionMatrixInverse.copy(this.projectionMatrix).invert()}toJSON(e){let t=super.toJSON(e);return t.object.zoom=this.zoom,t.object.left=this.left,t.object.right=this.right,t.object.top=this.top,t.object.bottom=this.bottom,t.object.near=this.near,t.object.far=this.far,this.view!==null&&(t.object.view=Object.assign({},this.view)),t}};var go=-90,yo=1,Ro=class extends ti{constructor(e,t,n){super(),this.type="CubeCamera",this.renderTarget=n,this.coordinateSystem=null,this.activeMipmapLevel=0;let s=new Jn(go,yo,e,t);s.layers=this.layers,this.add(s);let r=new Jn(go,yo,e,t);r.layers=this.layers,this.add(r);let o=new Jn(go,yo,e,t);o.layers=this.layers,this.add(o);let a=new Jn(go,yo,e,t);a.layers=this.layers,this.add(a);let l=new Jn(go,yo,e,t);l.layers=this.layers,this.add(l);let c=new Jn(go,yo,e,t);c.layers=this.layers,this.add(c)}updateCoordinateSystem(){let e=this.coordinateSystem,t=this.children.concat(),[n,s,r,o,a,l]=t;for(let c of t)this.remove(c);if(e===wi)n.up.set(0,1,0),n.lookAt(1,0,0),s.up.set(0,1,0),s.lookAt(-1,0,0),r.up.set(0,0,-1),r.lookAt(0,1,0),o.up.set(0,0,1),o.lookAt(0,-1,0),a.up.set(0,1,0),a.lookAt(0,0,1),l.up.set(0,1,0),l.lookAt(0,0,-1);else if(e===ba)n.up.set(0,-1,0),n.lookAt(-1,0,0),s.up.set(0,-1,0),s.lookAt(1,0,0),r.up.set(0,0,1),r.lookAt(0,1,0),o.up.set(0,0,-1),o.lookAt(0,-1,0),a.up.set(0,-1,0),a.lookAt(0,0,1),l.up.set(0,-1,0),l.lookAt(0,0,-1);else throw new Error("THREE.CubeCamera.updateCoordinateSystem(): Invalid coordinate system: "+e);for(let c of t)this.add(c),c.updateMatrixWorld()}update(e,t){this.parent===null&&this.updateMatrixWorld();let{renderTarget:n,activeMipmapLevel:s}=this;this.coordinateSystem!==e.coordinateSystem&&(this.coordinateSystem=e.coordinateSystem,this.updateCoordinateSystem());let[r,o,a,l,c,h]=this.children,u=e.getRenderTarget(),d=e.getActiveCubeFace(),f=e.getActiveMipmapLevel(),g=e.xr.enabled;e.xr.enabled=!1;let v=n.texture.mipmapsAutoUpdate;n.texture.mipmapsAutoUpdate=!1;let m=!1;e.isWebGLRenderer===!0?m=e.state.buffers.depth.getReversed():m=e.reversedDepthBuffer,e.setRenderTarget(n,0,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,r),e.setRenderTarget(n,1,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,o),e.setRenderTarget(n,2,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,a),e.setRenderTarget(n,3,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,l),e.setRenderTarget(n,4,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,c),n.texture.mipmapsAutoUpdate=v,e.setRenderTarget(n,5,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,h),e.setRenderTarget(u,d,f),e.xr.enabled=g,n.texture.needsPMREMUpdate=!0}},Uc=class extends Jn{constructor(e=[]){super(),this.isArrayCamera=!0,this.isMultiViewCamera=!1,this.cameras=e,this.perCameraFrustumCulled=!1}};var rf="\\[\\]\\.:\\/",Nb=new RegExp("["+rf+"]","g"),of="[^"+rf+"]",Db="[^"+rf.replace("\\.","")+"]",Ub=/((?:WC+[\/:])*)/.source.replace("WC",of),Fb=/(WCOD+)?/.source.replace("WCOD",Db),Ob=/(?:\.(WC+)(?:\[(.+)\])?)?/.source.replace("WC",of),kb=/\.(WC+)(?:\[(.+)\])?/.source.replace("WC",of),Bb=new RegExp("^"+Ub+Fb+Ob+kb+"$"),zb=["material","materials","bones","map"],Ed=class{constructor(e,t,n){let s=n||qt.parseTrackName(t);this._targetGroup=e,this._bindings=e.subscribe_(t,s)}getValue(e,t){this.bind();let n=this._targetGroup.nCachedObjects_,s=this._bindings[n];s!==void 0&&s.getValue(e,t)}setValue(e,t){let n=this._bindings;for(let s=this._targetGroup.nCachedObjects_,r=n.length;s!==r;++s)n[s].setValue(e,t)}bind(){let e=this._bindings;for(let t=this._targetGroup.nCachedObjects_,n=e.length;t!==n;++t)e[t].bind()}unbind(){let e=this._bindings;for(let t=this._targetGroup.nCachedObjects_,n=e.length;t!==n;++t)e[t].unbind()}},qt=class i{constructor(e,t,n){this.path=t,this.parsedPath=n||i.parseTrackName(t),this.node=i.findNode(e,this.parsedPath.nodeName),this.rootNode=e,this.getValue=this._getValue_unbound,this.setValue=this._setValue_unbound}static create(e,t,n){return e&&e.isAnimationObjectGroup?new i.Composite(e,t,n):new i(e,t,n)}static sanitizeNodeName(e){return e.replace(/\s/g,"_").replace(Nb,"")}static parseTrackName(e){let t=Bb.exec(e);if(t===null)throw new Error("THREE.PropertyBinding: Cannot parse trackName: "+e);let n={nodeName:t[2],objectName:t[3],objectIndex:t[4],propertyName:t[5],propertyIndex:t[6]},s=n.nodeName&&n.nodeName.lastIndexOf(".");if(s!==void 0&&s!==-1){let r=n.nodeName.substring(s+1);zb.indexOf(r)!==-1&&(n.nodeName=n.nodeName.substring(0,s),n.objectName=r)}if(n.propertyName===null||n.propertyName.length===0)throw new Error("THREE.PropertyBinding: can not parse propertyName from trackName: "+e);return n}static findNode(e,t){if(t===void 0||t===""||t==="."||t===-1||t===e.name||t===e.uuid)return e;if(e.skeleton){let n=e.skeleton.getBoneByName(t);if(n!==void 0)return n}if(e.children){let n=function(r){for(let o=0;o<r.length;o++){let a=r[o];if(a.name===t||a.uuid===t)return a;let l=n(a.children);if(l)return l}return null},s=n(e.children);if(s)return s}return null}_getValue_unavailable(){}_setValue_unavailable(){}_getValue_direct(e,t){e[t]=this.targetObject[this.propertyName]}_getValue_array(e,t){let n=this.resolvedProperty;for(let s=0,r=n.length;s!==r;++s)e[t++]=n[s]}_getValue_arrayElement(e,t){e[t]=this.resolvedProperty[this.propertyIndex]}_getValue_toArray(e,t){this.resolvedProperty.toArray(e,t)}_setValue_direct(e,t){this.targetObject[this.propertyName]=e[t]}_setValue_direct_setNeedsUpdate(e,t){this.targetObject[this.propertyName]=e[t],this.targetObject.needsUpdate=!0}_setValue_direct_setMatrixWorldNeedsUpdate(e,t){this.targetObject[this.propertyName]=e[t],this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_array(e,t){let n=this.resolvedProperty;for(let s=0,r=n.length;s!==r;++s)n[s]=e[t++]}_setValue_array_setNeedsUpdate(e,t){let n=this.resolvedProperty;for(let s=0,r=n.length;s!==r;++s)n[s]=e[t++];this.targetObject.needsUpdate=!0}_setValue_array_setMatrixWorldNeedsUpdate(e,t){let n=this.resolvedProperty;for(let s=0,r=n.length;s!==r;++s)n[s]=e[t++];this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_arrayElement(e,t){this.resolvedProperty[this.propertyIndex]=e[t]}_setValue_arrayElement_setNeedsUpdate(e,t){this.resolvedProperty[this.propertyIndex]=e[t],this.targetObject.needsUpdate=!0}_setValue_arrayElement_setMatrixWorldNeedsUpdate(e,t){this.resolvedProperty[this.propertyIndex]=e[t],this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_fromArray(e,t){this.resolvedProperty.fromArray(e,t)}_setValue_fromArray_setNeedsUpdate(e,t){this.resolvedProperty.fromArray(e,t),this.targetObject.needsUpdate=!0}_setValue_fromArray_setMatrixWorldNeedsUpdate(e,t){this.resolvedProperty.fromArray(e,t),this.targetObject.matrixWorldNeedsUpdate=!0}_getValue_unbound(e,t){this.bind(),this.getValue(e,t)}_setValue_unbound(e,t){this.bind(),this.setValue(e,t)}bind(){let e=this.node,t=this.parsedPath,n=t.objectName,s=t.propertyName,r=t.propertyIndex;if(e||(e=i.findNode(this.rootNode,t.nodeName),this.node=e),this.getValue=this._getValue_unavailable,this.setValue=this._setValue_unavailable,!e){Ze("PropertyBinding: No target node found for track: "+this.path+".");return}if(n){let c=t.objectIndex;switch(n){case"materials":if(!e.material){tt("PropertyBinding: Can not bind to material as node does not have a material.",this);return}if(!e.material.materials){tt("PropertyBinding: Can not bind to material.materials as node.material does not have a materials array.",this);return}e=e.material.materials;break;case"bones":if(!e.skeleton){tt("PropertyBinding: Can not bind to bones as node does not have a skeleton.",this);return}e=e.skeleton.bones;for(let h=0;h<e.length;h++)if(e[h].name===c){c=h;break}break;case"map":if("map"in e){e=e.map;break}if(!e.material){tt("PropertyBinding: Can not bind to material as node does not have a material.",this);return}if(!e.material.map){tt("PropertyBinding: Can not bind to material.map as node.material does not have a map.",this);return}e=e.material.map;break;default:if(e[n]===void 0){tt("PropertyBinding: Can not bind to objectName of node undefined.",this);return}e=e[n]}if(c!==void 0){if(e[c]===void 0){tt("PropertyBinding: Trying to bind to objectIndex of objectName, but is undefined.",this,e);return}e=e[c]}}let o=e[s];if(o===void 0){let c=t.nodeName;tt("PropertyBinding: Trying to update property for track: "+c+"."+s+" but it wasn't found.",e);return}let a=this.Versioning.None;this.targetObject=e,e.isMaterial===!0?a=this.Versioning.NeedsUpdate:e.isObject3D===!0&&(a=this.Versioning.MatrixWorldNeedsUpdate);let l=this.BindingType.Direct;if(r!==void 0){if(s==="morphTargetInfluences"){if(!e.geometry){tt("PropertyBinding: Can not bind to morphTargetInfluences because node does not have a geometry.",this);return}if(!e.geometry.morphAttributes){tt("PropertyBinding: Can not bind to morphTargetInfluences because node does not have a geometry.morphAttributes.",this);return}e.morphTargetDictionary[r]!==void 0&&(r=e.morphTargetDictionary[r])}l=this.BindingType.ArrayElement,this.resolvedProperty=o,this.propertyIndex=r}else o.fromArray!==void 0&&o.toArray!==void 0?(l=this.BindingType.HasFromToArray,this.resolvedProperty=o):Array.isArray(o)?(l=this.BindingType.EntireArray,this.resolvedProperty=o):this.propertyName=s;this.getValue=this.GetterByBindingType[l],this.setValue=this.SetterByBindingTypeAndVersioning[l][a]}unbind(){this.node=null,this.getValue=this._getValue_unbound,this.setValue=this._setValue_unbound}};qt.Composite=Ed;qt.prototype.BindingType={Direct:0,EntireArray:1,ArrayElement:2,HasFromToArray:3};qt.prototype.Versioning={None:0,NeedsUpdate:1,MatrixWorldNeedsUpdate:2};qt.prototype.GetterByBindingType=[qt.prototype._getValue_direct,qt.prototype._getValue_array,qt.prototype._getValue_arrayElement,qt.prototype._getValue_toArray];qt.prototype.SetterByBindingTypeAndVersioning=[[qt.prototype._setValue_direct,qt.prototype._setValue_direct_setNeedsUpdate,qt.prototype._setValue_direct_setMatrixWorldNeedsUpdate],[qt.prototype._setValue_array,qt.prototype._setValue_array_setNeedsUpdate,qt.prototype._setValue_array_setMatrixWorldNeedsUpdate],[qt.prototype._setValue_arrayElement,qt.prototype._setValue_arrayElement_setNeedsUpdate,qt.prototype._setValue_arrayElement_setMatrixWorldNeedsUpdate],[qt.prototype._setValue_fromArray,qt.prototype._setValue_fromArray_setNeedsUpdate,qt.prototype._setValue_fromArray_setMatrixWorldNeedsUpdate]];var rC=new Float32Array(1);var Td=class{static{this.prototype.isMatrix2=!0}constructor(e,t,n,s){this.elements=[1,0,0,1],e!==void 0&&this.set(e,t,n,s)}identity(){return this.set(1,0,0,1),this}fromArray(e,t=0){for(let n=0;n<4;n++)this.elements[n]=e[n+t];return this}set(e,t,n,s){let r=this.elements;return r[0]=e,r[2]=t,r[1]=n,r[3]=s,this}};function af(i,e,t,n){let s=Vb(n);switch(t){case qd:return i*e;case Yd:return i*e/s.components*s.byteLength;case Gc:return i*e/s.components*s.byteLength;case nr:return i*e*2/s.components*s.byteLength;case Hc:return i*e*2/s.components*s.byteLength;case $d:return i*e*3/s.components*s.byteLength;case zi:return i*e*4/s.components*s.byteLength;case Wc:return i*e*4/s.components*s.byteLength;case Fa:case Oa:return Math.floor((i+3)/4)*Math.floor((e+3)/4)*8;case ka:case Ba:return Math.floor((i+3)/4)*Math.floor((e+3)/4)*16;case qc:case Yc:return Math.max(i,16)*Math.max(e,8)/4;case Xc:case $c:return Math.max(i,8)*Math.max(e,8)/2;case Jc:case Zc:case jc:case Qc:return Math.floor((i+3)/4)*Math.floor((e+3)/4)*8;case Kc:case za:case eh:return Math.floor((i+3)/4)*Math.floor((e+3)/4)*16;case th:return Math.floor((i+3)/4)*Math.floor((e+3)/4)*16;case nh:return Math.floor((i+4)/5)*Math.floor((e+3)/4)*16;case ih:return Math.floor((i+4)/5)*Math.floor((e+4)/5)*16;case sh:return Math.floor((i+5)/6)*Math.floor((e+4)/5)*16;case rh:return Math.floor((i+5)/6)*Math.floor((e+5)/6)*16;case oh:return Math.floor((i+7)/8)*Math.floor((e+4)/5)*16;case ah:return Math.floor((i+7)/8)*Math.floor((e+5)/6)*16;case lh:return Math.floor((i+7)/8)*Math.floor((e+7)/8)*16;case ch:return Math.floor((i+9)/10)*Math.floor((e+4)/5)*16;case hh:return Math.floor((i+9)/10)*Math.floor((e+5)/6)*16;case uh:return Math.floor((i+9)/10)*Math.floor((e+7)/8)*16;case dh:return Math.floor((i+9)/10)*Math.floor((e+9)/10)*16;case fh:return Math.floor((i+11)/12)*Math.floor((e+9)/10)*16;case ph:return Math.floor((i+11)/12)*Math.floor((e+11)/12)*16;case mh:case gh:case yh:return Math.ceil(i/4)*Math.ceil(e/4)*16;case vh:case xh:return Math.ceil(i/4)*Math.ceil(e/4)*8;case Va:case _h:return Math.ceil(i/4)*Math.ceil(e/4)*16}throw new Error(`Unable to determine texture byte length for ${t} format.`)}function Vb(i){switch(i){case gi:case Gd:return{byteLength:1,components:1};case No:case Hd:case Bi:return{byteLength:2,components:1};case zc:case Vc:return{byteLength:2,components:4};case Oi:case Bc:case ki:return{byteLength:4,components:1};case Wd:case Xd:return{byteLength:4,components:3}}throw new Error(`THREE.TextureUtils: Unknown texture type ${i}.`)}typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("register",{detail:{revision:"187"}}));typeof window<"u"&&(window.__THREE__?Ze("WARNING: Multiple instances of Three.js being imported."):window.__THREE__="187");function uy(){let i=null,e=!1,t=null,n=null;function s(r,o){n=i.requestAnimationFrame(s),t(r,o)}return{start:function(){e!==!0&&t!==null&&i!==null&&(n=i.requestAnimationFrame(s),e=!0)},stop:function(){i!==null&&i.cancelAnimationFrame(n),e=!1},setAnimationLoop:function(r){t=r},setContext:function(r){i=r}}}function Hb(i){let e=new WeakMap;function t(a,l){let c=a.array,h=a.usage,u=c.byteLength,d=i.createBuffer();i.bindBuffer(l,d),i.bufferData(l,c,h),a.onUploadCallback();let f;if(c instanceof Float32Array)f=i.FLOAT;else if(typeof Float16Array<"u"&&c instanceof Float16Array)f=i.HALF_FLOAT;else if(c instanceof Uint16Array)a.isFloat16BufferAttribute?f=i.HALF_FLOAT:f=i.UNSIGNED_SHORT;else if(c instanceof Int16Array)f=i.SHORT;else if(c instanceof Uint32Array)f=i.UNSIGNED_INT;else if(c instanceof Int32Array)f=i.INT;else if(c instanceof Int8Array)f=i.BYTE;else if(c instanceof Uint8Array)f=i.UNSIGNED_BYTE;else if(c instanceof Uint8ClampedArray)f=i.UNSIGNED_BYTE;else throw new Error("THREE.WebGLAttributes: Unsupported buffer data format: "+c);return{buffer:d,type:f,bytesPerElement:c.BYTES_PER_ELEMENT,version:a.version,size:u}}function n(a,l,c){let h=l.array,u=l.updateRanges;if(i.bindBuffer(c,a),u.length===0)i.bufferSubData(c,0,h);else{u.sort((f,g)=>f.start-g.start);let d=0;for(let f=1;f<u.length;f++){let g=u[d],v=u[f];v.start<=g.start+g.count+1?g.count=Math.max(g.count,v.start+v.count-g.start):(++d,u[d]=v)}u.length=d+1;for(let f=0,g=u.length;f<g;f++){let v=u[f];i.bufferSubData(c,v.start*h.BYTES_PER_ELEMENT,h,v.start,v.count)}l.clearUpdateRanges()}l.onUploadCallback()}function s(a){return a.isInterleavedBufferAttribute&&(a=a.data),e.get(a)}function r(a){a.isInterleavedBufferAttribute&&(a=a.data);let l=e.get(a);l&&(i.deleteBuffer(l.buffer),e.delete(a))}function o(a,l){if(a.isInterleavedBufferAttribute&&(a=a.data),a.isGLBufferAttribute){let h=e.get(a);(!h||h.version<a.version)&&e.set(a,{buffer:a.buffer,type:a.type,bytesPerElement:a.elementSize,version:a.version});return}let c=e.get(a);if(c===void 0)e.set(a,t(a,l));else if(c.version<a.version){if(c.size!==a.array.byteLength)throw new Error("THREE.WebGLAttributes: The size of the buffer attribute's array buffer does not match the original size. Resizing buffer attributes is not supported.");n(c.buffer,a,l),c.version=a.version}}return{get:s,remove:r,update:o}}var Wb=`#ifdef USE_ALPHAHASH
+	if ( diffuseColor.a < getAlphaHashThreshold( vPosition ) ) discard;
+#endif`,Xb=`#ifdef USE_ALPHAHASH
+	const float ALPHA_HASH_SCALE = 0.05;
+	float hash2D( vec2 value ) {
+		return fract( 1.0e4 * sin( 17.0 * value.x + 0.1 * value.y ) * ( 0.1 + abs( sin( 13.0 * value.y + value.x ) ) ) );
+	}
+	float hash3D( vec3 value ) {
+		return hash2D( vec2( hash2D( value.xy ), value.z ) );
+	}
+	float getAlphaHashThreshold( vec3 position ) {
+		float maxDeriv = max(
+			length( dFdx( position.xyz ) ),
+			length( dFdy( position.xyz ) )
+		);
+		float pixScale = 1.0 / ( ALPHA_HASH_SCALE * maxDeriv );
+		vec2 pixScales = vec2(
+			exp2( floor( log2( pixScale ) ) ),
+			exp2( ceil( log2( pixScale ) ) )
+		);
+		vec2 alpha = vec2(
+			hash3D( floor( pixScales.x * position.xyz ) ),
+			hash3D( floor( pixScales.y * position.xyz ) )
+		);
+		float lerpFactor = fract( log2( pixScale ) );
+		float x = ( 1.0 - lerpFactor ) * alpha.x + lerpFactor * alpha.y;
+		float a = min( lerpFactor, 1.0 - lerpFactor );
+		vec3 cases = vec3(
+			x * x / ( 2.0 * a * ( 1.0 - a ) ),
+			( x - 0.5 * a ) / ( 1.0 - a ),
+			1.0 - ( ( 1.0 - x ) * ( 1.0 - x ) / ( 2.0 * a * ( 1.0 - a ) ) )
+		);
+		float threshold = ( x < ( 1.0 - a ) )
+			? ( ( x < a ) ? cases.x : cases.y )
+			: cases.z;
+		return clamp( threshold , 1.0e-6, 1.0 );
+	}
+#endif`,qb=`#ifdef USE_ALPHAMAP
+	diffuseColor.a *= texture2D( alphaMap, vAlphaMapUv ).g;
+#endif`,$b=`#ifdef USE_ALPHAMAP
+	uniform sampler2D alphaMap;
+#endif`,Yb=`#ifdef USE_ALPHATEST
+	#ifdef ALPHA_TO_COVERAGE
+	diffuseColor.a = smoothstep( alphaTest, alphaTest + fwidth( diffuseColor.a ), diffuseColor.a );
+	if ( diffuseColor.a == 0.0 ) discard;
+	#else
+	if ( diffuseColor.a < alphaTest ) discard;
+	#endif
+#endif`,Jb=`#ifdef USE_ALPHATEST
+	uniform float alphaTest;
+#endif`,Zb=`#ifdef USE_AOMAP
+	float ambientOcclusion = ( texture2D( aoMap, vAoMapUv ).r - 1.0 ) * aoMapIntensity + 1.0;
+	reflectedLight.indirectDiffuse *= ambientOcclusion;
+	#if defined( USE_CLEARCOAT ) 
+		clearcoatSpecularIndirect *= ambientOcclusion;
+	#endif
+	#if defined( USE_SHEEN ) 
+		sheenSpecularIndirect *= ambientOcclusion;
+	#endif
+	#if defined( USE_ENVMAP ) && defined( STANDARD )
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		reflectedLight.indirectSpecular *= computeSpecularOcclusion( dotNV, ambientOcclusion, material.roughness );
+	#endif
+#endif`,Kb=`#ifdef USE_AOMAP
+	uniform sampler2D aoMap;
+	uniform float aoMapIntensity;
+#endif`,jb=`#ifdef USE_BATCHING
+	#if ! defined( GL_ANGLE_multi_draw )
+	#define gl_DrawID _gl_DrawID
+	uniform int _gl_DrawID;
+	#endif
+	uniform highp sampler2D batchingTexture;
+	uniform highp usampler2D batchingIdTexture;
+	mat4 getBatchingMatrix( const in float i ) {
+		int size = textureSize( batchingTexture, 0 ).x;
+		int j = int( i ) * 4;
+		int x = j % size;
+		int y = j / size;
+		vec4 v1 = texelFetch( batchingTexture, ivec2( x, y ), 0 );
+		vec4 v2 = texelFetch( batchingTexture, ivec2( x + 1, y ), 0 );
+		vec4 v3 = texelFetch( batchingTexture, ivec2( x + 2, y ), 0 );
+		vec4 v4 = texelFetch( batchingTexture, ivec2( x + 3, y ), 0 );
+		return mat4( v1, v2, v3, v4 );
+	}
+	float getIndirectIndex( const in int i ) {
+		int size = textureSize( batchingIdTexture, 0 ).x;
+		int x = i % size;
+		int y = i / size;
+		return float( texelFetch( batchingIdTexture, ivec2( x, y ), 0 ).r );
+	}
+#endif
+#ifdef USE_BATCHING_COLOR
+	uniform sampler2D batchingColorTexture;
+	vec4 getBatchingColor( const in float i ) {
+		int size = textureSize( batchingColorTexture, 0 ).x;
+		int j = int( i );
+		int x = j % size;
+		int y = j / size;
+		return texelFetch( batchingColorTexture, ivec2( x, y ), 0 );
+	}
+#endif`,Qb=`#ifdef USE_BATCHING
+	mat4 batchingMatrix = getBatchingMatrix( getIndirectIndex( gl_DrawID ) );
+#endif`,eM=`vec3 transformed = vec3( position );
+#ifdef USE_ALPHAHASH
+	vPosition = vec3( position );
+#endif`,tM=`vec3 objectNormal = vec3( normal );
+#ifdef USE_TANGENT
+	vec3 objectTangent = vec3( tangent.xyz );
+#endif`,nM=`float G_BlinnPhong_Implicit( ) {
+	return 0.25;
+}
+float D_BlinnPhong( const in float shininess, const in float dotNH ) {
+	return RECIPROCAL_PI * ( shininess * 0.5 + 1.0 ) * pow( dotNH, shininess );
+}
+vec3 BRDF_BlinnPhong( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in vec3 specularColor, const in float shininess ) {
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float dotVH = saturate( dot( viewDir, halfDir ) );
+	vec3 F = F_Schlick( specularColor, 1.0, dotVH );
+	float G = G_BlinnPhong_Implicit( );
+	float D = D_BlinnPhong( shininess, dotNH );
+	return F * ( G * D );
+} // validated`,iM=`#ifdef USE_IRIDESCENCE
+	const mat3 XYZ_TO_REC709 = mat3(
+		 3.2404542, -0.9692660,  0.0556434,
+		-1.5371385,  1.8760108, -0.2040259,
+		-0.4985314,  0.0415560,  1.0572252
+	);
+	vec3 Fresnel0ToIor( vec3 fresnel0 ) {
+		vec3 sqrtF0 = sqrt( fresnel0 );
+		return ( vec3( 1.0 ) + sqrtF0 ) / ( vec3( 1.0 ) - sqrtF0 );
+	}
+	vec3 IorToFresnel0( vec3 transmittedIor, float incidentIor ) {
+		return pow2( ( transmittedIor - vec3( incidentIor ) ) / ( transmittedIor + vec3( incidentIor ) ) );
+	}
+	float IorToFresnel0( float transmittedIor, float incidentIor ) {
+		return pow2( ( transmittedIor - incidentIor ) / ( transmittedIor + incidentIor ));
+	}
+	vec3 evalSensitivity( float OPD, vec3 shift ) {
+		float phase = 2.0 * PI * OPD * 1.0e-9;
+		vec3 val = vec3( 5.4856e-13, 4.4201e-13, 5.2481e-13 );
+		vec3 pos = vec3( 1.6810e+06, 1.7953e+06, 2.2084e+06 );
+		vec3 var = vec3( 4.3278e+09, 9.3046e+09, 6.6121e+09 );
+		vec3 xyz = val * sqrt( 2.0 * PI * var ) * cos( pos * phase + shift ) * exp( - pow2( phase ) * var );
+		xyz.x += 9.7470e-14 * sqrt( 2.0 * PI * 4.5282e+09 ) * cos( 2.2399e+06 * phase + shift[ 0 ] ) * exp( - 4.5282e+09 * pow2( phase ) );
+		xyz /= 1.0685e-7;
+		vec3 rgb = XYZ_TO_REC709 * xyz;
+		return rgb;
+	}
+	vec3 evalIridescence( float outsideIOR, float eta2, float cosTheta1, float thinFilmThickness, vec3 baseF0 ) {
+		vec3 I;
+		float iridescenceIOR = mix( outsideIOR, eta2, smoothstep( 0.0, 0.03, thinFilmThickness ) );
+		float sinTheta2Sq = pow2( outsideIOR / iridescenceIOR ) * ( 1.0 - pow2( cosTheta1 ) );
+		float cosTheta2Sq = 1.0 - sinTheta2Sq;
+		if ( cosTheta2Sq < 0.0 ) {
+			return vec3( 1.0 );
+		}
+		float cosTheta2 = sqrt( cosTheta2Sq );
+		float R0 = IorToFresnel0( iridescenceIOR, outsideIOR );
+		float R12 = F_Schlick( R0, 1.0, cosTheta1 );
+		float T121 = 1.0 - R12;
+		float phi12 = 0.0;
+		if ( iridescenceIOR < outsideIOR ) phi12 = PI;
+		float phi21 = PI - phi12;
+		vec3 baseIOR = Fresnel0ToIor( clamp( baseF0, 0.0, 0.9999 ) );		vec3 R1 = IorToFresnel0( baseIOR, iridescenceIOR );
+		vec3 R23 = F_Schlick( R1, 1.0, cosTheta2 );
+		vec3 phi23 = vec3( 0.0 );
+		if ( baseIOR[ 0 ] < iridescenceIOR ) phi23[ 0 ] = PI;
+		if ( baseIOR[ 1 ] < iridescenceIOR ) phi23[ 1 ] = PI;
+		if ( baseIOR[ 2 ] < iridescenceIOR ) phi23[ 2 ] = PI;
+		float OPD = 2.0 * iridescenceIOR * thinFilmThickness * cosTheta2;
+		vec3 phi = vec3( phi21 ) + phi23;
+		vec3 R123 = clamp( R12 * R23, 1e-5, 0.9999 );
+		vec3 r123 = sqrt( R123 );
+		vec3 Rs = pow2( T121 ) * R23 / ( vec3( 1.0 ) - R123 );
+		vec3 C0 = R12 + Rs;
+		I = C0;
+		vec3 Cm = Rs - T121;
+		for ( int m = 1; m <= 2; ++ m ) {
+			Cm *= r123;
+			vec3 Sm = 2.0 * evalSensitivity( float( m ) * OPD, float( m ) * phi );
+			I += Cm * Sm;
+		}
+		return max( I, vec3( 0.0 ) );
+	}
+#endif`,sM=`#ifdef USE_BUMPMAP
+	uniform sampler2D bumpMap;
+	uniform float bumpScale;
+	vec2 dHdxy_fwd() {
+		vec2 dSTdx = dFdx( vBumpMapUv );
+		vec2 dSTdy = dFdy( vBumpMapUv );
+		float Hll = bumpScale * texture2D( bumpMap, vBumpMapUv ).x;
+		float dBx = bumpScale * texture2D( bumpMap, vBumpMapUv + dSTdx ).x - Hll;
+		float dBy = bumpScale * texture2D( bumpMap, vBumpMapUv + dSTdy ).x - Hll;
+		return vec2( dBx, dBy );
+	}
+	vec3 perturbNormalArb( vec3 surf_pos, vec3 surf_norm, vec2 dHdxy, float faceDirection ) {
+		vec3 vSigmaX = normalize( dFdx( surf_pos.xyz ) );
+		vec3 vSigmaY = normalize( dFdy( surf_pos.xyz ) );
+		vec3 vN = surf_norm;
+		vec3 R1 = cross( vSigmaY, vN );
+		vec3 R2 = cross( vN, vSigmaX );
+		float fDet = dot( vSigmaX, R1 ) * faceDirection;
+		vec3 vGrad = sign( fDet ) * ( dHdxy.x * R1 + dHdxy.y * R2 );
+		return normalize( abs( fDet ) * surf_norm - vGrad );
+	}
+#endif`,rM=`#if NUM_CLIPPING_PLANES > 0
+	vec4 plane;
+	#ifdef ALPHA_TO_COVERAGE
+		float distanceToPlane, distanceGradient;
+		float clipOpacity = 1.0;
+		#pragma unroll_loop_start
+		for ( int i = 0; i < UNION_CLIPPING_PLANES; i ++ ) {
+			plane = clippingPlanes[ i ];
+			distanceToPlane = - dot( vClipPosition, plane.xyz ) + plane.w;
+			distanceGradient = fwidth( distanceToPlane ) / 2.0;
+			clipOpacity *= smoothstep( - distanceGradient, distanceGradient, distanceToPlane );
+			if ( clipOpacity == 0.0 ) discard;
+		}
+		#pragma unroll_loop_end
+		#if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES
+			float unionClipOpacity = 1.0;
+			#pragma unroll_loop_start
+			for ( int i = UNION_CLIPPING_PLANES; i < NUM_CLIPPING_PLANES; i ++ ) {
+				plane = clippingPlanes[ i ];
+				distanceToPlane = - dot( vClipPosition, plane.xyz ) + plane.w;
+				distanceGradient = fwidth( distanceToPlane ) / 2.0;
+				unionClipOpacity *= 1.0 - smoothstep( - distanceGradient, distanceGradient, distanceToPlane );
+			}
+			#pragma unroll_loop_end
+			clipOpacity *= 1.0 - unionClipOpacity;
+		#endif
+		diffuseColor.a *= clipOpacity;
+		if ( diffuseColor.a == 0.0 ) discard;
+	#else
+		#pragma unroll_loop_start
+		for ( int i = 0; i < UNION_CLIPPING_PLANES; i ++ ) {
+			plane = clippingPlanes[ i ];
+			if ( dot( vClipPosition, plane.xyz ) > plane.w ) discard;
+		}
+		#pragma unroll_loop_end
+		#if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES
+			bool clipped = true;
+			#pragma unroll_loop_start
+			for ( int i = UNION_CLIPPING_PLANES; i < NUM_CLIPPING_PLANES; i ++ ) {
+				plane = clippingPlanes[ i ];
+				clipped = ( dot( vClipPosition, plane.xyz ) > plane.w ) && clipped;
+			}
+			#pragma unroll_loop_end
+			if ( clipped ) discard;
+		#endif
+	#endif
+#endif`,oM=`#if NUM_CLIPPING_PLANES > 0
+	varying vec3 vClipPosition;
+	uniform vec4 clippingPlanes[ NUM_CLIPPING_PLANES ];
+#endif`,aM=`#if NUM_CLIPPING_PLANES > 0
+	varying vec3 vClipPosition;
+#endif`,lM=`#if NUM_CLIPPING_PLANES > 0
+	vClipPosition = - mvPosition.xyz;
+#endif`,cM=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )
+	diffuseColor *= vColor;
+#endif`,hM=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )
+	varying vec4 vColor;
+#endif`,uM=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_COLOR )
+	varying vec4 vColor;
+#endif`,dM=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_COLOR )
+	vColor = vec4( 1.0 );
+#endif
+#ifdef USE_COLOR_ALPHA
+	vColor *= color;
+#elif defined( USE_COLOR )
+	vColor.rgb *= color;
+#endif
+#ifdef USE_INSTANCING_COLOR
+	vColor.rgb *= instanceColor.rgb;
+#endif
+#ifdef USE_BATCHING_COLOR
+	vColor *= getBatchingColor( getIndirectIndex( gl_DrawID ) );
+#endif`,fM=`#define PI 3.141592653589793
+#define PI2 6.283185307179586
+#define PI_HALF 1.5707963267948966
+#define RECIPROCAL_PI 0.3183098861837907
+#define RECIPROCAL_PI2 0.15915494309189535
+#define EPSILON 1e-6
+#ifndef saturate
+#define saturate( a ) clamp( a, 0.0, 1.0 )
+#endif
+#define whiteComplement( a ) ( 1.0 - saturate( a ) )
+float pow2( const in float x ) { return x*x; }
+vec3 pow2( const in vec3 x ) { return x*x; }
+float pow3( const in float x ) { return x*x*x; }
+float pow4( const in float x ) { float x2 = x*x; return x2*x2; }
+float max3( const in vec3 v ) { return max( max( v.x, v.y ), v.z ); }
+float average( const in vec3 v ) { return dot( v, vec3( 0.3333333 ) ); }
+highp float rand( const in vec2 uv ) {
+	const highp float a = 12.9898, b = 78.233, c = 43758.5453;
+	highp float dt = dot( uv.xy, vec2( a,b ) ), sn = mod( dt, PI );
+	return fract( sin( sn ) * c );
+}
+#ifdef HIGH_PRECISION
+	float precisionSafeLength( vec3 v ) { return length( v ); }
+#else
+	float precisionSafeLength( vec3 v ) {
+		float maxComponent = max3( abs( v ) );
+		return length( v / maxComponent ) * maxComponent;
+	}
+#endif
+struct IncidentLight {
+	vec3 color;
+	vec3 direction;
+	bool visible;
+};
+struct ReflectedLight {
+	vec3 directDiffuse;
+	vec3 directSpecular;
+	vec3 indirectDiffuse;
+	vec3 indirectSpecular;
+};
+#ifdef USE_ALPHAHASH
+	varying vec3 vPosition;
+#endif
+vec3 transformDirection( in vec3 dir, in mat4 matrix ) {
+	return normalize( ( matrix * vec4( dir, 0.0 ) ).xyz );
+}
+#define inverseTransformDirection transformDirectionByInverseViewMatrix
+vec3 transformNormalByInverseViewMatrix( in vec3 normal, in mat4 viewMatrix ) {
+	return normalize( ( vec4( normal, 0.0 ) * viewMatrix ).xyz );
+}
+vec3 transformDirectionByInverseViewMatrix( in vec3 dir, in mat4 viewMatrix ) {
+	return normalize( ( vec4( dir, 0.0 ) * viewMatrix ).xyz );
+}
+bool isPerspectiveMatrix( mat4 m ) {
+	return m[ 2 ][ 3 ] == - 1.0;
+}
+vec2 equirectUv( in vec3 dir ) {
+	float u = atan( dir.z, dir.x ) * RECIPROCAL_PI2 + 0.5;
+	float v = asin( clamp( dir.y, - 1.0, 1.0 ) ) * RECIPROCAL_PI + 0.5;
+	return vec2( u, v );
+}
+vec3 BRDF_Lambert( const in vec3 diffuseColor ) {
+	return RECIPROCAL_PI * diffuseColor;
+}
+vec3 F_Schlick( const in vec3 f0, const in float f90, const in float dotVH ) {
+	float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );
+	return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );
+}
+float F_Schlick( const in float f0, const in float f90, const in float dotVH ) {
+	float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );
+	return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );
+} // validated`,pM=`vec3 transformedNormal = objectNormal;
+#ifdef USE_TANGENT
+	vec3 transformedTangent = objectTangent;
+#endif
+#ifdef USE_BATCHING
+	mat3 bm = mat3( batchingMatrix );
+	transformedNormal /= vec3( dot( bm[ 0 ], bm[ 0 ] ), dot( bm[ 1 ], bm[ 1 ] ), dot( bm[ 2 ], bm[ 2 ] ) );
+	transformedNormal = bm * transformedNormal;
+	#ifdef USE_TANGENT
+		transformedTangent = bm * transformedTangent;
+	#endif
+#endif
+#ifdef USE_INSTANCING
+	mat3 im = mat3( instanceMatrix );
+	transformedNormal /= vec3( dot( im[ 0 ], im[ 0 ] ), dot( im[ 1 ], im[ 1 ] ), dot( im[ 2 ], im[ 2 ] ) );
+	transformedNormal = im * transformedNormal;
+	#ifdef USE_TANGENT
+		transformedTangent = im * transformedTangent;
+	#endif
+#endif
+transformedNormal = normalMatrix * transformedNormal;
+#ifdef FLIP_SIDED
+	transformedNormal = - transformedNormal;
+#endif
+#ifdef USE_TANGENT
+	transformedTangent = ( modelViewMatrix * vec4( transformedTangent, 0.0 ) ).xyz;
+#endif`,mM=`#ifdef USE_DISPLACEMENTMAP
+	uniform sampler2D displacementMap;
+	uniform float displacementScale;
+	uniform float displacementBias;
+#endif`,gM=`#ifdef USE_DISPLACEMENTMAP
+	transformed += normalize( objectNormal ) * ( texture2D( displacementMap, vDisplacementMapUv ).x * displacementScale + displacementBias );
+#endif`,yM=`#ifdef USE_EMISSIVEMAP
+	vec4 emissiveColor = texture2D( emissiveMap, vEmissiveMapUv );
+	#ifdef DECODE_VIDEO_TEXTURE_EMISSIVE
+		emissiveColor = sRGBTransferEOTF( emissiveColor );
+	#endif
+	totalEmissiveRadiance *= emissiveColor.rgb;
+#endif`,vM=`#ifdef USE_EMISSIVEMAP
+	uniform sampler2D emissiveMap;
+#endif`,xM="gl_FragColor = linearToOutputTexel( gl_FragColor );",_M=`vec4 LinearTransferOETF( in vec4 value ) {
+	return value;
+}
+vec4 sRGBTransferEOTF( in vec4 value ) {
+	return vec4( mix( pow( value.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), value.rgb * 0.0773993808, vec3( lessThanEqual( value.rgb, vec3( 0.04045 ) ) ) ), value.a );
+}
+vec4 sRGBTransferOETF( in vec4 value ) {
+	return vec4( mix( pow( value.rgb, vec3( 0.41666 ) ) * 1.055 - vec3( 0.055 ), value.rgb * 12.92, vec3( lessThanEqual( value.rgb, vec3( 0.0031308 ) ) ) ), value.a );
+}`,bM=`#ifdef USE_ENVMAP
+	#ifdef ENV_WORLDPOS
+		vec3 cameraToFrag;
+		if ( isOrthographic ) {
+			cameraToFrag = normalize( vec3( - viewMatrix[ 0 ][ 2 ], - viewMatrix[ 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );
+		} else {
+			cameraToFrag = normalize( vWorldPosition - cameraPosition );
+		}
+		vec3 worldNormal = transformNormalByInverseViewMatrix( normal, viewMatrix );
+		#ifdef ENVMAP_MODE_REFLECTION
+			vec3 reflectVec = reflect( cameraToFrag, worldNormal );
+		#else
+			vec3 reflectVec = refract( cameraToFrag, worldNormal, refractionRatio );
+		#endif
+	#else
+		vec3 reflectVec = vReflect;
+	#endif
+	#ifdef ENVMAP_TYPE_CUBE
+		vec4 envColor = textureCube( envMap, envMapRotation * reflectVec );
+		#ifdef ENVMAP_BLENDING_MULTIPLY
+			outgoingLight = mix( outgoingLight, outgoingLight * envColor.xyz, specularStrength * reflectivity );
+		#elif defined( ENVMAP_BLENDING_MIX )
+			outgoingLight = mix( outgoingLight, envColor.xyz, specularStrength * reflectivity );
+		#elif defined( ENVMAP_BLENDING_ADD )
+			outgoingLight += envColor.xyz * specularStrength * reflectivity;
+		#endif
+	#endif
+#endif`,MM=`#ifdef USE_ENVMAP
+	uniform float envMapIntensity;
+	uniform mat3 envMapRotation;
+	uniform samplerCube envMap;
+	#ifdef ENVMAP_TYPE_PMREM
+		float roughnessToMip( const in float roughness ) {
+			float r = clamp( roughness, 0.0, 1.0 );
+			return ENVMAP_MAX_LOD * r * ( 2.0 - r );
+		}
+	#endif
+#endif`,SM=`#ifdef USE_ENVMAP
+	uniform float reflectivity;
+	#if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )
+		#define ENV_WORLDPOS
+	#endif
+	#ifdef ENV_WORLDPOS
+		varying vec3 vWorldPosition;
+		uniform float refractionRatio;
+	#else
+		varying vec3 vReflect;
+	#endif
+#endif`,wM=`#ifdef USE_ENVMAP
+	#if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )
+		#define ENV_WORLDPOS
+	#endif
+	#ifdef ENV_WORLDPOS
+		
+		varying vec3 vWorldPosition;
+	#else
+		varying vec3 vReflect;
+		uniform float refractionRatio;
+	#endif
+#endif`,EM=`#ifdef USE_ENVMAP
+	#ifdef ENV_WORLDPOS
+		vWorldPosition = worldPosition.xyz;
+	#else
+		vec3 cameraToVertex;
+		if ( isOrthographic ) {
+			cameraToVertex = normalize( vec3( - viewMatrix[ 0 ][ 2 ], - viewMatrix[ 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );
+		} else {
+			cameraToVertex = normalize( worldPosition.xyz - cameraPosition );
+		}
+		vec3 worldNormal = transformNormalByInverseViewMatrix( transformedNormal, viewMatrix );
+		#ifdef ENVMAP_MODE_REFLECTION
+			vReflect = reflect( cameraToVertex, worldNormal );
+		#else
+			vReflect = refract( cameraToVertex, worldNormal, refractionRatio );
+		#endif
+	#endif
+#endif`,TM=`#ifdef USE_FOG
+	vFogDepth = - mvPosition.z;
+#endif`,AM=`#ifdef USE_FOG
+	varying float vFogDepth;
+#endif`,CM=`#ifdef USE_FOG
+	#ifdef FOG_EXP2
+		float fogFactor = 1.0 - exp( - fogDensity * fogDensity * vFogDepth * vFogDepth );
+	#else
+		float fogFactor = smoothstep( fogNear, fogFar, vFogDepth );
+	#endif
+	gl_FragColor.rgb = mix( gl_FragColor.rgb, fogColor, fogFactor );
+#endif`,RM=`#ifdef USE_FOG
+	uniform vec3 fogColor;
+	varying float vFogDepth;
+	#ifdef FOG_EXP2
+		uniform float fogDensity;
+	#else
+		uniform float fogNear;
+		uniform float fogFar;
+	#endif
+#endif`,PM=`#ifdef USE_GRADIENTMAP
+	uniform sampler2D gradientMap;
+#endif
+vec3 getGradientIrradiance( vec3 normal, vec3 lightDirection ) {
+	float dotNL = dot( normal, lightDirection );
+	vec2 coord = vec2( dotNL * 0.5 + 0.5, 0.0 );
+	#ifdef USE_GRADIENTMAP
+		return vec3( texture2D( gradientMap, coord ).r );
+	#else
+		vec2 fw = fwidth( coord ) * 0.5;
+		return mix( vec3( 0.7 ), vec3( 1.0 ), smoothstep( 0.7 - fw.x, 0.7 + fw.x, coord.x ) );
+	#endif
+}`,IM=`#ifdef USE_LIGHTMAP
+	uniform sampler2D lightMap;
+	uniform float lightMapIntensity;
+#endif`,LM=`LambertMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.specularStrength = specularStrength;`,NM=`varying vec3 vViewPosition;
+struct LambertMaterial {
+	vec3 diffuseColor;
+	float specularStrength;
+};
+void RE_Direct_Lambert( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+void RE_IndirectDiffuse_Lambert( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_Lambert
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Lambert`,DM=`uniform bool receiveShadow;
+uniform vec3 ambientLightColor;
+#if defined( USE_LIGHT_PROBES )
+	uniform vec3 lightProbe[ 9 ];
+#endif
+vec3 shGetIrradianceAt( in vec3 normal, in vec3 shCoefficients[ 9 ] ) {
+	float x = normal.x, y = normal.y, z = normal.z;
+	vec3 result = shCoefficients[ 0 ] * 0.886227;
+	result += shCoefficients[ 1 ] * 2.0 * 0.511664 * y;
+	result += shCoefficients[ 2 ] * 2.0 * 0.511664 * z;
+	result += shCoefficients[ 3 ] * 2.0 * 0.511664 * x;
+	result += shCoefficients[ 4 ] * 2.0 * 0.429043 * x * y;
+	result += shCoefficients[ 5 ] * 2.0 * 0.429043 * y * z;
+	result += shCoefficients[ 6 ] * ( 0.743125 * z * z - 0.247708 );
+	result += shCoefficients[ 7 ] * 2.0 * 0.429043 * x * z;
+	result += shCoefficients[ 8 ] * 0.429043 * ( x * x - y * y );
+	return result;
+}
+vec3 getLightProbeIrradiance( const in vec3 lightProbe[ 9 ], const in vec3 normal ) {
+	vec3 worldNormal = transformNormalByInverseViewMatrix( normal, viewMatrix );
+	vec3 irradiance = shGetIrradianceAt( worldNormal, lightProbe );
+	return irradiance;
+}
+vec3 getAmbientLightIrradiance( const in vec3 ambientLightColor ) {
+	vec3 irradiance = ambientLightColor;
+	return irradiance;
+}
+float getDistanceAttenuation( const in float lightDistance, const in float cutoffDistance, const in float decayExponent ) {
+	float distanceFalloff = 1.0 / max( pow( lightDistance, decayExponent ), 0.01 );
+	if ( cutoffDistance > 0.0 ) {
+		distanceFalloff *= pow2( saturate( 1.0 - pow4( lightDistance / cutoffDistance ) ) );
+	}
+	return distanceFalloff;
+}
+float getSpotAttenuation( const in float coneCosine, const in float penumbraCosine, const in float angleCosine ) {
+	return smoothstep( coneCosine, penumbraCosine, angleCosine );
+}
+#if NUM_SUN_LIGHTS > 0
+	struct SunLight {
+		vec3 direction;
+		vec3 color;
+	};
+	uniform SunLight sunLights[ NUM_SUN_LIGHTS ];
+	void getSunLightInfo( const in SunLight sunLight, out IncidentLight light ) {
+		light.color = sunLight.color;
+		light.direction = sunLight.direction;
+		light.visible = true;
+	}
+#endif
+#if NUM_DIR_LIGHTS > 0
+	struct DirectionalLight {
+		vec3 direction;
+		vec3 color;
+	};
+	uniform DirectionalLight directionalLights[ NUM_DIR_LIGHTS ];
+	void getDirectionalLightInfo( const in DirectionalLight directionalLight, out IncidentLight light ) {
+		light.color = directionalLight.color;
+		light.direction = directionalLight.direction;
+		light.visible = true;
+	}
+#endif
+#if NUM_POINT_LIGHTS > 0
+	struct PointLight {
+		vec3 position;
+		vec3 color;
+		float distance;
+		float decay;
+	};
+	uniform PointLight pointLights[ NUM_POINT_LIGHTS ];
+	void getPointLightInfo( const in PointLight pointLight, const in vec3 geometryPosition, out IncidentLight light ) {
+		vec3 lVector = pointLight.position - geometryPosition;
+		light.direction = normalize( lVector );
+		float lightDistance = length( lVector );
+		light.color = pointLight.color;
+		light.color *= getDistanceAttenuation( lightDistance, pointLight.distance, pointLight.decay );
+		light.visible = ( light.color != vec3( 0.0 ) );
+	}
+#endif
+#if NUM_SPOT_LIGHTS > 0
+	struct SpotLight {
+		vec3 position;
+		vec3 direction;
+		vec3 color;
+		float distance;
+		float decay;
+		float coneCos;
+		float penumbraCos;
+	};
+	uniform SpotLight spotLights[ NUM_SPOT_LIGHTS ];
+	void getSpotLightInfo( const in SpotLight spotLight, const in vec3 geometryPosition, out IncidentLight light ) {
+		vec3 lVector = spotLight.position - geometryPosition;
+		light.direction = normalize( lVector );
+		float angleCos = dot( light.direction, spotLight.direction );
+		float spotAttenuation = getSpotAttenuation( spotLight.coneCos, spotLight.penumbraCos, angleCos );
+		if ( spotAttenuation > 0.0 ) {
+			float lightDistance = length( lVector );
+			light.color = spotLight.color * spotAttenuation;
+			light.color *= getDistanceAttenuation( lightDistance, spotLight.distance, spotLight.decay );
+			light.visible = ( light.color != vec3( 0.0 ) );
+		} else {
+			light.color = vec3( 0.0 );
+			light.visible = false;
+		}
+	}
+#endif
+#if NUM_RECT_AREA_LIGHTS > 0
+	struct RectAreaLight {
+		vec3 color;
+		vec3 position;
+		vec3 halfWidth;
+		vec3 halfHeight;
+	};
+	uniform sampler2D ltc_1;	uniform sampler2D ltc_2;
+	uniform RectAreaLight rectAreaLights[ NUM_RECT_AREA_LIGHTS ];
+#endif
+#if NUM_HEMI_LIGHTS > 0
+	struct HemisphereLight {
+		vec3 direction;
+		vec3 skyColor;
+		vec3 groundColor;
+	};
+	uniform HemisphereLight hemisphereLights[ NUM_HEMI_LIGHTS ];
+	vec3 getHemisphereLightIrradiance( const in HemisphereLight hemiLight, const in vec3 normal ) {
+		float dotNL = dot( normal, hemiLight.direction );
+		float hemiDiffuseWeight = 0.5 * dotNL + 0.5;
+		vec3 irradiance = mix( hemiLight.groundColor, hemiLight.skyColor, hemiDiffuseWeight );
+		return irradiance;
+	}
+#endif
+#include <lightprobes_pars_fragment>`,UM=`#ifdef USE_ENVMAP
+	vec3 getIBLIrradiance( const in vec3 normal ) {
+		#ifdef ENVMAP_TYPE_PMREM
+			vec3 worldNormal = transformNormalByInverseViewMatrix( normal, viewMatrix );
+			vec4 envMapColor = textureLod( envMap, envMapRotation * worldNormal, ENVMAP_MAX_LOD );
+			return PI * envMapColor.rgb * envMapIntensity;
+		#else
+			return vec3( 0.0 );
+		#endif
+	}
+	vec3 getIBLRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness ) {
+		#ifdef ENVMAP_TYPE_PMREM
+			vec3 reflectVec = reflect( - viewDir, normal );
+			reflectVec = normalize( mix( reflectVec, normal, pow4( roughness ) ) );
+			reflectVec = transformDirectionByInverseViewMatrix( reflectVec, viewMatrix );
+			vec4 envMapColor = textureLod( envMap, envMapRotation * reflectVec, roughnessToMip( roughness ) );
+			return envMapColor.rgb * envMapIntensity;
+		#else
+			return vec3( 0.0 );
+		#endif
+	}
+	#ifdef USE_RETROREFLECTION
+		vec3 getIBLRetroRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness ) {
+			#ifdef ENVMAP_TYPE_PMREM
+				vec3 retroVec = normalize( mix( viewDir, normal, pow4( roughness ) ) );
+				retroVec = transformDirectionByInverseViewMatrix( retroVec, viewMatrix );
+				vec4 envMapColor = textureLod( envMap, envMapRotation * retroVec, roughnessToMip( roughness ) );
+				return envMapColor.rgb * envMapIntensity;
+			#else
+				return vec3( 0.0 );
+			#endif
+		}
+	#endif
+	#ifdef USE_ANISOTROPY
+		vec3 getIBLAnisotropyRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness, const in vec3 bitangent, const in float anisotropy ) {
+			#ifdef ENVMAP_TYPE_PMREM
+				vec3 bentNormal = cross( bitangent, viewDir );
+				bentNormal = normalize( cross( bentNormal, bitangent ) );
+				bentNormal = normalize( mix( bentNormal, normal, pow2( pow2( 1.0 - anisotropy * ( 1.0 - roughness ) ) ) ) );
+				return getIBLRadiance( viewDir, bentNormal, roughness );
+			#else
+				return vec3( 0.0 );
+			#endif
+		}
+		#ifdef USE_RETROREFLECTION
+			vec3 getIBLAnisotropyRetroRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness, const in vec3 bitangent, const in float anisotropy ) {
+				#ifdef ENVMAP_TYPE_PMREM
+					vec3 bentNormal = cross( bitangent, viewDir );
+					bentNormal = normalize( cross( bentNormal, bitangent ) );
+					bentNormal = normalize( mix( bentNormal, normal, pow2( pow2( 1.0 - anisotropy * ( 1.0 - roughness ) ) ) ) );
+					return getIBLRetroRadiance( viewDir, bentNormal, roughness );
+				#else
+					return vec3( 0.0 );
+				#endif
+			}
+		#endif
+	#endif
+#endif`,FM=`ToonMaterial material;
+material.diffuseColor = diffuseColor.rgb;`,OM=`varying vec3 vViewPosition;
+struct ToonMaterial {
+	vec3 diffuseColor;
+};
+void RE_Direct_Toon( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight ) {
+	vec3 irradiance = getGradientIrradiance( geometryNormal, directLight.direction ) * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+void RE_IndirectDiffuse_Toon( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_Toon
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Toon`,kM=`BlinnPhongMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.specularColor = specular;
+material.specularShininess = shininess;
+material.specularStrength = specularStrength;`,BM=`varying vec3 vViewPosition;
+struct BlinnPhongMaterial {
+	vec3 diffuseColor;
+	vec3 specularColor;
+	float specularShininess;
+	float specularStrength;
+};
+void RE_Direct_BlinnPhong( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in BlinnPhongMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+	reflectedLight.directSpecular += irradiance * BRDF_BlinnPhong( directLight.direction, geometryViewDir, geometryNormal, material.specularColor, material.specularShininess ) * material.specularStrength;
+}
+void RE_IndirectDiffuse_BlinnPhong( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in BlinnPhongMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_BlinnPhong
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_BlinnPhong`,zM=`PhysicalMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.diffuseContribution = diffuseColor.rgb * ( 1.0 - metalnessFactor );
+material.metalness = metalnessFactor;
+vec3 dxy = max( abs( dFdx( nonPerturbedNormal ) ), abs( dFdy( nonPerturbedNormal ) ) );
+float geometryRoughness = max( max( dxy.x, dxy.y ), dxy.z );
+material.roughness = max( roughnessFactor, 0.045 );
+material.roughness += geometryRoughness;
+material.roughness = min( material.roughness, 1.0 );
+#ifdef USE_DIFFUSE_ROUGHNESS
+	float diffuseRoughnessFactor = diffuseRoughness;
+	#ifdef USE_DIFFUSE_ROUGHNESSMAP
+		diffuseRoughnessFactor *= texture2D( diffuseRoughnessMap, vDiffuseRoughnessMapUv ).r;
+	#endif
+	material.diffuseRoughness = saturate( diffuseRoughnessFactor );
+#endif
+#ifdef IOR
+	material.ior = ior;
+	#ifdef USE_SPECULAR
+		float specularIntensityFactor = specularIntensity;
+		vec3 specularColorFactor = specularColor;
+		#ifdef USE_SPECULAR_COLORMAP
+			specularColorFactor *= texture2D( specularColorMap, vSpecularColorMapUv ).rgb;
+		#endif
+		#ifdef USE_SPECULAR_INTENSITYMAP
+			specularIntensityFactor *= texture2D( specularIntensityMap, vSpecularIntensityMapUv ).a;
+		#endif
+		material.specularF90 = mix( specularIntensityFactor, 1.0, metalnessFactor );
+	#else
+		float specularIntensityFactor = 1.0;
+		vec3 specularColorFactor = vec3( 1.0 );
+		material.specularF90 = 1.0;
+	#endif
+	material.specularColor = min( pow2( ( material.ior - 1.0 ) / ( material.ior + 1.0 ) ) * specularColorFactor, vec3( 1.0 ) ) * specularIntensityFactor;
+	material.specularColorBlended = mix( material.specularColor, diffuseColor.rgb, metalnessFactor );
+#else
+	material.specularColor = vec3( 0.04 );
+	material.specularColorBlended = mix( material.specularColor, diffuseColor.rgb, metalnessFactor );
+	material.specularF90 = 1.0;
+#endif
+#ifdef USE_CLEARCOAT
+	material.clearcoat = clearcoat;
+	material.clearcoatRoughness = clearcoatRoughness;
+	material.clearcoatF0 = vec3( 0.04 );
+	material.clearcoatF90 = 1.0;
+	#ifdef USE_CLEARCOATMAP
+		material.clearcoat *= texture2D( clearcoatMap, vClearcoatMapUv ).x;
+	#endif
+	#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+		material.clearcoatRoughness *= texture2D( clearcoatRoughnessMap, vClearcoatRoughnessMapUv ).y;
+	#endif
+	material.clearcoat = saturate( material.clearcoat );	material.clearcoatRoughness = max( material.clearcoatRoughness, 0.045 );
+	material.clearcoatRoughness += geometryRoughness;
+	material.clearcoatRoughness = min( material.clearcoatRoughness, 1.0 );
+#endif
+#ifdef USE_DISPERSION
+	material.dispersion = dispersion;
+#endif
+#ifdef USE_RETROREFLECTION
+	material.retroreflectivity = retroreflectivity;
+#endif
+#ifdef USE_IRIDESCENCE
+	material.iridescence = iridescence;
+	material.iridescenceIOR = iridescenceIOR;
+	#ifdef USE_IRIDESCENCEMAP
+		material.iridescence *= texture2D( iridescenceMap, vIridescenceMapUv ).r;
+	#endif
+	#ifdef USE_IRIDESCENCE_THICKNESSMAP
+		material.iridescenceThickness = (iridescenceThicknessMaximum - iridescenceThicknessMinimum) * texture2D( iridescenceThicknessMap, vIridescenceThicknessMapUv ).g + iridescenceThicknessMinimum;
+	#else
+		material.iridescenceThickness = iridescenceThicknessMaximum;
+	#endif
+#endif
+#ifdef USE_SHEEN
+	material.sheenColor = sheenColor;
+	#ifdef USE_SHEEN_COLORMAP
+		material.sheenColor *= texture2D( sheenColorMap, vSheenColorMapUv ).rgb;
+	#endif
+	material.sheenRoughness = clamp( sheenRoughness, 0.0001, 1.0 );
+	#ifdef USE_SHEEN_ROUGHNESSMAP
+		material.sheenRoughness *= texture2D( sheenRoughnessMap, vSheenRoughnessMapUv ).a;
+	#endif
+#endif
+#ifdef USE_ANISOTROPY
+	#ifdef USE_ANISOTROPYMAP
+		mat2 anisotropyMat = mat2( anisotropyVector.x, anisotropyVector.y, - anisotropyVector.y, anisotropyVector.x );
+		vec3 anisotropyPolar = texture2D( anisotropyMap, vAnisotropyMapUv ).rgb;
+		vec2 anisotropyV = anisotropyMat * normalize( 2.0 * anisotropyPolar.rg - vec2( 1.0 ) ) * anisotropyPolar.b;
+	#else
+		vec2 anisotropyV = anisotropyVector;
+	#endif
+	material.anisotropy = length( anisotropyV );
+	if( material.anisotropy == 0.0 ) {
+		anisotropyV = vec2( 1.0, 0.0 );
+	} else {
+		anisotropyV /= material.anisotropy;
+		material.anisotropy = saturate( material.anisotropy );
+	}
+	material.alphaT = mix( pow2( material.roughness ), 1.0, pow2( material.anisotropy ) );
+	material.anisotropyT = tbn[ 0 ] * anisotropyV.x + tbn[ 1 ] * anisotropyV.y;
+	material.anisotropyB = tbn[ 1 ] * anisotropyV.x - tbn[ 0 ] * anisotropyV.y;
+#endif`,VM=`uniform sampler2D dfgLUT;
+struct PhysicalMaterial {
+	vec3 diffuseColor;
+	vec3 diffuseContribution;
+	vec3 specularColor;
+	vec3 specularColorBlended;
+	float roughness;
+	float metalness;
+	float specularF90;
+	float dispersion;
+	vec2 dfg;
+	vec3 multiScatteringCompensation;
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		float diffuseRoughness;
+	#endif
+	#ifdef USE_RETROREFLECTION
+		float retroreflectivity;
+	#endif
+	#ifdef USE_CLEARCOAT
+		float clearcoat;
+		float clearcoatRoughness;
+		vec3 clearcoatF0;
+		float clearcoatF90;
+	#endif
+	#ifdef USE_IRIDESCENCE
+		float iridescence;
+		float iridescenceIOR;
+		float iridescenceThickness;
+		vec3 iridescenceFresnel;
+		vec3 iridescenceF0Dielectric;
+		vec3 iridescenceF0Metallic;
+	#endif
+	#ifdef USE_SHEEN
+		vec3 sheenColor;
+		float sheenRoughness;
+	#endif
+	#ifdef IOR
+		float ior;
+	#endif
+	#ifdef USE_TRANSMISSION
+		float transmission;
+		float transmissionAlpha;
+		float thickness;
+		float attenuationDistance;
+		vec3 attenuationColor;
+	#endif
+	#ifdef USE_ANISOTROPY
+		float anisotropy;
+		float alphaT;
+		vec3 anisotropyT;
+		vec3 anisotropyB;
+	#endif
+};
+vec3 clearcoatSpecularDirect = vec3( 0.0 );
+vec3 clearcoatSpecularIndirect = vec3( 0.0 );
+vec3 sheenSpecularDirect = vec3( 0.0 );
+vec3 sheenSpecularIndirect = vec3(0.0 );
+vec3 Schlick_to_F0( const in vec3 f, const in float f90, const in float dotVH ) {
+    float x = clamp( 1.0 - dotVH, 0.0, 1.0 );
+    float x2 = x * x;
+    float x5 = clamp( x * x2 * x2, 0.0, 0.9999 );
+    return ( f - vec3( f90 ) * x5 ) / ( 1.0 - x5 );
+}
+#ifdef USE_DIFFUSE_ROUGHNESS
+	const float EON_EPSILON = 1e-7;
+	float FON_DirectionalAlbedo( const in float mu, const in float roughness, const in float A ) {
+		float muComp = 1.0 - mu;
+		float gOverPi = muComp * ( 0.0571085289 + muComp * ( 0.491881867 + muComp * ( - 0.332181442 + muComp * 0.0714429953 ) ) );
+		return A * ( 1.0 + roughness * gOverPi );
+	}
+	vec3 BRDF_EON( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in vec3 diffuseColor, const in float roughness ) {
+		vec3 rho = saturate( diffuseColor );
+		if ( roughness <= EON_EPSILON ) return BRDF_Lambert( rho );
+		float dotNL = saturate( dot( normal, lightDir ) );
+		float dotNV = saturate( dot( normal, viewDir ) );
+		float s = dot( lightDir, viewDir ) - dotNL * dotNV;
+		float sOverT = ( s > 0.0 ) ? s / max( max( dotNL, dotNV ), EON_EPSILON ) : s;
+		float A = 1.0 / ( 1.0 + ( 0.5 - 2.0 / ( 3.0 * PI ) ) * roughness );
+		vec3 singleScatter = rho * RECIPROCAL_PI * A * ( 1.0 + roughness * sOverT );
+		float averageAlbedo = A * ( 1.0 + ( 2.0 / 3.0 - 28.0 / ( 15.0 * PI ) ) * roughness );
+		float albedoV = FON_DirectionalAlbedo( dotNV, roughness, A );
+		float albedoL = FON_DirectionalAlbedo( dotNL, roughness, A );
+		vec3 rhoMultiScatter = rho * rho * averageAlbedo / max( vec3( EON_EPSILON ), vec3( 1.0 ) - rho * ( 1.0 - averageAlbedo ) );
+		vec3 multiScatter = rhoMultiScatter * RECIPROCAL_PI
+			* max( EON_EPSILON, 1.0 - albedoV )
+			* max( EON_EPSILON, 1.0 - albedoL )
+			/ max( EON_EPSILON, 1.0 - averageAlbedo );
+		return singleScatter + multiScatter;
+	}
+	vec3 EON_DirectionalAlbedo( const in vec3 diffuseColor, const in float roughness, const in float dotNV ) {
+		vec3 rho = saturate( diffuseColor );
+		if ( roughness <= EON_EPSILON ) return rho;
+		float A = 1.0 / ( 1.0 + ( 0.5 - 2.0 / ( 3.0 * PI ) ) * roughness );
+		float directionalAlbedo = FON_DirectionalAlbedo( dotNV, roughness, A );
+		float averageAlbedo = A * ( 1.0 + ( 2.0 / 3.0 - 28.0 / ( 15.0 * PI ) ) * roughness );
+		vec3 rhoMultiScatter = rho * rho * averageAlbedo / max( vec3( EON_EPSILON ), vec3( 1.0 ) - rho * ( 1.0 - averageAlbedo ) );
+		return rho * directionalAlbedo + rhoMultiScatter * ( 1.0 - directionalAlbedo );
+	}
+#endif
+float V_GGX_SmithCorrelated( const in float alpha, const in float dotNL, const in float dotNV ) {
+	float a2 = pow2( alpha );
+	float gv = dotNL * sqrt( a2 + ( 1.0 - a2 ) * pow2( dotNV ) );
+	float gl = dotNV * sqrt( a2 + ( 1.0 - a2 ) * pow2( dotNL ) );
+	return 0.5 / max( gv + gl, EPSILON );
+}
+float D_GGX( const in float alpha, const in float dotNH ) {
+	float a2 = pow2( alpha );
+	float denom = pow2( dotNH ) * ( a2 - 1.0 ) + 1.0;
+	return RECIPROCAL_PI * a2 / pow2( denom );
+}
+#ifdef USE_ANISOTROPY
+	float V_GGX_SmithCorrelated_Anisotropic( const in float alphaT, const in float alphaB, const in float dotTV, const in float dotBV, const in float dotTL, const in float dotBL, const in float dotNV, const in float dotNL ) {
+		float gv = dotNL * length( vec3( alphaT * dotTV, alphaB * dotBV, dotNV ) );
+		float gl = dotNV * length( vec3( alphaT * dotTL, alphaB * dotBL, dotNL ) );
+		return 0.5 / max( gv + gl, EPSILON );
+	}
+	float D_GGX_Anisotropic( const in float alphaT, const in float alphaB, const in float dotNH, const in float dotTH, const in float dotBH ) {
+		float a2 = alphaT * alphaB;
+		highp vec3 v = vec3( alphaB * dotTH, alphaT * dotBH, a2 * dotNH );
+		highp float v2 = dot( v, v );
+		float w2 = a2 / v2;
+		return RECIPROCAL_PI * a2 * pow2 ( w2 );
+	}
+#endif
+#ifdef USE_CLEARCOAT
+	vec3 BRDF_GGX_Clearcoat( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in PhysicalMaterial material) {
+		vec3 f0 = material.clearcoatF0;
+		float f90 = material.clearcoatF90;
+		float roughness = max( material.clearcoatRoughness, 0.045 );
+		float alpha = pow2( roughness );
+		vec3 halfDir = normalize( lightDir + viewDir );
+		float dotNL = saturate( dot( normal, lightDir ) );
+		float dotNV = saturate( dot( normal, viewDir ) );
+		float dotNH = saturate( dot( normal, halfDir ) );
+		float dotVH = saturate( dot( viewDir, halfDir ) );
+		vec3 F = F_Schlick( f0, f90, dotVH );
+		float V = V_GGX_SmithCorrelated( alpha, dotNL, dotNV );
+		float D = D_GGX( alpha, dotNH );
+		return F * ( V * D );
+	}
+#endif
+vec3 BRDF_GGX( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in PhysicalMaterial material ) {
+	vec3 f0 = material.specularColorBlended;
+	float f90 = material.specularF90;
+	float roughness = max( material.roughness, 0.045 );
+	float alpha = pow2( roughness );
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNL = saturate( dot( normal, lightDir ) );
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float dotVH = saturate( dot( viewDir, halfDir ) );
+	vec3 F = F_Schlick( f0, f90, dotVH );
+	#ifdef USE_IRIDESCENCE
+		F = mix( F, material.iridescenceFresnel, material.iridescence );
+	#endif
+	#ifdef USE_ANISOTROPY
+		float dotTL = dot( material.anisotropyT, lightDir );
+		float dotTV = dot( material.anisotropyT, viewDir );
+		float dotTH = dot( material.anisotropyT, halfDir );
+		float dotBL = dot( material.anisotropyB, lightDir );
+		float dotBV = dot( material.anisotropyB, viewDir );
+		float dotBH = dot( material.anisotropyB, halfDir );
+		float alphaT = max( material.alphaT, alpha );
+		float V = V_GGX_SmithCorrelated_Anisotropic( alphaT, alpha, dotTV, dotBV, dotTL, dotBL, dotNV, dotNL );
+		float D = D_GGX_Anisotropic( alphaT, alpha, dotNH, dotTH, dotBH );
+	#else
+		float V = V_GGX_SmithCorrelated( alpha, dotNL, dotNV );
+		float D = D_GGX( alpha, dotNH );
+	#endif
+	return F * ( V * D );
+}
+vec2 LTC_Uv( const in vec3 N, const in vec3 V, const in float roughness ) {
+	const float LUT_SIZE = 64.0;
+	const float LUT_SCALE = ( LUT_SIZE - 1.0 ) / LUT_SIZE;
+	const float LUT_BIAS = 0.5 / LUT_SIZE;
+	float dotNV = saturate( dot( N, V ) );
+	vec2 uv = vec2( roughness, sqrt( 1.0 - dotNV ) );
+	uv = uv * LUT_SCALE + LUT_BIAS;
+	return uv;
+}
+float LTC_ClippedSphereFormFactor( const in vec3 f ) {
+	float l = length( f );
+	return max( ( l * l + f.z ) / ( l + 1.0 ), 0.0 );
+}
+vec3 LTC_EdgeVectorFormFactor( const in vec3 v1, const in vec3 v2 ) {
+	float x = dot( v1, v2 );
+	float y = abs( x );
+	float a = 0.8543985 + ( 0.4965155 + 0.0145206 * y ) * y;
+	float b = 3.4175940 + ( 4.1616724 + y ) * y;
+	float v = a / b;
+	float theta_sintheta = ( x > 0.0 ) ? v : 0.5 * inversesqrt( max( 1.0 - x * x, 1e-7 ) ) - v;
+	return cross( v1, v2 ) * theta_sintheta;
+}
+vec3 LTC_Evaluate( const in vec3 N, const in vec3 V, const in vec3 P, const in mat3 mInv, const in vec3 rectCoords[ 4 ] ) {
+	vec3 v1 = rectCoords[ 1 ] - rectCoords[ 0 ];
+	vec3 v2 = rectCoords[ 3 ] - rectCoords[ 0 ];
+	vec3 lightNormal = cross( v1, v2 );
+	if( dot( lightNormal, P - rectCoords[ 0 ] ) < 0.0 ) return vec3( 0.0 );
+	vec3 T1, T2;
+	T1 = normalize( V - N * dot( V, N ) );
+	T2 = - cross( N, T1 );
+	mat3 mat = mInv * transpose( mat3( T1, T2, N ) );
+	vec3 coords[ 4 ];
+	coords[ 0 ] = mat * ( rectCoords[ 0 ] - P );
+	coords[ 1 ] = mat * ( rectCoords[ 1 ] - P );
+	coords[ 2 ] = mat * ( rectCoords[ 2 ] - P );
+	coords[ 3 ] = mat * ( rectCoords[ 3 ] - P );
+	coords[ 0 ] = normalize( coords[ 0 ] );
+	coords[ 1 ] = normalize( coords[ 1 ] );
+	coords[ 2 ] = normalize( coords[ 2 ] );
+	coords[ 3 ] = normalize( coords[ 3 ] );
+	vec3 vectorFormFactor = vec3( 0.0 );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 0 ], coords[ 1 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 1 ], coords[ 2 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 2 ], coords[ 3 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 3 ], coords[ 0 ] );
+	float result = LTC_ClippedSphereFormFactor( vectorFormFactor );
+	return vec3( result );
+}
+#if defined( USE_SHEEN )
+float D_Charlie( float roughness, float dotNH ) {
+	float alpha = pow2( roughness );
+	float invAlpha = 1.0 / alpha;
+	float cos2h = dotNH * dotNH;
+	float sin2h = max( 1.0 - cos2h, 0.0078125 );
+	return ( 2.0 + invAlpha ) * pow( sin2h, invAlpha * 0.5 ) / ( 2.0 * PI );
+}
+float V_Neubelt( float dotNV, float dotNL ) {
+	return saturate( 1.0 / ( 4.0 * ( dotNL + dotNV - dotNL * dotNV ) ) );
+}
+vec3 BRDF_Sheen( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, vec3 sheenColor, const in float sheenRoughness ) {
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNL = saturate( dot( normal, lightDir ) );
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float D = D_Charlie( sheenRoughness, dotNH );
+	float V = V_Neubelt( dotNV, dotNL );
+	return sheenColor * ( D * V );
+}
+#endif
+float IBLSheenBRDF( const in vec3 normal, const in vec3 viewDir, const in float roughness ) {
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float r2 = roughness * roughness;
+	float rInv = 1.0 / ( roughness + 0.1 );
+	float a = -1.9362 + 1.0678 * roughness + 0.4573 * r2 - 0.8469 * rInv;
+	float b = -0.6014 + 0.5538 * roughness - 0.4670 * r2 - 0.1255 * rInv;
+	float DG = exp( a * dotNV + b );
+	return saturate( DG );
+}
+vec3 EnvironmentBRDF( const in vec3 normal, const in vec3 viewDir, const in vec3 specularColor, const in float specularF90, const in float roughness ) {
+	float dotNV = saturate( dot( normal, viewDir ) );
+	vec2 fab = texture2D( dfgLUT, vec2( roughness, dotNV ) ).rg;
+	return specularColor * fab.x + specularF90 * fab.y;
+}
+#ifdef USE_IRIDESCENCE
+void computeMultiscatteringIridescence( const in vec2 fab, const in vec3 specularColor, const in float specularF90, const in float iridescence, const in vec3 iridescenceF0, inout vec3 singleScatter, inout vec3 multiScatter ) {
+#else
+void computeMultiscattering( const in vec2 fab, const in vec3 specularColor, const in float specularF90, inout vec3 singleScatter, inout vec3 multiScatter ) {
+#endif
+	#ifdef USE_IRIDESCENCE
+		vec3 Fr = mix( specularColor, iridescenceF0, iridescence );
+	#else
+		vec3 Fr = specularColor;
+	#endif
+	vec3 FssEss = Fr * fab.x + specularF90 * fab.y;
+	float Ess = fab.x + fab.y;
+	float Ems = 1.0 - Ess;
+	vec3 Favg = Fr + ( 1.0 - Fr ) * 0.047619;	vec3 Fms = FssEss * Favg / ( 1.0 - Ems * Favg );
+	singleScatter += FssEss;
+	multiScatter += Fms * Ems;
+}
+#if NUM_RECT_AREA_LIGHTS > 0
+	void RE_Direct_RectArea_Physical( const in RectAreaLight rectAreaLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+		vec3 normal = geometryNormal;
+		vec3 viewDir = geometryViewDir;
+		vec3 position = geometryPosition;
+		vec3 lightPos = rectAreaLight.position;
+		vec3 halfWidth = rectAreaLight.halfWidth;
+		vec3 halfHeight = rectAreaLight.halfHeight;
+		vec3 lightColor = rectAreaLight.color;
+		float roughness = material.roughness;
+		vec3 rectCoords[ 4 ];
+		rectCoords[ 0 ] = lightPos + halfWidth - halfHeight;		rectCoords[ 1 ] = lightPos - halfWidth - halfHeight;
+		rectCoords[ 2 ] = lightPos - halfWidth + halfHeight;
+		rectCoords[ 3 ] = lightPos + halfWidth + halfHeight;
+		vec2 uv = LTC_Uv( normal, viewDir, roughness );
+		vec4 t1 = texture2D( ltc_1, uv );
+		vec4 t2 = texture2D( ltc_2, uv );
+		mat3 mInv = mat3(
+			vec3( t1.x, 0, t1.y ),
+			vec3(    0, 1,    0 ),
+			vec3( t1.z, 0, t1.w )
+		);
+		vec3 fresnel = ( material.specularColorBlended * t2.x + ( material.specularF90 - material.specularColorBlended ) * t2.y );
+		reflectedLight.directSpecular += lightColor * fresnel * LTC_Evaluate( normal, viewDir, position, mInv, rectCoords );
+		reflectedLight.directDiffuse += lightColor * material.diffuseContribution * LTC_Evaluate( normal, viewDir, position, mat3( 1.0 ), rectCoords );
+		#ifdef USE_CLEARCOAT
+			vec3 Ncc = geometryClearcoatNormal;
+			vec2 uvClearcoat = LTC_Uv( Ncc, viewDir, material.clearcoatRoughness );
+			vec4 t1Clearcoat = texture2D( ltc_1, uvClearcoat );
+			vec4 t2Clearcoat = texture2D( ltc_2, uvClearcoat );
+			mat3 mInvClearcoat = mat3(
+				vec3( t1Clearcoat.x, 0, t1Clearcoat.y ),
+				vec3(             0, 1,             0 ),
+				vec3( t1Clearcoat.z, 0, t1Clearcoat.w )
+			);
+			vec3 fresnelClearcoat = material.clearcoatF0 * t2Clearcoat.x + ( material.clearcoatF90 - material.clearcoatF0 ) * t2Clearcoat.y;
+			clearcoatSpecularDirect += lightColor * fresnelClearcoat * LTC_Evaluate( Ncc, viewDir, position, mInvClearcoat, rectCoords );
+		#endif
+	}
+#endif
+void RE_Direct_Physical( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	#ifdef USE_CLEARCOAT
+		float dotNLcc = saturate( dot( geometryClearcoatNormal, directLight.direction ) );
+		vec3 ccIrradiance = dotNLcc * directLight.color;
+		clearcoatSpecularDirect += ccIrradiance * BRDF_GGX_Clearcoat( directLight.direction, geometryViewDir, geometryClearcoatNormal, material );
+	#endif
+	#ifdef USE_SHEEN
+ 
+ 		sheenSpecularDirect += irradiance * BRDF_Sheen( directLight.direction, geometryViewDir, geometryNormal, material.sheenColor, material.sheenRoughness );
+ 
+ 		float sheenAlbedoV = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+ 		float sheenAlbedoL = IBLSheenBRDF( geometryNormal, directLight.direction, material.sheenRoughness );
+ 
+ 		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * max( sheenAlbedoV, sheenAlbedoL );
+ 
+ 		irradiance *= sheenEnergyComp;
+ 
+ 	#endif
+	vec3 specularBRDF = BRDF_GGX( directLight.direction, geometryViewDir, geometryNormal, material );
+	#ifdef USE_RETROREFLECTION
+		vec3 retroViewDir = reflect( - geometryViewDir, geometryNormal );
+		vec3 retroSpecularBRDF = BRDF_GGX( directLight.direction, retroViewDir, geometryNormal, material );
+		specularBRDF = mix( specularBRDF, retroSpecularBRDF, saturate( material.retroreflectivity ) );
+	#endif
+	reflectedLight.directSpecular += irradiance * specularBRDF * material.multiScatteringCompensation;
+	vec3 halfDir = normalize( directLight.direction + geometryViewDir );
+	float dotVH = saturate( dot( geometryViewDir, halfDir ) );
+	vec3 F = F_Schlick( material.specularColor, material.specularF90, dotVH );
+	#ifdef USE_RETROREFLECTION
+		vec3 retroHalfDir = normalize( directLight.direction + retroViewDir );
+		float dotRetroVH = saturate( dot( retroViewDir, retroHalfDir ) );
+		vec3 retroF = F_Schlick( material.specularColor, material.specularF90, dotRetroVH );
+		F = mix( F, retroF, saturate( material.retroreflectivity ) );
+	#endif
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		vec3 diffuseBRDF = BRDF_EON( directLight.direction, geometryViewDir, geometryNormal, material.diffuseColor, material.diffuseRoughness ) * ( 1.0 - material.metalness );
+	#else
+		vec3 diffuseBRDF = BRDF_Lambert( material.diffuseContribution );
+	#endif
+	reflectedLight.directDiffuse += irradiance * diffuseBRDF * ( 1.0 - F );
+}
+void RE_IndirectDiffuse_Physical( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+	vec3 singleScattering = vec3( 0.0 );
+	vec3 multiScattering = vec3( 0.0 );
+	#ifdef USE_IRIDESCENCE
+		computeMultiscatteringIridescence( material.dfg, material.specularColor, material.specularF90, material.iridescence, material.iridescenceF0Dielectric, singleScattering, multiScattering );
+	#else
+		computeMultiscattering( material.dfg, material.specularColor, material.specularF90, singleScattering, multiScattering );
+	#endif
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		vec3 diffuseAlbedo = EON_DirectionalAlbedo( material.diffuseColor, material.diffuseRoughness, dotNV ) * ( 1.0 - material.metalness );
+		vec3 diffuse = irradiance * RECIPROCAL_PI * diffuseAlbedo * ( 1.0 - singleScattering - multiScattering );
+	#else
+		vec3 diffuse = irradiance * BRDF_Lambert( material.diffuseContribution ) * ( 1.0 - singleScattering - multiScattering );
+	#endif
+	#ifdef USE_SHEEN
+		float sheenAlbedo = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+		sheenSpecularIndirect += irradiance * material.sheenColor * sheenAlbedo * RECIPROCAL_PI;
+		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * sheenAlbedo;
+		diffuse *= sheenEnergyComp;
+	#endif
+	reflectedLight.indirectDiffuse += diffuse;
+}
+void RE_IndirectSpecular_Physical( const in vec3 radiance, const in vec3 irradiance, const in vec3 clearcoatRadiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight) {
+	#ifdef USE_CLEARCOAT
+		clearcoatSpecularIndirect += clearcoatRadiance * EnvironmentBRDF( geometryClearcoatNormal, geometryViewDir, material.clearcoatF0, material.clearcoatF90, material.clearcoatRoughness );
+	#endif
+	#ifdef USE_SHEEN
+		sheenSpecularIndirect += irradiance * material.sheenColor * IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness ) * RECIPROCAL_PI;
+ 	#endif
+	vec3 singleScatteringDielectric = vec3( 0.0 );
+	vec3 multiScatteringDielectric = vec3( 0.0 );
+	vec3 singleScatteringMetallic = vec3( 0.0 );
+	vec3 multiScatteringMetallic = vec3( 0.0 );
+	#ifdef USE_IRIDESCENCE
+		computeMultiscatteringIridescence( material.dfg, material.specularColor, material.specularF90, material.iridescence, material.iridescenceF0Dielectric, singleScatteringDielectric, multiScatteringDielectric );
+		computeMultiscatteringIridescence( material.dfg, material.diffuseColor, material.specularF90, material.iridescence, material.iridescenceF0Metallic, singleScatteringMetallic, multiScatteringMetallic );
+	#else
+		computeMultiscattering( material.dfg, material.specularColor, material.specularF90, singleScatteringDielectric, multiScatteringDielectric );
+		computeMultiscattering( material.dfg, material.diffuseColor, material.specularF90, singleScatteringMetallic, multiScatteringMetallic );
+	#endif
+	vec3 singleScattering = mix( singleScatteringDielectric, singleScatteringMetallic, material.metalness );
+	vec3 multiScattering = mix( multiScatteringDielectric, multiScatteringMetallic, material.metalness );
+	vec3 totalScatteringDielectric = singleScatteringDielectric + multiScatteringDielectric;
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		vec3 diffuse = EON_DirectionalAlbedo( material.diffuseColor, material.diffuseRoughness, dotNV ) * ( 1.0 - material.metalness ) * ( 1.0 - totalScatteringDielectric );
+	#else
+		vec3 diffuse = material.diffuseContribution * ( 1.0 - totalScatteringDielectric );
+	#endif
+	vec3 cosineWeightedIrradiance = irradiance * RECIPROCAL_PI;
+	vec3 indirectSpecular = radiance * singleScattering;
+	indirectSpecular += multiScattering * cosineWeightedIrradiance;
+	vec3 indirectDiffuse = diffuse * cosineWeightedIrradiance;
+	#ifdef USE_SHEEN
+		float sheenAlbedo = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * sheenAlbedo;
+		indirectSpecular *= sheenEnergyComp;
+		indirectDiffuse *= sheenEnergyComp;
+	#endif
+	reflectedLight.indirectSpecular += indirectSpecular;
+	reflectedLight.indirectDiffuse += indirectDiffuse;
+}
+#define RE_Direct				RE_Direct_Physical
+#define RE_Direct_RectArea		RE_Direct_RectArea_Physical
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Physical
+#define RE_IndirectSpecular		RE_IndirectSpecular_Physical
+float computeSpecularOcclusion( const in float dotNV, const in float ambientOcclusion, const in float roughness ) {
+	return saturate( pow( dotNV + ambientOcclusion, exp2( - 16.0 * roughness - 1.0 ) ) - 1.0 + ambientOcclusion );
+}`,GM=`
+vec3 geometryPosition = - vViewPosition;
+vec3 geometryNormal = normal;
+vec3 geometryViewDir = ( isOrthographic ) ? vec3( 0, 0, 1 ) : normalize( vViewPosition );
+vec3 geometryClearcoatNormal = vec3( 0.0 );
+#ifdef USE_CLEARCOAT
+	geometryClearcoatNormal = clearcoatNormal;
+#endif
+#ifdef USE_IRIDESCENCE
+	float dotNVi = saturate( dot( normal, geometryViewDir ) );
+	if ( material.iridescenceThickness == 0.0 ) {
+		material.iridescence = 0.0;
+	} else {
+		material.iridescence = saturate( material.iridescence );
+	}
+	if ( material.iridescence > 0.0 ) {
+		vec3 iridescenceFresnelDielectric = evalIridescence( 1.0, material.iridescenceIOR, dotNVi, material.iridescenceThickness, material.specularColor );
+		vec3 iridescenceFresnelMetallic = evalIridescence( 1.0, material.iridescenceIOR, dotNVi, material.iridescenceThickness, material.diffuseColor );
+		material.iridescenceFresnel = mix( iridescenceFresnelDielectric, iridescenceFresnelMetallic, material.metalness );
+		material.iridescenceF0Dielectric = Schlick_to_F0( iridescenceFresnelDielectric, 1.0, dotNVi );
+		material.iridescenceF0Metallic = Schlick_to_F0( iridescenceFresnelMetallic, 1.0, dotNVi );
+	}
+#endif
+#ifdef STANDARD
+	float dotNVms = saturate( dot( geometryNormal, geometryViewDir ) );
+	material.dfg = texture2D( dfgLUT, vec2( material.roughness, dotNVms ) ).rg;
+	#if ( NUM_SUN_LIGHTS > 0 || NUM_DIR_LIGHTS > 0 || NUM_POINT_LIGHTS > 0 || NUM_SPOT_LIGHTS > 0 )
+		float EssMs = material.dfg.x + material.dfg.y;
+		material.multiScatteringCompensation = 1.0 + material.specularColorBlended * ( 1.0 / EssMs - 1.0 );
+	#endif
+#endif
+IncidentLight directLight;
+#if ( NUM_POINT_LIGHTS > 0 ) && defined( RE_Direct )
+	PointLight pointLight;
+	#if defined( USE_SHADOWMAP ) && NUM_POINT_LIGHT_SHADOWS > 0
+	PointLightShadow pointLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_POINT_LIGHTS; i ++ ) {
+		pointLight = pointLights[ i ];
+		getPointLightInfo( pointLight, geometryPosition, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_POINT_LIGHT_SHADOWS ) && ( defined( SHADOWMAP_TYPE_PCF ) || defined( SHADOWMAP_TYPE_BASIC ) )
+		pointLightShadow = pointLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getPointShadow( pointShadowMap[ i ], pointLightShadow.shadowMapSize, pointLightShadow.shadowIntensity, pointLightShadow.shadowBias, pointLightShadow.shadowRadius, vPointShadowCoord[ i ], pointLightShadow.shadowCameraNear, pointLightShadow.shadowCameraFar ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_SPOT_LIGHTS > 0 ) && defined( RE_Direct )
+	SpotLight spotLight;
+	vec4 spotColor;
+	vec3 spotLightCoord;
+	bool inSpotLightMap;
+	#if defined( USE_SHADOWMAP ) && NUM_SPOT_LIGHT_SHADOWS > 0
+	SpotLightShadow spotLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHTS; i ++ ) {
+		spotLight = spotLights[ i ];
+		getSpotLightInfo( spotLight, geometryPosition, directLight );
+		#if ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS )
+		#define SPOT_LIGHT_MAP_INDEX UNROLLED_LOOP_INDEX
+		#elif ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+		#define SPOT_LIGHT_MAP_INDEX NUM_SPOT_LIGHT_MAPS
+		#else
+		#define SPOT_LIGHT_MAP_INDEX ( UNROLLED_LOOP_INDEX - NUM_SPOT_LIGHT_SHADOWS + NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS )
+		#endif
+		#if ( SPOT_LIGHT_MAP_INDEX < NUM_SPOT_LIGHT_MAPS )
+			spotLightCoord = vSpotLightCoord[ i ].xyz / vSpotLightCoord[ i ].w;
+			inSpotLightMap = all( lessThan( abs( spotLightCoord * 2. - 1. ), vec3( 1.0 ) ) );
+			spotColor = texture2D( spotLightMap[ SPOT_LIGHT_MAP_INDEX ], spotLightCoord.xy );
+			directLight.color = inSpotLightMap ? directLight.color * spotColor.rgb : directLight.color;
+		#endif
+		#undef SPOT_LIGHT_MAP_INDEX
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+		spotLightShadow = spotLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getShadow( spotShadowMap[ i ], spotLightShadow.shadowMapSize, spotLightShadow.shadowIntensity, spotLightShadow.shadowBias, spotLightShadow.shadowRadius, vSpotLightCoord[ i ] ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_SUN_LIGHTS > 0 ) && defined( RE_Direct )
+	SunLight sunLight;
+	#if defined( USE_SHADOWMAP ) && NUM_SUN_LIGHT_SHADOWS > 0
+	SunLightShadow sunLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SUN_LIGHTS; i ++ ) {
+		sunLight = sunLights[ i ];
+		getSunLightInfo( sunLight, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_SUN_LIGHT_SHADOWS )
+		sunLightShadow = sunLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getSunShadow( sunShadowMap[ i ], sunLightShadow, UNROLLED_LOOP_INDEX ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_DIR_LIGHTS > 0 ) && defined( RE_Direct )
+	DirectionalLight directionalLight;
+	#if defined( USE_SHADOWMAP ) && NUM_DIR_LIGHT_SHADOWS > 0
+	DirectionalLightShadow directionalLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_DIR_LIGHTS; i ++ ) {
+		directionalLight = directionalLights[ i ];
+		getDirectionalLightInfo( directionalLight, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_DIR_LIGHT_SHADOWS )
+		directionalLightShadow = directionalLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getShadow( directionalShadowMap[ i ], directionalLightShadow.shadowMapSize, directionalLightShadow.shadowIntensity, directionalLightShadow.shadowBias, directionalLightShadow.shadowRadius, vDirectionalShadowCoord[ i ] ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_RECT_AREA_LIGHTS > 0 ) && defined( RE_Direct_RectArea )
+	RectAreaLight rectAreaLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_RECT_AREA_LIGHTS; i ++ ) {
+		rectAreaLight = rectAreaLights[ i ];
+		RE_Direct_RectArea( rectAreaLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if defined( RE_IndirectDiffuse )
+	vec3 iblIrradiance = vec3( 0.0 );
+	vec3 irradiance = getAmbientLightIrradiance( ambientLightColor );
+	#if defined( USE_LIGHT_PROBES )
+		irradiance += getLightProbeIrradiance( lightProbe, geometryNormal );
+	#endif
+	#if ( NUM_HEMI_LIGHTS > 0 )
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_HEMI_LIGHTS; i ++ ) {
+			irradiance += getHemisphereLightIrradiance( hemisphereLights[ i ], geometryNormal );
+		}
+		#pragma unroll_loop_end
+	#endif
+	#if NUM_LIGHT_PROBE_GRIDS > 0
+		vec3 probeWorldPos = ( ( vec4( geometryPosition, 1.0 ) - viewMatrix[ 3 ] ) * viewMatrix ).xyz;
+		vec3 probeWorldNormal = transformNormalByInverseViewMatrix( geometryNormal, viewMatrix );
+		int probeGrid = - 1;
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_LIGHT_PROBE_GRIDS; i ++ ) {
+			if ( isInsideLightProbeGrid( probeWorldPos, probeWorldNormal, probesMin[ i ], probesMax[ i ], probesResolution[ i ] ) ) probeGrid = UNROLLED_LOOP_INDEX;
+		}
+		#pragma unroll_loop_end
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_LIGHT_PROBE_GRIDS; i ++ ) {
+			if ( probeGrid == UNROLLED_LOOP_INDEX ) irradiance += getLightProbeGridIrradiance( probesSH[ i ], probesMin[ i ], probesMax[ i ], probesResolution[ i ], probeWorldPos, probeWorldNormal );
+		}
+		#pragma unroll_loop_end
+	#endif
+#endif
+#if defined( RE_IndirectSpecular )
+	vec3 radiance = vec3( 0.0 );
+	vec3 clearcoatRadiance = vec3( 0.0 );
+#endif`,HM=`#if defined( RE_IndirectDiffuse )
+	#ifdef USE_LIGHTMAP
+		vec4 lightMapTexel = texture2D( lightMap, vLightMapUv );
+		vec3 lightMapIrradiance = lightMapTexel.rgb * lightMapIntensity;
+		irradiance += lightMapIrradiance;
+	#endif
+	#if defined( USE_ENVMAP ) && defined( ENVMAP_TYPE_PMREM )
+		#if defined( STANDARD ) || defined( LAMBERT ) || defined( PHONG )
+			iblIrradiance += getIBLIrradiance( geometryNormal );
+		#endif
+	#endif
+#endif
+#if defined( USE_ENVMAP ) && defined( RE_IndirectSpecular )
+	#ifdef USE_ANISOTROPY
+		vec3 iblRadiance = getIBLAnisotropyRadiance( geometryViewDir, geometryNormal, material.roughness, material.anisotropyB, material.anisotropy );
+	#else
+		vec3 iblRadiance = getIBLRadiance( geometryViewDir, geometryNormal, material.roughness );
+	#endif
+	#ifdef USE_RETROREFLECTION
+		#ifdef USE_ANISOTROPY
+			vec3 retroIBLRadiance = getIBLAnisotropyRetroRadiance( geometryViewDir, geometryNormal, material.roughness, material.anisotropyB, material.anisotropy );
+		#else
+			vec3 retroIBLRadiance = getIBLRetroRadiance( geometryViewDir, geometryNormal, material.roughness );
+		#endif
+		iblRadiance = mix( iblRadiance, retroIBLRadiance, saturate( material.retroreflectivity ) );
+	#endif
+	radiance += iblRadiance;
+	#ifdef USE_CLEARCOAT
+		clearcoatRadiance += getIBLRadiance( geometryViewDir, geometryClearcoatNormal, material.clearcoatRoughness );
+	#endif
+#endif`,WM=`#if defined( RE_IndirectDiffuse )
+	#if defined( LAMBERT ) || defined( PHONG )
+		irradiance += iblIrradiance;
+	#endif
+	RE_IndirectDiffuse( irradiance, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+#endif
+#if defined( RE_IndirectSpecular )
+	RE_IndirectSpecular( radiance, iblIrradiance, clearcoatRadiance, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+#endif`,XM=`#if NUM_LIGHT_PROBE_GRIDS > 0
+uniform highp sampler3D probesSH[ NUM_LIGHT_PROBE_GRIDS ];
+uniform vec3 probesMin[ NUM_LIGHT_PROBE_GRIDS ];
+uniform vec3 probesMax[ NUM_LIGHT_PROBE_GRIDS ];
+uniform vec3 probesResolution[ NUM_LIGHT_PROBE_GRIDS ];
+bool isInsideLightProbeGrid( vec3 worldPos, vec3 worldNormal, vec3 probesMin, vec3 probesMax, vec3 probesResolution ) {
+	vec3 spacing = ( probesMax - probesMin ) / probesResolution;
+	vec3 samplePos = worldPos + worldNormal * spacing * 0.5;
+	vec3 margin = spacing * 0.01;
+	return all( greaterThanEqual( samplePos, probesMin - margin ) ) && all( lessThanEqual( samplePos, probesMax + margin ) );
+}
+vec3 getLightProbeGridIrradiance( highp sampler3D probesSH, vec3 probesMin, vec3 probesMax, vec3 probesResolution, vec3 worldPos, vec3 worldNormal ) {
+	vec3 res = probesResolution;
+	vec3 gridRange = probesMax - probesMin;
+	vec3 probeSpacing = gridRange / res;
+	vec3 samplePos = worldPos + worldNormal * probeSpacing * 0.5;
+	vec3 uvw = clamp( ( samplePos - probesMin ) / gridRange, 0.5 / res, 1.0 - 0.5 / res );
+	float nz          = res.z;
+	float paddedSlices = nz + 2.0;
+	float atlasDepth  = 7.0 * paddedSlices;
+	float uvZBase     = uvw.z * nz + 1.0;
+	vec4 s0 = texture( probesSH, vec3( uvw.xy, ( uvZBase                       ) / atlasDepth ) );
+	vec4 s1 = texture( probesSH, vec3( uvw.xy, ( uvZBase +       paddedSlices   ) / atlasDepth ) );
+	vec4 s2 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 2.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s3 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 3.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s4 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 4.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s5 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 5.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s6 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 6.0 * paddedSlices   ) / atlasDepth ) );
+	vec3 c0 = s0.xyz;
+	vec3 c1 = vec3( s0.w, s1.xy );
+	vec3 c2 = vec3( s1.zw, s2.x );
+	vec3 c3 = s2.yzw;
+	vec3 c4 = s3.xyz;
+	vec3 c5 = vec3( s3.w, s4.xy );
+	vec3 c6 = vec3( s4.zw, s5.x );
+	vec3 c7 = s5.yzw;
+	vec3 c8 = s6.xyz;
+	float x = worldNormal.x, y = worldNormal.y, z = worldNormal.z;
+	vec3 result = c0 * 0.886227;
+	result += c1 * 2.0 * 0.511664 * y;
+	result += c2 * 2.0 * 0.511664 * z;
+	result += c3 * 2.0 * 0.511664 * x;
+	result += c4 * 2.0 * 0.429043 * x * y;
+	result += c5 * 2.0 * 0.429043 * y * z;
+	result += c6 * ( 0.743125 * z * z - 0.247708 );
+	result += c7 * 2.0 * 0.429043 * x * z;
+	result += c8 * 0.429043 * ( x * x - y * y );
+	return max( result, vec3( 0.0 ) );
+}
+#endif`,qM=`#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )
+	gl_FragDepth = vIsPerspective == 0.0 ? gl_FragCoord.z : log2( vFragDepth ) * logDepthBufFC * 0.5;
+#endif`,$M=`#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )
+	uniform float logDepthBufFC;
+	varying float vFragDepth;
+	varying float vIsPerspective;
+#endif`,YM=`#ifdef USE_LOGARITHMIC_DEPTH_BUFFER
+	varying float vFragDepth;
+	varying float vIsPerspective;
+#endif`,JM=`#ifdef USE_LOGARITHMIC_DEPTH_BUFFER
+	vFragDepth = 1.0 + gl_Position.w;
+	vIsPerspective = float( isPerspectiveMatrix( projectionMatrix ) );
+#endif`,ZM=`#ifdef USE_MAP
+	vec4 sampledDiffuseColor = texture2D( map, vMapUv );
+	#ifdef DECODE_VIDEO_TEXTURE
+		sampledDiffuseColor = sRGBTransferEOTF( sampledDiffuseColor );
+	#endif
+	diffuseColor *= sampledDiffuseColor;
+#endif`,KM=`#ifdef USE_MAP
+	uniform sampler2D map;
+#endif`,jM=`#if defined( USE_MAP ) || defined( USE_ALPHAMAP )
+	#if defined( USE_POINTS_UV )
+		vec2 uv = vUv;
+	#else
+		vec2 uv = ( uvTransform * vec3( gl_PointCoord.x, 1.0 - gl_PointCoord.y, 1 ) ).xy;
+	#endif
+#endif
+#ifdef USE_MAP
+	diffuseColor *= texture2D( map, uv );
+#endif
+#ifdef USE_ALPHAMAP
+	diffuseColor.a *= texture2D( alphaMap, uv ).g;
+#endif`,QM=`#if defined( USE_POINTS_UV )
+	varying vec2 vUv;
+#else
+	#if defined( USE_MAP ) || defined( USE_ALPHAMAP )
+		uniform mat3 uvTransform;
+	#endif
+#endif
+#ifdef USE_MAP
+	uniform sampler2D map;
+#endif
+#ifdef USE_ALPHAMAP
+	uniform sampler2D alphaMap;
+#endif`,eS=`float metalnessFactor = metalness;
+#ifdef USE_METALNESSMAP
+	vec4 texelMetalness = texture2D( metalnessMap, vMetalnessMapUv );
+	metalnessFactor *= texelMetalness.b;
+#endif`,tS=`#ifdef USE_METALNESSMAP
+	uniform sampler2D metalnessMap;
+#endif`,nS=`#ifdef USE_INSTANCING_MORPH
+	float morphTargetInfluences[ MORPHTARGETS_COUNT ];
+	float morphTargetBaseInfluence = texelFetch( morphTexture, ivec2( 0, gl_InstanceID ), 0 ).r;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		morphTargetInfluences[i] =  texelFetch( morphTexture, ivec2( i + 1, gl_InstanceID ), 0 ).r;
+	}
+#endif`,iS=`#if defined( USE_MORPHCOLORS )
+	#if defined( USE_COLOR_ALPHA )
+		vColor *= morphTargetBaseInfluence;
+	#elif defined( USE_COLOR )
+		vColor.rgb *= morphTargetBaseInfluence;
+	#endif
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		#if defined( USE_COLOR_ALPHA )
+			if ( morphTargetInfluences[ i ] != 0.0 ) vColor += getMorph( gl_VertexID, i, 2 ) * morphTargetInfluences[ i ];
+		#elif defined( USE_COLOR )
+			if ( morphTargetInfluences[ i ] != 0.0 ) vColor.rgb += getMorph( gl_VertexID, i, 2 ).rgb * morphTargetInfluences[ i ];
+		#endif
+	}
+#endif`,sS=`#ifdef USE_MORPHNORMALS
+	objectNormal *= morphTargetBaseInfluence;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		if ( morphTargetInfluences[ i ] != 0.0 ) objectNormal += getMorph( gl_VertexID, i, 1 ).xyz * morphTargetInfluences[ i ];
+	}
+#endif`,rS=`#ifdef USE_MORPHTARGETS
+	#ifndef USE_INSTANCING_MORPH
+		uniform float morphTargetBaseInfluence;
+		uniform float morphTargetInfluences[ MORPHTARGETS_COUNT ];
+	#endif
+	uniform sampler2DArray morphTargetsTexture;
+	uniform ivec2 morphTargetsTextureSize;
+	vec4 getMorph( const in int vertexIndex, const in int morphTargetIndex, const in int offset ) {
+		int texelIndex = vertexIndex * MORPHTARGETS_TEXTURE_STRIDE + offset;
+		int y = texelIndex / morphTargetsTextureSize.x;
+		int x = texelIndex - y * morphTargetsTextureSize.x;
+		ivec3 morphUV = ivec3( x, y, morphTargetIndex );
+		return texelFetch( morphTargetsTexture, morphUV, 0 );
+	}
+#endif`,oS=`#ifdef USE_MORPHTARGETS
+	transformed *= morphTargetBaseInfluence;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		if ( morphTargetInfluences[ i ] != 0.0 ) transformed += getMorph( gl_VertexID, i, 0 ).xyz * morphTargetInfluences[ i ];
+	}
+#endif`,aS=`float faceDirection = gl_FrontFacing ? 1.0 : - 1.0;
+#ifdef FLAT_SHADED
+	vec3 fdx = dFdx( vViewPosition );
+	vec3 fdy = dFdy( vViewPosition );
+	vec3 normal = normalize( cross( fdx, fdy ) );
+#else
+	vec3 normal = normalize( vNormal );
+	#ifdef DOUBLE_SIDED
+		normal *= faceDirection;
+	#endif
+#endif
+#if defined( USE_NORMALMAP_TANGENTSPACE ) || defined( USE_CLEARCOAT_NORMALMAP ) || defined( USE_ANISOTROPY )
+	#ifdef USE_TANGENT
+		mat3 tbn = mat3( normalize( vTangent ), normalize( vBitangent ), normal );
+	#else
+		mat3 tbn = getTangentFrame( - vViewPosition, normal,
+		#if defined( USE_NORMALMAP )
+			vNormalMapUv
+		#elif defined( USE_CLEARCOAT_NORMALMAP )
+			vClearcoatNormalMapUv
+		#else
+			vUv
+		#endif
+		);
+	#endif
+	#ifdef DOUBLE_SIDED
+		tbn[0] *= faceDirection;
+		tbn[1] *= faceDirection;
+	#endif
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	#ifdef USE_TANGENT
+		mat3 tbn2 = mat3( normalize( vTangent ), normalize( vBitangent ), normal );
+	#else
+		mat3 tbn2 = getTangentFrame( - vViewPosition, normal, vClearcoatNormalMapUv );
+	#endif
+	#ifdef DOUBLE_SIDED
+		tbn2[0] *= faceDirection;
+		tbn2[1] *= faceDirection;
+	#endif
+#endif
+vec3 nonPerturbedNormal = normal;`,lS=`#ifdef USE_NORMALMAP_OBJECTSPACE
+	normal = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;
+	#ifdef FLIP_SIDED
+		normal = - normal;
+	#endif
+	#ifdef DOUBLE_SIDED
+		normal = normal * faceDirection;
+	#endif
+	normal = normalize( normalMatrix * normal );
+#elif defined( USE_NORMALMAP_TANGENTSPACE )
+	vec3 mapN = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;
+	#if defined( USE_PACKED_NORMALMAP )
+		mapN = vec3( mapN.xy, sqrt( saturate( 1.0 - dot( mapN.xy, mapN.xy ) ) ) );
+	#endif
+	mapN.xy *= normalScale;
+	normal = normalize( tbn * mapN );
+#elif defined( USE_BUMPMAP )
+	normal = perturbNormalArb( - vViewPosition, normal, dHdxy_fwd(), faceDirection );
+#endif`,cS=`#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+	#ifdef USE_TANGENT
+		varying vec3 vTangent;
+		varying vec3 vBitangent;
+	#endif
+#endif`,hS=`#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+	#ifdef USE_TANGENT
+		varying vec3 vTangent;
+		varying vec3 vBitangent;
+	#endif
+#endif`,uS=`#ifndef FLAT_SHADED
+	vNormal = normalize( transformedNormal );
+	#ifdef USE_TANGENT
+		vTangent = normalize( transformedTangent );
+		vBitangent = normalize( cross( vNormal, vTangent ) * tangent.w );
+		#ifdef FLIP_SIDED
+			vBitangent = - vBitangent;
+		#endif
+	#endif
+#endif`,dS=`#ifdef USE_NORMALMAP
+	uniform sampler2D normalMap;
+	uniform vec2 normalScale;
+#endif
+#ifdef USE_NORMALMAP_OBJECTSPACE
+	uniform mat3 normalMatrix;
+#endif
+#if ! defined ( USE_TANGENT ) && ( defined ( USE_NORMALMAP_TANGENTSPACE ) || defined ( USE_CLEARCOAT_NORMALMAP ) || defined( USE_ANISOTROPY ) )
+	mat3 getTangentFrame( vec3 eye_pos, vec3 surf_norm, vec2 uv ) {
+		vec3 q0 = dFdx( eye_pos.xyz );
+		vec3 q1 = dFdy( eye_pos.xyz );
+		vec2 st0 = dFdx( uv.st );
+		vec2 st1 = dFdy( uv.st );
+		vec3 N = surf_norm;
+		vec3 q1perp = cross( q1, N );
+		vec3 q0perp = cross( N, q0 );
+		vec3 T = q1perp * st0.x + q0perp * st1.x;
+		vec3 B = q1perp * st0.y + q0perp * st1.y;
+		float det = max( dot( T, T ), dot( B, B ) );
+		float scale = ( det == 0.0 ) ? 0.0 : inversesqrt( det );
+		return mat3( T * scale, B * scale, N );
+	}
+#endif`,fS=`#ifdef USE_CLEARCOAT
+	vec3 clearcoatNormal = nonPerturbedNormal;
+#endif`,pS=`#ifdef USE_CLEARCOAT_NORMALMAP
+	vec3 clearcoatMapN = texture2D( clearcoatNormalMap, vClearcoatNormalMapUv ).xyz * 2.0 - 1.0;
+	clearcoatMapN.xy *= clearcoatNormalScale;
+	clearcoatNormal = normalize( tbn2 * clearcoatMapN );
+#endif`,mS=`#ifdef USE_CLEARCOATMAP
+	uniform sampler2D clearcoatMap;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	uniform sampler2D clearcoatNormalMap;
+	uniform vec2 clearcoatNormalScale;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	uniform sampler2D clearcoatRoughnessMap;
+#endif`,gS=`#ifdef USE_IRIDESCENCEMAP
+	uniform sampler2D iridescenceMap;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	uniform sampler2D iridescenceThicknessMap;
+#endif`,yS=`#ifdef OPAQUE
+diffuseColor.a = 1.0;
+#endif
+#ifdef USE_TRANSMISSION
+diffuseColor.a *= material.transmissionAlpha;
+#endif
+gl_FragColor = vec4( outgoingLight, diffuseColor.a );`,vS=`vec3 packNormalToRGB( const in vec3 normal ) {
+	return normalize( normal ) * 0.5 + 0.5;
+}
+vec3 unpackRGBToNormal( const in vec3 rgb ) {
+	return 2.0 * rgb.xyz - 1.0;
+}
+const float PackUpscale = 256. / 255.;const float UnpackDownscale = 255. / 256.;const float ShiftRight8 = 1. / 256.;
+const float Inv255 = 1. / 255.;
+const vec4 PackFactors = vec4( 1.0, 256.0, 256.0 * 256.0, 256.0 * 256.0 * 256.0 );
+const vec2 UnpackFactors2 = vec2( UnpackDownscale, 1.0 / PackFactors.g );
+const vec3 UnpackFactors3 = vec3( UnpackDownscale / PackFactors.rg, 1.0 / PackFactors.b );
+const vec4 UnpackFactors4 = vec4( UnpackDownscale / PackFactors.rgb, 1.0 / PackFactors.a );
+vec4 packDepthToRGBA( const in float v ) {
+	if( v <= 0.0 )
+		return vec4( 0., 0., 0., 0. );
+	if( v >= 1.0 )
+		return vec4( 1., 1., 1., 1. );
+	float vuf;
+	float af = modf( v * PackFactors.a, vuf );
+	float bf = modf( vuf * ShiftRight8, vuf );
+	float gf = modf( vuf * ShiftRight8, vuf );
+	return vec4( vuf * Inv255, gf * PackUpscale, bf * PackUpscale, af );
+}
+vec3 packDepthToRGB( const in float v ) {
+	if( v <= 0.0 )
+		return vec3( 0., 0., 0. );
+	if( v >= 1.0 )
+		return vec3( 1., 1., 1. );
+	float vuf;
+	float bf = modf( v * PackFactors.b, vuf );
+	float gf = modf( vuf * ShiftRight8, vuf );
+	return vec3( vuf * Inv255, gf * PackUpscale, bf );
+}
+vec2 packDepthToRG( const in float v ) {
+	if( v <= 0.0 )
+		return vec2( 0., 0. );
+	if( v >= 1.0 )
+		return vec2( 1., 1. );
+	float vuf;
+	float gf = modf( v * 256., vuf );
+	return vec2( vuf * Inv255, gf );
+}
+float unpackRGBAToDepth( const in vec4 v ) {
+	return dot( v, UnpackFactors4 );
+}
+float unpackRGBToDepth( const in vec3 v ) {
+	return dot( v, UnpackFactors3 );
+}
+float unpackRGToDepth( const in vec2 v ) {
+	return v.r * UnpackFactors2.r + v.g * UnpackFactors2.g;
+}
+vec4 pack2HalfToRGBA( const in vec2 v ) {
+	vec4 r = vec4( v.x, fract( v.x * 255.0 ), v.y, fract( v.y * 255.0 ) );
+	return vec4( r.x - r.y / 255.0, r.y, r.z - r.w / 255.0, r.w );
+}
+vec2 unpackRGBATo2Half( const in vec4 v ) {
+	return vec2( v.x + ( v.y / 255.0 ), v.z + ( v.w / 255.0 ) );
+}
+float viewZToOrthographicDepth( const in float viewZ, const in float near, const in float far ) {
+	return ( viewZ + near ) / ( near - far );
+}
+float orthographicDepthToViewZ( const in float depth, const in float near, const in float far ) {
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+	
+		return depth * ( far - near ) - far;
+	#else
+		return depth * ( near - far ) - near;
+	#endif
+}
+float viewZToPerspectiveDepth( const in float viewZ, const in float near, const in float far ) {
+	return ( ( near + viewZ ) * far ) / ( ( far - near ) * viewZ );
+}
+float perspectiveDepthToViewZ( const in float depth, const in float near, const in float far ) {
+	
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+		return ( near * far ) / ( ( near - far ) * depth - near );
+	#else
+		return ( near * far ) / ( ( far - near ) * depth - far );
+	#endif
+}`,xS=`#ifdef PREMULTIPLIED_ALPHA
+	gl_FragColor.rgb *= gl_FragColor.a;
+#endif`,_S=`vec4 mvPosition = vec4( transformed, 1.0 );
+#ifdef USE_BATCHING
+	mvPosition = batchingMatrix * mvPosition;
+#endif
+#ifdef USE_INSTANCING
+	mvPosition = instanceMatrix * mvPosition;
+#endif
+mvPosition = modelViewMatrix * mvPosition;
+gl_Position = projectionMatrix * mvPosition;`,bS=`#ifdef DITHERING
+	gl_FragColor.rgb = dithering( gl_FragColor.rgb );
+#endif`,MS=`#ifdef DITHERING
+	vec3 dithering( vec3 color ) {
+		float grid_position = rand( gl_FragCoord.xy );
+		vec3 dither_shift_RGB = vec3( 0.25 / 255.0, -0.25 / 255.0, 0.25 / 255.0 );
+		dither_shift_RGB = mix( 2.0 * dither_shift_RGB, -2.0 * dither_shift_RGB, grid_position );
+		return color + dither_shift_RGB;
+	}
+#endif`,SS=`float roughnessFactor = roughness;
+#ifdef USE_ROUGHNESSMAP
+	vec4 texelRoughness = texture2D( roughnessMap, vRoughnessMapUv );
+	roughnessFactor *= texelRoughness.g;
+#endif`,wS=`#ifdef USE_ROUGHNESSMAP
+	uniform sampler2D roughnessMap;
+#endif`,ES=`#if NUM_SPOT_LIGHT_COORDS > 0
+	varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_COORDS ];
+#endif
+#if NUM_SPOT_LIGHT_MAPS > 0
+	uniform sampler2D spotLightMap[ NUM_SPOT_LIGHT_MAPS ];
+#endif
+#ifdef USE_SHADOWMAP
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		#define SUN_LIGHT_CASCADES 2
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform sampler2DShadow sunShadowMap[ NUM_SUN_LIGHT_SHADOWS ];
+		#else
+			uniform sampler2D sunShadowMap[ NUM_SUN_LIGHT_SHADOWS ];
+		#endif
+		uniform mat4 sunShadowMatrix[ NUM_SUN_LIGHT_SHADOWS * SUN_LIGHT_CASCADES ];
+		uniform vec4 sunShadowCascade[ NUM_SUN_LIGHT_SHADOWS * SUN_LIGHT_CASCADES ];
+		varying vec4 vSunShadowWorldPosition;
+		varying vec3 vSunShadowWorldNormal;
+		struct SunLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SunLightShadow sunLightShadows[ NUM_SUN_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform sampler2DShadow directionalShadowMap[ NUM_DIR_LIGHT_SHADOWS ];
+		#else
+			uniform sampler2D directionalShadowMap[ NUM_DIR_LIGHT_SHADOWS ];
+		#endif
+		varying vec4 vDirectionalShadowCoord[ NUM_DIR_LIGHT_SHADOWS ];
+		struct DirectionalLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform DirectionalLightShadow directionalLightShadows[ NUM_DIR_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform sampler2DShadow spotShadowMap[ NUM_SPOT_LIGHT_SHADOWS ];
+		#else
+			uniform sampler2D spotShadowMap[ NUM_SPOT_LIGHT_SHADOWS ];
+		#endif
+		struct SpotLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SpotLightShadow spotLightShadows[ NUM_SPOT_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform samplerCubeShadow pointShadowMap[ NUM_POINT_LIGHT_SHADOWS ];
+		#elif defined( SHADOWMAP_TYPE_BASIC )
+			uniform samplerCube pointShadowMap[ NUM_POINT_LIGHT_SHADOWS ];
+		#endif
+		varying vec4 vPointShadowCoord[ NUM_POINT_LIGHT_SHADOWS ];
+		struct PointLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+			float shadowCameraNear;
+			float shadowCameraFar;
+		};
+		uniform PointLightShadow pointLightShadows[ NUM_POINT_LIGHT_SHADOWS ];
+	#endif
+	#if defined( SHADOWMAP_TYPE_PCF )
+		float interleavedGradientNoise( vec2 position ) {
+			return fract( 52.9829189 * fract( dot( position, vec2( 0.06711056, 0.00583715 ) ) ) );
+		}
+		vec2 vogelDiskSample( int sampleIndex, int samplesCount, float phi ) {
+			const float goldenAngle = 2.399963229728653;
+			float r = sqrt( ( float( sampleIndex ) + 0.5 ) / float( samplesCount ) );
+			float theta = float( sampleIndex ) * goldenAngle + phi;
+			return vec2( cos( theta ), sin( theta ) ) * r;
+		}
+	#endif
+	#if defined( SHADOWMAP_TYPE_PCF )
+		float getShadow( sampler2DShadow shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				shadowCoord.z -= shadowBias;
+			#else
+				shadowCoord.z += shadowBias;
+			#endif
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				vec2 texelSize = vec2( 1.0 ) / shadowMapSize;
+				vec2 radius = shadowRadius * texelSize;
+				float phi = interleavedGradientNoise( gl_FragCoord.xy ) * PI2;
+				shadow = (
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 0, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 1, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 2, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 3, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 4, 5, phi ) * radius, shadowCoord.z ) )
+				) * 0.2;
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#elif defined( SHADOWMAP_TYPE_VSM )
+		float getShadow( sampler2D shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				shadowCoord.z -= shadowBias;
+			#else
+				shadowCoord.z += shadowBias;
+			#endif
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				vec2 distribution = texture2D( shadowMap, shadowCoord.xy ).rg;
+				float mean = distribution.x;
+				float variance = distribution.y * distribution.y;
+				#ifdef USE_REVERSED_DEPTH_BUFFER
+					float hard_shadow = step( mean, shadowCoord.z );
+				#else
+					float hard_shadow = step( shadowCoord.z, mean );
+				#endif
+				
+				if ( hard_shadow == 1.0 ) {
+					shadow = 1.0;
+				} else {
+					variance = max( variance, 0.0000001 );
+					float d = shadowCoord.z - mean;
+					float p_max = variance / ( variance + d * d );
+					p_max = clamp( ( p_max - 0.3 ) / 0.65, 0.0, 1.0 );
+					shadow = max( hard_shadow, p_max );
+				}
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#else
+		float getShadow( sampler2D shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				shadowCoord.z -= shadowBias;
+			#else
+				shadowCoord.z += shadowBias;
+			#endif
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				float depth = texture2D( shadowMap, shadowCoord.xy ).r;
+				#ifdef USE_REVERSED_DEPTH_BUFFER
+					shadow = step( depth, shadowCoord.z );
+				#else
+					shadow = step( shadowCoord.z, depth );
+				#endif
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#endif
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		float getSunShadow(
+			#if defined( SHADOWMAP_TYPE_PCF )
+				sampler2DShadow shadowMap,
+			#else
+				sampler2D shadowMap,
+			#endif
+			SunLightShadow sunLightShadow,
+			int shadowIndex
+		) {
+			vec4 shadowWorldPosition = vec4( vSunShadowWorldPosition.xyz + vSunShadowWorldNormal * sunLightShadow.shadowNormalBias, 1.0 );
+			float viewDepth = vSunShadowWorldPosition.w;
+			int cascadeOffset = shadowIndex * SUN_LIGHT_CASCADES;
+			float shadow = 1.0;
+			for ( int i = SUN_LIGHT_CASCADES - 1; i >= 0; i -- ) {
+				vec4 cascade = sunShadowCascade[ cascadeOffset + i ];
+				if ( viewDepth >= cascade.x && viewDepth < cascade.y ) {
+					float cascadeShadow = getShadow(
+						shadowMap,
+						sunLightShadow.shadowMapSize,
+						sunLightShadow.shadowIntensity,
+						sunLightShadow.shadowBias,
+						sunLightShadow.shadowRadius,
+						sunShadowMatrix[ cascadeOffset + i ] * shadowWorldPosition
+					);
+					shadow = mix( cascadeShadow, shadow, smoothstep( cascade.z, cascade.y, viewDepth ) );
+				}
+			}
+			return shadow;
+		}
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+	#if defined( SHADOWMAP_TYPE_PCF )
+	float getPointShadow( samplerCubeShadow shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord, float shadowCameraNear, float shadowCameraFar ) {
+		float shadow = 1.0;
+		vec3 lightToPosition = shadowCoord.xyz;
+		vec3 bd3D = normalize( lightToPosition );
+		vec3 absVec = abs( lightToPosition );
+		float viewSpaceZ = max( max( absVec.x, absVec.y ), absVec.z );
+		if ( viewSpaceZ - shadowCameraFar <= 0.0 && viewSpaceZ - shadowCameraNear >= 0.0 ) {
+			float lightDistance = length( lightToPosition );
+			float depthRange = shadowCameraFar - shadowCameraNear;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				float depthA = - shadowCameraNear / depthRange - shadowBias;
+				float depthB = shadowCameraNear * shadowCameraFar / ( depthRange * lightDistance );
+			#else
+				float depthA = shadowCameraFar / depthRange + shadowBias;
+				float depthB = - shadowCameraNear * shadowCameraFar / ( depthRange * lightDistance );
+			#endif
+			float texelSize = shadowRadius / shadowMapSize.x;
+			vec3 absDir = abs( bd3D );
+			vec3 tangent = absDir.x > absDir.z ? vec3( 0.0, 1.0, 0.0 ) : vec3( 1.0, 0.0, 0.0 );
+			tangent = normalize( cross( bd3D, tangent ) );
+			vec3 bitangent = cross( bd3D, tangent );
+			float phi = interleavedGradientNoise( gl_FragCoord.xy ) * PI2;
+			shadow = 0.0;
+			for ( int i = 0; i < 5; i ++ ) {
+				vec2 offset = vogelDiskSample( i, 5, phi );
+				vec3 direction = bd3D + ( tangent * offset.x + bitangent * offset.y ) * texelSize;
+				vec3 absDirection = abs( direction );
+				float dp = depthA + depthB / max( max( absDirection.x, absDirection.y ), absDirection.z );
+				shadow += texture( shadowMap, vec4( direction, dp ) );
+			}
+			shadow *= 0.2;
+		}
+		return mix( 1.0, shadow, shadowIntensity );
+	}
+	#elif defined( SHADOWMAP_TYPE_BASIC )
+	float getPointShadow( samplerCube shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord, float shadowCameraNear, float shadowCameraFar ) {
+		float shadow = 1.0;
+		vec3 lightToPosition = shadowCoord.xyz;
+		vec3 absVec = abs( lightToPosition );
+		float viewSpaceZ = max( max( absVec.x, absVec.y ), absVec.z );
+		if ( viewSpaceZ - shadowCameraFar <= 0.0 && viewSpaceZ - shadowCameraNear >= 0.0 ) {
+			float dp = ( shadowCameraFar * ( viewSpaceZ - shadowCameraNear ) ) / ( viewSpaceZ * ( shadowCameraFar - shadowCameraNear ) );
+			dp += shadowBias;
+			vec3 bd3D = normalize( lightToPosition );
+			float depth = textureCube( shadowMap, bd3D ).r;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				depth = 1.0 - depth;
+			#endif
+			shadow = step( dp, depth );
+		}
+		return mix( 1.0, shadow, shadowIntensity );
+	}
+	#endif
+	#endif
+#endif`,TS=`#if NUM_SPOT_LIGHT_COORDS > 0
+	uniform mat4 spotLightMatrix[ NUM_SPOT_LIGHT_COORDS ];
+	varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_COORDS ];
+#endif
+#ifdef USE_SHADOWMAP
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		varying vec4 vSunShadowWorldPosition;
+		varying vec3 vSunShadowWorldNormal;
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		uniform mat4 directionalShadowMatrix[ NUM_DIR_LIGHT_SHADOWS ];
+		varying vec4 vDirectionalShadowCoord[ NUM_DIR_LIGHT_SHADOWS ];
+		struct DirectionalLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform DirectionalLightShadow directionalLightShadows[ NUM_DIR_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+		struct SpotLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SpotLightShadow spotLightShadows[ NUM_SPOT_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		uniform mat4 pointShadowMatrix[ NUM_POINT_LIGHT_SHADOWS ];
+		varying vec4 vPointShadowCoord[ NUM_POINT_LIGHT_SHADOWS ];
+		struct PointLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+			float shadowCameraNear;
+			float shadowCameraFar;
+		};
+		uniform PointLightShadow pointLightShadows[ NUM_POINT_LIGHT_SHADOWS ];
+	#endif
+#endif`,AS=`#if ( defined( USE_SHADOWMAP ) && ( NUM_DIR_LIGHT_SHADOWS > 0 || NUM_SUN_LIGHT_SHADOWS > 0 || NUM_POINT_LIGHT_SHADOWS > 0 ) ) || ( NUM_SPOT_LIGHT_COORDS > 0 )
+	#ifdef HAS_NORMAL
+		vec3 shadowWorldNormal = transformNormalByInverseViewMatrix( transformedNormal, viewMatrix );
+	#else
+		vec3 shadowWorldNormal = vec3( 0.0 );
+	#endif
+	vec4 shadowWorldPosition;
+#endif
+#if defined( USE_SHADOWMAP )
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		vSunShadowWorldPosition = vec4( worldPosition.xyz, - mvPosition.z );
+		vSunShadowWorldNormal = shadowWorldNormal;
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_DIR_LIGHT_SHADOWS; i ++ ) {
+			shadowWorldPosition = worldPosition + vec4( shadowWorldNormal * directionalLightShadows[ i ].shadowNormalBias, 0 );
+			vDirectionalShadowCoord[ i ] = directionalShadowMatrix[ i ] * shadowWorldPosition;
+		}
+		#pragma unroll_loop_end
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {
+			shadowWorldPosition = worldPosition + vec4( shadowWorldNormal * pointLightShadows[ i ].shadowNormalBias, 0 );
+			vPointShadowCoord[ i ] = pointShadowMatrix[ i ] * shadowWorldPosition;
+		}
+		#pragma unroll_loop_end
+	#endif
+#endif
+#if NUM_SPOT_LIGHT_COORDS > 0
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHT_COORDS; i ++ ) {
+		shadowWorldPosition = worldPosition;
+		#if ( defined( USE_SHADOWMAP ) && UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+			shadowWorldPosition.xyz += shadowWorldNormal * spotLightShadows[ i ].shadowNormalBias;
+		#endif
+		vSpotLightCoord[ i ] = spotLightMatrix[ i ] * shadowWorldPosition;
+	}
+	#pragma unroll_loop_end
+#endif`,CS=`float getShadowMask() {
+	float shadow = 1.0;
+	#ifdef USE_SHADOWMAP
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+	SunLightShadow sunLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SUN_LIGHT_SHADOWS; i ++ ) {
+		sunLight = sunLightShadows[ i ];
+		shadow *= receiveShadow ? getSunShadow( sunShadowMap[ i ], sunLight, UNROLLED_LOOP_INDEX ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+	DirectionalLightShadow directionalLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_DIR_LIGHT_SHADOWS; i ++ ) {
+		directionalLight = directionalLightShadows[ i ];
+		shadow *= receiveShadow ? getShadow( directionalShadowMap[ i ], directionalLight.shadowMapSize, directionalLight.shadowIntensity, directionalLight.shadowBias, directionalLight.shadowRadius, vDirectionalShadowCoord[ i ] ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+	SpotLightShadow spotLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHT_SHADOWS; i ++ ) {
+		spotLight = spotLightShadows[ i ];
+		shadow *= receiveShadow ? getShadow( spotShadowMap[ i ], spotLight.shadowMapSize, spotLight.shadowIntensity, spotLight.shadowBias, spotLight.shadowRadius, vSpotLightCoord[ i ] ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0 && ( defined( SHADOWMAP_TYPE_PCF ) || defined( SHADOWMAP_TYPE_BASIC ) )
+	PointLightShadow pointLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {
+		pointLight = pointLightShadows[ i ];
+		shadow *= receiveShadow ? getPointShadow( pointShadowMap[ i ], pointLight.shadowMapSize, pointLight.shadowIntensity, pointLight.shadowBias, pointLight.shadowRadius, vPointShadowCoord[ i ], pointLight.shadowCameraNear, pointLight.shadowCameraFar ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#endif
+	return shadow;
+}`,RS=`#ifdef USE_SKINNING
+	mat4 boneMatX = getBoneMatrix( skinIndex.x );
+	mat4 boneMatY = getBoneMatrix( skinIndex.y );
+	mat4 boneMatZ = getBoneMatrix( skinIndex.z );
+	mat4 boneMatW = getBoneMatrix( skinIndex.w );
+#endif`,PS=`#ifdef USE_SKINNING
+	uniform mat4 bindMatrix;
+	uniform mat4 bindMatrixInverse;
+	uniform highp sampler2D boneTexture;
+	mat4 getBoneMatrix( const in float i ) {
+		int size = textureSize( boneTexture, 0 ).x;
+		int j = int( i ) * 4;
+		int x = j % size;
+		int y = j / size;
+		vec4 v1 = texelFetch( boneTexture, ivec2( x, y ), 0 );
+		vec4 v2 = texelFetch( boneTexture, ivec2( x + 1, y ), 0 );
+		vec4 v3 = texelFetch( boneTexture, ivec2( x + 2, y ), 0 );
+		vec4 v4 = texelFetch( boneTexture, ivec2( x + 3, y ), 0 );
+		return mat4( v1, v2, v3, v4 );
+	}
+#endif`,IS=`#ifdef USE_SKINNING
+	vec4 skinVertex = bindMatrix * vec4( transformed, 1.0 );
+	vec4 skinned = vec4( 0.0 );
+	skinned += boneMatX * skinVertex * skinWeight.x;
+	skinned += boneMatY * skinVertex * skinWeight.y;
+	skinned += boneMatZ * skinVertex * skinWeight.z;
+	skinned += boneMatW * skinVertex * skinWeight.w;
+	transformed = ( bindMatrixInverse * skinned ).xyz;
+#endif`,LS=`#ifdef USE_SKINNING
+	mat4 skinMatrix = mat4( 0.0 );
+	skinMatrix += skinWeight.x * boneMatX;
+	skinMatrix += skinWeight.y * boneMatY;
+	skinMatrix += skinWeight.z * boneMatZ;
+	skinMatrix += skinWeight.w * boneMatW;
+	skinMatrix = bindMatrixInverse * skinMatrix * bindMatrix;
+	objectNormal = vec4( skinMatrix * vec4( objectNormal, 0.0 ) ).xyz;
+	#ifdef USE_TANGENT
+		objectTangent = vec4( skinMatrix * vec4( objectTangent, 0.0 ) ).xyz;
+	#endif
+#endif`,NS=`float specularStrength;
+#ifdef USE_SPECULARMAP
+	vec4 texelSpecular = texture2D( specularMap, vSpecularMapUv );
+	specularStrength = texelSpecular.r;
+#else
+	specularStrength = 1.0;
+#endif`,DS=`#ifdef USE_SPECULARMAP
+	uniform sampler2D specularMap;
+#endif`,US=`#if defined( TONE_MAPPING )
+	gl_FragColor.rgb = toneMapping( gl_FragColor.rgb );
+#endif`,FS=`#ifndef saturate
+#define saturate( a ) clamp( a, 0.0, 1.0 )
+#endif
+uniform float toneMappingExposure;
+vec3 LinearToneMapping( vec3 color ) {
+	return saturate( toneMappingExposure * color );
+}
+vec3 ReinhardToneMapping( vec3 color ) {
+	color *= toneMappingExposure;
+	return saturate( color / ( vec3( 1.0 ) + color ) );
+}
+vec3 CineonToneMapping( vec3 color ) {
+	color *= toneMappingExposure;
+	color = max( vec3( 0.0 ), color - 0.004 );
+	return pow( ( color * ( 6.2 * color + 0.5 ) ) / ( color * ( 6.2 * color + 1.7 ) + 0.06 ), vec3( 2.2 ) );
+}
+vec3 RRTAndODTFit( vec3 v ) {
+	vec3 a = v * ( v + 0.0245786 ) - 0.000090537;
+	vec3 b = v * ( 0.983729 * v + 0.4329510 ) + 0.238081;
+	return a / b;
+}
+vec3 ACESFilmicToneMapping( vec3 color ) {
+	const mat3 ACESInputMat = mat3(
+		vec3( 0.59719, 0.07600, 0.02840 ),		vec3( 0.35458, 0.90834, 0.13383 ),
+		vec3( 0.04823, 0.01566, 0.83777 )
+	);
+	const mat3 ACESOutputMat = mat3(
+		vec3(  1.60475, -0.10208, -0.00327 ),		vec3( -0.53108,  1.10813, -0.07276 ),
+		vec3( -0.07367, -0.00605,  1.07602 )
+	);
+	color *= toneMappingExposure / 0.6;
+	color = ACESInputMat * color;
+	color = RRTAndODTFit( color );
+	color = ACESOutputMat * color;
+	return saturate( color );
+}
+const mat3 LINEAR_REC2020_TO_LINEAR_SRGB = mat3(
+	vec3( 1.6605, - 0.1246, - 0.0182 ),
+	vec3( - 0.5876, 1.1329, - 0.1006 ),
+	vec3( - 0.0728, - 0.0083, 1.1187 )
+);
+const mat3 LINEAR_SRGB_TO_LINEAR_REC2020 = mat3(
+	vec3( 0.6274, 0.0691, 0.0164 ),
+	vec3( 0.3293, 0.9195, 0.0880 ),
+	vec3( 0.0433, 0.0113, 0.8956 )
+);
+vec3 agxDefaultContrastApprox( vec3 x ) {
+	vec3 x2 = x * x;
+	vec3 x4 = x2 * x2;
+	return + 15.5 * x4 * x2
+		- 40.14 * x4 * x
+		+ 31.96 * x4
+		- 6.868 * x2 * x
+		+ 0.4298 * x2
+		+ 0.1191 * x
+		- 0.00232;
+}
+vec3 AgXToneMapping( vec3 color ) {
+	const mat3 AgXInsetMatrix = mat3(
+		vec3( 0.856627153315983, 0.137318972929847, 0.11189821299995 ),
+		vec3( 0.0951212405381588, 0.761241990602591, 0.0767994186031903 ),
+		vec3( 0.0482516061458583, 0.101439036467562, 0.811302368396859 )
+	);
+	const mat3 AgXOutsetMatrix = mat3(
+		vec3( 1.1271005818144368, - 0.1413297634984383, - 0.14132976349843826 ),
+		vec3( - 0.11060664309660323, 1.157823702216272, - 0.11060664309660294 ),
+		vec3( - 0.016493938717834573, - 0.016493938717834257, 1.2519364065950405 )
+	);
+	const float AgxMinEv = - 12.47393;	const float AgxMaxEv = 4.026069;
+	color *= toneMappingExposure;
+	color = LINEAR_SRGB_TO_LINEAR_REC2020 * color;
+	color = AgXInsetMatrix * color;
+	color = max( color, 1e-10 );	color = log2( color );
+	color = ( color - AgxMinEv ) / ( AgxMaxEv - AgxMinEv );
+	color = clamp( color, 0.0, 1.0 );
+	color = agxDefaultContrastApprox( color );
+	color = AgXOutsetMatrix * color;
+	color = pow( max( vec3( 0.0 ), color ), vec3( 2.2 ) );
+	color = LINEAR_REC2020_TO_LINEAR_SRGB * color;
+	color = clamp( color, 0.0, 1.0 );
+	return color;
+}
+vec3 NeutralToneMapping( vec3 color ) {
+	const float StartCompression = 0.8 - 0.04;
+	const float Desaturation = 0.15;
+	color *= toneMappingExposure;
+	float x = min( color.r, min( color.g, color.b ) );
+	float offset = x < 0.08 ? x - 6.25 * x * x : 0.04;
+	color -= offset;
+	float peak = max( color.r, max( color.g, color.b ) );
+	if ( peak < StartCompression ) return color;
+	float d = 1. - StartCompression;
+	float newPeak = 1. - d * d / ( peak + d - StartCompression );
+	color *= newPeak / peak;
+	float g = 1. - 1. / ( Desaturation * ( peak - newPeak ) + 1. );
+	return mix( color, vec3( newPeak ), g );
+}
+vec3 CustomToneMapping( vec3 color ) { return color; }`,OS=`#ifdef USE_TRANSMISSION
+	material.transmission = transmission;
+	material.transmissionAlpha = 1.0;
+	material.thickness = thickness;
+	material.attenuationDistance = attenuationDistance;
+	material.attenuationColor = attenuationColor;
+	#ifdef USE_TRANSMISSIONMAP
+		material.transmission *= texture2D( transmissionMap, vTransmissionMapUv ).r;
+	#endif
+	#ifdef USE_THICKNESSMAP
+		material.thickness *= texture2D( thicknessMap, vThicknessMapUv ).g;
+	#endif
+	vec3 pos = vWorldPosition;
+	vec3 v = normalize( cameraPosition - pos );
+	vec3 n = transformNormalByInverseViewMatrix( normal, viewMatrix );
+	vec4 transmitted = getIBLVolumeRefraction(
+		n, v, material.roughness, material.diffuseContribution, material.specularColorBlended, material.specularF90,
+		pos, modelMatrix, viewMatrix, projectionMatrix, material.dispersion, material.ior, material.thickness,
+		material.attenuationColor, material.attenuationDistance );
+	material.transmissionAlpha = mix( material.transmissionAlpha, transmitted.a, material.transmission );
+	totalDiffuse = mix( totalDiffuse, transmitted.rgb, material.transmission );
+#endif`,kS=`#ifdef USE_TRANSMISSION
+	uniform float transmission;
+	uniform float thickness;
+	uniform float attenuationDistance;
+	uniform vec3 attenuationColor;
+	#ifdef USE_TRANSMISSIONMAP
+		uniform sampler2D transmissionMap;
+	#endif
+	#ifdef USE_THICKNESSMAP
+		uniform sampler2D thicknessMap;
+	#endif
+	uniform vec2 transmissionSamplerSize;
+	uniform sampler2D transmissionSamplerMap;
+	uniform mat4 modelMatrix;
+	uniform mat4 projectionMatrix;
+	varying vec3 vWorldPosition;
+	float w0( float a ) {
+		return ( 1.0 / 6.0 ) * ( a * ( a * ( - a + 3.0 ) - 3.0 ) + 1.0 );
+	}
+	float w1( float a ) {
+		return ( 1.0 / 6.0 ) * ( a *  a * ( 3.0 * a - 6.0 ) + 4.0 );
+	}
+	float w2( float a ){
+		return ( 1.0 / 6.0 ) * ( a * ( a * ( - 3.0 * a + 3.0 ) + 3.0 ) + 1.0 );
+	}
+	float w3( float a ) {
+		return ( 1.0 / 6.0 ) * ( a * a * a );
+	}
+	float g0( float a ) {
+		return w0( a ) + w1( a );
+	}
+	float g1( float a ) {
+		return w2( a ) + w3( a );
+	}
+	float h0( float a ) {
+		return - 1.0 + w1( a ) / ( w0( a ) + w1( a ) );
+	}
+	float h1( float a ) {
+		return 1.0 + w3( a ) / ( w2( a ) + w3( a ) );
+	}
+	vec4 bicubic( sampler2D tex, vec2 uv, vec4 texelSize, float lod ) {
+		uv = uv * texelSize.zw + 0.5;
+		vec2 iuv = floor( uv );
+		vec2 fuv = fract( uv );
+		float g0x = g0( fuv.x );
+		float g1x = g1( fuv.x );
+		float h0x = h0( fuv.x );
+		float h1x = h1( fuv.x );
+		float h0y = h0( fuv.y );
+		float h1y = h1( fuv.y );
+		vec2 p0 = ( vec2( iuv.x + h0x, iuv.y + h0y ) - 0.5 ) * texelSize.xy;
+		vec2 p1 = ( vec2( iuv.x + h1x, iuv.y + h0y ) - 0.5 ) * texelSize.xy;
+		vec2 p2 = ( vec2( iuv.x + h0x, iuv.y + h1y ) - 0.5 ) * texelSize.xy;
+		vec2 p3 = ( vec2( iuv.x + h1x, iuv.y + h1y ) - 0.5 ) * texelSize.xy;
+		return g0( fuv.y ) * ( g0x * textureLod( tex, p0, lod ) + g1x * textureLod( tex, p1, lod ) ) +
+			g1( fuv.y ) * ( g0x * textureLod( tex, p2, lod ) + g1x * textureLod( tex, p3, lod ) );
+	}
+	vec4 textureBicubic( sampler2D sampler, vec2 uv, float lod ) {
+		vec2 fLodSize = vec2( textureSize( sampler, int( lod ) ) );
+		vec2 cLodSize = vec2( textureSize( sampler, int( lod + 1.0 ) ) );
+		vec2 fLodSizeInv = 1.0 / fLodSize;
+		vec2 cLodSizeInv = 1.0 / cLodSize;
+		vec4 fSample = bicubic( sampler, uv, vec4( fLodSizeInv, fLodSize ), floor( lod ) );
+		vec4 cSample = bicubic( sampler, uv, vec4( cLodSizeInv, cLodSize ), ceil( lod ) );
+		return mix( fSample, cSample, fract( lod ) );
+	}
+	vec3 getVolumeTransmissionRay( const in vec3 n, const in vec3 v, const in float thickness, const in float ior, const in mat4 modelMatrix ) {
+		vec3 refractionVector = refract( - v, normalize( n ), 1.0 / ior );
+		vec3 modelScale;
+		modelScale.x = length( vec3( modelMatrix[ 0 ].xyz ) );
+		modelScale.y = length( vec3( modelMatrix[ 1 ].xyz ) );
+		modelScale.z = length( vec3( modelMatrix[ 2 ].xyz ) );
+		return normalize( refractionVector ) * thickness * modelScale;
+	}
+	float applyIorToRoughness( const in float roughness, const in float ior ) {
+		return roughness * clamp( ior * 2.0 - 2.0, 0.0, 1.0 );
+	}
+	vec4 getTransmissionSample( const in vec2 fragCoord, const in float roughness, const in float ior ) {
+		float lod = log2( transmissionSamplerSize.x ) * applyIorToRoughness( roughness, ior );
+		return textureBicubic( transmissionSamplerMap, fragCoord.xy, lod );
+	}
+	vec3 volumeAttenuation( const in float transmissionDistance, const in vec3 attenuationColor, const in float attenuationDistance ) {
+		if ( isinf( attenuationDistance ) ) {
+			return vec3( 1.0 );
+		} else {
+			vec3 attenuationCoefficient = -log( attenuationColor ) / attenuationDistance;
+			vec3 transmittance = exp( - attenuationCoefficient * transmissionDistance );			return transmittance;
+		}
+	}
+	vec4 getIBLVolumeRefraction( const in vec3 n, const in vec3 v, const in float roughness, const in vec3 diffuseColor,
+		const in vec3 specularColor, const in float specularF90, const in vec3 position, const in mat4 modelMatrix,
+		const in mat4 viewMatrix, const in mat4 projMatrix, const in float dispersion, const in float ior, const in float thickness,
+		const in vec3 attenuationColor, const in float attenuationDistance ) {
+		vec4 transmittedLight;
+		vec3 transmittance;
+		#ifdef USE_DISPERSION
+			float halfSpread = ( ior - 1.0 ) * 0.025 * dispersion;
+			vec3 iors = vec3( ior - halfSpread, ior, ior + halfSpread );
+			for ( int i = 0; i < 3; i ++ ) {
+				vec3 transmissionRay = getVolumeTransmissionRay( n, v, thickness, iors[ i ], modelMatrix );
+				vec3 refractedRayExit = position + transmissionRay;
+				vec4 ndcPos = projMatrix * viewMatrix * vec4( refractedRayExit, 1.0 );
+				vec2 refractionCoords = ndcPos.xy / ndcPos.w;
+				refractionCoords += 1.0;
+				refractionCoords /= 2.0;
+				vec4 transmissionSample = getTransmissionSample( refractionCoords, roughness, iors[ i ] );
+				transmittedLight[ i ] = transmissionSample[ i ];
+				transmittedLight.a += transmissionSample.a;
+				transmittance[ i ] = diffuseColor[ i ] * volumeAttenuation( length( transmissionRay ), attenuationColor, attenuationDistance )[ i ];
+			}
+			transmittedLight.a /= 3.0;
+		#else
+			vec3 transmissionRay = getVolumeTransmissionRay( n, v, thickness, ior, modelMatrix );
+			vec3 refractedRayExit = position + transmissionRay;
+			vec4 ndcPos = projMatrix * viewMatrix * vec4( refractedRayExit, 1.0 );
+			vec2 refractionCoords = ndcPos.xy / ndcPos.w;
+			refractionCoords += 1.0;
+			refractionCoords /= 2.0;
+			transmittedLight = getTransmissionSample( refractionCoords, roughness, ior );
+			transmittance = diffuseColor * volumeAttenuation( length( transmissionRay ), attenuationColor, attenuationDistance );
+		#endif
+		vec3 attenuatedColor = transmittance * transmittedLight.rgb;
+		vec3 F = EnvironmentBRDF( n, v, specularColor, specularF90, roughness );
+		float transmittanceFactor = ( transmittance.r + transmittance.g + transmittance.b ) / 3.0;
+		return vec4( ( 1.0 - F ) * attenuatedColor, 1.0 - ( 1.0 - transmittedLight.a ) * transmittanceFactor );
+	}
+#endif`,BS=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	varying vec2 vUv;
+#endif
+#ifdef USE_MAP
+	varying vec2 vMapUv;
+#endif
+#ifdef USE_ALPHAMAP
+	varying vec2 vAlphaMapUv;
+#endif
+#ifdef USE_LIGHTMAP
+	varying vec2 vLightMapUv;
+#endif
+#ifdef USE_AOMAP
+	varying vec2 vAoMapUv;
+#endif
+#ifdef USE_BUMPMAP
+	varying vec2 vBumpMapUv;
+#endif
+#ifdef USE_NORMALMAP
+	varying vec2 vNormalMapUv;
+#endif
+#ifdef USE_EMISSIVEMAP
+	varying vec2 vEmissiveMapUv;
+#endif
+#ifdef USE_METALNESSMAP
+	varying vec2 vMetalnessMapUv;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	varying vec2 vRoughnessMapUv;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESSMAP
+	varying vec2 vDiffuseRoughnessMapUv;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	varying vec2 vAnisotropyMapUv;
+#endif
+#ifdef USE_CLEARCOATMAP
+	varying vec2 vClearcoatMapUv;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	varying vec2 vClearcoatNormalMapUv;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	varying vec2 vClearcoatRoughnessMapUv;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	varying vec2 vIridescenceMapUv;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	varying vec2 vIridescenceThicknessMapUv;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	varying vec2 vSheenColorMapUv;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	varying vec2 vSheenRoughnessMapUv;
+#endif
+#ifdef USE_SPECULARMAP
+	varying vec2 vSpecularMapUv;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	varying vec2 vSpecularColorMapUv;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	varying vec2 vSpecularIntensityMapUv;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	uniform mat3 transmissionMapTransform;
+	varying vec2 vTransmissionMapUv;
+#endif
+#ifdef USE_THICKNESSMAP
+	uniform mat3 thicknessMapTransform;
+	varying vec2 vThicknessMapUv;
+#endif`,zS=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	varying vec2 vUv;
+#endif
+#ifdef USE_MAP
+	uniform mat3 mapTransform;
+	varying vec2 vMapUv;
+#endif
+#ifdef USE_ALPHAMAP
+	uniform mat3 alphaMapTransform;
+	varying vec2 vAlphaMapUv;
+#endif
+#ifdef USE_LIGHTMAP
+	uniform mat3 lightMapTransform;
+	varying vec2 vLightMapUv;
+#endif
+#ifdef USE_AOMAP
+	uniform mat3 aoMapTransform;
+	varying vec2 vAoMapUv;
+#endif
+#ifdef USE_BUMPMAP
+	uniform mat3 bumpMapTransform;
+	varying vec2 vBumpMapUv;
+#endif
+#ifdef USE_NORMALMAP
+	uniform mat3 normalMapTransform;
+	varying vec2 vNormalMapUv;
+#endif
+#ifdef USE_DISPLACEMENTMAP
+	uniform mat3 displacementMapTransform;
+	varying vec2 vDisplacementMapUv;
+#endif
+#ifdef USE_EMISSIVEMAP
+	uniform mat3 emissiveMapTransform;
+	varying vec2 vEmissiveMapUv;
+#endif
+#ifdef USE_METALNESSMAP
+	uniform mat3 metalnessMapTransform;
+	varying vec2 vMetalnessMapUv;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	uniform mat3 roughnessMapTransform;
+	varying vec2 vRoughnessMapUv;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESSMAP
+	uniform mat3 diffuseRoughnessMapTransform;
+	varying vec2 vDiffuseRoughnessMapUv;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	uniform mat3 anisotropyMapTransform;
+	varying vec2 vAnisotropyMapUv;
+#endif
+#ifdef USE_CLEARCOATMAP
+	uniform mat3 clearcoatMapTransform;
+	varying vec2 vClearcoatMapUv;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	uniform mat3 clearcoatNormalMapTransform;
+	varying vec2 vClearcoatNormalMapUv;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	uniform mat3 clearcoatRoughnessMapTransform;
+	varying vec2 vClearcoatRoughnessMapUv;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	uniform mat3 sheenColorMapTransform;
+	varying vec2 vSheenColorMapUv;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	uniform mat3 sheenRoughnessMapTransform;
+	varying vec2 vSheenRoughnessMapUv;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	uniform mat3 iridescenceMapTransform;
+	varying vec2 vIridescenceMapUv;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	uniform mat3 iridescenceThicknessMapTransform;
+	varying vec2 vIridescenceThicknessMapUv;
+#endif
+#ifdef USE_SPECULARMAP
+	uniform mat3 specularMapTransform;
+	varying vec2 vSpecularMapUv;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	uniform mat3 specularColorMapTransform;
+	varying vec2 vSpecularColorMapUv;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	uniform mat3 specularIntensityMapTransform;
+	varying vec2 vSpecularIntensityMapUv;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	uniform mat3 transmissionMapTransform;
+	varying vec2 vTransmissionMapUv;
+#endif
+#ifdef USE_THICKNESSMAP
+	uniform mat3 thicknessMapTransform;
+	varying vec2 vThicknessMapUv;
+#endif`,VS=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	vUv = vec3( uv, 1 ).xy;
+#endif
+#ifdef USE_MAP
+	vMapUv = ( mapTransform * vec3( MAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ALPHAMAP
+	vAlphaMapUv = ( alphaMapTransform * vec3( ALPHAMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_LIGHTMAP
+	vLightMapUv = ( lightMapTransform * vec3( LIGHTMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_AOMAP
+	vAoMapUv = ( aoMapTransform * vec3( AOMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_BUMPMAP
+	vBumpMapUv = ( bumpMapTransform * vec3( BUMPMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_NORMALMAP
+	vNormalMapUv = ( normalMapTransform * vec3( NORMALMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_DISPLACEMENTMAP
+	vDisplacementMapUv = ( displacementMapTransform * vec3( DISPLACEMENTMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_EMISSIVEMAP
+	vEmissiveMapUv = ( emissiveMapTransform * vec3( EMISSIVEMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_METALNESSMAP
+	vMetalnessMapUv = ( metalnessMapTransform * vec3( METALNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	vRoughnessMapUv = ( roughnessMapTransform * vec3( ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESSMAP
+	vDiffuseRoughnessMapUv = ( diffuseRoughnessMapTransform * vec3( DIFFUSE_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	vAnisotropyMapUv = ( anisotropyMapTransform * vec3( ANISOTROPYMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOATMAP
+	vClearcoatMapUv = ( clearcoatMapTransform * vec3( CLEARCOATMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	vClearcoatNormalMapUv = ( clearcoatNormalMapTransform * vec3( CLEARCOAT_NORMALMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	vClearcoatRoughnessMapUv = ( clearcoatRoughnessMapTransform * vec3( CLEARCOAT_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	vIridescenceMapUv = ( iridescenceMapTransform * vec3( IRIDESCENCEMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	vIridescenceThicknessMapUv = ( iridescenceThicknessMapTransform * vec3( IRIDESCENCE_THICKNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	vSheenColorMapUv = ( sheenColorMapTransform * vec3( SHEEN_COLORMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	vSheenRoughnessMapUv = ( sheenRoughnessMapTransform * vec3( SHEEN_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULARMAP
+	vSpecularMapUv = ( specularMapTransform * vec3( SPECULARMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	vSpecularColorMapUv = ( specularColorMapTransform * vec3( SPECULAR_COLORMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	vSpecularIntensityMapUv = ( specularIntensityMapTransform * vec3( SPECULAR_INTENSITYMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	vTransmissionMapUv = ( transmissionMapTransform * vec3( TRANSMISSIONMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_THICKNESSMAP
+	vThicknessMapUv = ( thicknessMapTransform * vec3( THICKNESSMAP_UV, 1 ) ).xy;
+#endif`,GS=`#if defined( USE_ENVMAP ) || defined( DISTANCE ) || defined ( USE_SHADOWMAP ) || defined ( USE_TRANSMISSION ) || NUM_SPOT_LIGHT_COORDS > 0
+	vec4 worldPosition = vec4( transformed, 1.0 );
+	#ifdef USE_BATCHING
+		worldPosition = batchingMatrix * worldPosition;
+	#endif
+	#ifdef USE_INSTANCING
+		worldPosition = instanceMatrix * worldPosition;
+	#endif
+	worldPosition = modelMatrix * worldPosition;
+#endif`,HS=`varying vec2 vUv;
+uniform mat3 uvTransform;
+void main() {
+	vUv = ( uvTransform * vec3( uv, 1 ) ).xy;
+	gl_Position = vec4( position.xy, 1.0, 1.0 );
+}`,WS=`uniform sampler2D t2D;
+uniform float backgroundIntensity;
+varying vec2 vUv;
+void main() {
+	vec4 texColor = texture2D( t2D, vUv );
+	#ifdef DECODE_VIDEO_TEXTURE
+		texColor = vec4( mix( pow( texColor.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), texColor.rgb * 0.0773993808, vec3( lessThanEqual( texColor.rgb, vec3( 0.04045 ) ) ) ), texColor.w );
+	#endif
+	texColor.rgb *= backgroundIntensity;
+	gl_FragColor = texColor;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,XS=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+	gl_Position.z = gl_Position.w;
+}`,qS=`uniform float backgroundBlurriness;
+uniform float backgroundIntensity;
+uniform mat3 backgroundRotation;
+varying vec3 vWorldDirection;
+#include <envmap_common_pars_fragment>
+void main() {
+	#ifdef ENVMAP_TYPE_PMREM
+		vec4 texColor = textureLod( envMap, backgroundRotation * vWorldDirection, roughnessToMip( backgroundBlurriness ) );
+	#else
+		vec4 texColor = textureCube( envMap, backgroundRotation * vWorldDirection );
+	#endif
+	texColor.rgb *= backgroundIntensity;
+	gl_FragColor = texColor;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,$S=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+	gl_Position.z = gl_Position.w;
+}`,YS=`uniform samplerCube tCube;
+uniform float tFlip;
+uniform float opacity;
+varying vec3 vWorldDirection;
+void main() {
+	vec4 texColor = textureCube( tCube, vec3( tFlip * vWorldDirection.x, vWorldDirection.yz ) );
+	gl_FragColor = texColor;
+	gl_FragColor.a *= opacity;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,JS=`#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+varying vec2 vHighPrecisionZW;
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <skinbase_vertex>
+	#include <morphinstance_vertex>
+	#ifdef USE_DISPLACEMENTMAP
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vHighPrecisionZW = gl_Position.zw;
+}`,ZS=`#if DEPTH_PACKING == 3200
+	uniform float opacity;
+#endif
+#include <common>
+#include <packing>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+varying vec2 vHighPrecisionZW;
+void main() {
+	vec4 diffuseColor = vec4( 1.0 );
+	#include <clipping_planes_fragment>
+	#if DEPTH_PACKING == 3200
+		diffuseColor.a = opacity;
+	#endif
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <logdepthbuf_fragment>
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+		float fragCoordZ = vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ];
+	#else
+		float fragCoordZ = 0.5 * vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ] + 0.5;
+	#endif
+	#if DEPTH_PACKING == 3200
+		gl_FragColor = vec4( vec3( 1.0 - fragCoordZ ), opacity );
+	#elif DEPTH_PACKING == 3201
+		gl_FragColor = packDepthToRGBA( fragCoordZ );
+	#elif DEPTH_PACKING == 3202
+		gl_FragColor = vec4( packDepthToRGB( fragCoordZ ), 1.0 );
+	#elif DEPTH_PACKING == 3203
+		gl_FragColor = vec4( packDepthToRG( fragCoordZ ), 0.0, 1.0 );
+	#endif
+}`,KS=`#define DISTANCE
+varying vec3 vWorldPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <skinbase_vertex>
+	#include <morphinstance_vertex>
+	#ifdef USE_DISPLACEMENTMAP
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <worldpos_vertex>
+	#include <clipping_planes_vertex>
+	vWorldPosition = worldPosition.xyz;
+}`,jS=`#define DISTANCE
+uniform vec3 referencePosition;
+uniform float nearDistance;
+uniform float farDistance;
+varying vec3 vWorldPosition;
+#include <common>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( 1.0 );
+	#include <clipping_planes_fragment>
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	float dist = length( vWorldPosition - referencePosition );
+	dist = ( dist - nearDistance ) / ( farDistance - nearDistance );
+	dist = saturate( dist );
+	gl_FragColor = vec4( dist, 0.0, 0.0, 1.0 );
+}`,QS=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+}`,ew=`uniform sampler2D tEquirect;
+varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vec3 direction = normalize( vWorldDirection );
+	vec2 sampleUV = equirectUv( direction );
+	gl_FragColor = texture2D( tEquirect, sampleUV );
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,tw=`uniform float scale;
+attribute float lineDistance;
+varying float vLineDistance;
+#include <common>
+#include <uv_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	vLineDistance = scale * lineDistance;
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+}`,nw=`uniform vec3 diffuse;
+uniform float opacity;
+uniform float dashSize;
+uniform float totalSize;
+varying float vLineDistance;
+#include <common>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	if ( mod( vLineDistance, totalSize ) > dashSize ) {
+		discard;
+	}
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,iw=`#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#if defined ( USE_ENVMAP ) || defined ( USE_SKINNING )
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinbase_vertex>
+		#include <skinnormal_vertex>
+		#include <defaultnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <fog_vertex>
+}`,sw=`uniform vec3 diffuse;
+uniform float opacity;
+#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+#endif
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <fog_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	#ifdef USE_LIGHTMAP
+		vec4 lightMapTexel = texture2D( lightMap, vLightMapUv );
+		reflectedLight.indirectDiffuse += lightMapTexel.rgb * lightMapIntensity * RECIPROCAL_PI;
+	#else
+		reflectedLight.indirectDiffuse += vec3( 1.0 );
+	#endif
+	#include <aomap_fragment>
+	reflectedLight.indirectDiffuse *= diffuseColor.rgb;
+	vec3 outgoingLight = reflectedLight.indirectDiffuse;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,rw=`#define LAMBERT
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,ow=`#define LAMBERT
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_lambert_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_lambert_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + totalEmissiveRadiance;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,aw=`#define MATCAP
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <color_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+	vViewPosition = - mvPosition.xyz;
+}`,lw=`#define MATCAP
+uniform vec3 diffuse;
+uniform float opacity;
+uniform sampler2D matcap;
+varying vec3 vViewPosition;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <normal_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	vec3 viewDir = normalize( vViewPosition );
+	vec3 x = normalize( vec3( viewDir.z, 0.0, - viewDir.x ) );
+	vec3 y = cross( viewDir, x );
+	vec2 uv = vec2( dot( x, normal ), dot( y, normal ) ) * 0.495 + 0.5;
+	#ifdef USE_MATCAP
+		vec4 matcapColor = texture2D( matcap, uv );
+	#else
+		vec4 matcapColor = vec4( vec3( mix( 0.2, 0.8, uv.y ) ), 1.0 );
+	#endif
+	vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,cw=`#define NORMAL
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	varying vec3 vViewPosition;
+#endif
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	vViewPosition = - mvPosition.xyz;
+#endif
+}`,hw=`#define NORMAL
+uniform float opacity;
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	varying vec3 vViewPosition;
+#endif
+#include <uv_pars_fragment>
+#include <normal_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( 0.0, 0.0, 0.0, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	gl_FragColor = vec4( normalize( normal ) * 0.5 + 0.5, diffuseColor.a );
+	#ifdef OPAQUE
+		gl_FragColor.a = 1.0;
+	#endif
+}`,uw=`#define PHONG
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,dw=`#define PHONG
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform vec3 specular;
+uniform float shininess;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_phong_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_phong_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + reflectedLight.directSpecular + reflectedLight.indirectSpecular + totalEmissiveRadiance;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,fw=`#define STANDARD
+varying vec3 vViewPosition;
+#ifdef USE_TRANSMISSION
+	varying vec3 vWorldPosition;
+#endif
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+#ifdef USE_TRANSMISSION
+	vWorldPosition = worldPosition.xyz;
+#endif
+}`,pw=`#define STANDARD
+#ifdef PHYSICAL
+	#define IOR
+	#define USE_SPECULAR
+#endif
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float roughness;
+uniform float metalness;
+uniform float opacity;
+#ifdef IOR
+	uniform float ior;
+#endif
+#ifdef USE_SPECULAR
+	uniform float specularIntensity;
+	uniform vec3 specularColor;
+	#ifdef USE_SPECULAR_COLORMAP
+		uniform sampler2D specularColorMap;
+	#endif
+	#ifdef USE_SPECULAR_INTENSITYMAP
+		uniform sampler2D specularIntensityMap;
+	#endif
+#endif
+#ifdef USE_CLEARCOAT
+	uniform float clearcoat;
+	uniform float clearcoatRoughness;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESS
+	uniform float diffuseRoughness;
+	#ifdef USE_DIFFUSE_ROUGHNESSMAP
+		uniform sampler2D diffuseRoughnessMap;
+	#endif
+#endif
+#ifdef USE_DISPERSION
+	uniform float dispersion;
+#endif
+#ifdef USE_RETROREFLECTION
+	uniform float retroreflectivity;
+#endif
+#ifdef USE_IRIDESCENCE
+	uniform float iridescence;
+	uniform float iridescenceIOR;
+	uniform float iridescenceThicknessMinimum;
+	uniform float iridescenceThicknessMaximum;
+#endif
+#ifdef USE_SHEEN
+	uniform vec3 sheenColor;
+	uniform float sheenRoughness;
+	#ifdef USE_SHEEN_COLORMAP
+		uniform sampler2D sheenColorMap;
+	#endif
+	#ifdef USE_SHEEN_ROUGHNESSMAP
+		uniform sampler2D sheenRoughnessMap;
+	#endif
+#endif
+#ifdef USE_ANISOTROPY
+	uniform vec2 anisotropyVector;
+	#ifdef USE_ANISOTROPYMAP
+		uniform sampler2D anisotropyMap;
+	#endif
+#endif
+varying vec3 vViewPosition;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <iridescence_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_physical_pars_fragment>
+#include <transmission_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <clearcoat_pars_fragment>
+#include <iridescence_pars_fragment>
+#include <roughnessmap_pars_fragment>
+#include <metalnessmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <roughnessmap_fragment>
+	#include <metalnessmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <clearcoat_normal_fragment_begin>
+	#include <clearcoat_normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_physical_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 totalDiffuse = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse;
+	vec3 totalSpecular = reflectedLight.directSpecular + reflectedLight.indirectSpecular;
+	#include <transmission_fragment>
+	vec3 outgoingLight = totalDiffuse + totalSpecular + totalEmissiveRadiance;
+	#ifdef USE_SHEEN
+ 
+		outgoingLight = outgoingLight + sheenSpecularDirect + sheenSpecularIndirect;
+ 
+ 	#endif
+	#ifdef USE_CLEARCOAT
+		float dotNVcc = saturate( dot( geometryClearcoatNormal, geometryViewDir ) );
+		vec3 Fcc = F_Schlick( material.clearcoatF0, material.clearcoatF90, dotNVcc );
+		outgoingLight = outgoingLight * ( 1.0 - material.clearcoat * Fcc ) + ( clearcoatSpecularDirect + clearcoatSpecularIndirect ) * material.clearcoat;
+	#endif
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,mw=`#define TOON
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,gw=`#define TOON
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <gradientmap_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_toon_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_toon_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + totalEmissiveRadiance;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,yw=`uniform float size;
+uniform float scale;
+#include <common>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+#ifdef USE_POINTS_UV
+	varying vec2 vUv;
+	uniform mat3 uvTransform;
+#endif
+void main() {
+	#ifdef USE_POINTS_UV
+		vUv = ( uvTransform * vec3( uv, 1 ) ).xy;
+	#endif
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <project_vertex>
+	gl_PointSize = size;
+	#ifdef USE_SIZEATTENUATION
+		bool isPerspective = isPerspectiveMatrix( projectionMatrix );
+		if ( isPerspective ) gl_PointSize *= ( scale / - mvPosition.z );
+	#endif
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <worldpos_vertex>
+	#include <fog_vertex>
+}`,vw=`uniform vec3 diffuse;
+uniform float opacity;
+#include <common>
+#include <color_pars_fragment>
+#include <map_particle_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_particle_fragment>
+	#include <color_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,xw=`#include <common>
+#include <batching_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <shadowmap_pars_vertex>
+void main() {
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,_w=`uniform vec3 color;
+uniform float opacity;
+#include <common>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <logdepthbuf_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <shadowmask_pars_fragment>
+void main() {
+	#include <logdepthbuf_fragment>
+	gl_FragColor = vec4( color, opacity * ( 1.0 - getShadowMask() ) );
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,bw=`uniform float rotation;
+uniform vec2 center;
+#include <common>
+#include <uv_pars_vertex>
+#include <fog_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	vec4 mvPosition = modelViewMatrix[ 3 ];
+	vec2 scale = vec2( length( modelMatrix[ 0 ].xyz ), length( modelMatrix[ 1 ].xyz ) );
+	#ifndef USE_SIZEATTENUATION
+		bool isPerspective = isPerspectiveMatrix( projectionMatrix );
+		if ( isPerspective ) scale *= - mvPosition.z;
+	#endif
+	vec2 alignedPosition = ( position.xy - ( center - vec2( 0.5 ) ) ) * scale;
+	vec2 rotatedPosition;
+	rotatedPosition.x = cos( rotation ) * alignedPosition.x - sin( rotation ) * alignedPosition.y;
+	rotatedPosition.y = sin( rotation ) * alignedPosition.x + cos( rotation ) * alignedPosition.y;
+	mvPosition.xy += rotatedPosition;
+	gl_Position = projectionMatrix * mvPosition;
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+}`,Mw=`uniform vec3 diffuse;
+uniform float opacity;
+#include <common>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+}`,ht={alphahash_fragment:Wb,alphahash_pars_fragment:Xb,alphamap_fragment:qb,alphamap_pars_fragment:$b,alphatest_fragment:Yb,alphatest_pars_fragment:Jb,aomap_fragment:Zb,aomap_pars_fragment:Kb,batching_pars_vertex:jb,batching_vertex:Qb,begin_vertex:eM,beginnormal_vertex:tM,bsdfs:nM,iridescence_fragment:iM,bumpmap_pars_fragment:sM,clipping_planes_fragment:rM,clipping_planes_pars_fragment:oM,clipping_planes_pars_vertex:aM,clipping_planes_vertex:lM,color_fragment:cM,color_pars_fragment:hM,color_pars_vertex:uM,color_vertex:dM,common:fM,defaultnormal_vertex:pM,displacementmap_pars_vertex:mM,displacementmap_vertex:gM,emissivemap_fragment:yM,emissivemap_pars_fragment:vM,colorspace_fragment:xM,colorspace_pars_fragment:_M,envmap_fragment:bM,envmap_common_pars_fragment:MM,envmap_pars_fragment:SM,envmap_pars_vertex:wM,envmap_physical_pars_fragment:UM,envmap_vertex:EM,fog_vertex:TM,fog_pars_vertex:AM,fog_fragment:CM,fog_pars_fragment:RM,gradientmap_pars_fragment:PM,lightmap_pars_fragment:IM,lights_lambert_fragment:LM,lights_lambert_pars_fragment:NM,lights_pars_begin:DM,lights_toon_fragment:FM,lights_toon_pars_fragment:OM,lights_phong_fragment:kM,lights_phong_pars_fragment:BM,lights_physical_fragment:zM,lights_physical_pars_fragment:VM,lights_fragment_begin:GM,lights_fragment_maps:HM,lights_fragment_end:WM,lightprobes_pars_fragment:XM,logdepthbuf_fragment:qM,logdepthbuf_pars_fragment:$M,logdepthbuf_pars_vertex:YM,logdepthbuf_vertex:JM,map_fragment:ZM,map_pars_fragment:KM,map_particle_fragment:jM,map_particle_pars_fragment:QM,metalnessmap_fragment:eS,metalnessmap_pars_fragment:tS,morphinstance_vertex:nS,morphcolor_vertex:iS,morphnormal_vertex:sS,morphtarget_pars_vertex:rS,morphtarget_vertex:oS,normal_fragment_begin:aS,normal_fragment_maps:lS,normal_pars_fragment:cS,normal_pars_vertex:hS,normal_vertex:uS,normalmap_pars_fragment:dS,clearcoat_normal_fragment_begin:fS,clearcoat_normal_fragment_maps:pS,clearcoat_pars_fragment:mS,iridescence_pars_fragment:gS,opaque_fragment:yS,packing:vS,premultiplied_alpha_fragment:xS,project_vertex:_S,dithering_fragment:bS,dithering_pars_fragment:MS,roughnessmap_fragment:SS,roughnessmap_pars_fragment:wS,shadowmap_pars_fragment:ES,shadowmap_pars_vertex:TS,shadowmap_vertex:AS,shadowmask_pars_fragment:CS,skinbase_vertex:RS,skinning_pars_vertex:PS,skinning_vertex:IS,skinnormal_vertex:LS,specularmap_fragment:NS,specularmap_pars_fragment:DS,tonemapping_fragment:US,tonemapping_pars_fragment:FS,transmission_fragment:OS,transmission_pars_fragment:kS,uv_pars_fragment:BS,uv_pars_vertex:zS,uv_vertex:VS,worldpos_vertex:GS,background_vert:HS,background_frag:WS,backgroundCube_vert:XS,backgroundCube_frag:qS,cube_vert:$S,cube_frag:YS,depth_vert:JS,depth_frag:ZS,distance_vert:KS,distance_frag:jS,equirect_vert:QS,equirect_frag:ew,linedashed_vert:tw,linedashed_frag:nw,meshbasic_vert:iw,meshbasic_frag:sw,meshlambert_vert:rw,meshlambert_frag:ow,meshmatcap_vert:aw,meshmatcap_frag:lw,meshnormal_vert:cw,meshnormal_frag:hw,meshphong_vert:uw,meshphong_frag:dw,meshphysical_vert:fw,meshphysical_frag:pw,meshtoon_vert:mw,meshtoon_frag:gw,points_vert:yw,points_frag:vw,shadow_vert:xw,shadow_frag:_w,sprite_vert:bw,sprite_frag:Mw},Le={common:{diffuse:{value:new _t(16777215)},opacity:{value:1},map:{value:null},mapTransform:{value:new nt},alphaMap:{value:null},alphaMapTransform:{value:new nt},alphaTest:{value:0}},specularmap:{specularMap:{value:null},specularMapTransform:{value:new nt}},envmap:{envMap:{value:null},envMapRotation:{value:new nt},reflectivity:{value:1},ior:{value:1.5},refractionRatio:{value:.98},dfgLUT:{value:null}},aomap:{aoMap:{value:null},aoMapIntensity:{value:1},aoMapTransform:{value:new nt}},lightmap:{lightMap:{value:null},lightMapIntensity:{value:1},lightMapTransform:{value:new nt}},bumpmap:{bumpMap:{value:null},bumpMapTransform:{value:new nt},bumpScale:{value:1}},normalmap:{normalMap:{value:null},normalMapTransform:{value:new nt},normalScale:{value:new xt(1,1)}},displacementmap:{displacementMap:{value:null},displacementMapTransform:{value:new nt},displacementScale:{value:1},displacementBias:{value:0}},emissivemap:{emissiveMap:{value:null},emissiveMapTransform:{value:new nt}},metalnessmap:{metalnessMap:{value:null},metalnessMapTransform:{value:new nt}},roughnessmap:{roughnessMap:{value:null},roughnessMapTransform:{value:new nt}},gradientmap:{gradientMap:{value:null}},fog:{fogDensity:{value:25e-5},fogNear:{value:1},fogFar:{value:2e3},fogColor:{value:new _t(16777215)}},lights:{ambientLightColor:{value:[]},lightProbe:{value:[]},sunLights:{value:[],properties:{direction:{},color:{}}},sunLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},sunShadowMatrix:{value:[]},sunShadowCascade:{value:[]},directionalLights:{value:[],properties:{direction:{},color:{}}},directionalLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},directionalShadowMatrix:{value:[]},spotLights:{value:[],properties:{color:{},position:{},direction:{},distance:{},coneCos:{},penumbraCos:{},decay:{}}},spotLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},spotLightMap:{value:[]},spotLightMatrix:{value:[]},pointLights:{value:[],properties:{color:{},position:{},decay:{},distance:{}}},pointLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{},shadowCameraNear:{},shadowCameraFar:{}}},pointShadowMatrix:{value:[]},hemisphereLights:{value:[],properties:{direction:{},skyColor:{},groundColor:{}}},rectAreaLights:{value:[],properties:{color:{},position:{},width:{},height:{}}},ltc_1:{value:null},ltc_2:{value:null},probesSH:{value:[]},probesMin:{value:[]},probesMax:{value:[]},probesResolution:{value:[]}},points:{diffuse:{value:new _t(16777215)},opacity:{value:1},size:{value:1},scale:{value:1},map:{value:null},alphaMap:{value:null},alphaMapTransform:{value:new nt},alphaTest:{value:0},uvTransform:{value:new nt}},sprite:{diffuse:{value:new _t(16777215)},opacity:{value:1},center:{value:new xt(.5,.5)},rotation:{value:0},map:{value:null},mapTransform:{value:new nt},alphaMap:{value:null},alphaMapTransform:{value:new nt},alphaTest:{value:0}}},as={basic:{uniforms:Vn([Le.common,Le.specularmap,Le.envmap,Le.aomap,Le.lightmap,Le.fog]),vertexShader:ht.meshbasic_vert,fragmentShader:ht.meshbasic_frag},lambert:{uniforms:Vn([Le.common,Le.specularmap,Le.envmap,Le.aomap,Le.lightmap,Le.emissivemap,Le.bumpmap,Le.normalmap,Le.displacementmap,Le.fog,Le.lights,{emissive:{value:new _t(0)},envMapIntensity:{value:1}}]),vertexShader:ht.meshlambert_vert,fragmentShader:ht.meshlambert_frag},phong:{uniforms:Vn([Le.common,Le.specularmap,Le.envmap,Le.aomap,Le.lightmap,Le.emissivemap,Le.bumpmap,Le.normalmap,Le.displacementmap,Le.fog,Le.lights,{emissive:{value:new _t(0)},specular:{value:new _t(1118481)},shininess:{value:30},envMapIntensity:{value:1}}]),vertexShader:ht.meshphong_vert,fragmentShader:ht.meshphong_frag},standard:{uniforms:Vn([Le.common,Le.envmap,Le.aomap,Le.lightmap,Le.emissivemap,Le.bumpmap,Le.normalmap,Le.displacementmap,Le.roughnessmap,Le.metalnessmap,Le.fog,Le.lights,{emissive:{value:new _t(0)},roughness:{value:1},metalness:{value:0},envMapIntensity:{value:1}}]),vertexShader:ht.meshphysical_vert,fragmentShader:ht.meshphysical_frag},toon:{uniforms:Vn([Le.common,Le.aomap,Le.lightmap,Le.emissivemap,Le.bumpmap,Le.normalmap,Le.displacementmap,Le.gradientmap,Le.fog,Le.lights,{emissive:{value:new _t(0)}}]),vertexShader:ht.meshtoon_vert,fragmentShader:ht.meshtoon_frag},matcap:{uniforms:Vn([Le.common,Le.bumpmap,Le.normalmap,Le.displacementmap,Le.fog,{matcap:{value:null}}]),vertexShader:ht.meshmatcap_vert,fragmentShader:ht.meshmatcap_frag},points:{uniforms:Vn([Le.points,Le.fog]),vertexShader:ht.points_vert,fragmentShader:ht.points_frag},dashed:{uniforms:Vn([Le.common,Le.fog,{scale:{value:1},dashSize:{value:1},totalSize:{value:2}}]),vertexShader:ht.linedashed_vert,fragmentShader:ht.linedashed_frag},depth:{uniforms:Vn([Le.common,Le.displacementmap]),vertexShader:ht.depth_vert,fragmentShader:ht.depth_frag},normal:{uniforms:Vn([Le.common,Le.bumpmap,Le.normalmap,Le.displacementmap,{opacity:{value:1}}]),vertexShader:ht.meshnormal_vert,fragmentShader:ht.meshnormal_frag},sprite:{uniforms:Vn([Le.sprite,Le.fog]),vertexShader:ht.sprite_vert,fragmentShader:ht.sprite_frag},background:{uniforms:{uvTransform:{value:new nt},t2D:{value:null},backgroundIntensity:{value:1}},vertexShader:ht.background_vert,fragmentShader:ht.background_frag},backgroundCube:{uniforms:{envMap:{value:null},backgroundBlurriness:{value:0},backgroundIntensity:{value:1},backgroundRotation:{value:new nt}},vertexShader:ht.backgroundCube_vert,fragmentShader:ht.backgroundCube_frag},cube:{uniforms:{tCube:{value:null},tFlip:{value:-1},opacity:{value:1}},vertexShader:ht.cube_vert,fragmentShader:ht.cube_frag},equirect:{uniforms:{tEquirect:{value:null}},vertexShader:ht.equirect_vert,fragmentShader:ht.equirect_frag},distance:{uniforms:Vn([Le.common,Le.displacementmap,{referencePosition:{value:new W},nearDistance:{value:1},farDistance:{value:1e3}}]),vertexShader:ht.distance_vert,fragmentShader:ht.distance_frag},shadow:{uniforms:Vn([Le.lights,Le.fog,{color:{value:new _t(0)},opacity:{value:1}}]),vertexShader:ht.shadow_vert,fragmentShader:ht.shadow_frag}};as.physical={uniforms:Vn([as.standard.uniforms,{clearcoat:{value:0},clearcoatMap:{value:null},clearcoatMapTransform:{value:new nt},clearcoatNormalMap:{value:null},clearcoatNormalMapTransform:{value:new nt},clearcoatNormalScale:{value:new xt(1,1)},clearcoatRoughness:{value:0},clearcoatRoughnessMap:{value:null},clearcoatRoughnessMapTransform:{value:new nt},diffuseRoughness:{value:0},diffuseRoughnessMap:{value:null},diffuseRoughnessMapTransform:{value:new nt},dispersion:{value:0},retroreflectivity:{value:0},iridescence:{value:0},iridescenceMap:{value:null},iridescenceMapTransform:{value:new nt},iridescenceIOR:{value:1.3},iridescenceThicknessMinimum:{value:100},iridescenceThicknessMaximum:{value:400},iridescenceThicknessMap:{value:null},iridescenceThicknessMapTransform:{value:new nt},sheen:{value:0},sheenColor:{value:new _t(0)},sheenColorMap:{value:null},sheenColorMapTransform:{value:new nt},sheenRoughness:{value:1},sheenRoughnessMap:{value:null},sheenRoughnessMapTransform:{value:new nt},transmission:{value:0},transmissionMap:{value:null},transmissionMapTransform:{value:new nt},transmissionSamplerSize:{value:new xt},transmissionSamplerMap:{value:null},thickness:{value:0},thicknessMap:{value:null},thicknessMapTransform:{value:new nt},attenuationDistance:{value:0},attenuationColor:{value:new _t(0)},specularColor:{value:new _t(1,1,1)},specularColorMap:{value:null},specularColorMapTransform:{value:new nt},specularIntensity:{value:1},specularIntensityMap:{value:null},specularIntensityMapTransform:{value:new nt},anisotropyVector:{value:new xt},anisotropyMap:{value:null},anisotropyMapTransform:{value:new nt}}]),vertexShader:ht.meshphysical_vert,fragmentShader:ht.meshphysical_frag};var bh={r:0,b:0,g:0},Sw=new zt,dy=new nt;dy.set(-1,0,0,0,1,0,0,0,1);function ww(i,e,t,n,s,r){let o=new _t(0),a=s===!0?0:1,l,c,h=null,u=0,d=null;function f(x){let M=x.isScene===!0?x.background:null;if(M&&M.isTexture){let b=x.backgroundBlurriness>0;M=e.get(M,b)}return M}function g(x){let M=!1,b=f(x);b===null?m(o,a):b&&b.isColor&&(m(b,1),M=!0);let C=i.xr.getEnvironmentBlendMode();C==="additive"?t.buffers.color.setClear(0,0,0,1,r):C==="alpha-blend"&&t.buffers.color.setClear(0,0,0,0,r),(i.autoClear||M)&&(t.buffers.depth.setTest(!0),t.buffers.depth.setMask(!0),t.buffers.color.setMask(!0),i.clear(i.autoClearColor,i.autoClearDepth,i.autoClearStencil))}function v(x,M){let b=f(M);b&&b.isCubeTexture?(c===void 0&&(c=new ln(new To(1,1,1),new Un({name:"BackgroundCubeMaterial",uniforms:Cr(as.backgroundCube.uniforms),vertexShader:as.backgroundCube.vertexShader,fragmentShader:as.backgroundCube.fragmentShader,side:jn,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),c.geometry.deleteAttribute("normal"),c.geometry.deleteAttribute("uv"),c.onBeforeRender=function(C,A,y){this.matrixWorld.copyPosition(y.matrixWorld)},Object.defineProperty(c.material,"envMap",{get:function(){return this.uniforms.envMap.value}}),n.update(c)),c.material.uniforms.envMap.value=b,c.material.uniforms.backgroundBlurriness.value=M.backgroundBlurriness,c.material.uniforms.backgroundIntensity.value=M.backgroundIntensity,c.material.uniforms.backgroundRotation.value.setFromMatrix4(Sw.makeRotationFromEuler(M.backgroundRotation)).transpose(),b.isRenderTargetTexture===!1&&c.material.uniforms.backgroundRotation.value.premultiply(dy),c.material.toneMapped=yt.getTransfer(b.colorSpace)!==Ct,(h!==b||u!==b.version||d!==i.toneMapping)&&(c.material.needsUpdate=!0,h=b,u=b.version,d=i.toneMapping),c.layers.enableAll(),x.unshift(c,c.geometry,c.material,0,0,null)):b&&b.isTexture&&(l===void 0&&(l=new ln(new Mr(2,2),new Un({name:"BackgroundMaterial",uniforms:Cr(as.background.uniforms),vertexShader:as.background.vertexShader,fragmentShader:as.background.fragmentShader,side:tr,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),l.geometry.deleteAttribute("normal"),Object.defineProperty(l.material,"map",{get:function(){return this.uniforms.t2D.value}}),n.update(l)),l.material.uniforms.t2D.value=b,l.material.uniforms.backgroundIntensity.value=M.backgroundIntensity,l.material.toneMapped=yt.getTransfer(b.colorSpace)!==Ct,b.matrixAutoUpdate===!0&&b.updateMatrix(),l.material.uniforms.uvTransform.value.copy(b.matrix),(h!==b||u!==b.version||d!==i.toneMapping)&&(l.material.needsUpdate=!0,h=b,u=b.version,d=i.toneMapping),l.layers.enableAll(),x.unshift(l,l.geometry,l.material,0,0,null))}function m(x,M){x.getRGB(bh,sf(i)),t.buffers.color.setClear(bh.r,bh.g,bh.b,M,r)}function p(){c!==void 0&&(c.geometry.dispose(),c.material.dispose(),c=void 0),l!==void 0&&(l.geometry.dispose(),l.material.dispose(),l=void 0)}return{getClearColor:function(){return o},setClearColor:function(x,M=1){o.set(x),a=M,m(o,a)},getClearAlpha:function(){return a},setClearAlpha:function(x){a=x,m(o,a)},render:g,addToRenderList:v,dispose:p}}function Ew(i,e){let t=i.getParameter(i.MAX_VERTEX_ATTRIBS),n={},s=d(null),r=s,o=!1;function a(R,k,F,P,V){let q=!1,H=u(R,P,F,k);r!==H&&(r=H,c(r.object)),q=f(R,P,F,V),q&&g(R,P,F,V),V!==null&&e.update(V,i.ELEMENT_ARRAY_BUFFER),(q||o)&&(o=!1,b(R,k,F,P),V!==null&&i.bindBuffer(i.ELEMENT_ARRAY_BUFFER,e.get(V).buffer))}function l(){return i.createVertexArray()}function c(R){return i.bindVertexArray(R)}function h(R){return i.deleteVertexArray(R)}function u(R,k,F,P){let V=P.wireframe===!0,q=n[k.id];q===void 0&&(q={},n[k.id]=q);let H=R.isInstancedMesh===!0?R.id:0,le=q[H];le===void 0&&(le={},q[H]=le);let Z=le[F.id];Z===void 0&&(Z={},le[F.id]=Z);let Q=Z[V];return Q===void 0&&(Q=d(l()),Z[V]=Q),Q}function d(R){let k=[],F=[],P=[];for(let V=0;V<t;V++)k[V]=0,F[V]=0,P[V]=0;return{geometry:null,program:null,wireframe:!1,newAttributes:k,enabledAttributes:F,attributeDivisors:P,object:R,attributes:{},index:null}}function f(R,k,F,P){let V=r.attributes,q=k.attributes,H=0,le=F.getAttributes();for(let Z in le)if(le[Z].location>=0){let ie=V[Z],de=q[Z];if(de===void 0&&(Z==="instanceMatrix"&&R.instanceMatrix&&(de=R.instanceMatrix),Z==="instanceColor"&&R.instanceColor&&(de=R.instanceColor)),ie===void 0||ie.attribute!==de||de&&ie.data!==de.data)return!0;H++}return r.attributesNum!==H||r.index!==P}function g(R,k,F,P){let V={},q=k.attributes,H=0,le=F.getAttributes();for(let Z in le)if(le[Z].location>=0){let ie=q[Z];ie===void 0&&(Z==="instanceMatrix"&&R.instanceMatrix&&(ie=R.instanceMatrix),Z==="instanceColor"&&R.instanceColor&&(ie=R.instanceColor));let de={};de.attribute=ie,ie&&ie.data&&(de.data=ie.data),V[Z]=de,H++}r.attributes=V,r.attributesNum=H,r.index=P}function v(){let R=r.newAttributes;for(let k=0,F=R.length;k<F;k++)R[k]=0}function m(R){p(R,0)}function p(R,k){let F=r.newAttributes,P=r.enabledAttributes,V=r.attributeDivisors;F[R]=1,P[R]===0&&(i.enableVertexAttribArray(R),P[R]=1),V[R]!==k&&(i.vertexAttribDivisor(R,k),V[R]=k)}function x(){let R=r.newAttributes,k=r.enabledAttributes;for(let F=0,P=k.length;F<P;F++)k[F]!==R[F]&&(i.disableVertexAttribArray(F),k[F]=0)}function M(R,k,F,P,V,q,H){H===!0?i.vertexAttribIPointer(R,k,F,V,q):i.vertexAttribPointer(R,k,F,P,V,q)}function b(R,k,F,P){v();let V=P.attributes,q=F.getAttributes(),H=k.defaultAttributeValues;for(let le in q){let Z=q[le];if(Z.location>=0){let Q=V[le];if(Q===void 0&&(le==="instanceMatrix"&&R.instanceMatrix&&(Q=R.instanceMatrix),le==="instanceColor"&&R.instanceColor&&(Q=R.instanceColor)),Q!==void 0){let ie=Q.normalized,de=Q.itemSize,ue=e.get(Q);if(ue===void 0)continue;let ee=ue.buffer,me=ue.type,ve=ue.bytesPerElement,Ae=me===i.INT||me===i.UNSIGNED_INT||Q.gpuType===Bc;if(Q.isInterleavedBufferAttribute){let Me=Q.data,We=Me.isInterleavedBuffer===!0?Me.stride:Me.itemSize,rt=Q.offset;if(Me.isInstancedInterleavedBuffer||Me.isInstancedBufferAttribute){for(let Ge=0;Ge<Z.locationSize;Ge++)p(Z.location+Ge,Me.meshPerAttribute);R.isInstancedMesh!==!0&&P._maxInstanceCount===void 0&&(P._maxInstanceCount=Me.meshPerAttribute*Me.count)}else for(let Ge=0;Ge<Z.locationSize;Ge++)m(Z.location+Ge);i.bindBuffer(i.ARRAY_BUFFER,ee);for(let Ge=0;Ge<Z.locationSize;Ge++)M(Z.location+Ge,de/Z.locationSize,me,ie,We*ve,(rt+de/Z.locationSize*Ge)*ve,Ae)}else{if(Q.isInstancedBufferAttribute){for(let Me=0;Me<Z.locationSize;Me++)p(Z.location+Me,Q.meshPerAttribute);R.isInstancedMesh!==!0&&P._maxInstanceCount===void 0&&(P._maxInstanceCount=Q.meshPerAttribute*Q.count)}else for(let Me=0;Me<Z.locationSize;Me++)m(Z.location+Me);i.bindBuffer(i.ARRAY_BUFFER,ee);for(let Me=0;Me<Z.locationSize;Me++)M(Z.location+Me,de/Z.locationSize,me,ie,de*ve,de/Z.locationSize*Me*ve,Ae)}}else if(H!==void 0){let ie=H[le];if(ie!==void 0)switch(ie.length){case 2:i.vertexAttrib2fv(Z.location,ie);break;case 3:i.vertexAttrib3fv(Z.location,ie);break;case 4:i.vertexAttrib4fv(Z.location,ie);break;default:i.vertexAttrib1fv(Z.location,ie)}}}}x()}function C(){U();for(let R in n){let k=n[R];for(let F in k){let P=k[F];for(let V in P){let q=P[V];for(let H in q)h(q[H].object),delete q[H];delete P[V]}}delete n[R]}}function A(R){if(n[R.id]===void 0)return;let k=n[R.id];for(let F in k){let P=k[F];for(let V in P){let q=P[V];for(let H in q)h(q[H].object),delete q[H];delete P[V]}}delete n[R.id]}function y(R){for(let k in n){let F=n[k];for(let P in F){let V=F[P];if(V[R.id]===void 0)continue;let q=V[R.id];for(let H in q)h(q[H].object),delete q[H];delete V[R.id]}}}function S(R){for(let k in n){let F=n[k],P=R.isInstancedMesh===!0?R.id:0,V=F[P];if(V!==void 0){for(let q in V){let H=V[q];for(let le in H)h(H[le].object),delete H[le];delete V[q]}delete F[P],Object.keys(F).length===0&&delete n[k]}}}function U(){I(),o=!0,r!==s&&(r=s,c(r.object))}function I(){s.geometry=null,s.program=null,s.wireframe=!1}return{setup:a,reset:U,resetDefaultState:I,dispose:C,releaseStatesOfGeometry:A,releaseStatesOfObject:S,releaseStatesOfProgram:y,initAttributes:v,enableAttribute:m,disableUnusedAttributes:x}}function Tw(i,e,t){let n;function s(l){n=l}function r(l,c){i.drawArrays(n,l,c),t.update(c,n,1)}function o(l,c,h){h!==0&&(i.drawArraysInstanced(n,l,c,h),t.update(c,n,h))}function a(l,c,h){if(h===0)return;e.get("WEBGL_multi_draw").multiDrawArraysWEBGL(n,l,0,c,0,h);let d=0;for(let f=0;f<h;f++)d+=c[f];t.update(d,n,1)}this.setMode=s,this.render=r,this.renderInstances=o,this.renderMultiDraw=a}function Aw(i,e,t,n){let s;function r(){if(s!==void 0)return s;if(e.has("EXT_texture_filter_anisotropic")===!0){let y=e.get("EXT_texture_filter_anisotropic");s=i.getParameter(y.MAX_TEXTURE_MAX_ANISOTROPY_EXT)}else s=0;return s}function o(y){return!(y!==zi&&n.convert(y)!==i.getParameter(i.IMPLEMENTATION_COLOR_READ_FORMAT))}function a(y){let S=y===Bi&&(e.has("EXT_color_buffer_half_float")||e.has("EXT_color_buffer_float"));return!(y!==gi&&y!==ki&&!S&&n.convert(y)!==i.getParameter(i.IMPLEMENTATION_COLOR_READ_TYPE))}function l(y){if(y==="highp"){if(i.getShaderPrecisionFormat(i.VERTEX_SHADER,i.HIGH_FLOAT).precision>0&&i.getShaderPrecisionFormat(i.FRAGMENT_SHADER,i.HIGH_FLOAT).precision>0)return"highp";y="mediump"}return y==="mediump"&&i.getShaderPrecisionFormat(i.VERTEX_SHADER,i.MEDIUM_FLOAT).precision>0&&i.getShaderPrecisionFormat(i.FRAGMENT_SHADER,i.MEDIUM_FLOAT).precision>0?"mediump":"lowp"}let c=t.precision!==void 0?t.precision:"highp",h=l(c);h!==c&&(Ze("WebGLRenderer:",c,"not supported, using",h,"instead."),c=h);let u=t.reversedDepthBuffer===!0&&e.has("EXT_clip_control"),d=t.logarithmicDepthBuffer===!0&&u===!1;t.reversedDepthBuffer===!0&&u===!1&&Ze("WebGLRenderer: Unable to use reversed depth buffer due to missing EXT_clip_control extension. Fallback to default depth buffer."),t.logarithmicDepthBuffer===!0&&u===!0&&Ze("WebGLRenderer: Logarithmic depth buffer is ignored when reversed depth buffer is enabled.");let f=i.getParameter(i.MAX_TEXTURE_IMAGE_UNITS),g=i.getParameter(i.MAX_VERTEX_TEXTURE_IMAGE_UNITS),v=i.getParameter(i.MAX_TEXTURE_SIZE),m=i.getParameter(i.MAX_CUBE_MAP_TEXTURE_SIZE),p=i.getParameter(i.MAX_VERTEX_ATTRIBS),x=i.getParameter(i.MAX_VERTEX_UNIFORM_VECTORS),M=i.getParameter(i.MAX_VARYING_VECTORS),b=i.getParameter(i.MAX_FRAGMENT_UNIFORM_VECTORS),C=i.getParameter(i.MAX_SAMPLES),A=i.getParameter(i.SAMPLES);return{isWebGL2:!0,getMaxAnisotropy:r,getMaxPrecision:l,textureFormatReadable:o,textureTypeReadable:a,precision:c,logarithmicDepthBuffer:d,reversedDepthBuffer:u,maxTextures:f,maxVertexTextures:g,maxTextureSize:v,maxCubemapSize:m,maxAttributes:p,maxVertexUniforms:x,maxVaryings:M,maxFragmentUniforms:b,maxSamples:C,samples:A}}function Cw(i){let e=this,t=null,n=0,s=!1,r=!1,o=new fi,a=new nt,l={value:null,needsUpdate:!1};this.uniform=l,this.numPlanes=0,this.numIntersection=0,this.init=function(u,d){let f=u.length!==0||d||n!==0||s;return s=d,n=u.length,f},this.beginShadows=function(){r=!0,h(null)},this.endShadows=function(){r=!1},this.setGlobalState=function(u,d){t=h(u,d,0)},this.setState=function(u,d,f){let g=u.clippingPlanes,v=u.clipIntersection,m=u.clipShadows,p=i.get(u);if(!s||g===null||g.length===0||r&&!m)r?h(null):c();else{let x=r?0:n,M=x*4,b=p.clippingState||null;l.value=b,b=h(g,d,M,f);for(let C=0;C!==M;++C)b[C]=t[C];p.clippingState=b,this.numIntersection=v?this.numPlanes:0,this.numPlanes+=x}};function c(){l.value!==t&&(l.value=t,l.needsUpdate=n>0),e.numPlanes=n,e.numIntersection=0}function h(u,d,f,g){let v=u!==null?u.length:0,m=null;if(v!==0){if(m=l.value,g!==!0||m===null){let p=f+v*4,x=d.matrixWorldInverse;a.getNormalMatrix(x),(m===null||m.length<p)&&(m=new Float32Array(p));for(let M=0,b=f;M!==v;++M,b+=4)o.copy(u[M]).applyMatrix4(x,a),o.normal.toArray(m,b),m[b+3]=o.constant}l.value=m,l.needsUpdate=!0}return e.numPlanes=v,e.numIntersection=0,m}}var Xa=class extends Kn{constructor(e=1,t={}){super(e,e,t),this.isWebGLCubeRenderTarget=!0;let n={width:e,height:e,depth:1},s=[n,n,n,n,n,n];this.texture=new Aa(s),this._setTextureOptions(t),this.texture.isRenderTargetTexture=!0}fromEquirectangularTexture(e,t){this.texture.type=t.type,this.texture.colorSpace=t.colorSpace,this.texture.generateMipmaps=t.generateMipmaps,this.texture.minFilter=t.minFilter,this.texture.magFilter=t.magFilter;let n={uniforms:{tEquirect:{value:null}},vertexShader:`
+
+				varying vec3 vWorldDirection;
+
+				vec3 transformDirection( in vec3 dir, in mat4 matrix ) {
+
+					return normalize( ( matrix * vec4( dir, 0.0 ) ).xyz );
+
+				}
+
+				void main() {
+
+					vWorldDirection = transformDirection( position, modelMatrix );
+
+					#include <begin_vertex>
+					#include <project_vertex>
+
+				}
+			`,fragmentShader:`
+
+				uniform sampler2D tEquirect;
+
+				varying vec3 vWorldDirection;
+
+				#include <common>
+
+				void main() {
+
+					vec3 direction = normalize( vWorldDirection );
+
+					vec2 sampleUV = equirectUv( direction );
+
+					gl_FragColor = texture2D( tEquirect, sampleUV );
+
+				}
+			`},s=new To(5,5,5),r=new Un({name:"CubemapFromEquirect",uniforms:Cr(n.uniforms),vertexShader:n.vertexShader,fragmentShader:n.fragmentShader,side:jn,blending:wr});r.uniforms.tEquirect.value=t;let o=new ln(s,r),a=t.minFilter;return t.minFilter===Fi&&(t.minFilter=Dn),new Ro(1,10,this).update(e,o),t.minFilter=a,o.geometry.dispose(),o.material.dispose(),this}clear(e,t=!0,n=!0,s=!0){let r=e.getRenderTarget();for(let o=0;o<6;o++)e.setRenderTarget(this,o),e.clear(t,n,s);e.setRenderTarget(r)}},W0=256,Rw=3,Pw=20,fy=256,py=16,Iw=3,Lw=new W,Nw=new _t,Sh=class i{constructor(e){this._renderer=e,this._cubeSize=0,this._sourceTarget=null,this._cubeCamera=new Ro(1,10,null),this._boxMesh=new ln(new To(5,5,5),null),this._cubemapMaterial=null,this._equirectMaterial=null,this._blurMaterial=null,this._ggxMaterial=null,this._integrationMaterial=null}fromScene(e,t=0,n=.1,s=100,r={}){let{size:o=256,position:a=Lw}=r,l=this._renderer;this._setSize(o);let c=this._allocateTarget(),h=this._getSourceTarget(!0);t>0&&(h.texture.mipmapsAutoUpdate=!1);let u=l.autoClear,d=l.autoClearColor,f=l.autoClearDepth,g=l.autoClearStencil,v=e.background;l.autoClear=!0,l.autoClearColor=!0,l.autoClearDepth=!0,l.autoClearStencil=!0,v===null&&(e.background=l.getClearColor(Nw));let m=new Ro(n,s,h);return m.position.copy(a),m.update(l,e),l.autoClear=u,l.autoClearColor=d,l.autoClearDepth=f,l.autoClearStencil=g,e.background=v,t>0&&(h.texture.mipmapsAutoUpdate=!0,this._blur(c,t)),this._applyPMREM(c),c}fromEquirectangular(e,t=null){return this._fromTexture(e,t)}fromCubemap(e,t=null){return this._fromTexture(e,t)}compileCubemapShader(){this._cubemapMaterial===null&&(this._cubemapMaterial=$0(),this._compileMaterial(this._cubemapMaterial))}compileEquirectangularShader(){this._equirectMaterial===null&&(this._equirectMaterial=q0(),this._compileMaterial(this._equirectMaterial))}dispose(){this._sourceTarget!==null&&this._sourceTarget.dispose(),this._cubemapMaterial!==null&&this._cubemapMaterial.dispose(),this._equirectMaterial!==null&&this._equirectMaterial.dispose(),this._blurMaterial!==null&&this._blurMaterial.dispose(),this._ggxMaterial!==null&&this._ggxMaterial.dispose(),this._integrationMaterial!==null&&this._integrationMaterial.dispose(),this._boxMesh.geometry.dispose()}static lodToRoughness(e,t){return t>0?1-Math.sqrt(1-e/t):0}_setSize(e){this._cubeSize=Math.max(W0,B0(e))}_fromTexture(e,t){e.mapping===Tr||e.mapping===Lo?this._setSize(e.image.length===0?W0:e.image[0].width||e.image[0].image.width):this._setSize(e.image.width/4);let n=t||this._allocateTarget();return this._textureToCubemap(e),this._applyPMREM(n),n}_allocateTarget(){let e=this._cubeSize,t=X0(e,!1,!1),n=Math.log2(e)-Rw;for(let s=0;s<=n;s++)t.texture.mipmaps.push({width:e>>s,height:e>>s});return t.texture.name="PMREM",t.texture.isPMREMTexture=!0,t}_getSourceTarget(e=!1){let t=this._cubeSize,n=this._sourceTarget;return(n===null||n.width!==t||e&&n.depthBuffer===!1)&&(n!==null&&n.dispose(),this._sourceTarget=X0(t,!0,e)),this._sourceTarget}_compileMaterial(e){this._boxMesh.material=e,this._renderer.compile(this._boxMesh,this._cubeCamera.children[0])}_renderCube(e,t,n){let s=this._boxMesh,r=this._cubeCamera;s.material=n,r.renderTarget=e,r.activeMipmapLevel=t;let o=e.width>>t;e.viewport.set(0,0,o,o),r.update(this._renderer,s),e.viewport.set(0,0,e.width,e.height)}_textureToCubemap(e){let t;e.mapping===Tr||e.mapping===Lo?(this._cubemapMaterial===null&&(this._cubemapMaterial=$0()),t=this._cubemapMaterial,t.uniforms.flipEnvMap.value=e.isRenderTargetTexture===!1?-1:1):(this._equirectMaterial===null&&(this._equirectMaterial=q0()),t=this._equirectMaterial),t.uniforms.envMap.value=e,this._renderCube(this._getSourceTarget(),0,t)}_applyPMREM(e){this._ggxMaterial===null&&(this._ggxMaterial=Dw(),this._integrationMaterial=Uw());let t=this._cubeSize,n=e.texture.mipmaps.length-1,s=this._ggxMaterial.uniforms;s.envMap.value=this._sourceTarget.texture;let r=this._integrationMaterial.uniforms;r.envMap.value=this._sourceTarget.texture,r.sourceLod.value=Math.log2(t/py);for(let o=0;o<=n;o++){let a=i.lodToRoughness(o,n);if(o>n-Iw)r.roughness.value=a,this._renderCube(e,o,this._integrationMaterial);else{let l=a>0?Math.log2(t)+.5*Math.log2(6/(fy*Math.pow(a,4)))+.5:0;s.roughness.value=a,s.lodBias.value=l,this._renderCube(e,o,this._ggxMaterial)}}}_blur(e,t){this._blurMaterial===null&&(this._blurMaterial=Fw());let n=this._blurMaterial,s=n.uniforms,r=this._sourceTarget;s.sigma.value=Math.min(t,Math.PI)/Math.SQRT2,s.envMap.value=r.texture,this._renderCube(e,0,n),s.envMap.value=e.texture,this._renderCube(r,0,n)}};function X0(i,e,t){return new Xa(i,{minFilter:Fi,generateMipmaps:e,type:Bi,colorSpace:xa,depthBuffer:t})}function qa(i,e,t){return new Un({name:i,uniforms:e,vertexShader:ht.cube_vert,fragmentShader:t,side:jn,blending:wr,depthTest:!1,depthWrite:!1})}function Dw(){return qa("PMREMGGXConvolution",{envMap:{value:null},roughness:{value:0},lodBias:{value:0}},`
+
+		#define GGX_SAMPLES ${fy}u
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float roughness;
+		uniform float lodBias;
+
+		#include <common>
+
+		// Van der Corput radical inverse
+		float radicalInverse_VdC( uint bits ) {
+
+			bits = ( bits << 16u ) | ( bits >> 16u );
+			bits = ( ( bits & 0x55555555u ) << 1u ) | ( ( bits & 0xAAAAAAAAu ) >> 1u );
+			bits = ( ( bits & 0x33333333u ) << 2u ) | ( ( bits & 0xCCCCCCCCu ) >> 2u );
+			bits = ( ( bits & 0x0F0F0F0Fu ) << 4u ) | ( ( bits & 0xF0F0F0F0u ) >> 4u );
+			bits = ( ( bits & 0x00FF00FFu ) << 8u ) | ( ( bits & 0xFF00FF00u ) >> 8u );
+			return float( bits ) * 2.3283064365386963e-10; // / 0x100000000
+
+		}
+
+		// Hammersley sequence
+		vec2 hammersley( uint i, uint N ) {
+
+			return vec2( float( i ) / float( N ), radicalInverse_VdC( i ) );
+
+		}
+
+		void main() {
+
+			vec3 N = normalize( vWorldDirection );
+
+			// For very low roughness, just sample the environment directly
+			if ( roughness < 0.001 ) {
+
+				gl_FragColor = vec4( textureLod( envMap, N, 0.0 ).rgb, 1.0 );
+				return;
+
+			}
+
+			float alpha = roughness * roughness;
+			float alpha2 = alpha * alpha;
+
+			// Tangent space basis for VNDF sampling
+			vec3 up = abs( N.z ) < 0.999 ? vec3( 0.0, 0.0, 1.0 ) : vec3( 1.0, 0.0, 0.0 );
+			vec3 tangent = normalize( cross( up, N ) );
+			vec3 bitangent = cross( N, tangent );
+
+			vec3 prefilteredColor = vec3( 0.0 );
+			float totalWeight = 0.0;
+
+			for ( uint i = 0u; i < GGX_SAMPLES; i ++ ) {
+
+				vec2 Xi = hammersley( i, GGX_SAMPLES );
+
+				// With V = N, sample the reflected direction directly.
+				float invQ = 1.0 / ( 1.0 - Xi.x + alpha2 * Xi.x );
+				float NdotL = ( 1.0 - Xi.x - alpha2 * Xi.x ) * invQ;
+
+				if ( NdotL > 0.0 ) {
+
+					float phi = 2.0 * PI * Xi.y;
+					float sinTheta = 2.0 * alpha * sqrt( Xi.x * ( 1.0 - Xi.x ) ) * invQ;
+					vec3 L = N * NdotL + ( tangent * cos( phi ) + bitangent * sin( phi ) ) * sinTheta;
+
+					// Match the source mip to the sample's solid angle. The terms
+					// independent of the sample are precomputed in lodBias.
+					float d = alpha2 * invQ;
+					float lod = max( log2( d ) + lodBias, 0.0 );
+
+					// Weight by NdotL for the split-sum approximation
+					prefilteredColor += textureLod( envMap, L, lod ).rgb * NdotL;
+					totalWeight += NdotL;
+
+				}
+
+			}
+
+			gl_FragColor = vec4( prefilteredColor / totalWeight, 1.0 );
+
+		}
+	`)}function Uw(){return qa("PMREMGGXIntegration",{envMap:{value:null},roughness:{value:0},sourceLod:{value:0},sourceSize:{value:py}},`
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float roughness;
+		uniform float sourceLod;
+		uniform int sourceSize;
+
+		void main() {
+
+			vec3 N = normalize( vWorldDirection );
+
+			float alpha = roughness * roughness;
+			float alpha2 = alpha * alpha;
+
+			float texelSize = 2.0 / float( sourceSize );
+
+			vec3 prefilteredColor = vec3( 0.0 );
+			float totalWeight = 0.0;
+
+			// Pair opposite texels: only the one in N's hemisphere contributes.
+			for ( int face = 0; face < 3; face ++ ) {
+
+				for ( int y = 0; y < sourceSize; y ++ ) {
+
+					for ( int x = 0; x < sourceSize; x ++ ) {
+
+						vec2 uv = ( vec2( x, y ) + 0.5 ) * texelSize - 1.0;
+						vec3 texelDirection = face == 0 ? vec3( 1.0, uv ) : ( face == 1 ? vec3( uv.x, 1.0, uv.y ) : vec3( uv, 1.0 ) );
+
+						float invDistance = inversesqrt( 1.0 + dot( uv, uv ) );
+						float NdotL = dot( N, texelDirection );
+						texelDirection *= NdotL < 0.0 ? - 1.0 : 1.0;
+						NdotL = abs( NdotL ) * invDistance;
+
+						// With V = N, NdotH squared is ( 1 + NdotL ) / 2. Common factors
+						// in the GGX distribution and texel solid angle cancel when normalized.
+						float d = 1.0 + alpha2 + ( alpha2 - 1.0 ) * NdotL;
+						float weight = NdotL * invDistance * invDistance * invDistance / ( d * d );
+
+						prefilteredColor += textureLod( envMap, texelDirection, sourceLod ).rgb * weight;
+						totalWeight += weight;
+
+					}
+
+				}
+
+			}
+
+			gl_FragColor = vec4( prefilteredColor / totalWeight, 1.0 );
+
+		}
+	`)}function Fw(){return qa("PMREMSphericalGaussianBlur",{envMap:{value:null},sigma:{value:0}},`
+
+		#define SAMPLES ${Pw}
+		#define GOLDEN_ANGLE 2.39996322973
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float sigma;
+
+		#include <common>
+
+		void main() {
+
+			vec3 outputDirection = normalize( vWorldDirection );
+
+			vec3 up = abs( outputDirection.z ) < 0.999 ? vec3( 0.0, 0.0, 1.0 ) : vec3( 1.0, 0.0, 0.0 );
+			vec3 tangent = normalize( cross( up, outputDirection ) );
+			vec3 bitangent = cross( outputDirection, tangent );
+
+			// Truncate the kernel at three standard deviations or at the antipode.
+			float thetaMax = min( 3.0 * sigma, PI );
+			float truncation = 1.0 - exp( - 0.5 * thetaMax * thetaMax / ( sigma * sigma ) );
+
+			vec3 accumColor = vec3( 0.0 );
+			float accumWeight = 0.0;
+
+			for ( int i = 0; i < SAMPLES; i ++ ) {
+
+				// Stratified inverse-CDF sampling of the Gaussian, placed on a golden-angle spiral.
+				float stratum = ( float( i ) + 0.5 ) / float( SAMPLES );
+				float theta = sigma * sqrt( - 2.0 * log( 1.0 - stratum * truncation ) );
+				float phi = float( i ) * GOLDEN_ANGLE;
+
+				vec3 offset = cos( phi ) * tangent + sin( phi ) * bitangent;
+				vec3 sampleDirection = cos( theta ) * outputDirection + sin( theta ) * offset;
+
+				// Correct the planar sample density to solid angle.
+				float weight = sin( theta ) / theta;
+
+				accumColor += weight * textureLod( envMap, sampleDirection, 0.0 ).rgb;
+				accumWeight += weight;
+
+			}
+
+			gl_FragColor = vec4( accumColor / accumWeight, 1.0 );
+
+		}
+	`)}function q0(){return qa("PMREMEquirectangularToCubemap",{envMap:{value:null}},`
+
+		varying vec3 vWorldDirection;
+
+		uniform sampler2D envMap;
+
+		#include <common>
+
+		void main() {
+
+			// Average four subpixel samples to preserve small, bright features.
+			vec3 direction = normalize( vWorldDirection );
+			vec3 dx = dFdx( direction ) * 0.25;
+			vec3 dy = dFdy( direction ) * 0.25;
+
+			vec3 color = textureLod( envMap, equirectUv( normalize( direction - dx - dy ) ), 0.0 ).rgb;
+			color += textureLod( envMap, equirectUv( normalize( direction + dx - dy ) ), 0.0 ).rgb;
+			color += textureLod( envMap, equirectUv( normalize( direction - dx + dy ) ), 0.0 ).rgb;
+			color += textureLod( envMap, equirectUv( normalize( direction + dx + dy ) ), 0.0 ).rgb;
+			gl_FragColor = vec4( color * 0.25, 1.0 );
+
+		}
+	`)}function $0(){return qa("PMREMCubemapToCubemap",{envMap:{value:null},flipEnvMap:{value:-1}},`
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float flipEnvMap;
+
+		void main() {
+
+			gl_FragColor = vec4( textureCube( envMap, vec3( flipEnvMap * vWorldDirection.x, vWorldDirection.yz ) ).rgb, 1.0 );
+
+		}
+	`)}function Ow(i){let e=new WeakMap,t=new WeakMap,n=null;function s(d,f=!1){return d==null?null:f?o(d):r(d)}function r(d){if(d&&d.isTexture){let f=d.mapping;if(f===Fc||f===Oc)if(e.has(d)){let g=e.get(d).texture;return a(g,d.mapping)}else{let g=d.image;if(g&&g.height>0){let v=new Xa(g.height);return v.fromEquirectangularTexture(i,d),e.set(d,v),d.addEventListener("dispose",c),a(v.texture,d.mapping)}else return null}}return d}function o(d){if(d&&d.isTexture&&d.isPMREMTexture!==!0){let f=d.mapping,g=f===Fc||f===Oc,v=f===Tr||f===Lo;if(g||v){let m=t.get(d),p=m!==void 0?m.texture.pmremVersion:0;if(d.isRenderTargetTexture&&d.pmremVersion!==p)return n===null&&(n=new Sh(i)),m=g?n.fromEquirectangular(d,m):n.fromCubemap(d,m),m.texture.pmremVersion=d.pmremVersion,t.set(d,m),m.texture;if(m!==void 0)return m.texture;{let x=d.image;return g&&x&&x.height>0||v&&x&&l(x)?(n===null&&(n=new Sh(i)),m=g?n.fromEquirectangular(d):n.fromCubemap(d),m.texture.pmremVersion=d.pmremVersion,t.set(d,m),d.addEventListener("dispose",h),m.texture):null}}}return d}function a(d,f){return f===Fc?d.mapping=Tr:f===Oc&&(d.mapping=Lo),d}function l(d){let f=0,g=6;for(let v=0;v<g;v++)d[v]!==void 0&&f++;return f===g}function c(d){let f=d.target;f.removeEventListener("dispose",c);let g=e.get(f);g!==void 0&&(e.delete(f),g.dispose())}function h(d){let f=d.target;f.removeEventListener("dispose",h);let g=t.get(f);g!==void 0&&(t.delete(f),g.dispose())}function u(){e=new WeakMap,t=new WeakMap,n!==null&&(n.dispose(),n=null)}return{get:s,dispose:u}}function kw(i){let e={};function t(n){if(e[n]!==void 0)return e[n];let s=i.getExtension(n);return e[n]=s,s}return{has:function(n){return t(n)!==null},init:function(){t("EXT_color_buffer_float"),t("WEBGL_clip_cull_distance"),t("OES_texture_float_linear"),t("EXT_color_buffer_half_float"),t("WEBGL_multisampled_render_to_texture"),t("WEBGL_render_shared_exponent")},get:function(n){let s=t(n);return s===null&&ya("WebGLRenderer: "+n+" extension not supported."),s}}}function Bw(i,e,t,n){let s={},r=new WeakMap,o=new FinalizationRegistry(g=>delete s[g]);function a(g){l(g.target)}function l(g){g.index!==null&&e.remove(g.index);for(let m in g.attributes)e.remove(g.attributes[m]);g.removeEventListener("dispose",a),delete s[g.id],o.unregister(g);let v=r.get(g);v&&(e.remove(v),r.delete(g)),n.releaseStatesOfGeometry(g),g.isInstancedBufferGeometry===!0&&delete g._maxInstanceCount,t.memory.geometries--}function c(g,v){return s[v.id]!==void 0||(v.addEventListener("dispose",a),s[v.id]=new WeakRef(v),o.register(v,v.id,v),t.memory.geometries++),v}function h(g){let v=g.attributes;for(let m in v)e.update(v[m],i.ARRAY_BUFFER)}function u(g){let v=g.index,m=g.attributes.position,p=0;if(m===void 0)return;let x=v!==null?v.array.length:m.array.length/3-1,M=m.count>=65535?Ta:Ea,b=new M(Math.ceil(x/3)*6,1),C=b.array;if(v!==null){let y=v.array;p=v.version;for(let S=0,U=0;S<x;S+=3){let I=y[S+0],R=y[S+1],k=y[S+2];C[U++]=I,C[U++]=R,C[U++]=R,C[U++]=k,C[U++]=k,C[U++]=I}}else{p=m.version;for(let y=0,S=0;y<x;y+=3){let U=y+0,I=y+1,R=y+2;C[S++]=U,C[S++]=I,C[S++]=I,C[S++]=R,C[S++]=R,C[S++]=U}}b.version=p;let A=r.get(g);A&&e.remove(A),r.set(g,b)}function d(g){let v=r.get(g);if(v){let m=g.index;m!==null&&v.version<m.version&&u(g)}else u(g);return r.get(g)}function f(){for(let g in s){let v=s[g].deref();v!==void 0&&l(v)}}return{get:c,update:h,getWireframeAttribute:d,dispose:f}}function zw(i,e,t){let n;function s(u){n=u}let r,o;function a(u){r=u.type,o=u.bytesPerElement}function l(u,d){i.drawElements(n,d,r,u*o),t.update(d,n,1)}function c(u,d,f){f!==0&&(i.drawElementsInstanced(n,d,r,u*o,f),t.update(d,n,f))}function h(u,d,f){if(f===0)return;e.get("WEBGL_multi_draw").multiDrawElementsWEBGL(n,d,0,r,u,0,f);let v=0;for(let m=0;m<f;m++)v+=d[m];t.update(v,n,1)}this.setMode=s,this.setIndex=a,this.render=l,this.renderInstances=c,this.renderMultiDraw=h}function Vw(i){let e={geometries:0,textures:0},t={frame:0,calls:0,triangles:0,points:0,lines:0};function n(r,o,a){switch(t.calls++,o){case i.TRIANGLES:t.triangles+=a*(r/3);break;case i.LINES:t.lines+=a*(r/2);break;case i.LINE_STRIP:t.lines+=a*(r-1);break;case i.LINE_LOOP:t.lines+=a*r;break;case i.POINTS:t.points+=a*r;break;default:tt("WebGLInfo: Unknown draw mode:",o);break}}function s(){t.calls=0,t.triangles=0,t.points=0,t.lines=0}return{memory:e,render:t,programs:null,autoReset:!0,reset:s,update:n}}function Gw(i,e,t){let n=new WeakMap,s=new jt;function r(o,a,l){let c=o.morphTargetInfluences,h=a.morphAttributes.position||a.morphAttributes.normal||a.morphAttributes.color,u=h!==void 0?h.length:0,d=n.get(a);if(d===void 0||d.count!==u){let U=function(){y.dispose(),n.delete(a),a.removeEventListener("dispose",U)};d!==void 0&&d.texture.dispose();let f=a.morphAttributes.position!==void 0,g=a.morphAttributes.normal!==void 0,v=a.morphAttributes.color!==void 0,m=a.morphAttributes.position||[],p=a.morphAttributes.normal||[],x=a.morphAttributes.color||[],M=0;f===!0&&(M=1),g===!0&&(M=2),v===!0&&(M=3);let b=a.attributes.position.count*M,C=1;b>e.maxTextureSize&&(C=Math.ceil(b/e.maxTextureSize),b=e.maxTextureSize);let A=new Float32Array(b*C*4*u),y=new Sa(A,b,C,u);y.type=ki,y.needsUpdate=!0;let S=M*4;for(let I=0;I<u;I++){let R=m[I],k=p[I],F=x[I],P=b*C*4*I;for(let V=0;V<R.count;V++){let q=V*S;f===!0&&(s.fromBufferAttribute(R,V),A[P+q+0]=s.x,A[P+q+1]=s.y,A[P+q+2]=s.z,A[P+q+3]=0),g===!0&&(s.fromBufferAttribute(k,V),A[P+q+4]=s.x,A[P+q+5]=s.y,A[P+q+6]=s.z,A[P+q+7]=0),v===!0&&(s.fromBufferAttribute(F,V),A[P+q+8]=s.x,A[P+q+9]=s.y,A[P+q+10]=s.z,A[P+q+11]=F.itemSize===4?s.w:1)}}d={count:u,texture:y,size:new xt(b,C)},n.set(a,d),a.addEventListener("dispose",U)}if(o.isInstancedMesh===!0&&o.morphTexture!==null)l.getUniforms().setValue(i,"morphTexture",o.morphTexture,t);else{let f=0;for(let v=0;v<c.length;v++)f+=c[v];let g=a.morphTargetsRelative?1:1-f;l.getUniforms().setValue(i,"morphTargetBaseInfluence",g),l.getUniforms().setValue(i,"morphTargetInfluences",c)}l.getUniforms().setValue(i,"morphTargetsTexture",d.texture,t),l.getUniforms().setValue(i,"morphTargetsTextureSize",d.size)}return{update:r}}function Hw(i,e,t,n,s){let r=new WeakMap;function o(c){let h=s.render.frame,u=c.geometry,d=e.get(c,u);if(r.get(d)!==h&&(e.update(d),r.set(d,h)),c.isInstancedMesh&&(c.hasEventListener("dispose",l)===!1&&c.addEventListener("dispose",l),r.get(c)!==h&&(t.update(c.instanceMatrix,i.ARRAY_BUFFER),c.instanceColor!==null&&t.update(c.instanceColor,i.ARRAY_BUFFER),r.set(c,h))),c.isSkinnedMesh){let f=c.skeleton;r.get(f)!==h&&(f.update(),r.set(f,h))}return d}function a(){r=new WeakMap}function l(c){let h=c.target;h.removeEventListener("dispose",l),n.releaseStatesOfObject(h),t.remove(h.instanceMatrix),h.instanceColor!==null&&t.remove(h.instanceColor)}return{update:o,dispose:a}}var Ww={[Dd]:"LINEAR_TONE_MAPPING",[Ud]:"REINHARD_TONE_MAPPING",[Fd]:"CINEON_TONE_MAPPING",[Od]:"ACES_FILMIC_TONE_MAPPING",[Bd]:"AGX_TONE_MAPPING",[zd]:"NEUTRAL_TONE_MAPPING",[kd]:"CUSTOM_TONE_MAPPING"};function Xw(i,e,t,n,s,r){let o=new Kn(e,t,{type:i,depthBuffer:s,stencilBuffer:r,samples:n?4:0,storeMultisampledDepthBuffer:!1,storeMultisampledStencilBuffer:!1,resolveDepthBuffer:!1,resolveStencilBuffer:!1}),a=null,l=null,c=null,h=new zn;h.setAttribute("position",new Kt([-1,3,0,-1,-1,0,3,-1,0],3)),h.setAttribute("uv",new Kt([0,2,0,0,2,0],2));let u=new Mc({uniforms:{tDiffuse:{value:null}},vertexShader:`
+			precision highp float;
+
+			uniform mat4 modelViewMatrix;
+			uniform mat4 projectionMatrix;
+
+			attribute vec3 position;
+			attribute vec2 uv;
+
+			varying vec2 vUv;
+
+			void main() {
+				vUv = uv;
+				gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );
+			}`,fragmentShader:`
+			precision highp float;
+
+			uniform sampler2D tDiffuse;
+
+			varying vec2 vUv;
+
+			#include <tonemapping_pars_fragment>
+			#include <colorspace_pars_fragment>
+
+			void main() {
+				gl_FragColor = texture2D( tDiffuse, vUv );
+
+				#ifdef LINEAR_TONE_MAPPING
+					gl_FragColor.rgb = LinearToneMapping( gl_FragColor.rgb );
+				#elif defined( REINHARD_TONE_MAPPING )
+					gl_FragColor.rgb = ReinhardToneMapping( gl_FragColor.rgb );
+				#elif defined( CINEON_TONE_MAPPING )
+					gl_FragColor.rgb = CineonToneMapping( gl_FragColor.rgb );
+				#elif defined( ACES_FILMIC_TONE_MAPPING )
+					gl_FragColor.rgb = ACESFilmicToneMapping( gl_FragColor.rgb );
+				#elif defined( AGX_TONE_MAPPING )
+					gl_FragColor.rgb = AgXToneMapping( gl_FragColor.rgb );
+				#elif defined( NEUTRAL_TONE_MAPPING )
+					gl_FragColor.rgb = NeutralToneMapping( gl_FragColor.rgb );
+				#elif defined( CUSTOM_TONE_MAPPING )
+					gl_FragColor.rgb = CustomToneMapping( gl_FragColor.rgb );
+				#endif
+
+				#ifdef SRGB_TRANSFER
+					gl_FragColor = sRGBTransferOETF( gl_FragColor );
+				#endif
+			}`,depthTest:!1,depthWrite:!1}),d=new ln(h,u),f=new Co(-1,1,1,-1,0,1),g=null,v=null,m=!1,p,x=null,M=[],b=!1;this.setSize=function(C,A){o.setSize(C,A),a!==null&&a.setSize(C,A),l!==null&&l.setSize(C,A);for(let y=0;y<M.length;y++){let S=M[y];S.setSize&&S.setSize(C,A)}},this.setEffects=function(C){M=C,b=M.length>0&&M[0].isRenderPass===!0;let A=o.width,y=o.height;M.length>0&&a===null&&(a=new Kn(A,y,{type:Bi,depthBuffer:!1,stencilBuffer:!1}),l=new Kn(A,y,{type:Bi,depthBuffer:!1,stencilBuffer:!1}));let S=s===!0&&M.some(U=>U.needsDepthTexture===!0);S!==(o.depthTexture!==null)&&(S===!0&&c===null&&(c=new ws(A,y),r===!0&&(c.format=Es,c.type=Ar)),o.dispose(),o.depthTexture=S?c:null,o.resolveDepthBuffer=S,o.storeMultisampledDepthBuffer=S);for(let U=0;U<M.length;U++){let I=M[U];I.setSize&&I.setSize(A,y),S&&I.needsDepthTexture===!0&&I.setDepthTexture&&I.setDepthTexture(c)}},this.begin=function(C,A){if(m||C.toneMapping===rs&&M.length===0)return!1;if(x=A,A!==null){let y=A.width,S=A.height;(o.width!==y||o.height!==S)&&this.setSize(y,S)}return b===!1&&C.setRenderTarget(o),p=C.toneMapping,C.toneMapping=rs,!0},this.hasRenderPass=function(){return b},this.end=function(C,A){C.toneMapping=p,m=!0;let y=o,S=a;for(let U=0;U<M.length;U++){let I=M[U];I.enabled!==!1&&(I.render(C,S,y,A),I.needsSwap!==!1&&(y=S,S=S===a?l:a))}if(g!==C.outputColorSpace||v!==C.toneMapping){g=C.outputColorSpace,v=C.toneMapping,u.defines={},yt.getTransfer(g)===Ct&&(u.defines.SRGB_TRANSFER="");let U=Ww[v];U&&(u.defines[U]=""),u.needsUpdate=!0}u.uniforms.tDiffuse.value=y.texture,C.setRenderTarget(x),C.render(d,f),x=null,m=!1},this.isCompositing=function(){return m},this.dispose=function(){o.dispose(),a!==null&&a.dispose(),l!==null&&l.dispose(),h.dispose(),u.dispose()}}var my=new ei,gy=new ws(1,1),yy=new Ca(1),vy=new Sa,xy=new fc,_y=new Aa,Y0=[],J0=[],Z0=new Float32Array(16),K0=new Float32Array(9),j0=new Float32Array(4);function Uo(i,e,t){let n=i[0];if(n<=0||n>0)return i;let s=e*t,r=Y0[s];if(r===void 0&&(r=new Float32Array(s),Y0[s]=r),e!==0){n.toArray(r,0);for(let o=1,a=0;o!==e;++o)a+=t,i[o].toArray(r,a)}return r}function bn(i,e){if(i.length!==e.length)return!1;for(let t=0,n=i.length;t<n;t++)if(i[t]!==e[t])return!1;return!0}function Mn(i,e){for(let t=0,n=e.length;t<n;t++)i[t]=e[t]}function Eh(i,e){let t=J0[e];t===void 0&&(t=new Int32Array(e),J0[e]=t);for(let n=0;n!==e;++n)t[n]=i.allocateTextureUnit();return t}function qw(i,e){let t=this.cache;t[0]!==e&&(i.uniform1f(this.addr,e),t[0]=e)}function $w(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2f(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(bn(t,e))return;i.uniform2fv(this.addr,e),Mn(t,e)}}function Yw(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(i.uniform3f(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else if(e.r!==void 0)(t[0]!==e.r||t[1]!==e.g||t[2]!==e.b)&&(i.uniform3f(this.addr,e.r,e.g,e.b),t[0]=e.r,t[1]=e.g,t[2]=e.b);else{if(bn(t,e))return;i.uniform3fv(this.addr,e),Mn(t,e)}}function Jw(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(i.uniform4f(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(bn(t,e))return;i.uniform4fv(this.addr,e),Mn(t,e)}}function Zw(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(bn(t,e))return;i.uniformMatrix2fv(this.addr,!1,e),Mn(t,e)}else{if(bn(t,n))return;j0.set(n),i.uniformMatrix2fv(this.addr,!1,j0),Mn(t,n)}}function Kw(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(bn(t,e))return;i.uniformMatrix3fv(this.addr,!1,e),Mn(t,e)}else{if(bn(t,n))return;K0.set(n),i.uniformMatrix3fv(this.addr,!1,K0),Mn(t,n)}}function jw(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(bn(t,e))return;i.uniformMatrix4fv(this.addr,!1,e),Mn(t,e)}else{if(bn(t,n))return;Z0.set(n),i.uniformMatrix4fv(this.addr,!1,Z0),Mn(t,n)}}function Qw(i,e){let t=this.cache;t[0]!==e&&(i.uniform1i(this.addr,e),t[0]=e)}function e1(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2i(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(bn(t,e))return;i.uniform2iv(this.addr,e),Mn(t,e)}}function t1(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(i.uniform3i(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else{if(bn(t,e))return;i.uniform3iv(this.addr,e),Mn(t,e)}}function n1(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(i.uniform4i(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(bn(t,e))return;i.uniform4iv(this.addr,e),Mn(t,e)}}function i1(i,e){let t=this.cache;t[0]!==e&&(i.uniform1ui(this.addr,e),t[0]=e)}function s1(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2ui(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(bn(t,e))return;i.uniform2uiv(this.addr,e),Mn(t,e)}}function r1(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(i.uniform3ui(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else{if(bn(t,e))return;i.uniform3uiv(this.addr,e),Mn(t,e)}}function o1(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(i.uniform4ui(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(bn(t,e))return;i.uniform4uiv(this.addr,e),Mn(t,e)}}function Th(i){return i.version===0&&(i.compareFunction=jd,i.needsUpdate=!0),i}function a1(i,e,t){let n=this.cache,s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s);let r;this.type===i.SAMPLER_2D_SHADOW?r=Th(gy):r=my,t.setTexture2D(e||r,s)}function l1(i,e,t){let n=this.cache,s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),t.setTexture3D(e||xy,s)}function c1(i,e,t){let n=this.cache,s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s);let r;this.type===i.SAMPLER_CUBE_SHADOW?r=Th(yy):r=_y,t.setTextureCube(e||r,s)}function h1(i,e,t){let n=this.cache,s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),t.setTexture2DArray(e||vy,s)}function u1(i){switch(i){case 5126:return qw;case 35664:return $w;case 35665:return Yw;case 35666:return Jw;case 35674:return Zw;case 35675:return Kw;case 35676:return jw;case 5124:case 35670:return Qw;case 35667:case 35671:return e1;case 35668:case 35672:return t1;case 35669:case 35673:return n1;case 5125:return i1;case 36294:return s1;case 36295:return r1;case 36296:return o1;case 35678:case 36198:case 36298:case 36306:case 35682:return a1;case 35679:case 36299:case 36307:return l1;case 35680:case 36300:case 36308:case 36293:return c1;case 36289:case 36303:case 36311:case 36292:return h1}}function d1(i,e){i.uniform1fv(this.addr,e)}function f1(i,e){let t=Uo(e,this.size,2);i.uniform2fv(this.addr,t)}function p1(i,e){let t=Uo(e,this.size,3);i.uniform3fv(this.addr,t)}function m1(i,e){let t=Uo(e,this.size,4);i.uniform4fv(this.addr,t)}function g1(i,e){let t=Uo(e,this.size,4);i.uniformMatrix2fv(this.addr,!1,t)}function y1(i,e){let t=Uo(e,this.size,9);i.uniformMatrix3fv(this.addr,!1,t)}function v1(i,e){let t=Uo(e,this.size,16);i.uniformMatrix4fv(this.addr,!1,t)}function x1(i,e){i.uniform1iv(this.addr,e)}function _1(i,e){i.uniform2iv(this.addr,e)}function b1(i,e){i.uniform3iv(this.addr,e)}function M1(i,e){i.uniform4iv(this.addr,e)}function S1(i,e){i.uniform1uiv(this.addr,e)}function w1(i,e){i.uniform2uiv(this.addr,e)}function E1(i,e){i.uniform3uiv(this.addr,e)}function T1(i,e){i.uniform4uiv(this.addr,e)}function A1(i,e,t){let n=this.cache,s=e.length,r=Eh(t,s);bn(n,r)||(i.uniform1iv(this.addr,r),Mn(n,r));let o;this.type===i.SAMPLER_2D_SHADOW?o=Th(gy):o=my;for(let a=0;a!==s;++a)t.setTexture2D(e[a]||o,r[a])}function C1(i,e,t){let n=this.cache,s=e.length,r=Eh(t,s);bn(n,r)||(i.uniform1iv(this.addr,r),Mn(n,r));for(let o=0;o!==s;++o)t.setTexture3D(e[o]||xy,r[o])}function R1(i,e,t){let n=this.cache,s=e.length,r=Eh(t,s);bn(n,r)||(i.uniform1iv(this.addr,r),Mn(n,r));let o;this.type===i.SAMPLER_CUBE_SHADOW?o=Th(yy):o=_y;for(let a=0;a!==s;++a)t.setTextureCube(e[a]||o,r[a])}function P1(i,e,t){let n=this.cache,s=e.length,r=Eh(t,s);bn(n,r)||(i.uniform1iv(this.addr,r),Mn(n,r));for(let o=0;o!==s;++o)t.setTexture2DArray(e[o]||vy,r[o])}function I1(i){switch(i){case 5126:return d1;case 35664:return f1;case 35665:return p1;case 35666:return m1;case 35674:return g1;case 35675:return y1;case 35676:return v1;case 5124:case 35670:return x1;case 35667:case 35671:return _1;case 35668:case 35672:return b1;case 35669:case 35673:return M1;case 5125:return S1;case 36294:return w1;case 36295:return E1;case 36296:return T1;case 35678:case 36198:case 36298:case 36306:case 35682:return A1;case 35679:case 36299:case 36307:return C1;case 35680:case 36300:case 36308:case 36293:return R1;case 36289:case 36303:case 36311:case 36292:return P1}}var hf=class{constructor(e,t,n){this.id=e,this.addr=n,this.cache=[],this.type=t.type,this.setValue=u1(t.type)}},uf=class{constructor(e,t,n){this.id=e,this.addr=n,this.cache=[],this.type=t.type,this.size=t.size,this.setValue=I1(t.type)}},df=class{constructor(e){this.id=e,this.seq=[],this.map={}}setValue(e,t,n){let s=this.seq;for(let r=0,o=s.length;r!==o;++r){let a=s[r];a.setValue(e,t[a.id],n)}}},lf=/(\w+)(\])?(\[|\.)?/g;function Q0(i,e){i.seq.push(e),i.map[e.id]=e}function L1(i,e,t){let n=i.name,s=n.length;for(lf.lastIndex=0;;){let r=lf.exec(n),o=lf.lastIndex,a=r[1],l=r[2]==="]",c=r[3];if(l&&(a=a|0),c===void 0||c==="["&&o+2===s){Q0(t,c===void 0?new hf(a,i,e):new uf(a,i,e));break}else{let u=t.map[a];u===void 0&&(u=new df(a),Q0(t,u)),t=u}}}var Do=class{constructor(e,t){this.seq=[],this.map={};let n=e.getProgramParameter(t,e.ACTIVE_UNIFORMS);for(let o=0;o<n;++o){let a=e.getActiveUniform(t,o),l=e.getUniformLocation(t,a.name);L1(a,l,this)}let s=[],r=[];for(let o of this.seq)o.type===e.SAMPLER_2D_SHADOW||o.type===e.SAMPLER_CUBE_SHADOW||o.type===e.SAMPLER_2D_ARRAY_SHADOW?s.push(o):r.push(o);s.length>0&&(this.seq=s.concat(r))}setValue(e,t,n,s){let r=this.map[t];r!==void 0&&r.setValue(e,n,s)}setOptional(e,t,n){let s=t[n];s!==void 0&&this.setValue(e,n,s)}static upload(e,t,n,s){for(let r=0,o=t.length;r!==o;++r){let a=t[r],l=n[a.id];l.needsUpdate!==!1&&a.setValue(e,l.value,s)}}static seqWithValue(e,t){let n=[];for(let s=0,r=e.length;s!==r;++s){let o=e[s];o.id in t&&n.push(o)}return n}};function ey(i,e,t){let n=i.createShader(e);return i.shaderSource(n,t),i.compileShader(n),n}var N1=37297,D1=0;function U1(i,e){let t=i.split(`
+`),n=[],s=Math.max(e-6,0),r=Math.min(e+6,t.length);for(let o=s;o<r;o++){let a=o+1;n.push(`${a===e?">":" "} ${a}: ${t[o]}`)}return n.join(`
+`)}var ty=new nt;function F1(i){yt._getMatrix(ty,yt.workingColorSpace,i);let e=`mat3( ${ty.elements.map(t=>t.toFixed(4))} )`;switch(yt.getTransfer(i)){case _a:return[e,"LinearTransferOETF"];case Ct:return[e,"sRGBTransferOETF"];default:return Ze("WebGLProgram: Unsupported color space: ",i),[e,"LinearTransferOETF"]}}function ny(i,e,t){let n=i.getShaderParameter(e,i.COMPILE_STATUS),r=(i.getShaderInfoLog(e)||"").trim();if(n&&r==="")return"";let o=/ERROR: 0:(\d+)/.exec(r);if(o){let a=parseInt(o[1]);return t.toUpperCase()+`
+
+`+r+`
+
+`+U1(i.getShaderSource(e),a)}else return r}function O1(i,e){let t=F1(e);return[`vec4 ${i}( vec4 value ) {`,`	return ${t[1]}( vec4( ${t[0]} * value.rgb, value.a ) );`,"}"].join(`
+`)}var k1={[Dd]:"Linear",[Ud]:"Reinhard",[Fd]:"Cineon",[Od]:"ACESFilmic",[Bd]:"AgX",[zd]:"Neutral",[kd]:"Custom"};function B1(i,e){let t=k1[e];return t===void 0?(Ze("WebGLProgram: Unsupported toneMapping:",e),"vec3 "+i+"( vec3 color ) { return LinearToneMapping( color ); }"):"vec3 "+i+"( vec3 color ) { return "+t+"ToneMapping( color ); }"}var Mh=new W;function z1(){yt.getLuminanceCoefficients(Mh);let i=Mh.x.toFixed(4),e=Mh.y.toFixed(4),t=Mh.z.toFixed(4);return["float luminance( const in vec3 rgb ) {",`	const vec3 weights = vec3( ${i}, ${e}, ${t} );`,"	return dot( weights, rgb );","}"].join(`
+`)}function V1(i){return[i.extensionClipCullDistance?"#extension GL_ANGLE_clip_cull_distance : require":"",i.extensionMultiDraw?"#extension GL_ANGLE_multi_draw : require":""].filter(Wa).join(`
+`)}function G1(i){let e=[];for(let t in i){let n=i[t];n!==!1&&e.push("#define "+t+" "+n)}return e.join(`
+`)}function H1(i,e){let t={},n=i.getProgramParameter(e,i.ACTIVE_ATTRIBUTES);for(let s=0;s<n;s++){let r=i.getActiveAttrib(e,s),o=r.name,a=1;r.type===i.FLOAT_MAT2&&(a=2),r.type===i.FLOAT_MAT3&&(a=3),r.type===i.FLOAT_MAT4&&(a=4),t[o]={type:r.type,location:i.getAttribLocation(e,o),locationSize:a}}return t}function Wa(i){return i!==""}function iy(i,e){let t=e.numSpotLightShadows+e.numSpotLightMaps-e.numSpotLightShadowsWithMaps;return i.replace(/NUM_SUN_LIGHTS/g,e.numSunLights).replace(/NUM_DIR_LIGHTS/g,e.numDirLights).replace(/NUM_SPOT_LIGHTS/g,e.numSpotLights).replace(/NUM_SPOT_LIGHT_MAPS/g,e.numSpotLightMaps).replace(/NUM_SPOT_LIGHT_COORDS/g,t).replace(/NUM_RECT_AREA_LIGHTS/g,e.numRectAreaLights).replace(/NUM_POINT_LIGHTS/g,e.numPointLights).replace(/NUM_HEMI_LIGHTS/g,e.numHemiLights).replace(/NUM_SUN_LIGHT_SHADOWS/g,e.numSunLightShadows).replace(/NUM_DIR_LIGHT_SHADOWS/g,e.numDirLightShadows).replace(/NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS/g,e.numSpotLightShadowsWithMaps).replace(/NUM_SPOT_LIGHT_SHADOWS/g,e.numSpotLightShadows).replace(/NUM_POINT_LIGHT_SHADOWS/g,e.numPointLightShadows).replace(/NUM_LIGHT_PROBE_GRIDS/g,e.numLightProbeGrids)}function sy(i,e){return i.replace(/NUM_CLIPPING_PLANES/g,e.numClippingPlanes).replace(/UNION_CLIPPING_PLANES/g,e.numClippingPlanes-e.numClipIntersection)}var W1=/^[ \t]*#include +<([\w\d./]+)>/gm;function ff(i){return i.replace(W1,X1)}function X1(i,e){let t=ht[e];if(t===void 0)throw new Error("THREE.WebGLProgram: Can not resolve #include <"+e+">");return ff(t)}var q1=/#pragma unroll_loop_start\s+for\s*\(\s*int\s+i\s*=\s*(\d+)\s*;\s*i\s*<\s*(\d+)\s*;\s*i\s*\+\+\s*\)\s*{([\s\S]+?)}\s+#pragma unroll_loop_end/g;function ry(i){return i.replace(q1,$1)}function $1(i,e,t,n){let s="";for(let r=parseInt(e);r<parseInt(t);r++)s+=n.replace(/\[\s*i\s*\]/g,"[ "+r+" ]").replace(/UNROLLED_LOOP_INDEX/g,r);return s}function oy(i){let e=`precision ${i.precision} float;
+	precision ${i.precision} int;
+	precision ${i.precision} sampler2D;
+	precision ${i.precision} samplerCube;
+	precision ${i.precision} sampler3D;
+	precision ${i.precision} sampler2DArray;
+	precision ${i.precision} sampler2DShadow;
+	precision ${i.precision} samplerCubeShadow;
+	precision ${i.precision} sampler2DArrayShadow;
+	precision ${i.precision} isampler2D;
+	precision ${i.precision} isampler3D;
+	precision ${i.precision} isamplerCube;
+	precision ${i.precision} isampler2DArray;
+	precision ${i.precision} usampler2D;
+	precision ${i.precision} usampler3D;
+	precision ${i.precision} usamplerCube;
+	precision ${i.precision} usampler2DArray;
+	`;return i.precision==="highp"?e+=`
+#define HIGH_PRECISION`:i.precision==="mediump"?e+=`
+#define MEDIUM_PRECISION`:i.precision==="lowp"&&(e+=`
+#define LOW_PRECISION`),e}var Y1={[Da]:"SHADOWMAP_TYPE_PCF",[Po]:"SHADOWMAP_TYPE_VSM"};function J1(i){return Y1[i.shadowMapType]||"SHADOWMAP_TYPE_BASIC"}var Z1={[Lo]:"ENVMAP_MODE_REFRACTION"};function K1(i){return i.envMap===!1?"ENVMAP_MODE_REFLECTION":Z1[i.envMapMode]||"ENVMAP_MODE_REFLECTION"}var j1={[Nd]:"ENVMAP_BLENDING_MULTIPLY",[S0]:"ENVMAP_BLENDING_MIX",[w0]:"ENVMAP_BLENDING_ADD"};function Q1(i){return i.envMap===!1?"ENVMAP_BLENDING_NONE":j1[i.combine]||"ENVMAP_BLENDING_NONE"}function eE(i,e,t,n){let s=i.getContext(),r=t.defines,o=t.vertexShader,a=t.fragmentShader,l=J1(t),c=t.envMapPMREM===!0?"ENVMAP_TYPE_PMREM":"ENVMAP_TYPE_CUBE",h=K1(t),u=Q1(t),d=V1(t),f=G1(r),g=s.createProgram(),v,m,p=t.glslVersion?"#version "+t.glslVersion+`
+`:"";t.isRawShaderMaterial?(v=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,f].filter(Wa).join(`
+`),v.length>0&&(v+=`
+`),m=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,f].filter(Wa).join(`
+`),m.length>0&&(m+=`
+`)):(v=[oy(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,f,t.extensionClipCullDistance?"#define USE_CLIP_DISTANCE":"",t.batching?"#define USE_BATCHING":"",t.batchingColor?"#define USE_BATCHING_COLOR":"",t.instancing?"#define USE_INSTANCING":"",t.instancingColor?"#define USE_INSTANCING_COLOR":"",t.instancingMorph?"#define USE_INSTANCING_MORPH":"",t.useFog&&t.fog?"#define USE_FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.map?"#define USE_MAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+h:"",t.lightMap?"#define USE_LIGHTMAP":"",t.aoMap?"#define USE_AOMAP":"",t.bumpMap?"#define USE_BUMPMAP":"",t.normalMap?"#define USE_NORMALMAP":"",t.normalMapObjectSpace?"#define USE_NORMALMAP_OBJECTSPACE":"",t.normalMapTangentSpace?"#define USE_NORMALMAP_TANGENTSPACE":"",t.displacementMap?"#define USE_DISPLACEMENTMAP":"",t.emissiveMap?"#define USE_EMISSIVEMAP":"",t.anisotropy?"#define USE_ANISOTROPY":"",t.anisotropyMap?"#define USE_ANISOTROPYMAP":"",t.clearcoatMap?"#define USE_CLEARCOATMAP":"",t.clearcoatRoughnessMap?"#define USE_CLEARCOAT_ROUGHNESSMAP":"",t.clearcoatNormalMap?"#define USE_CLEARCOAT_NORMALMAP":"",t.diffuseRoughnessMap?"#define USE_DIFFUSE_ROUGHNESSMAP":"",t.iridescenceMap?"#define USE_IRIDESCENCEMAP":"",t.iridescenceThicknessMap?"#define USE_IRIDESCENCE_THICKNESSMAP":"",t.specularMap?"#define USE_SPECULARMAP":"",t.specularColorMap?"#define USE_SPECULAR_COLORMAP":"",t.specularIntensityMap?"#define USE_SPECULAR_INTENSITYMAP":"",t.roughnessMap?"#define USE_ROUGHNESSMAP":"",t.metalnessMap?"#define USE_METALNESSMAP":"",t.alphaMap?"#define USE_ALPHAMAP":"",t.alphaHash?"#define USE_ALPHAHASH":"",t.transmission?"#define USE_TRANSMISSION":"",t.transmissionMap?"#define USE_TRANSMISSIONMAP":"",t.thicknessMap?"#define USE_THICKNESSMAP":"",t.sheenColorMap?"#define USE_SHEEN_COLORMAP":"",t.sheenRoughnessMap?"#define USE_SHEEN_ROUGHNESSMAP":"",t.mapUv?"#define MAP_UV "+t.mapUv:"",t.alphaMapUv?"#define ALPHAMAP_UV "+t.alphaMapUv:"",t.lightMapUv?"#define LIGHTMAP_UV "+t.lightMapUv:"",t.aoMapUv?"#define AOMAP_UV "+t.aoMapUv:"",t.emissiveMapUv?"#define EMISSIVEMAP_UV "+t.emissiveMapUv:"",t.bumpMapUv?"#define BUMPMAP_UV "+t.bumpMapUv:"",t.normalMapUv?"#define NORMALMAP_UV "+t.normalMapUv:"",t.displacementMapUv?"#define DISPLACEMENTMAP_UV "+t.displacementMapUv:"",t.metalnessMapUv?"#define METALNESSMAP_UV "+t.metalnessMapUv:"",t.roughnessMapUv?"#define ROUGHNESSMAP_UV "+t.roughnessMapUv:"",t.anisotropyMapUv?"#define ANISOTROPYMAP_UV "+t.anisotropyMapUv:"",t.clearcoatMapUv?"#define CLEARCOATMAP_UV "+t.clearcoatMapUv:"",t.clearcoatNormalMapUv?"#define CLEARCOAT_NORMALMAP_UV "+t.clearcoatNormalMapUv:"",t.clearcoatRoughnessMapUv?"#define CLEARCOAT_ROUGHNESSMAP_UV "+t.clearcoatRoughnessMapUv:"",t.diffuseRoughnessMapUv?"#define DIFFUSE_ROUGHNESSMAP_UV "+t.diffuseRoughnessMapUv:"",t.iridescenceMapUv?"#define IRIDESCENCEMAP_UV "+t.iridescenceMapUv:"",t.iridescenceThicknessMapUv?"#define IRIDESCENCE_THICKNESSMAP_UV "+t.iridescenceThicknessMapUv:"",t.sheenColorMapUv?"#define SHEEN_COLORMAP_UV "+t.sheenColorMapUv:"",t.sheenRoughnessMapUv?"#define SHEEN_ROUGHNESSMAP_UV "+t.sheenRoughnessMapUv:"",t.specularMapUv?"#define SPECULARMAP_UV "+t.specularMapUv:"",t.specularColorMapUv?"#define SPECULAR_COLORMAP_UV "+t.specularColorMapUv:"",t.specularIntensityMapUv?"#define SPECULAR_INTENSITYMAP_UV "+t.specularIntensityMapUv:"",t.transmissionMapUv?"#define TRANSMISSIONMAP_UV "+t.transmissionMapUv:"",t.thicknessMapUv?"#define THICKNESSMAP_UV "+t.thicknessMapUv:"",t.vertexTangents&&t.flatShading===!1?"#define USE_TANGENT":"",t.vertexNormals?"#define HAS_NORMAL":"",t.vertexColors?"#define USE_COLOR":"",t.vertexAlphas?"#define USE_COLOR_ALPHA":"",t.vertexUv1s?"#define USE_UV1":"",t.vertexUv2s?"#define USE_UV2":"",t.vertexUv3s?"#define USE_UV3":"",t.pointsUvs?"#define USE_POINTS_UV":"",t.flatShading?"#define FLAT_SHADED":"",t.skinning?"#define USE_SKINNING":"",t.morphTargets?"#define USE_MORPHTARGETS":"",t.morphNormals&&t.flatShading===!1?"#define USE_MORPHNORMALS":"",t.morphColors?"#define USE_MORPHCOLORS":"",t.morphTargetsCount>0?"#define MORPHTARGETS_TEXTURE_STRIDE "+t.morphTextureStride:"",t.morphTargetsCount>0?"#define MORPHTARGETS_COUNT "+t.morphTargetsCount:"",t.doubleSided?"#define DOUBLE_SIDED":"",t.flipSided?"#define FLIP_SIDED":"",t.shadowMapEnabled?"#define USE_SHADOWMAP":"",t.shadowMapEnabled?"#define "+l:"",t.sizeAttenuation?"#define USE_SIZEATTENUATION":"",t.numLightProbes>0?"#define USE_LIGHT_PROBES":"",t.logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",t.reversedDepthBuffer?"#define USE_REVERSED_DEPTH_BUFFER":"","uniform mat4 modelMatrix;","uniform mat4 modelViewMatrix;","uniform mat4 projectionMatrix;","uniform mat4 viewMatrix;","uniform mat3 normalMatrix;","uniform vec3 cameraPosition;","uniform bool isOrthographic;","#ifdef USE_INSTANCING","	attribute mat4 instanceMatrix;","#endif","#ifdef USE_INSTANCING_COLOR","	attribute vec3 instanceColor;","#endif","#ifdef USE_INSTANCING_MORPH","	uniform sampler2D morphTexture;","#endif","attribute vec3 position;","attribute vec3 normal;","attribute vec2 uv;","#ifdef USE_UV1","	attribute vec2 uv1;","#endif","#ifdef USE_UV2","	attribute vec2 uv2;","#endif","#ifdef USE_UV3","	attribute vec2 uv3;","#endif","#ifdef USE_TANGENT","	attribute vec4 tangent;","#endif","#if defined( USE_COLOR_ALPHA )","	attribute vec4 color;","#elif defined( USE_COLOR )","	attribute vec3 color;","#endif","#ifdef USE_SKINNING","	attribute vec4 skinIndex;","	attribute vec4 skinWeight;","#endif",`
+`].filter(Wa).join(`
+`),m=[oy(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,f,t.useFog&&t.fog?"#define USE_FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.alphaToCoverage?"#define ALPHA_TO_COVERAGE":"",t.map?"#define USE_MAP":"",t.matcap?"#define USE_MATCAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+c:"",t.envMap?"#define "+h:"",t.envMap?"#define "+u:"",t.envMapPMREM?"#define ENVMAP_MAX_LOD "+t.envMapMaxLod+".0":"",t.envMapPMREM?"#define ENVMAP_SIZE "+t.envMapSize+".0":"",t.lightMap?"#define USE_LIGHTMAP":"",t.aoMap?"#define USE_AOMAP":"",t.bumpMap?"#define USE_BUMPMAP":"",t.normalMap?"#define USE_NORMALMAP":"",t.normalMapObjectSpace?"#define USE_NORMALMAP_OBJECTSPACE":"",t.normalMapTangentSpace?"#define USE_NORMALMAP_TANGENTSPACE":"",t.packedNormalMap?"#define USE_PACKED_NORMALMAP":"",t.emissiveMap?"#define USE_EMISSIVEMAP":"",t.anisotropy?"#define USE_ANISOTROPY":"",t.anisotropyMap?"#define USE_ANISOTROPYMAP":"",t.clearcoat?"#define USE_CLEARCOAT":"",t.clearcoatMap?"#define USE_CLEARCOATMAP":"",t.clearcoatRoughnessMap?"#define USE_CLEARCOAT_ROUGHNESSMAP":"",t.clearcoatNormalMap?"#define USE_CLEARCOAT_NORMALMAP":"",t.diffuseRoughness?"#define USE_DIFFUSE_ROUGHNESS":"",t.diffuseRoughnessMap?"#define USE_DIFFUSE_ROUGHNESSMAP":"",t.dispersion?"#define USE_DISPERSION":"",t.retroreflection?"#define USE_RETROREFLECTION":"",t.iridescence?"#define USE_IRIDESCENCE":"",t.iridescenceMap?"#define USE_IRIDESCENCEMAP":"",t.iridescenceThicknessMap?"#define USE_IRIDESCENCE_THICKNESSMAP":"",t.specularMap?"#define USE_SPECULARMAP":"",t.specularColorMap?"#define USE_SPECULAR_COLORMAP":"",t.specularIntensityMap?"#define USE_SPECULAR_INTENSITYMAP":"",t.roughnessMap?"#define USE_ROUGHNESSMAP":"",t.metalnessMap?"#define USE_METALNESSMAP":"",t.alphaMap?"#define USE_ALPHAMAP":"",t.alphaTest?"#define USE_ALPHATEST":"",t.alphaHash?"#define USE_ALPHAHASH":"",t.sheen?"#define USE_SHEEN":"",t.sheenColorMap?"#define USE_SHEEN_COLORMAP":"",t.sheenRoughnessMap?"#define USE_SHEEN_ROUGHNESSMAP":"",t.transmission?"#define USE_TRANSMISSION":"",t.transmissionMap?"#define USE_TRANSMISSIONMAP":"",t.thicknessMap?"#define USE_THICKNESSMAP":"",t.vertexTangents&&t.flatShading===!1?"#define USE_TANGENT":"",t.vertexColors||t.instancingColor?"#define USE_COLOR":"",t.vertexAlphas||t.batchingColor?"#define USE_COLOR_ALPHA":"",t.vertexUv1s?"#define USE_UV1":"",t.vertexUv2s?"#define USE_UV2":"",t.vertexUv3s?"#define USE_UV3":"",t.pointsUvs?"#define USE_POINTS_UV":"",t.gradientMap?"#define USE_GRADIENTMAP":"",t.flatShading?"#define FLAT_SHADED":"",t.doubleSided?"#define DOUBLE_SIDED":"",t.flipSided?"#define FLIP_SIDED":"",t.shadowMapEnabled?"#define USE_SHADOWMAP":"",t.shadowMapEnabled?"#define "+l:"",t.premultipliedAlpha?"#define PREMULTIPLIED_ALPHA":"",t.numLightProbes>0?"#define USE_LIGHT_PROBES":"",t.decodeVideoTexture?"#define DECODE_VIDEO_TEXTURE":"",t.decodeVideoTextureEmissive?"#define DECODE_VIDEO_TEXTURE_EMISSIVE":"",t.logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",t.reversedDepthBuffer?"#define USE_REVERSED_DEPTH_BUFFER":"","uniform mat4 viewMatrix;","uniform vec3 cameraPosition;","uniform bool isOrthographic;",t.toneMapping!==rs?"#define TONE_MAPPING":"",t.toneMapping!==rs?ht.tonemapping_pars_fragment:"",t.toneMapping!==rs?B1("toneMapping",t.toneMapping):"",t.dithering?"#define DITHERING":"",t.opaque?"#define OPAQUE":"",ht.colorspace_pars_fragment,O1("linearToOutputTexel",t.outputColorSpace),z1(),t.useDepthPacking?"#define DEPTH_PACKING "+t.depthPacking:"",`
+`].filter(Wa).join(`
+`)),o=ff(o),o=iy(o,t),o=sy(o,t),a=ff(a),a=iy(a,t),a=sy(a,t),o=ry(o),a=ry(a),t.isRawShaderMaterial!==!0&&(p=`#version 300 es
+`,v=[d,"#define attribute in","#define varying out","#define texture2D texture"].join(`
+`)+`
+`+v,m=["#define varying in",t.glslVersion===ef?"":"layout(location = 0) out highp vec4 pc_fragColor;",t.glslVersion===ef?"":"#define gl_FragColor pc_fragColor","#define gl_FragDepthEXT gl_FragDepth","#define texture2D texture","#define textureCube texture","#define texture2DProj textureProj","#define texture2DLodEXT textureLod","#define texture2DProjLodEXT textureProjLod","#define textureCubeLodEXT textureLod","#define texture2DGradEXT textureGrad","#define texture2DProjGradEXT textureProjGrad","#define textureCubeGradEXT textureGrad"].join(`
+`)+`
+`+m);let x=p+v+o,M=p+m+a,b=ey(s,s.VERTEX_SHADER,x),C=ey(s,s.FRAGMENT_SHADER,M);s.attachShader(g,b),s.attachShader(g,C),t.index0AttributeName!==void 0?s.bindAttribLocation(g,0,t.index0AttributeName):t.hasPositionAttribute===!0&&s.bindAttribLocation(g,0,"position"),s.linkProgram(g);function A(I){if(i.debug.checkShaderErrors){let R=s.getProgramInfoLog(g)||"",k=s.getShaderInfoLog(b)||"",F=s.getShaderInfoLog(C)||"",P=R.trim(),V=k.trim(),q=F.trim(),H=!0,le=!0;if(s.getProgramParameter(g,s.LINK_STATUS)===!1)if(H=!1,typeof i.debug.onShaderError=="function")i.debug.onShaderError(s,g,b,C);else{let Z=ny(s,b,"vertex"),Q=ny(s,C,"fragment");tt("WebGLProgram: Shader Error "+s.getError()+" - VALIDATE_STATUS "+s.getProgramParameter(g,s.VALIDATE_STATUS)+`
+
+Material Name: `+I.name+`
+Material Type: `+I.type+`
+
+Program Info Log: `+P+`
+`+Z+`
+`+Q)}else P!==""?Ze("WebGLProgram: Program Info Log:",P):(V===""||q==="")&&(le=!1);le&&(I.diagnostics={runnable:H,programLog:P,vertexShader:{log:V,prefix:v},fragmentShader:{log:q,prefix:m}})}s.deleteShader(b),s.deleteShader(C),y=new Do(s,g),S=H1(s,g)}let y;this.getUniforms=function(){return y===void 0&&A(this),y};let S;this.getAttributes=function(){return S===void 0&&A(this),S};let U=t.rendererExtensionParallelShaderCompile===!1;return this.isReady=function(){return U===!1&&(U=s.getProgramParameter(g,N1)),U},this.destroy=function(){n.releaseStatesOfProgram(this),s.deleteProgram(g),this.program=void 0},this.type=t.shaderType,this.name=t.shaderName,this.id=D1++,this.cacheKey=e,this.usedTimes=1,this.program=g,this.vertexShader=b,this.fragmentShader=C,this}var tE=0,pf=class{constructor(){this.shaderCache=new Map,this.materialCache=new Map}update(e,t,n){let s=this._getShaderCacheForMaterial(e);return s.has(t)===!1&&(s.add(t),t.usedTimes++),s.has(n)===!1&&(s.add(n),n.usedTimes++),this}remove(e){let t=this.materialCache.get(e);for(let n of t)n.usedTimes--,n.usedTimes===0&&this.shaderCache.delete(n.code);return this.materialCache.delete(e),this}getVertexShaderStage(e){return this._getShaderStage(e.vertexShader)}getFragmentShaderStage(e){return this._getShaderStage(e.fragmentShader)}dispose(){this.shaderCache.clear(),this.materialCache.clear()}_getShaderCacheForMaterial(e){let t=this.materialCache,n=t.get(e);return n===void 0&&(n=new Set,t.set(e,n)),n}_getShaderStage(e){let t=this.shaderCache,n=t.get(e);return n===void 0&&(n=new mf(e),t.set(e,n)),n}},mf=class{constructor(e){this.id=tE++,this.code=e,this.usedTimes=0}};function nE(i){return i===nr||i===za||i===Va}function iE(i,e,t,n,s,r){let o=new wa,a=new pf,l=new Set,c=[],h=new Map,u=n.logarithmicDepthBuffer,d={MeshDepthMaterial:"depth",MeshDistanceMaterial:"distance",MeshNormalMaterial:"normal",MeshBasicMaterial:"basic",MeshLambertMaterial:"lambert",MeshPhongMaterial:"phong",MeshToonMaterial:"toon",MeshStandardMaterial:"physical",MeshPhysicalMaterial:"physical",MeshMatcapMaterial:"matcap",LineBasicMaterial:"basic",LineDashedMaterial:"dashed",PointsMaterial:"points",ShadowMaterial:"shadow",SpriteMaterial:"sprite"};function f(y){return l.add(y),y===0?"uv":`uv${y}`}function g(y,S,U,I,R,k){let F=I.fog,P=R.geometry,V=y.isMeshStandardMaterial||y.isMeshLambertMaterial||y.isMeshPhongMaterial?I.environment:null,q=y.isMeshStandardMaterial||y.isMeshLambertMaterial&&!y.envMap||y.isMeshPhongMaterial&&!y.envMap,H=e.get(y.envMap||V,q),le=d[y.type],Z=n.precision;y.precision!==null&&(Z=n.getMaxPrecision(y.precision),Z!==y.precision&&Ze("WebGLProgram.getParameters:",y.precision,"not supported, using",Z,"instead."));let Q=P.morphAttributes.position||P.morphAttributes.normal||P.morphAttributes.color,ie=Q!==void 0?Q.length:0,de=0;P.morphAttributes.position!==void 0&&(de=1),P.morphAttributes.normal!==void 0&&(de=2),P.morphAttributes.color!==void 0&&(de=3);let ue,ee,me,ve;if(le){let Ce=as[le];ue=Ce.vertexShader,ee=Ce.fragmentShader}else{ue=y.vertexShader,ee=y.fragmentShader;let Ce=a.getVertexShaderStage(y),at=a.getFragmentShaderStage(y);a.update(y,Ce,at),me=Ce.id,ve=at.id}let Ae=i.getRenderTarget(),Me=i.state.buffers.depth.getReversed(),We=R.isInstancedMesh===!0,rt=R.isBatchedMesh===!0,Ge=!!y.map,ut=!!y.matcap,lt=!!H,it=lt&&H.isPMREMTexture===!0,$t=!!y.aoMap,Bt=!!y.lightMap,cn=!!y.bumpMap&&y.wireframe===!1,Lt=!!y.normalMap,Sn=!!y.displacementMap,bt=!!y.emissiveMap,yn=!!y.metalnessMap,Qt=!!y.roughnessMap,hn=y.anisotropy>0,z=y.clearcoat>0,Re=y.diffuseRoughness>0,Je=y.dispersion>0,ot=y.retroreflectivity>0,Se=y.iridescence>0,Ut=y.sheen>0,Ve=y.transmission>0,$e=hn&&!!y.anisotropyMap,L=z&&!!y.clearcoatMap,w=z&&!!y.clearcoatNormalMap,$=z&&!!y.clearcoatRoughnessMap,he=Re&&!!y.diffuseRoughnessMap,oe=Se&&!!y.iridescenceMap,ye=Se&&!!y.iridescenceThicknessMap,xe=Ut&&!!y.sheenColorMap,te=Ut&&!!y.sheenRoughnessMap,se=!!y.specularMap,pe=!!y.specularColorMap,B=!!y.specularIntensityMap,re=Ve&&!!y.transmissionMap,ne=Ve&&!!y.thicknessMap,we=!!y.gradientMap,ge=!!y.alphaMap,be=y.alphaTest>0,He=!!y.alphaHash,je=!!y.extensions,ce=rs;y.toneMapped&&(Ae===null||Ae.isXRRenderTarget===!0)&&(ce=i.toneMapping);let Oe=it?H.isCompressedCubeTexture?H.image[0].mipmaps:H.mipmaps:null,Qe={shaderID:le,shaderType:y.type,shaderName:y.name,vertexShader:ue,fragmentShader:ee,defines:y.defines,customVertexShaderID:me,customFragmentShaderID:ve,isRawShaderMaterial:y.isRawShaderMaterial===!0,glslVersion:y.glslVersion,precision:Z,batching:rt,batchingColor:rt&&R._colorsTexture!==null,instancing:We,instancingColor:We&&R.instanceColor!==null,instancingMorph:We&&R.morphTexture!==null,outputColorSpace:Ae===null?i.outputColorSpace:Ae.isXRRenderTarget===!0?Ae.texture.colorSpace:yt.workingColorSpace,alphaToCoverage:!!y.alphaToCoverage,map:Ge,matcap:ut,envMap:lt,envMapMode:lt&&H.mapping,envMapPMREM:it,envMapMaxLod:it?Oe.length-1:null,envMapSize:it?Oe[0].width:null,aoMap:$t,lightMap:Bt,bumpMap:cn,normalMap:Lt,displacementMap:Sn,emissiveMap:bt,normalMapObjectSpace:Lt&&y.normalMapType===A0,normalMapTangentSpace:Lt&&y.normalMapType===Jd,packedNormalMap:Lt&&y.normalMapType===Jd&&nE(y.normalMap.format),metalnessMap:yn,roughnessMap:Qt,anisotropy:hn,anisotropyMap:$e,clearcoat:z,clearcoatMap:L,clearcoatNormalMap:w,clearcoatRoughnessMap:$,diffuseRoughness:Re,diffuseRoughnessMap:he,dispersion:Je,retroreflection:ot,iridescence:Se,iridescenceMap:oe,iridescenceThicknessMap:ye,sheen:Ut,sheenColorMap:xe,sheenRoughnessMap:te,specularMap:se,specularColorMap:pe,specularIntensityMap:B,transmission:Ve,transmissionMap:re,thicknessMap:ne,gradientMap:we,opaque:y.transparent===!1&&y.blending===Io&&y.alphaToCoverage===!1,alphaMap:ge,alphaTest:be,alphaHash:He,combine:y.combine,mapUv:Ge&&f(y.map.channel),aoMapUv:$t&&f(y.aoMap.channel),lightMapUv:Bt&&f(y.lightMap.channel),bumpMapUv:cn&&f(y.bumpMap.channel),normalMapUv:Lt&&f(y.normalMap.channel),displacementMapUv:Sn&&f(y.displacementMap.channel),emissiveMapUv:bt&&f(y.emissiveMap.channel),metalnessMapUv:yn&&f(y.metalnessMap.channel),roughnessMapUv:Qt&&f(y.roughnessMap.channel),anisotropyMapUv:$e&&f(y.anisotropyMap.channel),clearcoatMapUv:L&&f(y.clearcoatMap.channel),clearcoatNormalMapUv:w&&f(y.clearcoatNormalMap.channel),clearcoatRoughnessMapUv:$&&f(y.clearcoatRoughnessMap.channel),diffuseRoughnessMapUv:he&&f(y.diffuseRoughnessMap.channel),iridescenceMapUv:oe&&f(y.iridescenceMap.channel),iridescenceThicknessMapUv:ye&&f(y.iridescenceThicknessMap.channel),sheenColorMapUv:xe&&f(y.sheenColorMap.channel),sheenRoughnessMapUv:te&&f(y.sheenRoughnessMap.channel),specularMapUv:se&&f(y.specularMap.channel),specularColorMapUv:pe&&f(y.specularColorMap.channel),specularIntensityMapUv:B&&f(y.specularIntensityMap.channel),transmissionMapUv:re&&f(y.transmissionMap.channel),thicknessMapUv:ne&&f(y.thicknessMap.channel),alphaMapUv:ge&&f(y.alphaMap.channel),vertexTangents:!!P.attributes.tangent&&(Lt||hn),vertexNormals:!!P.attributes.normal,vertexColors:y.vertexColors,vertexAlphas:y.vertexColors===!0&&!!P.attributes.color&&P.attributes.color.itemSize===4,pointsUvs:R.isPoints===!0&&!!P.attributes.uv&&(Ge||ge),fog:!!F,useFog:y.fog===!0,fogExp2:!!F&&F.isFogExp2,flatShading:y.wireframe===!1&&(y.flatShading===!0||P.attributes.normal===void 0&&Lt===!1&&(y.isMeshLambertMaterial||y.isMeshPhongMaterial||y.isMeshStandardMaterial||y.isMeshPhysicalMaterial)),sizeAttenuation:y.sizeAttenuation===!0,logarithmicDepthBuffer:u,reversedDepthBuffer:Me,skinning:R.isSkinnedMesh===!0,hasPositionAttribute:P.attributes.position!==void 0,morphTargets:P.morphAttributes.position!==void 0,morphNormals:P.morphAttributes.normal!==void 0,morphColors:P.morphAttributes.color!==void 0,morphTargetsCount:ie,morphTextureStride:de,numSunLights:S.sun.length,numDirLights:S.directional.length,numPointLights:S.point.length,numSpotLights:S.spot.length,numSpotLightMaps:S.spotLightMap.length,numRectAreaLights:S.rectArea.length,numHemiLights:S.hemi.length,numSunLightShadows:S.sunShadowMap.length,numDirLightShadows:S.directionalShadowMap.length,numPointLightShadows:S.pointShadowMap.length,numSpotLightShadows:S.spotShadowMap.length,numSpotLightShadowsWithMaps:S.numSpotLightShadowsWithMaps,numLightProbes:S.numLightProbes,numLightProbeGrids:k.filter(Ce=>Ce.texture!==null).length,numClippingPlanes:r.numPlanes,numClipIntersection:r.numIntersection,dithering:y.dithering,shadowMapEnabled:i.shadowMap.enabled&&U.length>0,shadowMapType:i.shadowMap.type,toneMapping:ce,decodeVideoTexture:Ge&&y.map.isVideoTexture===!0&&yt.getTransfer(y.map.colorSpace)===Ct,decodeVideoTextureEmissive:bt&&y.emissiveMap.isVideoTexture===!0&&yt.getTransfer(y.emissiveMap.colorSpace)===Ct,premultipliedAlpha:y.premultipliedAlpha,doubleSided:y.side===ss,flipSided:y.side===jn,useDepthPacking:y.depthPacking>=0,depthPacking:y.depthPacking||0,index0AttributeName:y.index0AttributeName,extensionClipCullDistance:je&&y.extensions.clipCullDistance===!0&&t.has("WEBGL_clip_cull_distance"),extensionMultiDraw:(je&&y.extensions.multiDraw===!0||rt)&&t.has("WEBGL_multi_draw"),rendererExtensionParallelShaderCompile:t.has("KHR_parallel_shader_compile"),customProgramCacheKey:y.customProgramCacheKey()};return Qe.vertexUv1s=l.has(1),Qe.vertexUv2s=l.has(2),Qe.vertexUv3s=l.has(3),l.clear(),Qe}function v(y){let S=[];if(y.shaderID?S.push(y.shaderID):(S.push(y.customVertexShaderID),S.push(y.customFragmentShaderID)),y.defines!==void 0)for(let U in y.defines)S.push(U),S.push(y.defines[U]);return y.isRawShaderMaterial===!1&&(m(S,y),p(S,y),S.push(i.outputColorSpace)),S.push(y.customProgramCacheKey),S.join()}function m(y,S){y.push(S.precision),y.push(S.outputColorSpace),y.push(S.envMapMode),y.push(S.envMapPMREM),y.push(S.envMapMaxLod),y.push(S.envMapSize),y.push(S.mapUv),y.push(S.alphaMapUv),y.push(S.lightMapUv),y.push(S.aoMapUv),y.push(S.bumpMapUv),y.push(S.normalMapUv),y.push(S.displacementMapUv),y.push(S.emissiveMapUv),y.push(S.metalnessMapUv),y.push(S.roughnessMapUv),y.push(S.anisotropyMapUv),y.push(S.clearcoatMapUv),y.push(S.clearcoatNormalMapUv),y.push(S.clearcoatRoughnessMapUv),y.push(S.diffuseRoughnessMapUv),y.push(S.iridescenceMapUv),y.push(S.iridescenceThicknessMapUv),y.push(S.sheenColorMapUv),y.push(S.sheenRoughnessMapUv),y.push(S.specularMapUv),y.push(S.specularColorMapUv),y.push(S.specularIntensityMapUv),y.push(S.transmissionMapUv),y.push(S.thicknessMapUv),y.push(S.combine),y.push(S.fogExp2),y.push(S.sizeAttenuation),y.push(S.morphTargetsCount),y.push(S.numSunLights),y.push(S.numDirLights),y.push(S.numPointLights),y.push(S.numSpotLights),y.push(S.numSpotLightMaps),y.push(S.numHemiLights),y.push(S.numRectAreaLights),y.push(S.numSunLightShadows),y.push(S.numDirLightShadows),y.push(S.numPointLightShadows),y.push(S.numSpotLightShadows),y.push(S.numSpotLightShadowsWithMaps),y.push(S.numLightProbes),y.push(S.numLightProbeGrids),y.push(S.shadowMapType),y.push(S.toneMapping),y.push(S.numClippingPlanes),y.push(S.numClipIntersection),y.push(S.depthPacking)}function p(y,S){o.disableAll(),S.instancing&&o.enable(0),S.instancingColor&&o.enable(1),S.instancingMorph&&o.enable(2),S.matcap&&o.enable(3),S.envMap&&o.enable(4),S.normalMapObjectSpace&&o.enable(5),S.normalMapTangentSpace&&o.enable(6),S.clearcoat&&o.enable(7),S.iridescence&&o.enable(8),S.alphaTest&&o.enable(9),S.vertexColors&&o.enable(10),S.vertexAlphas&&o.enable(11),S.vertexUv1s&&o.enable(12),S.vertexUv2s&&o.enable(13),S.vertexUv3s&&o.enable(14),S.vertexTangents&&o.enable(15),S.anisotropy&&o.enable(16),S.alphaHash&&o.enable(17),S.batching&&o.enable(18),S.dispersion&&o.enable(19),S.retroreflection&&o.enable(24),S.diffuseRoughness&&o.enable(25),S.batchingColor&&o.enable(20),S.gradientMap&&o.enable(21),S.packedNormalMap&&o.enable(22),S.vertexNormals&&o.enable(23),y.push(o.mask),o.disableAll(),S.fog&&o.enable(0),S.useFog&&o.enable(1),S.flatShading&&o.enable(2),S.logarithmicDepthBuffer&&o.enable(3),S.reversedDepthBuffer&&o.enable(4),S.skinning&&o.enable(5),S.morphTargets&&o.enable(6),S.morphNormals&&o.enable(7),S.morphColors&&o.enable(8),S.premultipliedAlpha&&o.enable(9),S.shadowMapEnabled&&o.enable(10),S.doubleSided&&o.enable(11),S.flipSided&&o.enable(12),S.useDepthPacking&&o.enable(13),S.dithering&&o.enable(14),S.transmission&&o.enable(15),S.sheen&&o.enable(16),S.opaque&&o.enable(17),S.pointsUvs&&o.enable(18),S.decodeVideoTexture&&o.enable(19),S.decodeVideoTextureEmissive&&o.enable(20),S.alphaToCoverage&&o.enable(21),S.numLightProbeGrids>0&&o.enable(22),S.hasPositionAttribute&&o.enable(23),y.push(o.mask)}function x(y){let S=d[y.type],U;if(S){let I=as[S];U=V0.clone(I.uniforms)}else U=y.uniforms;return U}function M(y,S){let U=h.get(S);return U!==void 0?++U.usedTimes:(U=new eE(i,S,y,s),c.push(U),h.set(S,U)),U}function b(y){if(--y.usedTimes===0){let S=c.indexOf(y);c[S]=c[c.length-1],c.pop(),h.delete(y.cacheKey),y.destroy()}}function C(y){a.remove(y)}function A(){a.dispose()}return{getParameters:g,getProgramCacheKey:v,getUniforms:x,acquireProgram:M,releaseProgram:b,releaseShaderCache:C,programs:c,dispose:A}}function sE(){let i=new WeakMap;function e(o){return i.has(o)}function t(o){let a=i.get(o);return a===void 0&&(a={},i.set(o,a)),a}function n(o){i.delete(o)}function s(o,a,l){i.get(o)[a]=l}function r(){i=new WeakMap}return{has:e,get:t,remove:n,update:s,dispose:r}}function rE(i,e){return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.material.id!==e.material.id?i.material.id-e.material.id:i.materialVariant!==e.materialVariant?i.materialVariant-e.materialVariant:i.z!==e.z?i.z-e.z:i.id-e.id}function ay(i,e){return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.z!==e.z?e.z-i.z:i.id-e.id}function ly(){let i=[],e=0,t=[],n=[],s=[];function r(){e=0,t.length=0,n.length=0,s.length=0}function o(d){let f=0;return d.isInstancedMesh&&(f+=2),d.isSkinnedMesh&&(f+=1),f}function a(d,f,g,v,m,p){let x=i[e];return x===void 0?(x={id:d.id,object:d,geometry:f,material:g,materialVariant:o(d),groupOrder:v,renderOrder:d.renderOrder,z:m,group:p},i[e]=x):(x.id=d.id,x.object=d,x.geometry=f,x.material=g,x.materialVariant=o(d),x.groupOrder=v,x.renderOrder=d.renderOrder,x.z=m,x.group=p),e++,x}function l(d,f,g,v,m,p,x){x.reversedDepth===!0&&(m=-m);let M=a(d,f,g,v,m,p);g.transmission>0?n.push(M):g.transparent===!0?s.push(M):t.push(M)}function c(d,f,g,v,m,p){let x=a(d,f,g,v,m,p);g.transmission>0?n.unshift(x):g.transparent===!0?s.unshift(x):t.unshift(x)}function h(d,f){t.length>1&&t.sort(d||rE),n.length>1&&n.sort(f||ay),s.length>1&&s.sort(f||ay)}function u(){for(let d=e,f=i.length;d<f;d++){let g=i[d];if(g.id===null)break;g.id=null,g.object=null,g.geometry=null,g.material=null,g.group=null}}return{opaque:t,transmissive:n,transparent:s,init:r,push:l,unshift:c,finish:u,sort:h}}function oE(){let i=new WeakMap;function e(n,s){let r=i.get(n),o;return r===void 0?(o=new ly,i.set(n,[o])):s>=r.length?(o=new ly,r.push(o)):o=r[s],o}function t(){i=new WeakMap}return{get:e,dispose:t}}function aE(){let i={};return{get:function(e){if(i[e.id]!==void 0)return i[e.id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={direction:new W,color:new _t};break;case"SpotLight":t={position:new W,direction:new W,color:new _t,distance:0,coneCos:0,penumbraCos:0,decay:0};break;case"PointLight":t={position:new W,color:new _t,distance:0,decay:0};break;case"HemisphereLight":t={direction:new W,skyColor:new _t,groundColor:new _t};break;case"RectAreaLight":t={color:new _t,position:new W,halfWidth:new W,halfHeight:new W};break}return i[e.id]=t,t}}}function lE(){let i={};return{get:function(e){if(i[e.id]!==void 0)return i[e.id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new xt};break;case"SpotLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new xt};break;case"PointLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new xt,shadowCameraNear:1,shadowCameraFar:1e3};break}return i[e.id]=t,t}}}var cE=0;function hE(i,e){return(e.castShadow?2:0)-(i.castShadow?2:0)+(e.map?1:0)-(i.map?1:0)}function uE(i){let e=new aE,t=lE(),n={version:0,hash:{sunLength:-1,directionalLength:-1,pointLength:-1,spotLength:-1,rectAreaLength:-1,hemiLength:-1,numSunShadows:-1,numDirectionalShadows:-1,numPointShadows:-1,numSpotShadows:-1,numSpotMaps:-1,numLightProbes:-1},ambient:[0,0,0],probe:[],sun:[],sunShadow:[],sunShadowMap:[],sunShadowMatrix:[],sunShadowCascade:[],directional:[],directionalShadow:[],directionalShadowMap:[],directionalShadowMatrix:[],spot:[],spotLightMap:[],spotShadow:[],spotShadowMap:[],spotLightMatrix:[],rectArea:[],rectAreaLTC1:null,rectAreaLTC2:null,point:[],pointShadow:[],pointShadowMap:[],pointShadowMatrix:[],hemi:[],numSpotLightShadowsWithMaps:0,numLightProbes:0};for(let c=0;c<9;c++)n.probe.push(new W);let s=new W,r=new zt,o=new zt;function a(c){let h=0,u=0,d=0;for(let k=0;k<9;k++)n.probe[k].set(0,0,0);let f=0,g=0,v=0,m=0,p=0,x=0,M=0,b=0,C=0,A=0,y=0,S=0,U=0,I=0;c.sort(hE);for(let k=0,F=c.length;k<F;k++){let P=c[k],V=P.color,q=P.intensity,H=P.distance,le=null;if(P.shadow&&P.shadow.map&&(P.shadow.map.texture.format===nr?le=P.shadow.map.texture:le=P.shadow.map.depthTexture||P.shadow.map.texture),P.isAmbientLight)h+=V.r*q,u+=V.g*q,d+=V.b*q;else if(P.isLightProbe){for(let Z=0;Z<9;Z++)n.probe[Z].addScaledVector(P.sh.coefficients[Z],q);I++}else if(P.isSunLight){let Z=e.get(P);if(Z.color.copy(P.color).multiplyScalar(P.intensity),P.castShadow){let Q=P.shadow,ie=t.get(P);ie.shadowIntensity=Q.intensity,ie.shadowBias=Q.bias,ie.shadowNormalBias=Q.normalBias,ie.shadowRadius=Q.radius,ie.shadowMapSize.copy(Q.mapSize).multiply(Q.getFrameExtents()),n.sunShadow[g]=ie,n.sunShadowMap[g]=le;let de=Q.getViewportCount();for(let ue=0;ue<de;ue++)n.sunShadowMatrix[v+ue]=Q.getMatrix(ue),n.sunShadowCascade[v+ue]=Q._cascadeData[ue];v+=de,g++}n.sun[f]=Z,f++}else if(P.isDirectionalLight){let Z=e.get(P);if(Z.color.copy(P.color).multiplyScalar(P.intensity),P.castShadow){let Q=P.shadow,ie=t.get(P);ie.shadowIntensity=Q.intensity,ie.shadowBias=Q.bias,ie.shadowNormalBias=Q.normalBias,ie.shadowRadius=Q.radius,ie.shadowMapSize=Q.mapSize,n.directionalShadow[m]=ie,n.directionalShadowMap[m]=le,n.directionalShadowMatrix[m]=P.shadow.matrix,C++}n.directional[m]=Z,m++}else if(P.isSpotLight){let Z=e.get(P);Z.position.setFromMatrixPosition(P.matrixWorld),Z.color.copy(V).multiplyScalar(q),Z.distance=H,Z.coneCos=Math.cos(P.angle),Z.penumbraCos=Math.cos(P.angle*(1-P.penumbra)),Z.decay=P.decay,n.spot[x]=Z;let Q=P.shadow;if(P.map&&(n.spotLightMap[S]=P.map,S++,Q.updateMatrices(P),P.castShadow&&U++),n.spotLightMatrix[x]=Q.matrix,P.castShadow){let ie=t.get(P);ie.shadowIntensity=Q.intensity,ie.shadowBias=Q.bias,ie.shadowNormalBias=Q.normalBias,ie.shadowRadius=Q.radius,ie.shadowMapSize=Q.mapSize,n.spotShadow[x]=ie,n.spotShadowMap[x]=le,y++}x++}else if(P.isRectAreaLight){let Z=e.get(P);Z.color.copy(V).multiplyScalar(q),Z.halfWidth.set(P.width*.5,0,0),Z.halfHeight.set(0,P.height*.5,0),n.rectArea[M]=Z,M++}else if(P.isPointLight){let Z=e.get(P);if(Z.color.copy(P.color).multiplyScalar(P.intensity),Z.distance=P.distance,Z.decay=P.decay,P.castShadow){let Q=P.shadow,ie=t.get(P);ie.shadowIntensity=Q.intensity,ie.shadowBias=Q.bias,ie.shadowNormalBias=Q.normalBias,ie.shadowRadius=Q.radius,ie.shadowMapSize=Q.mapSize,ie.shadowCameraNear=Q.camera.near,ie.shadowCameraFar=Q.camera.far,n.pointShadow[p]=ie,n.pointShadowMap[p]=le,n.pointShadowMatrix[p]=P.shadow.matrix,A++}n.point[p]=Z,p++}else if(P.isHemisphereLight){let Z=e.get(P);Z.skyColor.copy(P.color).multiplyScalar(q),Z.groundColor.copy(P.groundColor).multiplyScalar(q),n.hemi[b]=Z,b++}}M>0&&(i.has("OES_texture_float_linear")===!0?(n.rectAreaLTC1=Le.LTC_FLOAT_1,n.rectAreaLTC2=Le.LTC_FLOAT_2):(n.rectAreaLTC1=Le.LTC_HALF_1,n.rectAreaLTC2=Le.LTC_HALF_2)),n.ambient[0]=h,n.ambient[1]=u,n.ambient[2]=d;let R=n.hash;(R.sunLength!==f||R.directionalLength!==m||R.pointLength!==p||R.spotLength!==x||R.rectAreaLength!==M||R.hemiLength!==b||R.numSunShadows!==g||R.numDirectionalShadows!==C||R.numPointShadows!==A||R.numSpotShadows!==y||R.numSpotMaps!==S||R.numLightProbes!==I)&&(n.sun.length=f,n.directional.length=m,n.spot.length=x,n.rectArea.length=M,n.point.length=p,n.hemi.length=b,n.sunShadow.length=g,n.sunShadowMap.length=g,n.sunShadowMatrix.length=v,n.sunShadowCascade.length=v,n.directionalShadow.length=C,n.directionalShadowMap.length=C,n.directionalShadowMatrix.length=C,n.pointShadow.length=A,n.pointShadowMap.length=A,n.pointShadowMatrix.length=A,n.spotShadow.length=y,n.spotShadowMap.length=y,n.spotLightMatrix.length=y+S-U,n.spotLightMap.length=S,n.numSpotLightShadowsWithMaps=U,n.numLightProbes=I,R.sunLength=f,R.directionalLength=m,R.pointLength=p,R.spotLength=x,R.rectAreaLength=M,R.hemiLength=b,R.numSunShadows=g,R.numDirectionalShadows=C,R.numPointShadows=A,R.numSpotShadows=y,R.numSpotMaps=S,R.numLightProbes=I,n.version=cE++)}function l(c,h){let u=0,d=0,f=0,g=0,v=0,m=0,p=h.matrixWorldInverse;for(let x=0,M=c.length;x<M;x++){let b=c[x];if(b.isSunLight){let C=n.sun[u];C.direction.setFromMatrixPosition(b.matrixWorld),C.direction.transformDirection(p),u++}else if(b.isDirectionalLight){let C=n.directional[d];C.direction.setFromMatrixPosition(b.matrixWorld),s.setFromMatrixPosition(b.target.matrixWorld),C.direction.sub(s),C.direction.transformDirection(p),d++}else if(b.isSpotLight){let C=n.spot[g];C.position.setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(p),C.direction.setFromMatrixPosition(b.matrixWorld),s.setFromMatrixPosition(b.target.matrixWorld),C.direction.sub(s),C.direction.transformDirection(p),g++}else if(b.isRectAreaLight){let C=n.rectArea[v];C.position.setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(p),o.identity(),r.copy(b.matrixWorld),r.premultiply(p),o.extractRotation(r),C.halfWidth.set(b.width*.5,0,0),C.halfHeight.set(0,b.height*.5,0),C.halfWidth.applyMatrix4(o),C.halfHeight.applyMatrix4(o),v++}else if(b.isPointLight){let C=n.point[f];C.position.setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(p),f++}else if(b.isHemisphereLight){let C=n.hemi[m];C.direction.setFromMatrixPosition(b.matrixWorld),C.direction.transformDirection(p),m++}}}return{setup:a,setupView:l,state:n}}function cy(i){let e=new uE(i),t=[],n=[],s=[];function r(u){h.camera=u,t.length=0,n.length=0,s.length=0}function o(u){u.isLightProbeGrid?s.push(u):t.push(u)}function a(u){n.push(u)}function l(){e.setup(t),s.sort((u,d)=>u.priority-d.priority||u.id-d.id)}function c(u){e.setupView(t,u)}let h={lightsArray:t,shadowsArray:n,lightProbeGridArray:s,camera:null,lights:e,transmissionRenderTarget:{},textureUnits:0};return{init:r,state:h,setupLights:l,setupLightsView:c,pushLight:o,pushShadow:a}}function dE(i){let e=new WeakMap;function t(s,r=0){let o=e.get(s),a;return o===void 0?(a=new cy(i),e.set(s,[a])):r>=o.length?(a=new cy(i),o.push(a)):a=o[r],a}function n(){e=new WeakMap}return{get:t,dispose:n}}var fE=`void main() {
+	gl_Position = vec4( position, 1.0 );
+}`,pE=`uniform sampler2D shadow_pass;
+uniform vec2 resolution;
+uniform float radius;
+void main() {
+	const float samples = float( VSM_SAMPLES );
+	float mean = 0.0;
+	float squared_mean = 0.0;
+	float uvStride = samples <= 1.0 ? 0.0 : 2.0 / ( samples - 1.0 );
+	float uvStart = samples <= 1.0 ? 0.0 : - 1.0;
+	for ( float i = 0.0; i < samples; i ++ ) {
+		float uvOffset = uvStart + i * uvStride;
+		#ifdef HORIZONTAL_PASS
+			vec2 distribution = texture2D( shadow_pass, ( gl_FragCoord.xy + vec2( uvOffset, 0.0 ) * radius ) / resolution ).rg;
+			mean += distribution.x;
+			squared_mean += distribution.y * distribution.y + distribution.x * distribution.x;
+		#else
+			float depth = texture2D( shadow_pass, ( gl_FragCoord.xy + vec2( 0.0, uvOffset ) * radius ) / resolution ).r;
+			mean += depth;
+			squared_mean += depth * depth;
+		#endif
+	}
+	mean = mean / samples;
+	squared_mean = squared_mean / samples;
+	float std_dev = sqrt( max( 0.0, squared_mean - mean * mean ) );
+	gl_FragColor = vec4( mean, std_dev, 0.0, 1.0 );
+}`,mE=[new W(1,0,0),new W(-1,0,0),new W(0,1,0),new W(0,-1,0),new W(0,0,1),new W(0,0,-1)],gE=[new W(0,-1,0),new W(0,-1,0),new W(0,0,1),new W(0,0,-1),new W(0,-1,0),new W(0,-1,0)],hy=new zt,Ha=new W,cf=new W;function yE(i,e,t){let n=new br,s=new xt,r=new xt,o=new jt,a=new Sc,l=new wc,c={},h=t.maxTextureSize,u={[tr]:jn,[jn]:tr,[ss]:ss},d=new Un({defines:{VSM_SAMPLES:8},uniforms:{shadow_pass:{value:null},resolution:{value:new xt},radius:{value:4}},vertexShader:fE,fragmentShader:pE}),f=d.clone();f.defines.HORIZONTAL_PASS=1;let g=new zn;g.setAttribute("position",new Zn(new Float32Array([-1,-1,.5,3,-1,.5,-1,3,.5]),3));let v=new ln(g,d),m=this;this.enabled=!1,this.autoUpdate=!0,this.needsUpdate=!1,this.type=Da;let p=this.type;this.render=function(A,y,S){if(m.enabled===!1||m.autoUpdate===!1&&m.needsUpdate===!1||A.length===0)return;this.type===s0&&(Ze("WebGLShadowMap: PCFSoftShadowMap has been removed. Using PCFShadowMap instead."),this.type=Da);let U=i.getRenderTarget(),I=i.getActiveCubeFace(),R=i.getActiveMipmapLevel(),k=i.state;k.setBlending(wr),k.buffers.depth.getReversed()===!0?k.buffers.color.setClear(0,0,0,0):k.buffers.color.setClear(1,1,1,1),k.buffers.depth.setTest(!0),k.setScissorTest(!1);let F=p!==this.type;F&&y.traverse(function(P){P.material&&(Array.isArray(P.material)?P.material.forEach(V=>V.needsUpdate=!0):P.material.needsUpdate=!0)});for(let P=0,V=A.length;P<V;P++){let q=A[P],H=q.shadow;if(H===void 0){Ze("WebGLShadowMap:",q,"has no shadow.");continue}if(H.autoUpdate===!1&&H.needsUpdate===!1)continue;s.copy(H.mapSize);let le=H.getFrameExtents();s.multiply(le),r.copy(H.mapSize),(s.x>h||s.y>h)&&(s.x>h&&(r.x=Math.floor(h/le.x),s.x=r.x*le.x,H.mapSize.x=r.x),s.y>h&&(r.y=Math.floor(h/le.y),s.y=r.y*le.y,H.mapSize.y=r.y));let Z=i.state.buffers.depth.getReversed();if(H.camera._reversedDepth=Z,H.map===null||F===!0){if(H.map!==null&&(H.map.depthTexture!==null&&(H.map.depthTexture.dispose(),H.map.depthTexture=null),H.map.dispose()),this.type===Po){if(q.isPointLight){Ze("WebGLShadowMap: VSM shadow maps are not supported for PointLights. Use PCF or BasicShadowMap instead.");continue}H.map=new Kn(s.x,s.y,{format:nr,type:Bi,minFilter:Dn,magFilter:Dn,generateMipmaps:!1}),H.map.texture.name=q.name+".shadowMap",H.map.depthTexture=new ws(s.x,s.y,ki),H.map.depthTexture.name=q.name+".shadowMapDepth",H.map.depthTexture.format=Ms,H.map.depthTexture.compareFunction=null,H.map.depthTexture.minFilter=In,H.map.depthTexture.magFilter=In}else q.isPointLight?(H.map=new Xa(s.x),H.map.depthTexture=new Ca(s.x,Oi)):(H.map=new Kn(s.x,s.y),H.map.depthTexture=new ws(s.x,s.y,Oi)),H.map.depthTexture.name=q.name+".shadowMap",H.map.depthTexture.format=Ms,this.type===Da?(H.map.depthTexture.compareFunction=Z?Kd:Zd,H.map.depthTexture.minFilter=Dn,H.map.depthTexture.magFilter=Dn):(H.map.depthTexture.compareFunction=null,H.map.depthTexture.minFilter=In,H.map.depthTexture.magFilter=In);H.camera.updateProjectionMatrix()}H.map.isWebGLCubeRenderTarget!==!0&&(H.map.width!==s.x||H.map.height!==s.y)&&H.map.setSize(s.x,s.y);let Q=H.map.isWebGLCubeRenderTarget?6:H.getViewportCount();q.isPointLight!==!0&&H.updateMatrices(q,S);let ie=(H.camera.layers.mask&4294967294)!==0?H.camera.layers:S.layers;for(let de=0;de<Q;de++){let ue=H.getCamera(de);if(q.isPointLight){let ee=H.camera,me=H.matrix,ve=q.distance||ee.far;ve!==ee.far&&(ee.far=ve,ee.updateProjectionMatrix()),Ha.setFromMatrixPosition(q.matrixWorld),ee.position.copy(Ha),cf.copy(ee.position),cf.add(mE[de]),ee.up.copy(gE[de]),ee.lookAt(cf),ee.updateMatrixWorld(),me.makeTranslation(-Ha.x,-Ha.y,-Ha.z),hy.multiplyMatrices(ee.projectionMatrix,ee.matrixWorldInverse),H._frustum.setFromProjectionMatrix(hy,ee.coordinateSystem,ee.reversedDepth)}if(H.map.isWebGLCubeRenderTarget)i.setRenderTarget(H.map,de),i.clear();else{de===0&&(i.setRenderTarget(H.map),i.clear());let ee=H.getViewport(de);o.set(r.x*ee.x,r.y*ee.y,r.x*ee.z,r.y*ee.w),k.viewport(o)}n=H.getFrustum(de),b(y,S,ue,q,ie,this.type)}H.isPointLightShadow!==!0&&this.type===Po&&x(H,S),H.needsUpdate=!1}p=this.type,m.needsUpdate=!1,i.setRenderTarget(U,I,R)};function x(A,y){let S=e.update(v);d.defines.VSM_SAMPLES!==A.blurSamples&&(d.defines.VSM_SAMPLES=A.blurSamples,f.defines.VSM_SAMPLES=A.blurSamples,d.needsUpdate=!0,f.needsUpdate=!0),A.mapPass===null?A.mapPass=new Kn(s.x,s.y,{format:nr,type:Bi}):(A.mapPass.width!==A.map.width||A.mapPass.height!==A.map.height)&&A.mapPass.setSize(A.map.width,A.map.height),d.uniforms.shadow_pass.value=A.map.depthTexture,d.uniforms.resolution.value.set(A.map.width,A.map.height),d.uniforms.radius.value=A.radius,i.setRenderTarget(A.mapPass),i.clear(),i.renderBufferDirect(y,null,S,d,v,null),f.uniforms.shadow_pass.value=A.mapPass.texture,f.uniforms.resolution.value.set(A.map.width,A.map.height),f.uniforms.radius.value=A.radius,i.setRenderTarget(A.map),i.clear(),i.renderBufferDirect(y,null,S,f,v,null)}function M(A,y,S,U){let I=null,R=S.isPointLight===!0?A.customDistanceMaterial:A.customDepthMaterial;if(R!==void 0)I=R;else if(I=S.isPointLight===!0?l:a,i.localClippingEnabled&&y.clipShadows===!0&&Array.isArray(y.clippingPlanes)&&y.clippingPlanes.length!==0||y.displacementMap&&y.displacementScale!==0||y.alphaMap&&y.alphaTest>0||y.map&&y.alphaTest>0||y.alphaToCoverage===!0){let k=I.uuid,F=y.uuid,P=c[k];P===void 0&&(P={},c[k]=P);let V=P[F];V===void 0&&(V=I.clone(),P[F]=V,y.addEventListener("dispose",C)),I=V}if(I.visible=y.visible,I.wireframe=y.wireframe,U===Po?I.side=y.shadowSide!==null?y.shadowSide:y.side:I.side=y.shadowSide!==null?y.shadowSide:u[y.side],I.alphaMap=y.alphaMap,I.alphaTest=y.alphaToCoverage===!0?.5:y.alphaTest,I.map=y.map,I.clipShadows=y.clipShadows,I.clippingPlanes=y.clippingPlanes,I.clipIntersection=y.clipIntersection,I.displacementMap=y.displacementMap,I.displacementScale=y.displacementScale,I.displacementBias=y.displacementBias,I.wireframeLinewidth=y.wireframeLinewidth,I.linewidth=y.linewidth,S.isPointLight===!0&&I.isMeshDistanceMaterial===!0){let k=i.properties.get(I);k.light=S}return I}function b(A,y,S,U,I,R){if(A.visible===!1)return;if(A.layers.test(I)&&(A.isMesh||A.isLine||A.isPoints)&&(A.castShadow||A.receiveShadow&&R===Po)&&(!A.frustumCulled||A.intersectsFrustum(n))){A.modelViewMatrix.multiplyMatrices(S.matrixWorldInverse,A.matrixWorld);let P=e.update(A),V=A.material;if(Array.isArray(V)){let q=P.groups;for(let H=0,le=q.length;H<le;H++){let Z=q[H],Q=V[Z.materialIndex];if(Q&&Q.visible){let ie=M(A,Q,U,R);A.onBeforeShadow(i,A,y,S,P,ie,Z),i.renderBufferDirect(S,null,P,ie,A,Z),A.onAfterShadow(i,A,y,S,P,ie,Z)}}}else if(V.visible){let q=M(A,V,U,R);A.onBeforeShadow(i,A,y,S,P,q,null),i.renderBufferDirect(S,null,P,q,A,null),A.onAfterShadow(i,A,y,S,P,q,null)}}let F=A.children;for(let P=0,V=F.length;P<V;P++)b(F[P],y,S,U,I,R)}function C(A){A.target.removeEventListener("dispose",C);for(let S in c){let U=c[S],I=A.target.uuid;I in U&&(U[I].dispose(),delete U[I])}}}function vE(i,e){function t(){let B=!1,re=new jt,ne=null,we=new jt(0,0,0,0);return{setMask:function(ge){ne!==ge&&!B&&(i.colorMask(ge,ge,ge,ge),ne=ge)},setLocked:function(ge){B=ge},setClear:function(ge,be,He,je,ce){ce===!0&&(ge*=je,be*=je,He*=je),re.set(ge,be,He,je),we.equals(re)===!1&&(i.clearColor(ge,be,He,je),we.copy(re))},reset:function(){B=!1,ne=null,we.set(-1,0,0,0)}}}function n(){let B=!1,re=!1,ne=null,we=null,ge=null;return{setReversed:function(be){if(re!==be){let He=e.get("EXT_clip_control");be?He.clipControlEXT(He.LOWER_LEFT_EXT,He.ZERO_TO_ONE_EXT):He.clipControlEXT(He.LOWER_LEFT_EXT,He.NEGATIVE_ONE_TO_ONE_EXT),re=be;let je=ge;ge=null,this.setClear(je)}},getReversed:function(){return re},setTest:function(be){be?Me(i.DEPTH_TEST):We(i.DEPTH_TEST)},setMask:function(be){ne!==be&&!B&&(i.depthMask(be),ne=be)},setFunc:function(be){if(re&&(be=k0[be]),we!==be){switch(be){case tc:i.depthFunc(i.NEVER);break;case nc:i.depthFunc(i.ALWAYS);break;case ic:i.depthFunc(i.LESS);break;case xo:i.depthFunc(i.LEQUAL);break;case sc:i.depthFunc(i.EQUAL);break;case rc:i.depthFunc(i.GEQUAL);break;case _o:i.depthFunc(i.GREATER);break;case oc:i.depthFunc(i.NOTEQUAL);break;default:i.depthFunc(i.LEQUAL)}we=be}},setLocked:function(be){B=be},setClear:function(be){ge!==be&&(ge=be,re&&(be=1-be),i.clearDepth(be))},reset:function(){B=!1,ne=null,we=null,ge=null,re=!1}}}function s(){let B=!1,re=null,ne=null,we=null,ge=null,be=null,He=null,je=null,ce=null;return{setTest:function(Oe){B||(Oe?Me(i.STENCIL_TEST):We(i.STENCIL_TEST))},setMask:function(Oe){re!==Oe&&!B&&(i.stencilMask(Oe),re=Oe)},setFunc:function(Oe,Qe,Ce){(ne!==Oe||we!==Qe||ge!==Ce)&&(i.stencilFunc(Oe,Qe,Ce),ne=Oe,we=Qe,ge=Ce)},setOp:function(Oe,Qe,Ce){(be!==Oe||He!==Qe||je!==Ce)&&(i.stencilOp(Oe,Qe,Ce),be=Oe,He=Qe,je=Ce)},setLocked:function(Oe){B=Oe},setClear:function(Oe){ce!==Oe&&(i.clearStencil(Oe),ce=Oe)},reset:function(){B=!1,re=null,ne=null,we=null,ge=null,be=null,He=null,je=null,ce=null}}}let r=new t,o=new n,a=new s,l={},c=new WeakMap,h={},u={},d={},f=new WeakMap,g=[],v=null,m=!1,p=null,x=null,M=null,b=null,C=null,A=null,y=null,S=new _t(0,0,0),U=0,I=!1,R=null,k=null,F=null,P=null,V=null,q=i.getParameter(i.MAX_COMBINED_TEXTURE_IMAGE_UNITS),H=!1,le=0,Z=i.getParameter(i.VERSION);Z.indexOf("WebGL")!==-1?(le=parseFloat(/^WebGL (\d)/.exec(Z)[1]),H=le>=1):Z.indexOf("OpenGL ES")!==-1&&(le=parseFloat(/^OpenGL ES (\d)/.exec(Z)[1]),H=le>=2);let Q=null,ie={},de=i.getParameter(i.SCISSOR_BOX),ue=i.getParameter(i.VIEWPORT),ee=new jt().fromArray(de),me=new jt().fromArray(ue);function ve(B,re,ne,we){let ge=new Uint8Array(4),be=i.createTexture();i.bindTexture(B,be),i.texParameteri(B,i.TEXTURE_MIN_FILTER,i.NEAREST),i.texParameteri(B,i.TEXTURE_MAG_FILTER,i.NEAREST);for(let He=0;He<ne;He++)B===i.TEXTURE_3D||B===i.TEXTURE_2D_ARRAY?i.texImage3D(re,0,i.RGBA,1,1,we,0,i.RGBA,i.UNSIGNED_BYTE,ge):i.texImage2D(re+He,0,i.RGBA,1,1,0,i.RGBA,i.UNSIGNED_BYTE,ge);return be}let Ae={};Ae[i.TEXTURE_2D]=ve(i.TEXTURE_2D,i.TEXTURE_2D,1),Ae[i.TEXTURE_CUBE_MAP]=ve(i.TEXTURE_CUBE_MAP,i.TEXTURE_CUBE_MAP_POSITIVE_X,6),Ae[i.TEXTURE_2D_ARRAY]=ve(i.TEXTURE_2D_ARRAY,i.TEXTURE_2D_ARRAY,1,1),Ae[i.TEXTURE_3D]=ve(i.TEXTURE_3D,i.TEXTURE_3D,1,1),r.setClear(0,0,0,1),o.setClear(1),a.setClear(0),Me(i.DEPTH_TEST),o.setFunc(xo),cn(!1),Lt(Ad),Me(i.CULL_FACE),$t(wr);function Me(B){h[B]!==!0&&(i.enable(B),h[B]=!0)}function We(B){h[B]!==!1&&(i.disable(B),h[B]=!1)}function rt(B,re){return d[B]!==re?(i.bindFramebuffer(B,re),d[B]=re,B===i.DRAW_FRAMEBUFFER&&(d[i.FRAMEBUFFER]=re),B===i.FRAMEBUFFER&&(d[i.DRAW_FRAMEBUFFER]=re),!0):!1}function Ge(B,re){let ne=g,we=!1;if(B){ne=f.get(re),ne===void 0&&(ne=[],f.set(re,ne));let ge=B.textures;if(ne.length!==ge.length||ne[0]!==i.COLOR_ATTACHMENT0){for(let be=0,He=ge.length;be<He;be++)ne[be]=i.COLOR_ATTACHMENT0+be;ne.length=ge.length,we=!0}}else ne[0]!==i.BACK&&(ne[0]=i.BACK,we=!0);we&&i.drawBuffers(ne)}function ut(B){return v!==B?(i.useProgram(B),v=B,!0):!1}let lt={[Er]:i.FUNC_ADD,[o0]:i.FUNC_SUBTRACT,[a0]:i.FUNC_REVERSE_SUBTRACT};lt[l0]=i.MIN,lt[c0]=i.MAX;let it={[h0]:i.ZERO,[u0]:i.ONE,[d0]:i.SRC_COLOR,[Id]:i.SRC_ALPHA,[v0]:i.SRC_ALPHA_SATURATE,[g0]:i.DST_COLOR,[p0]:i.DST_ALPHA,[f0]:i.ONE_MINUS_SRC_COLOR,[Ld]:i.ONE_MINUS_SRC_ALPHA,[y0]:i.ONE_MINUS_DST_COLOR,[m0]:i.ONE_MINUS_DST_ALPHA,[x0]:i.CONSTANT_COLOR,[_0]:i.ONE_MINUS_CONSTANT_COLOR,[b0]:i.CONSTANT_ALPHA,[M0]:i.ONE_MINUS_CONSTANT_ALPHA};function $t(B,re,ne,we,ge,be,He,je,ce,Oe){if(B===wr){m===!0&&(We(i.BLEND),m=!1);return}if(m===!1&&(Me(i.BLEND),m=!0),B!==r0){if(B!==p||Oe!==I){if((x!==Er||C!==Er)&&(i.blendEquation(i.FUNC_ADD),x=Er,C=Er),Oe)switch(B){case Io:i.blendFuncSeparate(i.ONE,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Cd:i.blendFunc(i.ONE,i.ONE);break;case Rd:i.blendFuncSeparate(i.ZERO,i.ONE_MINUS_SRC_COLOR,i.ZERO,i.ONE);break;case Pd:i.blendFuncSeparate(i.DST_COLOR,i.ONE_MINUS_SRC_ALPHA,i.ZERO,i.ONE);break;default:tt("WebGLState: Invalid blending: ",B);break}else switch(B){case Io:i.blendFuncSeparate(i.SRC_ALPHA,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Cd:i.blendFuncSeparate(i.SRC_ALPHA,i.ONE,i.ONE,i.ONE);break;case Rd:tt("WebGLState: SubtractiveBlending requires material.premultipliedAlpha = true");break;case Pd:tt("WebGLState: MultiplyBlending requires material.premultipliedAlpha = true");break;default:tt("WebGLState: Invalid blending: ",B);break}M=null,b=null,A=null,y=null,S.set(0,0,0),U=0,p=B,I=Oe}return}ge=ge||re,be=be||ne,He=He||we,(re!==x||ge!==C)&&(i.blendEquationSeparate(lt[re],lt[ge]),x=re,C=ge),(ne!==M||we!==b||be!==A||He!==y)&&(i.blendFuncSeparate(it[ne],it[we],it[be],it[He]),M=ne,b=we,A=be,y=He),(je.equals(S)===!1||ce!==U)&&(i.blendColor(je.r,je.g,je.b,ce),S.copy(je),U=ce),p=B,I=!1}function Bt(B,re){B.side===ss?We(i.CULL_FACE):Me(i.CULL_FACE);let ne=B.side===jn;re&&(ne=!ne),cn(ne),B.blending===Io&&B.transparent===!1?$t(wr):$t(B.blending,B.blendEquation,B.blendSrc,B.blendDst,B.blendEquationAlpha,B.blendSrcAlpha,B.blendDstAlpha,B.blendColor,B.blendAlpha,B.premultipliedAlpha),o.setFunc(B.depthFunc),o.setTest(B.depthTest),o.setMask(B.depthWrite),r.setMask(B.colorWrite);let we=B.stencilWrite;a.setTest(we),we&&(a.setMask(B.stencilWriteMask),a.setFunc(B.stencilFunc,B.stencilRef,B.stencilFuncMask),a.setOp(B.stencilFail,B.stencilZFail,B.stencilZPass)),bt(B.polygonOffset,B.polygonOffsetFactor,B.polygonOffsetUnits),B.alphaToCoverage===!0?Me(i.SAMPLE_ALPHA_TO_COVERAGE):We(i.SAMPLE_ALPHA_TO_COVERAGE)}function cn(B){R!==B&&(B?i.frontFace(i.CW):i.frontFace(i.CCW),R=B)}function Lt(B){B!==n0?(Me(i.CULL_FACE),B!==k&&(B===Ad?i.cullFace(i.BACK):B===i0?i.cullFace(i.FRONT):i.cullFace(i.FRONT_AND_BACK))):We(i.CULL_FACE),k=B}function Sn(B){B!==F&&(H&&i.lineWidth(B),F=B)}function bt(B,re,ne){B?(Me(i.POLYGON_OFFSET_FILL),(P!==re||V!==ne)&&(P=re,V=ne,o.getReversed()&&(re=-re,ne=-ne),i.polygonOffset(re,ne))):We(i.POLYGON_OFFSET_FILL)}function yn(B){B?Me(i.SCISSOR_TEST):We(i.SCISSOR_TEST)}function Qt(B){B===void 0&&(B=i.TEXTURE0+q-1),Q!==B&&(i.activeTexture(B),Q=B)}function hn(B,re,ne){ne===void 0&&(Q===null?ne=i.TEXTURE0+q-1:ne=Q);let we=ie[ne];we===void 0&&(we={type:void 0,texture:void 0},ie[ne]=we),(we.type!==B||we.texture!==re)&&(Q!==ne&&(i.activeTexture(ne),Q=ne),i.bindTexture(B,re||Ae[B]),we.type=B,we.texture=re)}function z(){let B=ie[Q];B!==void 0&&B.type!==void 0&&(i.bindTexture(B.type,null),B.type=void 0,B.texture=void 0)}function Re(){try{i.compressedTexImage2D(...arguments)}catch(B){tt("WebGLState:",B)}}function Je(){try{i.compressedTexImage3D(...arguments)}catch(B){tt("WebGLState:",B)}}function ot(){try{i.texSubImage2D(...arguments)}catch(B){tt("WebGLState:",B)}}function Se(){try{i.texSubImage3D(...arguments)}catch(B){tt("WebGLState:",B)}}function Ut(){try{i.compressedTexSubImage2D(...arguments)}catch(B){tt("WebGLState:",B)}}function Ve(){try{i.compressedTexSubImage3D(...arguments)}catch(B){tt("WebGLState:",B)}}function $e(){try{i.texStorage2D(...arguments)}catch(B){tt("WebGLState:",B)}}function L(){try{i.texStorage3D(...arguments)}catch(B){tt("WebGLState:",B)}}function w(){try{i.texImage2D(...arguments)}catch(B){tt("WebGLState:",B)}}function $(){try{i.texImage3D(...arguments)}catch(B){tt("WebGLState:",B)}}function he(B){return u[B]!==void 0?u[B]:i.getParameter(B)}function oe(B,re){u[B]!==re&&(i.pixelStorei(B,re),u[B]=re)}function ye(B){ee.equals(B)===!1&&(i.scissor(B.x,B.y,B.z,B.w),ee.copy(B))}function xe(B){me.equals(B)===!1&&(i.viewport(B.x,B.y,B.z,B.w),me.copy(B))}function te(B,re){let ne=c.get(re);ne===void 0&&(ne=new WeakMap,c.set(re,ne));let we=ne.get(B);we===void 0&&(we=i.getUniformBlockIndex(re,B.name),i.uniformBlockBinding(re,we,we),ne.set(B,we))}function se(B,re,ne){let ge=c.get(re).get(B);l[ge]!==ne&&(i.bindBufferBase(i.UNIFORM_BUFFER,ge,ne),l[ge]=ne)}function pe(){i.disable(i.BLEND),i.disable(i.CULL_FACE),i.disable(i.DEPTH_TEST),i.disable(i.POLYGON_OFFSET_FILL),i.disable(i.SCISSOR_TEST),i.disable(i.STENCIL_TEST),i.disable(i.SAMPLE_ALPHA_TO_COVERAGE),i.blendEquation(i.FUNC_ADD),i.blendFunc(i.ONE,i.ZERO),i.blendFuncSeparate(i.ONE,i.ZERO,i.ONE,i.ZERO),i.blendColor(0,0,0,0),i.colorMask(!0,!0,!0,!0),i.clearColor(0,0,0,0),i.depthMask(!0),i.depthFunc(i.LESS),o.setReversed(!1),i.clearDepth(1),i.stencilMask(4294967295),i.stencilFunc(i.ALWAYS,0,4294967295),i.stencilOp(i.KEEP,i.KEEP,i.KEEP),i.clearStencil(0),i.cullFace(i.BACK),i.frontFace(i.CCW),i.polygonOffset(0,0),i.activeTexture(i.TEXTURE0),i.bindFramebuffer(i.FRAMEBUFFER,null),i.bindFramebuffer(i.DRAW_FRAMEBUFFER,null),i.bindFramebuffer(i.READ_FRAMEBUFFER,null),i.useProgram(null),i.lineWidth(1),i.scissor(0,0,i.canvas.width,i.canvas.height),i.viewport(0,0,i.canvas.width,i.canvas.height),i.pixelStorei(i.PACK_ALIGNMENT,4),i.pixelStorei(i.UNPACK_ALIGNMENT,4),i.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,!1),i.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,!1),i.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,i.BROWSER_DEFAULT_WEBGL),i.pixelStorei(i.PACK_ROW_LENGTH,0),i.pixelStorei(i.PACK_SKIP_PIXELS,0),i.pixelStorei(i.PACK_SKIP_ROWS,0),i.pixelStorei(i.UNPACK_ROW_LENGTH,0),i.pixelStorei(i.UNPACK_IMAGE_HEIGHT,0),i.pixelStorei(i.UNPACK_SKIP_PIXELS,0),i.pixelStorei(i.UNPACK_SKIP_ROWS,0),i.pixelStorei(i.UNPACK_SKIP_IMAGES,0),h={},u={},Q=null,ie={},d={},l={},f=new WeakMap,g=[],v=null,m=!1,p=null,x=null,M=null,b=null,C=null,A=null,y=null,S=new _t(0,0,0),U=0,I=!1,R=null,k=null,F=null,P=null,V=null,ee.set(0,0,i.canvas.width,i.canvas.height),me.set(0,0,i.canvas.width,i.canvas.height),r.reset(),o.reset(),a.reset()}return{buffers:{color:r,depth:o,stencil:a},enable:Me,disable:We,bindFramebuffer:rt,drawBuffers:Ge,useProgram:ut,setBlending:$t,setMaterial:Bt,setFlipSided:cn,setCullFace:Lt,setLineWidth:Sn,setPolygonOffset:bt,setScissorTest:yn,activeTexture:Qt,bindTexture:hn,unbindTexture:z,compressedTexImage2D:Re,compressedTexImage3D:Je,texImage2D:w,texImage3D:$,pixelStorei:oe,getParameter:he,updateUBOMapping:te,uniformBlockBinding:se,texStorage2D:$e,texStorage3D:L,texSubImage2D:ot,texSubImage3D:Se,compressedTexSubImage2D:Ut,compressedTexSubImage3D:Ve,scissor:ye,viewport:xe,reset:pe}}function xE(i,e,t,n,s,r,o){let a=e.has("WEBGL_multisampled_render_to_texture")?e.get("WEBGL_multisampled_render_to_texture"):null,l=typeof navigator>"u"?!1:/OculusBrowser/g.test(navigator.userAgent),c=new xt,h=new WeakMap,u=new Set,d,f=new WeakMap,g=new Set,v=new FinalizationRegistry(L=>g.delete(L)),m=!1;try{m=typeof OffscreenCanvas<"u"&&new OffscreenCanvas(1,1).getContext("2d")!==null}catch{}function p(L,w){return m?new OffscreenCanvas(L,w):Ma("canvas")}function x(L,w,$){let he=1,oe=$e(L);if((oe.width>$||oe.height>$)&&(he=$/Math.max(oe.width,oe.height)),he<1)if(typeof HTMLImageElement<"u"&&L instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&L instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&L instanceof ImageBitmap||typeof VideoFrame<"u"&&L instanceof VideoFrame){let ye=Math.floor(he*oe.width),xe=Math.floor(he*oe.height);d===void 0&&(d=p(ye,xe));let te=w?p(ye,xe):d;return te.width=ye,te.height=xe,te.getContext("2d").drawImage(L,0,0,ye,xe),Ze("WebGLRenderer: Texture has been resized from ("+oe.width+"x"+oe.height+") to ("+ye+"x"+xe+")."),te}else return"data"in L&&Ze("WebGLRenderer: Image in DataTexture is too big ("+oe.width+"x"+oe.height+")."),L;return L}function M(L){return L.generateMipmaps}function b(L){i.generateMipmap(L)}function C(L){return L.isWebGLCubeRenderTarget?i.TEXTURE_CUBE_MAP:L.isWebGL3DRenderTarget?i.TEXTURE_3D:L.isWebGLArrayRenderTarget||L.isCompressedArrayTexture?i.TEXTURE_2D_ARRAY:i.TEXTURE_2D}function A(L,w,$,he,oe,ye=!1){if(L!==null){if(i[L]!==void 0)return i[L];Ze("WebGLRenderer: Attempt to use non-existing WebGL internal format '"+L+"'")}let xe;he&&(xe=e.get("EXT_texture_norm16"),xe||Ze("WebGLRenderer: Unable to use normalized textures without EXT_texture_norm16 extension"));let te=w;if(w===i.RED&&($===i.FLOAT&&(te=i.R32F),$===i.HALF_FLOAT&&(te=i.R16F),$===i.UNSIGNED_BYTE&&(te=i.R8),$===i.UNSIGNED_SHORT&&xe&&(te=xe.R16_EXT),$===i.SHORT&&xe&&(te=xe.R16_SNORM_EXT)),w===i.RED_INTEGER&&($===i.UNSIGNED_BYTE&&(te=i.R8UI),$===i.UNSIGNED_SHORT&&(te=i.R16UI),$===i.UNSIGNED_INT&&(te=i.R32UI),$===i.BYTE&&(te=i.R8I),$===i.SHORT&&(te=i.R16I),$===i.INT&&(te=i.R32I)),w===i.RG&&($===i.FLOAT&&(te=i.RG32F),$===i.HALF_FLOAT&&(te=i.RG16F),$===i.UNSIGNED_BYTE&&(te=i.RG8),$===i.UNSIGNED_SHORT&&xe&&(te=xe.RG16_EXT),$===i.SHORT&&xe&&(te=xe.RG16_SNORM_EXT)),w===i.RG_INTEGER&&($===i.UNSIGNED_BYTE&&(te=i.RG8UI),$===i.UNSIGNED_SHORT&&(te=i.RG16UI),$===i.UNSIGNED_INT&&(te=i.RG32UI),$===i.BYTE&&(te=i.RG8I),$===i.SHORT&&(te=i.RG16I),$===i.INT&&(te=i.RG32I)),w===i.RGB_INTEGER&&($===i.UNSIGNED_BYTE&&(te=i.RGB8UI),$===i.UNSIGNED_SHORT&&(te=i.RGB16UI),$===i.UNSIGNED_INT&&(te=i.RGB32UI),$===i.BYTE&&(te=i.RGB8I),$===i.SHORT&&(te=i.RGB16I),$===i.INT&&(te=i.RGB32I)),w===i.RGBA_INTEGER&&($===i.UNSIGNED_BYTE&&(te=i.RGBA8UI),$===i.UNSIGNED_SHORT&&(te=i.RGBA16UI),$===i.UNSIGNED_INT&&(te=i.RGBA32UI),$===i.BYTE&&(te=i.RGBA8I),$===i.SHORT&&(te=i.RGBA16I),$===i.INT&&(te=i.RGBA32I)),w===i.RGB&&($===i.UNSIGNED_SHORT&&xe&&(te=xe.RGB16_EXT),$===i.SHORT&&xe&&(te=xe.RGB16_SNORM_EXT),$===i.UNSIGNED_INT_5_9_9_9_REV&&(te=i.RGB9_E5),$===i.UNSIGNED_INT_10F_11F_11F_REV&&(te=i.R11F_G11F_B10F)),w===i.RGBA){let se=ye?_a:yt.getTransfer(oe);$===i.FLOAT&&(te=i.RGBA32F),$===i.HALF_FLOAT&&(te=i.RGBA16F),$===i.UNSIGNED_BYTE&&(te=se===Ct?i.SRGB8_ALPHA8:i.RGBA8),$===i.UNSIGNED_SHORT&&xe&&(te=xe.RGBA16_EXT),$===i.SHORT&&xe&&(te=xe.RGBA16_SNORM_EXT),$===i.UNSIGNED_SHORT_4_4_4_4&&(te=i.RGBA4),$===i.UNSIGNED_SHORT_5_5_5_1&&(te=i.RGB5_A1)}return(te===i.R16F||te===i.R32F||te===i.RG16F||te===i.RG32F||te===i.RGBA16F||te===i.RGBA32F)&&e.get("EXT_color_buffer_float"),te}function y(L,w){let $;return L?w===null||w===Oi||w===Ar?$=i.DEPTH24_STENCIL8:w===ki?$=i.DEPTH32F_STENCIL8:w===No&&($=i.DEPTH24_STENCIL8,Ze("DepthTexture: 16 bit depth attachment is not supported with stencil. Using 24-bit attachment.")):w===null||w===Oi||w===Ar?$=i.DEPTH_COMPONENT24:w===ki?$=i.DEPTH_COMPONENT32F:w===No&&($=i.DEPTH_COMPONENT16),$}function S(L,w){return M(L)===!0||L.isFramebufferTexture&&L.minFilter!==In&&L.minFilter!==Dn?Math.log2(Math.max(w.width,w.height))+1:L.mipmaps.length>0?L.mipmaps.length:L.isCompressedTexture&&Array.isArray(L.image)?w.mipmaps.length:1}function U(L){let w=new WeakRef(L);n.get(L).__ref=w,g.add(w),v.register(L,w,w)}function I(L){let w=n.get(L).__ref;w!==void 0&&(g.delete(w),v.unregister(w))}function R(L){F(L.target)}function k(L){P(L.target)}function F(L){L.removeEventListener("dispose",R),I(L),q(L),L.isVideoTexture&&h.delete(L),L.isHTMLTexture&&u.delete(L)}function P(L){L.removeEventListener("dispose",k),I(L),le(L)}function V(){for(let L of g){let w=L.deref();w!==void 0&&(w.isRenderTarget===!0?P(w):F(w))}g.clear(),u.clear()}function q(L){let w=n.get(L);if(w.__webglInit===void 0)return;let $=L.source,he=f.get($);if(he){let oe=he[w.__cacheKey];oe.usedTimes--,oe.usedTimes===0&&H(L),Object.keys(he).length===0&&f.delete($)}n.remove(L)}function H(L){let w=n.get(L);i.deleteTexture(w.__webglTexture);let $=L.source,he=f.get($);delete he[w.__cacheKey],o.memory.textures--}function le(L){let w=n.get(L);w.__depthDisposeCallback&&w.__depthDisposeCallback();let $=L.depthTexture;if($&&$.renderTarget===L&&F($),L.isWebGLCubeRenderTarget)for(let oe=0;oe<6;oe++){if(Array.isArray(w.__webglFramebuffer[oe]))for(let ye=0;ye<w.__webglFramebuffer[oe].length;ye++)i.deleteFramebuffer(w.__webglFramebuffer[oe][ye]);else i.deleteFramebuffer(w.__webglFramebuffer[oe]);w.__webglDepthbuffer&&i.deleteRenderbuffer(w.__webglDepthbuffer[oe])}else{if(Array.isArray(w.__webglFramebuffer))for(let oe=0;oe<w.__webglFramebuffer.length;oe++)i.deleteFramebuffer(w.__webglFramebuffer[oe]);else i.deleteFramebuffer(w.__webglFramebuffer);if(w.__webglDepthbuffer&&i.deleteRenderbuffer(w.__webglDepthbuffer),w.__webglMultisampledFramebuffer&&i.deleteFramebuffer(w.__webglMultisampledFramebuffer),w.__webglColorRenderbuffer)for(let oe=0;oe<w.__webglColorRenderbuffer.length;oe++)w.__webglColorRenderbuffer[oe]&&i.deleteRenderbuffer(w.__webglColorRenderbuffer[oe]);w.__webglDepthRenderbuffer&&i.deleteRenderbuffer(w.__webglDepthRenderbuffer)}let he=L.textures;for(let oe=0,ye=he.length;oe<ye;oe++){let xe=n.get(he[oe]);xe.__webglTexture&&(i.deleteTexture(xe.__webglTexture),o.memory.textures--),n.remove(he[oe])}n.remove(L)}let Z=0;function Q(){Z=0}function ie(){return Z}function de(L){Z=L}function ue(){let L=Z;return L>=s.maxTextures&&Ze("WebGLTextures: Trying to use "+(L+1)+" texture units while this GPU supports only "+s.maxTextures),Z+=1,L}function ee(L){let w=[];return w.push(L.wrapS),w.push(L.wrapT),w.push(L.wrapR||0),w.push(L.magFilter),w.push(L.minFilter),w.push(L.anisotropy),w.push(L.internalFormat),w.push(L.format),w.push(L.type),w.push(L.generateMipmaps),w.push(L.mipmapsAutoUpdate),w.push(L.premultiplyAlpha),w.push(L.flipY),w.push(L.unpackAlignment),w.push(L.colorSpace),w.join()}function me(L,w){let $=n.get(L);if(L.isVideoTexture&&Ut(L),L.isRenderTargetTexture===!1&&L.isExternalTexture!==!0&&L.version>0&&$.__version!==L.version){let he=L.image;if(he===null)Ze("WebGLRenderer: Texture marked for update but no image data found.");else if(he.complete===!1)Ze("WebGLRenderer: Texture marked for update but image is incomplete");else{Bt($,L,w);return}}else L.isExternalTexture&&($.__webglTexture=L.sourceTexture?L.sourceTexture:null);t.bindTexture(i.TEXTURE_2D,$.__webglTexture,i.TEXTURE0+w)}function ve(L,w){let $=n.get(L);if(L.isRenderTargetTexture===!1&&L.version>0&&$.__version!==L.version){Bt($,L,w);return}else L.isExternalTexture&&($.__webglTexture=L.sourceTexture?L.sourceTexture:null);t.bindTexture(i.TEXTURE_2D_ARRAY,$.__webglTexture,i.TEXTURE0+w)}function Ae(L,w){let $=n.get(L);if(L.isRenderTargetTexture===!1&&L.version>0&&$.__version!==L.version){Bt($,L,w);return}t.bindTexture(i.TEXTURE_3D,$.__webglTexture,i.TEXTURE0+w)}function Me(L,w){let $=n.get(L);if(L.version>0&&$.__version!==L.version){cn($,L,w);return}t.bindTexture(i.TEXTURE_CUBE_MAP,$.__webglTexture,i.TEXTURE0+w)}let We={[ac]:i.REPEAT,[ns]:i.CLAMP_TO_EDGE,[lc]:i.MIRRORED_REPEAT},rt={[In]:i.NEAREST,[E0]:i.NEAREST_MIPMAP_NEAREST,[Ua]:i.NEAREST_MIPMAP_LINEAR,[Dn]:i.LINEAR,[kc]:i.LINEAR_MIPMAP_NEAREST,[Fi]:i.LINEAR_MIPMAP_LINEAR},Ge={[R0]:i.NEVER,[jd]:i.ALWAYS,[P0]:i.LESS,[Zd]:i.LEQUAL,[I0]:i.EQUAL,[Kd]:i.GEQUAL,[L0]:i.GREATER,[N0]:i.NOTEQUAL};function ut(L,w){if(w.type===ki&&e.has("OES_texture_float_linear")===!1&&(w.magFilter===Dn||w.magFilter===kc||w.magFilter===Ua||w.magFilter===Fi||w.minFilter===Dn||w.minFilter===kc||w.minFilter===Ua||w.minFilter===Fi)&&Ze("WebGLRenderer: Unable to use linear filtering with floating point textures. OES_texture_float_linear not supported on this device."),i.texParameteri(L,i.TEXTURE_WRAP_S,We[w.wrapS]),i.texParameteri(L,i.TEXTURE_WRAP_T,We[w.wrapT]),(L===i.TEXTURE_3D||L===i.TEXTURE_2D_ARRAY)&&i.texParameteri(L,i.TEXTURE_WRAP_R,We[w.wrapR]),i.texParameteri(L,i.TEXTURE_MAG_FILTER,rt[w.magFilter]),i.texParameteri(L,i.TEXTURE_MIN_FILTER,rt[w.minFilter]),w.compareFunction&&(i.texParameteri(L,i.TEXTURE_COMPARE_MODE,i.COMPARE_REF_TO_TEXTURE),i.texParameteri(L,i.TEXTURE_COMPARE_FUNC,Ge[w.compareFunction])),e.has("EXT_texture_filter_anisotropic")===!0){if(w.magFilter===In||w.minFilter!==Ua&&w.minFilter!==Fi||w.type===ki&&e.has("OES_texture_float_linear")===!1)return;if(w.anisotropy>1||n.get(w).__currentAnisotropy){let $=e.get("EXT_texture_filter_anisotropic");i.texParameterf(L,$.TEXTURE_MAX_ANISOTROPY_EXT,Math.min(w.anisotropy,s.getMaxAnisotropy())),n.get(w).__currentAnisotropy=w.anisotropy}}}function lt(L,w){let $=!1;L.__webglInit===void 0&&(L.__webglInit=!0,w.addEventListener("dispose",R),U(w));let he=w.source,oe=f.get(he);oe===void 0&&(oe={},f.set(he,oe));let ye=ee(w);if(ye!==L.__cacheKey){oe[ye]===void 0&&(oe[ye]={texture:i.createTexture(),usedTimes:0},o.memory.textures++,$=!0),oe[ye].usedTimes++;let xe=oe[L.__cacheKey];xe!==void 0&&(oe[L.__cacheKey].usedTimes--,xe.usedTimes===0&&H(w)),L.__cacheKey=ye,L.__webglTexture=oe[ye].texture}return $}function it(L,w,$){return Math.floor(Math.floor(L/$)/w)}function $t(L,w,$,he){let ye=L.updateRanges;if(ye.length===0)t.texSubImage2D(i.TEXTURE_2D,0,0,0,w.width,w.height,$,he,w.data);else{ye.sort((B,re)=>B.start-re.start);let xe=0;for(let B=1;B<ye.length;B++){let re=ye[xe],ne=ye[B],we=re.start+re.count,ge=it(ne.start,w.width,4),be=it(re.start,w.width,4);ne.start<=we+1&&ge===be&&it(ne.start+ne.count-1,w.width,4)===ge?re.count=Math.max(re.count,ne.start+ne.count-re.start):(++xe,ye[xe]=ne)}ye.length=xe+1;let te=t.getParameter(i.UNPACK_ROW_LENGTH),se=t.getParameter(i.UNPACK_SKIP_PIXELS),pe=t.getParameter(i.UNPACK_SKIP_ROWS);t.pixelStorei(i.UNPACK_ROW_LENGTH,w.width);for(let B=0,re=ye.length;B<re;B++){let ne=ye[B],we=Math.floor(ne.start/4),ge=Math.ceil(ne.count/4),be=we%w.width,He=Math.floor(we/w.width),je=ge,ce=1;t.pixelStorei(i.UNPACK_SKIP_PIXELS,be),t.pixelStorei(i.UNPACK_SKIP_ROWS,He),t.texSubImage2D(i.TEXTURE_2D,0,be,He,je,ce,$,he,w.data)}L.clearUpdateRanges(),t.pixelStorei(i.UNPACK_ROW_LENGTH,te),t.pixelStorei(i.UNPACK_SKIP_PIXELS,se),t.pixelStorei(i.UNPACK_SKIP_ROWS,pe)}}function Bt(L,w,$){let he=i.TEXTURE_2D;(w.isDataArrayTexture||w.isCompressedArrayTexture)&&(he=i.TEXTURE_2D_ARRAY),w.isData3DTexture&&(he=i.TEXTURE_3D);let oe=lt(L,w),ye=w.source;t.bindTexture(he,L.__webglTexture,i.TEXTURE0+$);let xe=n.get(ye);if(ye.version!==xe.__version||oe===!0){if(t.activeTexture(i.TEXTURE0+$),(typeof ImageBitmap<"u"&&w.image instanceof ImageBitmap)===!1){let ce=yt.getPrimaries(yt.workingColorSpace),Oe=w.colorSpace===Ts?null:yt.getPrimaries(w.colorSpace),Qe=w.colorSpace===Ts||ce===Oe?i.NONE:i.BROWSER_DEFAULT_WEBGL;t.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,w.flipY),t.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,w.premultiplyAlpha),t.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,Qe)}t.pixelStorei(i.UNPACK_ALIGNMENT,w.unpackAlignment);let se=x(w.image,!1,s.maxTextureSize);se=Ve(w,se);let pe=r.convert(w.format,w.colorSpace),B=r.convert(w.type),re=A(w.internalFormat,pe,B,w.normalized,w.colorSpace,w.isVideoTexture);ut(he,w);let ne,we=w.mipmaps,ge=w.isVideoTexture!==!0,be=xe.__version===void 0||oe===!0,He=ye.dataReady,je=S(w,se);if(w.isDepthTexture)re=y(w.format===Es,w.type),be&&(ge?t.texStorage2D(i.TEXTURE_2D,1,re,se.width,se.height):t.texImage2D(i.TEXTURE_2D,0,re,se.width,se.height,0,pe,B,null));else if(w.isDataTexture)if(we.length>0){ge&&be&&t.texStorage2D(i.TEXTURE_2D,je,re,we[0].width,we[0].height);for(let ce=0,Oe=we.length;ce<Oe;ce++)ne=we[ce],ge?He&&t.texSubImage2D(i.TEXTURE_2D,ce,0,0,ne.width,ne.height,pe,B,ne.data):t.texImage2D(i.TEXTURE_2D,ce,re,ne.width,ne.height,0,pe,B,ne.data);w.generateMipmaps=!1}else ge?(be&&t.texStorage2D(i.TEXTURE_2D,je,re,se.width,se.height),He&&$t(w,se,pe,B)):t.texImage2D(i.TEXTURE_2D,0,re,se.width,se.height,0,pe,B,se.data);else if(w.isCompressedTexture)if(w.isCompressedArrayTexture){ge&&be&&t.texStorage3D(i.TEXTURE_2D_ARRAY,je,re,we[0].width,we[0].height,se.depth);for(let ce=0,Oe=we.length;ce<Oe;ce++)if(ne=we[ce],w.format!==zi)if(pe!==null)if(ge){if(He)if(w.layerUpdates.size>0){let Qe=af(ne.width,ne.height,w.format,w.type);for(let Ce of w.layerUpdates){let at=ne.data.subarray(Ce*Qe/ne.data.BYTES_PER_ELEMENT,(Ce+1)*Qe/ne.data.BYTES_PER_ELEMENT);t.compressedTexSubImage3D(i.TEXTURE_2D_ARRAY,ce,0,0,Ce,ne.width,ne.height,1,pe,at)}}else t.compressedTexSubImage3D(i.TEXTURE_2D_ARRAY,ce,0,0,0,ne.width,ne.height,se.depth,pe,ne.data)}else t.compressedTexImage3D(i.TEXTURE_2D_ARRAY,ce,re,ne.width,ne.height,se.depth,0,ne.data,0,0);else Ze("WebGLRenderer: Attempt to load unsupported compressed texture format in .uploadTexture()");else ge?He&&t.texSubImage3D(i.TEXTURE_2D_ARRAY,ce,0,0,0,ne.width,ne.height,se.depth,pe,B,ne.data):t.texImage3D(i.TEXTURE_2D_ARRAY,ce,re,ne.width,ne.height,se.depth,0,pe,B,ne.data);w.layerUpdates.size>0&&w.clearLayerUpdates()}else{ge&&be&&t.texStorage2D(i.TEXTURE_2D,je,re,we[0].width,we[0].height);for(let ce=0,Oe=we.length;ce<Oe;ce++)ne=we[ce],w.format!==zi?pe!==null?ge?He&&t.compressedTexSubImage2D(i.TEXTURE_2D,ce,0,0,ne.width,ne.height,pe,ne.data):t.compressedTexImage2D(i.TEXTURE_2D,ce,re,ne.width,ne.height,0,ne.data):Ze("WebGLRenderer: Attempt to load unsupported compressed texture format in .uploadTexture()"):ge?He&&t.texSubImage2D(i.TEXTURE_2D,ce,0,0,ne.width,ne.height,pe,B,ne.data):t.texImage2D(i.TEXTURE_2D,ce,re,ne.width,ne.height,0,pe,B,ne.data)}else if(w.isDataArrayTexture)if(ge){if(be&&t.texStorage3D(i.TEXTURE_2D_ARRAY,je,re,se.width,se.height,se.depth),He)if(w.layerUpdates.size>0){let ce=af(se.width,se.height,w.format,w.type);for(let Oe of w.layerUpdates){let Qe=se.data.subarray(Oe*ce/se.data.BYTES_PER_ELEMENT,(Oe+1)*ce/se.data.BYTES_PER_ELEMENT);t.texSubImage3D(i.TEXTURE_2D_ARRAY,0,0,0,Oe,se.width,se.height,1,pe,B,Qe)}w.clearLayerUpdates()}else t.texSubImage3D(i.TEXTURE_2D_ARRAY,0,0,0,0,se.width,se.height,se.depth,pe,B,se.data)}else t.texImage3D(i.TEXTURE_2D_ARRAY,0,re,se.width,se.height,se.depth,0,pe,B,se.data);else if(w.isData3DTexture)ge?(be&&t.texStorage3D(i.TEXTURE_3D,je,re,se.width,se.height,se.depth),He&&t.texSubImage3D(i.TEXTURE_3D,0,0,0,0,se.width,se.height,se.depth,pe,B,se.data)):t.texImage3D(i.TEXTURE_3D,0,re,se.width,se.height,se.depth,0,pe,B,se.data);else if(w.isFramebufferTexture){if(be)if(ge)t.texStorage2D(i.TEXTURE_2D,je,re,se.width,se.height);else{let ce=se.width,Oe=se.height;for(let Qe=0;Qe<je;Qe++)t.texImage2D(i.TEXTURE_2D,Qe,re,ce,Oe,0,pe,B,null),ce>>=1,Oe>>=1}}else if(w.isHTMLTexture){if("texElementImage2D"in i){let ce=i.canvas;if(ce.hasAttribute("layoutsubtree")||ce.setAttribute("layoutsubtree","true"),se.parentNode!==ce){ce.appendChild(se),u.add(w),ce.onpaint=Oe=>{let Qe=Oe.changedElements;for(let Ce of u)Qe.includes(Ce.image)&&(Ce.needsUpdate=!0)},ce.requestPaint();return}if(i.texElementImage2D.length===3)i.texElementImage2D(i.TEXTURE_2D,i.RGBA8,se);else{let Qe=i.RGBA,Ce=i.RGBA,at=i.UNSIGNED_BYTE;i.texElementImage2D(i.TEXTURE_2D,0,Qe,Ce,at,se)}i.texParameteri(i.TEXTURE_2D,i.TEXTURE_MIN_FILTER,i.LINEAR),i.texParameteri(i.TEXTURE_2D,i.TEXTURE_WRAP_S,i.CLAMP_TO_EDGE),i.texParameteri(i.TEXTURE_2D,i.TEXTURE_WRAP_T,i.CLAMP_TO_EDGE)}}else if(we.length>0){if(ge&&be){let ce=$e(we[0]);t.texStorage2D(i.TEXTURE_2D,je,re,ce.width,ce.height)}for(let ce=0,Oe=we.length;ce<Oe;ce++)ne=we[ce],ge?He&&t.texSubImage2D(i.TEXTURE_2D,ce,0,0,pe,B,ne):t.texImage2D(i.TEXTURE_2D,ce,re,pe,B,ne);w.generateMipmaps=!1}else if(ge){if(be){let ce=$e(se);t.texStorage2D(i.TEXTURE_2D,je,re,ce.width,ce.height)}He&&t.texSubImage2D(i.TEXTURE_2D,0,0,0,pe,B,se)}else t.texImage2D(i.TEXTURE_2D,0,re,pe,B,se);M(w)&&w.mipmapsAutoUpdate===!0&&b(he),xe.__version=ye.version,w.onUpdate&&w.onUpdate(w)}L.__version=w.version}function cn(L,w,$){if(w.image.length!==6)return;let he=lt(L,w),oe=w.source;t.bindTexture(i.TEXTURE_CUBE_MAP,L.__webglTexture,i.TEXTURE0+$);let ye=n.get(oe);if(oe.version!==ye.__version||he===!0){t.activeTexture(i.TEXTURE0+$);let xe=yt.getPrimaries(yt.workingColorSpace),te=w.colorSpace===Ts?null:yt.getPrimaries(w.colorSpace),se=w.colorSpace===Ts||xe===te?i.NONE:i.BROWSER_DEFAULT_WEBGL;t.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,w.flipY),t.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,w.premultiplyAlpha),t.pixelStorei(i.UNPACK_ALIGNMENT,w.unpackAlignment),t.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,se);let pe=w.isCompressedTexture||w.image[0].isCompressedTexture,B=w.image[0]&&w.image[0].isDataTexture,re=[];for(let Ce=0;Ce<6;Ce++)!pe&&!B?re[Ce]=x(w.image[Ce],!0,s.maxCubemapSize):re[Ce]=B?w.image[Ce].image:w.image[Ce],re[Ce]=Ve(w,re[Ce]);let ne=re[0],we=r.convert(w.format,w.colorSpace),ge=r.convert(w.type),be=A(w.internalFormat,we,ge,w.normalized,w.colorSpace),He=w.isVideoTexture!==!0,je=ye.__version===void 0||he===!0,ce=oe.dataReady,Oe=S(w,ne);ut(i.TEXTURE_CUBE_MAP,w);let Qe;if(w.isDepthTexture){if(be=y(w.format===Es,w.type),je)if(He)t.texStorage2D(i.TEXTURE_CUBE_MAP,1,be,ne.width,ne.height);else for(let Ce=0;Ce<6;Ce++)t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,be,ne.width,ne.height,0,we,ge,null)}else if(pe){He&&je&&t.texStorage2D(i.TEXTURE_CUBE_MAP,Oe,be,ne.width,ne.height);for(let Ce=0;Ce<6;Ce++){Qe=re[Ce].mipmaps;for(let at=0;at<Qe.length;at++){let Vt=Qe[at];w.format!==zi?we!==null?He?ce&&t.compressedTexSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,at,0,0,Vt.width,Vt.height,we,Vt.data):t.compressedTexImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,at,be,Vt.width,Vt.height,0,Vt.data):Ze("WebGLRenderer: Attempt to load unsupported compressed texture format in .setTextureCube()"):He?ce&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,at,0,0,Vt.width,Vt.height,we,ge,Vt.data):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,at,be,Vt.width,Vt.height,0,we,ge,Vt.data)}}}else{if(Qe=w.mipmaps,He&&je){Qe.length>0&&Oe++;let Ce=$e(re[0]);t.texStorage2D(i.TEXTURE_CUBE_MAP,Oe,be,Ce.width,Ce.height)}for(let Ce=0;Ce<6;Ce++)if(B){He?ce&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,0,0,re[Ce].width,re[Ce].height,we,ge,re[Ce].data):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,be,re[Ce].width,re[Ce].height,0,we,ge,re[Ce].data);for(let at=0;at<Qe.length;at++){let Gn=Qe[at].image[Ce].image;He?ce&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,at+1,0,0,Gn.width,Gn.height,we,ge,Gn.data):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,at+1,be,Gn.width,Gn.height,0,we,ge,Gn.data)}}else{He?ce&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,0,0,we,ge,re[Ce]):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,be,we,ge,re[Ce]);for(let at=0;at<Qe.length;at++){let Vt=Qe[at];He?ce&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,at+1,0,0,we,ge,Vt.image[Ce]):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,at+1,be,we,ge,Vt.image[Ce])}}}M(w)&&w.mipmapsAutoUpdate===!0&&b(i.TEXTURE_CUBE_MAP),ye.__version=oe.version,w.onUpdate&&w.onUpdate(w)}L.__version=w.version}function Lt(L,w,$,he,oe,ye){let xe=r.convert($.format,$.colorSpace),te=r.convert($.type),se=A($.internalFormat,xe,te,$.normalized,$.colorSpace),pe=n.get(w),B=n.get($);if(B.__renderTarget=w,!pe.__hasExternalTextures){let re=Math.max(1,w.width>>ye),ne=Math.max(1,w.height>>ye);oe===i.TEXTURE_3D||oe===i.TEXTURE_2D_ARRAY?t.texImage3D(oe,ye,se,re,ne,w.depth,0,xe,te,null):t.texImage2D(oe,ye,se,re,ne,0,xe,te,null)}t.bindFramebuffer(i.FRAMEBUFFER,L),Se(w)?a.framebufferTexture2DMultisampleEXT(i.FRAMEBUFFER,he,oe,B.__webglTexture,0,ot(w)):(oe===i.TEXTURE_2D||oe>=i.TEXTURE_CUBE_MAP_POSITIVE_X&&oe<=i.TEXTURE_CUBE_MAP_NEGATIVE_Z)&&i.framebufferTexture2D(i.FRAMEBUFFER,he,oe,B.__webglTexture,ye),t.bindFramebuffer(i.FRAMEBUFFER,null)}function Sn(L,w,$){if(i.bindRenderbuffer(i.RENDERBUFFER,L),w.depthBuffer){let he=w.depthTexture,oe=he&&he.isDepthTexture?he.type:null,ye=y(w.stencilBuffer,oe),xe=w.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT;Se(w)?a.renderbufferStorageMultisampleEXT(i.RENDERBUFFER,ot(w),ye,w.width,w.height):$?i.renderbufferStorageMultisample(i.RENDERBUFFER,ot(w),ye,w.width,w.height):i.renderbufferStorage(i.RENDERBUFFER,ye,w.width,w.height),i.framebufferRenderbuffer(i.FRAMEBUFFER,xe,i.RENDERBUFFER,L)}else{let he=w.textures;for(let oe=0;oe<he.length;oe++){let ye=he[oe],xe=r.convert(ye.format,ye.colorSpace),te=r.convert(ye.type),se=A(ye.internalFormat,xe,te,ye.normalized,ye.colorSpace);Se(w)?a.renderbufferStorageMultisampleEXT(i.RENDERBUFFER,ot(w),se,w.width,w.height):$?i.renderbufferStorageMultisample(i.RENDERBUFFER,ot(w),se,w.width,w.height):i.renderbufferStorage(i.RENDERBUFFER,se,w.width,w.height)}}i.bindRenderbuffer(i.RENDERBUFFER,null)}function bt(L,w,$){let he=w.isWebGLCubeRenderTarget===!0;if(t.bindFramebuffer(i.FRAMEBUFFER,L),!(w.depthTexture&&w.depthTexture.isDepthTexture))throw new Error("THREE.WebGLTextures: renderTarget.depthTexture must be an instance of THREE.DepthTexture.");let oe=n.get(w.depthTexture);oe.__renderTarget=w;let ye=he?w.depthTexture.image[0]:w.depthTexture.image;(!oe.__webglTexture||ye.width!==w.width||ye.height!==w.height)&&(ye.width=w.width,ye.height=w.height,w.depthTexture.needsUpdate=!0),he?Me(w.depthTexture,0):me(w.depthTexture,0);let xe=oe.__webglTexture,te=ot(w),se=he?i.TEXTURE_CUBE_MAP_POSITIVE_X+$:i.TEXTURE_2D,pe=w.depthTexture.format===Es?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT;if(w.depthTexture.format===Ms)Se(w)?a.framebufferTexture2DMultisampleEXT(i.FRAMEBUFFER,pe,se,xe,0,te):i.framebufferTexture2D(i.FRAMEBUFFER,pe,se,xe,0);else if(w.depthTexture.format===Es)Se(w)?a.framebufferTexture2DMultisampleEXT(i.FRAMEBUFFER,pe,se,xe,0,te):i.framebufferTexture2D(i.FRAMEBUFFER,pe,se,xe,0);else throw new Error("THREE.WebGLTextures: Unknown depthTexture format.")}function yn(L){let w=n.get(L),$=L.isWebGLCubeRenderTarget===!0;if(w.__boundDepthTexture!==L.depthTexture){let he=L.depthTexture;if(w.__depthDisposeCallback&&w.__depthDisposeCallback(),he){let oe=()=>{delete w.__boundDepthTexture,delete w.__depthDisposeCallback,he.removeEventListener("dispose",oe)};he.addEventListener("dispose",oe),w.__depthDisposeCallback=oe}w.__boundDepthTexture=he}if(L.depthTexture&&!w.__autoAllocateDepthBuffer)if($)for(let he=0;he<6;he++)bt(w.__webglFramebuffer[he],L,he);else L.texture.mipmaps.length>0?bt(w.__webglFramebuffer[0],L,0):bt(w.__webglFramebuffer,L,0);else if($){w.__webglDepthbuffer=[];for(let he=0;he<6;he++)if(t.bindFramebuffer(i.FRAMEBUFFER,w.__webglFramebuffer[he]),w.__webglDepthbuffer[he]===void 0)w.__webglDepthbuffer[he]=i.createRenderbuffer(),Sn(w.__webglDepthbuffer[he],L,!1);else{let oe=L.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT,ye=w.__webglDepthbuffer[he];i.bindRenderbuffer(i.RENDERBUFFER,ye),i.framebufferRenderbuffer(i.FRAMEBUFFER,oe,i.RENDERBUFFER,ye)}}else if(L.texture.mipmaps.length>0?t.bindFramebuffer(i.FRAMEBUFFER,w.__webglFramebuffer[0]):t.bindFramebuffer(i.FRAMEBUFFER,w.__webglFramebuffer),w.__webglDepthbuffer===void 0)w.__webglDepthbuffer=i.createRenderbuffer(),Sn(w.__webglDepthbuffer,L,!1);else{let oe=L.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT,ye=w.__webglDepthbuffer;i.bindRenderbuffer(i.RENDERBUFFER,ye),i.framebufferRenderbuffer(i.FRAMEBUFFER,oe,i.RENDERBUFFER,ye)}t.bindFramebuffer(i.FRAMEBUFFER,null)}function Qt(L,w,$){let he=n.get(L);w!==void 0&&Lt(he.__webglFramebuffer,L,L.texture,i.COLOR_ATTACHMENT0,i.TEXTURE_2D,0),$!==void 0&&yn(L)}function hn(L){let w=L.texture,$=n.get(L),he=n.get(w);L.addEventListener("dispose",k),U(L);let oe=L.textures,ye=L.isWebGLCubeRenderTarget===!0,xe=oe.length>1;if(xe||(he.__webglTexture===void 0&&(he.__webglTexture=i.createTexture()),he.__version=w.version,o.memory.textures++),ye){$.__webglFramebuffer=[];for(let te=0;te<6;te++)if(w.mipmaps.length>0){$.__webglFramebuffer[te]=[];for(let se=0;se<w.mipmaps.length;se++)$.__webglFramebuffer[te][se]=i.createFramebuffer()}else $.__webglFramebuffer[te]=i.createFramebuffer()}else{if(w.mipmaps.length>0){$.__webglFramebuffer=[];for(let te=0;te<w.mipmaps.length;te++)$.__webglFramebuffer[te]=i.createFramebuffer()}else $.__webglFramebuffer=i.createFramebuffer();if(xe)for(let te=0,se=oe.length;te<se;te++){let pe=n.get(oe[te]);pe.__webglTexture===void 0&&(pe.__webglTexture=i.createTexture(),o.memory.textures++)}if(L.samples>0&&Se(L)===!1){$.__webglMultisampledFramebuffer=i.createFramebuffer(),$.__webglColorRenderbuffer=[],t.bindFramebuffer(i.FRAMEBUFFER,$.__webglMultisampledFramebuffer);for(let te=0;te<oe.length;te++){let se=oe[te];$.__webglColorRenderbuffer[te]=i.createRenderbuffer(),i.bindRenderbuffer(i.RENDERBUFFER,$.__webglColorRenderbuffer[te]);let pe=r.convert(se.format,se.colorSpace),B=r.convert(se.type),re=A(se.internalFormat,pe,B,se.normalized,se.colorSpace,L.isXRRenderTarget===!0),ne=ot(L);i.renderbufferStorageMultisample(i.RENDERBUFFER,ne,re,L.width,L.height),i.framebufferRenderbuffer(i.FRAMEBUFFER,i.COLOR_ATTACHMENT0+te,i.RENDERBUFFER,$.__webglColorRenderbuffer[te])}i.bindRenderbuffer(i.RENDERBUFFER,null),L.depthBuffer&&($.__webglDepthRenderbuffer=i.createRenderbuffer(),Sn($.__webglDepthRenderbuffer,L,!0)),t.bindFramebuffer(i.FRAMEBUFFER,null)}}if(ye){t.bindTexture(i.TEXTURE_CUBE_MAP,he.__webglTexture),ut(i.TEXTURE_CUBE_MAP,w);for(let te=0;te<6;te++)if(w.mipmaps.length>0)for(let se=0;se<w.mipmaps.length;se++)Lt($.__webglFramebuffer[te][se],L,w,i.COLOR_ATTACHMENT0,i.TEXTURE_CUBE_MAP_POSITIVE_X+te,se);else Lt($.__webglFramebuffer[te],L,w,i.COLOR_ATTACHMENT0,i.TEXTURE_CUBE_MAP_POSITIVE_X+te,0);M(w)?b(i.TEXTURE_CUBE_MAP):w.mipmaps.length>0&&i.texParameteri(i.TEXTURE_CUBE_MAP,i.TEXTURE_MAX_LEVEL,w.mipmaps.length-1),t.unbindTexture()}else if(xe){for(let te=0,se=oe.length;te<se;te++){let pe=oe[te],B=n.get(pe),re=i.TEXTURE_2D;(L.isWebGL3DRenderTarget||L.isWebGLArrayRenderTarget)&&(re=L.isWebGL3DRenderTarget?i.TEXTURE_3D:i.TEXTURE_2D_ARRAY),t.bindTexture(re,B.__webglTexture),ut(re,pe),Lt($.__webglFramebuffer,L,pe,i.COLOR_ATTACHMENT0+te,re,0),M(pe)&&b(re)}t.unbindTexture()}else{let te=i.TEXTURE_2D;if((L.isWebGL3DRenderTarget||L.isWebGLArrayRenderTarget)&&(te=L.isWebGL3DRenderTarget?i.TEXTURE_3D:i.TEXTURE_2D_ARRAY),t.bindTexture(te,he.__webglTexture),ut(te,w),w.mipmaps.length>0)for(let se=0;se<w.mipmaps.length;se++)Lt($.__webglFramebuffer[se],L,w,i.COLOR_ATTACHMENT0,te,se);else Lt($.__webglFramebuffer,L,w,i.COLOR_ATTACHMENT0,te,0);M(w)?b(te):w.mipmaps.length>0&&i.texParameteri(te,i.TEXTURE_MAX_LEVEL,w.mipmaps.length-1),t.unbindTexture()}L.depthBuffer&&yn(L)}function z(L){let w=L.textures;for(let $=0,he=w.length;$<he;$++){let oe=w[$];if(M(oe)&&oe.mipmapsAutoUpdate===!0){let ye=C(L),xe=n.get(oe).__webglTexture;t.bindTexture(ye,xe),b(ye),t.unbindTexture()}}}let Re=[];function Je(L){if(L.samples>0){if(Se(L)===!1){let w=L.textures,$=L.width,he=L.height,oe=i.COLOR_BUFFER_BIT,ye=L.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT,xe=n.get(L),te=w.length>1;if(te)for(let pe=0;pe<w.length;pe++)t.bindFramebuffer(i.FRAMEBUFFER,xe.__webglMultisampledFramebuffer),i.framebufferRenderbuffer(i.FRAMEBUFFER,i.COLOR_ATTACHMENT0+pe,i.RENDERBUFFER,null),t.bindFramebuffer(i.FRAMEBUFFER,xe.__webglFramebuffer),i.framebufferTexture2D(i.DRAW_FRAMEBUFFER,i.COLOR_ATTACHMENT0+pe,i.TEXTURE_2D,null,0);t.bindFramebuffer(i.READ_FRAMEBUFFER,xe.__webglMultisampledFramebuffer),L.texture.mipmaps.length>0?t.bindFramebuffer(i.DRAW_FRAMEBUFFER,xe.__webglFramebuffer[0]):t.bindFramebuffer(i.DRAW_FRAMEBUFFER,xe.__webglFramebuffer);for(let pe=0;pe<w.length;pe++){if(L.resolveDepthBuffer&&(L.depthBuffer&&(oe|=i.DEPTH_BUFFER_BIT),L.stencilBuffer&&L.resolveStencilBuffer&&(oe|=i.STENCIL_BUFFER_BIT)),te){i.framebufferRenderbuffer(i.READ_FRAMEBUFFER,i.COLOR_ATTACHMENT0,i.RENDERBUFFER,xe.__webglColorRenderbuffer[pe]);let B=n.get(w[pe]).__webglTexture;i.framebufferTexture2D(i.DRAW_FRAMEBUFFER,i.COLOR_ATTACHMENT0,i.TEXTURE_2D,B,0)}i.blitFramebuffer(0,0,$,he,0,0,$,he,oe,i.NEAREST),l===!0&&(Re.length=0,Re.push(i.COLOR_ATTACHMENT0+pe),L.depthBuffer&&L.storeMultisampledDepthBuffer===!1&&Re.push(ye),i.invalidateFramebuffer(i.READ_FRAMEBUFFER,Re))}if(t.bindFramebuffer(i.READ_FRAMEBUFFER,null),t.bindFramebuffer(i.DRAW_FRAMEBUFFER,null),te)for(let pe=0;pe<w.length;pe++){t.bindFramebuffer(i.FRAMEBUFFER,xe.__webglMultisampledFramebuffer),i.framebufferRenderbuffer(i.FRAMEBUFFER,i.COLOR_ATTACHMENT0+pe,i.RENDERBUFFER,xe.__webglColorRenderbuffer[pe]);let B=n.get(w[pe]).__webglTexture;t.bindFramebuffer(i.FRAMEBUFFER,xe.__webglFramebuffer),i.framebufferTexture2D(i.DRAW_FRAMEBUFFER,i.COLOR_ATTACHMENT0+pe,i.TEXTURE_2D,B,0)}t.bindFramebuffer(i.DRAW_FRAMEBUFFER,xe.__webglMultisampledFramebuffer)}else if(L.depthBuffer&&L.storeMultisampledDepthBuffer===!1&&l){let w=L.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT;i.invalidateFramebuffer(i.DRAW_FRAMEBUFFER,[w])}}}function ot(L){return Math.min(s.maxSamples,L.samples)}function Se(L){let w=n.get(L);return L.samples>0&&e.has("WEBGL_multisampled_render_to_texture")===!0&&w.__useRenderToTexture!==!1}function Ut(L){let w=o.render.frame;h.get(L)!==w&&(h.set(L,w),L.update())}function Ve(L,w){let $=L.colorSpace,he=L.format,oe=L.type;return L.isCompressedTexture===!0||L.isVideoTexture===!0||$!==xa&&$!==Ts&&(yt.getTransfer($)===Ct?(he!==zi||oe!==gi)&&Ze("WebGLTextures: sRGB encoded textures have to use RGBAFormat and UnsignedByteType."):tt("WebGLTextures: Unsupported texture color space:",$)),w}function $e(L){return typeof HTMLImageElement<"u"&&L instanceof HTMLImageElement?(c.width=L.naturalWidth||L.width,c.height=L.naturalHeight||L.height):typeof VideoFrame<"u"&&L instanceof VideoFrame?(c.width=L.displayWidth,c.height=L.displayHeight):(c.width=L.width,c.height=L.height),c}this.allocateTextureUnit=ue,this.resetTextureUnits=Q,this.getTextureUnits=ie,this.setTextureUnits=de,this.setTexture2D=me,this.setTexture2DArray=ve,this.setTexture3D=Ae,this.setTextureCube=Me,this.rebindTextures=Qt,this.setupRenderTarget=hn,this.updateRenderTargetMipmap=z,this.updateMultisampleRenderTarget=Je,this.setupDepthRenderbuffer=yn,this.setupFrameBufferTexture=Lt,this.useMultisampledRTT=Se,this.dispose=V}function _E(i,e){function t(n,s=Ts){let r,o=yt.getTransfer(s);if(n===gi)return i.UNSIGNED_BYTE;if(n===zc)return i.UNSIGNED_SHORT_4_4_4_4;if(n===Vc)return i.UNSIGNED_SHORT_5_5_5_1;if(n===Wd)return i.UNSIGNED_INT_5_9_9_9_REV;if(n===Xd)return i.UNSIGNED_INT_10F_11F_11F_REV;if(n===Gd)return i.BYTE;if(n===Hd)return i.SHORT;if(n===No)return i.UNSIGNED_SHORT;if(n===Bc)return i.INT;if(n===Oi)return i.UNSIGNED_INT;if(n===ki)return i.FLOAT;if(n===Bi)return i.HALF_FLOAT;if(n===qd)return i.ALPHA;if(n===$d)return i.RGB;if(n===zi)return i.RGBA;if(n===Ms)return i.DEPTH_COMPONENT;if(n===Es)return i.DEPTH_STENCIL;if(n===Yd)return i.RED;if(n===Gc)return i.RED_INTEGER;if(n===nr)return i.RG;if(n===Hc)return i.RG_INTEGER;if(n===Wc)return i.RGBA_INTEGER;if(n===Fa||n===Oa||n===ka||n===Ba)if(o===Ct)if(r=e.get("WEBGL_compressed_texture_s3tc_srgb"),r!==null){if(n===Fa)return r.COMPRESSED_SRGB_S3TC_DXT1_EXT;if(n===Oa)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT1_EXT;if(n===ka)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT3_EXT;if(n===Ba)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT}else return null;else if(r=e.get("WEBGL_compressed_texture_s3tc"),r!==null){if(n===Fa)return r.COMPRESSED_RGB_S3TC_DXT1_EXT;if(n===Oa)return r.COMPRESSED_RGBA_S3TC_DXT1_EXT;if(n===ka)return r.COMPRESSED_RGBA_S3TC_DXT3_EXT;if(n===Ba)return r.COMPRESSED_RGBA_S3TC_DXT5_EXT}else return null;if(n===Xc||n===qc||n===$c||n===Yc)if(r=e.get("WEBGL_compressed_texture_pvrtc"),r!==null){if(n===Xc)return r.COMPRESSED_RGB_PVRTC_4BPPV1_IMG;if(n===qc)return r.COMPRESSED_RGB_PVRTC_2BPPV1_IMG;if(n===$c)return r.COMPRESSED_RGBA_PVRTC_4BPPV1_IMG;if(n===Yc)return r.COMPRESSED_RGBA_PVRTC_2BPPV1_IMG}else return null;if(n===Jc||n===Zc||n===Kc||n===jc||n===Qc||n===za||n===eh)if(r=e.get("WEBGL_compressed_texture_etc"),r!==null){if(n===Jc||n===Zc)return o===Ct?r.COMPRESSED_SRGB8_ETC2:r.COMPRESSED_RGB8_ETC2;if(n===Kc)return o===Ct?r.COMPRESSED_SRGB8_ALPHA8_ETC2_EAC:r.COMPRESSED_RGBA8_ETC2_EAC;if(n===jc)return r.COMPRESSED_R11_EAC;if(n===Qc)return r.COMPRESSED_SIGNED_R11_EAC;if(n===za)return r.COMPRESSED_RG11_EAC;if(n===eh)return r.COMPRESSED_SIGNED_RG11_EAC}else return null;if(n===th||n===nh||n===ih||n===sh||n===rh||n===oh||n===ah||n===lh||n===ch||n===hh||n===uh||n===dh||n===fh||n===ph)if(r=e.get("WEBGL_compressed_texture_astc"),r!==null){if(n===th)return o===Ct?r.COMPRESSED_SRGB8_ALPHA8_ASTC_4x4_KHR:r.COMPRESSED_RGBA_ASTC_4x4_KHR;if(n===nh)return o===Ct?r.COMPRESSED_SRGB8_ALPHA8_ASTC_5x4_KHR:r.COMPRESSED_RGBA_ASTC_5x4_KHR;if(n===ih)return o===Ct?r.COMPRESSED_SRGB8_ALPHA8_ASTC_5x5_KHR:r.COMPRESSED_RGBA_ASTC_5x5_KHR;if(n===sh)return o===Ct?r.COMPRESSED_SRGB8_ALPHA8_ASTC_6x5_KHR:r.COMPRESSED_RGBA_ASTC_6x5_KHR;if(n===rh)return o===Ct?r.COMPRESSED_SRGB8_ALPHA8_ASTC_6x6_KHR:r.COMPRESSED_RGBA_ASTC_6x6_KHR;if(n===oh)return o===Ct?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x5_KHR:r.COMPRESSED_RGBA_ASTC_8x5_KHR;if(n===ah)return o===Ct?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x6_KHR:r.COMPRESSED_RGBA_ASTC_8x6_KHR;if(n===lh)return o===Ct?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x8_KHR:r.COMPRESSED_RGBA_ASTC_8x8_KHR;if(n===ch)return o===Ct?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x5_KHR:r.COMPRESSED_RGBA_ASTC_10x5_KHR;if(n===hh)return o===Ct?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x6_KHR:r.COMPRESSED_RGBA_ASTC_10x6_KHR;if(n===uh)return o===Ct?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x8_KHR:r.COMPRESSED_RGBA_ASTC_10x8_KHR;if(n===dh)return o===Ct?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x10_KHR:r.COMPRESSED_RGBA_ASTC_10x10_KHR;if(n===fh)return o===Ct?r.COMPRESSED_SRGB8_ALPHA8_ASTC_12x10_KHR:r.COMPRESSED_RGBA_ASTC_12x10_KHR;if(n===ph)return o===Ct?r.COMPRESSED_SRGB8_ALPHA8_ASTC_12x12_KHR:r.COMPRESSED_RGBA_ASTC_12x12_KHR}else return null;if(n===mh||n===gh||n===yh)if(r=e.get("EXT_texture_compression_bptc"),r!==null){if(n===mh)return o===Ct?r.COMPRESSED_SRGB_ALPHA_BPTC_UNORM_EXT:r.COMPRESSED_RGBA_BPTC_UNORM_EXT;if(n===gh)return r.COMPRESSED_RGB_BPTC_SIGNED_FLOAT_EXT;if(n===yh)return r.COMPRESSED_RGB_BPTC_UNSIGNED_FLOAT_EXT}else return null;if(n===vh||n===xh||n===Va||n===_h)if(r=e.get("EXT_texture_compression_rgtc"),r!==null){if(n===vh)return r.COMPRESSED_RED_RGTC1_EXT;if(n===xh)return r.COMPRESSED_SIGNED_RED_RGTC1_EXT;if(n===Va)return r.COMPRESSED_RED_GREEN_RGTC2_EXT;if(n===_h)return r.COMPRESSED_SIGNED_RED_GREEN_RGTC2_EXT}else return null;return n===Ar?i.UNSIGNED_INT_24_8:i[n]!==void 0?i[n]:null}return{convert:t}}var bE=`
+void main() {
+
+	gl_Position = vec4( position, 1.0 );
+
+}`,ME=`
+uniform sampler2DArray depthColor;
+uniform float depthWidth;
+uniform float depthHeight;
+
+void main() {
+
+	vec2 coord = vec2( gl_FragCoord.x / depthWidth, gl_FragCoord.y / depthHeight );
+
+	if ( coord.x >= 1.0 ) {
+
+		gl_FragDepth = texture( depthColor, vec3( coord.x - 1.0, coord.y, 1 ) ).r;
+
+	} else {
+
+		gl_FragDepth = texture( depthColor, vec3( coord.x, coord.y, 0 ) ).r;
+
+	}
+
+}`,gf=class{constructor(){this.texture=null,this.mesh=null,this.depthNear=0,this.depthFar=0}init(e,t){if(this.texture===null){let n=new Ra(e.texture);(e.depthNear!==t.depthNear||e.depthFar!==t.depthFar)&&(this.depthNear=e.depthNear,this.depthFar=e.depthFar),this.texture=n}}getMesh(e){if(this.texture!==null&&this.mesh===null){let t=e.cameras[0].viewport,n=new Un({vertexShader:bE,fragmentShader:ME,uniforms:{depthColor:{value:this.texture},depthWidth:{value:t.z},depthHeight:{value:t.w}}});this.mesh=new ln(new Mr(20,20),n)}return this.mesh}reset(){this.texture=null,this.mesh=null}getDepthTexture(){return this.texture}},yf=class extends is{constructor(e,t){super();let n=this,s=null,r=1,o=null,a="local-floor",l=1,c=null,h=null,u=null,d=null,f=null,g=null,v=typeof XRWebGLBinding<"u",m=new gf,p={},x=t.getContextAttributes(),M=null,b=null,C=[],A=[],y=new xt,S=null,U=null,I=new Jn;I.viewport=new jt;let R=new Jn;R.viewport=new jt;let k=[I,R],F=new Uc,P=null,V=null;this.cameraAutoUpdate=!0,this.enabled=!1,this.isPresenting=!1,this.getController=function(ee){let me=C[ee];return me===void 0&&(me=new So,C[ee]=me),me.getTargetRaySpace()},this.getControllerGrip=function(ee){let me=C[ee];return me===void 0&&(me=new So,C[ee]=me),me.getGripSpace()},this.getHand=function(ee){let me=C[ee];return me===void 0&&(me=new So,C[ee]=me),me.getHandSpace()};function q(ee){let me=A.indexOf(ee.inputSource);if(me===-1)return;let ve=C[me];ve!==void 0&&(ve.update(ee.inputSource,ee.frame,c||o),ve.dispatchEvent({type:ee.type,data:ee.inputSource}))}function H(){s.removeEventListener("select",q),s.removeEventListener("selectstart",q),s.removeEventListener("selectend",q),s.removeEventListener("squeeze",q),s.removeEventListener("squeezestart",q),s.removeEventListener("squeezeend",q),s.removeEventListener("end",H),s.removeEventListener("inputsourceschange",le);for(let ee=0;ee<C.length;ee++){let me=A[ee];me!==null&&(A[ee]=null,C[ee].disconnect(me))}P=null,V=null,m.reset();for(let ee in p)delete p[ee];if(e.setRenderTarget(M),f=null,d=null,u=null,s=null,b=null,ue.stop(),n.isPresenting=!1,e.setPixelRatio(S),e.setSize(y.width,y.height,!1),U!==null){let ee=U.camera;ee.fov=U.fov,ee.zoom=U.zoom,ee.updateProjectionMatrix(),U=null}n.dispatchEvent({type:"sessionend"})}this.setFramebufferScaleFactor=function(ee){r=ee,n.isPresenting===!0&&Ze("WebXRManager: Cannot change framebuffer scale while presenting.")},this.setReferenceSpaceType=function(ee){a=ee,n.isPresenting===!0&&Ze("WebXRManager: Cannot change reference space type while presenting.")},this.getReferenceSpace=function(){return c||o},this.setReferenceSpace=function(ee){c=ee},this.getBaseLayer=function(){return d!==null?d:f},this.getBinding=function(){return u===null&&v&&(u=new XRWebGLBinding(s,t)),u},this.getFrame=function(){return g},this.getSession=function(){return s},this.setSession=async function(ee){if(s=ee,s!==null){if(M=e.getRenderTarget(),s.addEventListener("select",q),s.addEventListener("selectstart",q),s.addEventListener("selectend",q),s.addEventListener("squeeze",q),s.addEventListener("squeezestart",q),s.addEventListener("squeezeend",q),s.addEventListener("end",H),s.addEventListener("inputsourceschange",le),x.xrCompatible!==!0&&await t.makeXRCompatible(),S=e.getPixelRatio(),e.getSize(y),v&&"createProjectionLayer"in XRWebGLBinding.prototype){let ve=null,Ae=null,Me=null;x.depth&&(Me=x.stencil?t.DEPTH24_STENCIL8:t.DEPTH_COMPONENT24,ve=x.stencil?Es:Ms,Ae=x.stencil?Ar:Oi);let We={colorFormat:t.RGBA8,depthFormat:Me,scaleFactor:r};u=this.getBinding(),d=u.createProjectionLayer(We),s.updateRenderState({layers:[d]}),e.setPixelRatio(1),e.setSize(d.textureWidth,d.textureHeight,!1),b=new Kn(d.textureWidth,d.textureHeight,{format:zi,type:gi,depthTexture:new ws(d.textureWidth,d.textureHeight,Ae,void 0,void 0,void 0,void 0,void 0,void 0,ve),stencilBuffer:x.stencil,colorSpace:e.outputColorSpace,samples:x.antialias?4:0,resolveDepthBuffer:d.ignoreDepthValues===!1,resolveStencilBuffer:d.ignoreDepthValues===!1,storeMultisampledDepthBuffer:d.ignoreDepthValues===!1,storeMultisampledStencilBuffer:d.ignoreDepthValues===!1})}else{let ve={antialias:x.antialias,alpha:!0,depth:x.depth,stencil:x.stencil,framebufferScaleFactor:r};f=new XRWebGLLayer(s,t,ve),s.updateRenderState({baseLayer:f}),e.setPixelRatio(1),e.setSize(f.framebufferWidth,f.framebufferHeight,!1),b=new Kn(f.framebufferWidth,f.framebufferHeight,{format:zi,type:gi,colorSpace:e.outputColorSpace,stencilBuffer:x.stencil,resolveDepthBuffer:f.ignoreDepthValues===!1,resolveStencilBuffer:f.ignoreDepthValues===!1,storeMultisampledDepthBuffer:f.ignoreDepthValues===!1,storeMultisampledStencilBuffer:f.ignoreDepthValues===!1})}b.isXRRenderTarget=!0,this.setFoveation(l),c=null,o=await s.requestReferenceSpace(a),ue.setContext(s),ue.start(),n.isPresenting=!0,n.dispatchEvent({type:"sessionstart"})}},this.getEnvironmentBlendMode=function(){if(s!==null)return s.environmentBlendMode},this.getDepthTexture=function(){return m.getDepthTexture()};function le(ee){for(let me=0;me<ee.removed.length;me++){let ve=ee.removed[me],Ae=A.indexOf(ve);Ae>=0&&(A[Ae]=null,C[Ae].disconnect(ve))}for(let me=0;me<ee.added.length;me++){let ve=ee.added[me],Ae=A.indexOf(ve);if(Ae===-1){for(let We=0;We<C.length;We++)if(We>=A.length){A.push(ve),Ae=We;break}else if(A[We]===null){A[We]=ve,Ae=We;break}if(Ae===-1)break}let Me=C[Ae];Me&&Me.connect(ve)}}function Z(ee,me){me===null?ee.matrixWorld.copy(ee.matrix):ee.matrixWorld.multiplyMatrices(me.matrixWorld,ee.matrix),ee.matrixWorldInverse.copy(ee.matrixWorld).invert()}this.updateCamera=function(ee){if(s===null)return;let me=ee.near,ve=ee.far;m.texture!==null&&(m.depthNear>0&&(me=m.depthNear),m.depthFar>0&&(ve=m.depthFar)),F.near=R.near=I.near=me,F.far=R.far=I.far=ve,(P!==F.near||V!==F.far)&&(s.updateRenderState({depthNear:F.near,depthFar:F.far}),P=F.near,V=F.far),F.layers.mask=ee.layers.mask|6,I.layers.mask=F.layers.mask&-5,R.layers.mask=F.layers.mask&-3;let Ae=ee.parent,Me=F.cameras;Z(F,Ae);for(let We=0;We<Me.length;We++)Z(Me[We],Ae);F.projectionMatrix.copy(I.projectionMatrix),F.projectionMatrixInverse.copy(I.projectionMatrixInverse),U===null&&ee.isPerspectiveCamera&&(U={camera:ee,fov:ee.fov,zoom:ee.zoom}),Q(ee,F,Ae)};function Q(ee,me,ve){ve===null?ee.matrix.copy(me.matrixWorld):(ee.matrix.copy(ve.matrixWorld),ee.matrix.invert(),ee.matrix.multiply(me.matrixWorld)),ee.matrix.decompose(ee.position,ee.quaternion,ee.scale),ee.updateMatrixWorld(!0),ee.projectionMatrix.copy(me.projectionMatrix),ee.projectionMatrixInverse.copy(me.projectionMatrixInverse),ee.isPerspectiveCamera&&(ee.fov=hc*2*Math.atan(1/ee.projectionMatrix.elements[5]),ee.zoom=1)}this.getCamera=function(){return F},this.getFoveation=function(){if(!(d===null&&f===null))return l},this.setFoveation=function(ee){l=ee,d!==null&&(d.fixedFoveation=ee),f!==null&&f.fixedFoveation!==void 0&&(f.fixedFoveation=ee)},this.hasDepthSensing=function(){return m.texture!==null},this.getDepthSensingMesh=function(){return m.getMesh(F)},this.getCameraTexture=function(ee){return p[ee]};let ie=null;function de(ee,me){if(h=me.getViewerPose(c||o),g=me,h!==null){let ve=h.views;f!==null&&(e.setRenderTargetFramebuffer(b,f.framebuffer),e.setRenderTarget(b));let Ae=!1;ve.length!==F.cameras.length&&(F.cameras.length=0,Ae=!0);for(let Ge=0;Ge<ve.length;Ge++){let ut=ve[Ge],lt=null;if(f!==null)lt=f.getViewport(ut);else{let $t=u.getViewSubImage(d,ut);lt=$t.viewport,Ge===0&&(e.setRenderTargetTextures(b,$t.colorTexture,$t.depthStencilTexture),e.setRenderTarget(b))}let it=k[Ge];it===void 0&&(it=new Jn,it.layers.enable(Ge),it.viewport=new jt,k[Ge]=it),it.matrix.fromArray(ut.transform.matrix),it.matrix.decompose(it.position,it.quaternion,it.scale),it.projectionMatrix.fromArray(ut.projectionMatrix),it.projectionMatrixInverse.copy(it.projectionMatrix).invert(),it.viewport.set(lt.x,lt.y,lt.width,lt.height),Ge===0&&(F.matrix.copy(it.matrix),F.matrix.decompose(F.position,F.quaternion,F.scale)),Ae===!0&&F.cameras.push(it)}let Me=s.enabledFeatures;if(Me&&Me.includes("depth-sensing")&&s.depthUsage=="gpu-optimized"&&v){u=n.getBinding();let Ge=u.getDepthInformation(ve[0]);Ge&&Ge.isValid&&Ge.texture&&m.init(Ge,s.renderState)}if(Me&&Me.includes("camera-access")&&v){e.state.unbindTexture(),u=n.getBinding();for(let Ge=0;Ge<ve.length;Ge++){let ut=ve[Ge].camera;if(ut){let lt=p[ut];lt||(lt=new Ra,p[ut]=lt);let it=u.getCameraImage(ut);lt.sourceTexture=it}}}}for(let ve=0;ve<C.length;ve++){let Ae=A[ve],Me=C[ve];Ae!==null&&Me!==void 0&&Me.update(Ae,me,c||o)}ie&&ie(ee,me),me.detectedPlanes&&n.dispatchEvent({type:"planesdetected",data:me}),g=null}let ue=new uy;ue.setAnimationLoop(de),this.setAnimationLoop=function(ee){ie=ee},this.dispose=function(){}}},SE=new zt,by=new nt;by.set(-1,0,0,0,1,0,0,0,1);function wE(i,e){function t(m,p){m.matrixAutoUpdate===!0&&m.updateMatrix(),p.value.copy(m.matrix)}function n(m,p){p.color.getRGB(m.fogColor.value,sf(i)),p.isFog?(m.fogNear.value=p.near,m.fogFar.value=p.far):p.isFogExp2&&(m.fogDensity.value=p.density)}function s(m,p,x,M,b){p.isNodeMaterial?p.uniformsNeedUpdate=!1:p.isMeshBasicMaterial?r(m,p):p.isMeshLambertMaterial?(r(m,p),p.envMap&&(m.envMapIntensity.value=p.envMapIntensity)):p.isMeshToonMaterial?(r(m,p),u(m,p)):p.isMeshPhongMaterial?(r(m,p),h(m,p),p.envMap&&(m.envMapIntensity.value=p.envMapIntensity)):p.isMeshStandardMaterial?(r(m,p),d(m,p),p.isMeshPhysicalMaterial&&f(m,p,b)):p.isMeshMatcapMaterial?(r(m,p),g(m,p)):p.isMeshDepthMaterial?r(m,p):p.isMeshDistanceMaterial?(r(m,p),v(m,p)):p.isMeshNormalMaterial?r(m,p):p.isLineBasicMaterial?(o(m,p),p.isLineDashedMaterial&&a(m,p)):p.isPointsMaterial?l(m,p,x,M):p.isSpriteMaterial?c(m,p):p.isShadowMaterial?(m.color.value.copy(p.color),m.opacity.value=p.opacity):p.isShaderMaterial&&(p.uniformsNeedUpdate=!1)}function r(m,p){m.opacity.value=p.opacity,p.color&&m.diffuse.value.copy(p.color),p.emissive&&m.emissive.value.copy(p.emissive).multiplyScalar(p.emissiveIntensity),p.map&&(m.map.value=p.map,t(p.map,m.mapTransform)),p.alphaMap&&(m.alphaMap.value=p.alphaMap,t(p.alphaMap,m.alphaMapTransform)),p.bumpMap&&(m.bumpMap.value=p.bumpMap,t(p.bumpMap,m.bumpMapTransform),m.bumpScale.value=p.bumpScale,p.side===jn&&(m.bumpScale.value*=-1)),p.normalMap&&(m.normalMap.value=p.normalMap,t(p.normalMap,m.normalMapTransform),m.normalScale.value.copy(p.normalScale),p.side===jn&&m.normalScale.value.negate()),p.displacementMap&&(m.displacementMap.value=p.displacementMap,t(p.displacementMap,m.displacementMapTransform),m.displacementScale.value=p.displacementScale,m.displacementBias.value=p.displacementBias),p.emissiveMap&&(m.emissiveMap.value=p.emissiveMap,t(p.emissiveMap,m.emissiveMapTransform)),p.specularMap&&(m.specularMap.value=p.specularMap,t(p.specularMap,m.specularMapTransform)),p.alphaTest>0&&(m.alphaTest.value=p.alphaTest);let x=e.get(p),M=x.envMap,b=x.envMapRotation;M&&(m.envMap.value=M,m.envMapRotation.value.setFromMatrix4(SE.makeRotationFromEuler(b)).transpose(),M.isCubeTexture&&M.isRenderTargetTexture===!1&&m.envMapRotation.value.premultiply(by),m.reflectivity.value=p.reflectivity,m.ior.value=p.ior,m.refractionRatio.value=p.refractionRatio),p.lightMap&&(m.lightMap.value=p.lightMap,m.lightMapIntensity.value=p.lightMapIntensity,t(p.lightMap,m.lightMapTransform)),p.aoMap&&(m.aoMap.value=p.aoMap,m.aoMapIntensity.value=p.aoMapIntensity,t(p.aoMap,m.aoMapTransform))}function o(m,p){m.diffuse.value.copy(p.color),m.opacity.value=p.opacity,p.map&&(m.map.value=p.map,t(p.map,m.mapTransform))}function a(m,p){m.dashSize.value=p.dashSize,m.totalSize.value=p.dashSize+p.gapSize,m.scale.value=p.scale}function l(m,p,x,M){m.diffuse.value.copy(p.color),m.opacity.value=p.opacity,m.size.value=p.size*x,m.scale.value=M*.5,p.map&&(m.map.value=p.map,t(p.map,m.uvTransform)),p.alphaMap&&(m.alphaMap.value=p.alphaMap,t(p.alphaMap,m.alphaMapTransform)),p.alphaTest>0&&(m.alphaTest.value=p.alphaTest)}function c(m,p){m.diffuse.value.copy(p.color),m.opacity.value=p.opacity,m.rotation.value=p.rotation,p.map&&(m.map.value=p.map,t(p.map,m.mapTransform)),p.alphaMap&&(m.alphaMap.value=p.alphaMap,t(p.alphaMap,m.alphaMapTransform)),p.alphaTest>0&&(m.alphaTest.value=p.alphaTest)}function h(m,p){m.specular.value.copy(p.specular),m.shininess.value=Math.max(p.shininess,1e-4)}function u(m,p){p.gradientMap&&(m.gradientMap.value=p.gradientMap)}function d(m,p){m.metalness.value=p.metalness,p.metalnessMap&&(m.metalnessMap.value=p.metalnessMap,t(p.metalnessMap,m.metalnessMapTransform)),m.roughness.value=p.roughness,p.roughnessMap&&(m.roughnessMap.value=p.roughnessMap,t(p.roughnessMap,m.roughnessMapTransform)),p.envMap&&(m.envMapIntensity.value=p.envMapIntensity)}function f(m,p,x){m.ior.value=p.ior,p.diffuseRoughness>0&&(m.diffuseRoughness.value=p.diffuseRoughness,p.diffuseRoughnessMap&&(m.diffuseRoughnessMap.value=p.diffuseRoughnessMap,t(p.diffuseRoughnessMap,m.diffuseRoughnessMapTransform))),p.sheen>0&&(m.sheenColor.value.copy(p.sheenColor).multiplyScalar(p.sheen),m.sheenRoughness.value=p.sheenRoughness,p.sheenColorMap&&(m.sheenColorMap.value=p.sheenColorMap,t(p.sheenColorMap,m.sheenColorMapTransform)),p.sheenRoughnessMap&&(m.sheenRoughnessMap.value=p.sheenRoughnessMap,t(p.sheenRoughnessMap,m.sheenRoughnessMapTransform))),p.clearcoat>0&&(m.clearcoat.value=p.clearcoat,m.clearcoatRoughness.value=p.clearcoatRoughness,p.clearcoatMap&&(m.clearcoatMap.value=p.clearcoatMap,t(p.clearcoatMap,m.clearcoatMapTransform)),p.clearcoatRoughnessMap&&(m.clearcoatRoughnessMap.value=p.clearcoatRoughnessMap,t(p.clearcoatRoughnessMap,m.clearcoatRoughnessMapTransform)),p.clearcoatNormalMap&&(m.clearcoatNormalMap.value=p.clearcoatNormalMap,t(p.clearcoatNormalMap,m.clearcoatNormalMapTransform),m.clearcoatNormalScale.value.copy(p.clearcoatNormalScale),p.side===jn&&m.clearcoatNormalScale.value.negate())),p.dispersion>0&&(m.dispersion.value=p.dispersion),p.retroreflectivity>0&&(m.retroreflectivity.value=p.retroreflectivity),p.iridescence>0&&(m.iridescence.value=p.iridescence,m.iridescenceIOR.value=p.iridescenceIOR,m.iridescenceThicknessMinimum.value=p.iridescenceThicknessMinimum,m.iridescenceThicknessMaximum.value=p.iridescenceThicknessMaximum,p.iridescenceMap&&(m.iridescenceMap.value=p.iridescenceMap,t(p.iridescenceMap,m.iridescenceMapTransform)),p.iridescenceThicknessMap&&(m.iridescenceThicknessMap.value=p.iridescenceThicknessMap,t(p.iridescenceThicknessMap,m.iridescenceThicknessMapTransform))),p.transmission>0&&(m.transmission.value=p.transmission,m.transmissionSamplerMap.value=x.texture,m.transmissionSamplerSize.value.set(x.width,x.height),p.transmissionMap&&(m.transmissionMap.value=p.transmissionMap,t(p.transmissionMap,m.transmissionMapTransform)),m.thickness.value=p.thickness,p.thicknessMap&&(m.thicknessMap.value=p.thicknessMap,t(p.thicknessMap,m.thicknessMapTransform)),m.attenuationDistance.value=p.attenuationDistance,m.attenuationColor.value.copy(p.attenuationColor)),p.anisotropy>0&&(m.anisotropyVector.value.set(p.anisotropy*Math.cos(p.anisotropyRotation),p.anisotropy*Math.sin(p.anisotropyRotation)),p.anisotropyMap&&(m.anisotropyMap.value=p.anisotropyMap,t(p.anisotropyMap,m.anisotropyMapTransform))),m.specularIntensity.value=p.specularIntensity,m.specularColor.value.copy(p.specularColor),p.specularColorMap&&(m.specularColorMap.value=p.specularColorMap,t(p.specularColorMap,m.specularColorMapTransform)),p.specularIntensityMap&&(m.specularIntensityMap.value=p.specularIntensityMap,t(p.specularIntensityMap,m.specularIntensityMapTransform))}function g(m,p){p.matcap&&(m.matcap.value=p.matcap)}function v(m,p){let x=e.get(p).light;m.referencePosition.value.setFromMatrixPosition(x.matrixWorld),m.nearDistance.value=x.shadow.camera.near,m.farDistance.value=x.shadow.camera.far}return{refreshFogUniforms:n,refreshMaterialUniforms:s}}function EE(i,e,t,n){let s={},r={};function o(x,M){let b=M.program;n.uniformBlockBinding(x,b,s[x.id])}function a(x,M){let b=s[x.id];b===void 0&&(g(x),b=l(x),s[x.id]=b,x.addEventListener("dispose",m));let C=M.program;n.updateUBOMapping(x,C);let A=e.render.frame;r[x.id]!==A&&(c(x),r[x.id]=A)}function l(x){let M=i.createBuffer(),b=x.__size,C=x.usage;return i.bindBuffer(i.UNIFORM_BUFFER,M),i.bufferData(i.UNIFORM_BUFFER,b,C),i.bindBuffer(i.UNIFORM_BUFFER,null),M}function c(x){let M=s[x.id],b=x.uniforms,C=x.__cache;i.bindBuffer(i.UNIFORM_BUFFER,M);for(let A=0,y=b.length;A<y;A++){let S=b[A];if(Array.isArray(S))for(let U=0,I=S.length;U<I;U++)h(S[U],A,U,C);else h(S,A,0,C)}i.bindBuffer(i.UNIFORM_BUFFER,null)}function h(x,M,b,C){if(d(x,M,b,C)===!0){let A=x.__offset,y=x.value;if(Array.isArray(y)){let S=0;for(let U=0;U<y.length;U++){let I=y[U],R=v(I,!0);u(I,x.__data,S),S+=R.storage/Float32Array.BYTES_PER_ELEMENT}}else u(y,x.__data,0);i.bufferSubData(i.UNIFORM_BUFFER,A,x.__data)}}function u(x,M,b){typeof x=="number"||typeof x=="boolean"?M[b]=x:x.isMatrix3?(M[b]=x.elements[0],M[b+1]=x.elements[1],M[b+2]=x.elements[2],M[b+3]=0,M[b+4]=x.elements[3],M[b+5]=x.elements[4],M[b+6]=x.elements[5],M[b+7]=0,M[b+8]=x.elements[6],M[b+9]=x.elements[7],M[b+10]=x.elements[8],M[b+11]=0):ArrayBuffer.isView(x)?M.set(x.subarray(0,M.length-b),b):x.toArray(M,b)}function d(x,M,b,C){let A=x.value,y=M+"_"+b;if(Array.isArray(A)){C[y]===void 0&&(C[y]=[]);let S=C[y],U=!1;for(let I=0;I<A.length;I++)f(A[I],S,I)===!0&&(U=!0);return U}return f(A,C,y)}function f(x,M,b){if(M[b]===void 0)return typeof x=="number"||typeof x=="boolean"?M[b]=x:ArrayBuffer.isView(x)?M[b]=x.slice():M[b]=x.clone(),!0;{let C=M[b];if(typeof x=="number"||typeof x=="boolean"){if(C!==x)return M[b]=x,!0}else{if(ArrayBuffer.isView(x))return!0;if(C.equals(x)===!1)return C.copy(x),!0}}return!1}function g(x){let M=x.uniforms,b=0,C=16;for(let y=0,S=M.length;y<S;y++){let U=Array.isArray(M[y])?M[y]:[M[y]];for(let I=0,R=U.length;I<R;I++){let k=U[I],F=Array.isArray(k.value)?k.value:[k.value],P=Array.isArray(M[y])||Array.isArray(k.value),V=b;for(let H=0,le=F.length;H<le;H++){let Z=F[H],Q=v(Z,P),ie=b%C,de=ie%Q.boundary,ue=ie+de;b+=de,ue!==0&&C-ue<Q.storage&&(b+=C-ue),H===0&&(V=b),b+=Q.storage}let q=k.type==="int"?Int32Array:k.type==="uint"?Uint32Array:Float32Array;k.__data=new q((b-V)/Float32Array.BYTES_PER_ELEMENT),k.__offset=V}}let A=b%C;return A>0&&(b+=C-A),x.__size=b,x.__cache={},this}function v(x,M){let b={boundary:0,storage:0};return typeof x=="number"||typeof x=="boolean"?(b.boundary=4,b.storage=4):x.isVector2?(b.boundary=8,b.storage=8):x.isVector3||x.isColor?(b.boundary=16,b.storage=12):x.isVector4?(b.boundary=16,b.storage=16):x.isMatrix3?(b.boundary=16,b.storage=48):x.isMatrix4?(b.boundary=16,b.storage=64):x.isTexture?Ze("WebGLRenderer: Texture samplers can not be part of an uniforms group."):ArrayBuffer.isView(x)?(b.boundary=16,b.storage=x.byteLength):Ze("WebGLRenderer: Unsupported uniform value type.",x),M===!0&&(b.boundary=16,b.storage=Math.ceil(b.storage/16)*16),b}function m(x){let M=x.target;M.removeEventListener("dispose",m),i.deleteBuffer(s[M.id]),delete s[M.id],delete r[M.id]}function p(){for(let x in s)i.deleteBuffer(s[x]);s={},r={}}return{bind:o,update:a,dispose:p}}var TE=new Uint16Array([12469,15057,12620,14925,13266,14620,13807,14376,14323,13990,14545,13625,14713,13328,14840,12882,14931,12528,14996,12233,15039,11829,15066,11525,15080,11295,15085,10976,15082,10705,15073,10495,13880,14564,13898,14542,13977,14430,14158,14124,14393,13732,14556,13410,14702,12996,14814,12596,14891,12291,14937,11834,14957,11489,14958,11194,14943,10803,14921,10506,14893,10278,14858,9960,14484,14039,14487,14025,14499,13941,14524,13740,14574,13468,14654,13106,14743,12678,14818,12344,14867,11893,14889,11509,14893,11180,14881,10751,14852,10428,14812,10128,14765,9754,14712,9466,14764,13480,14764,13475,14766,13440,14766,13347,14769,13070,14786,12713,14816,12387,14844,11957,14860,11549,14868,11215,14855,10751,14825,10403,14782,10044,14729,9651,14666,9352,14599,9029,14967,12835,14966,12831,14963,12804,14954,12723,14936,12564,14917,12347,14900,11958,14886,11569,14878,11247,14859,10765,14828,10401,14784,10011,14727,9600,14660,9289,14586,8893,14508,8533,15111,12234,15110,12234,15104,12216,15092,12156,15067,12010,15028,11776,14981,11500,14942,11205,14902,10752,14861,10393,14812,9991,14752,9570,14682,9252,14603,8808,14519,8445,14431,8145,15209,11449,15208,11451,15202,11451,15190,11438,15163,11384,15117,11274,15055,10979,14994,10648,14932,10343,14871,9936,14803,9532,14729,9218,14645,8742,14556,8381,14461,8020,14365,7603,15273,10603,15272,10607,15267,10619,15256,10631,15231,10614,15182,10535,15118,10389,15042,10167,14963,9787,14883,9447,14800,9115,14710,8665,14615,8318,14514,7911,14411,7507,14279,7198,15314,9675,15313,9683,15309,9712,15298,9759,15277,9797,15229,9773,15166,9668,15084,9487,14995,9274,14898,8910,14800,8539,14697,8234,14590,7790,14479,7409,14367,7067,14178,6621,15337,8619,15337,8631,15333,8677,15325,8769,15305,8871,15264,8940,15202,8909,15119,8775,15022,8565,14916,8328,14804,8009,14688,7614,14569,7287,14448,6888,14321,6483,14088,6171,15350,7402,15350,7419,15347,7480,15340,7613,15322,7804,15287,7973,15229,8057,15148,8012,15046,7846,14933,7611,14810,7357,14682,7069,14552,6656,14421,6316,14251,5948,14007,5528,15356,5942,15356,5977,15353,6119,15348,6294,15332,6551,15302,6824,15249,7044,15171,7122,15070,7050,14949,6861,14818,6611,14679,6349,14538,6067,14398,5651,14189,5311,13935,4958,15359,4123,15359,4153,15356,4296,15353,4646,15338,5160,15311,5508,15263,5829,15188,6042,15088,6094,14966,6001,14826,5796,14678,5543,14527,5287,14377,4985,14133,4586,13869,4257,15360,1563,15360,1642,15358,2076,15354,2636,15341,3350,15317,4019,15273,4429,15203,4732,15105,4911,14981,4932,14836,4818,14679,4621,14517,4386,14359,4156,14083,3795,13808,3437,15360,122,15360,137,15358,285,15355,636,15344,1274,15322,2177,15281,2765,15215,3223,15120,3451,14995,3569,14846,3567,14681,3466,14511,3305,14344,3121,14037,2800,13753,2467,15360,0,15360,1,15359,21,15355,89,15346,253,15325,479,15287,796,15225,1148,15133,1492,15008,1749,14856,1882,14685,1886,14506,1783,14324,1608,13996,1398,13702,1183]),os=null;function AE(){return os===null&&(os=new mc(TE,16,16,nr,Bi),os.name="DFG_LUT",os.minFilter=Dn,os.magFilter=Dn,os.wrapS=ns,os.wrapT=ns,os.generateMipmaps=!1,os.needsUpdate=!0),os}var wh=class{constructor(e={}){let{canvas:t=U0(),context:n=null,depth:s=!0,stencil:r=!1,alpha:o=!1,antialias:a=!1,premultipliedAlpha:l=!0,preserveDrawingBuffer:c=!1,powerPreference:h="default",failIfMajorPerformanceCaveat:u=!1,reversedDepthBuffer:d=!1,outputBufferType:f=gi}=e;this.isWebGLRenderer=!0;let g;if(n!==null){if(typeof WebGLRenderingContext<"u"&&n instanceof WebGLRenderingContext)throw new Error("THREE.WebGLRenderer: WebGL 1 is not supported since r163.");g=n.getContextAttributes().alpha}else g=o;let v=f,m=new Set([Wc,Hc,Gc]),p=new Set([gi,Oi,No,Ar,zc,Vc]),x=new Uint32Array(4),M=new Int32Array(4),b={textures:[],min:[],max:[],resolution:[]},C=null,A=null,y=[],S=[],U=null;this.domElement=t,this.debug={checkShaderErrors:!0,diagnostics:{keywords:!1},onShaderError:null},this.autoClear=!0,this.autoClearColor=!0,this.autoClearDepth=!0,this.autoClearStencil=!0,this.sortObjects=!0,this.clippingPlanes=[],this.localClippingEnabled=!1,this.toneMapping=rs,this.toneMappingExposure=1,this.transmissionResolutionScale=1;let I=this,R=!1,k=null,F=null,P=null,V=null;this._outputColorSpace=di;let q=0,H=0,le=null,Z=-1,Q=null,ie=new jt,de=new jt,ue=null,ee=new _t(0),me=0,ve=t.width,Ae=t.height,Me=1,We=null,rt=null,Ge=new jt(0,0,ve,Ae),ut=new jt(0,0,ve,Ae),lt=!1,it=new br,$t=new gc,Bt=!1,cn=!1,Lt=new zt,Sn=new W,bt=new jt,yn={background:null,fog:null,environment:null,overrideMaterial:null,isScene:!0},Qt=!1;function hn(){return le===null?Me:1}let z=n;function Re(T,G){return t.getContext(T,G)}let Je,ot,Se,Ut,Ve,$e,L,w,$,he,oe,ye,xe,te,se,pe,B,re,ne,we,ge,be,He;try{let T={alpha:!0,depth:s,stencil:r,antialias:a,premultipliedAlpha:l,preserveDrawingBuffer:c,powerPreference:h,failIfMajorPerformanceCaveat:u};if("setAttribute"in t&&t.setAttribute("data-engine",`three.js r${"187"}`),t.addEventListener("webglcontextlost",Oe,!1),t.addEventListener("webglcontextrestored",Qe,!1),t.addEventListener("webglcontextcreationerror",Ce,!1),z===null){let G="webgl2";if(z=Re(G,T),z===null)throw Re(G)?new Error("THREE.WebGLRenderer: Error creating WebGL context with your selected attributes."):new Error("THREE.WebGLRenderer: Error creating WebGL context.")}je()}catch(T){throw t.removeEventListener("webglcontextlost",Oe,!1),t.removeEventListener("webglcontextrestored",Qe,!1),t.removeEventListener("webglcontextcreationerror",Ce,!1),tt("WebGLRenderer: "+T.message),T}function je(){Je=new kw(z),Je.init(),ge=new _E(z,Je),ot=new Aw(z,Je,e,ge),Se=new vE(z,Je),ot.reversedDepthBuffer&&d&&Se.buffers.depth.setReversed(!0),F=z.createFramebuffer(),P=z.createFramebuffer(),V=z.createFramebuffer(),Ut=new Vw(z),Ve=new sE,$e=new xE(z,Je,Se,Ve,ot,ge,Ut),L=new Ow(I),w=new Hb(z),be=new Ew(z,w),$=new Bw(z,w,Ut,be),he=new Hw(z,$,w,be,Ut),re=new Gw(z,ot,$e),se=new Cw(Ve),oe=new iE(I,L,Je,ot,be,se),ye=new wE(I,Ve),xe=new oE,te=new dE(Je),B=new ww(I,L,Se,he,g,l),pe=new yE(I,he,ot),He=new EE(z,Ut,ot,Se),ne=new Tw(z,Je,Ut),we=new zw(z,Je,Ut),Ut.programs=oe.programs,I.capabilities=ot,I.extensions=Je,I.properties=Ve,I.renderLists=xe,I.shadowMap=pe,I.state=Se,I.info=Ut}v!==gi&&(U=new Xw(v,t.width,t.height,a,s,r));let ce=new yf(I,z);this.xr=ce,this.getContext=function(){return z},this.getContextAttributes=function(){return z.getContextAttributes()},this.forceContextLoss=function(){let T=Je.get("WEBGL_lose_context");T&&T.loseContext()},this.forceContextRestore=function(){let T=Je.get("WEBGL_lose_context");T&&T.restoreContext()},this.getPixelRatio=function(){return Me},this.setPixelRatio=function(T){T!==void 0&&(Me=T,this.setSize(ve,Ae,!1))},this.getSize=function(T){return T.set(ve,Ae)},this.setSize=function(T,G,j=!0){if(ce.isPresenting){Ze("WebGLRenderer: Can't change size while VR device is presenting.");return}ve=T,Ae=G,t.width=Math.floor(T*Me),t.height=Math.floor(G*Me),j===!0&&(t.style.width=T+"px",t.style.height=G+"px"),U!==null&&U.setSize(t.width,t.height),this.setViewport(0,0,T,G)},this.getDrawingBufferSize=function(T){return T.set(ve*Me,Ae*Me).floor()},this.setDrawingBufferSize=function(T,G,j){ve=T,Ae=G,Me=j,t.width=Math.floor(T*j),t.height=Math.floor(G*j),this.setViewport(0,0,T,G)},this.setEffects=function(T){if(v===gi){tt("WebGLRenderer: setEffects() requires outputBufferType set to HalfFloatType or FloatType.");return}if(T){for(let G=0;G<T.length;G++)if(T[G].isOutputPass===!0){Ze("WebGLRenderer: OutputPass is not needed in setEffects(). Tone mapping and color space conversion are applied automatically.");break}}U.setEffects(T||[])},this.getCurrentViewport=function(T){return T.copy(ie)},this.getViewport=function(T){return T.copy(Ge)},this.setViewport=function(T,G,j,Y){T.isVector4?Ge.set(T.x,T.y,T.z,T.w):Ge.set(T,G,j,Y),Se.viewport(ie.copy(Ge).multiplyScalar(hn()).round())},this.getScissor=function(T){return T.copy(ut)},this.setScissor=function(T,G,j,Y){T.isVector4?ut.set(T.x,T.y,T.z,T.w):ut.set(T,G,j,Y),Se.scissor(de.copy(ut).multiplyScalar(hn()).round())},this.getScissorTest=function(){return lt},this.setScissorTest=function(T){Se.setScissorTest(lt=T)},this.setOpaqueSort=function(T){We=T},this.setTransparentSort=function(T){rt=T},this.getClearColor=function(T){return T.copy(B.getClearColor())},this.setClearColor=function(){B.setClearColor(...arguments)},this.getClearAlpha=function(){return B.getClearAlpha()},this.setClearAlpha=function(){B.setClearAlpha(...arguments)},this.clear=function(T=!0,G=!0,j=!0){let Y=0;if(T){let J=!1;if(le!==null){let Ee=le.texture.format;J=m.has(Ee)}if(J){let Ee=le.texture.type,Pe=p.has(Ee),Te=B.getClearColor(),Ie=B.getClearAlpha(),ze=Te.r,et=Te.g,dt=Te.b;Pe?(x[0]=ze,x[1]=et,x[2]=dt,x[3]=Ie,z.clearBufferuiv(z.COLOR,0,x)):(M[0]=ze,M[1]=et,M[2]=dt,M[3]=Ie,z.clearBufferiv(z.COLOR,0,M))}else Y|=z.COLOR_BUFFER_BIT}G&&(Y|=z.DEPTH_BUFFER_BIT,this.state.buffers.depth.setMask(!0)),j&&(Y|=z.STENCIL_BUFFER_BIT,this.state.buffers.stencil.setMask(4294967295)),Y!==0&&z.clear(Y)},this.clearColor=function(){this.clear(!0,!1,!1)},this.clearDepth=function(){this.clear(!1,!0,!1)},this.clearStencil=function(){this.clear(!1,!1,!0)},this.setNodesHandler=function(T){T.setRenderer(this),k=T},this.dispose=function(){t.removeEventListener("webglcontextlost",Oe,!1),t.removeEventListener("webglcontextrestored",Qe,!1),t.removeEventListener("webglcontextcreationerror",Ce,!1),B.dispose(),xe.dispose(),te.dispose(),$e.dispose(),Ve.dispose(),L.dispose(),he.dispose(),$.dispose(),be.dispose(),He.dispose(),oe.dispose(),ce.dispose(),ce.removeEventListener("sessionstart",$a),ce.removeEventListener("sessionend",Gi),ls.stop()};function Oe(T){T.preventDefault(),tf("WebGLRenderer: Context Lost."),R=!0}function Qe(){tf("WebGLRenderer: Context Restored."),R=!1;let T=Ut.autoReset,G=pe.enabled,j=pe.autoUpdate,Y=pe.needsUpdate,J=pe.type;je(),Ut.autoReset=T,pe.enabled=G,pe.autoUpdate=j,pe.needsUpdate=Y,pe.type=J}function Ce(T){tt("WebGLRenderer: A WebGL context could not be created. Reason: ",T.statusMessage)}function at(T){let G=T.target;G.removeEventListener("dispose",at),Vt(G)}function Vt(T){Gn(T),Ve.remove(T)}function Gn(T){let G=Ve.get(T).programs;G!==void 0&&(G.forEach(function(j){oe.releaseProgram(j)}),T.isShaderMaterial&&oe.releaseShaderCache(T))}this.renderBufferDirect=function(T,G,j,Y,J,Ee){G===null&&(G=yn);let Pe=J.isMesh&&J.matrixWorld.determinantAffine()<0,Te=$o(T,G,j,Y,J);Se.setMaterial(Y,Pe);let Ie=j.index,ze=1;if(Y.wireframe===!0){if(Ie=$.getWireframeAttribute(j),Ie===void 0)return;ze=2}let et=j.drawRange,dt=j.attributes.position,ke=et.start*ze,ft=(et.start+et.count)*ze;Ee!==null&&(ke=Math.max(ke,Ee.start*ze),ft=Math.min(ft,(Ee.start+Ee.count)*ze)),Ie!==null?(ke=Math.max(ke,0),ft=Math.min(ft,Ie.count)):dt!=null&&(ke=Math.max(ke,0),ft=Math.min(ft,dt.count));let Zt=ft-ke;if(Zt<0||Zt===1/0)return;be.setup(J,Y,Te,j,Ie);let Rt,Pt=ne;if(Ie!==null&&(Rt=w.get(Ie),Pt=we,Pt.setIndex(Rt)),J.isMesh)Y.wireframe===!0?(Se.setLineWidth(Y.wireframeLinewidth*hn()),Pt.setMode(z.LINES)):Pt.setMode(z.TRIANGLES);else if(J.isLine){let vn=Y.linewidth;vn===void 0&&(vn=1),Se.setLineWidth(vn*hn()),J.isLineSegments?Pt.setMode(z.LINES):J.isLineLoop?Pt.setMode(z.LINE_LOOP):Pt.setMode(z.LINE_STRIP)}else J.isPoints?Pt.setMode(z.POINTS):J.isSprite&&Pt.setMode(z.TRIANGLES);if(J.isBatchedMesh)if(Je.get("WEBGL_multi_draw"))Pt.renderMultiDraw(J._multiDrawStarts,J._multiDrawCounts,J._multiDrawCount);else{let vn=J._multiDrawStarts,Ue=J._multiDrawCounts,un=J._multiDrawCount,mt=Ie?w.get(Ie).bytesPerElement:1,hs=Ve.get(Y).currentProgram.getUniforms();for(let dn=0;dn<un;dn++)hs.setValue(z,"_gl_DrawID",dn),Pt.render(vn[dn]/mt,Ue[dn])}else if(J.isInstancedMesh)Pt.renderInstances(ke,Zt,J.count);else if(j.isInstancedBufferGeometry){let vn=j._maxInstanceCount!==void 0?j._maxInstanceCount:1/0,Ue=Math.min(j.instanceCount,vn);Pt.renderInstances(ke,Zt,Ue)}else Pt.render(ke,Zt)};function Wo(T,G,j,Y){k!==null&&T.isNodeMaterial&&k.setObject(Y,T),Bt===!0&&se.setState(T,j,!1),T.transparent===!0&&T.side===ss&&T.forceSinglePass===!1?(T.side=jn,T.needsUpdate=!0,Hi(T,G,Y),T.side=tr,T.needsUpdate=!0,Hi(T,G,Y),T.side=ss):Hi(T,G,Y)}this.compile=function(T,G,j=null){j===null&&(j=T),k!==null&&k.renderStart(T,G,j),A=te.get(j),A.init(G),S.push(A),j.traverseVisible(function(J){J.isLight&&J.layers.test(G.layers)&&(A.pushLight(J),J.castShadow&&A.pushShadow(J))}),T!==j&&T.traverseVisible(function(J){J.isLight&&J.layers.test(G.layers)&&(A.pushLight(J),J.castShadow&&A.pushShadow(J))}),A.setupLights(),k!==null&&k.updateLights(A.state.lightsArray),cn=this.localClippingEnabled,Bt=se.init(this.clippingPlanes,cn),Bt===!0&&se.setGlobalState(this.clippingPlanes,G),k!==null&&pe.render(A.state.shadowsArray,j,G);let Y=new Set;return T.traverse(function(J){if(!(J.isMesh||J.isPoints||J.isLine||J.isSprite))return;let Ee=J.material;if(Ee)if(Array.isArray(Ee))for(let Pe=0;Pe<Ee.length;Pe++){let Te=Ee[Pe];Wo(Te,j,G,J),Y.add(Te)}else Wo(Ee,j,G,J),Y.add(Ee)}),A=S.pop(),k!==null&&k.renderEnd(),Y},this.compileAsync=function(T,G,j=null){let Y=this.compile(T,G,j);return new Promise(J=>{function Ee(){if(Y.forEach(function(Pe){let Ie=Ve.get(Pe).currentProgram;(Ie===void 0||Ie.isReady())&&Y.delete(Pe)}),Y.size===0){J(T);return}setTimeout(Ee,10)}Je.get("KHR_parallel_shader_compile")!==null?Ee():setTimeout(Ee,10)})};let Rr=null;function Yh(T){Rr&&Rr(T)}function $a(){ls.stop()}function Gi(){ls.start()}let ls=new uy;ls.setAnimationLoop(Yh),typeof self<"u"&&ls.setContext(self),this.setAnimationLoop=function(T){Rr=T,ce.setAnimationLoop(T),T===null?ls.stop():ls.start()},ce.addEventListener("sessionstart",$a),ce.addEventListener("sessionend",Gi),this.render=function(T,G){if(G!==void 0&&G.isCamera!==!0){tt("WebGLRenderer.render: camera is not an instance of THREE.Camera.");return}if(R===!0)return;k!==null&&k.renderStart(T,G);let j=ce.enabled===!0&&ce.isPresenting===!0,Y=U!==null&&(le===null||j)&&U.begin(I,le);if(T.matrixWorldAutoUpdate===!0&&T.updateMatrixWorld(),G.parent===null&&G.matrixWorldAutoUpdate===!0&&G.updateMatrixWorld(),ce.enabled===!0&&ce.isPresenting===!0&&(U===null||U.isCompositing()===!1)&&(ce.cameraAutoUpdate===!0&&ce.updateCamera(G),G=ce.getCamera()),T.isScene===!0&&T.onBeforeRender(I,T,G,le),A=te.get(T,S.length),A.init(G),A.state.textureUnits=$e.getTextureUnits(),S.push(A),Lt.multiplyMatrices(G.projectionMatrix,G.matrixWorldInverse),G.isArrayCamera?$t.setFromArrayCamera(G):it.setFromProjectionMatrix(Lt,wi,G.reversedDepth),cn=this.localClippingEnabled,Bt=se.init(this.clippingPlanes,cn),C=xe.get(T,y.length),C.init(),y.push(C),this.info.render.frame++,ce.enabled===!0&&ce.isPresenting===!0){let Pe=I.xr.getDepthSensingMesh();Pe!==null&&cs(Pe,G,-1/0,I.sortObjects)}cs(T,G,0,I.sortObjects),C.finish(),k!==null&&k.updateLights(A.state.lightsArray),I.sortObjects===!0&&C.sort(We,rt),Qt=ce.enabled===!1||ce.isPresenting===!1||ce.hasDepthSensing()===!1,Qt&&B.addToRenderList(C,T),this.info.autoReset===!0&&this.info.reset(),Bt===!0&&se.beginShadows();let J=A.state.shadowsArray;if(pe.render(J,T,G),Bt===!0&&se.endShadows(),(Y&&U.hasRenderPass())===!1){let Pe=C.opaque,Te=C.transmissive;if(A.setupLights(),G.isArrayCamera){let Ie=G.cameras;if(Te.length>0)for(let ze=0,et=Ie.length;ze<et;ze++){let dt=Ie[ze];Ei(Pe,Te,T,dt)}Qt&&B.render(T);for(let ze=0,et=Ie.length;ze<et;ze++){let dt=Ie[ze];Xo(C,T,dt,dt.viewport)}}else Te.length>0&&Ei(Pe,Te,T,G),Qt&&B.render(T),Xo(C,T,G)}le!==null&&H===0&&($e.updateMultisampleRenderTarget(le),$e.updateRenderTargetMipmap(le)),Y&&U.end(I),T.isScene===!0&&T.onAfterRender(I,T,G),be.resetDefaultState(),Z=-1,Q=null,S.pop(),S.length>0?(A=S[S.length-1],$e.setTextureUnits(A.state.textureUnits),Bt===!0&&se.setGlobalState(I.clippingPlanes,A.state.camera)):A=null,y.pop(),y.length>0?C=y[y.length-1]:C=null,k!==null&&k.renderEnd()};function cs(T,G,j,Y){if(T.visible===!1)return;if(T.layers.test(G.layers)){if(T.isGroup)j=T.renderOrder;else if(T.isLOD)T.autoUpdate===!0&&T.update(G);else if(T.isLight)A.pushLight(T),T.castShadow&&A.pushShadow(T);else if(T.isSprite){let Pe=G.isArrayCamera?$t:it;if(!T.frustumCulled||T.intersectsFrustum(Pe)){Y&&bt.setFromMatrixPosition(T.matrixWorld).applyMatrix4(Lt);let Te=he.update(T),Ie=T.material;Ie.visible&&C.push(T,Te,Ie,j,bt.z,null,G)}}else if(T.isMesh||T.isLine||T.isPoints){let Pe=G.isArrayCamera?$t:it;if(!T.frustumCulled||T.intersectsFrustum(Pe)){let Te=he.update(T),Ie=T.material;if(Y&&(T.boundingSphere!==void 0?(T.boundingSphere===null&&T.computeBoundingSphere(),bt.copy(T.boundingSphere.center)):(Te.boundingSphere===null&&Te.computeBoundingSphere(),bt.copy(Te.boundingSphere.center)),bt.applyMatrix4(T.matrixWorld).applyMatrix4(Lt)),Array.isArray(Ie)){let ze=Te.groups;for(let et=0,dt=ze.length;et<dt;et++){let ke=ze[et],ft=Ie[ke.materialIndex];ft&&ft.visible&&C.push(T,Te,ft,j,bt.z,ke,G)}}else Ie.visible&&C.push(T,Te,Ie,j,bt.z,null,G)}}}let Ee=T.children;for(let Pe=0,Te=Ee.length;Pe<Te;Pe++)cs(Ee[Pe],G,j,Y)}function Xo(T,G,j,Y){let{opaque:J,transmissive:Ee,transparent:Pe}=T;A.setupLightsView(j),Bt===!0&&se.setGlobalState(I.clippingPlanes,j),Y&&Se.viewport(ie.copy(Y)),J.length>0&&en(J,G,j),Ee.length>0&&en(Ee,G,j),Pe.length>0&&en(Pe,G,j),Se.buffers.depth.setTest(!0),Se.buffers.depth.setMask(!0),Se.buffers.color.setMask(!0),Se.setPolygonOffset(!1)}function Ei(T,G,j,Y){if((j.isScene===!0?j.overrideMaterial:null)!==null)return;if(A.state.transmissionRenderTarget[Y.id]===void 0){let ke=Je.has("EXT_color_buffer_half_float")||Je.has("EXT_color_buffer_float");A.state.transmissionRenderTarget[Y.id]=new Kn(1,1,{generateMipmaps:!0,type:ke?Bi:gi,minFilter:Fi,samples:Math.max(4,ot.samples),stencilBuffer:r,resolveDepthBuffer:!1,resolveStencilBuffer:!1,storeMultisampledDepthBuffer:!1,storeMultisampledStencilBuffer:!1,colorSpace:yt.workingColorSpace})}let Ee=A.state.transmissionRenderTarget[Y.id],Pe=Y.viewport||ie;Ee.setSize(Pe.z*I.transmissionResolutionScale,Pe.w*I.transmissionResolutionScale);let Te=I.getRenderTarget(),Ie=I.getActiveCubeFace(),ze=I.getActiveMipmapLevel();I.setRenderTarget(Ee),I.getClearColor(ee),me=I.getClearAlpha(),me<1&&I.setClearColor(16777215,.5),I.clear(),Qt&&B.render(j);let et=I.toneMapping;I.toneMapping=rs;let dt=Y.viewport;if(Y.viewport!==void 0&&(Y.viewport=void 0),A.setupLightsView(Y),Bt===!0&&se.setGlobalState(I.clippingPlanes,Y),en(T,j,Y),$e.updateMultisampleRenderTarget(Ee),$e.updateRenderTargetMipmap(Ee),Je.has("WEBGL_multisampled_render_to_texture")===!1){let ke=!1;for(let ft=0,Zt=G.length;ft<Zt;ft++){let Rt=G[ft],{object:Pt,geometry:vn,material:Ue,group:un}=Rt;if(Ue.side===ss&&Pt.layers.test(Y.layers)){let mt=Ue.side;Ue.side=jn,Ue.needsUpdate=!0,rn(Pt,j,Y,vn,Ue,un),Ue.side=mt,Ue.needsUpdate=!0,ke=!0}}ke===!0&&($e.updateMultisampleRenderTarget(Ee),$e.updateRenderTargetMipmap(Ee))}I.setRenderTarget(Te,Ie,ze),I.setClearColor(ee,me),dt!==void 0&&(Y.viewport=dt),I.toneMapping=et}function en(T,G,j){let Y=G.isScene===!0?G.overrideMaterial:null;for(let J=0,Ee=T.length;J<Ee;J++){let Pe=T[J],{object:Te,geometry:Ie,group:ze}=Pe,et=Pe.material;et.allowOverride===!0&&Y!==null&&(et=Y),Te.layers.test(j.layers)&&rn(Te,G,j,Ie,et,ze)}}function rn(T,G,j,Y,J,Ee){k!==null&&J.isNodeMaterial&&k.setObject(T,J),T.onBeforeRender(I,G,j,Y,J,Ee),T.modelViewMatrix.multiplyMatrices(j.matrixWorldInverse,T.matrixWorld),T.normalMatrix.getNormalMatrix(T.modelViewMatrix),J.onBeforeRender(I,G,j,Y,T,Ee),J.transparent===!0&&J.side===ss&&J.forceSinglePass===!1?(J.side=jn,J.needsUpdate=!0,I.renderBufferDirect(j,G,Y,J,T,Ee),J.side=tr,J.needsUpdate=!0,I.renderBufferDirect(j,G,Y,J,T,Ee),J.side=ss):I.renderBufferDirect(j,G,Y,J,T,Ee),T.onAfterRender(I,G,j,Y,J,Ee)}function on(T){let G=0;for(let j of T)j.texture!==null&&G++;return G}function Hi(T,G,j){G.isScene!==!0&&(G=yn);let Y=Ve.get(T),J=A.state.lights,Ee=A.state.shadowsArray,Pe=J.state.version,Te=oe.getParameters(T,J.state,Ee,G,j,A.state.lightProbeGridArray),Ie=oe.getProgramCacheKey(Te),ze=Y.programs;Y.environment=T.isMeshStandardMaterial||T.isMeshLambertMaterial||T.isMeshPhongMaterial?G.environment:null,Y.fog=G.fog;let et=T.isMeshStandardMaterial||T.isMeshLambertMaterial&&!T.envMap||T.isMeshPhongMaterial&&!T.envMap;Y.envMap=L.get(T.envMap||Y.environment,et),Y.envMapRotation=Y.environment!==null&&T.envMap===null?G.environmentRotation:T.envMapRotation,ze===void 0&&(T.addEventListener("dispose",at),ze=new Map,Y.programs=ze,Y.programVariants=new Map);let dt=ze.get(Ie);if(dt!==void 0){if(Y.currentProgram===dt&&Y.lightsStateVersion===Pe)return qo(T,Te),dt}else Te.uniforms=oe.getUniforms(T),k!==null&&T.isNodeMaterial&&k.build(T,j,Te),T.onBeforeCompile(Te,I),dt=oe.acquireProgram(Te,Ie),ze.set(Ie,dt),Y.uniforms=Te.uniforms;let ke=Y.uniforms;return(!T.isShaderMaterial&&!T.isRawShaderMaterial||T.clipping===!0)&&(ke.clippingPlanes=se.uniform),qo(T,Te),Y.needsLights=Cs(T),Y.lightsStateVersion=Pe,Y.needsLights&&(ke.ambientLightColor.value=J.state.ambient,ke.lightProbe.value=J.state.probe,ke.sunLights.value=J.state.sun,ke.sunLightShadows.value=J.state.sunShadow,ke.directionalLights.value=J.state.directional,ke.directionalLightShadows.value=J.state.directionalShadow,ke.spotLights.value=J.state.spot,ke.spotLightShadows.value=J.state.spotShadow,ke.rectAreaLights.value=J.state.rectArea,ke.ltc_1.value=J.state.rectAreaLTC1,ke.ltc_2.value=J.state.rectAreaLTC2,ke.pointLights.value=J.state.point,ke.pointLightShadows.value=J.state.pointShadow,ke.hemisphereLights.value=J.state.hemi,ke.sunShadowMatrix.value=J.state.sunShadowMatrix,ke.sunShadowCascade.value=J.state.sunShadowCascade,ke.directionalShadowMatrix.value=J.state.directionalShadowMatrix,ke.spotLightMatrix.value=J.state.spotLightMatrix,ke.spotLightMap.value=J.state.spotLightMap,ke.pointShadowMatrix.value=J.state.pointShadowMatrix),Y.numLightProbeGrids=on(A.state.lightProbeGridArray),Y.currentProgram=dt,Y.uniformsList=null,dt}function ni(T,G,j,Y,J){let Ee=Ve.get(T),Pe=Ee.currentProgram.id+","+Y+","+J,Te=Ee.programVariants.get(Pe);return Te===void 0?(Te=Hi(T,G,j),Ee.programVariants.set(Pe,Te)):(Ee.currentProgram=Te,Ee.uniformsList=null,Ee.outputColorSpace=Y,Ee.toneMapping=J),Te}function As(T){if(T.uniformsList===null){let G=T.currentProgram.getUniforms();T.uniformsList=Do.seqWithValue(G.seq,T.uniforms)}return T.uniformsList}function qo(T,G){let j=Ve.get(T);j.outputColorSpace=G.outputColorSpace,j.batching=G.batching,j.batchingColor=G.batchingColor,j.instancing=G.instancing,j.instancingColor=G.instancingColor,j.instancingMorph=G.instancingMorph,j.skinning=G.skinning,j.morphTargets=G.morphTargets,j.morphNormals=G.morphNormals,j.morphColors=G.morphColors,j.morphTargetsCount=G.morphTargetsCount,j.numClippingPlanes=G.numClippingPlanes,j.numIntersection=G.numClipIntersection,j.vertexAlphas=G.vertexAlphas,j.vertexTangents=G.vertexTangents,j.toneMapping=G.toneMapping}function $o(T,G,j,Y,J){G.isScene!==!0&&(G=yn),$e.resetTextureUnits();let Ee=G.fog,Pe=Y.isMeshStandardMaterial||Y.isMeshLambertMaterial||Y.isMeshPhongMaterial?G.environment:null,Te=le===null?I.outputColorSpace:le.isXRRenderTarget===!0?le.texture.colorSpace:yt.workingColorSpace,Ie=Y.isMeshStandardMaterial||Y.isMeshLambertMaterial&&!Y.envMap||Y.isMeshPhongMaterial&&!Y.envMap,ze=L.get(Y.envMap||Pe,Ie),et=Y.vertexColors===!0&&!!j.attributes.color&&j.attributes.color.itemSize===4,dt=!!j.attributes.tangent&&(!!Y.normalMap||Y.anisotropy>0),ke=!!j.morphAttributes.position,ft=!!j.morphAttributes.normal,Zt=!!j.morphAttributes.color,Rt=rs;Y.toneMapped&&(le===null||le.isXRRenderTarget===!0)&&(Rt=I.toneMapping);let Pt=j.morphAttributes.position||j.morphAttributes.normal||j.morphAttributes.color,vn=Pt!==void 0?Pt.length:0,Ue=Ve.get(Y),un=A.state.lights;if(Bt===!0&&(cn===!0||T!==Q)){let It=T===Q&&Y.id===Z;se.setState(Y,T,It)}let mt=!1,hs=!1;Y.version===Ue.__version?Ue.needsLights&&Ue.lightsStateVersion!==un.state.version||J.isBatchedMesh&&Ue.batching===!1||!J.isBatchedMesh&&Ue.batching===!0||J.isBatchedMesh&&Ue.batchingColor===!0&&J._colorsTexture===null||J.isBatchedMesh&&Ue.batchingColor===!1&&J._colorsTexture!==null||J.isInstancedMesh&&Ue.instancing===!1||!J.isInstancedMesh&&Ue.instancing===!0||J.isSkinnedMesh&&Ue.skinning===!1||!J.isSkinnedMesh&&Ue.skinning===!0||J.isInstancedMesh&&Ue.instancingColor===!0&&J.instanceColor===null||J.isInstancedMesh&&Ue.instancingColor===!1&&J.instanceColor!==null||J.isInstancedMesh&&Ue.instancingMorph===!0&&J.morphTexture===null||J.isInstancedMesh&&Ue.instancingMorph===!1&&J.morphTexture!==null||Ue.envMap!==ze||Y.fog===!0&&Ue.fog!==Ee||Ue.numClippingPlanes!==void 0&&(Ue.numClippingPlanes!==se.numPlanes||Ue.numIntersection!==se.numIntersection)||Ue.vertexAlphas!==et||Ue.vertexTangents!==dt||Ue.morphTargets!==ke||Ue.morphNormals!==ft||Ue.morphColors!==Zt||Ue.morphTargetsCount!==vn||Ue.numLightProbeGrids!==on(A.state.lightProbeGridArray)?mt=!0:(Ue.outputColorSpace!==Te||Ue.toneMapping!==Rt)&&(hs=!0):(mt=!0,Ue.__version=Y.version);let dn=Ue.currentProgram;(mt===!0||hs===!0)&&(dn=hs===!0?ni(Y,G,J,Te,Rt):Hi(Y,G,J),k&&Y.isNodeMaterial&&k.onUpdateProgram(Y,dn,Ue));let Lr=!1,Wi=!1,us=!1,ct=dn.getUniforms(),tn=Ue.uniforms;if(Se.useProgram(dn.program)&&(Lr=!0,Wi=!0,us=!0),Y.id!==Z&&(Z=Y.id,Wi=!0),Lr||Q!==T){Se.buffers.depth.getReversed()&&T.reversedDepth!==!0&&(T._reversedDepth=!0,T.updateProjectionMatrix()),ct.setValue(z,"projectionMatrix",T.projectionMatrix),ct.setValue(z,"viewMatrix",T.matrixWorldInverse);let fn=ct.map.cameraPosition;fn!==void 0&&fn.setValue(z,Sn.setFromMatrixPosition(T.matrixWorld)),ot.logarithmicDepthBuffer&&ct.setValue(z,"logDepthBufFC",2/(Math.log(T.far+1)/Math.LN2)),(Y.isMeshPhongMaterial||Y.isMeshToonMaterial||Y.isMeshLambertMaterial||Y.isMeshBasicMaterial||Y.isMeshStandardMaterial||Y.isShaderMaterial)&&ct.setValue(z,"isOrthographic",T.isOrthographicCamera===!0),Q!==T&&(Q=T,Wi=!0,us=!0)}if(Ue.needsLights&&(un.state.sunShadowMap.length>0&&ct.setValue(z,"sunShadowMap",un.state.sunShadowMap,$e),un.state.directionalShadowMap.length>0&&ct.setValue(z,"directionalShadowMap",un.state.directionalShadowMap,$e),un.state.spotShadowMap.length>0&&ct.setValue(z,"spotShadowMap",un.state.spotShadowMap,$e),un.state.pointShadowMap.length>0&&ct.setValue(z,"pointShadowMap",un.state.pointShadowMap,$e)),J.isSkinnedMesh){ct.setOptional(z,J,"bindMatrix"),ct.setOptional(z,J,"bindMatrixInverse");let It=J.skeleton;It&&(It.boneTexture===null&&It.computeBoneTexture(),ct.setValue(z,"boneTexture",It.boneTexture,$e))}J.isBatchedMesh&&(ct.setOptional(z,J,"batchingTexture"),ct.setValue(z,"batchingTexture",J._matricesTexture,$e),ct.setOptional(z,J,"batchingIdTexture"),ct.setValue(z,"batchingIdTexture",J._indirectTexture,$e),ct.setOptional(z,J,"batchingColorTexture"),J._colorsTexture!==null&&ct.setValue(z,"batchingColorTexture",J._colorsTexture,$e));let Hn=j.morphAttributes;if((Hn.position!==void 0||Hn.normal!==void 0||Hn.color!==void 0)&&re.update(J,j,dn),(Wi||Ue.receiveShadow!==J.receiveShadow)&&(Ue.receiveShadow=J.receiveShadow,ct.setValue(z,"receiveShadow",J.receiveShadow)),(Y.isMeshStandardMaterial||Y.isMeshLambertMaterial||Y.isMeshPhongMaterial)&&Y.envMap===null&&G.environment!==null&&(tn.envMapIntensity.value=G.environmentIntensity),tn.dfgLUT!==void 0&&(tn.dfgLUT.value=AE()),Wi){if(ct.setValue(z,"toneMappingExposure",I.toneMappingExposure),Ue.needsLights&&Pr(tn,us),Ee&&Y.fog===!0&&ye.refreshFogUniforms(tn,Ee),ye.refreshMaterialUniforms(tn,Y,Me,Ae,A.state.transmissionRenderTarget[T.id]),Ue.needsLights&&Ue.numLightProbeGrids>0){let It=b,fn=0;for(let Fn of A.state.lightProbeGridArray)Fn.texture!==null&&(It.textures[fn]=Fn.texture,It.min[fn]=Fn.boundingBox.min,It.max[fn]=Fn.boundingBox.max,It.resolution[fn]=Fn.resolution,fn++);for(let Fn in It)It[Fn].length=fn;tn.probesSH.value=It.textures,tn.probesMin.value=It.min,tn.probesMax.value=It.max,tn.probesResolution.value=It.resolution}Do.upload(z,As(Ue),tn,$e)}if(Y.isShaderMaterial&&Y.uniformsNeedUpdate===!0&&(Do.upload(z,As(Ue),tn,$e),Y.uniformsNeedUpdate=!1),Y.isSpriteMaterial&&ct.setValue(z,"center",J.center),ct.setValue(z,"modelViewMatrix",J.modelViewMatrix),ct.setValue(z,"normalMatrix",J.normalMatrix),ct.setValue(z,"modelMatrix",J.matrixWorld),Y.uniformsGroups!==void 0){let It=Y.uniformsGroups;for(let fn=0,Fn=It.length;fn<Fn;fn++){let Ya=It[fn];He.update(Ya,dn),He.bind(Ya,dn)}}return dn}function Pr(T,G){T.ambientLightColor.needsUpdate=G,T.lightProbe.needsUpdate=G,T.sunLights.needsUpdate=G,T.sunLightShadows.needsUpdate=G,T.directionalLights.needsUpdate=G,T.directionalLightShadows.needsUpdate=G,T.pointLights.needsUpdate=G,T.pointLightShadows.needsUpdate=G,T.spotLights.needsUpdate=G,T.spotLightShadows.needsUpdate=G,T.rectAreaLights.needsUpdate=G,T.hemisphereLights.needsUpdate=G}function Cs(T){return T.isMeshLambertMaterial||T.isMeshToonMaterial||T.isMeshPhongMaterial||T.isMeshStandardMaterial||T.isShadowMaterial||T.isShaderMaterial&&T.lights===!0}this.getActiveCubeFace=function(){return q},this.getActiveMipmapLevel=function(){return H},this.getRenderTarget=function(){return le},this.setRenderTargetTextures=function(T,G,j){let Y=Ve.get(T);Y.__autoAllocateDepthBuffer=T.resolveDepthBuffer===!1,Y.__autoAllocateDepthBuffer===!1&&(Y.__useRenderToTexture=!1),Ve.get(T.texture).__webglTexture=G,Ve.get(T.depthTexture).__webglTexture=Y.__autoAllocateDepthBuffer?void 0:j,Y.__hasExternalTextures=!0},this.setRenderTargetFramebuffer=function(T,G){let j=Ve.get(T);j.__webglFramebuffer=G,j.__useDefaultFramebuffer=G===void 0},this.setRenderTarget=function(T,G=0,j=0){le=T,q=G,H=j;let Y=null,J=!1,Ee=!1;if(T){let Te=Ve.get(T);if(Te.__useDefaultFramebuffer!==void 0){Se.bindFramebuffer(z.FRAMEBUFFER,Te.__webglFramebuffer),ie.copy(T.viewport),de.copy(T.scissor),ue=T.scissorTest,Se.viewport(ie),Se.scissor(de),Se.setScissorTest(ue),Z=-1;return}else if(Te.__webglFramebuffer===void 0)$e.setupRenderTarget(T);else if(Te.__hasExternalTextures)$e.rebindTextures(T,Ve.get(T.texture).__webglTexture,Ve.get(T.depthTexture).__webglTexture);else if(T.depthBuffer){let et=T.depthTexture;if(Te.__boundDepthTexture!==et){if(et!==null&&Ve.has(et)&&(T.width!==et.image.width||T.height!==et.image.height))throw new Error("THREE.WebGLRenderer: Attached DepthTexture is initialized to the incorrect size.");$e.setupDepthRenderbuffer(T)}}let Ie=T.texture;(Ie.isData3DTexture||Ie.isDataArrayTexture||Ie.isCompressedArrayTexture)&&(Ee=!0);let ze=Ve.get(T).__webglFramebuffer;T.isWebGLCubeRenderTarget?(Array.isArray(ze[G])?Y=ze[G][j]:Y=ze[G],J=!0):T.samples>0&&$e.useMultisampledRTT(T)===!1?Y=Ve.get(T).__webglMultisampledFramebuffer:Array.isArray(ze)?Y=ze[j]:Y=ze,ie.copy(T.viewport),de.copy(T.scissor),ue=T.scissorTest}else ie.copy(Ge).multiplyScalar(Me).floor(),de.copy(ut).multiplyScalar(Me).floor(),ue=lt;if(j!==0&&(Y=F),Se.bindFramebuffer(z.FRAMEBUFFER,Y)&&Se.drawBuffers(T,Y),Se.viewport(ie),Se.scissor(de),Se.setScissorTest(ue),J){let Te=Ve.get(T.texture);z.framebufferTexture2D(z.FRAMEBUFFER,z.COLOR_ATTACHMENT0,z.TEXTURE_CUBE_MAP_POSITIVE_X+G,Te.__webglTexture,j)}else if(Ee){let Te=G;for(let Ie=0;Ie<T.textures.length;Ie++){let ze=Ve.get(T.textures[Ie]);z.framebufferTextureLayer(z.FRAMEBUFFER,z.COLOR_ATTACHMENT0+Ie,ze.__webglTexture,j,Te)}}else if(T!==null&&j!==0){let Te=Ve.get(T.texture);z.framebufferTexture2D(z.FRAMEBUFFER,z.COLOR_ATTACHMENT0,z.TEXTURE_2D,Te.__webglTexture,j)}Z=-1};function Ir(T){let G=Ve.get(T);return(G.__readFormat!==T.format||G.__readType!==T.type)&&(G.__readFormat=T.format,G.__readType=T.type,G.__formatReadable=ot.textureFormatReadable(T.format),G.__typeReadable=ot.textureTypeReadable(T.type)),G}this.readRenderTargetPixels=function(T,G,j,Y,J,Ee,Pe,Te=0){if(!(T&&T.isWebGLRenderTarget)){tt("WebGLRenderer.readRenderTargetPixels: renderTarget is not THREE.WebGLRenderTarget.");return}let Ie=Ve.get(T).__webglFramebuffer;if(T.isWebGLCubeRenderTarget&&Pe!==void 0&&(Ie=Ie[Pe],Array.isArray(Ie)&&(Ie=Ie[0])),Ie){Se.bindFramebuffer(z.FRAMEBUFFER,Ie);try{let ze=T.textures[Te],et=ze.format,dt=ze.type;T.textures.length>1&&z.readBuffer(z.COLOR_ATTACHMENT0+Te);let ke=Ir(ze);if(ke.__formatReadable===!1){tt("WebGLRenderer.readRenderTargetPixels: renderTarget is not in RGBA or implementation defined format.");return}if(ke.__typeReadable===!1){tt("WebGLRenderer.readRenderTargetPixels: renderTarget is not in UnsignedByteType or implementation defined type.");return}G>=0&&G<=T.width-Y&&j>=0&&j<=T.height-J&&z.readPixels(G,j,Y,J,ge.convert(et),ge.convert(dt),Ee)}finally{let ze=le!==null?Ve.get(le).__webglFramebuffer:null;Se.bindFramebuffer(z.FRAMEBUFFER,ze)}}},this.readRenderTargetPixelsAsync=async function(T,G,j,Y,J,Ee,Pe,Te=0){if(!(T&&T.isWebGLRenderTarget))throw new Error("THREE.WebGLRenderer.readRenderTargetPixels: renderTarget is not THREE.WebGLRenderTarget.");let Ie=Ve.get(T).__webglFramebuffer;if(T.isWebGLCubeRenderTarget&&Pe!==void 0&&(Ie=Ie[Pe],Array.isArray(Ie)&&(Ie=Ie[0])),Ie)if(G>=0&&G<=T.width-Y&&j>=0&&j<=T.height-J){Se.bindFramebuffer(z.FRAMEBUFFER,Ie);let ze=T.textures[Te],et=ze.format,dt=ze.type;T.textures.length>1&&z.readBuffer(z.COLOR_ATTACHMENT0+Te);let ke=Ir(ze);if(ke.__formatReadable===!1)throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in RGBA or implementation defined format.");if(ke.__typeReadable===!1)throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in UnsignedByteType or implementation defined type.");let ft=z.createBuffer();z.bindBuffer(z.PIXEL_PACK_BUFFER,ft),z.bufferData(z.PIXEL_PACK_BUFFER,Ee.byteLength,z.STREAM_READ),z.readPixels(G,j,Y,J,ge.convert(et),ge.convert(dt),0),z.bindBuffer(z.PIXEL_PACK_BUFFER,null);let Zt=le!==null?Ve.get(le).__webglFramebuffer:null;Se.bindFramebuffer(z.FRAMEBUFFER,Zt);let Rt=z.fenceSync(z.SYNC_GPU_COMMANDS_COMPLETE,0);return z.flush(),await O0(z,Rt,4),z.bindBuffer(z.PIXEL_PACK_BUFFER,ft),z.getBufferSubData(z.PIXEL_PACK_BUFFER,0,Ee),z.bindBuffer(z.PIXEL_PACK_BUFFER,null),z.deleteBuffer(ft),z.deleteSync(Rt),Ee}else throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: requested read bounds are out of range.")},this.copyFramebufferToTexture=function(T,G=null,j=0){let Y=Math.pow(2,-j),J=Math.floor(T.image.width*Y),Ee=Math.floor(T.image.height*Y),Pe=G!==null?G.x:0,Te=G!==null?G.y:0;$e.setTexture2D(T,0),z.copyTexSubImage2D(z.TEXTURE_2D,j,0,0,Pe,Te,J,Ee),Se.unbindTexture()},this.copyTextureToTexture=function(T,G,j=null,Y=null,J=0,Ee=0){let Pe,Te,Ie,ze,et,dt,ke,ft,Zt,Rt=T.isCompressedTexture?T.mipmaps[Ee]:T.image;if(j!==null)Pe=j.max.x-j.min.x,Te=j.max.y-j.min.y,Ie=j.isBox3?j.max.z-j.min.z:1,ze=j.min.x,et=j.min.y,dt=j.isBox3?j.min.z:0;else{let ct=Math.pow(2,-J);Pe=Math.floor(Rt.width*ct),Te=Math.floor(Rt.height*ct),T.isDataArrayTexture?Ie=Rt.depth:T.isData3DTexture?Ie=Math.floor(Rt.depth*ct):Ie=1,ze=0,et=0,dt=0}Y!==null?(ke=Y.x,ft=Y.y,Zt=Y.z):(ke=0,ft=0,Zt=0);let Pt=ge.convert(G.format),vn=ge.convert(G.type),Ue;G.isData3DTexture?($e.setTexture3D(G,0),Ue=z.TEXTURE_3D):G.isDataArrayTexture||G.isCompressedArrayTexture?($e.setTexture2DArray(G,0),Ue=z.TEXTURE_2D_ARRAY):($e.setTexture2D(G,0),Ue=z.TEXTURE_2D),Se.activeTexture(z.TEXTURE0),Se.pixelStorei(z.UNPACK_FLIP_Y_WEBGL,G.flipY),Se.pixelStorei(z.UNPACK_PREMULTIPLY_ALPHA_WEBGL,G.premultiplyAlpha),Se.pixelStorei(z.UNPACK_ALIGNMENT,G.unpackAlignment);let un=Se.getParameter(z.UNPACK_ROW_LENGTH),mt=Se.getParameter(z.UNPACK_IMAGE_HEIGHT),hs=Se.getParameter(z.UNPACK_SKIP_PIXELS),dn=Se.getParameter(z.UNPACK_SKIP_ROWS),Lr=Se.getParameter(z.UNPACK_SKIP_IMAGES);Se.pixelStorei(z.UNPACK_ROW_LENGTH,Rt.width),Se.pixelStorei(z.UNPACK_IMAGE_HEIGHT,Rt.height),Se.pixelStorei(z.UNPACK_SKIP_PIXELS,ze),Se.pixelStorei(z.UNPACK_SKIP_ROWS,et),Se.pixelStorei(z.UNPACK_SKIP_IMAGES,dt);let Wi=T.isDataArrayTexture||T.isData3DTexture,us=G.isDataArrayTexture||G.isData3DTexture;if(T.isDepthTexture){let ct=Ve.get(T),tn=Ve.get(G),Hn=Ve.get(ct.__renderTarget),It=Ve.get(tn.__renderTarget);Se.bindFramebuffer(z.READ_FRAMEBUFFER,Hn.__webglFramebuffer),Se.bindFramebuffer(z.DRAW_FRAMEBUFFER,It.__webglFramebuffer);for(let fn=0;fn<Ie;fn++)Wi&&(z.framebufferTextureLayer(z.READ_FRAMEBUFFER,z.COLOR_ATTACHMENT0,Ve.get(T).__webglTexture,J,dt+fn),z.framebufferTextureLayer(z.DRAW_FRAMEBUFFER,z.COLOR_ATTACHMENT0,Ve.get(G).__webglTexture,Ee,Zt+fn)),z.blitFramebuffer(ze,et,ze+Pe,et+Te,ke,ft,ke+Pe,ft+Te,z.DEPTH_BUFFER_BIT,z.NEAREST);Se.bindFramebuffer(z.READ_FRAMEBUFFER,null),Se.bindFramebuffer(z.DRAW_FRAMEBUFFER,null)}else if(J!==0||T.isRenderTargetTexture||Ve.has(T)){let ct=Ve.get(T),tn=Ve.get(G);Se.bindFramebuffer(z.READ_FRAMEBUFFER,P),Se.bindFramebuffer(z.DRAW_FRAMEBUFFER,V);for(let Hn=0;Hn<Ie;Hn++)Wi?z.framebufferTextureLayer(z.READ_FRAMEBUFFER,z.COLOR_ATTACHMENT0,ct.__webglTexture,J,dt+Hn):z.framebufferTexture2D(z.READ_FRAMEBUFFER,z.COLOR_ATTACHMENT0,z.TEXTURE_2D,ct.__webglTexture,J),us?z.framebufferTextureLayer(z.DRAW_FRAMEBUFFER,z.COLOR_ATTACHMENT0,tn.__webglTexture,Ee,Zt+Hn):z.framebufferTexture2D(z.DRAW_FRAMEBUFFER,z.COLOR_ATTACHMENT0,z.TEXTURE_2D,tn.__webglTexture,Ee),J!==0?z.blitFramebuffer(ze,et,ze+Pe,et+Te,ke,ft,ke+Pe,ft+Te,z.COLOR_BUFFER_BIT,z.NEAREST):us?z.copyTexSubImage3D(Ue,Ee,ke,ft,Zt+Hn,ze,et,Pe,Te):z.copyTexSubImage2D(Ue,Ee,ke,ft,ze,et,Pe,Te);Se.bindFramebuffer(z.READ_FRAMEBUFFER,null),Se.bindFramebuffer(z.DRAW_FRAMEBUFFER,null)}else us?T.isDataTexture||T.isData3DTexture?z.texSubImage3D(Ue,Ee,ke,ft,Zt,Pe,Te,Ie,Pt,vn,Rt.data):G.isCompressedArrayTexture?z.compressedTexSubImage3D(Ue,Ee,ke,ft,Zt,Pe,Te,Ie,Pt,Rt.data):z.texSubImage3D(Ue,Ee,ke,ft,Zt,Pe,Te,Ie,Pt,vn,Rt):T.isDataTexture?z.texSubImage2D(z.TEXTURE_2D,Ee,ke,ft,Pe,Te,Pt,vn,Rt.data):T.isCompressedTexture?z.compressedTexSubImage2D(z.TEXTURE_2D,Ee,ke,ft,Rt.width,Rt.height,Pt,Rt.data):z.texSubImage2D(z.TEXTURE_2D,Ee,ke,ft,Pe,Te,Pt,vn,Rt);Se.pixelStorei(z.UNPACK_ROW_LENGTH,un),Se.pixelStorei(z.UNPACK_IMAGE_HEIGHT,mt),Se.pixelStorei(z.UNPACK_SKIP_PIXELS,hs),Se.pixelStorei(z.UNPACK_SKIP_ROWS,dn),Se.pixelStorei(z.UNPACK_SKIP_IMAGES,Lr),Ee===0&&G.generateMipmaps===!0&&G.mipmapsAutoUpdate===!0&&z.generateMipmap(Ue),Se.unbindTexture()},this.initRenderTarget=function(T){Ve.get(T).__webglFramebuffer===void 0&&$e.setupRenderTarget(T)},this.initTexture=function(T){T.isCubeTexture?$e.setTextureCube(T,0):T.isData3DTexture?$e.setTexture3D(T,0):T.isDataArrayTexture||T.isCompressedArrayTexture?$e.setTexture2DArray(T,0):$e.setTexture2D(T,0),Se.unbindTexture()},this.resetState=function(){q=0,H=0,le=null,Se.reset(),be.reset()},typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}get coordinateSystem(){return wi}get outputColorSpace(){return this._outputColorSpace}set outputColorSpace(e){this._outputColorSpace=e;let t=this.getContext();t.drawingBufferColorSpace=yt._getDrawingBufferColorSpace(e),t.unpackColorSpace=yt._getUnpackColorSpace()}};var Vi=new W,My=new W,Sy=new W,Fo=new W,wy=new zt;function Oo(i,e,t,n){let s=new W(2*(t-e.x)/e.width-1,1-2*(n-e.y)/e.height,.5).unproject(i);return new Ks(i.position.clone(),s.sub(i.position).normalize())}function Ah(i,e,t,n,s,r){let{shape:o,places:a}=i,l=(v,m)=>m.fromArray(a,3*v),c=Oo(e,t,n,s),h=1/0,u=-1,d=new W;if(o.triangles){for(let v=0;v<o.triangles.length;v+=3){let[m,p,x]=[o.triangles[v],o.triangles[v+1],o.triangles[v+2]];if(!c.intersectTriangle(l(m,Vi),l(p,My),l(x,Sy),!1,Fo))continue;let M=Fo.distanceToSquared(c.origin);if(M>=h)continue;h=M,d.copy(Fo);let[b,C,A]=[Vi.distanceToSquared(Fo),My.distanceToSquared(Fo),Sy.distanceToSquared(Fo)];u=b<=C&&b<=A?m:C<=A?p:x}if(u>=0)return{point:o.point[u],place:l(u,new W),surface:d}}wy.multiplyMatrices(e.projectionMatrix,e.matrixWorldInverse);let f=r*r;for(let v=0;v<o.corners;v++){l(v,Vi).applyMatrix4(wy);let m=t.x+(Vi.x+1)/2*t.width-n,p=t.y+(1-Vi.y)/2*t.height-s,x=m*m+p*p+40*Vi.z;Vi.z<1&&m*m+p*p<r*r&&x-40<f&&(f=x-40,u=v)}if(u<0)return null;let g=l(u,new W);return{point:o.point[u],place:g,surface:g.clone()}}function Ch(i,e,t){return Vi.copy(t).project(i),Vi.z>1?null:{x:e.x+(Vi.x+1)/2*e.width,y:e.y+(1-Vi.y)/2*e.height}}var CE=30,vf=14,RE=6,PE=.15,Rh=class{constructor(e,t){this.picture=e;this.store=t;let{canvas:n}=e,s=(r,o,a,l=!0)=>{r.addEventListener(o,a,{passive:l}),this.ends.push(()=>r.removeEventListener(o,a))};s(n,"pointerdown",r=>this.down(r)),s(n,"pointermove",r=>this.move(r)),s(n,"pointerrawupdate",r=>this.raw(r)),s(n,"pointerup",r=>this.up(r)),s(n,"pointercancel",r=>this.up(r)),s(n,"pointerleave",()=>this.leave()),s(n,"wheel",r=>this.wheel(r),!1),s(n,"contextmenu",r=>r.preventDefault(),!1),s(n,"dblclick",r=>this.double(r)),s(window,"keydown",r=>this.key(r),!1),s(window,"blur",()=>this.release())}picture;store;pointers=new Map;doing=null;holder=-1;moved=0;over=null;ends=[];pads=new io;dispose(){this.release();for(let e of this.ends)e()}release(){this.picture.hold.release(),this.doing==="hold"&&(this.doing=null),this.holder=-1,this.picture.draw()}step(e){let{hold:t,orbit:n}=this.picture,s=this.doing==="hold"&&this.moved<RE&&t.push(e,n.axes()[2]);this.over&&this.picture.hover(!t.holds&&this.picture.mayAct()?this.picture.pick(this.over.x,this.over.y,vf):null);let r=this.pads.read();if(!r)return s;if(r.pressed&&!t.holds&&this.grabCentre(),r.released&&t.holds&&t.release(),t.holds&&Math.hypot(r.x,r.y,r.depth)>PE){let[o,a,l]=n.axes(),c=1.2*n.metres(this.picture.ownCell().height)*this.picture.ownCell().height*.5*e;t.shift(o.multiplyScalar(r.x*c).addScaledVector(a,-r.y*c).addScaledVector(l,r.depth*c)),s=!0}return this.pads.rumble(t.holds?this.picture.force():0),s||t.holds}at(e){let t=this.picture.canvas.getBoundingClientRect();return{x:e.clientX-t.left,y:e.clientY-t.top}}down(e){let{canvas:t,hold:n,orbit:s}=this.picture,r=this.at(e);if(t.setPointerCapture(e.pointerId),this.pointers.set(e.pointerId,r),this.moved=0,e.pointerType==="touch"&&this.pointers.size===2){this.doing==="hold"&&n.release(),this.doing="two";return}if(!(this.pointers.size>1)){if(e.button===1||e.button===0&&e.shiftKey)this.doing="pan";else if(e.button===2||e.ctrlKey)this.doing="turn";else{let o=this.picture.mayAct()?this.picture.pick(r.x,r.y,e.pointerType==="touch"?CE:vf):null;if(this.doing=o?"hold":"turn",o){this.holder=e.pointerId;let a=s.axes()[2];this.store.settings.tool==="ball"?n.press(o.surface,a,e.timeStamp):n.grab(o.point,o.place,o.surface,a,e.timeStamp),this.picture.hover(null)}}t.dataset.doing=this.doing,this.picture.draw()}}move(e){let t=this.at(e),{orbit:n,hold:s}=this.picture,r=this.pointers.get(e.pointerId);if(!r){e.pointerType!=="touch"&&(this.over=t),this.picture.draw();return}let[o,a]=[t.x-r.x,t.y-r.y];this.moved+=Math.hypot(o,a);let l=this.picture.ownCell().height;if(this.doing==="two"&&this.pointers.size===2){let c=[...this.pointers].find(([u])=>u!==e.pointerId)[1],h=u=>Math.max(Math.hypot(u.x-c.x,u.y-c.y),10);n.zoom(h(r)/h(t)),n.turn(o/2,a/2)}else if(this.doing==="hold"&&e.pointerId===this.holder){let c=Oo(n.camera,this.picture.ownCell(),t.x,t.y);s.follow(c,e.timeStamp)}else this.doing==="turn"?n.turn(o,a):this.doing==="pan"&&n.pan(o,a,l);this.pointers.set(e.pointerId,t),this.picture.draw()}raw(e){if(this.doing!=="hold"||e.pointerId!==this.holder)return;let t=this.at(e);this.picture.hold.follow(Oo(this.picture.orbit.camera,this.picture.ownCell(),t.x,t.y),e.timeStamp)}up(e){this.pointers.delete(e.pointerId),this.doing==="hold"&&e.pointerId===this.holder&&(this.picture.hold.release(e.timeStamp),this.holder=-1,this.doing=null),this.doing==="two"&&this.pointers.size===1&&(this.doing="turn"),this.pointers.size||(this.doing=null),delete this.picture.canvas.dataset.doing,e.pointerType!=="touch"&&(this.over=this.at(e)),this.picture.draw()}leave(){this.over=null,this.picture.hover(null),this.picture.draw()}wheel(e){e.preventDefault();let{orbit:t,hold:n}=this.picture,{height:s}=this.picture.ownCell(),r=Math.max(-3,Math.min(3,(e.deltaY||e.deltaX)/(e.deltaMode?3:100)));e.shiftKey&&this.store.settings.tool==="ball"?(n.radius=Math.min(Math.max(n.radius*.9**r,.2*.16*t.size),.8*t.size),n.action==="ball"&&n.send()):n.holds?n.depth(-r*.06*t.metres(s)*s*.5,t.axes()[2]):t.zoom(1.12**r),this.picture.draw()}double(e){let t=this.at(e),{seat:n}=this.picture.cellAt(t.x,t.y);n!==this.store.seat&&this.store.scene?.own.includes(n)?this.store.take(n):this.picture.pick(t.x,t.y,vf)||this.picture.orbit.reset(),this.picture.draw()}grabCentre(){let e=this.picture.ownCell();if(!this.picture.mayAct())return;let t=this.picture.pick(e.x+e.width/2,e.y+e.height/2,Math.max(e.width,e.height));if(!t)return;let n=this.picture.orbit.axes()[2];this.store.settings.tool==="ball"?this.picture.hold.press(t.surface,n):this.picture.hold.grab(t.point,t.place,t.place,n)}key(e){let{hold:t,orbit:n,canvas:s}=this.picture;if(!xf(e)){if(e.key==="Escape"&&t.holds){this.release(),e.preventDefault();return}if(!(document.activeElement!==s&&document.activeElement!==document.body)){if(e.key==="g"||e.key==="G")t.holds?this.release():this.grabCentre();else if(e.key in Ey){let[r,o]=Ey[e.key];if(t.holds){let[a,l,c]=n.axes(),h=.05*n.size;t.shift(e.shiftKey?c.multiplyScalar(o*h):a.multiplyScalar(r*h).addScaledVector(l,o*h))}else n.turn(-40*r,40*o)}else if(e.key==="+"||e.key==="=")n.zoom(1/1.15);else if(e.key==="-")n.zoom(1.15);else if(e.key==="0"||e.key==="Home")n.reset();else return;e.preventDefault(),this.picture.draw()}}}},Ey={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]};function xf(i){let e=i.target;return i.defaultPrevented||i.ctrlKey||i.metaKey||i.altKey?!0:!!e?.closest?.("input, select, textarea, [contenteditable], dialog")}var Ph=class{constructor(e,t){this.rails=e;this.connection=t;let{canvas:n}=e,s=(r,o,a)=>{r.addEventListener(o,a),this.ends.push(()=>r.removeEventListener(o,a))};s(n,"pointerdown",r=>this.down(r)),s(n,"pointermove",r=>this.move(r)),s(n,"pointerrawupdate",r=>{this.holds&&r.pointerId===this.finger&&this.follow(this.at(r).x,r.timeStamp)}),s(n,"pointerup",r=>this.up(r)),s(n,"pointercancel",r=>this.up(r)),s(n,"dblclick",r=>{let o=e.whose(this.at(r).y);o!==null&&e.take(o)}),s(window,"keydown",r=>this.key(r)),s(window,"blur",()=>this.release())}rails;connection;holds=!1;point=0;target=0;offset=0;finger=-1;pads=new io;ends=[];dispose(){this.release();for(let e of this.ends)e()}release(e){this.holds&&(this.holds=!1,this.finger=-1,this.send(e),this.rails.draw())}send(e){this.connection.point({action:this.holds?"grab":"free",point:this.point,target:[this.target,0,0],radius:0,stiffness:this.rails.stiffness,time:e})}step(e){let t=this.pads.read();return t?(t.pressed&&this.grabMiddle(),t.released&&this.release(),this.holds&&Math.abs(t.x)>.15&&this.shift(t.x*this.rails.span()*.5*e),this.pads.rumble(this.holds?this.rails.force():0),this.holds):!1}at(e){let t=this.rails.canvas.getBoundingClientRect();return{x:e.clientX-t.left,y:e.clientY-t.top}}down(e){let{x:t,y:n}=this.at(e),s=this.rails.mayAct()&&e.button===0&&this.finger<0?this.rails.reach(t,n,e.pointerType==="touch"):null;s&&(this.rails.canvas.setPointerCapture(e.pointerId),this.finger=e.pointerId,this.holds=!0,this.point=s.point,this.offset=s.near?s.place-this.rails.metres(t):0,this.follow(t,e.timeStamp))}move(e){let{x:t,y:n}=this.at(e);this.holds&&e.pointerId===this.finger?this.follow(t,e.timeStamp):this.holds||(this.rails.canvas.dataset.over=this.rails.mayAct()&&this.rails.reach(t,n,!1)?"grab":"rails")}up(e){e.pointerId===this.finger&&this.release(e.timeStamp)}follow(e,t){this.target=this.rails.metres(e)+this.offset,this.send(t),this.rails.draw()}shift(e){let t=this.rails.span();this.target=Math.min(Math.max(this.target+e,this.rails.metres(0)-t),this.rails.metres(0)+2*t),this.send(),this.rails.draw()}grabMiddle(){let e=this.rails.mayAct()&&!this.holds?this.rails.reach(NaN,NaN,!0):null;e&&(this.holds=!0,this.point=e.point,this.target=e.place,this.send(),this.rails.draw())}key(e){if(!xf(e)){if(e.key==="Escape"&&this.holds)this.release();else{if(document.activeElement!==this.rails.canvas&&document.activeElement!==document.body)return;if(e.key==="g"||e.key==="G")this.holds?this.release():this.grabMiddle();else if(this.holds&&(e.key==="ArrowLeft"||e.key==="ArrowRight"))this.shift((e.key==="ArrowLeft"?-.02:.02)*this.rails.span());else return}e.preventDefault()}}};var Ty={light:{text:"#1b2330",soft:"#55606f",rail:"#d3dae4",line:"rgb(27 35 48 / 0.09)",paper:"#ffffff",dark:!1},dark:{text:"#eef1f5",soft:"#a7b0bd",rail:"#3a424f",line:"rgb(255 255 255 / 0.08)",paper:"#171b22",dark:!0}};function Bo(i,e,t,n,s){i.font=`${s.weight??400} ${s.size}px system-ui, sans-serif`,i.fillStyle=s.colour,i.textAlign=s.align??"left",i.textBaseline="middle",i.fillText(e,t,n)}function _f(i,e,t,n,s,r){i.lineCap="round",i.lineWidth=s,i.strokeStyle=r,i.beginPath(),i.moveTo(e,n),i.lineTo(t,n),i.stroke()}function Ay(i,e,t,n,s,r,o){i.save(),i.shadowColor=r.dark?"rgb(0 0 0 / 0.55)":"rgb(20 30 50 / 0.28)",i.shadowBlur=o?14:8,i.shadowOffsetY=o?4:2,i.fillStyle=r.dark?"#f3f5f8":"#ffffff",ko(i,e,t,n),i.restore();let[a,l,c]=Ds(s),h=i.createLinearGradient(e,t-n,e,t+n);h.addColorStop(0,`rgb(${[a,l,c].map(u=>Math.round(u+(255-u)*.22)).join(" ")})`),h.addColorStop(1,s),i.fillStyle=h,ko(i,e,t,n-2.5),i.strokeStyle="rgb(255 255 255 / 0.75)",i.lineWidth=1.5,i.lineCap="round",i.beginPath();for(let u of[-.22,0,.22])i.moveTo(e+u*n,t-.3*n),i.lineTo(e+u*n,t+.3*n);i.stroke()}function ko(i,e,t,n){i.beginPath(),i.arc(e,t,Math.max(n,0),0,2*Math.PI),i.fill()}function Cy(i,e,t,n,s,r=2){i.strokeStyle=s,i.lineWidth=r,i.beginPath(),i.arc(e,t,n,0,2*Math.PI),i.stroke()}function bf(i,e,t,n,s,r){i.beginPath(),i.moveTo(e,t-n),i.lineTo(e+n,t),i.lineTo(e,t+n),i.lineTo(e-n,t),i.closePath(),i.fillStyle=r.paper,i.fill(),i.fillStyle=Us(s,.35),i.fill(),i.strokeStyle=s,i.lineWidth=1.75,i.lineJoin="round",i.stroke()}function Ry(i,e,t,n,s){if(Math.abs(n)<5)return;let r=Math.sign(n);i.strokeStyle=i.fillStyle=s,i.lineWidth=3,i.lineCap="butt",i.beginPath(),i.moveTo(e,t),i.lineTo(e+n-7*r,t),i.stroke(),i.beginPath(),i.moveTo(e+n,t),i.lineTo(e+n-9*r,t-5),i.lineTo(e+n-9*r,t+5),i.fill()}function Py(i,e,t,n,s,r){_f(i,e,t,n,s,r)}function Iy(i,e,t,n,s,r,o,a,l,c){let h=(e+n)/2+2*r,u=(t+s)/2,d=Math.hypot(n-e,s-t)+Math.abs(r);i.strokeStyle=a,i.lineJoin="round",i.lineCap="round",i.lineWidth=1.8+1.6*o,i.setLineDash(l?[2,7]:[]),i.beginPath();let f=Math.max(4,Math.round(d/15)),g=l?24:f*10,v=l||c?0:6.5*(1-.45*o);for(let m=0;m<=g;m++){let p=m/g,x=1-p,M=x*x*e+2*x*p*h+p*p*n,b=x*x*t+2*x*p*u+p*p*s,C=2*x*(h-e)+2*p*(n-h),A=2*x*(u-t)+2*p*(s-u),y=Math.hypot(C,A)||1,S=Math.min(1,Math.max(0,(Math.min(p,x)*d-16)/14)),U=v*S*Math.sin(p*f*2*Math.PI);M+=-A/y*U,b+=C/y*U,m?i.lineTo(M,b):i.moveTo(M,b)}i.stroke(),i.setLineDash([])}var Ly=900,Mf=matchMedia("(prefers-reduced-motion: reduce)");function Ny(i,e,t,n,s){return new Sf(i,e,t,n,s)}var Sf=class{constructor(e,t,n,s,r){this.scene=t;this.store=n;this.connection=s;this.stats=r;this.stiffness=t.stiffness,this.canvas.className="ct-canvas",this.canvas.dataset.over="rails",this.canvas.tabIndex=0,this.canvas.setAttribute("role","application"),this.canvas.setAttribute("aria-label","One slider for every user. Drag yours; G grabs, arrows move, Escape lets go."),e.append(this.canvas),this.furniture=new no(e,n,"Drag your slider and feel the others through it."),this.furniture.legend("plain",""),this.drag=new Ph(this,s);let o=new ResizeObserver(()=>this.resize());o.observe(e);let a=()=>this.draw();this.ends.push(()=>o.disconnect(),zr(a),n.on("settings",a),n.on("frame",a),n.on("state",a),n.on("seat",()=>{this.drag.release(),this.draw()}),n.on("connection",()=>{n.connection==="open"&&this.drag.holds&&this.drag.send()})),this.resize()}scene;store;connection;stats;canvas=document.createElement("canvas");stiffness;pen=this.canvas.getContext("2d");drag;furniture;ends=[];width=0;height=0;shown=null;handle=0;last=0;half=.1;wanted=.1;proxy=0;pulsed={seat:-1,since:-1/0};reset(){this.wanted=.1,this.draw()}pulse(e){this.pulsed={seat:e,since:performance.now()},this.draw()}spot(e=0){let t=this.copy(this.store.seat);return t?{x:this.x(this.place(t,e)),y:this.y(this.store.seat),point:e}:null}aim(e){let t=e-this.canvas.getBoundingClientRect().left,n=this.reach(t,this.y(this.store.seat),!0);return n&&{point:n.point,to:[this.metres(t),0,0]}}dispose(){cancelAnimationFrame(this.handle),this.handle=-1,this.drag.dispose(),this.furniture.dispose();for(let e of this.ends)e();this.canvas.remove()}reach(e,t,n){let s=this.copy(this.store.seat);if(!s)return null;let r=Number.isNaN(e);if(!r&&Math.abs(t-this.y(this.store.seat))>Math.max(this.gap*.45,n?34:24))return null;let o=0,a=1/0;for(let l=0;l<this.shown.points;l++){let c=Math.abs(this.x(this.place(s,l))-(r?this.x(this.scene.centre[0]):e));c<a&&([a,o]=[c,l])}return{point:o,place:this.place(s,o),near:a<44}}metres(e){return this.scene.centre[0]+(e-this.middle)/(this.right-this.left)*2*this.half}span(){return 2*this.half}force(){return Math.min(this.pull()/this.most,1)}mayAct(){return this.connection.mayAct}whose(e){return this.scene.users.find(({seat:t})=>Math.abs(this.y(t)-e)<this.gap/2)?.seat??null}take(e){this.scene.own.includes(e)&&this.store.take(e)}draw(){this.handle||(this.handle=requestAnimationFrame(e=>this.tick(e)))}get narrow(){return this.width<620}get left(){return this.narrow?30:168}get right(){return this.width-(this.narrow?30:104)}get middle(){return(this.left+this.right)/2}get gap(){return(this.height-this.foot-30)/this.scene.users.length}get foot(){return this.narrow?108:66}get most(){return this.scene.stiffness*this.half}y(e){return 26+this.gap*(this.scene.users.findIndex(t=>t.seat===e)+.5)+(this.narrow?8:0)}x(e){return this.middle+(e-this.scene.centre[0])/(2*this.half)*(this.right-this.left)}copy(e){return this.shown?.copies.find(t=>t.seat===e)}place(e,t){return this.scene.points[3*t]+e.displacement[3*t]*this.shown.scale}mean(e){let t=0;for(let n=0;n<this.shown.points;n++)t+=this.place(e,n);return t/Math.max(this.shown.points,1)}pull(){let e=this.copy(this.store.seat);return this.drag.holds&&e?this.stiffness*Math.abs(this.drag.target-this.place(e,this.drag.point)):0}resize(){let e=this.canvas.parentElement?.getBoundingClientRect();if(!e||e.width<1||e.height<1)return;[this.width,this.height]=[Math.round(e.width),Math.round(e.height)];let t=devicePixelRatio||1;this.canvas.width=Math.round(this.width*t),this.canvas.height=Math.round(this.height*t),this.pen.setTransform(t,0,0,t,0,0),this.draw()}tick(e){this.handle=0;let t=Math.min((e-this.last)/1e3,.1);this.last=e;let n=this.store.frame!==null&&this.store.frame!==this.shown;this.shown=this.store.frame;let s=this.drag.step(t);s=this.range(t)||s,s=this.lag(t)||s,s=e-this.pulsed.since<Ly||s,this.paint(e),n&&this.stats.drew(this.shown.echo,this.shown.received,performance.now()),s&&this.draw()}range(e){if(!this.shown||this.drag.holds)return!1;let t=0;for(let n of this.shown.copies){for(let s=0;s<this.shown.points;s++)t=Math.max(t,Math.abs(this.place(n,s)-this.scene.centre[0]));n.hasHand&&n.mode!=="free"&&(t=Math.max(t,Math.abs(n.target[0]-this.scene.centre[0])))}return(t>.92*this.wanted||t<.3*this.wanted)&&(this.wanted=Math.max(to(t*1.15),.1)),this.half+=(this.wanted-this.half)*(Mf.matches?1:1-Math.exp(-e*5)),Math.abs(this.half-this.wanted)>.001*this.wanted?!0:(this.half=this.wanted,!1)}lag(e){let t=this.copy(this.store.seat);if(!this.drag.holds||!t)return this.proxy=NaN,!1;Number.isNaN(this.proxy)&&(this.proxy=this.drag.target);let n=this.force(),s=this.place(t,this.drag.point),r=this.drag.target+(s-this.drag.target)*.6*n/(n+.45);return this.proxy+=(r-this.proxy)*(Mf.matches?1:1-Math.exp(-e*55)),Math.abs(r-this.proxy)>1e-4*this.half}paint(e){let{pen:t,store:n}=this,s=Ns(n.settings.theme),r=Ty[s?"dark":"light"];t.clearRect(0,0,this.width,this.height),this.scale(r);let o=this.scene.users.map(a=>a.seat);for(let a of o)this.rail(a,r,e);this.springs(r);for(let a of o)this.beliefs(a,r);for(let a of o)this.slider(a,r);this.key(r)}scale(e){let{pen:t}=this,n=this.height-this.foot+4;for(let s=-4;s<=4;s++){let r=Math.round(this.middle+s/8*(this.right-this.left))+.5;if(t.strokeStyle=s===0?Us(e.dark?"#ffffff":"#1b2330",.22):e.line,t.lineWidth=1,t.beginPath(),t.moveTo(r,22),t.lineTo(r,n),t.stroke(),s%2===0&&!(this.narrow&&Math.abs(s)>2)){let o=s===0?"rest":`${s>0?"+":""}${Al(s/4*this.half,this.half/2)}`;Bo(t,o,r,n+13,{size:11.5,colour:e.soft,align:"center"})}}}key(e){let t=this.height-25,n=this.narrow?22:32;bf(this.pen,n,t,5.5,e.soft,e),Bo(this.pen,"where a user believes its neighbours to be, by what has arrived",n+13,t,{size:12,colour:e.soft})}rail(e,t,n){let{pen:s,store:r}=this,o=xi(e,t.dark),a=this.y(e),l=e===r.seat,c=this.copy(e),h=!c||r.state?.members[e]?.here===!1;l&&(s.fillStyle=Us(o,t.dark?.13:.07),s.beginPath(),s.roundRect(8,a-this.gap*.46,this.width-16,this.gap*.92,14),s.fill());let u=(n-this.pulsed.since)/Ly;e===this.pulsed.seat&&u<1&&(s.strokeStyle=Us(o,Mf.matches?.8:Math.sin(u*Math.PI*3)**2),s.lineWidth=3,s.beginPath(),s.roundRect(8,a-this.gap*.46,this.width-16,this.gap*.92,14),s.stroke()),_f(s,this.left,this.right,a,l?7:5,t.rail);let d=this.scene.users.find(b=>b.seat===e).name,f=r.state?Tl(r.state,r.seat).get(e):void 0,g=c&&!c.direct?`, ${Vs(c.age)} old`:"",v=h?"not here":l?"you":r.state?f===void 0?"out of reach":this.narrow?`+${Vs(f)}`:`feels you ${Vs(f)} later${g}`:"",[m,p]=this.narrow?[this.left-8,a-this.gap*.33]:[26,a-9];Bo(s,d,m,p,{size:15,weight:650,colour:h?t.soft:o});let x=this.narrow?[m+s.measureText(d).width+8,p]:[m,a+10];if(Bo(s,v,x[0],x[1],{size:12,colour:t.soft}),h)return;let M=l&&this.drag.holds?this.pull():Math.abs(c.force[0]);if(M>.005){let[b,C]=this.narrow?[this.right+8,p]:[this.width-26,a];Bo(s,Cl(M),b,C,{size:13,weight:600,colour:t.text,align:"right"})}}springs(e){let{state:t}=this.store;if(!t||!this.shown)return;let n=s=>this.scene.users.findIndex(r=>r.seat===s);for(let[s,r]of t.links){let[o,a]=[this.copy(s),this.copy(r)];if(!o||!a)continue;let[l,c]=[this.mean(o),this.mean(a)],h=!!t.emulated[`${s}-${r}`]?.cut||!!t.emulated[`${r}-${s}`]?.cut,u=t.ends[`${s}-${r}`],d=h||u&&u.state!=="coupled"&&u.state!=="ready"&&u.state!=="guarded",f=Math.min(Math.abs(l-c)/(.6*this.half),1),g=Math.abs(n(s)-n(r)),v=g<2?0:(g-1)*Math.min(this.gap*.42,38)*((n(s)+n(r))%2?1:-1),m=d?Us(e.dark?"#a7b0bd":"#55606f",.55):ua(f,e.dark);Iy(this.pen,this.x(l),this.y(s),this.x(c),this.y(r),v,f,m,!!d,!1)}}beliefs(e,t){let{state:n,history:s}=this.store;if(!(!n||!this.copy(e)))for(let[r,o]of n.links){if(r!==e&&o!==e)continue;let a=r===e?o:r,l=Zu(n,e,a);if(l===null||!this.copy(a))continue;let c=s.before(a,l);if(Number.isNaN(c))continue;let h=0;for(let u=0;u<this.shown.points;u++)h+=this.scene.points[3*u]/this.shown.points;bf(this.pen,this.x(h+c),this.y(e),6,xi(a,t.dark),t)}}slider(e,t){let n=this.copy(e);if(!n)return;let{pen:s}=this,r=xi(e,t.dark),o=this.y(e),a=e===this.store.seat,l=a&&this.drag.holds,c=Math.min(a?19:15,this.gap*.3),h=l?this.drag.point:Math.max(n.node,0),u=l||n.hasHand&&n.mode!=="free"&&n.node>=0,d=this.x(this.place(n,Math.min(h,this.shown.points-1))),f=l?Math.sign(this.drag.target-this.place(n,h))*this.pull():n.force[0];if(u){let v=Math.min(Math.abs(f)/this.most,1),m=this.x(l?this.drag.target:n.target[0]);Py(s,d,m,o,3+4*v,ua(v,t.dark)),l?(s.fillStyle=r,ko(s,this.x(this.proxy),o,7),Cy(s,m,o,12,r,2.5)):(s.fillStyle=r,ko(s,m,o,5))}if(this.shown.points>1)for(let v=0;v<this.shown.points;v++)s.fillStyle=Us(r,.85),ko(s,this.x(this.place(n,v)),o,Math.min(c*.5,8));let g=this.shown.points>1&&u?d:this.x(this.mean(n));Ay(s,g,o,c,r,t,a),u&&Ry(s,g,o-c-8,f/this.most*(this.right-this.left)*.3,r)}};var wf=`
+vec3 toLinear(vec3 c) { return pow(c, vec3(2.2)); }
+vec3 lit(vec3 colour, vec3 n, vec3 eye, float gloss) {
+  vec3 key = normalize(vec3(-0.45, 0.8, 0.55)), fill = normalize(vec3(0.9, 0.05, 0.35));
+  float up = 0.5 + 0.5 * n.y;
+  float wrap = max(dot(n, key) * 0.85 + 0.15, 0.0);
+  vec3 light = mix(vec3(0.30, 0.29, 0.33), vec3(0.60, 0.62, 0.66), up) + 0.78 * wrap * vec3(1.0, 0.98, 0.94)
+    + 0.16 * max(dot(n, fill), 0.0) * vec3(0.8, 0.9, 1.0);
+  vec3 halfway = normalize(key + eye);
+  float shine = pow(max(dot(n, halfway), 0.0), 42.0) * gloss;
+  float rim = pow(1.0 - max(dot(n, eye), 0.0), 3.5);
+  return pow(toLinear(colour) * light + shine + rim * 0.10 * vec3(0.8, 0.9, 1.0), vec3(1.0 / 2.2));
+}
+`,Ef=`
+uniform vec3 stops[9];
+vec3 ramp(float value) {
+  float at = clamp(value, 0.0, 1.0) * 8.0;
+  int low = min(int(at), 7);
+  return mix(stops[low], stops[low + 1], at - float(low));
+}
+`,Dy={vertex:`
+    attribute vec3 shift;
+    attribute float value;
+    uniform float scale, full;
+    uniform int by;
+    varying vec3 n, p;
+    varying float v;
+    void main() {
+      vec4 q = modelViewMatrix * vec4(position + shift * scale, 1.0);
+      n = mat3(modelViewMatrix) * normal;
+      p = q.xyz;
+      v = (by == 0 ? length(shift) * scale : value) / full;
+      gl_Position = projectionMatrix * q;
+    }`,fragment:`
+    ${wf}${Ef}
+    uniform vec3 plain;
+    uniform int by;
+    uniform float flash;
+    varying vec3 n, p;
+    varying float v;
+    void main() {
+      vec3 eye = normalize(-p), m = normalize(n);
+      if (!gl_FrontFacing) m = -m;
+      vec3 colour = by == 2 ? plain : ramp(v);
+      gl_FragColor = vec4(mix(lit(colour, m, eye, 0.20), vec3(1.0), flash * 0.5), 1.0);
+    }`},Uy={vertex:`
+    attribute vec3 shift, own;
+    uniform float scale, apart;
+    varying vec3 n, p;
+    varying float v;
+    void main() {
+      vec4 q = modelViewMatrix * vec4(position + shift * scale, 1.0);
+      n = mat3(modelViewMatrix) * normal;
+      p = q.xyz;
+      // Where both surfaces cross they differ along neither's normal: no seam is seen.
+      vec3 differs = (shift - own) * scale / apart;
+      v = max(smoothstep(0.1, 1.0, dot(differs, normalize(normal + 1e-20))), 0.5 * smoothstep(3.0, 8.0, length(differs)));
+      gl_Position = projectionMatrix * q;
+    }`,fragment:`
+    uniform vec3 colour;
+    uniform float flash, strength;
+    varying vec3 n, p;
+    varying float v;
+    void main() {
+      float rim = 1.0 - abs(dot(normalize(n), normalize(-p)));
+      float cover = v * strength * (0.05 + 0.95 * pow(rim, 1.5)) + flash * 0.35;
+      gl_FragColor = vec4(mix(colour, vec3(1.0), flash * 0.3), min(cover, 1.0));
+    }`},Ih={vertex:`
+    attribute vec3 shift;
+    attribute float value;
+    uniform float scale, full, size, height;
+    uniform int by;
+    varying float v;
+    void main() {
+      vec4 q = modelViewMatrix * vec4(position + shift * scale, 1.0);
+      v = (by == 0 ? length(shift) * scale : value) / full;
+      gl_Position = projectionMatrix * q;
+      gl_PointSize = max(size * projectionMatrix[1][1] * height / gl_Position.w, 3.0);
+    }`,fragment:`
+    ${wf}${Ef}
+    uniform vec3 plain;
+    uniform int by;
+    uniform float opacity, flash;
+    varying float v;
+    void main() {
+      vec2 c = vec2(2.0, -2.0) * (gl_PointCoord - 0.5);
+      float r = dot(c, c);
+      if (r > 1.0) discard;
+      vec3 colour = by == 2 ? plain : ramp(v);
+      gl_FragColor = vec4(mix(lit(colour, vec3(c, sqrt(1.0 - r)), vec3(0, 0, 1), 0.25), vec3(1.0), flash * 0.5), opacity);
+    }`},Tf={vertex:Ih.vertex.replace(/gl_PointSize.*\n/,`
+`),fragment:`
+    ${Ef}
+    uniform vec3 plain;
+    uniform int by;
+    uniform float opacity;
+    varying float v;
+    void main() { gl_FragColor = vec4((by == 2 ? plain : ramp(v)) * 0.85, opacity); }`},Af={vertex:`
+    varying vec3 n, p;
+    void main() {
+      vec4 q = modelViewMatrix * vec4(position, 1.0);
+      n = normalMatrix * normal;
+      p = q.xyz;
+      gl_Position = projectionMatrix * q;
+    }`,fragment:`
+    ${wf}
+    uniform vec3 colour;
+    uniform float opacity;
+    varying vec3 n, p;
+    void main() { gl_FragColor = vec4(lit(colour, normalize(n), normalize(-p), 0.35), opacity); }`},Cf={vertex:`
+    attribute vec3 shift;
+    uniform float scale, ground, reach;
+    varying float height;
+    void main() {
+      vec4 q = modelMatrix * vec4(position + shift * scale, 1.0);
+      height = (q.z - ground) / reach;
+      gl_Position = projectionMatrix * viewMatrix * q;
+    }`,fragment:`
+    varying float height;
+    void main() { gl_FragColor = vec4(1.0, clamp(height, 0.0, 1.0), 0.0, 1.0); }`},Rf={vertex:`
+    varying vec2 at;
+    void main() {
+      vec4 q = modelMatrix * vec4(position, 1.0);
+      at = q.xy;
+      gl_Position = projectionMatrix * viewMatrix * q;
+    }`,fragment:`
+    uniform sampler2D shadow;
+    uniform vec2 centre;
+    uniform vec3 line, dark;
+    uniform float reach, pitch, strength, opacity;
+    varying vec2 at;
+    float lines(vec2 q) {
+      vec2 width = max(fwidth(q), 1e-6);
+      vec2 l = clamp(1.15 - abs(fract(q - 0.5) - 0.5) / width, 0.0, 1.0) * clamp(0.5 / width - 1.0, 0.0, 1.0);
+      return max(l.x, l.y);
+    }
+    void main() {
+      vec2 d = (at - centre) / reach;
+      float away = length(d), cover = 0.0, fade = smoothstep(2.1, 0.3, away);
+      vec2 q = (at - centre) / pitch;
+      if (away > 2.1) discard;
+      if (away < 1.3) {
+        vec2 uv = vec2(0.5 + 0.5 * d.x, 0.5 - 0.5 * d.y);
+        vec4 far = textureLod(shadow, uv, 4.6);
+        if (far.r > 0.003) {
+          float h = far.g / far.r;
+          float soft = mix(mix(textureLod(shadow, uv, 2.5).r, textureLod(shadow, uv, 3.5).r, smoothstep(0.0, 0.2, h)), far.r, smoothstep(0.15, 0.6, h));
+          cover = strength * soft * (1.0 - 0.75 * smoothstep(0.0, 1.0, h));
+        }
+      }
+      float grid = opacity * fade * max(lines(q), 0.55 * lines(q * 5.0));
+      float all = cover + grid * (1.0 - cover);
+      gl_FragColor = vec4(mix(line, dark, cover / max(all, 1e-4)), all);
+    }`};var IE=Math.cos(50*Math.PI/180),Lh=class{constructor(e){this.scene=e;let t=e.points.length/3;if(e.skin){let s=NE(e.points,e.skin.triangles);this.point=s.point,this.triangles=s.triangles}else this.point=Uint32Array.from({length:t},(s,r)=>r),this.triangles=null;this.corners=this.point.length,this.rest=new Float32Array(this.corners*3),this.corner=new Uint32Array(t),this.point.forEach((s,r)=>{this.corner[s]=r;for(let o=0;o<3;o++)this.rest[3*r+o]=e.points[3*s+o]}),this.sides=e.skin?LE(e.skin.triangles,this.corner,t):e.edges??new Uint32Array;let n=this.sides.length/2;this.restLengths=new Float32Array(n),this.degree=new Float32Array(this.corners);for(let s=0;s<n;s++){let r=this.sides[2*s],o=this.sides[2*s+1];this.restLengths[s]=Fy(this.rest,r,o),this.degree[r]++,this.degree[o]++}for(let s=0;s<this.corners;s++)this.degree[s]=Math.max(this.degree[s],1)}scene;point;rest;triangles;sides;corner;restLengths;degree;corners},Nh=class{constructor(e){this.shape=e;let t=e.corners,n=(r,o)=>new Zn(r,o).setUsage(Qd);this.places=e.rest.slice(),this.shift=n(new Int16Array(3*t),3),this.normal=n(new Float32Array(3*t),3),this.value=n(new Float32Array(t),1);let s=new Zn(e.rest,3);for(let r of[this.geometry,...e.triangles?[]:[this.lines=new zn]])r.setAttribute("position",s),r.setAttribute("shift",this.shift),r.setAttribute("value",this.value);e.triangles&&(this.geometry.setAttribute("normal",this.normal),this.geometry.setIndex(new Zn(e.triangles,1))),this.lines?.setIndex(new Zn(e.sides,1)),this.update(new Int16Array(e.scene.points.length),0,!1)}shape;geometry=new zn;lines=null;shift;places;mean=[0,0,0];peak=0;normal;value;update(e,t,n){let{point:s,rest:r,corners:o}=this.shape,a=this.shift.array,l=this.places,c=0,h=0,u=0,d=0;for(let f=0;f<o;f++){let g=3*f,v=3*s[f],m=e[v],p=e[v+1],x=e[v+2];a[g]=m,a[g+1]=p,a[g+2]=x,l[g]=r[g]+m*t,l[g+1]=r[g+1]+p*t,l[g+2]=r[g+2]+x*t,h+=m,u+=p,d+=x,c=Math.max(c,m*m+p*p+x*x)}this.mean[0]=h*t/o,this.mean[1]=u*t/o,this.mean[2]=d*t/o,this.shift.needsUpdate=!0,this.peak=n?this.stretch():Math.sqrt(c)*t,this.shape.triangles&&this.normals(this.shape.triangles)}dispose(){this.geometry.dispose(),this.lines?.dispose()}normals(e){let t=this.places,n=this.normal.array;n.fill(0);for(let s=0;s<e.length;s+=3){let r=3*e[s],o=3*e[s+1],a=3*e[s+2],l=t[o]-t[r],c=t[o+1]-t[r+1],h=t[o+2]-t[r+2],u=t[a]-t[r],d=t[a+1]-t[r+1],f=t[a+2]-t[r+2],g=c*f-h*d,v=h*u-l*f,m=l*d-c*u;n[r]+=g,n[r+1]+=v,n[r+2]+=m,n[o]+=g,n[o+1]+=v,n[o+2]+=m,n[a]+=g,n[a+1]+=v,n[a+2]+=m}this.normal.needsUpdate=!0}stretch(){let{sides:e,restLengths:t,degree:n,corner:s,point:r,corners:o}=this.shape,a=this.value.array;a.fill(0);for(let c=0;c<t.length;c++){let h=e[2*c],u=e[2*c+1],d=Math.abs(Fy(this.places,h,u)/Math.max(t[c],1e-12)-1);a[h]+=d/n[h],a[u]+=d/n[u]}let l=0;for(let c=0;c<o;c++)a[c]=a[s[r[c]]],l=Math.max(l,a[c]);return this.value.needsUpdate=!0,l}};function Fy(i,e,t){let n=i[3*e]-i[3*t],s=i[3*e+1]-i[3*t+1],r=i[3*e+2]-i[3*t+2];return Math.sqrt(n*n+s*s+r*r)}function LE(i,e,t){let n=new Set,s=[];for(let r=0;r<i.length;r++){let o=i[r],a=i[r%3===2?r-2:r+1],l=Math.min(o,a)*t+Math.max(o,a);n.has(l)||(n.add(l),s.push(e[o],e[a]))}return Uint32Array.from(s)}function NE(i,e){let t=e.length/3,n=new Float32Array(3*t),s=Array.from({length:i.length/3},()=>[]);for(let c=0;c<t;c++){let[h,u,d]=[0,1,2].map(p=>3*e[3*c+p]),f=[0,1,2].map(p=>i[u+p]-i[h+p]),g=[0,1,2].map(p=>i[d+p]-i[h+p]),v=[f[1]*g[2]-f[2]*g[1],f[2]*g[0]-f[0]*g[2],f[0]*g[1]-f[1]*g[0]],m=Math.hypot(...v)||1;for(let p=0;p<3;p++)n[3*c+p]=v[p]/m,s[e[3*c+p]].push(c)}let r=(c,h)=>n[3*c]*n[3*h]+n[3*c+1]*n[3*h+1]+n[3*c+2]*n[3*h+2]>IE,o=(c,h,u)=>{for(let d=0;d<3;d++)for(let f=0;f<3;f++)if(e[3*c+d]===e[3*h+f]&&e[3*c+d]!==u)return!0;return!1},a=[],l=new Uint32Array(e.length);return s.forEach((c,h)=>{let u=new Set(c);for(let d of c){if(!u.delete(d))continue;let f=[d];for(let g=0;g<f.length;g++)for(let v of u)r(f[g],v)&&o(f[g],v,h)&&(u.delete(v),f.push(v));for(let g of f)for(let v=0;v<3;v++)e[3*g+v]===h&&(l[3*g+v]=a.length);a.push(h)}c.length||a.push(h)}),{point:Uint32Array.from(a),triangles:l}}var DE=ja.map(i=>new W(...Ds(i)).divideScalar(255)),Dh=class{scale={value:0};full={value:1};by={value:0};stops={value:DE};apart;size;height={value:1};constructor(e,t){this.apart={value:.05*e},this.size={value:.62*e/Math.cbrt(Math.max(t,1))}}},Uh=class{constructor(e,t,n){this.seat=e;this.moving=new Nh(t);let{geometry:s,lines:r}=this.moving,o={...n,plain:this.plain,flash:this.flash},a=(l,c,h)=>{let u=new Un({vertexShader:l.vertex,fragmentShader:l.fragment,uniforms:{...o,...c},transparent:h,depthWrite:!h,side:h?0:2});return this.made.push(u),u};if(t.triangles)this.body.add(new ln(s,a(Dy,{},!1))),this.shell.add(new ln(s,a(Uy,{colour:this.colour,strength:this.strength},!0)));else{let l={plain:this.colour,by:{value:2}};this.body.add(new Eo(s,a(Ih,{opacity:{value:1}},!1))),this.body.add(new wo(r,a(Tf,{opacity:{value:1}},!1))),this.shell.add(new Eo(s,a(Ih,{opacity:{value:.35},...l},!0))),this.shell.add(new wo(r,a(Tf,{opacity:{value:.35},...l},!0)))}for(let l of[...this.body.children,...this.shell.children])l.frustumCulled=!1;this.group.add(this.body,this.shell)}seat;moving;group=new pi;body=new pi;shell=new pi;made=[];plain={value:new W};colour={value:new W};flash={value:0};strength={value:1};against(e){this.moving.shape.triangles&&this.moving.geometry.setAttribute("own",e.shift)}paint(e,t){let[n,s,r]=Ds(e).map(o=>o/255);this.colour.value.set(n,s,r),this.plain.value.set(.9,.895,.875).lerp(this.colour.value,.22).multiplyScalar(t?.9:1),this.strength.value=t?1:.95}show(e,t){this.body.visible=e==="solid",this.shell.visible=e==="ghost",this.flash.value=t}order(e){let[t,n,s]=this.moving.mean,r=e.x*t+e.y*n+e.z*s;for(let o of this.shell.children)o.renderOrder=10-r/(Math.abs(r)+1)}dispose(){this.moving.dispose();for(let e of this.made)e.dispose()}};var Oy=256,Fh=class{mesh;target=new Kn(Oy,Oy,{minFilter:Fi,magFilter:Dn,generateMipmaps:!0,depthBuffer:!0});scene=new _r;camera;cast=null;shade;constructor(e,t,n,s){let r=t-.1*n,o=2*n;this.mesh=new ln(new Mr(9*n,9*n),new Un({vertexShader:Rf.vertex,fragmentShader:Rf.fragment,transparent:!0,depthWrite:!1,uniforms:{shadow:{value:this.target.texture},centre:{value:new xt(e.x,e.y)},line:{value:new W},dark:{value:new W},reach:{value:o},pitch:{value:to(n*.9)},strength:{value:.3},opacity:{value:.5}}})),this.mesh.position.set(e.x,e.y,r),this.mesh.renderOrder=-1,this.camera=new Co(-o,o,o,-o,0,12*n),this.camera.up.set(0,-1,0),this.camera.position.set(e.x,e.y,r-n),this.camera.lookAt(e.x,e.y,r),this.shade=new Un({vertexShader:Cf.vertex,fragmentShader:Cf.fragment,side:2,uniforms:{scale:{value:0},ground:{value:r},reach:{value:1.6*n}}}),s&&(this.cast=new ln(s.geometry,this.shade),this.cast.frustumCulled=!1,this.scene.add(this.cast))}colours(e){let{line:t,dark:n,strength:s,opacity:r}=this.mesh.material.uniforms;e?t.value.set(.62,.68,.78):t.value.set(.36,.42,.52),e?n.value.set(0,0,.01):n.value.set(.1,.12,.2),s.value=e?.62:.34,r.value=e?.2:.26}shadow(e,t,n){this.cast&&(this.cast.geometry=t.geometry,this.shade.uniforms.scale.value=n,e.setRenderTarget(this.target),e.clear(),e.render(this.scene,this.camera),e.setRenderTarget(null))}dispose(){this.target.dispose(),this.mesh.geometry.dispose(),this.mesh.material.dispose(),this.shade.dispose()}};var Oh=class{constructor(e,t,n,s){this.connection=e;this.size=t;this.stiffness=n;this.flat=s;this.radius=.16*t}connection;size;stiffness;flat;action="free";point=-1;target=new W;radius;plane=new fi;offset=new W;pressed=0;get holds(){return this.action!=="free"}grab(e,t,n,s,r){this.action="grab",this.point=e,this.plane.setFromNormalAndCoplanarPoint(s,n),this.offset.subVectors(t,n),this.target.copy(t),this.send(r)}press(e,t,n){this.action="ball",this.point=-1,this.pressed=0,this.offset.copy(t).multiplyScalar(-this.radius),this.target.copy(e).add(this.offset),this.plane.setFromNormalAndCoplanarPoint(t,e),this.send(n)}push(e,t){if(this.action!=="ball"||this.pressed>=1)return!1;let n=Math.min(e/.35,1-this.pressed);return this.pressed+=n,this.shift(t.clone().multiplyScalar(n*this.radius)),!0}follow(e,t){let n=e.intersectPlane(this.plane,new W);!n||!this.holds||(this.target.copy(n).add(this.offset),this.limit(),this.send(t))}depth(e,t){this.holds&&!this.flat&&this.shift(t.clone().multiplyScalar(e))}shift(e){this.holds&&(this.offset.add(e),this.target.add(e),this.limit(),this.send())}release(e){this.holds&&(this.action="free",this.point=-1,this.send(e))}send(e){this.connection.point({action:this.action,point:Math.max(this.point,0),target:this.target.toArray(),radius:this.action==="ball"?this.radius:0,stiffness:this.stiffness,time:e})}limit(){this.flat&&(this.target.z=0);let e=this.target.length();e>50*this.size&&this.target.multiplyScalar(50*this.size/e)}};var kh=class{element=document.createElement("div");made=new Map;used=new Set;constructor(e){this.element.className="ct-labels",this.element.setAttribute("aria-hidden","true"),e.append(this.element)}put(e,t,n,s,r,o,a){let l=this.made.get(e);l||(l=document.createElement("div"),l.append(document.createElement("b"),document.createElement("span")),this.made.set(e,l),this.element.append(l)),this.used.add(e);let c=`ct-label ct-${t}`;l.className!==c&&(l.className=c),l.style.setProperty("--user",`var(--user-${n%8})`);let[h,u]=l.children;h.textContent!==s&&(h.textContent=s),u.textContent!==r&&(u.textContent=r),l.style.transform=`translate(${o.toFixed(1)}px, ${a.toFixed(1)}px)`}sweep(){for(let[e,t]of this.made)this.used.has(e)||(t.remove(),this.made.delete(e));this.used.clear()}};function ky(i,e,t,n){if(!n||i.length<2)return[{seat:i[0]??0,x:0,y:0,width:e,height:t}];let s=e>=t,r=i.length-1,o=r===1?.5:.48,a=s?{seat:i[0],x:0,y:0,width:Math.round(e*o)-6/2,height:t}:{seat:i[0],x:0,y:0,width:e,height:Math.round(t*o)-6/2},[l,c]=s?[a.width+6,0]:[0,a.height+6],[h,u]=[e-l,t-c],d=1,f=0;for(let p=1;p<=r;p++){let x=Math.min(h/p,u/Math.ceil(r/p));x>f&&([f,d]=[x,p])}let g=Math.ceil(r/d),[v,m]=[(h-6*(d-1))/d,(u-6*(g-1))/g];return[a,...i.slice(1).map((p,x)=>({seat:p,x:Math.round(l+x%d*(v+6)),y:Math.round(c+Math.floor(x/d)*(m+6)),width:Math.round(v),height:Math.round(m)}))]}var Pf=1.54,Bh=class{constructor(e,t,n,s){this.size=t;this.cloud=n;this.camera.up.set(0,0,1),this.camera.near=t*.02,this.camera.far=t*60,this.home={target:e.clone(),yaw:s?-Math.PI/2:-1.08,pitch:s?Pf:.36,zoom:1},this.goal=If(this.home),this.now=If(this.home)}size;cloud;camera=new Jn(30,1,.01,100);home;goal;now;fit=1;fits=new Map;aspect(e,t){this.camera.aspect=e/Math.max(t,1),this.fit=this.fitted(this.camera.aspect),this.camera.updateProjectionMatrix(),this.apply()}fitted(e){let t=e.toFixed(3),n=this.fits.get(t);if(n)return n;let{target:s,yaw:r,pitch:o}=this.home,a=new W(Math.cos(r)*Math.cos(o),Math.sin(r)*Math.cos(o),Math.sin(o)),l=new W(0,0,1).cross(a).normalize(),c=a.clone().cross(l),h=new W,u=Math.tan(this.camera.fov*Math.PI/360),d=3*Math.max(1,Math.floor(this.cloud.length/3/500)),f=.5*this.size;for(let g=0;g<this.cloud.length;g+=d)h.fromArray(this.cloud,g).sub(s),f=Math.max(f,h.dot(a)+(e<1?1.2:1.42)*Math.max(Math.abs(h.dot(l))/e,1.12*Math.abs(h.dot(c)))/u);return this.fits.set(t,f),f}turn(e,t){this.goal.yaw-=e*.0065,this.goal.pitch=Math.min(Math.max(this.goal.pitch+t*.0065,-Pf),Pf)}zoom(e){this.goal.zoom=Math.min(Math.max(this.goal.zoom*e,.12),6)}pan(e,t,n){let s=this.metres(n),[r,o]=this.axes();this.goal.target.addScaledVector(r,-e*s).addScaledVector(o,t*s)}reset(){this.goal=If(this.home)}metres(e){return 2*Math.tan(this.camera.fov*Math.PI/360)*this.now.zoom*this.fit/Math.max(e,1)}axes(){let e=new W,t=new W,n=new W;return this.camera.updateMatrixWorld(),this.camera.matrixWorld.extractBasis(e,t,n),[e,t,n.negate()]}step(e){let{now:t,goal:n}=this,s=Math.abs(n.yaw-t.yaw)+Math.abs(n.pitch-t.pitch)+Math.abs(Math.log(n.zoom/t.zoom))+n.target.distanceTo(t.target)/this.size;if(s===0)return!1;let r=s<.001?1:e;return t.yaw+=(n.yaw-t.yaw)*r,t.pitch+=(n.pitch-t.pitch)*r,t.zoom*=(n.zoom/t.zoom)**r,t.target.lerp(n.target,r),this.apply(),!0}apply(){let{target:e,yaw:t,pitch:n,zoom:s}=this.now,r=s*this.fit;this.camera.position.set(Math.cos(t)*Math.cos(n),Math.sin(t)*Math.cos(n),Math.sin(n)).multiplyScalar(r).add(e),this.camera.lookAt(e),this.camera.updateMatrixWorld()}};function If(i){return{...i,target:i.target.clone()}}var By=new Sr(1,28,18),Lf=new Ao(1,1,1,14,1,!0).translate(0,.5,0),UE=new Pa(1,1,20).translate(0,.5,0),FE=new Ia(1,.13,10,40),OE=new W(0,1,0),Vo=new W,kE=new Qn;function zo(i,e=1){let t=new Un({vertexShader:Af.vertex,fragmentShader:Af.fragment,uniforms:{colour:{value:new W},opacity:{value:e}},transparent:e<1,depthWrite:e>=1});return Go(t,i),t}function Go(i,e){let[t,n,s]=Ds(e);i.uniforms.colour.value.set(t/255,n/255,s/255)}function zh(i,e,t,n){Vo.subVectors(t,e);let s=Vo.length();i.visible=s>1e-9,i.visible&&(i.position.copy(e),i.quaternion.copy(kE.setFromUnitVectors(OE,Vo.divideScalar(s))),i.scale.set(n,s,n))}var Vh=class{constructor(e,t,n){this.size=e;this.full=t;this.skin=zo(n),this.cord=zo(n),this.glass=zo(n,.55);for(let r of[this.skin,this.cord,this.glass]){let o=zo(n,.2);o.depthFunc=_o,o.uniforms.colour=r.uniforms.colour,this.hidden.set(r,o)}let s=(r,o)=>{let a=new ln(r,o);a.frustumCulled=!1;let l=new ln(r,this.hidden.get(o));return l.frustumCulled=!1,l.renderOrder=20,a.add(l),this.group.add(a),a};this.proxy=s(By,this.skin),this.knot=s(By,this.skin),this.rope=s(Lf,this.cord),this.lead=s(Lf,this.cord),this.shaft=s(Lf,this.skin),this.head=s(UE,this.skin),this.mark=s(FE,this.skin),this.group.visible=!1}size;full;group=new pi;spot=new W;force=0;skin;cord;glass;hidden=new Map;proxy;knot;rope;lead;shaft;head;mark;tip=new W;neck=new W;paint(e){Go(this.skin,e),Go(this.glass,e)}pose(e,t){let{size:n}=this,s=this.force=e.force.length();this.spot.copy(e.proxy);let r=Math.min(s/this.full,1),o=n*(.006+.012*r);if(Go(this.cord,ua(r,!1)),this.proxy.material=e.radius>0?this.glass:this.skin,this.proxy.position.copy(e.proxy),this.proxy.scale.setScalar(e.radius>0?e.radius:n*.042),this.knot.visible=e.radius===0,this.knot.position.copy(e.place),this.knot.scale.setScalar(n*.026),zh(this.rope,e.place,e.proxy,o),zh(this.lead,e.proxy,e.target,o*.8),e.radius>0&&(this.rope.visible=!1),this.mark.visible=e.pointed,this.mark.position.copy(e.target),this.mark.quaternion.copy(t),this.mark.scale.setScalar(n*.045),this.shaft.visible=this.head.visible=r>.01&&!e.pointed,!this.shaft.visible)return;Vo.copy(e.force).divideScalar(s);let a=n*(.08+.72*r),l=e.radius>0?e.proxy:e.place;this.tip.copy(l).addScaledVector(Vo,a),this.neck.copy(l).addScaledVector(Vo,a-n*.09);let[c,h]=[this.tip,this.neck];zh(this.shaft,l,h,n*.013),zh(this.head,h,c,n*.036)}dispose(){for(let e of[this.skin,this.cord,this.glass,...this.hidden.values()])e.dispose()}};var zy=[2,1,.75,.55],Gh=class{constructor(e){this.finest=e;this.level=e()>1?0:1}finest;level;slow=0;quick=0;wait=240;get ratio(){return Math.min(this.finest(),zy[this.level])}took(e){let t=this.ratio;return this.slow=e>.026?this.slow+1:Math.max(0,this.slow-.5),this.quick=e<.0185?this.quick+1:0,this.slow>24&&this.level<zy.length-1?(this.level++,this.slow=this.quick=0,this.wait*=2):this.quick>this.wait&&this.level>0&&(this.level--,this.slow=this.quick=0),this.ratio!==t}};function Vy(){let i=document.createElement("canvas").getContext("webgl2"),e=i?.getExtension("WEBGL_debug_renderer_info"),t=i&&e?String(i.getParameter(e.UNMASKED_RENDERER_WEBGL)):"";return i?.getExtension("WEBGL_lose_context")?.loseContext(),/swiftshader|llvmpipe|software/i.test(t)}var Gy=900,Hh=matchMedia("(prefers-reduced-motion: reduce)");function Hy(i,e,t,n,s){return new Nf(i,e,t,n,s)}var Nf=class{constructor(e,t,n,s,r){this.scene=t;this.store=n;this.connection=s;this.stats=r;let o=t.radius||1,a=t.dimension<3;this.renderer=new wh({antialias:!Vy(),alpha:!0,powerPreference:"high-performance"}),this.renderer.setClearAlpha(0),this.renderer.autoClear=!1,this.canvas=this.renderer.domElement,this.canvas.className="ct-canvas",this.canvas.tabIndex=0,this.canvas.setAttribute("role","application"),this.canvas.setAttribute("aria-label","The shared object. Drag it to pull; G grabs, arrows move, Escape lets go."),e.append(this.canvas),this.shape=new Lh(t),this.common=new Dh(o,t.points.length/3),this.orbit=new Bh(new W(...t.centre),o,t.points,a),this.full=.6*t.stiffness*o,this.hold=new Oh(s,o,t.stiffness,a);for(let{seat:u}of t.users){let d=new Uh(u,this.shape,this.common),f=new Vh(o,this.full,xi(u,!1));this.copies.set(u,d),this.hands.set(u,f),this.world.add(d.group,f.group)}let l=1/0;for(let u=2;u<t.points.length;u+=3)l=Math.min(l,t.points[u]);this.ground=new Fh(new W(...t.centre),l,o,t.skin?this.mine.moving:null),this.ground.mesh.visible=!a,this.dot=new ln(new Sr(.022*o,20,14),this.dotPaint),this.dot.visible=!1,this.world.add(this.ground.mesh,this.dot),this.labels=new kh(e),this.furniture=new no(e,n,"Take hold of the object and pull. Drag beside it to look around."),this.touch=new Rh(this,n);let c=new ResizeObserver(()=>this.resize());c.observe(e);let h=()=>this.dress();this.ends.push(()=>c.disconnect(),zr(h),n.on("settings",h),n.on("seat",()=>{this.touch.release(),this.dress()}),n.on("frame",()=>this.draw()),n.on("state",()=>this.draw()),n.on("connection",()=>{n.connection==="open"&&this.hold.holds&&this.hold.send()})),this.resize(),this.dress()}scene;store;connection;stats;canvas;orbit;hold;renderer;world=new _r;shape;common;copies=new Map;hands=new Map;ground;dot;dotPaint=zo("#ffffff");labels;furniture;touch;ends=[];full;face=new Qn;proxy=new W;place=new W;goal=new W;posed={place:new W,proxy:new W,target:new W,force:new W,radius:0,pointed:!1};fresh=!0;hovered=null;area=[];width=0;height=0;shown=null;dirty=!0;last=0;handle=0;peak=0;pulsed={seat:-1,since:-1/0};quality=new Gh(()=>Math.min(devicePixelRatio||1,2));reset(){this.orbit.reset(),this.draw()}pulse(e){this.pulsed={seat:e,since:performance.now()},this.draw()}spot(e){let t=this.area[0],n=e??this.pick(t.x+t.width/2,t.y+t.height/2,t.width)?.point;if(n===void 0)return null;let s=Ch(this.orbit.camera,t,new W().fromArray(this.mine.moving.places,3*this.shape.corner[n]));return s&&{...s,point:n}}probe(){let e=this.canvas.getBoundingClientRect(),t=Ch(this.orbit.camera,this.area[0],this.hold.target);return{hold:this.hold,orbit:this.orbit,target:t&&[t.x+e.left,t.y+e.top]}}dispose(){cancelAnimationFrame(this.handle),this.handle=-1,this.touch.dispose();for(let e of this.ends)e();for(let e of[...this.copies.values(),...this.hands.values(),this.ground,this.dotPaint,this.dot.geometry,this.furniture])e.dispose();this.renderer.dispose(),this.renderer.forceContextLoss(),this.canvas.remove(),this.labels.element.remove()}ownCell(){return this.area[0]}cellAt(e,t){return this.area.find(n=>e>=n.x&&e<n.x+n.width&&t>=n.y&&t<n.y+n.height)??this.area[0]}pick(e,t,n){return this.cellAt(e,t)!==this.area[0]?null:Ah(this.mine.moving,this.orbit.camera,this.area[0],e,t,n)}aim(e,t){let n=this.canvas.getBoundingClientRect(),s=this.cellAt(e-n.left,t-n.top),r=(this.copies.get(s.seat)??this.mine).moving,o=Oo(this.orbit.camera,s,e-n.left,t-n.top),a=Ah(r,this.orbit.camera,s,e-n.left,t-n.top,0),l=a??Ah(r,this.orbit.camera,s,e-n.left,t-n.top,1/0);if(!l)return null;let c=this.orbit.camera.getWorldDirection(new W),h=a?.surface??o.at(l.place.clone().sub(o.origin).dot(c)/o.direction.dot(c),new W);return{point:l.point,to:[h.x,h.y,h.z]}}hover(e){e?.point!==this.hovered?.point&&this.draw(),this.hovered=e,this.canvas.dataset.over=e?this.store.settings.tool:""}mayAct(){return this.connection.mayAct}force(){return Math.min(this.pull()/this.full,1)}draw(){this.dirty=!0,this.handle||(this.handle=requestAnimationFrame(e=>this.tick(e)))}get mine(){return this.copies.get(this.store.seat)??this.copies.values().next().value}get side(){return this.store.settings.layout==="side"}pull(){if(!this.hold.holds)return 0;let e=this.shown?.copies.find(t=>t.seat===this.store.seat);return this.hold.action==="ball"?e?.mode==="ball"?Math.hypot(...e.force):0:this.scene.stiffness*this.place.distanceTo(this.hold.target)}resize(){let e=this.canvas.parentElement?.getBoundingClientRect();!e||e.width<1||e.height<1||(this.width=Math.round(e.width),this.height=Math.round(e.height),this.renderer.setPixelRatio(this.quality.ratio),this.renderer.setSize(this.width,this.height),this.arrange(),this.draw())}arrange(){let e=this.scene.users.map(t=>t.seat).filter(t=>t!==this.store.seat);this.area=ky([this.store.seat,...e],this.width,this.height,this.side),this.furniture.rules(this.area.length>1?this.area:[])}dress(){let{settings:e}=this.store,t=Ns(e.theme),n={displacement:0,stress:1,plain:2}[e.colour];n!==this.common.by.value&&(this.peak=0),this.common.by.value=n;for(let[s,r]of this.copies)r.paint(xi(s,t),t),r.against(this.mine.moving),this.hands.get(s).paint(xi(s,t));Go(this.dotPaint,t?"#FFFFFF":"#111827"),this.ground.colours(t),this.arrange(),this.shown=null,this.draw()}tick(e){this.handle=0;let t=Math.min((e-this.last)/1e3,.1);this.last=e;let n=this.store.frame!==null&&this.store.frame!==this.shown;n&&this.take(this.store.frame);let s=this.orbit.step(Hh.matches?1:1-Math.exp(-t*18));s=this.touch.step(t)||s,s=this.haptic(t)||s,s=this.range(t)||s,s=e-this.pulsed.since<Gy||s,(this.dirty||s)&&(this.dirty=!1,this.render(e),n&&(this.stats.drew(this.shown.echo,this.shown.received,performance.now()),this.quality.took(t)&&this.resize())),s&&this.draw()}take(e){this.shown=e,this.common.scale.value=e.scale;let t=this.side||this.store.settings.ghosts,n=this.common.by.value===1,s=0;for(let{seat:r,displacement:o}of e.copies){let a=this.copies.get(r);!a||!(t||a===this.mine)||(a.moving.update(o,e.scale,n&&(this.side||a===this.mine)),(this.side||a===this.mine)&&(s=Math.max(s,a.moving.peak)))}this.peak=Math.max(s,this.peak*.998)}haptic(e){if(!this.hold.holds)return!(this.fresh=!0);let{moving:t}=this.mine;if(this.hold.action==="grab")this.place.fromArray(t.places,3*this.shape.corner[this.hold.point]);else{let o=this.shown?.copies.find(a=>a.seat===this.store.seat);o?.mode==="ball"?this.place.fromArray(o.place):this.place.copy(this.hold.target)}let n=this.force(),s=this.hold.action==="ball"?1:.6*n/(n+.45),r=this.goal.lerpVectors(this.hold.target,this.place,s);return this.fresh||Hh.matches?this.proxy.copy(r):this.proxy.lerp(r,1-Math.exp(-e*55)),this.fresh=!1,this.proxy.distanceTo(r)>1e-4*this.scene.radius}range(e){let t=this.common.by.value===1,n=to(Math.max(this.peak,t?.02:.04*this.scene.radius));this.furniture.legend(this.store.settings.colour,t?`${Math.round(n*100)} %`:Al(n));let{full:s}=this.common;return s.value+=(n-s.value)*(Hh.matches?1:1-Math.exp(-e*6)),Math.abs(s.value-n)>.01*n}render(e){let{renderer:t,common:n}=this,[,,s]=this.orbit.axes();this.orbit.camera.getWorldQuaternion(this.face),t.setScissorTest(!1),t.setViewport(0,0,this.width,this.height),t.clear();for(let r of this.area){this.orbit.aspect(r.width,r.height);let o=this.copies.get(r.seat)??this.mine,a=this.shown?.copies;for(let[c,h]of this.copies){let u=!a||a.some(f=>f.seat===c),d=!this.side&&this.store.settings.ghosts&&u&&a;h.show(h===o?"solid":d?"ghost":"hidden",this.flash(c,e)),h.order(s)}for(let[c,h]of this.hands)h.group.visible=(!this.side||c===r.seat)&&this.pose(c,h);this.dot.visible=!!this.hovered&&r===this.area[0],this.hovered&&this.dot.position.fromArray(this.mine.moving.places,3*this.shape.corner[this.hovered.point]),this.ground.shadow(t,o.moving,n.scale.value),n.height.value=r.height*this.quality.ratio;let l=this.height-r.y-r.height;t.setScissorTest(!0),t.setScissor(r.x,l,r.width,r.height),t.setViewport(r.x,l,r.width,r.height),t.render(this.world,this.orbit.camera),t.setScissorTest(!1),this.name(r)}this.orbit.aspect(this.area[0].width,this.area[0].height),this.labels.sweep()}flash(e,t){let n=(t-this.pulsed.since)/Gy;return e!==this.pulsed.seat||n>=1||n<0?0:Hh.matches?.6:Math.sin(n*Math.PI*3)**2*(1-n)}pose(e,t){let n=this.posed;if(e===this.store.seat&&this.hold.holds){let r=this.pull();return n.place.copy(this.place),n.proxy.copy(this.proxy),n.target.copy(this.hold.target),n.force.subVectors(n.target,n.place).setLength(r),n.radius=this.hold.action==="ball"?this.hold.radius:0,n.pointed=!0,t.pose(n,this.face),!0}let s=this.shown?.copies.find(r=>r.seat===e);return!s?.hasHand||s.mode==="free"||s.node<0&&s.radius===0?!1:(n.place.fromArray(s.place),n.target.fromArray(s.target),n.force.fromArray(s.force),n.proxy.copy(s.radius>0?n.place:n.target),n.radius=s.radius,n.pointed=!1,t.pose(n,this.face),!0)}name(e){let{seat:t,state:n}=this.store,s=r=>this.scene.users.find(o=>o.seat===r)?.name??`User ${r+1}`;if(this.side){let r=n?Tl(n,t).get(e.seat):0,o=this.shown?.copies.find(h=>h.seat===e.seat),a=n?.members[e.seat]?.here===!1||!o,l=o&&!o.direct?`, shown ${Vs(o.age)} old`:"",c=e.seat===t?"you":a?"not here":r===void 0?`out of reach${l}`:e.width<240?`+${Vs(r)}`:`feels you ${Vs(r)} later${l}`;this.labels.put(`cell${e.seat}`,"title",e.seat,s(e.seat),c,e.x+14,e.y+12)}for(let[r,o]of this.hands){if(!o.group.visible)continue;let a=Ch(this.orbit.camera,e,o.spot);if(!a||a.x<e.x||a.x>e.x+e.width||a.y<e.y||a.y>e.y+e.height)continue;let l=o.force>.005*this.full?Cl(o.force):"";this.side&&!l||(a.x=Math.min(a.x,e.x+e.width-(this.side?74:112)),a.y=Math.max(a.y,e.y+34),this.labels.put(`hand${r}`,"hand",r,this.side?"":r===t&&this.hold.holds?"You":s(r),l,a.x,a.y))}}};var BE="The picture needs WebGL 2, which this browser does not give; everything beside it works.";function Wy(i,e,t,n){let s=null,r="",o=()=>{let l=e.scene;if(!(!l||l.started===r)){r=l.started,s?.dispose(),s=null,i.classList.add("ct-stage");try{s=(l.dimension===1?Ny:Hy)(i,l,e,t,n)}catch(c){i.replaceChildren(Object.assign(document.createElement("p"),{className:"ct-sorry",textContent:BE})),console.warn(c)}}},a=e.on("scene",o);return o(),{reset:()=>s?.reset(),probe:()=>s?.probe?.()??{},spot:l=>{let c=s?.spot(l),h=i.getBoundingClientRect();return c?{...c,x:c.x+h.left,y:c.y+h.top}:null},pulse:l=>s?.pulse(l),aim:(l,c)=>s?.aim(l,c)??null,dispose:()=>{a(),s?.dispose()}}}var Wh=class{frames=0;fps=0;dragToMesh=[];echoMs=[];waiting=[];since=0;counted=0;pointed(e,t){this.waiting.push({number:e,time:t}),this.waiting.length>600&&this.waiting.shift()}drew(e,t,n){for(this.frames++,this.counted++,n-this.since>=1e3&&(this.fps=this.counted*1e3/(n-this.since),this.since=n,this.counted=0);this.waiting.length&&this.waiting[0].number<=e;){let{time:s}=this.waiting.shift();Xy(this.dragToMesh,n-s),Xy(this.echoMs,t-s)}}};function Xy(i,e){i.push(e),i.length>600&&i.shift()}var qy=["x","y","z","force","energy","supplied","lost","linked"],Xh=class{seconds=20;capacity=1240;count=0;version=0;axis=0;next=0;times=new Float64Array(1240);tracks=new Map;reach=[0,0,0];get seats(){return[...this.tracks.keys()].sort((e,t)=>e-t)}clear(){this.count=this.next=0,this.axis=0,this.reach.fill(0),this.tracks=new Map,this.version++}add(e){let t=this.next;if(this.count&&e.time<this.times[(t+1240-1)%1240])return;for(let s of this.tracks.values())for(let r of qy)s[r][t]=NaN;let n=Math.max(1,Math.floor(e.points/1500));for(let s of e.copies){let r=this.track(s.seat),o=s.displacement,a=0,l=0,c=0,h=0;for(let d=0;d<e.points;d+=n,h++)a+=o[3*d],l+=o[3*d+1],c+=o[3*d+2];let u=e.scale/Math.max(h,1);r.x[t]=a*u,r.y[t]=l*u,r.z[t]=c*u,r.force[t]=Math.hypot(...s.force),r.energy[t]=s.energy,r.supplied[t]=s.supplied,r.lost[t]=s.lost,r.linked[t]=s.linked,this.reach[0]=Math.max(this.reach[0],Math.abs(a*u)),this.reach[1]=Math.max(this.reach[1],Math.abs(l*u)),this.reach[2]=Math.max(this.reach[2],Math.abs(c*u))}for(let s of[0,1,2])this.reach[s]>1.5*this.reach[this.axis]&&(this.axis=s);this.times[t]=e.time,this.next=(t+1)%1240,this.count=Math.min(this.count+1,1240),this.version++}time(){return this.ordered(this.times,new Float64Array(this.count))}series(e,t){let n=this.tracks.get(t),s=new Float32Array(this.count);return n?this.ordered(n[e==="position"?["x","y","z"][this.axis]:e],s):s.fill(NaN)}before(e,t){let n=this.tracks.get(e);if(!n||!this.count)return NaN;let s=l=>(this.next-1-l+2*1240)%1240,r=this.times[s(0)]-t,o=0,a=this.count-1;for(;o<a;){let l=o+a>>1;this.times[s(l)]>r?o=l+1:a=l}return n.x[s(o)]}ordered(e,t){let n=(this.next-this.count+1240)%1240,s=Math.min(this.count,1240-n);return t.set(e.subarray(n,n+s)),t.set(e.subarray(0,this.count-s),s),t}track(e){let t=this.tracks.get(e);return t||(t=Object.fromEntries(qy.map(n=>[n,new Float32Array(1240).fill(NaN)])),this.tracks.set(e,t)),t}};var $y={layout:"overlay",colour:"displacement",theme:"auto",tool:"grab",ghosts:!0},Yy="cotouch.settings";function zE(){try{return{...$y,...JSON.parse(localStorage.getItem(Yy)??"{}")}}catch{return{...$y}}}var qh=class{scene=null;state=null;frame=null;connection="connecting";refusal="";seat=0;history=new Xh;settings=zE();listeners=new Map;wished;constructor(e=null){this.wished=e,e!==null&&(this.seat=e)}on(e,t){let n=this.listeners.get(e)??new Set;return this.listeners.set(e,n.add(t)),()=>n.delete(t)}emit(e){for(let t of[...this.listeners.get(e)??[]])t()}set(e){this.settings={...this.settings,...e};try{localStorage.setItem(Yy,JSON.stringify(this.settings))}catch{}this.emit("settings")}take(e){e!==this.seat&&(this.seat=this.wished=e,this.emit("seat"))}show(e){this.scene?.started!==e.started&&(this.state=this.frame=null,this.history.clear()),this.scene=e;let t=e.users.map(r=>r.seat),n=this.wished!==null&&t.includes(this.wished)?this.wished:e.own[0]??t[0]??0,s=n!==this.seat;this.seat=n,this.emit("scene"),s&&this.emit("seat")}told(e){this.state=e,this.emit("state")}drawn(e){this.frame=e,this.history.add(e),this.emit("frame")}connected(e,t=""){e===this.connection&&t===this.refusal||(this.connection=e,this.refusal=t,this.emit("connection"))}};var VE=new URLSearchParams(location.search),Df=Number(VE.get("user")),GE=new URLSearchParams(location.hash.slice(1)).get("token")||null,Ho=new qh(Number.isInteger(Df)&&Df>=1?Df-1:null),Uf=()=>np(Ho.settings.theme);Uf();Ho.on("settings",Uf);zr(Uf);var Ff=new Wh,$h=new Qa(Ho,GE,`${location.protocol==="https:"?"wss":"ws"}://${location.host}/ws`);$h.onPoint=(i,e)=>Ff.pointed(i,e);var Jy=Cg(document.getElementById("app"),Ho,$h),Zy=Wy(Jy.stageElement,Ho,$h,Ff);Jy.attach(Zy);window.cotouch={store:Ho,connection:$h,stage:Zy,stats:Ff};

@@ -1,0 +1,388 @@
+"""Pages and their server: what they are sent, what they may do, and which of them leads a hand."""
+
+import asyncio
+import contextlib
+import json
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from tests.web.fake_stage import FakeStage
+from tests.web.reader import ack, pointer
+from tests.web.visitor import Visitor, visit
+from websockets.exceptions import ConnectionClosed
+
+from cotouch.errors import SessionError
+from cotouch.session import Pointer
+from cotouch.web import PageServer
+from cotouch.web._page import Page
+
+WORDS = ["hand", "impair", "cut", "kill", "revive", "links", "damping", "record", "control"]
+
+
+@pytest.fixture
+def stage() -> FakeStage:
+    return FakeStage("3d")
+
+
+@pytest.fixture
+def server(stage: FakeStage) -> Iterator[PageServer]:
+    with PageServer(stage, port=0) as running:
+        yield running
+
+
+def control(page: Visitor, how: str) -> None:
+    page.text("state", lambda m: m["control"] == how)
+
+
+class TestFrames:
+    def test_come_with_every_copy(self, server: PageServer):
+        with visit(server) as page:
+            first, second = page.frame(), page.frame()
+        assert sorted(second.copies) == [0, 1, 2, 3, 4]
+        assert second.number > first.number
+        assert second.time > first.time >= 0.0
+        assert second.points == 1924
+
+    def test_come_with_one_copy_if_that_is_asked_for(self, server: PageServer):
+        with visit(server, want="mine", seat=3) as page:
+            assert sorted(page.frame().copies) == [3]
+
+    def test_no_more_than_two_on_the_way_and_then_the_newest(self, server: PageServer):
+        with visit(server, hello=False) as slow, visit(server) as quick:
+            slow.acknowledge = False
+            slow.hello()
+            for _ in range(5):
+                slow.text("state")
+            assert len(slow.frames) == 2
+            newest = quick.frame(lambda f: f.number > slow.frames[-1].number + 20).number
+            slow.say(ack(slow.frames[0].number))
+            assert slow.frame().number > newest - 2
+            for _ in range(5):
+                slow.text("state")
+            assert len(slow.frames) == 3
+            slow.say(ack(slow.frames[-1].number))  # of all before it, too
+            slow.frame()
+            slow.frame()
+
+    def test_a_page_that_takes_nothing_gets_the_newest_when_it_does(self):
+        """What is handed over while a frame is on its way out replaces what waits."""
+
+        class Socket:
+            def __init__(self) -> None:
+                self.sent: list[Any] = []
+                self.open = asyncio.Event()
+
+            async def send_bytes(self, data: bytes) -> None:
+                self.sent.append(data)
+                await self.open.wait()
+
+            async def send_text(self, data: str) -> None:
+                self.sent.append(data)
+
+        async def play() -> tuple[list[Any], int]:
+            socket = Socket()
+            page = Page(socket)  # type: ignore[arg-type]
+            sender = asyncio.create_task(page.send_all())
+            for number in range(5):
+                page.offer(number, bytes([number]), float(number))
+                page.show(f"state {number}")
+                await asyncio.sleep(0)
+                await asyncio.sleep(0)
+            socket.open.set()
+            for _ in range(10):
+                await asyncio.sleep(0)
+            sender.cancel()
+            await asyncio.gather(sender, return_exceptions=True)
+            return socket.sent, page.skipped
+
+        sent, skipped = asyncio.run(play())
+        assert sent == [b"\0", "state 4", b"\4"]
+        assert skipped == 3
+
+    def test_a_copy_that_is_gone_is_not_shown(self, server: PageServer):
+        with visit(server) as page:
+            assert page.do("kill", seat=2)["ok"]
+            assert sorted(page.frame(lambda f: len(f.copies) < 5).copies) == [0, 1, 3, 4]
+            state = page.text("state", lambda m: m["members"]["2"]["alive"] is False)
+            assert not state["members"]["2"]["here"]
+
+
+class TestPointer:
+    def test_reaches_the_stage_and_comes_back(self, server: PageServer, stage: FakeStage):
+        with visit(server) as page:
+            scene = page.text("scene")
+            page.say(pointer(77, point=1500, target=(0.2, 0.1, 0.3), stiffness=80.0))
+            frame = page.frame(lambda f: f.echo == 77)
+            assert frame.copies[0].mode == "grab"
+            assert frame.waited_us > 0
+            seat, told = stage.pointers[0]
+            assert (seat, told.mode, told.stiffness) == (0, "grab", 80.0)
+            assert told.target == pytest.approx((0.2, 0.1, 0.3))
+            skin = stage.scene.body.skin
+            best = skin.nodes[1500][skin.weights[1500].argmax()]
+            assert told.node == best == frame.copies[0].node
+            assert scene["skin"]["vertices"] == frame.points
+            page.say(pointer(78, action=0, radius=0.02))
+            assert page.frame(lambda f: f.echo == 78).copies[0].mode == "ball"
+            page.say(pointer(79, action=2))
+            assert page.frame(lambda f: f.echo == 79).copies[0].mode == "free"
+            assert page.text("state", lambda m: m["members"]["0"]["hand"] == "free")
+
+    def test_that_stands_still_is_told_again(self, server: PageServer, stage: FakeStage):
+        with visit(server) as page:
+            page.say(pointer(5, point=9, target=(0.1, 0.0, 0.0)))
+            for _ in range(4):
+                page.text("state")
+            told = [p for seat, p in stage.pointers if seat == 0]
+            assert len(told) >= 3
+            assert [p.number for p in told] == sorted({p.number for p in told})
+            assert {(p.mode, p.node, p.target) for p in told} == {("grab", told[0].node, told[0].target)}
+            assert page.frame().echo == 5
+            page.say(pointer(6, action=2))
+            page.frame(lambda f: f.echo == 6)
+            count = len(stage.pointers)
+            for _ in range(3):
+                page.text("state")
+            assert len(stage.pointers) == count
+
+    def test_of_a_page_that_goes_lets_go(self, server: PageServer, stage: FakeStage):
+        with visit(server) as page, visit(server, seat=1) as other:
+            page.say(pointer(1))
+            page.frame(lambda f: f.echo == 1)
+            page.connection.close()
+            other.text("state", lambda m: m["pages"] == 1)
+            assert stage.pointers[-1][1].mode == "free"
+
+    def test_of_a_page_that_is_served_when_the_server_stops_lets_go(self, stage: FakeStage):
+        with PageServer(stage, port=0) as server, visit(server) as page:
+            page.say(pointer(1))
+            page.frame(lambda f: f.echo == 1)
+            server.close()
+        assert stage.pointers[-1][1].mode == "free"
+
+    def test_that_the_stage_does_not_take_is_explained(self, server: PageServer, stage: FakeStage):
+        def refuse(seat: int, pointer: Pointer) -> None:
+            raise SessionError("too far away")
+
+        stage.point = refuse  # type: ignore[method-assign]
+        with visit(server) as page:
+            page.say(pointer(1))
+            assert page.text("told") == {"type": "told", "id": 0, "ok": False, "text": "too far away"}
+            page.frame()
+
+
+class TestToken:
+    @pytest.mark.parametrize("token", [None, "", "wrong"])
+    def test_without_it_a_page_watches_and_no_more(self, server: PageServer, stage: FakeStage, token: str | None):
+        with visit(server, token=token) as page:
+            scene = page.text("scene")
+            assert (scene["invitation"], scene["may"], scene["acts"]) == (None, [], False)
+            assert stage.scene.invitation not in json.dumps(page.texts)
+            for number, what in enumerate(WORDS, 1):
+                told = page.do(what, number, seat=0, mode="free", a=0, b=1, on=True, share=0.5, choice="best")
+                assert not told["ok"]
+                assert "token" in told["text"]
+            page.say(pointer(1))
+            page.say(pointer(2))
+            page.text("told", lambda m: m["id"] == 0)
+            page.frame()
+            assert page.text("state")["control"] == "none"
+        assert (stage.pointers, stage.done) == ([], [])
+
+    def test_may_come_later(self, server: PageServer):
+        with visit(server, token=None) as page:
+            page.text("scene")
+            page.hello(token=server.token, seat=0)
+            assert page.text("scene")["acts"]
+            control(page, "mine")
+
+
+class TestControl:
+    def test_of_two_pages_for_one_seat_one_leads(self, server: PageServer, stage: FakeStage):
+        with visit(server) as one:
+            control(one, "mine")
+            with visit(server) as two:
+                control(two, "other")
+                two.say(pointer(1))
+                two.frame()
+                two.frame()
+                assert stage.pointers == []
+                told = two.do("kill", seat=4)
+                assert not told["ok"]
+                assert "control" in told["text"]
+                one.say(pointer(50))
+                one.frame(lambda f: f.echo == 50)
+                assert two.do("control")["ok"]
+                control(two, "mine")
+                control(one, "other")
+                assert stage.pointers[-1][1].mode == "free"  # what the first held was let go
+                two.say(pointer(1))
+                two.frame(lambda f: f.echo == 1)
+                assert stage.pointers[-1][1].mode == "grab"
+                assert two.frames[-1].echo == 1
+                count = len(stage.pointers)
+                one.say(pointer(51, target=(9.0, 0.0, 0.0)))
+                one.frame()
+                one.frame()
+                assert (9.0, 0.0, 0.0) not in [p.target for _, p in stage.pointers[count:]]
+            control(one, "mine")
+
+    def test_numbers_rise_over_pages(self, server: PageServer, stage: FakeStage):
+        with visit(server) as one:
+            one.say(pointer(1000))
+            one.frame(lambda f: f.echo == 1000)
+        with visit(server) as two:
+            control(two, "mine")
+            two.say(pointer(1))
+            two.frame(lambda f: f.echo == 1)
+        numbers = [p.number for _, p in stage.pointers]
+        assert numbers == sorted(set(numbers))
+
+    def test_different_seats_have_different_pages(self, server: PageServer, stage: FakeStage):
+        with visit(server, seat=0) as one, visit(server, seat=1) as two:
+            control(one, "mine")
+            control(two, "mine")
+            one.say(pointer(3, seat=0))
+            two.say(pointer(4, seat=1))
+            one.frame(lambda f: f.echo == 3)
+            two.frame(lambda f: f.echo == 4)
+            two.say(pointer(5, seat=0))  # not its own
+            two.frame()
+            two.frame()
+            told = one.do("hand", seat=1, mode="free")
+            assert not told["ok"]
+            assert "user 2" in told["text"]
+            assert one.do("hand", 2, seat=2, mode="hold")["ok"]
+        assert {(seat, p.mode) for seat, p in stage.pointers} == {(0, "grab"), (1, "grab"), (0, "free"), (1, "free")}
+
+    def test_saying_hello_again_keeps_it_and_another_seat_does_not(self, server: PageServer, stage: FakeStage):
+        with visit(server) as one, visit(server) as two:
+            control(two, "other")
+            one.say(pointer(1))
+            one.frame(lambda f: f.echo == 1)
+            one.hello(token=server.token, seat=0, rate=5)
+            two.text("state")
+            control(two, "other")
+            assert {p.mode for _, p in stage.pointers} == {"grab"}
+            one.hello(token=server.token, seat=3)
+            control(two, "mine")
+            control(one, "mine")
+            assert stage.pointers[-1][1].mode == "free"
+        assert [m["type"] for m in one.texts].count("scene") == 1
+
+
+class TestDo:
+    def test_what_is_asked_for_is_done_and_said(self, server: PageServer, stage: FakeStage):
+        with visit(server) as page:
+            told = page.do("cut", 9, a=3, b=1, on=True)
+            assert (told["ok"], told["text"]) == (True, "the link of Dan and Ben is cut")
+            assert page.text("state", lambda m: m["emulated"]["1-3"]["cut"] and m["ends"]["3-1"]["state"] == "guarded")
+        assert stage.done == [("cut", {"a": 3, "b": 1, "on": True})]
+
+    @pytest.mark.parametrize(
+        ("what", "arguments", "word"),
+        [("cut", {"a": 0}, "missing"), ("damping", {"share": 7}, "share is 7"), ("fly", {}, '"fly"')],
+    )
+    def test_what_cannot_be_done_is_explained(self, server: PageServer, what: str, arguments: dict, word: str):
+        with visit(server) as page:
+            told = page.do(what, **arguments)
+            assert not told["ok"]
+            assert word in told["text"]
+
+    def test_a_stage_that_breaks_does_not_leave_the_page_waiting(self, server: PageServer, stage: FakeStage):
+        def broken(what: str, arguments: object) -> str:
+            raise ZeroDivisionError("secret")
+
+        stage.do = broken  # type: ignore[method-assign]
+        with visit(server) as page:
+            told = page.do("cut", a=0, b=1, on=True)
+            assert (told["ok"], "secret" in told["text"]) == (False, False)
+            page.frame()
+
+    def test_lowered_damping_is_told(self, server: PageServer):
+        with visit(server) as page:
+            assert page.text("state")["verdict"]["level"] == "good"
+            assert page.do("damping", share=0.4)["ok"]
+            state = page.text("state", lambda m: m["damping"] == 0.4)
+            assert state["verdict"]["level"] == "bad"
+            assert "not passive" in state["verdict"]["text"]
+
+
+@pytest.fixture(scope="module")
+def still() -> Iterator[PageServer]:
+    with PageServer(FakeStage("1d"), port=0) as running:
+        yield running
+
+
+class TestMalformed:
+    @settings(max_examples=40)
+    @given(
+        st.one_of(
+            st.binary(max_size=80).filter(lambda b: not (len(b) in {8, 40} and b[:1] in {b"\2", b"\3"})),
+            st.text(max_size=80).filter(lambda t: not t.isdigit()),
+            st.just(pointer(1, point=1)),
+            st.just(pointer(1, action=3)),
+            st.just(json.dumps({"type": "hello", "version": 2})),
+            st.just(json.dumps({"type": "hello", "version": 1, "seat": 9})),
+            st.just(json.dumps({"type": "do", "id": 1, "what": "kill!"})),
+        )
+    )
+    def test_closes_with_a_reason(self, still: PageServer, message: bytes | str):
+        with visit(still) as page:
+            page.say(message)
+            code, reason = page.closed()
+        assert code == 1008
+        assert reason
+
+    @pytest.mark.parametrize("first", [ack(1), pointer(1), '{"type": "do", "id": 1, "what": "cut"}'])
+    def test_before_a_hello_nothing_counts(self, still: PageServer, first: bytes | str):
+        with visit(still, hello=False) as page:
+            page.say(first)
+            error = page.text("error")
+            assert "hello" in error["text"]
+            assert page.closed()[0] == 1008
+
+    def test_a_page_of_another_version_is_told(self, still: PageServer):
+        with visit(still, version=2) as page:
+            assert "version 2" in page.text("error")["text"]
+            assert page.closed()[0] == 1008
+
+    def test_what_is_too_long_is_not_read(self, still: PageServer):
+        with visit(still) as page:
+            page.say("[" * 20_000)
+            assert page.closed()[0] == 1009
+
+    @pytest.mark.parametrize(("message", "count"), [(ack(0), 4_000), ('{"type": "do", "id": 1, "what": "no"}', 400)])
+    def test_too_many(self, still: PageServer, message: bytes | str, count: int):
+        with visit(still) as page:
+            with contextlib.suppress(ConnectionClosed):
+                for _ in range(count):
+                    page.connection.send(message)
+            code, reason = page.closed()
+        assert (code, "too many" in reason) == (1008, True)
+
+    def test_others_go_on(self, still: PageServer):
+        with visit(still) as watching:
+            with visit(still, seat=1) as page:
+                page.say(b"nonsense")
+                page.closed()
+            watching.frame()
+            assert watching.text("state", lambda m: m["pages"] == 1)
+
+    def test_too_many_pages(self, still: PageServer):
+        with visit(still) as first:
+            first.frame()
+            others = [visit(still) for _ in range(15)]
+            pages = [other.__enter__() for other in others]
+            try:
+                pages[-1].frame()
+                with visit(still, hello=False) as late:
+                    code, reason = late.closed()
+                assert (code, "16 pages" in reason) == (1013, True)
+            finally:
+                for other in others:
+                    other.__exit__(None, None, None)
+            first.text("state", lambda m: m["pages"] == 1)

@@ -1,0 +1,105 @@
+"""Whatever a page sends is understood or refused, and nothing else."""
+
+import contextlib
+import json
+import math
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from tests.web.reader import ack, pointer
+
+from cotouch.web._protocol import Do, Hello, MalformedError, PointerMessage, read_binary, read_text
+
+single = st.floats(width=32, allow_nan=True, allow_infinity=True)
+
+
+@settings(max_examples=200)
+@given(
+    number=st.integers(0, 2**32 - 1),
+    seat=st.integers(0, 255),
+    action=st.integers(0, 255),
+    point=st.integers(0, 2**32 - 1),
+    target=st.tuples(single, single, single),
+    radius=single,
+    stiffness=single,
+    sent=st.floats(),
+)
+def test_a_pointer_is_what_was_sent_or_refused(number, seat, action, point, target, radius, stiffness, sent):
+    sensible = (
+        action <= 2
+        and all(abs(x) <= 1e4 for x in target)
+        and 0.0 <= radius <= 1e4
+        and 0.0 <= stiffness <= 1e5
+        and math.isfinite(sent)
+    )
+    data = pointer(
+        number, seat=seat, action=action, point=point, target=target, radius=radius, stiffness=stiffness, sent=sent
+    )
+    if not sensible:
+        with pytest.raises(MalformedError):
+            read_binary(data)
+        return
+    read = read_binary(data)
+    assert isinstance(read, PointerMessage)
+    assert (read.number, read.seat, read.point) == (number, seat, point)
+    assert read.mode == ("ball", "grab", "free")[action]
+    assert (read.target, read.radius, read.stiffness, read.sent) == (target, radius, stiffness, sent)
+
+
+@given(st.integers(0, 2**32 - 1))
+def test_an_ack_is_its_number(number: int):
+    assert read_binary(ack(number)) == number
+
+
+@settings(max_examples=300)
+@given(st.one_of(st.binary(max_size=60), st.binary(min_size=40, max_size=40).map(lambda b: b"\2" + b[1:])))
+def test_bytes_never_do_anything_else(data: bytes):
+    with contextlib.suppress(MalformedError):
+        assert isinstance(read_binary(data), PointerMessage | int)
+
+
+values = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=5),
+    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=8), inner, max_size=3),
+    max_leaves=8,
+)
+names = st.sampled_from(["type", "version", "token", "seat", "want", "rate", "id", "what", "arguments"])
+hellos = st.dictionaries(names, values | st.sampled_from(["hello", "do", "all"]), max_size=8)
+
+
+@settings(max_examples=300)
+@given(st.one_of(st.text(max_size=80), hellos.map(json.dumps), values.map(json.dumps)))
+def test_texts_never_do_anything_else(text: str):
+    with contextlib.suppress(MalformedError):
+        assert isinstance(read_text(text), Hello | Do)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "[]",
+        "[" * 5000,
+        '{"type": "hello"}',
+        '{"type": "hello", "version": 1, "rate": 0}',
+        '{"type": "hello", "version": 1, "rate": NaN}',
+        '{"type": "hello", "version": 1, "seat": -1}',
+        '{"type": "hello", "version": 1, "seat": 1.5}',
+        '{"type": "hello", "version": 1, "extra": 1}',
+        '{"type": "do", "what": "cut"}',
+        '{"type": "do", "id": 1, "what": "../cut"}',
+        '{"type": "do", "id": 1, "what": "cut", "delay": Infinity}',
+        '{"type": "do", "id": -1, "what": "cut"}',
+        '{"type": "bye"}',
+    ],
+)
+def test_what_no_page_says_is_refused(text: str):
+    with pytest.raises(MalformedError):
+        read_text(text)
+
+
+def test_arguments_stay_as_they_are():
+    asked = read_text('{"type": "do", "id": 4, "what": "links", "links": [[0, 1]], "choice": null}')
+    assert isinstance(asked, Do)
+    assert (asked.id, asked.what, asked.arguments) == (4, "links", {"links": [[0, 1]], "choice": None})

@@ -1,0 +1,121 @@
+"""Plots, energy, damping and recordings in the page."""
+
+import io
+import re
+import zipfile
+
+import pytest
+from tests.web.shell_pages import World, words
+from tests.web.shell_scripts import COLOURS, FEED
+
+
+def test_plots_draw_and_hold_no_growing_memory(here: World) -> None:
+    page = here.open()
+    page.wait_for_function(f"() => ({COLOURS})().length === 3 && ({COLOURS})().every((n) => n > 6)")
+    words(page, "#plots .chart:nth-child(2) .reading", r"^\d")
+    session = page.context.new_cdp_session(page)
+
+    def heap() -> float:
+        session.send("HeapProfiler.collectGarbage")
+        return session.send("Runtime.getHeapUsage")["usedSize"]
+
+    assert page.evaluate(FEED, 20) <= 1300
+    before = heap()
+    page.evaluate(FEED, 40)
+    # Whoever kept only a frame's objects would hold ten times as much.
+    assert heap() - before < 2_000_000
+    assert page.locator("#plots canvas").count() == 3
+
+
+def test_frozen_plots_stand_still_and_are_saved(here: World) -> None:
+    page = here.open()
+    page.wait_for_function("() => window.cotouch.store.history.count > 20")
+    page.keyboard.press("f")
+    assert page.get_attribute("#freeze", "aria-pressed") == "true"
+    with page.expect_download() as saved:
+        page.click("#plots >> text=CSV")
+    lines = saved.value.path().read_text().splitlines()
+    heads = lines[0].split(",")
+    assert heads[:2] == ["time_s", "position_m 1 Ann"]
+    assert len(heads) == 1 + 3 * 5
+    assert all(len(line.split(",")) == len(heads) for line in lines)
+    shown = page.evaluate("() => document.querySelector('#plots .reading').textContent")
+    page.wait_for_function("count => window.cotouch.store.frame.number > count + 10", arg=len(lines))
+    assert page.evaluate("() => document.querySelector('#plots .reading').textContent") == shown
+    with page.expect_download() as saved:
+        page.click("#plots >> text=CSV")
+    assert saved.value.path().read_text().splitlines() == lines
+    with page.expect_download() as saved:
+        page.click("#plots >> text=PNG")
+    assert saved.value.path().read_bytes().startswith(b"\x89PNG")
+    page.keyboard.press("f")
+    words(page, "#freeze", "Freeze")
+
+
+def joules(words_: str) -> float:
+    """A number with its prefix."""
+    match = re.fullmatch(r"(−?[\d.]+)\u202f([kmµnp]?)J", words_.strip())
+    assert match, words_
+    scale = {"": 1.0, "k": 1e3, "m": 1e-3, "µ": 1e-6, "n": 1e-9, "p": 1e-12}[match[2]]
+    return float(match[1].replace("−", "-")) * scale
+
+
+def test_every_joule_is_somewhere(here: World) -> None:
+    page = here.open()
+    page.wait_for_function(
+        "() => Object.values(window.cotouch.store.state.members).reduce((a, b) => a + (b.supplied ?? 0), 0) > 0.01"
+    )
+    rows = page.evaluate(
+        """() => [...document.querySelectorAll('#energy tbody tr, #energy tfoot tr')].map(
+            (row) => [...row.querySelectorAll('td')].map((cell) => cell.textContent))"""
+    )
+    assert len(rows) == 6
+    for row in rows:
+        hands, links, start, damped, stored, left = map(joules, row)
+        assert hands + links + start - damped - stored == pytest.approx(left, abs=0.01 * abs(hands))
+        assert abs(left) < 1e-9
+    sums = page.evaluate("() => [...document.querySelectorAll('#energy .sum')].map((one) => one.textContent)")
+    assert joules(sums[0]) == pytest.approx(joules(sums[1]), rel=1e-6)
+    assert joules(sums[0]) > 0.01
+    # The bars are filled.
+    filled = page.evaluate(
+        """() => [...document.querySelectorAll('.stack')].map((bar) =>
+            bar.lastElementChild.getBoundingClientRect().right / bar.getBoundingClientRect().right)"""
+    )
+    assert all(0.99 < share < 1.01 for share in filled)
+    page.click("#energy >> text=Count from now")
+    page.wait_for_function("() => document.querySelector('#energy table').hasAttribute('data-initial')")
+
+
+def test_damping_is_lowered_behind_a_warning_and_restored_with_one_click(here: World) -> None:
+    other = here.open(here.server.address)
+    page = here.open()
+    page.click("#tab-margin")
+    page.click("#lower")
+    dialog = page.get_by_role("dialog", name="Lower the damping")
+    assert "nothing keeps energy from growing" in (dialog.text_content() or "")
+    # What is safe has the focus.
+    assert page.evaluate("() => document.activeElement.textContent") == "Leave it as it is"
+    page.keyboard.press("Enter")
+    assert here.did("damping") == []
+    page.click("#lower")
+    dialog.get_by_role("button", name="Lower it").click()
+    words(page, "#banner-damping", "lowered to 20\u202f%")
+    words(page, "#verdict", "not guaranteed: Not passive")
+    words(other, "#banner-damping", "lowered to 20\u202f%")
+    page.click("#banner-damping >> text=Restore now")
+    page.wait_for_selector("#banner-damping", state="hidden")
+    assert here.did("damping") == [{"share": 0.2}, {"share": 1}]
+
+
+def test_a_recording_is_made_and_downloaded(here: World) -> None:
+    page = here.open()
+    assert page.is_hidden("#download")
+    page.click("#record")
+    words(page, "#record", r"^0:0\d$")
+    page.keyboard.press("r")
+    page.wait_for_selector("#download")
+    with page.expect_download() as saved:
+        page.click("#download")
+    with zipfile.ZipFile(io.BytesIO(saved.value.path().read_bytes())) as archive:
+        assert len(archive.namelist()) == 5

@@ -1,0 +1,181 @@
+"""Whether everybody can use the page: by keys, by ear, on a phone, and led by the tour."""
+
+from typing import Any
+
+import pytest
+from playwright.sync_api import Page
+from tests.web.shell_pages import LINK, PHONE, READY, World, choose, grab, let_go, words
+from tests.web.shell_scripts import CONTRAST, DOUBLED, MOVING, NAMELESS, PANELS, RIGHTMOST, SMALL
+
+
+def test_keys_do_what_buttons_do(here: World) -> None:
+    page = here.open()
+    page.keyboard.press("Tab")
+    assert page.evaluate("() => document.activeElement.className") == "skip"
+    page.keyboard.press("?")
+    page.wait_for_selector("dialog[open]")
+    page.keyboard.press("s")
+    page.uncheck("dialog[open] input")
+    page.keyboard.press("Escape")
+    assert page.evaluate("() => window.cotouch.store.settings.layout") == "overlay"
+    page.keyboard.press("s")
+    assert page.evaluate("() => window.cotouch.store.settings.layout") == "overlay"
+    page.keyboard.press("?")
+    page.check("dialog[open] input")
+    page.keyboard.press("Escape")
+    page.keyboard.press("s")
+    page.keyboard.press("c")
+    page.keyboard.press("b")
+    assert page.evaluate("() => ({ ...window.cotouch.store.settings })") == {
+        "layout": "side", "colour": "stress", "tool": "ball", "theme": "auto", "ghosts": True,
+    }  # fmt: skip
+    page.keyboard.press("d")
+    page.keyboard.press("d")
+    assert page.evaluate("() => document.documentElement.dataset.theme") == "dark"
+    page.keyboard.press("2")
+    assert page.evaluate("() => window.cotouch.store.seat") == 1
+    page.wait_for_selector('.user[data-seat="1"] .chip-mine')
+    page.focus("#tab-energy")
+    page.keyboard.press("ArrowRight")
+    assert page.evaluate("() => document.activeElement.id") == "tab-margin"
+    assert page.is_visible("#margin")
+    assert page.is_hidden("#energy")
+
+
+def test_everything_that_can_be_pressed_has_a_name_and_events_are_said(here: World) -> None:
+    page = here.open()
+    page.click('.user[data-seat="0"] .user-head')
+    nameless = page.evaluate(NAMELESS)
+    assert nameless == []
+    doubled = page.evaluate(DOUBLED)
+    assert doubled == []
+    here.stage.do("kill", {"seat": 3})
+    page.wait_for_function("() => /Dan was killed/.test(document.querySelector('#spoken').textContent)")
+    page.click("#tab-events")
+    words(page, "#events li", "Dan was killed")
+    page.click("#network-title + .ask")
+    words(page, "#network .explanation", "Who is joined to whom")
+
+
+def test_nothing_is_wider_than_a_phone(here: World) -> None:
+    page = here.open(**PHONE)
+    for tab in ("users", "network", "plots", "energy", "margin", "events"):
+        page.tap(f"#tab-{tab}")
+        page.wait_for_selector(f"#{tab}")
+        wide = page.evaluate(RIGHTMOST)
+        assert max(wide) <= 390
+        seen = page.evaluate(PANELS)
+        assert seen == [tab]
+        assert page.evaluate("() => document.querySelector('#stage').getBoundingClientRect().height") > 200
+        small = page.evaluate(SMALL)
+        assert small == []
+    page.tap("#tab-network")
+    page.tap(LINK.format(1, 3) + " .link-plate", force=True)
+    page.wait_for_selector("#link")
+    box = page.locator("#link").bounding_box()
+    assert box is not None
+    assert box["x"] == 0
+    assert box["x"] + box["width"] == 390
+    assert box["y"] + box["height"] == pytest.approx(844, abs=1)
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_all_text_stands_out_from_its_ground(here: World, scheme: Any) -> None:
+    page = here.open(color_scheme=scheme, reduced_motion="reduce")
+    assert page.evaluate("() => document.documentElement.dataset.theme") == scheme
+    found = page.evaluate(CONTRAST)
+    assert len(found) > 30
+    assert [(a, b, ratio) for a, b, ratio in found if ratio < 4.5] == []
+    # Whoever asked for less motion gets none.
+    moving = page.evaluate(MOVING)
+    assert moving == 0
+
+
+def done(page: Page) -> None:
+    """Waits until the step of the tour says that it is done, and goes on."""
+    page.wait_for_selector("#tour[data-done]")
+    page.click("#tour-next")
+
+
+def test_the_tour_invites_runs_through_and_is_taken_up_again(here: World) -> None:
+    page = here.open(first=True)
+    words(page, "#tour-offer", "Two minutes")
+    page.click("#tour-offer >> text=Start")
+    assert page.evaluate("() => document.activeElement.id") == "tour"
+    words(page, "#tour .tour-number", "Step 1 of 10")
+    assert page.get_attribute("#tour", "data-done") is None
+    grab(page, 0.08)
+    done(page)
+    words(page, "#tour h2", "Let go")
+    page.wait_for_timeout(500)  # the tour looks five times a second: it has seen that something is held
+    let_go(page)
+    done(page)
+    # Left and taken up again, by keys, also after a new visit.
+    page.focus("#tour")
+    page.keyboard.press("Escape")
+    assert page.is_hidden("#tour")
+    page.reload()
+    page.wait_for_function(READY)
+    assert page.is_hidden("#tour-offer")
+    page.keyboard.press("t")
+    words(page, "#tour .tour-number", "Step 3 of 10")
+    # So it is where nobody said that he leaves.
+    page.reload()
+    page.wait_for_function(READY)
+    page.keyboard.press("t")
+    words(page, "#tour .tour-number", "Step 3 of 10")
+    page.evaluate("() => window.cotouch.store.set({ layout: 'side' })")
+    grab(page, 0.08)
+    done(page)
+    page.click('.user[data-seat="2"] .user-head')
+    page.click('.user[data-seat="2"] >> text=Hold')
+    done(page)
+    let_go(page)
+    choose(page, 1, 3)
+    done(page)
+    page.click("#cut")
+    done(page)
+    page.click("#cut")
+    done(page)
+    page.click("#topology >> text=Worst")
+    page.wait_for_selector(LINK.format(0, 4))
+    page.wait_for_timeout(500)
+    page.click("#topology >> text=Best")
+    done(page)
+    assert page.is_visible("#energy")
+    done(page)
+    page.click("#lower")
+    page.click("text=Lower it")
+    page.wait_for_selector("#banner-damping")
+    page.wait_for_timeout(500)
+    page.click("#banner-damping >> text=Restore now")
+    page.wait_for_selector("#tour[data-done]")
+    words(page, "#tour-next", "Finish")
+    page.keyboard.press("ArrowLeft")
+    words(page, "#tour .tour-number", "Step 9 of 10")
+    page.keyboard.press("ArrowRight")
+    page.click("#tour-next")
+    assert page.is_hidden("#tour")
+    assert page.evaluate("() => JSON.parse(localStorage.getItem('cotouch.tour')).step") == 0
+    assert here.did("damping") == [{"share": 0.2}, {"share": 1}]
+
+
+def test_the_tour_never_blocks_and_fits_a_phone(here: World) -> None:
+    page = here.open(first=True, **PHONE)
+    page.tap("#tour-offer >> text=Start")
+    for number in range(1, 11):
+        words(page, "#tour .tour-number", f"Step {number} of 10")
+        page.wait_for_timeout(60)
+        box = page.locator("#tour").bounding_box()
+        assert box is not None
+        assert box["x"] >= 0
+        assert box["x"] + box["width"] <= 390
+        assert box["y"] >= 0
+        assert box["y"] + box["height"] <= 844
+        # What lies under the veil can be reached.
+        under = page.evaluate("() => document.elementFromPoint(195, 20)?.closest('.bar') !== null")
+        assert under
+        if number < 10:
+            page.tap("#tour-next")
+    page.tap("#tour-next")
+    assert page.is_hidden("#tour")
