@@ -84,7 +84,7 @@ def visit(address: str, token: str, seconds: float, pointing: float, timed: bool
     from websockets.sync.client import connect
 
     began = time.monotonic()
-    frames, size, waits, first = 0, 0, [], 0.0
+    frames, size, waits, first, copies = 0, 0, [], 0.0, 0
     own = address.rstrip("/")
     with connect(
         own.replace("http", "ws") + "/ws", origin=own, compression=None, max_size=None, max_queue=None
@@ -109,12 +109,12 @@ def visit(address: str, token: str, seconds: float, pointing: float, timed: bool
                 if not first:
                     first = time.monotonic() - began
                 page.send(struct.pack("<B3xI", 3, struct.unpack_from("<I", message, 4)[0]))
-                frames, size = frames + 1, size + len(message)
+                frames, size, copies = frames + 1, size + len(message), struct.unpack_from("<H", message, 2)[0]
                 echo, waited = struct.unpack_from("<II", message, 24)
                 if echo > seen:
                     seen = echo
                     waits.append(1e-6 * waited)
-    return {"first": first, "frames": frames / seconds, "bytes": size / seconds, "waits": waits}
+    return {"copies": copies, "first": first, "frames": frames / seconds, "bytes": size / seconds, "waits": waits}
 
 
 def _page(server: PageServer, pointing: float = 0.0, seconds: float = SECONDS) -> dict[str, Any]:
@@ -186,7 +186,10 @@ def _demo() -> Any:
     try:
         line = next(line for line in process.stderr if "the page is at" in line)
         address, _, token = line.split()[-1].partition("#token=")
-        time.sleep(12.0)  # until all are there and coupled
+        for _ in range(60):  # where kernels have to compile, that takes a minute or two
+            if _visitor(address, token, 2.0, 0.0, timed=False)["copies"] == 5:
+                break
+        time.sleep(5.0)  # until all are coupled
         yield process, address, token
     finally:
         process.send_signal(signal.SIGTERM)

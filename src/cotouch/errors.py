@@ -10,6 +10,7 @@
     │   ├── ScenarioError                a scenario, one of its options, or the file it came from
     │   ├── SessionError                 a live session: an address, keys, a layout of samples
     │   ├── RecordingError               a recording that cannot be read, written or used for what was asked
+    │   ├── PageError                    what a page in a browser sent is nothing that pages send
     │   └── UnsupportedError             correct in itself, but outside what the asked-for method can do
     └── TransportError                   this machine or its network refused: a port that is taken, say
 
@@ -47,6 +48,10 @@ class SessionError(InputError):
 
 class RecordingError(InputError):
     """A recording that cannot be read, written or used for what was asked."""
+
+
+class PageError(InputError):
+    """What a page in a browser sent is nothing that pages of this version send; whoever sent it is told, and closed."""
 
 
 class UnsupportedError(InputError):

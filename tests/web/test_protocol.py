@@ -9,7 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.web.reader import ack, pointer
 
-from cotouch.web._protocol import Do, Hello, MalformedError, PointerMessage, read_binary, read_text
+from cotouch.errors import PageError
+from cotouch.web._protocol import Do, Hello, PointerMessage, read_binary, read_text
 
 single = st.floats(width=32, allow_nan=True, allow_infinity=True)
 
@@ -37,7 +38,7 @@ def test_a_pointer_is_what_was_sent_or_refused(number, seat, action, point, targ
         number, seat=seat, action=action, point=point, target=target, radius=radius, stiffness=stiffness, sent=sent
     )
     if not sensible:
-        with pytest.raises(MalformedError):
+        with pytest.raises(PageError):
             read_binary(data)
         return
     read = read_binary(data)
@@ -55,7 +56,7 @@ def test_an_ack_is_its_number(number: int):
 @settings(max_examples=300)
 @given(st.one_of(st.binary(max_size=60), st.binary(min_size=40, max_size=40).map(lambda b: b"\2" + b[1:])))
 def test_bytes_never_do_anything_else(data: bytes):
-    with contextlib.suppress(MalformedError):
+    with contextlib.suppress(PageError):
         assert isinstance(read_binary(data), PointerMessage | int)
 
 
@@ -71,7 +72,7 @@ hellos = st.dictionaries(names, values | st.sampled_from(["hello", "do", "all"])
 @settings(max_examples=300)
 @given(st.one_of(st.text(max_size=80), hellos.map(json.dumps), values.map(json.dumps)))
 def test_texts_never_do_anything_else(text: str):
-    with contextlib.suppress(MalformedError):
+    with contextlib.suppress(PageError):
         assert isinstance(read_text(text), Hello | Do)
 
 
@@ -95,7 +96,7 @@ def test_texts_never_do_anything_else(text: str):
     ],
 )
 def test_what_no_page_says_is_refused(text: str):
-    with pytest.raises(MalformedError):
+    with pytest.raises(PageError):
         read_text(text)
 
 

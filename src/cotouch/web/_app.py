@@ -14,10 +14,11 @@ from starlette.responses import PlainTextResponse, Response
 from starlette.routing import Route, WebSocketRoute
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
+from cotouch.errors import PageError
 from cotouch.web._access import HEADERS, Access
 from cotouch.web._hub import MOST_PAGES, Hub
 from cotouch.web._page import Page
-from cotouch.web._protocol import Hello, MalformedError, read_binary, read_text
+from cotouch.web._protocol import Hello, read_binary, read_text
 
 if TYPE_CHECKING:
     from starlette.types import ASGIApp, Message, Receive, Scope, Send
@@ -153,7 +154,7 @@ class _Routes:
         refusal: str | None = None
         try:
             await self._listen(socket, page)
-        except MalformedError as error:
+        except PageError as error:
             refusal = str(error)
         except (TimeoutError, WebSocketDisconnect) as error:
             refusal = "no hello came" if isinstance(error, TimeoutError) else None
@@ -174,22 +175,22 @@ class _Routes:
             data, text = message.get("bytes"), message.get("text")
             if data is not None:
                 if not page.binary.take(clock()):
-                    raise MalformedError("too many messages: a page sends at most some 2,000 a second")
+                    raise PageError("too many messages: a page sends at most some 2,000 a second")
                 read = read_binary(data)
                 if page.hello is None:
-                    raise MalformedError("the first message must be a hello")
+                    raise PageError("the first message must be a hello")
                 if isinstance(read, int):
                     hub.acknowledged(page, read)
                 else:
                     hub.pointed(page, read)
             elif text is not None:
                 if not page.text.take(clock()):
-                    raise MalformedError("too many messages: a page asks for at most some 100 things a second")
+                    raise PageError("too many messages: a page asks for at most some 100 things a second")
                 asked = read_text(text)
                 if isinstance(asked, Hello):
                     hub.hello(page, asked)
                 elif page.hello is None:
-                    raise MalformedError("the first message must be a hello")
+                    raise PageError("the first message must be a hello")
                 else:
                     hub.asked(page, asked)
 

@@ -10,13 +10,13 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import Final, final
 
 from cotouch import __version__
-from cotouch.errors import CotouchError
+from cotouch.errors import CotouchError, PageError
 from cotouch.session import CopyView, Stage
 from cotouch.web._access import Access
 from cotouch.web._control import Control
 from cotouch.web._frames import FrameEncoder
 from cotouch.web._page import Page
-from cotouch.web._protocol import VERSION, Do, Hello, MalformedError, PointerMessage
+from cotouch.web._protocol import VERSION, Do, Hello, PointerMessage
 from cotouch.web._scene import nodes_of_points, scene_message, state_message
 
 MOST_PAGES: Final = 16
@@ -86,15 +86,15 @@ class Hub:
         """A page says what it is.
 
         Raises:
-            MalformedError: it is of another version, or acts for a seat that there is not.
+            PageError: it is of another version, or acts for a seat that there is not.
         """
         scene = self.scene
         if message.version != VERSION:
-            raise MalformedError(
+            raise PageError(
                 f"the page speaks version {message.version}, cotouch {__version__} version {VERSION}; reload"
             )
         if message.seat is not None and message.seat >= len(scene.users):
-            raise MalformedError(f"the page's seat is {message.seat}; there are 0 to {len(scene.users) - 1}")
+            raise PageError(f"the page's seat is {message.seat}; there are 0 to {len(scene.users) - 1}")
         acts = self.access.token_right(message.token)
         first = page.hello is None
         if first or (message.seat, acts) != (page.seat, page.acts):
@@ -121,10 +121,10 @@ class Hub:
         """A page moves its pointer.
 
         Raises:
-            MalformedError: it points at something that is not drawn.
+            PageError: it points at something that is not drawn.
         """
         if message.point >= self._control.points:
-            raise MalformedError(f"the pointer's point is {message.point}; there are 0 to {self._control.points - 1}")
+            raise PageError(f"the pointer's point is {message.point}; there are 0 to {self._control.points - 1}")
         now = self._clock()
         if not page.acts:
             if not page.told_why:

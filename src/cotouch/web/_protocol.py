@@ -7,6 +7,7 @@ from typing import Annotated, Any, Final, Literal, final
 
 from pydantic import Field, ValidationError
 
+from cotouch.errors import PageError
 from cotouch.scenario import Table
 from cotouch.session import HAND_MODES, HandMode
 
@@ -26,10 +27,6 @@ _FAR, _STIFF = 1e4, 1e5
 MOST_BYTES: Final = 16_384  # of a message from a page: every pair of 32 users, written out, fits
 
 Seat = Annotated[int, Field(ge=0, le=255)]
-
-
-class MalformedError(ValueError):
-    """A message that no page of this version sends; the reason is told to whoever sent it."""
 
 
 @final
@@ -53,15 +50,15 @@ class PointerMessage:
         """Reads one.
 
         Raises:
-            MalformedError: it is none.
+            PageError: it is none.
         """
         _, self.seat, action, zero, self.number, self.point, x, y, z, radius, stiffness, sent = _POINTER.unpack(message)
         if action >= len(_ACTIONS) or zero:
-            raise MalformedError(f"the pointer's action is {action}; it must be 0, 1 or 2, and the byte after it 0")
+            raise PageError(f"the pointer's action is {action}; it must be 0, 1 or 2, and the byte after it 0")
         if not (abs(x) <= _FAR and abs(y) <= _FAR and abs(z) <= _FAR):
-            raise MalformedError(f"the pointer's target is {x}, {y}, {z}; it must be within {_FAR:.0f} m")
+            raise PageError(f"the pointer's target is {x}, {y}, {z}; it must be within {_FAR:.0f} m")
         if not (0.0 <= radius <= _FAR and 0.0 <= stiffness <= _STIFF and math.isfinite(sent)):
-            raise MalformedError(f"the pointer's radius or stiffness is {radius} or {stiffness}, or its time {sent}")
+            raise PageError(f"the pointer's radius or stiffness is {radius} or {stiffness}, or its time {sent}")
         self.mode: HandMode = _ACTIONS[action]
         self.target: tuple[float, float, float] = (x, y, z)
         self.radius: float = radius
@@ -114,26 +111,26 @@ def read_binary(message: bytes) -> PointerMessage | int:
     """A pointer, or the number of the frame that is acknowledged.
 
     Raises:
-        MalformedError: it is neither.
+        PageError: it is neither.
     """
     kind = message[0] if message else -1
     if kind == _POINTER_KIND and len(message) == _POINTER.size:
         return PointerMessage(message)
     if kind == _ACK_KIND and len(message) == _ACK.size and message[1:4] == b"\0\0\0":
         return int(_ACK.unpack(message)[1])
-    raise MalformedError(f"a binary message of kind {kind} with {len(message)} bytes; pointers are 2, 40, acks 3, 8")
+    raise PageError(f"a binary message of kind {kind} with {len(message)} bytes; pointers are 2, 40, acks 3, 8")
 
 
 def read_text(message: str) -> Hello | Do:
     """What a page asks for.
 
     Raises:
-        MalformedError: it is nothing that can be asked for.
+        PageError: it is nothing that can be asked for.
     """
     try:
         content = json.loads(message, parse_constant=_refuse)
         if not isinstance(content, dict):
-            raise MalformedError("a text message must be one JSON object")
+            raise PageError("a text message must be one JSON object")
         if content.get("type") == "do":
             rest = {name: value for name, value in content.items() if name not in _DO_FIELDS}
             return Do.model_validate(
@@ -143,15 +140,15 @@ def read_text(message: str) -> Hello | Do:
     except ValidationError as error:
         first = error.errors()[0]
         place = ".".join(str(part) for part in first["loc"]) or "the message"
-        raise MalformedError(f"{place}: {first['msg']}") from error
+        raise PageError(f"{place}: {first['msg']}") from error
     except (ValueError, RecursionError) as error:
-        if isinstance(error, MalformedError):
+        if isinstance(error, PageError):
             raise
-        raise MalformedError("a text message must be JSON") from error
+        raise PageError("a text message must be JSON") from error
 
 
 def _refuse(constant: str) -> float:
-    raise MalformedError(f"a text message holds {constant}, which is no number of JSON")
+    raise PageError(f"a text message holds {constant}, which is no number of JSON")
 
 
 def mode_index(mode: HandMode) -> int:
