@@ -4,7 +4,7 @@ import argparse
 
 from rich.console import Console
 
-from benchmarks import engine, live, members, planner, record, recording, scaling, step, touch
+from benchmarks import drivers, engine, live, members, planner, record, recording, scaling, step, touch
 from benchmarks._report import Row, add_write, finish
 
 
@@ -24,6 +24,7 @@ def main() -> None:
             ("planner", lambda: planner.measure(long=options.long)),
             ("live", live.measure),
             ("members", members.measure),
+            ("drivers", drivers.measure),
             ("recording", recording.measure),
             ("record", lambda: record.measure(options.count)),
         ):

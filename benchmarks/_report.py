@@ -23,6 +23,7 @@ SECTIONS = (
     "planner",
     "live",
     "members",
+    "drivers",
     "recording",
     "record",
     "touch record",

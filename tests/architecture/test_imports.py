@@ -12,7 +12,21 @@ from tests.architecture.modules import NAMES, PACKAGE, ROOT, parsed
 
 # Rooms that may know the outside world, and the package itself, which only forwards names.
 WORLDS = tuple(
-    f"cotouch.{room}" for room in ("simulation", "planning", "study", "session", "live", "recording", "cli", "__main__")
+    f"cotouch.{room}"
+    for room in (
+        "simulation",
+        "planning",
+        "study",
+        "session",
+        "live",
+        "recording",
+        "board",
+        "pacing",
+        "haptics",
+        "drivers",
+        "cli",
+        "__main__",
+    )
 )
 AMBIENT = {"time", "random", "secrets", "datetime", "asyncio", "socket", "threading", "os", "uuid"}
 PURE = [name for name in NAMES if not name.startswith(WORLDS)]

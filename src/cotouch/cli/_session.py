@@ -71,8 +71,9 @@ def join(
     from cotouch.live import Invitation
     from cotouch.session import join as take_part
 
-    if hand not in {"scripted", "none"}:
-        raise SessionError(f'--device is "{hand}"; it must be scripted (what the session\'s file says) or none')
+    device = hand if hand not in {"scripted", "none"} else None
+    if device is not None:
+        _known_device(device)
     if record is not None:
         writable(record)
     decoded = Invitation.decode(sys.stdin.readline() if invitation == "-" else invitation)
@@ -84,6 +85,8 @@ def join(
             decoded,
             name=name or _own_name(),
             hand="none" if hand == "none" else "scripted",
+            device=device,
+            warn=_warn,
             seconds=seconds,
             listen=listen,
             record=record,
@@ -109,6 +112,7 @@ def numbers(taken: "Taken") -> dict[str, Any]:
         "status": None if status is None else status.model_dump(),
         "pace": dict(taken.pace),
         "recorded_steps": taken.recorded,
+        "device": None if taken.device is None else dict(taken.device),
     }
 
 
@@ -255,6 +259,25 @@ def _own_name() -> str:
         return os.getlogin()[:32] or "guest"
     except OSError:
         return "guest"
+
+
+def _known_device(text: str) -> None:
+    """Refuses a device that there is not, before anything is opened.
+
+    Raises:
+        SessionError: it is none; the sentence names all that there are.
+    """
+    from cotouch.haptics import DeviceChoice, device_names
+
+    name = DeviceChoice.read(text).name
+    if "/" not in name and name not in device_names():
+        known = ", ".join(["scripted (what the session's file says)", "none", *device_names()])
+        raise SessionError(f'--device is "{text}"; it must be one of {known}')
+
+
+def _warn(text: str) -> None:
+    sys.stderr.write(f"cotouch: {text}\n")
+    sys.stderr.flush()
 
 
 def _say(text: str) -> None:

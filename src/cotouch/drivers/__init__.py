@@ -1,1 +1,6 @@
 """Devices of vendors, each behind the interface of `cotouch.haptics`; a vendor's library is loaded when asked for."""
+
+from cotouch.drivers._haply import HAPLY
+from cotouch.drivers._registered import FORCE_DIMENSION, GAMEPAD, RECORDED, TOUCH
+
+__all__ = ["FORCE_DIMENSION", "GAMEPAD", "HAPLY", "RECORDED", "TOUCH"]

@@ -1,5 +1,74 @@
 """Devices that are held in a hand: what they have in common, and the loop that holds them safely."""
 
+from cotouch.haptics._conformance import Finding, conform
+from cotouch.haptics._core import Order, Report, ServoCore
 from cotouch.haptics._device import Device, DeviceReading, Flag
+from cotouch.haptics._ends import DeviceEnd, EndOptions, ProxyEnd, Pull, Purse, Word, checked
+from cotouch.haptics._frames import FORCE_DIMENSION, FRAMES, HAPLY, OPENHAPTICS, OPENXR, OURS, Frame
+from cotouch.haptics._limits import UNKNOWN_FORCE, SafetyLimits
+from cotouch.haptics._link import ServoLink
+from cotouch.haptics._registry import (
+    GROUP,
+    DeviceChoice,
+    Driver,
+    Option,
+    device_names,
+    driver,
+    make_device,
+    open_device,
+)
+from cotouch.haptics._safety import Cause, Heat, SafetyChain, Seen, Vector, saturate, silence, size, slew, spoken
+from cotouch.haptics._servo import Servo
+from cotouch.haptics._settings import ServoSettings
+from cotouch.haptics._simulated import SIMULATED, SimulatedOnClock, simulated_model
 
-__all__ = ["Device", "DeviceReading", "Flag"]
+__all__ = [
+    "FORCE_DIMENSION",
+    "FRAMES",
+    "GROUP",
+    "HAPLY",
+    "OPENHAPTICS",
+    "OPENXR",
+    "OURS",
+    "SIMULATED",
+    "UNKNOWN_FORCE",
+    "Cause",
+    "Device",
+    "DeviceChoice",
+    "DeviceEnd",
+    "DeviceReading",
+    "Driver",
+    "EndOptions",
+    "Finding",
+    "Flag",
+    "Frame",
+    "Heat",
+    "Option",
+    "Order",
+    "ProxyEnd",
+    "Pull",
+    "Purse",
+    "Report",
+    "SafetyChain",
+    "SafetyLimits",
+    "Seen",
+    "Servo",
+    "ServoCore",
+    "ServoLink",
+    "ServoSettings",
+    "SimulatedOnClock",
+    "Vector",
+    "Word",
+    "checked",
+    "conform",
+    "device_names",
+    "driver",
+    "make_device",
+    "open_device",
+    "saturate",
+    "silence",
+    "simulated_model",
+    "size",
+    "slew",
+    "spoken",
+]

@@ -67,6 +67,10 @@ class Device(Protocol):
     wrong raises `DeviceError` with one sentence; after that only `stop` and `close` are called. A device without motors
     (`spec.actuated` is 0) takes any force and applies none.
 
+    `exchange` may be called before `enable_force`, and after `stop` or `enable_force(False)`: the device measures, and
+    whatever force it is given, its motors stay off until `enable_force` is called again. The origin of the frame is the
+    middle of the workspace, that is, of the ball in `spec`.
+
     Attributes:
         spec: its limits.
     """
@@ -110,7 +114,9 @@ class Device(Protocol):
     def exchange(self, force: Float) -> DeviceReading:
         """One cycle: commands a force and measures.
 
-        Blocks as long as the device's own cycle takes, never longer than the driver's time limit.
+        Blocks as long as the device's own cycle takes, never longer than the driver's time limit, which is at most
+        20 ms. The force acts from here to the next call; the place is that at which it begins to act, as nearly as the
+        device can tell. A measurement that is no number is handed on as it is: what follows makes it a fault.
 
         Args:
             force: on the hand, (3,) [N]; finite.

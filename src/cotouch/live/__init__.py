@@ -29,11 +29,9 @@ from cotouch.live._keys import DirectionKeys, Entropy, Identity, LinkKeys
 from cotouch.live._layout import HEAD_BYTES, Coding, Layout
 from cotouch.live._limit import Bucket, SourceLimit
 from cotouch.live._memory import MemoryNetwork, MemoryTransport
-from cotouch.live._pacing import Pacer, PaceStatistics, Turn
 from cotouch.live._path import Path, PathLaw
 from cotouch.live._plane import SampleLink, SamplePlane
 from cotouch.live._probe import PROBE, PairKeys, member_key, pair_keys
-from cotouch.live._process import ProcessState, few_arenas, prepare_process
 from cotouch.live._puncher import Probe, Puncher, Way
 from cotouch.live._rate import LOWEST_RATE, SendRate, Trend
 from cotouch.live._reflexive import Lookup, Mirror
@@ -45,6 +43,7 @@ from cotouch.live._sign import MOST_BODY, MOST_MESSAGE, MessageReader, MessageRe
 from cotouch.live._transport import MOST_BYTES, Arrival, Ground, Traffic, Transport
 from cotouch.live._udp import UdpTransport
 from cotouch.live._ways import ByRelay, WayChanged
+from cotouch.pacing import Pacer, PaceStatistics, ProcessState, Turn, few_arenas, prepare_process
 
 __all__ = [
     "AGED",

@@ -12,7 +12,7 @@ from cotouch.peer import Peer, Report
 from cotouch.scenario import per_user
 from cotouch.session import _keys
 from cotouch.session._file import SessionFile
-from cotouch.session._hand import Hand
+from cotouch.session._hand import AttachedHand, Hand
 from cotouch.session._messages import Entry, LinkStatus, Roster, Status
 from cotouch.session._neighbour import STATES, Neighbour
 from cotouch.session._replica import Replica
@@ -279,6 +279,8 @@ class Copy:
             tolerance=scenario.solver.tolerance,
             iterations=scenario.solver.iterations,
         )
+        if isinstance(hand, AttachedHand):
+            hand.attach(self.peer.state.position)
         if self._mode != "freshest" and heard:
             self.peer.steps = 1 + max(held.link.assembly.newest for held in heard)
         self._began = now

@@ -1,7 +1,7 @@
 """What a user does to its own copy: nothing, what the session's file says, or whatever a device or page does."""
 
 from collections.abc import Sequence
-from typing import Protocol, final
+from typing import Protocol, final, runtime_checkable
 
 import numpy as np
 import numpy.typing as npt
@@ -47,6 +47,19 @@ class Hand(Protocol):
 
     def after(self) -> None:
         """Takes what came of the step: forces at the ports and on the proxies."""
+        ...
+
+
+@runtime_checkable
+class AttachedHand(Protocol):
+    """A hand that goes by where the copy is."""
+
+    def attach(self, position: Float) -> None:
+        """Learns of the copy's position, which then changes in place.
+
+        Args:
+            position: its rows, (rows, width) [m].
+        """
         ...
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Literal, final
+from typing import Any, Literal, final
 
 from cotouch.errors import TransportError
 from cotouch.live import (
@@ -26,9 +26,11 @@ from cotouch.live import (
 )
 from cotouch.mechanics import Model
 from cotouch.session._boards import BoardFolder
+from cotouch.session._device_hand import DeviceHand
 from cotouch.session._emulate import path_laws
 from cotouch.session._file import SessionFile
 from cotouch.session._hand import Hand, NoHand, ScriptedHand
+from cotouch.session._held import HeldDevice, held_device
 from cotouch.session._member import Member
 from cotouch.session._messages import Status
 from cotouch.session._pace import Pace, pace_numbers
@@ -60,6 +62,7 @@ class Taken:
         why: it ended: "time", "ended" (by the host) or "stopped".
         pace: of its steps, as the pacer counted.
         recorded: steps in the recording; None without.
+        device: its name, what was said of it, and how its servo kept pace; None without.
     """
 
     name: str
@@ -68,6 +71,7 @@ class Taken:
     why: str
     pace: Mapping[str, float]
     recorded: int | None
+    device: Mapping[str, Any] | None = None
 
 
 def fetch_session(control: ControlPlane, digest: bytes, folder: Path) -> SessionFile:
@@ -92,12 +96,14 @@ def join(
     *,
     name: str,
     hand: HandKind = "scripted",
+    device: str | None = None,
     seconds: float | None = None,
     listen: str | None = None,
     record: Path | None = None,
     version: str,
     boards: Path | None = None,
     unsafe: bool = False,
+    warn: Callable[[str], None] | None = None,
     say: Callable[[str], None] | None = None,
     stopped: Callable[[], bool] = lambda: False,
 ) -> Taken:
@@ -107,22 +113,61 @@ def join(
         invitation: to the session.
         name: that others see.
         hand: what moves the copy: what the session's file says for its seat, or nothing.
+        device: that moves the copy instead, in the words of `cotouch.haptics.DeviceChoice.read`; None: none.
         seconds: how long, from the first step; None: until the end.
         listen: address in numbers to listen on; None: the one by which this machine reaches the host.
         record: file to record into; must not exist.
         version: of this software.
         boards: folder of the boards by which this member is shown and told things on this machine; see `_boards`.
         unsafe: whether it may be told to take less damping than passivity needs.
+        warn: is told in a sentence why a device's force is off.
         say: is told in a few words what takes time.
         stopped: whether to stop now.
 
     Raises:
         SessionError: it may not take part.
         TransportError: the host, the network or this machine refuses.
+        DeviceError: the device does not open.
     """
     few_arenas()
     identity = Identity.make(os.urandom)
     tell = say or _nobody
+    if device is not None:
+        tell("opening the device")
+    with held_device(device, warn or _nobody) as held:
+        return _join(
+            invitation,
+            identity,
+            held,
+            name=name,
+            hand=hand,
+            seconds=seconds,
+            listen=listen,
+            record=record,
+            version=version,
+            boards=boards,
+            unsafe=unsafe,
+            tell=tell,
+            stopped=stopped,
+        )
+
+
+def _join(
+    invitation: Invitation,
+    identity: Identity,
+    held: HeldDevice,
+    *,
+    name: str,
+    hand: HandKind,
+    seconds: float | None,
+    listen: str | None,
+    record: Path | None,
+    version: str,
+    boards: Path | None,
+    unsafe: bool,
+    tell: Callable[[str], None],
+    stopped: Callable[[], bool],
+) -> Taken:
     tell("joining")
     control = ZenohControl(invitation, identity, listen=listen or "reachable")
     try:
@@ -135,13 +180,14 @@ def join(
         told = boards is not None
         if compiles(session, touched=told and replica.body.skin is not None):
             tell("compiling, once on this machine, which takes a minute or two")
-        warm_up(replica, partial(_hand, session, replica, hand, 0, told=told))
+        warm_up(replica, partial(_hand, session, replica, hand, held.unheld, 0, told=told))
         tell("waiting for a seat")
         return _take_part(
             session,
             replica,
             control,
             invitation,
+            held,
             name=name,
             hand=hand,
             seconds=seconds,
@@ -161,6 +207,7 @@ def _take_part(
     replica: Replica,
     control: ZenohControl,
     invitation: Invitation,
+    held: HeldDevice,
     *,
     name: str,
     hand: HandKind,
@@ -197,9 +244,17 @@ def _take_part(
         if impaired is not None and session.options.emulate:
             for other, law in path_laws(session.scenario, seat).items():
                 impaired.set(other, law)
-        return _hand(session, replica, hand, seat, model, window=window, told=window is not None)
+        return _hand(session, replica, hand, held, seat, model, window=window, told=window is not None)
 
     listening = _Listening(impaired)
+
+    def tend(now: float) -> None:
+        held.tend(tape, now)
+        if window is not None:
+            window.service(now, member.seat, impaired)
+            if member.copy is not None:
+                member.copy.give_damping(window.damping, now)
+
     pacer = Pacer(session.period(0), cap=session.options.longest_step, clock=clock, idle=listening)
     pace = Pace(session.period(0))
     member = Member(
@@ -220,7 +275,7 @@ def _take_part(
     listening.member = member
     try:
         with prepare_process():
-            why = _loop(member, pacer, pace, clock, window, impaired, seconds=seconds, stopped=stopped)
+            why = _loop(member, pacer, pace, clock, tend, seconds=seconds, stopped=stopped)
         status = member.status(clock())
         member.leave()
         return Taken(
@@ -230,6 +285,7 @@ def _take_part(
             why=why,
             pace=pace_numbers(pacer.statistics()),
             recorded=None if tape is None else tape.close(),
+            device=held.summary(),
         )
     finally:
         if window is not None:
@@ -266,8 +322,7 @@ def _loop(
     pacer: Pacer,
     pace: Pace,
     clock: Callable[[], float],
-    window: Window | None,
-    emulator: ImpairedTransport | None,
+    tend: Callable[[float], None],
     *,
     seconds: float | None,
     stopped: Callable[[], bool],
@@ -283,10 +338,7 @@ def _loop(
         if now >= service or member.pending:
             service = now + _SERVICE_EVERY
             member.service(now)
-            if window is not None:
-                window.service(now, member.seat, emulator)
-                if member.copy is not None:
-                    member.copy.give_damping(window.damping, now)
+            tend(now)
             if stopped():
                 return "stopped"
         pace.stepped(T, stood, clock() - now + pacer.worked)
@@ -300,12 +352,25 @@ def _hand(
     session: SessionFile,
     replica: Replica,
     kind: HandKind,
+    held: HeldDevice,
     seat: int,
     model: Model,
     *,
     window: Window | None = None,
     told: bool = False,
 ) -> Hand:
+    if held.wanted:
+        if window is not None:
+            window.holds(None, seat)
+        return DeviceHand(
+            replica.scenario,
+            replica.body,
+            model,
+            seat=seat,
+            period=session.period(seat),
+            longest=session.options.longest_step,
+            link=held.link,
+        )
     if told:
         hand = ToldHand(
             replica.scenario,

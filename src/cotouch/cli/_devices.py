@@ -1,0 +1,158 @@
+"""`cotouch devices`: what there is, whether it does what it must, and what it measures."""
+
+import sys
+import time
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from cotouch.cli._output import print_json
+from cotouch.cli._session import interruptible
+from cotouch.errors import DeviceError
+
+_REDRAW = 10.0  # times a second
+
+
+def show(*, as_json: bool) -> None:
+    """Lists all drivers that are installed, and what seems to be connected."""
+    from cotouch.haptics import device_names, driver
+
+    rows: list[dict[str, Any]] = []
+    for name in device_names():
+        try:
+            found = driver(name)
+        except DeviceError as error:
+            rows.append({"name": name, "summary": str(error), "variants": [], "options": {}, "present": []})
+            continue
+        rows.append(
+            {
+                "name": name,
+                "summary": found.summary,
+                "variants": list(found.variants),
+                "options": dict(found.options),
+                "force": found.spec.force,
+                "rate": found.spec.rate,
+                "watchdog": found.watchdog,
+                "tested": found.tested,
+                "present": list(found.present()),
+            }
+        )
+    if as_json:
+        print_json({"devices": rows})
+        return
+    from rich.console import Console
+    from rich.table import Table
+
+    table = Table("device", "what it is", "force", "options", "connected")
+    for row in rows:
+        names = [f":{variant}" for variant in row["variants"]] + [f"{name}=" for name in row["options"]]
+        force = f"{row['force']:g} N" if "force" in row else ""
+        table.add_row(row["name"], row["summary"], force, " ".join(names), ", ".join(row["present"]) or "not said")
+    Console().print(table)
+
+
+def check(text: str, *, allow_motion: bool, force: bool, as_json: bool) -> bool:
+    """Runs the checks that every device must pass; whether it did."""
+    from cotouch.haptics import DeviceChoice, conform, make_device
+
+    choice = DeviceChoice.read(text)
+    make_device(choice.name, **choice.options)  # what is wrong with the options is said at once
+    found = conform(lambda: make_device(choice.name, **choice.options), allow_motion=allow_motion, force=force)
+    passed = all(finding.passed for finding in found)
+    if as_json:
+        checks = [{"check": one.check, "passed": one.passed, "detail": one.detail} for one in found]
+        print_json({"device": text, "passed": passed, "checks": checks})
+        return passed
+    for one in found:
+        sys.stdout.write(f"{'ok  ' if one.passed else 'FAIL'}  {one.check}: {one.detail}\n")
+    failed = sum(not one.passed for one in found)
+    verdict = "does what it must" if passed else f"fails {failed} of {len(found)} checks"
+    sys.stdout.write(f"{text} {verdict}\n")
+    return passed
+
+
+def calibrate(text: str, *, allow_motion: bool, as_json: bool) -> None:
+    """Makes a device's places absolute."""
+    device, close = _opened(text)
+    try:
+        device.calibrate(allow_motion=allow_motion)
+        reading = device.exchange(np.zeros(3))
+        place = [float(value) for value in reading.position]
+        calibrated = bool(reading.flags & 1)
+    finally:
+        close()
+    if as_json:
+        print_json({"device": text, "calibrated": calibrated, "position": place})
+        return
+    where = ", ".join(f"{1e3 * value:.1f}" for value in place)
+    state = "is calibrated" if calibrated else "does not say that it is calibrated"
+    sys.stdout.write(f"{text} {state}; its tip is at ({where}) mm from the middle of its workspace\n")
+
+
+def monitor(text: str, *, seconds: float | None, as_json: bool) -> None:
+    """Shows what a device measures, with its motors off."""
+    device, close = _opened(text)
+    period = 1.0 / min(device.spec.rate, 1000.0)
+    try:
+        device.calibrate(allow_motion=False)
+        with interruptible() as stopped:
+            cycles, slowest, last = _watch(device, period, seconds, stopped, quiet=as_json)
+    finally:
+        close()
+    if as_json:
+        print_json(
+            {
+                "device": text,
+                "cycles": cycles,
+                "slowest": slowest,
+                "position": last.position.tolist(),
+                "velocity": last.velocity.tolist(),
+                "buttons": last.buttons,
+                "flags": _flags(last.flags),
+            }
+        )
+    else:
+        sys.stdout.write(f"{cycles} cycles; the slowest exchange took {1e3 * slowest:.2f} ms\n")
+
+
+def _watch(
+    device: Any, period: float, seconds: float | None, stopped: Callable[[], bool], *, quiet: bool
+) -> tuple[int, float, Any]:
+    from rich.console import Console
+    from rich.live import Live
+
+    begun = drawn = time.monotonic()
+    cycles, slowest = 0, 0.0
+    with Live(console=Console(stderr=True, quiet=quiet), auto_refresh=False) as live:
+        while True:
+            before = time.monotonic()
+            last = device.exchange(np.zeros(3))
+            now = time.monotonic()
+            cycles, slowest = cycles + 1, max(slowest, now - before)
+            if now - drawn > 1.0 / _REDRAW and not quiet:
+                drawn = now
+                live.update(_line(last), refresh=True)
+            if stopped() or (seconds is not None and now - begun >= seconds):
+                return cycles, slowest, last
+            time.sleep(max(0.0, period - (now - before)))
+
+
+def _line(reading: Any) -> str:
+    place = "  ".join(f"{axis} {1e3 * value:+7.2f}" for axis, value in zip("xyz", reading.position, strict=True))
+    speed = float(np.linalg.norm(reading.velocity))
+    return f"{place} mm   {speed:.3f} m/s   buttons {reading.buttons:b}   {', '.join(_flags(reading.flags))}"
+
+
+def _flags(flags: Any) -> list[str]:
+    from cotouch.haptics import Flag
+
+    return [str(flag.name).lower() for flag in Flag if flags & flag]
+
+
+def _opened(text: str) -> tuple[Any, Callable[[], None]]:
+    from cotouch.haptics import DeviceChoice, open_device
+
+    choice = DeviceChoice.read(text)
+    device = open_device(choice.name, **choice.options)
+    return device, device.close

@@ -1,0 +1,122 @@
+"""Drivers in the registry of devices, except Haply's; a vendor's library loads when a device is opened."""
+
+import contextlib
+from collections.abc import Sequence
+from dataclasses import replace
+
+from cotouch.device import PRESETS
+from cotouch.drivers._dhd import count
+from cotouch.drivers._evdev import gamepads
+from cotouch.drivers._force_dimension import ForceDimension
+from cotouch.drivers._gamepad import Gamepad
+from cotouch.drivers._passive import PASSIVE
+from cotouch.drivers._touch import Touch
+from cotouch.errors import DeviceError
+from cotouch.haptics import Device, Driver
+
+
+def _force_dimension(
+    *,
+    variant: str | None = None,
+    index: int = 0,
+    library: str | None = None,
+    watchdog: float = 0.02,
+    velocity_threshold: int | None = None,
+    wait: float = 20.0,
+) -> Device:
+    return ForceDimension(
+        index,
+        family=variant,
+        library=library,
+        watchdog=float(watchdog),
+        velocity_threshold=velocity_threshold,
+        reset_seconds=float(wait),
+    )
+
+
+def _touch(*, name: str | None = None, library: str | None = None, wait: float = 20.0) -> Device:
+    return Touch(name, library=library, hand_seconds=float(wait))
+
+
+def _gamepad(*, path: str | None = None, speed: float = 0.2) -> Device:
+    return Gamepad(path, speed=float(speed))
+
+
+def _recorded(*, path: str = "", tool: int = 1, repeat: bool = False) -> Device:
+    from cotouch.drivers._recorded import RecordedHand
+
+    if not path:
+        raise DeviceError("the device recorded needs the recording to play, as in recorded:path=ada.mcap")
+    return RecordedHand(path, tool=tool, repeat=repeat)
+
+
+def _present_force_dimension() -> Sequence[str]:
+    with contextlib.suppress(DeviceError):
+        return [f"number {index}" for index in range(count())]
+    return ()
+
+
+def _present_gamepad() -> Sequence[str]:
+    return gamepads()
+
+
+FORCE_DIMENSION = Driver(
+    name="force_dimension",
+    summary="Force Dimension omega, delta, sigma and lambda, and the Falcon, through their SDK",
+    make=_force_dimension,
+    spec=PRESETS["omega"],
+    variants=("omega", "delta", "sigma", "lambda", "falcon"),
+    options={
+        "index": "of the device in the SDK's order, from 0",
+        "library": "file or folder of libdrd; else $COTOUCH_FORCE_DIMENSION, or where the system looks",
+        "watchdog": "silence after which the device takes forces away, 0.001 to 0.03 [s]; 0.02",
+        "velocity_threshold": "at which the device brakes, in the unit of its firmware; only downwards",
+        "wait": "for a hand to put the handle into its rest [s]; 20",
+    },
+    watchdog="Firmware 3.0 and newer takes forces away after 20 ms without a command; older ones do not.",
+    present=_present_force_dimension,
+    tested="a stub library with a firmware of its own; no device",
+)
+"""Force Dimension's devices."""
+
+TOUCH = Driver(
+    name="touch",
+    summary="3D Systems Touch, Touch X and PHANToM through OpenHaptics",
+    make=_touch,
+    spec=PRESETS["touch"],
+    options={
+        "name": "of the device in the vendor's setup; Default Device",
+        "library": "file or folder of libHD; else $COTOUCH_OPENHAPTICS, or where the system looks",
+        "wait": "for a hand to put the stylus into the inkwell [s]; 20",
+    },
+    watchdog="Not published; the vendor's driver ends the servo with the program, and is said to cut the motors.",
+    tested="a stub library with a scheduler of its own; no device",
+)
+"""3D Systems' devices."""
+
+GAMEPAD = Driver(
+    name="gamepad",
+    summary="a gamepad on Linux: sticks lead a point, force rumbles",
+    make=_gamepad,
+    spec=PASSIVE,
+    options={"path": "its event file; else the first gamepad", "speed": "of the point, at most [m/s]; 0.2"},
+    watchdog="The kernel ends its rumble when the program dies; a rumble lasts 0.1 s.",
+    present=_present_gamepad,
+    tested="a stand-in for its event file; no pad",
+)
+"""Gamepads."""
+
+RECORDED = Driver(
+    name="recorded",
+    summary="the hand of a recording, played again",
+    make=_recorded,
+    spec=replace(PASSIVE, name="recorded hand", rate=1000.0, resolution=1e-6),
+    options={
+        "path": "of the recording",
+        "tool": "which tool, from 1",
+        "repeat": "whether to go there and back for ever: true or false",
+    },
+    watchdog="It has no motors.",
+    tested="recordings",
+)
+"""Hands of recordings."""

@@ -1,0 +1,285 @@
+"""3D Systems Touch through OpenHaptics: the library's own thread ticks, and every tick meets one exchange."""
+
+import math
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any, final
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.device import PRESETS, DeviceSpec
+from cotouch.drivers._hd import (
+    BUTTONS,
+    CALIBRATED,
+    CALLBACK,
+    CONTINUE,
+    CONTINUOUS_FORCE,
+    DONE,
+    MAX_FORCE,
+    NEEDS_UPDATE,
+    POSITION,
+    USABLE_WORKSPACE,
+    VELOCITY,
+    Hd,
+)
+from cotouch.drivers._watch import SampleWatch
+from cotouch.errors import DeviceError
+from cotouch.haptics import OPENHAPTICS, DeviceReading, Flag
+
+Float = npt.NDArray[np.float64]
+
+# A force that nobody renewed for so long is taken away by the tick itself [s].
+_SILENCE = 0.02
+# An exchange waits this long for a tick, then says LATE [s]; a library that does not tick for longer has failed [s].
+_LATE, _LIMIT = 0.01, 0.05
+# Of what is asked of the ticking thread aside from forces, such as enabling motors [s].
+_JOB = 0.1
+_POLL = 0.05
+# ctypes needs every callback referenced for as long as the library may call it, whatever becomes of its device.
+_ALIVE: dict[int, object] = {}
+
+
+@final
+class Touch:
+    """A 3D Systems Touch, Touch X or PHANToM. `cotouch.haptics.Device` says what its methods do.
+
+    An exchange hands its force to the next tick and returns what that tick measured. What goes wrong in a tick makes
+    the force zero and ends the ticking; the next exchange says why.
+    """
+
+    def __init__(self, name: str | None = None, *, library: str | None = None, hand_seconds: float = 20.0) -> None:
+        """Loads nothing yet.
+
+        Args:
+            name: of the device, as set up with the vendor's tool; None: "Default Device".
+            library: file or folder of libHD; None: $COTOUCH_OPENHAPTICS, or where the system looks.
+            hand_seconds: to wait for a hand to put the stylus into the inkwell for calibration [s].
+        """
+        self._name, self._library, self._patience = name, library, hand_seconds
+        self._spec = PRESETS["touch"]
+        self._middle = np.zeros(3)
+        self._hd: Hd | None = None
+        self._callback: Any = None
+        self._met = threading.Condition()
+        self._reset()
+
+    def _reset(self) -> None:
+        self._on = self._calibrated = False
+        self._force = np.zeros(3)
+        self._renewed = 0.0  # when a force came last
+        self._ticks = 0
+        self._ticked = time.monotonic()
+        self._job: Callable[[Hd], None] | None = None
+        self._reading: DeviceReading | None = None
+        self._why: str | None = None
+        self._ended = False
+        self._watch = SampleWatch()
+
+    @property
+    def spec(self) -> DeviceSpec:
+        """Limits; forces are those that the library tells once open."""
+        return self._spec
+
+    def open(self) -> None:
+        """See `Device.open`."""
+        self.close()
+        hd = Hd(self._library, self._name)
+        self._reset()
+        self._hd = hd
+        self._callback = CALLBACK(self._tick)
+        _ALIVE[id(self._callback)] = self._callback
+        try:
+            most, lasting = hd.numbers(MAX_FORCE, 1)[0], hd.numbers(CONTINUOUS_FORCE, 1)[0]
+            least = np.array(hd.numbers(USABLE_WORKSPACE, 6)).reshape(2, 3)
+            hd.check()
+            if most > 0.0 and lasting > 0.0:
+                self._spec = replace(
+                    self._spec, name=f"3D Systems {hd.model()}", force=most, continuous_force=min(most, lasting)
+                )
+            if np.isfinite(least).all():
+                self._middle = OPENHAPTICS.place(least.mean(axis=0))
+            hd.start(self._callback)
+            self._asked(self._look)
+        except BaseException:
+            self.close()
+            raise
+
+    def calibrate(self, *, allow_motion: bool) -> None:
+        """See `Device.calibrate`. The device does not move by itself; a hand puts the stylus into the inkwell."""
+        del allow_motion
+        end = time.monotonic() + self._patience
+        while not self._calibrated:
+            self._asked(self._take_up)
+            if self._calibrated:
+                return
+            if time.monotonic() > end:
+                raise self._fault(f"the {self._spec.name} is not calibrated; put its stylus into the inkwell")
+            time.sleep(_POLL)
+
+    def enable_force(self, on: bool = True) -> None:
+        """See `Device.enable_force`."""
+        self._opened()
+        if not on:
+            self.stop()
+            return
+        with self._met:
+            self._force, self._renewed = np.zeros(3), time.monotonic()
+            self._on = True
+        self._asked(lambda device: device.enable(True))
+
+    def exchange(self, force: Float) -> DeviceReading:
+        """See `Device.exchange`."""
+        self._opened()
+        if not np.isfinite(force).all():
+            raise self._fault(f"the {self._spec.name} was told a force that is not finite")
+        with self._met:
+            self._force, self._renewed = force.copy(), time.monotonic()
+            before = self._ticks
+            self._met.wait_for(lambda: self._ticks > before or self._ended, _LATE)
+            why, late, last = self._why, self._ticks == before, self._reading
+        if why is None and time.monotonic() - self._ticked > _LIMIT:
+            why = f"the library of the {self._spec.name} does not tick any more; is its cable loose?"
+        if why is not None or last is None:
+            raise self._fault(why or f"the {self._spec.name} gave no sample")
+        return replace(last, flags=last.flags | Flag.LATE | Flag.STALE) if late else last
+
+    def stop(self) -> None:
+        """See `Device.stop`."""
+        self._on = False  # the next tick sets zero and switches the motors off, at most 1 ms from now
+        hd = self._hd
+        if hd is None or self._ended:
+            return
+        if not self._met.acquire(timeout=_SILENCE):
+            hd.enable(False)
+            return
+        try:
+            before = self._ticks
+            # Two, as one may be under way with the force of before.
+            if not self._met.wait_for(lambda: self._ticks > before + 1 or self._ended, _LATE):
+                hd.enable(False)
+        except Exception:  # noqa: BLE001  it never raises; what is left is to switch the motors off from here
+            hd.enable(False)
+        finally:
+            self._met.release()
+
+    def close(self) -> None:
+        """See `Device.close`."""
+        self.stop()
+        hd, self._hd = self._hd, None
+        if hd is not None:
+            hd.halt()
+            _ALIVE.pop(id(self._callback), None)
+            self._callback = None
+
+    def _tick(self, _data: int | None) -> int:
+        """Called by the library's own thread, about 1,000 times a second."""
+        hd = self._hd
+        if hd is None or self._ended:
+            return DONE
+        try:
+            self._frame(hd)
+        except BaseException as error:  # noqa: BLE001  an exception that left would end the ticking silently
+            self._why = str(error) if isinstance(error, DeviceError) else f"the servo failed: {error!r}"
+            self._ended = True
+            _without_force(hd)
+        with self._met:
+            self._ticks += 1
+            self._ticked = time.monotonic()
+            self._met.notify_all()
+        return DONE if self._ended else CONTINUE
+
+    def _frame(self, hd: Hd) -> None:
+        hd.begin()
+        try:
+            job, self._job = self._job, None
+            if job is not None:
+                job(hd)
+            now = time.monotonic()
+            position = OPENHAPTICS.place(hd.vector(POSITION)) - self._middle
+            velocity = OPENHAPTICS.place(hd.vector(VELOCITY))
+            orientation = OPENHAPTICS.orientation(_quaternion(hd.transform()))
+            buttons = hd.integer(BUTTONS)
+            on, force = self._on, self._force
+            silent = now - self._renewed > _SILENCE
+            size = float(np.linalg.norm(force))
+            share = 0.0 if silent or not on else min(1.0, self._spec.force / size) if size else 1.0
+            told = share * force
+            x, y, z = OPENHAPTICS.back(told).tolist()
+            hd.set_force(x, y, z)
+            if not on:
+                hd.enable(False)
+        finally:
+            hd.end()
+        hd.check()
+        why = self._watch.fault(now, position, velocity)
+        if why is not None:
+            raise DeviceError(f"the {self._spec.name} {why}")
+        flags = Flag.CALIBRATED if self._calibrated else Flag(0)
+        flags |= Flag.FORCE_ON if on else Flag(0)
+        flags |= Flag.LIMITED if hd.warm or (on and share < 1.0) else Flag(0)
+        self._reading = DeviceReading(
+            time=now,
+            position=position,
+            velocity=velocity,
+            force=told,
+            buttons=buttons,
+            flags=flags,
+            orientation=orientation,
+        )
+
+    def _look(self, hd: Hd) -> None:
+        self._calibrated = hd.calibration() == CALIBRATED
+
+    def _take_up(self, hd: Hd) -> None:
+        if hd.calibration() == NEEDS_UPDATE:
+            hd.calibrate()
+        self._look(hd)
+
+    def _asked(self, job: Callable[[Hd], None]) -> None:
+        """Lets the next tick do something in its frame, and waits for it."""
+        with self._met:
+            self._job = job
+            before = self._ticks
+            done = self._met.wait_for(lambda: (self._job is None and self._ticks > before) or self._ended, _JOB)
+        if self._why is not None or not done:
+            raise self._fault(self._why or f"the library of the {self._spec.name} does not tick; is it connected?")
+
+    def _opened(self) -> None:
+        if self._hd is None:
+            raise DeviceError(f"the {self._spec.name} is not open; open it first")
+
+    def _fault(self, why: str) -> DeviceError:
+        """Takes the force away, and says why."""
+        self.stop()
+        return DeviceError(why)
+
+
+def _without_force(hd: Hd) -> None:
+    """A frame with zero force, then motors off, whatever the library thinks of it."""
+    for call in (hd.begin, lambda: hd.set_force(0.0, 0.0, 0.0), hd.end, lambda: hd.enable(False)):
+        try:
+            call()
+        except Exception:  # noqa: BLE001, S112  the next one may still help
+            continue
+
+
+def _quaternion(by_columns: list[float]) -> tuple[float, float, float, float]:
+    """Rotation of a transform as xyzw, unit."""
+    m00, m10, m20, _, m01, m11, m21, _, m02, m12, m22, *_ = by_columns
+    w, x, y, z = 1.0 + m00 + m11 + m22, 1.0 + m00 - m11 - m22, 1.0 - m00 + m11 - m22, 1.0 - m00 - m11 + m22
+    largest = max(w, x, y, z)
+    if not largest > 0.0:
+        return 0.0, 0.0, 0.0, 1.0
+    if largest == w:
+        out = (m21 - m12, m02 - m20, m10 - m01, w)
+    elif largest == x:
+        out = (x, m01 + m10, m02 + m20, m21 - m12)
+    elif largest == y:
+        out = (m01 + m10, y, m12 + m21, m02 - m20)
+    else:
+        out = (m02 + m20, m12 + m21, z, m10 - m01)
+    size = math.hypot(*out)
+    return out[0] / size, out[1] / size, out[2] / size, out[3] / size

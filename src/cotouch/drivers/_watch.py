@@ -1,0 +1,53 @@
+"""What nobody behind a driver can see: samples that stand still while the device moves."""
+
+import math
+from typing import final
+
+import numpy as np
+import numpy.typing as npt
+
+Float = npt.NDArray[np.float64]
+
+# A device that says it moves must show it within this time; well below the 100 ms within which force must be gone [s].
+PATIENCE = 0.04
+# Slower than this a device may report the same place for long: one step of the encoder, 0.05 mm, takes 5 ms [m/s].
+_MOVING = 0.01
+
+
+@final
+class SampleWatch:
+    """Looks at every sample of a device.
+
+    A device that rests may well repeat its place to the last bit; so only a place that stays while the velocity says
+    otherwise is a fault. Numbers that are none are handed on.
+
+    Attributes:
+        repeated: whether the last sample was the one before it, to the last bit.
+    """
+
+    __slots__ = ("_changed", "_position", "_velocity", "repeated")
+
+    def __init__(self) -> None:
+        """Has seen nothing."""
+        self._position: tuple[float, ...] = (math.nan,) * 3
+        self._velocity: tuple[float, ...] = (math.nan,) * 3
+        self._changed = -math.inf
+        self.repeated = False
+
+    def fault(self, time: float, position: Float, velocity: Float) -> str | None:
+        """What is wrong with a sample, as the end of a sentence; None if nothing is.
+
+        Args:
+            time: of the sample, monotonic [s].
+            position: (3,) [m].
+            velocity: (3,) [m/s].
+        """
+        place, rate = tuple(position.tolist()), tuple(velocity.tolist())
+        same = place == self._position
+        self.repeated = same and rate == self._velocity
+        if not same:
+            self._changed = time
+        self._position, self._velocity = place, rate
+        if same and time - self._changed > PATIENCE and max(map(abs, rate)) > _MOVING:
+            return f"repeats one position for {1e3 * (time - self._changed):.0f} ms while it says that it moves"
+        return None

@@ -1,0 +1,187 @@
+"""What peer and servo write on the two boards between them."""
+
+from pathlib import Path
+from typing import Any, Final, final
+
+import numpy.typing as npt
+
+from cotouch.board import BoardReader, BoardWriter
+from cotouch.errors import InputError
+from cotouch.haptics._core import Order, Report
+from cotouch.haptics._device import Flag
+from cotouch.haptics._ends import Word
+from cotouch.haptics._safety import Cause, Vector
+
+Array = npt.NDArray[Any]
+
+REPORT: Final = "report"
+ORDER: Final = "order"
+_REPORT_FIELDS: Final = {
+    "time": ((), "f8"),
+    "tick": ((), "i8"),
+    "place": ((3,), "f8"),
+    "rate": ((3,), "f8"),
+    "force": ((3,), "f8"),
+    "wanted": ((3,), "f8"),
+    "word": ((3,), "f8"),  # given, received, purse
+    "books": ((2,), "f8"),  # work, excess
+    "states": ((4,), "i8"),  # wanting, causes, buttons, flags
+}
+_ORDER_FIELDS: Final = {
+    "time": ((), "f8"),
+    "step": ((), "i8"),
+    "place": ((3,), "f8"),
+    "word": ((3,), "f8"),
+    "states": ((4,), "i8"),  # wanting, followed, enable, rearm
+}
+
+
+@final
+class ReportWriter:
+    """The servo's board."""
+
+    def __init__(self, folder: Path) -> None:
+        """Makes it in a private folder."""
+        self._board = BoardWriter(folder / REPORT, _REPORT_FIELDS, checked=True)
+
+    def write(self, report: Report, time: float) -> None:
+        """Publishes a report.
+
+        Args:
+            report: of a cycle.
+            time: of its end, on the clock of all processes of this machine [s].
+        """
+        fields, word = self._board.fields, report.word
+        fields["time"][...] = time
+        fields["tick"][...] = report.tick
+        fields["place"][:] = report.place
+        fields["rate"][:] = report.rate
+        fields["force"][:] = report.force
+        fields["wanted"][:] = report.wanted
+        fields["word"][:] = (word.given, word.received, word.purse)
+        fields["books"][:] = (report.work, report.excess)
+        fields["states"][:] = (word.wanting, report.causes, report.buttons, report.flags)
+        self._board.publish()
+
+    def close(self) -> None:
+        """Removes it."""
+        self._board.close()
+
+
+@final
+class OrderWriter:
+    """The peer's board."""
+
+    def __init__(self, folder: Path) -> None:
+        """Makes it in a private folder."""
+        self._board = BoardWriter(folder / ORDER, _ORDER_FIELDS, checked=True)
+
+    def write(self, order: Order) -> None:
+        """Publishes an order."""
+        fields, word = self._board.fields, order.word
+        fields["time"][...] = order.time
+        fields["step"][...] = order.step
+        if order.place is not None:
+            fields["place"][:] = order.place
+        fields["word"][:] = (word.given, word.received, word.purse)
+        fields["states"][:] = (word.wanting, order.place is not None, order.enable, order.rearm)
+        self._board.publish()
+
+    def close(self) -> None:
+        """Removes it."""
+        self._board.close()
+
+
+@final
+class ReportReader:
+    """What the servo says, as the peer or the guardian sees it."""
+
+    def __init__(self, folder: Path) -> None:
+        """Waits for the board to appear in this folder."""
+        self._board = _Awaited(folder / REPORT)
+
+    def read(self) -> Report | None:
+        """The newest report that was not given yet."""
+        got = self._board.read()
+        if got is None:
+            return None
+        given, received, purse = got["word"].tolist()
+        work, excess = got["books"].tolist()
+        wanting, causes, buttons, flags = got["states"].tolist()
+        return Report(
+            time=float(got["time"]),
+            tick=int(got["tick"]),
+            place=_vector(got["place"]),
+            rate=_vector(got["rate"]),
+            force=_vector(got["force"]),
+            wanted=_vector(got["wanted"]),
+            word=Word(given, received, purse, bool(wanting)),
+            work=work,
+            excess=excess,
+            causes=Cause(causes),
+            buttons=buttons,
+            flags=Flag(flags),
+        )
+
+    def close(self) -> None:
+        """Lets go of the board."""
+        self._board.close()
+
+
+@final
+class OrderReader:
+    """What the peer says, as the servo sees it."""
+
+    def __init__(self, folder: Path) -> None:
+        """Waits for the board to appear in this folder."""
+        self._board = _Awaited(folder / ORDER)
+
+    def read(self) -> Order | None:
+        """The newest order that was not given yet."""
+        got = self._board.read()
+        if got is None:
+            return None
+        given, received, purse = got["word"].tolist()
+        wanting, followed, enable, rearm = got["states"].tolist()
+        return Order(
+            time=float(got["time"]),
+            step=int(got["step"]),
+            place=_vector(got["place"]) if followed else None,
+            word=Word(given, received, purse, bool(wanting)),
+            enable=bool(enable),
+            rearm=rearm,
+        )
+
+    def close(self) -> None:
+        """Lets go of the board."""
+        self._board.close()
+
+
+@final
+class _Awaited:
+    """A board that may not be there yet."""
+
+    def __init__(self, path: Path) -> None:
+        self._path = path
+        self._board: BoardReader | None = None
+
+    def read(self) -> dict[str, Array] | None:
+        """The newest that was not given yet."""
+        if self._board is None:
+            if not self._path.exists():
+                return None
+            try:
+                self._board = BoardReader(self._path)
+            except InputError:  # whoever makes it is about to
+                return None
+        return self._board.read()
+
+    def close(self) -> None:
+        """Lets go of it."""
+        if self._board is not None:
+            self._board.close()
+
+
+def _vector(array: Array) -> Vector:
+    x, y, z = array.tolist()
+    return x, y, z

@@ -1,0 +1,266 @@
+"""One cycle of the servo, without a clock, a device or another process: readings and orders in, forces out."""
+
+from collections import deque
+from collections.abc import Sequence
+from math import inf, isfinite
+from typing import NamedTuple, final
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.device import DeviceSpec
+from cotouch.haptics._device import DeviceReading, Flag
+from cotouch.haptics._ends import DeviceEnd, EndOptions, Word, checked
+from cotouch.haptics._limits import SafetyLimits
+from cotouch.haptics._safety import ZERO, Cause, SafetyChain, Seen, Vector, scaled, size
+
+# Over which the tip's velocity is measured [s]: an encoder of 0.05 mm then tells 5 mm/s apart.
+_WINDOW = 0.01
+# The safety chain's speed is that over this [s]: shorter, and one step of an encoder looks quick; longer, and a device
+# that is flung away has been so for long.
+_QUICK = 0.004
+# A button held down for so long, with the device slow, re-arms [s, m/s].
+_REARM, _SLOW = 1.0, 0.1
+# Slack of the passivity observer for rounding [J].
+_SLACK = 1e-6
+# Longest arm that the charge for turning forces assumes where a workspace is unknown [m].
+_LEVER = 0.1
+
+
+class Order(NamedTuple):
+    """What the peer's process says.
+
+    Attributes:
+        time: when, on the clock that both share [s].
+        step: of the peer.
+        place: of the proxy, in the device's frame [m]; None: there is none to follow.
+        word: of the proxy's end.
+        enable: whether force is wanted.
+        rearm: rises by one each time that somebody re-arms.
+    """
+
+    time: float
+    step: int = 0
+    place: Vector | None = None
+    word: Word = Word()
+    enable: bool = False
+    rearm: int = 0
+
+
+_NONE = Order(time=-inf)
+
+
+class Report(NamedTuple):
+    """What the servo says of a cycle.
+
+    Attributes:
+        time: of the reading [s].
+        tick: so many so far.
+        place: of the tip [m].
+        rate: its velocity, over 10 ms [m/s].
+        force: for the motors from the next exchange on [N].
+        wanted: by the coupling and the wall, before the safety chain [N].
+        word: of the device's end.
+        work: of the motors so far, as measured [J].
+        excess: of it beyond what may [J]; <= 0.
+        causes: why force was removed.
+        buttons: bit n is button n.
+        flags: of the device.
+    """
+
+    time: float
+    tick: int
+    place: Vector
+    rate: Vector
+    force: Vector
+    wanted: Vector
+    word: Word
+    work: float
+    excess: float
+    causes: Cause
+    buttons: int
+    flags: Flag
+
+
+@final
+class ServoCore:
+    """Coupling, wall, safety chain and passivity observer of one device.
+
+    Each cycle: `exchange` the force of the last report with the device, then `cycle` with what came back.
+
+    Attributes:
+        end: the device's end of the coupling.
+        chain: the safety chain.
+    """
+
+    def __init__(self, spec: DeviceSpec, limits: SafetyLimits, options: EndOptions) -> None:
+        """Off.
+
+        Args:
+            spec: of the device.
+            limits: of the safety chain.
+            options: of the coupling.
+
+        Raises:
+            DeviceError: the coupling does not fit the device.
+        """
+        lever = spec.workspace if isfinite(spec.workspace) and spec.workspace > 0.0 else _LEVER
+        self.end = DeviceEnd(
+            checked(options, spec),
+            resolution=spec.resolution,
+            lever=lever,
+            radius=limits.radius,
+            wall=limits.wall,
+        )
+        self.chain = SafetyChain(limits)
+        self._limits = limits
+        self._order = _NONE
+        self._force = ZERO
+        self._begun: float | None = None
+        self._last = self._fresh = 0.0
+        self._rate = ZERO
+        self._tick = 0
+        self._path = deque[tuple[float, Vector]]()
+        self._place: Vector | None = None
+        self._farthest = self._longest = self._bound = 0.0
+        self._out = 0.0  # work of the motors by the observer's own books [J]
+        self._acted = ZERO
+        self._pressed: float | None = None
+        self._armed: int | None = None
+
+    @property
+    def order(self) -> Order:
+        """The newest."""
+        return self._order
+
+    @property
+    def observed_bound(self) -> float:
+        """What sampling alone may have made of the motion so far, at most [J]; part of the d² of two-port passivity."""
+        return self._bound
+
+    def hear(self, order: Order) -> None:
+        """Takes the newest order."""
+        self._order = order
+        if self._armed is not None and order.rearm > self._armed:
+            self.chain.rearm()
+        self._armed = order.rearm if self._armed is None else max(self._armed, order.rearm)
+
+    def cycle(self, reading: DeviceReading, now: float) -> Report:
+        """One cycle.
+
+        Args:
+            reading: what the device gave in exchange for the force of the last report.
+            now: on the clock of the peer's orders [s].
+        """
+        first = self._begun is None
+        T = 0.0 if first else max(0.0, now - self._last)
+        self._begun = now if self._begun is None else self._begun
+        self._last = now
+        self._tick += 1
+        place = _vector(reading.position)
+        if not isfinite(size(place)):
+            self.chain.fail(Cause.FAULT)
+            place = self._place or ZERO
+        said = _vector(reading.force)
+        self._observe(place, T)
+        self.end.measure(place, self._force, said if isfinite(size(said)) else None)
+        self._place = place
+        rate, quick = self._rates(reading.time, place)
+        if first or not reading.flags & Flag.STALE:
+            self._fresh = now
+        self._buttons(reading.buttons, size(rate), now)
+        order = self._order
+        gone = now - order.time
+        wish = order.place if gone < self._limits.zero_after else None
+        if wish is not None and not isfinite(size(wish)):
+            self.chain.fail(Cause.FAULT)
+            wish = None
+        wanted = self.end.decide(wish, rate, order.word, T)
+        excess = self._excess()
+        share = self.chain.limit(
+            wanted,
+            Seen(
+                now=now,
+                T=T,
+                age=gone,
+                stale=now - self._fresh,
+                speed=max(quick, _finite(size(_vector(reading.velocity)))),
+                excess=excess,
+                enabled=order.enable,
+                follows=bool(reading.flags & Flag.FORCE_ON),
+            ),
+        )
+        self._force = scaled(share, wanted)
+        return Report(
+            time=reading.time,
+            tick=self._tick,
+            place=place,
+            rate=rate,
+            force=self._force,
+            wanted=wanted if isfinite(size(wanted)) else ZERO,
+            word=self.end.purse.word,
+            work=self._out,
+            excess=excess,
+            causes=self.chain.causes,
+            buttons=reading.buttons,
+            flags=reading.flags,
+        )
+
+    def _observe(self, place: Vector, T: float) -> None:
+        """The observer's books: nothing but forces that were told and measured places."""
+        if self._place is not None:
+            before = self._place
+            moved = (place[0] - before[0], place[1] - before[1], place[2] - before[2])
+            self._out += sum(f * m for f, m in zip(self._acted, moved, strict=True))
+            far = size(moved)
+            if T > 0.0 and (far > self._farthest or self._longest < T):
+                self._farthest, self._longest = max(self._farthest, far), max(self._longest, T)
+                self._bound = max(self._bound, self.end.bound(far / T, T, self._limits.force))
+        self._acted = self._force
+
+    def _excess(self) -> float:
+        """Work of the motors beyond what the peer gave, the seed and the bound of sampling [J]."""
+        purse = self.end.purse
+        return self._out - (purse.received - purse.given + self.end.options.seed + self._bound + _SLACK)
+
+    def _rates(self, time: float, place: Vector) -> tuple[Vector, float]:
+        """Velocity over the window, and the quickest of the last moments [m/s].
+
+        Times are those of the measurements: a loop that is late takes nothing for quick.
+        """
+        path = self._path
+        if path and time <= path[-1][0]:
+            return self._rate, 0.0
+        path.append((time, place))
+        while len(path) > 2 and path[1][0] <= time - _WINDOW:
+            path.popleft()
+        if len(path) < 2:
+            return ZERO, 0.0
+        then, start = path[0]
+        self._rate = scaled(1.0 / (time - then), (place[0] - start[0], place[1] - start[1], place[2] - start[2]))
+        quick = 0.0
+        for recent, there in reversed(path):
+            if time - recent >= _QUICK:
+                moved = (place[0] - there[0], place[1] - there[1], place[2] - there[2])
+                quick = size(moved) / (time - recent)
+                break
+        return self._rate, quick
+
+    def _buttons(self, buttons: int, speed: float, now: float) -> None:
+        """Whoever holds the device re-arms it by holding its first button."""
+        if not buttons & 1 or speed > _SLOW or not self.chain.latched:
+            self._pressed = None
+        elif self._pressed is None:
+            self._pressed = now
+        elif now - self._pressed >= _REARM:
+            self.chain.rearm()
+            self._pressed = None
+
+
+def _vector(array: Sequence[float] | npt.NDArray[np.float64]) -> Vector:
+    x, y, z = array
+    return float(x), float(y), float(z)
+
+
+def _finite(value: float) -> float:
+    return value if isfinite(value) else 0.0

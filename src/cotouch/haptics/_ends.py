@@ -1,0 +1,337 @@
+"""A virtual spring whose two ends live in two processes, and the energy that each end may use.
+
+The device's servo holds one end, the peer's step the other; what each knows of the other is old, by how much nobody can
+promise. One account for both, as where device and body share a process, cannot be kept so: two that draw on what they
+believe is there draw it twice. So each end has a *purse* of its own, and books into it its own port's work, exactly:
+
+* the device's end `-F·Δq` for a force held between two measured places, less what encoder and levers may hide;
+* the proxy's end `-τᵀŵ T`, what the spring of the implicit step really did.
+
+An end moves its set position only as far as its purse goes (PSPM, `cotouch.mechanics.modulate`). What one gives to
+the other it takes out of its own purse first, and publishes **the sum of all that it gave since the start**. These sums
+only rise. So whatever is lost, late, read twice or never:
+
+    received by i, as i knows it  ≤  given to i, in truth          (an old sum is a smaller one)
+
+and adding up both purses, with all their port work, X the work that left the coupling at a port,
+
+    X_device + X_proxy  =  seeds - purses - lost - (given and not yet received)  ≤  seeds + debts
+
+which is two-port passivity, ∫τᵀq̇ dt + Σ τᵀŵ T ≤ d², without a word about delays. A stale sum costs liveliness, never
+passivity. That is the sum of `cotouch.peer.LinkGuard`, and for the same reason.
+
+**Debts.** The proxy's end never has one: an implicit step takes at most what its spring holds. The device's end decides
+on a force while the one before still acts, and each may take more than the spring had, by `½k‖Δq‖² + b‖v‖‖Δq‖`
+(`modulation_bound`). It therefore keeps back what the acting force's spring holds, and owes at most two such ticks.
+
+**Who has what the other lacks.** Each end says whether it cannot follow for want of energy, what its purse holds, and
+how much it has received; the other then evens the purses out, in some milliseconds. A *seed* starts both: without any
+energy no held force does work that could be saved.
+"""
+
+from math import exp, inf, isfinite
+from typing import NamedTuple, final
+
+from cotouch.device import DeviceSpec
+from cotouch.errors import DeviceError
+from cotouch.haptics._safety import ZERO, Vector, dot, scaled, size
+from cotouch.mechanics import credit, modulate, modulation_bound
+
+# In which purses even out [s]: quicker than a hand, slower than what one end knows of the other on a loaded machine.
+_EVEN = 0.01
+
+
+@final
+class EndOptions(NamedTuple):
+    """The coupling, the same for both ends.
+
+    Attributes:
+        stiffness: k [N/m].
+        damping: b [Ns/m], at each end.
+        cap: most that a purse keeps beyond its springs [J].
+        reserve: debt up to which the damping stays on [J].
+        seed: what each purse starts with; counts once in d² [J]. 5 mJ: a stretch of 4.5 mm at 500 N/m.
+    """
+
+    stiffness: float = 500.0
+    damping: float = 2.0
+    cap: float = 0.1
+    reserve: float = 1e-3
+    seed: float = 5e-3
+
+
+def checked(options: EndOptions, spec: DeviceSpec) -> EndOptions:
+    """Options that fit a device.
+
+    Raises:
+        DeviceError: a number is negative or not finite, or the spring is stiffer than the device renders well.
+    """
+    for name, value in options._asdict().items():
+        if not (isfinite(value) and value >= 0.0):
+            raise DeviceError(f"the coupling's {name} is {value:g}; it must be finite and at least 0")
+    if options.stiffness > spec.stiffness:
+        raise DeviceError(
+            f"the coupling's stiffness is {options.stiffness:g} N/m; {spec.name} renders at most {spec.stiffness:g} N/m"
+        )
+    return options
+
+
+class Word(NamedTuple):
+    """What one end tells the other with every message.
+
+    Attributes:
+        given: to the other since the start [J].
+        received: of what the other gave, as known here [J].
+        purse: what is there now [J].
+        wanting: whether it cannot follow for want of energy.
+    """
+
+    given: float = 0.0
+    received: float = 0.0
+    purse: float = 0.0
+    wanting: bool = False
+
+
+@final
+class Purse:
+    """Energy of one end.
+
+    Attributes:
+        energy: what is there, springs included; negative: a debt [J].
+        given: since the start [J].
+        received: likewise [J].
+        lost: what it could not keep [J].
+        work: of this end's port on what is outside, so far [J].
+        wanting: as in `Word`.
+        lowest: the deepest debt so far, <= 0 [J].
+    """
+
+    def __init__(self, seed: float) -> None:
+        """Starts with the seed [J]."""
+        self.energy = seed
+        self.given = self.received = self.lost = self.work = self.lowest = 0.0
+        self.wanting = False
+
+    @property
+    def word(self) -> Word:
+        """For the other end."""
+        return Word(self.given, self.received, self.energy, self.wanting)
+
+    def book(self, work: float, charge: float = 0.0) -> None:
+        """Takes out what the port did, and what it may have done unseen [J]."""
+        self.work += work
+        self.lost += charge
+        self.energy -= work + charge
+        self.lowest = min(self.lowest, self.energy)
+
+    def hear(self, word: Word, free: float, T: float) -> None:
+        """Takes what the other gave; gives it what evens the purses out, if it lacks it.
+
+        Args:
+            word: its last, however old; what is no number is not believed.
+            free: what may be given at most [J].
+            T: since the last time [s].
+        """
+        if not (isfinite(word.given) and isfinite(word.purse) and isfinite(word.received)):
+            return
+        gift = credit(word.given, self.received)
+        self.received += gift
+        self.energy += gift
+        if word.wanting:
+            theirs = word.purse + max(0.0, self.given - word.received)
+            spare = min(0.5 * (self.energy - theirs) * (1.0 - exp(-T / _EVEN)), free + gift)
+            if spare > 0.0:
+                self.energy -= spare
+                self.given += spare
+
+    def spill(self, excess: float) -> None:
+        """Loses what is beyond the cap [J]."""
+        self.energy -= excess
+        self.lost += excess
+
+
+@final
+class DeviceEnd:
+    """The end that a servo holds: measured places in, forces out.
+
+    Attributes:
+        purse: its energy.
+        share: how far the set position followed the wish in the last tick.
+        wall_energy: in the spring of the workspace's wall [J].
+    """
+
+    def __init__(
+        self, options: EndOptions, *, resolution: float, lever: float, radius: float = inf, wall: float = 0.0
+    ) -> None:
+        """Relaxed.
+
+        Args:
+            options: of the coupling.
+            resolution: of the tip's place [m].
+            lever: shortest arm of the device, over which a held torque's force may turn unseen, > 0 [m].
+            radius: beyond which the wall's spring leads back [m].
+            wall: its stiffness [N/m].
+        """
+        self.options = options
+        self.purse = Purse(options.seed)
+        self.share = 0.0
+        self.wall_energy = 0.0
+        self._resolution, self._lever = resolution, lever
+        self._radius, self._wall = radius, wall
+        self._place: Vector | None = None
+        self._told, self._said, self._changed = ZERO, ZERO, 0.0
+        self._acting = self._coming = 0.0  # energy of the springs behind the force that acts, and behind the next
+
+    def measure(self, place: Vector, told: Vector, said: Vector | None = None) -> None:
+        """Books the tick that has passed.
+
+        Args:
+            place: of the tip [m].
+            told: force that acts from here on: what the last `decide` led to, as far as the chain left it [N].
+            said: what the device says that its motors do; None: nothing. Where the two differ, the one that costs more
+                energy is booked [N].
+        """
+        if self._place is not None:
+            moved = (place[0] - self._place[0], place[1] - self._place[1], place[2] - self._place[2])
+            turned = 0.5 * size(self._told) * dot(moved, moved) / self._lever
+            work = max(dot(self._told, moved), dot(self._said, moved))
+            self.purse.book(work, 0.5 * self._resolution * self._changed + turned)
+        self._changed = sum(abs(a - b) for a, b in zip(told, self._told, strict=True))
+        self._place, self._told = place, told
+        self._said = told if said is None else said
+        self._acting = self._coming
+
+    def decide(self, wish: Vector | None, rate: Vector, word: Word, T: float) -> Vector:
+        """The force that the coupling wants.
+
+        Args:
+            wish: the proxy's place, as known [m]; None: nothing is known, or it is no longer to be followed.
+            rate: of the tip [m/s].
+            word: of the other end.
+            T: length of a tick [s].
+
+        Returns:
+            On the hand [N]; to be applied from the next `measure` on, whole or shortened.
+        """
+        assert self._place is not None, "measure first"
+        options, place, purse = self.options, self._place, self.purse
+        purse.hear(word, max(0.0, purse.energy - self._acting), T)
+        available = purse.energy - self._acting
+        force = scaled(-options.damping, rate)
+        out = size(place)
+        self.wall_energy = springs = 0.0
+        if out > self._radius and self._wall > 0.0:
+            deep = out - self._radius
+            part, _, _ = modulate(0.5 * self._wall * deep * deep, available, inf)
+            self.wall_energy = springs = part * part * 0.5 * self._wall * deep * deep
+            force = _sum(force, scaled(-part * self._wall * deep / out, place))
+        purse.wanting = False
+        self.share = 0.0
+        gap = None if wish is None else (wish[0] - place[0], wish[1] - place[1], wish[2] - place[2])
+        potential = 0.0 if gap is None else 0.5 * options.stiffness * dot(gap, gap)
+        share, _, excess = modulate(potential, available - springs, options.cap)
+        if gap is not None:
+            self.share = share
+            springs += share * share * potential if share > 0.0 else 0.0
+            force = _sum(force, scaled(options.stiffness * share, gap))
+            purse.wanting = share < 1.0
+        purse.spill(excess)
+        self._coming = springs
+        return ZERO if purse.energy < -options.reserve else force
+
+    def bound(self, speed: float, period: float, force: float) -> float:
+        """What can at most have come out of the motors beyond all that was given and the seed [J].
+
+        Args:
+            speed: highest of the tip between two measurements [m/s].
+            period: longest between them [s].
+            force: largest [N].
+        """
+        options = self.options
+        return 2.0 * modulation_bound(
+            stiffness=options.stiffness + self._wall,
+            damping=options.damping,
+            period=period,
+            speed=speed,
+            reserve=options.reserve,
+            force=force,
+            resolution=self._resolution,
+            axes=3,
+        )
+
+
+class Pull(NamedTuple):
+    """What pulls a proxy in a step: `τ = k (target - ŷ) - b ŵ + push`.
+
+    Attributes:
+        stiffness: k [N/m].
+        damping: b [Ns/m].
+        target: set position [m].
+        push: the damper's pull towards the device's velocity [N].
+    """
+
+    stiffness: float
+    damping: float
+    target: Vector
+    push: Vector
+
+
+@final
+class ProxyEnd:
+    """The end that a peer's step holds; the step is implicit, as `cotouch.mechanics` takes it.
+
+    Attributes:
+        purse: its energy.
+        share: how far the set position followed the device in the last step.
+    """
+
+    def __init__(self, options: EndOptions) -> None:
+        """Relaxed.
+
+        Args:
+            options: of the coupling.
+        """
+        self.options = options
+        self.purse = Purse(options.seed)
+        self.share = 0.0
+
+    def pull(self, place: Vector, wish: Vector | None, rate: Vector, word: Word, T: float) -> Pull:
+        """What pulls the proxy in the coming step.
+
+        Args:
+            place: of the proxy [m].
+            wish: place of the device, as known [m]; None: nothing is known.
+            rate: of the device [m/s].
+            word: of the device's end.
+            T: length of the step [s].
+        """
+        options, purse = self.options, self.purse
+        purse.hear(word, max(0.0, purse.energy), T)
+        available = max(0.0, purse.energy)
+        if wish is None or not isfinite(size(wish)) or not isfinite(size(rate)):
+            purse.wanting, self.share = False, 0.0
+            purse.spill(max(0.0, available - options.cap))
+            return Pull(0.0, options.damping, place, ZERO)
+        # The pull towards a velocity gives at most ¼ b ‖v‖² T; it is set aside first.
+        cost = 0.25 * options.damping * T * dot(rate, rate)
+        part = 1.0 if cost <= available else (available / cost) ** 0.5
+        left = max(0.0, available - part * part * cost)
+        gap = (wish[0] - place[0], wish[1] - place[1], wish[2] - place[2])
+        self.share, _, excess = modulate(0.5 * options.stiffness * dot(gap, gap), left, options.cap)
+        purse.wanting = self.share < 1.0
+        purse.spill(excess)
+        target = _sum(place, scaled(self.share, gap))
+        return Pull(options.stiffness, options.damping, target, scaled(part * options.damping, rate))
+
+    def settle(self, force: Vector, moved: Vector) -> None:
+        """Books the step.
+
+        Args:
+            force: mean of what pulled the proxy [N].
+            moved: by the proxy [m].
+        """
+        self.purse.book(dot(force, moved))
+
+
+def _sum(a: Vector, b: Vector) -> Vector:
+    return (a[0] + b[0], a[1] + b[1], a[2] + b[2])

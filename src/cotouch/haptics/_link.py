@@ -1,0 +1,262 @@
+"""The peer's way to a device: starts the processes around it, reads what the servo says, tells it of the proxy."""
+
+import json
+import os
+import select
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any, final
+
+from cotouch.device import DeviceSpec
+from cotouch.errors import DeviceError
+from cotouch.haptics._boards import OrderWriter, ReportReader
+from cotouch.haptics._core import Order, Report
+from cotouch.haptics._ends import EndOptions, Word
+from cotouch.haptics._registry import DeviceChoice, driver
+from cotouch.haptics._safety import FOR_GOOD, LATCHED, NO_CAUSE, Cause, Vector, spoken
+from cotouch.haptics._settings import ServoSettings, spec_from
+
+# The servo is started before the guardian loads what it needs itself, so that both load at the same time.
+GUARDIAN = """
+import os, subprocess, sys
+line = sys.stdin.readline()
+program = "from cotouch.haptics._servo import main; raise SystemExit(main())"
+servo = subprocess.Popen(
+    [sys.executable, "-c", program, str(os.getpid())],
+    stdin=subprocess.PIPE, text=True,
+)
+servo.stdin.write(line)
+servo.stdin.flush()
+from cotouch.haptics._guardian import main
+raise SystemExit(main(line, servo))
+"""
+# Opening and calibrating a device takes seconds; compiling a simulated one for the first time, minutes [s].
+_PATIENCE = 300.0
+# A servo that says nothing for so long is gone [s].
+_GONE = 0.1
+# Causes that come and go in ordinary use and need no words.
+_USUAL = Cause.SATURATED | Cause.SLEW | Cause.RAMP | Cause.QUIET
+# The same words again only after this [s].
+_AGAIN = 1.0
+
+
+@final
+class ServoLink:
+    """A device in processes of its own, as its peer sees it.
+
+    Attributes:
+        spec: limits of the opened device.
+        options: of the coupling.
+        report: the newest of the servo; None before the first.
+        process: what the servo obtained from the system, by name.
+        servo: its process id.
+        guardian: that of its parent.
+    """
+
+    def __init__(
+        self,
+        choice: DeviceChoice,
+        *,
+        stiffness: float | None = None,
+        damping: float | None = None,
+        limits: Mapping[str, float] | None = None,
+        rate: float | None = None,
+        allow_motion: bool = False,
+        real_time: int | None = 20,
+        clock: Callable[[], float] = time.monotonic,
+    ) -> None:
+        """Starts the guardian, the servo and the device, and waits until it is held.
+
+        Args:
+            choice: which device.
+            stiffness: of the coupling; None: see `ServoSettings` [N/m].
+            damping: likewise [Ns/m].
+            limits: safety limits other than the default, by name.
+            rate: of the servo; None: the device's, at most 1 kHz [Hz].
+            allow_motion: whether the device may move by itself to calibrate.
+            real_time: priority asked for; None: none.
+            clock: monotonic, the same in all processes [s].
+
+        Raises:
+            DeviceError: there is no such device, it cannot be opened or calibrated, or a limit is beyond what is safe.
+        """
+        driver(choice.name)
+        self._clock = clock
+        memory = Path("/dev/shm")  # noqa: S108  # boards on a disk would wait for it
+        where = memory if memory.is_dir() and os.access(memory, os.W_OK) else None
+        self._folder = Path(tempfile.mkdtemp(prefix="cotouch-", dir=where))
+        self._process: subprocess.Popen[bytes] | None = None
+        self.report: Report | None = None
+        self._rest = b""
+        self._notices: list[str] = []
+        self._causes, self._last_words, self._last_said = NO_CAUSE, "", -float("inf")
+        self._step = self._rearm = 0
+        self._over = ""
+        self._felt = False  # whether there ever was force
+        self.statistics: dict[str, Any] = {}
+        settings = ServoSettings(
+            device=choice,
+            folder=self._folder,
+            stiffness=stiffness,
+            damping=damping,
+            limits=dict(limits or {}),
+            rate=rate,
+            allow_motion=allow_motion,
+            real_time=real_time,
+        )
+        try:
+            self._orders = OrderWriter(self._folder)
+            self._reports = ReportReader(self._folder)
+            said = self._start(settings)
+            self.spec: DeviceSpec = spec_from(said["spec"])
+            self.process: dict[str, Any] = said["process"]
+            self.servo = int(said["pid"])
+            assert self._process is not None
+            self.guardian = self._process.pid
+            self.options: EndOptions = settings.end_options(self.spec)
+        except BaseException:
+            self.close()
+            raise
+
+    @property
+    def gone(self) -> bool:
+        """Whether nothing is heard of the servo any more."""
+        return bool(self._over) or (self.report is not None and self._clock() - self.report.time > _GONE)
+
+    @property
+    def causes(self) -> Cause:
+        """Why force is removed now."""
+        return NO_CAUSE if self.report is None else self.report.causes
+
+    def read(self) -> Report | None:
+        """The newest report, also if it was given before; None before the first and when the servo is gone."""
+        got = self._reports.read()
+        if got is not None:
+            self.report = got
+        return None if self.gone else self.report
+
+    def order(self, place: Vector | None, word: Word, *, enable: bool = True) -> None:
+        """Tells the servo where the proxy is now.
+
+        Args:
+            place: in the device's frame [m]; None: nowhere.
+            word: of the proxy's end.
+            enable: whether force is wanted.
+        """
+        self._step += 1
+        self._orders.write(
+            Order(time=self._clock(), step=self._step, place=place, word=word, enable=enable, rearm=self._rearm)
+        )
+
+    def rearm(self) -> None:
+        """Lets the force come back after it was latched off; with the next order."""
+        self._rearm += 1
+
+    def notices(self) -> list[str]:
+        """What the user should be told since the last call: why force was removed, that a process is gone."""
+        for said in self._heard(0.0):
+            self._take(said)
+        if not self._over and self._process is not None and self._process.poll() is not None:
+            self._over = "guardian"
+            self._notice("the program that watches over the device is gone; force is off")
+        self._felt = self._felt or (self.report is not None and not self.causes & ~_USUAL)
+        causes = self.causes & ~_USUAL if self._felt or self.causes & (FOR_GOOD | LATCHED) else NO_CAUSE
+        if causes != self._causes:
+            self._causes = causes
+            if causes:
+                self._notice(f"force is off or less: {spoken(causes)}")
+            elif self._last_words:
+                self._notice("force is back")
+        fresh, self._notices = self._notices, []
+        return fresh
+
+    def close(self) -> None:
+        """Ends the processes and takes the boards away; the device is stopped first."""
+        process, self._process = self._process, None
+        if process is not None:
+            assert process.stdin is not None
+            assert process.stdout is not None
+            process.stdin.close()  # the guardian sees it, ends the servo, and the servo stops its device
+            try:
+                process.wait(10.0)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait(10.0)
+            for said in self._heard(0.0, process):
+                self._take(said)
+            process.stdout.close()
+        if hasattr(self, "_reports"):
+            self._reports.close()
+            self._orders.close()
+        shutil.rmtree(self._folder, ignore_errors=True)
+
+    def _start(self, settings: ServoSettings) -> dict[str, Any]:
+        threads = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
+        process = self._process = subprocess.Popen(  # noqa: S603
+            [sys.executable, "-c", GUARDIAN],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            start_new_session=True,
+            env={**os.environ, **threads},
+        )
+        assert process.stdin is not None
+        process.stdin.write(settings.line().encode())
+        process.stdin.flush()
+        end = self._clock() + _PATIENCE
+        while self._clock() < end:
+            for said in self._heard(0.1):
+                if "ready" in said:
+                    return said
+                if "error" in said:
+                    raise DeviceError(str(said["error"]))
+            if process.poll() is not None:
+                break
+        raise DeviceError(f'the device "{settings.device.name}" did not come up; its process ended or hangs')
+
+    def _heard(self, wait: float, ended: "subprocess.Popen[bytes] | None" = None) -> list[dict[str, Any]]:
+        """What the processes wrote; never waits longer than it says."""
+        process = self._process or ended
+        if process is None or process.stdout is None:
+            return []
+        pipe = process.stdout.fileno()
+        while select.select([pipe], [], [], wait)[0]:
+            content = os.read(pipe, 65536)
+            if not content:
+                break
+            self._rest += content
+            wait = 0.0
+        return self._lines()
+
+    def _lines(self) -> list[dict[str, Any]]:
+        *whole, self._rest = self._rest.split(b"\n")
+        found: list[dict[str, Any]] = []
+        for line in whole:
+            try:
+                found.append(json.loads(line))
+            except ValueError:  # a vendor's library that prints
+                continue
+        return found
+
+    def _take(self, said: dict[str, Any]) -> None:
+        self.statistics.update(said.get("pace") or {})
+        if said.get("fault"):
+            self._notice(f"the device failed: {said['fault']}")
+        elif "error" in said:
+            self._notice(f"the device failed: {said['error']}")
+        elif "gone" in said:
+            self._over = "servo"
+            self._notice(f"the device's servo is gone; the device was {said['halted']}")
+        elif "still" in said:
+            self._notice("the device's servo stands still; its force was taken away from outside")
+
+    def _notice(self, text: str) -> None:
+        now = self._clock()
+        if text == self._last_words and now - self._last_said < _AGAIN:
+            return
+        self._last_words, self._last_said = text, now
+        self._notices.append(text)

@@ -1,0 +1,269 @@
+"""The last things between a force and the motors: each can only shorten it, so all limits hold together.
+
+A stage gives a share in [0, 1] of the force that it is shown. What comes out is the product of the shares times what
+came in: its direction is kept, no stage undoes another, and the energy books need to know only the force that is left.
+"""
+
+from enum import IntFlag
+from math import inf, isfinite, sqrt
+from typing import NamedTuple, final
+
+from cotouch.haptics._limits import SafetyLimits
+
+Vector = tuple[float, float, float]
+ZERO: Vector = (0.0, 0.0, 0.0)
+# From nothing to all that is left of the heat budget [s]; so long the force takes to come down to what may stay.
+_COOLING = 1.0
+
+
+@final
+class Cause(IntFlag):
+    """Why there is less force than was asked for.
+
+    Attributes:
+        SATURATED: it was beyond the largest.
+        SLEW: it rose too quickly.
+        RAMP: it is coming back from nothing.
+        HOT: the motors have been given much for long.
+        QUIET: the peer has said nothing for a while, and the force fades.
+        SILENT: the peer is gone.
+        LATE: the device or this loop was late.
+        OFF: nobody enabled it.
+        DEVICE: the device itself has switched its motors off.
+        FAST: it was faster than a hand; latched until re-armed.
+        ACTIVE: more energy came out of the motors than may; latched until re-armed.
+        FAULT: something was no number, or the device failed; for good.
+        PARENT: whoever watches this loop is gone; for good.
+    """
+
+    SATURATED = 1
+    SLEW = 2
+    RAMP = 4
+    HOT = 8
+    QUIET = 16
+    SILENT = 32
+    LATE = 64
+    OFF = 128
+    DEVICE = 256
+    FAST = 512
+    ACTIVE = 1024
+    FAULT = 2048
+    PARENT = 4096
+
+
+NO_CAUSE = Cause(0)
+LATCHED = Cause.FAST | Cause.ACTIVE
+FOR_GOOD = Cause.FAULT | Cause.PARENT
+# After which force comes back from nothing.
+_REMOVED = Cause.SILENT | Cause.LATE | Cause.OFF | Cause.DEVICE | LATCHED | FOR_GOOD
+_SENTENCES = {
+    Cause.FAULT: "the device failed or gave no numbers",
+    Cause.PARENT: "the program that watches over the device is gone",
+    Cause.ACTIVE: "more energy came out of the motors than may; re-arm to go on",
+    Cause.FAST: "the device moved faster than a hand does; re-arm to go on",
+    Cause.DEVICE: "the device has switched its motors off",
+    Cause.OFF: "force is not enabled",
+    Cause.SILENT: "the peer has been silent for too long",
+    Cause.LATE: "the device or its loop was late",
+    Cause.QUIET: "the peer is late",
+    Cause.HOT: "the motors are at what they can hold for long",
+    Cause.RAMP: "the force is coming back",
+    Cause.SATURATED: "the force was beyond its limit",
+    Cause.SLEW: "the force rose too quickly",
+}
+
+
+def spoken(cause: Cause) -> str:
+    """The gravest of several causes, in words; empty without one."""
+    return next((text for one, text in _SENTENCES.items() if cause & one), "")
+
+
+def size(vector: Vector) -> float:
+    """Norm."""
+    return sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2])
+
+
+def dot(a: Vector, b: Vector) -> float:
+    """Inner product."""
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def scaled(share: float, vector: Vector) -> Vector:
+    """A multiple; a share of 0 gives 0 whatever the vector is."""
+    return (share * vector[0], share * vector[1], share * vector[2]) if share else ZERO
+
+
+def saturate(length: float, most: float) -> float:
+    """Share of a force of this length that is within a limit [N]."""
+    return 1.0 if length <= most else most / length
+
+
+def silence(age: float, fade_after: float, zero_after: float) -> float:
+    """Share of a force whose reason was heard so long ago: all, fading, none [s]."""
+    if not age < zero_after:
+        return 0.0
+    return 1.0 if age <= fade_after else (zero_after - age) / (zero_after - fade_after)
+
+
+def slew(force: Vector, before: Vector, most: float) -> float:
+    """Largest share of a force that is at most so far from what the force before lets go to at once.
+
+    Letting go is never limited, or a force would outlast its energy: what counts is how far the new force is from all
+    those that lie between none and the one before.
+
+    Args:
+        force: wanted [N].
+        before: held until now [N].
+        most: farthest [N].
+    """
+    length = size(force)
+    if length <= most:
+        return 1.0
+    was = size(before)
+    along = dot(force, before) / length  # of the force before, along the new one
+    if along <= 0.0 or was == 0.0:
+        return most / length
+    aside = sqrt(max(0.0, was * was - along * along))  # its distance from the new one's line
+    if aside * length <= 1e-9 * was * length:
+        return min(1.0, (was + most) / length)
+    # While the nearest of those is not the force before itself, the distance grows as the sine of the angle.
+    turned = most * was / aside  # length at which it is `most`
+    if turned * along <= was * was:
+        return min(1.0, turned / length)
+    return min(1.0, (along + sqrt(max(0.0, most * most - aside * aside))) / length)
+
+
+@final
+class Heat:
+    """What heats the motors: the square of the force, forgotten with a time constant; never more than what may stay."""
+
+    def __init__(self, continuous: float, time: float) -> None:
+        """Cold.
+
+        Args:
+            continuous: force that may stay [N]; infinite: no limit.
+            time: constant [s].
+        """
+        self._most, self._time = continuous * continuous, time
+        self.square = 0.0
+
+    @property
+    def limit(self) -> float:
+        """Largest force now [N]: more than may stay as long as there is room, and coming down to it smoothly."""
+        if self._most == inf:
+            return inf
+        return sqrt(self._most + max(0.0, self._most - self.square) * (self._time / _COOLING))
+
+    def hold(self, force: float, T: float) -> None:
+        """Books that so much force was held for so long [N, s]."""
+        share = T / (self._time + T)
+        self.square += share * (force * force - self.square)
+
+
+class Seen(NamedTuple):
+    """What the chain goes by in a cycle.
+
+    Attributes:
+        now: [s].
+        T: since the cycle before [s].
+        age: of what the peer said last [s].
+        stale: age of what the device said last [s].
+        speed: of the tip [m/s].
+        excess: energy that came out of the motors beyond what may [J]; <= 0 as it should be.
+        enabled: whether force is wanted.
+        follows: whether the device says that its motors follow.
+    """
+
+    now: float
+    T: float
+    age: float
+    stale: float
+    speed: float
+    excess: float
+    enabled: bool
+    follows: bool
+
+
+@final
+class SafetyChain:
+    """All stages in a row.
+
+    Attributes:
+        causes: why the last force was less than asked for.
+        latched: what keeps the motors off until `rearm`.
+        broken: what keeps them off for good.
+    """
+
+    def __init__(self, limits: SafetyLimits) -> None:
+        """Off.
+
+        Args:
+            limits: of the device.
+        """
+        self.limits = limits
+        self.causes = Cause.OFF
+        self.latched = NO_CAUSE
+        self.broken = NO_CAUSE
+        self._heat = Heat(limits.continuous, limits.heat)
+        self._before = ZERO
+        self._back: float | None = None  # since when force is coming back
+
+    def rearm(self) -> None:
+        """Lets go of what is latched; force comes back by the ramp."""
+        self.latched = NO_CAUSE
+
+    def fail(self, cause: Cause) -> None:
+        """Takes the force away for good."""
+        self.broken |= cause
+
+    def limit(self, wanted: Vector, seen: Seen) -> float:
+        """Share of a force that may go to the motors.
+
+        Args:
+            wanted: [N].
+            seen: in this cycle.
+
+        Returns:
+            In [0, 1]; 0 if anything is no number.
+        """
+        limits, T = self.limits, seen.T
+        self._heat.hold(size(self._before), T)
+        length = size(wanted)
+        if not (isfinite(length) and isfinite(seen.speed)):
+            self.fail(Cause.FAULT)
+        if seen.speed > limits.speed:
+            self.latched |= Cause.FAST
+        if seen.excess > 0.0:
+            self.latched |= Cause.ACTIVE
+        causes = self.latched | self.broken
+        if not seen.enabled:
+            causes |= Cause.OFF
+        elif not seen.follows:
+            causes |= Cause.DEVICE
+        if not (seen.stale < limits.zero_after and limits.zero_after > T):
+            causes |= Cause.LATE
+        share = silence(seen.age, limits.fade_after, limits.zero_after)
+        if share < 1.0:
+            causes |= Cause.SILENT if share == 0.0 else Cause.QUIET
+        if causes & _REMOVED:
+            self._back, self._before, self.causes = None, ZERO, causes
+            return 0.0
+        share *= silence(seen.stale, limits.fade_after, limits.zero_after)
+        self._back = seen.now if self._back is None else self._back
+        back = min(1.0, (seen.now - self._back) / limits.ramp)
+        share *= back
+        if back < 1.0:
+            causes |= Cause.RAMP
+        kept = share * length
+        most = min(limits.force, self._heat.limit)
+        if kept > most:
+            causes |= Cause.SATURATED if limits.force <= self._heat.limit else Cause.HOT
+            share *= saturate(kept, most)
+        force = scaled(share, wanted)
+        rise = slew(force, self._before, limits.force * min(1.0, T / limits.rise))
+        if rise < 1.0:
+            causes |= Cause.SLEW
+            share *= rise
+            force = scaled(rise, force)
+        self._before, self.causes = force, causes
+        return share

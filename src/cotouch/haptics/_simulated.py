@@ -1,0 +1,171 @@
+"""The simulated devices on a real clock: what a device is when there is none."""
+
+import math
+import time
+from collections.abc import Callable
+from typing import final
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.device import (
+    PRESETS,
+    CartesianPlant,
+    Coupling,
+    DeviceModel,
+    DeviceSpec,
+    PhantomPlant,
+    Servo,
+    SimulatedDevice,
+    SimulatedHand,
+)
+from cotouch.errors import DeviceError
+from cotouch.haptics._device import DeviceReading, Flag
+from cotouch.haptics._registry import Driver
+
+Float = npt.NDArray[np.float64]
+VARIANTS = ("phantom", "cartesian", "touch")
+# A clock that stood for so long moves the device by no more, so that a cycle stays short [s].
+_LONGEST = 0.05
+# The hand goes round: so far to the sides, and down to where things are touched, in so many seconds [m, s].
+_SWEEP, _ROUND = (0.01, 0.012, 0.03), 4.0
+
+
+def simulated_model(variant: str = "phantom", *, hand: bool = True, sweep: float = 1.0) -> DeviceModel:
+    """A device with the hand that leads it.
+
+    Args:
+        variant: "phantom" (PHANToM 1.5 with its own dynamics, friction and encoders), "touch" (a mass with the
+            friction of a 3D Systems Touch) or "cartesian" (a light mass).
+        hand: whether a hand holds it and goes round; else it is free.
+        sweep: how far the hand goes, as a factor, 0 to 3.
+
+    Raises:
+        DeviceError: there is no such variant, or the factor is out of range.
+    """
+    if variant not in VARIANTS:
+        raise DeviceError(f'variant is "{variant}"; it must be one of {", ".join(VARIANTS)}')
+    if not 0.0 <= sweep <= 3.0:
+        raise DeviceError(f"sweep is {sweep:g}; it must be from 0 to 3")
+    plant = PhantomPlant() if variant == "phantom" else CartesianPlant()
+    spec = _spec(variant)
+    resolution = spec.resolution
+    if isinstance(plant, PhantomPlant):
+        resolution /= plant.lengths()[0]
+    elif variant == "touch":
+        plant = CartesianPlant(mass=spec.mass, coulomb=spec.friction)
+    x, y, z = (sweep * far for far in _SWEEP)
+    led = SimulatedHand(path=(0.0, 0.0, 0.0), amplitude=(x, y, -z), frequency=1.0 / _ROUND) if hand else None
+    return DeviceModel(
+        plant=plant,
+        servo=Servo(resolution=resolution, force=spec.force),
+        coupling=Coupling(law="told"),
+        hand=led,
+    )
+
+
+def _spec(variant: str) -> DeviceSpec:
+    return PRESETS["phantom" if variant == "cartesian" else variant]
+
+
+@final
+class SimulatedOnClock:
+    """A `SimulatedDevice` that moves as time goes by; a `Device`.
+
+    Force acts from one exchange to the next, as a device holds what it was told last.
+
+    Attributes:
+        spec: of the product that it stands for.
+        device: the device behind; None before `open`. Its books know what the motors really did.
+    """
+
+    def __init__(self, model: DeviceModel, spec: DeviceSpec, *, clock: Callable[[], float] = time.monotonic) -> None:
+        """Prepares it.
+
+        Args:
+            model: with the law `told`.
+            spec: that it says.
+            clock: monotonic time [s].
+        """
+        self.spec = spec
+        self.device: SimulatedDevice | None = None
+        self._model, self._clock = model, clock
+        self._behind = 0.0  # the clock's time less the device's
+        self._on = self._calibrated = False
+
+    def open(self) -> None:
+        """Starts its time; compiles if this machine never did."""
+        self.device = SimulatedDevice(self._model)
+        self.device.advance(0.0)
+        self._behind = self._clock()
+
+    def calibrate(self, *, allow_motion: bool) -> None:
+        """Its places are always absolute."""
+        del allow_motion
+        self._opened()
+        self._calibrated = True
+
+    def enable_force(self, on: bool = True) -> None:
+        """Lets the motors follow, or not."""
+        self._opened().tell(force=(0.0, 0.0, 0.0))
+        self._on = on
+
+    def exchange(self, force: Float) -> DeviceReading:
+        """Moves on to now under the force of before, measures, and holds the new force."""
+        device = self._opened()
+        now = self._clock()
+        ahead = now - self._behind - device.time
+        if ahead > _LONGEST:
+            self._behind += ahead - _LONGEST
+        if not self._on:
+            device.tell(force=(0.0, 0.0, 0.0))
+        sample = device.advance(max(device.time, now - self._behind))
+        if not sample.finite:
+            raise DeviceError("the simulated device has left the range of numbers; its hand or force was too much")
+        wanted = np.asarray(force, dtype=np.float64)
+        size = float(np.linalg.norm(wanted))
+        if not math.isfinite(size):
+            raise DeviceError(f"force is {wanted.tolist()} N; it must be finite")
+        device.tell(force=wanted if self._on else (0.0, 0.0, 0.0))
+        held = device.advance(device.time)  # no time passes; the motors take what of the force their torques allow
+        flags = Flag.CALIBRATED if self._calibrated else Flag(0)
+        if self._on:
+            flags |= Flag.FORCE_ON | (Flag.LIMITED if held.limited else Flag(0))
+        return DeviceReading(
+            time=now,
+            position=sample.position,
+            velocity=sample.velocity,
+            force=held.force,
+            flags=flags | Flag.HELD if self._model.hand is not None else flags,
+        )
+
+    def stop(self) -> None:
+        """Takes the force away; the device has none from the next look at it on."""
+        self._on = False
+
+    def close(self) -> None:
+        """Stops, and lets go of it."""
+        self.stop()
+        self.device = None
+
+    def _opened(self) -> SimulatedDevice:
+        if self.device is None:
+            raise DeviceError("the simulated device is not open; open it first")
+        return self.device
+
+
+def _make(*, variant: str = "phantom", hand: bool = True, sweep: float = 1.0) -> SimulatedOnClock:
+    return SimulatedOnClock(simulated_model(variant, hand=hand, sweep=float(sweep)), _spec(variant))
+
+
+SIMULATED = Driver(
+    name="simulated",
+    summary="a simulated PHANToM 1.5, Touch or light mass with a hand that goes round",
+    make=_make,
+    spec=PRESETS["phantom"],
+    variants=VARIANTS,
+    options={"hand": "whether a hand holds it: true or false", "sweep": "how far the hand goes, a factor from 0 to 3"},
+    watchdog="It lives in the process that drives it, and ends with it.",
+    tested="itself",
+)
+"""The driver of the simulated devices."""

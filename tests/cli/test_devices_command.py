@@ -1,0 +1,64 @@
+"""`cotouch devices` as users run it."""
+
+import json
+import sys
+
+import pytest
+
+from cotouch.cli import main
+
+
+def told(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, *words: str) -> tuple[int, str, str]:
+    monkeypatch.setattr(sys, "argv", ["cotouch", "devices", *words])
+    code = 0
+    try:
+        main()
+    except SystemExit as end:
+        code = int(end.code or 0)
+    out = capsys.readouterr()
+    return code, out.out, out.err
+
+
+def test_list(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch):
+    code, out, _ = told(capsys, monkeypatch, "list", "--json")
+    assert code == 0
+    found = {row["name"]: row for row in json.loads(out)["devices"]}
+    assert found["simulated"]["variants"] == ["phantom", "cartesian", "touch"]
+    assert all(row["watchdog"] for row in found.values())
+    code, out, _ = told(capsys, monkeypatch, "list")
+    assert code == 0
+    assert "simulated" in out
+
+
+def test_check_calibrate_and_monitor(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch):
+    code, out, _ = told(capsys, monkeypatch, "check", "simulated:cartesian", "--json")
+    checked = json.loads(out)
+    assert (code, checked["passed"]) == (0, True)
+    assert len(checked["checks"]) > 25
+    code, out, _ = told(capsys, monkeypatch, "calibrate", "simulated:touch,hand=false")
+    assert (code, out.startswith("simulated:touch,hand=false is calibrated; its tip is at (0.0, 0.0, 0.0) mm")) == (
+        0,
+        True,
+    )
+    code, out, _ = told(capsys, monkeypatch, "monitor", "simulated:cartesian", "--seconds", "0.2", "--json")
+    seen = json.loads(out)
+    assert (code, seen["flags"]) == (0, ["calibrated", "held"])
+    assert seen["cycles"] > 5
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["check", "omega9"], 'cotouch: device is "omega9"; it must be one of'),
+        (["check", "simulated:falcon"], 'cotouch: the device "simulated" has no variant "falcon"'),
+        (["monitor", "simulated:sweep=9"], "cotouch: sweep is 9; it must be from 0 to 3"),
+        (["calibrate", "simulated:a,b"], 'cotouch: device is "simulated:a,b"; it must be name'),
+    ],
+)
+def test_what_is_wrong_is_a_sentence(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, words: list[str], said: str
+):
+    code, out, err = told(capsys, monkeypatch, *words)
+    assert (code, out) == (2, "")
+    assert err.startswith(said)
+    assert err.count("\n") == 1

@@ -1,0 +1,73 @@
+"""Driving a device as a servo does, until it fails or must stop."""
+
+import time
+from collections.abc import Callable
+
+import numpy as np
+from tests.drivers.standin import Board, Fault
+
+from cotouch.errors import DeviceError
+from cotouch.haptics import Device, DeviceReading
+
+PUSH = np.array([1.0, -0.5, 0.25])
+# The issue asks for 100 ms; the machine of a test may be loaded by as much again.
+WITHIN = 0.2
+STALLS = ("watchdog", "does not tick", "did not answer")
+
+
+def ready(device: Device, cycles: int = 5) -> Device:
+    """Opened, calibrated, motors on, and pushing.
+
+    A test's machine may stall for longer than a device waits, 30 or 40 ms; then it is begun again.
+    """
+    for _ in range(4):
+        device.open()
+        device.calibrate(allow_motion=False)
+        device.enable_force()
+        try:
+            push(device, cycles)
+        except DeviceError as error:
+            if not any(stall in str(error) for stall in STALLS):
+                raise
+        else:
+            return device
+        device.close()
+    raise AssertionError("this machine stalls all the time")
+
+
+def push(device: Device, cycles: int, force: np.ndarray = PUSH, each: Callable[[DeviceReading], None] | None = None):
+    """Some cycles at about 1 kHz; returns the last reading."""
+    reading = None
+    for _ in range(cycles):
+        reading = device.exchange(force)
+        if each is not None:
+            each(reading)
+        time.sleep(5e-4)
+    assert reading is not None
+    return reading
+
+
+def fails(device: Device, board: Board, fault: Fault, value: float = 0.0) -> tuple[str, float]:
+    """Injects a fault while the motors push; returns the reason, and how long after it the force was gone [s]."""
+    device.close()
+    ready(device, 30)
+    assert any(board.get("motor"))
+    board.inject(fault, value)
+    end = time.monotonic() + 2.0
+    why = ""
+    while not why and time.monotonic() < end:
+        try:
+            push(device, 1)
+        except DeviceError as error:
+            why = str(error)
+    struck = board.get("struck")
+    assert struck > 0.0
+    late = time.monotonic() + 0.5
+    while board.zero_after(struck) == float("inf") and time.monotonic() < late:
+        time.sleep(0.005)
+    return why, board.zero_after(struck)
+
+
+def is_sentence(why: str) -> bool:
+    """Whether a person can read it."""
+    return 20 < len(why) < 400 and "\n" not in why and "Traceback" not in why

@@ -1,0 +1,87 @@
+"""`cotouch join --device haply` takes part in a live session, against the stand-in for the Inverse Service."""
+
+import json
+import os
+import signal
+from collections.abc import Generator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from tests.cli.test_session_commands import Running
+from tests.drivers.standin import Service
+
+from cotouch.recording import audit, read_recording
+
+SESSION = """
+title = "A hand"
+[network]
+users = ["Ann", "Ben"]
+spring = [[0, 50], [50, 0]]
+delay = [[0, 0.01], [0.01, 0]]
+[body]
+kind = "chain"
+nodes = 2
+spacing = 0.1
+dimension = 3
+mass = 0.3
+damping = 0.5
+stiffness = 50.0
+ground = [1]
+ground_stiffness = 30.0
+[steps]
+rate = 100
+[session]
+emulate = true
+[[hands]]
+user = 1
+node = 2
+path = [[0, 0, 0, 0], [1, 0.01, 0, 0]]
+[[hands]]
+user = 2
+node = 2
+path = [[0, 0, 0, 0], [1, 0.01, 0, 0]]
+"""
+
+
+@pytest.fixture
+def running(tmp_path: Path) -> Generator[Running]:
+    made = Running(tmp_path)
+    yield made
+    made.close()
+
+
+def interrupted(process) -> int:
+    os.kill(process.pid, signal.SIGINT)
+    return process.wait(60)
+
+
+def test_an_inverse3_takes_part(service: Service, running: Running, tmp_path: Path):
+    (tmp_path / "hand.toml").write_text(SESSION)
+    host = running.start("host", "host", tmp_path / "hand.toml", "--json")
+    running.until(lambda: running.out("host").endswith("}\n"), "the invitation")
+    line = json.loads(running.out("host"))["invitation"]
+    device = f"haply:url={service.url},events={service.events}"
+    ann_of = ("join", line, "--name", "Ann", "--device", device, "--record", tmp_path / "a.mcap", "--json")
+    ann = running.start("Ann", *ann_of)
+    ben = running.start(
+        "Ben", "join", line, "--name", "Ben", "--device", "none", "--record", tmp_path / "b.mcap", "--json"
+    )
+
+    def felt() -> bool:
+        assert ann.poll() is None, running.err("Ann")
+        return bool(np.linalg.norm(service.board.get("motor")) > 0.1)
+
+    running.until(felt, "force at the device")
+    running.until(lambda: service.board.get("sets") > 1000, "a second of it")
+    assert interrupted(ann) == 0, running.err("Ann")
+    assert not np.any(service.board.get("motor"))
+    assert interrupted(ben) == 0
+    assert interrupted(host) == 0
+    said = json.loads(running.out("Ann"))
+    assert said["device"]["name"] == "Haply Inverse3"
+    recordings = [read_recording(tmp_path / f"{name}.mcap") for name in "ab"]
+    moved = [np.ptp(recording.states["x"], axis=0).max() for recording in recordings]
+    assert moved[1] > 1e-3  # Ben, who touches nothing, is moved by the hand that holds the Inverse3
+    found = audit(recordings)
+    assert found.holds, found.findings

@@ -1,0 +1,113 @@
+"""Devices of the registry do what the interface says, and the checks see it when one does not."""
+
+import math
+import time
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from tests.haptics.conformance import STAND_INS, assert_conforms
+
+from cotouch.errors import DeviceError
+from cotouch.haptics import DeviceReading, Flag, SimulatedOnClock, conform, device_names, make_device
+
+
+@pytest.mark.parametrize("name", STAND_INS)
+def test_every_device_conforms(name: str):
+    with STAND_INS[name]() as make:
+        assert_conforms(make)
+
+
+def test_every_driver_of_this_package_has_a_stand_in():
+    assert {name.partition(":")[0] for name in STAND_INS} >= set(device_names()) & {"simulated"}
+
+
+class Broken:
+    """A simulated device with one thing wrong."""
+
+    def __init__(self, wrong: str) -> None:
+        self._inner = make_device("simulated", variant="cartesian")
+        assert isinstance(self._inner, SimulatedOnClock)
+        self._wrong, self._stopped = wrong, 0
+        self.spec = self._inner.spec
+        self._force = np.zeros(3)
+
+    def open(self) -> None:
+        self._inner.open()
+
+    def calibrate(self, *, allow_motion: bool) -> None:
+        if self._wrong != "not calibrated":
+            self._inner.calibrate(allow_motion=allow_motion)
+
+    def enable_force(self, on: bool = True) -> None:
+        self._inner.enable_force(on)
+
+    def exchange(self, force) -> DeviceReading:
+        if self._wrong == "crash":
+            raise RuntimeError("segment 7\nfailed")
+        was = self._inner.exchange(force)
+        if self._wrong == "slow":
+            time.sleep(0.05)
+        changed = {
+            "nan": {"position": np.full(3, math.nan)},
+            "always on": {"flags": was.flags | Flag.FORCE_ON, "force": np.asarray(force)},
+            "too much": {"force": 2.0 * was.force},
+            "millimetres": {"position": np.array([0.0, 0.0, 75.0]), "velocity": 1e3 * was.velocity + 100.0},
+            "clock": {"time": 0.25 * was.time},
+            "repeats": {"time": math.floor(was.time)},
+            "shape": {"velocity": np.zeros(4)},
+            "handle": {"orientation": np.array([0.0, 0.0, 0.0, 2.0])},
+        }.get(self._wrong, {})
+        fields = {name: getattr(was, name) for name in DeviceReading.__dataclass_fields__}
+        return DeviceReading(**(fields | changed))
+
+    def stop(self) -> None:
+        if self._wrong == "deaf":
+            return
+        self._stopped += 1
+        if self._wrong == "stops once" and self._stopped > 3:
+            raise RuntimeError
+        self._inner.stop()
+
+    def close(self) -> None:
+        self._inner.close()
+
+
+@pytest.mark.parametrize(
+    ("wrong", "check"),
+    [
+        ("not calibrated", "calibrated"),
+        ("crash", "exchange before open is refused"),
+        ("slow", "in time, before calibration"),
+        ("nan", "finite, before calibration"),
+        ("always on", "no force before it is enabled"),
+        ("too much", "no more force than was asked"),
+        ("millimetres", "velocity is m/s, before calibration"),
+        ("millimetres", "place is m from the middle of the workspace, with force"),
+        ("clock", "time is the clock's, before calibration"),
+        ("repeats", "time rises, before calibration"),
+        ("shape", "three numbers each, before calibration"),
+        ("handle", "orientation is a unit quaternion, before calibration"),
+        ("deaf", "no force after stop"),
+        ("stops once", "stop from other threads, again and again"),
+    ],
+)
+def test_what_is_wrong_is_found(wrong: str, check: str):
+    failed: list[str] = []
+    make: Callable[[], Broken] = lambda: Broken(wrong)  # noqa: E731
+    try:
+        failed = [finding.check for finding in conform(make, cycles=10) if not finding.passed]
+    except RuntimeError:  # what a device that raises anything else comes to: no conformance either
+        failed = ["exchange before open is refused", "stop from other threads, again and again"]
+    assert check in failed
+
+
+def test_a_device_that_is_missing_is_a_sentence():
+    class Missing(Broken):
+        def open(self) -> None:
+            raise DeviceError("no such device is plugged in; plug it in")
+
+    found = conform(lambda: Missing(""), cycles=10)
+    assert found[-1].check == "no error"
+    assert not found[-1].passed
+    assert found[-1].detail == "no such device is plugged in; plug it in"

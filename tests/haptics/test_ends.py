@@ -1,0 +1,232 @@
+"""The coupling of two processes: two-port passivity whatever the boards do, and the share that is felt."""
+
+import numpy as np
+import pytest
+from tests.haptics.two_ports import Body, run
+
+from cotouch.device import PRESETS
+from cotouch.haptics import (
+    Cause,
+    DeviceEnd,
+    DeviceReading,
+    EndOptions,
+    Flag,
+    Order,
+    ProxyEnd,
+    Purse,
+    SafetyLimits,
+    ServoCore,
+    SimulatedOnClock,
+    Word,
+    simulated_model,
+    size,
+)
+
+SPECS = {"phantom": PRESETS["phantom"], "cartesian": PRESETS["phantom"], "touch": PRESETS["touch"]}
+
+
+def made(variant: str, clock: list[float], sweep: float = 1.0) -> SimulatedOnClock:
+    return SimulatedOnClock(simulated_model(variant, sweep=sweep), SPECS[variant], clock=lambda: clock[0])
+
+
+@pytest.mark.parametrize("seed", range(24))
+def test_two_ports_are_passive_whatever_the_rates_and_boards(seed: int):
+    """Servo at 1 kHz, peer at 100 to 1000 Hz, nonlinear device with a hand, boards late or unread: no violation."""
+    rng = np.random.default_rng(seed)
+    variant = ["phantom", "cartesian", "touch"][seed % 3]
+    spec, clock = SPECS[variant], [0.0]
+    stiffness = float(rng.uniform(50.0, min(2000.0, spec.stiffness)))
+    options = EndOptions(stiffness=stiffness, damping=float(rng.uniform(0.5, 4.0)), seed=10.0 ** rng.uniform(-4, -2))
+    ran = run(
+        made(variant, clock, sweep=float(rng.uniform(0.2, 3.0))),
+        spec,
+        seconds=1.5,
+        peer=float(rng.uniform(100.0, 1000.0)),
+        clock=clock,
+        options=options,
+        body=Body(
+            mass=float(10.0 ** rng.uniform(-2, 0)),
+            spring=float(rng.choice([0.0, 200.0])),
+            stop=float(rng.choice([np.inf, 0.002])),
+            shake=float(rng.choice([0.0, 1.0, 4.0])),
+            hertz=float(rng.uniform(0.5, 20.0)),
+        ),
+        jitter=float(rng.uniform(0.0, 0.5)),
+        late=float(rng.uniform(0.0, 0.05)),
+        loss=float(rng.uniform(0.0, 0.5)),
+        seed=seed,
+    )
+    assert ran.excess <= ran.bound
+    assert max(report.excess for report in ran.reports) <= 0.0  # the observer has nothing to say
+    assert not any(report.causes & (Cause.FAULT | Cause.ACTIVE) for report in ran.reports)
+    assert max(size(report.force) for report in ran.reports) <= SafetyLimits.of(spec).force * (1 + 1e-12)
+
+
+def test_the_account_keeps_what_is_given():
+    """Purses, what they gave and what is on its way always add up to the seeds less the work of both ports."""
+    rng = np.random.default_rng(1)
+    a, b = Purse(0.02), Purse(0.01)
+    for _ in range(2000):
+        for one, other in ((a, b), (b, a)):
+            if rng.random() < 0.5:
+                one.wanting = bool(rng.random() < 0.5)
+                one.hear(other.word, max(0.0, one.energy), 0.005)
+                one.book(float(rng.normal(0.0, 1e-3)), 1e-6)
+                one.spill(max(0.0, one.energy - 0.05))
+        on_its_way = (a.given - b.received) + (b.given - a.received)
+        there = a.energy + b.energy + a.lost + b.lost + on_its_way
+        assert there == pytest.approx(0.03 - a.work - b.work, abs=1e-12)
+        assert a.received <= b.given + 1e-15
+        assert b.received <= a.given + 1e-15
+
+
+@pytest.mark.parametrize(
+    "word", [Word(given=np.nan), Word(given=-1.0), Word(given=np.inf), Word(given=1.0, purse=np.nan)]
+)
+def test_a_word_that_is_no_number_or_goes_back_is_worth_nothing(word: Word):
+    purse = Purse(0.01)
+    purse.hear(Word(given=0.5), 0.0, 1e-3)
+    purse.hear(word, 0.0, 1e-3)
+    assert purse.energy == pytest.approx(0.51)
+    assert purse.received == 0.5
+
+
+def test_a_hand_that_follows_the_force_gets_no_more_than_the_bound():
+    """The worst hand: it goes where it is pushed, as fast as it likes; the proxy runs away before it."""
+    rng = np.random.default_rng(3)
+    for _ in range(20):
+        options = EndOptions(stiffness=float(rng.uniform(100, 2000)), damping=float(rng.uniform(0, 5)), seed=1e-3)
+        end = DeviceEnd(options, resolution=0.0, lever=1e9)
+        place, force, coming, out, T, fast = np.zeros(3), np.zeros(3), np.zeros(3), 0.0, 1e-3, 0.0
+        worst = -np.inf
+        for _ in range(3000):
+            push = float(rng.choice([0.0, 1.0])) * float(rng.uniform(0.0, 1.5)) * T
+            length = float(np.linalg.norm(force))
+            moved = push * force / length if length else np.zeros(3)
+            moved = moved + rng.normal(0.0, 2e-4, 3)
+            out += float(force @ moved)
+            place = place + moved
+            fast = max(fast, float(np.linalg.norm(moved)) / T)
+            worst = max(worst, out)
+            end.measure(tuple(place), tuple(coming))
+            force = coming
+            wish = tuple(place + rng.normal(0.0, 0.02, 3))
+            coming = np.array(end.decide(wish, tuple(moved / T), Word(), T))
+        assert worst <= options.seed + end.bound(fast, T, 0.0) + 1e-12
+        assert worst > 0.5 * options.seed  # it really got at what was there
+
+
+def test_one_process_for_each_end_feels_as_one():
+    """With the seed, the spring is whole most of the time, at 200 Hz as at 1000 Hz; the proxy follows."""
+    for rate in (1000.0, 200.0):
+        clock = [0.0]
+        ran = run(made("phantom", clock), SPECS["phantom"], seconds=3.0, peer=rate, clock=clock, late=0.002)
+        assert float(np.mean(np.array(ran.shares[200:]) > 0.99)) > 0.9
+        followed = np.abs(np.array(ran.proxies)).max(axis=0)
+        led = np.abs(np.array([report.place for report in ran.reports])).max(axis=0)
+        np.testing.assert_allclose(followed, led, rtol=0.05, atol=2e-4)
+
+
+def test_a_peer_that_falls_silent_is_faded_out_and_back():
+    clock = [0.0]
+    wall = Body(mass=1e6)  # does not move: there is force
+    ran = run(
+        made("phantom", clock), SPECS["phantom"], seconds=3.0, peer=500.0, clock=clock, body=wall, silent=(1.5, 2.0)
+    )
+    forces = [(report.time, size(report.force), report.causes) for report in ran.reports]
+    assert max(f for t, f, _ in forces if 1.4 < t < 1.5) > 0.3
+    assert all(f == 0.0 for t, f, _ in forces if 1.61 < t < 2.0)
+    assert all(c & Cause.QUIET for t, _, c in forces if 1.53 < t < 1.59)
+    assert max(f for t, f, _ in forces if t > 2.6) > 0.3
+
+
+class Lying:
+    """A core whose coupling pushes the hand wherever it goes: an error that only the observer can see."""
+
+    def __init__(self, spec, limits, options):
+        self._core = ServoCore(spec, limits, options)
+        self._core.end.decide = lambda wish, rate, word, T: tuple(5.0 * np.array(rate) / (1e-9 + size(rate)))
+
+    def __getattr__(self, name):
+        return getattr(self._core, name)
+
+
+def test_the_observer_stops_what_makes_energy():
+    clock, spec = [0.0], SPECS["cartesian"]
+    core = Lying(spec, SafetyLimits.of(spec), EndOptions())
+    ran = run(made("cartesian", clock), spec, seconds=1.5, peer=500.0, clock=clock, core=core)
+    assert ran.reports[-1].causes & Cause.ACTIVE
+    assert size(ran.reports[-1].force) == 0.0
+    first = next(report for report in ran.reports if report.causes & Cause.ACTIVE)
+    assert first.work < 0.1
+
+
+def _pushed(core: ServoCore, places: list[float], T: float = 1e-3) -> list[float]:
+    """Forces along x while the tip is led along x."""
+    found = []
+    for k, x in enumerate(places):
+        now = T * k
+        core.hear(Order(time=now, place=None, enable=True))
+        reading = DeviceReading(
+            time=now,
+            position=np.array([x, 0.0, 0.0]),
+            velocity=np.zeros(3),
+            force=np.full(3, np.nan),
+            flags=Flag.FORCE_ON | Flag.CALIBRATED,
+        )
+        found.append(core.cycle(reading, now).force[0])
+    return found
+
+
+def test_the_wall_of_the_workspace_leads_back_and_gives_nothing():
+    spec = SPECS["phantom"]
+    core = ServoCore(spec, SafetyLimits.of(spec), EndOptions(damping=0.0, seed=1e-3))
+    out = [0.1 + 1e-5 * k for k in range(200)]  # after the ramp has come up
+    led = [0.09 + 1e-2 * k / 700 for k in range(700)] + out + out[::-1]
+    forces = _pushed(core, led)
+    assert max(map(abs, forces[:700])) == 0.0
+    full = spec.stiffness / 2 * (led[899] - 0.1)
+    # What the acting force's spring holds is kept back, so that without damping the wall is softer by up to a third.
+    assert 0.65 * full <= -forces[899] <= full
+    work = sum(f * (b - a) for f, a, b in zip(forces, led[1:], led[2:], strict=False))
+    assert work <= 1e-3 + core.observed_bound
+
+
+def test_a_button_held_long_re_arms():
+    spec = SPECS["phantom"]
+    core = ServoCore(spec, SafetyLimits.of(spec), EndOptions())
+
+    def cycle(now: float, x: float, buttons: int) -> Cause:
+        core.hear(Order(time=now, place=(0.0, 0.0, 0.0), enable=True))
+        reading = DeviceReading(
+            time=now,
+            position=np.array([x, 0.0, 0.0]),
+            velocity=np.zeros(3),
+            force=np.full(3, np.nan),
+            flags=Flag.FORCE_ON,
+            buttons=buttons,
+        )
+        return core.cycle(reading, now).causes
+
+    for k in range(20):
+        causes = cycle(1e-3 * k, 2e-3 * k, 0)  # 2 m/s
+    assert causes & Cause.FAST
+    pressed = [cycle(0.02 + 1e-3 * k, 0.038, 1) & Cause.FAST for k in range(1100)]
+    assert all(pressed[:900])
+    assert not pressed[-1]
+
+
+def test_the_proxy_end_never_owes():
+    rng = np.random.default_rng(0)
+    end, place = ProxyEnd(EndOptions()), np.zeros(3)
+    for _ in range(2000):
+        rate = rng.normal(0.0, 0.5, 3)
+        T = float(rng.uniform(1e-3, 1e-2))
+        pull = end.pull(tuple(place), tuple(rng.normal(0.0, 0.03, 3)), tuple(rate), Word(), T)
+        k, b, m = pull.stiffness, pull.damping, 0.05
+        other = rng.normal(0.0, 3.0, 3)
+        mean = (k * (np.array(pull.target) - place) + np.array(pull.push) + other) / (2 * m / T + b + k * T / 2)
+        done = k * (np.array(pull.target) - place - T / 2 * mean) - b * mean + np.array(pull.push)
+        place = place + T * mean
+        end.settle(tuple(done), tuple(T * mean))
+        assert end.purse.energy >= -1e-12

@@ -1,0 +1,165 @@
+"""Peer, guardian and servo as processes around a device that holds its last force for ever; each dies in turn."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Generator
+from pathlib import Path
+
+import pytest
+from tests.conftest import ROOT
+from tests.haptics.plant import THROW, Plant
+
+from cotouch.errors import DeviceError
+from cotouch.haptics import Cause, DeviceChoice, ProxyEnd, ServoLink
+
+PEER = """
+import sys, time
+sys.path.insert(0, sys.argv[1])
+from cotouch.haptics import DeviceChoice, ServoLink, Word
+link = ServoLink(DeviceChoice("tests.haptics.plant/PLANT", {"folder": sys.argv[2]}), real_time=None)
+print(link.servo, link.guardian, flush=True)
+while True:
+    link.read()
+    link.order((0.05, 0.0, 0.0), Word(given=1.0))
+    time.sleep(0.002)
+"""
+
+
+@pytest.fixture
+def plant(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Generator[Plant]:
+    monkeypatch.setenv("PYTHONPATH", ROOT)  # so that the servo's process finds the plant's driver
+    made = Plant(tmp_path)
+    yield made
+    made.close()
+
+
+class Held:
+    """A link whose proxy is far, so that there is force."""
+
+    def __init__(self, plant: Plant, driver: str) -> None:
+        choice = DeviceChoice(f"tests.haptics.plant/{driver}", {"folder": str(plant.folder)})
+        self.link = ServoLink(choice, real_time=None)
+        self.end = ProxyEnd(self.link.options)
+        self.said: list[str] = []
+
+    def until(self, done: Callable[[], object], what: str, *, orders: bool = True) -> None:
+        end = time.monotonic() + 60.0
+        while not done():
+            assert time.monotonic() < end, f"{what}: {self.said}"
+            report = self.link.read()
+            if orders:
+                self.end.pull((0.02, 0.0, 0.0), None, (0.0, 0.0, 0.0), report.word, 0.002) if report else None
+                self.link.order((0.02, 0.0, 0.0), self.end.purse.word)
+            self.said += self.link.notices()
+            time.sleep(0.002)
+
+
+@pytest.fixture
+def held(plant: Plant, request: pytest.FixtureRequest) -> Generator[Held]:
+    made = Held(plant, getattr(request, "param", "PLANT"))
+    try:
+        made.until(lambda: plant.force > 0.0, "force")
+        yield made
+    finally:
+        made.link.close()
+
+
+@pytest.mark.parametrize("held", ["PLANT", "PLANT_ALONE"], indirect=True)
+def test_a_servo_that_is_killed_leaves_no_force(plant: Plant, held: Held):
+    """Once halted from outside; once, where nobody else reaches the device while it is in use, opened anew."""
+    os.kill(held.link.servo, signal.SIGKILL)
+    held.until(lambda: plant.force == 0.0, "no force")
+    held.until(lambda: any("the device's servo is gone" in text for text in held.said), "told")
+    assert held.link.gone
+    assert held.link.read() is None
+
+
+def test_a_servo_that_stands_still_leaves_no_force(plant: Plant, held: Held):
+    os.kill(held.link.servo, signal.SIGSTOP)
+    held.until(lambda: plant.force == 0.0, "no force")
+    held.until(lambda: any("stands still" in text for text in held.said), "told")
+    held.until(lambda: any("is gone" in text for text in held.said), "ended")
+
+
+def test_a_guardian_that_is_killed_leaves_no_force(plant: Plant, held: Held):
+    os.kill(held.link.guardian, signal.SIGKILL)
+    held.until(lambda: plant.force == 0.0, "no force")
+    held.until(lambda: any("watches over the device is gone" in text for text in held.said), "told")
+    held.until(lambda: not Path(f"/proc/{held.link.servo}").exists() or held.link.gone, "the servo ends")
+
+
+def test_a_peer_that_is_killed_leaves_no_force_and_no_process(plant: Plant):
+    command = [sys.executable, "-c", PEER, ROOT, str(plant.folder)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as peer:
+        try:
+            assert peer.stdout is not None
+            servo, guardian = map(int, peer.stdout.readline().split())
+            _wait(lambda: plant.force > 0.0, "force")
+        finally:
+            peer.kill()
+        _wait(lambda: plant.force == 0.0, "no force")
+        _wait(lambda: not _runs(servo) and not _runs(guardian), "no process")
+
+
+def test_a_peer_that_says_nothing_leaves_no_force_and_may_come_back(plant: Plant, held: Held):
+    held.until(lambda: held.link.causes & Cause.SILENT, "silent", orders=False)
+    held.until(lambda: plant.force == 0.0, "no force", orders=False)
+    held.until(lambda: plant.force > 0.0, "force again")
+    assert any("peer has been silent" in text for text in held.said)
+    plant.tell(THROW)
+    held.until(lambda: held.link.causes & Cause.FAST, "latched")
+    held.until(lambda: any("faster than a hand" in text for text in held.said), "told")
+    plant.tell(0)
+    held.until(lambda: plant.force == 0.0, "no force")
+    held.link.rearm()
+    held.until(lambda: plant.force > 0.0, "force after it is re-armed")
+
+
+def test_a_device_that_cannot_be_opened_is_a_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setenv("PYTHONPATH", ROOT)
+    with pytest.raises(DeviceError, match="no plant at"):
+        ServoLink(DeviceChoice("tests.haptics.plant/PLANT", {"folder": str(tmp_path / "nowhere")}))
+    with pytest.raises(DeviceError, match='device is "omega9"'):
+        ServoLink(DeviceChoice("omega9"))
+    with pytest.raises(DeviceError, match="safety limit force is 9"):
+        ServoLink(DeviceChoice("simulated", {"variant": "phantom"}), limits={"force": 9.0})
+
+
+def test_the_simulated_device_is_felt_and_closed():
+    link = ServoLink(DeviceChoice("simulated", {"variant": "cartesian"}), real_time=None)
+    end, first = ProxyEnd(link.options), None
+    try:
+        felt = 0.0
+        finish = time.monotonic() + 20.0
+        while felt < 0.5 and time.monotonic() < finish:
+            report = link.read()
+            if report is not None:
+                first = report.place if first is None else first
+                end.pull(first, report.place, report.rate, report.word, 0.002)  # a proxy that does not move
+                link.order(first, end.purse.word)
+                felt = max(abs(value) for value in report.force)
+            time.sleep(0.002)
+        assert felt >= 0.5
+    finally:
+        link.close()
+    assert link.statistics["steps"] > 10
+    assert not _runs(link.servo)
+    assert not _runs(link.guardian)
+
+
+def _runs(pid: int) -> bool:
+    """Whether a process is there, and not only its entry for its parent."""
+    try:
+        return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
+    except OSError:
+        return False
+
+
+def _wait(done: Callable[[], object], what: str) -> None:
+    end = time.monotonic() + 20.0
+    while not done():
+        assert time.monotonic() < end, what
+        time.sleep(0.002)

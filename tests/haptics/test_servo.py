@@ -1,0 +1,116 @@
+"""The servo's loop in this process, around a device that fails: force goes, and the reason is said."""
+
+import time
+from collections.abc import Callable, Generator
+from pathlib import Path
+
+import pytest
+from tests.haptics.plant import DEAF, FROZEN, NAN, SLOW, THROW, Plant, PlantDevice
+
+from cotouch.haptics import Cause, DeviceChoice, Order, Report, Servo, ServoSettings, Word
+from cotouch.haptics._boards import OrderWriter, ReportReader
+
+
+class Loop:
+    def __init__(self, folder: Path) -> None:
+        self.watched = True
+        device = PlantDevice(str(folder))
+        device.open()
+        settings = ServoSettings(device=DeviceChoice("plant"), folder=folder)
+        self.servo = Servo(device, settings, watched=lambda: self.watched)
+        self.orders, self.reports = OrderWriter(folder), ReportReader(folder)
+        self.report: Report | None = None
+        self.runs, self.rearm, self.enable = True, 0, True
+
+    def until(self, done: Callable[[], object], what: str, *, orders: bool = True) -> None:
+        end = time.monotonic() + 20.0
+        while not done():
+            assert time.monotonic() < end, f"{what}: {self.report}"
+            if orders:
+                self.orders.write(
+                    Order(
+                        time=time.monotonic(),
+                        place=(0.03, 0.0, 0.0),
+                        word=Word(given=1.0),
+                        enable=self.enable,
+                        rearm=self.rearm,
+                    )
+                )
+            if self.runs:
+                self.runs = self.servo.cycle()
+            self.report = self.reports.read() or self.report
+            time.sleep(0.001)
+
+    def close(self) -> None:
+        self.servo.close()
+        self.orders.close()
+        self.reports.close()
+
+
+@pytest.fixture
+def plant(tmp_path: Path) -> Generator[Plant]:
+    made = Plant(tmp_path)
+    yield made
+    made.close()
+
+
+@pytest.fixture
+def loop(plant: Plant, tmp_path: Path) -> Generator[Loop]:
+    made = Loop(tmp_path)
+    try:
+        made.until(lambda: plant.force > 0.0, "force")
+        yield made
+    finally:
+        made.close()
+
+
+def causes(loop: Loop) -> Cause:
+    assert loop.report is not None
+    return loop.report.causes
+
+
+@pytest.mark.parametrize(
+    ("mode", "cause", "fault"),
+    [
+        (NAN, Cause.FAULT, ""),
+        (DEAF, Cause.FAULT, "the plant does not answer; is it plugged in?"),
+        (SLOW, Cause.FAULT, "the plant does not answer; is it plugged in?"),
+        (FROZEN, Cause.LATE, ""),
+        (THROW, Cause.FAST, ""),
+    ],
+)
+def test_a_device_that_fails_is_left_without_force(plant: Plant, loop: Loop, mode: int, cause: Cause, fault: str):
+    plant.tell(mode)
+    loop.until(lambda: causes(loop) & cause, "cause")
+    loop.until(lambda: plant.force == 0.0, "no force")
+    assert loop.servo.fault == fault
+    assert loop.runs == (cause != Cause.FAULT)
+
+
+def test_a_loop_that_nobody_watches_ends(plant: Plant, loop: Loop):
+    loop.watched = False
+    loop.until(lambda: not loop.runs, "its end")
+    loop.until(lambda: plant.force == 0.0, "no force")
+    assert causes(loop) & Cause.PARENT
+    loop.servo.say()  # and it goes on saying so
+    report = loop.reports.read()
+    assert report is not None
+    assert report.causes == Cause.PARENT
+    assert report.force == (0.0, 0.0, 0.0)
+
+
+def test_a_device_that_switches_itself_off_comes_back_when_re_armed(plant: Plant, loop: Loop):
+    PlantDevice.stop(loop.servo._device)  # as a safety switch on it
+    loop.until(lambda: causes(loop) & Cause.DEVICE, "cause")
+    assert plant.force == 0.0
+    loop.rearm += 1
+    loop.until(lambda: plant.force > 0.0, "force again")
+
+
+def test_force_follows_what_the_peer_wants(plant: Plant, loop: Loop):
+    loop.enable = False
+    loop.until(lambda: causes(loop) & Cause.OFF, "off")
+    loop.until(lambda: plant.force == 0.0, "no force")
+    loop.enable = True
+    loop.until(lambda: causes(loop) & Cause.RAMP, "coming back")
+    loop.until(lambda: plant.force > 0.0, "force again")
