@@ -67,7 +67,7 @@ class Held:
             surface=self.hand.surface,
             tools=self.hand.tools,
         )
-        self.hand.attach(self.peer)
+        self.hand.attach(self.peer.state.position)
         self.now = 0.0
 
     def tell(self, mode: HandMode, node: int = -1, target=(0.0, 0.0, 0.0), pointer: int = 0, **more: float) -> None:

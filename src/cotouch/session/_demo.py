@@ -60,6 +60,8 @@ _SOFT = {
 }
 _SOFT_SHARE = 1.0 / 40.0
 _SLOW = 0.5
+# Five members of 500 Hz leave too little of two cores to a page and its browser [Hz].
+_SOFT_RATE = 250
 # How fast hands go around that never let go [Hz].
 _ROUND = (0.11, 0.17, 0.13, 0.19, 0.15)
 # What `--impair` takes, and where it stands in a session's file.
@@ -317,6 +319,7 @@ def _embody(tables: dict[str, Any], body: str) -> None:
 def _cushion(tables: dict[str, Any]) -> None:
     """The cushion: held at its corners and in the middle, at shares of its half width."""
     tables["body"] = dict(_SOFT)
+    tables["steps"] = {"rate": _SOFT_RATE}
     network = tables["network"]
     network["spring"] = [[_SOFT_SHARE * spring for spring in row] for row in network["spring"]]
     if "links" in network:

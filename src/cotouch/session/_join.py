@@ -101,9 +101,9 @@ def join(
     listen: str | None = None,
     record: Path | None = None,
     version: str,
-    warn: Callable[[str], None] | None = None,
     boards: Path | None = None,
     unsafe: bool = False,
+    warn: Callable[[str], None] | None = None,
     say: Callable[[str], None] | None = None,
     stopped: Callable[[], bool] = lambda: False,
 ) -> Taken:
@@ -118,9 +118,9 @@ def join(
         listen: address in numbers to listen on; None: the one by which this machine reaches the host.
         record: file to record into; must not exist.
         version: of this software.
-        warn: is told in a sentence why a device's force is off.
         boards: folder of the boards by which this member is shown and told things on this machine; see `_boards`.
         unsafe: whether it may be told to take less damping than passivity needs.
+        warn: is told in a sentence why a device's force is off.
         say: is told in a few words what takes time.
         stopped: whether to stop now.
 
@@ -247,6 +247,14 @@ def _take_part(
         return _hand(session, replica, hand, held, seat, model, window=window, told=window is not None)
 
     listening = _Listening(impaired)
+
+    def tend(now: float) -> None:
+        held.tend(tape, now)
+        if window is not None:
+            window.service(now, member.seat, impaired)
+            if member.copy is not None:
+                member.copy.give_damping(window.damping, now)
+
     pacer = Pacer(session.period(0), cap=session.options.longest_step, clock=clock, idle=listening)
     pace = Pace(session.period(0))
     member = Member(
@@ -267,8 +275,7 @@ def _take_part(
     listening.member = member
     try:
         with prepare_process():
-            tend = partial(held.tend, tape)
-            why = _loop(member, pacer, pace, clock, tend, window, impaired, seconds=seconds, stopped=stopped)
+            why = _loop(member, pacer, pace, clock, tend, seconds=seconds, stopped=stopped)
         status = member.status(clock())
         member.leave()
         return Taken(
@@ -316,8 +323,6 @@ def _loop(
     pace: Pace,
     clock: Callable[[], float],
     tend: Callable[[float], None],
-    window: Window | None,
-    emulator: ImpairedTransport | None,
     *,
     seconds: float | None,
     stopped: Callable[[], bool],
@@ -334,10 +339,6 @@ def _loop(
             service = now + _SERVICE_EVERY
             member.service(now)
             tend(now)
-            if window is not None:
-                window.service(now, member.seat, emulator)
-                if member.copy is not None:
-                    member.copy.give_damping(window.damping, now)
             if stopped():
                 return "stopped"
         pace.stepped(T, stood, clock() - now + pacer.worked)
@@ -358,10 +359,17 @@ def _hand(
     window: Window | None = None,
     told: bool = False,
 ) -> Hand:
-    period, longest = session.period(seat), session.options.longest_step
     if held.wanted:
+        if window is not None:
+            window.holds(None, seat)
         return DeviceHand(
-            replica.scenario, replica.body, model, seat=seat, period=period, longest=longest, link=held.link
+            replica.scenario,
+            replica.body,
+            model,
+            seat=seat,
+            period=session.period(seat),
+            longest=session.options.longest_step,
+            link=held.link,
         )
     if told:
         hand = ToldHand(
@@ -369,8 +377,8 @@ def _hand(
             replica.body,
             model,
             seat=seat,
-            period=period,
-            longest=longest,
+            period=session.period(seat),
+            longest=session.options.longest_step,
             scripted=kind == "scripted",
             wishes=(lambda: None) if window is None else window.wishes,
         )
@@ -379,7 +387,14 @@ def _hand(
         return hand
     if kind == "none":
         return NoHand(model)
-    return ScriptedHand(replica.scenario, replica.body, model, seat=seat, period=period, longest=longest)
+    return ScriptedHand(
+        replica.scenario,
+        replica.body,
+        model,
+        seat=seat,
+        period=session.period(seat),
+        longest=session.options.longest_step,
+    )
 
 
 def _nobody(text: str) -> None:

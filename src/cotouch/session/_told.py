@@ -13,7 +13,6 @@ import numpy.typing as npt
 
 from cotouch.body import Body
 from cotouch.mechanics import AWAY, Model, Surface, Tools
-from cotouch.peer import Peer
 from cotouch.scenario import (
     Scenario,
     after_step_alone,
@@ -137,15 +136,15 @@ class ToldHand:
         self._wanted = self._node
         self._silent = 0.0
         self._wishes = wishes
-        self._peer: Peer | None = None
+        self._position: Float | None = None
 
-    def attach(self, peer: Peer) -> None:
-        """Learns whose copy it holds; before that it takes no orders."""
-        self._peer = peer
+    def attach(self, position: Float) -> None:
+        """Learns where the copy is, (rows, width), changed in place; before that it takes no orders."""
+        self._position = position
 
     def before(self, end: float, T: float) -> None:
         """Does what it is to do in this step."""
-        wish = self._wishes() if self._peer is not None else None
+        wish = self._wishes() if self._position is not None else None
         if wish is not None:
             self._silent = 0.0
             self._take(wish)
@@ -191,8 +190,8 @@ class ToldHand:
             self._goal = target
             self._ball.want(wish.radius)
             if self._touch == 0.0:
-                assert self._peer is not None
-                self._ball.put(target, self._model.to_nodes(self._peer.state.position))
+                assert self._position is not None
+                self._ball.put(target, self._model.to_nodes(self._position))
         self.mode = mode
 
     def _follow_script(self, end: float, T: float) -> None:
@@ -279,9 +278,9 @@ class ToldHand:
     def _where(self, node: int) -> list[float]:
         """Place of a node, (axes,) [m]."""
         rest = self._body.rest[node]
-        if self._peer is None:
+        if self._position is None:
             return rest.tolist()
-        rows, position = self._rows(node), self._peer.state.position
+        rows, position = self._rows(node), self._position
         moved = position[rows] if self._model.modes is None else self._model.modes[rows] @ position
         moved = moved[:, 0] if self._model.full else moved[0, : self._axes]
         return (rest + moved).tolist()

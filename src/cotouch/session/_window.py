@@ -120,8 +120,8 @@ class Window:
         before, self._seen = self._seen, orders
         return wish_of(orders) if orders["hand"] != before["hand"] else None
 
-    def holds(self, hand: ToldHand, seat: int) -> None:
-        """The copy has another hand, in a seat."""
+    def holds(self, hand: ToldHand | None, seat: int) -> None:
+        """The copy has another hand, in a seat; None: one that is not told anything, a device."""
         self._hand = hand
         self._fields["seat"][()] = seat
         small = self._replica.body.nodes <= _SMALL
@@ -135,7 +135,7 @@ class Window:
             seat: of the member, if it has one.
             emulator: takes laws.
         """
-        if self._copy is None or self._copy.peer is None:
+        if self._hand is None or self._copy is None or self._copy.peer is None:
             self.wishes()  # nobody else asks yet
         orders = self._seen
         if orders["impaired"] != self._applied and seat is not None:
@@ -204,8 +204,7 @@ class Window:
     def setup(self, copy: Copy, now: float) -> None:
         """Links, damping or the number of copies changed."""
         assert copy.peer is not None
-        if self._hand is not None and self._model is not copy.peer.model:
-            self._hand.attach(copy.peer)
+        if self._model is not copy.peer.model:
             self._model = copy.peer.model
             self._order = None if self._model.order is None else np.argsort(self._model.order)
         self._copy, self._ports = copy, copy.ports
@@ -240,7 +239,6 @@ class Window:
     def _show(self, copy: Copy, report: Report, now: float, T: float) -> None:
         peer, fields, totals = copy.peer, self._fields, copy.totals
         assert peer is not None
-        assert self._hand is not None
         fields["time"][()] = now
         fields["step"][()] = peer.steps
         fields["T"][()] = T
@@ -255,7 +253,8 @@ class Window:
             fields["ages"][seat] = _age(age, held.link.ages.worst_sum)
             force = (2.0 * max(0.0, books.potential) * held.strength) ** 0.5
             fields["links"][seat] = (age, totals.link_work.get(seat, 0.0), force, books.tank, books.state)
-        self._hand.show(fields)
+        if self._hand is not None:
+            self._hand.show(fields)
         fields["books"][...] = [getattr(totals, name) for name in BOOKS]
         fields["damping"][()] = copy.damping_share
         if copy.damping_share < 1.0:
