@@ -38,6 +38,7 @@ def _aligned(size: int) -> int:
     return -(-size // _LINE) * _LINE
 
 
+@final
 class _Layout:
     """Where everything is in the file."""
 
