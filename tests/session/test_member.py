@@ -186,7 +186,7 @@ def test_what_is_said_of_itself_adds_up() -> None:
         assert status.steps > 0
         assert status.certificate is not None
         assert status.certificate >= -1e-12
-        balance = status.initial + status.supplied + status.linked - status.lost - status.energy
+        balance = status.initial + status.supplied + status.linked + status.rescaled - status.lost - status.energy
         assert abs(balance) < 1e-9
         assert {link.way for link in status.links} == {"direct"}
     host = world.host

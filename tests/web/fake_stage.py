@@ -18,7 +18,7 @@ from typing import Any, Literal, cast
 
 import numpy as np
 
-from cotouch.body import Body, Skin, lattice, point
+from cotouch.body import Body, Skin, chain, lattice, point
 from cotouch.errors import SessionError
 from cotouch.session._links import Pair
 from cotouch.session._messages import Entry, LinkStatus, Roster, Status
@@ -38,9 +38,9 @@ BEST: list[Pair] = [(0, 1), (0, 3), (1, 2), (1, 3), (2, 3), (3, 4)]
 WORST: list[Pair] = [(0, 2), (0, 4), (1, 4), (2, 4), (0, 3), (2, 3)]
 STEP = 0.002
 KEPT = 3.0  # of the handles' past [s]
-KINDS = ("1d", "3d", "big")
+KINDS = ("1d", "chain", "2d", "bare", "3d", "big")
 MAY = frozenset({"hand", "impair", "cut", "kill", "revive", "links", "damping", "record"})
-Kind = Literal["1d", "3d", "big"]
+Kind = Literal["1d", "chain", "2d", "bare", "3d", "big"]
 
 
 def soft_body(rings: int) -> Body:
@@ -100,7 +100,11 @@ def _trilinear(places: np.ndarray, shape: tuple[int, int, int]) -> tuple[np.ndar
 
 
 def made_body(kind: Kind) -> Body:
-    """1d: a point. 3d: about 2,000 vertices. big: about 20,000."""
+    """1d: a point. chain: of seven. 2d: a sheet, bare: a block, both without a skin. 3d: about 2,000 vertices. big: 20,000."""
+    if kind == "chain":
+        return chain(7, stiffness=60.0, spacing=0.03)
+    if kind in {"2d", "bare"}:
+        return lattice((9, 6) if kind == "2d" else (7, 4, 4), mass=1.0, stiffness=60.0, spacing=0.02)
     return point() if kind == "1d" else soft_body(31 if kind == "3d" else 100)
 
 
@@ -248,7 +252,7 @@ class FakeStage:
             raise SessionError(f'mode is "{mode}"; it must be one of {", ".join(HAND_MODES)}')
         if mode in {"pull", "grab"}:
             handle.node = int(arguments.get("node", handle.node))
-            handle.target = self._rest[handle.node] + np.array(arguments["to"], float)
+            handle.target = np.array(arguments["to"], float)
         elif mode == "hold":
             handle.target = self._rest[handle.node] + handle.offset
         handle.mode, handle.radius = cast("HandMode", mode), 0.0
@@ -358,7 +362,7 @@ class FakeStage:
             if delay and handle.past:
                 at = bisect_right(handle.past, self._now - delay, key=lambda entry: entry[0]) - 1
                 _, node, offset = handle.past[max(at, 0)]
-            if body.dimension == 1:
+            if body.nodes == 1:
                 field[0] += offset / 5 if other != seat else offset
                 continue
             away = np.sum((self._rest - self._rest[node]) ** 2, axis=1)
