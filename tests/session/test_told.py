@@ -184,6 +184,19 @@ def test_a_ball_pushes_the_skin_and_lets_go() -> None:
     assert copy.worst < 1e-10
 
 
+def test_a_ball_that_nobody_uses_rests_and_one_that_was_let_go_comes_to_rest() -> None:
+    copy = held("solid")
+    assert copy.run(0.1).proxy == 0.0
+    start = copy.body.rest.max(axis=0) + 0.02
+    for n in range(20):
+        copy.tell("ball", -1, start + [0.0, 0.0, 0.005 * n], n + 1, radius=0.015)
+        moving = copy.run(0.02)
+    copy.tell("free")
+    assert moving.proxy > 1e-6
+    assert copy.run(1.0).proxy < 1e-3 * moving.proxy
+    assert copy.worst < 1e-12
+
+
 def test_a_ball_that_is_put_into_the_body_begins_outside() -> None:
     copy = held("solid")
     copy.tell("ball", -1, copy.body.rest.mean(axis=0), 1, radius=0.01)
