@@ -37,6 +37,7 @@ DELAYS = (
 BEST: list[Pair] = [(0, 1), (0, 3), (1, 2), (1, 3), (2, 3), (3, 4)]
 WORST: list[Pair] = [(0, 2), (0, 4), (1, 4), (2, 4), (0, 3), (2, 3)]
 STEP = 0.002
+SHARED = 2e-3  # what every copy gave up when the others came [J]
 KEPT = 3.0  # of the handles' past [s]
 KINDS = ("1d", "chain", "2d", "bare", "3d", "big")
 MAY = frozenset({"hand", "impair", "cut", "kill", "revive", "links", "damping", "record"})
@@ -430,7 +431,8 @@ class FakeStage:
             position=[float(x) for x in handle.offset[: self._scene.body.dimension]],
             supplied=handle.supplied,
             lost=handle.lost,
-            linked=handle.lost + energy - handle.supplied,
+            linked=handle.lost + energy - handle.supplied + SHARED,
+            rescaled=-SHARED,
             energy=energy,
             residual=3e-16,
             damping=40.0 * self._damping,
