@@ -189,7 +189,7 @@ def test_a_ball_that_nobody_uses_rests_and_one_that_was_let_go_comes_to_rest() -
     assert copy.run(0.1).proxy == 0.0
     start = copy.body.rest.max(axis=0) + 0.02
     for n in range(20):
-        copy.tell("ball", -1, start + [0.0, 0.0, 0.005 * n], n + 1, radius=0.015)
+        copy.tell("ball", -1, start + np.array([0.0, 0.0, 0.005 * n]), n + 1, radius=0.015)
         moving = copy.run(0.02)
     copy.tell("free")
     assert moving.proxy > 1e-6

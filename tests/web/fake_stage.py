@@ -101,11 +101,12 @@ def _trilinear(places: np.ndarray, shape: tuple[int, int, int]) -> tuple[np.ndar
 
 
 def made_body(kind: Kind) -> Body:
-    """1d: a point. chain: of seven. 2d: a sheet, bare: a block, both without a skin. 3d: about 2,000 vertices. big: 20,000."""
+    """1d: a point; chain: seven; 2d: a sheet, bare: a block, both without a skin; 3d: some 2,000 vertices; big: 20,000."""
     if kind == "chain":
         return chain(7, stiffness=60.0, spacing=0.03)
     if kind in {"2d", "bare"}:
-        return lattice((9, 6) if kind == "2d" else (7, 4, 4), mass=1.0, stiffness=60.0, spacing=0.02)
+        grid = lattice((9, 6) if kind == "2d" else (7, 4, 4), mass=1.0, stiffness=60.0, spacing=0.02)
+        return Body(mass=grid.mass, rest=grid.rest, damping_int=grid.damping_int, stiffness_int=grid.stiffness_int)
     return point() if kind == "1d" else soft_body(31 if kind == "3d" else 100)
 
 
@@ -145,6 +146,7 @@ class FakeStage:
     Attributes:
         pointers: all that came, newest last.
         done: what was asked for by `do`.
+        choices: sets of links by name.
     """
 
     def __init__(self, kind: Kind = "3d", *, clock: Callable[[], float] = time.monotonic, age: float = 0.0) -> None:
@@ -177,6 +179,7 @@ class FakeStage:
             (i, j): Emulated(delay=DELAYS[i][j]) for i in range(5) for j in range(5) if i != j
         }  # fmt: skip
         self._alive = dict.fromkeys(range(5), True)
+        self.choices: dict[str, list[Pair]] = {"best": list(BEST), "worst": list(WORST), "start": list(BEST)}
         self._damping, self._wobble = 1.0, 0.0
         self._recording: float | None = None
         self._recorded: bytes | None = None
@@ -223,7 +226,7 @@ class FakeStage:
                 statuses={seat: self._status(seat, roster) for seat in range(5)},
                 alive=dict(self._alive),
                 emulated=dict(self._emulated),
-                choices={"best": list(BEST), "worst": list(WORST), "start": list(BEST)},
+                choices=dict(self.choices),
                 damping=self._damping,
                 recording=None if self._recording is None else self._now - self._recording,
                 events=list(self._events),
@@ -290,7 +293,7 @@ class FakeStage:
         if "links" in arguments:
             self._links = sorted({(min(a, b), max(a, b)) for a, b in arguments["links"]})
             return f"{len(self._links)} links, as you chose them"
-        self._links = list({"best": BEST, "worst": WORST, "start": BEST}[arguments["choice"]])
+        self._links = list(self.choices[arguments["choice"]])
         return f"links: {arguments['choice']}"
 
     def _do_damping(self, arguments: Mapping[str, Any]) -> str:

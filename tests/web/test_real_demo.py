@@ -10,14 +10,11 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
 
-import pytest
 from playwright.sync_api import Page
-from tests.simulation.browser import SOFTWARE, browser
+from tests.simulation.browser import DRAWN, browser
 from tests.web.pictures import BEFORE, spot, until
 from tests.web.shell_pages import choose, words
 
-# Where a simulated graphics card draws, nothing else should wait for it.
-DRAWN = [*SOFTWARE, "--disable-gpu-rasterization", "--disable-accelerated-2d-canvas"]
 USERS = 3
 # Longer than a session takes on a busy machine; nothing waits longer than it must.
 PATIENCE = 120_000
@@ -153,5 +150,3 @@ def test_a_session_is_held_cut_killed_and_watched_from_a_page(tmp_path: Path) ->
     assert [one for one in said if not one.startswith("log")] == []
     assert {urlsplit(one).hostname for one in asked} == {"127.0.0.1"}
     assert any(urlsplit(one).scheme == "ws" for one in asked)
-
-

@@ -2,7 +2,7 @@
 import type { MemberStatus } from "../protocol";
 import { type Context, nameOf } from "./context";
 import { attribute, button, h, panel, shown, text } from "./dom";
-import { percent, si } from "./format";
+import { number, percent, si } from "./format";
 
 const EXPLANATION =
   "Every step books where its energy went, to rounding, so both bars are equally long: what came in is what is still there or " +
@@ -70,11 +70,19 @@ const COLUMNS: { key: keyof Row; words: string; sign: string; tip: string }[] = 
   { key: "hands", words: "hands", sign: "", tip: "Put in by this user’s hand, less what it took back" },
   { key: "links", words: "links", sign: "+", tip: "Work of the links on this copy: what delays added, less what springs hold" },
   { key: "initial", words: "start", sign: "+", tip: "In the copy when counting began" },
-  { key: "shared", words: "came, went", sign: "+", tip: "What this copy gained or lost as members came and went: each then holds another share of the object" },
+  { key: "shared", words: "shares", sign: "+", tip: "What this copy gained or lost as members came and went: each then holds another share of the object" },
   { key: "damped", words: "damped", sign: "−", tip: "Lost in this copy’s dampers" },
   { key: "stored", words: "in copy", sign: "−", tip: "In this copy now, as motion and in springs" },
-  { key: "residual", words: "left over", sign: "=", tip: "Rounding" },
+  { key: "residual", words: "rest", sign: "=", tip: "Rounding" },
 ];
+
+const UNITS: readonly [number, string][] = [[1e3, "kJ"], [1, "J"], [1e-3, "mJ"], [1e-6, "µJ"], [1e-9, "nJ"]];
+
+/** An energy in the table’s unit; what rounding leaves is 0. */
+function plain(value: number, scale: number): string {
+  const size = Math.abs(value) / scale;
+  return Math.abs(value) < 1e-12 ? "0" : number(value / scale, size >= 99.95 ? 0 : size >= 9.995 ? 1 : 2);
+}
 
 function bar(element: HTMLElement, parts: readonly Part[], total: number, name: (seat: number) => string): void {
   while (element.children.length > parts.length) element.lastElementChild?.remove();
@@ -106,7 +114,8 @@ export function energyPanel(context: Context): HTMLElement {
   const { element, body } = panel("energy", "Energy", EXPLANATION, zero);
   const [came, went] = [h("div", { class: "stack" }), h("div", { class: "stack" })];
   const [cameSum, wentSum] = [h("span", { class: "sum tabular" }), h("span", { class: "sum tabular" })];
-  const head = h("tr", null, h("th", { scope: "col" }, "user"), ...COLUMNS.map((one) => h("th", { scope: "col", "data-tip": one.tip, tabindex: 0 }, `${one.sign} ${one.words}`.trim())));
+  const unit = h("th", { scope: "col" });
+  const head = h("tr", null, unit, ...COLUMNS.map((one) => h("th", { scope: "col", "data-tip": one.tip, tabindex: 0 }, `${one.sign}\u00a0${one.words}`.trim())));
   const rows = h("tbody");
   const sums = COLUMNS.map(() => h("td"));
   const closing = h("p", { class: "expected tabular" });
@@ -149,6 +158,10 @@ export function energyPanel(context: Context): HTMLElement {
     const worst = Math.max(0, ...Object.values(store.state?.members ?? {}).map((member) => member.residual ?? 0));
     attribute(closing, "data-left", total > 0 ? String(Math.abs(left) / total) : null);
     text(closing, total > 0 ? `Left over: ${exponent(left / total)} of what came in. Worst single step: off by ${exponent(worst)} of the energy in play.` : "");
+    // One unit for all: that of the greatest.
+    const largest = Math.max(1e-9, ...all.flatMap((row) => COLUMNS.map((column) => Math.abs(row[column.key]))));
+    const [scale, words] = UNITS.find(([one]) => largest >= one) ?? UNITS[UNITS.length - 1]!;
+    text(unit, words);
     for (const [seat, row] of cells) if (!all.some((one) => one.seat === seat)) (row.element.remove(), cells.delete(seat));
     for (const one of all) {
       let row = cells.get(one.seat);
@@ -163,13 +176,13 @@ export function energyPanel(context: Context): HTMLElement {
       }
       COLUMNS.forEach((column, i) => {
         const cell = row.cells[i];
-        if (cell) text(cell, si(one[column.key], "J", 1e-12));
+        if (cell) text(cell, plain(one[column.key], scale));
       });
     }
     attribute(table, "data-initial", all.some((row) => row.initial) ? "" : null);
     COLUMNS.forEach((column, i) => {
       const cell = sums[i];
-      if (cell) text(cell, si(all.reduce((total_, row) => total_ + row[column.key], 0), "J", 1e-12));
+      if (cell) text(cell, plain(all.reduce((total_, row) => total_ + row[column.key], 0), scale));
     });
   };
   store.on("state", update);
