@@ -101,7 +101,7 @@ def _trilinear(places: np.ndarray, shape: tuple[int, int, int]) -> tuple[np.ndar
 
 
 def made_body(kind: Kind) -> Body:
-    """1d: a point; chain: seven; 2d: a sheet, bare: a block, both without a skin; 3d: some 2,000 vertices; big: 20,000."""
+    """1d: a point; chain: seven; 2d: a sheet, bare: a block, neither with a skin; 3d: 2,000 vertices; big: 20,000."""
     if kind == "chain":
         return chain(7, stiffness=60.0, spacing=0.03)
     if kind in {"2d", "bare"}:
