@@ -184,19 +184,6 @@ def test_a_ball_pushes_the_skin_and_lets_go() -> None:
     assert copy.worst < 1e-10
 
 
-def test_a_ball_that_nobody_uses_rests_and_one_that_was_let_go_comes_to_rest() -> None:
-    copy = held("solid")
-    assert copy.run(0.1).proxy == 0.0
-    start = copy.body.rest.max(axis=0) + 0.02
-    for n in range(20):
-        copy.tell("ball", -1, start + np.array([0.0, 0.0, 0.005 * n]), n + 1, radius=0.015)
-        moving = copy.run(0.02)
-    copy.tell("free")
-    assert moving.proxy > 1e-6
-    assert copy.run(1.0).proxy < 1e-3 * moving.proxy
-    assert copy.worst < 1e-12
-
-
 def test_a_ball_that_is_put_into_the_body_begins_outside() -> None:
     copy = held("solid")
     copy.tell("ball", -1, copy.body.rest.mean(axis=0), 1, radius=0.01)
@@ -212,3 +199,24 @@ def test_what_a_body_without_skin_cannot_do_frees_it() -> None:
     copy.tell("ball", -1, (0, 0, 0), 1)
     copy.run(0.01)
     assert copy.hand.mode == "free"
+
+
+def test_a_ball_that_nobody_uses_stays_where_it_is() -> None:
+    copy = held("solid")
+    tools = copy.hand.tools
+    assert tools is not None
+    before = tools.place.copy()
+    report = copy.run(0.1)
+    assert (tools.place == before).all()
+    assert report.proxy == 0.0
+    goal = copy.body.rest.max(axis=0) + 0.2
+    for n in range(20):
+        copy.tell("ball", -1, goal + [0.02 * n, 0.0, 0.0], n + 1, radius=0.015)
+        copy.run(0.016)
+    copy.tell("free")
+    copy.run(0.5)
+    before = tools.place.copy()
+    report = copy.run(0.5)
+    assert tools.place == pytest.approx(before, abs=1e-4)
+    assert report.proxy < 1e-9
+    assert copy.worst < 1e-11
