@@ -75,6 +75,7 @@ def test_a_gamepad_moves_the_hand_and_its_motors_tell_the_force(running: Browser
         assert np.array(here.stage.pointers[-1][1].target) == pytest.approx(before)
         pad(page, axes=[1, 0, 0, 0])
         page.wait_for_function("() => window.told.some((one) => one.weakMagnitude > 0.1)")
+        wait(page, lambda: float(np.abs(np.array(here.stage.pointers[-1][1].target) - before).max()) > 1e-3)
         right = (
             [1, 0, 0] if kind == "1d" else page.evaluate("() => window.cotouch.stage.probe().orbit.axes()[0].toArray()")
         )
