@@ -240,7 +240,7 @@ def in_browser(static: Path | None = None) -> list[Row]:
         cases = [
             (kind, what, goal, wide, high)
             for kind, what, goal in (("3d", "1,924", "≥ 55"), ("big", "20,002", "≥ 30"))
-            for wide, high in ((1280, 720), (390, 400))
+            for wide, high in ((1280, 720), (900, 500))
         ]
         for kind, what, goal, wide, high in cases:
             with PageServer(_Played(kind), port=0, static=static) as server:
