@@ -114,7 +114,7 @@ export function topologyChoices(
     const meant = current ? (current === "yours" && !drafting ? "Links of your own." : MEANS[current]) : "";
     text(means, waits && !drafting ? `${meant} Best and worst are being worked out.`.trim() : meant);
     const [before, after] = state ? [load(state, pairs(state.choices.start ?? state.links)), load(state, subject)] : [null, null];
-    let words = subject.length ? `${subject.length} links` : "";
+    let words = subject.length ? `${subject.length} ${subject.length === 1 ? "link" : "links"}` : "";
     if (after) words += `, mean way there and back ${ms(after.mean)}`;
     if (before && after && before.most > 0 && !same(subject, pairs(state?.choices.start ?? []))) {
       words += `. The busiest user needs about ${number(after.most / before.most, 1)} × the damping of the start, if springs are alike`;
