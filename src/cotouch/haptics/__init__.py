@@ -17,7 +17,19 @@ from cotouch.haptics._registry import (
     make_device,
     open_device,
 )
-from cotouch.haptics._safety import Cause, Heat, SafetyChain, Seen, Vector, saturate, silence, size, slew, spoken
+from cotouch.haptics._safety import (
+    Cause,
+    Heat,
+    SafetyChain,
+    Seen,
+    Vector,
+    reasons,
+    saturate,
+    silence,
+    size,
+    slew,
+    spoken,
+)
 from cotouch.haptics._servo import Servo
 from cotouch.haptics._settings import ServoSettings
 from cotouch.haptics._simulated import SIMULATED, SimulatedOnClock, simulated_model
@@ -65,6 +77,7 @@ __all__ = [
     "driver",
     "make_device",
     "open_device",
+    "reasons",
     "saturate",
     "silence",
     "simulated_model",
