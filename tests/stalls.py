@@ -1,8 +1,9 @@
 """A watch on the machine itself: for how long it kept a process waiting that only wanted to go on.
 
 Force is to be gone within 100 ms, and a test asserts it. On a machine that has more to do than it can, time passes that
-no program of ours used; such a test is taken again, but only where this watch, a process of its own, lost as much time
-meanwhile as the test was late.
+no program of ours used; such a test is taken again, but only where this watch, a process of its own, saw as much time
+lost meanwhile as the test was late: its own, beyond what it slept and worked, or, while more programs want to run than
+there are processors, the share of the time that each of them has to wait.
 """
 
 import subprocess
@@ -69,7 +70,8 @@ def _watch(log: Path) -> None:
     """For two hours at most, or until its parent is gone."""
     import os
 
-    parent, end = os.getppid(), time.monotonic() + 7200.0
+    parent, cores = os.getppid(), len(os.sched_getaffinity(0))
+    end = time.monotonic() + 7200.0
     with log.open("w", buffering=1) as out:
         while os.getppid() == parent and time.monotonic() < end:
             start, used = time.monotonic(), time.thread_time()
@@ -78,6 +80,8 @@ def _watch(log: Path) -> None:
                 pass
             stop = time.monotonic()
             lost = stop - start - _SLEEP - (time.thread_time() - used)
+            runnable = int(Path("/proc/loadavg").read_text().split()[3].partition("/")[0])
+            lost = max(lost, (1.0 - cores / max(runnable, cores)) * (stop - start))
             if lost > _LEAST:
                 out.write(f"{start} {stop} {lost}\n")
 

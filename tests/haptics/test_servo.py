@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from tests.haptics.plant import DEAF, FROZEN, NAN, SLOW, THROW, Plant, PlantDevice
+from tests.stalls import Stalls
 
 from cotouch.haptics import Cause, DeviceChoice, Order, Report, Servo, ServoSettings, Word
 from cotouch.haptics._boards import OrderWriter, ReportReader
@@ -79,12 +80,17 @@ def causes(loop: Loop) -> Cause:
         (THROW, Cause.FAST, ""),
     ],
 )
-def test_a_device_that_fails_is_left_without_force(plant: Plant, loop: Loop, mode: int, cause: Cause, fault: str):
+def test_a_device_that_fails_is_left_without_force(
+    plant: Plant, loop: Loop, mode: int, cause: Cause, fault: str, stalls: Stalls
+):
+    began = time.monotonic()
     plant.tell(mode)
     loop.until(lambda: causes(loop) & cause, "cause")
     loop.until(lambda: plant.force == 0.0, "no force")
     assert loop.servo.fault == fault
     assert loop.runs == (cause != Cause.FAULT)
+    if not fault:  # this driver waits for a quarter of a second; real ones don't
+        stalls.within(began, plant.gone_after(began))
 
 
 def test_a_loop_that_nobody_watches_ends(plant: Plant, loop: Loop):

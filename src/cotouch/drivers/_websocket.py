@@ -1,7 +1,8 @@
 """A WebSocket for a loop that waits for one answer at a time: no thread, no compression, nothing hidden.
 
-The protocol is that of the package `websockets`; only the socket is ours. Its own client reads in a thread, and the two
-changes of thread of every answer take longer than the answer (benchmarks/drivers.py).
+The protocol is that of the package `websockets`; only the socket is ours. Its own client reads in a thread; a round trip
+then took 470 µs where this one took 401 µs, medians against the stand-in (benchmarks/drivers.py), and a servo wants no
+second thread beside it.
 """
 
 import contextlib

@@ -67,7 +67,8 @@ class Servo:
             DeviceError: the settings do not fit the device.
         """
         spec = device.spec
-        self.core = ServoCore(spec, settings.safety(spec), settings.end_options(spec))
+        period = settings.period(spec)
+        self.core = ServoCore(spec, settings.safety(spec), settings.end_options(spec), period=period)
         self.fault = ""
         self.ticks = 0
         self._device, self._watched, self._attended, self._clock = device, watched, attended, clock
@@ -162,7 +163,7 @@ def _nothing(now: float) -> Report:
 
 def warm(spec: DeviceSpec, settings: ServoSettings) -> None:
     """Takes some cycles that nobody feels, so that everything is compiled and loaded before the first real one."""
-    core = ServoCore(spec, settings.safety(spec), settings.end_options(spec))
+    core = ServoCore(spec, settings.safety(spec), settings.end_options(spec), period=settings.period(spec))
     for tick in range(20):
         now = 1e-3 * tick
         core.hear(Order(time=now, place=(1e-4, 0.0, 0.0), enable=True))

@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.body import Body
-from cotouch.haptics import ProxyEnd, Report, ServoLink, Vector, Word
+from cotouch.haptics import Report, ServoLink, Vector, Word, proxy_end
 from cotouch.mechanics import Grips, Model, Surface, Tools
 from cotouch.scenario import (
     Scenario,
@@ -169,7 +169,7 @@ class DeviceHand:
             ScenarioError: a tool is wrong.
         """
         self._link = link
-        self._end = None if link is None else ProxyEnd(link.options)
+        self._end = None if link is None else proxy_end(link.options)
         self._origin: Vector | None = None
         self._before = _NOWHERE
         self._target: Vector | None = None

@@ -60,6 +60,7 @@ class HeldDevice:
         return {
             "device": self._text,
             "name": link.spec.name,
+            "coupling": {"law": link.options.law, "stiffness": link.options.stiffness, "damping": link.options.damping},
             "gone": link.gone,
             "causes": [] if report is None else reasons(report.causes),
             "ticks": 0 if report is None else report.tick,
