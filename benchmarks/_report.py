@@ -145,4 +145,5 @@ def command(measure: Callable[[], list[Row]], description: str | None) -> None:
     """The command line of one benchmark."""
     parser = argparse.ArgumentParser(description=description)
     add_write(parser)
-    finish(measure(), write=parser.parse_args().write)
+    options = parser.parse_args()
+    finish(measure(), write=options.write)

@@ -8,6 +8,7 @@ that memory stays flat, books balance, and the audit of all recordings, those of
 import argparse
 import os
 import signal
+import sys
 import tempfile
 import time
 import tomllib
@@ -166,6 +167,11 @@ def measure(minutes: float = MINUTES, seed: int = 0) -> list[Row]:
         finally:
             for member in soak.members.values():
                 member.close()
+        grew, (before, after) = soak.growth()
+        # Said at once: reading all recordings takes minutes, and may be interrupted.
+        sys.stderr.write(
+            f"grew by {grew / 1e6:.1f} MB; longest-lived {before / 1e6:+.2f}, {after / 1e6:+.2f} MB/min; auditing\n"
+        )
         size = sum(path.stat().st_size for path in soak.files if path.exists()) / 1e6
         recordings, unread = [], 0
         for path in soak.files:
@@ -174,7 +180,6 @@ def measure(minutes: float = MINUTES, seed: int = 0) -> list[Row]:
             except ValueError:
                 unread += 1
         result = audit(recordings)
-    grew, (before, after) = soak.growth()
     done = sum(one is not None for one in results)
     words = result.findings[0].words if result.findings else "no findings"
     faults = ", ".join(f"{count} {what}" for what, count in soak.faults.items())

@@ -202,7 +202,7 @@ def said(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], *a
         (("join", "{cut}"), "invitation"),
         (("join", "{changed}"), "invitation"),
         (("measure", "cotouch:"), "invitation"),
-        (("join", "{whole}", "--device", "glove"), '--device is "glove"; it must be scripted'),
+        (("join", "{whole}", "--device", "glove"), '--device is "glove"; it must be one of scripted'),
         (("join", "{whole}", "--record", "{missing}/a.mcap"), "does not exist"),
         (("measure", "{whole}", "--out", "{missing}/n.toml"), "does not exist"),
         (("host", "{missing}.toml"), "cannot be read"),

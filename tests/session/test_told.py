@@ -199,3 +199,24 @@ def test_what_a_body_without_skin_cannot_do_frees_it() -> None:
     copy.tell("ball", -1, (0, 0, 0), 1)
     copy.run(0.01)
     assert copy.hand.mode == "free"
+
+
+def test_a_ball_that_nobody_uses_stays_where_it_is() -> None:
+    copy = held("solid")
+    tools = copy.hand.tools
+    assert tools is not None
+    before = tools.place.copy()
+    report = copy.run(0.1)
+    assert (tools.place == before).all()
+    assert report.proxy == 0.0
+    goal = copy.body.rest.max(axis=0) + 0.2
+    for n in range(20):
+        copy.tell("ball", -1, goal + [0.02 * n, 0.0, 0.0], n + 1, radius=0.015)
+        copy.run(0.016)
+    copy.tell("free")
+    copy.run(0.5)
+    before = tools.place.copy()
+    report = copy.run(0.5)
+    assert tools.place == pytest.approx(before, abs=1e-4)
+    assert report.proxy < 1e-9
+    assert copy.worst < 1e-11

@@ -152,8 +152,9 @@ class UdpTransport:
                 seconds, nanoseconds = _TIMESPEC.unpack(extra[0][2])
                 if behind is None:
                     behind = time.time() - self._clock()  # the kernel stamps with the clock of the wall
-                # A datagram arrived after the last reading and before this one, whatever was done to the wall's clock.
-                stamp = min(max(seconds + 1e-9 * nanoseconds - behind, self._last), now)
+                # A datagram arrived after the last reading and before this one, whatever was done to the wall's clock;
+                # it may have come after `now`, if this process had to stand back meanwhile.
+                stamp = min(max(seconds + 1e-9 * nanoseconds - behind, self._last), self._clock())
             arrived.append(Arrival(payload, source, stamp))
             received += len(payload)
         else:

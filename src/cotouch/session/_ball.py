@@ -110,14 +110,15 @@ class Ball:
         tools.push[t] = 0.0
         tools.drive_stiffness[t] = gain * stiffness
         tools.drive_damping[t] = damping  # also when it was let go, so that it comes to rest
-        tools.drive_start[t, :3] = mover.place
         if gain > 0.0:
+            tools.drive_start[t, :3] = mover.place
             most = self._size * T / _GROWTH
             self.radius += min(max(self._wanted - self.radius, -most), most)
             tools.radius[t] = self.radius
             mover.move(mover.place if goal is None else goal, T, **motion)
-        else:
+        else:  # the damper holds against where it is: to follow its own motion would keep it moving
             mover.put(tools.place[t, :3].tolist())
+            tools.drive_start[t, :3] = mover.place
         tools.drive_end[t, :3] = mover.place
         tools.mode[t] = TOUCH if gain > 0.0 else AWAY
 
