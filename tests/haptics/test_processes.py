@@ -14,7 +14,7 @@ from tests.haptics.plant import GOOD, THROW, Plant
 from tests.stalls import Stalls
 
 from cotouch.errors import DeviceError
-from cotouch.haptics import Cause, DeviceChoice, ProxyEnd, ServoLink
+from cotouch.haptics import Cause, DeviceChoice, ProxyEnd, ServoLink, proxy_end
 
 PEER = """
 import sys, time
@@ -139,9 +139,11 @@ def test_a_device_that_cannot_be_opened_is_a_sentence(tmp_path: Path, monkeypatc
         ServoLink(DeviceChoice("simulated", {"variant": "phantom"}), limits={"force": 9.0})
 
 
-def test_the_simulated_device_is_felt_and_closed():
-    link = ServoLink(DeviceChoice("simulated", {"variant": "cartesian"}), real_time=None)
-    end, first = ProxyEnd(link.options), None
+@pytest.mark.parametrize("text", ["simulated:cartesian", "simulated:touch,viscous=4,coupling=virtual,friction=4"])
+def test_the_simulated_device_is_felt_and_closed(text: str):
+    link = ServoLink(DeviceChoice.read(text), real_time=None)
+    end, first = proxy_end(link.options), None
+    assert link.options.law == ("virtual" if "virtual" in text else "pspm")
     try:
         felt = 0.0
         finish = time.monotonic() + 20.0

@@ -211,7 +211,7 @@ def test_a_ball_that_nobody_uses_stays_where_it_is() -> None:
     assert report.proxy == 0.0
     goal = copy.body.rest.max(axis=0) + 0.2
     for n in range(20):
-        copy.tell("ball", -1, goal + [0.02 * n, 0.0, 0.0], n + 1, radius=0.015)
+        copy.tell("ball", -1, goal + np.array([0.02 * n, 0.0, 0.0]), n + 1, radius=0.015)
         copy.run(0.016)
     copy.tell("free")
     copy.run(0.5)

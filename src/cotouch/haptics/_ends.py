@@ -92,7 +92,7 @@ class Word(NamedTuple):
     """What one end tells the other with every message.
 
     Attributes:
-        given: to the other since the start [J].
+        given: to the other since the start; with a virtual coupling what it put in, less what it took out [J].
         received: of what the other gave, as known here [J].
         purse: what is there now [J].
         wanting: whether it cannot follow for want of energy.

@@ -87,7 +87,8 @@ class ServoLink:
             DeviceError: there is no such device, it cannot be opened or calibrated, or a limit is beyond what is safe.
         """
         driver(choice.name)
-        choice, coupling = coupling_of(choice)
+        choice, said_of_it = coupling_of(choice)
+        coupling: dict[str, Any] = {"stiffness": stiffness, "damping": damping} | said_of_it
         self._clock = clock
         memory = Path("/dev/shm")  # noqa: S108  # boards on a disk would wait for it
         where = memory if memory.is_dir() and os.access(memory, os.W_OK) else None
@@ -105,7 +106,7 @@ class ServoLink:
         settings = ServoSettings(
             device=choice,
             folder=self._folder,
-            **({"stiffness": stiffness, "damping": damping} | coupling),
+            **coupling,
             limits=dict(limits or {}),
             rate=rate,
             allow_motion=allow_motion,

@@ -4,6 +4,7 @@ Started as the guardian's child (`_link.py`), told what to do in the first line 
 standard output, in lines of JSON, that it is ready or why not, and what went wrong; nothing is written in the loop.
 """
 
+import contextlib
 import json
 import os
 import select
@@ -194,7 +195,8 @@ def main() -> int:
         servo = Servo(device, settings, watched=watched, attended=lambda: not below())
         warm(device.spec, settings)
         with prepare_process(real_time=settings.real_time) as state:
-            _said(ready=True, spec=asdict(device.spec), process=_plain(state), pid=os.getpid())
+            if _said(ready=True, spec=asdict(device.spec), process=_plain(state), pid=os.getpid()) != 0:
+                return 0  # nobody waits for it any more
             _loop(servo, settings.period(device.spec), asked, watched)
     except Exception as error:  # noqa: BLE001  # as above
         return _said(error=_sentence(error))
@@ -240,10 +242,12 @@ def _plain(state: ProcessState) -> dict[str, Any]:
 
 
 def _said(**values: Any) -> int:
-    """Tells the peer; nobody may be there to hear it."""
+    """Tells the peer; 1 if nobody is there to hear it, else 2 for an error and 0 for anything else."""
     try:
         sys.stdout.write(json.dumps(values) + "\n")
         sys.stdout.flush()
     except (OSError, ValueError):
+        with contextlib.suppress(OSError, ValueError):  # or Python would complain of the rest when it ends
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1
     return 2 if "error" in values else 0
