@@ -68,6 +68,7 @@ export interface MemberStatus {
   supplied: number;
   lost: number;
   linked: number;
+  rescaled: number;
   energy: number;
   initial: number;
   residual: number;

@@ -186,13 +186,34 @@ def test_what_is_said_of_itself_adds_up() -> None:
         assert status.steps > 0
         assert status.certificate is not None
         assert status.certificate >= -1e-12
-        balance = status.initial + status.supplied + status.linked - status.lost - status.energy
+        balance = status.initial + status.supplied + status.linked + status.rescaled - status.lost - status.energy
         assert abs(balance) < 1e-9
         assert {link.way for link in status.links} == {"direct"}
     host = world.host
     assert host is not None
     assert {seen.entry.name for seen in host.watch.members.values()} == {"Ann", "Ben", "Cleo"}
     assert all(seen.status is not None for seen in host.watch.members.values())
+
+
+def test_everybodys_joules_are_somewhere_when_members_come_and_go() -> None:
+    world = three()
+    ann, ben, cleo = world.people
+    world.run(1.0)
+    world.kill(ben)
+    world.until(lambda: ann.copy.copies == 2, 10.0)
+    world.run(0.5)
+    again = world.join("Ben", moves=False)
+    world.until(lambda: again.member.seat is not None and ann.copy.copies == 3 and world.all_coupled(), 20.0)
+    world.leave(cleo)
+    world.until(lambda: ann.copy.copies == 2, 10.0)
+    changed = 0.0
+    for person in (ann, ben, cleo, again):
+        status = person.copy.status(world.now)
+        came = status.initial + status.supplied + status.linked + status.rescaled
+        assert abs(came - status.lost - status.energy) <= 1e-12 * max(1.0, person.copy.totals.in_play)
+        changed = max(changed, abs(status.rescaled))
+    # Without the change of shares it would not add up.
+    assert changed > 1e-8
 
 
 def test_others_cannot_decide() -> None:

@@ -18,7 +18,7 @@ from typing import Any, Literal, cast
 
 import numpy as np
 
-from cotouch.body import Body, Skin, lattice, point
+from cotouch.body import Body, Skin, chain, lattice, point
 from cotouch.errors import SessionError
 from cotouch.session._links import Pair
 from cotouch.session._messages import Entry, LinkStatus, Roster, Status
@@ -37,10 +37,11 @@ DELAYS = (
 BEST: list[Pair] = [(0, 1), (0, 3), (1, 2), (1, 3), (2, 3), (3, 4)]
 WORST: list[Pair] = [(0, 2), (0, 4), (1, 4), (2, 4), (0, 3), (2, 3)]
 STEP = 0.002
+SHARED = 2e-3  # what every copy gave up when the others came [J]
 KEPT = 3.0  # of the handles' past [s]
-KINDS = ("1d", "3d", "big")
+KINDS = ("1d", "chain", "2d", "bare", "3d", "big")
 MAY = frozenset({"hand", "impair", "cut", "kill", "revive", "links", "damping", "record"})
-Kind = Literal["1d", "3d", "big"]
+Kind = Literal["1d", "chain", "2d", "bare", "3d", "big"]
 
 
 def soft_body(rings: int) -> Body:
@@ -100,7 +101,12 @@ def _trilinear(places: np.ndarray, shape: tuple[int, int, int]) -> tuple[np.ndar
 
 
 def made_body(kind: Kind) -> Body:
-    """1d: a point. 3d: about 2,000 vertices. big: about 20,000."""
+    """1d: a point; chain: seven; 2d: a sheet, bare: a block, neither with a skin; 3d: 2,000 vertices; big: 20,000."""
+    if kind == "chain":
+        return chain(7, stiffness=60.0, spacing=0.03)
+    if kind in {"2d", "bare"}:
+        grid = lattice((9, 6) if kind == "2d" else (7, 4, 4), mass=1.0, stiffness=60.0, spacing=0.02)
+        return Body(mass=grid.mass, rest=grid.rest, damping_int=grid.damping_int, stiffness_int=grid.stiffness_int)
     return point() if kind == "1d" else soft_body(31 if kind == "3d" else 100)
 
 
@@ -140,6 +146,7 @@ class FakeStage:
     Attributes:
         pointers: all that came, newest last.
         done: what was asked for by `do`.
+        choices: sets of links by name.
     """
 
     def __init__(self, kind: Kind = "3d", *, clock: Callable[[], float] = time.monotonic, age: float = 0.0) -> None:
@@ -172,6 +179,7 @@ class FakeStage:
             (i, j): Emulated(delay=DELAYS[i][j]) for i in range(5) for j in range(5) if i != j
         }  # fmt: skip
         self._alive = dict.fromkeys(range(5), True)
+        self.choices: dict[str, list[Pair]] = {"best": list(BEST), "worst": list(WORST), "start": list(BEST)}
         self._damping, self._wobble = 1.0, 0.0
         self._recording: float | None = None
         self._recorded: bytes | None = None
@@ -218,7 +226,7 @@ class FakeStage:
                 statuses={seat: self._status(seat, roster) for seat in range(5)},
                 alive=dict(self._alive),
                 emulated=dict(self._emulated),
-                choices={"best": list(BEST), "worst": list(WORST), "start": list(BEST)},
+                choices=dict(self.choices),
                 damping=self._damping,
                 recording=None if self._recording is None else self._now - self._recording,
                 events=list(self._events),
@@ -248,7 +256,7 @@ class FakeStage:
             raise SessionError(f'mode is "{mode}"; it must be one of {", ".join(HAND_MODES)}')
         if mode in {"pull", "grab"}:
             handle.node = int(arguments.get("node", handle.node))
-            handle.target = self._rest[handle.node] + np.array(arguments["to"], float)
+            handle.target = np.array(arguments["to"], float)
         elif mode == "hold":
             handle.target = self._rest[handle.node] + handle.offset
         handle.mode, handle.radius = cast("HandMode", mode), 0.0
@@ -285,7 +293,7 @@ class FakeStage:
         if "links" in arguments:
             self._links = sorted({(min(a, b), max(a, b)) for a, b in arguments["links"]})
             return f"{len(self._links)} links, as you chose them"
-        self._links = list({"best": BEST, "worst": WORST, "start": BEST}[arguments["choice"]])
+        self._links = list(self.choices[arguments["choice"]])
         return f"links: {arguments['choice']}"
 
     def _do_damping(self, arguments: Mapping[str, Any]) -> str:
@@ -358,7 +366,7 @@ class FakeStage:
             if delay and handle.past:
                 at = bisect_right(handle.past, self._now - delay, key=lambda entry: entry[0]) - 1
                 _, node, offset = handle.past[max(at, 0)]
-            if body.dimension == 1:
+            if body.nodes == 1:
                 field[0] += offset / 5 if other != seat else offset
                 continue
             away = np.sum((self._rest - self._rest[node]) ** 2, axis=1)
@@ -426,7 +434,8 @@ class FakeStage:
             position=[float(x) for x in handle.offset[: self._scene.body.dimension]],
             supplied=handle.supplied,
             lost=handle.lost,
-            linked=handle.lost + energy - handle.supplied,
+            linked=handle.lost + energy - handle.supplied + SHARED,
+            rescaled=-SHARED,
             energy=energy,
             residual=3e-16,
             damping=40.0 * self._damping,

@@ -37,11 +37,13 @@ class Shown:
             stage.do("hand", {"seat": seat, "mode": "free"})
         return stage
 
-    def open(self, *, token: bool = True, **settings: Any) -> Page:
-        """A page that drew something."""
+    def open(self, *, token: bool = True, script: str | None = None, **settings: Any) -> Page:
+        """A page that drew something; a script runs in it before its own."""
         context = self.browser.new_context(**{"viewport": {"width": 900, "height": 600}, **settings})
         context.set_default_timeout(PATIENCE)
         context.add_init_script(BEFORE)
+        if script is not None:
+            context.add_init_script(script)
         page = context.new_page()
         self.pages.append(page)
         page.on("console", lambda said: self.complaints.append(f"{said.type}: {said.text}"))

@@ -1,4 +1,4 @@
-"""Serves the page of made-up motion: `python -m tests.web.serve --body 1d|3d|big --port 8765`."""
+"""Serves the page of made-up motion: `python -m tests.web.serve --body 1d|chain|2d|bare|3d|big --port 8765`."""
 
 import argparse
 import signal

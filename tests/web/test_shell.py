@@ -189,3 +189,20 @@ def test_a_restart_is_shown_and_the_end_too(running: Browser) -> None:
         if again is not None:
             again.close()
         made.close()
+
+
+def test_choices_that_are_not_known_yet_say_so(here: World) -> None:
+    found = dict(here.stage.choices)
+    here.stage.choices = {"start": found["start"]}
+    page = here.open()
+    best, worst = (page.get_by_role("radio", name=name) for name in ("Best", "Worst"))
+    words(page, "#topology .means", "As the session began. Best and worst are being worked out.")
+    assert best.is_disabled()
+    assert "worked out" in (best.get_attribute("data-tip") or "")
+    assert best.inner_text() == "Best …"
+    here.stage.choices = found | {"worst": []}
+    page.wait_for_function("() => document.querySelector('#topology [data-value=best]').textContent === 'Best'")
+    assert best.is_enabled()
+    assert worst.is_disabled()
+    assert worst.get_attribute("data-tip") == "None was found."
+    assert "worked out" not in page.locator("#topology .means").inner_text()

@@ -131,6 +131,8 @@ export interface Choice<T extends string> {
   mark(value: T | null): void;
   /** Lets some be chosen, others not. */
   allow(value: T, yes: boolean): void;
+  /** Names one anew. */
+  say(value: T, words: string, tip: string): void;
 }
 
 export function choice<T extends string>(
@@ -176,6 +178,12 @@ export function choice<T extends string>(
     allow(value, yes) {
       const one = buttons.get(value);
       if (one) one.disabled = !yes;
+    },
+    say(value, words, tip) {
+      const one = buttons.get(value);
+      if (!one) return;
+      if (one.lastElementChild) text(one.lastElementChild, words);
+      attribute(one, "data-tip", tip);
     },
   };
 }

@@ -2,31 +2,34 @@
 import type { MemberStatus } from "../protocol";
 import { type Context, nameOf } from "./context";
 import { attribute, button, h, panel, shown, text } from "./dom";
-import { percent, si } from "./format";
+import { number, percent, si } from "./format";
 
 const EXPLANATION =
   "Every step books where its energy went, to rounding, so both bars are equally long: what came in is what is still there or " +
   "was damped. Hands put energy in, and take some back. Links are springs between copies: they give back what they hold, and " +
   "delay makes them give more than they took, because news that is late pushes at the wrong moment. The damping is made to take " +
-  "at least that; this is what keeps the session stable. The rest is what copies gained or lost as members came and went, because " +
-  "each then holds another share of the object, and rounding.";
+  "at least that; this is what keeps the session stable. As members come and go each copy holds another share of the object, and of " +
+  "its energy. What is left over after all this is rounding.";
 
 export interface Row {
   seat: number;
   initial: number;
   hands: number;
   links: number;
+  shared: number;
   damped: number;
   stored: number;
   residual: number;
 }
 
-/** One user's account; energies in J. Initial + hands + links − damped − stored is the rest: changes of the copy’s share, and rounding. */
+/** One user's account; energies in J. Initial + hands + links + shared − damped − stored is rounding. */
 export function account(seat: number, status: Partial<MemberStatus>, before: Partial<MemberStatus> | null): Row {
-  const since = (kind: "supplied" | "linked" | "lost"): number => (status[kind] ?? 0) - (before?.[kind] ?? 0);
+  const since = (kind: "supplied" | "linked" | "rescaled" | "lost"): number => (status[kind] ?? 0) - (before?.[kind] ?? 0);
   const initial = before ? (before.energy ?? 0) : (status.initial ?? 0);
-  const row = { seat, initial, hands: since("supplied"), links: since("linked"), damped: since("lost"), stored: status.energy ?? 0 };
-  return { ...row, residual: row.initial + row.hands + row.links - row.damped - row.stored };
+  const row = {
+    seat, initial, hands: since("supplied"), links: since("linked"), shared: since("rescaled"), damped: since("lost"), stored: status.energy ?? 0,
+  };
+  return { ...row, residual: row.initial + row.hands + row.links + row.shared - row.damped - row.stored };
 }
 
 interface Part {
@@ -53,6 +56,11 @@ export function sides(rows: readonly Row[]): { came: Part[]; went: Part[] } {
     { label: "added by links", class: "links" },
     { label: "held or taken by links", class: "links" },
   );
+  put(
+    rows.reduce((sum, row) => sum + row.shared, 0),
+    { label: "members went", class: "shared" },
+    { label: "members came", class: "shared" },
+  );
   put(-rows.reduce((sum, row) => sum + row.damped, 0), { label: "dampers", class: "damped" }, { label: "damped", class: "damped" });
   put(-rows.reduce((sum, row) => sum + row.stored, 0), { label: "copies", class: "stored" }, { label: "in the copies", class: "stored" });
   return { came, went };
@@ -62,10 +70,19 @@ const COLUMNS: { key: keyof Row; words: string; sign: string; tip: string }[] = 
   { key: "hands", words: "hands", sign: "", tip: "Put in by this user’s hand, less what it took back" },
   { key: "links", words: "links", sign: "+", tip: "Work of the links on this copy: what delays added, less what springs hold" },
   { key: "initial", words: "start", sign: "+", tip: "In the copy when counting began" },
+  { key: "shared", words: "shares", sign: "+", tip: "What this copy gained or lost as members came and went: each then holds another share of the object" },
   { key: "damped", words: "damped", sign: "−", tip: "Lost in this copy’s dampers" },
   { key: "stored", words: "in copy", sign: "−", tip: "In this copy now, as motion and in springs" },
-  { key: "residual", words: "rest", sign: "=", tip: "What this copy gained or lost as members came and went, and rounding" },
+  { key: "residual", words: "rest", sign: "=", tip: "Rounding" },
 ];
+
+const UNITS: readonly [number, string][] = [[1e3, "kJ"], [1, "J"], [1e-3, "mJ"], [1e-6, "µJ"], [1e-9, "nJ"]];
+
+/** An energy in the table’s unit; what rounding leaves is 0. */
+function plain(value: number, scale: number): string {
+  const size = Math.abs(value) / scale;
+  return Math.abs(value) < 1e-12 ? "0" : number(value / scale, size >= 99.95 ? 0 : size >= 9.995 ? 1 : 2);
+}
 
 function bar(element: HTMLElement, parts: readonly Part[], total: number, name: (seat: number) => string): void {
   while (element.children.length > parts.length) element.lastElementChild?.remove();
@@ -97,7 +114,8 @@ export function energyPanel(context: Context): HTMLElement {
   const { element, body } = panel("energy", "Energy", EXPLANATION, zero);
   const [came, went] = [h("div", { class: "stack" }), h("div", { class: "stack" })];
   const [cameSum, wentSum] = [h("span", { class: "sum tabular" }), h("span", { class: "sum tabular" })];
-  const head = h("tr", null, h("th", { scope: "col" }, "user"), ...COLUMNS.map((one) => h("th", { scope: "col", "data-tip": one.tip, tabindex: 0 }, `${one.sign} ${one.words}`.trim())));
+  const unit = h("th", { scope: "col" });
+  const head = h("tr", null, unit, ...COLUMNS.map((one) => h("th", { scope: "col", "data-tip": one.tip, tabindex: 0 }, `${one.sign}\u00a0${one.words}`.trim())));
   const rows = h("tbody");
   const sums = COLUMNS.map(() => h("td"));
   const closing = h("p", { class: "expected tabular" });
@@ -138,7 +156,12 @@ export function energyPanel(context: Context): HTMLElement {
     text(wentSum, si(out, "J", 1e-12));
     const left = in_ - out;
     const worst = Math.max(0, ...Object.values(store.state?.members ?? {}).map((member) => member.residual ?? 0));
-    text(closing, total > 0 ? `Rest: ${si(left, "J", 1e-15)}, ${exponent(left / total)} of all, from members who came and went. Worst single step: off by ${exponent(worst)} of the energy in play.` : "");
+    attribute(closing, "data-left", total > 0 ? String(Math.abs(left) / total) : null);
+    text(closing, total > 0 ? `Left over: ${exponent(left / total)} of what came in. Worst single step: off by ${exponent(worst)} of the energy in play.` : "");
+    // One unit for all: that of the greatest.
+    const largest = Math.max(1e-9, ...all.flatMap((row) => COLUMNS.map((column) => Math.abs(row[column.key]))));
+    const [scale, words] = UNITS.find(([one]) => largest >= one) ?? UNITS[UNITS.length - 1]!;
+    text(unit, words);
     for (const [seat, row] of cells) if (!all.some((one) => one.seat === seat)) (row.element.remove(), cells.delete(seat));
     for (const one of all) {
       let row = cells.get(one.seat);
@@ -153,13 +176,13 @@ export function energyPanel(context: Context): HTMLElement {
       }
       COLUMNS.forEach((column, i) => {
         const cell = row.cells[i];
-        if (cell) text(cell, si(one[column.key], "J", 1e-12));
+        if (cell) text(cell, plain(one[column.key], scale));
       });
     }
     attribute(table, "data-initial", all.some((row) => row.initial) ? "" : null);
     COLUMNS.forEach((column, i) => {
       const cell = sums[i];
-      if (cell) text(cell, si(all.reduce((total_, row) => total_ + row[column.key], 0), "J", 1e-12));
+      if (cell) text(cell, plain(all.reduce((total_, row) => total_ + row[column.key], 0), scale));
     });
   };
   store.on("state", update);

@@ -12,13 +12,16 @@ const EXPLANATION =
   "made for a budget of ages on each link; what ages leave of it is to spare. A link that goes over its budget is guarded: it then " +
   "spends only what it has saved.";
 
+// In per cent. A tenth of the damping is still stable on the object of the paper; with this it grows within seconds.
+const [LEAST, MOST, USUAL] = [1, 95, 1];
+
 /** The dialog that lowers the damping below what is needed. */
 export function dampingDialog(context: Context): { open: () => void } {
   const output = h("output", { class: "tabular" });
-  const input = h("input", { type: "range", min: 2, max: 95, step: 1, value: 20, "aria-label": "Share of the damping that is needed" });
+  const input = h("input", { type: "range", min: LEAST, max: MOST, step: 1, value: USUAL, "aria-label": "Share of the damping that is needed" });
   const wear = (): void => {
     text(output, `${input.value} % of what is needed`);
-    input.style.setProperty("--share", `${((Number(input.value) - 2) / 93) * 100}%`);
+    input.style.setProperty("--share", `${((Number(input.value) - LEAST) / (MOST - LEAST)) * 100}%`);
   };
   input.addEventListener("input", wear);
   wear();
@@ -27,11 +30,11 @@ export function dampingDialog(context: Context): { open: () => void } {
       "p",
       { class: "warning" },
       icon("warn", 20),
-      h("span", null, "Below what the delays need, nothing keeps energy from growing: copies can begin to shake by themselves, and shake harder until they are stopped. That is what you will see, in numbers and in the picture."),
+      h("span", null, "Below what the delays need, nothing keeps energy from growing: copies begin to shake by themselves, and shake harder until they are stopped. That is what you will see, in numbers and in the picture."),
     ),
     h("p", null, "Do this with simulated hands only. Let go of any real device first."),
     h("label", { class: "slider" }, h("span", null, "damping"), input, output),
-    h("p", { class: "hint" }, "A banner stays until it is restored, and one click restores it. The copies then come to rest."),
+    h("p", { class: "hint" }, "Scripted hands let go meanwhile. A copy that runs away restores the damping of all by itself; so does one click on the banner."),
   ], [
     { words: "Lower it", class: "button danger", act: () => void context.act("damping", { share: Number(input.value) / 100 }) },
     { words: "Leave it as it is", class: "button primary", act: () => undefined, focus: true },

@@ -37,6 +37,8 @@ export function load(state: State, links: readonly Pair[]): { mean: number; most
   return links.length ? { mean: all / links.length, most: Math.max(...sums.values()) } : null;
 }
 
+const title = (name: Name): string => (name[0] ?? "").toUpperCase() + name.slice(1);
+
 function same(a: readonly Pair[], b: readonly Pair[]): boolean {
   const keys = new Set(a.map(keyOf));
   return a.length === b.length && b.every((pair) => keys.has(keyOf(pair)));
@@ -76,9 +78,10 @@ export function topologyChoices(
     }
     redrawn();
   };
+  const known = (name: Name): boolean => !!store.state && name in store.state.choices;
   const options = choice<Name>(
     "Links",
-    (["start", "best", "worst", "yours"] as const).map((value) => ({ value, words: value[0]?.toUpperCase() + value.slice(1), tip: MEANS[value] })),
+    (["start", "best", "worst", "yours"] as const).map((value) => ({ value, words: title(value), tip: MEANS[value] })),
     choose,
   );
   const apply = button("Apply", () => {
@@ -95,7 +98,11 @@ export function topologyChoices(
   const update = (): void => {
     const state = store.state;
     const now = pairs(state?.links ?? []);
-    for (const name of ["start", "best", "worst"] as const) options.allow(name, can(context, "links") && links(name).length > 0);
+    for (const name of ["start", "best", "worst"] as const) {
+      const awaited = !known(name) && can(context, "links");
+      options.allow(name, can(context, "links") && links(name).length > 0);
+      options.say(name, awaited ? `${title(name)} …` : title(name), awaited ? "Being worked out; this takes some seconds." : known(name) && !links(name).length ? "None was found." : MEANS[name]);
+    }
     options.allow("yours", can(context, "links"));
     const current: Name | null = drafting
       ? "yours"
@@ -103,7 +110,9 @@ export function topologyChoices(
       : ((["start", "best", "worst"] as const).find((name) => links(name).length && same(links(name), now)) ?? (now.length ? "yours" : null));
     options.mark(current);
     const subject: Pair[] = drafting ? links("yours") : now;
-    text(means, current ? (current === "yours" && !drafting ? "Links of your own." : MEANS[current]) : "");
+    const waits = can(context, "links") && !(known("best") && known("worst"));
+    const meant = current ? (current === "yours" && !drafting ? "Links of your own." : MEANS[current]) : "";
+    text(means, waits && !drafting ? `${meant} Best and worst are being worked out.`.trim() : meant);
     const [before, after] = state ? [load(state, pairs(state.choices.start ?? state.links)), load(state, subject)] : [null, null];
     let words = subject.length ? `${subject.length} links` : "";
     if (after) words += `, mean way there and back ${ms(after.mean)}`;

@@ -17,9 +17,12 @@ export class Common {
   readonly size: { value: number };
   readonly height = { value: 1 };
 
-  constructor(radius: number, points: number) {
+  constructor(radius: number, shape: Shape) {
     this.apart = { value: 0.05 * radius };
-    this.size = { value: (0.62 * radius) / Math.cbrt(Math.max(points, 1)) };
+    // Balls of a third of what is between them.
+    const lengths = shape.restLengths;
+    const between = lengths.length ? lengths.reduce((sum, one) => sum + one, 0) / lengths.length : radius;
+    this.size = { value: Math.min(0.17 * between, 0.08 * radius) };
   }
 }
 

@@ -76,7 +76,7 @@ class Space implements View {
     this.canvas.setAttribute("aria-label", "The shared object. Drag it to pull; G grabs, arrows move, Escape lets go.");
     element.append(this.canvas);
     this.shape = new Shape(scene);
-    this.common = new Common(radius, scene.points.length / 3);
+    this.common = new Common(radius, this.shape);
     this.orbit = new Orbit(new Vector3(...scene.centre), radius, scene.points, flat);
     this.full = 0.6 * scene.stiffness * radius;
     this.hold = new Hold(connection, radius, scene.stiffness, flat);

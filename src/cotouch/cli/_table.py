@@ -70,10 +70,8 @@ def view(watch: "Watch", now: float, *, title: str, started: float, invitation: 
 
 def balance(known: "Sequence[Status]") -> str:
     """Where the energy of the whole came from and went, in a sentence."""
-    supplied, linked = (sum(getattr(status, name) for status in known) for name in ("supplied", "linked"))
-    lost, stored = (sum(getattr(status, name) for status in known) for name in ("lost", "energy"))
-    start = sum(status.initial for status in known)
-    shared = stored - (start + supplied + linked - lost)  # what copies changed by as people came and went
+    names = ("supplied", "linked", "rescaled", "lost", "energy", "initial")
+    supplied, linked, shared, lost, stored, start = (sum(getattr(status, name) for status in known) for name in names)
     gave = [f"Hands {'put in' if supplied >= 0.0 else 'took out'} {abs(supplied):.4f} J"]
     if start > _ROUND_OFF:
         gave.append(f"{start:.4f} J were there")

@@ -392,6 +392,7 @@ class Copy:
             supplied=totals.supplied,
             lost=totals.lost,
             linked=totals.linked,
+            rescaled=totals.rescaled,
             energy=totals.energy,
             initial=totals.initial,
             residual=totals.residual,

@@ -24,6 +24,8 @@ from cotouch.session._told import usual_stiffness
 from cotouch.session._watch import Event
 
 _MOST_EVENTS = 200
+# Choices of links that were looked for and not found.
+_NONE_FOUND: dict[str, list[Pair]] = {"best": [], "worst": []}
 
 
 @final
@@ -109,7 +111,8 @@ class DemoStage:
                 self._say(now, f"{name}'s process ended: {member.complaint() or 'without a word'}")
         self._catch(now)
         if self._planned is not None and self._planned.done():
-            self._choices |= self._planned.result() if self._planned.exception() is None else {}
+            found = self._planned.result() if self._planned.exception() is None else {}
+            self._choices |= _NONE_FOUND | found
             self._planned = None
         self._tapes.turn(now, [name for name in self._names if name not in self._killed])
         self._overview = self._looked(now)
@@ -118,6 +121,8 @@ class DemoStage:
         """Begins to look for the best and the worst links; they are among the choices once they are found."""
         if len(self._names) > 1 and self._session.scenario.network.links:
             self._planned = self._pool.submit(notable_links, self._session)
+        else:
+            self._choices |= _NONE_FOUND
 
     def close(self) -> None:
         """Ends every process and lets go of everything."""

@@ -139,6 +139,8 @@ class Status(Table):
         supplied: by the hands, so far [J].
         lost: in dampers, so far [J].
         linked: work of all links on this copy, so far [J].
+        rescaled: what the copy's energy changed by as members came and went and its share of the object with them, so
+            far [J]. `initial + supplied + linked + rescaled - lost` is `energy`, to round-off.
         energy: kinetic and elastic [J].
         initial: what it began with [J].
         residual: greatest of any step, of the energy in play.
@@ -165,6 +167,7 @@ class Status(Table):
     supplied: Number = 0.0
     lost: Number = 0.0
     linked: Number = 0.0
+    rescaled: Number = 0.0
     energy: Number = 0.0
     initial: Number = 0.0
     residual: Number = 0.0

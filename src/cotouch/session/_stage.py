@@ -152,7 +152,8 @@ class Overview:
         statuses: what members said last, by seat.
         alive: whether the process of a seat runs here; only of `Scene.own`.
         emulated: by ordered pair (to, from), where anything is emulated or can be.
-        choices: named sets of links that can be chosen: "best", "worst", "start".
+        choices: named sets of links that can be chosen: "best", "worst", "start"; one that is not there is still being
+            worked out, and an empty one was not found.
         damping: share of what the rule needs that copies are given; 1 unless somebody lowered it.
         recording: seconds so far; None while nothing is recorded.
         events: newest last.

@@ -151,6 +151,8 @@ def links_of(arguments: Mapping[str, Any], choices: Mapping[str, Sequence[Pair]]
         if choice not in choices:
             known = ", ".join(choices)
             raise SessionError(f"choice is {choice!r}; it must be one of {known}; best and worst take a while to find")
+        if not choices[choice]:
+            raise SessionError(f"choice is {choice!r}, but no such links were found; choose others")
         return list(choices[choice])
     found: set[Pair] = set()
     for entry in links if isinstance(links, list) else [None]:  # pyright: ignore[reportUnknownVariableType]

@@ -1,0 +1,99 @@
+"""The picture of bodies without a skin, with a gamepad, and for whoever asked for less motion."""
+
+from collections.abc import Generator
+from typing import Any
+
+import numpy as np
+import pytest
+from playwright.sync_api import Browser, Page
+from tests.simulation.browser import DRAWN, browser
+from tests.web.fake_stage import Kind
+from tests.web.pictures import shown, spot, until, wait
+
+# A gamepad as a browser would give it, and what its motors were asked for.
+PAD = """
+window.told = [];
+window.pad = { connected: true, axes: [0, 0, 0, 0], buttons: [{ pressed: false }], vibrationActuator: {
+  playEffect: (kind, how) => { window.told.push({ kind, ...how }); return Promise.resolve('complete'); } } };
+navigator.getGamepads = () => [null, window.pad];
+"""
+# Where the eye is two drawings after it was turned, and where it came to rest.
+TURNED = """async () => {
+  const { stage } = window.cotouch, { orbit } = stage.probe();
+  const drawn = () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+  const eye = () => orbit.camera.position.toArray();
+  orbit.turn(200, 0);
+  stage.pulse(1); // so that it draws, whether or not a frame came
+  await drawn();
+  const soon = eye();
+  for (let k = 0, before = ''; k < 600 && before !== String(eye()); k++) {
+    before = String(eye());
+    await drawn();
+  }
+  return [soon, eye()];
+}"""
+
+
+@pytest.fixture(scope="module")
+def running() -> Generator[Browser]:
+    with browser(DRAWN) as one:
+        yield one
+
+
+@pytest.mark.parametrize("kind", ["chain", "2d", "bare"])
+def test_a_body_without_a_skin_is_seen_and_held(running: Browser, kind: Kind) -> None:
+    with shown(running, kind) as here:
+        page = here.open()
+        still = page.locator(".ct-canvas").screenshot()
+        x, y, point = spot(page)
+        page.mouse.move(x, y)
+        page.mouse.down()
+        page.mouse.move(x + 80, y - 20, steps=4)
+        wait(page, lambda: bool(here.stage.pointers) and here.stage.pointers[-1][1].mode == "grab")
+        assert here.stage.pointers[-1][1].node == point
+        until(page, "store.frame.copies.every((copy) => copy.displacement[3 * value] > 0)", point)
+        assert page.locator(".ct-canvas").screenshot() != still
+        page.mouse.up()
+        wait(page, lambda: here.stage.pointers[-1][1].mode == "free")
+
+
+def pad(page: Page, **entries: Any) -> None:
+    page.evaluate("entries => Object.assign(window.pad, entries)", entries)
+
+
+@pytest.mark.parametrize("kind", ["1d", "3d"])
+def test_a_gamepad_moves_the_hand_and_its_motors_tell_the_force(running: Browser, kind: Kind) -> None:
+    with shown(running, kind) as here:
+        page = here.open(script=PAD)
+        pad(page, buttons=[{"pressed": True}])
+        wait(page, lambda: bool(here.stage.pointers) and here.stage.pointers[-1][1].mode == "grab")
+        before = np.array(here.stage.pointers[-1][1].target)
+        # Within what a stick has when nobody touches it, nothing moves.
+        pad(page, axes=[0.1, 0, 0, 0])
+        number = page.evaluate("() => window.cotouch.stats.frames")
+        until(page, "stats.frames > value + 3", number)
+        assert np.array(here.stage.pointers[-1][1].target) == pytest.approx(before)
+        pad(page, axes=[1, 0, 0, 0])
+        page.wait_for_function("() => window.told.some((one) => one.weakMagnitude > 0.1)")
+        right = (
+            [1, 0, 0] if kind == "1d" else page.evaluate("() => window.cotouch.stage.probe().orbit.axes()[0].toArray()")
+        )
+        moved = np.array(here.stage.pointers[-1][1].target) - before
+        assert moved @ right > 0.9 * np.linalg.norm(moved) > 0.0
+        told = page.evaluate("() => window.told")
+        assert {one["kind"] for one in told} == {"dual-rumble"}
+        for one in told:
+            assert one["strongMagnitude"] == pytest.approx(one["weakMagnitude"] ** 2)
+            assert 0.0 < one["weakMagnitude"] <= 1.0
+        # Farther away, harder.
+        assert max(one["weakMagnitude"] for one in told) > told[0]["weakMagnitude"]
+        pad(page, axes=[0, 0, 0, 0], buttons=[{"pressed": False}])
+        wait(page, lambda: here.stage.pointers[-1][1].mode == "free")
+
+
+@pytest.mark.parametrize("calm", ["reduce", "no-preference"])
+def test_who_asked_for_less_motion_is_where_he_turned_to_at_once(running: Browser, calm: Any) -> None:
+    with shown(running) as here:
+        page = here.open(reduced_motion=calm)
+        soon, end = map(np.array, page.evaluate(TURNED))
+        assert (np.abs(soon - end).max() < 1e-9) == (calm == "reduce")
