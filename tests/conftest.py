@@ -3,9 +3,11 @@
 import os
 import subprocess
 import sys
+from collections.abc import Generator
 from pathlib import Path
 
 import pytest
+from _pytest.runner import runtestprotocol
 from hypothesis import HealthCheck, settings
 
 # Before numpy is loaded: the workers of one run must not fight for cores, and sums then have one order everywhere.
@@ -32,3 +34,36 @@ def pytest_configure(config: pytest.Config) -> None:
         running = [subprocess.Popen([sys.executable, str(script), axes]) for axes in ("1", "3")]
         for process in running:
             process.wait()
+
+
+@pytest.fixture(scope="session")
+def stalls(tmp_path_factory: pytest.TempPathFactory) -> Generator[object]:
+    """Tells times when force was late from times when the machine stood still: `tests.stalls.Stalls`."""
+    from tests.stalls import Stalls
+
+    watch = Stalls(tmp_path_factory.mktemp("stalls"))
+    yield watch
+    watch.close()
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(item: pytest.Item, call: pytest.CallInfo[None]) -> Generator[None, pytest.TestReport]:
+    """Notes that a test failed because the machine stood still."""
+    report = yield
+    report.stalled = call.excinfo is not None and call.excinfo.typename == "Stalled"  # type: ignore[attr-defined]
+    return report
+
+
+def pytest_runtest_protocol(item: pytest.Item, nextitem: pytest.Item | None) -> bool | None:
+    """Takes such a test again, twice at most."""
+    if "stalls" not in getattr(item, "fixturenames", ()):
+        return None
+    item.ihook.pytest_runtest_logstart(nodeid=item.nodeid, location=item.location)
+    for again in (True, True, False):
+        reports = runtestprotocol(item, nextitem=nextitem, log=False)
+        if not again or not any(getattr(report, "stalled", False) for report in reports):
+            break
+    for report in reports:
+        item.ihook.pytest_runtest_logreport(report=report)
+    item.ihook.pytest_runtest_logfinish(nodeid=item.nodeid, location=item.location)
+    return True

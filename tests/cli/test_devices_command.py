@@ -22,7 +22,9 @@ def told(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, *w
 def test_list(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch):
     code, out, _ = told(capsys, monkeypatch, "list", "--json")
     assert code == 0
-    found = {row["name"]: row for row in json.loads(out)["devices"]}
+    said = json.loads(out)
+    found = {row["name"]: row for row in said["devices"]}
+    assert {"coupling", "stiffness", "friction"} <= set(said["coupling"])
     assert found["simulated"]["variants"] == ["phantom", "cartesian", "touch"]
     assert all(row["watchdog"] for row in found.values())
     code, out, _ = told(capsys, monkeypatch, "list")

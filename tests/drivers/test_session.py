@@ -1,15 +1,17 @@
-"""`cotouch join --device haply` takes part in a live session, against the stand-in for the Inverse Service."""
+"""`cotouch join --device haply` takes part in a live session, against the stand-in, until the device is unplugged."""
 
 import json
 import os
 import signal
+import time
 from collections.abc import Generator
 from pathlib import Path
 
 import numpy as np
 import pytest
 from tests.cli.test_session_commands import Running
-from tests.drivers.standin import Service
+from tests.drivers.standin import Fault, Service
+from tests.stalls import Stalls
 
 from cotouch.recording import audit, read_recording
 
@@ -56,7 +58,9 @@ def interrupted(process) -> int:
     return process.wait(60)
 
 
-def test_an_inverse3_takes_part(service: Service, running: Running, tmp_path: Path):
+def test_an_inverse3_takes_part_until_it_is_unplugged_and_the_others_go_on(
+    service: Service, running: Running, tmp_path: Path, stalls: Stalls
+):
     (tmp_path / "hand.toml").write_text(SESSION)
     host = running.start("host", "host", tmp_path / "hand.toml", "--json")
     running.until(lambda: running.out("host").endswith("}\n"), "the invitation")
@@ -74,14 +78,28 @@ def test_an_inverse3_takes_part(service: Service, running: Running, tmp_path: Pa
 
     running.until(felt, "force at the device")
     running.until(lambda: service.board.get("sets") > 1000, "a second of it")
+    service.board.inject(Fault.UNPLUGGED)  # while its hand goes round
+    running.until(lambda: "the device failed" in running.err("Ann"), "the reason, on Ann's screen")
+    struck = service.board.get("struck")
+    stalls.within(struck, service.board.zero_after(struck))
+    time.sleep(1.0)
+    assert ann.poll() is None
+    assert ben.poll() is None
     assert interrupted(ann) == 0, running.err("Ann")
     assert not np.any(service.board.get("motor"))
     assert interrupted(ben) == 0
     assert interrupted(host) == 0
-    said = json.loads(running.out("Ann"))
+    said, bens = json.loads(running.out("Ann")), json.loads(running.out("Ben"))
     assert said["device"]["name"] == "Haply Inverse3"
+    # The event or the list of devices, whichever comes first.
+    assert any("was disconnected" in text or "is gone from" in text for text in said["device"]["said"])
+    assert said["device"]["causes"] == ["the device failed or gave no numbers"]
+    for one in (said, bens):
+        assert one["status"]["residual"] < 1e-9
     recordings = [read_recording(tmp_path / f"{name}.mcap") for name in "ab"]
     moved = [np.ptp(recording.states["x"], axis=0).max() for recording in recordings]
+    for recording in recordings:  # 100 steps a second, on the clock of the stand-in
+        assert (recording.columns["end"] > struck).sum() > 50
     assert moved[1] > 1e-3  # Ben, who touches nothing, is moved by the hand that holds the Inverse3
     found = audit(recordings)
     assert found.holds, found.findings

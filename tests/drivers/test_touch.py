@@ -6,8 +6,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tests.drivers.driving import WITHIN, push, ready
+from tests.drivers.driving import push, ready
 from tests.drivers.standin import Board, Fault
+from tests.stalls import Stalls
 
 from cotouch.drivers import _touch
 from cotouch.drivers._touch import Touch, _quaternion
@@ -58,7 +59,7 @@ def test_a_force_that_nobody_renews_is_taken_away_by_the_tick(board: Board, devi
 
 @pytest.mark.parametrize("error", [ValueError("odd"), SystemExit(3), KeyboardInterrupt()])
 def test_exceptions_in_a_tick_end_the_force(
-    board: Board, device: Touch, monkeypatch: pytest.MonkeyPatch, error: BaseException
+    board: Board, device: Touch, monkeypatch: pytest.MonkeyPatch, error: BaseException, stalls: Stalls
 ):
     ready(device, 20)
 
@@ -70,7 +71,7 @@ def test_exceptions_in_a_tick_end_the_force(
     with pytest.raises(DeviceError, match="the servo failed"):
         push(device, 20)
     time.sleep(0.02)
-    assert board.zero_after(board.get("struck")) < WITHIN
+    stalls.within(board.get("struck"), board.zero_after(board.get("struck")))
 
 
 def test_the_callback_outlives_whoever_forgets_its_device(board: Board, built: Path):

@@ -1,25 +1,70 @@
 """The suite that every device passes: over the registry, each driver with what stands in for its hardware.
 
-A driver's tests add theirs to `STAND_INS`, or call `assert_conforms` themselves.
+`tests/drivers/test_conforming.py` runs all of them, because the stub libraries are built there.
 """
 
 from collections.abc import Callable, Generator
 from contextlib import AbstractContextManager, contextmanager
+from functools import partial
+
+import pytest
 
 from cotouch.haptics import Device, conform, make_device
 
-StandIn = Callable[[], AbstractContextManager[Callable[[], Device]]]
+# Gives, from a test's fixtures, something that makes the device for as long as it stands in.
+StandIn = Callable[[pytest.FixtureRequest], AbstractContextManager[Callable[[], Device]]]
 
 
 @contextmanager
-def _simulated(variant: str) -> Generator[Callable[[], Device]]:
+def _simulated(variant: str, _request: pytest.FixtureRequest) -> Generator[Callable[[], Device]]:
     yield lambda: make_device("simulated", variant=variant)
+
+
+@contextmanager
+def _haply(request: pytest.FixtureRequest) -> Generator[Callable[[], Device]]:
+    service = request.getfixturevalue("service")
+    yield lambda: make_device("haply", url=service.url, events=service.events)
+
+
+@contextmanager
+def _stubbed(
+    name: str, system: int, initialized: int, request: pytest.FixtureRequest
+) -> Generator[Callable[[], Device]]:
+    library = str(request.getfixturevalue("built"))
+    with request.getfixturevalue("running")(system=system, initialized=initialized) as board:
+        yield lambda: make_device(name, library=library)
+        assert board.get("violations") == 0, board.said
+
+
+@contextmanager
+def _gamepad(_request: pytest.FixtureRequest) -> Generator[Callable[[], Device]]:
+    from tests.drivers.test_gamepad import Pad
+
+    with Pad() as pad:
+        yield pad.device
+
+
+@contextmanager
+def _recorded(request: pytest.FixtureRequest) -> Generator[Callable[[], Device]]:
+    yield request.getfixturevalue("moved").device
 
 
 # By what pytest calls it; the part before a colon is the driver's name in the registry.
 STAND_INS: dict[str, StandIn] = {
-    f"simulated:{variant}": lambda variant=variant: _simulated(variant) for variant in ("phantom", "cartesian", "touch")
+    **{f"simulated:{variant}": partial(_simulated, variant) for variant in ("phantom", "cartesian", "touch")},
+    "haply": _haply,
+    "force_dimension:omega": partial(_stubbed, "force_dimension", 33, 0),
+    "force_dimension:delta": partial(_stubbed, "force_dimension", 63, 1),
+    "force_dimension:sigma": partial(_stubbed, "force_dimension", 104, 1),
+    "force_dimension:lambda": partial(_stubbed, "force_dimension", 108, 0),
+    "force_dimension:falcon": partial(_stubbed, "force_dimension", 60, 1),
+    "touch": partial(_stubbed, "touch", 33, 1),
+    "touch:to be calibrated": partial(_stubbed, "touch", 33, 2),
+    "gamepad": _gamepad,
+    "recorded": _recorded,
 }
+# Those that move by themselves to find their place.
+MOVING = frozenset({"force_dimension:omega", "force_dimension:lambda"})
 
 
 def assert_conforms(make: Callable[[], Device], *, allow_motion: bool = False, force: bool = True) -> None:

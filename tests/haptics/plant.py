@@ -78,6 +78,13 @@ class Plant:
         lines = (self.folder / "log").read_text().splitlines()
         return [(float(a), float(b)) for a, b in (line.split() for line in lines)]
 
+    def gone_after(self, since: float) -> float:
+        """How long after a moment there was force for the last time; infinite if there still is [s]."""
+        known = self.changes()
+        if not known:
+            return 0.0
+        return math.inf if known[-1][1] > 0.0 else max(0.0, known[-1][0] - since)
+
     @property
     def force(self) -> float:
         """Whether it acts now: its size when it came, or 0."""

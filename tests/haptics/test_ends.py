@@ -153,8 +153,8 @@ def test_a_peer_that_falls_silent_is_faded_out_and_back():
     )
     forces = [(report.time, size(report.force), report.causes) for report in ran.reports]
     assert max(f for t, f, _ in forces if 1.4 < t < 1.5) > 0.3
-    assert all(f == 0.0 for t, f, _ in forces if 1.61 < t < 2.0)
-    assert all(c & Cause.QUIET for t, _, c in forces if 1.53 < t < 1.59)
+    assert all(f == 0.0 for t, f, _ in forces if 1.59 < t < 2.0)
+    assert all(c & Cause.QUIET for t, _, c in forces if 1.53 < t < 1.57)
     assert max(f for t, f, _ in forces if t > 2.6) > 0.3
 
 

@@ -11,9 +11,10 @@ from pathlib import Path
 import pytest
 from tests.conftest import ROOT
 from tests.haptics.plant import GOOD, THROW, Plant
+from tests.stalls import Stalls
 
 from cotouch.errors import DeviceError
-from cotouch.haptics import Cause, DeviceChoice, ProxyEnd, ServoLink
+from cotouch.haptics import Cause, DeviceChoice, ProxyEnd, ServoLink, proxy_end
 
 PEER = """
 import sys, time
@@ -68,45 +69,55 @@ def held(plant: Plant, request: pytest.FixtureRequest) -> Generator[Held]:
 
 
 @pytest.mark.parametrize("held", ["PLANT", "PLANT_ALONE"], indirect=True)
-def test_a_servo_that_is_killed_leaves_no_force(plant: Plant, held: Held):
+def test_a_servo_that_is_killed_leaves_no_force(plant: Plant, held: Held, stalls: Stalls):
     """Once halted from outside; once, where nobody else reaches the device while it is in use, opened anew."""
+    began = time.monotonic()
     os.kill(held.link.servo, signal.SIGKILL)
     held.until(lambda: plant.force == 0.0, "no force")
     held.until(lambda: any("the device's servo is gone" in text for text in held.said), "told")
     assert held.link.gone
     assert held.link.read() is None
+    stalls.within(began, plant.gone_after(began))
 
 
-def test_a_servo_that_stands_still_leaves_no_force(plant: Plant, held: Held):
+def test_a_servo_that_stands_still_leaves_no_force(plant: Plant, held: Held, stalls: Stalls):
+    began = time.monotonic()
     os.kill(held.link.servo, signal.SIGSTOP)
     held.until(lambda: plant.force == 0.0, "no force")
     held.until(lambda: any("stands still" in text for text in held.said), "told")
     held.until(lambda: any("is gone" in text for text in held.said), "ended")
+    stalls.within(began, plant.gone_after(began))
 
 
-def test_a_guardian_that_is_killed_leaves_no_force(plant: Plant, held: Held):
+def test_a_guardian_that_is_killed_leaves_no_force(plant: Plant, held: Held, stalls: Stalls):
+    began = time.monotonic()
     os.kill(held.link.guardian, signal.SIGKILL)
     held.until(lambda: plant.force == 0.0, "no force")
     held.until(lambda: any("watches over the device is gone" in text for text in held.said), "told")
     held.until(lambda: not Path(f"/proc/{held.link.servo}").exists() or held.link.gone, "the servo ends")
+    stalls.within(began, plant.gone_after(began))
 
 
-def test_a_peer_that_is_killed_leaves_no_force_and_no_process(plant: Plant):
+def test_a_peer_that_is_killed_leaves_no_force_and_no_process(plant: Plant, stalls: Stalls):
     command = [sys.executable, "-c", PEER, ROOT, str(plant.folder)]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as peer:
         try:
             assert peer.stdout is not None
             servo, guardian = map(int, peer.stdout.readline().split())
             _wait(lambda: plant.force > 0.0, "force")
+            began = time.monotonic()
         finally:
             peer.kill()
         _wait(lambda: plant.force == 0.0, "no force")
         _wait(lambda: not _runs(servo) and not _runs(guardian), "no process")
+    stalls.within(began, plant.gone_after(began))
 
 
-def test_a_peer_that_says_nothing_leaves_no_force_and_may_come_back(plant: Plant, held: Held):
+def test_a_peer_that_says_nothing_leaves_no_force_and_may_come_back(plant: Plant, held: Held, stalls: Stalls):
+    began = time.monotonic()
     held.until(lambda: held.link.causes & Cause.SILENT, "silent", orders=False)
     held.until(lambda: plant.force == 0.0, "no force", orders=False)
+    stalls.within(began, plant.gone_after(began))
     held.until(lambda: plant.force > 0.0, "force again")
     assert any("peer has been silent" in text for text in held.said)
     plant.tell(THROW)
@@ -128,9 +139,11 @@ def test_a_device_that_cannot_be_opened_is_a_sentence(tmp_path: Path, monkeypatc
         ServoLink(DeviceChoice("simulated", {"variant": "phantom"}), limits={"force": 9.0})
 
 
-def test_the_simulated_device_is_felt_and_closed():
-    link = ServoLink(DeviceChoice("simulated", {"variant": "cartesian"}), real_time=None)
-    end, first = ProxyEnd(link.options), None
+@pytest.mark.parametrize("text", ["simulated:cartesian", "simulated:touch,viscous=4,coupling=virtual,friction=4"])
+def test_the_simulated_device_is_felt_and_closed(text: str):
+    link = ServoLink(DeviceChoice.read(text), real_time=None)
+    end, first = proxy_end(link.options), None
+    assert link.options.law == ("virtual" if "virtual" in text else "pspm")
     try:
         felt = 0.0
         finish = time.monotonic() + 20.0

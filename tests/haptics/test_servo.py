@@ -1,23 +1,26 @@
 """The servo's loop in this process, around a device that fails: force goes, and the reason is said."""
 
+import os
 import time
 from collections.abc import Callable, Generator
 from pathlib import Path
 
 import pytest
 from tests.haptics.plant import DEAF, FROZEN, NAN, SLOW, THROW, Plant, PlantDevice
+from tests.stalls import Stalls
 
 from cotouch.haptics import Cause, DeviceChoice, Order, Report, Servo, ServoSettings, Word
 from cotouch.haptics._boards import OrderWriter, ReportReader
+from cotouch.haptics._servo import _hung_up
 
 
 class Loop:
     def __init__(self, folder: Path) -> None:
-        self.watched = True
+        self.watched = self.attended = True
         device = PlantDevice(str(folder))
         device.open()
         settings = ServoSettings(device=DeviceChoice("plant"), folder=folder)
-        self.servo = Servo(device, settings, watched=lambda: self.watched)
+        self.servo = Servo(device, settings, watched=lambda: self.watched, attended=lambda: self.attended)
         self.orders, self.reports = OrderWriter(folder), ReportReader(folder)
         self.report: Report | None = None
         self.runs, self.rearm, self.enable = True, 0, True
@@ -79,12 +82,17 @@ def causes(loop: Loop) -> Cause:
         (THROW, Cause.FAST, ""),
     ],
 )
-def test_a_device_that_fails_is_left_without_force(plant: Plant, loop: Loop, mode: int, cause: Cause, fault: str):
+def test_a_device_that_fails_is_left_without_force(
+    plant: Plant, loop: Loop, mode: int, cause: Cause, fault: str, stalls: Stalls
+):
+    began = time.monotonic()
     plant.tell(mode)
     loop.until(lambda: causes(loop) & cause, "cause")
     loop.until(lambda: plant.force == 0.0, "no force")
     assert loop.servo.fault == fault
     assert loop.runs == (cause != Cause.FAULT)
+    if not fault:  # this driver waits for a quarter of a second; real ones don't
+        stalls.within(began, plant.gone_after(began))
 
 
 def test_a_loop_that_nobody_watches_ends(plant: Plant, loop: Loop):
@@ -97,6 +105,25 @@ def test_a_loop_that_nobody_watches_ends(plant: Plant, loop: Loop):
     assert report is not None
     assert report.causes == Cause.PARENT
     assert report.force == (0.0, 0.0, 0.0)
+
+
+def test_a_loop_whose_peer_is_dead_ends_before_it_is_silent(plant: Plant, loop: Loop):
+    loop.attended = False
+    loop.until(lambda: not loop.runs, "its end")
+    loop.until(lambda: plant.force == 0.0, "no force")
+    assert causes(loop) == Cause.PEER
+
+
+@pytest.mark.parametrize("kept", [0, 1], ids=["reads", "writes"])
+def test_whose_pipe_is_held_by_nobody_else_knows_it_at_once(kept: int):
+    pipe = os.pipe()
+    try:
+        gone = _hung_up(pipe[kept])
+        assert not gone()
+        os.close(pipe[1 - kept])
+        assert gone()
+    finally:
+        os.close(pipe[kept])
 
 
 def test_a_device_that_switches_itself_off_comes_back_when_re_armed(plant: Plant, loop: Loop):

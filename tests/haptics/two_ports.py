@@ -6,7 +6,17 @@ from typing import Any
 import numpy as np
 
 from cotouch.device import DeviceSpec
-from cotouch.haptics import EndOptions, Order, ProxyEnd, Report, SafetyLimits, ServoCore, SimulatedOnClock, Word
+from cotouch.haptics import (
+    EndOptions,
+    Order,
+    Report,
+    SafetyLimits,
+    ServoCore,
+    SimulatedOnClock,
+    VirtualDeviceEnd,
+    Word,
+    proxy_end,
+)
 
 Array = np.ndarray
 
@@ -26,12 +36,14 @@ class Body:
 
 @dataclass
 class Ran:
-    """What came of it; `excess` is the largest of X_device + X_proxy at any time, by true work [J]."""
+    """What came of it; `excess` is the largest of X_device + X_proxy - `paid` at any time, by true work [J]."""
 
     excess: float = -np.inf
     bound: float = 0.0
     device_work: float = 0.0
     proxy_work: float = 0.0
+    paid: float = 0.0
+    pulls: list[float] = field(default_factory=list)
     reports: list[Report] = field(default_factory=list)
     shares: list[float] = field(default_factory=list)
     proxies: list[Array] = field(default_factory=list)
@@ -60,7 +72,7 @@ def run(
     rng = np.random.default_rng(seed)
     options = EndOptions() if options is None else options
     servo = core or ServoCore(spec, limits or SafetyLimits.of(spec), options)
-    proxy, body, ran = ProxyEnd(options), body or Body(), Ran()
+    proxy, body, ran = proxy_end(options), body or Body(), Ran()
     device.open()
     device.calibrate(allow_motion=False)
     device.enable_force()
@@ -105,6 +117,7 @@ def run(
                 done, moved = _step(body, pull, now, T)
                 proxy.settle(tuple(done), tuple(moved))
                 ran.proxy_work += float(done @ moved)
+                ran.pulls.append(proxy.share)
                 step += 1
                 if not silent[0] <= now < silent[1]:
                     there = tuple(body.place - origin)
@@ -114,7 +127,11 @@ def run(
             next_peer += wobble(1.0 / peer)
         assert device.device is not None
         ran.device_work = device.device.books["work"]
-        ran.excess = max(ran.excess, ran.device_work + ran.proxy_work)
+        if isinstance(
+            servo.end, VirtualDeviceEnd
+        ):  # what its own friction took, which must be no more than it really did
+            ran.paid = servo.end.purse.paid
+        ran.excess = max(ran.excess, ran.device_work + ran.proxy_work - ran.paid)
     ran.bound = 2.0 * options.seed + servo.observed_bound + 1e-9
     return ran
 

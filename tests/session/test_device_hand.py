@@ -13,7 +13,9 @@ import pytest
 from cotouch.haptics import Cause, EndOptions, Flag, Report, Word
 from cotouch.peer import Peer
 from cotouch.recording import audit, read_recording
-from cotouch.session import MemberProcess, SessionFile, open_host
+from cotouch.session import HAND_MODES, MemberProcess, SessionFile, open_host
+from cotouch.session._boards import BoardFolder, view_fields
+from cotouch.session._desk import Desk
 from cotouch.session._device_hand import DeviceHand
 from cotouch.session._replica import Replica
 
@@ -128,6 +130,19 @@ def test_the_proxy_follows_the_device_and_moves_the_copy(text: str, towards: lis
     assert residual < 1e-12
     assert word.purse >= 0.0
     assert (hand.tools is None) == (axes == 1)
+    # The page shows it: where the device is, what it holds or pushes with, and what pulls that.
+    shown = {
+        name: np.zeros(shape, kind) for name, (shape, kind) in view_fields(peer.model.body, users=2, hands=1).items()
+    }
+    hand.show(shown)
+    assert shown["hands"] == 1
+    assert HAND_MODES[int(shown["mode"][0])] == ("hold" if axes == 1 else "ball")
+    assert (shown["node"][0] >= 0) == (axes == 1)
+    assert (shown["radius"][0] > 0.0) == (axes == 3)
+    drawn = shown["target"][0] - shown["place"][0]
+    led_by = np.array(link.place) - place
+    assert drawn[:axes] == pytest.approx(led_by[:axes], abs=2e-4)
+    assert float(shown["force"][0] @ drawn) > 0.0
 
 
 def test_a_hand_without_its_device_does_nothing():
@@ -145,8 +160,10 @@ def test_a_device_takes_part_and_its_death_leaves_the_others_alone(tmp_path: Pat
     """Ann has a device, Ben none; Ann's servo is killed, and both go on; Ann's recording holds."""
     session = SessionFile.from_toml(BLOCK, source="a test")
     record = tmp_path / "ann.mcap"
+    desk = Desk(BoardFolder(tmp_path), session, ["Ann"])
     with open_host(session) as opened:
         options = ["--name", "Ann", "--headless", "--device", "simulated:cartesian", "--record", str(record)]
+        options += ["--boards", str(tmp_path)]
         members = {
             "Ann": MemberProcess(opened.invitation, options, as_json=True),
             "Ben": MemberProcess(opened.invitation, ["--name", "Ben", "--headless", "--device", "none"], as_json=True),
@@ -168,6 +185,10 @@ def test_a_device_takes_part_and_its_death_leaves_the_others_alone(tmp_path: Pat
             until(lambda: all((s := status(n)) is not None and s.steps for n in members), "both move")
             until(lambda: (s := status("Ann")) is not None and s.force > 0.1, "Ann pushes")
             until(lambda: (s := status("Ben")) is not None and any(abs(x) > 1e-5 for x in s.position), "Ben feels it")
+            hand = desk.views()[0].hands[0]  # as its page draws it
+            assert hand.mode == "ball"
+            assert np.linalg.norm(hand.target - hand.place) > 0.0
+            assert hand.radius > 0.0
             children = psutil.Process(members["Ann"].pid).children(recursive=True)
             servo = next(child for child in children if child.cmdline()[2].startswith("from cotouch.haptics._servo"))
             os.kill(servo.pid, signal.SIGKILL)
@@ -186,4 +207,5 @@ def test_a_device_takes_part_and_its_death_leaves_the_others_alone(tmp_path: Pat
         finally:
             for member in members.values():
                 member.close()
+            desk.close()
     assert audit([read_recording(record)]).holds

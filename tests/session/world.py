@@ -95,7 +95,7 @@ class Person:
                 longest=session.options.longest_step,
                 wishes=self.window.wishes,
             )
-            self.window.holds(hand, seat)
+            self.window.holds(hand, seat, told=True)
             return hand
         return ScriptedHand(
             replica.scenario,

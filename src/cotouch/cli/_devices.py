@@ -16,7 +16,7 @@ _REDRAW = 10.0  # times a second
 
 def show(*, as_json: bool) -> None:
     """Lists all drivers that are installed, and what seems to be connected."""
-    from cotouch.haptics import device_names, driver
+    from cotouch.haptics import COUPLING, device_names, driver
 
     rows: list[dict[str, Any]] = []
     for name in device_names():
@@ -39,7 +39,7 @@ def show(*, as_json: bool) -> None:
             }
         )
     if as_json:
-        print_json({"devices": rows})
+        print_json({"devices": rows, "coupling": dict(COUPLING)})
         return
     from rich.console import Console
     from rich.table import Table
@@ -50,6 +50,8 @@ def show(*, as_json: bool) -> None:
         force = f"{row['force']:g} N" if "force" in row else ""
         table.add_row(row["name"], row["summary"], force, " ".join(names), ", ".join(row["present"]) or "not said")
     Console().print(table)
+    names = " ".join(f"{name}=" for name in COUPLING)
+    sys.stdout.write(f"With join every device also takes what it is coupled by: {names} (docs/devices.md)\n")
 
 
 def check(text: str, *, allow_motion: bool, force: bool, as_json: bool) -> bool:

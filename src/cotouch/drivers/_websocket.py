@@ -1,7 +1,7 @@
 """A WebSocket for a loop that waits for one answer at a time: no thread, no compression, nothing hidden.
 
-The protocol is that of the package `websockets`; only the socket is ours. Its own client reads in a thread, and the two
-changes of thread of every answer take longer than the answer (benchmarks/drivers.py).
+The protocol is that of the package `websockets`; only the socket is ours. Its own client reads in a thread; a round
+trip to the stand-in then took 470 µs instead of 401 µs at the median.
 """
 
 import contextlib

@@ -17,12 +17,33 @@ from cotouch.haptics._registry import (
     make_device,
     open_device,
 )
-from cotouch.haptics._safety import Cause, Heat, SafetyChain, Seen, Vector, saturate, silence, size, slew, spoken
+from cotouch.haptics._safety import (
+    Cause,
+    Heat,
+    SafetyChain,
+    Seen,
+    Vector,
+    reasons,
+    saturate,
+    silence,
+    size,
+    slew,
+    spoken,
+)
 from cotouch.haptics._servo import Servo
-from cotouch.haptics._settings import ServoSettings
+from cotouch.haptics._settings import COUPLING, ServoSettings, coupling_of
 from cotouch.haptics._simulated import SIMULATED, SimulatedOnClock, simulated_model
+from cotouch.haptics._virtual import (
+    Account,
+    VirtualDeviceEnd,
+    VirtualProxyEnd,
+    checked_virtual,
+    proxy_end,
+    virtual_limit,
+)
 
 __all__ = [
+    "COUPLING",
     "FORCE_DIMENSION",
     "FRAMES",
     "GROUP",
@@ -32,6 +53,7 @@ __all__ = [
     "OURS",
     "SIMULATED",
     "UNKNOWN_FORCE",
+    "Account",
     "Cause",
     "Device",
     "DeviceChoice",
@@ -58,17 +80,24 @@ __all__ = [
     "ServoSettings",
     "SimulatedOnClock",
     "Vector",
+    "VirtualDeviceEnd",
+    "VirtualProxyEnd",
     "Word",
     "checked",
+    "checked_virtual",
     "conform",
+    "coupling_of",
     "device_names",
     "driver",
     "make_device",
     "open_device",
+    "proxy_end",
+    "reasons",
     "saturate",
     "silence",
     "simulated_model",
     "size",
     "slew",
     "spoken",
+    "virtual_limit",
 ]

@@ -10,12 +10,11 @@ import numpy.typing as npt
 
 from cotouch.device import DeviceSpec
 from cotouch.haptics._device import DeviceReading, Flag
-from cotouch.haptics._ends import DeviceEnd, EndOptions, Word, checked
+from cotouch.haptics._ends import EndOptions, Word, checked
 from cotouch.haptics._limits import SafetyLimits
 from cotouch.haptics._safety import ZERO, Cause, SafetyChain, Seen, Vector, scaled, size
+from cotouch.haptics._virtual import WINDOW, checked_virtual, device_end
 
-# Over which the tip's velocity is measured [s]: an encoder of 0.05 mm then tells 5 mm/s apart.
-_WINDOW = 0.01
 # The safety chain's speed is that over this [s]: shorter, and one step of an encoder looks quick; longer, and a device
 # that is flung away has been so for long.
 _QUICK = 0.004
@@ -93,20 +92,23 @@ class ServoCore:
         chain: the safety chain.
     """
 
-    def __init__(self, spec: DeviceSpec, limits: SafetyLimits, options: EndOptions) -> None:
+    def __init__(self, spec: DeviceSpec, limits: SafetyLimits, options: EndOptions, *, period: float = 1e-3) -> None:
         """Off.
 
         Args:
             spec: of the device.
             limits: of the safety chain.
             options: of the coupling.
+            period: of the servo, by which a virtual coupling is judged [s].
 
         Raises:
             DeviceError: the coupling does not fit the device.
         """
         lever = spec.workspace if isfinite(spec.workspace) and spec.workspace > 0.0 else _LEVER
-        self.end = DeviceEnd(
-            checked(options, spec),
+        if checked(options, spec).law == "virtual":
+            checked_virtual(options, spec, period=period)
+        self.end = device_end(
+            options,
             resolution=spec.resolution,
             lever=lever,
             radius=limits.radius,
@@ -117,7 +119,7 @@ class ServoCore:
         self._order = _NONE
         self._force = ZERO
         self._begun: float | None = None
-        self._last = self._fresh = 0.0
+        self._last = self._fresh = self._measured = 0.0
         self._rate = ZERO
         self._tick = 0
         self._path = deque[tuple[float, Vector]]()
@@ -163,8 +165,9 @@ class ServoCore:
             place = self._place or ZERO
         said = _vector(reading.force)
         self._observe(place, T)
-        self.end.measure(place, self._force, said if isfinite(size(said)) else None)
-        self._place = place
+        since = max(T, reading.time - self._measured)  # a place that stood still has moved for longer
+        self.end.measure(place, self._force, said if isfinite(size(said)) else None, since)
+        self._place, self._measured = place, max(reading.time, self._measured)
         rate, quick = self._rates(reading.time, place)
         if first or not reading.flags & Flag.STALE:
             self._fresh = now
@@ -221,7 +224,7 @@ class ServoCore:
     def _excess(self) -> float:
         """Work of the motors beyond what the peer gave, the seed and the bound of sampling [J]."""
         purse = self.end.purse
-        return self._out - (purse.received - purse.given + self.end.options.seed + self._bound + _SLACK)
+        return self._out - (purse.received - purse.given + self.end.start + self._bound + _SLACK)
 
     def _rates(self, time: float, place: Vector) -> tuple[Vector, float]:
         """Velocity over the window, and the quickest of the last moments [m/s].
@@ -232,7 +235,7 @@ class ServoCore:
         if path and time <= path[-1][0]:
             return self._rate, 0.0
         path.append((time, place))
-        while len(path) > 2 and path[1][0] <= time - _WINDOW:
+        while len(path) > 2 and path[1][0] <= time - WINDOW:
             path.popleft()
         if len(path) < 2:
             return ZERO, 0.0

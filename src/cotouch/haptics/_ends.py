@@ -30,13 +30,14 @@ energy no held force does work that could be saved.
 """
 
 from math import exp, inf, isfinite
-from typing import NamedTuple, final
+from typing import Literal, NamedTuple, final
 
 from cotouch.device import DeviceSpec
 from cotouch.errors import DeviceError
 from cotouch.haptics._safety import ZERO, Vector, dot, scaled, size
 from cotouch.mechanics import credit, modulate, modulation_bound
 
+Law = Literal["pspm", "virtual"]
 # In which purses even out [s]: quicker than a hand, slower than what one end knows of the other on a loaded machine.
 _EVEN = 0.01
 
@@ -51,6 +52,12 @@ class EndOptions(NamedTuple):
         cap: most that a purse keeps beyond its springs [J].
         reserve: debt up to which the damping stays on [J].
         seed: what each purse starts with; counts once in d² [J]. 5 mJ: a stretch of 4.5 mm at 500 N/m.
+        law: "pspm", or "virtual" for a spring that is not shortened (`_virtual.py`); the following are its own.
+        friction: viscous, that the device itself has for certain [Ns/m].
+        ages: largest age of the proxy's place at the device plus that of the device's at the proxy, each when it is
+            used for the last time [s]. 10 ms: a peer at 500 Hz or more on the same machine.
+        weight: d of the age rule, > 0: more lets the device pay for old places, less the proxy.
+        most: force at which the spring saturates [N].
     """
 
     stiffness: float = 500.0
@@ -58,6 +65,11 @@ class EndOptions(NamedTuple):
     cap: float = 0.1
     reserve: float = 1e-3
     seed: float = 5e-3
+    law: Law = "pspm"
+    friction: float = 0.0
+    ages: float = 0.01
+    weight: float = 1.0
+    most: float = inf
 
 
 def checked(options: EndOptions, spec: DeviceSpec) -> EndOptions:
@@ -67,7 +79,7 @@ def checked(options: EndOptions, spec: DeviceSpec) -> EndOptions:
         DeviceError: a number is negative or not finite, or the spring is stiffer than the device renders well.
     """
     for name, value in options._asdict().items():
-        if not (isfinite(value) and value >= 0.0):
+        if name not in {"law", "most"} and not (isfinite(value) and value >= 0.0):
             raise DeviceError(f"the coupling's {name} is {value:g}; it must be finite and at least 0")
     if options.stiffness > spec.stiffness:
         raise DeviceError(
@@ -80,7 +92,7 @@ class Word(NamedTuple):
     """What one end tells the other with every message.
 
     Attributes:
-        given: to the other since the start [J].
+        given: to the other since the start; with a virtual coupling what it put in, less what it took out [J].
         received: of what the other gave, as known here [J].
         purse: what is there now [J].
         wanting: whether it cannot follow for want of energy.
@@ -182,7 +194,12 @@ class DeviceEnd:
         self._told, self._said, self._changed = ZERO, ZERO, 0.0
         self._acting = self._coming = 0.0  # energy of the springs behind the force that acts, and behind the next
 
-    def measure(self, place: Vector, told: Vector, said: Vector | None = None) -> None:
+    @property
+    def start(self) -> float:
+        """What the motors may give that nobody gave them: the seed [J]."""
+        return self.options.seed
+
+    def measure(self, place: Vector, told: Vector, said: Vector | None = None, T: float = 0.0) -> None:
         """Books the tick that has passed.
 
         Args:
@@ -190,7 +207,9 @@ class DeviceEnd:
             told: force that acts from here on: what the last `decide` led to, as far as the chain left it [N].
             said: what the device says that its motors do; None: nothing. Where the two differ, the one that costs more
                 energy is booked [N].
+            T: since the last time; this law counts on no friction [s].
         """
+        del T
         if self._place is not None:
             moved = (place[0] - self._place[0], place[1] - self._place[1], place[2] - self._place[2])
             turned = 0.5 * size(self._told) * dot(moved, moved) / self._lever
@@ -225,7 +244,7 @@ class DeviceEnd:
             deep = out - self._radius
             part, _, _ = modulate(0.5 * self._wall * deep * deep, available, inf)
             self.wall_energy = springs = part * part * 0.5 * self._wall * deep * deep
-            force = _sum(force, scaled(-part * self._wall * deep / out, place))
+            force = plus(force, scaled(-part * self._wall * deep / out, place))
         purse.wanting = False
         self.share = 0.0
         gap = None if wish is None else (wish[0] - place[0], wish[1] - place[1], wish[2] - place[2])
@@ -234,7 +253,7 @@ class DeviceEnd:
         if gap is not None:
             self.share = share
             springs += share * share * potential if share > 0.0 else 0.0
-            force = _sum(force, scaled(options.stiffness * share, gap))
+            force = plus(force, scaled(options.stiffness * share, gap))
             purse.wanting = share < 1.0
         purse.spill(excess)
         self._coming = springs
@@ -321,7 +340,7 @@ class ProxyEnd:
         self.share, _, excess = modulate(0.5 * options.stiffness * dot(gap, gap), left, options.cap)
         purse.wanting = self.share < 1.0
         purse.spill(excess)
-        target = _sum(place, scaled(self.share, gap))
+        target = plus(place, scaled(self.share, gap))
         return Pull(options.stiffness, options.damping, target, scaled(part * options.damping, rate))
 
     def settle(self, force: Vector, moved: Vector) -> None:
@@ -334,5 +353,6 @@ class ProxyEnd:
         self.purse.book(dot(force, moved))
 
 
-def _sum(a: Vector, b: Vector) -> Vector:
+def plus(a: Vector, b: Vector) -> Vector:
+    """Sum."""
     return (a[0] + b[0], a[1] + b[1], a[2] + b[2])

@@ -25,8 +25,8 @@ class SafetyLimits:
             go (0.15 to 0.2 s). At least 0.2 s.
         fade_after: silence of the peer after which its force fades [s]. 20 ms: two steps of a peer at 100 Hz. At most
             that.
-        zero_after: silence after which nothing of it is left [s]. 100 ms: what is rendered then is older than a
-            person's fastest reaction. At most that.
+        zero_after: silence after which nothing of it is left [s]. 80 ms: whatever fails, force must be gone within
+            100 ms, and a loop or a process may have to wait for its turn. At most that.
         speed: above which the motors go off until somebody re-arms them [m/s]. 1.5 m/s: hands on a desk stay below
             1 m/s, and a device that lost its hand does not. At most that.
         radius: of the ball in which the device moves freely; a spring leads back into it [m]. The workspace's: beyond
@@ -43,7 +43,7 @@ class SafetyLimits:
     rise: float = 0.01
     ramp: float = 0.5
     fade_after: float = 0.02
-    zero_after: float = 0.1
+    zero_after: float = 0.08
     speed: float = 1.5
     radius: float = inf
     wall: float = 0.0
@@ -72,7 +72,7 @@ class SafetyLimits:
             "rise": (0.01, 0.01, inf, "s"),
             "ramp": (0.5, 0.2, inf, "s"),
             "fade_after": (0.02, 1e-3, 0.02, "s"),
-            "zero_after": (0.1, 1e-3, 0.1, "s"),
+            "zero_after": (0.08, 1e-3, 0.08, "s"),
             "speed": (1.5, 1e-3, 1.5, "m/s"),
             "radius": (radius, 0.0, radius, "m"),
             "wall": (0.5 * stiff, 0.0, stiff, "N/m"),

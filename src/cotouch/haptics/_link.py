@@ -19,7 +19,7 @@ from cotouch.haptics._core import Order, Report
 from cotouch.haptics._ends import EndOptions, Word
 from cotouch.haptics._registry import DeviceChoice, driver
 from cotouch.haptics._safety import FOR_GOOD, LATCHED, NO_CAUSE, Cause, Vector, spoken
-from cotouch.haptics._settings import ServoSettings, spec_from
+from cotouch.haptics._settings import ServoSettings, coupling_of, spec_from
 
 # The servo is started before the guardian loads what it needs itself, so that both load at the same time.
 GUARDIAN = """
@@ -73,7 +73,8 @@ class ServoLink:
         """Starts the guardian, the servo and the device, and waits until it is held.
 
         Args:
-            choice: which device.
+            choice: which device; it may say something of the coupling, too (`coupling=virtual,friction=0.8`), which
+                goes before the arguments.
             stiffness: of the coupling; None: see `ServoSettings` [N/m].
             damping: likewise [Ns/m].
             limits: safety limits other than the default, by name.
@@ -86,6 +87,8 @@ class ServoLink:
             DeviceError: there is no such device, it cannot be opened or calibrated, or a limit is beyond what is safe.
         """
         driver(choice.name)
+        choice, said_of_it = coupling_of(choice)
+        coupling: dict[str, Any] = {"stiffness": stiffness, "damping": damping} | said_of_it
         self._clock = clock
         memory = Path("/dev/shm")  # noqa: S108  # boards on a disk would wait for it
         where = memory if memory.is_dir() and os.access(memory, os.W_OK) else None
@@ -103,8 +106,7 @@ class ServoLink:
         settings = ServoSettings(
             device=choice,
             folder=self._folder,
-            stiffness=stiffness,
-            damping=damping,
+            **coupling,
             limits=dict(limits or {}),
             rate=rate,
             allow_motion=allow_motion,

@@ -34,6 +34,7 @@ class Cause(IntFlag):
         ACTIVE: more energy came out of the motors than may; latched until re-armed.
         FAULT: something was no number, or the device failed; for good.
         PARENT: whoever watches this loop is gone; for good.
+        PEER: the peer's process is gone; for good.
     """
 
     SATURATED = 1
@@ -49,16 +50,18 @@ class Cause(IntFlag):
     ACTIVE = 1024
     FAULT = 2048
     PARENT = 4096
+    PEER = 8192
 
 
 NO_CAUSE = Cause(0)
 LATCHED = Cause.FAST | Cause.ACTIVE
-FOR_GOOD = Cause.FAULT | Cause.PARENT
+FOR_GOOD = Cause.FAULT | Cause.PARENT | Cause.PEER
 # After which force comes back from nothing.
 _REMOVED = Cause.SILENT | Cause.LATE | Cause.OFF | Cause.DEVICE | LATCHED | FOR_GOOD
 _SENTENCES = {
     Cause.FAULT: "the device failed or gave no numbers",
     Cause.PARENT: "the program that watches over the device is gone",
+    Cause.PEER: "the peer's program is gone",
     Cause.ACTIVE: "more energy came out of the motors than may; re-arm to go on",
     Cause.FAST: "the device moved faster than a hand does; re-arm to go on",
     Cause.DEVICE: "the device has switched its motors off",
@@ -76,6 +79,11 @@ _SENTENCES = {
 def spoken(cause: Cause) -> str:
     """The gravest of several causes, in words; empty without one."""
     return next((text for one, text in _SENTENCES.items() if cause & one), "")
+
+
+def reasons(cause: Cause) -> list[str]:
+    """All of several causes, in words, the gravest first."""
+    return [text for one, text in _SENTENCES.items() if cause & one]
 
 
 def size(vector: Vector) -> float:

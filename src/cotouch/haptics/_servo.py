@@ -4,8 +4,10 @@ Started as the guardian's child (`_link.py`), told what to do in the first line 
 standard output, in lines of JSON, that it is ready or why not, and what went wrong; nothing is written in the loop.
 """
 
+import contextlib
 import json
 import os
+import select
 import signal
 import sys
 import time
@@ -50,6 +52,7 @@ class Servo:
         settings: ServoSettings,
         *,
         watched: Callable[[], bool],
+        attended: Callable[[], bool] = lambda: True,
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
         """Takes an open, calibrated device.
@@ -58,16 +61,18 @@ class Servo:
             device: that only this loop uses from now on.
             settings: see there.
             watched: whether whoever would take the force away if this loop died is still there.
+            attended: whether the peer's process is still there.
             clock: that of the peer's orders [s].
 
         Raises:
             DeviceError: the settings do not fit the device.
         """
         spec = device.spec
-        self.core = ServoCore(spec, settings.safety(spec), settings.end_options(spec))
+        period = settings.period(spec)
+        self.core = ServoCore(spec, settings.safety(spec), settings.end_options(spec), period=period)
         self.fault = ""
         self.ticks = 0
-        self._device, self._watched, self._clock = device, watched, clock
+        self._device, self._watched, self._attended, self._clock = device, watched, attended, clock
         self._orders = OrderReader(settings.folder)
         self._reports = ReportWriter(settings.folder)
         self._force = np.zeros(3)
@@ -84,6 +89,8 @@ class Servo:
             core.hear(order)
         if not self._watched():
             core.chain.fail(Cause.PARENT)
+        if not self._attended():  # rather than wait until its silence is long
+            core.chain.fail(Cause.PEER)
         try:
             if core.chain.broken:
                 return self._end()
@@ -111,6 +118,10 @@ class Servo:
         causes = self.core.chain.broken or report.causes
         report = report._replace(tick=self.ticks, force=ZERO, wanted=ZERO, causes=causes)
         self._reports.write(report, self._clock())
+
+    def stop(self) -> None:
+        """Takes the force away at once."""
+        self._device.stop()
 
     def close(self) -> None:
         """Stops the device, lets go of it, and removes the board."""
@@ -153,7 +164,7 @@ def _nothing(now: float) -> Report:
 
 def warm(spec: DeviceSpec, settings: ServoSettings) -> None:
     """Takes some cycles that nobody feels, so that everything is compiled and loaded before the first real one."""
-    core = ServoCore(spec, settings.safety(spec), settings.end_options(spec))
+    core = ServoCore(spec, settings.safety(spec), settings.end_options(spec), period=settings.period(spec))
     for tick in range(20):
         now = 1e-3 * tick
         core.hear(Order(time=now, place=(1e-4, 0.0, 0.0), enable=True))
@@ -171,18 +182,21 @@ def main() -> int:
     asked: list[int] = []
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, lambda number, _: asked.append(number))
-    watched = lambda: os.getppid() == parent  # noqa: E731
+    above = _hung_up(sys.stdin.fileno())  # told a little earlier than the parent's death
+    watched = lambda: os.getppid() == parent and not above()  # noqa: E731
     try:
         device = open_device(settings.device.name, **settings.device.options)
     except Exception as error:  # noqa: BLE001  # drivers of others may raise anything
         return _said(error=_sentence(error))
     servo: Servo | None = None
+    below = _hung_up(sys.stdout.fileno())
     try:
         device.calibrate(allow_motion=settings.allow_motion)
-        servo = Servo(device, settings, watched=watched)
+        servo = Servo(device, settings, watched=watched, attended=lambda: not below())
         warm(device.spec, settings)
         with prepare_process(real_time=settings.real_time) as state:
-            _said(ready=True, spec=asdict(device.spec), process=_plain(state), pid=os.getpid())
+            if _said(ready=True, spec=asdict(device.spec), process=_plain(state), pid=os.getpid()) != 0:
+                return 0  # nobody waits for it any more
             _loop(servo, settings.period(device.spec), asked, watched)
     except Exception as error:  # noqa: BLE001  # as above
         return _said(error=_sentence(error))
@@ -199,6 +213,7 @@ def _loop(servo: Servo, period: float, asked: list[int], watched: Callable[[], b
     pacer = Pacer(period)
     while not asked and servo.cycle():
         pacer.wait()
+    servo.stop()  # before anything else takes time
     pace = pacer.statistics()
     if asked:
         _said(ended=True, ticks=servo.ticks, pace=asdict(pace))
@@ -209,15 +224,30 @@ def _loop(servo: Servo, period: float, asked: list[int], watched: Callable[[], b
         time.sleep(_IDLE)
 
 
+def _hung_up(pipe: int) -> Callable[[], bool]:
+    """Whether nobody holds the other end of a pipe any more: the system closes it for whoever dies, at once.
+
+    Args:
+        pipe: its descriptor: standard input comes from the guardian, standard output goes to the peer.
+    """
+    if not hasattr(select, "poll"):
+        return lambda: False
+    poll = select.poll()
+    poll.register(pipe, 0)  # errors and hang-ups are told in any case
+    return lambda: bool(poll.poll(0))
+
+
 def _plain(state: ProcessState) -> dict[str, Any]:
     return asdict(state)
 
 
 def _said(**values: Any) -> int:
-    """Tells the peer; nobody may be there to hear it."""
+    """Tells the peer; 1 if nobody is there to hear it, else 2 for an error and 0 for anything else."""
     try:
         sys.stdout.write(json.dumps(values) + "\n")
         sys.stdout.flush()
     except (OSError, ValueError):
+        with contextlib.suppress(OSError, ValueError):  # or Python would complain of the rest when it ends
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1
     return 2 if "error" in values else 0

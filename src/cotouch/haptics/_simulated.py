@@ -31,7 +31,9 @@ _LONGEST = 0.05
 _SWEEP, _ROUND = (0.01, 0.012, 0.03), 4.0
 
 
-def simulated_model(variant: str = "phantom", *, hand: bool = True, sweep: float = 1.0) -> DeviceModel:
+def simulated_model(
+    variant: str = "phantom", *, hand: bool = True, sweep: float = 1.0, viscous: float | None = None
+) -> DeviceModel:
     """A device with the hand that leads it.
 
     Args:
@@ -39,21 +41,28 @@ def simulated_model(variant: str = "phantom", *, hand: bool = True, sweep: float
             friction of a 3D Systems Touch) or "cartesian" (a light mass).
         hand: whether a hand holds it and goes round; else it is free.
         sweep: how far the hand goes, as a factor, 0 to 3.
+        viscous: friction of a mass, 0 to 20; None: 0.0125; a PHANToM has that of its joints [Ns/m].
 
     Raises:
-        DeviceError: there is no such variant, or the factor is out of range.
+        DeviceError: there is no such variant, a number is out of range, or friction is given for a PHANToM.
     """
     if variant not in VARIANTS:
         raise DeviceError(f'variant is "{variant}"; it must be one of {", ".join(VARIANTS)}')
     if not 0.0 <= sweep <= 3.0:
         raise DeviceError(f"sweep is {sweep:g}; it must be from 0 to 3")
-    plant = PhantomPlant() if variant == "phantom" else CartesianPlant()
+    if viscous is not None and not 0.0 <= viscous <= 20.0:
+        raise DeviceError(f"viscous is {viscous:g} Ns/m; it must be from 0 to 20 Ns/m")
+    if viscous is not None and variant == "phantom":
+        raise DeviceError(f"viscous is {viscous:g} Ns/m, but a PHANToM has joints; leave it out, or take another")
+    usual = CartesianPlant()
+    viscous = usual.viscous if viscous is None else viscous
+    plant = PhantomPlant() if variant == "phantom" else CartesianPlant(viscous=viscous)
     spec = _spec(variant)
     resolution = spec.resolution
     if isinstance(plant, PhantomPlant):
         resolution /= plant.lengths()[0]
     elif variant == "touch":
-        plant = CartesianPlant(mass=spec.mass, coulomb=spec.friction)
+        plant = CartesianPlant(mass=spec.mass, viscous=viscous, coulomb=spec.friction)
     x, y, z = (sweep * far for far in _SWEEP)
     led = SimulatedHand(path=(0.0, 0.0, 0.0), amplitude=(x, y, -z), frequency=1.0 / _ROUND) if hand else None
     return DeviceModel(
@@ -154,8 +163,11 @@ class SimulatedOnClock:
         return self.device
 
 
-def _make(*, variant: str = "phantom", hand: bool = True, sweep: float = 1.0) -> SimulatedOnClock:
-    return SimulatedOnClock(simulated_model(variant, hand=hand, sweep=float(sweep)), _spec(variant))
+def _make(
+    *, variant: str = "phantom", hand: bool = True, sweep: float = 1.0, viscous: float | None = None
+) -> SimulatedOnClock:
+    friction = None if viscous is None else float(viscous)
+    return SimulatedOnClock(simulated_model(variant, hand=hand, sweep=float(sweep), viscous=friction), _spec(variant))
 
 
 SIMULATED = Driver(
@@ -164,7 +176,11 @@ SIMULATED = Driver(
     make=_make,
     spec=PRESETS["phantom"],
     variants=VARIANTS,
-    options={"hand": "whether a hand holds it: true or false", "sweep": "how far the hand goes, a factor from 0 to 3"},
+    options={
+        "hand": "whether a hand holds it: true or false",
+        "sweep": "how far the hand goes, a factor from 0 to 3",
+        "viscous": "friction of a Touch or light mass, 0 to 20 Ns/m",
+    },
     watchdog="It lives in the process that drives it, and ends with it.",
     tested="itself",
 )

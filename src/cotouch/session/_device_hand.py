@@ -1,12 +1,12 @@
 """A hand that holds a real device: its proxy is a tool of the seat, or a node that it holds."""
 
-from typing import Protocol, final
+from typing import Any, Protocol, final
 
 import numpy as np
 import numpy.typing as npt
 
 from cotouch.body import Body
-from cotouch.haptics import ProxyEnd, Report, ServoLink, Vector, Word
+from cotouch.haptics import Report, ServoLink, Vector, Word, proxy_end
 from cotouch.mechanics import Grips, Model, Surface, Tools
 from cotouch.scenario import (
     Scenario,
@@ -19,6 +19,7 @@ from cotouch.scenario import (
 )
 from cotouch.scenario._tables import Hand as HandTable
 from cotouch.session._hand import no_grips
+from cotouch.session._told import write_hand
 
 Float = npt.NDArray[np.float64]
 _NOWHERE: Vector = (0.0, 0.0, 0.0)
@@ -43,15 +44,25 @@ class Held(Protocol):
         """Mean of what pulled it in the last step [N]."""
         ...
 
+    def show(self, fields: dict[str, npt.NDArray[Any]], target: Vector | None) -> None:
+        """Writes it into a board's fields as the first hand.
+
+        Args:
+            fields: see `view_fields`.
+            target: where the device is, as `place` says it [m]; None: nothing is known.
+        """
+        ...
+
 
 @final
 class Ball:
     """A tool: a sphere that touches the skin, or holds nodes."""
 
-    def __init__(self, tools: Tools) -> None:
-        """The first of these."""
+    def __init__(self, tools: Tools, radius: float) -> None:
+        """The first of these, with its radius [m]."""
         self._tools = tools
         self._row = tools.first
+        self._radius = radius
 
     def place(self) -> Vector:
         """Of its centre [m]."""
@@ -68,19 +79,27 @@ class Ball:
         """Mean of what pulled it in the last step [N]."""
         return _vector(self._tools.drive_force[self._row])
 
+    def show(self, fields: dict[str, npt.NDArray[Any]], target: Vector | None) -> None:
+        """Writes it into a board's fields as the first hand."""
+        place = self.place()
+        write_hand(fields, 0, "ball", -1, target or place, place, self.force(), self._radius)
+
 
 @final
 class Node:
     """A node of a body, held at its ports; of a body with fewer axes the device's first ones count."""
 
-    def __init__(self, grips: Grips, axes: int) -> None:
+    def __init__(self, grips: Grips, axes: int, node: int, rest: Vector) -> None:
         """Takes hold.
 
         Args:
             grips: one port with all axes, or one for each axis.
             axes: of the body.
+            node: which, from 0.
+            rest: its place at rest [m].
         """
         self._grips, self._axes = grips, axes
+        self._node, self._rest = node, rest
         self._ports = range(grips.first, grips.last)
         self.position: Float | None = None  # of the copy's rows
 
@@ -104,6 +123,12 @@ class Node:
     def force(self) -> Vector:
         """Mean of what pulled it in the last step [N]."""
         return self._spread([self._grips.force[port] for port in self._ports])
+
+    def show(self, fields: dict[str, npt.NDArray[Any]], target: Vector | None) -> None:
+        """Writes it into a board's fields as the first hand."""
+        place, axes = self.place(), self._axes
+        there, here = _more(self._rest, target or place), _more(self._rest, place)
+        write_hand(fields, 0, "hold", self._node, there[:axes], here[:axes], self.force()[:axes])
 
     def _spread(self, rows: list[Float]) -> Vector:
         values = rows[0][: self._axes].tolist() if len(rows) == 1 else [float(row[0]) for row in rows]
@@ -144,9 +169,10 @@ class DeviceHand:
             ScenarioError: a tool is wrong.
         """
         self._link = link
-        self._end = None if link is None else ProxyEnd(link.options)
+        self._end = None if link is None else proxy_end(link.options)
         self._origin: Vector | None = None
         self._before = _NOWHERE
+        self._target: Vector | None = None
         self._word = Word()
         self.nodes: list[int] = []
         self.grips = no_grips(model)
@@ -163,7 +189,7 @@ class DeviceHand:
             assert self._touching is not None
             self.surface = self._touching.surface
             self.tools = tools_of(self._touching, seat)
-            self._held: Held = Ball(self.tools)
+            self._held: Held = Ball(self.tools, table.radius)
             return
         node = _node(scenario, body, seat)
         hands, _ = ports_of([HandTable(user=seat + 1, node=node)], users, body, model)
@@ -171,7 +197,8 @@ class DeviceHand:
         self.grips = no_grips(model, hands.row.tolist())._replace(
             first=int(hands.first[seat]), last=int(hands.first[seat + 1]), shape=hands.shape
         )
-        self._node = Node(self.grips, body.dimension)
+        x, y, z = (*body.rest[node - 1].tolist(), 0.0, 0.0)[:3]
+        self._node = Node(self.grips, body.dimension, node - 1, (x, y, z))
         self._held = self._node
 
     def attach(self, position: Float) -> None:
@@ -193,6 +220,7 @@ class DeviceHand:
             if self._origin is None:
                 self._origin = _less(place, report.place)
             wish, rate, self._word = _more(report.place, self._origin), report.rate, report.word
+        self._target = wish
         pull = self._end.pull(place, wish, rate, self._word, T)
         self._held.drive(pull.stiffness, pull.damping, pull.target, pull.push)
 
@@ -203,6 +231,11 @@ class DeviceHand:
         place = self._held.place()
         self._end.settle(self._held.force(), _less(place, self._before))
         self._link.order(None if self._origin is None else _less(place, self._origin), self._end.purse.word)
+
+    def show(self, fields: dict[str, npt.NDArray[Any]]) -> None:
+        """Writes into a board's fields where the device is, what it holds or pushes with, and what pulls that."""
+        fields["hands"][()] = 1
+        self._held.show(fields, self._target)
 
 
 def _tool(scenario: Scenario, body: Body, seat: int) -> ToolTable | None:

@@ -4,7 +4,7 @@ from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from typing import Any, final
 
-from cotouch.haptics import DeviceChoice, ServoLink
+from cotouch.haptics import DeviceChoice, ServoLink, reasons
 from cotouch.session._tape import Tape
 
 
@@ -60,7 +60,9 @@ class HeldDevice:
         return {
             "device": self._text,
             "name": link.spec.name,
+            "coupling": {"law": link.options.law, "stiffness": link.options.stiffness, "damping": link.options.damping},
             "gone": link.gone,
+            "causes": [] if report is None else reasons(report.causes),
             "ticks": 0 if report is None else report.tick,
             "work": 0.0 if report is None else report.work,
             "excess": None if report is None else report.excess,

@@ -360,9 +360,7 @@ def _hand(
     told: bool = False,
 ) -> Hand:
     if held.wanted:
-        if window is not None:
-            window.holds(None, seat)
-        return DeviceHand(
+        driven = DeviceHand(
             replica.scenario,
             replica.body,
             model,
@@ -371,6 +369,9 @@ def _hand(
             longest=session.options.longest_step,
             link=held.link,
         )
+        if window is not None:
+            window.holds(driven, seat, told=False)
+        return driven
     if told:
         hand = ToldHand(
             replica.scenario,
@@ -383,7 +384,7 @@ def _hand(
             wishes=(lambda: None) if window is None else window.wishes,
         )
         if window is not None:
-            window.holds(hand, seat)
+            window.holds(hand, seat, told=True)
         return hand
     if kind == "none":
         return NoHand(model)

@@ -294,21 +294,21 @@ class ToldHand:
         if self.mode == "ball" or (self._ball is not None and self._touch > 0.0):
             assert self._ball is not None
             ball = self._ball
-            _write(fields, 0, self.mode, -1, ball.target, ball.place, ball.force, ball.radius)
+            write_hand(fields, 0, self.mode, -1, ball.target, ball.place, ball.force, ball.radius)
         elif self.mode in _HOLDING or self._grasp > 0.0:
-            _write(
+            write_hand(
                 fields, 0, self.mode, self._node, self._mover.place, self._where(self._node), self._force(self._first)
             )
         elif self._slots and self.mode == "script":
             self._show_scripted(fields, 0, *self._slots[0])
         else:
-            _write(fields, 0, self.mode, -1, (), self._where(self._node), ())
+            write_hand(fields, 0, self.mode, -1, (), self._where(self._node), ())
 
     def _show_scripted(self, fields: dict[str, npt.NDArray[Any]], k: int, kind: str, index: int) -> None:
         if kind == "tool":
             assert self.tools is not None
             tools = self.tools
-            _write(
+            write_hand(
                 fields,
                 k,
                 "script",
@@ -322,11 +322,11 @@ class ToldHand:
         node, port = self._held[index], index * self._each
         place, grips = self._where(node), self.grips
         if not grips.stiffness[port] and not grips.push[port : port + self._each].any():
-            _write(fields, k, "script", -1, place, place, ())  # it let go
+            write_hand(fields, k, "script", -1, place, place, ())  # it let go
             return
         end = grips.end[port : port + self._each, 0] if self._model.full else grips.end[port, : self._axes]
         target = (self._body.rest[node] + end).tolist() if grips.stiffness[port] else place
-        _write(fields, k, "script", node, target, place, self._force(port))
+        write_hand(fields, k, "script", node, target, place, self._force(port))
 
     def _force(self, port: int) -> list[float]:
         force = self.grips.force
@@ -338,7 +338,7 @@ def _toward(share: float, there: bool, T: float, grow: float) -> float:
     return min(1.0, share + T / grow) if there else max(0.0, share - T / _FADE)
 
 
-def _write(
+def write_hand(
     fields: dict[str, npt.NDArray[Any]],
     k: int,
     mode: HandMode,
@@ -348,7 +348,18 @@ def _write(
     force: Sequence[float],
     radius: float = 0.0,
 ) -> None:
-    """One hand of a board; axes that the body lacks are 0."""
+    """Writes one hand into a board; axes that the body lacks are 0.
+
+    Args:
+        fields: see `view_fields`.
+        k: which hand, from 0.
+        mode: see `HandMode`.
+        node: that it holds, from 0; -1: none.
+        target: where the hand is; empty: at the place [m].
+        place: of what it holds or pushes with [m].
+        force: of the hand on the object; empty: none [N].
+        radius: of the ball that pushes; 0: it holds [m].
+    """
     fields["mode"][k] = HAND_MODES.index(mode)
     fields["node"][k] = node
     fields["radius"][k] = radius

@@ -30,7 +30,6 @@ from cotouch.session._emulate import path_laws
 from cotouch.session._file import SessionFile
 from cotouch.session._replica import Replica
 from cotouch.session._tape import Tape
-from cotouch.session._told import ToldHand
 
 Float = npt.NDArray[np.float64]
 
@@ -44,6 +43,14 @@ class Emulator(Protocol):
 
     def set(self, neighbour: int, law: PathLaw) -> None:
         """Changes it."""
+        ...
+
+
+class Shown(Protocol):
+    """A hand that can be seen."""
+
+    def show(self, fields: dict[str, npt.NDArray[Any]]) -> None:
+        """Writes what it does into a board's fields; see `view_fields`."""
         ...
 
 
@@ -105,7 +112,8 @@ class Window:
         self._closing: tuple[Thread, int] | None = None
         self._copy: Copy | None = None
         self._ports: list[int] = []
-        self._hand: ToldHand | None = None
+        self._hand: Shown | None = None
+        self._told = False  # whether the hand asks for wishes by itself
         self._order: npt.NDArray[np.int64] | None = None
         self._model: Model | None = None
         self._life = both_clocks()[1]
@@ -120,9 +128,15 @@ class Window:
         before, self._seen = self._seen, orders
         return wish_of(orders) if orders["hand"] != before["hand"] else None
 
-    def holds(self, hand: ToldHand | None, seat: int) -> None:
-        """The copy has another hand, in a seat; None: one that is not told anything, a device."""
-        self._hand = hand
+    def holds(self, hand: Shown, seat: int, *, told: bool) -> None:
+        """The copy has another hand.
+
+        Args:
+            hand: what it does is shown.
+            seat: of the copy.
+            told: whether it asks for wishes; a device's does not.
+        """
+        self._hand, self._told = hand, told
         self._fields["seat"][()] = seat
         small = self._replica.body.nodes <= _SMALL
         self._skip = 1 if small else max(1, int(1.0 / (self._session.period(seat) * _VIEWS)))
@@ -135,7 +149,7 @@ class Window:
             seat: of the member, if it has one.
             emulator: takes laws.
         """
-        if self._hand is None or self._copy is None or self._copy.peer is None:
+        if not self._told or self._copy is None or self._copy.peer is None:
             self.wishes()  # nobody else asks yet
         orders = self._seen
         if orders["impaired"] != self._applied and seat is not None:
