@@ -36,7 +36,8 @@ def test_another_thread_s_jobs_are_done_in_turn_and_mistakes_go_back() -> None:
         jobs.turn()
         if not any(thread.is_alive() for thread, _ in waiting):
             break
-        waiting[0][0].join(0.01)
+        for thread, _ in waiting:
+            thread.join(0.01)
     assert waiting[0][1] == ["done"]
     assert where == [threading.get_ident()]
     assert str(waiting[1][1][0]) == "no"
