@@ -368,6 +368,7 @@ def _hand(
             period=session.period(seat),
             longest=session.options.longest_step,
             link=held.link,
+            devices=session.options.devices,
         )
         if window is not None:
             window.holds(driven, seat, told=False)
