@@ -7,6 +7,16 @@ import typer
 
 from cotouch.cli._options import AsJson, PageListen, PagePort
 
+Invited = Annotated[
+    str,
+    typer.Argument(help="The line that the host printed, or - to read it from standard input.", show_default=False),
+]
+OwnAddress = Annotated[
+    str | None,
+    typer.Option(
+        help="Address of this machine, in numbers; by default the one that leads to the host.", show_default=False
+    ),
+]
 _DEMO = 30.0  # [s]
 
 
@@ -35,10 +45,7 @@ def host(
 
 
 def join(
-    invitation: Annotated[
-        str,
-        typer.Argument(help="The line that the host printed, or - to read it from standard input.", show_default=False),
-    ],
+    invitation: Invited,
     name: Annotated[
         str | None, typer.Option(help="That the others see; by default yours on this machine.", show_default=False)
     ] = None,
@@ -52,12 +59,7 @@ def join(
     seconds: Annotated[
         float | None, typer.Option(help="How long; by default until the end.", show_default=False)
     ] = None,
-    listen: Annotated[
-        str | None,
-        typer.Option(
-            help="Address of this machine, in numbers; by default the one that leads to the host.", show_default=False
-        ),
-    ] = None,
+    listen: OwnAddress = None,
     record: Annotated[Path | None, typer.Option(help="Record into this MCAP file.", show_default=False)] = None,
     headless: Annotated[bool, typer.Option("--headless", help="Show no table.")] = False,
     boards: Annotated[Path | None, typer.Option(hidden=True)] = None,
@@ -88,20 +90,12 @@ def join(
 
 
 def measure(
-    invitation: Annotated[
-        str,
-        typer.Argument(help="The line that the host printed, or - to read it from standard input.", show_default=False),
-    ],
+    invitation: Invited,
     seconds: Annotated[float, typer.Option(help="How long to watch.", min=0.5)] = 10.0,
     out: Annotated[
         Path | None, typer.Option(help="Write the network to this TOML file, for cotouch plan.", show_default=False)
     ] = None,
-    listen: Annotated[
-        str | None,
-        typer.Option(
-            help="Address of this machine, in numbers; by default the one that leads to the host.", show_default=False
-        ),
-    ] = None,
+    listen: OwnAddress = None,
     as_json: AsJson = False,
 ) -> None:
     """Measure how far those who take part in a session are from each other, without taking part."""
