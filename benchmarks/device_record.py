@@ -45,7 +45,7 @@ from cotouch.haptics import (
     virtual_limit,
 )
 from cotouch.peer import FreshestLink, Peer, Sample
-from cotouch.session import SessionFile
+from cotouch.session import Seat, SessionFile
 from cotouch.session._device_hand import DeviceHand
 from cotouch.session._replica import Replica
 
@@ -241,15 +241,15 @@ class _Seat:
         settings = ServoSettings(device=DeviceChoice("none"), folder=None, coupling=coupling)  # type: ignore[arg-type]
         self.wire = _Wire(rng, clock, settings, self.spec)
         kernels = replica.model(_SEATS)
-        self.hand = DeviceHand(
-            replica.scenario,
-            replica.body,
-            kernels,
-            seat=seat,
+        at = Seat(
+            scenario=replica.scenario,
+            body=replica.body,
+            model=kernels,
+            index=seat,
             period=slowest,
             longest=10.0 * slowest,
-            link=self.wire,  # type: ignore[arg-type]
         )
+        self.hand = DeviceHand(at, link=self.wire)  # type: ignore[arg-type]
         self.core = ServoCore(self.spec, self.limits, self.wire.options)
         self.body, self.kernels = replica.body, kernels
         self.force = np.zeros(3)

@@ -119,7 +119,8 @@ class _Pulled:
             self._first = report.place if self._first is None else self._first
             self._end.pull(self._first, report.place, report.rate, report.word, 0.002)
             self.link.order(self._first, self._end.purse.word)
-        self.link.notices()
+        for text in self.link.notices():
+            print(text, file=sys.stderr)
 
 
 def _held(links: list[_Pulled], seconds: float) -> None:

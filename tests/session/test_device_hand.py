@@ -18,7 +18,7 @@ from cotouch.errors import DeviceError, SessionError
 from cotouch.haptics import Cause, CouplingChoice, EndOptions, Flag, Report, Word
 from cotouch.peer import Peer
 from cotouch.recording import audit, read_recording
-from cotouch.session import HAND_MODES, MemberProcess, SessionFile, open_host
+from cotouch.session import HAND_MODES, MemberProcess, Seat, SessionFile, open_host
 from cotouch.session._boards import BoardFolder, view_fields
 from cotouch.session._desk import Desk
 from cotouch.session._device_hand import DeviceHand
@@ -84,16 +84,7 @@ def led(text: str, towards: list[float], *links: Led) -> tuple[DeviceHand, Peer,
     replica = Replica.build(session)
     model, links = replica.model(1), links or (Led(),)
     link = links[0]
-    hand = DeviceHand(
-        replica.scenario,
-        replica.body,
-        model,
-        seat=0,
-        period=5e-3,
-        longest=0.05,
-        link=links,  # type: ignore[arg-type]
-        devices=session.options.devices,
-    )
+    hand = DeviceHand(Seat.of(session, replica, 0, model), link=links)  # type: ignore[arg-type]
     shape = (replica.body.nodes, replica.body.dimension)
     peer = Peer(
         index=0,
@@ -284,7 +275,7 @@ def _body(text: str):
 def test_a_hand_without_its_device_does_nothing():
     session = SessionFile.from_toml(BLOCK, source="a test")
     replica = Replica.build(session)
-    hand = DeviceHand(replica.scenario, replica.body, replica.model(1), seat=1, period=5e-3, longest=0.05, link=None)
+    hand = DeviceHand(Seat.of(session, replica, 1, replica.model(1)), link=None)
     hand.before(5e-3, 5e-3)
     hand.after()
     assert hand.tools is not None

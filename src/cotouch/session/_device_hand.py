@@ -21,9 +21,9 @@ from cotouch.scenario import (
 )
 from cotouch.scenario._tables import Hand as HandTable
 from cotouch.session._boards import size_of
-from cotouch.session._device_table import DeviceTable, coupling_of_seat
+from cotouch.session._device_table import coupling_of_seat
 from cotouch.session._grasped import Ball, Grasped, Node, more
-from cotouch.session._hand import no_grips
+from cotouch.session._hand import Seat, no_grips
 
 Float = npt.NDArray[np.float64]
 _NOWHERE: Vector = (0.0, 0.0, 0.0)
@@ -46,32 +46,21 @@ class DeviceHand:
 
     def __init__(
         self,
-        scenario: Scenario,
-        body: Body,
-        model: Model,
+        at: Seat,
         *,
-        seat: int,
-        period: float,
-        longest: float,
         link: ServoLink | Sequence[ServoLink] | None,
-        devices: Sequence[DeviceTable] = (),
     ) -> None:
         """Takes tools of the seat, or such that fit the body; what the file's hands do there is left out.
 
         Args:
-            scenario: of the session, with its hands at nodes (`Scenario.placed`).
-            body: the shared object.
-            model: the same for the kernels.
-            seat: whose.
-            period: usual length of a step [s].
-            longest: greatest length of a step [s].
+            at: the copy.
             link: to the device, or to each of several; None: nobody holds one, for steps that nobody sees.
-            devices: what the session's file says of devices.
 
         Raises:
             ScenarioError: a tool is wrong.
             DeviceError: the seat has no such tool, or a coupling does not fit its device.
         """
+        scenario, body, model, seat = at.scenario, at.body, at.model, at.index
         links = [] if link is None else list(link) if isinstance(link, Sequence) else [link]
         wanted = _tools_wanted([one.said for one in links], seat)
         self.nodes: list[int] = []
@@ -86,7 +75,7 @@ class DeviceHand:
         tables = _tables(own, body, seat, wanted)
         if tables:
             still = np.zeros((users, body.nodes, body.dimension))
-            lengths = np.tile([period, longest], (users, 1))
+            lengths = np.tile([at.period, at.longest], (users, 1))
             self._touching, _ = touching_of(tables, users, body, model, lengths, start=still, ports=0)
             assert self._touching is not None
             self.surface = self._touching.surface
@@ -96,7 +85,7 @@ class DeviceHand:
             held = self._grasp(scenario, body, model, _nodes(scenario, body, seat, wanted))
         self._holds = [_Unheld(one) for one in held]
         if links:
-            found = [coupling_of_seat(scenario, devices, seat, number) for number in wanted]
+            found = [coupling_of_seat(scenario, at.devices, seat, number) for number in wanted]
             self._holds = [_Hold(one, link, below, body) for one, link, below in zip(held, links, found, strict=True)]
 
     def attach(self, position: Float) -> None:
@@ -136,11 +125,9 @@ class DeviceHand:
         self.grips = no_grips(model, hands.row.tolist())._replace(
             first=int(hands.first[seat]), last=int(hands.first[seat + 1]), shape=hands.shape
         )
-        rest = [(*body.rest[node - 1].tolist(), 0.0, 0.0)[:3] for node in nodes]
-        self._nodes = [
-            Node(self.grips, body.dimension, node - 1, place, own.tolist())
-            for node, place, own in zip(nodes, rest, ports, strict=True)
-        ]
+        for node, own in zip(nodes, ports, strict=True):
+            x, y, z = (*body.rest[node - 1].tolist(), 0.0, 0.0)[:3]
+            self._nodes.append(Node(self.grips, body.dimension, node - 1, (x, y, z), own.tolist()))
         return list(self._nodes)
 
 
