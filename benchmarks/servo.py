@@ -8,6 +8,7 @@ that holds its last force for ever. The growth needs no quiet machine, all the r
 """
 
 import argparse
+import contextlib
 import os
 import signal
 import subprocess
@@ -41,6 +42,7 @@ from cotouch.haptics import (
     open_device,
 )
 from cotouch.haptics._boards import OrderWriter
+from cotouch.pacing import prepare_process
 
 ROOT = str(Path(__file__).parent.parent)
 SECONDS, TIMES, CYCLES = 10.0, 3, 5000
@@ -263,6 +265,9 @@ def growth(seconds: float) -> list[Row]:
     rows: list[Row] = []
     with tempfile.TemporaryDirectory() as folder, ExitStack() as stack:
         service = stack.enter_context(inverse_service(Path(folder), "--long"))
+        with contextlib.suppress(OSError, AttributeError):  # or a busy machine ends the device in these ten minutes
+            os.sched_setscheduler(service.process.pid, os.SCHED_FIFO, os.sched_param(15))
+        stack.enter_context(prepare_process())
         choices = {
             "simulated device": DeviceChoice("simulated"),
             "Inverse3": DeviceChoice("haply", {"url": service.url, "events": service.events}),

@@ -19,8 +19,9 @@ from cotouch.haptics._boards import OrderWriter, ReportReader
 from cotouch.haptics._core import Order, Report
 from cotouch.haptics._coupling import CouplingChoice, coupling_of
 from cotouch.haptics._ends import EndOptions, Word
+from cotouch.haptics._notices import Notices
 from cotouch.haptics._registry import DeviceChoice, driver
-from cotouch.haptics._safety import FOR_GOOD, LATCHED, NO_CAUSE, Cause, Vector, spoken
+from cotouch.haptics._safety import NO_CAUSE, Cause, Vector
 from cotouch.haptics._settings import ServoSettings, spec_from
 
 # The servo is started before the guardian loads what it needs itself, so that both load at the same time.
@@ -41,10 +42,6 @@ raise SystemExit(main(line, servo))
 _PATIENCE = 300.0
 # A servo that says nothing for so long is gone [s].
 _GONE = 0.1
-# Causes that come and go in ordinary use and need no words.
-_USUAL = Cause.SATURATED | Cause.SLEW | Cause.RAMP | Cause.QUIET
-# The same words again only after this [s].
-_AGAIN = 1.0
 
 
 @final
@@ -99,12 +96,10 @@ class ServoLink:
         self._process: subprocess.Popen[bytes] | None = None
         self.report: Report | None = None
         self._rest = b""
-        self._notices: list[str] = []
-        self._causes, self._last_words, self._last_said = NO_CAUSE, "", -float("inf")
+        self._notices = Notices(clock)
         self._step = self._rearm = 0
         self._over = ""
         self._silent = False
-        self._felt = False  # whether there ever was force
         self.statistics: dict[str, Any] = {}
         self.process: dict[str, Any] = {}
         self._number = 0  # of the coupling
@@ -199,21 +194,14 @@ class ServoLink:
             self._take(said)
         if not self._over and self._process is not None and self._process.poll() is not None:
             self._over = "guardian"
-            self._notice("the program that watches over the device is gone; force is off")
-        self._felt = self._felt or (self.report is not None and not self.causes & ~_USUAL)
-        causes = self.causes & ~_USUAL if self._felt or self.causes & (FOR_GOOD | LATCHED) else NO_CAUSE
-        if causes != self._causes:
-            self._causes = causes
-            if causes:
-                self._notice(f"force is off or less: {spoken(causes)}")
-            elif self._last_words:
-                self._notice("force is back")
+            self._notices.say("the program that watches over the device is gone; force is off")
+        if self.report is not None:
+            self._notices.force(self.causes)
         silent = self.gone and not self._over
         if silent and not self._silent:
-            self._notice("nothing is heard of the device's servo; the proxy is left alone until it is back")
+            self._notices.say("nothing is heard of the device's servo; the proxy is left alone until it is back")
         self._silent = silent
-        fresh, self._notices = self._notices, []
-        return fresh
+        return self._notices.fresh()
 
     def close(self) -> None:
         """Ends the processes and takes the boards away; the device is stopped first."""
@@ -291,18 +279,11 @@ class ServoLink:
         if "guardian" in said:  # it may be slower to load than the servo
             self.process["guardian"] = said["guardian"]
         if said.get("fault"):
-            self._notice(f"the device failed: {said['fault']}")
+            self._notices.say(f"the device failed: {said['fault']}")
         elif "error" in said:
-            self._notice(f"the device failed: {said['error']}")
+            self._notices.say(f"the device failed: {said['error']}")
         elif "gone" in said:
             self._over = "servo"
-            self._notice(f"the device's servo is gone; the device was {said['halted']}")
+            self._notices.say(f"the device's servo is gone; the device was {said['halted']}")
         elif "still" in said:
-            self._notice("the device's servo stands still; its force was taken away from outside")
-
-    def _notice(self, text: str) -> None:
-        now = self._clock()
-        if text == self._last_words and now - self._last_said < _AGAIN:
-            return
-        self._last_words, self._last_said = text, now
-        self._notices.append(text)
+            self._notices.say("the device's servo stands still; its force was taken away from outside")
