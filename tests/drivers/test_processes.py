@@ -4,6 +4,7 @@ The Inverse Service keeps the last force for ever, the omega has the watchdog of
 nothing at all but being opened anew.
 """
 
+import contextlib
 import json
 import os
 import signal
@@ -20,13 +21,14 @@ from tests.drivers.standin import Board, Fault, Service
 from tests.stalls import Stalls
 
 from cotouch.haptics import Cause, DeviceChoice, ProxyEnd, ServoLink
+from cotouch.haptics._boards import ReportReader
 
 # A peer of its own; it says who is around the device, then pulls, with energy that never ends.
 PEER = """
 import json, sys, time
 from cotouch.haptics import Cause, DeviceChoice, ServoLink, Word
 link = ServoLink(DeviceChoice(sys.argv[1], json.loads(sys.argv[2])), real_time=None)
-print(link.servo, link.guardian, flush=True)
+print(link.servo, link.guardian, link._folder, flush=True)
 given = 1.0
 while True:
     link.read()
@@ -132,7 +134,10 @@ class Around:
         self.board = board
         self.peer = subprocess.Popen(command, stdout=subprocess.PIPE, text=True, cwd=ROOT)
         assert self.peer.stdout is not None
-        self.servo, self.guardian = map(int, self.peer.stdout.readline().split())
+        servo, guardian, folder = self.peer.stdout.readline().split()
+        self.servo, self.guardian = int(servo), int(guardian)
+        self.reports = ReportReader(Path(folder))
+        self.reports.read()
         self.until(lambda: pushes(board), "force")
 
     def until(self, done: Callable[[], object], what: str) -> None:
@@ -154,6 +159,9 @@ class Around:
         self.peer.wait()
         assert self.peer.stdout is not None
         self.peer.stdout.close()
+        self.reports.close()
+        with contextlib.suppress(OSError):
+            os.kill(self.guardian, signal.SIGCONT)  # in case a test failed
         self.until(lambda: not _runs(self.servo) and not _runs(self.guardian), "no process")
 
 
@@ -166,6 +174,16 @@ def around(setting: Setting) -> Generator[Around]:
 
 def test_a_peer_that_is_killed_leaves_no_force_and_no_process(around: Around, stalls: Stalls):
     around.gone(signal.SIGKILL, stalls, at=[around.peer.pid])
+    around.until(lambda: not _runs(around.servo) and not _runs(around.guardian), "no process")
+
+
+@pytest.mark.parametrize("setting", ["haply"], indirect=True)
+def test_a_servo_sees_by_itself_that_its_peer_is_dead(around: Around, stalls: Stalls):
+    """Its guardian, which would see it as well, stands still; the pipe says it, before silence does."""
+    os.kill(around.guardian, signal.SIGSTOP)
+    around.gone(signal.SIGKILL, stalls, at=[around.peer.pid])
+    around.until(lambda: (report := around.reports.read()) is not None and report.causes & Cause.PEER, "the reason")
+    os.kill(around.guardian, signal.SIGCONT)
     around.until(lambda: not _runs(around.servo) and not _runs(around.guardian), "no process")
 
 
