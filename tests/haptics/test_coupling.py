@@ -100,8 +100,12 @@ def test_another_coupling_leaves_what_is_latched():
     for k in range(20):
         report = _cycle(core, k, 2e-3 * k, Order(time=0.0, place=(0.0, 0.0, 0.0)))
     assert report.causes & Cause.FAST
-    report = _cycle(core, 20, 0.04, Order(time=0.0, coupling=1, options=EndOptions()))
+    for k in range(20, 60):  # at rest again
+        report = _cycle(core, k, 0.038, Order(time=0.0))
+    report = _cycle(core, 60, 0.038, Order(time=0.0, coupling=1, options=EndOptions()))
     assert report.causes & Cause.FAST
+    report = _cycle(core, 61, 0.038, Order(time=0.0, coupling=1, options=EndOptions(), rearm=1))
+    assert not report.causes & Cause.FAST
 
 
 def test_whoever_is_not_watched_fades_and_comes_back():

@@ -62,6 +62,7 @@ class Led:
     place: np.ndarray = field(default_factory=lambda: np.array([0.01, -0.02, 0.03]))
     orders: list = field(default_factory=list)
     given: float = 0.0
+    rate: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
     def couple(self, below: CouplingChoice) -> EndOptions:
         self.below = below
@@ -72,7 +73,7 @@ class Led:
         place = tuple(self.place.tolist())
         nothing = (0.0, 0.0, 0.0)
         word = Word(given=self.given)
-        return Report(0.0, 1, place, nothing, nothing, nothing, word, 0.0, 0.0, Cause(0), 0, Flag(0))
+        return Report(0.0, 1, place, self.rate, nothing, nothing, word, 0.0, 0.0, Cause(0), 0, Flag(0))
 
     def order(self, place, word, *, enable=True) -> None:
         self.orders.append((place, word))
@@ -174,6 +175,22 @@ def test_with_a_scale_the_body_moves_farther_and_the_device_feels_more(text: str
     if tools is None:  # a spring of 20 N/m holds the point: it is s² times as stiff for the device
         assert place[0] == pytest.approx(0.99 * towards[0] * 500.0 / (500.0 + 20.0 * s * s), rel=0.02)
     assert residual < 1e-12
+
+
+@pytest.mark.parametrize("text", [POINT, TOOL], ids=["node", "tool"])
+def test_the_damper_pulls_towards_the_velocity_of_the_device_in_its_own_metres(text: str):
+    session = SessionFile.from_toml(text, source="a test")
+    replica = Replica.build(session)
+    link = Led(said=CouplingChoice(scale=4.0, damping=3.0), rate=(0.02, 0.0, 0.0))
+    hand = DeviceHand(Seat.of(session, replica, 0, replica.model(1)), link=[link])  # type: ignore[list-item]
+    hand.before(5e-3, 5e-3)
+    damping, push = (
+        (hand.grips.damping[0], hand.grips.push[0, 0])
+        if hand.tools is None
+        else (hand.tools.drive_damping[0], hand.tools.push[0, 0])
+    )
+    assert damping == pytest.approx(3.0 / 16.0)
+    assert push == pytest.approx(damping * 4.0 * 0.02)  # the body's velocity is four times the device's
 
 
 def test_a_device_in_each_hand_moves_a_tool_each():
