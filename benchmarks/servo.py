@@ -48,6 +48,8 @@ ROOT = str(Path(__file__).parent.parent)
 SECONDS, TIMES, CYCLES = 10.0, 3, 5000
 # What a servo and its guardian grow by in their first minute is what they need [s]; then they are looked at so often.
 _SETTLE, _EVERY = 60.0, 10.0
+# A busy machine may end a device before its time; then another is taken.
+_ATTEMPTS = 5
 _GROWTH = "servo memory"
 
 
@@ -189,27 +191,34 @@ def deaths(times: int) -> list[Row]:
     rows: list[Row] = []
     before = load()
     for what, (whom, number) in _DEATHS.items():
-        found: list[float] = []
-        for _ in range(times):
-            with tempfile.TemporaryDirectory() as folder:
-                plant = plants.Plant(Path(folder))
-                try:
-                    with _around(plant, whom) as pids:
-                        _until(lambda plant=plant: plant.force > 0.0)
-                        _rest(0.5)
-                        _until(lambda plant=plant: plant.force > 0.0)
-                        began = time.monotonic()
-                        for pid in pids:
-                            os.kill(pid, number)
-                        _until(lambda plant=plant, began=began: plant.gone_after(began) < np.inf)
-                        found.append(plant.gone_after(began))
-                finally:
-                    plant.close()
+        found = [_death(whom, number) for _ in range(times)]
         each = ", ".join(f"{1e3 * value:.0f}" for value in found)
         rows.append(
             Row("servo", f"force gone, {what}", f"{1e3 * max(found):.0f} ms", "< 100 ms", f"{each} ms; {before}")
         )
     return rows
+
+
+def _death(whom: str, number: int) -> float:
+    """Once; begun again where a busy machine ended the device beforehand [s]."""
+    for _ in range(_ATTEMPTS):
+        with tempfile.TemporaryDirectory() as folder:
+            plant = plants.Plant(Path(folder))
+            try:
+                with _around(plant, whom) as pids:
+                    if not _comes(lambda plant=plant: plant.force > 0.0):
+                        continue
+                    _rest(0.5)
+                    if plant.force == 0.0:
+                        continue
+                    began = time.monotonic()
+                    for pid in pids:
+                        os.kill(pid, number)
+                    assert _comes(lambda plant=plant, began=began: plant.gone_after(began) < np.inf), whom
+                    return plant.gone_after(began)
+            finally:
+                plant.close()
+    raise AssertionError(f"no force that stays, to take it from: {whom}")
 
 
 _tending: list[Held] = []
@@ -238,13 +247,15 @@ def _around(plant: plants.Plant, whom: str) -> Generator[list[int]]:
             peer.kill()
 
 
-def _until(done: Callable[[], bool]) -> None:
-    """Waits, as a peer of whatever this process is the peer of."""
-    end = time.monotonic() + 60.0
+def _comes(done: Callable[[], bool], seconds: float = 20.0) -> bool:
+    """Whether it does in time; meanwhile this process is the peer of whatever it is the peer of."""
+    end = time.monotonic() + seconds
     while not done():
-        assert time.monotonic() < end
+        if time.monotonic() > end:
+            return False
         _tend()
         time.sleep(0.002)
+    return True
 
 
 def _rest(seconds: float) -> None:
