@@ -259,10 +259,11 @@ def _known_device(text: str) -> None:
     Raises:
         SessionError: it is none; the sentence names all that there are.
     """
-    from cotouch.haptics import DeviceChoice, device_names
+    from cotouch.haptics import device_names
+    from cotouch.session import device_choices
 
-    name = DeviceChoice.read(text).name
-    if "/" not in name and name not in device_names():
+    names = [choice.name for choice in device_choices(text) if "/" not in choice.name]
+    if not set(names) <= set(device_names()):
         known = ", ".join(["scripted (what the session's file says)", "none", *device_names()])
         raise SessionError(f'--device is "{text}"; it must be one of {known}')
 
