@@ -86,8 +86,11 @@ class Stage:
     def errors(self) -> str:
         return "\n".join(f"{path.name}: {path.read_text()[-2000:]}" for path in self.folder.glob("*.err"))
 
-    def wait(self, what: Callable[[], object], words: str, patience: float = PATIENCE) -> object:
-        """Until something is there and true."""
+    def complaint(self, words: str) -> str:
+        return f"{words}; seen: {self.seen.exists() and self.seen.read_text()}\n{self.errors()}"
+
+    def wait(self, what: Callable[[], object], words: str | Callable[[], str], patience: float = PATIENCE) -> object:
+        """Until something is there and true; words for when it is not may be found only then."""
         end = time.monotonic() + patience
         while True:
             try:
@@ -96,9 +99,7 @@ class Stage:
                 value = None
             if value:
                 return value
-            assert time.monotonic() < end, (
-                f"{words}; seen: {self.seen.exists() and self.seen.read_text()}\n{self.errors()}"
-            )
+            assert time.monotonic() < end, self.complaint(words if isinstance(words, str) else words())
             for name, process in self.members.items():
                 assert process.poll() in {None, -9, 0}, f"{name} ended: {self.errors()}"
             time.sleep(0.05)

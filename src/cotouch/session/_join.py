@@ -250,6 +250,9 @@ def _take_part(
 
     def tend(now: float) -> None:
         held.tend(tape, now)
+        for change in routed.events():
+            if tape is not None:
+                tape.event("way", change.time, seat=change.neighbour, reason=change.way.name.lower())
         if window is not None:
             window.service(now, member.seat, impaired)
             if member.copy is not None:
