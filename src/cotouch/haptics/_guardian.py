@@ -25,6 +25,8 @@ _LOOK = 0.005
 # A servo that stands still longer than this is ended [s]: where it can be stopped from outside; and where it cannot, so
 # that the system closes the device and its own watchdog acts.
 _KILL, _KILL_AT_ONCE = 1.0, 0.09
+# A look that comes so late means that the machine stood still, and the servo with it; it gets one more look [s].
+_LATE = 0.02
 _PATIENCE = 2.0
 
 
@@ -55,11 +57,13 @@ def _watch(servo: subprocess.Popen[str], settings: ServoSettings, chosen: Driver
     """Until the servo is gone, or should go."""
     reports = ReportReader(settings.folder)
     heard: float | None = None
+    looked = time.monotonic()
     said = False
     while servo.poll() is None and not asked:
         if _peer_is_gone(wait=_LOOK):
             return
         now = time.monotonic()
+        late, looked = now - looked > _LATE, now
         if reports.read() is not None:
             heard, said = now, False
         still = 0.0 if heard is None else now - heard
@@ -69,7 +73,7 @@ def _watch(servo: subprocess.Popen[str], settings: ServoSettings, chosen: Driver
             if not said:
                 said = True
                 _said(still=still)
-        if still > (_KILL_AT_ONCE if chosen.halt is None else _KILL):
+        if still > _KILL or (still > _KILL_AT_ONCE and chosen.halt is None and not late):
             servo.kill()
 
 
