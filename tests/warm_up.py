@@ -1,4 +1,4 @@
-"""Compiles the kernels of one width, and some of no width, into the cache on disk; run by `conftest.py` before workers would do so each."""
+"""Compiles kernels into the cache on disk, one width in each process; run by `conftest.py` before workers would do so."""
 
 import sys
 from pathlib import Path
