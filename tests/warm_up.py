@@ -1,4 +1,4 @@
-"""Compiles kernels into the cache on disk, one width in each process; run by `conftest.py` before workers would do so."""
+"""Compiles kernels into the cache on disk, a width in each process; run by `conftest.py` before workers would do so."""
 
 import sys
 from pathlib import Path
