@@ -90,6 +90,8 @@ def test_two_behind_nats_feel_each_other(tmp_path: Path, ports: str, way: str) -
             lacks += [f"{one.name} has ways {ways(one)}" for one in now if ways(one)[-1:] != [way]]
             return not lacks
 
+        for name in names:
+            played.wait(played.recordings[name][-1].exists, f"{name} does not move")
         played.wait(felt, lambda: f"did not move as one through a cycle of the hand: {lacks}")
         said = {name: played.stop(name) for name in names}
     recordings = judged(played, said, FORCE)
