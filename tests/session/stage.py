@@ -16,8 +16,8 @@ from cotouch.live import PathLaw
 from cotouch.recording import Audit, LinkPhase, Recording, audit, read_recording
 
 SPECTATOR = Path(__file__).with_name("spectator.py")
-# What any wait is bounded by [s]; what is waited for takes a twentieth of it, and longer on a busy machine. Networks and
-# who watches them live longer than any test, and end with it.
+# What any wait is bounded by [s]; what is waited for takes a twentieth of it, and longer on a busy machine. Networks,
+# and who watches, live longer than any test and end with it.
 LIFE = 900.0
 PATIENCE = 180.0
 RESIDUAL = 1e-9
