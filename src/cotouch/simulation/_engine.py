@@ -33,6 +33,7 @@ from cotouch.mechanics import (
     Tools,
     Workspace,
     at,
+    inner,
     kernel,
     load,
     mixed,
@@ -385,7 +386,7 @@ def run(
     return timing.order.shape[0]
 
 
-@kernel
+@inner
 def _add(array: Float, row: int, column: int, value: float) -> None:
     put(array, (row, column), at(array, (row, column)) + value)
 
@@ -396,7 +397,7 @@ def _copy(target: Float, source: Float, lanes: tuple[int, ...]) -> None:
         store(target, i, load(source, i, lanes), lanes)
 
 
-@kernel
+@inner
 def _delay_work(
     op: Operator, topology: Topology, fields: Fields, scratch: Scratch, s: int, T: float, lanes: tuple[int, ...]
 ) -> float:
@@ -419,7 +420,7 @@ def _delay_work(
     return T * at(topology.strength, s) * total(work)
 
 
-@kernel
+@inner
 def _spring_energies(
     op: Operator,
     topology: Topology,
@@ -453,7 +454,7 @@ def _spring_energies(
     return result
 
 
-@kernel
+@inner
 def _keep_user(
     record: Record,
     hands: Hands,
@@ -492,7 +493,7 @@ def _keep_user(
         put(record.slots, (1, s, entry), at(scratch.slot_running, (s, 1)))
 
 
-@kernel
+@inner
 def _unless_zero(books: Float, book: int, row: int, entry: int, value: float) -> None:
     if value != 0.0:
         put(books, (book, row, entry), value)
