@@ -110,12 +110,12 @@ def test_damping_is_lowered_behind_a_warning_and_restored_with_one_click(here: W
     assert here.did("damping") == []
     page.click("#lower")
     dialog.get_by_role("button", name="Lower it").click()
-    words(page, "#banner-damping", "lowered to 1\u202f%")
+    words(page, "#banner-damping", "lowered to 5\u202f%")
     words(page, "#verdict", "not guaranteed: Not passive")
-    words(other, "#banner-damping", "lowered to 1\u202f%")
+    words(other, "#banner-damping", "lowered to 5\u202f%")
     page.click("#banner-damping >> text=Restore now")
     page.wait_for_selector("#banner-damping", state="hidden")
-    assert here.did("damping") == [{"share": 0.01}, {"share": 1}]
+    assert here.did("damping") == [{"share": 0.05}, {"share": 1}]
 
 
 def test_a_recording_is_made_and_downloaded(here: World) -> None:

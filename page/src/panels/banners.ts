@@ -42,7 +42,7 @@ export function banners(context: Context): HTMLElement {
     banner("bad", "banner-damping", () => {
       const share = store.state?.damping ?? 1;
       restore.disabled = !can(context, "damping");
-      return store.connection === "open" && share < 1 ? `Damping is lowered to ${percent(share, 0)} of what is needed: the session is not passive.` : null;
+      return store.connection === "open" && share < 1 ? `Damping is lowered to ${percent(share, share < 0.01 ? 1 : 0)} of what is needed: the session is not passive.` : null;
     }, restore),
     banner("info", "banner-view", () =>
       store.connection === "open" && store.scene && !connection.hasToken

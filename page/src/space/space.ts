@@ -140,7 +140,7 @@ class Space implements View {
   probe(): object {
     const box = this.canvas.getBoundingClientRect();
     const at = project(this.orbit.camera, this.area[0]!, this.hold.target);
-    return { hold: this.hold, orbit: this.orbit, target: at && [at.x + box.left, at.y + box.top] };
+    return { space: this, hold: this.hold, orbit: this.orbit, target: at && [at.x + box.left, at.y + box.top] };
   }
 
   dispose(): void {
