@@ -46,7 +46,9 @@ export function banners(context: Context): HTMLElement {
     }, restore),
     banner("info", "banner-view", () =>
       store.connection === "open" && store.scene && !connection.hasToken
-        ? "You are watching. To take part, open the address with the token that cotouch printed."
+        ? connection.tokenWrong
+          ? "You are watching: the token in this address is not that of the session that runs now. Open the address that cotouch printed last."
+          : "You are watching. To take part, open the address with the token that cotouch printed."
         : null),
     banner("warn", "banner-control", () =>
       store.connection === "open" && connection.hasToken && !store.state?.ended && store.state?.control === "other"

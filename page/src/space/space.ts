@@ -402,9 +402,10 @@ class Space implements View {
       if (!at || at.x < cell.x || at.x > cell.x + cell.width || at.y < cell.y || at.y > cell.y + cell.height) continue;
       const force = hand.force > 0.005 * this.full ? newtons(hand.force) : "";
       if (this.side && !force) continue;
-      at.x = Math.min(at.x, cell.x + cell.width - (this.side ? 74 : 112));
+      const who = this.side ? "" : seat === mine && this.hold.holds ? "You" : named(seat);
+      at.x = Math.max(Math.min(at.x, cell.x + cell.width - Labels.wide(who, force)), cell.x);
       at.y = Math.max(at.y, cell.y + 34);
-      this.labels.put(`hand${seat}`, "hand", seat, this.side ? "" : seat === mine && this.hold.holds ? "You" : named(seat), force, at.x, at.y);
+      this.labels.put(`hand${seat}`, "hand", seat, who, force, at.x, at.y);
     }
   }
 }

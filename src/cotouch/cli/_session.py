@@ -100,6 +100,7 @@ def join(
     if not (headless or as_json) and sys.stdout.isatty():
         _with_table(decoded, name=name, hand=hand, seconds=seconds, listen=listen, record=record)
         return
+    parent = os.getppid()
     with interruptible() as stopped:
         taken = take_part(
             decoded,
@@ -114,7 +115,8 @@ def join(
             boards=boards,
             unsafe=unsafe,
             say=lambda text: None if as_json else _say(text),
-            stopped=stopped,
+            # Whoever shows it and tells it what to do has gone.
+            stopped=lambda: stopped() or (boards is not None and os.getppid() != parent),
         )
     if as_json:
         print_json(numbers(taken))

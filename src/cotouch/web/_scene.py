@@ -96,7 +96,7 @@ def state_message(
             "known": status is not None,
             "here": seat in here,
             "alive": overview.alive.get(seat),
-            "hand": view.hands[0].mode if view is not None and view.hands else "free",
+            "hand": _told(view),
         }
         for link in () if status is None else status.links:
             ends[f"{seat}-{link.seat}"] = link.model_dump()
@@ -120,6 +120,13 @@ def state_message(
         "pages": pages,
         "ended": overview.ended,
     }
+
+
+def _told(view: CopyView | None) -> str | None:
+    """What a hand does; None where it is led on another computer, so that nobody here knows."""
+    if view is not None and view.hands:
+        return view.hands[0].mode
+    return "free" if view is None or view.direct else None
 
 
 def _packed(array: Any, kind: str) -> str:
