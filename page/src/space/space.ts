@@ -27,6 +27,11 @@ export function mountSpace(element: HTMLElement, scene: Scene, store: Store, con
   return new Space(element, scene, store, connection, stats);
 }
 
+/** Waits until what was handed over is drawn; for measurements. */
+function finish(gl: WebGLRenderingContext | WebGL2RenderingContext): void {
+  gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+}
+
 class Space implements View {
   readonly canvas: HTMLCanvasElement;
   readonly orbit: Orbit;
@@ -57,6 +62,8 @@ class Space implements View {
   private height = 0;
   private shown: Frame | null = null;
   private dirty = true;
+  private came = 0;
+  private shadowed = { by: -1, left: 0 };
   private last = 0;
   private handle = 0;
   private peak = 0;
@@ -259,7 +266,11 @@ class Space implements View {
     const seconds = Math.min((now - this.last) / 1000, 0.1);
     this.last = now;
     const fresh = this.store.frame !== null && this.store.frame !== this.shown;
-    if (fresh) this.take(this.store.frame!);
+    const skipped = this.store.came - this.came - 1;
+    if (fresh) {
+      this.came = this.store.came;
+      this.take(this.store.frame!);
+    }
     let moving = this.orbit.step(calm.matches ? 1 : 1 - Math.exp(-seconds * 18));
     moving = this.touch.step(seconds) || moving;
     moving = this.haptic(seconds) || moving;
@@ -269,8 +280,9 @@ class Space implements View {
       this.dirty = false;
       this.render(now);
       if (fresh) {
+        if (this.stats.finishing) finish(this.renderer.getContext());
         this.stats.drew(this.shown!.echo, this.shown!.received, performance.now());
-        if (this.quality.took(seconds)) this.resize();
+        if (this.quality.took(skipped, seconds)) this.resize();
       }
     }
     if (moving) this.draw();
@@ -334,12 +346,16 @@ class Space implements View {
         const known = !told || told.some((other) => other.seat === seat);
         const ghost = !this.side && this.store.settings.ghosts && known && told;
         copy.show(copy === shown ? "solid" : ghost ? "ghost" : "hidden", this.flash(seat, now));
+        copy.thin(this.mine.moving, this.orbit.camera.position, common.apart.value);
         copy.order(away);
       }
       for (const [seat, hand] of this.hands) hand.group.visible = (!this.side || seat === cell.seat) && this.pose(seat, hand);
       this.dot.visible = !!this.hovered && cell === this.area[0];
       if (this.hovered) this.dot.position.fromArray(this.mine.moving.places, 3 * this.shape.corner[this.hovered.point]!);
-      this.ground.shadow(renderer, shown.moving, common.scale.value);
+      if (this.side || shown.seat !== this.shadowed.by || --this.shadowed.left <= 0) {
+        this.ground.shadow(renderer, shown.moving, common.scale.value);
+        this.shadowed = { by: shown.seat, left: this.quality.shadows };
+      }
       common.height.value = cell.height * this.quality.ratio;
       const bottom = this.height - cell.y - cell.height;
       renderer.setScissorTest(true);
