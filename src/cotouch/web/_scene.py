@@ -65,6 +65,15 @@ def nodes_of_points(body: Body) -> np.ndarray:
     return np.take_along_axis(body.skin.nodes, best[:, None], axis=1)[:, 0]
 
 
+def beside_nodes(body: Body) -> np.ndarray:
+    """From each drawn point's node to the point, at rest, (points, 3) [m]."""
+    if body.skin is None:
+        return np.zeros((body.nodes, 3))
+    rest = np.zeros((body.nodes, 3))
+    rest[:, : body.dimension] = body.rest
+    return np.asarray(body.skin.vertices) - rest[nodes_of_points(body)]
+
+
 def state_message(
     overview: Overview,
     views: Mapping[int, CopyView],
