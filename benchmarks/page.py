@@ -1,8 +1,8 @@
 """The page: frames and bytes a second, its server's share of a core, from a pointer to Python, from start to frame.
 
 The page is a process of its own that reads, acknowledges and points as a browser does. Copies are made beforehand and
-shown one after the other, so that what is measured is the server and not who makes them. Then the demonstration as users
-start it: what a page costs its process and its members' deadlines; and a browser. Some three and a half minutes.
+shown one after the other, so that what is measured is the server and not who makes them. Then the demonstration as
+users start it: what a page costs its process and its members' deadlines; and a browser. Some three and a half minutes.
 """
 
 import contextlib
@@ -179,7 +179,7 @@ def demonstration() -> list[Row]:
         found: dict[str, Any] = {}
 
         def span(name: str, action: Callable[[], Any]) -> None:
-            """Share of a core that the demonstration's process takes, and share of its members' steps that came late."""
+            """What it takes: share of a core of the demonstration, share of its members' steps that came late."""
             late, start, came = _late(address, token), _times_of(process), time.monotonic()
             found[name] = action()
             used = (_times_of(process) - start) / (time.monotonic() - came)

@@ -46,7 +46,7 @@ export class Quality {
       }
       this.drawn = this.missed = 0;
     }
-    if (this.kept > this.wait && this.level > 0) {
+    if (this.kept > this.wait && this.level > 0 && this.ratio < this.finest()) {
       this.level--;
       this.kept = this.drawn = this.missed = 0;
     }

@@ -21,6 +21,7 @@ import { Shape } from "./shape";
 import { Touch } from "./touch";
 
 const PULSE = 900; // ms
+const ABOVE = 46; // of the buttons over the picture [pixels]
 const calm = matchMedia("(prefers-reduced-motion: reduce)");
 
 export function mountSpace(element: HTMLElement, scene: Scene, store: Store, connection: Connection, stats: Stats): View {
@@ -220,7 +221,7 @@ class Space implements View {
 
   /** Force of one's own hand as far as it is known here: before an answer comes, that of its spring [N]. */
   private pull(): number {
-    if (!this.hold.holds) return 0;
+    if (!this.hold.holds || this.fresh) return 0; // just taken: where it is held is not looked at yet
     const told = this.shown?.copies.find((copy) => copy.seat === this.store.seat);
     if (this.hold.action === "ball") return told?.mode === "ball" ? Math.hypot(...told.force) : 0;
     return this.scene.stiffness * this.place.distanceTo(this.hold.target);
@@ -239,7 +240,10 @@ class Space implements View {
 
   private arrange(): void {
     const others = this.scene.users.map((user) => user.seat).filter((seat) => seat !== this.store.seat);
-    this.area = cells([this.store.seat, ...others], this.width, this.height, this.side);
+    // Side by side each has its name on top, below the buttons.
+    const above = this.side && this.height > 3 * ABOVE ? ABOVE : 0;
+    this.area = cells([this.store.seat, ...others], this.width, this.height - above, this.side);
+    for (const cell of this.area) cell.y += above;
     this.furniture.rules(this.area.length > 1 ? this.area : []);
   }
 
