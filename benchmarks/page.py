@@ -264,12 +264,6 @@ def _times_of(process: "subprocess.Popen[str]") -> float:
     return used.user + used.system
 
 
-def _cpu_of(process: "subprocess.Popen[str]", seconds: float) -> float:
-    start = _times_of(process)
-    time.sleep(seconds)
-    return (_times_of(process) - start) / seconds
-
-
 def _times(seconds: np.ndarray) -> str:
     if not seconds.size:
         return "none came"
@@ -283,8 +277,12 @@ def load() -> str:
 
 
 # Without a graphics card a simulated one draws: only the picture is to be drawn by it, not the page around it.
-_FLAGS = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
-_FLAGS += ["--disable-gpu-rasterization", "--disable-accelerated-2d-canvas"]
+_FLAGS = (
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--disable-gpu-rasterization",
+    "--disable-accelerated-2d-canvas",
+)
 # Wide windows, where the processor's drawing is the limit, and one so small that it hardly is.
 _CASES = (
     ("3d", "1,924", "≥ 55", 1280, 720),
@@ -304,7 +302,7 @@ def _chromium() -> Any:
     from playwright.sync_api import sync_playwright
 
     with sync_playwright() as playwright:
-        running = playwright.chromium.launch(executable_path=program, args=_FLAGS)
+        running = playwright.chromium.launch(executable_path=program, args=list(_FLAGS))
         try:
             yield running
         finally:

@@ -93,6 +93,19 @@ def test_a_gamepad_moves_the_hand_and_its_motors_tell_the_force(running: Browser
         wait(page, lambda: here.stage.pointers[-1][1].mode == "free")
 
 
+@pytest.mark.parametrize("kind", ["bare", "2d"])
+def test_nodes_and_the_edges_between_them_are_drawn(running: Browser, kind: Kind) -> None:
+    with shown(running, kind) as here:
+        page = here.open()
+        drawn = page.evaluate(
+            """() => [...window.cotouch.stage.probe().space.copies.values()][0].body.children.filter(({ visible }) => visible)
+                .map(({ type, geometry }) => [type, (geometry.index ?? geometry.attributes.position).count])"""
+        )
+        nodes, edges = here.stage.scene.body.nodes, page.evaluate("() => window.cotouch.store.scene.edges.length")
+        assert edges >= 2 * (nodes - 1)
+        assert drawn == [["Points", nodes], ["LineSegments", edges]]
+
+
 @pytest.mark.parametrize("calm", ["reduce", "no-preference"])
 def test_who_asked_for_less_motion_is_where_he_turned_to_at_once(running: Browser, calm: Any) -> None:
     with shown(running) as here:

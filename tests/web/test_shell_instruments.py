@@ -73,6 +73,12 @@ def test_every_joule_is_somewhere(here: World) -> None:
     )
     assert len(rows) == 6
     assert page.evaluate("() => document.querySelector('#energy thead th').textContent") == "mJ"
+    # What each column is, and whether it comes or goes.
+    heads = page.evaluate(
+        "() => [...document.querySelectorAll('#energy thead th')].slice(1).map((one) => one.textContent)"
+    )
+    wanted = ["hands", "+ links", "+ start", "+ shares", "− damped", "− in copy", "= rest"]
+    assert [" ".join(head.split()) for head in heads] == wanted
     for row in rows:
         hands, links, start, shared, damped, stored, left = row
         assert hands + links + start + shared - damped - stored == pytest.approx(0.0, abs=1.5)
