@@ -98,8 +98,11 @@ def test_nodes_and_the_edges_between_them_are_drawn(running: Browser, kind: Kind
     with shown(running, kind) as here:
         page = here.open()
         drawn = page.evaluate(
-            """() => [...window.cotouch.stage.probe().space.copies.values()][0].body.children.filter(({ visible }) => visible)
-                .map(({ type, geometry }) => [type, (geometry.index ?? geometry.attributes.position).count])"""
+            """() => {
+                const { body } = [...window.cotouch.stage.probe().space.copies.values()][0];
+                return body.children.filter(({ visible }) => visible).map(
+                    ({ type, geometry }) => [type, (geometry.index ?? geometry.attributes.position).count]);
+            }"""
         )
         nodes, edges = here.stage.scene.body.nodes, page.evaluate("() => window.cotouch.store.scene.edges.length")
         assert edges >= 2 * (nodes - 1)
