@@ -103,8 +103,16 @@ def join(
     if not (headless or as_json) and sys.stdout.isatty():
         _with_table(decoded, part)
         return
+    parent = os.getppid()
     with interruptible() as stopped:
-        taken = take_part(decoded, part, warn=_warn, say=lambda text: None if as_json else _say(text), stopped=stopped)
+        taken = take_part(
+            decoded,
+            part,
+            warn=_warn,
+            say=lambda text: None if as_json else _say(text),
+            # Whoever shows it and tells it what to do has gone.
+            stopped=lambda: stopped() or (part.boards is not None and os.getppid() != parent),
+        )
     if as_json:
         print_json(numbers(taken))
     else:
