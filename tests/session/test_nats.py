@@ -11,7 +11,7 @@ from tests.live.test_nats import Yard, obstacle, yard
 from tests.session.stage import calmest, judged, stage, worst_force
 from tests.session.test_networks import FORCE, hand
 
-from cotouch.recording import LinkPhase, read_recording
+from cotouch.recording import LinkPhase
 
 no_nats = obstacle()
 pytestmark = [pytest.mark.slow, pytest.mark.skipif(no_nats is not None, reason=f"no NATs here: {no_nats}")]
@@ -52,11 +52,7 @@ def test_two_behind_nats_feel_each_other(tmp_path: Path, ports: str, way: str) -
         for name in names:
             played.join(name)
 
-        def coupled() -> bool:  # who watches does not see everybody behind a NAT; recordings say it, too
-            now = [read_recording(played.recordings[name][-1]).columns["phase"] for name in names]
-            return all(phase.shape[1:] == (1,) and (phase[-40:] == LinkPhase.COUPLED).all() for phase in now)
-
-        played.wait(coupled, "not coupled")
+        played.wait(played.coupled(*names, links=1), "not coupled")  # the host hands on what watchers do not see
         since = time.monotonic()
         time.sleep(4.5)  # the hand goes, and rests, and comes back
         said = {name: played.stop(name) for name in names}
