@@ -13,7 +13,7 @@ from tests.live.test_networks import DELAY, LINKS
 from tests.session.stage import apart, calmest, everywhere, judged, stage
 
 from cotouch.live import PathLaw
-from cotouch.recording import LinkPhase
+from cotouch.recording import LinkPhase, Recording
 
 no_star = obstacle()
 pytestmark = [
@@ -43,10 +43,17 @@ def hand(rest: float) -> str:
     return HAND.format(path=", ".join(places), force=FORCE)
 
 
+# Of all links: budgets are back once a window and a fifth have passed, and messages of up to a second each way; who
+# watches hears of it a second later [s].
+WINDOW = 2.0
+RECOVERY = 1.2 * WINDOW + 4.0 + 1.0 + 2.5
+FAULTS = {"jitter": {"jitter": 0.2}, "reordering": {"reordering": 0.5, "hold": 0.05}, "loss": {"loss": 0.3}}
+
+
 def papers() -> str:
     text = (ROOT / "examples" / "live.toml").read_text()
     table = text[: text.index("[session]")].replace("rate = 500", "rate = 200")
-    return table + hand(5.0)
+    return table + hand(5.0).replace("window = 4.0", f"window = {WINDOW}")
 
 
 THREE = """
@@ -64,6 +71,7 @@ rate = 200
 
 def test_the_papers_network_with_jitter_reordering_and_loss(tmp_path: Path) -> None:
     names = ["Ann", "Ben", "Cleo", "Dan", "Eve"]
+    times: dict[str, tuple[float, float, float]] = {}
 
     def paths(**more: float) -> None:
         everywhere(lambda i, j: PathLaw(delay=DELAY[i][j], **more), star, range(5))
@@ -78,22 +86,45 @@ def test_the_papers_network_with_jitter_reordering_and_loss(tmp_path: Path) -> N
             for name in names:
                 played.join(name)
             played.wait(played.coupled(*names, links=len(LINKS)), "not all came together")
-            before = time.monotonic()
-            time.sleep(6.0)
-            for law in ({"jitter": 0.2}, {"reordering": 0.5, "hold": 0.05}, {"loss": 0.3}):
+            before = played.budgets()
+            since = time.monotonic()
+            time.sleep(5.9)
+            for what, law in FAULTS.items():
+                began = time.monotonic()
                 paths(**law)
                 time.sleep(4.0)
-            paths()
-            played.wait(played.coupled(*names, links=len(LINKS)), "not all came together again")
-            calm = time.monotonic()
-            time.sleep(6.0)
+                paths()
+                ended = time.monotonic()
+
+                def recovered() -> bool:
+                    now = played.budgets()
+                    wide = [pair for pair, total in before.items() if now.get(pair, np.inf) > 1.25 * total]
+                    return not wide and played.coupled(*names, links=len(LINKS))()
+
+                played.wait(recovered, f"not as before after {what}", patience=RECOVERY)
+                times[what] = began, ended, time.monotonic()
+                time.sleep(5.9)
             said = {name: played.stop(name) for name in names}
     recordings = judged(played, said, FORCE)
-    # So long ages need so much damping that copies are always on their way. What the jitter asked for stays in the
-    # budgets for a window and the patience with it, 9 s: meanwhile copies follow by so much more slowly.
-    near, again = (float(apart(recordings, np.arange(t, t + 5.9, 0.01)).max()) for t in (before, calm))
+    # In each stretch the hand goes once and rests. Long ages need much damping: copies are always on their way.
+    near, calm = farthest(recordings, since), calmest(recordings, since, since + 5.9)
     assert near < 0.04
-    assert again < 1.25 * near
+    for what, (began, ended, again) in times.items():
+        assert guarded(recordings, began + 0.5, ended) > 0.02, what
+        assert guarded(recordings, again, again + 5.9) < 0.01, what
+        assert farthest(recordings, again) < 1.1 * near, what
+        assert calmest(recordings, again, again + 5.9) < max(1.5 * calm, 0.5 * NEAR), what
+
+
+def farthest(recordings: list[Recording], since: float) -> float:
+    """Most that copies are apart while the hand goes once and rests."""
+    return float(apart(recordings, np.arange(since, since + 5.9, 0.01)).max())
+
+
+def guarded(recordings: list[Recording], begin: float, end: float) -> float:
+    """Share of their time in which ends of links were guarded."""
+    phases = [r.columns["phase"][(r.columns["end"] > begin) & (r.columns["end"] < end)].ravel() for r in recordings]
+    return float((np.concatenate(phases) == LinkPhase.GUARDED).mean())
 
 
 def test_partition_one_way_outage_crash_of_a_member_and_of_the_host(tmp_path: Path) -> None:

@@ -4,9 +4,6 @@ A path that is too narrow shows it by losses or by a queue: the way there and ba
 may also be the path's own, as on a bad radio link, and waiting may be jitter, and then sending less only makes samples
 older. They are told apart by trying another rate: over a full path arrives what it bears, whatever is sent; over any
 other arrives half as much when half as much is sent, with losses and waiting as before.
-
-What ends while it is tried looks like a full path, too. So the way up is in steps of half the distance to the rate that was
-clean last, as long as nothing is lost on the way there; beyond it, or if it proves too much once, in small ones.
 """
 
 from enum import Enum
@@ -85,8 +82,6 @@ class SendRate:
         self._before_silence = highest
         self._before_cap = 0.0
         self._rest = 0
-        self._clean = 0.0  # the greatest rate that was clean lately
-        self._doubted = False  # whether the path was found full since it was reached
 
     def cap(self, most: float) -> None:
         """Nothing above this is sent from now on, not even to try; the way that it is for bears no more [1/s].
@@ -180,10 +175,7 @@ class SendRate:
         else:
             self.own_loss *= _FORGET
             self.own_wait *= _FORGET
-            if self.rate >= self._clean:
-                self._clean, self._doubted = self.rate, False
-            step = max(_UP * self._highest, 0.5 * (self._clean - self.rate))
-            self.rate = min(self._highest, self.rate + step)
+            self.rate = min(self._highest, self.rate + _UP * self._highest)
             self.trend = Trend.UP
 
     def _conclude(self, rate: float, before: _Interval, seen: _Interval, sent: int) -> None:
@@ -197,9 +189,6 @@ class SendRate:
         if full:
             if rate < self.rate:
                 self._rest = _REST
-            if self._doubted:
-                self._clean = 0.0
-            self._doubted = True
             self._turn(min(rate, self.rate), Trend.FULL, sent)
         else:
             self.own_loss = max(self.own_loss, 0.5 * (lower.loss + higher.loss))
