@@ -1,10 +1,10 @@
 """Whether something that is looked at again and again grows: its slope, and how sure that is.
 
 Memory does not scatter around a line: it stands still, jumps, and stays where it jumped to. A line fitted through such
-steps looks far surer than it is. So the time is cut into blocks, and the slope is the mean rise from where one block begins to
-where the next does: rises of a walk are independent of each other where its values are not [Student's t for their mean].
-If values do scatter around a line instead, neighbouring rises make up for each other and the interval is wider than it
-need be.
+steps looks far surer than it is. So the time is cut into blocks, and the slope is the mean rise from where one block
+begins to where the next does: rises of a walk are independent of each other where its values are not [Student's t for
+their mean]. If values do scatter around a line instead, neighbouring rises make up for each other and the interval is
+wider than it need be.
 """
 
 from typing import NamedTuple
@@ -55,7 +55,10 @@ def trend(times: Float, values: Float, *, blocks: int = BLOCKS) -> Trend:
     """
     edges = np.linspace(times[0], times[-1], blocks + 1)
     length = edges[1] - edges[0]
-    begins = [values[(times >= edge) & (times <= edge + _BEGIN * length)] for edge in (*edges[:-1], times[-1] - _BEGIN * length)]
+    begins = [
+        values[(times >= edge) & (times <= edge + _BEGIN * length)]
+        for edge in (*edges[:-1], times[-1] - _BEGIN * length)
+    ]
     if not all(part.size for part in begins):
         raise ValueError(f"{times.size} values do not fill {blocks} blocks of time")
     means = np.array([part.mean() for part in begins])

@@ -18,6 +18,7 @@ import numpy as np
 
 from benchmarks._report import Row, command, interleave
 from cotouch.live import (
+    OVERHEAD,
     Agreement,
     Assembly,
     Codec,
@@ -27,7 +28,6 @@ from cotouch.live import (
     LinkKeys,
     SampleLink,
     SamplePlane,
-    OVERHEAD,
     SealedLink,
     SendRate,
     UdpTransport,

@@ -5,8 +5,8 @@ talk through a transport that loses everything for a while in the session's own 
 that memory stays flat, books balance, and the audit of all recordings, those of killed members too, holds.
 
 Memory is judged by those who live all the time, the host and the first member, who is cut off and stopped but never
-killed: by the slope over the last half of their lives, with its 95 % interval (`_trend.py`). It is flat if that does not
-lie above zero and ends below 0.1 MB/min, it grows if it does, and otherwise the run was too short to say.
+killed: by the slope over the last half of their lives, with its 95 % interval (`_trend.py`). It grows if all of that is
+above zero, it is flat if not and if it ends below 0.1 MB/min, and otherwise the run was too short to say.
 """
 
 import argparse

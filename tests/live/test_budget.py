@@ -58,7 +58,10 @@ class Pair:
         both = first.budget + second.budget
         for k, end in enumerate(self.ends):
             self.fresh[k] = None if np.isinf(end.budget) else self.now if self.fresh[k] is None else self.fresh[k]
-        caught = [since is not None and self.now - since >= end.total for since, end in zip(self.fresh, self.ends)]
+        caught = [
+            since is not None and self.now - since >= end.total
+            for since, end in zip(self.fresh, self.ends, strict=True)
+        ]
         if np.isfinite(both) and all(caught):
             from_then = max(self.now - both, *self.since)
             for then, *covered in self.history:

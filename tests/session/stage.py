@@ -58,7 +58,7 @@ class Stage:
             self.invitation,
             network.address(at + 1),
             str(self.seen),
-            "150",
+            "350",
             program=[str(SPECTATOR)],
         )
 

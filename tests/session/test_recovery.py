@@ -32,8 +32,8 @@ stiffness = 60.0
 damping = 2.0
 """
 BEGIN, END = 6.0, 9.0
-# What was bad is in the window for so long, and a fifth of it longer less must do. Then damping falls, and what copies are
-# elsewhere by falls with it: by half in 0.5 s, because one hand of 60 N/m moves three copies with 12 Ns/m each.
+# What was bad is in the window for so long, and a fifth of it longer less must do. Then damping falls, and what copies
+# are elsewhere by with it: by half in 0.5 s, because one hand of 60 N/m moves three copies with 12 Ns/m each.
 RECOVERED = END + 1.2 * WINDOW + 2.5
 NEAR = 4e-3  # of the 100 mm that the hand goes [m]
 EVERY = 0.05

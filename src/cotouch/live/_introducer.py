@@ -4,8 +4,8 @@ Zenoh dials again whom it was told to dial, the host, but not whom it found by g
 members that were cut off for longer than the lease would never meet again. So one of the two opens a session beside its
 own, which joins nothing, dials nobody else and only connects to both: by its gossip they find each other at once.
 
-A session costs threads, handshakes and memory, and who went away mostly stays away. So where a member listened is knocked
-at first, with a bare connection: only one that is taken is worth a session.
+A session costs threads, handshakes and memory, and who went away mostly stays away. So there is a knock first where a
+member listened, a bare connection: only one that is taken is worth a session.
 """
 
 import contextlib
