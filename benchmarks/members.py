@@ -22,7 +22,7 @@ import numpy.typing as npt
 from benchmarks._report import Row, command
 from cotouch.live import Assembly, Chunk, Invitation, Path, PathLaw, SampleLink, SamplePlane
 from cotouch.peer import COUPLED, LinkGuard, Peer, Sample
-from cotouch.session import SessionFile, join, open_host
+from cotouch.session import Part, SessionFile, join, open_host
 
 # 44 nodes in three dimensions: one datagram of 1,180 bytes.
 BLOCK = """
@@ -148,7 +148,7 @@ def member() -> None:
 
     Peer.move, SamplePlane.send, SampleLink.note = moved, told, noted
     taken = join(
-        Invitation.decode(asked["invitation"]), name=asked["name"], version="benchmark",
+        Invitation.decode(asked["invitation"]), Part(name=asked["name"], version="benchmark"),
         stopped=lambda: time.monotonic() > window["until"],
     )  # fmt: skip
     if not turns or len(counted) < 4:

@@ -15,7 +15,7 @@ from websockets.sync.client import connect
 from cotouch.cli import _page
 from cotouch.cli._app import app
 from cotouch.errors import SessionError, TransportError
-from cotouch.session import demo_session, open_host
+from cotouch.session import Part, demo_session, open_host
 from cotouch.web import PageAddress
 
 
@@ -132,13 +132,13 @@ class TestJoin:
     def test_has_its_own_page(self, monkeypatch: pytest.MonkeyPatch, line: str):
         found: dict[str, Any] = {}
 
-        def staged(invitation: object, beside: AbstractContextManager[object], **options: Any) -> None:
-            found.update(options, beside=beside)
+        def staged(invitation: object, beside: AbstractContextManager[object], part: Part, *, quiet: bool) -> None:
+            found.update(part=part, beside=beside, quiet=quiet)
 
         monkeypatch.setattr("cotouch.cli._session.staged", staged)
         CliRunner().invoke(app, ["join", line, "--page", "--port", "0", "--name", "Ann"], catch_exceptions=False)
         assert found["beside"] is not None
-        assert (found["name"], found["hand"]) == ("Ann", "scripted")
+        assert (found["part"].name, found["part"].hand, found["quiet"]) == ("Ann", "scripted", False)
 
     def test_has_no_page_with_json(self, line: str):
         with pytest.raises(SessionError, match="--page and --json"):

@@ -7,7 +7,7 @@ import numpy as np
 from cotouch.mechanics import model
 from cotouch.peer import Peer, Report
 from cotouch.scenario import Scenario
-from cotouch.session import HandMode
+from cotouch.session import HandMode, Seat
 from cotouch.session._boards import Wish
 from cotouch.session._told import ToldHand
 
@@ -44,12 +44,7 @@ class Held:
         self.body = self.scenario.build_body()
         self.model = model(self.body, basis=self.scenario.solver.basis)
         self.hand = ToldHand(
-            self.scenario,
-            self.body,
-            self.model,
-            seat=0,
-            period=T,
-            longest=0.05,
+            Seat(scenario=self.scenario, body=self.body, model=self.model, index=0, period=T, longest=0.05),
             wishes=lambda: self.queue.pop(0) if self.queue else None,
         )
         still = np.zeros((self.body.nodes, self.body.dimension))

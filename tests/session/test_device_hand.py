@@ -13,7 +13,7 @@ import pytest
 from cotouch.haptics import Cause, EndOptions, Flag, Report, Word
 from cotouch.peer import Peer
 from cotouch.recording import audit, read_recording
-from cotouch.session import HAND_MODES, MemberProcess, SessionFile, open_host
+from cotouch.session import HAND_MODES, MemberProcess, Seat, SessionFile, open_host
 from cotouch.session._boards import BoardFolder, view_fields
 from cotouch.session._desk import Desk
 from cotouch.session._device_hand import DeviceHand
@@ -72,15 +72,8 @@ def led(text: str, towards: list[float]) -> tuple[DeviceHand, Peer, Led, float]:
     session = SessionFile.from_toml(text, source="a test")
     replica = Replica.build(session)
     model, link = replica.model(1), Led()
-    hand = DeviceHand(
-        replica.scenario,
-        replica.body,
-        model,
-        seat=0,
-        period=5e-3,
-        longest=0.05,
-        link=link,  # type: ignore[arg-type]
-    )
+    seat = Seat(scenario=replica.scenario, body=replica.body, model=model, index=0, period=5e-3, longest=0.05)
+    hand = DeviceHand(seat, link=link)  # type: ignore[arg-type]
     shape = (replica.body.nodes, replica.body.dimension)
     peer = Peer(
         index=0,
@@ -148,7 +141,7 @@ def test_the_proxy_follows_the_device_and_moves_the_copy(text: str, towards: lis
 def test_a_hand_without_its_device_does_nothing():
     session = SessionFile.from_toml(BLOCK, source="a test")
     replica = Replica.build(session)
-    hand = DeviceHand(replica.scenario, replica.body, replica.model(1), seat=1, period=5e-3, longest=0.05, link=None)
+    hand = DeviceHand(Seat.of(session, replica, 1, replica.model(1)), link=None)
     hand.before(5e-3, 5e-3)
     hand.after()
     assert hand.tools is not None

@@ -15,7 +15,7 @@ from cotouch.live import (
     Transport,
 )
 from cotouch.mechanics import Model
-from cotouch.session import Copy, Hand, Host, Member, MemoryWays, NoHand, Replica, ScriptedHand, SessionFile
+from cotouch.session import Copy, Hand, Host, Member, MemoryWays, NoHand, Replica, ScriptedHand, Seat, SessionFile
 from cotouch.session._boards import BoardFolder
 from cotouch.session._coordinator import Planner
 from cotouch.session._desk import Desk
@@ -86,25 +86,10 @@ class Person:
             for other, law in path_laws(session.scenario, seat).items():
                 self.impaired.set(other, law)
         if self.window is not None:
-            hand = ToldHand(
-                replica.scenario,
-                replica.body,
-                model,
-                seat=seat,
-                period=session.period(seat),
-                longest=session.options.longest_step,
-                wishes=self.window.wishes,
-            )
+            hand = ToldHand(Seat.of(session, replica, seat, model), wishes=self.window.wishes)
             self.window.holds(hand, seat, told=True)
             return hand
-        return ScriptedHand(
-            replica.scenario,
-            replica.body,
-            model,
-            seat=seat,
-            period=session.period(seat),
-            longest=session.options.longest_step,
-        )
+        return ScriptedHand(Seat.of(session, replica, seat, model))
 
     @property
     def copy(self) -> Copy:

@@ -6,6 +6,9 @@ from typing import Annotated
 
 import typer
 
+from cotouch.cli import _live_commands as live
+from cotouch.cli._device_commands import devices
+from cotouch.cli._options import AsJson
 from cotouch.errors import CotouchError
 
 app = typer.Typer(
@@ -17,18 +20,6 @@ app = typer.Typer(
     rich_markup_mode=None,  # plain help: loading rich for it costs half of the start-up time
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-
-AsJson = Annotated[
-    bool, typer.Option("--json", help="Print one JSON object on standard output and nothing else there.")
-]
-
-PagePort = Annotated[
-    int | None, typer.Option(help="Of the page; by default 8765, or the next that is free.", show_default=False)
-]
-PageListen = Annotated[
-    str, typer.Option(help="Address of this machine for the page; other than loopback, others can reach it.")
-]
-_DEMO = 30.0  # [s]
 
 
 def _version(wanted: bool) -> None:
@@ -214,165 +205,8 @@ def plan(
     )
 
 
-@app.command()
-def host(
-    session: Annotated[Path, typer.Argument(help="A session, TOML.", show_default=False)],
-    listen: Annotated[
-        str, typer.Option(help="Address of this machine, in numbers, by which the others reach it.")
-    ] = "127.0.0.1",
-    port: Annotated[
-        int | None, typer.Option(help="Of TCP and UDP; by default one that is free.", show_default=False)
-    ] = None,
-    seconds: Annotated[
-        float | None, typer.Option(help="How long; by default until Ctrl-C.", show_default=False)
-    ] = None,
-    keep: Annotated[
-        Path | None,
-        typer.Option(help="Keep the session's keys here, to go on with the same invitation.", show_default=False),
-    ] = None,
-    headless: Annotated[bool, typer.Option("--headless", help="Show no table.")] = False,
-    as_json: AsJson = False,
-) -> None:
-    """Open a session, print the invitation to it, and keep it open."""
-    from cotouch.cli._session import host as run
-
-    run(session, listen=listen, port=port, seconds=seconds, keep=keep, headless=headless, as_json=as_json)
-
-
-@app.command()
-def join(
-    invitation: Annotated[
-        str,
-        typer.Argument(help="The line that the host printed, or - to read it from standard input.", show_default=False),
-    ],
-    name: Annotated[
-        str | None, typer.Option(help="That the others see; by default yours on this machine.", show_default=False)
-    ] = None,
-    device: Annotated[
-        str,
-        typer.Option(
-            help="What moves the copy: scripted (what the session's file says for the seat), none, or a device, such "
-            "as simulated:touch; cotouch devices list shows them all."
-        ),
-    ] = "scripted",
-    seconds: Annotated[
-        float | None, typer.Option(help="How long; by default until the end.", show_default=False)
-    ] = None,
-    listen: Annotated[
-        str | None,
-        typer.Option(
-            help="Address of this machine, in numbers; by default the one that leads to the host.", show_default=False
-        ),
-    ] = None,
-    record: Annotated[Path | None, typer.Option(help="Record into this MCAP file.", show_default=False)] = None,
-    headless: Annotated[bool, typer.Option("--headless", help="Show no table.")] = False,
-    boards: Annotated[Path | None, typer.Option(hidden=True)] = None,
-    unsafe: Annotated[bool, typer.Option("--unsafe", hidden=True)] = False,
-    page: Annotated[bool, typer.Option("--page", help="Serve a page for a browser, to see and to take hold.")] = False,
-    port: PagePort = None,
-    page_listen: PageListen = "127.0.0.1",
-    as_json: AsJson = False,
-) -> None:
-    """Take part in a session."""
-    from cotouch.cli._session import join as run
-
-    run(
-        invitation,
-        name=name,
-        hand=device,
-        seconds=seconds,
-        listen=listen,
-        record=record,
-        headless=headless,
-        boards=boards,
-        unsafe=unsafe,
-        page=page,
-        port=port,
-        page_listen=page_listen,
-        as_json=as_json,
-    )
-
-
-@app.command()
-def measure(
-    invitation: Annotated[
-        str,
-        typer.Argument(help="The line that the host printed, or - to read it from standard input.", show_default=False),
-    ],
-    seconds: Annotated[float, typer.Option(help="How long to watch.", min=0.5)] = 10.0,
-    out: Annotated[
-        Path | None, typer.Option(help="Write the network to this TOML file, for cotouch plan.", show_default=False)
-    ] = None,
-    listen: Annotated[
-        str | None,
-        typer.Option(
-            help="Address of this machine, in numbers; by default the one that leads to the host.", show_default=False
-        ),
-    ] = None,
-    as_json: AsJson = False,
-) -> None:
-    """Measure how far those who take part in a session are from each other, without taking part."""
-    from cotouch.cli._measure import run
-
-    run(invitation, seconds=seconds, listen=listen, out=out, as_json=as_json)
-
-
-@app.command()
-def demo(
-    users: Annotated[int, typer.Option(help="How many; the paper has five.")] = 5,
-    body: Annotated[
-        str | None,
-        typer.Option(
-            help="point (the paper's), block (in three dimensions) or soft (a cushion); by default soft with a page.",
-            show_default=False,
-        ),
-    ] = None,
-    seconds: Annotated[
-        float | None,
-        typer.Option(
-            help="How long, once all are there; by default 30 s, and at a terminal with a page until interrupted.",
-            min=1.0,
-            show_default=False,
-        ),
-    ] = None,
-    impair: Annotated[
-        list[str] | None,
-        typer.Option(
-            help="What the network does besides: loss=0.1, jitter=0.02 (s), duplication=, reordering=; again for more.",
-            show_default=False,
-        ),
-    ] = None,
-    record: Annotated[Path | None, typer.Option(help="Record every user into this folder.", show_default=False)] = None,
-    page: Annotated[
-        bool | None,
-        typer.Option(
-            "--page/--no-page",
-            help="Serve a page for a browser; by default unless --headless or --json is given.",
-            show_default=False,
-        ),
-    ] = None,
-    port: PagePort = None,
-    page_listen: PageListen = "127.0.0.1",
-    headless: Annotated[bool, typer.Option("--headless", help="Show no table.")] = False,
-    as_json: AsJson = False,
-) -> None:
-    """Play a session on this machine: the paper's five users, its links and delays, a process for each."""
-    from cotouch.cli._demo import run
-    from cotouch.cli._page import page as paged
-    from cotouch.cli._page import watched
-
-    wanted = not (headless or as_json) if page is None else page
-    with paged(wanted=wanted, port=port, listen=page_listen) as beside:
-        run(
-            users=users,
-            body=body,
-            seconds=_DEMO if seconds is None and not (wanted and watched()) else seconds,
-            impair=impair or [],
-            record=record,
-            headless=headless,
-            as_json=as_json,
-            beside=beside,
-        )
+for command in (live.host, live.join, live.measure, live.demo):
+    app.command()(command)
 
 
 @app.command()
@@ -386,102 +220,9 @@ def reproduce(
     run(out, as_json=as_json)
 
 
-@app.command()
-def replay(
-    file: Annotated[Path, typer.Argument(help="A recording, MCAP.", show_default=False)],
-    speed: Annotated[float, typer.Option(help="Seconds of the recording in a second.")] = 1.0,
-    start: Annotated[float, typer.Option("--from", help="Where to begin [s].")] = 0.0,
-    stop: Annotated[float | None, typer.Option("--to", help="Where to end [s].", show_default=False)] = None,
-    as_json: AsJson = False,
-) -> None:
-    """Play one user's recording: rate, force, books and links as they were; with --json only sum it up."""
-    from cotouch.cli._replay import run
-
-    run(file, speed=speed, start=start, stop=stop, as_json=as_json)
-
-
-@app.command()
-def audit(
-    files: Annotated[list[Path], typer.Argument(help="Recordings of one session, MCAP.", show_default=False)],
-    tolerance: Annotated[
-        float | None,
-        typer.Option(help="Share of the energy in play that may be rounding (1e-9).", show_default=False, min=0.0),
-    ] = None,
-    figures: Annotated[Path | None, typer.Option(help="Draw a figure into this folder.", show_default=False)] = None,
-    as_json: AsJson = False,
-) -> None:
-    """Work the energy of a session out anew from its recordings; exit code 1 if it does not add up."""
-    from cotouch.cli._audit import run
-
-    if not run(files, figures=figures, tolerance=tolerance, as_json=as_json):
-        raise typer.Exit(1)
-
-
-@app.command()
-def export(
-    files: Annotated[list[Path], typer.Argument(help="Recordings of one session, MCAP.", show_default=False)],
-    out: Annotated[Path, typer.Option(help="The NetCDF file to write.", show_default=False)],
-    as_json: AsJson = False,
-) -> None:
-    """Write the recordings of a session into one NetCDF file, with the names of a simulated run."""
-    from cotouch.cli._export import run
-
-    run(files, out=out, as_json=as_json)
-
-
-devices = typer.Typer(
-    no_args_is_help=True,
-    help="Haptic devices: which there are, whether they do what they must, what they measure.",
-)
+for command in (live.replay, live.audit, live.export):
+    app.command()(command)
 app.add_typer(devices, name="devices")
-DeviceName = Annotated[
-    str, typer.Argument(help="name, name:variant or name:variant,option=value,...", show_default=False)
-]
-AllowMotion = Annotated[bool, typer.Option("--allow-motion", help="The device may move by itself to calibrate.")]
-
-
-@devices.command("list")
-def devices_list(as_json: AsJson = False) -> None:
-    """List the drivers that are installed, and what seems to be connected."""
-    from cotouch.cli._devices import show
-
-    show(as_json=as_json)
-
-
-@devices.command("check")
-def devices_check(
-    device: DeviceName,
-    allow_motion: AllowMotion = False,
-    force: Annotated[bool, typer.Option(help="Switch the motors on, for 0.05 N.")] = True,
-    as_json: AsJson = False,
-) -> None:
-    """Check that a device does what every device must; exit code 1 if it does not."""
-    from cotouch.cli._devices import check
-
-    if not check(device, allow_motion=allow_motion, force=force, as_json=as_json):
-        raise typer.Exit(1)
-
-
-@devices.command("calibrate")
-def devices_calibrate(device: DeviceName, allow_motion: AllowMotion = False, as_json: AsJson = False) -> None:
-    """Make a device's places absolute."""
-    from cotouch.cli._devices import calibrate
-
-    calibrate(device, allow_motion=allow_motion, as_json=as_json)
-
-
-@devices.command("monitor")
-def devices_monitor(
-    device: DeviceName,
-    seconds: Annotated[
-        float | None, typer.Option(help="How long; by default until Ctrl-C.", show_default=False)
-    ] = None,
-    as_json: AsJson = False,
-) -> None:
-    """Show what a device measures, with its motors off."""
-    from cotouch.cli._devices import monitor
-
-    monitor(device, seconds=seconds, as_json=as_json)
 
 
 def main() -> None:

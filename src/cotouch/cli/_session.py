@@ -15,7 +15,7 @@ from cotouch.errors import SessionError
 
 if TYPE_CHECKING:
     from cotouch.live import Invitation
-    from cotouch.session import MemberStage, Taken, Watch
+    from cotouch.session import MemberStage, Part, Taken, Watch
 
 _POLL = 0.02
 _REDRAW = 4.0  # times a second
@@ -73,6 +73,7 @@ def join(
     """Takes part in a session."""
     from cotouch import __version__
     from cotouch.live import Invitation
+    from cotouch.session import Part
     from cotouch.session import join as take_part
 
     device = hand if hand not in {"scripted", "none"} else None
@@ -81,41 +82,29 @@ def join(
     if record is not None:
         writable(record)
     decoded = Invitation.decode(sys.stdin.readline() if invitation == "-" else invitation)
+    part = Part(
+        name=name or _own_name(),
+        version=__version__,
+        hand="none" if hand == "none" else "scripted",
+        device=device,
+        seconds=seconds,
+        listen=listen,
+        record=record,
+        boards=boards,
+        unsafe=unsafe,
+    )
     if page:
         if as_json:
             raise SessionError("--page and --json are given; with a page a process of its own takes part, so drop one")
         with paged(wanted=True, port=port, listen=page_listen) as beside:
             assert beside is not None
-            staged(
-                decoded,
-                beside,
-                name=name,
-                hand=hand,
-                seconds=seconds,
-                listen=listen,
-                record=record,
-                quiet=headless,
-            )
+            staged(decoded, beside, part, quiet=headless)
         return
     if not (headless or as_json) and sys.stdout.isatty():
-        _with_table(decoded, name=name, hand=hand, seconds=seconds, listen=listen, record=record)
+        _with_table(decoded, part)
         return
     with interruptible() as stopped:
-        taken = take_part(
-            decoded,
-            name=name or _own_name(),
-            hand="none" if hand == "none" else "scripted",
-            device=device,
-            warn=_warn,
-            seconds=seconds,
-            listen=listen,
-            record=record,
-            version=__version__,
-            boards=boards,
-            unsafe=unsafe,
-            say=lambda text: None if as_json else _say(text),
-            stopped=stopped,
-        )
+        taken = take_part(decoded, part, warn=_warn, say=lambda text: None if as_json else _say(text), stopped=stopped)
     if as_json:
         print_json(numbers(taken))
     else:
@@ -192,21 +181,13 @@ def shown(
         yield redraw
 
 
-def _with_table(
-    invitation: "Invitation",
-    *,
-    name: str | None,
-    hand: str,
-    seconds: float | None,
-    listen: str | None,
-    record: Path | None,
-) -> None:
+def _with_table(invitation: "Invitation", part: "Part") -> None:
     """Takes part in a process of its own, so that drawing never makes a step late, and shows the session here."""
     from cotouch.session import MemberProcess, watching
 
-    options = ["--name", name or _own_name(), "--headless", *_options(hand=hand, seconds=seconds, record=record)]
-    options += [] if listen is None else ["--listen", listen]
-    with interruptible() as stopped, watching(invitation, listen=listen) as watch:
+    options = ["--name", part.name, "--headless", *_options(part)]
+    options += [] if part.listen is None else ["--listen", part.listen]
+    with interruptible() as stopped, watching(invitation, listen=part.listen) as watch:
         child = MemberProcess(invitation, options)
         try:
             with shown(lambda: watch, title=invitation.session, quiet=False) as redraw:
@@ -223,12 +204,8 @@ def _with_table(
 def staged(
     invitation: "Invitation",
     beside: "Callable[[MemberStage], AbstractContextManager[object]]",
+    part: "Part",
     *,
-    name: str | None,
-    hand: str,
-    seconds: float | None,
-    listen: str | None,
-    record: Path | None,
     quiet: bool,
 ) -> None:
     """Takes part in a process of its own, with a stage here.
@@ -236,19 +213,14 @@ def staged(
     Args:
         invitation: to the session.
         beside: entered with the stage once the own copy moves, and left before it closes; a page's server, say.
-        name: that others see.
-        hand: what moves the copy at first.
-        seconds: how long.
-        listen: address in numbers to listen on.
-        record: file to record the whole part into.
+        part: how.
         quiet: whether to show no table.
     """
     from cotouch.session import member_stage
 
-    options = _options(hand=hand, seconds=seconds, record=record)
     with (
         interruptible() as stopped,
-        member_stage(invitation, name=name or _own_name(), listen=listen, options=options) as stage,
+        member_stage(invitation, name=part.name, listen=part.listen, options=_options(part)) as stage,
         shown(lambda: stage.watch, title=invitation.session, quiet=quiet) as redraw,
         ExitStack() as serving,
     ):
@@ -266,10 +238,10 @@ def staged(
         sys.exit(code)
 
 
-def _options(*, hand: str, seconds: float | None, record: Path | None) -> list[str]:
+def _options(part: "Part") -> list[str]:
     """Of the process that takes part."""
-    options = ["--device", hand]
-    for flag, value in (("--seconds", seconds), ("--record", record)):
+    options = ["--device", part.device or part.hand]
+    for flag, value in (("--seconds", part.seconds), ("--record", part.record)):
         options += [] if value is None else [flag, str(value)]
     return options
 

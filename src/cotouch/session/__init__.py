@@ -5,9 +5,9 @@ from cotouch.session._copy import Copy
 from cotouch.session._demo import Shown, demo_file, demo_session, play
 from cotouch.session._demo_stage import DemoStage
 from cotouch.session._file import DEFAULT_RATE, MOST_USERS, SessionFile, SessionTable
-from cotouch.session._hand import Hand, NoHand, ScriptedHand
+from cotouch.session._hand import Hand, NoHand, ScriptedHand, Seat
 from cotouch.session._host import Host
-from cotouch.session._join import HandKind, Taken, fetch_session, join
+from cotouch.session._join import fetch_session, join
 from cotouch.session._links import delays_of, present_links
 from cotouch.session._measure import Measured, measure, measured
 from cotouch.session._member import Member
@@ -15,6 +15,7 @@ from cotouch.session._member_stage import MemberStage, member_stage
 from cotouch.session._messages import Entry, LinkStatus, Roster, Status
 from cotouch.session._neighbour import Neighbour
 from cotouch.session._open import OpenHost, open_host, watching
+from cotouch.session._part import HandKind, Part, Taken
 from cotouch.session._planner import LinkPlanner
 from cotouch.session._process import MemberProcess
 from cotouch.session._replica import Replica
@@ -60,6 +61,7 @@ __all__ = [
     "NoHand",
     "OpenHost",
     "Overview",
+    "Part",
     "Planner",
     "Pointer",
     "Replica",
@@ -67,6 +69,7 @@ __all__ = [
     "RoutedWays",
     "Scene",
     "ScriptedHand",
+    "Seat",
     "Seen",
     "SessionFile",
     "SessionTable",

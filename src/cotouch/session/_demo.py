@@ -16,6 +16,7 @@ from cotouch.session._boards import board_folder
 from cotouch.session._cushion import HALF, cushion, stl
 from cotouch.session._demo_stage import DemoStage
 from cotouch.session._file import MOST_USERS, SessionFile
+from cotouch.session._hand import Seat
 from cotouch.session._open import open_host
 from cotouch.session._process import MemberProcess
 from cotouch.session._replica import Replica
@@ -207,13 +208,7 @@ def _played(
     replica = Replica.build(session)
     if compiles(session, touched=replica.body.skin is not None):
         # Here, once, rather than in every process at the same time.
-        longest = session.options.longest_step
-        warm_up(
-            replica,
-            lambda model: ToldHand(
-                replica.scenario, replica.body, model, seat=0, period=session.period(0), longest=longest
-            ),
-        )
+        warm_up(replica, lambda model: ToldHand(Seat.of(session, replica, 0, model)))
     with open_host(session) as opened, board_folder() as boards:
         stage = DemoStage(session, opened, replica, boards, record=record)
         try:

@@ -7,7 +7,7 @@ import numpy.typing as npt
 
 from cotouch.body import Body
 from cotouch.haptics import Report, ServoLink, Vector, Word, proxy_end
-from cotouch.mechanics import Grips, Model, Surface, Tools
+from cotouch.mechanics import Grips, Surface, Tools
 from cotouch.scenario import (
     Scenario,
     ToolTable,
@@ -18,7 +18,7 @@ from cotouch.scenario import (
     touching_of,
 )
 from cotouch.scenario._tables import Hand as HandTable
-from cotouch.session._hand import no_grips
+from cotouch.session._hand import Seat, no_grips
 from cotouch.session._told import write_hand
 
 Float = npt.NDArray[np.float64]
@@ -143,31 +143,17 @@ class DeviceHand:
     Where the device is when it is heard first is where the proxy is then: nothing pulls at the start.
     """
 
-    def __init__(
-        self,
-        scenario: Scenario,
-        body: Body,
-        model: Model,
-        *,
-        seat: int,
-        period: float,
-        longest: float,
-        link: ServoLink | None,
-    ) -> None:
+    def __init__(self, at: Seat, *, link: ServoLink | None) -> None:
         """Takes the seat's first tool, or one that fits the body; what the file's hands do there is left out.
 
         Args:
-            scenario: of the session, with its hands at nodes (`Scenario.placed`).
-            body: the shared object.
-            model: the same for the kernels.
-            seat: whose.
-            period: usual length of a step [s].
-            longest: greatest length of a step [s].
+            at: the copy.
             link: to the device; None: nobody holds it, for steps that nobody sees.
 
         Raises:
             ScenarioError: a tool is wrong.
         """
+        scenario, body, model, seat = at.scenario, at.body, at.model, at.index
         self._link = link
         self._end = None if link is None else proxy_end(link.options)
         self._origin: Vector | None = None
@@ -184,7 +170,7 @@ class DeviceHand:
         table = _tool(scenario, body, seat)
         if table is not None:
             still = np.zeros((users, body.nodes, body.dimension))
-            lengths = np.tile([period, longest], (users, 1))
+            lengths = np.tile([at.period, at.longest], (users, 1))
             self._touching, _ = touching_of([table], users, body, model, lengths, start=still, ports=0)
             assert self._touching is not None
             self.surface = self._touching.surface

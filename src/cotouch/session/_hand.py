@@ -1,6 +1,7 @@
 """What a user does to its own copy: nothing, what the session's file says, or whatever a device or page does."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Protocol, final, runtime_checkable
 
 import numpy as np
@@ -17,8 +18,44 @@ from cotouch.scenario import (
     tools_of,
     touching_of,
 )
+from cotouch.session._file import SessionFile
+from cotouch.session._replica import Replica
 
 Float = npt.NDArray[np.float64]
+
+
+@final
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Seat:
+    """The copy that a hand moves.
+
+    Attributes:
+        scenario: of the session, with its hands at nodes (`Scenario.placed`).
+        body: the shared object.
+        model: the same for the kernels.
+        index: of the user.
+        period: usual length of a step [s].
+        longest: greatest length of a step [s].
+    """
+
+    scenario: Scenario
+    body: Body
+    model: Model
+    index: int
+    period: float
+    longest: float
+
+    @classmethod
+    def of(cls, session: SessionFile, replica: Replica, index: int, model: Model) -> "Seat":
+        """The copy of one user of a session."""
+        return cls(
+            scenario=replica.scenario,
+            body=replica.body,
+            model=model,
+            index=index,
+            period=session.period(index),
+            longest=session.options.longest_step,
+        )
 
 
 class Hand(Protocol):
@@ -107,22 +144,16 @@ class NoHand:
 class ScriptedHand:
     """The hands and tools of one seat, as the session's file says."""
 
-    def __init__(
-        self, scenario: Scenario, body: Body, model: Model, *, seat: int, period: float, longest: float
-    ) -> None:
+    def __init__(self, at: Seat) -> None:
         """Takes hold.
 
         Args:
-            scenario: of the session, with its hands at nodes (`Scenario.placed`).
-            body: the shared object.
-            model: the same for the kernels.
-            seat: whose.
-            period: usual length of a step [s].
-            longest: greatest length of a step [s].
+            at: the copy.
 
         Raises:
             ScenarioError: a hand, tool or device is wrong.
         """
+        scenario, body, model, seat = at.scenario, at.body, at.model, at.index
         users = scenario.network.size
         hands, _ = ports_of(scenario.hands, users, body, model)
         self._hands = hands
@@ -140,7 +171,7 @@ class ScriptedHand:
         if any(tool.user == seat + 1 for tool in scenario.tools):
             most = int(np.diff(hands.first).max(initial=0))
             still = np.zeros((users, body.nodes, body.dimension))
-            lengths = np.tile([period, longest], (users, 1))
+            lengths = np.tile([at.period, at.longest], (users, 1))
             self._touching, _ = touching_of(scenario.tools, users, body, model, lengths, start=still, ports=most)
             assert self._touching is not None
             self.surface = self._touching.surface

@@ -8,7 +8,7 @@ import numpy.typing as npt
 
 from cotouch.errors import CotouchError, UnsupportedError
 from cotouch.network import Network
-from cotouch.planning import modes_of, plan
+from cotouch.planning import Objective, Plan, modes_of, plan
 from cotouch.session._file import SessionFile
 from cotouch.session._links import Pair, delays_of
 
@@ -60,19 +60,7 @@ class LinkPlanner:
         )
         modes = _modes(self._session) if options.objective == "decay" else {}
         try:
-            found = plan(
-                network,
-                links=self._session.link_count(len(seats)),
-                objective=options.objective,
-                time_unit=_TIME_UNIT,
-                rounding="nearest",
-                seconds=_SECONDS,
-                jobs=1,
-                top=1,
-                mass=modes.get("mass", 1.0),
-                damping=modes.get("damping", 0.0),
-                stiffness=modes.get("stiffness", 0.0),
-            )
+            found = _search(network, self._session.link_count(len(seats)), options.objective, modes)
         except CotouchError:  # springs that cannot join all, say: what is given is kept
             return [(a, b) for a, b in whole.links if a in seats and b in seats]
         return sorted((seats[a], seats[b]) for a, b in found.best.links)
@@ -91,22 +79,26 @@ def notable_links(session: SessionFile) -> dict[str, list[Pair]]:
     choices = {"start": sorted((int(a), int(b)) for a, b in network.links)}
     modes = _modes(session)
     try:
-        found = plan(
-            network,
-            links=len(choices["start"]),
-            objective="decay",
-            time_unit=_TIME_UNIT,
-            rounding="nearest",
-            seconds=_SECONDS,
-            jobs=1,
-            top=1,
-            mass=modes.get("mass", 1.0),
-            damping=modes.get("damping", 0.0),
-            stiffness=modes.get("stiffness", 0.0),
-        )
+        found = _search(network, len(choices["start"]), "decay", modes)
     except CotouchError:
         return choices
     return choices | {"best": sorted(found.best.links), "worst": sorted(found.worst.links)}
+
+
+def _search(network: Network, links: int, objective: Objective, modes: dict[str, npt.NDArray[np.float64]]) -> Plan:
+    return plan(
+        network,
+        links=links,
+        objective=objective,
+        time_unit=_TIME_UNIT,
+        rounding="nearest",
+        seconds=_SECONDS,
+        jobs=1,
+        top=1,
+        mass=modes.get("mass", 1.0),
+        damping=modes.get("damping", 0.0),
+        stiffness=modes.get("stiffness", 0.0),
+    )
 
 
 def _modes(session: SessionFile) -> dict[str, npt.NDArray[np.float64]]:

@@ -11,8 +11,7 @@ from typing import Any, final
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.body import Body
-from cotouch.mechanics import AWAY, Model, Surface, Tools
+from cotouch.mechanics import AWAY, Surface, Tools
 from cotouch.scenario import (
     Scenario,
     after_step_alone,
@@ -24,7 +23,7 @@ from cotouch.scenario import (
 )
 from cotouch.session._ball import Ball, ball_table
 from cotouch.session._boards import Wish, size_of
-from cotouch.session._hand import no_grips
+from cotouch.session._hand import Seat, no_grips
 from cotouch.session._motion import Mover, Wander
 from cotouch.session._stage import HAND_MODES, HandMode
 
@@ -64,33 +63,18 @@ class ToldHand:
         usual: stiffness unless somebody asks for another [N/m].
     """
 
-    def __init__(
-        self,
-        scenario: Scenario,
-        body: Body,
-        model: Model,
-        *,
-        seat: int,
-        period: float,
-        longest: float,
-        scripted: bool = True,
-        wishes: Callable[[], Wish | None] = lambda: None,
-    ) -> None:
+    def __init__(self, at: Seat, *, scripted: bool = True, wishes: Callable[[], Wish | None] = lambda: None) -> None:
         """Begins with what the session's file says, or free.
 
         Args:
-            scenario: of the session, with its hands at nodes (`Scenario.placed`).
-            body: the shared object.
-            model: the same for the kernels.
-            seat: whose.
-            period: usual length of a step [s].
-            longest: greatest length of a step [s].
+            at: the copy.
             scripted: whether it begins with what the file says.
             wishes: gives an order that was not given before; asked before every step.
 
         Raises:
             ScenarioError: a hand, tool or device of the file is wrong.
         """
+        scenario, body, model, seat = at.scenario, at.body, at.model, at.index
         users, axes = scenario.network.size, body.dimension
         own = [hand for hand in scenario.hands if hand.user == seat + 1]
         self._hands, _ = ports_of(own, users, body, model)
@@ -118,7 +102,7 @@ class ToldHand:
         tables = [tool for tool in scenario.tools if tool.user == seat + 1]
         balls = [ball_table(seat, body, size=self._size, stiffness=self.usual)] if body.skin is not None else []
         if tables or balls:
-            lengths = np.tile([period, longest], (users, 1))
+            lengths = np.tile([at.period, at.longest], (users, 1))
             still = np.zeros((users, body.nodes, axes))
             self._touching, _ = touching_of(
                 [*tables, *balls], users, body, model, lengths, start=still, ports=self.grips.last

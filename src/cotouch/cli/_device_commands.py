@@ -1,0 +1,60 @@
+"""The commands `cotouch devices ...`."""
+
+from typing import Annotated
+
+import typer
+
+from cotouch.cli._options import AsJson
+
+devices = typer.Typer(
+    no_args_is_help=True,
+    help="Haptic devices: which there are, whether they do what they must, what they measure.",
+)
+DeviceName = Annotated[
+    str, typer.Argument(help="name, name:variant or name:variant,option=value,...", show_default=False)
+]
+AllowMotion = Annotated[bool, typer.Option("--allow-motion", help="The device may move by itself to calibrate.")]
+
+
+@devices.command("list")
+def devices_list(as_json: AsJson = False) -> None:
+    """List the drivers that are installed, and what seems to be connected."""
+    from cotouch.cli._devices import show
+
+    show(as_json=as_json)
+
+
+@devices.command("check")
+def devices_check(
+    device: DeviceName,
+    allow_motion: AllowMotion = False,
+    force: Annotated[bool, typer.Option(help="Switch the motors on, for 0.05 N.")] = True,
+    as_json: AsJson = False,
+) -> None:
+    """Check that a device does what every device must; exit code 1 if it does not."""
+    from cotouch.cli._devices import check
+
+    if not check(device, allow_motion=allow_motion, force=force, as_json=as_json):
+        raise typer.Exit(1)
+
+
+@devices.command("calibrate")
+def devices_calibrate(device: DeviceName, allow_motion: AllowMotion = False, as_json: AsJson = False) -> None:
+    """Make a device's places absolute."""
+    from cotouch.cli._devices import calibrate
+
+    calibrate(device, allow_motion=allow_motion, as_json=as_json)
+
+
+@devices.command("monitor")
+def devices_monitor(
+    device: DeviceName,
+    seconds: Annotated[
+        float | None, typer.Option(help="How long; by default until Ctrl-C.", show_default=False)
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Show what a device measures, with its motors off."""
+    from cotouch.cli._devices import monitor
+
+    monitor(device, seconds=seconds, as_json=as_json)
