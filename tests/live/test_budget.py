@@ -12,7 +12,10 @@ TICK = 0.05
 
 
 class Pair:
-    """Two ends on one clock, messages that are carried as fates say, and what was covered when."""
+    """Two ends on one clock, messages that are carried as fates say, and what was covered when.
+
+    What is in force is what their guards use: a first budget once they have caught up for as long as both.
+    """
 
     def __init__(self, offset: float = 0.0) -> None:
         self.now, self.life = 0.0, [10, 10]
@@ -21,6 +24,7 @@ class Pair:
         self.flying: list[tuple[float, int, bytes]] = []
         self.history: list[tuple[float, float, float]] = []
         self.since = [0.0, 0.0]
+        self.fresh: list[float | None] = [None, None]  # since when each has a budget
         self.said = 0
 
     def _make(self, k: int) -> BudgetAgreement:
@@ -52,7 +56,13 @@ class Pair:
         first, second = self.ends
         self.history.append((self.now, first.total, second.total))
         both = first.budget + second.budget
-        if np.isfinite(both):
+        for k, end in enumerate(self.ends):
+            self.fresh[k] = None if np.isinf(end.budget) else self.now if self.fresh[k] is None else self.fresh[k]
+        caught = [
+            since is not None and self.now - since >= end.total
+            for since, end in zip(self.fresh, self.ends, strict=True)
+        ]
+        if np.isfinite(both) and all(caught):
             from_then = max(self.now - both, *self.since)
             for then, *covered in self.history:
                 if then >= from_then - 1e-9:
@@ -114,6 +124,31 @@ def test_a_budget_is_raised_last_and_lowered_first():
         pair.tick([[0.05], [0.05]])
     assert pair.ends[1].total == pytest.approx(0.2)
     assert raised < pair.now
+
+
+def test_the_first_budget_does_not_wait_for_what_its_guard_waits_for_again():
+    pair = Pair()
+    for k in range(2):
+        pair.wish(k, 0.5)
+    for _ in range(6):  # messages there and back, not both budgets besides
+        pair.tick([[0.05], [0.05]])
+    assert [end.budget for end in pair.ends] == [0.5, 0.5]
+    pair.restart(1)
+    pair.wish(1, 0.5)
+    pair.tick([[0.05], [0.05]])
+    pair.tick([[0.05], [0.05]])
+    assert pair.ends[0].budget == -np.inf  # what the old life granted is gone
+    pair.wish(0, 0.8)
+    for _ in range(6):
+        pair.tick([[0.05], [0.05]])
+    assert [end.budget for end in pair.ends] == [0.8, 0.5]
+    pair.wish(0, 1.0)  # but one that is in use is raised only when the damping has stood
+    for _ in range(20):
+        pair.tick([[0.05], [0.05]])
+    assert pair.ends[0].budget == 0.8
+    for _ in range(20):
+        pair.tick([[0.05], [0.05]])
+    assert pair.ends[0].budget == 1.0
 
 
 def test_an_old_grant_is_not_taken_for_the_answer_to_a_new_wish():

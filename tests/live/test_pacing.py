@@ -298,6 +298,33 @@ def test_real_time_only_with_one_blas_thread(threads: str) -> None:
             assert "BLAS" in refused
 
 
+PIECES = """
+import sys
+from cotouch.pacing import give_back_memory
+def resident():
+    with open("/proc/self/statm") as statm:
+        return int(statm.read().split()[1])
+before = resident()
+held = [bytearray(20000) for _ in range(2000)]
+kept = held[::8]  # so that what is freed lies between what is not, and the heap cannot shrink
+most = resident()
+del held
+freed = resident()
+given = give_back_memory()
+print(before, most, freed, resident(), given, len(kept))
+"""
+
+
+@pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="arenas are glibc's")
+def test_memory_in_pieces_is_given_back():
+    done = subprocess.run([sys.executable, "-c", PIECES], capture_output=True, check=True, timeout=60, text=True)
+    *pages, given, _ = done.stdout.split()
+    before, most, freed, after = map(int, pages)
+    assert given == "True"
+    assert freed - before > 0.7 * (most - before)  # glibc keeps it
+    assert after - before < 0.5 * (most - before)
+
+
 ARENAS = """
 import ctypes, pathlib, sys, threading
 from cotouch.live import few_arenas

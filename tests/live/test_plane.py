@@ -82,6 +82,23 @@ def test_waiting_at_the_other_end_is_not_the_paths():
     assert ages._path.greatest <= 0.04 + 3 * T
 
 
+def test_a_step_knows_nothing_of_what_came_after_it_ended():
+    """The process stood still between the clock and the socket: as if the sample's own future had been used."""
+    network, users = planes(PathLaw(delay=0.02), layout(4, 3), rate=500.0)
+    run(network, users, 100)
+    link, ended = users[0].links[1], network.now
+    held = link.assembly.newest
+    run(network, users[1:], 50, first=100)  # meanwhile the other goes on
+    users[0].poll(ended)
+    users[0].stepped(ended)
+    assert link.assembly.newest == held
+    assert link.ages.age == pytest.approx(0.02, abs=2 * T)
+    users[0].poll(network.now)  # nothing is lost
+    assert link.assembly.newest >= held + 45
+    users[0].stepped(network.now)
+    assert link.ages.age == pytest.approx(0.02, abs=2 * T)
+
+
 def test_what_is_echoed_is_the_newest_stamp():
     network, users = planes(BAD, layout(4, 3), rate=500.0)
     for k in range(200):

@@ -139,3 +139,22 @@ def test_what_is_refused_changes_nothing_but_a_counter():
     assert listener.read(forged, 0.0) is MessageRefusal.FORGED
     assert (listener._last, listener._keys, listener._limit._known) == ({}, {}, {})
     assert isinstance(listener.read(message, 0.0), Message)
+
+
+def test_who_left_leaves_its_last_counter_and_no_more(monkeypatch: pytest.MonkeyPatch):
+    from cotouch.live import _sign
+
+    monkeypatch.setattr(_sign, "_MOST_SENDERS", 3)
+    monkeypatch.setattr(_sign, "_MOST_GONE", 4)
+    listener = reader(rate=1e9, burst=1e9)
+    made = [writer(Identity.make(entropy(member))) for member in range(20)]
+    old = [one.write("a", b"1") for one in made]
+    for one, message in zip(made, old, strict=True):  # they come and go: more than are known at a time
+        assert isinstance(listener.read(message, 0.0), Message)
+        listener.forget(one._identity.public)
+        listener.forget(one._identity.public)
+    assert (len(listener._keys), len(listener._last), len(listener._limit._known), len(listener._gone)) == (0, 0, 0, 4)
+    assert [listener.read(message, 0.0) for message in old[-4:]] == [MessageRefusal.REPLAYED] * 4
+    assert isinstance(listener.read(made[-1].write("a", b"2"), 0.0), Message)  # it was only cut off
+    assert listener.read(old[-1], 0.0) is MessageRefusal.REPLAYED
+    assert len(listener._gone) == 3

@@ -124,6 +124,15 @@ class Stage:
 
         return all_are
 
+    def budgets(self) -> dict[tuple[str, int], float]:
+        """Sum of both budgets of each end of a link that has one, by member and neighbour [s]."""
+        return {
+            (name, link["seat"]): link["budget"]
+            for name, status in self.members_seen().items()
+            for link in status["links"]
+            if link["budget"] is not None
+        }
+
     def stop(self, name: str) -> dict:
         """Lets a member leave; what it said at its end."""
         process = self.members[name]

@@ -114,6 +114,16 @@ def test_who_is_not_seen_for_a_while_has_left() -> None:
     assert world.names == {1: "Ben"}
 
 
+def test_of_who_crashed_and_came_back_nothing_is_left() -> None:
+    world = World()
+    world.join(1, "Ann")
+    for number in range(2, 60):
+        world.present.discard(key(number - 1))
+        world.join(number, "Ann")
+    assert world.names == {0: "Ann"}
+    assert set(world.coordinator._seen) == {key(59).hex()}
+
+
 def test_another_body_is_refused() -> None:
     world = World()
     world.join(1, "Ann")

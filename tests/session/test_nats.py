@@ -82,7 +82,7 @@ def test_two_behind_nats_feel_each_other(tmp_path: Path, ports: str, way: str) -
         for name in names:
             played.join(name)
 
-        def felt() -> bool:  # who watches does not see everybody behind a NAT; recordings say it, too
+        def felt() -> bool:
             nonlocal lacks, begin
             now = [read_recording(played.recordings[name][-1]) for name in names]
             begin = min(recording.columns["end"][-1] for recording in now) - CYCLE
@@ -92,6 +92,7 @@ def test_two_behind_nats_feel_each_other(tmp_path: Path, ports: str, way: str) -
 
         for name in names:
             played.wait(played.recordings[name][-1].exists, f"{name} does not move")
+        played.wait(played.coupled(*names, links=1), "not coupled")  # the host hands on what watchers do not see
         played.wait(felt, lambda: f"did not move as one through a cycle of the hand: {lacks}")
         said = {name: played.stop(name) for name in names}
     recordings = judged(played, said, FORCE)

@@ -5,7 +5,8 @@ budgets; offsets of the clocks drop out of that sum and of nothing else. So an e
 
     asks for more    own damping is raised    ──ask──▶     damping is raised, then
     A is raised, once the grant has stood     ◀──grant──   it is granted
-    for as long as both budgets
+    for as long as both budgets (the first
+    at once: its end has yet to catch up)
     A is lowered at once                      ──ask──▶     grant and damping are lowered
 
 A message says all that its sender knows, so that losses and repetitions do not matter: its life and the number of its
@@ -196,7 +197,8 @@ class BudgetAgreement:
         """Raises the budget when its time has come; to be called often [s]."""
         if self._granted_since is None or self._ask is None or self._grant is None:
             return
-        if self.budget != self._ask and now - self._granted_since >= self._covered:
+        # Without a budget the end is guarded, and couples only after it has caught up for as long as both budgets.
+        if self.budget != self._ask and (self.budget == -inf or now - self._granted_since >= self._covered):
             self.budget = self._ask
             self._cover()
 

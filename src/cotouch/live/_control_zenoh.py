@@ -8,7 +8,7 @@ import threading
 import time
 from collections import Counter, deque
 from collections.abc import Callable, Sequence
-from queue import SimpleQueue
+from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING, NamedTuple, final
 
 from cotouch.errors import SessionError, TransportError
@@ -23,6 +23,7 @@ from cotouch.live._limit import Bucket, SourceLimit
 from cotouch.live._sign import MOST_MESSAGE, MessageReader, MessageRefusal, MessageWriter, cost_of
 from cotouch.live._transport import MOST_BYTES
 from cotouch.live._zenoh import Mode, close_session, configuration, open_session
+from cotouch.pacing import give_back_memory
 
 if TYPE_CHECKING:
     import zenoh
@@ -37,6 +38,8 @@ _MOST_ALIVE = 4096
 _RATE, _BURST = 400.0, 900.0
 # Datagrams of whom this member does not see come through the host, at a relay's rate and twice that.
 _UNSEEN_RATE, _UNSEEN_BURST = 200.0, 64.0
+# What links that came and went leave in pieces is given back so long after the first of them did [s].
+_CALM = 5.0
 _NOWHERE = "-"
 
 
@@ -123,6 +126,7 @@ class ZenohControl:
         )
         self._alive: dict[bytes, dict[str, Endpoint | None]] = {}
         self._present = frozenset[bytes]()
+        self._changed: float | None = None  # when somebody came or went, since memory was given back
         self._closed = False
 
         routers = invitation.routers if routers is None else tuple(checked(router) for router in routers)
@@ -273,7 +277,14 @@ class ZenohControl:
         import zenoh
 
         limit = Bucket(_RATE, _BURST)
-        while (said := self._outbox.get()) is not None:
+        while True:
+            self._tidy()
+            try:
+                said = self._outbox.get(timeout=_CALM)
+            except Empty:
+                continue
+            if said is None:
+                return
             cost = cost_of(len(said.body) + 256)
             while not limit.take(time.monotonic(), cost):
                 time.sleep(0.5 / _RATE)
@@ -290,6 +301,12 @@ class ZenohControl:
             except zenoh.ZError:
                 self.dropped["closed"] += 1
             self._sent_bytes += len(said.body)
+
+    def _tidy(self) -> None:
+        """Gives memory back some time after somebody came or went: Zenoh needs much for that, and for a moment."""
+        if self._changed is not None and time.monotonic() >= self._changed + _CALM:
+            self._changed = None
+            give_back_memory()
 
     def _heard(self, sample: "zenoh.Sample") -> None:
         size = len(sample.payload)
@@ -335,12 +352,15 @@ class ZenohControl:
 
     def _follow(self, member: bytes, at: Endpoint | None) -> None:
         """Tells those who care that a member came or went."""
+        if self._changed is None:
+            self._changed = time.monotonic()
         if member in self._present:
             self._relay_limit.know(member)
             if self._introducer is not None:
                 self._introducer.back(member)
         else:
             self._relay_limit.unknow(member)
+            self._reader.forget(member)
             # One of two introduces: the one with the greater key.
             if self._introducer is not None and at is not None and self._identity.public > member:
                 self._introducer.gone(member, at)

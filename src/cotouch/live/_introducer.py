@@ -3,9 +3,15 @@
 Zenoh dials again whom it was told to dial, the host, but not whom it found by gossip. When the host is gone too, two
 members that were cut off for longer than the lease would never meet again. So one of the two opens a session beside its
 own, which joins nothing, dials nobody else and only connects to both: by its gossip they find each other at once.
+
+A session costs threads, handshakes and memory, and who went away mostly stays away. So there is a knock first where a
+member listened, a bare connection: only one that is taken is worth a session.
 """
 
 import contextlib
+import errno
+import select
+import socket
 import threading
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, final
@@ -22,6 +28,9 @@ _PATIENCE = 2.0
 # Who has not come back by then will come by the host, or be invited again.
 _GIVE_UP = 120.0
 _PERIOD = 0.2
+# For an answer to come back to a knock, over the longest of paths and after a loss; knocks follow each other as soon.
+_KNOCK = 3.0
+_KNOCK_EVERY = 0.5
 
 
 @final
@@ -73,7 +82,13 @@ class Introducer:
         beside: zenoh.Session | None = None
         dialled: tuple[Endpoint, ...] = ()
         while not self._closing.wait(_PERIOD):
-            wanted = self._wanted()
+            gone = self._wanted()
+            there = {at for at in gone if at in dialled}
+            fresh = [at for at in gone if at not in dialled]
+            there |= answering(fresh, self._closing)
+            wanted = tuple(at for at in gone if at in there)
+            if fresh and not wanted:
+                self._closing.wait(_KNOCK_EVERY)
             if wanted == dialled:
                 continue
             if beside is not None:
@@ -85,3 +100,44 @@ class Introducer:
                     beside = self._open((self._own, *wanted))
         if beside is not None:
             close_session(beside)
+
+
+def answering(places: Sequence[Endpoint], closing: threading.Event) -> set[Endpoint]:
+    """Where somebody takes a connection; nothing is said on it.
+
+    Args:
+        places: where to knock, all at once.
+        closing: ends the waiting.
+
+    Returns:
+        Those that answered within 3 s, or as soon as one did; names that are no addresses in numbers count, too.
+    """
+    found: set[Endpoint] = set()
+    knocking: dict[int, Endpoint] = {}
+    with contextlib.ExitStack() as open_ones:
+        poller = select.poll()
+        for at in places:
+            try:
+                family, kind, _, _, to = socket.getaddrinfo(
+                    at.host, at.port, type=socket.SOCK_STREAM, flags=socket.AI_NUMERICHOST
+                )[0]
+            except OSError:
+                found.add(at)
+                continue
+            knock = open_ones.enter_context(socket.socket(family, kind))
+            knock.setblocking(False)
+            code = knock.connect_ex(to)
+            if code == 0:
+                found.add(at)
+            elif code == errno.EINPROGRESS:
+                knocking[knock.fileno()] = at
+                poller.register(knock, select.POLLOUT)
+        left = _KNOCK
+        while knocking and not found and left > 0.0 and not closing.is_set():
+            for number, what in poller.poll(1000.0 * _PERIOD):
+                poller.unregister(number)
+                at = knocking.pop(number)
+                if not what & (select.POLLERR | select.POLLHUP):
+                    found.add(at)
+            left -= _PERIOD
+    return found

@@ -17,10 +17,14 @@ from cotouch.live._layout import Layout
 from cotouch.live._rate import SendRate
 from cotouch.live._refusal import Refusal
 from cotouch.live._seal import SealedLink, connection_of
-from cotouch.live._transport import Transport
+from cotouch.live._transport import Arrival, Transport
 from cotouch.peer import LinkGuard, Sample
 
 Float = npt.NDArray[np.float64]
+
+# Reading goes on for a little after the clock was read. What came later than this came while the process stood still,
+# and the step that ends now must not use it: it would know what is yet to be [s].
+_AHEAD = 1e-3
 
 
 @final
@@ -125,6 +129,7 @@ class SamplePlane:
         self._transport = transport
         self._codec = Codec(layout)
         self._by_number: dict[int | None, tuple[int, SampleLink]] = {}
+        self._early: list[Arrival] = []
 
     @property
     def layout(self) -> Layout:
@@ -155,12 +160,19 @@ class SamplePlane:
     def poll(self, now: float) -> int:
         """Reads everything that arrived; returns how many chunks were of use.
 
+        What arrived more than a millisecond after now is kept for the next call.
+
         Args:
             now: [s].
         """
         arrivals = self._transport.poll()
+        if self._early:
+            arrivals, self._early = self._early + arrivals, []
         if not arrivals:
             return 0
+        if arrivals[-1].time > now + _AHEAD:  # they are in order
+            self._early = [arrival for arrival in arrivals if arrival.time > now + _AHEAD]
+            arrivals = [arrival for arrival in arrivals if arrival.time <= now + _AHEAD]
         useful, current = 0, False
         by_number, transport, read = self._by_number, self._transport, self._codec.read
         for payload, source, time in arrivals:

@@ -34,6 +34,8 @@ _LEAST = _HEAD.size + 1 + _SIGNATURE
 MOST_MESSAGE = _HEAD.size + _MOST_TOPIC + MOST_BODY + _SIGNATURE
 # Far more than a session has members; an invited one who makes up senders gets no further.
 _MOST_SENDERS = 1024
+# Of those who left, the last counters are kept of so many.
+_MOST_GONE = 1024
 # So many bytes count as one more message: hashing them takes as long as a signature.
 _BYTES_PER_UNIT = 16_384
 
@@ -130,6 +132,7 @@ class MessageReader:
         self._limit = SourceLimit(rate=rate, burst=burst, stranger_rate=rate / 20, stranger_burst=burst / 20)
         self._total = Bucket(total * rate, total * burst)
         self._last: dict[bytes, int] = {}
+        self._gone: dict[bytes, int] = {}
         self._keys: dict[bytes, Ed25519PublicKey] = {}
 
     def read(self, message: bytes, now: float) -> Message | MessageRefusal:
@@ -143,6 +146,22 @@ class MessageReader:
         if isinstance(out, MessageRefusal):
             self.refused[out] += 1
         return out
+
+    def forget(self, sender: bytes) -> None:
+        """A sender left: only its last counter is kept, so that nothing it said before is taken again.
+
+        That of the longest gone goes when 1,024 more have left. It may be heard anew, and is if it was only cut off.
+
+        Args:
+            sender: its public key.
+        """
+        if self._keys.pop(sender, None) is None:
+            return
+        self._limit.unknow(sender)
+        self._gone.pop(sender, None)
+        if len(self._gone) >= _MOST_GONE:
+            del self._gone[next(iter(self._gone))]
+        self._gone[sender] = self._last.pop(sender)
 
     def _read(self, message: bytes, now: float) -> Message | MessageRefusal:
         if not _LEAST <= len(message) <= MOST_MESSAGE:
@@ -163,7 +182,7 @@ class MessageReader:
             return MessageRefusal.TOPIC
         if len(message) - end - _SIGNATURE > MOST_BODY:
             return MessageRefusal.SIZE
-        if counter <= self._last.get(sender, 0):
+        if counter <= self._last.get(sender, self._gone.get(sender, 0)):
             return MessageRefusal.REPLAYED
         key = self._keys.get(sender)
         if key is None and len(self._keys) >= _MOST_SENDERS:
@@ -174,5 +193,6 @@ class MessageReader:
         except InvalidSignature:
             return MessageRefusal.FORGED
         self._last[sender], self._keys[sender] = counter, key
+        self._gone.pop(sender, None)
         self._limit.know(sender)
         return Message(sender, topic, message[end:-_SIGNATURE], recipient != _ALL)

@@ -216,19 +216,19 @@ def _excess(
 ) -> tuple[float, float]:
     """Most that was made beyond what was taken, each stretch between gaps by itself, and when."""
     best, moment = -np.inf, float(grid[0])
-    stretch = np.cumsum(bad)
-    for part in np.unique(stretch):
-        own = np.flatnonzero((stretch == part) & ~bad)
-        if own.size < 2:
+    edges = np.flatnonzero(np.diff(np.concatenate(([True], bad, [True]))))
+    for first, last in edges.reshape(-1, 2):
+        if last - first < 2:
             continue
+        own = slice(first, last)
         # Motion before the stretch may still be on its way in samples: ½ K a² v² for each end.
-        begin = float(grid[own[0]])
+        begin = float(grid[first])
         fast = max(_speed_at(motion, begin) for motion in (one, two))
         slack = 0.5 * strength * (long[0] ** 2 + long[1] ** 2) * fast
-        beyond = made[own] - made[own[0]] - taken[own] + taken[own[0]] - slack
+        beyond = made[own] - made[first] - taken[own] + taken[first] - slack
         at = int(np.argmax(beyond))
         if beyond[at] > best:
-            best, moment = float(beyond[at]), float(grid[own[at]])
+            best, moment = float(beyond[at]), float(grid[first + at])
     return (best if np.isfinite(best) else 0.0), moment
 
 

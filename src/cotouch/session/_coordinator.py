@@ -202,6 +202,7 @@ class Coordinator:
     def _change(self, members: list[Entry]) -> None:
         seats = [entry.seat for entry in members]
         self._forget_paths(members)
+        self._seen = {entry.key: self._seen[entry.key] for entry in members if entry.key in self._seen}
         network = self._session.scenario.network
         if self._planner is None or self._chosen is not None:
             links = present_links(self._chosen or network, seats)

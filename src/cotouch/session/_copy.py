@@ -85,7 +85,7 @@ class Copy:
         self._recorder = recorder
         self._plane = SamplePlane(ways.transport, replica.layout, user=seat)
         self._roster = Roster()
-        self._numbers = set[int]()
+        self._numbers: dict[int, int] = {}  # that datagrams to this copy bear, by seat
         self._since: float | None = None  # when it came
         self._began = 0.0  # when it began to move
         self._last: Report | None = None
@@ -290,9 +290,9 @@ class Copy:
     def _add(self, seat: int, entry: Entry, now: float) -> None:
         """Prepares a link; its spring comes when the neighbour is heard."""
         number = int.from_bytes(self._entropy(4), "big")
-        while number in self._numbers:
+        while number in self._numbers.values():
             number = (number + 1) % (1 << 32)
-        self._numbers.add(number)
+        self._numbers[seat] = number
         self.neighbours[seat] = made = Neighbour.make(
             entry,
             session=self._session,
@@ -317,6 +317,7 @@ class Copy:
     def _drop(self, seat: int) -> None:
         """Lets a link go."""
         del self.neighbours[seat]
+        del self._numbers[seat]
         self._plane.disconnect(seat)
         if self.peer is not None:
             self.peer.disconnect(seat)

@@ -6,8 +6,11 @@ from cotouch.live import ControlPlane, Message
 from cotouch.session._coordinator import Coordinator, Planner
 from cotouch.session._file import SessionFile
 from cotouch.session._links import Pair
-from cotouch.session._messages import Roster, read
-from cotouch.session._watch import Watch
+from cotouch.session._messages import Roster, read, write
+from cotouch.session._watch import HANDED_ON, Watch
+
+# How often who only watches is told what members say of themselves [s].
+_HAND_ON = 0.5
 
 
 @final
@@ -38,6 +41,7 @@ class Host:
         """
         self._control = control
         self._resumed = resumed
+        self._handed_on = -float("inf")
         self._coordinator = Coordinator(session, planner=planner, fingerprint=fingerprint)
         self.watch = Watch(control, host=control.identity.public)
         control.offer(session.content)
@@ -61,6 +65,22 @@ class Host:
         for topic, body, to in self._coordinator.tick(now, present):
             self._control.send(topic, body, to=to)
         self.watch.follow(self._coordinator.roster, now)
+        if now - self._handed_on >= _HAND_ON:
+            self._handed_on = now
+            self._hand_on(present - {own}, now)
+
+    def _hand_on(self, others: frozenset[bytes], now: float) -> None:
+        """Tells who only watches what members say of themselves: members behind NATs see nobody but the host.
+
+        That a member sees a watcher cannot be known here, so it is told to all, and taken of those unseen.
+        """
+        watchers = others - {bytes.fromhex(entry.key) for entry in self.roster.members}
+        if not watchers:
+            return
+        said = [seen.status for seen in self.watch.members.values() if not seen.stale(now)]
+        for body in [write(status) for status in said if status is not None]:
+            for watcher in watchers:
+                self._control.send(HANDED_ON, body, to=watcher)
 
     def _resume(self, message: Message, now: float) -> None:
         """Goes on from what the members decided while the host was gone."""

@@ -29,6 +29,8 @@ Float = npt.NDArray[np.float64]
 STATES = {COUPLED: "coupled", READY: "ready"}
 # Steps that may come late by so many periods without a budget being raised for it.
 _SLACK = 2.0
+# What was bad in the window is forgotten with it; so much longer, as a share of it, less must do before it is less.
+_PATIENCE = 0.2
 # A path that loses so many samples in a row, at the slowest that they come, does not only lose some; see `LinkAges`.
 _OUTAGE = 10.0
 
@@ -144,6 +146,7 @@ class Neighbour:
                 quantile=options.quantile,
                 margin=options.margin,
                 slack=_SLACK * session.period(seat),
+                patience=_PATIENCE * options.window,
             ),
         )
 

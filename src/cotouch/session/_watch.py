@@ -9,7 +9,11 @@ from cotouch.session._coordinator import believed
 from cotouch.session._links import Pair
 from cotouch.session._messages import Entry, Roster, Status, read
 
+# Topic of a status that the host hands on.
+HANDED_ON = "seen"
 _MOST_EVENTS = 200
+# So many names are remembered, those heard of last.
+_MOST_NAMES = 256
 # A status is older than this if its sender is gone or stuck [s].
 STALE = 2.0
 
@@ -55,7 +59,7 @@ class Watch:
         members: by seat; those who left are gone.
         events: the last ones, oldest first.
         ended: whether the host ended the session.
-        last: the last status of everybody who ever took part, by name.
+        last: the last status of who took part, by name; of the 256 names heard of last.
     """
 
     def __init__(self, control: ControlPlane, *, host: bytes) -> None:
@@ -98,6 +102,11 @@ class Watch:
         elif message.topic == "status":
             status, entry = read(Status, message.body), self.roster.of(message.sender)
             if status is not None and entry is not None and entry.seat == status.seat:
+                self._note(entry, status, now)
+        elif message.topic == HANDED_ON and message.sender == self._host:
+            status = read(Status, message.body)
+            entry = None if status is None else self.roster.by_seat().get(status.seat)
+            if status is not None and entry is not None and bytes.fromhex(entry.key) not in present:
                 self._note(entry, status, now)
         elif message.topic == "end" and message.sender == self._host:
             self.ended = True
@@ -142,7 +151,10 @@ class Watch:
         if seen.status is not None and status.alarms > seen.status.alarms:
             self.events.append(Event(now, f"ALARM: the energy books of {entry.name} do not balance"))
         seen.status, seen.time = status, now
+        self.last.pop(entry.name, None)
         self.last[entry.name] = status
+        if len(self.last) > _MOST_NAMES:
+            del self.last[next(iter(self.last))]
 
 
 def _pairs(links: set[tuple[int, int]]) -> str:

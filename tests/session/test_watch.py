@@ -1,0 +1,91 @@
+"""Who only watches sees everybody, members behind NATs too, and keeps no more than it can."""
+
+import numpy as np
+from tests.session.world import World, entropy
+
+from cotouch.live import Identity, Message
+from cotouch.session import Status
+from cotouch.session._watch import HANDED_ON, Watch
+
+THREE = """
+[session]
+users = 3
+spring = 60.0
+[steps]
+rate = 100
+"""
+
+
+def watched(world: World) -> tuple[Watch, Identity]:
+    identity = Identity.make(entropy(99))
+    control = world.controls.join(identity)
+    return Watch(control, host=world.host_identity.public), identity
+
+
+def test_members_that_a_watcher_cannot_reach_are_handed_on_by_the_host() -> None:
+    world = World(THREE)
+    people = [world.join(name, moves=False) for name in ("Ann", "Ben", "Cleo")]
+    watch, identity = watched(world)
+    for hidden in people[1:]:
+        world.controls.cut(identity.public, hidden.identity.public)
+    for _ in range(100):
+        world.run(0.05)
+        watch.service(world.now)
+    assert {seen.entry.name for seen in watch.members.values()} == {"Ann", "Ben", "Cleo"}
+    for seat, seen in watch.members.items():
+        assert seen.status is not None
+        assert seen.status.seat == seat
+        assert seen.status.steps > 0
+        assert not seen.stale(world.now)
+    assert set(watch.paths()) == {(0, 1), (0, 2), (1, 2)}
+    # Only while it watches: members do not need it.
+    said, send = list[str](), world.host_control.send
+    world.host_control.send = lambda topic, body, *, to=None: (said.append(topic), send(topic, body, to=to))[1]
+    world.run(2.0)
+    assert HANDED_ON in said
+    world.controls.kill(identity.public)
+    world.run(3.0)
+    said.clear()
+    world.run(2.0)
+    assert HANDED_ON not in said
+
+
+def test_only_the_host_hands_on_and_what_is_heard_directly_counts() -> None:
+    world = World(THREE)
+    people = [world.join(name, moves=False) for name in ("Ann", "Ben", "Cleo")]
+    watch, identity = watched(world)
+    for _ in range(60):
+        world.run(0.05)
+        watch.service(world.now)
+    present = frozenset(person.identity.public for person in people)
+    seen = watch.members[1]
+    before = seen.status
+    assert before is not None
+    lie = before.model_copy(update={"steps": 10**9}).model_dump_json().encode()
+    host, ann = world.host_identity.public, people[0].identity.public
+    watch.hear(Message(host, HANDED_ON, lie, direct=True), present, world.now)
+    assert seen.status == before
+    hidden = present - {people[1].identity.public}
+    watch.hear(Message(ann, HANDED_ON, lie, direct=True), hidden, world.now)
+    assert seen.status == before
+    watch.hear(Message(host, HANDED_ON, b"no status", direct=True), hidden, world.now)
+    watch.hear(Message(host, HANDED_ON, lie, direct=True), hidden, world.now)
+    assert seen.status is not None
+    assert seen.status.steps == 10**9
+    assert identity.public not in present
+
+
+def test_names_are_remembered_only_so_many() -> None:
+    world = World(THREE)
+    world.join("Ann", moves=False)
+    watch, _ = watched(world)
+    for _ in range(60):
+        world.run(0.05)
+        watch.service(world.now)
+    entry = watch.members[0].entry
+    rng = np.random.default_rng(0)
+    for k in range(400):
+        watch._note(entry.model_copy(update={"name": f"guest {k}"}), Status(seat=0, steps=int(rng.integers(9))), 0.0)
+    assert len(watch.last) == 256
+    assert "guest 399" in watch.last
+    assert "guest 143" not in watch.last
