@@ -59,8 +59,11 @@ class Running:
     def until(self, done: Callable[[], object], what: str, seconds: float = 120.0) -> None:
         end = time.monotonic() + seconds
         while not done():
-            assert time.monotonic() < end, f"{what}: not within {seconds} s"
+            assert time.monotonic() < end, f"{what}: not within {seconds} s; {self.complaints()}"
             time.sleep(0.05)
+
+    def complaints(self) -> str:
+        return "; ".join(f"{path.stem} says {path.read_text()!r}" for path in sorted(self._folder.glob("*.err")))
 
     def close(self) -> None:
         for process in self._all:

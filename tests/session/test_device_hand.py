@@ -302,7 +302,7 @@ def test_a_hand_without_its_device_does_nothing():
 @pytest.mark.slow
 def test_a_device_takes_part_and_its_death_leaves_the_others_alone(tmp_path: Path):
     """Ann has a device, Ben none; Ann's servo is killed, and both go on; Ann's recording holds."""
-    session = SessionFile.from_toml(BLOCK, source="a test")
+    session = SessionFile.from_toml(GRASP, source="a test")  # held: wherever the hand goes round, it pulls
     record = tmp_path / "ann.mcap"
     desk = Desk(BoardFolder(tmp_path), session, ["Ann"])
     with open_host(session) as opened:

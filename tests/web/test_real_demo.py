@@ -94,7 +94,7 @@ def drag(page: Page) -> None:
     page.wait_for_function("count => Object.keys(window.watched.now).length === count", arg=USERS)
     page.mouse.move(x, y)
     page.mouse.down()
-    page.mouse.move(x + 60, y - 140, steps=6)
+    page.mouse.move(x + 60, y - 190, steps=6)
     until(page, "store.frame.copies.find((copy) => copy.seat === 0).mode === 'grab'")
     until(page, "Object.keys(window.watched.first).length === value", USERS)
     first = page.evaluate("() => window.watched.first")
