@@ -8,11 +8,12 @@ STAMP := .venv/.stamp
 setup: $(STAMP)
 
 # uv comes from PyPI into the environment itself, so nothing but Python is needed; the lock file decides the versions.
+# Unlike pip, uv leaves Python to be compiled at first import, and a first start takes three times as long.
 $(STAMP): pyproject.toml uv.lock
 	@command -v $(PYTHON) >/dev/null || { echo "cotouch needs Python 3.11: '$(PYTHON)' was not found; set PYTHON=/path/to/python3.11"; exit 2; }
 	test -x $(BIN)/python || $(PYTHON) -m venv .venv
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check "uv>=0.7,<1"
-	$(BIN)/uv sync --quiet --frozen
+	$(BIN)/uv sync --quiet --frozen --compile-bytecode
 	@touch $@
 
 demo: $(STAMP)
@@ -36,7 +37,9 @@ nats:
 		&& apt-get update --quiet && DEBIAN_FRONTEND=noninteractive apt-get install --yes --quiet iptables; } \
 		|| echo "no iptables here and no way to install it: tests of NATs will be skipped"
 
+# Many tests start processes of their own; each would compile our Python anew where PYTHONDONTWRITEBYTECODE is set.
 test: check browser nats
+	$(BIN)/python -m compileall -q src
 	$(BIN)/pytest -n 2 --dist worksteal
 
 format: $(STAMP)

@@ -4,7 +4,7 @@ import argparse
 
 from rich.console import Console
 
-from benchmarks import drivers, engine, live, members, page, planner, record, recording, scaling, step, touch
+from benchmarks import engine, live, members, page, planner, record, recording, scaling, servo, step, touch
 from benchmarks._report import Row, add_write, finish
 
 
@@ -24,7 +24,7 @@ def main() -> None:
             ("planner", lambda: planner.measure(long=options.long)),
             ("live", live.measure),
             ("members", members.measure),
-            ("drivers", drivers.measure),
+            ("servo", servo.measure),
             ("page", page.measure),
             ("recording", recording.measure),
             ("record", lambda: record.measure(options.count)),

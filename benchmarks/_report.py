@@ -24,10 +24,13 @@ SECTIONS = (
     "live",
     "members",
     "drivers",
+    "servo",
+    "servo memory",
     "page",
     "recording",
     "record",
     "touch record",
+    "device record",
     "soak",
 )
 

@@ -1,18 +1,20 @@
-"""The page's server: frames and bytes a second, its share of a core, from a pointer to Python, from start to frame.
+"""The page: frames and bytes a second, its server's share of a core, from a pointer to Python, from start to frame.
 
 The page is a process of its own that reads, acknowledges and points as a browser does. Copies are made beforehand and
-shown one after the other, so that what is measured is the server and not who makes them.
+shown one after the other, so that what is measured is the server and not who makes them. Then the demonstration as
+users start it: what a page costs its process and its members' deadlines; and a browser. Some three and a half minutes.
 """
 
 import contextlib
 import json
 import os
+import shutil
 import signal
 import struct
 import subprocess
 import sys
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, cast
@@ -24,7 +26,7 @@ from benchmarks._report import Row, command
 from cotouch.session import CopyView, Overview, Pointer, Scene
 from cotouch.web import PageServer
 
-SECONDS = 12.0
+SECONDS = 8.0
 KEPT = 64  # views of each copy
 STEPS = 500.0  # a second
 GOAL = {"3d": "≤ 10 %", "big": ""}
@@ -85,6 +87,7 @@ def visit(address: str, token: str, seconds: float, pointing: float, timed: bool
 
     began = time.monotonic()
     frames, size, waits, first, copies = 0, 0, [], 0.0, 0
+    state: dict[str, Any] = {}
     own = address.rstrip("/")
     with connect(
         own.replace("http", "ws") + "/ws", origin=own, compression=None, max_size=None, max_queue=None
@@ -105,7 +108,10 @@ def visit(address: str, token: str, seconds: float, pointing: float, timed: bool
                 message = page.recv(max(min(due, end) - time.monotonic(), 0.0) if pointing else 1.0)
             except TimeoutError:
                 continue
-            if isinstance(message, bytes):
+            if isinstance(message, str):
+                told = json.loads(message)
+                state = told if told["type"] == "state" else state
+            else:
                 if not first:
                     first = time.monotonic() - began
                 page.send(struct.pack("<B3xI", 3, struct.unpack_from("<I", message, 4)[0]))
@@ -114,7 +120,13 @@ def visit(address: str, token: str, seconds: float, pointing: float, timed: bool
                 if echo > seen:
                     seen = echo
                     waits.append(1e-6 * waited)
-    return {"copies": copies, "first": first, "frames": frames / seconds, "bytes": size / seconds, "waits": waits}
+    return {"copies": copies, "first": first, "frames": frames / seconds, "bytes": size / seconds, "waits": waits} | {
+        "late": [
+            sum(member.get(name) or 0 for member in state.get("members", {}).values()) for name in ("missed", "steps")
+        ],
+        "coupled": bool(state.get("ends")) and all(end["state"] == "coupled" for end in state["ends"].values()),
+        "planned": {"best", "worst"} <= state.get("choices", {}).keys(),
+    }
 
 
 def _page(server: PageServer, pointing: float = 0.0, seconds: float = SECONDS) -> dict[str, Any]:
@@ -163,33 +175,81 @@ def served() -> list[Row]:
 def demonstration() -> list[Row]:
     """Against the demonstration as users start it: a process for each of five users."""
     with _demo() as (process, address, token):
-        before = _cpu_of(process, 6.0)
-        start, came = _times_of(process), time.monotonic()
-        found = _visitor(address, token, SECONDS, 60.0, timed=False)
-        with_page = (_times_of(process) - start) / (time.monotonic() - came)
-    waits = np.array(found["waits"])
+        spans: dict[str, tuple[float, float]] = {}
+        found: dict[str, Any] = {}
+
+        def span(name: str, action: Callable[[], Any]) -> None:
+            """What it takes: share of a core of the demonstration, share of its members' steps that came late."""
+            late, start, came = _late(address, token), _times_of(process), time.monotonic()
+            found[name] = action()
+            used = (_times_of(process) - start) / (time.monotonic() - came)
+            after = _late(address, token)
+            spans[name] = (used, (after[0] - late[0]) / max(after[1] - late[1], 1))
+
+        span("none", lambda: time.sleep(SECONDS))
+        span("page", lambda: _visitor(address, token, SECONDS, 60.0, timed=False))
+        span("browser", lambda: _looked_at(f"{address}#token={token}", SECONDS))
+    visited = found["page"]
+    (alone, before), (used, during), (_, drawn) = spans["none"], spans["page"], spans["browser"]
+    browser = (
+        f"{100.0 * drawn:.2f} % with a browser that draws {found['browser']:.0f} pictures a second by the processor"
+    )
     return [
-        Row("page", "demonstration, five users, soft body: frames a second", f"{found['frames']:.1f}", "≥ 55",
-            f"{found['bytes'] / 1e6:.2f} MB/s, 60 pointers a second; {load()}"),
-        Row("page", "demonstration: its process with one page, and with none", f"{100.0 * with_page:.1f} %, "
-            f"{100.0 * before:.1f} %", "10 % apart", "share of a core; without a page it is the session's host"),
+        Row("page", "demonstration, five users, soft body: frames a second", f"{visited['frames']:.1f}", "≥ 55",
+            f"{visited['bytes'] / 1e6:.2f} MB/s, 60 pointers a second; {load()}"),
+        Row("page", "demonstration: its process with one page, and with none", f"{100.0 * used:.1f} %, "
+            f"{100.0 * alone:.1f} %", "≤ 10 %", "share of a core; without a page it is the session's host"),
+        Row("page", "demonstration: members' steps that came late, with one page, and with none",
+            f"{100.0 * during:.2f} %, {100.0 * before:.2f} %", "alike",
+            f"{browser if found['browser'] else 'no browser'}; {load()}"),
         Row("page", "demonstration: pointer at the server to the frame whose copy has used it, p50 / p99",
-            _times(waits), "≤ 16 ms to the screen", f"{waits.size} pointers; boards and a step lie between"),
+            _times(np.array(visited["waits"])), "≤ 16 ms to the screen",
+            f"{len(visited['waits'])} pointers; boards and a step lie between"),
     ]  # fmt: skip
+
+
+def _late(address: str, token: str) -> list[int]:
+    """Steps of all members that came late, and all their steps, as they said last."""
+    return _visitor(address, token, 1.2, 0.0, timed=False)["late"]
+
+
+def _looked_at(url: str, seconds: float) -> float:
+    """Pictures a second that a browser draws of it; 0 where there is none."""
+    with _chromium() as running:
+        if running is None:
+            return 0.0
+        page = running.new_page(viewport={"width": 900, "height": 500})
+        page.goto(url)
+        page.wait_for_function("() => window.cotouch && window.cotouch.stats.frames > 30", timeout=120_000)
+        return _rate(page, seconds)
 
 
 @contextlib.contextmanager
 def _demo() -> Any:
-    arguments = [sys.executable, "-m", "cotouch", "demo", "--seconds", "45", "--page", "--headless", "--port", "0"]
+    arguments = [
+        sys.executable,
+        "-m",
+        "cotouch",
+        "demo",
+        "--body",
+        "soft",
+        "--seconds",
+        "240",
+        "--page",
+        "--headless",
+        "--port",
+        "0",
+    ]
     process = subprocess.Popen(arguments, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
     assert process.stderr is not None
     try:
         line = next(line for line in process.stderr if "the page is at" in line)
         address, _, token = line.split()[-1].partition("#token=")
-        for _ in range(60):  # where kernels have to compile, that takes a minute or two
-            if _visitor(address, token, 2.0, 0.0, timed=False)["copies"] == 5:
+        # Where kernels have to compile, that takes a minute or two; then all are coupled, and the best links are found.
+        for _ in range(90):
+            seen = _visitor(address, token, 2.0, 0.0, timed=False)
+            if seen["copies"] == 5 and seen["coupled"] and seen["planned"]:
                 break
-        time.sleep(5.0)  # until all are coupled
         yield process, address, token
     finally:
         process.send_signal(signal.SIGTERM)
@@ -204,12 +264,6 @@ def _times_of(process: "subprocess.Popen[str]") -> float:
     return used.user + used.system
 
 
-def _cpu_of(process: "subprocess.Popen[str]", seconds: float) -> float:
-    start = _times_of(process)
-    time.sleep(seconds)
-    return (_times_of(process) - start) / seconds
-
-
 def _times(seconds: np.ndarray) -> str:
     if not seconds.size:
         return "none came"
@@ -222,54 +276,92 @@ def load() -> str:
     return f"load {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores"
 
 
-def in_browser(static: Path | None = None) -> list[Row]:
-    """In chromium, which draws without a graphics card here: what the page itself says of its frames and drags."""
-    import shutil
+# Without a graphics card a simulated one draws: only the picture is to be drawn by it, not the page around it.
+_FLAGS = (
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--disable-gpu-rasterization",
+    "--disable-accelerated-2d-canvas",
+)
+# Wide windows, where the processor's drawing is the limit, and one so small that it hardly is.
+_CASES = (
+    ("3d", "1,924", "≥ 55", 1280, 720),
+    ("3d", "1,924", "≥ 55", 900, 500),
+    ("3d", "1,924", "≥ 55", 390, 400),
+    ("big", "20,002", "≥ 30", 900, 500),
+    ("big", "20,002", "≥ 30", 390, 400),
+)
 
+
+@contextlib.contextmanager
+def _chromium() -> Any:
     program = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
     if program is None:
-        return [Row("page", "in a browser", "not measured", "", "no chromium on this machine")]
+        yield None
+        return
     from playwright.sync_api import sync_playwright
 
-    # Without a graphics card a simulated one draws: only the picture is to be drawn by it, not the page around it.
-    flags = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
-    flags += ["--disable-gpu-rasterization", "--disable-accelerated-2d-canvas"]
-    rows: list[Row] = []
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=program, args=flags)
-        cases = [
-            (kind, what, goal, wide, high)
-            for kind, what, goal in (("3d", "1,924", "≥ 55"), ("big", "20,002", "≥ 30"))
-            for wide, high in ((1280, 720), (900, 500))
-        ]
-        for kind, what, goal, wide, high in cases:
+        running = playwright.chromium.launch(executable_path=program, args=list(_FLAGS))
+        try:
+            yield running
+        finally:
+            running.close()
+
+
+def _rate(page: Any, seconds: float) -> float:
+    """Mesh updates a second."""
+    before = page.evaluate("() => [window.cotouch.stats.frames, performance.now()]")
+    page.wait_for_timeout(1e3 * seconds)
+    after = page.evaluate("() => [window.cotouch.stats.frames, performance.now()]")
+    return 1e3 * (after[0] - before[0]) / (after[1] - before[1])
+
+
+def _drags(page: Any, *, whole: bool) -> np.ndarray:
+    """From a pointer's event to a picture whose copy has used it [s].
+
+    Args:
+        page: that shows it.
+        whole: whether to the picture's last pixel; else until it was handed over to whoever draws.
+    """
+    page.evaluate("on => { const s = window.cotouch.stats; s.finishing = on; s.dragToMesh.length = 0; }", whole)
+    picture = page.locator("canvas").first.bounding_box()
+    x, y = picture["x"] + 0.5 * picture["width"], picture["y"] + 0.5 * picture["height"]
+    page.mouse.move(x, y)
+    page.mouse.down()
+    for k in range(150):
+        page.mouse.move(x + k % 60, y + k % 40)
+        page.wait_for_timeout(16)
+    page.mouse.up()
+    return np.array(page.evaluate("() => window.cotouch.stats.dragToMesh")) / 1e3
+
+
+def in_browser(static: Path | None = None) -> list[Row]:
+    """In chromium, which draws without a graphics card here: what the page itself says of its frames and drags."""
+    rows: list[Row] = []
+    with _chromium() as running:
+        if running is None:
+            return [Row("page", "in a browser", "not measured", "", "no chromium on this machine")]
+        for kind, what, goal, wide, high in _CASES:
             with PageServer(_Played(kind), port=0, static=static) as server:
-                page = browser.new_page(viewport={"width": wide, "height": high})
+                page = running.new_page(viewport={"width": wide, "height": high})
                 page.goto(server.url)
                 page.wait_for_function("() => window.cotouch && window.cotouch.stats.frames > 30", timeout=120_000)
-                before = page.evaluate("() => [window.cotouch.stats.frames, performance.now()]")
-                page.wait_for_timeout(8_000)
-                after = page.evaluate("() => [window.cotouch.stats.frames, performance.now()]")
-                rate = 1e3 * (after[0] - before[0]) / (after[1] - before[1])
-                picture = page.locator("canvas").first.bounding_box()
-                assert picture is not None
-                x, y = picture["x"] + 0.5 * picture["width"], picture["y"] + 0.5 * picture["height"]
-                page.mouse.move(x, y)
-                page.mouse.down()
-                for k in range(120):
-                    page.mouse.move(x + k % 60, y + k % 40)
-                    page.wait_for_timeout(16)
-                drags = np.array(page.evaluate("() => window.cotouch.stats.dragToMesh")) / 1e3
-                page.mouse.up()
+                page.wait_for_timeout(4_000)  # until it is as coarse as it has to be
+                rate = _rate(page, 6.0)
+                handed, whole = _drags(page, whole=False), _drags(page, whole=True)
+                size, ratio = page.evaluate(
+                    "() => { const c = document.querySelector('.ct-canvas'), b = c.getBoundingClientRect();"
+                    " return [`${c.width} × ${c.height}`, c.width / b.width]; }"
+                )
                 page.close()
             named = f"browser, {wide} × {high}, {what} points"
             rows += [
                 Row("page", f"{named}: mesh updates a second", f"{rate:.1f}", goal,
-                    f"chromium, drawn by the processor; {load()}"),
-                Row("page", f"{named}: drag to mesh on the screen, p50 / p99", _times(drags), "≤ 16 ms",
-                    f"{drags.size} drags"),
+                    f"chromium, drawn by the processor in {size} pixels, {ratio:.2g} of the page's; {load()}"),
+                Row("page", f"{named}: drag to mesh handed over, p50 / p99", _times(handed), "≤ 16 ms",
+                    f"{handed.size} drags; until all pixels are drawn {_times(whole)}"),
             ]  # fmt: skip
-        browser.close()
     return rows
 
 

@@ -36,6 +36,14 @@ def pytest_configure(config: pytest.Config) -> None:
             process.wait()
 
 
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Where workers share the tests, what takes long comes first."""
+    if hasattr(config, "workerinput"):
+        from tests.order import ordered
+
+        items[:] = ordered(items)
+
+
 @pytest.fixture(scope="session")
 def stalls(tmp_path_factory: pytest.TempPathFactory) -> Generator[object]:
     """Tells times when force was late from times when the machine stood still: `tests.stalls.Stalls`."""

@@ -1,4 +1,4 @@
-"""Compiles the kernels of one width into the cache on disk; run by `conftest.py` before workers would do so each."""
+"""Compiles kernels into the cache on disk, a width in each process; run by `conftest.py` before workers would do so."""
 
 import sys
 from pathlib import Path
@@ -37,9 +37,10 @@ def main(axes: int) -> None:
         )
         simulate(with_tools)
         run_peers(prepare(with_tools))
-    if axes == 1:
+        # Devices belong to the tools above, and the search for links to the other process: both then take equally long.
         SimulatedDevice(DeviceModel()).advance(0.0)
         critical_stiffness(CartesianPlant(), precision=0.5)
+    if axes == 1:
         three = [[0, 1, 1], [1, 0, 1], [1, 1, 0]]
         network = Network(users=["a", "b", "c"], spring=three, delay=0.01 * np.array(three))
         for objective, method in (("consensus", "enumerate"), ("decay", "local"), ("damping", "bound")):

@@ -53,12 +53,17 @@ export class Connection {
   /** Whether this page has what it needs to change anything. */
   get mayAct(): boolean {
     const { connection, state, scene, seat } = this.store;
-    return connection === "open" && this.token !== null && state?.control !== "other" && !!scene?.own.includes(seat);
+    return connection === "open" && this.hasToken && state?.control !== "other" && !!scene?.own.includes(seat);
   }
 
-  /** Whether this page came with the token. */
+  /** Whether this page came with the token; it is taken to be right until the server says otherwise. */
   get hasToken(): boolean {
-    return this.token !== null;
+    return this.token !== null && this.store.scene?.acts !== false;
+  }
+
+  /** Whether it came with one that is not this server's. */
+  get tokenWrong(): boolean {
+    return this.token !== null && !this.hasToken;
   }
 
   /** Where something is downloaded from, with the token. */

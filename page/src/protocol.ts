@@ -21,6 +21,8 @@ export interface Scene {
   own: number[];
   /** What `Connection.do` may ask for here. */
   may: string[];
+  /** Whether this page's token is right. */
+  acts: boolean;
   invitation: string | null;
   nodes: { count: number; rest: Float32Array };
   skin: { vertices: number; rest: Float32Array; triangles: Uint32Array; node: Uint32Array } | null;
@@ -78,7 +80,8 @@ export interface MemberStatus {
   alarms: number;
   here: boolean;
   alive: boolean | null;
-  hand: HandMode;
+  /** null: led on another computer. */
+  hand: HandMode | null;
 }
 
 export interface Emulated {
@@ -91,7 +94,7 @@ export interface Emulated {
 /** How things are; five times a second. Members may be told only in part before they said anything. */
 export interface State {
   time: number;
-  members: Record<string, Partial<MemberStatus> & { here: boolean; alive: boolean | null; hand: HandMode }>;
+  members: Record<string, Partial<MemberStatus> & { here: boolean; alive: boolean | null; hand: HandMode | null }>;
   links: [number, number][];
   /** "a-b": what a knows of its link to b. */
   ends: Record<string, LinkStatus>;

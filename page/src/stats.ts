@@ -2,6 +2,8 @@
 const KEPT = 600;
 
 export class Stats {
+  /** Whether each picture is awaited until it is whole, so that times below tell it and not when it was handed over. */
+  finishing = false;
   /** Frames drawn that had something new in them. */
   frames = 0;
   /** Of those, in the last second [1/s]. */

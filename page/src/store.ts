@@ -31,6 +31,8 @@ export class Store {
   scene: Scene | null = null;
   state: State | null = null;
   frame: Frame | null = null;
+  /** Frames so far. */
+  came = 0;
   connection: ConnectionState = "connecting";
   /** Why the connection was refused, in the server's words. */
   refusal = "";
@@ -98,6 +100,7 @@ export class Store {
 
   drawn(frame: Frame): void {
     this.frame = frame;
+    this.came++;
     this.history.add(frame);
     this.emit("frame");
   }

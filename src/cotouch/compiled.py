@@ -28,6 +28,13 @@ def routine(function: F) -> F:
     return stamped(njit(cache=True, nogil=True, error_model="numpy")(function))
 
 
+def subroutine(function: F) -> F:
+    """A routine that only routines call. What lets Python call one takes its share of the compilation's time."""
+    njit: Any = numba.njit
+    options = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+    return stamped(njit(cache=True, nogil=True, error_model="numpy", **options)(function))
+
+
 def stamped(compiled: Any) -> Any:
     """The compiled function, its cache on disk bound to the sources of the whole package.
 

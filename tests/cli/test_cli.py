@@ -6,8 +6,8 @@ import sys
 from pathlib import Path
 
 import pytest
+from tests.cli.commands import FIVE_USERS, cotouch, here
 
-FIVE_USERS = Path(__file__).parents[2] / "examples" / "five-users.toml"
 SMALL = """
 [network]
 users = ["Ann", "Ben"]
@@ -19,16 +19,6 @@ duration = 0.5
 user = 1
 path = 0.1
 """
-
-
-def cotouch(*arguments: str | Path) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-c", "from cotouch.cli import main; main()", *map(str, arguments)],
-        capture_output=True,
-        text=True,
-        timeout=300,
-        check=False,
-    )
 
 
 @pytest.fixture
@@ -102,9 +92,9 @@ def test_certify_designs_and_checks() -> None:
     assert found["index", "exact"]["modes"] == ["constant"]
     assert "freshest" in found["age", "rule"]["modes"]
     assert all(entry["holds"] for entry in found.values())
-    checked = cotouch("certify", FIVE_USERS, "--json", "--damping", "20")
+    checked = here("certify", FIVE_USERS, "--json", "--damping", "20")
     assert not any(entry["holds"] for entry in json.loads(checked.stdout)["certificates"])
-    table = cotouch("certify", FIVE_USERS)
+    table = here("certify", FIVE_USERS)
     assert "minimax" in table.stdout
     assert "36.5" in table.stdout
 
@@ -123,7 +113,7 @@ def test_certify_designs_and_checks() -> None:
     ],
 )
 def test_what_the_user_got_wrong_is_said_with_exit_code_2(arguments: tuple[str | Path, ...], words: str) -> None:
-    done = cotouch(*arguments)
+    done = here(*arguments)
     assert done.returncode == 2
     assert words in done.stderr
     assert "Traceback" not in done.stderr
@@ -158,7 +148,7 @@ def test_body_says_what_it_understood(shapes: Path, tmp_path: Path) -> None:
 
 def test_body_in_numbers(shapes: Path) -> None:
     options = ["--unit", "m", "--ground", "set:clamp", "--ground-stiffness", "1e6", "--young", "1e6", "--modes", "10"]
-    done = cotouch("body", shapes / "beam.vtu", *options, "--json")
+    done = here("body", shapes / "beam.vtu", *options, "--json")
     assert done.returncode == 0, done.stderr
     numbers = json.loads(done.stdout)
     assert (numbers["nodes"], numbers["elements"], numbers["held_nodes"]) == (425, 1536, 25)
@@ -185,7 +175,7 @@ def test_body_says_what_was_repaired(shapes: Path, tmp_path: Path) -> None:
         content[at : at + 24] = content[at + 12 : at + 24] + content[at : at + 12]
     content[80:84] = (count - 1).to_bytes(4, "little")
     (tmp_path / "bad.stl").write_bytes(content[:-50])
-    done = cotouch("body", tmp_path / "bad.stl", "--unit", "mm", "--json")
+    done = here("body", tmp_path / "bad.stl", "--unit", "mm", "--json")
     assert done.returncode == 0, done.stderr
     notes = json.loads(done.stdout)["notes"]
     assert notes[0].startswith("1 hole filled")
@@ -219,7 +209,7 @@ def test_body_refuses_with_one_sentence_and_leaves_nothing(
         (tmp_path / f"text.{suffix}").write_text("no mesh\n")
     name, *rest = options
     path = tmp_path / name if name.startswith(("text", "nothing")) else shapes / name
-    done = cotouch("body", path, *rest, "--figures", tmp_path / "figures")
+    done = here("body", path, *rest, "--figures", tmp_path / "figures")
     assert done.returncode == 2
     assert done.stdout == ""
     assert done.stderr.count("\n") == 1

@@ -5,7 +5,7 @@ import re
 from pathlib import Path
 
 import pytest
-from tests.cli.test_cli import FIVE_USERS, cotouch
+from tests.cli.commands import FIVE_USERS, cotouch, here
 
 from cotouch.cli._plan import run
 
@@ -25,7 +25,7 @@ def test_plan_prints_one_json_object() -> None:
 
 
 def test_plan_prints_a_table_and_keeps_to_the_limits() -> None:
-    done = cotouch("plan", FIVE_USERS, "--links", "5", "--must", "1-3", "--never", "2-4,4-5", "--max-degree", "3")
+    done = here("plan", FIVE_USERS, "--links", "5", "--must", "1-3", "--never", "2-4,4-5", "--max-degree", "3")
     assert done.returncode == 0, done.stderr
     assert "Proved for 5 users" in done.stdout
     best = re.search(r"^  1 +((?:\d-\d ?)+)", done.stdout, re.MULTILINE)
@@ -35,7 +35,7 @@ def test_plan_prints_a_table_and_keeps_to_the_limits() -> None:
 
 
 def test_a_graph_that_never_mixes_has_no_time_constant() -> None:
-    done = cotouch("plan", FIVE_USERS, "--links", "6", "--json")
+    done = here("plan", FIVE_USERS, "--links", "6", "--json")
     worst = json.loads(done.stdout)["worst"]
     assert worst["value"] == 1.0
     assert worst["time_constant_s"] is None
@@ -53,7 +53,7 @@ def test_a_graph_that_never_mixes_has_no_time_constant() -> None:
     ],
 )
 def test_what_cannot_be_is_one_sentence_and_exit_code_2(options: list[str], message: str) -> None:
-    done = cotouch("plan", FIVE_USERS, *options)
+    done = here("plan", FIVE_USERS, *options)
     assert done.returncode == 2
     assert message in done.stderr
     assert done.stderr.count("\n") == 1
@@ -63,13 +63,13 @@ def test_a_delay_that_is_no_number_is_named(tmp_path: Path) -> None:
     for entry in ("nan", "-0.1"):
         path = tmp_path / "network.toml"
         path.write_text(f"[network]\nusers = ['a', 'b']\nspring = [[0, 1], [1, 0]]\ndelay = [[0, {entry}], [0.1, 0]]\n")
-        done = cotouch("plan", path, "--links", "1")
+        done = here("plan", path, "--links", "1")
         assert done.returncode == 2
         assert "must be finite and at least 0" in done.stderr
 
 
 def test_plan_draws_and_tunes(tmp_path: Path) -> None:
-    done = cotouch(
+    done = here(
         *("plan", FIVE_USERS, "--links", "6", "--objective", "decay", "--tune-springs", "42"),
         *("--figures", str(tmp_path / "drawn"), "--json"),
     )
@@ -85,7 +85,7 @@ def test_plan_draws_and_tunes(tmp_path: Path) -> None:
 
 
 def test_plan_refuses_a_limit_of_nothing() -> None:
-    done = cotouch("plan", FIVE_USERS, "--links", "6", "--tune-springs", "0")
+    done = here("plan", FIVE_USERS, "--links", "6", "--tune-springs", "0")
     assert done.returncode == 2
     assert "damping_limit" in done.stderr
     assert "Traceback" not in done.stderr
@@ -111,7 +111,7 @@ def test_the_body_of_a_scenario_counts_and_options_override_it(tmp_path: Path) -
     ):
         path = tmp_path / f"{name}.toml"
         path.write_text(SCENARIO + body)
-        done = cotouch("plan", path, "--links", "2", "--objective", "decay", "--json", *options)
+        done = here("plan", path, "--links", "2", "--objective", "decay", "--json", *options)
         assert done.returncode == 0, done.stderr
         values[name] = json.loads(done.stdout)["best"]["value"]
     assert values["file"] == values["options"] == values["part"]
@@ -123,11 +123,11 @@ def test_a_body_that_is_not_modal_is_one_sentence(tmp_path: Path) -> None:
     path.write_text(
         SCENARIO + "kind = 'matrices'\nmass = [[1, 0], [0, 2]]\nrest = [0, 1]\nstiffness_int = [[1, -1], [-1, 1]]\n"
     )
-    done = cotouch("plan", path, "--links", "2", "--objective", "decay")
+    done = here("plan", path, "--links", "2", "--objective", "decay")
     assert done.returncode == 2
     assert "no modes that move by themselves" in done.stderr
     assert done.stderr.count("\n") == 1
-    assert cotouch("plan", path, "--links", "2").returncode == 0, "the consensus knows no body"
+    assert here("plan", path, "--links", "2").returncode == 0, "the consensus knows no body"
 
 
 @pytest.mark.parametrize("cold", [True, False])

@@ -7,17 +7,8 @@ from pathlib import Path
 
 import pytest
 import xarray as xr
+from tests.cli.commands import cotouch, here
 from tests.recording.driven import Driven
-
-
-def cotouch(*arguments: str | Path) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-c", "from cotouch.cli import main; main()", *map(str, arguments)],
-        capture_output=True,
-        text=True,
-        timeout=300,
-        check=False,
-    )
 
 
 @pytest.fixture(scope="module")
@@ -34,7 +25,7 @@ def test_an_audit_that_holds(files: list[Path], tmp_path: Path) -> None:
 
 
 def test_an_audit_that_does_not_hold_ends_with_1(tmp_path: Path) -> None:
-    done = cotouch("audit", *Driven(tmp_path, damping=(0.0, 0.0), seconds=2.0).run(), "--json")
+    done = here("audit", *Driven(tmp_path, damping=(0.0, 0.0), seconds=2.0).run(), "--json")
     assert done.returncode == 1, done.stderr
     found = json.loads(done.stdout)
     assert found["holds"] is False
@@ -46,7 +37,7 @@ def test_bad_input_ends_with_2_and_one_sentence(tmp_path: Path) -> None:
     path = tmp_path / "x.mcap"
     path.write_bytes(b"no")
     for arguments in (("audit", path), ("export", path, "--out", tmp_path / "x.nc")):
-        done = cotouch(*arguments)
+        done = here(*arguments)
         assert done.returncode == 2
         assert done.stderr == f"cotouch: {path}: it is no recording of cotouch, or ends before its head does\n"
     assert not (tmp_path / "x.nc").exists()
@@ -54,7 +45,7 @@ def test_bad_input_ends_with_2_and_one_sentence(tmp_path: Path) -> None:
 
 def test_export(files: list[Path], tmp_path: Path) -> None:
     out = tmp_path / "x.nc"
-    done = cotouch("export", *files, "--out", out, "--json")
+    done = here("export", *files, "--out", out, "--json")
     assert done.returncode == 0, done.stderr
     assert json.loads(done.stdout)["sizes"]["step"] == 251
     with xr.open_dataset(out, engine="h5netcdf") as run:

@@ -2,11 +2,13 @@
 
 One frame in full on connection, then exactly one lean frame for every message, and events on a second port. The last
 force stays until another comes, also when its client is gone: what the real service does then is not published, so the
-worst is assumed. Usage: inverse_service.py folder [--silent-start] [--without-status] [--more]; prints its two ports.
+worst is assumed. Usage: inverse_service.py folder [--silent-start] [--without-status] [--more] [--long]; prints its two
+ports, and ends with its parent, or after two minutes if it is not to last long.
 """
 
 import json
 import math
+import os
 import selectors
 import socket
 import struct
@@ -244,8 +246,8 @@ class Service:
 
     def run(self):
         print(*self.ports, flush=True)
-        end = time.monotonic() + 120.0
-        while time.monotonic() < end:
+        parent, end = os.getppid(), time.monotonic() + (3600.0 if "--long" in self.flags else 120.0)
+        while time.monotonic() < end and os.getppid() == parent:
             for key, _ in self.selector.select(0.001):
                 if isinstance(key.data, Client):
                     self.ready(key.data)

@@ -1,9 +1,10 @@
-"""Peer, servo and guardian around stand-ins; each is killed in turn, and the stand-in's motors say when force was gone.
+"""Peer, servo and guardian around stand-ins; each is killed and stopped, and the stand-in's motors say when force went.
 
 The Inverse Service keeps the last force for ever, the omega has the watchdog of its firmware, and the Touch's library
 nothing at all but being opened anew.
 """
 
+import contextlib
 import json
 import os
 import signal
@@ -20,16 +21,21 @@ from tests.drivers.standin import Board, Fault, Service
 from tests.stalls import Stalls
 
 from cotouch.haptics import Cause, DeviceChoice, ProxyEnd, ServoLink
+from cotouch.haptics._boards import ReportReader
 
-# A peer of its own; it says who is around the device, then pulls.
+# A peer of its own; it says who is around the device, then pulls, with energy that never ends.
 PEER = """
 import json, sys, time
-from cotouch.haptics import DeviceChoice, ServoLink, Word
+from cotouch.haptics import Cause, DeviceChoice, ServoLink, Word
 link = ServoLink(DeviceChoice(sys.argv[1], json.loads(sys.argv[2])), real_time=None)
-print(link.servo, link.guardian, flush=True)
+print(link.servo, link.guardian, link._folder, flush=True)
+given = 1.0
 while True:
     link.read()
-    link.order((0.03, 0.0, 0.0), Word(given=1.0))
+    given += 1e-3
+    link.order((0.03, 0.0, 0.0), Word(given=given))
+    if link.causes & Cause.FAST:
+        link.rearm()
     time.sleep(0.002)
 """
 KINDS = ["haply", "force_dimension", "touch"]
@@ -47,8 +53,12 @@ def setting(request: pytest.FixtureRequest) -> Setting:
     return DeviceChoice(request.param, options), board
 
 
+def pushes(board: Board) -> bool:
+    return bool(np.linalg.norm(board.get("motor")) > 0.2)
+
+
 class Held:
-    """A link whose proxy stays beside the device, so that there is force."""
+    """A link whose proxy stays beside the device, so that there is force; this process is the peer."""
 
     def __init__(self, choice: DeviceChoice, board: Board) -> None:
         self.link = ServoLink(choice, real_time=None)
@@ -69,8 +79,12 @@ class Held:
             self.said += self.link.notices()
             time.sleep(0.002)
 
-    def pushes(self) -> bool:
-        return bool(np.linalg.norm(self.board.get("motor")) > 0.2)
+    def gone(self, number: int, stalls: Stalls, *, at: int) -> None:
+        """Sends a signal to one of the processes, and asserts that force is gone soon."""
+        began = time.monotonic()
+        os.kill(at, number)
+        self.until(lambda: self.board.zero_after(began) < np.inf, "no force")
+        stalls.within(began, self.board.zero_after(began))
 
 
 @pytest.fixture
@@ -78,8 +92,10 @@ def held(setting: Setting) -> Generator[Held]:
     for _ in range(4):  # a machine full of tests may stall for longer than a device waits
         made = Held(*setting)
         try:
-            made.until(lambda held=made: held.pushes() or held.link.causes & Cause.FAULT or held.link.gone, "force")
-            if made.pushes():
+            made.until(
+                lambda held=made: pushes(held.board) or held.link.causes & Cause.FAULT or held.link.gone, "force"
+            )
+            if pushes(made.board):
                 yield made
                 return
         finally:
@@ -88,36 +104,108 @@ def held(setting: Setting) -> Generator[Held]:
 
 
 def test_a_servo_that_is_killed_leaves_no_force(held: Held, stalls: Stalls):
-    began = time.monotonic()
-    os.kill(held.link.servo, signal.SIGKILL)
+    held.gone(signal.SIGKILL, stalls, at=held.link.servo)
     held.until(lambda: any("the device's servo is gone" in text for text in held.said), "told")
-    stalls.within(began, held.board.zero_after(began))
 
 
-def test_a_guardian_that_is_killed_leaves_no_force(held: Held, stalls: Stalls):
-    began = time.monotonic()
-    os.kill(held.link.guardian, signal.SIGKILL)
+def test_a_servo_that_is_stopped_leaves_no_force(held: Held, stalls: Stalls):
+    """Halted from outside, or, where that cannot be, ended and its device opened anew, if it has no watchdog."""
+    servo = held.link.servo
+    held.gone(signal.SIGSTOP, stalls, at=servo)
+    held.until(lambda: not _runs(servo), "it is ended")
+    held.until(lambda: any("the device's servo is gone" in text for text in held.said), "told")
+
+
+def test_a_guardian_that_is_stopped_or_killed_leaves_no_force(held: Held, stalls: Stalls):
+    guardian = held.link.guardian
+    held.gone(signal.SIGSTOP, stalls, at=guardian)
+    held.until(lambda: any("watches over the device stands still" in text for text in held.said), "told")
+    os.kill(guardian, signal.SIGCONT)
+    held.until(lambda: pushes(held.board), "force again")
+    held.gone(signal.SIGKILL, stalls, at=guardian)
     held.until(lambda: any("watches over the device is gone" in text for text in held.said), "told")
-    held.until(lambda: held.board.zero_after(began) < float("inf"), "no force")
-    stalls.within(began, held.board.zero_after(began))
 
 
-def test_a_peer_that_is_killed_leaves_no_force(setting: Setting, stalls: Stalls):
-    choice, board = setting
-    command = [sys.executable, "-c", PEER, choice.name, json.dumps(dict(choice.options))]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, cwd=ROOT) as peer:
-        try:
-            assert peer.stdout is not None
-            servo, guardian = map(int, peer.stdout.readline().split())
-            board.wait_for("motor", any, 20.0)
-            began = time.monotonic()
-        finally:
-            peer.kill()
-    end = time.monotonic() + 20.0
-    while any(_runs(pid) for pid in (servo, guardian)):
-        assert time.monotonic() < end
-        time.sleep(0.005)
-    stalls.within(began, board.zero_after(began))
+class Around:
+    """A peer in a process of its own, and what is around its device."""
+
+    def __init__(self, choice: DeviceChoice, board: Board) -> None:
+        command = [sys.executable, "-c", PEER, choice.name, json.dumps(dict(choice.options))]
+        self.board = board
+        self.peer = subprocess.Popen(command, stdout=subprocess.PIPE, text=True, cwd=ROOT)
+        assert self.peer.stdout is not None
+        servo, guardian, folder = self.peer.stdout.readline().split()
+        self.servo, self.guardian = int(servo), int(guardian)
+        self.reports = ReportReader(Path(folder))
+        self.reports.read()
+        self.until(lambda: pushes(board), "force")
+
+    def until(self, done: Callable[[], object], what: str) -> None:
+        end = time.monotonic() + 30.0
+        while not done():
+            assert time.monotonic() < end, what
+            time.sleep(0.002)
+
+    def gone(self, number: int, stalls: Stalls, *, at: list[int]) -> None:
+        """Sends a signal to some of the processes at once, and asserts that force is gone soon."""
+        began = time.monotonic()
+        for pid in at:
+            os.kill(pid, number)
+        self.until(lambda: self.board.zero_after(began) < np.inf, "no force")
+        stalls.within(began, self.board.zero_after(began))
+
+    def close(self) -> None:
+        self.peer.kill()
+        self.peer.wait()
+        assert self.peer.stdout is not None
+        self.peer.stdout.close()
+        self.reports.close()
+        with contextlib.suppress(OSError):
+            os.kill(self.guardian, signal.SIGCONT)  # in case a test failed
+        self.until(lambda: not _runs(self.servo) and not _runs(self.guardian), "no process")
+
+
+@pytest.fixture
+def around(setting: Setting) -> Generator[Around]:
+    made = Around(*setting)
+    yield made
+    made.close()
+
+
+def test_a_peer_that_is_killed_leaves_no_force_and_no_process(around: Around, stalls: Stalls):
+    around.gone(signal.SIGKILL, stalls, at=[around.peer.pid])
+    around.until(lambda: not _runs(around.servo) and not _runs(around.guardian), "no process")
+
+
+@pytest.mark.parametrize("setting", ["haply"], indirect=True)
+def test_a_servo_sees_by_itself_that_its_peer_is_dead(around: Around, stalls: Stalls):
+    """Its guardian, which would see it as well, stands still; the pipe says it, before silence does."""
+    os.kill(around.guardian, signal.SIGSTOP)
+    around.gone(signal.SIGKILL, stalls, at=[around.peer.pid])
+    around.until(lambda: (report := around.reports.read()) is not None and report.causes & Cause.PEER, "the reason")
+    os.kill(around.guardian, signal.SIGCONT)
+    around.until(lambda: not _runs(around.servo) and not _runs(around.guardian), "no process")
+
+
+def test_peer_and_servo_that_are_killed_at_once_leave_no_force(around: Around, stalls: Stalls):
+    around.gone(signal.SIGKILL, stalls, at=[around.peer.pid, around.servo])
+
+
+def test_a_peer_that_is_stopped_leaves_no_force_and_with_its_servo_neither(around: Around, stalls: Stalls):
+    """First the peer alone, which comes back; then both at once; then the peer dies while its servo hangs."""
+    around.gone(signal.SIGSTOP, stalls, at=[around.peer.pid])
+    os.kill(around.peer.pid, signal.SIGCONT)
+    around.until(lambda: pushes(around.board), "force again")
+    around.gone(signal.SIGSTOP, stalls, at=[around.peer.pid, around.servo])
+    around.peer.kill()
+    around.until(lambda: not _runs(around.servo) and not _runs(around.guardian), "no process")
+
+
+@pytest.mark.parametrize("setting", ["haply"], indirect=True)
+def test_a_peer_that_dies_with_its_servo_stopped_leaves_no_force(around: Around, stalls: Stalls):
+    """The servo would see it, but stands still: the guardian does not wait until it has ended by itself."""
+    os.kill(around.servo, signal.SIGSTOP)
+    around.gone(signal.SIGKILL, stalls, at=[around.peer.pid])
 
 
 @pytest.mark.parametrize("setting", ["haply"], indirect=True)

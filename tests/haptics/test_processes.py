@@ -163,6 +163,21 @@ def test_the_simulated_device_is_felt_and_closed(text: str):
     assert not _runs(link.guardian)
 
 
+def test_a_simulated_device_outlasts_a_servo_that_stood_still():
+    """A busy machine keeps a servo waiting now and then; nobody is moved by a simulated device meanwhile."""
+    link = ServoLink(DeviceChoice("simulated", {"variant": "cartesian"}), real_time=None)
+    try:
+        for stand in (0.0, 0.3):
+            os.kill(link.servo, signal.SIGSTOP)
+            time.sleep(stand)
+            os.kill(link.servo, signal.SIGCONT)
+            began = link.report.tick if link.read() else 0
+            _wait(lambda began=began: (report := link.read()) is not None and report.tick > began + 20, "it goes on")
+        assert not any("is gone" in text for text in link.notices())
+    finally:
+        link.close()
+
+
 def _runs(pid: int) -> bool:
     """Whether a process is there, and not only its entry for its parent."""
     try:

@@ -167,6 +167,6 @@ def test_without_a_stiffness_it_takes_what_is_passive():
 def core_of(text: str) -> ServoCore:
     choice, said = coupling_of(DeviceChoice.read(f"simulated:cartesian,sweep=2,{text}"))
     assert choice == DeviceChoice("simulated", {"variant": "cartesian", "sweep": 2})
-    settings = ServoSettings(device=choice, folder=None, **said)  # type: ignore[arg-type]
+    settings = ServoSettings(device=choice, folder=None, coupling=said)  # type: ignore[arg-type]
     options = settings.end_options(SPEC)
     return ServoCore(SPEC, settings.safety(SPEC), options, period=settings.period(SPEC))

@@ -73,7 +73,7 @@ class Yard:
 @contextmanager
 def yard(ports: str) -> Iterator[Yard]:
     keeper = subprocess.Popen(
-        [*BECOME, sys.executable, str(YARD), ports, "150"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+        [*BECOME, sys.executable, str(YARD), ports, "900"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
     )
     ready = keeper.stdout.readline()
     made = Yard(json.loads(ready)) if ready else None

@@ -16,8 +16,10 @@ from cotouch.live import PathLaw
 from cotouch.recording import Audit, LinkPhase, Recording, audit, read_recording
 
 SPECTATOR = Path(__file__).with_name("spectator.py")
-# What any wait is bounded by; what is waited for takes a tenth of it.
-PATIENCE = 90.0
+# What any wait is bounded by [s]; what is waited for takes a twentieth of it, and longer on a busy machine. Networks,
+# and who watches, live longer than any test and end with it.
+LIFE = 900.0
+PATIENCE = 180.0
 RESIDUAL = 1e-9
 
 
@@ -58,7 +60,7 @@ class Stage:
             self.invitation,
             network.address(at + 1),
             str(self.seen),
-            "350",
+            str(LIFE),
             program=[str(SPECTATOR)],
         )
 
@@ -86,8 +88,11 @@ class Stage:
     def errors(self) -> str:
         return "\n".join(f"{path.name}: {path.read_text()[-2000:]}" for path in self.folder.glob("*.err"))
 
-    def wait(self, what: Callable[[], object], words: str, patience: float = PATIENCE) -> object:
-        """Until something is there and true."""
+    def complaint(self, words: str) -> str:
+        return f"{words}; seen: {self.seen.exists() and self.seen.read_text()}\n{self.errors()}"
+
+    def wait(self, what: Callable[[], object], words: str | Callable[[], str], patience: float = PATIENCE) -> object:
+        """Until something is there and true; words for when it is not may be found only then."""
         end = time.monotonic() + patience
         while True:
             try:
@@ -96,9 +101,7 @@ class Stage:
                 value = None
             if value:
                 return value
-            assert time.monotonic() < end, (
-                f"{words}; seen: {self.seen.exists() and self.seen.read_text()}\n{self.errors()}"
-            )
+            assert time.monotonic() < end, self.complaint(words if isinstance(words, str) else words())
             for name, process in self.members.items():
                 assert process.poll() in {None, -9, 0}, f"{name} ended: {self.errors()}"
             time.sleep(0.05)

@@ -35,6 +35,24 @@ def coupled(stage: DemoStage) -> bool:
     return len(overview.statuses) == 3 and len(ends) == 6 and set(ends) == {"coupled"}
 
 
+class Shake:
+    """What copies do while they run away: how often they turned, and energy at first and at most [J]."""
+
+    def __init__(self) -> None:
+        self.turns, self.first, self.most = 0, 0.0, 0.0
+        self._before: tuple[float, float] = (0.0, 0.0)
+
+    def sees(self, stage: DemoStage) -> bool:
+        energy = sum(view.energy for view in stage.views().values())
+        self.first = self.first or energy
+        self.most = max(self.most, energy)
+        now, (earlier, last) = place(stage, 0), self._before
+        if now != last:
+            self.turns += (last - earlier) * (now - last) < 0.0
+            self._before = (last, now)
+        return True
+
+
 class Script:
     """Steps that each wait for something; moved on by the session's own loop."""
 
@@ -104,6 +122,26 @@ class Script:
         assert any("not passive" in event.text for event in stage.overview().events)
         stage.do("damping", {"share": 1.0})
         yield lambda: all((status.certificate or 0.0) > -1e-9 for status in stage.overview().statuses.values())
+
+        # All copies run away in the end, are caught, and calm down; nobody's process dies of it.
+        stage.do("hand", {"seat": 0, "mode": "pull", "node": 0, "to": [0.03, 0.0, 0.0]})
+        yield lambda: place(stage, 0) > 0.005
+        stage.do("hand", {"seat": 0, "mode": "free"})
+        assert stage.do("damping", {"share": 0.01}) == "damping is 1 % of what passivity needs, and no link is guarded"
+        shake = Shake()
+        yield lambda: shake.sees(stage) and stage.overview().damping == 1.0
+        assert shake.turns >= 2
+        assert shake.most > 10.0 * shake.first
+        assert sum("ran away" in event.text for event in stage.overview().events) == 1
+        yield lambda: sum(view.energy for view in stage.views().values()) < 1e-3 * shake.most
+        assert all(stage.overview().alive.values())
+        # Who ran away a moment after the first ends no later order.
+        stage.do("damping", {"share": 0.6})
+        since = time.monotonic()
+        yield lambda: time.monotonic() > since + 0.5
+        assert stage.overview().damping == 0.6
+        stage.do("damping", {"share": 1.0})
+        yield lambda: coupled(stage)
 
         assert stage.recorded() is None
         stage.do("record", {"on": True})

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from tests.live.emulator.star import Star, obstacle
 from tests.live.test_networks import DELAY, LINKS
-from tests.session.stage import PATIENCE, Stage, apart, calmest, everywhere, judged, stage
+from tests.session.stage import LIFE, PATIENCE, Stage, apart, calmest, everywhere, judged, stage
 
 from cotouch.live import PathLaw
 from cotouch.recording import LinkPhase, Recording
@@ -40,7 +40,7 @@ damping = 2.0
 
 
 def hand(rest: float) -> str:
-    places = [f"[{t}, {x}]" for k in range(60) for t, x in (((rest + 0.5) * k, 0.1 * (k % 2)),) for t, x in (
+    places = [f"[{t}, {x}]" for k in range(120) for t, x in (((rest + 0.5) * k, 0.1 * (k % 2)),) for t, x in (
         (t, x), (t + rest, x))]  # fmt: skip
     return HAND.format(path=", ".join(places), force=FORCE)
 
@@ -80,7 +80,7 @@ def test_the_papers_network_with_jitter_reordering_and_loss(tmp_path: Path) -> N
     def paths(**more: float) -> None:
         everywhere(lambda i, j: PathLaw(delay=DELAY[i][j], **more), star, range(5))
 
-    with Star(7, seconds=400.0) as star:
+    with Star(7, seconds=LIFE) as star:
         for user in range(5):  # to host and spectator paths are short and clean
             for other in (5, 6):
                 star.set(user, other, PathLaw(delay=0.02))
@@ -156,7 +156,7 @@ def test_partition_one_way_outage_crash_of_a_member_and_of_the_host(tmp_path: Pa
         times[what] = time.monotonic()
         time.sleep(4.5)
 
-    with Star(5, seconds=170.0) as star:
+    with Star(5, seconds=LIFE) as star:
         everywhere(lambda i, j: clean, star, range(5))
         with stage(star, tmp_path, THREE, names) as played:
             for name in names:

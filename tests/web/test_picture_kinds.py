@@ -67,14 +67,15 @@ def test_a_gamepad_moves_the_hand_and_its_motors_tell_the_force(running: Browser
         page = here.open(script=PAD)
         pad(page, buttons=[{"pressed": True}])
         wait(page, lambda: bool(here.stage.pointers) and here.stage.pointers[-1][1].mode == "grab")
+        until(page, "store.frame.copies[0].mode === 'grab'")
         before = np.array(here.stage.pointers[-1][1].target)
         # Within what a stick has when nobody touches it, nothing moves.
         pad(page, axes=[0.1, 0, 0, 0])
         number = page.evaluate("() => window.cotouch.stats.frames")
         until(page, "stats.frames > value + 3", number)
         assert np.array(here.stage.pointers[-1][1].target) == pytest.approx(before)
-        # Where nothing pulls, nothing rumbles. In space the node that is drawn is not quite where the skin was taken.
-        assert kind != "1d" or page.evaluate("() => window.told.every((one) => one.weakMagnitude < 0.1)")
+        # Where nothing pulls, nothing rumbles, although the node that is drawn is not quite where the skin was taken.
+        assert page.evaluate("() => window.told.every((one) => one.weakMagnitude < 0.1)")
         pad(page, axes=[1, 0, 0, 0])
         page.wait_for_function("() => window.told.some((one) => one.weakMagnitude > 0.1)")
         wait(page, lambda: float(np.abs(np.array(here.stage.pointers[-1][1].target) - before).max()) > 1e-3)
@@ -92,9 +93,90 @@ def test_a_gamepad_moves_the_hand_and_its_motors_tell_the_force(running: Browser
         wait(page, lambda: here.stage.pointers[-1][1].mode == "free")
 
 
+@pytest.mark.parametrize("kind", ["bare", "2d"])
+def test_nodes_and_the_edges_between_them_are_drawn(running: Browser, kind: Kind) -> None:
+    with shown(running, kind) as here:
+        page = here.open()
+        drawn = page.evaluate(
+            """() => {
+                const { body } = [...window.cotouch.stage.probe().space.copies.values()][0];
+                return body.children.filter(({ visible }) => visible).map(
+                    ({ type, geometry }) => [type, (geometry.index ?? geometry.attributes.position).count]);
+            }"""
+        )
+        nodes, edges = here.stage.scene.body.nodes, page.evaluate("() => window.cotouch.store.scene.edges.length")
+        assert edges >= 2 * (nodes - 1)
+        assert drawn == [["Points", nodes], ["LineSegments", edges]]
+
+
 @pytest.mark.parametrize("calm", ["reduce", "no-preference"])
 def test_who_asked_for_less_motion_is_where_he_turned_to_at_once(running: Browser, calm: Any) -> None:
     with shown(running) as here:
         page = here.open(reduced_motion=calm)
         soon, end = map(np.array, page.evaluate(TURNED))
         assert (np.abs(soon - end).max() < 1e-9) == (calm == "reduce")
+
+
+# Which triangles of each other's copy are drawn over one's own, as a share of all.
+OVER = """() => [...window.cotouch.stage.probe().space.copies.values()].slice(1).map(
+  ({ moving, shell }) => shell.visible ? moving.film.drawRange.count / moving.shape.triangles.length : 0)"""
+# Stretch and displacement are different numbers; plain is neither.
+BY = "colour => { window.cotouch.store.set({ colour }); return window.cotouch.stage.probe().space.common.by.value; }"
+
+
+def test_of_a_ghost_only_what_differs_is_drawn(running: Browser) -> None:
+    with shown(running) as here:
+        page = here.open()
+        until(page, "store.frame.copies.every(copy => copy.displacement.every(d => d === 0))")
+        page.wait_for_function(f"() => ({OVER})().every((share) => share === 0)")
+        for seat in range(1, 5):
+            here.stage.do("hand", {"seat": seat, "mode": "pull", "node": 3, "to": (0.2, 0.2, 0.2)})
+        page.wait_for_function(f"() => ({OVER})().every((share) => share > 0.02 && share < 0.9)")
+        page.evaluate("() => window.cotouch.store.set({ ghosts: false })")
+        page.wait_for_function(f"() => ({OVER})().every((share) => share === 0)")
+
+
+def test_what_is_drawn_can_be_chosen(running: Browser) -> None:
+    with shown(running, still=False) as here:
+        page = here.open()
+        assert [page.evaluate(BY, colour) for colour in ("displacement", "stress", "plain")] == [0, 1, 2]
+        assert page.is_hidden(".ct-legend")
+        page.evaluate(BY, "stress")
+        page.wait_for_function("() => /stretch.*%/.test(document.querySelector('.ct-legend').textContent)")
+        page.evaluate(BY, "displacement")
+        page.wait_for_function("() => /displacement.*m$/.test(document.querySelector('.ct-legend').textContent)")
+
+
+def test_the_picture_gets_coarser_where_it_is_late_and_finer_where_it_is_not(running: Browser) -> None:
+    with shown(running) as here:
+        page = here.open()
+        ratios = page.evaluate(
+            """() => {
+                const quality = new (window.cotouch.stage.probe().space.quality.constructor)(() => 1);
+                const after = (count, skipped, seconds) => {
+                    for (let k = 0; k < count; k++) quality.took(skipped, seconds);
+                    return quality.ratio;
+                };
+                // In time; two clocks that drift; a slow server; late; late for ever; in time again, for long.
+                return [after(100, 0, 0.017), after(100, 1, 0.017), after(100, 0, 0.034), after(24, 2, 0.05),
+                        after(1000, 2, 0.05), after(20000, 0, 0.017), after(60000, 0, 0.017)];
+            }"""
+        )
+        assert ratios[:5] == [1, 1, 1, 0.75, 0.4]
+        assert 0.4 < ratios[5] <= ratios[6] == 1
+
+
+@pytest.mark.parametrize(("wide", "high"), [(844, 390), (667, 375), (390, 400), (360, 640)])
+def test_every_window_has_a_picture(running: Browser, wide: int, high: int) -> None:
+    with shown(running) as here:
+        page = here.open(viewport={"width": wide, "height": high})
+        size = page.evaluate(
+            "() => (b => [b.width, b.height])(document.querySelector('.ct-canvas').getBoundingClientRect())"
+        )
+        assert size[0] >= 200
+        assert size[1] >= 180
+        assert np.isfinite(spot(page)[:2]).all()
+        assert page.evaluate("() => document.documentElement.scrollWidth") <= wide
+        name = page.locator(".tabs button").first.bounding_box()
+        assert name is not None
+        assert name["x"] + name["width"] <= wide

@@ -163,6 +163,16 @@ def test_without_the_token_one_watches(here: World) -> None:
     assert here.stage.pointers == []
 
 
+def test_an_old_token_is_told_and_offers_nothing(here: World) -> None:
+    mine = here.open()
+    mine.wait_for_function("() => window.cotouch.connection.mayAct")
+    page = here.open(here.server.address + "#token=of-yesterday")
+    words(page, "#banner-view", "not that of the session that runs now")
+    page.wait_for_function("() => window.cotouch.store.state.control === 'other'")
+    assert page.is_hidden("#banner-control")
+    assert not page.evaluate("() => window.cotouch.connection.mayAct")
+
+
 def test_a_restart_is_shown_and_the_end_too(running: Browser) -> None:
     made = World(running)
     again: PageServer | None = None

@@ -5,7 +5,9 @@ import re
 import zipfile
 
 import pytest
-from tests.web.shell_pages import World, words
+from playwright.sync_api import Browser
+from tests.web.fake_stage import Kind
+from tests.web.shell_pages import World, words, world
 from tests.web.shell_scripts import COLOURS, FEED
 
 
@@ -71,6 +73,12 @@ def test_every_joule_is_somewhere(here: World) -> None:
     )
     assert len(rows) == 6
     assert page.evaluate("() => document.querySelector('#energy thead th').textContent") == "mJ"
+    # What each column is, and whether it comes or goes.
+    heads = page.evaluate(
+        "() => [...document.querySelectorAll('#energy thead th')].slice(1).map((one) => one.textContent)"
+    )
+    wanted = ["hands", "+ links", "+ start", "+ shares", "− damped", "− in copy", "= rest"]
+    assert [" ".join(head.split()) for head in heads] == wanted
     for row in rows:
         hands, links, start, shared, damped, stored, left = row
         assert hands + links + start + shared - damped - stored == pytest.approx(0.0, abs=1.5)
@@ -110,12 +118,33 @@ def test_damping_is_lowered_behind_a_warning_and_restored_with_one_click(here: W
     assert here.did("damping") == []
     page.click("#lower")
     dialog.get_by_role("button", name="Lower it").click()
-    words(page, "#banner-damping", "lowered to 1\u202f%")
+    words(page, "#banner-damping", "lowered to 5\u202f%")
     words(page, "#verdict", "not guaranteed: Not passive")
-    words(other, "#banner-damping", "lowered to 1\u202f%")
+    words(other, "#banner-damping", "lowered to 5\u202f%")
     page.click("#banner-damping >> text=Restore now")
     page.wait_for_selector("#banner-damping", state="hidden")
-    assert here.did("damping") == [{"share": 0.01}, {"share": 1}]
+    assert here.did("damping") == [{"share": 0.05}, {"share": 1}]
+
+
+@pytest.mark.parametrize(("kind", "usual", "least"), [("1d", "5 %", "0.1 %"), ("3d", "1 %", "0.1 %")])
+def test_the_share_of_the_damping_begins_where_the_body_shakes(
+    running: Browser, kind: Kind, usual: str, least: str
+) -> None:
+    with world(running, kind) as here:
+        page = here.open()
+        page.click("#tab-margin")
+        page.click("#lower")
+        slider = page.get_by_role("slider", name="Share of the damping")
+        assert slider.get_attribute("aria-valuetext") == f"{usual} of what is needed"
+        slider.press("End")
+        assert slider.get_attribute("aria-valuetext") == "95 % of what is needed"
+        slider.press("Home")
+        assert slider.get_attribute("aria-valuetext") == f"{least} of what is needed"
+        page.get_by_role("button", name="Lower it").click()
+        words(page, "#banner-damping", "lowered to 0.1\u202f%")
+        assert here.did("damping") == [{"share": 0.001}]
+        # FLAT has no WebGL, which the picture in space says.
+        here.complaints.clear()
 
 
 def test_a_recording_is_made_and_downloaded(here: World) -> None:

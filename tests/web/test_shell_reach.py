@@ -157,7 +157,7 @@ def test_the_tour_invites_runs_through_and_is_taken_up_again(here: World) -> Non
     page.click("#tour-next")
     assert page.is_hidden("#tour")
     assert page.evaluate("() => JSON.parse(localStorage.getItem('cotouch.tour')).step") == 0
-    assert here.did("damping") == [{"share": 0.01}, {"share": 1}]
+    assert here.did("damping") == [{"share": 0.05}, {"share": 1}]
 
 
 def test_the_tour_never_blocks_and_fits_a_phone(here: World) -> None:

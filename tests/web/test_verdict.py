@@ -44,6 +44,7 @@ CALM = (status(1, link(3, ages=0.088)), status(3, link(1, ages=0.04), link(2, ag
         (seen(status(0, link(4, state="waiting", ages=None))), "warn", "link 1–5 is being joined"),
         (seen(*CALM, damping=0.4), "bad", "not passive: the damping is lowered to 40 %"),
         (seen(*CALM, damping=0.9999), "bad", "lowered to 99 %"),
+        (seen(*CALM, damping=0.003), "bad", "lowered to 0.3 %"),
         (seen(*CALM, status(4, certificate=-0.25)), "bad", "not passive: Eve has 25 % less damping"),
         (seen(*CALM, status(4, certificate=-1e-12)), "good", "passive"),
         (seen(*CALM, status(4, alarms=1)), "bad", "books of Eve are off"),

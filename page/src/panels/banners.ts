@@ -42,11 +42,13 @@ export function banners(context: Context): HTMLElement {
     banner("bad", "banner-damping", () => {
       const share = store.state?.damping ?? 1;
       restore.disabled = !can(context, "damping");
-      return store.connection === "open" && share < 1 ? `Damping is lowered to ${percent(share, 0)} of what is needed: the session is not passive.` : null;
+      return store.connection === "open" && share < 1 ? `Damping is lowered to ${percent(share, share < 0.01 ? 1 : 0)} of what is needed: the session is not passive.` : null;
     }, restore),
     banner("info", "banner-view", () =>
       store.connection === "open" && store.scene && !connection.hasToken
-        ? "You are watching. To take part, open the address with the token that cotouch printed."
+        ? connection.tokenWrong
+          ? "You are watching: the token in this address is not that of the session that runs now. Open the address that cotouch printed last."
+          : "You are watching. To take part, open the address with the token that cotouch printed."
         : null),
     banner("warn", "banner-control", () =>
       store.connection === "open" && connection.hasToken && !store.state?.ended && store.state?.control === "other"

@@ -12,16 +12,29 @@ const EXPLANATION =
   "made for a budget of ages on each link; what ages leave of it is to spare. A link that goes over its budget is guarded: it then " +
   "spends only what it has saved.";
 
-// In per cent. A tenth of the damping is still stable on the object of the paper; with this it grows within seconds.
-const [LEAST, MOST, USUAL] = [1, 95, 1];
+// In per cent, by powers of ten, because what matters lies near the lower end.
+const [LEAST, MOST] = [0.1, 100];
+// With this much, copies shake within some three seconds and do not fly apart at once: a skinned body's own damping holds
+// it still above some 2 %, a point and bare nodes shake at 5 % already.
+const USUAL = { skin: 1, bare: 5 };
+
+/** What a place of the slider stands for, to two figures [%]; its places are tenths of a power of ten, from LEAST. */
+function shareAt(place: number): number {
+  return Math.min(Number((LEAST * 10 ** (place / 10)).toPrecision(2)), 95);
+}
+
+const placeOf = (share: number): number => Math.round(10 * Math.log10(share / LEAST));
+const PLACES = placeOf(MOST);
 
 /** The dialog that lowers the damping below what is needed. */
 export function dampingDialog(context: Context): { open: () => void } {
   const output = h("output", { class: "tabular" });
-  const input = h("input", { type: "range", min: LEAST, max: MOST, step: 1, value: USUAL, "aria-label": "Share of the damping that is needed" });
+  const input = h("input", { type: "range", min: 0, max: PLACES, step: 1, value: placeOf(USUAL.bare), "aria-label": "Share of the damping that is needed" });
   const wear = (): void => {
-    text(output, `${input.value} % of what is needed`);
-    input.style.setProperty("--share", `${((Number(input.value) - LEAST) / (MOST - LEAST)) * 100}%`);
+    const words = `${shareAt(Number(input.value))} % of what is needed`;
+    text(output, words);
+    attribute(input, "aria-valuetext", words);
+    input.style.setProperty("--share", `${(Number(input.value) / PLACES) * 100}%`);
   };
   input.addEventListener("input", wear);
   wear();
@@ -36,10 +49,21 @@ export function dampingDialog(context: Context): { open: () => void } {
     h("label", { class: "slider" }, h("span", null, "damping"), input, output),
     h("p", { class: "hint" }, "Scripted hands let go meanwhile. A copy that runs away restores the damping of all by itself; so does one click on the banner."),
   ], [
-    { words: "Lower it", class: "button danger", act: () => void context.act("damping", { share: Number(input.value) / 100 }) },
+    { words: "Lower it", class: "button danger", act: () => void context.act("damping", { share: Number((shareAt(Number(input.value)) / 100).toPrecision(3)) }) },
     { words: "Leave it as it is", class: "button primary", act: () => undefined, focus: true },
   ]);
-  return { open: box.open };
+  let whose: string | undefined;
+  return {
+    open: () => {
+      const { scene } = context.store;
+      if (scene && scene.started !== whose) {
+        whose = scene.started;
+        input.value = String(placeOf(scene.skin ? USUAL.skin : USUAL.bare));
+        wear();
+      }
+      box.open();
+    },
+  };
 }
 
 export function marginPanel(context: Context): HTMLElement {

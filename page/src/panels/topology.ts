@@ -111,7 +111,9 @@ export function topologyChoices(
     options.mark(current);
     const subject: Pair[] = drafting ? links("yours") : now;
     const waits = can(context, "links") && !(known("best") && known("worst"));
-    const meant = current ? (current === "yours" && !drafting ? "Links of your own." : MEANS[current]) : "";
+    const chosen = Object.keys(state?.choices ?? {}).length > 0; // by somebody's page of the whole session
+    shown(options.element, chosen || can(context, "links"));
+    const meant = current && (chosen || drafting) ? (current === "yours" && !drafting ? "Links of your own." : MEANS[current]) : "";
     text(means, waits && !drafting ? `${meant} Best and worst are being worked out.`.trim() : meant);
     const [before, after] = state ? [load(state, pairs(state.choices.start ?? state.links)), load(state, subject)] : [null, null];
     let words = subject.length ? `${subject.length} ${subject.length === 1 ? "link" : "links"}` : "";

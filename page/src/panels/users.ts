@@ -124,8 +124,8 @@ function card(context: Context, seat: number): { element: HTMLElement; update: (
     text(late.value, live?.steps ? percent((live.missed ?? 0) / live.steps) : NONE);
     attribute(late.element, "data-tip", live?.steps ? `${count(live.missed ?? 0)} of ${count(live.steps)} steps came late` : null);
     text(force.value, newtons(live?.force));
-    text(hand, live ? (MODES[live.hand] ?? "") : "");
-    orders.mark(live && own ? (live.hand as HandMode) : null);
+    text(hand, live ? (MODES[live.hand ?? "elsewhere"] ?? "") : "");
+    orders.mark(live && own ? live.hand : null);
     const open = context.opened.get() === seat;
     attribute(head, "aria-expanded", String(open));
     shown(more, open);

@@ -84,4 +84,5 @@ export const MODES: Record<string, string> = {
   wander: "wanders",
   grab: "pointer grabs",
   ball: "pointer pushes",
+  elsewhere: "on another computer",
 };

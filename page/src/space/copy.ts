@@ -1,7 +1,7 @@
 // One user's copy in the picture: solid, or a ghost over one's own.
 import { Group, LineSegments, Mesh, Points, ShaderMaterial, Vector3 } from "three";
 import { channels, RAMP_STOPS } from "../colours";
-import { edges, ghost, nodes, solid } from "./shaders";
+import { defines, edges, ghost, nodes, solid } from "./shaders";
 import { Moving, type Shape } from "./shape";
 
 const STOPS = RAMP_STOPS.map((hex) => new Vector3(...channels(hex)).divideScalar(255));
@@ -39,10 +39,11 @@ export class CopyShown {
 
   constructor(readonly seat: number, shape: Shape, common: Common) {
     this.moving = new Moving(shape);
-    const { geometry, lines } = this.moving;
+    const { geometry, lines, film } = this.moving;
     const uniforms = { ...common, plain: this.plain, flash: this.flash };
     const make = (source: { vertex: string; fragment: string }, own: object, clear: boolean) => {
       const made = new ShaderMaterial({
+        defines: defines(),
         vertexShader: source.vertex, fragmentShader: source.fragment, uniforms: { ...uniforms, ...own },
         transparent: clear, depthWrite: !clear, side: clear ? 0 : 2,
       });
@@ -51,7 +52,7 @@ export class CopyShown {
     };
     if (shape.triangles) {
       this.body.add(new Mesh(geometry, make(solid, {}, false)));
-      this.shell.add(new Mesh(geometry, make(ghost, { colour: this.colour, strength: this.strength }, true)));
+      this.shell.add(new Mesh(film!, make(ghost, { colour: this.colour, strength: this.strength }, true)));
     } else {
       const plainOnly = { plain: this.colour, by: { value: 2 } };
       this.body.add(new Points(geometry, make(nodes, { opacity: { value: 1 } }, false)));
@@ -65,7 +66,7 @@ export class CopyShown {
 
   /** A ghost is seen where it differs from this copy. */
   against(own: Moving): void {
-    if (this.moving.shape.triangles) this.moving.geometry.setAttribute("own", own.shift);
+    this.moving.film?.setAttribute("own", own.shift);
   }
 
   paint(hex: string, dark: boolean): void {
@@ -81,6 +82,11 @@ export class CopyShown {
     this.body.visible = as === "solid";
     this.shell.visible = as === "ghost";
     this.flash.value = flash;
+  }
+
+  /** Draws of a ghost only what can be seen of it. */
+  thin(own: Moving, eye: Vector3, apart: number): void {
+    if (this.shell.visible) this.shell.visible = this.moving.differs(own, eye, apart, this.flash.value > 0);
   }
 
   /** Whoever is farther from the eye is drawn first. */

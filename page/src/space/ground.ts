@@ -4,10 +4,11 @@ import {
   type WebGLRenderer, WebGLRenderTarget,
 } from "three";
 import { nice } from "../delays";
-import { ground, shade } from "./shaders";
+import { inSoftware } from "./quality";
+import { defines, ground, shade } from "./shaders";
 import type { Moving } from "./shape";
 
-const SIZE = 256;
+const SIZE = inSoftware() ? 128 : 256;
 
 export class Ground {
   readonly mesh: Mesh<PlaneGeometry, ShaderMaterial>;
@@ -26,6 +27,7 @@ export class Ground {
     this.mesh = new Mesh(
       new PlaneGeometry(9 * radius, 9 * radius),
       new ShaderMaterial({
+        defines: defines(),
         vertexShader: ground.vertex, fragmentShader: ground.fragment, transparent: true, depthWrite: false,
         uniforms: {
           shadow: { value: this.target.texture }, centre: { value: new Vector2(centre.x, centre.y) },

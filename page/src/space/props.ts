@@ -2,17 +2,21 @@
 import { ConeGeometry, CylinderGeometry, GreaterDepth, Group, Mesh, Quaternion, ShaderMaterial, SphereGeometry, TorusGeometry, Vector3 } from "three";
 import { channels } from "../colours";
 import { tension } from "../tension";
-import { prop } from "./shaders";
+import { inSoftware } from "./quality";
+import { defines, prop } from "./shaders";
 
-const sphere = new SphereGeometry(1, 28, 18);
-const rod = new CylinderGeometry(1, 1, 1, 14, 1, true).translate(0, 0.5, 0);
-const cone = new ConeGeometry(1, 1, 20).translate(0, 0.5, 0);
-const ring = new TorusGeometry(1, 0.13, 10, 40);
+// Fine enough for how large they are drawn.
+const ball = new SphereGeometry(1, 28, 18);
+const sphere = inSoftware() ? new SphereGeometry(1, 10, 7) : new SphereGeometry(1, 18, 12);
+const rod = new CylinderGeometry(1, 1, 1, inSoftware() ? 6 : 12, 1, true).translate(0, 0.5, 0);
+const cone = new ConeGeometry(1, 1, inSoftware() ? 10 : 18).translate(0, 0.5, 0);
+const ring = inSoftware() ? new TorusGeometry(1, 0.13, 5, 20) : new TorusGeometry(1, 0.13, 8, 36);
 const UP = new Vector3(0, 1, 0);
 const along = new Vector3(), turn = new Quaternion();
 
 export function material(hex: string, opacity = 1): ShaderMaterial {
   const made = new ShaderMaterial({
+    defines: defines(),
     vertexShader: prop.vertex,
     fragmentShader: prop.fragment,
     uniforms: { colour: { value: new Vector3() }, opacity: { value: opacity } },
@@ -88,12 +92,13 @@ export class HandProp {
     const mesh = (geometry: typeof sphere | typeof rod | typeof cone | typeof ring, by: ShaderMaterial) => {
       const made = new Mesh(geometry, by);
       made.frustumCulled = false;
+      this.group.add(made);
+      if (inSoftware()) return made;
       // Behind the object a hand still shows, faintly.
       const behind = new Mesh(geometry, this.hidden.get(by)!);
       behind.frustumCulled = false;
       behind.renderOrder = 20;
       made.add(behind);
-      this.group.add(made);
       return made;
     };
     this.proxy = mesh(sphere, this.skin);
@@ -120,6 +125,7 @@ export class HandProp {
     const thick = size * (0.006 + 0.012 * share);
     paint(this.cord, tension(share, false));
     this.proxy.material = hand.radius > 0 ? this.glass : this.skin;
+    this.proxy.geometry = hand.radius > 0 ? ball : sphere;
     this.proxy.position.copy(hand.proxy);
     this.proxy.scale.setScalar(hand.radius > 0 ? hand.radius : size * 0.042);
     this.knot.visible = hand.radius === 0;

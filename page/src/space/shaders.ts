@@ -1,7 +1,24 @@
 // Programs of the graphics card. Colours are worked out in sRGB and lit in linear light.
+// With LEAN, where the processor draws: light at vertices instead of pixels, and no powers that are no whole numbers.
+import { inSoftware } from "./quality";
+
+/** What every program is made with. */
+export function defines(): Record<string, string> {
+  return inSoftware() ? { LEAN: "" } : {};
+}
 
 const light = /* glsl */ `
+#ifdef LEAN
+vec3 toLinear(vec3 c) { return c * c; }
+vec3 toScreen(vec3 c) { return sqrt(c); }
+float gleam(float x) { x *= x; x *= x; x *= x; x *= x; return x * x; }
+float edge(float x) { return x * x * x; }
+#else
 vec3 toLinear(vec3 c) { return pow(c, vec3(2.2)); }
+vec3 toScreen(vec3 c) { return pow(c, vec3(1.0 / 2.2)); }
+float gleam(float x) { return pow(x, 42.0); }
+float edge(float x) { return pow(x, 3.5); }
+#endif
 vec3 lit(vec3 colour, vec3 n, vec3 eye, float gloss) {
   vec3 key = normalize(vec3(-0.45, 0.8, 0.55)), fill = normalize(vec3(0.9, 0.05, 0.35));
   float up = 0.5 + 0.5 * n.y;
@@ -9,9 +26,9 @@ vec3 lit(vec3 colour, vec3 n, vec3 eye, float gloss) {
   vec3 light = mix(vec3(0.30, 0.29, 0.33), vec3(0.60, 0.62, 0.66), up) + 0.78 * wrap * vec3(1.0, 0.98, 0.94)
     + 0.16 * max(dot(n, fill), 0.0) * vec3(0.8, 0.9, 1.0);
   vec3 halfway = normalize(key + eye);
-  float shine = pow(max(dot(n, halfway), 0.0), 42.0) * gloss;
-  float rim = pow(1.0 - max(dot(n, eye), 0.0), 3.5);
-  return pow(toLinear(colour) * light + shine + rim * 0.10 * vec3(0.8, 0.9, 1.0), vec3(1.0 / 2.2));
+  float shine = gleam(max(dot(n, halfway), 0.0)) * gloss;
+  float rim = edge(1.0 - max(dot(n, eye), 0.0));
+  return toScreen(toLinear(colour) * light + shine + rim * 0.10 * vec3(0.8, 0.9, 1.0));
 }
 `;
 
@@ -27,20 +44,37 @@ vec3 ramp(float value) {
 /** A copy, solid. */
 export const solid = {
   vertex: /* glsl */ `
+    ${light}${ramp}
     attribute vec3 shift;
     attribute float value;
-    uniform float scale, full;
+    uniform float scale, full, flash;
+    uniform vec3 plain;
     uniform int by;
+    #ifdef LEAN
+    varying vec3 shown;
+    #else
     varying vec3 n, p;
     varying float v;
+    #endif
     void main() {
       vec4 q = modelViewMatrix * vec4(position + shift * scale, 1.0);
+      float far = (by == 0 ? length(shift) * scale : value) / full;
+      gl_Position = projectionMatrix * q;
+      #ifdef LEAN
+      vec3 eye = normalize(-q.xyz), m = normalize(mat3(modelViewMatrix) * normal + 1e-20);
+      if (dot(m, eye) < -0.2) m = -m;
+      shown = mix(lit(by == 2 ? plain : ramp(far), m, eye, 0.20), vec3(1.0), flash * 0.5);
+      #else
       n = mat3(modelViewMatrix) * normal;
       p = q.xyz;
-      v = (by == 0 ? length(shift) * scale : value) / full;
-      gl_Position = projectionMatrix * q;
+      v = far;
+      #endif
     }`,
   fragment: /* glsl */ `
+    #ifdef LEAN
+    varying vec3 shown;
+    void main() { gl_FragColor = vec4(shown, 1.0); }
+    #else
     ${light}${ramp}
     uniform vec3 plain;
     uniform int by;
@@ -52,35 +86,47 @@ export const solid = {
       if (!gl_FrontFacing) m = -m;
       vec3 colour = by == 2 ? plain : ramp(v);
       gl_FragColor = vec4(mix(lit(colour, m, eye, 0.20), vec3(1.0), flash * 0.5), 1.0);
-    }`,
+    }
+    #endif`,
 };
 
 /** Another's copy over one's own: seen where the two differ, and at its rim. */
 export const ghost = {
   vertex: /* glsl */ `
     attribute vec3 shift, own;
-    uniform float scale, apart;
+    uniform float scale, apart, flash, strength;
+    #ifndef LEAN
     varying vec3 n, p;
+    #endif
     varying float v;
     void main() {
       vec4 q = modelViewMatrix * vec4(position + shift * scale, 1.0);
-      n = mat3(modelViewMatrix) * normal;
-      p = q.xyz;
       // Where both surfaces cross they differ along neither's normal: no seam is seen.
       vec3 differs = (shift - own) * scale / apart;
       v = max(smoothstep(0.1, 1.0, dot(differs, normalize(normal + 1e-20))), 0.5 * smoothstep(3.0, 8.0, length(differs)));
       gl_Position = projectionMatrix * q;
+      #ifdef LEAN
+      float rim = 1.0 - abs(dot(normalize(mat3(modelViewMatrix) * normal + 1e-20), normalize(-q.xyz)));
+      v = min(v * strength * (0.05 + 0.95 * rim * sqrt(rim)) + flash * 0.35, 1.0);
+      #else
+      n = mat3(modelViewMatrix) * normal;
+      p = q.xyz;
+      #endif
     }`,
   fragment: /* glsl */ `
     uniform vec3 colour;
     uniform float flash, strength;
-    varying vec3 n, p;
     varying float v;
+    #ifdef LEAN
+    void main() { gl_FragColor = vec4(mix(colour, vec3(1.0), flash * 0.3), v); }
+    #else
+    varying vec3 n, p;
     void main() {
       float rim = 1.0 - abs(dot(normalize(n), normalize(-p)));
       float cover = v * strength * (0.05 + 0.95 * pow(rim, 1.5)) + flash * 0.35;
       gl_FragColor = vec4(mix(colour, vec3(1.0), flash * 0.3), min(cover, 1.0));
-    }`,
+    }
+    #endif`,
 };
 
 /** Nodes as balls that face the eye, for bodies without a skin. */
@@ -127,19 +173,34 @@ export const edges = {
 /** Proxies, arrows and ropes. */
 export const prop = {
   vertex: /* glsl */ `
+    ${light}
+    uniform vec3 colour;
+    #ifdef LEAN
+    varying vec3 shown;
+    #else
     varying vec3 n, p;
+    #endif
     void main() {
       vec4 q = modelViewMatrix * vec4(position, 1.0);
+      #ifdef LEAN
+      shown = lit(colour, normalize(normalMatrix * normal), normalize(-q.xyz), 0.35);
+      #else
       n = normalMatrix * normal;
       p = q.xyz;
+      #endif
       gl_Position = projectionMatrix * q;
     }`,
   fragment: /* glsl */ `
+    uniform float opacity;
+    #ifdef LEAN
+    varying vec3 shown;
+    void main() { gl_FragColor = vec4(shown, opacity); }
+    #else
     ${light}
     uniform vec3 colour;
-    uniform float opacity;
     varying vec3 n, p;
-    void main() { gl_FragColor = vec4(lit(colour, normalize(n), normalize(-p), 0.35), opacity); }`,
+    void main() { gl_FragColor = vec4(lit(colour, normalize(n), normalize(-p), 0.35), opacity); }
+    #endif`,
 };
 
 /** What lies over the ground, seen from below: near is dark. */
@@ -183,6 +244,12 @@ export const ground = {
       float away = length(d), cover = 0.0, fade = smoothstep(2.1, 0.3, away);
       vec2 q = (at - centre) / pitch;
       if (away > 2.1) discard;
+      #ifdef LEAN
+      if (away < 1.1) {
+        vec4 seen = textureLod(shadow, vec2(0.5 + 0.5 * d.x, 0.5 - 0.5 * d.y), 2.5);
+        if (seen.r > 0.003) cover = strength * seen.r * (1.0 - 0.75 * min(seen.g / seen.r, 1.0));
+      }
+      #else
       if (away < 1.3) {
         vec2 uv = vec2(0.5 + 0.5 * d.x, 0.5 - 0.5 * d.y);
         vec4 far = textureLod(shadow, uv, 4.6);
@@ -192,6 +259,7 @@ export const ground = {
           cover = strength * soft * (1.0 - 0.75 * smoothstep(0.0, 1.0, h));
         }
       }
+      #endif
       float grid = opacity * fade * max(lines(q), 0.55 * lines(q * 5.0));
       float all = cover + grid * (1.0 - cover);
       gl_FragColor = vec4(mix(line, dark, cover / max(all, 1e-4)), all);

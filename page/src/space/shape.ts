@@ -57,6 +57,8 @@ export class Shape {
 export class Moving {
   readonly geometry = new BufferGeometry();
   readonly lines: BufferGeometry | null = null;
+  /** The same surface, of which only what `differs` found is drawn; null without one. */
+  readonly film: BufferGeometry | null = null;
   readonly shift: BufferAttribute;
   readonly places: Float32Array;
   /** Mean displacement [m]. */
@@ -65,11 +67,14 @@ export class Moving {
   peak = 0;
   private readonly normal: BufferAttribute;
   private readonly value: BufferAttribute;
+  private readonly faces: BufferAttribute | null = null;
+  private readonly seen: Uint8Array;
 
   constructor(readonly shape: Shape) {
     const n = shape.corners;
     const attribute = (array: Int16Array | Float32Array, size: number) => new BufferAttribute(array, size).setUsage(DynamicDrawUsage);
     this.places = shape.rest.slice();
+    this.seen = new Uint8Array(n);
     this.shift = attribute(new Int16Array(3 * n), 3);
     this.normal = attribute(new Float32Array(3 * n), 3);
     this.value = attribute(new Float32Array(n), 1);
@@ -82,6 +87,9 @@ export class Moving {
     if (shape.triangles) {
       this.geometry.setAttribute("normal", this.normal);
       this.geometry.setIndex(new BufferAttribute(shape.triangles, 1));
+      this.film = new BufferGeometry();
+      for (const name of ["position", "shift", "normal"] as const) this.film.setAttribute(name, this.geometry.getAttribute(name));
+      this.film.setIndex((this.faces = new BufferAttribute(new Uint32Array(shape.triangles.length), 1).setUsage(DynamicDrawUsage)));
     }
     this.lines?.setIndex(new BufferAttribute(shape.sides, 1));
     this.update(new Int16Array(shape.scene.points.length), 0, false);
@@ -114,7 +122,47 @@ export class Moving {
     if (this.shape.triangles) this.normals(this.shape.triangles);
   }
 
+  /**
+   * Leaves of the film only triangles that the ghost's program would not draw clear, and that face the eye: mostly a few.
+   * @param own copy that it is compared with
+   * @param apart see `Common` [m]
+   * @param all whether to leave out no more than what faces away
+   * @returns whether anything is left
+   */
+  differs(own: Moving, eye: { x: number; y: number; z: number }, apart: number, all: boolean): boolean {
+    const { triangles, corners } = this.shape;
+    if (!triangles || !this.film || !this.faces) return true;
+    const { places: p, seen } = this, q = own.places, n = this.normal.array as Float32Array;
+    const [near, far] = [(0.1 * apart) ** 2, (3 * apart) ** 2];
+    for (let c = 0; c < corners; c++) {
+      const i = 3 * c, x = n[i]!, y = n[i + 1]!, z = n[i + 2]!;
+      let cover = all;
+      if (!cover) {
+        const dx = p[i]! - q[i]!, dy = p[i + 1]! - q[i + 1]!, dz = p[i + 2]! - q[i + 2]!;
+        const out = dx * x + dy * y + dz * z;
+        cover = (out > 0 && out * out > near * (x * x + y * y + z * z)) || dx * dx + dy * dy + dz * dz > far;
+      }
+      const faces = x * (p[i]! - eye.x) + y * (p[i + 1]! - eye.y) + z * (p[i + 2]! - eye.z) < 0;
+      seen[c] = (cover ? 1 : 0) | (faces ? 2 : 0);
+    }
+    const index = this.faces.array as Uint32Array;
+    let count = 0;
+    for (let t = 0; t < triangles.length; t += 3) {
+      const a = triangles[t]!, b = triangles[t + 1]!, c = triangles[t + 2]!;
+      if ((seen[a]! | seen[b]! | seen[c]!) !== 3) continue;
+      index[count++] = a;
+      index[count++] = b;
+      index[count++] = c;
+    }
+    this.film.setDrawRange(0, count);
+    this.faces.clearUpdateRanges();
+    this.faces.addUpdateRange(0, count);
+    if (count) this.faces.needsUpdate = true;
+    return count > 0;
+  }
+
   dispose(): void {
+    this.film?.dispose();
     this.geometry.dispose();
     this.lines?.dispose();
   }

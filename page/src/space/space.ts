@@ -21,10 +21,16 @@ import { Shape } from "./shape";
 import { Touch } from "./touch";
 
 const PULSE = 900; // ms
+const ABOVE = 46; // of the buttons over the picture [pixels]
 const calm = matchMedia("(prefers-reduced-motion: reduce)");
 
 export function mountSpace(element: HTMLElement, scene: Scene, store: Store, connection: Connection, stats: Stats): View {
   return new Space(element, scene, store, connection, stats);
+}
+
+/** Waits until what was handed over is drawn; for measurements. */
+function finish(gl: WebGLRenderingContext | WebGL2RenderingContext): void {
+  gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
 }
 
 class Space implements View {
@@ -57,6 +63,8 @@ class Space implements View {
   private height = 0;
   private shown: Frame | null = null;
   private dirty = true;
+  private came = 0;
+  private shadowed = { by: -1, left: 0 };
   private last = 0;
   private handle = 0;
   private peak = 0;
@@ -140,7 +148,7 @@ class Space implements View {
   probe(): object {
     const box = this.canvas.getBoundingClientRect();
     const at = project(this.orbit.camera, this.area[0]!, this.hold.target);
-    return { hold: this.hold, orbit: this.orbit, target: at && [at.x + box.left, at.y + box.top] };
+    return { space: this, hold: this.hold, orbit: this.orbit, target: at && [at.x + box.left, at.y + box.top] };
   }
 
   dispose(): void {
@@ -213,7 +221,7 @@ class Space implements View {
 
   /** Force of one's own hand as far as it is known here: before an answer comes, that of its spring [N]. */
   private pull(): number {
-    if (!this.hold.holds) return 0;
+    if (!this.hold.holds || this.fresh) return 0; // just taken: where it is held is not looked at yet
     const told = this.shown?.copies.find((copy) => copy.seat === this.store.seat);
     if (this.hold.action === "ball") return told?.mode === "ball" ? Math.hypot(...told.force) : 0;
     return this.scene.stiffness * this.place.distanceTo(this.hold.target);
@@ -232,7 +240,10 @@ class Space implements View {
 
   private arrange(): void {
     const others = this.scene.users.map((user) => user.seat).filter((seat) => seat !== this.store.seat);
-    this.area = cells([this.store.seat, ...others], this.width, this.height, this.side);
+    // Side by side each has its name on top, below the buttons.
+    const above = this.side && this.height > 3 * ABOVE ? ABOVE : 0;
+    this.area = cells([this.store.seat, ...others], this.width, this.height - above, this.side);
+    for (const cell of this.area) cell.y += above;
     this.furniture.rules(this.area.length > 1 ? this.area : []);
   }
 
@@ -259,7 +270,11 @@ class Space implements View {
     const seconds = Math.min((now - this.last) / 1000, 0.1);
     this.last = now;
     const fresh = this.store.frame !== null && this.store.frame !== this.shown;
-    if (fresh) this.take(this.store.frame!);
+    const skipped = this.store.came - this.came - 1;
+    if (fresh) {
+      this.came = this.store.came;
+      this.take(this.store.frame!);
+    }
     let moving = this.orbit.step(calm.matches ? 1 : 1 - Math.exp(-seconds * 18));
     moving = this.touch.step(seconds) || moving;
     moving = this.haptic(seconds) || moving;
@@ -269,8 +284,9 @@ class Space implements View {
       this.dirty = false;
       this.render(now);
       if (fresh) {
+        if (this.stats.finishing) finish(this.renderer.getContext());
         this.stats.drew(this.shown!.echo, this.shown!.received, performance.now());
-        if (this.quality.took(seconds)) this.resize();
+        if (this.quality.took(skipped, seconds)) this.resize();
       }
     }
     if (moving) this.draw();
@@ -334,12 +350,16 @@ class Space implements View {
         const known = !told || told.some((other) => other.seat === seat);
         const ghost = !this.side && this.store.settings.ghosts && known && told;
         copy.show(copy === shown ? "solid" : ghost ? "ghost" : "hidden", this.flash(seat, now));
+        copy.thin(this.mine.moving, this.orbit.camera.position, common.apart.value);
         copy.order(away);
       }
       for (const [seat, hand] of this.hands) hand.group.visible = (!this.side || seat === cell.seat) && this.pose(seat, hand);
       this.dot.visible = !!this.hovered && cell === this.area[0];
       if (this.hovered) this.dot.position.fromArray(this.mine.moving.places, 3 * this.shape.corner[this.hovered.point]!);
-      this.ground.shadow(renderer, shown.moving, common.scale.value);
+      if (this.side || shown.seat !== this.shadowed.by || --this.shadowed.left <= 0) {
+        this.ground.shadow(renderer, shown.moving, common.scale.value);
+        this.shadowed = { by: shown.seat, left: this.quality.shadows };
+      }
       common.height.value = cell.height * this.quality.ratio;
       const bottom = this.height - cell.y - cell.height;
       renderer.setScissorTest(true);
@@ -402,9 +422,10 @@ class Space implements View {
       if (!at || at.x < cell.x || at.x > cell.x + cell.width || at.y < cell.y || at.y > cell.y + cell.height) continue;
       const force = hand.force > 0.005 * this.full ? newtons(hand.force) : "";
       if (this.side && !force) continue;
-      at.x = Math.min(at.x, cell.x + cell.width - (this.side ? 74 : 112));
+      const who = this.side ? "" : seat === mine && this.hold.holds ? "You" : named(seat);
+      at.x = Math.max(Math.min(at.x, cell.x + cell.width - Labels.wide(who, force)), cell.x);
       at.y = Math.max(at.y, cell.y + 34);
-      this.labels.put(`hand${seat}`, "hand", seat, this.side ? "" : seat === mine && this.hold.holds ? "You" : named(seat), force, at.x, at.y);
+      this.labels.put(`hand${seat}`, "hand", seat, who, force, at.x, at.y);
     }
   }
 }

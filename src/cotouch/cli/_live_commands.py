@@ -53,7 +53,7 @@ def join(
         str,
         typer.Option(
             help="What moves the copy: scripted (what the session's file says for the seat), none, or a device, such "
-            "as simulated:touch; cotouch devices list shows them all."
+            "as simulated:touch; two hands: 'haply:id=1 + haply:id=2'. cotouch devices list shows them all."
         ),
     ] = "scripted",
     seconds: Annotated[

@@ -103,8 +103,16 @@ def join(
     if not (headless or as_json) and sys.stdout.isatty():
         _with_table(decoded, part)
         return
+    parent = os.getppid()
     with interruptible() as stopped:
-        taken = take_part(decoded, part, warn=_warn, say=lambda text: None if as_json else _say(text), stopped=stopped)
+        taken = take_part(
+            decoded,
+            part,
+            warn=_warn,
+            say=lambda text: None if as_json else _say(text),
+            # Whoever shows it and tells it what to do has gone.
+            stopped=lambda: stopped() or (part.boards is not None and os.getppid() != parent),
+        )
     if as_json:
         print_json(numbers(taken))
     else:
@@ -259,10 +267,11 @@ def _known_device(text: str) -> None:
     Raises:
         SessionError: it is none; the sentence names all that there are.
     """
-    from cotouch.haptics import DeviceChoice, device_names
+    from cotouch.haptics import device_names
+    from cotouch.session import device_choices
 
-    name = DeviceChoice.read(text).name
-    if "/" not in name and name not in device_names():
+    names = [choice.name for choice in device_choices(text) if "/" not in choice.name]
+    if not set(names) <= set(device_names()):
         known = ", ".join(["scripted (what the session's file says)", "none", *device_names()])
         raise SessionError(f'--device is "{text}"; it must be one of {known}')
 

@@ -2,6 +2,7 @@
 
 from cotouch.haptics._conformance import Finding, conform
 from cotouch.haptics._core import Order, Report, ServoCore
+from cotouch.haptics._coupling import COUPLING, LEAST_SCALE, MOST_SCALE, CouplingChoice, Scale, coupling_of
 from cotouch.haptics._device import Device, DeviceReading, Flag
 from cotouch.haptics._ends import DeviceEnd, EndOptions, ProxyEnd, Pull, Purse, Word, checked
 from cotouch.haptics._frames import FORCE_DIMENSION, FRAMES, HAPLY, OPENHAPTICS, OPENXR, OURS, Frame
@@ -31,7 +32,7 @@ from cotouch.haptics._safety import (
     spoken,
 )
 from cotouch.haptics._servo import Servo
-from cotouch.haptics._settings import COUPLING, ServoSettings, coupling_of
+from cotouch.haptics._settings import ServoSettings
 from cotouch.haptics._simulated import SIMULATED, SimulatedOnClock, simulated_model
 from cotouch.haptics._virtual import (
     Account,
@@ -48,6 +49,8 @@ __all__ = [
     "FRAMES",
     "GROUP",
     "HAPLY",
+    "LEAST_SCALE",
+    "MOST_SCALE",
     "OPENHAPTICS",
     "OPENXR",
     "OURS",
@@ -55,6 +58,7 @@ __all__ = [
     "UNKNOWN_FORCE",
     "Account",
     "Cause",
+    "CouplingChoice",
     "Device",
     "DeviceChoice",
     "DeviceEnd",
@@ -73,6 +77,7 @@ __all__ = [
     "Report",
     "SafetyChain",
     "SafetyLimits",
+    "Scale",
     "Seen",
     "Servo",
     "ServoCore",

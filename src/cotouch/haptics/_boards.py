@@ -1,5 +1,7 @@
 """What peer and servo write on the two boards between them."""
 
+from collections.abc import Callable
+from math import inf
 from pathlib import Path
 from typing import Any, Final, final
 
@@ -9,13 +11,16 @@ from cotouch.board import BoardReader, BoardWriter
 from cotouch.errors import InputError
 from cotouch.haptics._core import Order, Report
 from cotouch.haptics._device import Flag
-from cotouch.haptics._ends import Word
+from cotouch.haptics._ends import EndOptions, Word
 from cotouch.haptics._safety import Cause, Vector
 
 Array = npt.NDArray[Any]
 
 REPORT: Final = "report"
 ORDER: Final = "order"
+GUARD: Final = "guard"
+_OF_COUPLING: Final = ("stiffness", "damping", "friction", "ages", "weight", "most")
+_GUARD_FIELDS: Final = {"looks": ((), "i8")}
 _REPORT_FIELDS: Final = {
     "time": ((), "f8"),
     "tick": ((), "i8"),
@@ -25,14 +30,15 @@ _REPORT_FIELDS: Final = {
     "wanted": ((3,), "f8"),
     "word": ((3,), "f8"),  # given, received, purse
     "books": ((2,), "f8"),  # work, excess
-    "states": ((4,), "i8"),  # wanting, causes, buttons, flags
+    "states": ((5,), "i8"),  # wanting, causes, buttons, flags, number of the coupling
 }
 _ORDER_FIELDS: Final = {
     "time": ((), "f8"),
     "step": ((), "i8"),
     "place": ((3,), "f8"),
     "word": ((3,), "f8"),
-    "states": ((4,), "i8"),  # wanting, followed, enable, rearm
+    "states": ((5,), "i8"),  # wanting, followed, enable, rearm, number of the coupling
+    "coupling": ((len(_OF_COUPLING) + 1,), "f8"),  # virtual, and its numbers; meant where the number is above 0
 }
 
 
@@ -60,7 +66,7 @@ class ReportWriter:
         fields["wanted"][:] = report.wanted
         fields["word"][:] = (word.given, word.received, word.purse)
         fields["books"][:] = (report.work, report.excess)
-        fields["states"][:] = (word.wanting, report.causes, report.buttons, report.flags)
+        fields["states"][:] = (word.wanting, report.causes, report.buttons, report.flags, report.coupling)
         self._board.publish()
 
     def close(self) -> None:
@@ -84,7 +90,11 @@ class OrderWriter:
         if order.place is not None:
             fields["place"][:] = order.place
         fields["word"][:] = (word.given, word.received, word.purse)
-        fields["states"][:] = (word.wanting, order.place is not None, order.enable, order.rearm)
+        fields["states"][:] = (word.wanting, order.place is not None, order.enable, order.rearm, order.coupling)
+        if order.options is not None:
+            options = order.options
+            fields["coupling"][0] = options.law == "virtual"
+            fields["coupling"][1:] = [getattr(options, name) for name in _OF_COUPLING]
         self._board.publish()
 
     def close(self) -> None:
@@ -107,7 +117,7 @@ class ReportReader:
             return None
         given, received, purse = got["word"].tolist()
         work, excess = got["books"].tolist()
-        wanting, causes, buttons, flags = got["states"].tolist()
+        wanting, causes, buttons, flags, coupling = got["states"].tolist()
         return Report(
             time=float(got["time"]),
             tick=int(got["tick"]),
@@ -121,6 +131,7 @@ class ReportReader:
             causes=Cause(causes),
             buttons=buttons,
             flags=Flag(flags),
+            coupling=coupling,
         )
 
     def close(self) -> None:
@@ -135,6 +146,8 @@ class OrderReader:
     def __init__(self, folder: Path) -> None:
         """Waits for the board to appear in this folder."""
         self._board = _Awaited(folder / ORDER)
+        self._number = 0
+        self._options: EndOptions | None = None
 
     def read(self) -> Order | None:
         """The newest order that was not given yet."""
@@ -142,7 +155,13 @@ class OrderReader:
         if got is None:
             return None
         given, received, purse = got["word"].tolist()
-        wanting, followed, enable, rearm = got["states"].tolist()
+        wanting, followed, enable, rearm, coupling = got["states"].tolist()
+        if coupling != self._number:
+            virtual, *numbers = got["coupling"].tolist()
+            self._number = coupling
+            self._options = EndOptions(
+                law="virtual" if virtual else "pspm", **dict(zip(_OF_COUPLING, numbers, strict=True))
+            )
         return Order(
             time=float(got["time"]),
             step=int(got["step"]),
@@ -150,7 +169,52 @@ class OrderReader:
             word=Word(given, received, purse, bool(wanting)),
             enable=bool(enable),
             rearm=rearm,
+            coupling=coupling,
+            options=self._options,
         )
+
+    def close(self) -> None:
+        """Lets go of the board."""
+        self._board.close()
+
+
+@final
+class Looks:
+    """The guardian's board: that it looks."""
+
+    def __init__(self, folder: Path) -> None:
+        """Makes it in a private folder."""
+        self._board = BoardWriter(folder / GUARD, _GUARD_FIELDS)
+
+    def look(self) -> None:
+        """Says that it looks now."""
+        self._board.publish()
+
+    def close(self) -> None:
+        """Removes it."""
+        self._board.close()
+
+
+@final
+class Watched:
+    """Whether the guardian looks, as the servo sees it."""
+
+    def __init__(self, folder: Path, clock: Callable[[], float]) -> None:
+        """Waits for the guardian's board to appear in this folder.
+
+        Args:
+            folder: private one.
+            clock: monotonic [s].
+        """
+        self._board, self._clock = _Awaited(folder / GUARD), clock
+        self._last = -inf
+
+    def silence(self) -> float:
+        """For how long the guardian has not looked, at least as far as this was called; inf: never [s]."""
+        now = self._clock()
+        if self._board.read() is not None:
+            self._last = now
+        return now - self._last
 
     def close(self) -> None:
         """Lets go of the board."""

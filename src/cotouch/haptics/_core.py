@@ -10,10 +10,10 @@ import numpy.typing as npt
 
 from cotouch.device import DeviceSpec
 from cotouch.haptics._device import DeviceReading, Flag
-from cotouch.haptics._ends import EndOptions, Word, checked
+from cotouch.haptics._ends import DeviceEnd, EndOptions, Word, checked
 from cotouch.haptics._limits import SafetyLimits
 from cotouch.haptics._safety import ZERO, Cause, SafetyChain, Seen, Vector, scaled, size
-from cotouch.haptics._virtual import WINDOW, checked_virtual, device_end
+from cotouch.haptics._virtual import WINDOW, VirtualDeviceEnd, checked_virtual, device_end
 
 # The safety chain's speed is that over this [s]: shorter, and one step of an encoder looks quick; longer, and a device
 # that is flung away has been so for long.
@@ -36,6 +36,8 @@ class Order(NamedTuple):
         word: of the proxy's end.
         enable: whether force is wanted.
         rearm: rises by one each time that somebody re-arms.
+        coupling: number of the coupling that is meant; rises by one with each.
+        options: of that coupling; None: those that the servo began with.
     """
 
     time: float
@@ -44,6 +46,8 @@ class Order(NamedTuple):
     word: Word = Word()
     enable: bool = False
     rearm: int = 0
+    coupling: int = 0
+    options: EndOptions | None = None
 
 
 _NONE = Order(time=-inf)
@@ -65,6 +69,7 @@ class Report(NamedTuple):
         causes: why force was removed.
         buttons: bit n is button n.
         flags: of the device.
+        coupling: number of the coupling, as the last order had it.
     """
 
     time: float
@@ -79,6 +84,7 @@ class Report(NamedTuple):
     causes: Cause
     buttons: int
     flags: Flag
+    coupling: int = 0
 
 
 @final
@@ -90,6 +96,7 @@ class ServoCore:
     Attributes:
         end: the device's end of the coupling.
         chain: the safety chain.
+        coupling: number of the coupling.
     """
 
     def __init__(self, spec: DeviceSpec, limits: SafetyLimits, options: EndOptions, *, period: float = 1e-3) -> None:
@@ -104,18 +111,10 @@ class ServoCore:
         Raises:
             DeviceError: the coupling does not fit the device.
         """
-        lever = spec.workspace if isfinite(spec.workspace) and spec.workspace > 0.0 else _LEVER
-        if checked(options, spec).law == "virtual":
-            checked_virtual(options, spec, period=period)
-        self.end = device_end(
-            options,
-            resolution=spec.resolution,
-            lever=lever,
-            radius=limits.radius,
-            wall=limits.wall,
-        )
+        self._spec, self._limits, self._period = spec, limits, period
+        self.coupling = 0
+        self.end = self._made(options)
         self.chain = SafetyChain(limits)
-        self._limits = limits
         self._order = _NONE
         self._force = ZERO
         self._begun: float | None = None
@@ -141,18 +140,40 @@ class ServoCore:
         return self._bound
 
     def hear(self, order: Order) -> None:
-        """Takes the newest order."""
+        """Takes the newest order.
+
+        Raises:
+            DeviceError: it brings a coupling that does not fit the device.
+        """
         self._order = order
+        if order.coupling > self.coupling and order.options is not None:
+            self._couple(order.options, order.coupling)
         if self._armed is not None and order.rearm > self._armed:
             self.chain.rearm()
         self._armed = order.rearm if self._armed is None else max(self._armed, order.rearm)
 
-    def cycle(self, reading: DeviceReading, now: float) -> Report:
+    def _made(self, options: EndOptions) -> DeviceEnd | VirtualDeviceEnd:
+        spec, limits = self._spec, self._limits
+        lever = spec.workspace if isfinite(spec.workspace) and spec.workspace > 0.0 else _LEVER
+        if checked(options, spec).law == "virtual":
+            checked_virtual(options, spec, period=self._period)
+        return device_end(options, resolution=spec.resolution, lever=lever, radius=limits.radius, wall=limits.wall)
+
+    def _couple(self, options: EndOptions, number: int) -> None:
+        """Begins anew with another coupling: relaxed, with books of its own, and with the ramp."""
+        self.end, self.coupling = self._made(options), number
+        self.chain.restart()
+        self._force = self._acted = ZERO
+        self._place = None
+        self._farthest = self._longest = self._bound = self._out = 0.0
+
+    def cycle(self, reading: DeviceReading, now: float, unwatched: float = 0.0) -> Report:
         """One cycle.
 
         Args:
             reading: what the device gave in exchange for the force of the last report.
             now: on the clock of the peer's orders [s].
+            unwatched: for how long nothing is heard of whoever watches over this loop [s].
         """
         first = self._begun is None
         T = 0.0 if first else max(0.0, now - self._last)
@@ -191,6 +212,7 @@ class ServoCore:
                 excess=excess,
                 enabled=order.enable,
                 follows=bool(reading.flags & Flag.FORCE_ON),
+                unwatched=unwatched,
             ),
         )
         self._force = scaled(share, wanted)
@@ -207,6 +229,7 @@ class ServoCore:
             causes=self.chain.causes,
             buttons=reading.buttons,
             flags=reading.flags,
+            coupling=self.coupling,
         )
 
     def _observe(self, place: Vector, T: float) -> None:

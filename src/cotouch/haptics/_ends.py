@@ -34,6 +34,7 @@ from typing import Literal, NamedTuple, final
 
 from cotouch.device import DeviceSpec
 from cotouch.errors import DeviceError
+from cotouch.haptics._port import MotorPort, Wall, less, plus
 from cotouch.haptics._safety import ZERO, Vector, dot, scaled, size
 from cotouch.mechanics import credit, modulate, modulation_bound
 
@@ -169,7 +170,6 @@ class DeviceEnd:
     Attributes:
         purse: its energy.
         share: how far the set position followed the wish in the last tick.
-        wall_energy: in the spring of the workspace's wall [J].
     """
 
     def __init__(
@@ -187,11 +187,7 @@ class DeviceEnd:
         self.options = options
         self.purse = Purse(options.seed)
         self.share = 0.0
-        self.wall_energy = 0.0
-        self._resolution, self._lever = resolution, lever
-        self._radius, self._wall = radius, wall
-        self._place: Vector | None = None
-        self._told, self._said, self._changed = ZERO, ZERO, 0.0
+        self._port, self._wall = MotorPort(resolution=resolution, lever=lever), Wall(radius, wall)
         self._acting = self._coming = 0.0  # energy of the springs behind the force that acts, and behind the next
 
     @property
@@ -210,14 +206,9 @@ class DeviceEnd:
             T: since the last time; this law counts on no friction [s].
         """
         del T
-        if self._place is not None:
-            moved = (place[0] - self._place[0], place[1] - self._place[1], place[2] - self._place[2])
-            turned = 0.5 * size(self._told) * dot(moved, moved) / self._lever
-            work = max(dot(self._told, moved), dot(self._said, moved))
-            self.purse.book(work, 0.5 * self._resolution * self._changed + turned)
-        self._changed = sum(abs(a - b) for a, b in zip(told, self._told, strict=True))
-        self._place, self._told = place, told
-        self._said = told if said is None else said
+        did = self._port.measure(place, told, said)
+        if did is not None:
+            self.purse.book(did.work, did.charge)
         self._acting = self._coming
 
     def decide(self, wish: Vector | None, rate: Vector, word: Word, T: float) -> Vector:
@@ -232,22 +223,18 @@ class DeviceEnd:
         Returns:
             On the hand [N]; to be applied from the next `measure` on, whole or shortened.
         """
-        assert self._place is not None, "measure first"
-        options, place, purse = self.options, self._place, self.purse
+        place = self._port.place
+        assert place is not None, "measure first"
+        options, purse = self.options, self.purse
         purse.hear(word, max(0.0, purse.energy - self._acting), T)
         # Half, so that two ticks with little energy share it instead of taking turns.
         available = min(purse.energy - self._acting, 0.5 * purse.energy)
         force = scaled(-options.damping, rate)
-        out = size(place)
-        self.wall_energy = springs = 0.0
-        if out > self._radius and self._wall > 0.0:
-            deep = out - self._radius
-            part, _, _ = modulate(0.5 * self._wall * deep * deep, available, inf)
-            self.wall_energy = springs = part * part * 0.5 * self._wall * deep * deep
-            force = plus(force, scaled(-part * self._wall * deep / out, place))
+        force = plus(force, self._wall.pull(place, available))
+        springs = self._wall.energy
         purse.wanting = False
         self.share = 0.0
-        gap = None if wish is None else (wish[0] - place[0], wish[1] - place[1], wish[2] - place[2])
+        gap = None if wish is None else less(wish, place)
         potential = 0.0 if gap is None else 0.5 * options.stiffness * dot(gap, gap)
         share, _, excess = modulate(potential, available - springs, options.cap)
         if gap is not None:
@@ -269,13 +256,13 @@ class DeviceEnd:
         """
         options = self.options
         return 2.0 * modulation_bound(
-            stiffness=options.stiffness + self._wall,
+            stiffness=options.stiffness + self._wall.stiffness,
             damping=options.damping,
             period=period,
             speed=speed,
             reserve=options.reserve,
             force=force,
-            resolution=self._resolution,
+            resolution=self._port.resolution,
             axes=3,
         )
 
@@ -336,7 +323,7 @@ class ProxyEnd:
         cost = 0.25 * options.damping * T * dot(rate, rate)
         part = 1.0 if cost <= available else (available / cost) ** 0.5
         left = max(0.0, available - part * part * cost)
-        gap = (wish[0] - place[0], wish[1] - place[1], wish[2] - place[2])
+        gap = less(wish, place)
         self.share, _, excess = modulate(0.5 * options.stiffness * dot(gap, gap), left, options.cap)
         purse.wanting = self.share < 1.0
         purse.spill(excess)
@@ -351,8 +338,3 @@ class ProxyEnd:
             moved: by the proxy [m].
         """
         self.purse.book(dot(force, moved))
-
-
-def plus(a: Vector, b: Vector) -> Vector:
-    """Sum."""
-    return (a[0] + b[0], a[1] + b[1], a[2] + b[2])

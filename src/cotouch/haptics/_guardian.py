@@ -1,7 +1,12 @@
 """The process between peer and servo: it takes the force away if the servo dies or stands still.
 
 It is the servo's parent and the peer's child, in a session of its own, so that no Ctrl-C reaches it. It does nothing
-but look: whether the servo runs and ticks, and whether the peer still holds the other end of its standard input.
+but look, every 2 ms and ahead of the servo where real-time priority is permitted: whether the servo runs and ticks, and
+whether the peer still holds the other end of its standard input. Each look is said on a board, so that the servo knows
+when nobody watches it.
+
+What it does about a servo that stands still does not depend on the peer: one that has not said that it stopped its
+device is halted from outside, or ended and its device opened anew, whether the peer lives, hangs, or is dead.
 """
 
 import contextlib
@@ -13,18 +18,26 @@ import signal
 import subprocess
 import sys
 import time
-from typing import Any
+from collections.abc import Callable
+from dataclasses import asdict
+from typing import Any, final
 
-from cotouch.haptics._boards import ReportReader
+from cotouch.haptics._boards import Looks, ReportReader
 from cotouch.haptics._registry import Driver, driver, make_device
+from cotouch.haptics._safety import FOR_GOOD
 from cotouch.haptics._servo import STILL
 from cotouch.haptics._settings import ServoSettings
+from cotouch.pacing import prepare_process
 
-# How often it looks [s].
-_LOOK = 0.005
-# A servo that stands still longer than this is ended [s]: where it can be stopped from outside; and where it cannot, so
-# that the system closes the device and its own watchdog acts.
-_KILL, _KILL_AT_ONCE = 1.0, 0.09
+# How often it looks [s]; how often it halts a servo from outside that still stands still [s].
+_LOOK, _AGAIN = 0.002, 0.02
+# A servo is not taken for dead before so many looks found nothing new: where all of the machine stood still, it is
+# given the time to say so.
+_LEAST = 5
+# A servo that stands still longer than this is ended [s], where it can be halted from outside; where it cannot, it is
+# ended at once, so that the system closes the device, which is then opened anew.
+_KILL = 1.0
+# One that is asked to end, and has stopped its device, may take so long to close it [s].
 _PATIENCE = 2.0
 
 
@@ -39,11 +52,17 @@ def main(line: str, servo: subprocess.Popen[str]) -> int:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     asked: list[int] = []
     signal.signal(signal.SIGTERM, lambda number, _: asked.append(number))
+    chosen: Driver | None = None
     try:
         chosen = driver(settings.device.name)
-        _watch(servo, settings, chosen, asked)
-    finally:
-        code = _ended(servo)
+        above = None if settings.real_time is None else settings.real_time + 1
+        with prepare_process(real_time=above) as state:
+            _said(guardian=asdict(state))
+            code = Watch(servo, settings, chosen).run(lambda: bool(asked) or _peer_is_gone())
+    except Exception as error:  # noqa: BLE001  # whatever failed here, nobody watches the servo any more
+        servo.kill()
+        code = servo.wait()
+        _said(fault=f"the program that watches over it failed: {error}")
     if code not in {0, 2}:  # it did not stop its device itself
         _said(gone="servo", code=code, halted=halt(chosen, settings))
     if _peer_is_gone():
@@ -51,35 +70,75 @@ def main(line: str, servo: subprocess.Popen[str]) -> int:
     return 0 if code == 0 else 1
 
 
-def _watch(servo: subprocess.Popen[str], settings: ServoSettings, chosen: Driver, asked: list[int]) -> None:
-    """Until the servo is gone, or should go."""
-    reports = ReportReader(settings.folder)
-    heard: float | None = None
-    said = False
-    while servo.poll() is None and not asked:
-        if _peer_is_gone(wait=_LOOK):
-            return
+@final
+class Watch:
+    """Looks at the servo until it has ended."""
+
+    def __init__(self, servo: subprocess.Popen[str], settings: ServoSettings, chosen: Driver) -> None:
+        """Begins to look.
+
+        Args:
+            servo: its process.
+            settings: of it.
+            chosen: the driver of its device.
+        """
+        self._servo, self._settings, self._chosen = servo, settings, chosen
+        self._reports, self._looks = ReportReader(settings.folder), Looks(settings.folder)
+        self._heard: float | None = None  # when the servo ticked last; None: it never had force
+        self._safe = False  # whether it said that it stopped its device
+        self._vain = 0  # looks since then
+        self._halted: float | None = None
+
+    def run(self, unwanted: Callable[[], bool]) -> int:
+        """Until the servo has ended; its exit code.
+
+        Args:
+            unwanted: whether the servo should end.
+        """
+        end: float | None = None
+        while (code := self._servo.poll()) is None:
+            self._looks.look()
+            if end is None and unwanted():
+                self._servo.terminate()
+                end = time.monotonic() + _PATIENCE
+            self._look()
+            if end is not None and time.monotonic() > end:
+                self._servo.kill()
+            time.sleep(_LOOK)
+        self._looks.close()
+        return code
+
+    def _look(self) -> None:
         now = time.monotonic()
-        if reports.read() is not None:
-            heard, said = now, False
-        still = 0.0 if heard is None else now - heard
-        if still > STILL and chosen.halt is not None:
+        report = self._reports.read()
+        if report is not None:
+            self._heard, self._vain, self._halted = now, 0, None
+            self._safe = bool(report.causes & FOR_GOOD)
+        self._vain += 1
+        still = 0.0 if self._heard is None or self._safe else now - self._heard
+        if still <= STILL or self._vain < _LEAST:
+            return
+        halting = self._chosen.halt
+        if halting is None:
+            self._servo.kill()
+            return
+        if self._halted is None:
+            _said(still=still)
+        if self._halted is None or now - self._halted >= _AGAIN:
             with contextlib.suppress(Exception):
-                chosen.halt(**settings.device.options)
-            if not said:
-                said = True
-                _said(still=still)
-        if still > (_KILL_AT_ONCE if chosen.halt is None else _KILL):
-            servo.kill()
+                halting(**self._settings.device.options)
+            self._halted = now
+        if still > _KILL:
+            self._servo.kill()
 
 
-def halt(chosen: Driver, settings: ServoSettings) -> str:
+def halt(chosen: Driver | None, settings: ServoSettings) -> str:
     """Takes the force away from outside, after the servo died.
 
     By the driver's own way if it has one, else by opening the device anew and stopping it, as far as it lets itself be
     opened. Says how, in words.
     """
-    if chosen.halt is not None:
+    if chosen is not None and chosen.halt is not None:
         try:
             chosen.halt(**settings.device.options)
         except Exception as error:  # noqa: BLE001  # whatever the driver raises, nothing else may fail now
@@ -97,20 +156,9 @@ def halt(chosen: Driver, settings: ServoSettings) -> str:
     return "opened anew and stopped"
 
 
-def _ended(servo: subprocess.Popen[str]) -> int:
-    """Asks it to end, if it has not, and waits."""
-    if servo.poll() is None:
-        servo.terminate()
-    try:
-        return servo.wait(_PATIENCE)
-    except subprocess.TimeoutExpired:
-        servo.kill()
-        return servo.wait(_PATIENCE)
-
-
-def _peer_is_gone(wait: float = 0.0) -> bool:
-    """Whether the peer has closed its end, or is dead; waits for that so long [s]."""
-    ready, _, _ = select.select([sys.stdin], [], [], wait)
+def _peer_is_gone() -> bool:
+    """Whether the peer has closed its end, or is dead."""
+    ready, _, _ = select.select([sys.stdin], [], [], 0.0)
     return bool(ready) and os.read(sys.stdin.fileno(), 1) == b""
 
 

@@ -9,6 +9,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, final
 
@@ -16,10 +17,12 @@ from cotouch.device import DeviceSpec
 from cotouch.errors import DeviceError
 from cotouch.haptics._boards import OrderWriter, ReportReader
 from cotouch.haptics._core import Order, Report
+from cotouch.haptics._coupling import CouplingChoice, coupling_of
 from cotouch.haptics._ends import EndOptions, Word
+from cotouch.haptics._notices import Notices
 from cotouch.haptics._registry import DeviceChoice, driver
-from cotouch.haptics._safety import FOR_GOOD, LATCHED, NO_CAUSE, Cause, Vector, spoken
-from cotouch.haptics._settings import ServoSettings, coupling_of, spec_from
+from cotouch.haptics._safety import NO_CAUSE, Cause, Vector
+from cotouch.haptics._settings import ServoSettings, spec_from
 
 # The servo is started before the guardian loads what it needs itself, so that both load at the same time.
 GUARDIAN = """
@@ -39,10 +42,6 @@ raise SystemExit(main(line, servo))
 _PATIENCE = 300.0
 # A servo that says nothing for so long is gone [s].
 _GONE = 0.1
-# Causes that come and go in ordinary use and need no words.
-_USUAL = Cause.SATURATED | Cause.SLEW | Cause.RAMP | Cause.QUIET
-# The same words again only after this [s].
-_AGAIN = 1.0
 
 
 @final
@@ -51,9 +50,10 @@ class ServoLink:
 
     Attributes:
         spec: limits of the opened device.
+        said: of the coupling, by whoever chose the device.
         options: of the coupling.
         report: the newest of the servo; None before the first.
-        process: what the servo obtained from the system, by name.
+        process: what the servo obtained from the system, by name; and the guardian, under `guardian`.
         servo: its process id.
         guardian: that of its parent.
     """
@@ -75,7 +75,7 @@ class ServoLink:
         Args:
             choice: which device; it may say something of the coupling, too (`coupling=virtual,friction=0.8`), which
                 goes before the arguments.
-            stiffness: of the coupling; None: see `ServoSettings` [N/m].
+            stiffness: of the coupling; None: see `CouplingChoice` [N/m].
             damping: likewise [Ns/m].
             limits: safety limits other than the default, by name.
             rate: of the servo; None: the device's, at most 1 kHz [Hz].
@@ -87,8 +87,8 @@ class ServoLink:
             DeviceError: there is no such device, it cannot be opened or calibrated, or a limit is beyond what is safe.
         """
         driver(choice.name)
-        choice, said_of_it = coupling_of(choice)
-        coupling: dict[str, Any] = {"stiffness": stiffness, "damping": damping} | said_of_it
+        choice, said = coupling_of(choice)
+        self.said = said.over(CouplingChoice(stiffness=stiffness, damping=damping))
         self._clock = clock
         memory = Path("/dev/shm")  # noqa: S108  # boards on a disk would wait for it
         where = memory if memory.is_dir() and os.access(memory, os.W_OK) else None
@@ -96,17 +96,17 @@ class ServoLink:
         self._process: subprocess.Popen[bytes] | None = None
         self.report: Report | None = None
         self._rest = b""
-        self._notices: list[str] = []
-        self._causes, self._last_words, self._last_said = NO_CAUSE, "", -float("inf")
+        self._notices = Notices(clock)
         self._step = self._rearm = 0
         self._over = ""
         self._silent = False
-        self._felt = False  # whether there ever was force
         self.statistics: dict[str, Any] = {}
-        settings = ServoSettings(
+        self.process: dict[str, Any] = {}
+        self._number = 0  # of the coupling
+        settings = self._settings = ServoSettings(
             device=choice,
             folder=self._folder,
-            **coupling,
+            coupling=self.said,
             limits=dict(limits or {}),
             rate=rate,
             allow_motion=allow_motion,
@@ -117,7 +117,7 @@ class ServoLink:
             self._reports = ReportReader(self._folder)
             said = self._start(settings)
             self.spec: DeviceSpec = spec_from(said["spec"])
-            self.process: dict[str, Any] = said["process"]
+            self.process |= said["process"]
             self.servo = int(said["pid"])
             assert self._process is not None
             self.guardian = self._process.pid
@@ -137,11 +137,30 @@ class ServoLink:
         return NO_CAUSE if self.report is None else self.report.causes
 
     def read(self) -> Report | None:
-        """The newest report, also if it was given before; None before the first and when the servo is gone."""
+        """The newest report of this coupling, also if it was given before; None without one, or with the servo gone."""
         got = self._reports.read()
         if got is not None:
             self.report = got
-        return None if self.gone else self.report
+        return None if self.gone or self.report is None or self.report.coupling != self._number else self.report
+
+    def couple(self, below: CouplingChoice) -> EndOptions:
+        """Begins anew with a coupling: relaxed, with books of its own at both ends; the force comes back by the ramp.
+
+        To be called whenever the proxy's end is made anew: what the device's end gave to the one before is spent.
+
+        Args:
+            below: what counts where the choice of the device says nothing.
+
+        Returns:
+            Its options, for the proxy's end.
+
+        Raises:
+            DeviceError: it does not fit the device.
+        """
+        chosen = self.said.over(below)
+        self.options = replace(self._settings, coupling=chosen).end_options(self.spec)
+        self._number += 1
+        return self.options
 
     def order(self, place: Vector | None, word: Word, *, enable: bool = True) -> None:
         """Tells the servo where the proxy is now.
@@ -153,7 +172,16 @@ class ServoLink:
         """
         self._step += 1
         self._orders.write(
-            Order(time=self._clock(), step=self._step, place=place, word=word, enable=enable, rearm=self._rearm)
+            Order(
+                time=self._clock(),
+                step=self._step,
+                place=place,
+                word=word,
+                enable=enable,
+                rearm=self._rearm,
+                coupling=self._number,
+                options=self.options if self._number else None,
+            )
         )
 
     def rearm(self) -> None:
@@ -166,21 +194,14 @@ class ServoLink:
             self._take(said)
         if not self._over and self._process is not None and self._process.poll() is not None:
             self._over = "guardian"
-            self._notice("the program that watches over the device is gone; force is off")
-        self._felt = self._felt or (self.report is not None and not self.causes & ~_USUAL)
-        causes = self.causes & ~_USUAL if self._felt or self.causes & (FOR_GOOD | LATCHED) else NO_CAUSE
-        if causes != self._causes:
-            self._causes = causes
-            if causes:
-                self._notice(f"force is off or less: {spoken(causes)}")
-            elif self._last_words:
-                self._notice("force is back")
+            self._notices.say("the program that watches over the device is gone; force is off")
+        if self.report is not None:
+            self._notices.force(self.causes)
         silent = self.gone and not self._over
         if silent and not self._silent:
-            self._notice("nothing is heard of the device's servo; the proxy is left alone until it is back")
+            self._notices.say("nothing is heard of the device's servo; the proxy is left alone until it is back")
         self._silent = silent
-        fresh, self._notices = self._notices, []
-        return fresh
+        return self._notices.fresh()
 
     def close(self) -> None:
         """Ends the processes and takes the boards away; the device is stopped first."""
@@ -216,11 +237,15 @@ class ServoLink:
         process.stdin.flush()
         end = self._clock() + _PATIENCE
         while self._clock() < end:
+            ready: dict[str, Any] | None = None
             for said in self._heard(0.1):
-                if "ready" in said:
-                    return said
+                ready = said if "ready" in said else ready
+                if "guardian" in said:
+                    self.process["guardian"] = said["guardian"]
                 if "error" in said:
                     raise DeviceError(str(said["error"]))
+            if ready is not None:
+                return ready
             if process.poll() is not None:
                 break
         raise DeviceError(f'the device "{settings.device.name}" did not come up; its process ended or hangs')
@@ -251,19 +276,14 @@ class ServoLink:
 
     def _take(self, said: dict[str, Any]) -> None:
         self.statistics.update(said.get("pace") or {})
+        if "guardian" in said:  # it may be slower to load than the servo
+            self.process["guardian"] = said["guardian"]
         if said.get("fault"):
-            self._notice(f"the device failed: {said['fault']}")
+            self._notices.say(f"the device failed: {said['fault']}")
         elif "error" in said:
-            self._notice(f"the device failed: {said['error']}")
+            self._notices.say(f"the device failed: {said['error']}")
         elif "gone" in said:
             self._over = "servo"
-            self._notice(f"the device's servo is gone; the device was {said['halted']}")
+            self._notices.say(f"the device's servo is gone; the device was {said['halted']}")
         elif "still" in said:
-            self._notice("the device's servo stands still; its force was taken away from outside")
-
-    def _notice(self, text: str) -> None:
-        now = self._clock()
-        if text == self._last_words and now - self._last_said < _AGAIN:
-            return
-        self._last_words, self._last_said = text, now
-        self._notices.append(text)
+            self._notices.say("the device's servo stands still; its force was taken away from outside")

@@ -35,6 +35,8 @@ class Cause(IntFlag):
         FAULT: something was no number, or the device failed; for good.
         PARENT: whoever watches this loop is gone; for good.
         PEER: the peer's process is gone; for good.
+        UNWATCHED: whoever watches this loop stands still.
+        STOPPED: this loop was told to end.
     """
 
     SATURATED = 1
@@ -51,21 +53,25 @@ class Cause(IntFlag):
     FAULT = 2048
     PARENT = 4096
     PEER = 8192
+    UNWATCHED = 16384
+    STOPPED = 32768
 
 
 NO_CAUSE = Cause(0)
 LATCHED = Cause.FAST | Cause.ACTIVE
-FOR_GOOD = Cause.FAULT | Cause.PARENT | Cause.PEER
+FOR_GOOD = Cause.FAULT | Cause.PARENT | Cause.PEER | Cause.STOPPED
 # After which force comes back from nothing.
 _REMOVED = Cause.SILENT | Cause.LATE | Cause.OFF | Cause.DEVICE | LATCHED | FOR_GOOD
 _SENTENCES = {
     Cause.FAULT: "the device failed or gave no numbers",
     Cause.PARENT: "the program that watches over the device is gone",
     Cause.PEER: "the peer's program is gone",
+    Cause.STOPPED: "the device was let go",
     Cause.ACTIVE: "more energy came out of the motors than may; re-arm to go on",
     Cause.FAST: "the device moved faster than a hand does; re-arm to go on",
     Cause.DEVICE: "the device has switched its motors off",
     Cause.OFF: "force is not enabled",
+    Cause.UNWATCHED: "the program that watches over the device stands still",
     Cause.SILENT: "the peer has been silent for too long",
     Cause.LATE: "the device or its loop was late",
     Cause.QUIET: "the peer is late",
@@ -180,6 +186,7 @@ class Seen(NamedTuple):
         excess: energy that came out of the motors beyond what may [J]; <= 0 as it should be.
         enabled: whether force is wanted.
         follows: whether the device says that its motors follow.
+        unwatched: for how long nothing is heard of whoever watches over the loop [s].
     """
 
     now: float
@@ -190,6 +197,7 @@ class Seen(NamedTuple):
     excess: float
     enabled: bool
     follows: bool
+    unwatched: float = 0.0
 
 
 @final
@@ -219,6 +227,10 @@ class SafetyChain:
     def rearm(self) -> None:
         """Lets go of what is latched; force comes back by the ramp."""
         self.latched = NO_CAUSE
+
+    def restart(self) -> None:
+        """Lets the force come back by the ramp; what is latched or broken stays so."""
+        self._back, self._before = None, ZERO
 
     def fail(self, cause: Cause) -> None:
         """Takes the force away for good."""
@@ -253,9 +265,14 @@ class SafetyChain:
         share = silence(seen.age, limits.fade_after, limits.zero_after)
         if share < 1.0:
             causes |= Cause.SILENT if share == 0.0 else Cause.QUIET
-        if causes & _REMOVED:
-            self._back, self._before, self.causes = None, ZERO, causes
+        watched = silence(seen.unwatched, limits.fade_after, limits.zero_after)
+        if watched < 1.0:
+            causes |= Cause.UNWATCHED
+        if causes & _REMOVED or watched == 0.0:
+            self.restart()
+            self.causes = causes
             return 0.0
+        share *= watched
         share *= silence(seen.stale, limits.fade_after, limits.zero_after)
         self._back = seen.now if self._back is None else self._back
         back = min(1.0, (seen.now - self._back) / limits.ramp)

@@ -20,7 +20,7 @@ import numpy as np
 
 from cotouch.device import DeviceSpec
 from cotouch.errors import CotouchError
-from cotouch.haptics._boards import OrderReader, ReportWriter
+from cotouch.haptics._boards import OrderReader, ReportWriter, Watched
 from cotouch.haptics._core import Order, Report, ServoCore
 from cotouch.haptics._device import Device, DeviceReading, Flag
 from cotouch.haptics._registry import open_device
@@ -30,9 +30,10 @@ from cotouch.pacing import Pacer, ProcessState, prepare_process
 
 # A servo that stands still because of a fault still says so, this often [s].
 _IDLE = 0.01
-# A servo that says nothing for so long is taken for dead as far as force goes [s]; 60 ticks, and well within 100 ms. It
-# knows it by itself a little earlier, and for a second switches its motors on again if the guardian has them off.
-STILL = 0.06
+# A servo that says nothing for so long is taken for dead as far as force goes [s]: 40 ticks, and where it has to be
+# ended and its device opened anew, that is still done within 100 ms. It knows it by itself a little earlier, and for a
+# second switches its motors on again if the guardian has them off.
+STILL = 0.04
 _MARGIN, _RETURN = 0.01, 1.0
 
 
@@ -53,6 +54,7 @@ class Servo:
         *,
         watched: Callable[[], bool],
         attended: Callable[[], bool] = lambda: True,
+        unwatched: Callable[[], float] = lambda: 0.0,
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
         """Takes an open, calibrated device.
@@ -62,6 +64,7 @@ class Servo:
             settings: see there.
             watched: whether whoever would take the force away if this loop died is still there.
             attended: whether the peer's process is still there.
+            unwatched: for how long whoever watches has not looked [s].
             clock: that of the peer's orders [s].
 
         Raises:
@@ -72,11 +75,12 @@ class Servo:
         self.core = ServoCore(spec, settings.safety(spec), settings.end_options(spec), period=period)
         self.fault = ""
         self.ticks = 0
-        self._device, self._watched, self._attended, self._clock = device, watched, attended, clock
+        self._device, self._clock = device, clock
+        self._watched, self._attended, self._unwatched = watched, attended, unwatched
         self._orders = OrderReader(settings.folder)
         self._reports = ReportWriter(settings.folder)
         self._force = np.zeros(3)
-        self._on, self._armed = False, -1
+        self._on, self._armed, self._coupling = False, -1, 0
         self._report: Report | None = None
         self._last = self._stood = -inf  # when the last cycle was, and when one was so late that others took over
 
@@ -84,14 +88,17 @@ class Servo:
         """One cycle; False once the force is gone for good."""
         self.ticks += 1
         core, device = self.core, self._device
-        order = self._orders.read()
-        if order is not None:
-            core.hear(order)
         if not self._watched():
             core.chain.fail(Cause.PARENT)
         if not self._attended():  # rather than wait until its silence is long
             core.chain.fail(Cause.PEER)
         try:
+            order = self._orders.read()
+            if order is not None:
+                core.hear(order)
+                if core.coupling > self._coupling:  # what acts is of the one before
+                    self._coupling = core.coupling
+                    self._force[:] = 0.0
             if core.chain.broken:
                 return self._end()
             now = self._clock()
@@ -104,7 +111,7 @@ class Servo:
             self.fault = _sentence(error)
             core.chain.fail(Cause.FAULT)
             return self._end()
-        report = self._report = core.cycle(reading, self._clock())
+        report = self._report = core.cycle(reading, self._clock(), self._unwatched())
         if core.chain.broken:
             return self._end()
         self._force[:] = report.force
@@ -120,8 +127,12 @@ class Servo:
         self._reports.write(report, self._clock())
 
     def stop(self) -> None:
-        """Takes the force away at once."""
+        """Takes the force away at once, and says so."""
         self._device.stop()
+        self._force[:] = 0.0
+        if not self.core.chain.broken:
+            self.core.chain.fail(Cause.STOPPED)
+        self.say()
 
     def close(self) -> None:
         """Stops the device, lets go of it, and removes the board."""
@@ -190,9 +201,10 @@ def main() -> int:
         return _said(error=_sentence(error))
     servo: Servo | None = None
     below = _hung_up(sys.stdout.fileno())
+    guard = Watched(settings.folder, time.monotonic)
     try:
         device.calibrate(allow_motion=settings.allow_motion)
-        servo = Servo(device, settings, watched=watched, attended=lambda: not below())
+        servo = Servo(device, settings, watched=watched, attended=lambda: not below(), unwatched=guard.silence)
         warm(device.spec, settings)
         with prepare_process(real_time=settings.real_time) as state:
             if _said(ready=True, spec=asdict(device.spec), process=_plain(state), pid=os.getpid()) != 0:
@@ -206,6 +218,7 @@ def main() -> int:
             device.close()
         else:
             servo.close()
+        guard.close()
     return 0
 
 

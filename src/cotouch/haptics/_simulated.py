@@ -163,6 +163,11 @@ class SimulatedOnClock:
         return self.device
 
 
+def _halt(**options: str | float | bool) -> None:
+    """Nothing: a simulated device stands still together with the process that drives it, and moves nobody meanwhile."""
+    del options
+
+
 def _make(
     *, variant: str = "phantom", hand: bool = True, sweep: float = 1.0, viscous: float | None = None
 ) -> SimulatedOnClock:
@@ -181,6 +186,7 @@ SIMULATED = Driver(
         "sweep": "how far the hand goes, a factor from 0 to 3",
         "viscous": "friction of a Touch or light mass, 0 to 20 Ns/m",
     },
+    halt=_halt,
     watchdog="It lives in the process that drives it, and ends with it.",
     tested="itself",
 )

@@ -39,7 +39,8 @@ from typing import final
 
 from cotouch.device import DeviceSpec
 from cotouch.errors import DeviceError
-from cotouch.haptics._ends import DeviceEnd, EndOptions, ProxyEnd, Pull, Word, plus
+from cotouch.haptics._ends import DeviceEnd, EndOptions, ProxyEnd, Pull, Word
+from cotouch.haptics._port import MotorPort, Wall, less, plus
 from cotouch.haptics._safety import ZERO, Vector, dot, scaled, size
 from cotouch.mechanics import modulate, virtual_coupling_limit
 
@@ -165,7 +166,6 @@ class VirtualDeviceEnd:
         options: of the coupling.
         purse: its account.
         share: how far the set position followed the wish in the last tick.
-        wall_energy: in the spring of the workspace's wall [J].
     """
 
     def __init__(
@@ -189,11 +189,7 @@ class VirtualDeviceEnd:
         self.options = options
         self.purse = Account(options.seed)
         self.share = 0.0
-        self.wall_energy = 0.0
-        self._resolution, self._lever = resolution, lever
-        self._radius, self._wall = radius, wall
-        self._place: Vector | None = None
-        self._told, self._said, self._changed = ZERO, ZERO, 0.0
+        self._port, self._wall = MotorPort(resolution=resolution, lever=lever), Wall(radius, wall)
 
     @property
     def start(self) -> float:
@@ -209,36 +205,27 @@ class VirtualDeviceEnd:
             said: what the device says that its motors do; None: nothing [N].
             T: since the last time; 0: unknown, and friction is not counted [s].
         """
-        if self._place is not None:
-            moved = (place[0] - self._place[0], place[1] - self._place[1], place[2] - self._place[2])
-            turned = 0.5 * size(self._told) * dot(moved, moved) / self._lever
-            work = max(dot(self._told, moved), dot(self._said, moved))
+        did = self._port.measure(place, told, said)
+        if did is not None:
             # An encoder may have seen more motion than there was.
-            sure = max(0.0, size(moved) - self._resolution)
+            sure = max(0.0, did.moved - self._port.resolution)
             paid = self.options.friction * sure * sure / T if T > 0.0 else 0.0
-            self.purse.book(work, paid, 0.5 * self._resolution * self._changed + turned)
-        self._changed = sum(abs(a - b) for a, b in zip(told, self._told, strict=True))
-        self._place, self._told = place, told
-        self._said = told if said is None else said
+            self.purse.book(did.work, paid, did.charge)
 
     def decide(self, wish: Vector | None, rate: Vector, word: Word, T: float) -> Vector:
         """The force that the coupling wants; as `DeviceEnd.decide`."""
         del T
-        assert self._place is not None, "measure first"
-        options, place, purse = self.options, self._place, self.purse
+        place = self._port.place
+        assert place is not None, "measure first"
+        options, purse = self.options, self.purse
         purse.hear(word)
         available = purse.energy
         force = scaled(-options.damping, rate)
-        out = size(place)
-        self.wall_energy = springs = 0.0
-        if out > self._radius and self._wall > 0.0:
-            deep = out - self._radius
-            part, _, _ = modulate(0.5 * self._wall * deep * deep, available, inf)
-            self.wall_energy = springs = part * part * 0.5 * self._wall * deep * deep
-            force = plus(force, scaled(-part * self._wall * deep / out, place))
+        force = plus(force, self._wall.pull(place, available))
+        springs = self._wall.energy
         purse.wanting, self.share = False, 0.0
         if wish is not None:
-            gap = saturated((wish[0] - place[0], wish[1] - place[1], wish[2] - place[2]), options)
+            gap = saturated(less(wish, place), options)
             self.share, _, _ = modulate(0.5 * options.stiffness * dot(gap, gap), available - springs, inf)
             purse.wanting = self.share < 1.0
             force = plus(force, scaled(options.stiffness * self.share, gap))
@@ -248,7 +235,7 @@ class VirtualDeviceEnd:
         """What two ticks of held forces can take beyond what there is [J]; as `DeviceEnd.bound`."""
         options = self.options
         pull = force if force > 0.0 else options.most
-        unseen = 1.5 * self._resolution * pull * 3.0**0.5
+        unseen = 1.5 * self._port.resolution * pull * 3.0**0.5
         return 2.0 * ((pull + options.damping * speed) * speed * period + options.reserve + unseen)
 
 
@@ -287,7 +274,7 @@ class VirtualProxyEnd:
             return Pull(0.0, damping, place, ZERO)
         # Of what this end put in, the device may still count on the most that it was told since it last heard.
         allowed = purse.seed + purse.word.given - max(self._older, *self._unheard)
-        gap = saturated((wish[0] - place[0], wish[1] - place[1], wish[2] - place[2]), options)
+        gap = saturated(less(wish, place), options)
         potential = 0.5 * options.stiffness * dot(gap, gap)
         self.share, _, _ = modulate(potential, max(0.0, min(purse.energy, allowed)), inf)
         purse.wanting = self.share < 1.0

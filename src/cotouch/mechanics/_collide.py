@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.mechanics._kernel import block, kernel, part
+from cotouch.mechanics._kernel import block, inner, part
 from cotouch.mechanics._surface import Fit, Surface, box_distance, place_vertex
 
 Float = npt.NDArray[np.float64]
@@ -105,7 +105,7 @@ def contacts(most: int) -> Contacts:
     )
 
 
-@kernel
+@inner
 def _dot(a: Float, i: int, b: Float, j: int) -> float:
     return a[i, 0] * b[j, 0] + a[i, 1] * b[j, 1] + a[i, 2] * b[j, 2]
 

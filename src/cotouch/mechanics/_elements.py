@@ -20,7 +20,7 @@ Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
 
 
-@block
+@part
 def hold(
     surface: Surface,
     fit: Fit,
@@ -65,7 +65,7 @@ def hold(
     return count
 
 
-@block
+@part
 def gather(
     surface_shape: Float,
     held: Int,

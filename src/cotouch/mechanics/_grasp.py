@@ -4,7 +4,7 @@
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.mechanics._kernel import block, part
+from cotouch.mechanics._kernel import part
 from cotouch.mechanics._surface import Fit, Surface, place_vertex
 from cotouch.mechanics._tools import MOST_HELD, MOST_HELD_MODAL, Tools
 
@@ -47,7 +47,7 @@ def held_rate(hold_row: Int, shape: Float, hold: int, axis: int, mean: Float) ->
     return rate
 
 
-@block
+@part
 def take(surface: Surface, fit: Fit, tools: Tools, t: int, position: Float, lanes: tuple[int, ...]) -> None:
     """Takes hold of the nodes within the tool's radius, or of the nearest, with springs that start relaxed."""
     hold_row, rest, hold_rest, moved = surface.hold_row, surface.rest, surface.hold_rest, fit.place

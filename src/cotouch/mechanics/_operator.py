@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.mechanics._kernel import kernel
+from cotouch.mechanics._kernel import inner, kernel
 from cotouch.mechanics._vector import at, load, splat, store, total
 
 Float = npt.NDArray[np.float64]
@@ -78,7 +78,7 @@ def mixed(op: Operator, matrix: int) -> bool:
     return False
 
 
-@kernel
+@inner
 def row_sum(op: Operator, values: Float, i: int, field: Float, lanes: tuple[int, ...]) -> float:
     """Row i of a matrix on the operator's pattern, given by its values, times a field.
 
@@ -99,7 +99,7 @@ def row_sum(op: Operator, values: Float, i: int, field: Float, lanes: tuple[int,
     return even + odd
 
 
-@kernel
+@inner
 def row_product(op: Operator, family: int, i: int, field: Float, lanes: tuple[int, ...]) -> float:
     """Row i of one family times a field."""
     return row_sum(op, op.entries[family], i, field, lanes)

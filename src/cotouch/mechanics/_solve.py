@@ -14,7 +14,7 @@ import math
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.mechanics._kernel import kernel
+from cotouch.mechanics._kernel import inner, kernel
 from cotouch.mechanics._operator import Operator, row_sum
 from cotouch.mechanics._vector import at, load, splat, store, total
 
@@ -135,7 +135,7 @@ def chebyshev(
     return iterations
 
 
-@kernel
+@inner
 def _sweep(
     op: Operator,
     values: Float,
@@ -238,7 +238,7 @@ def conjugate_gradients(
     return iterations
 
 
-@kernel
+@inner
 def _rescale(supplied: float, missed: float, solution: Float, lanes: tuple[int, ...]) -> None:
     """Scales the solution so that `v̂ᵀ(b - A v̂) = 0`, given `v̂ᵀ b` and `v̂ᵀ r` with `r = b - A v̂`.
 
@@ -257,7 +257,7 @@ def divide(diagonal: Float, rhs: Float, solution: Float, lanes: tuple[int, ...])
         store(solution, i, (1.0 / at(diagonal, i)) * load(rhs, i, lanes), lanes)
 
 
-@kernel
+@inner
 def add_ports(
     diagonal: Float,
     shape: Float,

@@ -6,7 +6,7 @@ Everything that advances a copy calls `step`: the single peer, the simulator of 
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.mechanics._kernel import kernel
+from cotouch.mechanics._kernel import inner, kernel
 from cotouch.mechanics._operator import (
     DAMPING,
     MASS,
@@ -173,7 +173,7 @@ def assemble(
             store(work.rhs, i, load(work.rhs, i, lanes) + force, lanes)
 
 
-@kernel
+@inner
 def solve_step(op: Operator, grips: Grips, work: Workspace, tolerance: float, cap: int, lanes: tuple[int, ...]) -> int:
     families = op.entries.shape[0]
     if families == 0:
@@ -233,7 +233,7 @@ def solve_step(op: Operator, grips: Grips, work: Workspace, tolerance: float, ca
     )
 
 
-@kernel
+@inner
 def port_work(op: Operator, state: State, grips: Grips, T: float, mean: Float, lanes: tuple[int, ...]) -> float:
     """Mean force at every port, and the work `T v̂ᵀ f` that they did together."""
     dense = grips.shape.shape[0] > 0
@@ -320,7 +320,7 @@ def move(
                     put(link_work, link, at(link_work, link) - T * at(links.strength, link) * total(power))
 
 
-@kernel
+@inner
 def book_energies(
     op: Operator,
     state: State,

@@ -20,8 +20,9 @@ from cotouch.mechanics._grasp import take
 from cotouch.mechanics._kernel import block, part
 from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._ports import correct
+from cotouch.mechanics._put_back import put_back
 from cotouch.mechanics._settle import settle_contacts, settle_tools
-from cotouch.mechanics._small import Small, limit, put_back, reduce_step, sound
+from cotouch.mechanics._small import Small, limit, reduce_step, sound
 from cotouch.mechanics._solve import divide
 from cotouch.mechanics._state import ITERATIONS, SUPPLIED, Grips, Links, State, Workspace
 from cotouch.mechanics._step import assemble, book_energies, move, port_work, solve_step

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cotouch.compiled import routine
+from cotouch.compiled import routine, subroutine
 from cotouch.network._network import Network
 from cotouch.network._types import ComplexArray, FloatArray, IntArray
 
@@ -78,7 +78,7 @@ def characteristic(loop: Loop, s: complex) -> ComplexArray:
     return matrix
 
 
-@routine
+@subroutine
 def _sizes(loop: Loop, line: float, sizes: FloatArray) -> None:
     """`K_ij e^(-σ d)` of both directions of every link, which do not change along a line."""
     for e in range(len(loop.first)):
@@ -86,7 +86,7 @@ def _sizes(loop: Loop, line: float, sizes: FloatArray) -> None:
         sizes[1, e] = loop.spring[e] * np.exp(-line * loop.to_second[e])
 
 
-@routine
+@subroutine
 def _fill(loop: Loop, s: complex, sizes: FloatArray, matrix: ComplexArray, slope: ComplexArray) -> None:
     """G(s), and its slope: on the diagonal in row 0 of `slope`, of the links in rows 1 (i, j) and 2 (j, i)."""
     n = len(loop.mass)
@@ -106,7 +106,7 @@ def _fill(loop: Loop, s: complex, sizes: FloatArray, matrix: ComplexArray, slope
         slope[2, e] = loop.to_second[e] * back
 
 
-@routine
+@subroutine
 def _invert(matrix: ComplexArray) -> complex:
     """Inverts in place (Gauss-Jordan, pivots by rows); returns the phase of the determinant, 0 where it is singular."""
     n = len(matrix)
@@ -147,7 +147,7 @@ def _invert(matrix: ComplexArray) -> complex:
     return phase
 
 
-@routine
+@subroutine
 def reciprocal(value: complex) -> complex:
     """1/value; of zero something as large as makes no difference, where Python would raise."""
     if value == 0.0:
@@ -155,7 +155,7 @@ def reciprocal(value: complex) -> complex:
     return 1.0 / value
 
 
-@routine
+@subroutine
 def _speed(loop: Loop, inverse: ComplexArray, slope: ComplexArray) -> complex:
     """Logarithmic derivative of the determinant, `tr(G⁻¹ G')`."""
     result = 0.0 + 0.0j
@@ -167,7 +167,7 @@ def _speed(loop: Loop, inverse: ComplexArray, slope: ComplexArray) -> complex:
     return result
 
 
-@routine
+@subroutine
 def _reach(loop: Loop, inverse: ComplexArray, slope: ComplexArray, room: FloatArray) -> float:
     """How far from here along a line of constant real part the determinant surely keeps a clear phase.
 
@@ -322,7 +322,7 @@ def polish(
     return s, False
 
 
-@routine
+@subroutine
 def standing(loop: Loop, s: complex, normalised: bool) -> float:
     """Phase of det G(s) where no root is near, without ambiguity: the sum of the phases of the pivots.
 

@@ -7,7 +7,7 @@ together; those few windows are found first, for a fine grid almost as quickly a
 
 import numpy as np
 
-from cotouch.compiled import routine
+from cotouch.compiled import routine, subroutine
 from cotouch.network._loop import Loop, keep, polish, reciprocal, standing, walk
 from cotouch.network._returns import (
     Chain,
@@ -47,7 +47,7 @@ _COARSE = 10.0
 _NOTHING = 60.0
 
 
-@routine
+@subroutine
 def _detuning(loop: Loop, frequency: float) -> float:
     """How far the links are from resonating together; 0 if they all do."""
     result = 0.0
@@ -99,7 +99,7 @@ def slowest(loop: Loop, top: float, guesses: ComplexArray, enough: float = np.in
     return root, certain, effort
 
 
-@routine
+@subroutine
 def _further(reach: float, scale: float) -> float:
     """The next line to look right of."""
     return reach * (_FURTHER if reach > -_CROWDED * scale else _STEP)
@@ -223,7 +223,7 @@ def none_beyond(loop: Loop, top: float, line: float) -> bool:
     return many >= 0
 
 
-@routine
+@subroutine
 def _take(chain: Chain, start: complex, scale: float, top: float, known: ComplexArray, found: int) -> int:
     """Takes up the root that Newton reaches if it is simple and new; returns the number known."""
     root, arrived = arrive(chain, start, scale, scale, known, found)
@@ -239,7 +239,7 @@ def _take(chain: Chain, start: complex, scale: float, top: float, known: Complex
     return found + 1
 
 
-@routine
+@subroutine
 def _expected(known: ComplexArray, found: int, line: float, low: float, high: float, top: float) -> int:
     """How many of the known roots are right of the line in a window, mirror images at 0 and at `top` included."""
     mirrored, expected = low == 0.0 or high == top, 0
@@ -249,7 +249,7 @@ def _expected(known: ComplexArray, found: int, line: float, low: float, high: fl
     return expected
 
 
-@routine
+@subroutine
 def _zeros(chain: Chain, bend: float, low: float, high: float, top: float) -> tuple[int, int, complex]:
     """Roots of f right of the present line in one window (with their mirror images at 0 and at `top`); -1 if unclear.
 
@@ -270,7 +270,7 @@ def _zeros(chain: Chain, bend: float, low: float, high: float, top: float) -> tu
     return int(np.round(whole)), steps, nearest
 
 
-@routine
+@subroutine
 def _folded(root: complex, top: float, scale: float) -> complex:
     """The same root within the first half period."""
     turn = root.imag / (2.0 * top)

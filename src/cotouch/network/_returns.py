@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cotouch.compiled import routine
+from cotouch.compiled import routine, subroutine
 from cotouch.network._loop import Loop, reciprocal
 from cotouch.network._types import ComplexArray, FloatArray, IntArray
 
@@ -107,7 +107,7 @@ def on_line(chain: Chain, line: float) -> None:
         chain.size[e] = chain.loop.spring[e % links] * np.exp(-line * chain.delay[e])
 
 
-@routine
+@subroutine
 def _wave(delay: FloatArray, size: FloatArray, frequency: float, real: FloatArray, imag: FloatArray) -> None:
     """`size e^(-i ω d)`, by series of the half angle: several at once, without a call each."""
     turn = frequency / (2.0 * np.pi)
@@ -215,7 +215,7 @@ def bend_of(chain: Chain, line: float) -> float:
     return total
 
 
-@routine
+@subroutine
 def _anchored(chain: Chain, line: float) -> bool:
     """Whether the real matrix without the anchor is an M-matrix where the line, now the present one, crosses the axis.
 
@@ -243,7 +243,7 @@ def _anchored(chain: Chain, line: float) -> bool:
     return True
 
 
-@routine
+@subroutine
 def arrive(
     chain: Chain, start: complex, scale: float, beyond: float, known: ComplexArray, found: int
 ) -> tuple[complex, bool]:
@@ -290,7 +290,7 @@ def arrive(
     return s, False
 
 
-@routine
+@subroutine
 def simple(chain: Chain, root: complex, scale: float) -> bool:
     """Whether just one root is at or beside a place, by f'/f around it; the present line changes."""
     radius = _CLUSTER * (np.abs(root) + scale)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from cotouch.compiled import routine
+from cotouch.compiled import routine, subroutine
 from cotouch.network._loop import Loop, keep, polish, standing, walk
 from cotouch.network._types import ComplexArray
 
@@ -28,7 +28,7 @@ def rate_of(loop: Loop) -> float:
     return rate
 
 
-@routine
+@subroutine
 def _free_beyond(loop: Loop, line: float) -> float:
     """Frequency beyond which the diagonal dominates all along the line."""
     n = len(loop.mass)
@@ -49,7 +49,7 @@ def _free_beyond(loop: Loop, line: float) -> float:
     return 1.01 * np.sqrt(max(beyond, 0.0))
 
 
-@routine
+@subroutine
 def _own_roots(loop: Loop, line: float, high: float) -> tuple[int, float]:
     """Roots of the diagonal right of the line, and the turn of its product's phase from the line's foot to `high`."""
     count, turn = 0, 0.0

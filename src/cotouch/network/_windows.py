@@ -6,7 +6,7 @@ grid almost as quickly found as for a coarse one.
 
 import numpy as np
 
-from cotouch.compiled import routine
+from cotouch.compiled import routine, subroutine
 from cotouch.network._loop import Loop
 from cotouch.network._types import FloatArray
 
@@ -14,7 +14,7 @@ from cotouch.network._types import FloatArray
 _NARROW = 0.5
 
 
-@routine
+@subroutine
 def _may_resonate(
     loop: Loop,
     low: float,
@@ -79,7 +79,7 @@ def _positive(matrix: FloatArray) -> bool:
     return True
 
 
-@routine
+@subroutine
 def _invert_real(matrix: FloatArray) -> None:
     """Inverts a small real matrix in place, without pivoting; what comes of it is held against Cholesky."""
     n = len(matrix)
@@ -96,7 +96,7 @@ def _invert_real(matrix: FloatArray) -> None:
                     matrix[r, k] -= factor * matrix[c, k]
 
 
-@routine
+@subroutine
 def _tolerances(
     loop: Loop, sizes: FloatArray, cross: FloatArray, matrix: FloatArray, tolerance: FloatArray, share: FloatArray
 ) -> None:
@@ -153,7 +153,7 @@ def _tolerances(
             tolerance[e] = np.arccos(min(cosine, 1.0)) + 1e-9
 
 
-@routine
+@subroutine
 def _comb(lows: FloatArray, highs: FloatArray, count: int, around: float, tolerance: float, out: FloatArray) -> int:
     """Cuts intervals down to where one link's phase is within its tolerance; -1 if there are too many of them."""
     made = 0

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cotouch.compiled import routine
+from cotouch.compiled import routine, subroutine
 from cotouch.planning._problem import Problem
 from cotouch.planning._task import BoolArray, FloatArray, IntArray, Task, admissible, largest_damping
 
@@ -57,7 +57,7 @@ def dive_into(problem: Problem, top: int) -> Dive:
     )
 
 
-@routine
+@subroutine
 def _joins(task: Task, dive: Dive, depth: int, group: IntArray, degree: IntArray, need: int) -> bool:
     """Whether `need` links of those left can still connect all users and give none too many."""
     n = task.size
@@ -79,7 +79,7 @@ def _joins(task: Task, dive: Dive, depth: int, group: IntArray, degree: IntArray
     return groups == 1 and fits >= need
 
 
-@routine
+@subroutine
 def _relabel(group: IntArray, a: int, b: int) -> None:
     """Makes one group of two; each goes by its smallest user."""
     low, high = min(a, b), max(a, b)
@@ -100,7 +100,7 @@ def _take(task: Task, e: int, damping: FloatArray, group: IntArray, degree: IntA
         _relabel(group, int(group[i]), int(group[j]))
 
 
-@routine
+@subroutine
 def _record(task: Task, dive: Dive, depth: int) -> None:
     """Keeps a complete choice where it belongs among the best."""
     chosen = np.empty(len(task.must) + task.pick, np.int64)

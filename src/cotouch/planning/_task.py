@@ -5,7 +5,7 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.compiled import routine
+from cotouch.compiled import routine, subroutine
 from cotouch.network import Loop, arrive, chain_of, none_beyond, on_line, polish, rate_of, rightmost, slowest, value
 
 FloatArray: TypeAlias = npt.NDArray[np.float64]
@@ -236,7 +236,7 @@ def hopeless(task: Task, chosen: IntArray, best: float, pool: ComplexArray) -> b
     return False
 
 
-@routine
+@subroutine
 def remember(pool: ComplexArray, mode: int, place: int, root: complex) -> None:
     """Puts a root first among the guesses, in the place of one of them."""
     for g in range(place, 0, -1):

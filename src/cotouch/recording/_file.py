@@ -25,7 +25,10 @@ _EVENT_SCHEMA: dict[str, Any] = {
     "type": "object",
     "title": "cotouch.Event",
     "properties": {
-        "kind": {"type": "string", "description": "setup, gap, joined, left, guarded, coupled, budget, alarm, ..."},
+        "kind": {
+            "type": "string",
+            "description": "setup, gap, joined, left, guarded, coupled, budget, way, alarm, ...",
+        },
         "time": {"type": "number", "description": "on the user's monotonic clock [s]"},
         "first": {"type": "integer", "description": "index of the first step after it"},
     },

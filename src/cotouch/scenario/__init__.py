@@ -1,11 +1,11 @@
 """What a run or a session is asked for: tables read from a file, and the hands and tools that follow from them."""
 
+from cotouch.scenario._body_tables import FileTable
 from cotouch.scenario._hands import Hands, grip, ports_of
 from cotouch.scenario._messages import sentence
 from cotouch.scenario._scenario import Scenario, per_user
 from cotouch.scenario._tables import (
     Channel,
-    FileTable,
     Mode,
     NonNegative,
     Positive,

@@ -13,14 +13,12 @@ from pydantic import Field, InstanceOf, PrivateAttr, ValidationError, field_vali
 from cotouch.body import Body
 from cotouch.errors import ScenarioError
 from cotouch.network import Network
+from cotouch.scenario._body_tables import BodySource, FileTable, PointTable
 from cotouch.scenario._messages import sentence
 from cotouch.scenario._tables import (
-    BodySource,
     Channel,
-    FileTable,
     Hand,
     Initial,
-    PointTable,
     Recording,
     Solver,
     Steps,

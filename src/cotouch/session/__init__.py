@@ -4,8 +4,10 @@ from cotouch.session._coordinator import ABSENT_AFTER, Coordinator, Planner, act
 from cotouch.session._copy import Copy
 from cotouch.session._demo import Shown, demo_file, demo_session, play
 from cotouch.session._demo_stage import DemoStage
+from cotouch.session._device_table import DeviceTable
 from cotouch.session._file import DEFAULT_RATE, MOST_USERS, SessionFile, SessionTable
 from cotouch.session._hand import Hand, NoHand, ScriptedHand, Seat
+from cotouch.session._held import choices as device_choices
 from cotouch.session._host import Host
 from cotouch.session._join import fetch_session, join
 from cotouch.session._links import delays_of, present_links
@@ -42,6 +44,7 @@ __all__ = [
     "Copy",
     "CopyView",
     "DemoStage",
+    "DeviceTable",
     "Emulated",
     "Entry",
     "Event",
@@ -83,6 +86,7 @@ __all__ = [
     "delays_of",
     "demo_file",
     "demo_session",
+    "device_choices",
     "fetch_session",
     "join",
     "measure",

@@ -31,8 +31,9 @@ BOOKS = ("supplied", "lost", "linked", "energy", "initial", "residual")
 LINKS = ("age", "work", "force", "tank", "state")
 # Columns of `laws`: see `Emulated`.
 LAWS = ("delay", "jitter", "loss", "cut")
-# A copy that went further than this many radii of the body away from rest ran away.
-RUNAWAY = 6.0
+# A copy that went further than this many radii of the body away from rest ran away: far enough that everybody saw it
+# shake, and so near that it is back within seconds.
+RUNAWAY = 2.0
 # Radius of a body without extent [m].
 _POINT = 0.1
 _MEMORY = Path("/dev/shm")  # noqa: S108

@@ -37,7 +37,7 @@ _BLOCK = {
     "shape": [8, 4, 4],
     "mass": 1.0,
     "stiffness": 60.0,
-    "damping": 0.4,
+    "damping": 0.1,
     "spacing": 0.02,
     "ground": "x-",
     "ground_stiffness": 60.0,
@@ -59,7 +59,7 @@ _SOFT = {
     "ground_stiffness": 10.0,
     "modes": 60,
 }
-_SOFT_SHARE = 1.0 / 40.0
+_SOFT_SHARE, _BLOCK_SHARE = 1.0 / 40.0, 1.0 / 8.0
 _SLOW = 0.5
 # Five members of 500 Hz leave too little of two cores to a page and its browser [Hz].
 _SOFT_RATE = 250
@@ -299,6 +299,7 @@ def _embody(tables: dict[str, Any], body: str) -> None:
         return
     if body == "block":
         tables["body"] = dict(_BLOCK)
+        _soften(tables, _BLOCK_SHARE)
         places = [[0.14, 0.02 * (n % 4), 0.02 * (n // 4 % 4)] for n in range(len(tables["hands"]))]
     elif body == "soft":
         _cushion(tables)
@@ -315,11 +316,7 @@ def _cushion(tables: dict[str, Any]) -> None:
     """The cushion: held at its corners and in the middle, at shares of its half width."""
     tables["body"] = dict(_SOFT)
     tables["steps"] = {"rate": _SOFT_RATE}
-    network = tables["network"]
-    network["spring"] = [[_SOFT_SHARE * spring for spring in row] for row in network["spring"]]
-    if "links" in network:
-        near = [[a, b] for a, b in network["links"] if network["delay"][a - 1][b - 1] < _SLOW]
-        network["links"] = near
+    _soften(tables, _SOFT_SHARE)
     places = ((0.85, 0.85, 0.0), (-0.85, 0.85, 0.0), (-0.85, -0.85, 0.0), (0.85, -0.85, 0.0), (0.0, 0.0, 0.3))
     ways = ((0.3, 0.3, 0.3), (-0.3, 0.2, 0.4), (-0.2, -0.3, -0.2), (0.3, -0.2, 0.4), (0.0, 0.0, 0.5))
     for n, hand in enumerate(tables["hands"]):
@@ -329,6 +326,14 @@ def _cushion(tables: dict[str, Any]) -> None:
             "stiffness": 150.0,
             "damping": 3.0,
         }
+
+
+def _soften(tables: dict[str, Any], share: float) -> None:
+    """Gives every node a share of the paper's springs, and leaves out its slowest path."""
+    network = tables["network"]
+    network["spring"] = [[share * spring for spring in row] for row in network["spring"]]
+    if "links" in network:
+        network["links"] = [[a, b] for a, b in network["links"] if network["delay"][a - 1][b - 1] < _SLOW]
 
 
 def _impair(tables: dict[str, Any], impair: Sequence[str]) -> None:

@@ -82,7 +82,7 @@ class DemoStage:
         self._events = deque[Event](maxlen=_MOST_EVENTS)
         self._killed = set[str]()
         self._loosened = set[str]()  # hands that let go while damping is lowered
-        self._share, self._caught = 1.0, dict.fromkeys(self._names, 0)
+        self._share, self._ordered = 1.0, 0  # of the damping, and the number of that order
         self._lives = dict.fromkeys(self._names, 0)
         self._pool = ThreadPoolExecutor(1, thread_name_prefix="cotouch choices")
         self._planned: Future[dict[str, list[Pair]]] | None = None
@@ -151,9 +151,8 @@ class DemoStage:
         if self._share >= 1.0:
             return
         for name in self._names:
-            caught = self._desk.number(name, "caught")
-            if caught > self._caught[name]:
-                self._caught[name] = caught
+            # Others may have been caught by an earlier order a moment after the first was.
+            if self._desk.number(name, "caught") == self._ordered:
                 self._say(now, f"ALARM: {name}'s copy ran away; everybody's damping is back")
                 self._damp(1.0)
                 return
@@ -286,8 +285,8 @@ class DemoStage:
         now = time.monotonic()
         if share < 1.0:
             self.acted = True
-            self._say(now, f"ALARM: damping is {100.0 * share:.0f} % of what passivity needs; this is not passive")
-            return f"damping is {100.0 * share:.0f} % of what passivity needs, and no link is guarded"
+            self._say(now, f"ALARM: damping is {100.0 * share:.2g} % of what passivity needs; this is not passive")
+            return f"damping is {100.0 * share:.2g} % of what passivity needs, and no link is guarded"
         self._say(now, "damping is what passivity needs, and links are guarded")
         return "damping is what passivity needs, and links are guarded"
 
@@ -304,7 +303,7 @@ class DemoStage:
                 if self._desk.mode(name) == "free":
                     self._desk.hand(name, "script")
             self._loosened.clear()
-        self._desk.damping(share)
+        self._ordered = self._desk.damping(share)
 
     def _do_record(self, given: Mapping[str, Any]) -> str:
         return self._tapes.switch(_wishes.flag_of(given), time.monotonic())

@@ -97,9 +97,11 @@ class Desk:
                 own.orders.fields["impaired"] += 1
                 own.orders.publish()
 
-    def damping(self, share: float) -> None:
-        """Orders a share of the damping that is needed."""
-        self._all("share", share, "damped")
+    def damping(self, share: float) -> int:
+        """Orders a share of the damping that is needed; returns the order's number, which whoever runs away tells."""
+        with self._lock:
+            self._all("share", share, "damped")
+            return max(int(own.orders.fields["damped"].item()) for own in self._own.values())
 
     def record(self, number: int) -> None:
         """Orders a recording; 0: none."""

@@ -14,6 +14,7 @@ from cotouch.errors import ScenarioError, SessionError
 from cotouch.live import Coding
 from cotouch.network import Network
 from cotouch.scenario import NonNegative, Positive, Probability, Scenario, Table, per_user, sentence
+from cotouch.session._device_table import DeviceTable
 
 # Seats of a session without names: more than this many people at one object nobody has tried.
 MOST_USERS = 32
@@ -50,6 +51,7 @@ class SessionTable(Table):
         send_rate: highest rate of samples on each link [1/s]; by default the sender's own.
         emulate: put the delays of `[network]` and the law of `[channel]` on every direct path, to try a network on one
             machine.
+        devices: how the devices in people's hands are coupled.
     """
 
     users: Annotated[int, Field(ge=1, le=MOST_USERS)] | None = None
@@ -70,6 +72,7 @@ class SessionTable(Table):
     reach: Annotated[float, Field(gt=0.0, le=1e4)] = 10.0
     send_rate: Positive | None = None
     emulate: bool = False
+    devices: list[DeviceTable] = Field(default_factory=list[DeviceTable])
 
 
 @final
@@ -260,6 +263,10 @@ def _made(tables: dict[str, Any], source: str, folder: Path | None) -> tuple[Sce
         tables["body"] = {**tables["body"], "file": str(folder / name)}
     scenario = Scenario.make(source=source, **tables)
     _live(scenario, source)
+    for number, table in enumerate(options.devices, start=1):
+        users = scenario.network.size
+        if table.user is not None and table.user > users:
+            raise SessionError(f"{source}: session.devices[{number}].user is {table.user}; there are {users} users")
     return scenario, options
 
 

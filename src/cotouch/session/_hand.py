@@ -18,6 +18,7 @@ from cotouch.scenario import (
     tools_of,
     touching_of,
 )
+from cotouch.session._device_table import DeviceTable
 from cotouch.session._file import SessionFile
 from cotouch.session._replica import Replica
 
@@ -36,6 +37,7 @@ class Seat:
         index: of the user.
         period: usual length of a step [s].
         longest: greatest length of a step [s].
+        devices: what the session's file says of devices in people's hands.
     """
 
     scenario: Scenario
@@ -44,6 +46,7 @@ class Seat:
     index: int
     period: float
     longest: float
+    devices: Sequence[DeviceTable] = ()
 
     @classmethod
     def of(cls, session: SessionFile, replica: Replica, index: int, model: Model) -> "Seat":
@@ -55,6 +58,7 @@ class Seat:
             index=index,
             period=session.period(index),
             longest=session.options.longest_step,
+            devices=session.options.devices,
         )
 
 

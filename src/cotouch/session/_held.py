@@ -1,34 +1,39 @@
-"""The device of somebody who takes part, for as long as it lasts."""
+"""The device of somebody who takes part, or one for each hand, for as long as they last."""
 
-from collections.abc import Callable, Generator
-from contextlib import contextmanager
+from collections.abc import Callable, Generator, Sequence
+from contextlib import ExitStack, contextmanager
 from typing import Any, final
 
+from cotouch.errors import DeviceError
 from cotouch.haptics import DeviceChoice, ServoLink, reasons
 from cotouch.session._tape import Tape
+
+# Between the names of two devices.
+AND = " + "
+_HANDS = 2
 
 
 @final
 class HeldDevice:
-    """A device, or none.
+    """Devices, or none.
 
     Attributes:
-        wanted: whether one moves the copy.
-        link: to it; None: none, or it moves nothing yet.
+        wanted: whether any moves the copy.
+        link: to each; None: none, or it moves nothing yet.
     """
 
-    def __init__(self, text: str | None, link: ServoLink | None, warn: Callable[[str], None]) -> None:
+    def __init__(self, text: str | None, link: Sequence[ServoLink] | None, warn: Callable[[str], None]) -> None:
         """Takes what was asked for.
 
         Args:
-            text: the device in words; None: none.
-            link: to it.
+            text: the devices in words; None: none.
+            link: to each.
             warn: is told why force is off.
         """
         self.wanted = text is not None
         self.link = link
         self._text, self._warn = text, warn
-        self._said: list[str] = []
+        self._said: list[list[str]] = [[] for _ in link or ()]
 
     @property
     def unheld(self) -> "HeldDevice":
@@ -36,55 +41,80 @@ class HeldDevice:
         return HeldDevice(self._text, None, self._warn)
 
     def tend(self, tape: Tape | None, now: float) -> None:
-        """Passes on what is to be said of the device.
+        """Passes on what is to be said of the devices.
 
         Args:
             tape: that records; None: none.
             now: [s].
         """
-        if self.link is None:
-            return
-        for text in self.link.notices():
-            self._said.append(text)
-            self._warn(text)
-            if tape is not None:
-                tape.event("device", now, reason=text)
+        links = self.link or ()
+        for link, said in zip(links, self._said, strict=True):
+            for text in link.notices():
+                whose = text if len(links) == 1 else f"{link.spec.name}: {text}"
+                said.append(text)
+                self._warn(whose)
+                if tape is not None:
+                    tape.event("device", now, reason=whose)
 
     def summary(self) -> dict[str, Any] | None:
-        """How it went; None without a device."""
-        link = self.link
-        if link is None:
+        """How it went, with a second device under `other`; None without a device."""
+        if not self.link:
             return None
         self.tend(None, 0.0)
-        report = link.report
-        return {
-            "device": self._text,
-            "name": link.spec.name,
-            "coupling": {"law": link.options.law, "stiffness": link.options.stiffness, "damping": link.options.damping},
-            "gone": link.gone,
-            "causes": [] if report is None else reasons(report.causes),
-            "ticks": 0 if report is None else report.tick,
-            "work": 0.0 if report is None else report.work,
-            "excess": None if report is None else report.excess,
-            "said": self._said,
-            "process": link.process,
-        }
+        assert self._text is not None
+        parts = zip(self._text.split(AND), self.link, self._said, strict=True)
+        first, *others = [_summary(text, link, said) for text, link, said in parts]
+        return first | ({"other": others[0]} if others else {})
+
+
+def _summary(text: str, link: ServoLink, said: list[str]) -> dict[str, Any]:
+    report = link.report
+    return {
+        "device": text,
+        "name": link.spec.name,
+        "coupling": {"law": link.options.law, "stiffness": link.options.stiffness, "damping": link.options.damping},
+        "gone": link.gone,
+        "causes": [] if report is None else reasons(report.causes),
+        "ticks": 0 if report is None else report.tick,
+        "work": 0.0 if report is None else report.work,
+        "excess": None if report is None else report.excess,
+        "said": said,
+        "process": link.process,
+    }
+
+
+def choices(text: str) -> list[DeviceChoice]:
+    """One device, or one for each hand.
+
+    Args:
+        text: as `haply`, or `haply:id=049D + touch`.
+
+    Raises:
+        DeviceError: it is neither.
+    """
+    found = [DeviceChoice.read(part) for part in text.split(AND)]
+    if len(found) > _HANDS:
+        raise DeviceError(f'device is "{text}", which are {len(found)}; a person has two hands')
+    return found
 
 
 @contextmanager
 def held_device(text: str | None, warn: Callable[[str], None]) -> Generator[HeldDevice]:
-    """Opens a device and the processes around it; all of them end with the context.
+    """Opens devices and the processes around them; all of them end with the context.
 
     Args:
-        text: the device in words; None: none.
+        text: the device, or two with " + " between them, in words; None: none.
         warn: is told why force is off.
 
     Raises:
-        DeviceError: it does not open.
+        DeviceError: one does not open.
     """
-    link = None if text is None else ServoLink(DeviceChoice.read(text))
-    try:
-        yield HeldDevice(text, link, warn)
-    finally:
-        if link is not None:
-            link.close()
+    if text is None:
+        yield HeldDevice(None, None, warn)
+        return
+    with ExitStack() as stack:
+        links: list[ServoLink] = []
+        for choice in choices(text):
+            links.append(ServoLink(choice))
+            stack.callback(links[-1].close)
+        yield HeldDevice(text, links, warn)

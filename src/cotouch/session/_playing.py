@@ -92,6 +92,9 @@ def take_part(
 
     def tend(now: float) -> None:
         held.tend(tape, now)
+        if tape is not None and tape.begun:  # ways may be found before the first step; they are kept until then
+            for change in routed.events():
+                tape.event("way", change.time, seat=change.neighbour, reason=change.way.name.lower())
         if window is not None:
             window.service(now, member.seat, impaired)
             if member.copy is not None:

@@ -106,6 +106,11 @@ class Tape:
             },
         )
 
+    @property
+    def begun(self) -> bool:
+        """Whether there is a recording yet; what happens before it is not noted."""
+        return self._recorder is not None
+
     def event(self, kind: str, time: float, **fields: Any) -> None:
         """Something happened."""
         if self._recorder is not None:

@@ -7,7 +7,7 @@ from html import escape
 from importlib.resources import files
 from pathlib import Path
 from string import Template
-from typing import Any, Final, final
+from typing import Final, final
 
 import numpy as np
 import numpy.typing as npt
@@ -15,11 +15,20 @@ import numpy.typing as npt
 from cotouch import drawing
 from cotouch.body import Skin
 from cotouch.errors import BodyError, InputError, NetworkError, ScenarioError
+from cotouch.simulation._animation_checks import (
+    Float,
+    Int,
+    Single,
+    corners_of,
+    field_of,
+    indices_of,
+    keep_frozen,
+    numbers_of,
+    padded,
+    size_of,
+    track_of,
+)
 from cotouch.simulation._pack import Packer
-
-Float = npt.NDArray[np.float64]
-Single = npt.NDArray[np.float32]
-Int = npt.NDArray[np.int32]
 
 # In the order in which they share one scope; see `_viewer/index.html`.
 _SCRIPTS: Final = ("data.js", "camera.js", "shapes.js", "scene.js", "chart.js", "app.js")
@@ -48,15 +57,15 @@ class ToolTracks:
     def __init__(
         self, *, owner: npt.ArrayLike, centre: npt.ArrayLike, radius: npt.ArrayLike, force: npt.ArrayLike
     ) -> None:
-        who = _indices("tool owners", owner, 1, InputError)
-        size = _numbers("tool radii", radius, InputError)
+        who = indices_of("tool owners", owner, 1, InputError)
+        size = numbers_of("tool radii", radius, InputError)
         size = np.full(who.shape, size) if size.ndim == 0 else size
         if size.shape != who.shape:
-            raise InputError(f"tool radii are {_size(size)}; there are {who.size} tools")
+            raise InputError(f"tool radii are {size_of(size)}; there are {who.size} tools")
         if size.size and size.min() <= 0.0:
             raise InputError(f"the radius of tool {int(size.argmin()) + 1} is {size.min():g} m; it must be positive")
-        _keep(self, owner=who, centre=_track("tool centres", centre, who.size), radius=size)
-        _keep(self, force=_track("tool forces", force, who.size))
+        keep_frozen(self, owner=who, centre=track_of("tool centres", centre, who.size), radius=size)
+        keep_frozen(self, force=track_of("tool forces", force, who.size))
 
 
 @final
@@ -78,9 +87,9 @@ class GripTracks:
     force: Float
 
     def __init__(self, *, owner: npt.ArrayLike, place: npt.ArrayLike, force: npt.ArrayLike) -> None:
-        who = _indices("grip owners", owner, 1, InputError)
-        _keep(self, owner=who, place=_track("grip places", place, who.size))
-        _keep(self, force=_track("grip forces", force, who.size))
+        who = indices_of("grip owners", owner, 1, InputError)
+        keep_frozen(self, owner=who, place=track_of("grip places", place, who.size))
+        keep_frozen(self, force=track_of("grip forces", force, who.size))
 
 
 @final
@@ -104,10 +113,10 @@ class UserSeries:
     def __init__(self, *, name: str, unit: str, values: npt.ArrayLike) -> None:
         if not name.strip():
             raise InputError("a series has no name; it stands above its chart")
-        numbers = _numbers(f"values of {name}", values, InputError, finite=False)
+        numbers = numbers_of(f"values of {name}", values, InputError, finite=False)
         if numbers.ndim != 2:
-            raise InputError(f"values of {name} are {_size(numbers)}; they must be frames x users")
-        _keep(self, name=name, unit=unit, values=numbers)
+            raise InputError(f"values of {name} are {size_of(numbers)}; they must be frames x users")
+        keep_frozen(self, name=name, unit=unit, values=numbers)
 
 
 @final
@@ -185,9 +194,9 @@ class Animation:
         names = tuple(users)
         if not names:
             raise NetworkError("an animation of no users shows nothing; name at least one")
-        when = _numbers("frame times", time, InputError)
+        when = numbers_of("frame times", time, InputError)
         if when.ndim != 1 or when.size == 0:
-            raise InputError(f"frame times are {_size(when)}; they must be a row of at least one")
+            raise InputError(f"frame times are {size_of(when)}; they must be a row of at least one")
         late = np.flatnonzero(np.diff(when) <= 0.0)
         if late.size:
             raise InputError(
@@ -199,23 +208,23 @@ class Animation:
         if skin is not None:
             if not (triangles is None and edges is None and rest is None):
                 raise BodyError("triangles, edges and rest come from the skin; leave them away where a skin is given")
-            field = _field("displacement of nodes", displacement, when.size, len(names))
+            field = field_of("displacement of nodes", displacement, when.size, len(names))
             skin.check(field.shape[2])
             places = _carried(skin, field)
             triangles, rest = skin.triangles, skin.vertices
         else:
-            places = _field("vertices", vertices, when.size, len(names))
+            places = field_of("vertices", vertices, when.size, len(names))
         count = places.shape[2]
         if triangles is not None and edges is not None:
             raise BodyError("both triangles and edges are given; one of them is drawn")
-        faces = _corners("triangle", triangles, 3, count)
-        lines = _corners("edge", edges, 2, count)
+        faces = corners_of("triangle", triangles, 3, count)
+        lines = corners_of("edge", edges, 2, count)
         if rest is None:
             start = places[0, 0].copy()
         else:
-            start = _padded(_numbers("vertices at rest", rest, BodyError)).astype(np.float32)
+            start = padded(numbers_of("vertices at rest", rest, BodyError)).astype(np.float32)
         if start.shape != (count, 3):
-            raise BodyError(f"vertices at rest are {_size(start)}; there are {count} vertices")
+            raise BodyError(f"vertices at rest are {size_of(start)}; there are {count} vertices")
         nothing = np.zeros((when.size, 0, 3))
         spheres = tools or ToolTracks(owner=[], centre=nothing, radius=[], force=nothing)
         hands = grips or GripTracks(owner=[], place=nothing, force=nothing)
@@ -232,11 +241,13 @@ class Animation:
         for entry in series:
             if entry.values.shape != (when.size, len(names)):
                 raise InputError(
-                    f"values of {entry.name} are {_size(entry.values)}; they must be {when.size} frames x "
+                    f"values of {entry.name} are {size_of(entry.values)}; they must be {when.size} frames x "
                     f"{len(names)} users"
                 )
-        _keep(self, title=title, users=names, time=when, vertices=places, triangles=faces, edges=lines, rest=start)
-        _keep(self, tools=spheres, grips=hands, links=_pairs(links, len(names)), series=tuple(series))
+        keep_frozen(
+            self, title=title, users=names, time=when, vertices=places, triangles=faces, edges=lines, rest=start
+        )
+        keep_frozen(self, tools=spheres, grips=hands, links=_pairs(links, len(names)), series=tuple(series))
 
     def write(self, path: str | Path) -> Path:
         """Writes the page: one file that needs nothing else, whole or not at all.
@@ -329,71 +340,6 @@ class Animation:
         return displacement**0.5, difference**0.5
 
 
-def _keep(thing: object, **values: object) -> None:
-    """Sets attributes of a frozen dataclass; arrays become read-only."""
-    for name, value in values.items():
-        if isinstance(value, np.ndarray):
-            value.setflags(write=False)
-        object.__setattr__(thing, name, value)
-
-
-def _numbers(
-    name: str, values: npt.ArrayLike | None, error: type[InputError], *, finite: bool = True, kind: type = np.float64
-) -> npt.NDArray[Any]:
-    try:
-        array = np.array(values, dtype=kind, order="C")
-    except (TypeError, ValueError, OverflowError) as reason:
-        raise error(f"{name} are not an array of numbers ({reason})") from reason
-    if finite and not np.isfinite(array).all():
-        where = [int(index) for index in np.argwhere(~np.isfinite(array))[0]]
-        raise error(f"{name} are {array[tuple(where)]} at index {where}; every number must be finite")
-    return array
-
-
-def _indices(name: str, values: npt.ArrayLike, dimensions: int, error: type[InputError]) -> Int:
-    numbers = _numbers(name, values, error)
-    if numbers.ndim != dimensions:
-        raise error(f"{name} are {_size(numbers)}; they must have {dimensions} dimensions")
-    whole = numbers.astype(np.int32)
-    if not np.array_equal(whole, numbers):
-        raise error(f"{name} must be whole numbers, indices from 0")
-    return whole
-
-
-def _corners(name: str, values: npt.ArrayLike | None, width: int, count: int) -> Int:
-    if values is None or np.size(values) == 0:
-        return np.zeros((0, width), dtype=np.int32)
-    table = _indices(f"{name}s", values, 2, BodyError)
-    if table.shape[1] != width:
-        raise BodyError(f"{name}s are {_size(table)}; they must be rows of {width}")
-    if table.min() < 0 or table.max() >= count:
-        wrong = int(table.min() if table.min() < 0 else table.max())
-        raise BodyError(f"{_a(name)} names vertex {wrong}; this animation has vertices 0 to {count - 1}")
-    return table
-
-
-def _field(name: str, values: npt.ArrayLike | None, frames: int, users: int) -> Single:
-    """(F, U, V, 3) in single precision."""
-    array = _numbers(name, values, BodyError, kind=np.float32)
-    if array.ndim != 4 or array.shape[:2] != (frames, users) or not 1 <= array.shape[3] <= 3 or array.shape[2] == 0:
-        raise BodyError(f"{name} are {_size(array)}; they must be {frames} frames x {users} users x vertices x axes")
-    return _padded(array)
-
-
-def _track(name: str, values: npt.ArrayLike, count: int) -> Float:
-    """(F, count, 3)."""
-    array = _numbers(name, values, InputError)
-    if array.ndim != 3 or array.shape[1] != count or not 1 <= array.shape[2] <= 3:
-        raise InputError(f"{name} are {_size(array)}; they must be frames x {count} x axes")
-    return _padded(array)
-
-
-def _padded(array: npt.NDArray[Any]) -> npt.NDArray[Any]:
-    """With zeros for the axes that are missing."""
-    missing = 3 - array.shape[-1] if array.ndim else 0
-    return np.pad(array, [(0, 0)] * (array.ndim - 1) + [(0, missing)]) if missing > 0 else array
-
-
 def _carried(skin: Skin, field: Single) -> Single:
     """Places of the skin's vertices in all frames, one user at a time."""
     frames, users, nodes, _ = field.shape
@@ -414,11 +360,3 @@ def _pairs(links: Sequence[tuple[int, int]], users: int) -> tuple[tuple[int, int
                 f"a link joins user indices {a} and {b}; it must join two different ones of 0 to {users - 1}"
             )
     return pairs
-
-
-def _a(name: str) -> str:
-    return f"{'an' if name[0] in 'aeiou' else 'a'} {name}"
-
-
-def _size(array: npt.NDArray[Any]) -> str:
-    return " x ".join(str(extent) for extent in array.shape) or "a single number"

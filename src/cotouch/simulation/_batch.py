@@ -9,7 +9,8 @@ import numpy.typing as npt
 
 from cotouch.mechanics import BOOKS, Grips, workspace
 from cotouch.scenario import ToolRecord, tool_record
-from cotouch.simulation._engine import (
+from cotouch.simulation._engine import run
+from cotouch.simulation._layout import (
     SLOT_BOOKS,
     TICK_BOOKS,
     TOOL_BOOKS,
@@ -19,7 +20,6 @@ from cotouch.simulation._engine import (
     Record,
     Scratch,
     Timing,
-    run,
 )
 from cotouch.simulation._prepare import Prepared
 

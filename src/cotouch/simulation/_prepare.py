@@ -11,7 +11,7 @@ from cotouch.errors import ScenarioError
 from cotouch.mechanics import Model, model
 from cotouch.network import damping_for
 from cotouch.scenario import Hands, Scenario, Touching, per_user, ports_of, touching_of
-from cotouch.simulation._engine import Topology
+from cotouch.simulation._layout import Topology
 from cotouch.simulation._schedule import Schedule, schedule
 
 Float = npt.NDArray[np.float64]

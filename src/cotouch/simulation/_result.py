@@ -10,7 +10,7 @@ import numpy.typing as npt
 from cotouch.errors import ScenarioError
 from cotouch.scenario import Scenario
 from cotouch.simulation._batch import Outcome, run_batch
-from cotouch.simulation._engine import TOOL_BOOKS, USER_BOOKS
+from cotouch.simulation._layout import TOOL_BOOKS, USER_BOOKS
 from cotouch.simulation._prepare import Prepared, prepare
 from cotouch.simulation._tool_result import UNITS as TOOL_UNITS
 from cotouch.simulation._tool_result import tool_attributes, tool_variables

@@ -16,7 +16,7 @@ from cotouch.device import DEVICE_BOOKS
 from cotouch.mechanics import modulation_bound
 from cotouch.simulation import Prepared
 from cotouch.simulation._batch import Outcome
-from cotouch.simulation._engine import TOOL_BOOKS, USER_BOOKS
+from cotouch.simulation._layout import TOOL_BOOKS, USER_BOOKS
 
 Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int64]

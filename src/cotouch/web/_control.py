@@ -18,14 +18,15 @@ class Control:
     The stage is told numbers that rise over all pages; what a page gets back are its own.
     """
 
-    def __init__(self, stage: Stage, nodes: list[int]) -> None:
+    def __init__(self, stage: Stage, nodes: list[int], beside: list[list[float]]) -> None:
         """Begins with nobody in control.
 
         Args:
             stage: that is told.
             nodes: which node each drawn point hangs on most.
+            beside: from that node to the point, at rest [m].
         """
-        self._stage, self._nodes = stage, nodes
+        self._stage, self._nodes, self._beside = stage, nodes, beside
         self._own = frozenset(stage.scene.own)
         self._holders: dict[int, Page] = {}
         self._waiting: dict[int, list[Page]] = {}
@@ -98,11 +99,18 @@ class Control:
         seat = message.seat
         if self._holders.get(seat) is not page or page.seat != seat:
             return False
+        node, target = -1, message.target
+        if message.mode == "grab":
+            # A hand takes the drawn point, and what is drawn to it is the node below: with the way between them left
+            # in, whoever takes hold would pull already.
+            node = self._nodes[message.point]
+            x, y, z = (a - b for a, b in zip(target, self._beside[message.point], strict=True))
+            target = (x, y, z)
         pointer = Pointer(
             number=self._number + 1,
             mode=message.mode,
-            node=self._nodes[message.point] if message.mode == "grab" else -1,
-            target=message.target,
+            node=node,
+            target=target,
             radius=message.radius,
             stiffness=message.stiffness,
         )

@@ -17,7 +17,7 @@ from cotouch.web._control import Control
 from cotouch.web._frames import FrameEncoder
 from cotouch.web._page import Page
 from cotouch.web._protocol import VERSION, Do, Hello, PointerMessage
-from cotouch.web._scene import nodes_of_points, scene_message, state_message
+from cotouch.web._scene import beside_nodes, nodes_of_points, scene_message, state_message
 
 MOST_PAGES: Final = 16
 _RATE, _RATE_OF_BIG, _BIG = 60.0, 30.0, 10_000  # frames a second; above so many points
@@ -53,7 +53,9 @@ class Hub:
         self.frames = 0
         self._clock, self._start = clock, clock()
         self._encoder = FrameEncoder(self.scene.body)
-        self._control = Control(stage, nodes_of_points(self.scene.body).tolist())
+        self._control = Control(
+            stage, nodes_of_points(self.scene.body).tolist(), beside_nodes(self.scene.body).tolist()
+        )
         self._period = 1.0 / (_RATE if self._encoder.points <= _BIG else _RATE_OF_BIG)
         self._pages: list[Page] = []
         self._scenes: dict[bool, str] = {}

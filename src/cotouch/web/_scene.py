@@ -65,6 +65,15 @@ def nodes_of_points(body: Body) -> np.ndarray:
     return np.take_along_axis(body.skin.nodes, best[:, None], axis=1)[:, 0]
 
 
+def beside_nodes(body: Body) -> np.ndarray:
+    """From each drawn point's node to the point, at rest, (points, 3) [m]."""
+    if body.skin is None:
+        return np.zeros((body.nodes, 3))
+    rest = np.zeros((body.nodes, 3))
+    rest[:, : body.dimension] = body.rest
+    return np.asarray(body.skin.vertices) - rest[nodes_of_points(body)]
+
+
 def state_message(
     overview: Overview,
     views: Mapping[int, CopyView],
@@ -96,7 +105,7 @@ def state_message(
             "known": status is not None,
             "here": seat in here,
             "alive": overview.alive.get(seat),
-            "hand": view.hands[0].mode if view is not None and view.hands else "free",
+            "hand": _told(view),
         }
         for link in () if status is None else status.links:
             ends[f"{seat}-{link.seat}"] = link.model_dump()
@@ -120,6 +129,13 @@ def state_message(
         "pages": pages,
         "ended": overview.ended,
     }
+
+
+def _told(view: CopyView | None) -> str | None:
+    """What a hand does; None where it is led on another computer, so that nobody here knows."""
+    if view is not None and view.hands:
+        return view.hands[0].mode
+    return "free" if view is None or view.direct else None
 
 
 def _packed(array: Any, kind: str) -> str:

@@ -60,7 +60,8 @@ def _broken(known: Sequence[Status], names: dict[int, str]) -> Verdict | None:
 def _short(known: Sequence[Status], names: dict[int, str], share: float) -> Verdict | None:
     """Damping that does not cover what links may come to."""
     if share < 1.0:
-        return Verdict("bad", f"not passive: the damping is lowered to {_percent(share)} of what the delays need")
+        lowered = _percent(share) if share >= 0.01 else f"{100.0 * share:.2g} %"
+        return Verdict("bad", f"not passive: the damping is lowered to {lowered} of what the delays need")
     lacking = [(status.certificate, status.seat) for status in known if status.certificate is not None]
     least, seat = min(lacking, default=(0.0, -1))
     if least < -_ALARM:

@@ -1,0 +1,142 @@
+"""What of a mesh is used: the part that was chosen, without what is broken in it."""
+
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+import scipy.sparse as sp
+from scipy.sparse.csgraph import connected_components
+
+from cotouch.body._cells import CORNERS, Cells, carriers, cells_of
+from cotouch.body._repair import Shells
+from cotouch.body._skin import Skin
+from cotouch.errors import BodyError
+
+Float = npt.NDArray[np.float64]
+Ints = npt.NDArray[np.int64]
+# A piece with less than this share of the volume is debris.
+_DEBRIS: Final = 0.01
+# A tetrahedron of less than this share of its longest edge cubed is flat (a regular one has 0.118).
+_FLAT: Final = 1e-8
+
+
+def grid_nodes(cells: Cells) -> tuple[Ints, Float]:
+    """Nodes of the eight corners of each cell, (E, 8), and the places of the nodes."""
+    grid = cells.shape + 1
+    keys = np.ravel_multi_index(tuple(np.moveaxis(cells.places[:, None] + CORNERS[None], -1, 0)), tuple(grid))
+    used, corners = np.unique(keys, return_inverse=True)
+    places = np.stack(np.unravel_index(used, tuple(grid)), axis=1)
+    return corners.reshape(keys.shape).astype(np.int64), cells.origin + cells.spacing * places
+
+
+def one_part(shells: Shells, resolution: int, part: int | None, name: str) -> tuple[Shells, Cells, list[str]]:
+    """The shells that hang together, and their cells.
+
+    Raises:
+        BodyError: there are several parts and none was chosen, or not so many.
+    """
+    cells = cells_of(shells.vertices, shells.triangles, resolution)
+    corners, rest = grid_nodes(cells)
+    label = _together(corners, rest.shape[0])
+    rows, _ = carriers(shells.vertices, shells.triangles, cells)
+    first = shells.triangles[np.unique(shells.shell, return_index=True)[1], 0]
+    of_shell = label[corners[rows[first], 0]]
+    shares = np.bincount(of_shell, weights=shells.volumes)
+    if part is None and shares.size == 1:
+        return shells, cells, []
+    ranked = np.argsort(-shares, kind="stable")
+    chosen = _choice(shares[ranked] / shares.sum(), part, name)
+    if shares.size == 1:
+        return shells, cells, []
+    kept = shells.only(np.flatnonzero(of_shell == ranked[chosen]))
+    return kept, cells_of(kept.vertices, kept.triangles, resolution), [_left(shares.size, chosen, part)]
+
+
+def _choice(shares: Float, part: int | None, name: str) -> int:
+    """Which of the parts, ordered by size, to take."""
+    if part is not None:
+        if not 1 <= part <= shares.size:
+            raise BodyError(f"part is {part}; {name} has parts 1 to {shares.size}")
+        return part - 1
+    if shares[1:].sum() > _DEBRIS:
+        shown = ", ".join(f"{100 * share:.3g} %" for share in shares[:5]) + (", ..." if shares.size > 5 else "")
+        raise BodyError(
+            f"{name} has {shares.size} separate parts ({shown} of its volume) that nothing joins; choose one with "
+            "part, or join them"
+        )
+    return 0
+
+
+def _left(parts: int, chosen: int, part: int | None) -> str:
+    if part is None:
+        return f"{parts - 1} loose part{'s' * (parts > 2)} left out, below 1 % of the volume."
+    return f"Part {chosen + 1} of {parts} taken."
+
+
+def _together(elements: Ints, nodes: int) -> Ints:
+    """Which connected piece each node is of."""
+    rows = np.repeat(elements[:, 0], elements.shape[1] - 1)
+    graph = sp.csr_array((np.ones(rows.size), (rows, elements[:, 1:].ravel())), shape=(nodes, nodes))
+    return np.asarray(connected_components(graph, directed=False)[1], dtype=np.int64)
+
+
+def volumes_of(points: Float, elements: Ints) -> Float:
+    """Of tetrahedra, (E,); negative of those that are turned inside out [m³]."""
+    a, b, c, d = (points[elements[:, k]] for k in range(4))
+    return np.einsum("ij,ij->i", b - a, np.cross(c - a, d - a)) / 6.0
+
+
+def without_broken(points: Float, elements: Ints, name: str, notes: list[str]) -> Ints:
+    """Without flat and repeated elements, and all turned the right way."""
+    sides = np.stack([points[elements[:, i]] - points[elements[:, j]] for i in range(4) for j in range(i)])
+    longest = np.linalg.norm(sides, axis=2).max(axis=0)
+    volumes = volumes_of(points, elements)
+    flat = np.abs(volumes) <= _FLAT * longest**3
+    if flat.all():
+        raise BodyError(f"no tetrahedron of {name} has a volume; it must be a mesh of a solid")
+    if flat.any():
+        count = int(flat.sum())
+        notes.append(f"{count} degenerate tetrahedr{'a' if count != 1 else 'on'} left out.")
+    inverted = (volumes < 0.0) & ~flat
+    if inverted.any():
+        count = int(inverted.sum())
+        notes.append(f"{count} of {elements.shape[0]} tetrahedra turned round.")
+    elements = np.where(inverted[:, None], elements[:, [0, 2, 1, 3]], elements)[~flat]
+    _, first = np.unique(np.sort(elements, axis=1), axis=0, return_index=True)
+    if first.size < elements.shape[0]:
+        notes.append(f"{elements.shape[0] - first.size} tetrahedra that repeated another left out.")
+        elements = elements[np.sort(first)]
+    return elements
+
+
+def one_piece(points: Float, elements: Ints, part: int | None, name: str, notes: list[str]) -> Ints:
+    """The elements that hang together.
+
+    Raises:
+        BodyError: there are several parts and none was chosen, or not so many.
+    """
+    label = _together(elements, points.shape[0])[elements[:, 0]]
+    found, label = np.unique(label, return_inverse=True)
+    shares = np.bincount(label.ravel(), weights=volumes_of(points, elements))
+    ranked = np.argsort(-shares, kind="stable")
+    if found.size == 1 and part is None:
+        return elements
+    chosen = _choice(shares[ranked] / shares.sum(), part, name)
+    if found.size == 1:
+        return elements
+    notes.append(_left(found.size, chosen, part))
+    return elements[label.ravel() == ranked[chosen]]
+
+
+def boundary_of(rest: Float, elements: Ints) -> Skin:
+    """Faces that belong to one element only, seen from outside."""
+    faces = np.concatenate([elements[:, face] for face in ([0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3])])
+    _, first, times = np.unique(np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True)
+    outer = faces[np.sort(first[times == 1])]
+    used, places = np.unique(outer, return_inverse=True)
+    return Skin(
+        vertices=rest[used],
+        triangles=places.reshape(outer.shape),
+        nodes=used[:, None],
+        weights=np.ones((used.size, 1)),
+    )

@@ -1,0 +1,163 @@
+"""What is said of the coupling between a device and what it moves: beside a device's name, or in a session's file."""
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, fields, replace
+from math import isfinite
+from typing import Any, Literal, final
+
+from cotouch.device import DeviceSpec
+from cotouch.errors import DeviceError
+from cotouch.haptics._ends import EndOptions, Law, checked
+from cotouch.haptics._registry import DeviceChoice, Option
+from cotouch.haptics._virtual import checked_virtual, virtual_limit
+
+Scale = float | Literal["fit"]
+# Scales beyond these make a device's tremble a leap of the body, or hide the body behind its encoders.
+LEAST_SCALE, MOST_SCALE = 0.01, 100.0
+# What a choice may say beside the options of its driver.
+COUPLING: Mapping[str, str] = {
+    "coupling": "pspm, or virtual for a plain spring and damper where the device's own friction allows it",
+    "stiffness": "of the coupling [N/m]",
+    "damping": "of the coupling [Ns/m]",
+    "friction": "viscous, that the device itself has for certain; with coupling=virtual [Ns/m]",
+    "ages": "of the places that both ends know of each other, together; with coupling=virtual, 0.01 [s]",
+    "weight": "more lets the device pay for old places, less the proxy; with coupling=virtual, 1",
+    "scale": "the body moves so many times as far as the device, which feels so many times the force; or fit",
+    "tool": "of the seat that it moves, from 1",
+}
+_LAWS: Mapping[str, Law] = {"pspm": "pspm", "virtual": "virtual"}
+_OF_VIRTUAL = ("friction", "ages", "weight")
+
+
+@final
+@dataclass(frozen=True, kw_only=True)
+class CouplingChoice:
+    """What somebody said of a coupling; None: nothing.
+
+    Attributes:
+        law: see `EndOptions`; "pspm" if nothing is said.
+        stiffness: 500 N/m, or what the device renders well, or is passive with a virtual coupling, if that is less.
+        damping: 2 Ns/m, or what the device renders well if that is less; none with a virtual coupling.
+        friction: of the device itself, for a virtual coupling; 0 Ns/m.
+        ages: of places, likewise; 0.01 s.
+        weight: of the age rule, likewise; 1.
+        scale: metres of the body per metre of the device, 0.01 to 100; the device then feels so many times the force,
+            so that power is the same at both; "fit": as much as lets its workspace span the body. 1.
+        tool: of the seat, from 1. The first that no other device of the seat has.
+    """
+
+    law: Law | None = None
+    stiffness: float | None = None
+    damping: float | None = None
+    friction: float | None = None
+    ages: float | None = None
+    weight: float | None = None
+    scale: Scale | None = None
+    tool: int | None = None
+
+    def __post_init__(self) -> None:
+        """Checks what was said.
+
+        Raises:
+            DeviceError: a number is out of range, or has no effect with this law.
+        """
+        for name in ("stiffness", "damping", *_OF_VIRTUAL):
+            value = getattr(self, name)
+            if value is not None and not (isfinite(value) and value >= 0.0):
+                raise DeviceError(f"the coupling's {name} is {value:g}; it must be a number of at least 0")
+            if value is not None and name in _OF_VIRTUAL and self.law != "virtual":
+                raise DeviceError(
+                    f"{name} is given, but with coupling=pspm it has no effect; leave it out, or say coupling=virtual"
+                )
+        if isinstance(self.scale, int | float) and not LEAST_SCALE <= self.scale <= MOST_SCALE:
+            raise DeviceError(f"scale is {self.scale:g}; it must be from {LEAST_SCALE:g} to {MOST_SCALE:g}, or fit")
+        if self.tool is not None and self.tool < 1:
+            raise DeviceError(f"tool is {self.tool}; tools of a seat are numbered from 1")
+
+    def over(self, below: "CouplingChoice") -> "CouplingChoice":
+        """What was said here, and where nothing was, what was said below.
+
+        Another law takes nothing of the coupling below: its numbers were meant for that one.
+        """
+        if None not in {self.law, below.law} and self.law != below.law:
+            below = CouplingChoice(scale=below.scale, tool=below.tool)
+        said = {field.name: getattr(self, field.name) for field in fields(self)}
+        return replace(below, **{name: value for name, value in said.items() if value is not None})
+
+    def options(self, spec: DeviceSpec, *, period: float, force: float) -> EndOptions:
+        """The coupling of a device, for both ends.
+
+        Args:
+            spec: of the device.
+            period: of the servo [s].
+            force: largest that the safety chain lets through, at which a virtual coupling saturates [N].
+
+        Raises:
+            DeviceError: it does not fit the device.
+        """
+        usual = EndOptions()
+        stiffness = min(usual.stiffness, spec.stiffness)
+        if self.law != "virtual":
+            damping = min(usual.damping, spec.damping)
+            options = usual._replace(
+                stiffness=stiffness if self.stiffness is None else self.stiffness,
+                damping=damping if self.damping is None else self.damping,
+            )
+            return checked(options, spec)
+        said = {name: getattr(self, name) for name in _OF_VIRTUAL}
+        options = usual._replace(
+            law="virtual",
+            stiffness=stiffness,
+            damping=0.0 if self.damping is None else self.damping,
+            most=force,
+            **{name: value for name, value in said.items() if value is not None},
+        )
+        if self.stiffness is None:
+            limit = virtual_limit(options, period=period)
+            options = options._replace(stiffness=min(stiffness, limit) if limit > 0.0 else stiffness)
+        else:
+            options = options._replace(stiffness=self.stiffness)
+        return checked_virtual(checked(options, spec), spec, period=period)
+
+    def plain(self) -> dict[str, Any]:
+        """As JSON has it."""
+        return asdict(self)
+
+
+def coupling_of(choice: DeviceChoice) -> tuple[DeviceChoice, CouplingChoice]:
+    """Takes what a choice says of the coupling out of it.
+
+    Args:
+        choice: such as `haply:coupling=virtual,friction=0.8,scale=3`.
+
+    Returns:
+        What is left for the driver, and what was said.
+
+    Raises:
+        DeviceError: it is no coupling that there is, no number, out of range, or has no effect with this law.
+    """
+    options = {key: value for key, value in choice.options.items() if key not in COUPLING}
+    said = {key: value for key, value in choice.options.items() if key in COUPLING}
+    found: dict[str, Any] = {}
+    if (law := said.pop("coupling", None)) is not None:
+        if law not in _LAWS:
+            raise DeviceError(f'coupling is "{law}"; it must be one of {", ".join(_LAWS)}')
+        found["law"] = _LAWS[str(law)]
+    for name, value in said.items():
+        found[name] = _said(name, value)
+    return DeviceChoice(choice.name, options), CouplingChoice(**found)
+
+
+def _said(name: str, value: Option) -> float | int | str:
+    if name == "scale" and value == "fit":
+        return value
+    number = isinstance(value, int | float) and not isinstance(value, bool) and isfinite(value)
+    if name == "tool":
+        if not isinstance(value, int) or isinstance(value, bool):
+            raise DeviceError(f"tool is {value}; tools of a seat are numbered from 1")
+        return value
+    if name == "scale" and not number:
+        raise DeviceError(f"scale is {value}; it must be from {LEAST_SCALE:g} to {MOST_SCALE:g}, or fit")
+    if not number:
+        raise DeviceError(f"the coupling's {name} is {value}; it must be a number of at least 0")
+    return float(value)

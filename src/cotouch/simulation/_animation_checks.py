@@ -1,0 +1,90 @@
+"""What an animation is made of, checked: sizes, indices and finite numbers."""
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.errors import BodyError, InputError
+
+Float = npt.NDArray[np.float64]
+Single = npt.NDArray[np.float32]
+Int = npt.NDArray[np.int32]
+
+
+def keep_frozen(thing: object, **values: object) -> None:
+    """Sets attributes of a frozen dataclass; arrays become read-only."""
+    for name, value in values.items():
+        if isinstance(value, np.ndarray):
+            value.setflags(write=False)
+        object.__setattr__(thing, name, value)
+
+
+def numbers_of(
+    name: str, values: npt.ArrayLike | None, error: type[InputError], *, finite: bool = True, kind: type = np.float64
+) -> npt.NDArray[Any]:
+    """An array of numbers."""
+    try:
+        array = np.array(values, dtype=kind, order="C")
+    except (TypeError, ValueError, OverflowError) as reason:
+        raise error(f"{name} are not an array of numbers ({reason})") from reason
+    if finite and not np.isfinite(array).all():
+        where = [int(index) for index in np.argwhere(~np.isfinite(array))[0]]
+        raise error(f"{name} are {array[tuple(where)]} at index {where}; every number must be finite")
+    return array
+
+
+def indices_of(name: str, values: npt.ArrayLike, dimensions: int, error: type[InputError]) -> Int:
+    """Whole numbers."""
+    numbers = numbers_of(name, values, error)
+    if numbers.ndim != dimensions:
+        raise error(f"{name} are {size_of(numbers)}; they must have {dimensions} dimensions")
+    whole = numbers.astype(np.int32)
+    if not np.array_equal(whole, numbers):
+        raise error(f"{name} must be whole numbers, indices from 0")
+    return whole
+
+
+def corners_of(name: str, values: npt.ArrayLike | None, width: int, count: int) -> Int:
+    """Rows of indices of vertices, (rows, width)."""
+    if values is None or np.size(values) == 0:
+        return np.zeros((0, width), dtype=np.int32)
+    table = indices_of(f"{name}s", values, 2, BodyError)
+    if table.shape[1] != width:
+        raise BodyError(f"{name}s are {size_of(table)}; they must be rows of {width}")
+    if table.min() < 0 or table.max() >= count:
+        wrong = int(table.min() if table.min() < 0 else table.max())
+        raise BodyError(f"{a_word(name)} names vertex {wrong}; this animation has vertices 0 to {count - 1}")
+    return table
+
+
+def field_of(name: str, values: npt.ArrayLike | None, frames: int, users: int) -> Single:
+    """(F, U, V, 3) in single precision."""
+    array = numbers_of(name, values, BodyError, kind=np.float32)
+    if array.ndim != 4 or array.shape[:2] != (frames, users) or not 1 <= array.shape[3] <= 3 or array.shape[2] == 0:
+        raise BodyError(f"{name} are {size_of(array)}; they must be {frames} frames x {users} users x vertices x axes")
+    return padded(array)
+
+
+def track_of(name: str, values: npt.ArrayLike, count: int) -> Float:
+    """(F, count, 3)."""
+    array = numbers_of(name, values, InputError)
+    if array.ndim != 3 or array.shape[1] != count or not 1 <= array.shape[2] <= 3:
+        raise InputError(f"{name} are {size_of(array)}; they must be frames x {count} x axes")
+    return padded(array)
+
+
+def padded(array: npt.NDArray[Any]) -> npt.NDArray[Any]:
+    """With zeros for the axes that are missing."""
+    missing = 3 - array.shape[-1] if array.ndim else 0
+    return np.pad(array, [(0, 0)] * (array.ndim - 1) + [(0, missing)]) if missing > 0 else array
+
+
+def a_word(name: str) -> str:
+    """With its article."""
+    return f"{'an' if name[0] in 'aeiou' else 'a'} {name}"
+
+
+def size_of(array: npt.NDArray[Any]) -> str:
+    """In words."""
+    return " x ".join(str(extent) for extent in array.shape) or "a single number"

@@ -1,0 +1,136 @@
+"""What the batch engine works on: who is joined to whom, when, and what is kept."""
+
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.mechanics import (
+    Grips,
+    Workspace,
+)
+
+Float = npt.NDArray[np.float64]
+Int = npt.NDArray[np.int32]
+
+# Rows of `Record.users`: cumulative work and losses, energies now [J], iterations of the last solve.
+USER_BOOKS = ("supplied", "body_loss", "local_loss", "extra_loss", "kinetic", "elastic", "iterations")
+# And of users with tools: cumulative work of what drives the proxies, and of the touch on the body, and losses in the
+# touch; energies of proxies and touch now [J].
+TOOL_BOOKS = ("drive_work", "touch_work", "touch_loss", "proxy", "touch_stored")
+# Rows of `Record.slots`, cumulative [J]: what the link did on its receiver; what delay added to the link.
+SLOT_BOOKS = ("link_work", "delay_work")
+# Rows of `Record.ticks` [J].
+TICK_BOOKS = ("stored", "supplied", "dissipated", "delay_work", "residual")
+
+
+class Topology(NamedTuple):
+    """Who is joined to whom. A *slot* is one direction of a link: a receiver's view of one neighbour.
+
+    Attributes:
+        first: first slot of each user, (users + 1,); a user's slots are consecutive.
+        peer: the neighbour of each slot, (slots,).
+        strength: spring of each slot's link, (slots,) [N/m].
+        weight: index of its weight, (slots,).
+        ends: the two users of each link, (links, 2).
+        slot: a slot of each link, (links,).
+    """
+
+    first: Int
+    peer: Int
+    strength: Float
+    weight: Int
+    ends: Int
+    slot: Int
+
+
+class Timing(NamedTuple):
+    """When every step happens and which samples it uses.
+
+    Attributes:
+        order: user of each event, (events,); a user's steps come in order.
+        end: time at the end of each step, (users, steps) [s].
+        length: T of each step, (users, steps) [s].
+        used: index of the sample that each slot uses at each step of its user, (slots, steps); -1: the initial one.
+        ring: how many samples of a user are kept, a power of two: a mask is ten times quicker than a remainder.
+        reference: the user whose steps mark the network-wide records.
+    """
+
+    order: Int
+    end: Float
+    length: Float
+    used: Int
+    ring: int
+    reference: int
+
+
+class Fields(NamedTuple):
+    """State of all users, (users, rows, width); samples (users * ring + users, rows, width)."""
+
+    position: Float
+    velocity: Float
+    momentum: Float
+    tension: Float
+    samples: Float
+
+
+class Record(NamedTuple):
+    """What is kept of a run; entry 0 is the initial state.
+
+    Attributes:
+        every: one of how many steps is kept.
+        row: rows kept in a nodal basis, (kept,).
+        shape: row vectors that read kept nodes in a modal basis, (kept, rows), or (0, rows).
+        position: (users, records, kept, width) [m].
+        velocity: likewise [m/s].
+        force: of the ports, (ports, records, width) [N].
+        users: (len(USER_BOOKS), users, records), or with those of TOOL_BOOKS, zeros: what stays 0, such as the losses
+            of dampers that there are not, is never written, so it takes no memory.
+        slots: (len(SLOT_BOOKS), slots, records).
+        links: spring energy of each link, (ticks, links) [J].
+        ticks: (len(TICK_BOOKS), ticks) [J].
+        running: cumulative books of users, (users, 6), or with those of TOOL_BOOKS (users, 11) [J].
+        lowest: result (1,): smallest energy that the ports had supplied in all, over every step [J].
+    """
+
+    every: int
+    row: Int
+    shape: Float
+    position: Float
+    velocity: Float
+    force: Float
+    users: Float
+    slots: Float
+    links: Float
+    ticks: Float
+    running: Float
+    lowest: Float
+
+
+class Frames(NamedTuple):
+    """Whole copies at given times.
+
+    Attributes:
+        time: increasing, (frames,) [s].
+        position: result: displacement at the end of the last step before that time, (frames, users, rows, width) [m].
+        done: result: how many are there, (1,).
+    """
+
+    time: Float
+    position: Float
+    done: Int
+
+
+class Scratch(NamedTuple):
+    """Scratch arrays of the engine."""
+
+    grips: Grips
+    work: Workspace
+    books: Float
+    link_work: Float
+    slot: npt.NDArray[np.int64]
+    counter: Int
+    cursor: Int
+    slot_running: Float
+    difference: Float
+    product: Float

@@ -1,0 +1,31 @@
+"""The record of two people with devices: each scenario is its number's alone, and what it looks for would be found."""
+
+import numpy as np
+import pytest
+from benchmarks import device_record as record
+
+from cotouch.haptics import Purse
+
+
+def test_numbers_are_scenarios_without_violations():
+    found = record.examine(3)
+    assert found == record.examine(3)
+    assert found.ticks > 1000
+    assert 0.0 < max(found.used) <= 1.0
+    assert not record.broken(found)
+    assert not record.unbalanced(found)
+
+
+def test_scenarios_vary():
+    rngs = [np.random.default_rng((record.SEED, number)) for number in range(60)]
+    drawn = [(record.body_of(rng)[0], *record.device_of(rng)[1:]) for rng in rngs]
+    assert {kind for kind, *_ in drawn} == {"point", "chain", "block"}
+    assert len({spec.name for _, spec, _ in drawn}) == 6
+    assert {coupling.law for *_, coupling in drawn} == {None, "virtual"}
+    scales = {coupling.scale for *_, coupling in drawn}
+    assert {"fit", 1.0} < scales
+
+
+def test_a_coupling_that_books_nothing_is_found(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(Purse, "book", lambda *_: None)
+    assert any(record.broken(record.examine(number)) for number in (1, 2, 3))
