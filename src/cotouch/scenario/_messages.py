@@ -5,7 +5,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from cotouch.scenario import _tables, _tool_tables
+from cotouch.scenario import _body_tables, _tables, _tool_tables
 
 
 def sentence(error: ValidationError, source: str) -> str:
@@ -62,7 +62,7 @@ def _place(parts: tuple[int | str, ...]) -> str:
 
 
 def _options() -> frozenset[str]:
-    known = [*vars(_tables).values(), *vars(_tool_tables).values()]
+    known = [value for module in (_tables, _body_tables, _tool_tables) for value in vars(module).values()]
     tables = [table for table in known if isinstance(table, type) and issubclass(table, _tables.Table)]
     return frozenset(name for table in tables for name in table.model_fields)
 

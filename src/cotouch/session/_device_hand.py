@@ -131,6 +131,7 @@ class DeviceHand:
         return list(self._nodes)
 
 
+@final
 class _Unheld:
     """A proxy that no device holds."""
 
