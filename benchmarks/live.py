@@ -86,7 +86,7 @@ def receive(port_raw: int, port_sealed: int, seconds: float) -> None:
         for source in ready:
             if source is raw:
                 payload = raw.recv(2000)
-                state = np.frombuffer(payload, offset=8)
+                state = np.frombuffer(payload, offset=8, count=3 * LAYOUT.rows)
                 del state
                 times[0].append(time.monotonic() - STAMP.unpack_from(payload)[0])
             elif plane.poll(time.monotonic()):

@@ -292,3 +292,20 @@ def test_what_stands_in_a_key_may_be_anything(text: str):
     member = _control_zenoh._member([text])
     assert member is None or len(member) == 32
     assert _control_zenoh._member([]) is None
+
+
+def test_of_who_left_little_is_kept_and_memory_is_given_back(stack: ExitStack, monkeypatch: pytest.MonkeyPatch):
+    given = list[float]()
+    monkeypatch.setattr(_control_zenoh, "_CALM", 0.2)
+    monkeypatch.setattr(_control_zenoh, "give_back_memory", lambda: given.append(time.monotonic()))
+    host, one, two = joined(stack, invitation(), 3)
+    two.send("hello", b"")
+    until(lambda: WHO[2].public in host._reader._keys and WHO[2].public in one._reader._keys)
+    until(lambda: len(given) >= 3)  # they came
+    given.clear()
+    two.close()
+    left = time.monotonic()
+    until(lambda: WHO[2].public not in host._reader._keys and WHO[2].public not in one._reader._keys)
+    until(lambda: len(given) >= 2)
+    assert min(given) - left >= 0.0
+    assert set(host._reader._gone) == {WHO[2].public}
