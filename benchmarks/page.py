@@ -329,7 +329,7 @@ def _drags(page: Any, *, whole: bool) -> np.ndarray:
     x, y = picture["x"] + 0.5 * picture["width"], picture["y"] + 0.5 * picture["height"]
     page.mouse.move(x, y)
     page.mouse.down()
-    for k in range(150):
+    for k in range(50):
         page.mouse.move(x + k % 60, y + k % 40)
         page.wait_for_timeout(16)
     page.mouse.up()
