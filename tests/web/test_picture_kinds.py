@@ -140,7 +140,7 @@ def test_what_is_drawn_can_be_chosen(running: Browser) -> None:
     with shown(running, still=False) as here:
         page = here.open()
         assert [page.evaluate(BY, colour) for colour in ("displacement", "stress", "plain")] == [0, 1, 2]
-        assert page.is_hidden(".ct-legend")
+        page.wait_for_selector(".ct-legend", state="hidden")  # with the next picture
         page.evaluate(BY, "stress")
         page.wait_for_function("() => /stretch.*%/.test(document.querySelector('.ct-legend').textContent)")
         page.evaluate(BY, "displacement")
