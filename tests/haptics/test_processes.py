@@ -21,7 +21,7 @@ import sys, time
 sys.path.insert(0, sys.argv[1])
 from cotouch.haptics import DeviceChoice, ServoLink, Word
 link = ServoLink(DeviceChoice("tests.haptics.plant/PLANT", {"folder": sys.argv[2]}), real_time=None)
-print(link.servo, link.guardian, flush=True)
+print(link.servo, link.guardian, link._folder, flush=True)
 while True:
     link.read()
     link.order((0.05, 0.0, 0.0), Word(given=1.0))
@@ -94,7 +94,7 @@ def test_a_guardian_that_is_killed_leaves_no_force(plant: Plant, held: Held, sta
     os.kill(held.link.guardian, signal.SIGKILL)
     held.until(lambda: plant.force == 0.0, "no force")
     held.until(lambda: any("watches over the device is gone" in text for text in held.said), "told")
-    held.until(lambda: not Path(f"/proc/{held.link.servo}").exists() or held.link.gone, "the servo ends")
+    held.until(lambda: not _runs(held.link.servo), "the servo ends")
     stalls.within(began, plant.gone_after(began))
 
 
@@ -103,13 +103,15 @@ def test_a_peer_that_is_killed_leaves_no_force_and_no_process(plant: Plant, stal
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as peer:
         try:
             assert peer.stdout is not None
-            servo, guardian = map(int, peer.stdout.readline().split())
+            *numbers, folder = peer.stdout.readline().split()
+            servo, guardian = map(int, numbers)
             _wait(lambda: plant.force > 0.0, "force")
             began = time.monotonic()
         finally:
             peer.kill()
         _wait(lambda: plant.force == 0.0, "no force")
         _wait(lambda: not _runs(servo) and not _runs(guardian), "no process")
+        assert not Path(folder).exists()
     stalls.within(began, plant.gone_after(began))
 
 
