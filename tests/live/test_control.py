@@ -83,7 +83,7 @@ def over_zenoh(*, routed: bool) -> Iterator[Bed]:
 
         # As urgent as what is said, so that it keeps its place among it.
         urgent = {"priority": zenoh.Priority.INTERACTIVE_HIGH, "congestion_control": zenoh.CongestionControl.BLOCK}
-        plane._session.put(f"{plane._prefix}/said/{plane._me}/all", raw, **urgent)
+        plane._session.put(f"{plane._prefix}/said/{plane._me}/*", raw, **urgent)
 
     try:
         planes = [join(one) for one in who]

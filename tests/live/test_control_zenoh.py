@@ -280,7 +280,7 @@ def test_a_flood_of_messages_is_not_read(stack: ExitStack):
     writer = MessageWriter(WHO[0], b"of another session".ljust(32), started=1)
     noise = writer.write("noise", b"")
     for _ in range(3000):
-        one._session.put(f"{one._prefix}/said/{one._me}/all", noise, congestion_control=zenoh.CongestionControl.BLOCK)
+        one._session.put(f"{one._prefix}/said/{one._me}/*", noise, congestion_control=zenoh.CongestionControl.BLOCK)
     until(lambda: sum(two.refused.values()) >= 3000)
     counts = {reason.name: count for reason, count in two.refused.items()}
     assert counts["RATE"] > 2500

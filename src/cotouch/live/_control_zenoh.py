@@ -41,6 +41,10 @@ _UNSEEN_RATE, _UNSEEN_BURST = 200.0, 64.0
 # What links that came and went leave in pieces is given back so long after the first of them did [s].
 _CALM = 5.0
 _NOWHERE = "-"
+# In place of a member's name in a key: everybody. Keys that are subscribed to have their subscriber's name, so that no
+# two members subscribe to the same: Zenoh keeps what it knows of a member for ever if that had subscribed to a key that
+# lives on here (5 kB for each that ever came; upstream issue 2393).
+_EVERYBODY = "*"
 
 
 class _Said(NamedTuple):
@@ -259,11 +263,9 @@ class ZenohControl:
 
         others = zenoh.Locality.REMOTE
         # In Zenoh's own threads: the order of a sender's messages is kept, and a flood holds up its sender.
-        for to in ("all", self._me):
-            key = f"{self._prefix}/said/*/{to}"
-            self._session.declare_subscriber(key, Callback(self._heard, indirect=False), allowed_origin=others)
-        key = f"{self._prefix}/relay/*/{self._me}"
-        self._session.declare_subscriber(key, Callback(self._handed, indirect=False), allowed_origin=others)
+        for kind, hear in (("said", self._heard), ("relay", self._handed)):
+            key = f"{self._prefix}/{kind}/*/{self._me}"
+            self._session.declare_subscriber(key, Callback(hear, indirect=False), allowed_origin=others)
         self._session.liveliness().declare_subscriber(
             f"{self._prefix}/alive/*/*/*", Callback(self._lives, indirect=False), history=True
         )
@@ -288,7 +290,7 @@ class ZenohControl:
             cost = cost_of(len(said.body) + 256)
             while not limit.take(time.monotonic(), cost):
                 time.sleep(0.5 / _RATE)
-            to = "all" if said.to is None else said.to.hex()
+            to = _EVERYBODY if said.to is None else said.to.hex()
             far = said.to is not None and said.to not in self._present and self._host in self._present
             try:
                 self._session.put(
