@@ -2,6 +2,7 @@
 
 import json
 import struct
+import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, Final, final
@@ -62,52 +63,63 @@ _ENTRY, _MESSAGES = struct.Struct("<7QB"), struct.Struct("<HQ")
 
 @final
 class ChunkIndices:
-    """What a summary says of every chunk, in a fifth of the memory: the only thing that grows as a recording does."""
+    """What a summary says of every chunk, kept on disk until the end: memory does not grow as a recording does."""
 
-    def __init__(self, compression: str) -> None:
+    def __init__(self, compression: str, folder: Path) -> None:
         """Starts without chunks.
 
         Args:
             compression: of all of them.
+            folder: where there is room; the file has no name there, and goes with the process.
+
+        Raises:
+            OSError: there is none.
         """
         self._compression = compression
-        self._packed = bytearray()
+        self._packed = tempfile.TemporaryFile(dir=folder)  # noqa: SIM115
 
     def append(self, index: ChunkIndex) -> None:
-        """Adds a chunk."""
+        """Adds a chunk.
+
+        Raises:
+            OSError: the disk is full.
+        """
         offsets = index.message_index_offsets
-        self._packed += _ENTRY.pack(
-            index.chunk_start_offset,
-            index.chunk_length,
-            index.message_start_time,
-            index.message_end_time,
-            index.message_index_length,
-            index.compressed_size,
-            index.uncompressed_size,
-            len(offsets),
+        self._packed.write(
+            _ENTRY.pack(
+                index.chunk_start_offset,
+                index.chunk_length,
+                index.message_start_time,
+                index.message_end_time,
+                index.message_index_length,
+                index.compressed_size,
+                index.uncompressed_size,
+                len(offsets),
+            )
         )
         for channel, offset in offsets.items():
-            self._packed += _MESSAGES.pack(channel, offset)
+            self._packed.write(_MESSAGES.pack(channel, offset))
 
     def __iter__(self) -> Iterator[ChunkIndex]:
-        """All chunks, as the writer made them."""
-        at, packed = 0, bytes(self._packed)
-        while at < len(packed):
-            start, length, first, last, messages, compressed, size, count = _ENTRY.unpack_from(packed, at)
-            at += _ENTRY.size
-            end = at + count * _MESSAGES.size
+        """All chunks, as the writer made them; no more can be added then."""
+        self._packed.seek(0)
+        while entry := self._packed.read(_ENTRY.size):
+            start, length, first, last, messages, compressed, size, count = _ENTRY.unpack(entry)
             yield ChunkIndex(
                 chunk_start_offset=start,
                 chunk_length=length,
                 message_start_time=first,
                 message_end_time=last,
                 message_index_length=messages,
-                message_index_offsets=dict(_MESSAGES.iter_unpack(packed[at:end])),
+                message_index_offsets=dict(_MESSAGES.iter_unpack(self._packed.read(count * _MESSAGES.size))),
                 compressed_size=compressed,
                 uncompressed_size=size,
                 compression=self._compression,
             )
-            at = end
+
+    def close(self) -> None:
+        """Gives the room back."""
+        self._packed.close()
 
 
 @final
@@ -127,10 +139,11 @@ class RecordingFile:
             raise RecordingError(f"the recording {path} cannot be written: {error.strerror}") from error
         self._offset = header.offset
         self._writer = writer = Writer(self._stream, compression=CompressionType.ZSTD, chunk_size=1 << 62)
-        held = vars(writer)
-        if held.get(_INDICES) == []:  # a writer that keeps them elsewhere only takes more memory
-            held[_INDICES] = ChunkIndices("zstd")
+        self._indices: ChunkIndices | None = None
         try:
+            held = vars(writer)
+            if held.get(_INDICES) == []:  # a writer that keeps them elsewhere only takes more memory
+                held[_INDICES] = self._indices = ChunkIndices("zstd", path.parent)
             writer.start(profile=PROFILE, library=header.metadata()["version"])
             writer.add_metadata(METADATA, header.metadata())
             begun = self._ns(header.monotonic)
@@ -144,6 +157,8 @@ class RecordingFile:
             self._stream.flush()
         except OSError as error:
             self._stream.close()
+            if self._indices is not None:
+                self._indices.close()
             raise RecordingError(f"the recording {path} cannot be written: {error.strerror}") from error
 
     def batch(self, batch: Batch) -> None:
@@ -168,6 +183,8 @@ class RecordingFile:
             self._writer.finish()
         finally:
             self._stream.close()
+            if self._indices is not None:
+                self._indices.close()
 
     def _json_channel(self, topic: str, schema: dict[str, Any]) -> int:
         number = self._writer.register_schema(schema["title"], "jsonschema", json.dumps(schema).encode())
