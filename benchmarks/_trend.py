@@ -4,7 +4,8 @@ Memory does not scatter around a line: it stands still, jumps, and stays where i
 steps looks far surer than it is. So the time is cut into blocks, and the slope is the mean rise from where one block
 begins to where the next does: rises of a walk are independent of each other where its values are not [Student's t for
 their mean]. If values do scatter around a line instead, neighbouring rises make up for each other and the interval is
-wider than it need be.
+wider than it need be. Where a block begins is what memory comes down to there: what is taken for a moment and given
+back says nothing, and what leaks is never given back.
 """
 
 from typing import NamedTuple
@@ -16,8 +17,8 @@ from scipy.stats import t as student
 Float = npt.NDArray[np.float64]
 BLOCKS = 12
 CONFIDENCE = 0.95
-# Where a block begins: the mean of so much of it.
-_BEGIN = 0.2
+# Where a block begins: such a quantile of so much of it.
+_BEGIN, _LOW = 0.4, 0.1
 
 
 class Trend(NamedTuple):
@@ -61,9 +62,9 @@ def trend(times: Float, values: Float, *, blocks: int = BLOCKS) -> Trend:
     ]
     if not all(part.size for part in begins):
         raise ValueError(f"{times.size} values do not fill {blocks} blocks of time")
-    means = np.array([part.mean() for part in begins])
+    lows = np.array([np.quantile(part, _LOW) for part in begins])
     spans = np.full(blocks, length)
     spans[-1] -= _BEGIN * length
-    rises = np.diff(means) / spans
+    rises = np.diff(lows) / spans
     spread = float(rises.std(ddof=1)) / np.sqrt(rises.size)
     return Trend(float(rises.mean()), float(student.ppf(0.5 + 0.5 * CONFIDENCE, rises.size - 1)) * spread)

@@ -6,7 +6,10 @@ that memory stays flat, books balance, and the audit of all recordings, those of
 
 Memory is judged by those who live all the time, the host and the first member, who is cut off and stopped but never
 killed: by the slope over the last half of their lives, with its 95 % interval (`_trend.py`). It grows if all of that is
-above zero, it is flat if not and if it ends below 0.1 MB/min, and otherwise the run was too short to say.
+above zero, it is flat if not and if it ends below 0.1 MB/min, and otherwise the run was too short to say. What counts
+is anonymous memory, of which a leak is made; pages of code and of other files come in when they are first used, and are
+the system's to take back. Both are said. `--leak` lets the host keep so much for every member killed, to see that it
+is found.
 """
 
 import argparse
@@ -36,6 +39,8 @@ _KILLS = 0.25
 _PATIENCE = 300.0
 # What an interval of 95 % may end at and be called flat: 6 MB an hour [B/s].
 _FLAT = 0.1e6 / 60.0
+# What is noted of a process after the time.
+_ANONYMOUS, _ALL = 1, 2
 # A path is cut for about 1.5 s, every 40 s or so.
 _BURST = {"enter": 0.00025, "leave": 0.007, "loss_good": 0.0, "loss_bad": 1.0}
 
@@ -56,13 +61,17 @@ def session() -> SessionFile:
 class Soak:
     """The members, what is done to them, and what is seen of them."""
 
-    def __init__(self, opened: OpenHost, names: list[str], folder: Path, seed: int, every: float = EVERY) -> None:
+    def __init__(
+        self, opened: OpenHost, names: list[str], folder: Path, seed: int, every: float = EVERY, leak: int = 0
+    ) -> None:
         self.opened, self.names, self.folder, self.every = opened, names, folder, every
         self.rng = np.random.default_rng(seed)
         self.members: dict[str, MemberProcess] = {}
         self.files: list[Path] = []
         # Of each process, when and how much. The host's own is measured, too: what keeps this is packed.
         self.memory: dict[int, array[float]] = {}
+        # What `leak` keeps; every page is touched.
+        self.leak, self._leaked = leak, list[bytes]()
         self.faults = {"killed": 0, "stopped": 0}
         self.residual, self.alarms, self.died = 0.0, 0, 0
 
@@ -93,7 +102,7 @@ class Soak:
             self.alarms = max(self.alarms, status.alarms)
 
     def _note(self, pid: int, now: float) -> None:
-        self.memory.setdefault(pid, array("d")).extend((now, psutil.Process(pid).memory_info().rss))
+        self.memory.setdefault(pid, array("d")).extend((now, *taken(pid)))
 
     def fault(self) -> tuple[float, int] | None:
         """Does one; returns when to let whom go on."""
@@ -106,6 +115,8 @@ class Soak:
             self.members[name].close()
             self.join(name)
             self.faults["killed"] += 1
+            if self.leak:
+                self._leaked.append(b"x" * self.leak)
             return None
         os.kill(self.members[name].pid, signal.SIGSTOP)
         self.faults["stopped"] += 1
@@ -151,30 +162,45 @@ class Soak:
 
     @property
     def largest(self) -> float:
-        """Most that any process took [B]."""
-        return max(max(seen[1::2]) for seen in self.memory.values())
+        """Most that any process took, with pages of files [B]."""
+        return max(max(seen[_ALL::3]) for seen in self.memory.values())
 
     @property
     def grew(self) -> float:
         """Most that a process grew by from a third of its life to its end, of those that lived for a minute [B]."""
         grown = [0.0]
         for seen in self.memory.values():
-            if seen[-2] - seen[0] > 60.0:
-                sizes = seen[1::2]
+            if seen[-3] - seen[0] > 60.0:
+                sizes = seen[_ANONYMOUS::3]
                 grown.append(sizes[-1] - sizes[len(sizes) // 3])
         return max(grown)
 
-    def trends(self) -> dict[str, Trend]:
-        """Slopes of those who live all the time, over the last half of their lives [B/s]."""
+    def trends(self, which: int) -> dict[str, Trend]:
+        """Slopes of those who live all the time, over the last half of their lives [B/s].
+
+        Args:
+            which: of anonymous memory or of all.
+        """
         found: dict[str, Trend] = {}
         for who, pid in (("host", os.getpid()), (self.names[0], self.members[self.names[0]].pid)):
-            seen = np.array(self.memory[pid]).reshape(-1, 2)
+            seen = np.array(self.memory[pid]).reshape(-1, 3)
             last = seen[len(seen) // 2 :]
             try:
-                found[who] = trend(last[:, 0], last[:, 1])
+                found[who] = trend(last[:, 0], last[:, which])
             except ValueError:  # it had ended by itself, and was started again
                 found[who] = Trend(float("nan"), float("nan"))
         return found
+
+
+def taken(pid: int) -> tuple[float, float]:
+    """Anonymous memory of a process, and all with pages of files [B]."""
+    try:  # what is in `status` may be off by the pages that every core counts for itself first
+        with open(f"/proc/{pid}/smaps_rollup", encoding="ascii") as file:
+            fields = dict(line.split(":", 1) for line in file if ":" in line)
+        return float(fields["Anonymous"].split()[0]) * 1024.0, float(fields["Rss"].split()[0]) * 1024.0
+    except (OSError, KeyError):
+        rss = float(psutil.Process(pid).memory_info().rss)
+        return rss, rss
 
 
 def verdict(found: Trend) -> str:
@@ -182,20 +208,22 @@ def verdict(found: Trend) -> str:
     return "grows" if found.rises else "flat" if found.most < _FLAT else "not known"
 
 
-def measure(minutes: float = MINUTES, seed: int = 0, every: float = EVERY, *, check: bool = True) -> list[Row]:
+def measure(
+    minutes: float = MINUTES, seed: int = 0, every: float = EVERY, *, check: bool = True, leak: int = 0
+) -> list[Row]:
     asked = session()
     with tempfile.TemporaryDirectory() as folder, open_host(asked) as opened:
-        soak = Soak(opened, list(asked.scenario.network.users), Path(folder), seed, every)
+        soak = Soak(opened, list(asked.scenario.network.users), Path(folder), seed, every, leak)
         try:
             soak.run(60.0 * minutes)
-            slopes = soak.trends()
+            slopes, all_slopes = soak.trends(_ANONYMOUS), soak.trends(_ALL)
             results = soak.close()
         finally:
             for member in soak.members.values():
                 member.close()
         memory = [
             Row("soak", f"— memory of {who}, slope over the last half of {minutes:g} min", verdict(found), "flat",
-                f"{found.slope * 60e-6:+.3f} ± {found.error * 60e-6:.3f} MB/min (95 %)")
+                f"{_rate(found)} (95 %); {_rate(all_slopes[who])} with pages of files")
             for who, found in slopes.items()
         ]  # fmt: skip
         memory.append(
@@ -217,6 +245,10 @@ def measure(minutes: float = MINUTES, seed: int = 0, every: float = EVERY, *, ch
             f"{soak.alarms} alarms"),
         books,
     ]  # fmt: skip
+
+
+def _rate(found: Trend) -> str:
+    return f"{found.slope * 60e-6:+.3f} ± {found.error * 60e-6:.3f} MB/min"
 
 
 def _audited(soak: Soak) -> Row:
@@ -243,9 +275,11 @@ def main() -> None:
     parser.add_argument("--every", type=float, default=EVERY, help="a fault so often, on average [s]")
     parser.add_argument("--seed", type=int, default=0, help="of the faults")
     parser.add_argument("--no-audit", dest="audit", action="store_false", help="leaves out reading the recordings")
+    parser.add_argument("--leak", type=int, default=0, help="what the host keeps for every member killed, as a test [B]")
     add_write(parser)
     options = parser.parse_args()
-    finish(measure(options.minutes, options.seed, options.every, check=options.audit), write=options.write)
+    rows = measure(options.minutes, options.seed, options.every, check=options.audit, leak=options.leak)
+    finish(rows, write=options.write)
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
 from pathlib import Path
+from typing import Any
 
 import pytest
 from hypothesis import given
@@ -19,6 +20,7 @@ from cotouch.live import (
     ControlRouter,
     Endpoint,
     Invitation,
+    Message,
     MessageWriter,
     Relayed,
     ZenohControl,
@@ -27,6 +29,7 @@ from cotouch.live import (
     free_port,
     make_certificates,
 )
+from cotouch.live._zenoh import open_session
 
 WHO = identities(4)
 
@@ -58,6 +61,43 @@ def until(done: Callable[[], object]) -> None:
             return
         time.sleep(0.005)
     pytest.fail("it did not come")
+
+
+class Spy:
+    """A session of Zenoh that notes which keys it listens at."""
+
+    def __init__(self, session: Any, keys: set[str]) -> None:
+        self._session, self._keys = session, keys
+
+    def __getattr__(self, name: str) -> Any:
+        found = getattr(self._session, name)
+        if name not in {"declare_subscriber", "declare_queryable"}:
+            return found
+
+        def declare(key: str, *args: Any, **more: Any) -> Any:
+            self._keys.add(key)
+            return found(key, *args, **more)
+
+        return declare
+
+
+def test_no_two_members_listen_at_the_same_key(stack: ExitStack, monkeypatch: pytest.MonkeyPatch) -> None:
+    # Zenoh would never let go of a member that did and is gone: memory that rises for as long as members come and go.
+    spied: list[set[str]] = []
+
+    def spy(configured: str) -> Any:
+        spied.append(set())
+        return Spy(open_session(configured), spied[-1])
+
+    monkeypatch.setattr(_control_zenoh, "open_session", spy)
+    one, other = joined(stack, invitation(), 2)
+    assert all(len(keys) >= 4 for keys in spied)  # said, relayed, files and their sizes
+    assert not spied[0] & spied[1]
+    other.send("words", b"to all")
+    one.send("words", b"to one", to=other.identity.public)
+    heard: list[list[Message]] = [[], []]
+    until(lambda: [said.extend(plane.poll()) for said, plane in zip(heard, (one, other), strict=True)] and all(heard))
+    assert [(said.body, said.direct) for said in heard[0] + heard[1]] == [(b"to all", False), (b"to one", True)]
 
 
 def test_one_connection_for_each_two(stack: ExitStack):
