@@ -1,5 +1,6 @@
 """The pacer on clocks that are made up, and once on the real one; what a process is given and gives back."""
 
+import ctypes
 import gc
 import math
 import os
@@ -16,6 +17,7 @@ from hypothesis import strategies as st
 
 from cotouch.errors import SessionError
 from cotouch.live import Pacer, prepare_process
+from cotouch.pacing import give_back_memory
 
 PERIOD = 0.001
 
@@ -323,6 +325,24 @@ def test_memory_in_pieces_is_given_back():
     assert given == "True"
     assert freed - before > 0.7 * (most - before)  # glibc keeps it
     assert after - before < 0.5 * (most - before)
+
+
+@pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="only glibc is asked")
+def test_giving_back_leaves_nothing_for_a_collector_that_is_off() -> None:
+    def libraries() -> int:
+        return sum(isinstance(one, ctypes.CDLL) for one in gc.get_objects())
+
+    give_back_memory()
+    before = libraries()
+    was_on = gc.isenabled()
+    gc.disable()
+    try:
+        for _ in range(5):
+            give_back_memory()
+        assert libraries() == before
+    finally:
+        if was_on:
+            gc.enable()
 
 
 ARENAS = """

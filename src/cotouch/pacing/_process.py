@@ -5,9 +5,10 @@ import ctypes
 import gc
 import os
 import sys
-from collections.abc import Generator
+from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import cache
 from typing import final
 
 _SET_TIMER_SLACK, _GET_TIMER_SLACK = 29, 30  # of prctl(2)
@@ -50,13 +51,10 @@ def few_arenas() -> bool:
     Returns:
         Whether it is so from now on; False with another libc.
     """
-    if not sys.platform.startswith("linux") or "MALLOC_ARENA_MAX" in os.environ:
+    if "MALLOC_ARENA_MAX" in os.environ:
         return False
-    try:
-        mallopt = ctypes.CDLL(None).mallopt
-    except (OSError, AttributeError):
-        return False
-    return bool(mallopt(_ARENA_MAX, _ARENAS) == 1)
+    mallopt = _of_libc("mallopt")
+    return mallopt is not None and mallopt(_ARENA_MAX, _ARENAS) == 1
 
 
 def give_back_memory() -> bool:
@@ -67,13 +65,19 @@ def give_back_memory() -> bool:
     Returns:
         Whether there was anything to give back; False with another libc.
     """
+    trim = _of_libc("malloc_trim")
+    return trim is not None and trim(0) == 1
+
+
+@cache
+def _of_libc(name: str) -> Callable[..., int] | None:
+    """A function of Linux's libc, if it has it; looked up once, because every `CDLL` leaves a cycle for the collector."""
     if not sys.platform.startswith("linux"):
-        return False
+        return None
     try:
-        trim = ctypes.CDLL(None).malloc_trim
+        return getattr(ctypes.CDLL(None), name)
     except (OSError, AttributeError):
-        return False
-    return bool(trim(0) == 1)
+        return None
 
 
 @contextmanager
@@ -125,11 +129,8 @@ def _one_blas_thread(undo: contextlib.ExitStack) -> int | None:
 
 
 def _timer_slack(undo: contextlib.ExitStack) -> int | None:
-    if not sys.platform.startswith("linux"):
-        return None
-    try:
-        prctl = ctypes.CDLL(None).prctl
-    except (OSError, AttributeError):
+    prctl = _of_libc("prctl")
+    if prctl is None:
         return None
     before = int(prctl(_GET_TIMER_SLACK, 0, 0, 0, 0))
     if before < 0 or prctl(_SET_TIMER_SLACK, _SLACK, 0, 0, 0) != 0:
