@@ -194,6 +194,24 @@ def test_unix_times_that_are_apart_are_corrected(tmp_path: Path) -> None:
     assert wrong.links[0].work == pytest.approx(right.links[0].work, rel=1e-9)
 
 
+@pytest.mark.parametrize("age", [-3.0, -1e6])
+def test_one_age_that_cannot_be_sets_no_clock(tmp_path: Path, age: float) -> None:
+    driven = Driven(tmp_path, hands=STRONG)
+    recordings = [read_recording(path) for path in driven.run()]
+    right, _ = align(recordings)
+    ages = recordings[0].columns["age"] = recordings[0].columns["age"].copy()
+    ages[60, 0] = age
+    assert align(recordings) == (right, False)
+    result = audit(recordings)
+    assert result.holds, result.verdict
+    assert result.notes == (f"Ann used a sample of Ben at an age of {age:.3g} s, which cannot be",)
+    # Where all of them cannot be, it is the clocks.
+    ages -= 0.4
+    offsets, corrected = align(recordings)
+    assert corrected
+    assert offsets[1] - offsets[0] == pytest.approx(-0.2, abs=0.02)
+
+
 def test_what_is_kept_less_often_is_taken_as_booked(tmp_path: Path) -> None:
     driven = Driven(tmp_path, options={"every": 5}, hands=STRONG)
     result = audited(driven)

@@ -20,7 +20,7 @@ from cotouch.errors import RecordingError
 from cotouch.recording._columns import GUARDS
 from cotouch.recording._findings import Finding, exchanged, findings_of, missing_words
 from cotouch.recording._guards import seeds
-from cotouch.recording._links import LinkBooks, ages, align, grid_of, link_books, linked, so_far
+from cotouch.recording._links import LinkBooks, ages, align, grid_of, link_books, linked, so_far, too_young
 from cotouch.recording._motion import LOSSES, Motion, motions
 from cotouch.recording._recording import Recording
 from cotouch.units import user_number
@@ -193,6 +193,7 @@ def audit(recordings: Sequence[Recording], *, tolerance: float = TOLERANCE) -> A
         notes.append(
             "the machines' Unix times cannot both be right; clocks are laid side by side by the ages of samples"
         )
+    notes += too_young(recordings, offsets)
     moved = motions(recordings, offsets)
     grid = grid_of(moved)
     start = float(grid[0])

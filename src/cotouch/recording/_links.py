@@ -31,9 +31,16 @@ _BLOCK = 4096
 
 
 class Ages(NamedTuple):
-    """Least and most age of the samples on a link, one way, while it was coupled [s]."""
+    """Ages of the samples on a link, one way, while it was coupled [s].
+
+    Attributes:
+        least: of all.
+        quick: of the quickest way, whatever a hundredth of the samples, or one of a few, say: clocks go by it.
+        most: of all.
+    """
 
     least: float
+    quick: float
     most: float
 
 
@@ -84,7 +91,10 @@ def ages(recording: Recording, neighbour: int) -> Ages | None:
     column = recording.neighbours.index(neighbour)
     age = recording.columns["age"][:, column]
     counted = age[np.isfinite(age) & (recording.columns["phase"][:, column] == LinkPhase.COUPLED)]
-    return Ages(float(counted.min()), float(counted.max())) if counted.size else None
+    if not counted.size:
+        return None
+    rank = min(counted.size - 1, max(1, counted.size // 100))
+    return Ages(float(counted.min()), float(np.partition(counted, rank)[rank]), float(counted.max()))
 
 
 def linked(one: Recording, two: Recording) -> bool:
@@ -102,7 +112,8 @@ def align(recordings: Sequence[Recording]) -> tuple[list[float], bool]:
     """Shared time less each user's own [s], and whether Unix time had to be corrected.
 
     Clocks of different machines may be so far apart that a sample would have been used before it was there. Then the
-    ages say better: half the difference between the least of either direction, as NTP has it.
+    ages say better: half the difference between the quickest of either direction, as NTP has it. A few samples that
+    cannot be say nothing about clocks.
     """
     base = recordings[0].header.offset
     offsets = [recording.header.offset - base for recording in recordings]
@@ -116,8 +127,8 @@ def align(recordings: Sequence[Recording]) -> tuple[list[float], bool]:
             if there is None or back is None:
                 continue
             ahead = offsets[i] - offsets[j]
-            wrong |= min(there.least + ahead, back.least - ahead) < 0.0
-            apart[i, j] = 0.5 * (back.least - there.least)
+            wrong |= min(there.quick + ahead, back.quick - ahead) < 0.0
+            apart[i, j] = 0.5 * (back.quick - there.quick)
     if not wrong:
         return offsets, False
     known = {0}
@@ -130,6 +141,17 @@ def align(recordings: Sequence[Recording]) -> tuple[list[float], bool]:
                 offsets[i] = offsets[j] + ahead
                 known.add(i)
     return offsets, True
+
+
+def too_young(recordings: Sequence[Recording], offsets: Sequence[float]) -> list[str]:
+    """A sentence for every link on which a sample was used before it was there, by clocks as `align` laid them."""
+    found: list[str] = []
+    for i, one in enumerate(recordings):
+        for j, two in enumerate(recordings):
+            age = ages(one, two.user) if i != j and linked(one, two) else None
+            if age is not None and (least := age.least + offsets[i] - offsets[j]) < 0.0 <= least + age.quick - age.least:
+                found.append(f"{one.name} used a sample of {two.name} at an age of {least:.3g} s, which cannot be")
+    return found
 
 
 def grid_of(motions: Sequence[Motion]) -> Float:
