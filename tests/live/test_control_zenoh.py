@@ -4,6 +4,8 @@ import hashlib
 import os
 import socket
 import ssl
+import subprocess
+import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
@@ -349,3 +351,35 @@ def test_of_who_left_little_is_kept_and_memory_is_given_back(stack: ExitStack, m
     until(lambda: len(given) >= 2)
     assert min(given) - left >= 0.0
     assert set(host._reader._gone) == {WHO[2].public}
+
+
+ENDING = """
+import contextlib, json, sys, threading, time
+import zenoh
+from cotouch.live import _zenoh
+
+class Slow:  # Python ends, and takes its time
+    def __del__(self, sleep=time.sleep):
+        sleep(2.5)
+
+def opening():  # nobody listens at port 9 of this machine
+    configured = {"mode": "client", "connect": {"endpoints": ["tcp/127.0.0.1:9"], "timeout_ms": 1200},
+                  "scouting": {"multicast": {"enabled": False}}}
+    with contextlib.suppress(zenoh.ZError):
+        zenoh.open(zenoh.Config.from_json5(json.dumps(configured)))
+
+class Closed:
+    def close(self):
+        pass
+
+sys.slow = Slow()
+_zenoh._CLOSING = 0.1
+user = threading.Thread(target=opening, daemon=True)
+user.start()
+_zenoh.close_session(Closed(), [user])
+"""
+
+
+def test_python_does_not_end_while_a_thread_is_in_zenoh():
+    done = subprocess.run([sys.executable, "-c", ENDING], capture_output=True, check=False, timeout=60, text=True)
+    assert (done.returncode, done.stderr) == (0, "")  # else an abort: "FATAL: exception not rethrown"

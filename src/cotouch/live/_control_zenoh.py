@@ -249,10 +249,12 @@ class ZenohControl:
         self._closed = True
         self._outbox.put(None)
         self._speaker.join(1.0)
+        users = [self._speaker, *self._files.threads]
         if self._introducer is not None:
             self._introducer.close()
+            users.append(self._introducer.thread)
         self._files.close()
-        close_session(self._session)
+        close_session(self._session, [user for user in users if user.is_alive()])
         self._inbox.clear()
         self._relays.clear()
 

@@ -86,6 +86,11 @@ class Files:
             self._asked.put(digest)
         return held
 
+    @property
+    def threads(self) -> tuple[threading.Thread, ...]:
+        """That speak with the session; they end after `close`, at the latest with what they wait for."""
+        return tuple(self._threads)
+
     def close(self) -> None:
         """Stops; the session is still open then."""
         self._closing.set()

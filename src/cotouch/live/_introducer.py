@@ -66,6 +66,11 @@ class Introducer:
         with self._lock:
             self._gone.pop(member, None)
 
+    @property
+    def thread(self) -> threading.Thread:
+        """That opens sessions; it ends after `close`, at the latest when what it opens is open."""
+        return self._thread
+
     def close(self) -> None:
         """Stops."""
         self._closing.set()

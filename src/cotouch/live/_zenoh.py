@@ -21,6 +21,8 @@ _MOST_MESSAGE = 1 << 20
 _OPENING = 10_000
 # A client can hang at its end; nobody waits longer for it.
 _CLOSING = 2.0
+# What any call of Zenoh takes, at most [s].
+_LAST = 12.0
 
 Mode = Literal["peer", "client", "router"]
 
@@ -119,15 +121,23 @@ def open_session(configured: str) -> "zenoh.Session":
         raise TransportError(why) from error
 
 
-def close_session(session: "zenoh.Session") -> None:
-    """Closes a session of Zenoh, and waits for it a little."""
+def close_session(session: "zenoh.Session", users: Sequence[threading.Thread] = ()) -> None:
+    """Closes a session of Zenoh, and waits for it a little.
+
+    Args:
+        session: to be closed.
+        users: threads that may be in Zenoh still and end soon; Python does not end before they are out of it.
+    """
     import zenoh
 
     def close() -> None:
         with contextlib.suppress(zenoh.ZError):  # it waits for links that are gone, and says so
             session.close()
+        for user in users:
+            user.join(_LAST)
 
-    # Not a daemon: one that is still in Zenoh when Python ends takes the process down. Zenoh gives up after 10 s.
+    # Not a daemon: a thread that comes back from Zenoh while Python ends takes the process down ("FATAL: exception not
+    # rethrown"), and Python waits for those that are none. Zenoh gives up after 10 s.
     closing = threading.Thread(target=close, name="cotouch closing")
     closing.start()
     closing.join(_CLOSING)
