@@ -5,8 +5,10 @@ talk through a transport that loses everything for a while in the session's own 
 that memory stays flat, books balance, and the audit of all recordings, those of killed members too, holds.
 
 Memory is judged by those who live all the time, the host and the first member, who is cut off and stopped but never
-killed: by the slope over the last half of their lives, with its 95 % interval (`_trend.py`). It grows if all of that is
-above zero, it is flat if not and if it ends below 0.1 MB/min, and otherwise the run was too short to say. What counts
+killed: by the slope over the last two thirds of their lives, with its 95 % interval (`_trend.py`). It grows if all of
+that is above zero, it is flat if not and if it ends below 0.1 MB/min, and otherwise the run was too short to say.
+Like is compared with like: a connection takes some 0.2 MB while it lasts, and what it leaves is given back to the
+system 5 s later. So faults pause every half minute until everybody has been there for some seconds. What counts
 is anonymous memory, of which a leak is made; pages of code and of other files come in when they are first used, and are
 the system's to take back. Both are said. `--leak` lets the host keep so much for every member killed, to see that it
 is found.
@@ -41,6 +43,9 @@ _PATIENCE = 300.0
 _FLAT = 0.1e6 / 60.0
 # What is noted of a process after the time.
 _ANONYMOUS, _ALL = 1, 2
+# Faults go on for so long; then there are none until everybody has been there for so long, and memory is looked at, the
+# least of so many looks [s, s, 1]. The first so much of the run does not count [1].
+_FAULTS, _SETTLED, _LOOKS, _WARM = 30.0, 7.0, 10, 1.0 / 3.0
 # A path is cut for about 1.5 s, every 40 s or so.
 _BURST = {"enter": 0.00025, "leave": 0.007, "loss_good": 0.0, "loss_bad": 1.0}
 
@@ -74,6 +79,8 @@ class Soak:
         self.leak, self._leaked = leak, list[bytes]()
         self.faults = {"killed": 0, "stopped": 0}
         self.residual, self.alarms, self.died = 0.0, 0, 0
+        self.began = self.ended = 0.0
+        self._whole: float | None = None  # since when everybody is there
 
     def join(self, name: str) -> None:
         """Starts a member, recorded into a file of its own."""
@@ -85,24 +92,31 @@ class Soak:
 
     def turn(self) -> None:
         """Lets the host hear."""
-        self.opened.service(time.monotonic())
+        now = time.monotonic()
+        self.opened.service(now)
+        if len(self.opened.control.present()) < len(self.names):
+            self._whole = None
+        elif self._whole is None:
+            self._whole = now
         time.sleep(0.02)
 
     def look(self) -> None:
-        """Memory and books of everybody, once a second."""
-        now = time.monotonic()
-        for member in self.members.values():
-            if not member.running:
-                self.died += 1
-                continue
-            self._note(member.pid, now)
-        self._note(os.getpid(), now)
+        """Books of everybody, once a second."""
+        self.died += sum(not member.running for member in self.members.values())
         for status in self.opened.host.watch.last.values():
             self.residual = max(self.residual, status.residual)
             self.alarms = max(self.alarms, status.alarms)
 
-    def _note(self, pid: int, now: float) -> None:
-        self.memory.setdefault(pid, array("d")).extend((now, *taken(pid)))
+    def weigh(self) -> None:
+        """Memory of everybody."""
+        seen: dict[int, list[tuple[float, float]]] = {}
+        for _ in range(_LOOKS):
+            for pid in [os.getpid(), *(member.pid for member in self.members.values() if member.running)]:
+                seen.setdefault(pid, []).append(taken(pid))
+            for _ in range(5):
+                self.turn()
+        for pid, looks in seen.items():
+            self.memory.setdefault(pid, array("d")).extend((time.monotonic(), *map(min, zip(*looks, strict=True))))
 
     def fault(self) -> tuple[float, int] | None:
         """Does one; returns when to let whom go on."""
@@ -127,8 +141,10 @@ class Soak:
         for name in self.names:
             self.join(name)
         self._gather()
-        end = time.monotonic() + seconds
+        self.began = time.monotonic()
+        self.ended = end = self.began + seconds
         looked = following = 0.0
+        pause = self.began + _FAULTS
         standing: tuple[float, int] | None = None
         while (now := time.monotonic()) < end:
             self.turn()
@@ -138,7 +154,11 @@ class Soak:
             if standing is not None and now >= standing[0]:
                 os.kill(standing[1], signal.SIGCONT)
                 standing = None
-            if standing is None and now > following and now < end - 15.0:
+            if now > pause and standing is None:
+                if self._whole is not None and now > self._whole + _SETTLED:
+                    self.weigh()
+                    pause = time.monotonic() + _FAULTS
+            elif standing is None and now > following and now < end - 15.0:
                 following = now + self.every * float(self.rng.uniform(0.6, 1.4))
                 standing = self.fault()
         self._gather()
@@ -167,24 +187,24 @@ class Soak:
 
     @property
     def grew(self) -> float:
-        """Most that a process grew by from a third of its life to its end, of those that lived for a minute [B]."""
+        """Most that a process grew by from a third of its life to its end, of those that lived for 2 minutes [B]."""
         grown = [0.0]
         for seen in self.memory.values():
-            if seen[-3] - seen[0] > 60.0:
+            if seen[-3] - seen[0] > 120.0:
                 sizes = seen[_ANONYMOUS::3]
                 grown.append(sizes[-1] - sizes[len(sizes) // 3])
         return max(grown)
 
     def trends(self, which: int) -> dict[str, Trend]:
-        """Slopes of those who live all the time, over the last half of their lives [B/s].
+        """Slopes of those who live all the time, once they are warm [B/s].
 
         Args:
             which: of anonymous memory or of all.
         """
         found: dict[str, Trend] = {}
         for who, pid in (("host", os.getpid()), (self.names[0], self.members[self.names[0]].pid)):
-            seen = np.array(self.memory[pid]).reshape(-1, 3)
-            last = seen[len(seen) // 2 :]
+            seen = np.array(self.memory.get(pid, ())).reshape(-1, 3)
+            last = seen[seen[:, 0] >= self.began + _WARM * (self.ended - self.began)]
             try:
                 found[who] = trend(last[:, 0], last[:, which])
             except ValueError:  # it had ended by itself, and was started again
@@ -195,7 +215,7 @@ class Soak:
 def taken(pid: int) -> tuple[float, float]:
     """Anonymous memory of a process, and all with pages of files [B]."""
     try:  # what is in `status` may be off by the pages that every core counts for itself first
-        with open(f"/proc/{pid}/smaps_rollup", encoding="ascii") as file:
+        with Path(f"/proc/{pid}/smaps_rollup").open(encoding="ascii") as file:
             fields = dict(line.split(":", 1) for line in file if ":" in line)
         return float(fields["Anonymous"].split()[0]) * 1024.0, float(fields["Rss"].split()[0]) * 1024.0
     except (OSError, KeyError):
@@ -222,7 +242,7 @@ def measure(
             for member in soak.members.values():
                 member.close()
         memory = [
-            Row("soak", f"— memory of {who}, slope over the last half of {minutes:g} min", verdict(found), "flat",
+            Row("soak", f"— memory of {who}, slope over the last two thirds of {minutes:g} min", verdict(found), "flat",
                 f"{_rate(found)} (95 %); {_rate(all_slopes[who])} with pages of files")
             for who, found in slopes.items()
         ]  # fmt: skip
@@ -236,7 +256,9 @@ def measure(
         books = _audited(soak) if check else Row("soak", "— audit of all recordings", "not done", "holds")
     done = sum(one is not None for one in results)
     faults = ", ".join(f"{count} {what}" for what, count in soak.faults.items())
-    what = f"{minutes:g} min, 5 members at {RATE} Hz, faults every {0.6 * every:g} to {1.4 * every:g} s"
+    what = (
+        f"{minutes:g} min, 5 members at {RATE} Hz, faults every {0.6 * every:g} to {1.4 * every:g} s for 30 s at a time"
+    )
     return [
         Row("soak", what, f"{done} of 5 came to the end", "5 of 5", f"{faults}; paths cut about every 40 s each"),
         Row("soak", "— processes that ended by themselves", str(soak.died), "0"),
@@ -275,7 +297,9 @@ def main() -> None:
     parser.add_argument("--every", type=float, default=EVERY, help="a fault so often, on average [s]")
     parser.add_argument("--seed", type=int, default=0, help="of the faults")
     parser.add_argument("--no-audit", dest="audit", action="store_false", help="leaves out reading the recordings")
-    parser.add_argument("--leak", type=int, default=0, help="what the host keeps for every member killed, as a test [B]")
+    parser.add_argument(
+        "--leak", type=int, default=0, help="what the host keeps for every member killed, as a test [B]"
+    )
     add_write(parser)
     options = parser.parse_args()
     rows = measure(options.minutes, options.seed, options.every, check=options.audit, leak=options.leak)

@@ -71,7 +71,7 @@ def give_back_memory() -> bool:
 
 @cache
 def _of_libc(name: str) -> Callable[..., int] | None:
-    """A function of Linux's libc, if it has it; looked up once, because every `CDLL` leaves a cycle for the collector."""
+    """A function of Linux's libc, if it has it; looked up once, as every `CDLL` leaves a cycle behind."""
     if not sys.platform.startswith("linux"):
         return None
     try:

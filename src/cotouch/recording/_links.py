@@ -149,7 +149,9 @@ def too_young(recordings: Sequence[Recording], offsets: Sequence[float]) -> list
     for i, one in enumerate(recordings):
         for j, two in enumerate(recordings):
             age = ages(one, two.user) if i != j and linked(one, two) else None
-            if age is not None and (least := age.least + offsets[i] - offsets[j]) < 0.0 <= least + age.quick - age.least:
+            ahead = offsets[i] - offsets[j]
+            if age is not None and age.least + ahead < 0.0 <= age.quick + ahead:
+                least = age.least + ahead
                 found.append(f"{one.name} used a sample of {two.name} at an age of {least:.3g} s, which cannot be")
     return found
 
