@@ -1,17 +1,22 @@
 """The verdict of the soak: what grows is found, what only jumps about is not taken for it."""
 
+import json
+import subprocess
+import sys
+from pathlib import Path
+
 import numpy as np
 import pytest
 from benchmarks._trend import Trend, trend
 from benchmarks.soak import verdict
 
-TIMES = np.arange(0.0, 900.0, 1.0)
+TIMES = np.arange(0.0, 900.0, 40.0)
 
 
 def walk(rng: np.random.Generator, drift: float) -> np.ndarray:
     """Memory as processes have it: jumps of up to 100 kB, one in 20 s, which stay; and what comes and goes [B]."""
-    jumps = np.where(rng.random(TIMES.size) < 0.05, rng.uniform(-1e5, 1e5, TIMES.size), 0.0)
-    return 2.5e8 + np.cumsum(jumps) + rng.uniform(0.0, 2e4, TIMES.size) + drift * TIMES
+    jumps = np.where(rng.random(900) < 0.05, rng.uniform(-1e5, 1e5, 900), 0.0)
+    return 2.5e8 + np.cumsum(jumps)[TIMES.astype(int)] + rng.uniform(0.0, 2e4, TIMES.size) + drift * TIMES
 
 
 def test_the_interval_holds_the_true_slope_as_often_as_it_says():
@@ -31,6 +36,42 @@ def test_what_grows_is_called_so():
     assert verdict(trend(TIMES, 2.5e8 + rng.uniform(0.0, 4e4, TIMES.size) + 2e3 * TIMES)) == "grows"
     assert verdict(trend(TIMES, 20.0 * walk(rng, 0.0))) == "not known"
     assert verdict(Trend(float("nan"), float("nan"))) == "not known"
+
+
+def test_twenty_kilobytes_for_every_member_killed_are_found():
+    """Over ten minutes of faults, as they come, with memory that stands still but for 20 kB either way."""
+    rng = np.random.default_rng(2)
+    times = np.arange(200.0, 601.0, 44.0)
+    found = {0.0: list[str](), 2e4: list[str]()}
+    for _ in range(200):
+        killed = np.cumsum(rng.poisson(2.5 / 60.0 * 44.0, times.size))
+        for leak, verdicts in found.items():
+            verdicts.append(verdict(trend(times, 1e8 + leak * killed + rng.uniform(-2e4, 2e4, times.size))))
+    assert found[0.0].count("flat") > 190
+    assert found[2e4].count("grows") > 170  # in the others too few were killed
+
+
+TAKEN = """
+import json, mmap, os, sys
+from benchmarks.soak import taken
+before = taken(os.getpid())
+held = b"x" * (16 << 20)
+anonymous = taken(os.getpid())
+with open(sys.argv[1], "rb") as file:
+    pages = mmap.mmap(file.fileno(), 0, prot=mmap.PROT_READ)
+    sum(pages[::4096])
+print(json.dumps([before, anonymous, taken(os.getpid())]))
+"""
+
+
+@pytest.mark.skipif(not Path("/proc/self/smaps_rollup").exists(), reason="this system does not say what is anonymous")
+def test_pages_of_files_are_told_from_memory(tmp_path: Path):
+    path = tmp_path / "file"
+    path.write_bytes(bytes(16 << 20))
+    done = subprocess.run([sys.executable, "-c", TAKEN, path], capture_output=True, check=True, timeout=60, text=True)
+    before, anonymous, files = np.array(json.loads(done.stdout))
+    assert anonymous - before == pytest.approx([16e6, 16e6], abs=2e6)
+    assert files - anonymous == pytest.approx([0.0, 16e6], abs=2e6)
 
 
 def test_too_few_values_are_refused():
