@@ -19,7 +19,7 @@ from cotouch.live._codec import AGED, ECHO, RENEW, Chunk, Codec, Heading, Writte
 from cotouch.live._control import ControlPlane, Message, Relayed
 from cotouch.live._control_memory import MemoryControl, MemoryControlNetwork
 from cotouch.live._control_router import ControlRouter
-from cotouch.live._control_zenoh import ZenohControl, free_port
+from cotouch.live._control_zenoh import ZenohControl
 from cotouch.live._files import MOST_FILE
 from cotouch.live._impaired import ImpairedTransport
 from cotouch.live._indexed import IndexedAssembly
@@ -28,6 +28,7 @@ from cotouch.live._invitation import Endpoint, Invitation
 from cotouch.live._keys import DirectionKeys, Entropy, Identity, LinkKeys
 from cotouch.live._layout import HEAD_BYTES, Coding, Layout
 from cotouch.live._limit import Bucket, SourceLimit
+from cotouch.live._listening import free_port
 from cotouch.live._memory import MemoryNetwork, MemoryTransport
 from cotouch.live._path import Path, PathLaw
 from cotouch.live._plane import SampleLink, SamplePlane

@@ -1,9 +1,7 @@
 """The control plane over Eclipse Zenoh with mutual TLS; see `ControlPlane`."""
 
 import base64
-import ipaddress
 import os
-import socket
 import threading
 import time
 from collections import Counter, deque
@@ -11,7 +9,6 @@ from collections.abc import Callable, Sequence
 from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING, NamedTuple, final
 
-from cotouch.errors import SessionError, TransportError
 from cotouch.live._certificates import make_certificates
 from cotouch.live._control import Message, Relayed
 from cotouch.live._files import Files
@@ -20,6 +17,7 @@ from cotouch.live._introducer import Introducer
 from cotouch.live._invitation import Endpoint, Invitation, checked
 from cotouch.live._keys import Entropy, Identity
 from cotouch.live._limit import Bucket, SourceLimit
+from cotouch.live._listening import advertised, listening
 from cotouch.live._sign import MOST_MESSAGE, MessageReader, MessageRefusal, MessageWriter, cost_of
 from cotouch.live._transport import MOST_BYTES
 from cotouch.live._zenoh import Mode, close_session, configuration, open_session
@@ -51,23 +49,6 @@ class _Said(NamedTuple):
     topic: str
     body: bytes
     to: bytes | None
-
-
-def free_port(host: str = "127.0.0.1") -> int:
-    """A TCP port that nobody listens on now: for an invitation, which must name one before the host listens.
-
-    Args:
-        host: address to listen on, in numbers.
-
-    Raises:
-        TransportError: this is no address of this machine.
-    """
-    try:
-        with socket.socket(socket.AF_INET6 if ":" in host else socket.AF_INET, socket.SOCK_STREAM) as probe:
-            probe.bind((host, 0))
-            return int(probe.getsockname()[1])
-    except OSError as error:
-        raise TransportError(f"{host} is not an address of this machine; listen on one that is") from error
 
 
 @final
@@ -136,10 +117,10 @@ class ZenohControl:
         routers = invitation.routers if routers is None else tuple(checked(router) for router in routers)
         mode: Mode = "client" if routers else "peer"
         host = identity.public == invitation.host
-        at = () if routers else _listening(invitation, listen, host=host)
+        at = () if routers else listening(invitation, listen, host=host)
         certificates = make_certificates(invitation, entropy=entropy)
         connect = routers or (() if host else invitation.endpoints)
-        self._own = _advertised(at[0], invitation) if at else None
+        self._own = advertised(at[0], invitation) if at else None
         self._session = open_session(
             configuration(mode, certificates, listen=at, connect=connect, lease=lease, multicast=multicast)
         )
@@ -368,37 +349,6 @@ class ZenohControl:
             # One of two introduces: the one with the greater key.
             if self._introducer is not None and at is not None and self._identity.public > member:
                 self._introducer.gone(member, at)
-
-
-def _listening(invitation: Invitation, listen: Endpoint | str | None, *, host: bool) -> tuple[Endpoint, ...]:
-    if isinstance(listen, Endpoint):
-        return (checked(listen),)
-    if listen is None and host:
-        return invitation.endpoints
-    address = "127.0.0.1" if listen is None else _towards(invitation) if listen == "reachable" else listen
-    try:
-        address = str(ipaddress.ip_address(address))
-    except ValueError:
-        raise SessionError(f"{address!r} is not an address in numbers; listen on one, or on 'reachable'") from None
-    return (checked(Endpoint(address, free_port(address))),)
-
-
-def _advertised(at: Endpoint, invitation: Invitation) -> Endpoint:
-    """Where others find who listens there: on all addresses, the one towards the host."""
-    return Endpoint(_towards(invitation), at.port) if at.host in {"0.0.0.0", "::"} else at  # noqa: S104
-
-
-def _towards(invitation: Invitation) -> str:
-    """The address by which this machine reaches the host; nothing is sent."""
-    for host, port in invitation.endpoints:
-        try:
-            family, _, _, _, to = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM)[0]
-            with socket.socket(family, socket.SOCK_DGRAM) as probe:
-                probe.connect(to)
-                return str(probe.getsockname()[0])
-        except OSError:
-            continue
-    raise TransportError(f"this machine has no way to {', '.join(map(str, invitation.endpoints))}; check its network")
 
 
 def _member(parts: list[str]) -> bytes | None:

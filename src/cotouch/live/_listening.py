@@ -1,0 +1,66 @@
+"""Where a member of the control plane listens, and where others find it."""
+
+import ipaddress
+import socket
+
+from cotouch.errors import SessionError, TransportError
+from cotouch.live._invitation import Endpoint, Invitation, checked
+
+
+def free_port(host: str = "127.0.0.1") -> int:
+    """A TCP port that nobody listens on now: for an invitation, which must name one before the host listens.
+
+    Args:
+        host: address to listen on, in numbers.
+
+    Raises:
+        TransportError: this is no address of this machine.
+    """
+    try:
+        with socket.socket(socket.AF_INET6 if ":" in host else socket.AF_INET, socket.SOCK_STREAM) as probe:
+            probe.bind((host, 0))
+            return int(probe.getsockname()[1])
+    except OSError as error:
+        raise TransportError(f"{host} is not an address of this machine; listen on one that is") from error
+
+
+def listening(invitation: Invitation, listen: Endpoint | str | None, *, host: bool) -> tuple[Endpoint, ...]:
+    """The endpoints to listen on.
+
+    Args:
+        invitation: to the session.
+        listen: as `ZenohControl` takes it.
+        host: whether this member is the host.
+
+    Raises:
+        SessionError: this is no address.
+        TransportError: no port is free there, or there is no way to the host.
+    """
+    if isinstance(listen, Endpoint):
+        return (checked(listen),)
+    if listen is None and host:
+        return invitation.endpoints
+    address = "127.0.0.1" if listen is None else _towards(invitation) if listen == "reachable" else listen
+    try:
+        address = str(ipaddress.ip_address(address))
+    except ValueError:
+        raise SessionError(f"{address!r} is not an address in numbers; listen on one, or on 'reachable'") from None
+    return (checked(Endpoint(address, free_port(address))),)
+
+
+def advertised(at: Endpoint, invitation: Invitation) -> Endpoint:
+    """Where others find who listens there: on all addresses, the one towards the host."""
+    return Endpoint(_towards(invitation), at.port) if at.host in {"0.0.0.0", "::"} else at  # noqa: S104
+
+
+def _towards(invitation: Invitation) -> str:
+    """The address by which this machine reaches the host; nothing is sent."""
+    for host, port in invitation.endpoints:
+        try:
+            family, _, _, _, to = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM)[0]
+            with socket.socket(family, socket.SOCK_DGRAM) as probe:
+                probe.connect(to)
+                return str(probe.getsockname()[0])
+        except OSError:
+            continue
+    raise TransportError(f"this machine has no way to {', '.join(map(str, invitation.endpoints))}; check its network")
