@@ -8,7 +8,9 @@ Memory is judged by those who live all the time, the host and the first member, 
 killed: by the slope over the last two thirds of their lives, with its 95 % interval (`_trend.py`). It grows if all of
 that is above zero, it is flat if not and if it ends below 0.1 MB/min, and otherwise the run was too short to say.
 Like is compared with like: a connection takes some 0.2 MB while it lasts, and what it leaves is given back to the
-system 5 s later. So faults pause every half minute until everybody has been there for some seconds. What counts
+system 5 s later. So faults pause every half minute until everybody has been there for some seconds. And some of what is
+kept of connections is kept of so many only: TLS tickets (256), the allocator's stock of every thread. A session meets
+that number in an hour; here visitors come and go before the time begins (`_visitors.py`). What counts
 is anonymous memory, of which a leak is made; pages of code and of other files come in when they are first used, and are
 the system's to take back. Both are said. `--leak` lets the host keep so much for every member killed, to see that it
 is found.
@@ -17,6 +19,7 @@ is found.
 import argparse
 import os
 import signal
+import subprocess
 import sys
 import tempfile
 import time
@@ -46,6 +49,8 @@ _ANONYMOUS, _ALL = 1, 2
 # Faults go on for so long; then there are none until everybody has been there for so long, and memory is looked at, the
 # least of so many looks [s, s, 1]. The first so much of the run does not count [1].
 _FAULTS, _SETTLED, _LOOKS, _WARM = 30.0, 7.0, 10, 1.0 / 3.0
+# Who visits before the time begins, so many at once.
+VISITORS, _AT_ONCE = 300, 4
 # A path is cut for about 1.5 s, every 40 s or so.
 _BURST = {"enter": 0.00025, "leave": 0.007, "loss_good": 0.0, "loss_bad": 1.0}
 
@@ -136,11 +141,12 @@ class Soak:
         self.faults["stopped"] += 1
         return time.monotonic() + self.every * float(self.rng.uniform(0.04, 0.5)), self.members[name].pid
 
-    def run(self, seconds: float) -> None:
+    def run(self, seconds: float, visitors: int = 0) -> None:
         """All of it, from when everybody is there."""
         for name in self.names:
             self.join(name)
         self._gather()
+        self.receive(visitors)
         self.began = time.monotonic()
         self.ended = end = self.began + seconds
         looked = following = 0.0
@@ -162,6 +168,23 @@ class Soak:
                 following = now + self.every * float(self.rng.uniform(0.6, 1.4))
                 standing = self.fault()
         self._gather()
+
+    def receive(self, visitors: int) -> None:
+        """Lets visitors come and go, some at a time."""
+        command = [sys.executable, "-m", "benchmarks._visitors", str(visitors // _AT_ONCE), str(len(self.names) + 1)]
+        running = [subprocess.Popen(command, stdin=subprocess.PIPE, text=True) for _ in range(_AT_ONCE)]
+        try:
+            for one in running:
+                assert one.stdin is not None
+                one.stdin.write(self.opened.invitation.encode() + "\n")
+                one.stdin.close()
+            end = time.monotonic() + _PATIENCE
+            while any(one.poll() is None for one in running) and time.monotonic() < end:
+                self.turn()
+        finally:
+            for one in running:
+                one.kill()
+                one.wait()
 
     def _gather(self) -> None:
         end = time.monotonic() + _PATIENCE
@@ -229,13 +252,19 @@ def verdict(found: Trend) -> str:
 
 
 def measure(
-    minutes: float = MINUTES, seed: int = 0, every: float = EVERY, *, check: bool = True, leak: int = 0
+    minutes: float = MINUTES,
+    seed: int = 0,
+    every: float = EVERY,
+    *,
+    check: bool = True,
+    leak: int = 0,
+    visitors: int = VISITORS,
 ) -> list[Row]:
     asked = session()
     with tempfile.TemporaryDirectory() as folder, open_host(asked) as opened:
         soak = Soak(opened, list(asked.scenario.network.users), Path(folder), seed, every, leak)
         try:
-            soak.run(60.0 * minutes)
+            soak.run(60.0 * minutes, visitors)
             slopes, all_slopes = soak.trends(_ANONYMOUS), soak.trends(_ALL)
             results = soak.close()
         finally:
@@ -260,7 +289,8 @@ def measure(
         f"{minutes:g} min, 5 members at {RATE} Hz, faults every {0.6 * every:g} to {1.4 * every:g} s for 30 s at a time"
     )
     return [
-        Row("soak", what, f"{done} of 5 came to the end", "5 of 5", f"{faults}; paths cut about every 40 s each"),
+        Row("soak", what, f"{done} of 5 came to the end", "5 of 5",
+            f"{faults}; paths cut about every 40 s each; {visitors} visitors before"),
         Row("soak", "— processes that ended by themselves", str(soak.died), "0"),
         *memory,
         Row("soak", "— energy residual, worst of all steps, of the energy in play", f"{soak.residual:.1e}", "≤ 1e-9",
@@ -300,9 +330,12 @@ def main() -> None:
     parser.add_argument(
         "--leak", type=int, default=0, help="what the host keeps for every member killed, as a test [B]"
     )
+    parser.add_argument("--visitors", type=int, default=VISITORS, help="connections that come and go before the time")
     add_write(parser)
     options = parser.parse_args()
-    rows = measure(options.minutes, options.seed, options.every, check=options.audit, leak=options.leak)
+    rows = measure(
+        options.minutes, options.seed, options.every, check=options.audit, leak=options.leak, visitors=options.visitors
+    )
     finish(rows, write=options.write)
 
 
