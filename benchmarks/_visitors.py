@@ -13,7 +13,8 @@ import time
 
 from cotouch.live import Identity, Invitation, ZenohControl
 
-_PATIENCE = 10.0
+# Who was found by gossip is dialled once; a visit does not wait for a connection that does not come [s].
+_PATIENCE = 1.0
 
 
 def main(count: int, others: int) -> None:

@@ -181,6 +181,8 @@ class Soak:
             end = time.monotonic() + _PATIENCE
             while any(one.poll() is None for one in running) and time.monotonic() < end:
                 self.turn()
+            if any(one.poll() != 0 for one in running):
+                raise SystemExit(f"not all of {visitors} visitors came and went within {_PATIENCE:.0f} s")
         finally:
             for one in running:
                 one.kill()
