@@ -115,7 +115,7 @@ def visit(address: str, token: str, seconds: float, pointing: float, timed: bool
             else:
                 if not first:
                     first = time.monotonic() - began
-                page.send(struct.pack("<B3xI", 3, struct.unpack_from("<I", message, 4)[0]))
+                page.send(struct.pack("<B3xIff", 3, struct.unpack_from("<I", message, 4)[0], 0.0, 0.0))
                 frames, size, copies = frames + 1, size + len(message), struct.unpack_from("<H", message, 2)[0]
                 echo, waited = struct.unpack_from("<II", message, 24)
                 if echo > seen:
@@ -330,9 +330,10 @@ def _drags(page: Any, *, whole: bool) -> np.ndarray:
     x, y = picture["x"] + 0.5 * picture["width"], picture["y"] + 0.5 * picture["height"]
     page.mouse.move(x, y)
     page.mouse.down()
-    for k in range(50):
+    rng = np.random.default_rng(0)  # at any time between two pictures, as hands move
+    for k in range(100):
         page.mouse.move(x + k % 60, y + k % 40)
-        page.wait_for_timeout(16)
+        page.wait_for_timeout(float(rng.uniform(8.0, 40.0)))
     page.mouse.up()
     return np.array(page.evaluate("() => window.cotouch.stats.dragToMesh")) / 1e3
 

@@ -19,6 +19,7 @@ from cotouch.errors import SessionError
 from cotouch.session import Pointer
 from cotouch.web import PageServer
 from cotouch.web._page import Page
+from cotouch.web._protocol import Taken
 
 WORDS = ["hand", "impair", "cut", "kill", "revive", "links", "damping", "record", "control"]
 
@@ -102,6 +103,39 @@ class TestFrames:
         sent, skipped = asyncio.run(play())
         assert sent == [b"\0", "state 4", b"\4"]
         assert skipped == 3
+
+    @given(
+        sent=st.floats(0.0, 0.02),
+        wait=st.floats(0.0, 0.5),
+        every=st.floats(1e-3, 0.5),
+        period=st.floats(1 / 240, 0.2),
+    )
+    def test_the_next_is_due_when_a_screen_wants_it_and_not_too_early(self, sent, wait, every, period):
+        page = Page(None)  # type: ignore[arg-type]
+        now = 7.0
+        page.period, page.due = period, now - sent
+        page.offer(1, b"", now - sent)
+        page.acknowledged(Taken(1, 0.0, 0.0), now)
+        assert page.due == now - sent + period  # as long as the screen is not known
+        page.acknowledged(Taken(1, wait, every), now)
+        pictures = (page.due - now - wait) / every
+        assert pictures == pytest.approx(round(pictures), abs=1e-6)
+        soonest = now - sent + 0.65 * period
+        assert page.due >= max(now + wait, soonest) - 1e-9
+        assert page.due < max(now + wait, soonest + every) + 1e-9
+
+    def test_come_when_a_screen_wants_them(self, server: PageServer):
+        """Later than they would by themselves, which is after 0.1 s."""
+        for wanted in (0.102, 0.16):
+            with visit(server, rate=10) as page:
+                page.acknowledge = False
+                before, early = page.frame(), 0
+                for _ in range(10):
+                    page.say(ack(before.number, 1e3 * wanted, 400.0))
+                    last = page.frame()
+                    early += last.time - before.time < wanted - 0.0006
+                    before = last
+                assert early < 4  # whoever says so only after 0.1 s is too late
 
     def test_a_copy_that_is_gone_is_not_shown(self, server: PageServer):
         with visit(server) as page:
