@@ -124,16 +124,21 @@ def visit(address: str, token: str, seconds: float, pointing: float, timed: bool
                     first = time.monotonic() - began
                 came = time.monotonic()
                 wait = _picture(came + LEAD) - LEAD - came
-                page.send(
-                    struct.pack("<B3xIff", 3, struct.unpack_from("<I", message, 4)[0], 1e3 * wait, 1e3 / SCREEN)
-                )
+                page.send(struct.pack("<B3xIff", 3, struct.unpack_from("<I", message, 4)[0], 1e3 * wait, 1e3 / SCREEN))
                 frames, size, copies = frames + 1, size + len(message), struct.unpack_from("<H", message, 2)[0]
                 echo, waited = struct.unpack_from("<II", message, 24)
                 if echo > seen:
                     shows += [_picture(came) - when[k] for k in range(seen + 1, echo + 1)]
                     seen = echo
                     waits.append(1e-6 * waited)
-    return {"shows": shows, "copies": copies, "first": first, "frames": frames / seconds, "bytes": size / seconds, "waits": waits} | {
+    return {
+        "shows": shows,
+        "copies": copies,
+        "first": first,
+        "frames": frames / seconds,
+        "bytes": size / seconds,
+        "waits": waits,
+    } | {
         "late": [
             sum(member.get(name) or 0 for member in state.get("members", {}).values()) for name in ("missed", "steps")
         ],
