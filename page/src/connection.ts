@@ -1,5 +1,6 @@
 // One WebSocket that comes back by itself; whatever arrives goes into the store.
 import { type Action, readFrame, readScene, type State, type Vec, writeAck, writeHello, writePointer } from "./protocol";
+import { Screen } from "./screen";
 import type { Store } from "./store";
 
 const SOONEST = 250; // ms until it dials again; doubles up to
@@ -24,9 +25,14 @@ export interface Pointing {
   time?: number;
 }
 
+function same(a: Pointing, b: Pointing): boolean {
+  return a.action === b.action && a.point === b.point && a.radius === b.radius && a.stiffness === b.stiffness && a.target.every((x, k) => x === b.target[k]);
+}
+
 export class Connection {
   /** Number of the newest pointer message and when its event was, for measurements. */
   onPoint: ((number: number, time: number) => void) | null = null;
+  readonly screen = new Screen();
   private socket: WebSocket | null = null;
   private wait = SOONEST;
   private timer = 0;
@@ -34,6 +40,8 @@ export class Connection {
   private readonly answers = new Map<number, (told: Told) => void>();
   private number = 0;
   private pending: Pointing | null = null;
+  /** What was said last on this connection: a browser tells of a movement twice, at once and with its next picture. */
+  private told: Pointing | null = null;
   private pointed = -Infinity;
   private pointTimer = 0;
   private closed = false;
@@ -88,7 +96,9 @@ export class Connection {
 
   /** Moves this user's pointer: at most every 8 ms, the newest counts; letting go is never left out. */
   point(pointing: Pointing): void {
+    if (this.told && same(this.told, pointing)) return;
     if (this.pending?.action === "free" && pointing.action !== "free") this.flush();
+    this.told = pointing;
     this.pending = { ...pointing, time: pointing.time ?? performance.now() };
     const left = this.pointed + PERIOD - performance.now();
     if (left <= 0 || pointing.action === "free") this.flush();
@@ -122,11 +132,15 @@ export class Connection {
     socket.binaryType = "arraybuffer";
     this.socket = socket;
     let refusal = "";
-    socket.onopen = () => this.hello();
+    socket.onopen = () => {
+      this.told = null;
+      this.hello();
+    };
     socket.onmessage = ({ data }) => {
       if (data instanceof ArrayBuffer) {
         const frame = readFrame(data, performance.now());
-        socket.send(writeAck(frame.number));
+        socket.send(writeAck(frame.number, ...this.screen.came(frame.received)));
+        requestAnimationFrame((time) => this.screen.picture(time));
         if (this.store.scene && frame.points * 3 === this.store.scene.points.length) this.store.drawn(frame);
         return;
       }

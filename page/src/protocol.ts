@@ -261,10 +261,16 @@ export function writePointer(message: PointerMessage): ArrayBuffer {
   return view.buffer as ArrayBuffer;
 }
 
-export function writeAck(number: number): ArrayBuffer {
-  const view = new DataView(new ArrayBuffer(8));
+/**
+ * @param wait until the next frame should be made [ms]
+ * @param every between two pictures of this screen [ms]; 0: not known
+ */
+export function writeAck(number: number, wait: number, every: number): ArrayBuffer {
+  const view = new DataView(new ArrayBuffer(16));
   view.setUint8(0, 3);
   view.setUint32(4, number, true);
+  view.setFloat32(8, wait, true);
+  view.setFloat32(12, every, true);
   return view.buffer as ArrayBuffer;
 }
 

@@ -86,6 +86,26 @@ def test_a_drag_moves_this_copy_then_the_other_and_ends(world: World) -> None:
     world.check()
 
 
+def test_a_pointer_shows_in_the_view_of_the_step_that_used_it(tmp_path: Path) -> None:
+    """Of a body whose views are fewer than its steps."""
+    text = CHAIN.replace("nodes = 2", "nodes = 66").replace("rate = 250", "rate = 1000")
+    world = made(text, tmp_path)
+    name = world.people[0].name
+    desk = told(world, name)
+    for n in range(1, 20):
+        desk.point(name, Pointer(number=n, mode="grab", node=3, target=(0.001 * n, 0.0, 0.0)))
+        world.run(0.002 + 0.001 * (n % 3))
+        assert desk.views()[0].heard == n
+    # And without any it is one in eight again.
+    world.run(0.05)
+    seen = set[int]()
+    for _ in range(80):
+        world.run(0.001)
+        seen.add(desk.number(name, "step"))
+    assert len(seen) > 5
+    assert max(seen) - min(seen) == 8 * (len(seen) - 1)
+
+
 def test_of_a_copy_that_is_not_shown_a_neighbour_tells_what_it_knows(world: World) -> None:
     one, other = world.people
     desk = told(world, one.name)

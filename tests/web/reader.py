@@ -104,8 +104,8 @@ def pointer(
     )
 
 
-def ack(number: int) -> bytes:
-    return bytes([3, 0, 0, 0]) + number.to_bytes(4, "little")
+def ack(number: int, wait: float = 0.0, every: float = 0.0) -> bytes:
+    return bytes([3, 0, 0, 0]) + number.to_bytes(4, "little") + np.array([wait, every], "<f4").tobytes()
 
 
 def packed(text: str, kind: str, width: int) -> np.ndarray:

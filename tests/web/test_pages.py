@@ -18,7 +18,10 @@ from websockets.exceptions import ConnectionClosed
 from cotouch.errors import SessionError
 from cotouch.session import Pointer
 from cotouch.web import PageServer
+from cotouch.web._access import Access
+from cotouch.web._hub import Hub
 from cotouch.web._page import Page
+from cotouch.web._protocol import Hello, Taken
 
 WORDS = ["hand", "impair", "cut", "kill", "revive", "links", "damping", "record", "control"]
 
@@ -102,6 +105,54 @@ class TestFrames:
         sent, skipped = asyncio.run(play())
         assert sent == [b"\0", "state 4", b"\4"]
         assert skipped == 3
+
+    @given(
+        sent=st.floats(0.0, 0.02),
+        wait=st.floats(0.0, 0.5),
+        every=st.floats(1e-3, 0.5),
+        period=st.floats(1 / 240, 0.2),
+    )
+    def test_the_next_is_due_when_a_screen_wants_it_and_not_too_early(self, sent, wait, every, period):
+        page = Page(None)  # type: ignore[arg-type]
+        now = 7.0
+        page.period, page.due = period, now - sent
+        page.offer(1, b"", now - sent)
+        page.acknowledged(Taken(1, 0.0, 0.0), now)
+        assert page.due == now - sent + period  # as long as the screen is not known
+        page.acknowledged(Taken(1, wait, every), now)
+        pictures = (page.due - now - wait) / every
+        assert pictures == pytest.approx(round(pictures), abs=1e-6)
+        soonest = now - sent + 0.65 * period
+        assert page.due >= max(now + wait, soonest) - 1e-9
+        assert page.due < max(now + wait, soonest + every) + 1e-9
+
+    def test_come_when_a_screen_wants_them(self):
+        """A little sooner or later than they would by themselves, which is after 0.1 s less what the last one took."""
+
+        async def play(wanted: float) -> list[float]:
+            times: list[float] = []
+            stage = FakeStage("1d")
+            stage.views = dict  # of which a frame is made at once
+            hub, page = Hub(stage, Access(listen="127.0.0.1", token="t" * 32)), Page(None)  # type: ignore[arg-type]
+            offer = page.offer
+
+            def offered(number: int, frame: bytes, now: float) -> None:
+                offer(number, frame, now)
+                times.append(now)
+                asyncio.get_running_loop().call_soon(hub.acknowledged, page, Taken(number, wanted, 0.4))
+
+            page.offer = offered
+            hub.enter(page)
+            hub.hello(page, Hello(type="hello", version=1, rate=10.0))
+            while len(times) < 4:
+                await asyncio.sleep(0.01)
+            hub.leave(page)
+            hub.close()
+            return times
+
+        for wanted in np.arange(0.086, 0.104, 0.002):
+            gaps = np.diff(asyncio.run(play(wanted)))
+            assert gaps.min() >= wanted - 0.0006
 
     def test_a_copy_that_is_gone_is_not_shown(self, server: PageServer):
         with visit(server) as page:

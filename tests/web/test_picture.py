@@ -228,6 +228,21 @@ def test_the_page_survives_the_servers_restart(running: Browser) -> None:
         here.complaints[:] = [said for said in here.complaints if "ERR_CONNECTION" not in said]
 
 
+def test_what_is_held_is_held_again_after_the_connection_was_lost(running: Browser) -> None:
+    with shown(running) as here:
+        page = here.open()
+        pulled(page, (-20.0, 0.0))
+        wait(page, lambda: bool(here.stage.pointers) and here.stage.pointers[-1][1].mode == "grab")
+        page.evaluate("() => window.cotouch.connection.socket.close()")
+
+        def again() -> bool:
+            modes = [pointer.mode for _, pointer in here.stage.pointers]
+            return "free" in modes and "grab" in modes[modes.index("free") :]
+
+        wait(page, again)
+        page.mouse.up()
+
+
 class Fingers:
     """On a touch screen."""
 

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from tests.web.reader import ack, pointer
 
 from cotouch.errors import PageError
-from cotouch.web._protocol import Do, Hello, PointerMessage, read_binary, read_text
+from cotouch.web._protocol import Do, Hello, PointerMessage, Taken, read_binary, read_text
 
 single = st.floats(width=32, allow_nan=True, allow_infinity=True)
 
@@ -48,16 +48,22 @@ def test_a_pointer_is_what_was_sent_or_refused(number, seat, action, point, targ
     assert (read.target, read.radius, read.stiffness, read.sent) == (target, radius, stiffness, sent)
 
 
-@given(st.integers(0, 2**32 - 1))
-def test_an_ack_is_its_number(number: int):
-    assert read_binary(ack(number)) == number
+@settings(max_examples=200)
+@given(st.integers(0, 2**32 - 1), single | st.floats(0.0, 1e3, width=32), st.just(0.0) | single)
+def test_an_ack_is_what_was_sent_or_refused(number: int, wait: float, every: float):
+    data = ack(number, wait, every)
+    if 0.0 <= wait <= 1e3 and (every == 0.0 or 1.0 <= every <= 1e3):
+        assert read_binary(data) == Taken(number, 1e-3 * wait, 1e-3 * every)
+        return
+    with pytest.raises(PageError, match="the next frame is wanted in"):
+        read_binary(data)
 
 
 @settings(max_examples=300)
 @given(st.one_of(st.binary(max_size=60), st.binary(min_size=40, max_size=40).map(lambda b: b"\2" + b[1:])))
 def test_bytes_never_do_anything_else(data: bytes):
     with contextlib.suppress(PageError):
-        assert isinstance(read_binary(data), PointerMessage | int)
+        assert isinstance(read_binary(data), PointerMessage | Taken)
 
 
 values = st.recursive(

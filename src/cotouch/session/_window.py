@@ -100,7 +100,8 @@ class Window:
         self._size = size_of(body)
         # Steps between two views.
         self._skip = 1
-        self._count = 0
+        self._count = 0  # of them so far
+        self._moved = False  # whether a pointer was passed on since
         self._seen = {name: np.zeros(shape, kind) for name, (shape, kind) in order_fields(users).items()}
         self._seen["share"][()] = 1.0
         self.delays = laws_of(replica.scenario, emulate=session.options.emulate)[:, :, 0]
@@ -126,7 +127,11 @@ class Window:
         if orders is None:
             return None
         before, self._seen = self._seen, orders
-        return wish_of(orders) if orders["hand"] != before["hand"] else None
+        if orders["hand"] == before["hand"]:
+            return None
+        wish = wish_of(orders)
+        self._moved = self._moved or wish.pointer > 0
+        return wish
 
     def holds(self, hand: Shown, seat: int, *, told: bool) -> None:
         """The copy has another hand.
@@ -232,7 +237,9 @@ class Window:
         for recorder in self._behind():
             recorder.step(copy, report, now, T)
         self._count += 1
-        if self._count % self._skip == 0:
+        # Whoever moves a pointer waits for the first view that knows of it.
+        if self._count >= self._skip or self._moved:
+            self._count, self._moved = 0, False
             self._show(copy, report, now, T)
 
     def event(self, kind: str, time: float, **fields: Any) -> None:

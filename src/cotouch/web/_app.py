@@ -18,7 +18,7 @@ from cotouch.errors import PageError
 from cotouch.web._access import HEADERS, Access
 from cotouch.web._hub import MOST_PAGES, Hub
 from cotouch.web._page import Page
-from cotouch.web._protocol import Hello, read_binary, read_text
+from cotouch.web._protocol import Hello, Taken, read_binary, read_text
 
 if TYPE_CHECKING:
     from starlette.types import ASGIApp, Message, Receive, Scope, Send
@@ -179,7 +179,7 @@ class _Routes:
                 read = read_binary(data)
                 if page.hello is None:
                     raise PageError("the first message must be a hello")
-                if isinstance(read, int):
+                if isinstance(read, Taken):
                     hub.acknowledged(page, read)
                 else:
                     hub.pointed(page, read)

@@ -16,15 +16,14 @@ from cotouch.web._access import Access
 from cotouch.web._control import Control
 from cotouch.web._frames import FrameEncoder
 from cotouch.web._page import Page
-from cotouch.web._protocol import VERSION, Do, Hello, PointerMessage
+from cotouch.web._protocol import VERSION, Do, Hello, PointerMessage, Taken
 from cotouch.web._scene import beside_nodes, nodes_of_points, scene_message, state_message
 
 MOST_PAGES: Final = 16
 _RATE, _RATE_OF_BIG, _BIG = 60.0, 30.0, 10_000  # frames a second; above so many points
 _STATE = 0.2  # between two states [s]
-_TOGETHER = 0.003  # frames that are due within so long are made in one pass [s]
-# After a pointer came, a step of the copy is awaited for so long [s]; frames stay so far apart, in periods.
-_ANSWER, _APART = 0.003, 0.8
+# Frames that are due within so long are made in one pass; a timer may wake so much too early [s].
+_TOGETHER, _EARLY = 0.003, 0.0005
 _ASKED: Final = 8  # answers that one page may wait for at a time
 _COMPLAIN: Final = 1.0  # between two sentences on pointers that a stage does not take [s]
 _WATCH_ONLY = "this page may only watch: open the address with the token, as cotouch printed it"
@@ -134,19 +133,15 @@ class Hub:
                 page.tell(type="told", id=0, ok=False, text=_WATCH_ONLY)
             return
         try:
-            passed = self._control.point(page, message, now)
+            self._control.point(page, message, now)
         except CotouchError as error:
             if now - page.complained >= _COMPLAIN:
                 page.complained = now
                 page.tell(type="told", id=0, ok=False, text=str(error))
-            return
-        if passed and now - page.sent >= _APART * page.period:
-            page.due = min(page.due, now + _ANSWER)
-            self._schedule()
 
-    def acknowledged(self, page: Page, number: int) -> None:
+    def acknowledged(self, page: Page, taken: Taken) -> None:
         """A page has taken a frame."""
-        page.acknowledged(number)
+        page.acknowledged(taken, self._clock())
         self._schedule()
 
     def asked(self, page: Page, message: Do) -> None:
@@ -222,8 +217,9 @@ class Hub:
         """Makes the frames that are due, in one pass, and hands them over."""
         self._timer = None
         now = self._clock()
-        due = [page for page in self._pages if page.takes() and page.due <= now + _TOGETHER]
-        if due:
+        takes = [page for page in self._pages if page.takes()]
+        if any(page.due <= now + _EARLY for page in takes):
+            due = [page for page in takes if page.due <= now + _TOGETHER]
             views = self._views()
             wanted = {page: _seats(page, views) for page in due}
             watched = set[int]().union(*(_seats(page, views) for page in self._pages if page.hello is not None))

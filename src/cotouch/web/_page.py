@@ -2,15 +2,17 @@
 
 import asyncio
 import json
+import math
 from collections import deque
 from typing import Any, Final, final
 
 from starlette.websockets import WebSocket
 
 from cotouch.web._access import Allowance
-from cotouch.web._protocol import Hello
+from cotouch.web._protocol import Hello, Taken
 
 IN_FLIGHT: Final = 2  # frames that were sent and not acknowledged
+_APART: Final = 0.65  # frames stay so far apart, whatever a screen asks for, in periods
 _WAITING: Final = 64  # answers that a page lets lie
 # A mouse may report a thousand times a second; nobody clicks or slides faster than the other.
 _BINARY, _TEXT = 2_000.0, 100.0
@@ -59,10 +61,17 @@ class Page:
         """Whether it may be sent another frame."""
         return self.hello is not None and len(self._numbers) < IN_FLIGHT
 
-    def acknowledged(self, number: int) -> None:
-        """Takes note that frames up to this one arrived."""
-        while self._numbers and self._numbers[0] <= number:
+    def acknowledged(self, taken: Taken, now: float) -> None:
+        """Takes note that frames up to this one arrived, and when the page's screen wants the next.
+
+        Two clocks of 60 Hz that do not know of each other let what is shown wait for both. So a page says when a frame
+        is just in time for its screen, and the first such time that is not too early counts.
+        """
+        while self._numbers and self._numbers[0] <= taken.number:
             self._numbers.popleft()
+        if taken.every:
+            pictures = math.ceil((self.sent + _APART * self.period - now - taken.wait) / taken.every)
+            self.due = now + taken.wait + max(pictures, 0) * taken.every
 
     def offer(self, number: int, frame: bytes, now: float) -> None:
         """Hands over the newest frame; one that still waits to go out is forgotten."""

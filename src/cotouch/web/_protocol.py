@@ -3,7 +3,7 @@
 import json
 import math
 import struct
-from typing import Annotated, Any, Final, Literal, final
+from typing import Annotated, Any, Final, Literal, NamedTuple, final
 
 from pydantic import Field, ValidationError
 
@@ -19,11 +19,14 @@ COPY: Final = struct.Struct("<BBBBf3f3f3ffffffi")
 DIRECT, HAS_HAND = 1, 2
 # kind, seat, action, 0, number, point, target (3), radius, stiffness, client's time [ms]
 _POINTER: Final = struct.Struct("<BBBBII3fffd")
-_ACK: Final = struct.Struct("<B3xI")
+# kind, 0, number, until the next frame is to be made, between two pictures [ms]
+_ACK: Final = struct.Struct("<B3xIff")
 _FRAME_KIND, _POINTER_KIND, _ACK_KIND = 1, 2, 3
 _ACTIONS: Final[tuple[HandMode, ...]] = ("ball", "grab", "free")
 # No body is so far away, no ball so big [m] and no hand so stiff [N/m].
 _FAR, _STIFF = 1e4, 1e5
+# No screen shows pictures faster, and none that counts slower [ms].
+_FASTEST, _SLOWEST = 1.0, 1e3
 MOST_BYTES: Final = 16_384  # of a message from a page: every pair of 32 users, written out, fits
 
 Seat = Annotated[int, Field(ge=0, le=255)]
@@ -64,6 +67,20 @@ class PointerMessage:
         self.radius: float = radius
         self.stiffness: float = stiffness
         self.sent: float = sent
+
+
+class Taken(NamedTuple):
+    """A page took a frame.
+
+    Attributes:
+        number: of the frame.
+        wait: in how long it wants the next one to be made, so that it comes just before a picture of its screen [s].
+        every: between two pictures of its screen; 0: it does not know, and `wait` says nothing [s].
+    """
+
+    number: int
+    wait: float
+    every: float
 
 
 @final
@@ -107,8 +124,8 @@ class Do(Table):
 _DO_FIELDS = ("type", "id", "what")
 
 
-def read_binary(message: bytes) -> PointerMessage | int:
-    """A pointer, or the number of the frame that is acknowledged.
+def read_binary(message: bytes) -> PointerMessage | Taken:
+    """A pointer, or which frame is acknowledged.
 
     Raises:
         PageError: it is neither.
@@ -117,8 +134,13 @@ def read_binary(message: bytes) -> PointerMessage | int:
     if kind == _POINTER_KIND and len(message) == _POINTER.size:
         return PointerMessage(message)
     if kind == _ACK_KIND and len(message) == _ACK.size and message[1:4] == b"\0\0\0":
-        return int(_ACK.unpack(message)[1])
-    raise PageError(f"a binary message of kind {kind} with {len(message)} bytes; pointers are 2, 40, acks 3, 8")
+        _, number, wait, every = _ACK.unpack(message)
+        if not (0.0 <= wait <= _SLOWEST and (every == 0.0 or _FASTEST <= every <= _SLOWEST)):
+            raise PageError(
+                f"the next frame is wanted in {wait} ms, a picture every {every} ms; at most {_SLOWEST:.0f}"
+            )
+        return Taken(number, 1e-3 * wait, 1e-3 * every)
+    raise PageError(f"a binary message of kind {kind} with {len(message)} bytes; pointers are 2, 40, acks 3, 16")
 
 
 def read_text(message: str) -> Hello | Do:
