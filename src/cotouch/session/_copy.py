@@ -196,8 +196,8 @@ class Copy:
         """
         if self.peer is None:
             self._plane.poll(now)
-            if not self._start(now):
-                return False
+            # It moves from the next step on: beginning may take a second, and a sample with this step's stamp be as old.
+            return self._start(now)
         peer, hand = self.peer, self._hand
         assert peer is not None
         assert hand is not None
@@ -210,6 +210,8 @@ class Copy:
                 self._told = now
                 self._plane.send(now, self._last.sample, self._length)
             return True
+        if self._last is None:
+            self._began = now
         length, self._owed = self._owed, 0.0
         self._told, self._length = now, length
         hand.before(now - self._began, length)
