@@ -196,7 +196,7 @@ class Copy:
         """
         if self.peer is None:
             self._plane.poll(now)
-            # It moves from the next step on: beginning may take a second, and a sample with this step's stamp be as old.
+            # It moves from the next step on: beginning may take a second, and a sample of this step were as old.
             return self._start(now)
         peer, hand = self.peer, self._hand
         assert peer is not None
