@@ -1,18 +1,26 @@
-"""`python -m cotouch` ends as Python would, though it is not taken down."""
+"""`python -m cotouch` and `cotouch` end as Python would, though it is not taken down."""
 
 import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 LATE = """
 import atexit, runpy, sys, threading, time
 def late():
-    time.sleep(0.3)
+    time.sleep(2)  # longer than the command
     print("thread")
 atexit.register(print, "atexit")
 threading.Thread(target=late).start()
 sys.argv = ["cotouch", "--version"]
-runpy.run_module("cotouch", run_name="__main__")
+"""
+MODULE = 'runpy.run_module("cotouch", run_name="__main__")'
+INSTALLED = """
+from importlib.metadata import entry_points
+(command,) = entry_points(group="console_scripts", name="cotouch")
+command.load()()
+print("taken down")
 """
 
 
@@ -20,10 +28,12 @@ def ran(*arguments: str) -> "subprocess.CompletedProcess[str]":
     return subprocess.run([sys.executable, *arguments], capture_output=True, text=True, timeout=120, check=False)
 
 
-def test_threads_and_exit_functions_come_to_their_end_and_all_is_written() -> None:
-    done = ran("-c", LATE)
+@pytest.mark.parametrize("started", [MODULE, INSTALLED])
+def test_threads_and_exit_functions_come_to_their_end_and_all_is_written(started: str) -> None:
+    done = ran("-c", LATE + started)
     assert done.returncode == 0
-    assert [line.split()[0] for line in done.stdout.splitlines()] == ["cotouch", "thread", "atexit"]
+    words = [line.split()[0] for line in done.stdout.splitlines()]
+    assert (sorted(words[:2]), words[2:]) == (["cotouch", "thread"], ["atexit"])
 
 
 def test_the_exit_code_is_that_of_the_command(tmp_path: Path) -> None:

@@ -6,11 +6,12 @@ import os
 import sys
 import threading
 import traceback
+from typing import NoReturn
 
 from cotouch.cli import main
 
 
-def _run() -> int:
+def _code() -> int:
     """Runs the command; returns its exit code."""
     try:
         main()
@@ -25,8 +26,9 @@ def _run() -> int:
     return 0
 
 
-if __name__ == "__main__":
-    code = _run()
+def run() -> NoReturn:
+    """Runs the command and ends the process; also what is installed as `cotouch`."""
+    code = _code()
     # Zenoh's own threads may still call back while Python is taken down, and that takes the process down with "FATAL:
     # exception not rethrown". So all is done that Python would do at its end, but it is not taken down.
     for thread in threading.enumerate():
@@ -37,3 +39,7 @@ if __name__ == "__main__":
         with contextlib.suppress(OSError):  # nobody reads it any more
             stream.flush()
     os._exit(code)
+
+
+if __name__ == "__main__":
+    run()

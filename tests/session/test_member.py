@@ -243,6 +243,12 @@ def test_others_cannot_decide() -> None:
     assert world.people[2].member.roster.epoch == before.epoch
     assert not world.people[2].member.ended
 
+    assert world.host is not None
+    world.host.end()
+    world.run(0.1)
+    assert all(person.member.ended for person in world.people)
+    assert world.host.watch.ended
+
 
 @pytest.mark.parametrize("mode", ["constant", "self-paced"])
 def test_a_constant_index_delay_couples_too(mode: str) -> None:

@@ -147,6 +147,7 @@ class FakeStage:
         pointers: all that came, newest last.
         done: what was asked for by `do`.
         choices: sets of links by name.
+        ended: whether it says that the session is over.
     """
 
     def __init__(self, kind: Kind = "3d", *, clock: Callable[[], float] = time.monotonic, age: float = 0.0) -> None:
@@ -162,6 +163,7 @@ class FakeStage:
         self.clock, self.age = clock, age  # age: how old the newest views are said to be [s]
         self.pointers: list[tuple[int, Pointer]] = []
         self.done: list[tuple[str, Mapping[str, Any]]] = []
+        self.ended = False
         self._lock = threading.Lock()
         self._rest = np.zeros((body.nodes, 3))
         self._rest[:, : body.dimension] = body.rest
@@ -230,7 +232,7 @@ class FakeStage:
                 damping=self._damping,
                 recording=None if self._recording is None else self._now - self._recording,
                 events=list(self._events),
-                ended=False,
+                ended=self.ended,
             )
 
     def do(self, what: str, arguments: Mapping[str, Any]) -> str:

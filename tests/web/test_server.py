@@ -214,6 +214,18 @@ class TestStartAndStop:
         with pytest.raises(ConnectionRefusedError):
             socket.create_connection(("127.0.0.1", server.port), 1.0).close()
 
+    def test_pages_are_told_how_it_ended(self, static: Path):
+        stage = FakeStage("1d")
+        with PageServer(stage, port=0, static=static) as server, visit(server) as page, visit(server) as other:
+            page.text("state")
+            other.text("state")
+            stage.ended = True
+            server.close()
+            for visitor in (page, other):
+                visitor.acknowledge = False  # nobody hears it
+                visitor.closed()
+                assert [text for text in visitor.texts if text["type"] == "state"][-1]["ended"]
+
     def test_a_port_that_was_asked_for_is_not_another(self):
         with PageServer(FakeStage("1d"), port=0) as server, pytest.raises(TransportError, match=f"port {server.port}"):
             PageServer(FakeStage("1d"), port=server.port)

@@ -233,7 +233,7 @@ def staged(
         ExitStack() as serving,
     ):
         served = False
-        while stage.member.running and not stopped():
+        while not stage.over and not stopped():
             stage.tick(time.monotonic())
             if not served and stage.seat is not None:
                 served = True

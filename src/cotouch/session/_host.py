@@ -99,4 +99,5 @@ class Host:
 
     def end(self) -> None:
         """Ends the session for everybody."""
+        self.watch.ended = True
         self._control.send("end", b"")

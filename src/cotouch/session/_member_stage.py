@@ -36,6 +36,7 @@ class MemberStage:
     Attributes:
         watch: what is seen of the session.
         member: the process of the own copy.
+        over: whether that has ended, at the last `tick`.
     """
 
     def __init__(
@@ -70,7 +71,7 @@ class MemberStage:
         self._tapes = RecordingDesk(boards, self._desk)
         self._jobs = Jobs()
         self._events = deque[Event](maxlen=_MOST_EVENTS)
-        self._over = False
+        self.over = False
         self.member = MemberProcess(invitation, ["--name", name, "--headless", "--boards", str(boards.path), *options])
         self._overview = self._looked(0.0)
 
@@ -88,10 +89,10 @@ class MemberStage:
         """
         self.watch.service(now)
         self._jobs.turn()
-        if not self.member.running and not self._over:
-            self._over = True
+        if not self.member.running and not self.over:
+            self.over = True
             self._events.append(Event(now, f"{self._name} takes part no more"))
-        self._tapes.turn(now, [] if self._over else [self._name])
+        self._tapes.turn(now, [] if self.over else [self._name])
         self._overview = self._looked(now)
 
     def close(self) -> int:
@@ -109,13 +110,13 @@ class MemberStage:
         return Overview(
             roster=watch.roster,
             statuses={other: seen.status for other, seen in watch.members.items() if seen.status is not None},
-            alive={} if seat is None else {seat: not self._over},
+            alive={} if seat is None else {seat: not self.over},
             emulated={},
             choices={},
             damping=1.0,
             recording=self._tapes.since(now),
             events=events[-_MOST_EVENTS:],
-            ended=watch.ended or self._over,
+            ended=watch.ended or self.over,
         )
 
     # -- any thread --------------------------------------------------------------------------------------------------

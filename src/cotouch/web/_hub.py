@@ -164,6 +164,11 @@ class Hub:
             self._tasks.add(task)
             task.add_done_callback(self._tasks.discard)
 
+    async def farewell(self) -> None:
+        """Tells every page how things are at the end; returns when all that was handed over is out."""
+        self._show_state()
+        await asyncio.gather(*(page.idle.wait() for page in self._pages))
+
     def close(self) -> None:
         """Lets go of everything; no page is let in any more."""
         self._closed = True

@@ -32,6 +32,7 @@ class Page:
         told_why: whether it was told that it may only watch.
         complained: when it was told last that its pointer cannot be there [s].
         answering: what it asked for and was not answered yet.
+        idle: set while nothing waits to be sent.
     """
 
     def __init__(self, socket: WebSocket) -> None:
@@ -51,6 +52,8 @@ class Page:
         self._state: str | None = None
         self._texts = deque[str](maxlen=_WAITING)
         self._wake = asyncio.Event()
+        self.idle = asyncio.Event()
+        self.idle.set()
 
     @property
     def seat(self) -> int | None:
@@ -80,22 +83,22 @@ class Page:
         self._frame = (number, frame)
         self.sent = now
         self.due = max(self.due + self.period, now + 0.5 * self.period)
-        self._wake.set()
+        self._hand_over()
 
     def scene(self, message: str) -> None:
         """Hands over the scene."""
         self._texts.append(message)
-        self._wake.set()
+        self._hand_over()
 
     def show(self, state: str) -> None:
         """Hands over how things are; newest wins here, too."""
         self._state = state
-        self._wake.set()
+        self._hand_over()
 
     def tell(self, **message: Any) -> None:
         """Hands over an answer."""
         self._texts.append(json.dumps(message))
-        self._wake.set()
+        self._hand_over()
 
     async def send_all(self) -> None:
         """Sends what was handed over, as fast as the connection takes it, until cancelled."""
@@ -111,3 +114,9 @@ class Page:
             if self._state is not None:
                 state, self._state = self._state, None
                 await self._socket.send_text(state)
+            if not self._wake.is_set():
+                self.idle.set()
+
+    def _hand_over(self) -> None:
+        self.idle.clear()
+        self._wake.set()

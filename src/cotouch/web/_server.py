@@ -1,6 +1,7 @@
 """The server of the page: a thread with an event loop of its own, beside whatever moves the session."""
 
 import asyncio
+import contextlib
 import logging
 import secrets
 import threading
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     import uvicorn
 
     from cotouch.session import Stage
+    from cotouch.web._hub import Hub
 
 _STATIC: Final = Path(__file__).parent / "static"
 _START, _STOP = 10.0, 5.0  # patience [s]
@@ -65,7 +67,7 @@ class PageServer:
         self._access = Access(listen=self._at.listen, token=token or secrets.token_urlsafe(24))
         self.token, self.port, self.local = self._access.token, self._at.port, self._at.local
         self._ready = threading.Event()
-        self._server: uvicorn.Server | None = None
+        self._closing = threading.Event()
         self._thread = threading.Thread(
             target=self._run, args=(stage, static or _STATIC), name="cotouch-page", daemon=True
         )
@@ -90,8 +92,7 @@ class PageServer:
 
     def close(self) -> None:
         """Stops within a second or so; may be called again."""
-        if self._server is not None:
-            self._server.should_exit = True
+        self._closing.set()
         self._thread.join(_STOP)
         self._at.close()
 
@@ -129,10 +130,10 @@ class PageServer:
             limit_concurrency=64,
             timeout_graceful_shutdown=1,
         )
-        self._server = server = uvicorn.Server(config)
+        server = uvicorn.Server(config)
 
         async def serve() -> None:
-            announced = asyncio.create_task(self._announce(server))
+            announced = asyncio.create_task(self._announce(server, hub))
             await server.serve(sockets=[self._at.socket])
             announced.cancel()
 
@@ -141,11 +142,14 @@ class PageServer:
         finally:
             hub.close()
 
-    async def _announce(self, server: "uvicorn.Server") -> None:
-        while not server.started:
+    async def _announce(self, server: "uvicorn.Server", hub: "Hub") -> None:
+        while not server.started and not self._closing.is_set():
             await asyncio.sleep(0.005)
         self._ready.set()
-        while not server.should_exit:
+        while not self._closing.is_set():
             await asyncio.sleep(0.05)
+        with contextlib.suppress(TimeoutError):
+            await asyncio.wait_for(hub.farewell(), _GRACE)
+        server.should_exit = True
         await asyncio.sleep(_GRACE)
         server.force_exit = True
