@@ -44,6 +44,60 @@ def test_three_meet_couple_and_follow_one_hand() -> None:
     world.check()
 
 
+# Both pull at once, away from each other, and hold.
+APART = """
+[session]
+users = 2
+spring = 60.0
+{gather}
+[body]
+mass = 0.5
+damping = 0.2
+[steps]
+rate = 250
+[[hands]]
+user = 1
+path = [[0, 0], [0.1, 0.05]]
+stiffness = 40.0
+damping = 1.0
+[[hands]]
+user = 2
+path = [[0, 0], [0.1, -0.05]]
+stiffness = 40.0
+damping = 1.0
+"""
+
+
+def test_hands_of_the_file_wait_until_their_copies_are_coupled() -> None:
+    alone, gathered = (World(APART.format(gather=given), law=PathLaw(delay=0.1)) for given in ("", "gather = 9.0"))
+    for world in (alone, gathered):
+        world.join("Ann")
+        world.join("Ben")
+        world.run(12.0)
+        world.check()
+    # Taken apart before they were coupled, and held there, they lack the energy to meet.
+    assert not alone.all_coupled()
+    assert gathered.all_coupled()
+    # Coupled, each hand's spring holds the one between the copies: 40 (0.05 - x) = 60 * 2 x.
+    assert abs(gathered.apart() - 0.025) < 1e-4
+    assert alone.apart() > 0.035
+
+
+def test_hands_of_the_file_wait_for_nobody_for_ever() -> None:
+    world = World(APART.format(gather="gather = 3.0"))
+    ann = world.join("Ann")
+    world.until(lambda: ann.member.copy is not None and ann.copy.peer is not None, 5.0)
+    world.run(2.9)
+    assert np.abs(ann.position).max() == 0.0
+    world.run(1.0)
+    assert ann.position[0, 0] > 0.03
+    # What waited once goes on, whoever comes.
+    ben = world.join("Ben", moves=False)
+    world.until(lambda: ben.member.copy is not None and ben.copy.peer is not None, 5.0)
+    world.run(2.0)
+    assert ann.position[0, 0] > 0.03
+
+
 def test_one_joins_while_the_others_hold_the_object_without_a_jerk() -> None:
     world = World(THREE)
     ann, ben = world.join("Ann"), world.join("Ben", moves=False)

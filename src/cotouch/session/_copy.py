@@ -8,7 +8,7 @@ import numpy.typing as npt
 
 from cotouch.live import ControlPlane, Entropy, IndexedAssembly, SamplePlane
 from cotouch.mechanics import Model
-from cotouch.peer import Peer, Report
+from cotouch.peer import COUPLED, Peer, Report
 from cotouch.scenario import per_user
 from cotouch.session import _keys
 from cotouch.session._file import SessionFile
@@ -88,6 +88,7 @@ class Copy:
         self._numbers: dict[int, int] = {}  # that datagrams to this copy bear, by seat
         self._since: float | None = None  # when it came
         self._began = 0.0  # when it began to move
+        self._acts: float | None = None  # since when its hand does what the file says
         self._last: Report | None = None
         self._mode = replica.scenario.synchronisation.mode
         self._owed = 0.0  # time since the last step, where steps may have to wait [s]
@@ -214,7 +215,7 @@ class Copy:
             self._began = now
         length, self._owed = self._owed, 0.0
         self._told, self._length = now, length
-        hand.before(now - self._began, length)
+        hand.before(self._scripted(now), length)
         if not waits:  # as late as can be: what comes after this waits for the next step
             self._hear(peer, now)
         sample = peer.move(now, length)
@@ -228,6 +229,18 @@ class Copy:
         if self._recorder is not None:
             self._recorder.step(self, report, now, length)
         return True
+
+    def _scripted(self, now: float) -> float:
+        """Time of what the file says of hands; stands at 0 until everybody is there and coupled, for as long as wanted.
+
+        Copies that hands take apart before they are coupled, and hold there, lack the energy to meet.
+        """
+        if self._acts is None:
+            there = len(self._roster.members) == self._session.seats
+            coupled = all(held.guard.state == COUPLED for held in self.neighbours.values())
+            if (there and coupled) or now - self._began >= self._options.gather:
+                self._acts = now
+        return 0.0 if self._acts is None else now - self._acts
 
     def listen(self, now: float) -> None:
         """Reads what arrived, ahead of the step that will use it.

@@ -68,6 +68,8 @@ _ROUND = (0.11, 0.17, 0.13, 0.19, 0.15)
 # What `--impair` takes, and where it stands in a session's file.
 _IMPAIRMENTS = ("loss", "jitter", "duplication", "reordering")
 _HOLD = 0.05
+# Hands wait for everybody to be there and coupled, so long and for such a share of the time at most [s].
+_GATHER, _GATHER_SHARE = 15.0, 1.0 / 6.0
 
 
 def demo_file() -> Path:
@@ -127,6 +129,7 @@ def demo_session(
             last = hand["path"][-1][1:]
             hand["amplitude"] = last if len(last) > 1 else last[0]
             hand["frequency"] = _ROUND[n % 5]
+    tables["session"]["gather"] = _GATHER if seconds is None else min(_GATHER, round(_GATHER_SHARE * seconds, 3))
     _impair(tables, impair)
     with TemporaryDirectory(prefix="cotouch-") as folder:
         if body == "soft":

@@ -46,6 +46,7 @@ class SessionTable(Table):
         power_limit: that one neighbour's motion can put in, on average over a second [W].
         tank: most energy that a link's tank holds [J].
         seed: energy that a link has once, to begin with [J].
+        gather: hands of the file wait until all users are there and their own copy is coupled, at most so long [s].
         coding: of a number on the wire; what the rounding of others than "float64" can cost is paid for.
         reach: greatest displacement of any node along an axis; what is farther is not sent, and not taken [m].
         send_rate: highest rate of samples on each link [1/s]; by default the sender's own.
@@ -68,6 +69,7 @@ class SessionTable(Table):
     power_limit: Positive = 50.0
     tank: NonNegative = 0.05
     seed: NonNegative = 1e-3
+    gather: NonNegative = 0.0
     coding: Coding = "float64"
     reach: Annotated[float, Field(gt=0.0, le=1e4)] = 10.0
     send_rate: Positive | None = None
