@@ -30,6 +30,31 @@ def test_the_interval_holds_the_true_slope_as_often_as_it_says():
     assert np.mean([abs(fit[0]) <= 2.0 * np.sqrt(cov[0, 0]) for fit, cov in line]) < 0.5
 
 
+def hanging(rng: np.random.Generator, share: float, count: int = TIMES.size) -> np.ndarray:
+    """Values about nothing, of which a share carries on to the next."""
+    out = [rng.standard_normal() / np.sqrt(1.0 - share**2)]
+    for _ in range(count - 1):
+        out.append(share * out[-1] + rng.standard_normal())
+    return np.array(out)
+
+
+@pytest.mark.parametrize("share", [0.0, 0.3, 0.6, 0.9])
+def test_so_it_does_where_values_come_back_to_a_line(share: float):
+    rng = np.random.default_rng(3)
+    found = [trend(TIMES, hanging(rng, share) + 0.01 * TIMES) for _ in range(500)]
+    assert np.mean([abs(one.slope - 0.01) <= one.error for one in found]) >= 0.95
+    if not share:  # and there it is sure sooner: nothing of a walk has so narrow an interval
+        rises = np.array([np.std(np.diff(hanging(rng, 0.0))) for _ in range(100)])
+        as_walk = 2.0 * np.median(rises) * np.sqrt(TIMES.size - 1) / (TIMES[-1] - TIMES[0])
+        assert np.median([one.error for one in found]) < 0.3 * as_walk
+
+
+def test_what_carries_on_from_look_to_look_widens_the_interval_of_a_line():
+    rng, times = np.random.default_rng(4), np.arange(80.0)
+    found = [trend(times, hanging(rng, 0.6, times.size)) for _ in range(500)]
+    assert np.mean([abs(one.slope) <= one.error for one in found]) >= 0.96
+
+
 def test_what_grows_is_called_so():
     rng = np.random.default_rng(1)
     assert verdict(trend(TIMES, 2.5e8 + rng.uniform(0.0, 4e4, TIMES.size))) == "flat"
