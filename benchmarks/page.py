@@ -319,6 +319,27 @@ _RUNS = 5
 
 
 @contextlib.contextmanager
+def _apart(kind: str, static: Path | None) -> Any:
+    """Serves copies that are made beforehand in a process of its own, as sessions do; this one moves the browser."""
+    arguments = [sys.executable, "-m", "benchmarks.page", "--serve", kind, *([] if static is None else [str(static)])]
+    process = subprocess.Popen(arguments, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+    assert process.stdin is not None
+    assert process.stdout is not None
+    try:
+        yield process.stdout.readline().strip()
+    finally:
+        process.stdin.close()
+        process.wait(30)
+
+
+def serve(kind: str, static: str | None = None) -> None:
+    """Says where it serves, and does until its input ends."""
+    with PageServer(_Played(kind), port=0, static=None if static is None else Path(static)) as server:
+        print(server.url, flush=True)
+        sys.stdin.read()
+
+
+@contextlib.contextmanager
 def _chromium() -> Any:
     program = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
     if program is None:
@@ -369,9 +390,9 @@ def in_browser(static: Path | None = None) -> list[Row]:
         if running is None:
             return [Row("page", "in a browser", "not measured", "", "no chromium on this machine")]
         for kind, what, goal, wide, high in _CASES:
-            with PageServer(_Played(kind), port=0, static=static) as server:
+            with _apart(kind, static) as url:
                 page = running.new_page(viewport={"width": wide, "height": high})
-                page.goto(server.url)
+                page.goto(url)
                 page.wait_for_function("() => window.cotouch && window.cotouch.stats.frames > 30", timeout=120_000)
                 page.wait_for_timeout(4_000)  # until it is as coarse as it has to be
                 rate = _rate(page, 6.0)
@@ -401,5 +422,7 @@ def measure() -> list[Row]:
 if __name__ == "__main__":
     if "--visit" in sys.argv:
         print(json.dumps(visit(*json.loads(sys.stdin.read()))))
+    elif "--serve" in sys.argv:
+        serve(*sys.argv[sys.argv.index("--serve") + 1 :])
     else:
         command(measure, cast("str", __doc__))

@@ -86,7 +86,8 @@ export function topBar(
     const said = sentence && sentence[0]?.toUpperCase() + sentence.slice(1);
     text(words, said);
     attribute(verdict, "data-tip", `${said}. Opens the margin of every link.`);
-    document.title = [store.scene?.title, "cotouch"].filter(Boolean).join(" · ");
+    const named = [store.scene?.title, "cotouch"].filter(Boolean).join(" · ");
+    if (document.title !== named) document.title = named;
     invite.hidden = !store.scene?.invitation;
   };
   for (const kind of ["scene", "state", "connection"] as const) store.on(kind, update);

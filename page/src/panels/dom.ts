@@ -166,7 +166,7 @@ export function choice<T extends string>(
   const first = (): void => {
     const all = [...buttons.values()];
     const marked = all.find((one) => one.getAttribute("aria-checked") === "true") ?? all[0];
-    for (const one of all) one.tabIndex = one === marked ? 0 : -1;
+    for (const one of all) attribute(one, "tabindex", one === marked ? "0" : "-1");
   };
   first();
   return {

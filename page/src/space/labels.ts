@@ -1,12 +1,24 @@
 // Names over the picture, as text that stays sharp.
 const HIGH = 24; // of a hand's name, with what is between two [pixels]
 const LETTER = 7.1;
+const READ = 125; // ms between two changes of a number: quicker ones nobody reads, and each has to be laid out anew
+
+/** A label, and what it shows now: a page that nothing was written into needs no layout. */
+interface Made {
+  readonly element: HTMLElement;
+  readonly text: HTMLElement;
+  readonly detail: HTMLElement;
+  seat: number;
+  place: string;
+}
 
 export class Labels {
   readonly element = document.createElement("div");
   private readonly taken: { x: number; y: number; wide: number }[] = [];
-  private readonly made = new Map<string, HTMLElement>();
+  private readonly made = new Map<string, Made>();
   private readonly used = new Set<string>();
+  private since = 0;
+  private count = true; // whether numbers change in this picture: all in the same, for one layout
 
   constructor(parent: HTMLElement) {
     this.element.className = "ct-labels";
@@ -21,22 +33,27 @@ export class Labels {
 
   /** Puts a label; what was not put since `sweep` began disappears with it. */
   put(key: string, kind: string, seat: number, text: string, detail: string, x: number, y: number): void {
-    let label = this.made.get(key);
-    if (!label) {
-      label = document.createElement("div");
-      label.append(document.createElement("b"), document.createElement("span"));
-      this.made.set(key, label);
-      this.element.append(label);
-    }
+    const label = this.made.get(key) ?? this.make(key);
     this.used.add(key);
     const name = `ct-label ct-${kind}`;
-    if (label.className !== name) label.className = name;
-    label.style.setProperty("--user", `var(--user-${seat % 8})`);
-    const [b, span] = label.children as unknown as [HTMLElement, HTMLElement];
-    if (b.textContent !== text) b.textContent = text;
-    if (span.textContent !== detail) span.textContent = detail;
+    if (label.element.className !== name) label.element.className = name;
+    if (label.seat !== seat) label.element.style.setProperty("--user", `var(--user-${(label.seat = seat) % 8})`);
+    if (label.text.textContent !== text) label.text.textContent = text;
+    const shown = label.detail.textContent!;
+    if (shown !== detail && (this.count || !shown || !detail)) label.detail.textContent = detail;
     if (kind === "hand") y = this.clear(x, y, Labels.wide(text, detail));
-    label.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
+    const place = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
+    if (label.place !== place) label.element.style.transform = label.place = place;
+  }
+
+  private make(key: string): Made {
+    const element = document.createElement("div");
+    const [text, detail] = [document.createElement("b"), document.createElement("span")];
+    element.append(text, detail);
+    this.element.append(element);
+    const made = { element, text, detail, seat: -1, place: "" };
+    this.made.set(key, made);
+    return made;
   }
 
   /** Names stay readable: one that would lie on another goes above it. */
@@ -54,9 +71,12 @@ export class Labels {
     this.taken.length = 0;
     for (const [key, label] of this.made) {
       if (this.used.has(key)) continue;
-      label.remove();
+      label.element.remove();
       this.made.delete(key);
     }
     this.used.clear();
+    const now = performance.now();
+    this.count = now - this.since >= READ;
+    if (this.count) this.since = now;
   }
 }

@@ -195,7 +195,8 @@ class Space implements View {
   hover(hit: Hit | null): void {
     if (hit?.point !== this.hovered?.point) this.draw();
     this.hovered = hit;
-    this.canvas.dataset.over = hit ? this.store.settings.tool : "";
+    const over = hit ? this.store.settings.tool : "";
+    if (this.canvas.dataset.over !== over) this.canvas.dataset.over = over;
   }
 
   mayAct(): boolean {
