@@ -76,6 +76,35 @@ def test_the_stream_advances_and_what_is_drawn_moves(running: Browser) -> None:
         assert all(a < b for a, b in pairwise(times))
 
 
+# Two labels whose numbers are others in every picture, one in 16 ms; the second has one from the 51st to the 150th.
+LABELLED = """() => {
+  const parent = document.createElement('div'), now = performance.now;
+  const labels = new (window.cotouch.stage.probe().space.labels.constructor)(parent);
+  const told = [];
+  try {
+    for (let k = 0; k < 200; k++) {
+      performance.now = () => 1e6 + 16 * k;
+      labels.put('one', 'hand', 0, 'One', `${k} N`, 0, 0);
+      labels.put('two', 'hand', 1, 'Two', k >= 50 && k < 150 ? `${2 * k} N` : '', 0, 90);
+      labels.sweep();
+      told.push([...parent.querySelectorAll('span')].map((span) => span.textContent));
+    }
+  } finally { performance.now = now; }
+  return told;
+}"""
+
+
+def test_numbers_in_the_picture_change_as_often_as_they_can_be_read(running: Browser) -> None:
+    with shown(running) as here:
+        one, two = np.array(here.open().evaluate(LABELLED)).T
+    changes = np.flatnonzero(one[1:] != one[:-1]) + 1
+    assert set(np.diff(changes)) == {8}  # an eighth of a second
+    assert [int(number.removesuffix(" N")) for number in one[changes]] == changes.tolist()
+    # A number comes and goes at once, and changes with those of others: the page is laid out once.
+    assert (two[49], two[50], two[149], two[150]) == ("", "100 N", two[148], "")
+    assert set(np.flatnonzero(two[51:150] != two[50:149]) + 51) <= set(changes.tolist())
+
+
 def test_numbers_arrive_as_the_server_has_them(running: Browser) -> None:
     with shown(running, still=False) as here:
         stopped = here.stage.clock()
