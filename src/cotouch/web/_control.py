@@ -85,8 +85,8 @@ class Control:
             self._holders[seat] = page
         return True
 
-    def point(self, page: Page, message: PointerMessage, now: float) -> bool:
-        """Passes a pointer on at once; False if this page has no control of that seat.
+    def point(self, page: Page, message: PointerMessage, now: float) -> None:
+        """Passes a pointer on at once, if this page has control of that seat.
 
         Args:
             page: that sent it.
@@ -98,7 +98,7 @@ class Control:
         """
         seat = message.seat
         if self._holders.get(seat) is not page or page.seat != seat:
-            return False
+            return
         node, target = -1, message.target
         if message.mode == "grab":
             # A hand takes the drawn point, and what is drawn to it is the node below: with the way between them left
@@ -120,7 +120,6 @@ class Control:
         self._held.pop(seat, None)
         if message.mode != "free":
             self._held[seat] = pointer
-        return True
 
     def repeat(self) -> None:
         """Tells the stage again where pointers are that stand still: a hand that hears nothing for long lets go."""
