@@ -5,8 +5,9 @@
 const KEPT = 24; // pictures that the pace is judged by
 const SLOWEST = 60; // ms between pictures that are still a pace and not a halt
 const SPARE = 0.5; // ms that a frame should be there before its picture
-const LATER = 1; // ms sooner after a frame that came too late
-const SOONER = 0.04; // ms later after one that came in time: one of 25 is late
+const LATER = 0.6; // ms sooner after a frame that came too late
+const SOONER = 0.04; // ms later after one that came in time: one of 16 is late
+const EARLY = 3.5; // ms that a frame may be made before it was asked for, with others: what is earlier missed its picture
 
 export class Screen {
   private readonly gaps: number[] = [];
@@ -38,7 +39,7 @@ export class Screen {
   came(now: number): [number, number] {
     if (!this.every || now - this.last > 4 * SLOWEST) return [0, 0];
     const left = this.until(now);
-    if (left < SPARE || left > 0.7 * this.every) this.lead += LATER;
+    if (left < SPARE || left > this.lead + Math.min(EARLY, 0.35 * this.every)) this.lead += LATER;
     else this.lead -= SOONER;
     // A whole picture sooner is the same as none.
     if (this.lead > this.every + SPARE) this.lead -= this.every;

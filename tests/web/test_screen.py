@@ -49,6 +49,13 @@ def test_frames_come_just_before_a_picture(running: Browser, every: float, jumps
     assert np.median(left[~late]) < 2.5
 
 
+def test_a_way_that_gets_short_is_not_taken_for_a_missed_picture(running: Browser) -> None:
+    with shown(running) as here:
+        left = np.array(here.open().evaluate(PLAYED, [1000 / 60, [12.0] * 1000 + [1.0] * 1000, False]))
+    assert left[0] > 11.0
+    assert (np.diff(left[:200]) < 0.0).all()
+
+
 def test_nothing_is_asked_for_while_the_screen_is_not_known_or_stands_still(running: Browser) -> None:
     with shown(running) as here:
         told: Any = here.open().evaluate(
