@@ -8,6 +8,7 @@ const LATEST = 2000;
 const PATIENCE = 10_000; // ms for an answer
 const PERIOD = 8; // ms between pointer messages, at least: 125 Hz
 const RATE = 60;
+const HALTED = 300; // ms after which no picture is waited for any more
 const HIDDEN = 5; // frames per second of a page that nobody sees
 
 export interface Told {
@@ -40,6 +41,8 @@ export class Connection {
   private readonly answers = new Map<number, (told: Told) => void>();
   private number = 0;
   private pending: Pointing | null = null;
+  /** How things are, not shown yet. */
+  private state: State | null = null;
   /** What was said last on this connection: a browser tells of a movement twice, at once and with its next picture. */
   private told: Pointing | null = null;
   private pointed = -Infinity;
@@ -148,9 +151,10 @@ export class Connection {
       if (message.type === "scene") {
         this.wait = SOONEST;
         this.store.connected("open");
+        this.state = null; // of an earlier run, perhaps
         this.store.show(readScene(message));
         if (this.said !== this.store.seat) this.hello(); // the first hello didn't know whom to act for
-      } else if (message.type === "state") this.store.told(message as State);
+      } else if (message.type === "state") this.tell(message as State);
       else if (message.type === "told") this.answer(message.id, message as Told);
       else if (message.type === "error") refusal = String(message.text);
     };
@@ -164,6 +168,22 @@ export class Connection {
       this.timer = setTimeout(() => this.dial(), refusal ? LATEST : this.wait);
       this.wait = Math.min(2 * this.wait, LATEST);
     };
+  }
+
+  /** How things are can wait until the next picture is drawn, which could not wait for all that it changes. */
+  private tell(state: State): void {
+    const waits = this.state !== null;
+    this.state = state;
+    if (waits) return;
+    const now = () => {
+      clearTimeout(latest);
+      const told = this.state;
+      this.state = null;
+      if (told) this.store.told(told);
+    };
+    const latest = setTimeout(now, HALTED); // no picture is drawn in a window that nobody sees
+    if (this.store.state) requestAnimationFrame(() => setTimeout(now));
+    else now();
   }
 
   private hello(): void {

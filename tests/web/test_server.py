@@ -1,5 +1,6 @@
 """The server over its sockets: who is let in, what it gives, how it starts and stops."""
 
+import asyncio
 import http.client
 import io
 import json
@@ -246,6 +247,26 @@ class TestStartAndStop:
             with PageServer(FakeStage("1d"), at=at) as server:
                 assert server.port == at.port
                 assert early.recv(100).startswith(b"HTTP/1.1 404")
+
+    def test_what_is_written_to_a_page_goes_out_at_once(self):
+        """Else a frame after a shorter message lies until that one is acknowledged (Nagle)."""
+        at = PageAddress(port=0)
+        at_once: list[int] = []
+
+        async def serve() -> None:
+            async def met(_: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+                at_once.append(writer.get_extra_info("socket").getsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY))
+                writer.close()
+
+            async with await asyncio.start_server(met, sock=at.socket):
+                reader, writer = await asyncio.open_connection("127.0.0.1", at.port)
+                await reader.read()
+                writer.close()
+
+        asyncio.run(serve())
+        at.close()
+        assert at_once
+        assert at_once[0] != 0
 
     def test_a_ticket_is_good_once(self, server: PageServer):
         ticket = server.ticket()

@@ -65,7 +65,9 @@ def _bound(listen: str, port: int | None) -> socket.socket:
     tried = [PORT + k for k in range(_TRIED)] if port is None else [port]
     reason = ""
     for number in tried:
-        made = socket.socket(found[0], socket.SOCK_STREAM)
+        # With its protocol named: only then asyncio sends at once what is written to connections that come of it, and a
+        # frame after a shorter message does not lie until the browser has acknowledged that one.
+        made = socket.socket(found[0], socket.SOCK_STREAM, socket.IPPROTO_TCP)
         try:
             if os.name == "posix":  # elsewhere it would let two servers share a port
                 made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
