@@ -210,7 +210,7 @@ class Hub:
         due = min((page.due for page in self._pages if page.takes()), default=None)
         if due is None or self._closed:
             return
-        wait = max(due - self._clock(), 0.0)
+        wait = max(due - self._clock() - _EARLY, 0.0)  # the loop wakes up to 1 ms late
         loop = asyncio.get_running_loop()
         if self._timer is not None:
             if self._timer.when() <= loop.time() + wait:
