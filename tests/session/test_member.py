@@ -10,22 +10,20 @@ from cotouch.live import Message, PathLaw
 from cotouch.network import Network
 from cotouch.session import Status, measured
 
-THREE = """
-[session]
-users = 3
-spring = 60.0
-seed = 1e-3
+BODY = """
 [body]
 mass = 0.5
 damping = 0.2
 [steps]
 rate = 250
-[[hands]]
-user = 1
-path = [[0, 0], [1, 0.05]]
-stiffness = 40.0
-damping = 1.0
 """
+
+
+def hand(user: int, path: list[list[float]]) -> str:
+    return f"[[hands]]\nuser = {user}\npath = {path}\nstiffness = 40.0\ndamping = 1.0\n"
+
+
+THREE = "[session]\nusers = 3\nspring = 60.0\nseed = 1e-3" + BODY + hand(1, [[0, 0], [1, 0.05]])
 
 
 def three(**options) -> World:
@@ -45,27 +43,8 @@ def test_three_meet_couple_and_follow_one_hand() -> None:
 
 
 # Both pull at once, away from each other, and hold.
-APART = """
-[session]
-users = 2
-spring = 60.0
-{gather}
-[body]
-mass = 0.5
-damping = 0.2
-[steps]
-rate = 250
-[[hands]]
-user = 1
-path = [[0, 0], [0.1, 0.05]]
-stiffness = 40.0
-damping = 1.0
-[[hands]]
-user = 2
-path = [[0, 0], [0.1, -0.05]]
-stiffness = 40.0
-damping = 1.0
-"""
+APART = "[session]\nusers = 2\nspring = 60.0\n{gather}" + BODY
+APART += hand(1, [[0, 0], [0.1, 0.05]]) + hand(2, [[0, 0], [0.1, -0.05]])
 
 
 def test_hands_of_the_file_wait_until_their_copies_are_coupled() -> None:

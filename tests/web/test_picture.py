@@ -105,6 +105,13 @@ def test_numbers_in_the_picture_change_as_often_as_they_can_be_read(running: Bro
     assert set(np.flatnonzero(two[51:150] != two[50:149]) + 51) <= set(changes.tolist())
 
 
+def test_how_things_are_is_told_where_no_picture_is_drawn(running: Browser) -> None:
+    with shown(running) as here:
+        page = here.open()
+        page.evaluate("() => { window.requestAnimationFrame = () => 1; }")
+        until(page, "store.state.time > value + 1.0", page.evaluate("() => window.cotouch.store.state.time + 1.0"))
+
+
 def test_numbers_arrive_as_the_server_has_them(running: Browser) -> None:
     with shown(running, still=False) as here:
         stopped = here.stage.clock()

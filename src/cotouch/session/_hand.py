@@ -81,7 +81,7 @@ class Hand(Protocol):
         """Writes into grips and tools what it does in the step that ends now.
 
         Args:
-            end: time since this copy began to move [s].
+            end: time of what the file says; 0 as long as that waits (`session.gather`) [s].
             T: length of the step [s].
         """
         ...
