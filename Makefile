@@ -3,7 +3,7 @@ PYTHON ?= python3.11
 BIN := .venv/bin
 STAMP := .venv/.stamp
 
-.PHONY: setup demo test browser nats check format bench clean
+.PHONY: setup demo test browser nats protocol check page-types format bench docs clean
 
 setup: $(STAMP)
 
@@ -17,13 +17,22 @@ $(STAMP): pyproject.toml uv.lock
 	@touch $@
 
 demo: $(STAMP)
-	$(BIN)/cotouch demo --seconds 30
+	$(BIN)/cotouch demo --duration 30
 
-check: $(STAMP)
+check: $(STAMP) page-types
 	$(BIN)/ruff format --check .
 	$(BIN)/ruff check .
 	$(BIN)/basedpyright --level error
 	$(BIN)/lint-imports --no-cache
+
+# Nobody needs Node for anything else: where it or its packages are not to be had, this says so and goes on.
+page-types:
+	@if ! command -v npm >/dev/null || ! node -e 'process.exit(+(parseInt(process.versions.node) < 20))' 2>/dev/null; then \
+		echo "no Node 20 here: the types of page/ are not checked"; \
+	elif ! cd page; then exit 2; \
+	elif test node_modules/.package-lock.json -nt package-lock.json \
+		|| npm ci --silent --no-audit --no-fund --fetch-retries=1 --fetch-timeout=20000; then npm run --silent check; \
+	else echo "the packages of page/ cannot be had here: its types are not checked"; fi
 
 # For the tests of the animation's page; without one they are skipped, and say so.
 browser:
@@ -40,7 +49,13 @@ nats:
 # Many tests start processes of their own; each would compile our Python anew where PYTHONDONTWRITEBYTECODE is set.
 test: check browser nats
 	$(BIN)/python -m compileall -q src
-	$(BIN)/pytest -n 2 --dist worksteal
+	$(BIN)/pytest -n 2 --dist worksteal -m "not timed"; all=$$?; \
+	$(BIN)/pytest -m timed && exit $$all
+
+# Proves what docs/protocol.md says of the agreement, and finds an attack on each lesser one. ProVerif comes with opam.
+protocol: $(STAMP)
+	@command -v proverif >/dev/null || { echo "no proverif here: opam install proverif brings it"; exit 2; }
+	$(BIN)/pytest tests/live/test_protocol.py
 
 format: $(STAMP)
 	$(BIN)/ruff format .
@@ -50,6 +65,12 @@ bench: $(STAMP)
 	$(BIN)/uv sync --quiet --frozen --group bench
 	$(BIN)/python -m benchmarks
 
+# The documentation as a folder, `site/`, that works without a server or a network; see `docs/site.py`.
+docs: $(STAMP)
+	$(BIN)/uv sync --quiet --frozen --group docs
+	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build
+	@echo "site/index.html"
+
 clean:
-	rm -rf .venv build dist .pytest_cache .ruff_cache .hypothesis
+	rm -rf .venv build dist site .pytest_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +

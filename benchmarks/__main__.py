@@ -4,7 +4,22 @@ import argparse
 
 from rich.console import Console
 
-from benchmarks import engine, live, members, page, planner, record, recording, scaling, servo, step, touch
+from benchmarks import (
+    attack,
+    engine,
+    fuzz,
+    live,
+    materials,
+    members,
+    page,
+    planner,
+    record,
+    recording,
+    scaling,
+    servo,
+    step,
+    touch,
+)
 from benchmarks._report import Row, add_write, finish
 
 
@@ -21,6 +36,7 @@ def main() -> None:
             ("step", step.measure),
             ("scaling", lambda: scaling.measure(draw=options.write)),
             ("touch", touch.measure),
+            ("materials", materials.measure),
             ("planner", lambda: planner.measure(long=options.long)),
             ("live", live.measure),
             ("members", members.measure),
@@ -28,6 +44,8 @@ def main() -> None:
             ("page", page.measure),
             ("recording", recording.measure),
             ("record", lambda: record.measure(options.count)),
+            ("attack", attack.measure),
+            ("fuzz", fuzz.measure),
         ):
             status.update(f"{name} ...")
             rows += measure()

@@ -8,7 +8,7 @@ import numpy.typing as npt
 
 from cotouch import mechanics
 from cotouch.body import Body, lattice
-from cotouch.mechanics import ITERATIONS, Basis, Grips, Links, Model, State, Workspace, model, step, workspace
+from cotouch.mechanics import ITERATIONS, Basis, Links, Model, Ports, State, Workspace, model, step, workspace
 
 Float = npt.NDArray[np.float64]
 Ground = Literal["z-", "all"]
@@ -28,11 +28,11 @@ class Copy(NamedTuple):
     model: Model
     state: State
     links: Links
-    grips: Grips
+    ports: Ports
     local: Float
     extra: Float
     work: Workspace
-    books: Float
+    ledger: Float
     link_work: Float
     lengths: Float
 
@@ -83,7 +83,7 @@ def copy(body: Body, *, steps: int, basis: Basis = "nodal", spring: float | None
     shape = (ports.size, width)
     return Copy(
         model=ready,
-        state=State(field(1e-3), field(1e-2), np.zeros((rows, width)), np.zeros((rows, width))),
+        state=State(field(1e-3), field(1e-2), np.zeros((rows, width)), np.zeros((rows, width)), np.zeros(0)),
         links=Links(
             0,
             _LINKS,
@@ -92,7 +92,7 @@ def copy(body: Body, *, steps: int, basis: Basis = "nodal", spring: float | None
             np.arange(_LINKS),
             np.stack([field(1e-3) for _ in range(_LINKS + 1)]),
         ),
-        grips=Grips(
+        ports=Ports(
             first=0,
             last=ports.size,
             row=ports,
@@ -107,7 +107,7 @@ def copy(body: Body, *, steps: int, basis: Basis = "nodal", spring: float | None
         local=np.array([0.05 * strength.sum()]),
         extra=np.zeros(1),
         work=workspace(ready.operator, width, ports.size),
-        books=np.zeros(mechanics.BOOKS),
+        ledger=np.zeros(mechanics.LEDGER_COLUMNS),
         link_work=np.zeros(_LINKS),
         lengths=rng.uniform(0.8, 1.2, steps) * PERIOD,
     )
@@ -118,12 +118,12 @@ def _many(
     op: Any,
     state: Any,
     links: Any,
-    grips: Any,
+    ports: Any,
     local: Any,
     extra: Any,
     lengths: Any,
     work: Any,
-    books: Any,
+    ledger: Any,
     link_work: Any,
     tolerance: Any,
     cap: Any,
@@ -135,19 +135,19 @@ def _many(
             op,
             state,
             links,
-            grips,
+            ports,
             local,
             extra,
             lengths[k],
             links.last,
             work,
-            books,
+            ledger,
             link_work,
             tolerance,
             cap,
             lanes,
         )
-        iterations += int(books[ITERATIONS])
+        iterations += int(ledger[ITERATIONS])
     return iterations
 
 
@@ -158,12 +158,12 @@ def compiled(c: Copy) -> int:
             c.model.operator,
             c.state,
             c.links,
-            c.grips,
+            c.ports,
             c.local,
             c.extra,
             c.lengths,
             c.work,
-            c.books,
+            c.ledger,
             c.link_work,
             TOLERANCE,
             CAP,
@@ -179,13 +179,13 @@ def called(c: Copy) -> None:
             c.model.operator,
             c.state,
             c.links,
-            c.grips,
+            c.ports,
             c.local,
             c.extra,
             float(T),
             c.links.last,
             c.work,
-            c.books,
+            c.ledger,
             c.link_work,
             TOLERANCE,
             CAP,

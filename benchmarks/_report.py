@@ -20,7 +20,9 @@ SECTIONS = (
     "step",
     "scaling",
     "touch",
+    "materials",
     "planner",
+    "laws",
     "live",
     "members",
     "drivers",
@@ -32,6 +34,8 @@ SECTIONS = (
     "touch record",
     "device record",
     "soak",
+    "attack",
+    "fuzz",
 )
 
 

@@ -83,13 +83,13 @@ def _line(times: Float, values: Float) -> Trend:
     n = values.size
     known = np.stack([np.ones(n), times - times.mean()], axis=1)
     off = values - known @ _fitted(known, values)[0]
-    share = float(off[1:] @ off[:-1] / (off[:-1] @ off[:-1]))
-    share = max(0.0, share + (2.0 + 4.0 * share) / n)  # a fitted line hides some of it
-    share = min(share + _UPPER * float(np.sqrt(max(0.0, 1.0 - share**2) / n)), 0.99)
-    first = float(np.sqrt(1.0 - share**2))
+    fraction = float(off[1:] @ off[:-1] / (off[:-1] @ off[:-1]))
+    fraction = max(0.0, fraction + (2.0 + 4.0 * fraction) / n)  # a fitted line hides some of it
+    fraction = min(fraction + _UPPER * float(np.sqrt(max(0.0, 1.0 - fraction**2) / n)), 0.99)
+    first = float(np.sqrt(1.0 - fraction**2))
 
     def whitened(data: Float) -> Float:
-        return np.concatenate([first * data[:1], data[1:] - share * data[:-1]])
+        return np.concatenate([first * data[:1], data[1:] - fraction * data[:-1]])
 
     fit, error = _fitted(whitened(known), whitened(values))
     return Trend(float(fit[1]), _sure(n - 2) * float(error[1]))

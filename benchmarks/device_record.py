@@ -1,7 +1,8 @@
 """Random scenarios with devices for the record: two people, each with a device, at one body, through a network.
 
 Every scenario is drawn from (seed, number) alone, so that a single one can be run again with `--only NUMBER`.
-Everything runs on one virtual clock: two simulated devices with hands, the cores of their servos, boards that are late,
+Everything runs on one virtual clock: two simulated devices with hands, the cores of their servos, mailboxes that are
+    late,
 lost or silent, and two copies with the hands that hold devices, joined by a delayed spring. The works of all ports are
 counted from true forces and motion, in the device's metres at the device and in the body's at the body, so that neither
 the accounts of the couplings nor their scales check themselves.
@@ -24,7 +25,7 @@ from cotouch.device import (
     DeviceModel,
     DeviceSpec,
     PhantomPlant,
-    Servo,
+    ServoModel,
     SimulatedHand,
 )
 from cotouch.haptics import (
@@ -32,28 +33,28 @@ from cotouch.haptics import (
     CouplingChoice,
     DeviceChoice,
     EndOptions,
+    EnergyMessage,
     Order,
-    Report,
     SafetyLimits,
     ServoCore,
+    ServoReport,
     ServoSettings,
     SimulatedOnClock,
     Vector,
     VirtualDeviceEnd,
-    Word,
     size,
     virtual_limit,
 )
 from cotouch.peer import FreshestLink, Peer, Sample
-from cotouch.session import Seat, SessionFile
+from cotouch.session import SessionFile, Slot
 from cotouch.session._device_hand import DeviceHand
-from cotouch.session._replica import Replica
+from cotouch.session._shared_model import SharedModel
 
 SEED = 2012
 COUNT, SHORT = 600, 24
 # Of the energy in play; and what rounding may leave of a bound [J].
 TOLERANCE, _SLACK = 1e-10, 1e-9
-_SEATS = 2
+_SLOTS = 2
 _BODIES = ("point", "chain", "block")
 
 Float = npt.NDArray[np.float64]
@@ -104,16 +105,16 @@ class _Clock:
 
 
 class _Wire:
-    """The two boards between a servo and its peer, as both ends see them; for a `DeviceHand` a `ServoLink`."""
+    """The two mailboxes between a servo and its peer, as both ends see them; for a `DeviceHand` a `ServoLink`."""
 
     def __init__(self, rng: np.random.Generator, clock: _Clock, settings: ServoSettings, spec: DeviceSpec) -> None:
         self.spec, self.said, self.options = spec, settings.coupling, EndOptions()
         self._rng, self._clock, self._settings = rng, clock, settings
         self._late, self._loss = float(rng.uniform(0.0, 0.05)) ** 1.0, float(rng.uniform(0.0, 0.5))
         self._silent = float(rng.uniform(0.2, 2.0)), float(rng.uniform(0.01, 0.3))
-        self._reports: list[tuple[float, Report]] = []
+        self._reports: list[tuple[float, ServoReport]] = []
         self._orders: list[tuple[float, Order]] = []
-        self._known: Report | None = None
+        self._known: ServoReport | None = None
         self._step = 0
 
     def couple(self, below: CouplingChoice) -> EndOptions:
@@ -122,33 +123,33 @@ class _Wire:
         self.options = chosen.end_options(self.spec)
         return self.options
 
-    def say(self, report: Report) -> None:
+    def say(self, report: ServoReport) -> None:
         """Of the servo."""
         self._reports.append((self._clock() + self._late * self._rng.random(), report))
 
-    def read(self) -> Report | None:
+    def read(self) -> ServoReport | None:
         """Of the peer."""
         self._known = self._newest(self._reports) or self._known
         return self._known
 
-    def order(self, place: Vector | None, word: Word) -> None:
+    def order(self, place: Vector | None, word: EnergyMessage) -> None:
         """Of the peer; for a while nothing of it comes."""
         now = self._clock()
         self._step += 1
         begun, lasts = self._silent
         if not begun <= now < begun + lasts:
-            order = Order(time=now, step=self._step, place=place, word=word, enable=True)
+            order = Order(time=now, step=self._step, place=place, message=word, enable=True)
             self._orders.append((now + self._late * self._rng.random(), order))
 
-    def hear(self) -> Order | None:
+    def receive(self) -> Order | None:
         """Of the servo."""
         return self._newest(self._orders)
 
-    def _newest(self, board: list[tuple[float, Any]]) -> Any:
-        arrived = [entry for entry in board if entry[0] <= self._clock()]
+    def _newest(self, mailbox: list[tuple[float, Any]]) -> Any:
+        arrived = [entry for entry in mailbox if entry[0] <= self._clock()]
         if not arrived or self._rng.random() < self._loss:
             return None
-        board[:] = [entry for entry in board if entry[0] > self._clock()]
+        mailbox[:] = [entry for entry in mailbox if entry[0] > self._clock()]
         return arrived[-1][1]
 
 
@@ -178,7 +179,10 @@ def device_of(rng: np.random.Generator) -> tuple[DeviceModel, DeviceSpec, Coupli
         release=None if rng.random() < 0.8 else float(rng.uniform(0.5, 1.5)),
     )
     model = DeviceModel(
-        plant=plant, servo=Servo(resolution=resolution, force=spec.force), coupling=Coupling(law="told"), hand=hand
+        plant=plant,
+        servo=ServoModel(resolution=resolution, force=spec.force),
+        coupling=Coupling(law="host_force"),
+        hand=hand,
     )
     scale = "fit" if rng.random() < 0.15 else _log(rng, 0.2, 10.0) if rng.random() < 0.6 else 1.0
     if not virtual:
@@ -231,21 +235,23 @@ def body_of(rng: np.random.Generator) -> tuple[str, str]:
     return kind, text
 
 
-class _Seat:
+class _Slot:
     """A person, a device, its servo, and a copy."""
 
-    def __init__(self, rng: np.random.Generator, clock: _Clock, replica: Replica, seat: int, slowest: float) -> None:
+    def __init__(
+        self, rng: np.random.Generator, clock: _Clock, replica: SharedModel, slot: int, slowest: float
+    ) -> None:
         model, self.spec, coupling = device_of(rng)
         self.limits = SafetyLimits.of(self.spec)
         self.device = SimulatedOnClock(model, self.spec, clock=clock)
         settings = ServoSettings(device=DeviceChoice("none"), folder=None, coupling=coupling)  # type: ignore[arg-type]
         self.wire = _Wire(rng, clock, settings, self.spec)
-        kernels = replica.model(_SEATS)
-        at = Seat(
+        kernels = replica.model(_SLOTS)
+        at = Slot(
             scenario=replica.scenario,
             body=replica.body,
             model=kernels,
-            index=seat,
+            index=slot,
             period=slowest,
             longest=10.0 * slowest,
         )
@@ -277,7 +283,7 @@ class _Seat:
             weight=[0],
             local_damping=np.full(1, damping),
             extra_damping=np.zeros(1),
-            grips=hand.grips,
+            ports=hand.ports,
             position=still,
             velocity=still,
             surface=hand.surface,
@@ -287,14 +293,14 @@ class _Seat:
 
     def tick(self, rng: np.random.Generator, now: float) -> None:
         """A cycle of the servo."""
-        order = self.wire.hear()
+        order = self.wire.receive()
         if order is not None:
-            self.core.hear(order)
+            self.core.receive(order)
         report = self.core.cycle(self.device.exchange(self.force), now)
         self.force = np.array(report.force)
         self.wire.say(report)
         self.ticks += 1
-        self.short += self.core.end.purse.wanting
+        self.short += self.core.end.tank.starved
         self.watched = max(self.watched, report.excess)
         self.causes |= report.causes & (Cause.FAULT | Cause.ACTIVE)
         self.strongest = max(self.strongest, size(report.force) / self.limits.force)
@@ -326,8 +332,8 @@ class _Seat:
         """What both ports of the coupling gave so far, by true forces and motion."""
         assert self.device.device is not None
         end = self.core.end
-        paid = end.purse.paid if isinstance(end, VirtualDeviceEnd) else 0.0
-        self.excess = max(self.excess, self.device.device.books["work"] + self.proxy_work - paid)
+        paid = end.tank.paid if isinstance(end, VirtualDeviceEnd) else 0.0
+        self.excess = max(self.excess, self.device.device.ledger["work"] + self.proxy_work - paid)
 
     @property
     def overpaid(self) -> float:
@@ -336,60 +342,60 @@ class _Seat:
         assert self.device.device is not None
         if not isinstance(end, VirtualDeviceEnd):
             return 0.0
-        return end.purse.paid - self.device.device.books["viscous_loss"]
+        return end.tank.paid - self.device.device.ledger["viscous_loss"]
 
     @property
     def used(self) -> float:
         """Share of d² that the coupling gave."""
-        return self.excess / (2.0 * self.wire.options.seed + self.core.observed_bound + _SLACK)
+        return self.excess / (2.0 * self.wire.options.initial_energy + self.core.observed_bound + _SLACK)
 
 
 def examine(number: int) -> Finding:
     """Runs one scenario."""
     rng = np.random.default_rng((SEED, number))
     kind, text = body_of(rng)
-    replica = Replica.build(SessionFile.from_toml(text, source=f"scenario {number}"))
+    replica = SharedModel.build(SessionFile.from_toml(text, source=f"scenario {number}"))
     clock = _Clock()
-    seats = [_Seat(rng, clock, replica, seat, 0.01) for seat in range(_SEATS)]
+    slots = [_Slot(rng, clock, replica, slot, 0.01) for slot in range(_SLOTS)]
     delay, spring = _log(rng, 1e-3, 0.08), _log(rng, 5.0, 300.0) / replica.body.nodes
     # A sample is at most this old where it is used: half a step, the way, a step of the sender, one of the receiver.
-    longest = [(1.0 + 3.0 * seat.jitter) / seat.rate for seat in seats]
-    both = sum(2.0 * delay + 2.5 * longest[k] + longest[1 - k] for k in range(_SEATS))
-    for k, seat in enumerate(seats):
-        seat.links(1 - k, spring, 0.5 * spring * both)
+    longest = [(1.0 + 3.0 * slot.jitter) / slot.rate for slot in slots]
+    both = sum(2.0 * delay + 2.5 * longest[k] + longest[1 - k] for k in range(_SLOTS))
+    for k, slot in enumerate(slots):
+        slot.links(1 - k, spring, 0.5 * spring * both)
     duration = float(rng.uniform(0.8, 1.6))
     mail: list[tuple[float, int, Sample]] = []
     margin = 0.0
     while True:
-        now = min(min(seat.next_tick, seat.next_step) for seat in seats)
+        now = min(min(slot.next_tick, slot.next_step) for slot in slots)
         if now >= duration:
             break
         clock.now = now
         for arrival in [entry for entry in mail if entry[0] <= now]:
             mail.remove(arrival)
-            seats[arrival[1]].peer.receive(arrival[2])
-        for k, seat in enumerate(seats):
-            if seat.next_tick <= now:
-                seat.tick(rng, now)
-            if seat.next_step <= now:
-                sample = seat.step(rng, now)
+            slots[arrival[1]].peer.receive(arrival[2])
+        for k, slot in enumerate(slots):
+            if slot.next_tick <= now:
+                slot.tick(rng, now)
+            if slot.next_step <= now:
+                sample = slot.step(rng, now)
                 if sample is not None:
                     mail.append((now + delay * float(rng.uniform(0.5, 2.0)), 1 - k, sample))
-                margin = min(margin, sum(one.supplied for one in seats))
-    play = max(sum(seat.play for seat in seats), 1e-12)
+                margin = min(margin, sum(one.supplied for one in slots))
+    play = max(sum(slot.play for slot in slots), 1e-12)
     return Finding(
         number=number,
         body=kind,
-        laws=tuple(seat.wire.options.law for seat in seats),
-        ticks=sum(seat.ticks for seat in seats),
-        used=tuple(seat.used for seat in seats),
-        watched=max(seat.watched for seat in seats),
-        causes=int(seats[0].causes | seats[1].causes),
-        force=max(seat.strongest for seat in seats),
-        paid=max(seat.overpaid for seat in seats),
-        residual=max(seat.residual for seat in seats) / play,
+        laws=tuple(slot.wire.options.law for slot in slots),
+        ticks=sum(slot.ticks for slot in slots),
+        used=tuple(slot.used for slot in slots),
+        watched=max(slot.watched for slot in slots),
+        causes=int(slots[0].causes | slots[1].causes),
+        force=max(slot.strongest for slot in slots),
+        paid=max(slot.overpaid for slot in slots),
+        residual=max(slot.residual for slot in slots) / play,
         margin=margin / play,
-        shortened=sum(seat.short for seat in seats) / max(1, sum(seat.ticks for seat in seats)),
+        shortened=sum(slot.short for slot in slots) / max(1, sum(slot.ticks for slot in slots)),
     )
 
 
@@ -418,7 +424,7 @@ def measure(count: int = SHORT, jobs: int = 1) -> list[Row]:
     most = {law: max((used for own, used in couplings if own == law), default=0.0) for law in ("pspm", "virtual")}
     kinds = ", ".join(f"{sum(found.body == kind for found in findings)} at a {kind}" for kind in _BODIES)
     laws = ", ".join(f"{sum(own == law for own, _ in couplings)} {law}" for law in most)
-    wanting = float(np.mean([found.shortened for found in findings]))
+    starved = float(np.mean([found.shortened for found in findings]))
     name = "device record"
     return [
         Row(
@@ -427,7 +433,7 @@ def measure(count: int = SHORT, jobs: int = 1) -> list[Row]:
             f"{len(findings):,}",
             "",
             f"{kinds}; couplings: {laws}; {sum(found.ticks for found in findings):,} servo ticks; peers at 100 to "
-            f"1000 Hz; {100 * wanting:.0f} % of ticks wanted for energy",
+            f"1000 Hz; {100 * starved:.0f} % of ticks wanted for energy",
         ),
         Row(
             name,

@@ -97,7 +97,7 @@ def haply(folder: Path) -> list[Row]:
 def force_dimension(built: Path, folder: Path) -> list[Row]:
     """The driver beside the calls to the library that it makes, with their ctypes."""
     with firmware(built, _fresh(folder, "dhd")):
-        device = ready(ForceDimension(library=str(built), watchdog=0.03))
+        device = ready(ForceDimension(library=str(built)))
         dhd = device._dhd
         assert dhd is not None
 
@@ -183,13 +183,13 @@ def _zero(name: str, built: Path, folder: Path, fault: Fault, value: float) -> f
         with inverse_service(folder) as service:
             inverse = Inverse3(url=service.url, events=service.events)
             try:
-                return fails(inverse, service.board, fault, value)[1]
+                return fails(inverse, service.mailbox, fault, value)[1]
             finally:
                 inverse.close()
-    with firmware(built, folder) as board:
+    with firmware(built, folder) as mailbox:
         device = ForceDimension(library=str(built)) if name == "Force Dimension" else Touch(library=str(built))
         try:
-            return fails(device, board, fault, value)[1]
+            return fails(device, mailbox, fault, value)[1]
         finally:
             device.close()
 

@@ -20,8 +20,8 @@ import numpy as np
 import numpy.typing as npt
 
 from benchmarks._report import Row, command
-from cotouch.live import Assembly, Chunk, Invitation, Path, PathLaw, SampleLink, SamplePlane
-from cotouch.peer import COUPLED, LinkGuard, Peer, Sample
+from cotouch.live import Assembly, Chunk, EmulatedPath, Invitation, PathLaw, SampleLink, SamplePlane
+from cotouch.peer import LinkGuard, LinkState, Peer, Sample
 from cotouch.session import Part, SessionFile, join, open_host
 
 # 44 nodes in three dimensions: one datagram of 1,180 bytes.
@@ -129,7 +129,7 @@ def member() -> None:
             ages.extend(peer._moved[1])
             counted[2:] = done, time.process_time()
         elif not there and len(peer.neighbours) == asked["links"]:
-            there = all(source.state == COUPLED for source in peer._sources if isinstance(source, LinkGuard))
+            there = all(source.state == LinkState.COUPLED for source in peer._sources if isinstance(source, LinkGuard))
             if there:
                 print("there", flush=True)
         return sample
@@ -140,13 +140,13 @@ def member() -> None:
 
     sent: list[tuple[int, float]] = []
 
-    def told(plane: SamplePlane, now: float, sample: Sample, T: float) -> Any:
+    def commanded(plane: SamplePlane, now: float, sample: Sample, T: float) -> Any:
         out = tell(plane, now, sample, T)
         if turns:
             sent.append((sample.index, time.monotonic()))
         return out
 
-    Peer.move, SamplePlane.send, SampleLink.note = moved, told, noted
+    Peer.move, SamplePlane.send, SampleLink.note = moved, commanded, noted
     taken = join(
         Invitation.decode(asked["invitation"]), Part(name=asked["name"], version="benchmark"),
         stopped=lambda: time.monotonic() > window["until"],
@@ -157,7 +157,7 @@ def member() -> None:
         json.dumps(
             {
                 "turns": turns, "ages": ages, "links": links, "sent": sent,
-                "cpu": (counted[3] - counted[1]) / (counted[2] - counted[0]), "seat": taken.seat,
+                "cpu": (counted[3] - counted[1]) / (counted[2] - counted[0]), "slot": taken.slot,
                 "residual": 1.0 if taken.status is None else taken.status.residual,
                 "memory": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss,
             }
@@ -245,7 +245,7 @@ def _ended(processes: list[subprocess.Popen[str]]) -> Iterator[None]:
 def play(
     given: SessionFile, seconds: float, *, patience: float, cores: Sequence[int] | None = None, beside: bool = False
 ) -> tuple[list[dict[str, Any]], np.ndarray]:
-    """What every member printed, by seat, and the times of raw datagrams beside them [s].
+    """What every member printed, by slot, and the times of raw datagrams beside them [s].
 
     Args:
         given: the session.
@@ -266,13 +266,13 @@ def play(
             links = sum(number in pair for pair in network.links)
             who = {"invitation": opened.invitation.encode(), "name": name, "links": links, "limit": limit}
             processes += [_start("member", who, cores)]
-        heard = [_Heard(process) for process in processes]
+        received = [_Heard(process) for process in processes]
         inlet = _start("raw", {"limit": limit + 5.0}, None) if beside else None
         if inlet is not None:
             processes.append(inlet)
             assert inlet.stdout is not None
             outlet.connect(("127.0.0.1", int(inlet.stdout.readline())))
-        while there := [number for number, one in enumerate(heard) if not one.lines]:
+        while there := [number for number, one in enumerate(received) if not one.lines]:
             now = time.monotonic()
             gone = [names[number] for number in there if processes[number].poll() is not None]
             if gone or now > began + patience:
@@ -295,11 +295,11 @@ def play(
             else:
                 time.sleep(0.005)
         seen = np.zeros(0) if inlet is None or inlet.stdout is None else np.array(json.loads(inlet.stdout.readline()))
-        answers = [one.ended(20.0)[1:] for one in heard]
+        answers = [one.ended(20.0)[1:] for one in received]
     if silent := [name for name, lines in zip(names, answers, strict=True) if not lines]:
         raise NotThereError(f"{silent[0]} ended without a word")
     said = [json.loads(lines[0]) | {"turns": []} | _turns(lines[0]) for lines in answers]
-    return sorted(said, key=lambda one: one["seat"]), seen
+    return sorted(said, key=lambda one: one["slot"]), seen
 
 
 def _turns(line: str) -> dict[str, Any]:
@@ -328,7 +328,7 @@ class Parts(NamedTuple):
 
 def to_force(said: list[dict[str, Any]]) -> Parts:
     """Of every sample that makes a force at a neighbour, the first time."""
-    made = {one["seat"]: {turn.index: turn for turn in one["turns"]} for one in said}
+    made = {one["slot"]: {turn.index: turn for turn in one["turns"]} for one in said}
     parts: list[tuple[float, ...]] = []
     for one in said:
         for at, other in enumerate(one["links"]):
@@ -406,12 +406,12 @@ def cpu() -> list[Row]:
     for name, body in (("point", POINT), ("44 nodes, 1.2 kB", BLOCK)):
         load = _load()
         said, _ = play(session(4, rate=1000.0, body=body, links=links), 10.0, patience=60.0)
-        share = np.median([one["cpu"] for one in said])
+        fraction = np.median([one["cpu"] for one in said])
         work = np.concatenate([[turn.done - turn.now for turn in one["turns"]] for one in said])
         left, _ = missed(said, 0.001)
         rows.append(
             Row(
-                "members", f"CPU of a member, 1 kHz, 3 neighbours, {name}", f"{100.0 * share:.0f} % of a core", "",
+                "members", f"CPU of a member, 1 kHz, 3 neighbours, {name}", f"{100.0 * fraction:.0f} % of a core", "",
                 "all threads, and 10 to 20 % looking for samples until the deadline; from there to the new state p50 "
                 f"{1e6 * np.median(work):.0f} µs; {100.0 * left:.2f} % of deadlines missed by four on "
                 f"{os.cpu_count()} cores; {load}",
@@ -462,7 +462,7 @@ def how_many(tried: Sequence[int] = (8, 16, 24, 32)) -> list[Row]:
 
 def own_age(law: PathLaw, rate: float, seconds: float) -> float:
     """Median age of the newest datagram that came over a path, looked at in every phase of its sending [s]."""
-    path = Path(law, np.random.default_rng(1))
+    path = EmulatedPath(law, np.random.default_rng(1))
     came = sorted((when, k / rate) for k in range(round(seconds * rate)) for when in path.arrivals(k / rate, BYTES))
     newest, at, ages = -1.0, 0, []
     for k in range(round(rate), round(seconds * rate)):

@@ -33,17 +33,17 @@ STEPS = 500.0  # a second
 GOAL = {"3d": "≤ 10 %", "big": ""}
 # A screen without a browser: pictures a second, and how long before one of them a frame is asked for [s].
 SCREEN, LEAD = 60.0, 0.004
-_HELLO = {"type": "hello", "version": 1, "want": "all", "rate": 60, "seat": 0}
+_HELLO = {"type": "hello", "version": 1, "want": "all", "rate": 60, "slot": 0}
 
 
 class _Played:
     """A stage that shows what was made beforehand; notes when pointers came."""
 
     def __init__(self, kind: str) -> None:
-        from tests.web.fake_stage import FakeStage, Kind
+        from tests.web.fake_session_api import FakeSessionApi, Kind
 
         now = [0.0]
-        made = FakeStage(cast("Kind", kind), clock=lambda: now[0])
+        made = FakeSessionApi(cast("Kind", kind), clock=lambda: now[0])
         self.scene: Scene = made.scene
         self._kept: list[Mapping[int, CopyView]] = []
         for _ in range(KEPT):
@@ -51,22 +51,22 @@ class _Played:
             self._kept.append(made.views())
         self._overview: Overview = made.overview()
         self.late: list[float] = []
-        self._heard = 0
+        self._received = 0
 
     def views(self) -> Mapping[int, CopyView]:
         now = time.monotonic()
         views = self._kept[int(now * STEPS) % KEPT]
-        return {seat: replace(view, time=now, heard=self._heard) for seat, view in views.items()}
+        return {slot: replace(view, time=now, received=self._received) for slot, view in views.items()}
 
     def overview(self) -> Overview:
         return self._overview
 
-    def point(self, seat: int, pointer: Pointer) -> None:
-        del seat
+    def point(self, slot: int, pointer: Pointer) -> None:
+        del slot
         # The page puts the time of its event, on the clock of this machine, where the target's places are.
         sent = pointer.target[0] * 1000.0 + pointer.target[1]
         self.late.append(time.monotonic() % 1000.0 - sent if sent else 0.0)
-        self._heard = pointer.number
+        self._received = pointer.number
 
     def do(self, what: str, arguments: Mapping[str, Any]) -> str:
         del arguments
@@ -117,8 +117,8 @@ def visit(address: str, token: str, seconds: float, pointing: float, timed: bool
             except TimeoutError:
                 continue
             if isinstance(message, str):
-                told = json.loads(message)
-                state = told if told["type"] == "state" else state
+                commanded = json.loads(message)
+                state = commanded if commanded["type"] == "state" else state
             else:
                 if not first:
                     first = time.monotonic() - began
@@ -169,9 +169,9 @@ def served() -> list[Row]:
     """Against copies that are made beforehand."""
     rows: list[Row] = []
     for kind, what in (("3d", "5 copies of 1,924 points"), ("big", "5 copies of 20,002 points")):
-        stage = _Played(kind)
+        api = _Played(kind)
         started = time.perf_counter()
-        with PageServer(stage, port=0) as server:
+        with PageServer(api, port=0) as server:
             ready = time.perf_counter() - started
             before = time.process_time()
             time.sleep(3.0)
@@ -179,7 +179,7 @@ def served() -> list[Row]:
             found = _page(server)
             used = (time.process_time() - before) / SECONDS
             late = _page(server, 60.0)
-        seconds = np.array([x for x in stage.late if x > 0.0])
+        seconds = np.array([x for x in api.late if x > 0.0])
         rows += [
             Row("page", f"{what}: frames a second", f"{found['frames']:.1f}", "≥ 55" if kind == "3d" else "≥ 30",
                 f"{found['bytes'] / 1e6:.2f} MB/s; {load()}"),
@@ -227,7 +227,7 @@ def demonstration() -> list[Row]:
             f"{browser if found['browser'] else 'no browser'}; {load()}"),
         Row("page", "demonstration: pointer to the picture whose copy has used it, p50 / p99",
             _times(np.array(visited["shows"])), "≤ 16 ms",
-            f"of a screen of 60 Hz, without drawing; {len(visited['shows'])} pointers; boards and a step lie between"),
+            f"of a screen of 60 Hz, without drawing; {len(visited['shows'])} pointers; mailboxes and a step between"),
     ]  # fmt: skip
 
 
@@ -256,7 +256,7 @@ def _demo() -> Any:
         "demo",
         "--body",
         "soft",
-        "--seconds",
+        "--duration",
         "240",
         "--page",
         "--headless",

@@ -70,8 +70,8 @@ def _log(rng: np.random.Generator, low: float, high: float) -> float:
 def _graph(rng: np.random.Generator, users: int) -> list[list[int]]:
     """Links of a random connected graph; one in eight keeps only some links of it."""
     links = {(int(rng.integers(i)), i) for i in range(1, users)}
-    share = rng.random() ** 2
-    links |= {(a, b) for b in range(users) for a in range(b) if rng.random() < share}
+    fraction = rng.random() ** 2
+    links |= {(a, b) for b in range(users) for a in range(b) if rng.random() < fraction}
     if rng.random() < 0.125:
         links = {link for link in sorted(links) if rng.random() < 0.6}
     return [[a + 1, b + 1] for a, b in sorted(links)]
@@ -223,9 +223,11 @@ def tables(number: int) -> tuple[Table, bool]:
     nodes, axes = _size(body)
     steps = _steps(rng, users)
     mode = str(rng.choice(_MODES))
+    if mode == "constant":  # clocks of different rates cannot share an index
+        steps |= {name: steps[name][0] for name in ("period", "rate") if isinstance(steps.get(name), list)}
     methods = ["rule", "minimax"] + (["exact"] if mode == "constant" and isinstance(steps.get("period"), float) else [])
     scale = float(rng.uniform(0.0, 0.1)) if below else 1.0 if rng.random() < 0.5 else float(rng.uniform(1.0, 2.0))
-    synchronisation: Table = {"mode": mode, "damping": str(rng.choice(methods)), "scale": scale}
+    synchronisation: Table = {"mode": mode, "damping": str(rng.choice(methods)), "damping_scale": scale}
     if not below and rng.random() < 0.2:
         synchronisation["extra_damping"] = rng.uniform(0.0, 5.0, users).tolist()
     holders = [i + 1 for i in range(users) if rng.random() < 0.7]

@@ -11,8 +11,8 @@ import numpy as np
 
 from benchmarks._report import Row, command
 from cotouch.body import Body, lattice, point
-from cotouch.mechanics import Grips, model
-from cotouch.peer import FreshestLink, Peer, Report, Sample
+from cotouch.mechanics import Ports, model
+from cotouch.peer import FreshestLink, Peer, Sample, StepReport
 from cotouch.recording import RecordedBody, Recorder, RecordHeader, audit, read_recording
 
 PERIOD = 0.001
@@ -33,7 +33,7 @@ def peer_of(body: Body) -> Peer:
         weight=[0, 0],
         local_damping=np.array([4.0]),
         extra_damping=np.array([0.0]),
-        grips=Grips(
+        ports=Ports(
             first=0,
             last=rows.size,
             row=rows,
@@ -58,8 +58,8 @@ def case(name: str, body: Body) -> list[Row]:
         spent = np.empty(STEPS)
         for k in range(STEPS):
             now = PERIOD * (k + 1)
-            peer.grips.start[:, 0], peer.grips.end[:, 0] = 0.1 * np.sin(7.0 * (now - PERIOD)), 0.1 * np.sin(7.0 * now)
-            report: Report = peer.step(now, PERIOD)
+            peer.ports.start[:, 0], peer.ports.end[:, 0] = 0.1 * np.sin(7.0 * (now - PERIOD)), 0.1 * np.sin(7.0 * now)
+            report: StepReport = peer.step(now, PERIOD)
             before = perf_counter_ns()
             recorder.step(report, end=now, T=PERIOD, state=peer.state, used=(-1, -1))
             spent[k] = perf_counter_ns() - before

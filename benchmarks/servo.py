@@ -41,7 +41,7 @@ from cotouch.haptics import (
     ServoSettings,
     open_device,
 )
-from cotouch.haptics._boards import OrderWriter
+from cotouch.haptics._mailboxes import OrderWriter
 from cotouch.pacing import prepare_process
 
 ROOT = str(Path(__file__).parent.parent)
@@ -59,7 +59,7 @@ def load() -> str:
 
 
 def cost(cycles: int = CYCLES) -> list[Row]:
-    """A cycle of the core, of the loop with its boards, and of the bare device; no pacing."""
+    """A cycle of the core, of the loop with its mailboxes, and of the bare device; no pacing."""
     device = open_device("simulated", variant="cartesian")
     device.calibrate(allow_motion=False)
     device.enable_force()
@@ -72,9 +72,9 @@ def cost(cycles: int = CYCLES) -> list[Row]:
         alone: list[float] = []
         for k in range(cycles):
             now = 1e-3 * k
-            core.hear(Order(time=now, place=(0.0, 0.0, 0.01), enable=True))
-            told = _at(reading, now)
-            alone.append(_timed(lambda told=told, now=now: core.cycle(told, now)))
+            core.receive(Order(time=now, place=(0.0, 0.0, 0.01), enable=True))
+            commanded = _at(reading, now)
+            alone.append(_timed(lambda commanded=commanded, now=now: core.cycle(commanded, now)))
         servo = Servo(device, settings, watched=lambda: True)
         orders = OrderWriter(Path(folder))
         whole: list[float] = []
@@ -116,14 +116,14 @@ class _Pulled:
         self.link = ServoLink(choice)
         self._end, self._first = ProxyEnd(self.link.options), None
 
-    def tend(self) -> None:
+    def service(self) -> None:
         """A step of the peer."""
         report = self.link.read()
         if report is not None:
             self._first = report.place if self._first is None else self._first
-            self._end.pull(self._first, report.place, report.rate, report.word, 0.002)
-            self.link.order(self._first, self._end.purse.word)
-        for text in self.link.notices():
+            self._end.pull(self._first, report.place, report.rate, report.message, 0.002)
+            self.link.order(self._first, self._end.tank.message)
+        for text in self.link.warning_log():
             print(text, file=sys.stderr)
 
 
@@ -131,7 +131,7 @@ def _held(links: list[_Pulled], seconds: float) -> None:
     finish = time.monotonic() + seconds
     while time.monotonic() < finish:
         for one in links:
-            one.tend()
+            one.service()
         time.sleep(0.002)
 
 
@@ -253,7 +253,7 @@ def _comes(done: Callable[[], bool], seconds: float = 20.0) -> bool:
     while not done():
         if time.monotonic() > end:
             return False
-        _tend()
+        _service()
         time.sleep(0.002)
     return True
 
@@ -261,11 +261,11 @@ def _comes(done: Callable[[], bool], seconds: float = 20.0) -> bool:
 def _rest(seconds: float) -> None:
     end = time.monotonic() + seconds
     while time.monotonic() < end:
-        _tend()
+        _service()
         time.sleep(0.002)
 
 
-def _tend() -> None:
+def _service() -> None:
     for held in _tending:
         tended = iter((False, True))
         held.until(lambda tended=tended: next(tended), "a step")

@@ -106,7 +106,7 @@ class Soak:
         time.sleep(0.02)
 
     def look(self) -> None:
-        """Books of everybody, once a second."""
+        """Ledgers of everybody, once a second."""
         self.died += sum(not member.running for member in self.members.values())
         for status in self.opened.host.watch.last.values():
             self.residual = max(self.residual, status.residual)
@@ -284,7 +284,7 @@ def measure(
         # Said at once: reading all recordings takes minutes, and may be interrupted.
         for row in memory:
             sys.stderr.write(f"{row.what}: {row.value}, {row.note}\n")
-        books = _audited(soak) if check else Row("soak", "— audit of all recordings", "not done", "holds")
+        ledger = _audited(soak) if check else Row("soak", "— audit of all recordings", "not done", "holds")
     done = sum(one is not None for one in results)
     faults = ", ".join(f"{count} {what}" for what, count in soak.faults.items())
     what = (
@@ -297,7 +297,7 @@ def measure(
         *memory,
         Row("soak", "— energy residual, worst of all steps, of the energy in play", f"{soak.residual:.1e}", "≤ 1e-9",
             f"{soak.alarms} alarms"),
-        books,
+        ledger,
     ]  # fmt: skip
 
 

@@ -97,17 +97,17 @@ class Reference:
 
     def of(self, c: Copy) -> Callable[[], int]:
         """All steps of a copy."""
-        op, s, g, w = c.model.operator, c.state, c.grips, c.work
+        op, s, g, w = c.model.operator, c.state, c.ports, c.work
         assert op.entries.shape[0] == 1
         assert c.model.width == 4
         sizes = [op.mass.size, c.links.last, g.last, c.links.last, CAP, c.lengths.size, op.split]
-        numbers = [op.share, op.mix[1, 0], op.mix[2, 0], c.local[0], TOLERANCE]
+        numbers = [op.copy_scale, op.mix[1, 0], op.mix[2, 0], c.local[0], TOLERANCE]
         arrays = [
             *(c.lengths, op.mass, op.damping, op.stiffness, op.pointer, op.column, op.entries),
             op.magnitude,
             *(s.position, s.velocity, s.tension, c.links.samples, c.links.strength),
             *(g.row, g.stiffness, g.damping, g.start, g.end, g.push, g.force),
-            *(w.diagonal, w.inverse, w.rhs, w.mean, c.books, c.link_work),
+            *(w.diagonal, w.inverse, w.rhs, w.mean, c.ledger, c.link_work),
         ]
         size = (ctypes.c_long * len(sizes))(*sizes)
         number = (ctypes.c_double * len(numbers))(*numbers)
@@ -290,8 +290,8 @@ def closed_forms() -> list[Row]:
         {"point": lambda: compiled(dot), "modal": lambda: compiled(modal), "nodal": lambda: compiled(nodal)}, ROUNDS
     )
     for c in (dot, modal):
-        assert c.books[ITERATIONS] == 0
-        assert np.isfinite(c.books[KINETIC])
+        assert c.ledger[ITERATIONS] == 0
+        assert np.isfinite(c.ledger[KINETIC])
     each = {"point": seconds["point"] / 1e5, "modal": seconds["modal"] / 200, "nodal": seconds["nodal"] / 200}
     gain = ratio(each["nodal"], each["modal"])
     return [

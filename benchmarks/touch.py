@@ -24,7 +24,7 @@ from cotouch.body import Body
 from cotouch.mechanics import (
     GRASP,
     TOUCH,
-    TOUCH_BOOKS,
+    TOUCH_LEDGER,
     Surface,
     Tools,
     TouchWork,
@@ -57,7 +57,7 @@ class Scene(NamedTuple):
         surface: its skin.
         tools: the proxies.
         work: scratch of the step.
-        books: of the tools.
+        ledger: of the tools.
         path: where the tools are drawn to, (steps, tools, 4) [m].
         times: result: of each step, (steps,) [ns].
         counts: result: contacts or nodes held, and different nodes that contacts press on, (steps, 2).
@@ -67,7 +67,7 @@ class Scene(NamedTuple):
     surface: Surface
     tools: Tools
     work: TouchWork
-    books: Float
+    ledger: Float
     path: Float
     times: npt.NDArray[np.int64]
     counts: npt.NDArray[np.int32]
@@ -85,10 +85,10 @@ def _pressed(surface: Any, touch: Any) -> int:
     count = 0
     for c in range(found.number[0]):
         for q in range(3):
-            new = force[c] > 0.0 and found.share[c, q] > 0.0
+            new = force[c] > 0.0 and found.fraction[c, q] > 0.0
             for before in range(3 * c + q):
                 b, p = before // 3, before % 3
-                if force[b] > 0.0 and found.share[b, p] > 0.0:
+                if force[b] > 0.0 and found.fraction[b, p] > 0.0:
                     new = new and corner[found.triangle[b], p] != corner[found.triangle[c], q]
             count += new
     return count
@@ -99,7 +99,7 @@ def _run(
     op: Any,
     state: Any,
     links: Any,
-    grips: Any,
+    ports: Any,
     surface: Any,
     own: Any,
     local: Any,
@@ -107,8 +107,8 @@ def _run(
     lengths: Any,
     work: Any,
     touch: Any,
-    books: Any,
-    touch_books: Any,
+    ledger: Any,
+    touch_ledger: Any,
     link_work: Any,
     path: Any,
     now: Any,
@@ -124,8 +124,8 @@ def _run(
         _clock(_MONOTONIC, now.ctypes.data)
         begin = now[0] * 1_000_000_000 + now[1]
         touch_step(
-            op, state, links, grips, surface, own, local, extra, lengths[k], links.last, work, touch, books,
-            touch_books, link_work, TOLERANCE, CAP, lanes,
+            op, None, state, links, ports, surface, own, local, extra, lengths[k], links.last, work, touch, ledger,
+            touch_ledger, link_work, TOLERANCE, CAP, lanes,
         )  # fmt: skip
         _clock(_MONOTONIC, now.ctypes.data)
         times[k] = now[0] * 1_000_000_000 + now[1] - begin
@@ -136,7 +136,7 @@ def _run(
 def scene(body: Body, *, mode: int = TOUCH, steps: int = STEPS, spheres: int = 1) -> Scene:
     """A sphere over the middle of the top, which goes down into it and then to and fro; or some around the middle."""
     c = copy(body, steps=steps, basis="nodal" if body.truncation is None else "auto")
-    c = c._replace(grips=c.grips._replace(last=0))  # the tool is what holds this copy
+    c = c._replace(ports=c.ports._replace(last=0))  # the tool is what holds this copy
     surface = surface_of(c.model)
     own = tools(spheres)
     top = body.rest.max(axis=0)
@@ -155,17 +155,17 @@ def scene(body: Body, *, mode: int = TOUCH, steps: int = STEPS, spheres: int = 1
     path[:, :, 0] += 2.0 * SPACING * np.sin(2.0 * np.pi * np.maximum(when - 0.2, 0.0))[:, None]
     if mode == GRASP:
         own.radius[0], own.place[0, 2] = 1.45 * SPACING, top[2]
-    work = touch_work(c.model, surface, tools=spheres, ports=c.grips.row.size)
+    work = touch_work(c.model, surface, tools=spheres, port_count=c.ports.row.size)
     counts = np.zeros((steps, 2), np.int32)
-    return Scene(c, surface, own, work, np.zeros(TOUCH_BOOKS), path, np.zeros(steps, np.int64), counts)
+    return Scene(c, surface, own, work, np.zeros(TOUCH_LEDGER), path, np.zeros(steps, np.int64), counts)
 
 
 def run(s: Scene) -> Float:
     """Seconds of each step after the sphere has come down."""
     c = s.copy
     _run(
-        c.model.operator, c.state, c.links, c.grips, s.surface, s.tools, c.local, c.extra, c.lengths, c.work, s.work,
-        c.books, s.books, c.link_work, s.path, np.zeros(2, np.int64), s.times, s.counts, c.model.lanes,
+        c.model.operator, c.state, c.links, c.ports, s.surface, s.tools, c.local, c.extra, c.lengths, c.work, s.work,
+        c.ledger, s.ledger, c.link_work, s.path, np.zeros(2, np.int64), s.times, s.counts, c.model.lanes,
     )  # fmt: skip
     return 1e-9 * s.times[s.times.size // 5 :]
 

@@ -50,7 +50,7 @@ class Finding:
         steps: of all users.
         switches: how often a tool began or ceased to touch or hold.
         devices: tools with a device.
-        residual: largest imbalance in the books of copies, links, proxies and contacts.
+        residual: largest imbalance in the ledger of copies, links, proxies and contacts.
         device_residual: in those of devices and hands.
         given: most that contacts gave body and proxies together.
         used: largest share of its d² that a PSPM coupling gave away.
@@ -201,7 +201,7 @@ def _device(rng: np.random.Generator) -> Table:
         own = _log(rng, 0.5, 10.0)
         table |= {
             "coupling": "virtual",
-            "lower": True,
+            "clip_stiffness": True,
             "viscous": own,
             # Steps beside each other differ by up to thirty times in length; what is left must pay for the spring.
             "damping": own * float(rng.uniform(0.0, 0.01)),
@@ -410,8 +410,8 @@ def _nearest(corners: Float, point: Float) -> Float:
 
     for p, q in ((a, b), (b, c), (c, a)):
         edge = q - p
-        share = np.einsum("ij,ij->i", point - p, edge) / np.maximum(np.einsum("ij,ij->i", edge, edge), 1e-300)
-        take(p + np.clip(share, 0.0, 1.0)[:, None] * edge, np.ones(share.size, dtype=bool))
+        fraction = np.einsum("ij,ij->i", point - p, edge) / np.maximum(np.einsum("ij,ij->i", edge, edge), 1e-300)
+        take(p + np.clip(fraction, 0.0, 1.0)[:, None] * edge, np.ones(fraction.size, dtype=bool))
     u, v, w = b - a, c - a, point - a
     uu, uv, vv = (np.einsum("ij,ij->i", x, y) for x, y in ((u, u), (u, v), (v, v)))
     wu, wv = np.einsum("ij,ij->i", w, u), np.einsum("ij,ij->i", w, v)

@@ -92,8 +92,8 @@ def _ellipsoid(p: Float, centre: tuple[float, ...], radii: tuple[float, ...]) ->
 
 def _blend(a: Float, b: Float, width: float) -> Float:
     """The lower of two fields, rounded where they meet."""
-    share = np.clip(0.5 + 0.5 * (b - a) / width, 0.0, 1.0)
-    return b + (a - b) * share - width * share * (1.0 - share)
+    fraction = np.clip(0.5 + 0.5 * (b - a) / width, 0.0, 1.0)
+    return b + (a - b) * fraction - width * fraction * (1.0 - fraction)
 
 
 def _surface(field: Field, *, low: tuple[float, ...], high: tuple[float, ...], cells: int) -> tuple[Float, Ints]:
@@ -111,11 +111,11 @@ def _surface(field: Field, *, low: tuple[float, ...], high: tuple[float, ...], c
         one[axis], two[axis] = slice(None, -1), slice(1, None)
         start, end = inside[tuple(one)], inside[tuple(two)]
         edges = np.argwhere(start != end)
-        share = values[tuple(one)][tuple(edges.T)] / (
+        fraction = values[tuple(one)][tuple(edges.T)] / (
             values[tuple(one)][tuple(edges.T)] - values[tuple(two)][tuple(edges.T)]
         )
         place = edges.astype(np.float64)
-        place[:, axis] += share
+        place[:, axis] += fraction
         b, c = (axis + 1) % 3, (axis + 2) % 3
         around = []
         for db, dc in ((-1, -1), (0, -1), (0, 0), (-1, 0)):

@@ -1,6 +1,7 @@
 """Settings for every test: the same examples on every run, and helpers importable as `tests....`."""
 
 import os
+import signal
 import subprocess
 import sys
 from collections.abc import Generator
@@ -14,6 +15,8 @@ from hypothesis import HealthCheck, settings
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 ROOT = str(Path(__file__).parent.parent)
+# For processes that import the tests' own modules: the tests and the sources beside them.
+IMPORTS = os.pathsep.join((ROOT, str(Path(ROOT, "src"))))
 if ROOT not in sys.path:
     sys.path.insert(0, ROOT)
 
@@ -29,6 +32,13 @@ settings.load_profile("cotouch")
 
 def pytest_configure(config: pytest.Config) -> None:
     """Compiles the kernels once, one process for each width, before several workers compile the same."""
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+        # A shell starts what runs in its background so, and every process below inherits it: Ctrl-C would do nothing.
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+    from tests import leftovers, turns
+
+    config.pluginmanager.register(leftovers)
+    config.pluginmanager.register(turns)
     if getattr(config.option, "numprocesses", None) and not hasattr(config, "workerinput"):
         script = Path(__file__).parent / "warm_up.py"
         running = [subprocess.Popen([sys.executable, str(script), axes]) for axes in ("1", "3")]
@@ -36,12 +46,19 @@ def pytest_configure(config: pytest.Config) -> None:
             process.wait()
 
 
+@pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Where workers share the tests, what takes long comes first."""
     if hasattr(config, "workerinput"):
         from tests.order import ordered
 
         items[:] = ordered(items)
+
+
+@pytest.fixture(scope="session", autouse=True)
+def state(tmp_path_factory: pytest.TempPathFactory) -> None:
+    """Nothing is kept in the home of who runs the tests."""
+    os.environ["XDG_STATE_HOME"] = str(tmp_path_factory.mktemp("state"))
 
 
 @pytest.fixture(scope="session")

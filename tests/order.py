@@ -1,36 +1,50 @@
 """In which order tests run when several processes share them, so that all of these are done at about the same time.
 
 `--dist worksteal` gives each of two workers half of the list; whoever is done takes half of what the other has left,
-from its end. So one begins with what waits in real time and leaves its processor to the processes that it waits for,
-the other with what computes longest, and what is quick is left for the end. Modules stay whole: their fixtures are made
-once.
+from its end. So one begins with what waits for other processes, the other with what computes longest, and what is quick
+is left for the end. Modules stay whole: their fixtures are made once.
 """
 
 from collections.abc import Sequence
 from typing import Protocol, TypeVar
 
-# Real sessions, networks, devices and browsers, the longest first.
-WAITING = (
-    "session/test_networks.py",
+# Real sessions, networks and devices: `make test` runs them alone, after everything else.
+TIMED = (
     "cli/test_session_commands.py",
-    "web/test_real_demo.py",
-    "live/test_networks.py",
-    "live/test_nats.py",
-    "live/test_control_processes.py",
-    "session/test_nats.py",
-    "session/test_device_hand.py",
-    "drivers/test_session.py",
+    "drivers/test_failing.py",
     "drivers/test_processes.py",
+    "drivers/test_session.py",
     "haptics/test_processes.py",
+    "haptics/test_servo.py",
+    "live/test_control_processes.py",
+    "live/test_control_zenoh.py",
+    "live/test_gate.py",
+    "live/test_gatekeeper.py",
+    "live/test_nats.py",
+    "live/test_networks.py",
+    "live/test_pacing.py",
+    "session/test_demo_session_api.py",
+    "session/test_device_hand.py",
+    "session/test_nats.py",
+    "session/test_networks.py",
+    "web/test_real_demo.py",
+    "web/test_real_join.py",
+)
+# Browsers, and runs of tests that are interrupted, the longest first.
+WAITING = (
     "web/test_picture.py",
+    "test_leftovers.py",
     "web/test_shell_reach.py",
     "web/test_shell_instruments.py",
     "web/test_shell.py",
+    "web/test_silence.py",
+    "cli/test_full_disk.py",
     "web/test_picture_kinds.py",
     "simulation/test_animation.py",
 )
 # What computes for long or compiles much, the longest first.
 COMPUTING = (
+    "test_processors.py",
     "study/test_study.py",
     "planning/test_plan.py",
     "study/test_solid.py",
@@ -48,7 +62,6 @@ COMPUTING = (
     "mechanics/test_contact.py",
     "mechanics/test_collide.py",
     "session/test_recording.py",
-    "session/test_demo_stage.py",
     "live/test_fuzz.py",
 )
 
@@ -63,11 +76,16 @@ class Item(Protocol):
 T = TypeVar("T", bound=Item)
 
 
+def module_of(nodeid: str) -> str:
+    """The file of a test, as it is named above."""
+    return nodeid.partition("::")[0].removeprefix("tests/")
+
+
 def ordered(items: Sequence[T]) -> list[T]:
     """All of them, for two workers: the first half for one, the second for the other."""
     found: dict[str, list[T]] = {}
     for item in items:
-        found.setdefault(item.nodeid.partition("::")[0].removeprefix("tests/"), []).append(item)
+        found.setdefault(module_of(item.nodeid), []).append(item)
     waiting = [item for module in WAITING for item in found.pop(module, [])]
     computing = [item for module in COMPUTING for item in found.pop(module, [])]
     first, second = list[T](), list[T]()

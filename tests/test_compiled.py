@@ -1,14 +1,19 @@
-"""The cache of compiled kernels knows all of their sources."""
+"""Machine code is kept as long as its sources stay the same, and large kernels are kept once."""
+# pyright: reportPrivateUsage=false
 
 import importlib
 import os
-import re
+import pkgutil
+import resource
+import subprocess
 import sys
+from collections.abc import Callable, Generator
 from pathlib import Path
 from shutil import copytree, ignore_patterns
 from typing import Any
 
 import pytest
+from numba.core.dispatcher import Dispatcher
 
 import cotouch
 from cotouch import compiled as machine
@@ -18,40 +23,121 @@ from cotouch.network import rightmost
 PACKAGE = Path(str(cotouch.__file__)).parent
 
 
+def dispatchers() -> dict[Path, list[Any]]:
+    """All kernels of the package, by their files."""
+    found: dict[Path, list[Any]] = {}
+    for module in pkgutil.walk_packages([str(PACKAGE)], "cotouch."):
+        if module.name.split(".")[1] in {
+            "device",
+            "laws",
+            "mechanics",
+            "network",
+            "planning",
+            "scenario",
+            "simulation",
+        }:
+            for value in vars(importlib.import_module(module.name)).values():
+                if isinstance(value, Dispatcher) and value.py_func.__module__ == module.name:
+                    found.setdefault(Path(value.py_func.__code__.co_filename), []).append(value)
+    return found
+
+
 @pytest.mark.parametrize("compiled", [step, settle, rightmost])
-def test_the_cache_is_stamped_with_the_newest_source(compiled: object):
-    stamp = compiled._cache._cache_file._source_stamp  # pyright: ignore[reportAttributeAccessIssue]
-    assert stamp == machine._STAMP
+def test_the_cache_is_stamped_with_the_kernels_sources(compiled: Any):
+    stamp = compiled._cache._cache_file._source_stamp
+    assert stamp == machine._stamp(Path(compiled.py_func.__code__.co_filename))
 
 
-def test_every_file_with_a_kernel_counts():
-    counted = {path for room in machine._ROOMS for path in (machine._PACKAGE / room).glob("_*.py")}
-    with_kernels = {
-        path
-        for path in PACKAGE.rglob("*.py")
-        if re.search(r"^@(block|inner|kernel|part|intrinsic|routine)\b", path.read_text(), re.MULTILINE)
-    }
-    assert len(with_kernels) >= 3
-    assert with_kernels <= counted
+def test_whatever_a_kernel_calls_counts():
+    found = dispatchers()
+    assert sum(map(len, found.values())) > 200
+    for path, kernels in found.items():
+        counted = set(machine._sources(path))
+        for compiled in kernels:
+            function = compiled.py_func
+            for name in function.__code__.co_names:
+                called = function.__globals__.get(name)
+                # What numba inlines as an overload of its own says where it is from as any function does.
+                origin = sys.modules.get(getattr(called, "__module__", None) or "")
+                if origin is not None and origin.__name__.startswith("cotouch."):
+                    assert Path(str(origin.__file__)) in counted, f"{path.name}: {function.__name__} calls {name}"
+
+
+@pytest.fixture
+def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Generator[Path]:
+    """A copy of the package, whose sources are those that are read."""
+    copy = copytree(PACKAGE, tmp_path / "cotouch", ignore=ignore_patterns("__pycache__"))
+    forget()
+    monkeypatch.setattr(machine, "_PACKAGE", copy)
+    yield copy
+    forget()
+
+
+def forget() -> None:
+    """Sources are read once in a process."""
+    for function in (machine._read, machine._imported, machine._stamp):
+        function.cache_clear()
+
+
+ENGINE, STEP, ROOT = "simulation/_engine.py", "mechanics/_step.py", "network/_rightmost.py"
 
 
 @pytest.mark.parametrize(
-    "name", ["mechanics/_operator.py", "mechanics/_vector.py", "simulation/_engine.py", "network/_loop.py"]
+    ("name", "concerned"),
+    [
+        ("mechanics/_operator.py", {ENGINE, STEP}),
+        ("mechanics/_vector.py", {ENGINE, STEP}),
+        ("mechanics/_contact_step.py", {ENGINE}),
+        ("simulation/_engine.py", {ENGINE}),
+        ("device/_phantom.py", {ENGINE}),
+        ("network/_loop.py", {ROOT}),
+        ("planning/_task.py", set[str]()),
+        ("compiled.py", {ENGINE, STEP, ROOT}),
+    ],
 )
-def test_an_edit_of_any_file_changes_the_stamp(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
-    copy = copytree(PACKAGE, tmp_path / "cotouch", ignore=ignore_patterns("__pycache__"))
-    monkeypatch.setattr(machine, "_PACKAGE", copy)
-    before = machine._newest_source()
-    assert machine._newest_source() == before
+def test_an_edit_changes_the_stamp_of_what_it_concerns(name: str, concerned: set[str], elsewhere: Path):
+    def stamps() -> dict[str, object]:
+        forget()
+        return {kernel: machine._stamp(elsewhere / kernel) for kernel in (ENGINE, STEP, ROOT)}
 
-    path = copy / name
-    os.utime(path, (before[0] + 10.0, before[0] + 10.0))
-    touched = machine._newest_source()
-    assert touched == (before[0] + 10.0, before[1])
+    before = stamps()
+    path = elsewhere / name
+    os.utime(path, (0.0, 0.0))
+    assert stamps() == before, "a file that was only touched needs no compilation"
+    text = path.read_text()
+    path.write_text(text[:-2] + text[-2:][::-1])
+    after = stamps()
+    assert {kernel for kernel in before if after[kernel] != before[kernel]} == concerned
 
-    path.write_text(path.read_text() + "\n")
-    os.utime(path, (0.0, 0.0))  # an older file put in its place still changes the total size
-    assert machine._newest_source() != before
+
+@pytest.mark.parametrize(
+    ("line", "counted", "everything"),
+    [
+        ("from cotouch.mechanics import at", {"mechanics/_vector.py"}, False),
+        (
+            "from cotouch.mechanics import (\n    at,  # which, why\n    multiply as by,\n)",
+            {"mechanics/_operator.py"},
+            False,
+        ),
+        ("if True:\n    from cotouch.network._loop import Loop", {"network/_loop.py"}, False),
+        ("from cotouch import drawing", {"drawing.py"}, False),
+        ("from cotouch import simulate", {"simulation/_engine.py"}, True),
+        ("import cotouch.laws", {"laws/_end.py"}, True),
+        ("# from cotouch import simulate\nimport numpy", set[str](), False),
+    ],
+)
+def test_every_form_of_an_import_counts(line: str, counted: set[str], everything: bool, tmp_path: Path):
+    path = tmp_path / "foreign.py"
+    path.write_text(line + "\n")
+    found = set(machine._sources(path))
+    assert found >= {path, PACKAGE / "compiled.py", *(PACKAGE / name for name in counted)}
+    assert (PACKAGE / "web" / "_hub.py" in found) is everything
+
+
+def test_a_copy_with_the_same_content_needs_no_compilation(elsewhere: Path):
+    stamps = [machine._stamp(elsewhere / name) for name in (ENGINE, STEP, ROOT)]
+    assert step._cache._cache_file._source_stamp == stamps[1]  # pyright: ignore[reportFunctionMemberAccess]
+    assert rightmost._cache._cache_file._source_stamp == stamps[2]  # pyright: ignore[reportFunctionMemberAccess]
 
 
 def test_kernels_keep_their_names_and_documentation():
@@ -74,6 +160,143 @@ def test_cold_is_what_neither_memory_nor_disk_holds(tmp_path: Path, monkeypatch:
     assert once(2.0) == 4.0
     assert not machine.cold(once)
     assert not machine.cold(fresh()), "the disk holds it"
-    monkeypatch.setattr(machine, "_STAMP", (0.0, 0))
-    assert machine.cold(fresh()), "some source has changed"
+    path.write_text(path.read_text() + "# Changed.\n")
+    machine._read.cache_clear()
+    machine._stamp.cache_clear()
+    assert machine.cold(fresh()), "its source has changed"
     assert not machine.cold(len)
+
+
+DOUBLE = """
+from cotouch.compiled import routine
+
+@routine
+def double(x):
+    return 2.0 * x
+"""
+
+
+@pytest.fixture
+def kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[], bool]:
+    """Calls a kernel in a file of its own, as another process would; whether its machine code had been kept."""
+    (tmp_path / "doubling.py").write_text(DOUBLE)
+    monkeypatch.syspath_prepend(tmp_path)
+    monkeypatch.setattr(sys, "dont_write_bytecode", True)
+    monkeypatch.setattr(machine, "_told", [])
+
+    def run() -> bool:
+        sys.modules.pop("doubling", None)
+        double = importlib.import_module("doubling").double
+        assert double(2.0) == 4.0
+        return sum(double.stats.cache_hits.values()) == 1
+
+    return run
+
+
+def test_without_a_folder_that_can_be_written_kernels_run_and_say_so(
+    tmp_path: Path, kept: Callable[[], bool], monkeypatch: pytest.MonkeyPatch
+):
+    (tmp_path / "__pycache__").write_text("no folder")
+    monkeypatch.setenv("XDG_CACHE_HOME", "/dev/null/x")
+    monkeypatch.setenv("HOME", "/dev/null/x")
+    with pytest.warns(machine.CacheWarning, match="compiled anew.*neither this package nor a home can be written"):
+        assert not kept()
+    assert not kept(), "and it is said once"
+    assert machine.cold(importlib.import_module("doubling").double) is False, "compiled in this process"
+    sys.modules.pop("doubling")
+    assert machine.cold(importlib.import_module("doubling").double)
+
+
+def test_on_a_full_disk_kernels_run_and_say_so(tmp_path: Path, kept: Callable[[], bool]):
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (64, hard))
+    try:
+        with pytest.warns(machine.CacheWarning, match="__pycache__: File too large"):
+            assert not kept()
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+    assert not kept(), "nothing half-written was left"
+    assert kept()
+
+
+@pytest.mark.parametrize("suffix", ["nbi", "nbc"])
+def test_a_cache_that_was_cut_off_heals(tmp_path: Path, kept: Callable[[], bool], suffix: str):
+    assert not kept()
+    assert kept()
+    for file in tmp_path.rglob(f"*.{suffix}"):
+        file.write_bytes(file.read_bytes()[: file.stat().st_size // 2])
+    assert not kept()
+    assert kept()
+
+
+CALLER = """
+from cotouch.compiled import routine
+from cotouch.probe_callee import large
+
+@routine
+def calls(x):
+    return large(x) + 1.0
+"""
+CALLEE = """
+from cotouch.compiled import subroutine
+
+@subroutine
+def large(x):
+    {body}
+    return x
+"""
+
+
+@pytest.fixture
+def pair(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[], tuple[float, int, int]]:
+    """Two files of the package, one with a kernel that calls a large one of the other, as another process runs them."""
+    copy = copytree(PACKAGE, tmp_path / "cotouch", ignore=ignore_patterns("__pycache__"))
+    (copy / "probe_callee.py").write_text(
+        CALLEE.format(body="\n    ".join(f"x = x * {k}.5 + {k}.0" for k in range(120)))
+    )
+    (copy / "probe_caller.py").write_text(CALLER)
+    script = (
+        "from cotouch.probe_caller import calls\nfrom cotouch.probe_callee import large\n"
+        "print(calls(0.0), *(sum(f.stats.cache_hits.values()) for f in (calls, large)))"
+    )
+
+    def run() -> tuple[float, int, int]:
+        environment = {**os.environ, "PYTHONPATH": str(tmp_path), "PYTHONDONTWRITEBYTECODE": "1"}
+        environment.pop("NUMBA_CACHE_DIR", None)
+        ran = subprocess.run(
+            [sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=True
+        )
+        value, caller, callee = ran.stdout.split()
+        return float(value), int(caller), int(callee)
+
+    monkeypatch.chdir(tmp_path)
+    return run
+
+
+def test_a_large_kernel_is_called_and_not_copied(tmp_path: Path, pair: Callable[[], tuple[float, int, int]]):
+    value, *hits = pair()
+    assert hits == [0, 0]
+    assert pair() == (value, 1, 1), "who calls it brings it along"
+    (caller,), (callee,) = tmp_path.rglob("probe_caller*.nbc"), tmp_path.rglob("probe_callee*.nbc")
+    assert caller.stat().st_size < callee.stat().st_size, "its code is kept once"
+    for file in tmp_path.rglob("probe_callee*.nb?"):
+        file.unlink()
+    assert pair() == (value, 1, 0), "its symbol is the same wherever it is compiled"
+    for file in tmp_path.rglob("probe_callee*.nbc"):
+        file.write_bytes(file.read_bytes()[:100])
+    assert pair() == (value, 1, 0)
+    source = tmp_path / "cotouch" / "probe_callee.py"
+    source.write_text(source.read_text().replace("return x", "return x + 1.0"))
+    assert pair() == (value + 1.0, 0, 0), "its source belongs to who calls it"
+
+
+def test_who_calls_what_has_another_symbol_now_is_compiled_anew(
+    tmp_path: Path, pair: Callable[[], tuple[float, int, int]]
+):
+    value, *_ = pair()
+    (caller,) = tmp_path.rglob("probe_caller*.nbc")
+    kept = caller.read_bytes()
+    assert b"5large" in kept
+    caller.write_bytes(kept.replace(b"5large", b"5lArge", 1))
+    assert pair() == (value, 0, 1)
+    assert pair() == (value, 1, 1)

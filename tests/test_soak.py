@@ -30,20 +30,20 @@ def test_the_interval_holds_the_true_slope_as_often_as_it_says():
     assert np.mean([abs(fit[0]) <= 2.0 * np.sqrt(cov[0, 0]) for fit, cov in line]) < 0.5
 
 
-def hanging(rng: np.random.Generator, share: float, count: int = TIMES.size) -> np.ndarray:
+def hanging(rng: np.random.Generator, fraction: float, count: int = TIMES.size) -> np.ndarray:
     """Values about nothing, of which a share carries on to the next."""
-    out = [rng.standard_normal() / np.sqrt(1.0 - share**2)]
+    out = [rng.standard_normal() / np.sqrt(1.0 - fraction**2)]
     for _ in range(count - 1):
-        out.append(share * out[-1] + rng.standard_normal())
+        out.append(fraction * out[-1] + rng.standard_normal())
     return np.array(out)
 
 
-@pytest.mark.parametrize("share", [0.0, 0.3, 0.6, 0.9])
-def test_so_it_does_where_values_come_back_to_a_line(share: float):
+@pytest.mark.parametrize("fraction", [0.0, 0.3, 0.6, 0.9])
+def test_so_it_does_where_values_come_back_to_a_line(fraction: float):
     rng = np.random.default_rng(3)
-    found = [trend(TIMES, hanging(rng, share) + 0.01 * TIMES) for _ in range(500)]
+    found = [trend(TIMES, hanging(rng, fraction) + 0.01 * TIMES) for _ in range(500)]
     assert np.mean([abs(one.slope - 0.01) <= one.error for one in found]) >= 0.95
-    if not share:  # and there it is sure sooner: nothing of a walk has so narrow an interval
+    if not fraction:  # and there it is sure sooner: nothing of a walk has so narrow an interval
         rises = np.array([np.std(np.diff(hanging(rng, 0.0))) for _ in range(100)])
         as_walk = 2.0 * np.median(rises) * np.sqrt(TIMES.size - 1) / (TIMES[-1] - TIMES[0])
         assert np.median([one.error for one in found]) < 0.3 * as_walk

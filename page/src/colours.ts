@@ -24,8 +24,8 @@ export function onSystemTheme(f: () => void): () => void {
 }
 
 /** A user's colour as #rrggbb. */
-export function userColour(seat: number, dark: boolean): string {
-  return (dark ? DARK : LIGHT)[seat % LIGHT.length]!;
+export function userColour(slot: number, dark: boolean): string {
+  return (dark ? DARK : LIGHT)[slot % LIGHT.length]!;
 }
 
 /** Sets --user-0 … --user-7 and data-theme, from which the style sheet works. */
@@ -33,7 +33,7 @@ export function applyTheme(theme: Theme, root: HTMLElement = document.documentEl
   const dark = isDark(theme);
   root.dataset.theme = dark ? "dark" : "light";
   root.style.colorScheme = dark ? "dark" : "light";
-  for (let seat = 0; seat < LIGHT.length; seat++) root.style.setProperty(`--user-${seat}`, userColour(seat, dark));
+  for (let slot = 0; slot < LIGHT.length; slot++) root.style.setProperty(`--user-${slot}`, userColour(slot, dark));
 }
 
 /** The ramp at a share, as [r, g, b] of 0 to 255. */

@@ -6,6 +6,10 @@ import type { Store } from "./store";
 const SOONEST = 250; // ms until it dials again; doubles up to
 const LATEST = 2000;
 const PATIENCE = 10_000; // ms for an answer
+const LOOK = 500; // ms between two looks whether the server says anything
+const SILENT = 3000; // ms without a word after which it is said that there is none: states come every 200 ms
+const GIVEN_UP = 8000; // ms after which another connection is tried
+const SHAKE = 5000; // ms for a connection to come about
 const PERIOD = 8; // ms between pointer messages, at least: 125 Hz
 const RATE = 60;
 const HALTED = 300; // ms after which no picture is waited for any more
@@ -48,23 +52,33 @@ export class Connection {
   private pointed = -Infinity;
   private pointTimer = 0;
   private closed = false;
+  /** Whether the scene came on this connection. */
+  private greeted = false;
   private said: number | null = null;
+  /** When the server said anything last, or was dialled; as performance.now() [ms]. */
+  private heard = 0;
+  private looked = performance.now();
+  private readonly looking: number;
 
   constructor(
     private readonly store: Store,
     private token: string | null,
     private readonly address: string,
   ) {
-    store.on("seat", () => this.hello());
-    document.addEventListener("visibilitychange", () => this.hello());
+    store.on("slot", () => this.hello());
+    document.addEventListener("visibilitychange", () => {
+      this.heard = performance.now(); // who was not seen is not judged by what came meanwhile
+      this.hello();
+    });
     addEventListener("online", () => this.hurry());
+    this.looking = window.setInterval(() => this.look(), LOOK);
     this.dial();
   }
 
   /** Whether this page has what it needs to change anything. */
   get mayAct(): boolean {
-    const { connection, state, scene, seat } = this.store;
-    return connection === "open" && this.hasToken && state?.control !== "other" && !!scene?.own.includes(seat);
+    const { live, state, scene, slot } = this.store;
+    return live && this.hasToken && state?.control !== "other" && !!scene?.own.includes(slot);
   }
 
   /** Whether this page came with the token; it is taken to be right until the server says otherwise. */
@@ -78,8 +92,8 @@ export class Connection {
   }
 
   /** Where something is downloaded from, with the token. */
-  link(path: string): string {
-    return `${path}?token=${encodeURIComponent(this.token ?? "")}`;
+  link(path: string, more: Record<string, string> = {}): string {
+    return `${path}?${new URLSearchParams({ token: this.token ?? "", ...more })}`;
   }
 
   /** Asks for something; the answer is a sentence. Never rejects. */
@@ -110,6 +124,7 @@ export class Connection {
 
   close(): void {
     this.closed = true;
+    clearInterval(this.looking);
     clearTimeout(this.timer);
     clearTimeout(this.pointTimer);
     this.socket?.close();
@@ -124,7 +139,7 @@ export class Connection {
     this.pointed = performance.now();
     const number = ++this.number;
     const time = p.time!;
-    this.socket.send(writePointer({ ...p, seat: this.store.seat, number, time }));
+    this.socket.send(writePointer({ ...p, slot: this.store.slot, number, time }));
     this.onPoint?.(number, time);
   }
 
@@ -134,40 +149,69 @@ export class Connection {
     const socket = new WebSocket(this.address);
     socket.binaryType = "arraybuffer";
     this.socket = socket;
+    this.heard = performance.now();
     let refusal = "";
     socket.onopen = () => {
       this.told = null;
       this.hello();
     };
     socket.onmessage = ({ data }) => {
+      if (this.socket !== socket) return; // given up
+      this.heard = performance.now();
+      if (this.store.connection === "silent" && this.greeted) this.store.connected("open");
       if (data instanceof ArrayBuffer) {
         const frame = readFrame(data, performance.now());
         socket.send(writeAck(frame.number, ...this.screen.came(frame.received)));
         requestAnimationFrame((time) => this.screen.picture(time));
+        // The last moment of a session stands still.
+        if (this.store.state?.ended && this.store.frame) return;
         if (this.store.scene && frame.points * 3 === this.store.scene.points.length) this.store.drawn(frame);
         return;
       }
       const message = JSON.parse(data);
       if (message.type === "scene") {
         this.wait = SOONEST;
+        this.greeted = true;
         this.store.connected("open");
         this.state = null; // of an earlier run, perhaps
         this.store.show(readScene(message));
-        if (this.said !== this.store.seat) this.hello(); // the first hello didn't know whom to act for
+        if (this.said !== this.store.slot) this.hello(); // the first hello didn't know whom to act for
       } else if (message.type === "state") this.tell(message as State);
-      else if (message.type === "told") this.answer(message.id, message as Told);
+      else if (message.type === "answer") this.answer(message.id, message as Told);
       else if (message.type === "error") refusal = String(message.text);
     };
     socket.onclose = () => {
-      if (this.socket !== socket) return;
-      this.socket = null;
-      for (const id of [...this.answers.keys()]) this.answer(id, { ok: false, text: "The connection was lost before an answer came." });
-      if (refusal) this.store.connected("refused", refusal);
-      else if (this.store.connection !== "refused") this.store.connected(this.store.scene ? "lost" : "connecting");
-      if (this.closed) return;
-      this.timer = setTimeout(() => this.dial(), refusal ? LATEST : this.wait);
-      this.wait = Math.min(2 * this.wait, LATEST);
+      if (this.socket === socket) this.ended(refusal);
     };
+  }
+
+  /** The connection is over; another is tried after a while. */
+  private ended(refusal: string, silent = false): void {
+    this.socket = null;
+    this.greeted = false;
+    for (const id of [...this.answers.keys()]) this.answer(id, { ok: false, text: "The connection was lost before an answer came." });
+    if (refusal) this.store.connected("refused", refusal);
+    else if (silent) this.store.connected("silent");
+    else if (this.store.connection !== "refused") this.store.connected(this.store.scene ? "lost" : "connecting");
+    if (this.closed) return;
+    this.timer = window.setTimeout(() => this.dial(), refusal ? LATEST : this.wait);
+    this.wait = Math.min(2 * this.wait, LATEST);
+  }
+
+  /** Whether the server says anything; a hung one keeps its connections, and takes new ones, without a word. */
+  private look(): void {
+    const now = performance.now();
+    const late = now - this.looked > 3 * LOOK;
+    this.looked = now;
+    if (late) this.heard = Math.max(this.heard, now - LOOK); // this page stood still, and what came waits to be read
+    const { socket } = this;
+    if (!socket || document.hidden) return;
+    const quiet = now - this.heard;
+    if (quiet > (this.greeted ? GIVEN_UP : SHAKE)) {
+      this.socket = null;
+      socket.close();
+      this.ended("", true);
+    } else if (this.greeted && quiet > SILENT) this.store.connected("silent");
   }
 
   /** How things are can wait until the next picture is drawn, which could not wait for all that it changes. */
@@ -188,7 +232,7 @@ export class Connection {
 
   private hello(): void {
     if (this.socket?.readyState !== WebSocket.OPEN) return;
-    this.said = this.store.scene || this.store.wished !== null ? this.store.seat : null;
+    this.said = this.store.scene || this.store.wished !== null ? this.store.slot : null;
     this.socket.send(writeHello(this.token, this.said, document.hidden ? HIDDEN : RATE));
   }
 

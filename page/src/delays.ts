@@ -8,13 +8,13 @@ export function linkDelay(state: State, a: number, b: number): number | null {
   if (emulated && emulated.delay + emulated.jitter > 0) return emulated.delay + emulated.jitter;
   const end = state.ends[`${a}-${b}`];
   if (end?.ages != null) return end.ages / 2;
-  if (end?.path != null) return end.path / 2;
+  if (end?.round_trip != null) return end.round_trip / 2;
   return emulated ? emulated.delay : null;
 }
 
 /** Time in which what a user does reaches every other over the links [s]; users it does not reach are missing. */
-export function delaysFrom(state: State, seat: number): Map<number, number> {
-  const reached = new Map([[seat, 0]]);
+export function delaysFrom(state: State, slot: number): Map<number, number> {
+  const reached = new Map([[slot, 0]]);
   const done = new Set<number>();
   for (;;) {
     let next = -1;

@@ -20,7 +20,8 @@ export class Furniture {
   private readonly lines = document.createElement("div");
   private readonly off: () => void;
 
-  constructor(element: HTMLElement, store: Store, hint: string) {
+  /** @param hint how to act, for those who may; else how to look */
+  constructor(element: HTMLElement, store: Store, hint: { act: string; look: string }) {
     this.root.className = "ct-furniture";
     this.key.className = "ct-legend";
     const bar = document.createElement("i");
@@ -29,13 +30,14 @@ export class Furniture {
     none.textContent = "0";
     this.key.append(this.what, none, bar, this.most);
     this.hint.className = "ct-hint";
-    this.hint.textContent = hint;
+    this.hint.textContent = store.scene?.acts ? hint.act : hint.look;
+    this.hint.hidden = !this.hint.textContent;
     this.lines.className = "ct-lines";
     this.root.append(this.lines, this.key, this.hint);
     element.append(this.root);
     // Whoever has pulled once knows how.
     this.off = store.on("frame", () => {
-      const mode = store.frame?.copies.find((copy) => copy.seat === store.seat)?.mode;
+      const mode = store.frame?.copies.find((copy) => copy.slot === store.slot)?.mode;
       if (mode === "grab" || mode === "ball") this.told();
     });
   }

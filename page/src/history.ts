@@ -6,9 +6,9 @@ const CAPACITY = SECONDS * 62;
 /** Of a mean over so many points the rest says nothing new. */
 const ENOUGH = 1500;
 
-export type Quantity = "position" | "force" | "energy" | "supplied" | "lost" | "linked";
 const KEPT = ["x", "y", "z", "force", "energy", "supplied", "lost", "linked"] as const;
 type Kept = (typeof KEPT)[number];
+export type Quantity = "displacement" | Kept;
 
 export class History {
   readonly seconds = SECONDS;
@@ -18,22 +18,17 @@ export class History {
   count = 0;
   /** Rises with every entry. */
   version = 0;
-  /** Axis of the largest mean displacement so far; what "position" is along. */
-  axis: 0 | 1 | 2 = 0;
   private next = 0;
   private readonly times = new Float64Array(CAPACITY);
   private tracks = new Map<number, Record<Kept, Float32Array>>();
-  private readonly reach: [number, number, number] = [0, 0, 0];
 
-  /** Seats of which there is something. */
-  get seats(): number[] {
+  /** Slots of which there is something. */
+  get slots(): number[] {
     return [...this.tracks.keys()].sort((a, b) => a - b);
   }
 
   clear(): void {
     this.count = this.next = 0;
-    this.axis = 0;
-    this.reach.fill(0);
     this.tracks = new Map();
     this.version++;
   }
@@ -45,7 +40,7 @@ export class History {
     for (const track of this.tracks.values()) for (const kind of KEPT) track[kind][at] = NaN;
     const stride = Math.max(1, Math.floor(frame.points / ENOUGH));
     for (const copy of frame.copies) {
-      const track = this.track(copy.seat);
+      const track = this.track(copy.slot);
       const d = copy.displacement;
       let x = 0, y = 0, z = 0, n = 0;
       for (let i = 0; i < frame.points; i += stride, n++) {
@@ -62,11 +57,7 @@ export class History {
       track.supplied[at] = copy.supplied;
       track.lost[at] = copy.lost;
       track.linked[at] = copy.linked;
-      this.reach[0] = Math.max(this.reach[0], Math.abs(x * scale));
-      this.reach[1] = Math.max(this.reach[1], Math.abs(y * scale));
-      this.reach[2] = Math.max(this.reach[2], Math.abs(z * scale));
     }
-    for (const axis of [0, 1, 2] as const) if (this.reach[axis] > 1.5 * this.reach[this.axis]) this.axis = axis;
     this.times[at] = frame.time;
     this.next = (at + 1) % CAPACITY;
     this.count = Math.min(this.count + 1, CAPACITY);
@@ -78,17 +69,20 @@ export class History {
     return this.ordered(this.times, new Float64Array(this.count));
   }
 
-  /** One quantity of one seat, oldest first (NaN where it was not told); m, N or J. */
-  series(kind: Quantity, seat: number): Float32Array {
-    const track = this.tracks.get(seat);
+  /** One quantity of one slot, oldest first (NaN where it was not told); m, N or J. Displacements are means over all
+   * points: x, y and z, and their length. */
+  series(kind: Quantity, slot: number): Float32Array {
+    const track = this.tracks.get(slot);
     const result = new Float32Array(this.count);
     if (!track) return result.fill(NaN);
-    return this.ordered(track[kind === "position" ? (["x", "y", "z"] as const)[this.axis]! : kind], result);
+    if (kind !== "displacement") return this.ordered(track[kind], result);
+    const [x, y, z] = (["x", "y", "z"] as const).map((axis) => this.ordered(track[axis], new Float32Array(this.count)));
+    return result.map((_, i) => Math.hypot(x![i]!, y![i]!, z![i]!));
   }
 
-  /** Mean displacement of a seat along x so many seconds before the newest entry; NaN where unknown [m]. */
-  before(seat: number, age: number): number {
-    const track = this.tracks.get(seat);
+  /** Mean displacement of a slot along x so many seconds before the newest entry; NaN where unknown [m]. */
+  before(slot: number, age: number): number {
+    const track = this.tracks.get(slot);
     if (!track || !this.count) return NaN;
     const index = (back: number) => (this.next - 1 - back + 2 * CAPACITY) % CAPACITY;
     const wanted = this.times[index(0)]! - age;
@@ -109,11 +103,11 @@ export class History {
     return result;
   }
 
-  private track(seat: number): Record<Kept, Float32Array> {
-    let track = this.tracks.get(seat);
+  private track(slot: number): Record<Kept, Float32Array> {
+    let track = this.tracks.get(slot);
     if (!track) {
       track = Object.fromEntries(KEPT.map((kind) => [kind, new Float32Array(CAPACITY).fill(NaN)])) as Record<Kept, Float32Array>;
-      this.tracks.set(seat, track);
+      this.tracks.set(slot, track);
     }
     return track;
   }

@@ -7,7 +7,7 @@ export const HAND_MODES = ["script", "free", "hold", "pull", "wander", "grab", "
 export type HandMode = (typeof HAND_MODES)[number];
 
 export interface User {
-  seat: number;
+  slot: number;
   name: string;
 }
 
@@ -17,13 +17,15 @@ export interface Scene {
   version: string;
   dimension: 1 | 2 | 3;
   users: User[];
-  /** Seats whose hands this server can move. */
+  /** Slots whose hands this server can move. */
   own: number[];
   /** What `Connection.do` may ask for here. */
   may: string[];
   /** Whether this page's token is right. */
   acts: boolean;
   invitation: string | null;
+  /** Where other devices find this page, without the token; null: only this computer can. */
+  page: string | null;
   nodes: { count: number; rest: Float32Array };
   skin: { vertices: number; rest: Float32Array; triangles: Uint32Array; node: Uint32Array } | null;
   /** Pairs of nodes, for bodies without a skin. */
@@ -39,13 +41,13 @@ export interface Scene {
 }
 
 export interface LinkStatus {
-  seat: number;
+  slot: number;
   state: string;
-  way: string;
+  path_state: string;
   age: number | null;
   ages: number | null;
   budget: number | null;
-  path: number | null;
+  round_trip: number | null;
   loss: number;
   rate: number;
   force: number;
@@ -55,7 +57,7 @@ export interface LinkStatus {
 }
 
 export interface MemberStatus {
-  seat: number;
+  slot: number;
   epoch: number;
   time: number;
   steps: number;
@@ -77,7 +79,12 @@ export interface MemberStatus {
   damping: number;
   certificate: number | null;
   links: LinkStatus[];
+  /** Slot of another, linked or not, and the quickest way there and back [s]. */
+  round_trips: [number, number][];
   alarms: number;
+  /** Of its whole part, into a file of its own. */
+  recording: "off" | "on" | "failed";
+  recording_failure: string;
   here: boolean;
   alive: boolean | null;
   /** null: led on another computer. */
@@ -91,9 +98,25 @@ export interface Emulated {
   cut: boolean;
 }
 
+/** A recording that was asked for by a page. */
+export interface Taping {
+  state: "off" | "on" | "ending" | "done" | "failed";
+  /** Of the order, from 1. */
+  number: number;
+  seconds: number;
+  /** What came of it. */
+  text: string;
+  /** Name and bytes. */
+  files: [string, number][];
+  /** What is wrong with it, at once. */
+  troubles: string[];
+}
+
 /** How things are; five times a second. Members may be told only in part before they said anything. */
 export interface State {
   time: number;
+  /** Since the session's process looked [s]. */
+  age: number;
   members: Record<string, Partial<MemberStatus> & { here: boolean; alive: boolean | null; hand: HandMode | null }>;
   links: [number, number][];
   /** "a-b": what a knows of its link to b. */
@@ -102,8 +125,7 @@ export interface State {
   emulated: Record<string, Emulated>;
   choices: Record<string, [number, number][]>;
   damping: number;
-  recording: number | null;
-  recorded: boolean;
+  recording: Taping;
   events: { time: number; text: string }[];
   verdict: { level: "good" | "warn" | "bad"; text: string };
   control: "mine" | "other" | "none";
@@ -113,7 +135,7 @@ export interface State {
 
 /** One copy in a frame. */
 export interface Copy {
-  seat: number;
+  slot: number;
   mode: HandMode;
   /** Told by its own process; else what a neighbour knows of it. */
   direct: boolean;
@@ -157,7 +179,7 @@ export type Action = "ball" | "grab" | "free";
 const ACTIONS: Action[] = ["ball", "grab", "free"];
 
 export interface PointerMessage {
-  seat: number;
+  slot: number;
   action: Action;
   number: number;
   point: number;
@@ -168,7 +190,7 @@ export interface PointerMessage {
   time: number;
 }
 
-const VERSION = 1;
+const VERSION = 2;
 const HEADER = 32;
 const BLOCK = 68;
 
@@ -217,7 +239,7 @@ export function readFrame(buffer: ArrayBuffer, received: number): Frame {
     const at = HEADER + i * size;
     const flags = view.getUint8(at + 2);
     copies.push({
-      seat: view.getUint8(at),
+      slot: view.getUint8(at),
       mode: HAND_MODES[view.getUint8(at + 1)] ?? "free",
       direct: (flags & 1) > 0,
       hasHand: (flags & 2) > 0,
@@ -250,7 +272,7 @@ export function readFrame(buffer: ArrayBuffer, received: number): Frame {
 export function writePointer(message: PointerMessage): ArrayBuffer {
   const view = new DataView(new ArrayBuffer(40));
   view.setUint8(0, 2);
-  view.setUint8(1, message.seat);
+  view.setUint8(1, message.slot);
   view.setUint8(2, ACTIONS.indexOf(message.action));
   view.setUint32(4, message.number, true);
   view.setUint32(8, message.point, true);
@@ -274,6 +296,6 @@ export function writeAck(number: number, wait: number, every: number): ArrayBuff
   return view.buffer as ArrayBuffer;
 }
 
-export function writeHello(token: string | null, seat: number | null, rate: number): string {
-  return JSON.stringify({ type: "hello", version: VERSION, token, seat, want: "all", rate });
+export function writeHello(token: string | null, slot: number | null, rate: number): string {
+  return JSON.stringify({ type: "hello", version: VERSION, token, slot, want: "all", rate });
 }

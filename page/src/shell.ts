@@ -23,7 +23,7 @@ import { tour } from "./tour";
 /** What the shell asks of the picture. */
 export interface Picture {
   reset(): void;
-  pulse(seat: number): void;
+  pulse(slot: number): void;
   /** The drawn point that a place of the window is nearest to, and where in the session it is [m]; null: nowhere. */
   aim(x: number, y: number): { point: number; to: Vec } | null;
 }
@@ -105,9 +105,9 @@ function aim(context: Context, stage: HTMLElement, picture: () => Picture | null
     const found = picture()?.aim(event.clientX, event.clientY) ?? null;
     if (!found) return context.say("There is nothing of the object there; click nearer to it.", "warn");
     context.aiming.set(null);
-    const held = context.store.frame?.copies.find((copy) => copy.seat === aiming.seat)?.node ?? -1;
+    const held = context.store.frame?.copies.find((copy) => copy.slot === aiming.slot)?.node ?? -1;
     const node = held >= 0 ? held : (context.store.scene?.skin?.node[found.point] ?? found.point);
-    void context.act("hand", { seat: aiming.seat, mode: "pull", node, to: found.to });
+    void context.act("hand", { slot: aiming.slot, mode: "pull", node, to: found.to });
   };
   for (const kind of ["pointerdown", "pointermove", "pointerup"] as const) addEventListener(kind, swallow, true);
   addEventListener("keydown", (event) => {
@@ -130,7 +130,8 @@ function speak(context: Context): void {
       if (newest > -Infinity) text(document.getElementById("spoken") ?? document.createElement("i"), last.text);
       newest = last.time;
     }
-    if (level && level !== state.verdict.level) context.say(state.verdict.text, state.verdict.level);
+    // Who sees has it on top; a toast would say it twice.
+    if (level && level !== state.verdict.level) text(document.getElementById("spoken") ?? document.createElement("i"), state.verdict.text);
     level = state.verdict.level;
   });
   context.store.on("scene", () => {
@@ -166,7 +167,7 @@ export function mountShell(root: HTMLElement, store: Store, connection: Connecti
     "main",
     { class: "layout" },
     usersPanel(context),
-    h("div", { id: "stage-frame" }, stageElement, toolbar(context, reset), linkCard(context), toast.element),
+    h("div", { id: "stage-frame" }, stageElement, toolbar(context, reset), linkCard(context), h("div", { class: "notices" }, toast.element, banners(context))),
     plots.element,
     networkPanel(context),
     tabs(context),
@@ -176,9 +177,9 @@ export function mountShell(root: HTMLElement, store: Store, connection: Connecti
   );
   const skip = button("To the object", () => stageElement.querySelector<HTMLElement>(".ct-canvas")?.focus(), { class: "skip" });
   root.classList.add("shell");
-  root.prepend(skip, bar.element, banners(context), main);
+  root.prepend(skip, bar.element, main);
   if (matchMedia("(max-width: 899px)").matches) context.tab.set("users");
-  context.opened.on((seat) => seat !== null && picture?.pulse(seat));
+  context.opened.on((slot) => slot !== null && picture?.pulse(slot));
   aim(context, stageElement, () => picture);
   speak(context);
   tips(root);

@@ -12,7 +12,7 @@ export interface View {
   /** Looks from where it looked at first. */
   reset(): void;
   /** Makes a user's copy stand out for a moment. */
-  pulse(seat: number): void;
+  pulse(slot: number): void;
   /** The drawn point that a place of the window is nearest to, and where in the session it is [m]; null: nowhere. */
   aim(x: number, y: number): { point: number; to: Vec } | null;
   spot(point?: number): { x: number; y: number; point: number } | null;
@@ -55,7 +55,7 @@ export function mountStage(element: HTMLElement, store: Store, connection: Conne
       const box = element.getBoundingClientRect();
       return found ? { ...found, x: found.x + box.left, y: found.y + box.top } : null;
     },
-    pulse: (seat) => view?.pulse(seat),
+    pulse: (slot) => view?.pulse(slot),
     aim: (x, y) => view?.aim(x, y) ?? null,
     dispose: () => {
       off();

@@ -3,8 +3,9 @@ import type { Theme } from "./colours";
 import { History } from "./history";
 import type { Frame, Scene, State } from "./protocol";
 
-export type ConnectionState = "connecting" | "open" | "lost" | "refused";
-export type Kind = "scene" | "state" | "frame" | "connection" | "settings" | "seat";
+/** silent: it is there, and says nothing. */
+export type ConnectionState = "connecting" | "open" | "silent" | "lost" | "refused";
+export type Kind = "scene" | "state" | "frame" | "connection" | "settings" | "slot";
 
 export interface Settings {
   /** All copies in one place, or next to each other. */
@@ -18,6 +19,7 @@ export interface Settings {
 
 const DEFAULTS: Settings = { layout: "overlay", colour: "displacement", theme: "auto", tool: "grab", ghosts: true };
 const KEY = "cotouch.settings";
+const STALE = 3; // s after which the session's process is taken to hang
 
 function saved(): Settings {
   try {
@@ -37,17 +39,32 @@ export class Store {
   /** Why the connection was refused, in the server's words. */
   refusal = "";
   /** The user that this page acts for, from 0. */
-  seat = 0;
+  slot = 0;
   readonly history = new History();
   settings: Settings = saved();
   private readonly listeners = new Map<Kind, Set<() => void>>();
-  /** The seat that the address or the user asked for; null: whichever there is. */
+  /** The slot that the address or the user asked for; null: whichever there is. */
   wished: number | null;
 
-  /** @param wished the seat that the address asks for, if any */
+  /** @param wished the slot that the address asks for, if any */
   constructor(wished: number | null = null) {
     this.wished = wished;
-    if (wished !== null) this.seat = wished;
+    if (wished !== null) this.slot = wished;
+  }
+
+  /** Whether the server answers, and the session's process behind it does not. */
+  get stalled(): boolean {
+    return this.connection === "open" && !this.state?.ended && (this.state?.age ?? 0) > STALE;
+  }
+
+  /** The user whom whoever looks at this page is; null: who only watches is nobody. */
+  get me(): number | null {
+    return this.scene?.acts && this.scene.own.includes(this.slot) ? this.slot : null;
+  }
+
+  /** Whether what is shown is how things are, and can be changed. */
+  get live(): boolean {
+    return this.connection === "open" && !this.state?.ended && !this.stalled;
   }
 
   /** Calls back after every change of a kind; returns what ends that. */
@@ -72,10 +89,10 @@ export class Store {
   }
 
   /** Acts for another user from now on. */
-  take(seat: number): void {
-    if (seat === this.seat) return;
-    this.seat = this.wished = seat;
-    this.emit("seat");
+  take(slot: number): void {
+    if (slot === this.slot) return;
+    this.slot = this.wished = slot;
+    this.emit("slot");
   }
 
   /** A scene arrived: of another run of the server everything begins anew. */
@@ -85,12 +102,12 @@ export class Store {
       this.history.clear();
     }
     this.scene = scene;
-    const known = scene.users.map((user) => user.seat);
+    const known = scene.users.map((user) => user.slot);
     const wanted = this.wished !== null && known.includes(this.wished) ? this.wished : (scene.own[0] ?? known[0] ?? 0);
-    const moved = wanted !== this.seat;
-    this.seat = wanted;
+    const moved = wanted !== this.slot;
+    this.slot = wanted;
     this.emit("scene");
-    if (moved) this.emit("seat");
+    if (moved) this.emit("slot");
   }
 
   told(state: State): void {

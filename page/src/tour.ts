@@ -1,7 +1,8 @@
 /** Two minutes through everything: shows where, asks for one thing to do, and notices when it is done. */
 import { type Context, type Tab, can, keyOf, pairOf } from "./panels/context";
 import { attribute, button, h, icon, redraw, shown, text } from "./panels/dom";
-import { isCut } from "./panels/words";
+import { type Box, placed } from "./placing";
+import { condition, isCut } from "./panels/words";
 
 const KEY = "cotouch.tour";
 const LOOK = 200; // ms between two looks at whether it is done
@@ -17,13 +18,15 @@ interface Step {
   done: (context: Context, memory: Memory) => boolean;
   /** What is shown, the first of these that is seen; may depend on what was done. */
   where: string | ((memory: Memory) => string);
+  /** What is to be seen besides. */
+  sees?: string;
   tab?: Tab;
   /** What has to be so for it to be done at all; in words where it is not. */
-  needs?: (context: Context) => string | null;
+  needs?: (context: Context, memory: Memory) => string | null;
 }
 
 const needs = (what: string, words: string) => (context: Context): string | null => (can(context, what) ? null : words);
-const ownCopy = (context: Context) => context.store.frame?.copies.find((copy) => copy.seat === context.store.seat);
+const ownCopy = (context: Context) => context.store.frame?.copies.find((copy) => copy.slot === context.store.slot);
 const grabbing = (context: Context): boolean => {
   const copy = ownCopy(context);
   return copy?.mode === "grab" || copy?.mode === "ball";
@@ -32,11 +35,13 @@ const force = (context: Context): number => Math.hypot(...(ownCopy(context)?.for
 const hands = needs("hand", "This page may only watch; go on with →.");
 const links = (list: readonly (readonly [number, number])[]): string => list.map(([a, b]) => keyOf(pairOf(a, b))).sort().join(" ");
 
+const cutLinks = ({ store: { state } }: Context): (readonly [number, number])[] => state?.links.filter(([a, b]) => isCut(state, a, b)) ?? [];
+
 export const STEPS: readonly Step[] = [
   {
     title: "Take hold",
     words: "This is one object, held by several people. Each of them has a copy of it, and yours is the solid one.",
-    task: "Press on the object, and draw.",
+    task: "Press on the object, and drag.",
     where: "#stage",
     needs: hands,
     done: (context) => grabbing(context) && force(context) > 0.02,
@@ -55,7 +60,7 @@ export const STEPS: readonly Step[] = [
   {
     title: "See the delay",
     words: "News travels tens of milliseconds. The other copies do what yours did, but later.",
-    task: "Choose Side by side (or Ghosts), then draw again and look at the others.",
+    task: "Choose Side by side (or Ghosts), then drag again and look at the others.",
     where: "#stage-frame",
     needs: hands,
     done: (context, memory) => {
@@ -68,13 +73,14 @@ export const STEPS: readonly Step[] = [
   {
     title: "Pull against somebody",
     words: "A scripted hand can be told what to do. Two who pull against each other feel each other’s force, through the network.",
-    task: "Unfold another user, tell the hand Hold or Pull, and draw the other way.",
+    task: "Unfold another user, tell the hand Hold or Pull, and drag the other way.",
     where: (memory) => (memory.told ? "#stage" : "#users"),
+    sees: "#stage, #users",
     tab: "users",
     needs: hands,
     done: (context, memory) => {
-      const { state, seat } = context.store;
-      const told = Object.entries(state?.members ?? {}).some(([key, one]) => Number(key) !== seat && (one.hand === "hold" || one.hand === "pull"));
+      const { state, slot } = context.store;
+      const told = Object.entries(state?.members ?? {}).some(([key, one]) => Number(key) !== slot && (one.hand === "hold" || one.hand === "pull"));
       if (told) memory.told = true;
       return !!memory.told && grabbing(context) && force(context) > 0.02;
     },
@@ -84,6 +90,7 @@ export const STEPS: readonly Step[] = [
     words: "Lines join users. The number is how old the news is that a copy works with. Damping is set so that this age can do no harm.",
     task: "Choose a link to see both its ends.",
     where: "#network",
+    sees: "#link",
     tab: "network",
     done: (context) => context.link.get() !== null,
   },
@@ -92,28 +99,35 @@ export const STEPS: readonly Step[] = [
     words: "Networks fail. When news stays away, both ends let go of their spring without a kick, and everybody else goes on.",
     task: "Press Cut, and watch the line and the verdict on top.",
     where: "#link, #network",
+    sees: "#network, #verdict",
     tab: "network",
     needs: needs("cut", "Links cannot be cut from here; go on with →."),
-    done: ({ store }) => !!store.state?.links.some(([a, b]) => store.state && isCut(store.state, a, b)),
+    done: (context) => cutLinks(context).length > 0,
   },
   {
     title: "Mend it",
     words: "When news comes again, the ends first catch up and save energy, and couple only when both can pay for it.",
     task: "Press Mend, and wait until the link is coupled again.",
     where: "#link, #network",
+    sees: "#network, #verdict",
     tab: "network",
-    needs: needs("cut", "Links cannot be mended from here; go on with →."),
-    done: ({ store }, memory) => {
-      const cut = !!store.state?.links.some(([a, b]) => store.state && isCut(store.state, a, b));
-      if (cut) memory.cut = true;
-      return !!store.state && !cut && (!!memory.cut || memory.looked === true);
+    needs: (context, memory) =>
+      !can(context, "cut") ? "Links cannot be mended from here; go on with →."
+        : cutLinks(context).length || memory.cut ? null
+        : "No link is cut. Go back with ← to cut one, or on with →.",
+    done: (context, memory) => {
+      const { state } = context.store;
+      const all = (memory.cut ??= []) as (readonly [number, number])[];
+      for (const link of cutLinks(context)) if (!all.some(([a, b]) => a === link[0] && b === link[1])) all.push(link);
+      return all.length > 0 && all.every(([a, b]) => condition(state, a, b) === "coupled");
     },
   },
   {
     title: "Join them badly",
     words: "Over which links users are joined matters. With the worst choice of as many links copies agree late; with the best, soonest.",
-    task: "Choose Worst, draw and let go; then choose Best.",
+    task: "Choose Worst, drag and let go; then choose Best.",
     where: "#topology",
+    sees: "#stage, #network",
     tab: "network",
     needs: needs("links", "Links are not chosen here; go on with →."),
     done: ({ store }, memory) => {
@@ -127,8 +141,9 @@ export const STEPS: readonly Step[] = [
   {
     title: "Follow the energy",
     words: "Every joule is booked: put in by hands, added by delays, damped, or still in the copies. Both bars are equally long, always.",
-    task: "Open Energy, and put some in.",
+    task: "Drag the object, and see what you put in.",
     where: "#energy",
+    sees: "#stage",
     tab: "energy",
     done: (context, memory) => {
       const supplied = Object.values(context.store.state?.members ?? {}).reduce((sum, one) => sum + Math.abs(one.supplied ?? 0), 0);
@@ -138,9 +153,10 @@ export const STEPS: readonly Step[] = [
   },
   {
     title: "Take the guarantee away",
-    words: "Below the damping that delays ask for, nothing keeps energy from growing. See it once, then restore it: the copies come to rest.",
-    task: "Lower the damping, watch, and press Restore now.",
-    where: "#margin, #banner-damping",
+    words: "Below the damping that delays ask for, nothing keeps energy from growing. See it once: after some seconds a copy runs away, is caught, and all damping is back.",
+    task: "Lower the damping and watch. Restore it, or wait until it comes back by itself.",
+    where: (memory) => (memory.lowered ? "#stage-frame" : "#margin"),
+    sees: "#stage-frame, #margin",
     tab: "margin",
     needs: needs("damping", "Damping is not changed from here; this was the last step."),
     done: ({ store }, memory) => {
@@ -209,47 +225,32 @@ export function tour(context: Context, root: HTMLElement): { open: () => void; i
   );
   root.append(hole, card, offer);
 
-  const found = (): HTMLElement | null => {
-    const where = STEPS[at]?.where ?? "";
-    for (const one of (typeof where === "string" ? where : where(memory)).split(", ")) {
-      const element = document.querySelector<HTMLElement>(one);
-      if (element && element.getClientRects().length) return element;
-    }
-    return null;
-  };
-  /** The hole over what is meant, and the card beside it, where there is room. */
+  const seen = (selectors: string): DOMRect[] =>
+    selectors ? selectors.split(", ").flatMap((one) => [...(document.querySelector(one)?.getClientRects() ?? [])]) : [];
+  /** The ring around what is meant, and the card where it hides least of that and of what else is to be seen. */
   const place = (): void => {
-    if (!running) return;
-    const element = found();
-    hole.hidden = !element;
-    const own = card.getBoundingClientRect();
-    const narrow = innerWidth < 720;
-    if (!element) return;
-    const box = element.getBoundingClientRect();
+    const step = STEPS[at];
+    if (!running || !step) return;
+    const box = seen(typeof step.where === "string" ? step.where : step.where(memory))[0];
+    hole.hidden = !box;
+    if (!box) return;
     const pad = 4;
     const [left, top] = [Math.max(box.left - pad, 2), Math.max(box.top - pad, 2)];
     Object.assign(hole.style, {
       left: `${left}px`, top: `${top}px`,
       width: `${Math.min(box.right + pad, innerWidth - 2) - left}px`, height: `${Math.min(box.bottom + pad, innerHeight - 2) - top}px`,
     });
-    if (narrow) {
-      // Above or below, whichever hides less of what is meant.
-      const low = box.top + box.height / 2 < innerHeight / 2;
-      card.style.left = "8px";
-      card.style.top = low ? `${innerHeight - own.height - 64}px` : "56px";
-      return;
-    }
-    const inside = box.width > innerWidth * 0.4;
-    const right = box.right + 12 + own.width < innerWidth;
-    const x = inside ? box.left + 16 : right ? box.right + 12 : box.left - own.width - 12;
-    const y = inside ? box.bottom - own.height - 16 : Math.min(Math.max(box.top, 60), innerHeight - own.height - 12);
-    card.style.left = `${Math.max(x, 8)}px`;
-    card.style.top = `${Math.max(y, 8)}px`;
+    const room: Box = { left: 8, top: 8, width: innerWidth - 16, height: innerHeight - 16 };
+    const { width, height } = card.getBoundingClientRect();
+    // The line on top says how things stand, and is low: it stays free.
+    const at_ = placed({ width, height }, [box, ...seen(step.sees ?? ""), ...seen(".bar")], room);
+    card.style.left = `${at_.left}px`;
+    card.style.top = `${at_.top}px`;
   };
   const look = (): void => {
     const step = STEPS[at];
     if (!running || !step) return;
-    const missing = step.needs?.(context) ?? null;
+    const missing = step.needs?.(context, memory) ?? null;
     if (!finished.has(at) && missing === null && step.done(context, memory)) {
       finished = new Set([...finished, at]);
       context.say(at + 1 < STEPS.length ? "Done. Go on when you like." : "That was everything.", "good");
@@ -266,7 +267,7 @@ export function tour(context: Context, root: HTMLElement): { open: () => void; i
     at = Math.min(Math.max(to, 0), STEPS.length - 1);
     const step = STEPS[at];
     if (!step) return;
-    memory = { looked: true };
+    memory = {};
     save(at, false);
     if (step.tab) context.tab.set(step.tab);
     text(number_, `Step ${at + 1} of ${STEPS.length}`);

@@ -22,17 +22,19 @@ if TYPE_CHECKING:
         DeviceError,
         InputError,
         NetworkError,
+        OutputError,
         RecordingError,
         ScenarioError,
         SessionError,
         TransportError,
         UnsupportedError,
     )
+    from cotouch.laboratory import impedance, sweep
     from cotouch.network import Certificate, Network, certify
     from cotouch.peer import Peer
     from cotouch.planning import Plan, plan, tune_springs
     from cotouch.scenario import Scenario
-    from cotouch.simulation import save, settling_time, simulate, summary
+    from cotouch.simulation import save, settling_time, simulate, summary, tables
 
 __version__ = "0.1.0"
 
@@ -45,6 +47,7 @@ _HOME = {
     "InputError": "cotouch.errors",
     "Network": "cotouch.network",
     "NetworkError": "cotouch.errors",
+    "OutputError": "cotouch.errors",
     "Peer": "cotouch.peer",
     "Plan": "cotouch.planning",
     "RecordingError": "cotouch.errors",
@@ -56,6 +59,8 @@ _HOME = {
     "body_from_surface": "cotouch.body",
     "body_from_tetrahedra": "cotouch.body",
     "certify": "cotouch.network",
+    "impedance": "cotouch.laboratory",
+    "sweep": "cotouch.laboratory",
     "chain": "cotouch.body",
     "lattice": "cotouch.body",
     "point": "cotouch.body",
@@ -64,6 +69,7 @@ _HOME = {
     "settling_time": "cotouch.simulation",
     "simulate": "cotouch.simulation",
     "summary": "cotouch.simulation",
+    "tables": "cotouch.simulation",
     "tune_springs": "cotouch.planning",
 }
 
@@ -76,6 +82,7 @@ __all__ = [
     "InputError",
     "Network",
     "NetworkError",
+    "OutputError",
     "Peer",
     "Plan",
     "RecordingError",
@@ -89,6 +96,7 @@ __all__ = [
     "body_from_tetrahedra",
     "certify",
     "chain",
+    "impedance",
     "lattice",
     "plan",
     "point",
@@ -96,6 +104,8 @@ __all__ = [
     "settling_time",
     "simulate",
     "summary",
+    "sweep",
+    "tables",
     "tune_springs",
 ]
 

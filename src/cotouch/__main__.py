@@ -8,18 +8,27 @@ import threading
 import traceback
 from typing import NoReturn
 
-from cotouch.cli import main
+from cotouch.processes import tie_to_parent
+
+# So long may an interrupted command take to tidy up: what it was compiling or working out may go on for minutes [s].
+_TIDY = 1.0
+_INTERRUPTED = 130
 
 
 def _code() -> int:
     """Runs the command; returns its exit code."""
     try:
+        from cotouch.cli import main
+
         main()
     except SystemExit as end:
         if end.code is None or isinstance(end.code, int):
             return end.code or 0
         sys.stderr.write(f"{end.code}\n")
         return 1
+    except KeyboardInterrupt:  # before the command began, or while it ended
+        sys.stderr.write("cotouch: interrupted\n")
+        return _INTERRUPTED
     except BaseException:  # noqa: BLE001 - as Python itself would end
         traceback.print_exc()
         return 1
@@ -27,10 +36,26 @@ def _code() -> int:
 
 
 def run() -> NoReturn:
-    """Runs the command and ends the process; also what is installed as `cotouch`."""
-    code = _code()
-    # Zenoh's own threads may still call back while Python is taken down, and that takes the process down with "FATAL:
-    # exception not rethrown". So all is done that Python would do at its end, but it is not taken down.
+    """Runs the command and ends the process without taking Python down; also what is installed as `cotouch`."""
+    try:
+        tie_to_parent()
+        code = _code()
+        if code == _INTERRUPTED:
+            hard = threading.Timer(_TIDY, os._exit, [code])
+            hard.daemon = True
+            hard.start()
+        _finish()
+    except KeyboardInterrupt:
+        sys.stderr.write("cotouch: interrupted\n")
+        code = _INTERRUPTED
+    os._exit(code)
+
+
+def _finish() -> None:
+    """Does what Python would do at its end, but for taking itself down.
+
+    Zenoh's own threads may still call back then, and that ends in "FATAL: exception not rethrown".
+    """
     for thread in threading.enumerate():
         if thread is not threading.current_thread() and not thread.daemon:
             thread.join()
@@ -38,7 +63,6 @@ def run() -> NoReturn:
     for stream in (sys.stdout, sys.stderr):
         with contextlib.suppress(OSError):  # nobody reads it any more
             stream.flush()
-    os._exit(code)
 
 
 if __name__ == "__main__":

@@ -1,49 +1,269 @@
 """How a function becomes machine code, and how its cache on disk stays true."""
 
+import contextlib
+import functools
+import hashlib
+import importlib
+import re
+import warnings
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, TypeVar, final
 
 import numba
+from llvmlite import binding
+from numba.core import types
+from numba.core.caching import CompileResultCacheImpl, FunctionCache, NullCache
+from numba.core.compiler import Compiler
+from numba.extending import intrinsic as numba_intrinsic
 
 F = TypeVar("F", bound=Callable[..., Any])
 
 _PACKAGE = Path(__file__).parent
-# Those that have kernels: an edit elsewhere need not compile them anew.
-_ROOMS = ("device", "mechanics", "network", "planning", "scenario", "simulation")
+_IMPORT = re.compile(r"^[ \t]*from (cotouch[.\w]*) import (\([^)]*\)|.*)|^[ \t]*import (cotouch)", re.MULTILINE)
+_COMMENT = re.compile(r"#.*")
 
 
-def _newest_source() -> tuple[float, int]:
-    """Stamp of the sources of every kernel: newest modification time, total size."""
-    stats = [path.stat() for room in _ROOMS for path in sorted((_PACKAGE / room).glob("_*.py"))]
-    return max(stat.st_mtime for stat in stats), sum(stat.st_size for stat in stats)
+def _file_of(module: str) -> Path | None:
+    """The file of a module of this package; of a package its `__init__.py`."""
+    path = _PACKAGE.joinpath(*module.split(".")[1:])
+    found = path / "__init__.py" if path.is_dir() else path.with_suffix(".py")
+    return found if found.is_file() else None
 
 
-_STAMP = _newest_source()
+@functools.cache
+def _read(path: Path) -> tuple[bytes, dict[str, str]]:
+    """A source, and from which modules it imports which names."""
+    source = path.read_bytes()
+    names: dict[str, str] = {}
+    for module, listed, everything in _IMPORT.findall(_COMMENT.sub("", source.decode(errors="replace"))):
+        for name in listed.strip("()").split(",") if listed else (everything,):
+            words = name.split()
+            if words:
+                names[words[-1]] = f"{module}.{words[0]}" if module else everything
+    return source, names
+
+
+@functools.cache
+def _imported(path: Path) -> frozenset[Path]:
+    """Files from which one imports something. A room only hands names on: what counts is where they come from."""
+    found: set[Path] = set()
+    for whole in _read(path)[1].values():
+        name = whole
+        while True:
+            module, _, last = name.rpartition(".")
+            file = _file_of(name) or _file_of(module)
+            if file is None:
+                break
+            if file.name != "__init__.py":
+                found.add(file)
+                break
+            handed = _read(file)[1]
+            if last not in handed or handed[last] == name:
+                found.update(file.parent.rglob("*.py"))  # Made on the spot, or the room as a whole.
+                break
+            name = handed[last]
+    return frozenset(found)
+
+
+def _sources(path: Path) -> list[Path]:
+    """Files whose content decides what the kernels of one are compiled to: those that it imports, and they in turn."""
+    found, new = {path, _PACKAGE / "compiled.py"}, [path]
+    while new:
+        more = _imported(new.pop()) - found
+        found |= more
+        new.extend(more)
+    return sorted(found)
+
+
+@functools.cache
+def _stamp(path: Path) -> tuple[str, int]:
+    """Of what a file's kernels are made of: by content, so that neither a checkout nor a copy compiles them anew."""
+    digest, size = hashlib.blake2b(digest_size=16), 0
+    for file in _sources(path):
+        source = _read(file)[0]
+        size += len(source)
+        name = file.relative_to(_PACKAGE).as_posix() if _PACKAGE in file.parents else file.name
+        digest.update(f"{name} {len(source)}\n".encode() + source)
+    return digest.hexdigest(), size
+
+
+def intrinsic(generator: Any) -> Any:
+    """Numba's decorator; what it makes takes the arguments after `typingctx`, which types cannot say."""
+    return numba_intrinsic(generator)
+
+
+@intrinsic
+def raised(typingctx: Any, flag: Any) -> Any:
+    """Whether a flag of `cotouch.interrupt` is raised: a load that no optimisation takes out of a loop."""
+    del typingctx
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        data = context.make_array(signature.args[0])(context, builder, arguments[0]).data
+        value = builder.load_atomic(data, "monotonic", 8)
+        return builder.icmp_signed("!=", value, value.type(0))
+
+    return types.boolean(flag), generate
 
 
 def routine(function: F) -> F:
     """Compiles a function on first call and keeps the machine code on disk; it may allocate, and holds no lock."""
     njit: Any = numba.njit
-    return stamped(njit(cache=True, nogil=True, error_model="numpy")(function))
+    return stamped(njit(nogil=True, error_model="numpy", no_cfunc_wrapper=True)(function), apart=True)
 
 
 def subroutine(function: F) -> F:
     """A routine that only routines call. What lets Python call one takes its share of the compilation's time."""
     njit: Any = numba.njit
     options = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-    return stamped(njit(cache=True, nogil=True, error_model="numpy", **options)(function))
+    return stamped(njit(nogil=True, error_model="numpy", **options)(function), apart=True)
 
 
-def stamped(compiled: Any) -> Any:
-    """The compiled function, its cache on disk bound to the sources of the whole package.
+class CacheWarning(UserWarning):
+    """Machine code cannot be kept on disk, so every process compiles it anew."""
+
+
+@final
+class _Compiler(Compiler):
+    """Numba's, but a kernel of this package has one symbol in all processes, so that one may call what another made."""
+
+    def define_pipelines(self) -> Any:
+        identity: Any = self.state.func_id
+        # Two that were made inside functions may share a name; one at the top of a module has it for itself.
+        if _PACKAGE in Path(identity.filename).parents and "." not in identity.func_qualname:
+            identity.unique_id = 0
+            identity.unique_name = f"{identity.func_qualname}$0"
+        return super().define_pipelines()
+
+
+# What is at least so large, in LLVM's instructions, is called by its symbol. LLVM would not inline it either, but numba
+# would copy it into each caller, to optimise and translate it there once more.
+_LARGE = 150
+# Where functions are found that may be called so.
+_apart: dict[str, tuple[str, str, tuple[Any, ...]]] = {}
+
+
+@final
+class _Kept(CompileResultCacheImpl):
+    """What is kept of a compiled function: numba's own, and which others must be there before it."""
+
+    apart = False
+
+    def reduce(self, cres: Any) -> Any:
+        library = cres.library
+        made = library._final_module
+        needs = {
+            value.name: _apart[value.name] for value in made.functions if value.is_declaration and value.name in _apart
+        }
+        defined: set[str] = set()
+        if self.apart and _large(cres):
+            defined = {value.name for value in (*made.functions, *made.global_variables) if not value.is_declaration}
+            library._shared_module = binding.parse_assembly("")
+            _set_apart(cres)
+        return needs, defined, super().reduce(cres)
+
+    def rebuild(self, target_context: Any, payload: Any) -> Any:
+        needs, defined, kept = payload
+        for symbol, (module, name, arguments) in needs.items():
+            dispatcher = getattr(importlib.import_module(module), name)
+            dispatcher.compile(arguments)
+            if dispatcher.overloads[arguments].fndesc.mangled_name != symbol or symbol not in _apart:
+                # LLVM ends the process when it misses a symbol.
+                message = f"{module}.{name} has another symbol than when this was compiled"
+                raise LookupError(message)
+        # Numba reads them from what is kept for linking, which is nothing.
+        target_context.codegen()._engine._defined_symbols |= defined
+        cres = super().rebuild(target_context, kept)
+        if defined:
+            _set_apart(cres)
+        return cres
+
+
+def _large(cres: Any) -> bool:
+    """Whether a function stays apart: by size, and if another process can find it and gives it the same symbol."""
+    description = cres.fndesc
+    if description.inline or description.uid != 0:
+        return False
+    function = cres.library.get_function(description.llvm_func_name)
+    return sum(1 for block in function.blocks for _ in block.instructions) >= _LARGE
+
+
+def _set_apart(cres: Any) -> None:
+    description = cres.fndesc
+    _apart[description.mangled_name] = description.modname, description.qualname, tuple(cres.signature.args)
+
+
+@final
+class _Cache(FunctionCache):
+    """Numba's cache of one function, without which everything works as well: only the start takes longer."""
+
+    _impl_class = _Kept
+
+    def _load_overload(self, sig: Any, target_context: Any) -> Any:
+        try:
+            return super()._load_overload(sig, target_context)
+        except Exception:  # noqa: BLE001  (a file that was cut off can raise anything)
+            self.mend()
+            return None
+
+    def _save_overload(self, sig: Any, data: Any) -> None:
+        try:
+            self.mend()
+            super()._save_overload(sig, data)
+        except OSError as error:
+            _not_kept(f"{self.cache_path}: {error.strerror or error}")
+
+    def bind(self, stamp: tuple[str, int]) -> None:
+        """What is kept is valid as long as the sources have this stamp."""
+        index: Any = self._cache_file
+        index._source_stamp = stamp
+
+    def mend(self) -> dict[Any, Any]:
+        """The index; a new one in place of one that cannot be read."""
+        index: Any = self._cache_file
+        try:
+            return index._load_index()
+        except Exception:  # noqa: BLE001  (likewise)
+            with contextlib.suppress(OSError):
+                index.flush()
+            return {}
+
+
+def _not_kept(reason: str) -> None:
+    """Says once in a process why machine code is not kept."""
+    if not _told:
+        _told.append(reason)
+        warnings.warn(
+            f"kernels are compiled anew in every process, for up to some minutes: they cannot be kept ({reason})",
+            CacheWarning,
+            stacklevel=2,
+        )
+
+
+_told: list[str] = []
+
+
+def stamped(compiled: Any, *, apart: bool = False) -> Any:
+    """The compiled function with a cache on disk, which is bound to all sources that it is made of.
 
     numba checks only the file of the function itself when it reads its cache, so a function that calls one of another
-    file would go on running old code after an edit there. The stamp therefore covers the sources of all of them.
+    file would go on running old code after an edit there.
+
+    Args:
+        compiled: the function.
+        apart: whether it is called by its symbol if it is large, which costs a device's kernels half their speed.
     """
-    cache_file = getattr(getattr(compiled, "_cache", None), "_cache_file", None)
-    if cache_file is not None and hasattr(cache_file, "_source_stamp"):
-        cache_file._source_stamp = _STAMP
+    compiled._compiler.pipeline_class = _Compiler
+    try:
+        cache: Any = _Cache(compiled.py_func)
+    except (OSError, RuntimeError) as error:
+        _not_kept(str(error) if isinstance(error, OSError) else "neither this package nor a home can be written")
+    else:
+        compiled._cache = cache
+        cache._impl.apart = apart
+        source = Path(compiled.py_func.__code__.co_filename)
+        if source.is_file():
+            cache.bind(_stamp(source))
     return compiled
 
 
@@ -51,5 +271,5 @@ def cold(compiled: Any) -> bool:
     """Whether the next call of a function compiles it, because neither memory nor the disk holds its machine code."""
     if getattr(compiled, "signatures", None):
         return False
-    cache_file = getattr(getattr(compiled, "_cache", None), "_cache_file", None)
-    return cache_file is not None and not cache_file._load_index()
+    cache = getattr(compiled, "_cache", None)
+    return isinstance(cache, NullCache) or (isinstance(cache, _Cache) and not cache.mend())

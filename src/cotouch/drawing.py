@@ -3,6 +3,7 @@
 Nothing here knows what is drawn: numbers, names and colours come in, lines and texts go out.
 """
 
+import io
 from collections.abc import Callable, Generator, Sequence
 from contextlib import contextmanager
 from itertools import pairwise
@@ -11,13 +12,14 @@ from typing import TYPE_CHECKING, Any, Final, NamedTuple, TypeAlias, cast, final
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
+
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from matplotlib.lines import Line2D
     from matplotlib.typing import RcKeyType
 
-Float = npt.NDArray[np.float64]
 Dash: TypeAlias = "str | tuple[int, tuple[float, ...]]"
 
 INK: Final = "#24292f"
@@ -97,10 +99,32 @@ def style() -> "Generator[None]":
 
 
 def sheet(height: float, width: float = WIDTH) -> "Figure":
-    """An empty figure, in inches, that belongs to nobody and needs no window."""
+    """An empty figure, in inches, that belongs to nobody and needs no window.
+
+    Args:
+        height: in inches.
+        width: in inches.
+    """
     from matplotlib.figure import Figure
 
     return Figure(figsize=(width, height), layout="constrained")
+
+
+def drawn(figure: "Figure", *, dpi: float, format: str = "png") -> bytes:  # noqa: A002
+    """A figure as the bytes of a file.
+
+    Args:
+        figure: to draw.
+        dpi: points per inch.
+        format: one that matplotlib knows.
+
+    Raises:
+        ValueError: there is no such format.
+    """
+    stream = io.BytesIO()
+    with style():
+        figure.savefig(stream, format=format, dpi=dpi)
+    return stream.getvalue()
 
 
 def user_line(index: int) -> dict[str, Any]:
@@ -109,7 +133,12 @@ def user_line(index: int) -> dict[str, Any]:
 
 
 def user_legend(axes: "Axes", names: Sequence[str]) -> None:
-    """Rows above the axes, to the right, that say which line is whose; the axes' title moves up if they are long."""
+    """Rows above the axes, to the right, that say which line is whose; the axes' title moves up if they are long.
+
+    Args:
+        axes: to draw in.
+        names: of the users.
+    """
     marks, texts = _marks(names)
     columns = max(1, min(len(marks), int(_LEGEND_LETTERS / (max(map(len, texts)) + _MARK_LETTERS))))
     rows = -(-len(marks) // columns)
@@ -119,7 +148,12 @@ def user_legend(axes: "Axes", names: Sequence[str]) -> None:
 
 
 def figure_legend(figure: "Figure", names: Sequence[str]) -> None:
-    """One row above all panels of a figure."""
+    """One row above all panels of a figure.
+
+    Args:
+        figure: to draw on.
+        names: of the users.
+    """
     marks, texts = _marks(names)
     figure.legend(marks, texts, loc="outside upper right", ncols=len(marks), **_ROW)
 
@@ -139,6 +173,11 @@ def decimate(time: Float, values: Float, most: int = _POINTS) -> tuple[Float, Fl
     """At most about `most` points of a line: the lowest and the highest of every bin, so that no peak is lost.
 
     What is not finite is left out, as nothing can be drawn there.
+
+    Args:
+        time: of the points.
+        values: at them.
+        most: points that are wanted.
     """
     known = np.isfinite(time) & (np.abs(values) < _LARGEST)  # a comparison with NaN is false
     time, values = time[known], values[known]
@@ -153,7 +192,12 @@ def decimate(time: Float, values: Float, most: int = _POINTS) -> tuple[Float, Fl
 
 
 def prefix(largest: float, unit: str) -> tuple[float, str]:
-    """What to divide by so that numbers up to `largest` read well, and the unit with its prefix."""
+    """What to divide by so that numbers up to `largest` read well, and the unit with its prefix.
+
+    Args:
+        largest: number that is shown.
+        unit: without prefix.
+    """
     if not 0.0 < largest < _LARGEST:
         return 1.0, unit
     for factor, letter in _PREFIXES:
@@ -173,28 +217,35 @@ def peak(*values: npt.ArrayLike) -> float:
 
 
 def end_labels(axes: "Axes", places: list[float], texts: list[str], colors: list[str]) -> None:
-    """Texts to the right of the axes near their lines' ends, moved apart where they would cover each other."""
+    """Texts to the right of the axes near their lines' ends, moved apart where they would cover each other.
+
+    Args:
+        axes: to draw in.
+        places: heights of the ends, in data.
+        texts: at them.
+        colors: of the texts.
+    """
     if not texts:
         return
     low, high = axes.get_ylim()
     height = axes.get_window_extent().height * 72.0 / axes.get_figure(root=True).dpi  # pyright: ignore[reportOptionalMemberAccess]
     gap = min(9.0 / max(height, 1.0), 1.0 / len(texts))
-    shares = np.array([axes.transAxes.inverted().transform(axes.transData.transform((0.0, y)))[1] for y in places])
-    shares = np.clip(shares, 0.0, 1.0)
-    order = np.argsort(shares, kind="stable")
-    spread = shares[order].copy()
+    fractions = np.array([axes.transAxes.inverted().transform(axes.transData.transform((0.0, y)))[1] for y in places])
+    fractions = np.clip(fractions, 0.0, 1.0)
+    order = np.argsort(fractions, kind="stable")
+    spread = fractions[order].copy()
     for k in range(1, spread.size):
         spread[k] = max(spread[k], spread[k - 1] + gap)
     # What was pushed over the top comes down again; the rest keeps its distance below it.
     spread[-1] = min(spread[-1], 1.0)
     for k in range(spread.size - 2, -1, -1):
         spread[k] = min(spread[k], spread[k + 1] - gap)
-    for share, index in zip(spread, order, strict=True):
+    for fraction, index in zip(spread, order, strict=True):
         axes.annotate(
             texts[index],
-            (1.0, float(shares[index])),
+            (1.0, float(fractions[index])),
             xycoords="axes fraction",
-            xytext=(1.025, float(share)),
+            xytext=(1.025, float(fraction)),
             textcoords="axes fraction",
             va="center",
             ha="left",
@@ -217,12 +268,13 @@ def network(
     strongest: float,
     color: Callable[[float], Any],
     labelled: bool = True,
+    strengths: bool = True,
     delay_unit: float = 1e-3,
 ) -> None:
     """Users on a circle; links as wide as they are stiff, coloured by their round trip.
 
     Labels of a link are its strength in bold and, beside either end, the delay of what arrives there. They stand where
-    they cover least; with more than ten users those that would cover something are left out.
+    they cover least. With more than ten users a link has its round trip alone, unless that would cover something.
 
     Args:
         axes: where to draw; what was set of its limits is replaced.
@@ -234,6 +286,7 @@ def network(
         strongest: N/m, of the widest link.
         color: of a link, from its round trip [s].
         labelled: whether links have labels.
+        strengths: whether their strengths are among them.
         delay_unit: s, of the delays that are written.
     """
     size = len(users)
@@ -249,11 +302,11 @@ def network(
         axes.set(xlim=(-span, span), ylim=(float(places[:, 1].min()) - 0.26, 1.26))
     mark = (15.0 if labelled else 10.0) * min(1.0, 22.0 / size) if inside else 5.0
     for a, b in links:
-        share = spring[a, b] / strongest
+        fraction = spring[a, b] / strongest
         axes.plot(
             *places[[a, b]].T,
             color=color(float(delay[a, b] + delay[b, a])),
-            linewidth=(0.8 + 4.2 * share) * (1.0 if labelled else 0.7) * min(1.0, 16.0 / size),
+            linewidth=(0.8 + 4.2 * fraction) * (1.0 if labelled else 0.7) * min(1.0, (MANY_USERS / size) ** 1.3),
             zorder=1,
         )
     for name, (x, y) in zip(users, places, strict=True):
@@ -270,8 +323,8 @@ def network(
             )
     if labelled:
         points = 72.0 * width / (2.0 * span)
-        texts = _link_texts(links, places, spring, delay, delay_unit)
-        for text, place in _placed(texts, places, links, points, 0.5 * mark, thin=size > _MANY_USERS):
+        texts = _link_texts(links, places, spring, delay, delay_unit, strengths=strengths)
+        for text, place in _placed(texts, places, links, points, 0.5 * mark, thin=size > MANY_USERS):
             axes.annotate(
                 text.text,
                 (float(place[0]), float(place[1])),
@@ -287,7 +340,7 @@ def network(
 
 # Letters of a name that fit into its circle, and users up to which every label is drawn.
 _SHORT_NAME = 3
-_MANY_USERS = 10
+MANY_USERS: Final = 10
 
 
 @final
@@ -299,23 +352,27 @@ class _Text(NamedTuple):
     bold: bool
     near: Float
     far: Float
-    shares: tuple[float, ...]
+    fractions: tuple[float, ...]
 
 
 def _link_texts(
-    links: Sequence[tuple[int, int]], places: Float, spring: Float, delay: Float, unit: float
+    links: Sequence[tuple[int, int]], places: Float, spring: Float, delay: Float, unit: float, *, strengths: bool
 ) -> list[_Text]:
     """What arrives at an end is written nearer to it than to the other; those have fewer places, so they come first."""
+
+    def said(seconds: float) -> str:
+        return f"{seconds / unit:.0f}" if seconds >= 1e3 * unit else f"{seconds / unit:.3g}"
+
     ends = tuple(0.15 + 0.02 * k for k in range(12))
-    ends = (0.23, *sorted(ends, key=lambda share: abs(share - 0.23)))
-    middle = tuple(sorted((0.36 + 0.02 * k for k in range(15)), key=lambda share: abs(share - 0.45)))
-    texts: list[_Text] = []
-    for a, b in links:
-        for near, far in ((a, b), (b, a)):
-            text = f"{delay[near, far] / unit:.3g}"
-            if delay[near, far] >= 1e3 * unit:
-                text = f"{delay[near, far] / unit:.0f}"
-            texts.append(_Text(text, 6.0, False, places[near], places[far], ends))
+    ends = (0.23, *sorted(ends, key=lambda fraction: abs(fraction - 0.23)))
+    middle = tuple(sorted((0.36 + 0.02 * k for k in range(15)), key=lambda fraction: abs(fraction - 0.45)))
+    if len(places) > MANY_USERS:
+        return [_Text(said(delay[a, b] + delay[b, a]), 5.0, False, places[a], places[b], middle) for a, b in links]
+    texts = [
+        _Text(said(delay[near, far]), 6.0, False, places[near], places[far], ends)
+        for a, b in links
+        for near, far in ((a, b), (b, a))
+    ]
     texts += [
         _Text(
             f"{spring[a, b]:.0f}" if spring[a, b] >= 10 else f"{spring[a, b]:.2g}",
@@ -326,6 +383,7 @@ def _link_texts(
             middle,
         )
         for a, b in links
+        if strengths
     ]
     return texts
 
@@ -354,8 +412,8 @@ def _placed(
     for text in texts:
         half = np.array([0.29 * text.size * len(text.text) + 1.0, 0.42 * text.size + 1.0])
         best, least = None, np.inf
-        for rank, share in enumerate(text.shares):
-            middle = points * (text.near + share * (text.far - text.near))
+        for rank, fraction in enumerate(text.fractions):
+            middle = points * (text.near + fraction * (text.far - text.near))
             apart = np.abs(boxes[:, :2] - middle) - boxes[:, 2:] - half
             covered = float(np.prod(np.clip(-apart, 0.0, None), axis=1).sum())
             gap = np.linalg.norm(np.clip(np.abs(points * places - middle) - half, 0.0, None), axis=1)

@@ -12,14 +12,28 @@
     │   ├── RecordingError               a recording that cannot be read, written or used for what was asked
     │   ├── PageError                    what a page in a browser sent is nothing that pages send
     │   └── UnsupportedError             correct in itself, but outside what the asked-for method can do
+    ├── OutputError                      a file cannot be written: the disk is full, the folder read-only, say
     └── TransportError                   this machine or its network refused: a port that is taken, say
 
 A message is one sentence that names the thing, its value, and what would be right.
 """
 
+import unicodedata
+
+# Control and format characters, halves of pairs and separators of lines: a terminal may obey them.
+_UNPRINTABLE = {"Cc", "Cf", "Cs", "Zl", "Zp"}
+
+
+def printable(text: str) -> str:
+    """A text on one line, with what a terminal may obey written out as in Python; names come from anywhere."""
+    return "".join(repr(letter)[1:-1] if unicodedata.category(letter) in _UNPRINTABLE else letter for letter in text)
+
 
 class CotouchError(Exception):
     """Root of every error that cotouch raises on purpose."""
+
+    def __str__(self) -> str:
+        return printable(super().__str__())
 
 
 class InputError(CotouchError, ValueError):
@@ -56,6 +70,10 @@ class PageError(InputError):
 
 class UnsupportedError(InputError):
     """A correct input outside what the asked-for method can do."""
+
+
+class OutputError(CotouchError):
+    """A file cannot be written; what was there before still is."""
 
 
 class TransportError(CotouchError):

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from cotouch.body import Body, chain, lattice, point
+from cotouch.body import Body, body_from_surface, chain, lattice, point
 from cotouch.errors import BodyError
 
 REACH = {6: 1, 18: 2, 26: 3}
@@ -213,3 +213,17 @@ class TestGround:
     def test_unknown_node(self, index: int):
         with pytest.raises(BodyError, match=f"ground names node index {index}; this body has nodes 0 to 3"):
             lattice((2, 2), ground=[0, index])
+
+
+@pytest.mark.parametrize("value", [[1.0, 2.0], "soft", True, 1j])
+@pytest.mark.parametrize("name", ["young", "density", "poisson", "rayleigh_mass"])
+def test_what_is_no_number_is_a_sentence(name: str, value: object) -> None:
+    with pytest.raises(BodyError, match=rf"{name} is .*; it must be one number") as caught:
+        body_from_surface(([[0.0, 0.0, 0.0]], [[0, 0, 0]]), unit="m", **{name: value})
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("name", ["mass", "stiffness", "damping", "spacing"])
+def test_what_is_no_number_of_a_lattice_is_a_sentence(name: str) -> None:
+    with pytest.raises(BodyError, match=rf"{name} is \[1, 2\]; it must be one number"):
+        lattice((2, 2), **{name: [1, 2]})

@@ -43,6 +43,12 @@ def test_cavities_are_empty_and_overlaps_count_once():
     assert twice.fill.sum() == pytest.approx(6 * 16, abs=1e-6)
 
 
+def test_a_cell_that_two_shells_fill_in_part_is_as_full_as_both_together():
+    """Slabs from 0 to 0.6 and from 0.3 to 0.9 of a cell's height fill 0.9 of it, not all."""
+    cells = cells_of(*joined(box((1, 1, 0.6)), box((1, 1, 0.6), (0, 0, 0.3))), 1)
+    assert cells.fill == pytest.approx([0.9], abs=1e-9)
+
+
 def test_a_thin_sheet_still_has_cells():
     points, faces = box((1.0, 1.0, 0.001))
     cells = cells_of(points, faces, 10)

@@ -8,9 +8,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from tests.body.shapes import box, joined, sphere, volume
 
-from cotouch.body._reading import Mesh
 from cotouch.body._repair import Shells, repaired
 from cotouch.errors import BodyError
+from cotouch.meshfile import Mesh
 
 SPHERE = sphere(2)
 

@@ -45,9 +45,9 @@ def test_pattern_is_the_interpolation(skin: Skin):
     pointer, columns, values = skin.pattern
     assert pointer.dtype == columns.dtype == np.int32
     dense = np.zeros((skin.vertices.shape[0], 9))
-    for vertex, (names, shares) in enumerate(zip(skin.nodes, skin.weights, strict=True)):
-        for node, share in zip(names, shares, strict=True):
-            dense[vertex, node] += share
+    for vertex, (names, fractions) in enumerate(zip(skin.nodes, skin.weights, strict=True)):
+        for node, fraction in zip(names, fractions, strict=True):
+            dense[vertex, node] += fraction
     assert np.allclose(skin.interpolation(9).toarray(), dense)
     assert pointer[-1] == columns.size == values.size
 

@@ -8,6 +8,9 @@ from pathlib import Path
 import pytest
 from tests.cli.commands import FIVE_USERS, cotouch, here
 
+from cotouch.errors import ScenarioError
+from cotouch.scenario import Scenario
+
 SMALL = """
 [network]
 users = ["Ann", "Ben"]
@@ -180,7 +183,7 @@ def test_body_says_what_was_repaired(shapes: Path, tmp_path: Path) -> None:
     notes = json.loads(done.stdout)["notes"]
     assert notes[0].startswith("1 hole filled")
     assert "turned round" in notes[1]
-    assert "Held by nothing" in notes[2]
+    assert "Held by nothing" in notes[-1]
 
 
 @pytest.mark.parametrize(
@@ -215,3 +218,25 @@ def test_body_refuses_with_one_sentence_and_leaves_nothing(
     assert done.stderr.count("\n") == 1
     assert message in done.stderr
     assert not (tmp_path / "figures").exists()
+
+
+def test_simulate_says_who_steps_more_slowly_than_asked(tmp_path: Path) -> None:
+    path = tmp_path / "rates.toml"
+    tables = (
+        '[network]\nusers = ["a", "b"]\nspring = [[0, 50], [50, 0]]\ndelay = [[0, 0.03], [0.03, 0]]\n'
+        "[steps]\nduration = 1.0\nrate = [1000, 100]\n[synchronisation]\n"
+    )
+    path.write_text(tables + 'mode = "self-paced"\n', encoding="utf-8")
+    said = " ".join(here("simulate", path).stdout.split())
+    assert "user 1 takes 100 steps a second instead of 1000, and each lasts so much longer" in said, said
+    found = json.loads(here("simulate", path, "--json").stdout)
+    assert found["rate_hz"]["asked"] == pytest.approx([1000.0, 100.0])
+    assert found["rate_hz"]["taken"][1] == pytest.approx(100.0, rel=0.05)
+    assert found["behind_s"][0] > found["behind_s"][1] == 0.0
+
+    path.write_text(tables, encoding="utf-8")
+    assert "instead of" not in here("simulate", path).stdout
+
+    path.write_text(tables + 'mode = "constant"\n', encoding="utf-8")
+    with pytest.raises(ScenarioError, match=r'steps\.rate is \[1000\.0, 100\.0\], but in mode "constant"'):
+        Scenario.read(path)

@@ -1,6 +1,7 @@
 """`cotouch devices` as users run it."""
 
 import json
+import os
 import sys
 
 import pytest
@@ -42,10 +43,24 @@ def test_check_calibrate_and_monitor(capsys: pytest.CaptureFixture[str], monkeyp
         0,
         True,
     )
-    code, out, _ = told(capsys, monkeypatch, "monitor", "simulated:cartesian", "--seconds", "0.2", "--json")
+    code, out, _ = told(capsys, monkeypatch, "monitor", "simulated:cartesian", "--duration", "0.2", "--json")
     seen = json.loads(out)
     assert (code, seen["flags"]) == (0, ["calibrated", "held"])
     assert seen["cycles"] > 5
+
+
+def test_check_says_that_priority_was_refused(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch):
+    """It is no failure of the device, and whoever holds it will feel it."""
+
+    def refuse(*_: object) -> None:
+        raise PermissionError(1, "Operation not permitted")
+
+    monkeypatch.setattr(os, "sched_setscheduler", refuse)
+    code, out, _ = told(capsys, monkeypatch, "check", "simulated:cartesian")
+    assert code == 0
+    assert "WARN  real-time priority was refused ([Errno 1] Operation not permitted): on a busy machine" in out
+    code, out, _ = told(capsys, monkeypatch, "check", "simulated:cartesian", "--json")
+    assert json.loads(out)["real_time_refused"] == "[Errno 1] Operation not permitted"
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ from contextlib import AbstractContextManager
 from typing import Any
 
 import pytest
-from tests.web.fake_stage import FakeStage
+from tests.web.fake_session_api import FakeSessionApi
 from typer.testing import CliRunner
 from websockets.sync.client import connect
 
@@ -28,13 +28,13 @@ def test_a_stage_is_served_and_the_address_said(capsys: pytest.CaptureFixture[st
     monkeypatch.setattr(_page, "desktop", lambda: False)
     with _page.page(wanted=True, port=0, listen="127.0.0.1") as beside:
         assert beside is not None
-        with beside(FakeStage("1d")):
+        with beside(FakeSessionApi("1d")):
             said = capsys.readouterr().err
             url = said.split()[-1]
             assert said.startswith("cotouch: the page is at http://127.0.0.1:")
             own, token = url.split("/#token=")
             with connect(own.replace("http", "ws") + "/ws", origin=own) as page:
-                page.send(json.dumps({"type": "hello", "version": 1, "token": token}))
+                page.send(json.dumps({"type": "hello", "version": 2, "token": token}))
                 assert json.loads(page.recv(10))["acts"]
         with pytest.raises(OSError, match="refused"):
             connect(own.replace("http", "ws") + "/ws", origin=own)
@@ -44,7 +44,7 @@ def test_who_can_reach_it_from_elsewhere_is_said(capsys: pytest.CaptureFixture[s
     monkeypatch.setattr(PageAddress, "local", False)  # without opening a port to others here
     with _page.page(wanted=True, port=0, listen="127.0.0.1") as beside:
         assert beside is not None
-        with beside(FakeStage("1d")):
+        with beside(FakeSessionApi("1d")):
             assert "others can reach 127.0.0.1" in capsys.readouterr().err
 
 
@@ -59,7 +59,7 @@ def test_a_browser_gets_a_ticket_and_only_one_with_a_window(
     monkeypatch.setattr(webbrowser, "get", lambda: browser)
     with _page.page(wanted=True, port=0, listen="127.0.0.1") as beside:
         assert beside is not None
-        with beside(FakeStage("1d")):
+        with beside(FakeSessionApi("1d")):
             for thread in threading.enumerate():
                 if getattr(thread, "_target", None) is _page._open:
                     thread.join(10)
@@ -91,7 +91,7 @@ class TestDemo:
             ((), True, True, None),
             ((), False, True, 30.0),
             (("--no-page",), True, False, 30.0),
-            (("--seconds", "5"), True, True, 5.0),
+            (("--duration", "5"), True, True, 5.0),
             (("--headless",), True, False, 30.0),
             (("--json",), True, False, 30.0),
             (("--json", "--page"), False, True, 30.0),

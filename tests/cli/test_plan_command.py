@@ -4,10 +4,13 @@ import json
 import re
 from pathlib import Path
 
+import numpy as np
 import pytest
 from tests.cli.commands import FIVE_USERS, cotouch, here
 
 from cotouch.cli._plan import run
+from cotouch.network import Network
+from cotouch.session import Measured
 
 
 def test_plan_prints_one_json_object() -> None:
@@ -25,13 +28,28 @@ def test_plan_prints_one_json_object() -> None:
 
 
 def test_plan_prints_a_table_and_keeps_to_the_limits() -> None:
-    done = here("plan", FIVE_USERS, "--links", "5", "--must", "1-3", "--never", "2-4,4-5", "--max-degree", "3")
+    done = here("plan", FIVE_USERS, "--links", "5", "--require", "1-3", "--forbid", "2-4,4-5", "--max-degree", "3")
     assert done.returncode == 0, done.stderr
     assert "Proved for 5 users" in done.stdout
     best = re.search(r"^  1 +((?:\d-\d ?)+)", done.stdout, re.MULTILINE)
     assert best is not None
     assert "1-3" in best[1]
     assert "2-4" not in best[1]
+
+
+def test_what_was_measured_can_be_planned_as_the_documents_say(tmp_path: Path) -> None:
+    """Measured delays are no whole time units of the consensus model, which is the objective where none is named."""
+    delay = np.array([[0.0, 0.002849, 0.0013], [0.002849, 0.0, 0.0021], [0.0013, 0.0021, 0.0]])
+    spring = 60.0 * (delay > 0.0)
+    network = Network(users=["Ann", "Ben", "Cleo"], spring=spring, delay=delay, links=[(0, 1), (1, 2)])
+    path = tmp_path / "network.toml"
+    path.write_text(Measured(network=network, missing=[(0, 2)], emulated=False).toml())
+    done = here("plan", path, "--links", "2", "--json")
+    assert done.returncode == 0, done.stderr
+    assert json.loads(done.stdout)["objective"] == "decay"
+    assert "(--objective decay)" in done.stderr
+    named = here("plan", path, "--links", "2", "--objective", "consensus")
+    assert (named.returncode, "choose a time unit" in named.stderr) == (2, True)
 
 
 def test_a_graph_that_never_mixes_has_no_time_constant() -> None:
@@ -46,10 +64,15 @@ def test_a_graph_that_never_mixes_has_no_time_constant() -> None:
     ("options", "message"),
     [
         (["--links", "3"], "links is 3"),
-        (["--links", "6", "--must", "1to2"], '--must is "1to2"'),
-        (["--links", "6", "--must", "1-2", "--never", "2-1"], "1-2 is both in must and in never"),
+        (["--links", "6", "--require", "1to2"], '--require is "1to2"'),
+        (["--links", "6", "--require", "1-2", "--forbid", "2-1"], "1-2 is both in require and in forbid"),
         (["--links", "6", "--objective", "speed"], 'objective is "speed"'),
         (["--links", "6", "--time-unit", "0.03"], "choose a time unit that divides it"),
+        (["--links", "many"], '--links is "many"; it must be a number such as 6'),
+        (["--links", "at most 3"], "it takes 4 to 10"),
+        (["--links", "6", "--forbid", "1-Ann"], '--forbid is "1-Ann", which is no link'),
+        (["--links", "6", "--pick", "1,2"], "name one by --delays"),
+        (["--links", "6", "--delays", "trips.csv"], "each name users and delays"),
     ],
 )
 def test_what_cannot_be_is_one_sentence_and_exit_code_2(options: list[str], message: str) -> None:
@@ -78,10 +101,11 @@ def test_plan_draws_and_tunes(tmp_path: Path) -> None:
     assert sorted(Path(name).name for name in found["files"]) == ["knee.png", "networks.png", "ranks.png"]
     assert all(Path(name).stat().st_size > 10_000 for name in found["files"])
     tuned = found["tuned"]
-    assert tuned["before"] == pytest.approx(found["best"]["value"], abs=1e-9)
-    assert tuned["after"] < 2 * tuned["before"]
+    assert tuned["after"] < -6.6, "links are chosen with their springs"
+    assert len(tuned["links"]) == 6
     assert max(tuned["damping"]) <= 42 * (1 + 1e-9)
-    assert tuned["simulated"] == pytest.approx(tuned["after"], rel=0.01)
+    # Three modes within half a per mille of each other: a run does not tell which is the slowest, and nothing is said.
+    assert tuned["simulated"] is None
 
 
 def test_plan_refuses_a_limit_of_nothing() -> None:
@@ -131,20 +155,68 @@ def test_a_body_that_is_not_modal_is_one_sentence(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("cold", [True, False])
-def test_a_first_run_says_that_it_compiles(
+def test_a_first_run_says_that_it_compiles_and_has_a_first_answer(
     cold: bool, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr("cotouch.planning.compiles", lambda method: cold)
     none = {"mass": None, "damping": None, "stiffness": None}
     run(
         Path(FIVE_USERS),
-        must=[],
-        never=[],
+        require=[],
+        forbid=[],
+        links="6",
         tune=None,
         figures=None,
         as_json=True,
-        **{"links": 6, "objective": "damping", "method": "auto", **none},
+        **{"objective": "damping", "method": "auto", **none},
     )
     said = capsys.readouterr()
-    assert said.err == ("Compiling, once on this machine: about a minute.\n" if cold else "")
+    compiling, *first = said.err.splitlines() or [""]
+    assert compiling == ("Compiling, once on this machine: about two minutes." if cold else "")
+    assert [line[:46] for line in first] == (["Meanwhile the best of 205 with 6 links, not ce"] if cold else [])
     assert json.loads(said.out)["worst_status"] == "proved"
+
+
+def test_a_range_of_links_tells_the_knee() -> None:
+    done = here("plan", FIVE_USERS, "--links", "4-7", "--objective", "decay", "--json")
+    assert done.returncode == 0, done.stderr
+    found = json.loads(done.stdout)
+    rates = {one["links"]: one["value"] for one in found["counts"]}
+    assert rates[5] == pytest.approx(-5.1, abs=0.05)
+    assert rates[6] == pytest.approx(-1.428553, abs=1e-6)
+    text = here("plan", FIVE_USERS, "--links", "at most 7", "--objective", "decay").stdout
+    assert f"the knee is at {found['knee']}" in text
+
+
+def test_users_go_by_their_names(tmp_path: Path) -> None:
+    path = tmp_path / "trips.csv"
+    path.write_text(",Ann,Jo-Ann,Cleo,Dora\nAnn,0,100,80,50\nJo-Ann,100,0,60,90\nCleo,80,60,0,70\nDora,50,90,70,0\n")
+    options = (
+        "--delays",
+        str(path),
+        "--links",
+        "3",
+        "--objective",
+        "decay",
+        "--require",
+        "Jo-Ann-Cleo",
+        "--forbid",
+        "1-2",
+    )
+    done = here("plan", *options, "--json")
+    assert done.returncode == 0, done.stderr
+    found = json.loads(done.stdout)
+    assert found["users"] == ["Ann", "Jo-Ann", "Cleo", "Dora"]
+    assert ["Jo-Ann", "Cleo"] in found["link_names"]
+    assert "Jo-Ann-Cleo" in here("plan", *options).stdout
+    picked = here("plan", "--delays", str(path), "--pick", "Dora,Ann,Cleo", "--links", "2", "--objective", "damping")
+    assert "Proved for 3 users" in picked.stdout
+    assert "Dora-Ann" in picked.stdout
+
+
+def test_a_long_delay_is_questioned(tmp_path: Path) -> None:
+    path = tmp_path / "trips.csv"
+    path.write_text(",Ann,Ben\nAnn,0,120000\nBen,120000,0\n")
+    done = here("plan", "--delays", str(path), "--links", "1", "--objective", "damping")
+    assert done.returncode == 0, done.stderr
+    assert "is it right?" in done.stdout

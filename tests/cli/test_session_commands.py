@@ -2,20 +2,28 @@
 
 import json
 import os
+import secrets
 import signal
 import subprocess
 import sys
 import time
 import tomllib
 from collections.abc import Callable, Generator
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.keeper import marked
 
 from cotouch.cli import main
+from cotouch.errors import CotouchError
 from cotouch.live import Endpoint, Identity, Invitation, free_port
+from cotouch.peer import LinkState
+from cotouch.recording import read_recording
 
+# What any wait is bounded by; alone on a machine what is waited for takes seconds [s].
+PATIENCE = 300.0
 COMMAND = [sys.executable, "-c", "from cotouch.cli import main; main()"]
 TWO = """
 title = "Two"
@@ -56,7 +64,7 @@ class Running:
     def err(self, name: str) -> str:
         return (self._folder / f"{name}.err").read_text()
 
-    def until(self, done: Callable[[], object], what: str, seconds: float = 120.0) -> None:
+    def until(self, done: Callable[[], object], what: str, seconds: float = PATIENCE) -> None:
         end = time.monotonic() + seconds
         while not done():
             assert time.monotonic() < end, f"{what}: not within {seconds} s; {self.complaints()}"
@@ -79,31 +87,41 @@ def running(tmp_path: Path) -> Generator[Running]:
     made.close()
 
 
+def coupled(path: Path) -> bool:
+    """Whether all of a member's links were coupled in some step that it recorded, so far."""
+    try:
+        phases = read_recording(path).columns["link_state"]
+    except (CotouchError, OSError):  # not begun
+        return False
+    return phases.shape[1] > 0 and bool((phases == LinkState.COUPLED).all(axis=1).any())
+
+
 def interrupted(process: "subprocess.Popen[bytes]") -> int:
     os.kill(process.pid, signal.SIGINT)
-    return process.wait(60)
+    return process.wait(PATIENCE)
 
 
 def test_a_session_from_invitation_to_audit(running: Running, tmp_path: Path) -> None:
     (tmp_path / "two.toml").write_text(TWO)
-    host_of = ("host", tmp_path / "two.toml", "--keep", tmp_path / "keys")
+    host_of = ("host", tmp_path / "two.toml", "--key-file", tmp_path / "keys")
     host = running.start("host", *host_of)
     running.until(lambda: running.out("host").endswith("\n"), "the invitation")
     line = running.out("host").strip()
     assert Invitation.decode(line).session == "Two"
-    assert "cotouch join" in running.err("host")
+    assert "cotouch join -" in running.err("host")
+    running.until(lambda: "cotouch: ready; nobody is here yet\n" in running.err("host"), "the host is ready")
     assert (tmp_path / "keys").stat().st_mode & 0o077 == 0
 
     ann_of = ("join", "-", "--name", "Ann", "--headless", "--record", tmp_path / "a.mcap")
     ann = running.start("Ann", *ann_of, said=f"{line}\n")
     ben = running.start("Ben", "join", line, "--name", "Ben", "--record", tmp_path / "b.mcap", "--json")
-    recorded = [tmp_path / "a.mcap", tmp_path / "b.mcap"]  # begun with the first step
-    running.until(lambda: all(path.exists() for path in recorded), "both move")
-    measure_of = ("measure", "-", "--seconds", "5", "--out", tmp_path / "n.toml", "--json")
+    recorded = [tmp_path / "a.mcap", tmp_path / "b.mcap"]
+    running.until(lambda: all(map(coupled, recorded)), "both are coupled")
+    measure_of = ("measure", "-", "--duration", "5", "--out", tmp_path / "n.toml", "--json")
     measuring = running.start("measure", *measure_of, said=line)
     taken = running.start("taken", "join", line, "--name", "Ann", "--json")
 
-    assert measuring.wait(60) == 0, running.err("measure")
+    assert measuring.wait(PATIENCE) == 0, running.err("measure")
     found = json.loads(running.out("measure"))
     assert found["users"] == ["Ann", "Ben"]
     assert found["not_measured"] == []
@@ -116,21 +134,25 @@ def test_a_session_from_invitation_to_audit(running: Running, tmp_path: Path) ->
     assert written["spring"] == [[0, 50], [50, 0]]
     assert abs(written["delay"][0][1] - delay) < 1e-6
 
-    assert taken.wait(60) == 2
+    assert taken.wait(PATIENCE) == 2
     assert running.err("taken") == (
-        'cotouch: the host does not let Ann in: the name "Ann" is taken by somebody who is here; choose another with '
-        "--name\n"
+        'cotouch: the host does not let Ann in: the name "Ann" is taken by somebody else in this session; choose '
+        "another with --name, or ask the host to release it\n"
     )
     assert running.out("taken") == ""
     assert interrupted(ben) == 0
     result = json.loads(running.out("Ben"))
     assert (result["name"], result["user"], result["ended"]) == ("Ben", 2, "stopped")
     assert result["recorded_steps"] == result["status"]["steps"] > 100
-    assert result["status"]["links"][0]["state"] == "coupled"
+    assert len(result["status"]["links"]) == 1
     assert running.err("Ben") == ""
     assert interrupted(ann) == 0
     assert running.out("Ann").startswith("Ann took ")
+    told = [line.removeprefix("cotouch: ") for line in running.err("Ann").splitlines()]
+    assert told[0] == "joining ..."
+    assert "ready: Ann is user 1 of 2" in told
     assert "are recorded" in running.out("Ann")
+    assert [path.stat().st_mode & 0o777 for path in recorded] == [0o600, 0o600]
     assert interrupted(host) == 0
 
     again = running.start("again", *host_of, "--json")
@@ -138,10 +160,40 @@ def test_a_session_from_invitation_to_audit(running: Running, tmp_path: Path) ->
     assert json.loads(running.out("again"))["invitation"] == line
     assert interrupted(again) == 0
     audited = running.start("audit", "audit", tmp_path / "a.mcap", tmp_path / "b.mcap", "--json")
-    code = audited.wait(120)
+    code = audited.wait(PATIENCE)
     report = json.loads(running.out("audit"))
     assert report["holds"], report["findings"]
     assert code == 0, running.err("audit")
+
+
+def test_who_was_killed_comes_back_as_itself_and_so_does_the_host(running: Running, tmp_path: Path) -> None:
+    (tmp_path / "two.toml").write_text(TWO)
+    host_of = ("host", tmp_path / "two.toml", "--key-file", tmp_path / "keys", "--json")
+    host = running.start("host", *host_of)
+    running.until(lambda: running.out("host").endswith("}\n"), "the invitation")
+    line = json.loads(running.out("host"))["invitation"]
+    ann = running.start("Ann", "join", "-", "--name", "Ann", "--json", "--record", tmp_path / "a.mcap", said=line)
+    ben = running.start("Ben", "join", "-", "--name", "Ben", "--record", tmp_path / "b.mcap", said=line)
+
+    def kept() -> list[str]:
+        decided = json.loads((tmp_path / "keys").read_text())["decided"]
+        return sorted(entry["name"] for entry in decided["roster"]["members"])
+
+    running.until(lambda: kept() == ["Ann", "Ben"], "the host keeps its roster")
+    for process in (ben, host):
+        process.kill()
+        process.wait()
+    again = running.start("again", *host_of)
+    running.until(lambda: running.out("again").endswith("}\n"), "the invitation again")
+    back_of = ("join", "-", "--name", "Ben", "--json", "--record", tmp_path / "c.mcap")
+    back = running.start("back", *back_of, said=line)
+    running.until(lambda: coupled(tmp_path / "c.mcap"), "Ben is back")
+    assert interrupted(back) == 0, running.err("back")
+    result = json.loads(running.out("back"))
+    assert (result["user"], result["ended"]) == (2, "stopped")
+    assert interrupted(ann) == 0
+    assert json.loads(running.out("Ann"))["user"] == 1
+    assert interrupted(again) == 0
 
 
 def test_who_is_there_when_the_host_ends_the_session_ends_too(running: Running, tmp_path: Path) -> None:
@@ -149,16 +201,19 @@ def test_who_is_there_when_the_host_ends_the_session_ends_too(running: Running, 
     host = running.start("host", "host", tmp_path / "two.toml", "--json")
     running.until(lambda: running.out("host").endswith("}\n"), "the invitation")
     line = json.loads(running.out("host"))["invitation"]
-    ann = running.start("Ann", "join", "-", "--device", "none", "--json", said=line)
-    ben = running.start("Ben", "join", line, "--name", "Ben", "--seconds", "1", "--headless", said=line)
-    assert ben.wait(120) == 0
+    ann = running.start("Ann", "join", "-", "--device", "none", "--headless", said=line)
+    ben = running.start("Ben", "join", line, "--name", "Ben", "--duration", "1", "--headless", said=line)
+    assert ben.wait(PATIENCE) == 0
     assert running.out("Ben").startswith("Ben took ")
-    watched = running.start("watch", "measure", "-", "--seconds", "4", said=line)
-    assert watched.wait(60) == 2  # one alone has no way to anybody
+    watched = running.start("watch", "measure", "-", "--duration", "4", said=line)
+    assert watched.wait(PATIENCE) == 2  # one alone has no way to anybody
     assert "from two on" in running.err("watch")
     assert interrupted(host) == 0
-    assert ann.wait(60) == 0
-    assert json.loads(running.out("Ann"))["ended"] == "ended"
+    assert ann.wait(PATIENCE) == 0
+    assert running.out("Ann").startswith("the host ended the session; ")
+    late = running.start("late", "join", "-", "--json", said=line)
+    assert late.wait(PATIENCE) == 2
+    assert "the session has ended, or its host is not running" in running.err("late")
 
 
 @pytest.mark.parametrize(
@@ -166,8 +221,8 @@ def test_who_is_there_when_the_host_ends_the_session_ends_too(running: Running, 
     [("--users", "3", "--impair", "loss=0.05", "--impair", "jitter=0.005"), ("--users", "2", "--body", "block")],
 )
 def test_demo(running: Running, options: tuple[str, ...]) -> None:
-    done = running.start("demo", "demo", "--seconds", "3", "--json", *options)
-    done.wait(300)
+    done = running.start("demo", "demo", "--duration", "3", "--json", *options)
+    done.wait(PATIENCE)
     shown: dict[str, Any] = json.loads(running.out("demo"))
     assert len(shown["members"]) == int(options[1])
     assert shown["residual"] < 1e-9
@@ -198,6 +253,29 @@ def said(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], *a
     return err
 
 
+def test_a_demo_that_is_killed_leaves_neither_members_nor_boards(
+    running: Running, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Its members see it at once and leave in order, so that recordings are whole."""
+    mark = secrets.token_hex(8)
+    monkeypatch.setenv("COTOUCH_KILLED", mark)
+    demo = running.start(
+        "demo", "demo", "--no-page", "--users", "2", "--duration", "600", "--record", tmp_path / "kept"
+    )
+    files = [tmp_path / "kept" / f"{name}.mcap" for name in ("Ann", "Ben")]
+    running.until(lambda: all(file.exists() and file.stat().st_size > 10_000 for file in files), "recordings")
+    words = list[list[str]]()
+    for pid in marked(mark):
+        with suppress(OSError):  # one that only helped, and is gone
+            words.append(Path(f"/proc/{pid}/cmdline").read_text().split("\0"))
+    mailboxes = {Path(line[line.index("--mailboxes") + 1]) for line in words if "--mailboxes" in line}
+    assert len(mailboxes) == 1
+    demo.kill()
+    running.until(lambda: not marked(mark), "members gone")
+    assert not mailboxes.pop().exists()
+    assert [read_recording(file).broken for file in files] == [None, None]
+
+
 @pytest.mark.parametrize(
     ("arguments", "part"),
     [
@@ -210,7 +288,7 @@ def said(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], *a
         (("measure", "{whole}", "--out", "{missing}/n.toml"), "does not exist"),
         (("host", "{missing}.toml"), "cannot be read"),
         (("host", "{file}", "--listen", "my.machine"), "my.machine"),
-        (("host", "{file}", "--keep", "{file}"), "does not hold the keys"),
+        (("host", "{file}", "--key-file", "{file}"), "does not hold the keys"),
         (("demo", "--users", "0"), "--users is 0; it must be from 1 to 32"),
         (("demo", "--users", "33"), "--users is 33"),
         (("demo", "--body", "ball"), '--body is "ball"; it must be point or block'),

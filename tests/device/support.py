@@ -5,12 +5,12 @@ from dataclasses import dataclass, field
 import numba
 import numpy as np
 
-from cotouch.device import DEVICE_BOOKS, Devices, DeviceState, advance
+from cotouch.device import DEVICE_LEDGER, Devices, DeviceState, advance
 from cotouch.device._servo import tick
 from cotouch.mechanics import credit, modulate
 
 Array = np.ndarray
-BOOK = {name: index for index, name in enumerate(DEVICE_BOOKS)}
+BOOK = {name: index for index, name in enumerate(DEVICE_LEDGER)}
 
 
 @numba.njit(error_model="numpy")
@@ -29,7 +29,7 @@ def drive(devices, state, times, places, pulled, wishes, totals, motion, efforts
                 place[axis] += pulled[k] * state.effort[0, axis] / size
         state.coordinate[0] = place
         state.time[0] = times[k]
-        state.wish[0, :3] = wishes[k]
+        state.desired[0, :3] = wishes[k]
         state.received[0] = totals[k]
         tick(devices, state, 0)
         motion[k] = place
@@ -79,7 +79,7 @@ class Proxy:
     seen: float = 0.0
     work: float = 0.0
 
-    def step(self, T: float, push: Array, wish: Array, total: float) -> None:
+    def step(self, T: float, push: Array, desired: Array, total: float) -> None:
         """One body step, then the modulation of the spring."""
         k, b, m = self.stiffness, self.damping, self.mass
         mean = (2 * m / T * self.speed + k * (self.set_position - self.place) + push) / (2 * m / T + b + k * T / 2)
@@ -87,19 +87,19 @@ class Proxy:
         self.work += T * float(force @ mean)
         self.place = self.place + T * mean
         self.speed = 2 * mean - self.speed
-        stretch, gap = self.set_position - self.place, wish - self.place
+        stretch, gap = self.set_position - self.place, desired - self.place
         gift = credit(total, self.seen)
         self.seen += gift
         available = 0.5 * k * float(stretch @ stretch) + self.tank + b * T * float(mean @ mean) + gift
-        share, self.tank, out = modulate(0.5 * k * float(gap @ gap), available, self.cap)
-        self.set_position = self.place + share * gap
+        fraction, self.tank, out = modulate(0.5 * k * float(gap @ gap), available, self.cap)
+        self.set_position = self.place + fraction * gap
         self.sent += out
 
 
-def in_play(books: Array) -> float:
-    """The energy that went through a device's books [J]."""
+def in_play(ledger: Array) -> float:
+    """The energy that went through a device's ledger [J]."""
     names = ("work", "human", "hand_loss", "viscous_loss", "coulomb_loss", "initial", "kinetic", "potential")
-    return float(sum(abs(books[BOOK[name]]) for name in names))
+    return float(sum(abs(ledger[BOOK[name]]) for name in names))
 
 
 def run(devices: Devices, state: DeviceState, until: float, every: float = 1e-3) -> Array:

@@ -1,4 +1,4 @@
-"""The Cartesian device and its hand: closed books, friction that only takes, rest that is rest."""
+"""The Cartesian device and its hand: a closed ledger, friction that only takes, rest that is rest."""
 
 import numpy as np
 import pytest
@@ -7,9 +7,18 @@ from hypothesis import strategies as st
 from scipy.linalg import expm
 from tests.device.support import BOOK, in_play, run
 
-from cotouch.device import CartesianPlant, Coupling, DeviceModel, PhantomPlant, Servo, SimulatedHand, advance, assemble
+from cotouch.device import (
+    CartesianPlant,
+    Coupling,
+    DeviceModel,
+    PhantomPlant,
+    ServoModel,
+    SimulatedHand,
+    advance,
+    assemble,
+)
 
-FREE = Coupling(law="told")
+FREE = Coupling(law="host_force")
 
 
 @given(seed=st.integers(0, 10**6), coulomb=st.sampled_from([0.0, 0.3]), substep=st.sampled_from([1e-4, 1e-3]))
@@ -26,7 +35,7 @@ def test_books_close(seed, coulomb, substep):
     )
     model = DeviceModel(
         plant=CartesianPlant(mass=0.1, viscous=0.2, coulomb=coulomb),
-        servo=Servo(resolution=3e-5, force=8.0, period=tuple(rng.uniform(5e-4, 2e-3, 3)), substep=substep),
+        servo=ServoModel(resolution=3e-5, force=8.0, period=tuple(rng.uniform(5e-4, 2e-3, 3)), substep=substep),
         coupling=Coupling(stiffness=800.0, damping=1.0),
         hand=hand,
         position=tuple(rng.uniform(-0.02, 0.02, 3)),
@@ -35,11 +44,11 @@ def test_books_close(seed, coulomb, substep):
     time = 0.0
     while time < 0.6:
         time += rng.uniform(1e-4, 0.02)
-        before = state.books[0].copy()
+        before = state.ledger[0].copy()
         assert advance(devices, state, 0, time)
-        assert abs(state.books[0, BOOK["residual"]]) <= 1e-12 * in_play(state.books[0])
+        assert abs(state.ledger[0, BOOK["residual"]]) <= 1e-12 * in_play(state.ledger[0])
         for loss in ("hand_loss", "viscous_loss", "coulomb_loss"):
-            assert state.books[0, BOOK[loss]] >= before[BOOK[loss]]
+            assert state.ledger[0, BOOK[loss]] >= before[BOOK[loss]]
 
 
 def test_motion_under_a_held_force_is_the_exact_one():
@@ -50,9 +59,9 @@ def test_motion_under_a_held_force_is_the_exact_one():
     expected = rest + expm(0.05 * A) @ -rest
     errors = []
     for substep in (2e-3, 1e-3, 5e-4):
-        model = DeviceModel(coupling=FREE, hand=SimulatedHand(grip=2.0), servo=Servo(substep=substep))
+        model = DeviceModel(coupling=FREE, hand=SimulatedHand(grip=2.0), servo=ServoModel(substep=substep))
         devices, state = assemble([model])
-        state.told[0, 1] = force
+        state.host_force[0, 1] = force
         advance(devices, state, 0, 0.05)
         errors.append(np.abs(np.array([state.tip[0, 1], state.momentum[0, 1] / m]) - expected).max())
     np.testing.assert_allclose(np.log2(np.array(errors[:-1]) / errors[1:]), 2.0, atol=0.05)
@@ -63,15 +72,15 @@ def test_friction_stops_a_device_and_holds_it():
     devices, state = assemble([DeviceModel(plant=CartesianPlant(viscous=0.0, coulomb=0.26), coupling=FREE)])
     v = np.array([0.3, -0.4, 0.0])
     state.momentum[0, :3] = 0.06 * v
-    state.books[0, BOOK["initial"]] = energy = 0.5 * 0.06 * 0.25
+    state.ledger[0, BOOK["initial"]] = energy = 0.5 * 0.06 * 0.25
     places = run(devices, state, 0.5)
     np.testing.assert_array_equal(state.momentum[0], 0.0)
-    assert state.books[0, BOOK["coulomb_loss"]] == pytest.approx(energy, rel=1e-12)
+    assert state.ledger[0, BOOK["coulomb_loss"]] == pytest.approx(energy, rel=1e-12)
     # It slides m v² / (2 F), straight on.
     np.testing.assert_allclose(places[-1], energy / 0.26 * v / 0.5, rtol=1e-2, atol=1e-15)
     for push, moves in ((0.25, False), (0.27, True)):
         before = state.tip.copy()
-        state.told[0, :3] = push * np.array([0.6, 0.8, 0.0])
+        state.host_force[0, :3] = push * np.array([0.6, 0.8, 0.0])
         advance(devices, state, 0, float(state.time[0]) + 0.1)
         assert np.any(state.tip != before) == moves
 
@@ -79,16 +88,16 @@ def test_friction_stops_a_device_and_holds_it():
 @pytest.mark.parametrize(
     "plant", [CartesianPlant(coulomb=0.1), CartesianPlant(), PhantomPlant(), PhantomPlant(coulomb=0.0)]
 )
-@pytest.mark.parametrize("law", ["pspm", "spring", "told"])
+@pytest.mark.parametrize("law", ["pspm", "spring", "host_force"])
 def test_at_rest_stays_at_rest_exactly(plant, law):
     hand = SimulatedHand(correction=1.0, release=0.5)
-    model = DeviceModel(plant=plant, hand=hand, coupling=Coupling(law=law), servo=Servo(resolution=3e-5))
+    model = DeviceModel(plant=plant, hand=hand, coupling=Coupling(law=law), servo=ServoModel(resolution=3e-5))
     devices, state = assemble([model])
     run(devices, state, 1.0, 0.01)
     np.testing.assert_array_equal(state.tip[0], 0.0)
     np.testing.assert_array_equal(state.momentum[0], 0.0)
     np.testing.assert_array_equal(state.effort[0], 0.0)
-    np.testing.assert_array_equal(state.books[0, :12], 0.0)
+    np.testing.assert_array_equal(state.ledger[0, :12], 0.0)
 
 
 @pytest.mark.parametrize("plant", [CartesianPlant(), PhantomPlant(coulomb=0.0)])
@@ -98,11 +107,11 @@ class TestTakingHoldAndLettingGo:
         devices, state = assemble([DeviceModel(plant=plant, hand=hand, coupling=FREE)])
         state.momentum[0, 0] = 1e-3
         advance(devices, state, 0, 0.0)
-        state.books[0, BOOK["initial"]] = state.books[0, BOOK["kinetic"]]
+        state.ledger[0, BOOK["initial"]] = state.ledger[0, BOOK["kinetic"]]
         advance(devices, state, 0, 0.0999)
-        before = state.books[0].copy()
+        before = state.ledger[0].copy()
         advance(devices, state, 0, 0.1)
-        after = state.books[0].copy()
+        after = state.ledger[0].copy()
         assert state.holding[0] == 1
         assert after[BOOK["hand_energy"]] == 0.0
         assert after[BOOK["human"]] == 0.0
@@ -115,10 +124,10 @@ class TestTakingHoldAndLettingGo:
         hand = SimulatedHand(amplitude=(0.02, 0.01, 0.0), frequency=3.0, release=0.2)
         devices, state = assemble([DeviceModel(plant=plant, hand=hand, coupling=FREE)])
         advance(devices, state, 0, 0.2 - 1e-9)
-        before = state.books[0].copy()
+        before = state.ledger[0].copy()
         speed = np.diff(run_on(devices, state, [0.2 - 1e-9, 0.2 + 1e-5, 0.2 + 2e-5]), axis=0)
         assert state.holding[0] == 0
-        after = state.books[0]
+        after = state.ledger[0]
         assert after[BOOK["human"]] < before[BOOK["human"]]
         assert after[BOOK["kinetic"]] < before[BOOK["kinetic"]]
         assert after[BOOK["hand_energy"]] == 0.0
@@ -142,7 +151,7 @@ def test_the_will_reacts_after_its_reaction_time_and_then_corrects():
     trails = []
     for devices, state in (plain, willed):
         advance(devices, state, 0, 0.5)
-        state.told[0, 0] = 2.0
+        state.host_force[0, 0] = 2.0
         trails.append(run_on(devices, state, 0.5 + 1e-3 * np.arange(1, 4001))[:, 0])
     still, back = trails
     np.testing.assert_array_equal(still[:147], back[:147])
@@ -154,7 +163,7 @@ def test_the_will_reacts_after_its_reaction_time_and_then_corrects():
 def test_the_correction_reaches_only_so_far():
     hand = SimulatedHand(correction=5.0, reach=0.01)
     devices, state = assemble([DeviceModel(hand=hand, coupling=FREE)])
-    state.told[0, 2] = 10.0
+    state.host_force[0, 2] = 10.0
     run(devices, state, 5.0, 0.01)
     assert np.linalg.norm(state.corrected[0]) == pytest.approx(0.01, rel=1e-9)
     assert state.tip[0, 2] == pytest.approx(10.0 / 135.0 - 0.01, rel=1e-3)
@@ -163,7 +172,7 @@ def test_the_correction_reaches_only_so_far():
 @pytest.mark.parametrize("grip", [0.25, 1.0, 4.0])
 def test_grip_scales_stiffness_and_damping(grip):
     devices, state = assemble([DeviceModel(hand=SimulatedHand(grip=grip), coupling=FREE)])
-    state.told[0, 0] = 1.0
+    state.host_force[0, 0] = 1.0
     run(devices, state, 8.0, 0.1)
     assert state.tip[0, 0] == pytest.approx(1.0 / (grip * 135.0), rel=1e-3)
 

@@ -3,13 +3,13 @@
 import pytest
 
 from cotouch.device import (
-    DEVICE_BOOKS,
+    DEVICE_LEDGER,
     PRESETS,
     CartesianPlant,
     Coupling,
     DeviceModel,
     PhantomPlant,
-    Servo,
+    ServoModel,
     SimulatedHand,
     assemble,
     critical_stiffness,
@@ -26,7 +26,7 @@ def test_presets_can_be_simulated(name):
     assert spec.actuated <= spec.degrees_of_freedom
     DeviceModel(
         plant=CartesianPlant(mass=spec.mass, coulomb=spec.friction),
-        servo=Servo(period=1.0 / spec.rate, resolution=spec.resolution, force=spec.force),
+        servo=ServoModel(period=1.0 / spec.rate, resolution=spec.resolution, force=spec.force),
         coupling=Coupling(stiffness=spec.stiffness, damping=spec.damping),
     )
 
@@ -38,7 +38,7 @@ def test_limits_are_those_in_common_use():
 
 
 def test_books_are_named_in_their_order():
-    for index, name in enumerate(DEVICE_BOOKS):
+    for index, name in enumerate(DEVICE_LEDGER):
         constant = {"spring_energy": "SPRING_ENERGY"}.get(name, name.upper())
         assert getattr(tables, constant) == index
 
@@ -57,12 +57,12 @@ def test_no_devices_are_a_table_too():
         (lambda: CartesianPlant(viscous=-1.0), "viscous is -1 Ns/m; it must be finite, at least 0"),
         (lambda: CartesianPlant(coulomb=float("nan")), "coulomb is nan N"),
         (lambda: PhantomPlant(torque=(1.0, 0.0, 1.0)), "torque is 0 Nm; it must be finite, above 0"),
-        (lambda: Servo(period=0.0), "period is 0 s; it must be finite, above 0"),
-        (lambda: Servo(period=()), "period is empty; it must be one time or several"),
-        (lambda: Servo(window=float("inf")), "window is inf s"),
-        (lambda: Servo(force=0.0), "force is 0 N; it must be above 0"),
-        (lambda: Servo(substep=-1.0), "substep is -1 s"),
-        (lambda: Coupling(law="magic"), 'law is "magic"; it must be one of pspm, spring, told'),  # type: ignore[arg-type]
+        (lambda: ServoModel(period=0.0), "period is 0 s; it must be finite, above 0"),
+        (lambda: ServoModel(period=()), "period is empty; it must be one time or several"),
+        (lambda: ServoModel(window=float("inf")), "window is inf s"),
+        (lambda: ServoModel(force=0.0), "force is 0 N; it must be above 0"),
+        (lambda: ServoModel(substep=-1.0), "substep is -1 s"),
+        (lambda: Coupling(law="magic"), 'law is "magic"; it must be one of pspm, spring, host_force'),  # type: ignore[arg-type]
         (lambda: Coupling(lag=9), "lag is 9; it must be finite, at least 0 and at most 8"),
         (lambda: Coupling(cap=-1.0), "cap is -1 J"),
         (lambda: SimulatedHand(grip=5.0), r"hand's grip is 5; it must be finite, at least 0\.25 and at most 4"),

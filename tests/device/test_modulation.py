@@ -11,7 +11,7 @@ from cotouch.device import (
     Coupling,
     DeviceModel,
     PhantomPlant,
-    Servo,
+    ServoModel,
     SimulatedDevice,
     SimulatedHand,
     advance,
@@ -21,7 +21,7 @@ from cotouch.mechanics import modulation_bound
 
 
 def setup(resolution: float = 0.0, window: float = 0.0, force: float = np.inf, **coupling: float):
-    servo = Servo(resolution=resolution, window=window, force=force)
+    servo = ServoModel(resolution=resolution, window=window, force=force)
     return assemble([DeviceModel(servo=servo, coupling=Coupling(law="pspm", **coupling))])
 
 
@@ -58,8 +58,8 @@ def test_no_more_than_the_bound_is_given_away(
     bound = modulation_bound(
         stiffness=stiffness,
         damping=damping,
-        period=state.books[0, BOOK["longest"]],
-        speed=state.books[0, BOOK["fastest"]],
+        period=state.ledger[0, BOOK["longest"]],
+        speed=state.ledger[0, BOOK["fastest"]],
         reserve=reserve,
         force=limit,
         resolution=resolution,
@@ -98,7 +98,7 @@ def test_motion_that_the_encoder_does_not_see_is_paid_for():
     places[:, 0] = np.diff(-0.499 * resolution * sign, prepend=0.0)
     wishes[:, 0] = 2e-3 * sign
     out = driven(devices, state, 1e-3 * np.arange(ticks), places, np.zeros(ticks), wishes, np.full(ticks, gift))
-    assert state.books[0, BOOK["measured_work"]] == 0.0
+    assert state.ledger[0, BOOK["measured_work"]] == 0.0
     bound = modulation_bound(stiffness=stiffness, damping=0.0, period=1e-3, speed=0.0, force=2.0, resolution=resolution)
     gained = out.extracted + out.sent - out.credited
     assert gained.max() <= bound
@@ -107,7 +107,7 @@ def test_motion_that_the_encoder_does_not_see_is_paid_for():
 
 def test_debt_switches_the_spring_off_and_damping_repays_it():
     devices, state = setup(stiffness=1e4, damping=5.0, cap=1.0, reserve=1.0)
-    state.books[0, BOOK["tank"]] = -1e-4
+    state.ledger[0, BOOK["tank"]] = -1e-4
     ticks = 400
     times = 1e-3 * np.arange(ticks)
     steps = np.zeros((ticks, 3))
@@ -122,15 +122,15 @@ def test_debt_switches_the_spring_off_and_damping_repays_it():
     assert np.any(np.abs(out.efforts[first:, 0] + 5.0 * speed[first:]) > 1e-3)
 
 
-def continuous(times, place, wish, k, b, cap):
+def continuous(times, place, desired, k, b, cap):
     """The formula for a spring in continuous time [Lee & Huang 2010], evaluated at the ticks."""
     held, tank, sent = place[0], 0.0, 0.0
     trail = []
     for n in range(1, times.size):
         D = b * (place[n] - place[n - 1]) ** 2 / (times[n] - times[n - 1])
         R = 0.5 * k * (place[n] - held) ** 2 + tank + D
-        P = 0.5 * k * (place[n] - wish[n]) ** 2
-        held = wish[n] if P <= R else place[n] + (wish[n] - place[n]) * np.sqrt(R / P)
+        P = 0.5 * k * (place[n] - desired[n]) ** 2
+        held = desired[n] if P <= R else place[n] + (desired[n] - place[n]) * np.sqrt(R / P)
         tank = R - 0.5 * k * (place[n] - held) ** 2
         out = max(tank - cap, 0.0)
         tank, sent = tank - out, sent + out
@@ -145,14 +145,14 @@ def test_quick_servo_is_the_continuous_formula():
     for ticks in (2001, 4001, 8001, 16001):
         times = np.linspace(0.0, 1.0, ticks)
         place = 0.02 * np.sin(7.0 * times)
-        wish = 0.03 * np.sin(11.0 * times + 0.5) * times
+        desired = 0.03 * np.sin(11.0 * times + 0.5) * times
         devices, state = setup(stiffness=k, damping=b, cap=cap)
         steps = np.zeros((ticks, 3))
         steps[1:, 0] = np.diff(place)
         wishes = np.zeros((ticks, 3))
-        wishes[:, 0] = wish
+        wishes[:, 0] = desired
         out = driven(devices, state, times, steps, np.zeros(ticks), wishes, np.zeros(ticks))
-        expected = continuous(times, place, wish, k, b, cap)
+        expected = continuous(times, place, desired, k, b, cap)
         assert out.sent[-1] > 0.02
         errors.append(abs(out.sent[-1] - expected[-1, 2]) / expected[-1, 2])
         force_of_continuous = k * (expected[:, 0] - place[1:]) - b * np.diff(place) / np.diff(times)
@@ -167,36 +167,36 @@ def test_quick_servo_is_the_continuous_formula():
 def test_stable_far_beyond_the_critical_stiffness(hand, stiffness):
     """Against a wall at rest nothing but the bound is ever put into device and hand."""
     coupling = Coupling(stiffness=stiffness, damping=2.0)
-    model = DeviceModel(servo=Servo(resolution=1e-5, window=0.0), coupling=coupling, hand=hand)
+    model = DeviceModel(servo=ServoModel(resolution=1e-5, window=0.0), coupling=coupling, hand=hand)
     devices, state = assemble([model])
     state.momentum[0, 0] = 0.06 * 0.2
-    state.books[0, BOOK["initial"]] = 0.5 * 0.06 * 0.2**2
+    state.ledger[0, BOOK["initial"]] = 0.5 * 0.06 * 0.2**2
     most = 0.0
     for k in range(1, 3001):
         assert advance(devices, state, 0, 1e-3 * k)
-        most = max(most, state.books[0, BOOK["work"]])
-    books = state.books[0]
+        most = max(most, state.ledger[0, BOOK["work"]])
+    ledger = state.ledger[0]
     bound = modulation_bound(
         stiffness=stiffness,
         damping=2.0,
-        period=books[BOOK["longest"]],
-        speed=books[BOOK["fastest"]],
+        period=ledger[BOOK["longest"]],
+        speed=ledger[BOOK["fastest"]],
         reserve=1e-3,
         force=float(np.abs(state.force).max()) + stiffness * 1e-3,
         resolution=1e-5,
     )
     assert most <= bound
     if hand is None and stiffness <= 1e4:  # 400 times the critical one
-        assert books[BOOK["kinetic"]] < 1e-4 * books[BOOK["initial"]]
+        assert ledger[BOOK["kinetic"]] < 1e-4 * ledger[BOOK["initial"]]
 
 
 def test_the_plain_spring_gives_away_without_end():
     """What PSPM is for: the same wall as a plain sampled spring."""
-    model = DeviceModel(servo=Servo(window=0.0), coupling=Coupling(law="spring", stiffness=1e4, damping=0.0))
+    model = DeviceModel(servo=ServoModel(window=0.0), coupling=Coupling(law="spring", stiffness=1e4, damping=0.0))
     devices, state = assemble([model])
-    state.wish[0, 0] = 1e-3
+    state.desired[0, 0] = 1e-3
     advance(devices, state, 0, 0.5)
-    assert state.books[0, BOOK["work"]] > 10.0
+    assert state.ledger[0, BOOK["work"]] > 10.0
 
 
 @pytest.mark.parametrize("plant", [CartesianPlant(coulomb=0.05), PhantomPlant()])
@@ -216,40 +216,40 @@ def test_two_ports_with_a_proxy_are_passive(plant, servo, body):
         model = DeviceModel(
             plant=plant,
             hand=hand,
-            servo=Servo(period=periods, resolution=3e-5, force=8.0),
+            servo=ServoModel(period=periods, resolution=3e-5, force=8.0),
             coupling=Coupling(stiffness=10.0 ** rng.uniform(2.0, 4.5), damping=2.0, cap=0.01),
         )
         devices, state = assemble([model])
         place = state.tip[0, :3].copy()
         proxy = Proxy(0.1, 10.0 ** rng.uniform(2.0, 4.5), 1.0, 0.01, place, np.zeros(3), place.copy())
-        time, told, worst = 0.0, [(place, 0.0)], 0.0
+        time, commanded, worst = 0.0, [(place, 0.0)], 0.0
         heard = [(place, 0.0)]
         while time < 2.0:
             T = body * rng.uniform(0.3, 1.0)
             time += T
             assert advance(devices, state, 0, time)
             heard.append((state.sample[0, :3].copy(), state.sent[0]))
-            wish, total = heard[-1 - min(int(rng.integers(0, 4)), len(heard) - 1)]
+            desired, total = heard[-1 - min(int(rng.integers(0, 4)), len(heard) - 1)]
             push = rng.normal(0.0, 3.0, 3)
-            proxy.step(T, push, wish, total)
-            told.append((proxy.place, proxy.sent))
+            proxy.step(T, push, desired, total)
+            commanded.append((proxy.place, proxy.sent))
             if rng.uniform() < 0.7:  # else lost
-                wish, total = told[-1 - min(int(rng.integers(0, 4)), len(told) - 1)]
-                state.wish[0, :3], state.received[0] = wish, total
-            worst = max(worst, state.books[0, BOOK["work"]] + proxy.work)
-        books = state.books[0]
+                desired, total = commanded[-1 - min(int(rng.integers(0, 4)), len(commanded) - 1)]
+                state.desired[0, :3], state.received[0] = desired, total
+            worst = max(worst, state.ledger[0, BOOK["work"]] + proxy.work)
+        ledger = state.ledger[0]
         bound = modulation_bound(
             stiffness=model.coupling.stiffness,
             damping=2.0,
-            period=books[BOOK["longest"]],
-            speed=2.0 * books[BOOK["fastest"]],
+            period=ledger[BOOK["longest"]],
+            speed=2.0 * ledger[BOOK["fastest"]],
             reserve=1e-3,
             force=8.0,
             resolution=3e-5,
             axes=3,
         )
         assert worst <= bound, trial
-        assert books[BOOK["work"]] != 0.0
+        assert ledger[BOOK["work"]] != 0.0
         assert abs(proxy.work) > 1e-6
 
 
@@ -259,21 +259,21 @@ def test_between_hand_and_proxy_every_joule_is_somewhere(plant):
     rng = np.random.default_rng(5)
     hand = SimulatedHand(amplitude=(0.02, 0.01, -0.01), frequency=3.0, release=0.8)
     coupling = Coupling(stiffness=2000.0, damping=2.0, cap=2e-3)
-    devices, state = assemble([DeviceModel(plant=plant, hand=hand, coupling=coupling, servo=Servo(force=8.0))])
+    devices, state = assemble([DeviceModel(plant=plant, hand=hand, coupling=coupling, servo=ServoModel(force=8.0))])
     proxy = Proxy(0.1, 1500.0, 1.0, 2e-3, np.zeros(3), np.zeros(3), np.zeros(3))
     went = 0.0
     for n in range(1, 1201):
         T = 1e-3 * rng.integers(1, 4)
         assert advance(devices, state, 0, float(state.time[0]) + T)
         proxy.step(T, rng.normal(0.0, 3.0, 3), state.sample[0, :3], state.sent[0])
-        books = state.books[0]
+        ledger = state.ledger[0]
         stretch = proxy.set_position - proxy.place
-        held = books[BOOK["tank"]] + books[BOOK["spring_energy"]] + state.sent[0] - proxy.seen
+        held = ledger[BOOK["tank"]] + ledger[BOOK["spring_energy"]] + state.sent[0] - proxy.seen
         held += proxy.tank + 0.5 * proxy.stiffness * float(stretch @ stretch) + proxy.sent - state.seen[0]
-        went += abs(books[BOOK["work"]] + proxy.work)
-        assert abs(books[BOOK["work"]] + proxy.work + held) < 1e-11, n
+        went += abs(ledger[BOOK["work"]] + proxy.work)
+        assert abs(ledger[BOOK["work"]] + proxy.work + held) < 1e-11, n
         if rng.uniform() < 0.7:
-            state.wish[0, :3], state.received[0] = proxy.place, proxy.sent
+            state.desired[0, :3], state.received[0] = proxy.place, proxy.sent
     assert min(state.sent[0], proxy.sent) > 1e-3
     assert went > 1.0
 
@@ -283,14 +283,14 @@ def test_declared_damping_is_credited_by_positions_alone_and_never_more_than_was
     for resolution in (0.0, 1e-5):
         model = DeviceModel(
             plant=CartesianPlant(viscous=0.5),
-            servo=Servo(resolution=resolution),
-            coupling=Coupling(declared=0.5, stiffness=2000.0),
+            servo=ServoModel(resolution=resolution),
+            coupling=Coupling(assumed_damping=0.5, stiffness=2000.0),
             hand=SimulatedHand(amplitude=tuple(rng.uniform(0.0, 0.02, 3)), frequency=7.0),
         )
         devices, state = assemble([model])
         for k in range(1, 500):
             advance(devices, state, 0, 1e-3 * k)
-            declared, lost = state.books[0, BOOK["declared"]], state.books[0, BOOK["viscous_loss"]]
+            declared, lost = state.ledger[0, BOOK["declared"]], state.ledger[0, BOOK["viscous_loss"]]
             assert declared <= lost * (1.0 + 1e-9)
         assert declared > (0.95 if resolution == 0.0 else 0.5) * lost
 
@@ -305,16 +305,16 @@ def test_messages_of_energy_may_be_lost_repeated_and_overtaken():
     best = 0.0
     for n, total in enumerate([*messages, totals[-1]], start=1):
         best = max(best, total)
-        device.tell(energy=total)
+        device.command(energy=total)
         sample = device.advance(1e-3 * n)
-        assert device.books["tank"] == pytest.approx(best, rel=1e-12)
+        assert device.ledger["tank"] == pytest.approx(best, rel=1e-12)
         assert sample.energy == 0.0
-    assert device.books["tank"] == pytest.approx(totals[-1], rel=1e-12)
+    assert device.ledger["tank"] == pytest.approx(totals[-1], rel=1e-12)
 
 
 def test_what_the_tank_cannot_keep_goes_out_as_a_total():
     device = SimulatedDevice(DeviceModel(coupling=Coupling(cap=0.01)))
-    device.tell(energy=0.05)
+    device.command(energy=0.05)
     sample = device.advance(0.01)
     assert sample.energy == pytest.approx(0.04, rel=1e-12)
-    assert device.books["tank"] == pytest.approx(0.01, rel=1e-12)
+    assert device.ledger["tank"] == pytest.approx(0.01, rel=1e-12)

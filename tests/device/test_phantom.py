@@ -7,7 +7,17 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 from tests.device.support import BOOK, in_play
 
-from cotouch.device import Coupling, DeviceModel, PhantomPlant, Servo, SimulatedHand, advance, assemble, sure_force
+from cotouch.device import (
+    PRESETS,
+    Coupling,
+    DeviceModel,
+    PhantomPlant,
+    ServoModel,
+    SimulatedHand,
+    advance,
+    assemble,
+    sure_force,
+)
 
 L1, L2, L3, L5, L6 = 0.215, 0.170, 0.0325, -0.0368, 0.0527
 MASS = {"a": 0.0202, "c": 0.0249, "be": 0.2359, "df": 0.1906}
@@ -69,15 +79,15 @@ def jacobian(q, of=tip, step=1e-6):
 
 
 def placed(model, q, v, numbers=NUMBERS):
-    """Tables with the joints at q, moving at v, the books opened there."""
+    """Tables with the joints at q, moving at v, the ledger opened there."""
     devices, state = assemble([model])
     state.coordinate[0, :3] = q
     state.measured[0, :3] = q
     state.momentum[0, :3] = mass_matrix(q, numbers) @ v
     state.tip[0, :3] = tip(q)
-    state.sample[0, :3] = state.wish[0, :3] = state.set_position[0, :3] = state.equilibrium[0, :3] = tip(q)
+    state.sample[0, :3] = state.desired[0, :3] = state.set_position[0, :3] = state.equilibrium[0, :3] = tip(q)
     advance(devices, state, 0, 0.0)
-    state.books[0, BOOK["initial"]] += state.books[0, BOOK["residual"]]
+    state.ledger[0, BOOK["initial"]] += state.ledger[0, BOOK["residual"]]
     advance(devices, state, 0, 0.0)
     return devices, state
 
@@ -86,7 +96,7 @@ def velocity(state, numbers=NUMBERS):
     return np.linalg.solve(mass_matrix(state.coordinate[0], numbers), state.momentum[0, :3])
 
 
-FREE = Coupling(law="told")
+FREE = Coupling(law="host_force")
 
 
 def kinetic_of_bodies(q, v):
@@ -126,7 +136,7 @@ def test_mass_matrix_is_that_of_its_bodies(q, seed):
     assert np.linalg.eigvalsh(M).min() > 1e-4
     assert 0.5 * v @ M @ v == pytest.approx(kinetic_of_bodies(q, v), rel=1e-7)
     _, state = placed(DeviceModel(plant=PhantomPlant(viscous=0.0, coulomb=0.0), coupling=FREE), q, v)
-    assert state.books[0, BOOK["kinetic"]] == pytest.approx(0.5 * v @ M @ v, rel=1e-12)
+    assert state.ledger[0, BOOK["kinetic"]] == pytest.approx(0.5 * v @ M @ v, rel=1e-12)
 
 
 @given(q=angles)
@@ -139,7 +149,7 @@ def test_a_holding_hand_is_a_point_mass_at_the_tip(q):
     M = mass_matrix(q) + 0.554 * J.T @ J
     state.momentum[0, :3] = M @ v
     advance(devices, state, 0, 0.0)
-    assert state.books[0, BOOK["kinetic"]] == pytest.approx(0.5 * v @ M @ v, rel=1e-6)
+    assert state.ledger[0, BOOK["kinetic"]] == pytest.approx(0.5 * v @ M @ v, rel=1e-6)
 
 
 @given(seed=st.integers(0, 10**6))
@@ -152,7 +162,7 @@ def test_joints_are_found_for_a_place_of_the_tip(seed):
     advance(devices, state, 0, 0.0)
     np.testing.assert_allclose(state.coordinate[0, :3], q)
     np.testing.assert_allclose(state.sample[0, :3], place, atol=1e-12)
-    assert state.books[0, BOOK["residual"]] == 0.0
+    assert state.ledger[0, BOOK["residual"]] == 0.0
 
 
 def test_joints_are_0_at_the_origin():
@@ -172,7 +182,7 @@ def test_a_force_at_the_tip_becomes_torques_by_the_jacobian(q):
     plant = PhantomPlant(viscous=0.0, coulomb=0.0, torque=(10.0, 10.0, 10.0))
     devices, state = placed(DeviceModel(plant=plant, coupling=FREE), q, np.zeros(3))
     force = np.array([0.3, -0.7, 0.5])
-    state.told[0, :3] = force
+    state.host_force[0, :3] = force
     advance(devices, state, 0, 1e-4)
     np.testing.assert_allclose(state.effort[0, :3], jacobian(q).T @ force, atol=1e-9)
 
@@ -180,7 +190,7 @@ def test_a_force_at_the_tip_becomes_torques_by_the_jacobian(q):
 @given(q=angles)
 def test_what_its_motors_can_do_everywhere(q):
     plant = PhantomPlant()
-    devices, _ = assemble([DeviceModel(plant=plant), DeviceModel(servo=Servo(force=3.0)), DeviceModel()])
+    devices, _ = assemble([DeviceModel(plant=plant), DeviceModel(servo=ServoModel(force=3.0)), DeviceModel()])
     most = sure_force(devices, 0)
     largest = most * np.linalg.norm(jacobian(q), axis=0)  # of each torque, in the direction worst for it
     assert np.all(largest <= np.array(plant.torque) * (1.0 + 1e-8))
@@ -209,7 +219,7 @@ def test_motion_is_lagranges_with_coriolis_by_christoffel_symbols(weigh):
     errors = []
     for substep in (4e-4, 2e-4, 1e-4):
         plant = PhantomPlant(viscous=0.0, coulomb=0.0, gravity=weigh)
-        model = DeviceModel(plant=plant, coupling=FREE, servo=Servo(substep=substep))
+        model = DeviceModel(plant=plant, coupling=FREE, servo=ServoModel(substep=substep))
         devices, state = placed(model, Q0, V0)
         advance(devices, state, 0, 0.5)
         errors.append(np.abs(np.concatenate([state.coordinate[0, :3] - q, velocity(state) - v])).max())
@@ -230,11 +240,11 @@ def test_a_wrong_sign_shows_as_energy():
 @pytest.mark.parametrize("substep", [1e-4, 1e-3])
 def test_energy_does_not_drift(weigh, substep):
     plant = PhantomPlant(viscous=0.0, coulomb=0.0, gravity=weigh)
-    devices, state = placed(DeviceModel(plant=plant, coupling=FREE, servo=Servo(substep=substep)), Q0, V0)
-    first = state.books[0, BOOK["kinetic"]]
+    devices, state = placed(DeviceModel(plant=plant, coupling=FREE, servo=ServoModel(substep=substep)), Q0, V0)
+    first = state.ledger[0, BOOK["kinetic"]]
     for k in range(1, 21):
         assert advance(devices, state, 0, 0.1 * k)
-        assert abs(state.books[0, BOOK["residual"]]) < 1e-12 * first
+        assert abs(state.ledger[0, BOOK["residual"]]) < 1e-12 * first
     assert state.coordinate[0, :3] != pytest.approx(Q0, abs=0.1)
 
 
@@ -252,7 +262,7 @@ def test_books_close_with_everything_at_work(seed, grip, coulomb):
     )
     model = DeviceModel(
         plant=PhantomPlant(gravity=bool(rng.integers(2)), coulomb=coulomb),
-        servo=Servo(resolution=1e-4, force=8.0, period=tuple(rng.uniform(5e-4, 2e-3, 3))),
+        servo=ServoModel(resolution=1e-4, force=8.0, period=tuple(rng.uniform(5e-4, 2e-3, 3))),
         coupling=Coupling(stiffness=800.0, damping=1.0),
         hand=hand,
     )
@@ -260,11 +270,11 @@ def test_books_close_with_everything_at_work(seed, grip, coulomb):
     time = 0.0
     while time < 0.6:
         time += rng.uniform(1e-4, 0.02)
-        before = state.books[0].copy()
+        before = state.ledger[0].copy()
         assert advance(devices, state, 0, time)
-        assert abs(state.books[0, BOOK["residual"]]) <= 1e-11 * in_play(state.books[0])
+        assert abs(state.ledger[0, BOOK["residual"]]) <= 1e-11 * in_play(state.ledger[0])
         for loss in ("hand_loss", "viscous_loss", "coulomb_loss"):
-            assert state.books[0, BOOK[loss]] >= before[BOOK[loss]]
+            assert state.ledger[0, BOOK[loss]] >= before[BOOK[loss]]
 
 
 def test_friction_stops_every_joint_for_good():
@@ -272,9 +282,9 @@ def test_friction_stops_every_joint_for_good():
     devices, state = placed(DeviceModel(plant=plant, coupling=FREE), Q0, np.array([2.0, 1.0, -1.0]))
     advance(devices, state, 0, 1.0)
     np.testing.assert_array_equal(state.momentum[0], 0.0)
-    assert state.books[0, BOOK["coulomb_loss"]] == pytest.approx(state.books[0, BOOK["initial"]], rel=1e-12)
+    assert state.ledger[0, BOOK["coulomb_loss"]] == pytest.approx(state.ledger[0, BOOK["initial"]], rel=1e-12)
     before = state.coordinate.copy()
-    state.told[0, :3] = [0.01, 0.0, 0.01]  # less than friction holds
+    state.host_force[0, :3] = [0.01, 0.0, 0.01]  # less than friction holds
     advance(devices, state, 0, 2.0)
     np.testing.assert_array_equal(state.coordinate, before)
     np.testing.assert_array_equal(state.momentum[0], 0.0)
@@ -283,21 +293,36 @@ def test_friction_stops_every_joint_for_good():
 def test_one_joint_may_be_held_while_others_move():
     plant = PhantomPlant(viscous=0.0, coulomb=0.01)
     devices, state = placed(DeviceModel(plant=plant, coupling=FREE), np.zeros(3), np.zeros(3))
-    state.told[0, :3] = [0.0, 0.3, 0.0]  # turns joint 1 alone
+    state.host_force[0, :3] = [0.0, 0.3, 0.0]  # turns joint 1 alone
     advance(devices, state, 0, 0.05)
     assert abs(state.coordinate[0, 0]) > 0.01
     np.testing.assert_array_equal(state.coordinate[0, 1:3], 0.0)
-    assert abs(state.books[0, BOOK["residual"]]) < 1e-13
+    assert abs(state.ledger[0, BOOK["residual"]]) < 1e-13
 
 
 def test_torque_limits_shorten_the_force_and_keep_its_direction():
     devices, state = placed(DeviceModel(plant=PhantomPlant(), coupling=FREE), np.zeros(3), np.zeros(3))
-    force = np.array([3.0, 4.0, 5.0])
-    state.told[0, :3] = force
+    force = np.array([30.0, 40.0, 50.0])
+    state.host_force[0, :3] = force
     advance(devices, state, 0, 1e-4)
     got = state.force[0, :3]
     np.testing.assert_allclose(np.cross(got, force), 0.0, atol=1e-12)
     assert 0.0 < np.linalg.norm(got) < np.linalg.norm(force)
     torque = np.array(PhantomPlant().torque)
     assert np.max(np.abs(state.effort[0, :3]) / torque) == pytest.approx(1.0, rel=1e-12)
-    assert state.books[0, BOOK["saturated"]] >= 1.0
+    assert state.ledger[0, BOOK["saturated"]] >= 1.0
+
+
+@pytest.mark.parametrize("towards", [*np.eye(3), *-np.eye(3), np.ones(3) / np.sqrt(3.0)])
+def test_its_motors_can_do_what_its_preset_says_they_do(towards):
+    """8.5 N in the middle of the workspace; and all the time, at the torque that motors have so, 1.4 N."""
+    spec = PRESETS["phantom"]
+    devices, state = placed(
+        DeviceModel(plant=PhantomPlant(), coupling=FREE, servo=ServoModel(force=spec.force)), np.zeros(3), np.zeros(3)
+    )
+    state.host_force[0, :3] = 100.0 * towards
+    advance(devices, state, 0, 1e-4)
+    np.testing.assert_allclose(state.force[0, :3], spec.force * towards, atol=1e-9)
+    continuous = 0.0286 * np.array([13.3, 11.2, 11.2])
+    assert np.all(np.abs(jacobian(np.zeros(3)).T @ towards) * spec.continuous_force <= continuous)
+    assert np.array(PhantomPlant().torque) == pytest.approx(continuous * spec.force / spec.continuous_force)

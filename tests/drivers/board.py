@@ -14,7 +14,8 @@ _OFFSETS = {
     "fault": (48, "i"), "stop": (52, "i"), "value": (56, "d"), "struck": (64, "d"), "position": (72, "3d"),
     "velocity": (96, "3d"), "initialized": (120, "i"), "buttons": (124, "i"), "violations": (128, "i"),
     "system": (132, "i"), "motor": (136, "3d"), "max_force": (160, "d"), "open": (168, "i"), "sets": (172, "i"),
-    "said": (176, "64s"),
+    "said": (176, "64s"), "styles": (248, "i"), "protect": (252, "i"), "gravity": (256, "i"), "asked": (260, "i"),
+    "pushes": (264, "i"), "force_button": (268, "i"), "emulated": (272, "i"), "offset": (276, "i"),
 }  # fmt: skip
 
 
@@ -35,6 +36,11 @@ class Fault(IntEnum):
     GATE = 11
     OTHERS_SAFETY = 12
     NOT_READY = 13
+    NEWS = 14
+    BUSY = 15
+    RESCALED = 16
+    MOVED = 17
+    TIME_GUARD = 18
 
 
 class Board:

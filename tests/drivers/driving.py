@@ -10,7 +10,7 @@ from cotouch.errors import DeviceError
 from cotouch.haptics import Device, DeviceReading
 
 PUSH = np.array([1.0, -0.5, 0.25])
-STALLS = ("watchdog", "does not tick", "did not answer")
+STALLS = ("ms for a cycle", "does not tick", "did not answer")
 
 
 def ready(device: Device, cycles: int = 5) -> Device:

@@ -2,8 +2,17 @@
 
 One frame in full on connection, then exactly one lean frame for every message, and events on a second port. The last
 force stays until another comes, also when its client is gone: what the real service does then is not published, so the
-worst is assumed. Usage: inverse_service.py folder [--silent-start] [--without-status] [--more] [--long]; prints its two
-ports, and ends with its parent, or after two minutes if it is not to last long.
+worst is assumed. Every session has axes, preset, mount and transform of its own, and positions are told through them.
+Usage: inverse_service.py folder [flags]; prints its two ports, and ends with its parent, or after two minutes if it is
+not to last long. Flags:
+
+    --silent-start, --without-status, --more (devices), --long
+    --hub={"mount":{"scale":{...}}}  what Haply Hub kept of a profile, and applies again when a session says its name
+    --stubborn                       does not take a mount or a preset
+    --sparing                        never says how a workspace is set
+    --held                           another session holds the device; --left: it leaves after a moment
+    --grips=[["wireless_verse_grip","61548",{}],...]  handles, and what is said of each beside its state; the bits of
+                                     `buttons` from 3 n on are those of handle n
 """
 
 import json
@@ -14,6 +23,7 @@ import socket
 import struct
 import sys
 import time
+from http import HTTPStatus
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -26,8 +36,15 @@ from websockets.server import ServerProtocol
 
 IDENTITY = "049D"
 MASS, DAMPING, STIFFNESS = 0.7, 6.45, 135.0  # device and hand
-MIDDLE = (0.0, -0.12, 0.15)
+MIDDLE = (-0.01, -0.07, 0.13)
 AXES = "xyz"
+HOLDER = "com.example:painter"
+GRIPS = [["wireless_verse_grip", "61548", {}]]
+IDENTITY_TRANSFORM = {
+    "position": {"x": 0, "y": 0, "z": 0},
+    "rotation": {"w": 1, "x": 0, "y": 0, "z": 0},
+    "scale": {"x": 1, "y": 1, "z": 1},
+}
 
 
 def xyz(values):
@@ -63,7 +80,10 @@ class Client:
     def __init__(self, connection, events):
         self.connection, self.events = connection, events
         self.protocol = ServerProtocol()
-        self.greeted = False
+        self.greeted = self.full = self.commanded = False
+        self.number = 0
+        self.preset, self.axes = "defaults", "XYZ"
+        self.mount, self.transform = dict(IDENTITY_TRANSFORM), dict(IDENTITY_TRANSFORM)
 
     def feed(self, data):
         if data:
@@ -102,6 +122,11 @@ class Service:
         self.due = []  # (when, client, message)
         self.frozen = None
         self.announced = 0
+        self.sessions = 6
+        self.leaves = math.inf  # a moment after somebody came
+        given = {flag.partition("=")[0]: flag.partition("=")[2] for flag in flags}
+        self.hub = json.loads(given.get("--hub", "{}"))
+        self.grips = json.loads(given["--grips"]) if "--grips" in given else GRIPS
 
     def met(self, fault):
         if self.board.get("fault") != fault:
@@ -110,13 +135,21 @@ class Service:
             self.board.set("struck", time.monotonic())
         return True
 
-    def state(self):
+    def state(self, client):
         cursor = self.cursor
         cursor.advance()
         place, rate = list(cursor.x), list(cursor.v)
         if self.met(Fault.FROZEN):
             self.frozen = self.frozen or (place, rate)
             place, rate = self.frozen
+        if self.met(Fault.RESCALED):
+            client.mount = client.mount | {"scale": {"x": 2, "y": 2, "z": 2}}
+        if self.met(Fault.MOVED):
+            client.transform = client.transform | {"scale": {"x": 3, "y": 3, "z": 3}}
+        for seen in (client.mount, client.transform):
+            scale = [seen["scale"][axis] for axis in AXES]
+            place = [s * x + seen["position"][axis] for s, x, axis in zip(scale, place, AXES, strict=True)]
+            rate = [s * v for s, v in zip(scale, rate, strict=True)]
         if self.met(Fault.NOT_A_NUMBER):
             place = [math.nan, *place[1:]]
         state = {
@@ -131,50 +164,65 @@ class Service:
             "control_domain": "cartesian",
             "control_mode": "force" if any(cursor.force) else "idle",
             "mode": "idle",
+            # What is as it is by itself is left out.
+            "transform": {name: seen for name, seen in client.transform.items() if seen != IDENTITY_TRANSFORM[name]},
         }
         if self.met(Fault.MISSING):
             del state["cursor_position"]
         return state
 
-    def frame(self, full):
+    def in_use(self):
+        held = "--held" in self.flags or ("--left" in self.flags and time.monotonic() < self.leaves)
+        return held or any(client.commanded for client in self.clients)
+
+    def frame(self, client, full):
+        full = full or client.full
+        client.full = False
         device = {"device_id": IDENTITY}
         if full:
             device["config"] = {
                 "type": "inverse3", "port": "COM12",
                 "device_info": {"major_version": 7, "minor_version": 4, "id": IDENTITY, "device_type": 4, "uuid": "0"},
                 "gravity_compensation": {"enabled": True, "scaling_factor": 1.0}, "handedness": "right",
-                "torque_scaling": {"enabled": True}, "preset": "defaults", "basis": {"permutation": "XYZ"},
-                "filters": {"force_gate": {"gain": 0.3}, "damping": {"scalar": 0.0}},
+                "torque_scaling": {"enabled": True}, "preset": client.preset, "basis": {"permutation": client.axes},
+                "mount": client.mount, "filters": {"force_gate": {"gain": 0.3}, "damping": {"scalar": 0.0}},
             }  # fmt: skip
-        device["state"] = self.state()
-        if full:
-            device["state"]["transform"] = {"position": xyz((0, 0, 0)), "scale": xyz((1, 1, 1))}
+            if "--sparing" in self.flags:
+                del device["config"]
+        device["state"] = self.state(client)
         if full or "--without-status" not in self.flags:
             device["status"] = {
                 "calibrated": self.board.get("initialized") == 1,
-                "in_use": False,
+                "in_use": self.in_use(),
                 "power_supply": True,
                 "ready": not self.met(Fault.NOT_READY),
                 "started": True,
             }
         devices = [] if self.met(Fault.UNPLUGGED) else [device]
         if "--more" in self.flags:
-            devices.append({**device, "device_id": "04A1"})
-        buttons = self.board.get("buttons")
-        grip = {"orientation": {"w": 0.6, "x": 0.0, "y": 0.8, "z": 0.0}}
-        wireless = {"buttons": {name: bool(buttons >> n & 1) for n, name in enumerate("abc")}, "battery_level": 0.9}
+            other = {**device, "device_id": "04A1"}
+            if "config" in device:
+                other["config"] = device["config"] | {"handedness": "left"}
+            devices.append(other)
         return {
-            **({"session_id": 7} if full else {}),
+            **({"session_id": client.number} if full else {}),
             "inverse3": devices,
-            "verse_grip": [],
-            "wireless_verse_grip": [
-                {
-                    "device_id": "61548",
-                    "state": {**grip, **wireless},
-                    "status": {"connected": True, "awake": True, "ready": True},
-                }
-            ],
+            "verse_grip": self.handles("verse_grip", full),
+            "wireless_verse_grip": self.handles("wireless_verse_grip", full),
         }
+
+    def handles(self, kind, full):
+        found = []
+        for number, (its, identity, said) in enumerate(self.grips):
+            pressed = self.board.get("buttons") >> 3 * number & 7
+            wireless = {"buttons": {name: bool(pressed >> n & 1) for n, name in enumerate("abc")}, "battery_level": 0.9}
+            state = {"orientation": {"w": 0.6, "x": 0.0, "y": 0.8, "z": 0.0}}
+            state |= wireless if kind == "wireless_verse_grip" else {"button": bool(pressed & 1), "hall": 0}
+            status = {"connected": True, "awake": True, "ready": True} | said.get("status", {})
+            commanded = {key: value for key, value in said.items() if full and key != "status"}
+            if its == kind:
+                found.append({"device_id": identity, "state": state, "status": status, **commanded})
+        return found
 
     def violated(self, what):
         self.board.set("violations", self.board.get("violations") + 1)
@@ -182,44 +230,80 @@ class Service:
 
     def message(self, client, data):
         try:
-            told = json.loads(data, parse_constant=lambda name: self.violated(f"{name} is no JSON"))
+            commanded = json.loads(data, parse_constant=lambda name: self.violated(f"{name} is no JSON"))
         except ValueError:
             self.violated("no JSON")
             return
-        if ("session" in told) == client.greeted:
-            self.violated("session in the first message, and only there")
+        session = commanded.get("session", {})
+        if ("configure" in session) == client.greeted:
+            self.violated("session.configure in the first message, and only there")
         client.greeted = True
-        for device in told.get("inverse3", []):
+        client.full = "force_render_full_state" in session
+        if session.get("configure", {}).get("profile"):
+            client.mount = client.mount | self.hub.get("mount", {})
+            client.transform = client.transform | self.hub.get("transform", {})
+            client.preset = self.hub.get("preset", client.preset)
+        for device in commanded.get("inverse3", []):
             if device["device_id"] != IDENTITY:
                 self.violated(f"no device {device['device_id']}")
                 continue
-            values = device["commands"]["set_cursor_force"]["values"]
+            self.configure(client, device.get("configure", {}))
+            commands = device.get("commands", {})
+            client.transform = commands.get("set_transform", {}).get("transform", client.transform)
+            if "set_cursor_force" not in commands:
+                continue
+            values = commands["set_cursor_force"]["values"]
             gain = 0.3 if self.met(Fault.GATE) else 1.0
             self.cursor.advance()
             self.cursor.push([gain * values[axis] for axis in AXES])
+            client.commanded = True
             self.board.set("sets", self.board.get("sets") + 1)
         if self.met(Fault.SILENT):
             return
         if self.met(Fault.SLOW):
             self.due.append((time.monotonic() + self.board.get("value"), client))
         else:
-            client.tell(self.frame(False))
+            client.tell(self.frame(client, False))
+
+    def configure(self, client, wanted):
+        if {"preset", "mount"} <= wanted.keys():
+            self.violated("preset and mount in one message")
+        if "--stubborn" in self.flags:
+            return
+        client.axes = wanted.get("basis", {}).get("permutation", client.axes)
+        if "mount" in wanted:
+            client.mount, client.preset = wanted["mount"]["transform"], "custom"
+        if "preset" in wanted and "mount" not in self.hub:  # a mount of the Hub's comes after it, and stays
+            client.mount, client.preset = dict(IDENTITY_TRANSFORM), wanted["preset"]["preset"]
 
     def announce(self):
         fault = self.board.get("fault")
         if fault == self.announced:
             return
         self.announced = fault
-        name, data = {
-            Fault.SAFETY: ("device-safety-triggered", {"device_id": IDENTITY, "safety_type": "stall_detected"}),
-            Fault.UNPLUGGED: ("device-disconnected", {"device_id": IDENTITY}),
-            Fault.OTHERS_SAFETY: ("device-safety-triggered", {"device_id": "FFFF", "safety_type": "stall_detected"}),
-        }.get(fault, ("", {}))
-        if name:
+        safety = {"device_family": "inverse", "device_id": IDENTITY}
+        grip = {"device_family": "verse_grip", "device_id": "61548"}
+        commanded = {
+            Fault.SAFETY: [("device-safety-triggered", "warning", safety | {"safety_type": "stall_detected"})],
+            Fault.UNPLUGGED: [("device-disconnected", "warning", safety)],
+            Fault.OTHERS_SAFETY: [
+                ("device-safety-triggered", "error", safety | {"device_id": "FFFF", "safety_type": "stall_detected"})
+            ],
+            Fault.BUSY: [("device-busy", "warning", safety | {"session_id": 99, "profile": {"name": HOLDER}})],
+            Fault.NEWS: [
+                ("device-safety-triggered", "notice", safety | {"safety_type": "ebrake_released"}),
+                ("device-safety-triggered", "info", safety | {"safety_type": "fod_stage_changed"}),
+                ("device-connected", "info", safety),
+                ("device-battery-low", "warning", grip),
+                ("device-disconnected", "warning", grip),
+                ("control-rate", "warning", {"session_id": 7}),
+            ],
+        }.get(fault, [])
+        for name, level, data in commanded:
             self.met(fault)
             for client in self.clients:
                 if client.events:
-                    client.tell({"name": name, "category": "device", "level": "error", "data": data, "message": "m"})
+                    client.tell({"name": name, "category": "device", "level": level, "data": data, "message": "m"})
 
     def ready(self, client):
         try:
@@ -227,11 +311,20 @@ class Service:
         except OSError:
             data = b""
         for event in client.feed(data):
-            if isinstance(event, Request):
+            if isinstance(event, Request) and event.path == "/sessions":
+                names = [HOLDER] if "--held" in self.flags else []
+                text = json.dumps({"ok": True, "data": [{"id": 3, "profile": {"name": name}} for name in names]})
+                client.protocol.send_response(client.protocol.reject(HTTPStatus.OK, text))
+                client.flush()
+            elif isinstance(event, Request):
                 client.protocol.send_response(client.protocol.accept(event))
                 client.flush()
+                if not client.events:
+                    self.sessions += 1
+                    self.leaves = min(self.leaves, time.monotonic() + 0.1)
+                    client.number = self.sessions
                 if not client.events and "--silent-start" not in self.flags:
-                    client.tell(self.frame(True))
+                    client.tell(self.frame(client, True))
             elif isinstance(event, Frame) and event.opcode is Opcode.TEXT and not client.events:
                 self.message(client, event.data)
         client.flush()
@@ -264,7 +357,8 @@ class Service:
                 for client in [client for client in self.clients if not client.events]:
                     self.drop(client)
             while self.due and self.due[0][0] <= time.monotonic():
-                self.due.pop(0)[1].tell(self.frame(False))
+                client = self.due.pop(0)[1]
+                client.tell(self.frame(client, False))
 
 
 if __name__ == "__main__":

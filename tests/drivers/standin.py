@@ -35,12 +35,14 @@ def firmware(built: Path, folder: Path, *, system: int = 33, initialized: int = 
     board = Board(folder)
     board.set("system", system)
     board.set("initialized", initialized)
+    board.set("offset", 3)  # numbers that the SDK gives devices need not be their order
     before = os.environ.get("COTOUCH_STANDIN")
     os.environ["COTOUCH_STANDIN"] = str(board.path)
     process = subprocess.Popen([str(built / "firmware"), str(board.path), str(board.log)])
     try:
         yield board
     finally:
+        board.set("open", 0)  # whatever a test left open, the library is to look for the next board
         board.set("stop", 1)
         process.wait(5)
         if before is None:

@@ -57,12 +57,12 @@ def test_inverse3(service: Service, fault: Fault, value: float, words: str, stal
         (Fault.FROZEN, 0.0, "repeats one position"),
         (Fault.SLOW, 0.09, "ms for a cycle"),
         (Fault.TAKEN_AWAY, 2.0, "it was too fast"),
-        (Fault.TAKEN_AWAY, 3.0, "watchdog"),
+        (Fault.TAKEN_AWAY, 4.0, "a program"),
         (Fault.SAFETY, 0.0, "redundant encoders disagree"),
     ],
 )
 def test_force_dimension(board: Board, built: Path, fault: Fault, value: float, words: str, stalls: Stalls):
-    gone(ForceDimension(library=str(built), watchdog=0.03), board, fault, value, words, stalls)
+    gone(ForceDimension(library=str(built)), board, fault, value, words, stalls)
 
 
 @pytest.mark.parametrize(
@@ -93,7 +93,7 @@ def pair(request: pytest.FixtureRequest) -> Generator[tuple[Device, Board]]:
         device, board = Inverse3(url=service.url, events=service.events), service.board
     else:
         built, board = request.getfixturevalue("built"), request.getfixturevalue("board")
-        made = {"force_dimension": lambda: ForceDimension(library=str(built), watchdog=0.03)}
+        made = {"force_dimension": lambda: ForceDimension(library=str(built))}
         device = made.get(request.param, lambda: Touch(library=str(built)))()
     yield device, board
     device.close()

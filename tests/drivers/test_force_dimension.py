@@ -1,6 +1,8 @@
 """Force Dimension's SDK by ctypes: axes, limits, calibration, watchdog, and what is said when it is not there."""
 
 import os
+import re
+import shutil
 import subprocess
 from pathlib import Path
 
@@ -9,14 +11,17 @@ import pytest
 from tests.drivers.driving import push, ready
 from tests.drivers.standin import COMPILER, Board, Fault
 
-from cotouch.drivers._force_dimension import SPECS, ForceDimension
+from cotouch.drivers._dhd import count
+from cotouch.drivers._dhd_systems import SPECS, SYSTEMS
+from cotouch.drivers._force_dimension import ForceDimension
+from cotouch.drivers._library import _versioned
 from cotouch.errors import DeviceError
 from cotouch.haptics import Flag
 
 
 @pytest.fixture
 def device(board: Board, built: Path):
-    made = ForceDimension(library=str(built), watchdog=0.03, reset_seconds=0.05)
+    made = ForceDimension(library=str(built), reset_seconds=0.05)
     yield made
     made.close()
 
@@ -52,16 +57,22 @@ def test_more_than_the_motors_can_is_limited(board: Board, device: ForceDimensio
 def test_watchdog_is_armed(board: Board, device: ForceDimension):
     device.open()
     assert device.watchdog
-    assert board.get("watchdog") == pytest.approx(0.03)
+    assert board.get("watchdog") == pytest.approx(0.02)
 
 
 @pytest.mark.parametrize(
     ("system", "family", "name"),
     [
         (33, "omega", "Force Dimension omega.3"),
+        (110, "omega", "Force Dimension omega.3"),
         (63, "delta", "Force Dimension delta.3"),
         (105, "sigma", "Force Dimension sigma.7 left"),
+        (209, "sigma", "Force Dimension sigma.7"),
+        (133, "sigma", "Force Dimension sigma.3"),
+        (116, "sigma", "Force Dimension sigma.6 left"),
         (131, "lambda", "Force Dimension lambda.6"),
+        (129, "lambda", "Force Dimension lambda.7"),
+        (211, "lambda", "Force Dimension lambda.7 left"),
         (60, "falcon", "Novint Falcon"),
     ],
 )
@@ -70,7 +81,37 @@ def test_families(board: Board, device: ForceDimension, system: int, family: str
     device.open()
     assert device.spec.name == name
     assert device.spec.force == SPECS[family].force
+    assert device.spec.workspace == SPECS[family].workspace
     assert device.watchdog == (family != "falcon")
+
+
+def test_every_system_type_is_known():
+    """Those of dhdc.h, and the revisions that CHAI3D knows."""
+    named = {33, 34, 35, 36, 37, 60, 63, 64, 104, 105, 108, 109, 131, 132, 203, 206}
+    assert named | set(range(102, 131)) | {133, 209, 210, 211} == set(SYSTEMS)
+    assert SPECS["lambda"].workspace == 0.1125
+    sevens = {number for number, system in SYSTEMS.items() if "7" in system.product}
+    assert sevens == {number for number, system in SYSTEMS.items() if system.gripper}
+
+
+@pytest.mark.parametrize(
+    ("system", "middle"), [(104, (-10, 20, 0)), (102, (-10, 20, 0)), (105, (-10, -20, 0)), (33, (0, 0, 0))]
+)
+def test_the_middle_of_the_workspace(board: Board, device: ForceDimension, system: int, middle: tuple[float, ...]):
+    """What CHAI3D adds to the places of a sigma.7, in the vendor's axes [mm]."""
+    board.set("system", system)
+    device.open()
+    board.inject(Fault.FROZEN)
+    x, y, z = device.exchange(np.zeros(3)).position
+    theirs = board.get("position")  # it moves meanwhile, by 0.2 m/s at most
+    np.testing.assert_allclose([-x, -y, z], np.array(theirs) + 1e-3 * np.array(middle), atol=5e-3)
+
+
+@pytest.mark.parametrize(("system", "grips"), [(35, 1), (37, 1), (104, 1), (209, 1), (33, 0), (34, 0), (108, 0)])
+def test_a_closed_gripper_is_a_button(board: Board, device: ForceDimension, system: int, grips: int):
+    board.set("system", system)
+    device.open()  # of a lambda.7 the SDK does not know it, which is no error
+    assert board.get("emulated") == grips
 
 
 def test_another_family_than_asked_for(board: Board, built: Path):
@@ -88,6 +129,7 @@ def test_it_moves_only_when_it_may(board: Board, device: ForceDimension):
     assert board.get("initialized") == 0
     device.open()
     device.calibrate(allow_motion=True)
+    assert board.get("enabled") == 0  # finding its place had them on
     assert device.exchange(np.zeros(3)).flags & Flag.CALIBRATED
 
 
@@ -100,11 +142,12 @@ def test_calibration_that_fails(board: Board, device: ForceDimension):
 
 
 def test_velocity_threshold_only_downwards(board: Board, built: Path):
-    device = ForceDimension(library=str(built), velocity_threshold=20)
+    # A device keeps its threshold, and so does its stand-in for all tests of a process: the same one as in the others.
+    device = ForceDimension(library=str(built), velocity_threshold=9)
     device.open()
     device.close()
-    with pytest.raises(DeviceError, match="threshold is 21; it must be from 1 to 20"):
-        ForceDimension(library=str(built), velocity_threshold=21).open()
+    with pytest.raises(DeviceError, match="threshold is 10; it must be from 1 to 9"):
+        ForceDimension(library=str(built), velocity_threshold=10).open()
 
 
 def test_device_in_use_and_device_absent(board: Board, built: Path):
@@ -134,6 +177,39 @@ def test_library_that_is_missing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     monkeypatch.setenv("COTOUCH_FORCE_DIMENSION", str(tmp_path))
     with pytest.raises(DeviceError, match=f"the library {tmp_path} of Force Dimension cannot be loaded"):
         ForceDimension().open()
+
+
+def test_a_library_with_a_version_in_its_name_is_found(board: Board, built: Path, tmp_path: Path, monkeypatch):
+    """As the SDK ships it; of several the newest, by numbers and not by letters."""
+    folder = tmp_path / "lib"
+    folder.mkdir()
+    for name in ("libdrd.so.3.9.1", "libdrd.so.3.17.4", "libdrd.so.txt", "libdrd.so.3.18.0.old", "xlibdrd.so.4"):
+        (folder / name).write_bytes(b"no library")
+    shutil.copy(built / "libdrd.so", folder / "libdrd.so.3.17.5")
+    for given in (str(folder), None):
+        device = ForceDimension(library=given)
+        device.open()
+        assert device.spec.name == "Force Dimension omega.3"
+        device.close()
+        monkeypatch.setenv("COTOUCH_FORCE_DIMENSION", str(folder))
+    monkeypatch.delenv("COTOUCH_FORCE_DIMENSION")
+    monkeypatch.setenv("LD_LIBRARY_PATH", str(folder))
+    assert count() == 1
+
+
+@pytest.mark.parametrize(
+    ("names", "there", "found"),
+    [
+        (("libdrd.dylib",), ["libdrd.3.9.dylib", "libdrd.3.17.5.dylib", "libdrd.so.4"], ["3.17.5", "3.9"]),
+        (("libHD.so",), ["libHD.so.3.4", "libHD.so.3.5", "libHD.so.", "libHD.so.3..5"], ["3.5", "3.4"]),
+    ],
+)
+def test_versions(tmp_path: Path, names: tuple[str, ...], there: list[str], found: list[str]):
+    for name in there:
+        (tmp_path / name).touch()
+    versions = [re.sub(r"[^0-9.]", "", Path(path).name).strip(".") for path in _versioned(tmp_path, names)]
+    assert versions == found
+    assert _versioned(tmp_path / "nowhere", names) == ()
 
 
 def test_library_that_is_too_old(tmp_path: Path):

@@ -21,19 +21,19 @@ from tests.drivers.standin import Board, Fault, Service
 from tests.stalls import Stalls
 
 from cotouch.haptics import Cause, DeviceChoice, ProxyEnd, ServoLink
-from cotouch.haptics._boards import ReportReader
+from cotouch.haptics._mailboxes import ReportReader
 
 # A peer of its own; it says who is around the device, then pulls, with energy that never ends.
 PEER = """
 import json, sys, time
-from cotouch.haptics import Cause, DeviceChoice, ServoLink, Word
+from cotouch.haptics import Cause, DeviceChoice, ServoLink, EnergyMessage
 link = ServoLink(DeviceChoice(sys.argv[1], json.loads(sys.argv[2])), real_time=None)
-print(link.servo, link.guardian, link._folder, flush=True)
+print(link.servo, link.guardian, link._folder.path, flush=True)
 given = 1.0
 while True:
     link.read()
     given += 1e-3
-    link.order((0.03, 0.0, 0.0), Word(given=given))
+    link.order((0.03, 0.0, 0.0), EnergyMessage(given=given))
     if link.causes & Cause.FAST:
         link.rearm()
     time.sleep(0.002)
@@ -49,8 +49,7 @@ def setting(request: pytest.FixtureRequest) -> Setting:
         service: Service = request.getfixturevalue("service")
         return DeviceChoice("haply", {"url": service.url, "events": service.events}), service.board
     board, built = request.getfixturevalue("board"), request.getfixturevalue("built")
-    options = {"library": str(built), **({"watchdog": 0.03} if request.param == "force_dimension" else {})}
-    return DeviceChoice(request.param, options), board
+    return DeviceChoice(request.param, {"library": str(built)}), board
 
 
 def pushes(board: Board) -> bool:
@@ -74,9 +73,9 @@ class Held:
             if report is not None:
                 if report.causes & Cause.FAST:
                     self.link.rearm()
-                self.end.pull((0.03, 0.0, 0.0), None, (0.0, 0.0, 0.0), report.word, 0.002)
-            self.link.order((0.03, 0.0, 0.0), self.end.purse.word)
-            self.said += self.link.notices()
+                self.end.pull((0.03, 0.0, 0.0), None, (0.0, 0.0, 0.0), report.message, 0.002)
+            self.link.order((0.03, 0.0, 0.0), self.end.tank.message)
+            self.said += self.link.warning_log()
             time.sleep(0.002)
 
     def gone(self, number: int, stalls: Stalls, *, at: int) -> None:

@@ -105,6 +105,54 @@ def test_calibration_that_only_needs_taking_up(board: Board, device: Touch):
     assert push(device, 3).flags & Flag.CALIBRATED
 
 
+AUTO, INKWELL, RESET = 2, 4, 1
+
+
+@pytest.mark.parametrize("styles", [AUTO, INKWELL, AUTO | INKWELL, INKWELL | RESET, AUTO | INKWELL | RESET])
+def test_one_style_of_calibration_at_a_time(board: Board, device: Touch, styles: int):
+    """The library tells all that it can in one mask, and takes one; the stub notes it where it is told two."""
+    board.set("styles", styles)
+    board.set("initialized", 2)
+    device.open()
+    device.calibrate(allow_motion=False)
+    assert push(device, 3).flags & Flag.CALIBRATED
+    assert board.get("asked") == 1
+
+
+def test_encoders_are_reset_only_where_somebody_said_that_it_is_held_there(board: Board, built: Path, device: Touch):
+    board.set("styles", RESET)
+    board.set("initialized", 0)
+    device.open()
+    with pytest.raises(DeviceError, match="hold it there as its manual shows, and open it with the option reset=true"):
+        device.calibrate(allow_motion=True)
+    assert board.get("asked") == 0
+    device.close()
+    held = Touch(library=str(built), reset=True)
+    try:
+        held.open()
+        assert board.get("asked") == 0  # whoever opens it only to stop it moves no origin
+        held.calibrate(allow_motion=False)
+        assert board.get("asked") == 1
+        held.enable_force()
+        held.calibrate(allow_motion=False)  # calibrated already: nothing is reset in a hand that moves
+        assert push(held, 3).flags & Flag.CALIBRATED
+        assert board.get("asked") == 1
+    finally:
+        held.close()
+
+
+def test_reset_has_no_effect_on_a_device_with_an_inkwell(board: Board, built: Path):
+    board.set("initialized", 0)
+    device = Touch(library=str(built), hand_seconds=0.1, reset=True)
+    try:
+        device.open()
+        with pytest.raises(DeviceError, match="put its stylus into the inkwell"):
+            device.calibrate(allow_motion=False)
+        assert board.get("asked") == 0
+    finally:
+        device.close()
+
+
 def test_warm_motors_are_a_limit_not_a_fault(board: Board, device: Touch):
     ready(device)
     board.inject(Fault.SAFETY, 0x200)

@@ -31,9 +31,9 @@ def _stubbed(
     name: str, system: int, initialized: int, request: pytest.FixtureRequest
 ) -> Generator[Callable[[], Device]]:
     library = str(request.getfixturevalue("built"))
-    with request.getfixturevalue("running")(system=system, initialized=initialized) as board:
+    with request.getfixturevalue("running")(system=system, initialized=initialized) as mailbox:
         yield lambda: make_device(name, library=library)
-        assert board.get("violations") == 0, board.said
+        assert mailbox.get("violations") == 0, mailbox.said
 
 
 @contextmanager

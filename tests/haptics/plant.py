@@ -33,10 +33,10 @@ def serve(folder: Path) -> None:
     while os.getppid() == parent:
         if select.select([own], [], [], 0.2)[0]:
             content, asker = own.recvfrom(256)
-            kind, *told = _ASK.unpack(content)
+            kind, *commanded = _ASK.unpack(content)
             now = time.monotonic()
             if kind == EXCHANGE:
-                force = tuple(told)
+                force = tuple(commanded)
                 if mode == SLOW:
                     time.sleep(0.5)
                 at = since if mode == FROZEN else now
@@ -69,7 +69,7 @@ class Plant:
             assert time.monotonic() < end
             time.sleep(0.01)
 
-    def tell(self, kind: int) -> None:
+    def command(self, kind: int) -> None:
         with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as way:
             way.sendto(_ASK.pack(kind, 0.0, 0.0, 0.0), str(self.folder / "plant"))
 

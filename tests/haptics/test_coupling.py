@@ -11,13 +11,13 @@ from cotouch.haptics import (
     DeviceChoice,
     DeviceReading,
     EndOptions,
+    EnergyMessage,
     Flag,
     Order,
     ProxyEnd,
-    Report,
     SafetyLimits,
     ServoCore,
-    Word,
+    ServoReport,
     coupling_of,
 )
 
@@ -30,9 +30,9 @@ SPEC = PRESETS["phantom"]
         ("scale=0", "scale is 0; it must be from 0.01 to 100, or fit"),
         ("scale=101", "scale is 101; it must be from 0.01 to 100, or fit"),
         ("scale=big", "scale is big; it must be from 0.01 to 100, or fit"),
-        ("tool=0", "tool is 0; tools of a seat are numbered from 1"),
-        ("tool=1.5", "tool is 1.5; tools of a seat are numbered from 1"),
-        ("tool=true", "tool is True; tools of a seat are numbered from 1"),
+        ("tool=0", "tool is 0; tools of a user are numbered from 1"),
+        ("tool=1.5", "tool is 1.5; tools of a user are numbered from 1"),
+        ("tool=true", "tool is True; tools of a user are numbered from 1"),
         ("coupling=pspm,weight=1", "weight is given, but with coupling=pspm it has no effect; leave it out"),
         ("stiffness=true", "the coupling's stiffness is True; it must be a number of at least 0"),
     ],
@@ -50,8 +50,8 @@ def test_what_is_said_of_the_coupling_is_not_the_drivers():
     assert CouplingChoice(**said.plain()) == said
 
 
-def _cycle(core: ServoCore, k: int, place: float, order: Order) -> Report:
-    core.hear(order._replace(time=1e-3 * k, enable=True))
+def _cycle(core: ServoCore, k: int, place: float, order: Order) -> ServoReport:
+    core.receive(order._replace(time=1e-3 * k, enable=True))
     reading = DeviceReading(
         time=1e-3 * k,
         position=np.array([place, 0.0, 0.0]),
@@ -65,34 +65,34 @@ def _cycle(core: ServoCore, k: int, place: float, order: Order) -> Report:
 def test_another_coupling_begins_relaxed_with_books_of_its_own():
     """Without that, a proxy that is made anew would be given once more what the device ever gave, and has spent."""
     core = ServoCore(SPEC, SafetyLimits.of(SPEC), EndOptions())
-    wanting = Word(wanting=True)
-    order = Order(time=0.0, place=(0.01, 0.0, 0.0), word=wanting)
+    starved = EnergyMessage(starved=True)
+    order = Order(time=0.0, place=(0.01, 0.0, 0.0), message=starved)
     for k in range(800):  # the hand pushes against the spring, and the proxy's end lacks energy
         report = _cycle(core, k, -2e-5 * k, order)
     assert report.force[0] > 1.0
-    assert report.word.given > 1e-3
+    assert report.message.given > 1e-3
     bound, number = core.observed_bound, report.coupling
     assert bound > 0.0
     assert number == 0
-    again = order._replace(coupling=1, options=EndOptions(stiffness=200.0), word=Word())
+    again = order._replace(coupling=1, options=EndOptions(stiffness=200.0), message=EnergyMessage())
     report = _cycle(core, 800, -0.016, again)
     assert report.coupling == 1
     assert report.force == (0.0, 0.0, 0.0)
-    assert report.word == Word(0.0, 0.0, EndOptions().seed, True)
+    assert report.message == EnergyMessage(0.0, 0.0, EndOptions().initial_energy, True)
     assert report.work == 0.0
     assert report.causes & Cause.RAMP
     for k in range(801, 1400):
         report = _cycle(core, k, -0.016, again)
         assert report.excess <= 0.0
         assert 0.0 <= report.force[0] <= 200.0 * 0.026 + 1e-9
-    assert report.word.given == 0.0
+    assert report.message.given == 0.0
     end = ProxyEnd(core.end.options)
-    end.pull((0.0, 0.0, 0.0), None, (0.0, 0.0, 0.0), report.word, 1e-3)
-    assert end.purse.received == 0.0
+    end.pull((0.0, 0.0, 0.0), None, (0.0, 0.0, 0.0), report.message, 1e-3)
+    assert end.tank.received == 0.0
     # An order that is older has no say any more, and one that fits no device is a fault.
     assert _cycle(core, 1400, -0.016, order).coupling == 1
     with pytest.raises(DeviceError, match="renders at most"):
-        core.hear(again._replace(coupling=2, options=EndOptions(stiffness=1e6)))
+        core.receive(again._replace(coupling=2, options=EndOptions(stiffness=1e6)))
 
 
 def test_another_coupling_leaves_what_is_latched():
@@ -109,11 +109,11 @@ def test_another_coupling_leaves_what_is_latched():
 
 
 def test_whoever_is_not_watched_fades_and_comes_back():
-    core = ServoCore(SPEC, SafetyLimits.of(SPEC), EndOptions(seed=1.0))
+    core = ServoCore(SPEC, SafetyLimits.of(SPEC), EndOptions(initial_energy=1.0))
     order = Order(time=0.0, place=(0.003, 0.0, 0.0))
     forces, causes = [], []
     for k in range(2000):
-        core.hear(order._replace(time=1e-3 * k, enable=True))
+        core.receive(order._replace(time=1e-3 * k, enable=True))
         reading = DeviceReading(
             time=1e-3 * k, position=np.zeros(3), velocity=np.zeros(3), force=np.full(3, np.nan), flags=Flag.FORCE_ON
         )

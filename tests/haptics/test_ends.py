@@ -1,4 +1,4 @@
-"""The coupling of two processes: two-port passivity whatever the boards do, and the share that is felt."""
+"""The coupling of two processes: two-port passivity whatever the mailboxes do, and the share that is felt."""
 
 import numpy as np
 import pytest
@@ -10,14 +10,14 @@ from cotouch.haptics import (
     DeviceEnd,
     DeviceReading,
     EndOptions,
+    EnergyMessage,
+    EnergyTank,
     Flag,
     Order,
     ProxyEnd,
-    Purse,
     SafetyLimits,
     ServoCore,
     SimulatedOnClock,
-    Word,
     simulated_model,
     size,
 )
@@ -31,12 +31,14 @@ def made(variant: str, clock: list[float], sweep: float = 1.0) -> SimulatedOnClo
 
 @pytest.mark.parametrize("seed", range(24))
 def test_two_ports_are_passive_whatever_the_rates_and_boards(seed: int):
-    """Servo at 1 kHz, peer at 100 to 1000 Hz, nonlinear device with a hand, boards late or unread: no violation."""
+    """Servo at 1 kHz, peer at 100 to 1000 Hz, nonlinear device with a hand, mailboxes late or unread: no violation."""
     rng = np.random.default_rng(seed)
     variant = ["phantom", "cartesian", "touch"][seed % 3]
     spec, clock = SPECS[variant], [0.0]
     stiffness = float(rng.uniform(50.0, min(2000.0, spec.stiffness)))
-    options = EndOptions(stiffness=stiffness, damping=float(rng.uniform(0.5, 4.0)), seed=10.0 ** rng.uniform(-4, -2))
+    options = EndOptions(
+        stiffness=stiffness, damping=float(rng.uniform(0.5, 4.0)), initial_energy=10.0 ** rng.uniform(-4, -2)
+    )
     ran = run(
         made(variant, clock, sweep=float(rng.uniform(0.2, 3.0))),
         spec,
@@ -63,16 +65,16 @@ def test_two_ports_are_passive_whatever_the_rates_and_boards(seed: int):
 
 
 def test_the_account_keeps_what_is_given():
-    """Purses, what they gave and what is on its way always add up to the seeds less the work of both ports."""
+    """Tanks, what they gave and what is on its way add up to the initial energies less the ports' work."""
     rng = np.random.default_rng(1)
-    a, b = Purse(0.02), Purse(0.01)
+    a, b = EnergyTank(0.02), EnergyTank(0.01)
     for _ in range(2000):
         for one, other in ((a, b), (b, a)):
             if rng.random() < 0.5:
-                one.wanting = bool(rng.random() < 0.5)
-                one.hear(other.word, max(0.0, one.energy), 0.005)
+                one.starved = bool(rng.random() < 0.5)
+                one.receive(other.message, max(0.0, one.energy), 0.005)
                 one.book(float(rng.normal(0.0, 1e-3)), 1e-6)
-                one.spill(max(0.0, one.energy - 0.05))
+                one.discard(max(0.0, one.energy - 0.05))
         on_its_way = (a.given - b.received) + (b.given - a.received)
         there = a.energy + b.energy + a.lost + b.lost + on_its_way
         assert there == pytest.approx(0.03 - a.work - b.work, abs=1e-12)
@@ -81,21 +83,29 @@ def test_the_account_keeps_what_is_given():
 
 
 @pytest.mark.parametrize(
-    "word", [Word(given=np.nan), Word(given=-1.0), Word(given=np.inf), Word(given=1.0, purse=np.nan)]
+    "message",
+    [
+        EnergyMessage(given=np.nan),
+        EnergyMessage(given=-1.0),
+        EnergyMessage(given=np.inf),
+        EnergyMessage(given=1.0, tank=np.nan),
+    ],
 )
-def test_a_word_that_is_no_number_or_goes_back_is_worth_nothing(word: Word):
-    purse = Purse(0.01)
-    purse.hear(Word(given=0.5), 0.0, 1e-3)
-    purse.hear(word, 0.0, 1e-3)
-    assert purse.energy == pytest.approx(0.51)
-    assert purse.received == 0.5
+def test_a_word_that_is_no_number_or_goes_back_is_worth_nothing(message: EnergyMessage):
+    tank = EnergyTank(0.01)
+    tank.receive(EnergyMessage(given=0.5), 0.0, 1e-3)
+    tank.receive(message, 0.0, 1e-3)
+    assert tank.energy == pytest.approx(0.51)
+    assert tank.received == 0.5
 
 
 def test_a_hand_that_follows_the_force_gets_no_more_than_the_bound():
     """The worst hand: it goes where it is pushed, as fast as it likes; the proxy runs away before it."""
     rng = np.random.default_rng(3)
     for _ in range(20):
-        options = EndOptions(stiffness=float(rng.uniform(100, 2000)), damping=float(rng.uniform(0, 5)), seed=1e-3)
+        options = EndOptions(
+            stiffness=float(rng.uniform(100, 2000)), damping=float(rng.uniform(0, 5)), initial_energy=1e-3
+        )
         end = DeviceEnd(options, resolution=0.0, lever=1e9)
         place, force, coming, out, T, fast = np.zeros(3), np.zeros(3), np.zeros(3), 0.0, 1e-3, 0.0
         worst = -np.inf
@@ -110,17 +120,17 @@ def test_a_hand_that_follows_the_force_gets_no_more_than_the_bound():
             worst = max(worst, out)
             end.measure(tuple(place), tuple(coming))
             force = coming
-            wish = tuple(place + rng.normal(0.0, 0.02, 3))
-            coming = np.array(end.decide(wish, tuple(moved / T), Word(), T))
-        assert worst <= options.seed + end.bound(fast, T, 0.0) + 1e-12
-        assert worst > 0.5 * options.seed  # it really got at what was there
+            desired = tuple(place + rng.normal(0.0, 0.02, 3))
+            coming = np.array(end.decide(desired, tuple(moved / T), EnergyMessage(), T))
+        assert worst <= options.initial_energy + end.bound(fast, T, 0.0) + 1e-12
+        assert worst > 0.5 * options.initial_energy  # it really got at what was there
 
 
 def test_two_ticks_of_a_held_force_take_no_more_than_the_bound():
     """At rest the spring has all that it may; then the tip goes with the force for two ticks, as far as hurts most."""
     stiffness, step = 800.0, 1.5e-3
     seed = 2.0 * stiffness * step**2
-    end = DeviceEnd(EndOptions(stiffness=stiffness, damping=0.0, seed=seed), resolution=0.0, lever=1e9)
+    end = DeviceEnd(EndOptions(stiffness=stiffness, damping=0.0, initial_energy=seed), resolution=0.0, lever=1e9)
     place, acting, coming, out, forces = 0.0, 0.0, 0.0, 0.0, []
     for k in range(60):
         moved = step if k in {50, 51} else 0.0
@@ -128,7 +138,7 @@ def test_two_ticks_of_a_held_force_take_no_more_than_the_bound():
         place += moved
         end.measure((place, 0.0, 0.0), (coming, 0.0, 0.0))
         acting = coming
-        coming = end.decide((place + 0.1, 0.0, 0.0), (0.0, 0.0, 0.0), Word(), 1e-3)[0]
+        coming = end.decide((place + 0.1, 0.0, 0.0), (0.0, 0.0, 0.0), EnergyMessage(), 1e-3)[0]
         forces.append(acting)
     assert min(forces[2:50]) == pytest.approx(max(forces[2:50]))  # it does not take turns with itself
     assert 0.5 * seed < out <= seed + end.bound(step / 1e-3, 1e-3, 0.0)
@@ -139,7 +149,7 @@ def test_one_process_for_each_end_feels_as_one():
     for rate in (1000.0, 200.0):
         clock = [0.0]
         ran = run(made("phantom", clock), SPECS["phantom"], seconds=3.0, peer=rate, clock=clock, late=0.002)
-        assert float(np.mean(np.array(ran.shares[200:]) > 0.99)) > 0.9
+        assert float(np.mean(np.array(ran.fractions[200:]) > 0.99)) > 0.9
         followed = np.abs(np.array(ran.proxies)).max(axis=0)
         led = np.abs(np.array([report.place for report in ran.reports])).max(axis=0)
         np.testing.assert_allclose(followed, led, rtol=0.05, atol=2e-4)
@@ -163,7 +173,7 @@ class Lying:
 
     def __init__(self, spec, limits, options):
         self._core = ServoCore(spec, limits, options)
-        self._core.end.decide = lambda wish, rate, word, T: tuple(5.0 * np.array(rate) / (1e-9 + size(rate)))
+        self._core.end.decide = lambda desired, rate, message, T: tuple(5.0 * np.array(rate) / (1e-9 + size(rate)))
 
     def __getattr__(self, name):
         return getattr(self._core, name)
@@ -184,7 +194,7 @@ def _pushed(core: ServoCore, places: list[float], T: float = 1e-3) -> list[float
     found = []
     for k, x in enumerate(places):
         now = T * k
-        core.hear(Order(time=now, place=None, enable=True))
+        core.receive(Order(time=now, place=None, enable=True))
         reading = DeviceReading(
             time=now,
             position=np.array([x, 0.0, 0.0]),
@@ -198,7 +208,7 @@ def _pushed(core: ServoCore, places: list[float], T: float = 1e-3) -> list[float
 
 def test_the_wall_of_the_workspace_leads_back_and_gives_nothing():
     spec = SPECS["phantom"]
-    core = ServoCore(spec, SafetyLimits.of(spec), EndOptions(damping=0.0, seed=1e-3))
+    core = ServoCore(spec, SafetyLimits.of(spec), EndOptions(damping=0.0, initial_energy=1e-3))
     out = [0.1 + 1e-5 * k for k in range(200)]  # after the ramp has come up
     led = [0.09 + 1e-2 * k / 700 for k in range(700)] + out + out[::-1]
     forces = _pushed(core, led)
@@ -215,7 +225,7 @@ def test_a_button_held_long_re_arms():
     core = ServoCore(spec, SafetyLimits.of(spec), EndOptions())
 
     def cycle(now: float, x: float, buttons: int) -> Cause:
-        core.hear(Order(time=now, place=(0.0, 0.0, 0.0), enable=True))
+        core.receive(Order(time=now, place=(0.0, 0.0, 0.0), enable=True))
         reading = DeviceReading(
             time=now,
             position=np.array([x, 0.0, 0.0]),
@@ -240,11 +250,11 @@ def test_the_proxy_end_never_owes():
     for _ in range(2000):
         rate = rng.normal(0.0, 0.5, 3)
         T = float(rng.uniform(1e-3, 1e-2))
-        pull = end.pull(tuple(place), tuple(rng.normal(0.0, 0.03, 3)), tuple(rate), Word(), T)
+        pull = end.pull(tuple(place), tuple(rng.normal(0.0, 0.03, 3)), tuple(rate), EnergyMessage(), T)
         k, b, m = pull.stiffness, pull.damping, 0.05
         other = rng.normal(0.0, 3.0, 3)
         mean = (k * (np.array(pull.target) - place) + np.array(pull.push) + other) / (2 * m / T + b + k * T / 2)
         done = k * (np.array(pull.target) - place - T / 2 * mean) - b * mean + np.array(pull.push)
         place = place + T * mean
         end.settle(tuple(done), tuple(T * mean))
-        assert end.purse.energy >= -1e-12
+        assert end.tank.energy >= -1e-12

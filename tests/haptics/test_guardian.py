@@ -7,25 +7,25 @@ from typing import Any
 import pytest
 from tests.haptics.plant import PLANT, PLANT_ALONE
 
-from cotouch.haptics import Cause, DeviceChoice, Driver, Flag, Report, ServoSettings, Word
-from cotouch.haptics._boards import ReportWriter, Watched
-from cotouch.haptics._guardian import Watch
+from cotouch.haptics import Cause, DeviceChoice, Driver, EnergyMessage, Flag, ServoReport, ServoSettings
+from cotouch.haptics._guardian import ServoWatch
+from cotouch.haptics._mailboxes import ReportWriter, Watched
 
 
 class Servo:
     """A process that ends when it is killed, and does not mind being asked to."""
 
     def __init__(self) -> None:
-        self.told: list[str] = []
+        self.commanded: list[str] = []
 
     def poll(self) -> int | None:
-        return -signal.SIGKILL if "kill" in self.told else None
+        return -signal.SIGKILL if "kill" in self.commanded else None
 
     def kill(self) -> None:
-        self.told.append("kill")
+        self.commanded.append("kill")
 
     def terminate(self) -> None:
-        self.told.append("terminate")
+        self.commanded.append("terminate")
 
 
 class World:
@@ -46,7 +46,7 @@ class World:
         )
         settings = ServoSettings(device=DeviceChoice("plant"), folder=folder)
         servo: Any = self.servo
-        self.watch = Watch(servo, settings, chosen)
+        self.watch = ServoWatch(servo, settings, chosen)
 
     def monotonic(self) -> float:
         return self.now
@@ -57,7 +57,9 @@ class World:
         self.silences.append(self._seen.silence())
         if self.now <= self.last:
             zero = (0.0, 0.0, 0.0)
-            report = Report(self.now, 1, zero, zero, zero, zero, Word(), 0.0, 0.0, self.causes, 0, Flag(0))
+            report = ServoReport(
+                self.now, 1, zero, zero, zero, zero, EnergyMessage(), 0.0, 0.0, self.causes, 0, Flag(0)
+            )
             self._reports.write(report, self.now)
 
     def run(self) -> int:
@@ -87,7 +89,7 @@ def test_a_peer_that_is_gone_changes_nothing(tmp_path: Path, monkeypatch: pytest
     world = World(tmp_path, monkeypatch, PLANT)
     world.unwanted = world.last - before
     world.run()
-    assert world.servo.told[0] == "terminate"
+    assert world.servo.commanded[0] == "terminate"
     assert 0.04 < world.halted[0] - world.last < 0.05
 
 
@@ -96,7 +98,7 @@ def test_a_servo_that_stopped_its_device_is_only_asked_to_end(tmp_path: Path, mo
     world.causes, world.unwanted = Cause.STOPPED, 100.5
     world.run()
     assert world.halted == []
-    assert world.servo.told[0] == "terminate"
+    assert world.servo.commanded[0] == "terminate"
     assert 2.0 < world.now - 100.5 < 2.01  # it did not end, as this one never does
 
 

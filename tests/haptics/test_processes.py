@@ -1,5 +1,7 @@
 """Peer, guardian and servo as processes around a device that holds its last force for ever; each dies in turn."""
 
+import json
+import math
 import os
 import signal
 import subprocess
@@ -9,7 +11,7 @@ from collections.abc import Callable, Generator
 from pathlib import Path
 
 import pytest
-from tests.conftest import ROOT
+from tests.conftest import IMPORTS, ROOT
 from tests.haptics.plant import GOOD, THROW, Plant
 from tests.stalls import Stalls
 
@@ -19,19 +21,35 @@ from cotouch.haptics import Cause, DeviceChoice, ProxyEnd, ServoLink, proxy_end
 PEER = """
 import sys, time
 sys.path.insert(0, sys.argv[1])
-from cotouch.haptics import DeviceChoice, ServoLink, Word
+from cotouch.haptics import DeviceChoice, ServoLink, EnergyMessage
 link = ServoLink(DeviceChoice("tests.haptics.plant/PLANT", {"folder": sys.argv[2]}), real_time=None)
-print(link.servo, link.guardian, link._folder, flush=True)
+print(link.servo, link.guardian, link._folder.path, flush=True)
 while True:
     link.read()
-    link.order((0.05, 0.0, 0.0), Word(given=1.0))
+    link.order((0.05, 0.0, 0.0), EnergyMessage(given=1.0))
     time.sleep(0.002)
+"""
+
+UNPRIVILEGED = """
+import ctypes, json, resource, sys, time
+sys.path.insert(0, sys.argv[1])
+ctypes.CDLL(None).prctl(24, 23, 0, 0, 0)  # nobody started from here may set priorities
+resource.setrlimit(resource.RLIMIT_RTPRIO, (0, 0))
+from cotouch.haptics import DeviceChoice, ServoLink
+link = ServoLink(DeviceChoice("tests.haptics.plant/PLANT", {"folder": sys.argv[2]}))
+said, end = [], time.monotonic() + 20.0
+while "guardian" not in link.process and time.monotonic() < end:
+    said += link.warning_log()
+    time.sleep(0.005)
+said += link.warning_log()
+print(json.dumps([said, link.process]))
+link.close()
 """
 
 
 @pytest.fixture
 def plant(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Generator[Plant]:
-    monkeypatch.setenv("PYTHONPATH", ROOT)  # so that the servo's process finds the plant's driver
+    monkeypatch.setenv("PYTHONPATH", IMPORTS)  # so that the servo's process finds the plant's driver
     made = Plant(tmp_path)
     yield made
     made.close()
@@ -52,9 +70,9 @@ class Held:
             assert time.monotonic() < end, f"{what}: {self.said}"
             report = self.link.read()
             if orders:
-                self.end.pull((0.02, 0.0, 0.0), None, (0.0, 0.0, 0.0), report.word, 0.002) if report else None
-                self.link.order((0.02, 0.0, 0.0), self.end.purse.word)
-            self.said += self.link.notices()
+                self.end.pull((0.02, 0.0, 0.0), None, (0.0, 0.0, 0.0), report.message, 0.002) if report else None
+                self.link.order((0.02, 0.0, 0.0), self.end.tank.message)
+            self.said += self.link.warning_log()
             time.sleep(0.002)
 
 
@@ -122,17 +140,39 @@ def test_a_peer_that_says_nothing_leaves_no_force_and_may_come_back(plant: Plant
     stalls.within(began, plant.gone_after(began))
     held.until(lambda: plant.force > 0.0, "force again")
     assert any("peer has been silent" in text for text in held.said)
-    plant.tell(THROW)
+    plant.command(THROW)
     held.until(lambda: held.link.causes & Cause.FAST, "latched")
     held.until(lambda: any("faster than a hand" in text for text in held.said), "told")
-    plant.tell(GOOD)
+    plant.command(GOOD)
     held.until(lambda: plant.force == 0.0, "no force")
     held.link.rearm()
     held.until(lambda: plant.force > 0.0, "force after it is re-armed")
 
 
+def test_a_servo_from_the_future_is_gone(plant: Plant, held: Held):
+    """A report dated ahead of the clock, or infinitely so, keeps no servo alive that says nothing more."""
+    link = held.link
+    for ahead in (10.0, math.inf, math.nan):
+        held.until(lambda: link.report is not None and not link.gone, "it is heard")
+        assert link.report is not None
+        link.report = link.report._replace(time=time.monotonic() + ahead)
+        assert link.gone
+    link.report = link.report._replace(time=time.monotonic())
+    assert not link.gone
+
+
+def test_a_refused_priority_is_said_once(plant: Plant):
+    """By a peer that gives up the right to it, so that its servo and its guardian have none."""
+    command = [sys.executable, "-c", UNPRIVILEGED, ROOT, str(plant.folder)]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=True)
+    said, process = json.loads(done.stdout)
+    assert process["real_time"] is None
+    assert process["guardian"]["real_time"] is None
+    assert len([text for text in said if "real-time priority was refused" in text and "ulimit -r" in text]) == 1
+
+
 def test_a_device_that_cannot_be_opened_is_a_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
-    monkeypatch.setenv("PYTHONPATH", ROOT)
+    monkeypatch.setenv("PYTHONPATH", IMPORTS)
     with pytest.raises(DeviceError, match="no plant at"):
         ServoLink(DeviceChoice("tests.haptics.plant/PLANT", {"folder": str(tmp_path / "nowhere")}))
     with pytest.raises(DeviceError, match='device is "omega9"'):
@@ -153,8 +193,8 @@ def test_the_simulated_device_is_felt_and_closed(text: str):
             report = link.read()
             if report is not None:
                 first = report.place if first is None else first
-                end.pull(first, report.place, report.rate, report.word, 0.002)  # a proxy that does not move
-                link.order(first, end.purse.word)
+                end.pull(first, report.place, report.rate, report.message, 0.002)  # a proxy that does not move
+                link.order(first, end.tank.message)
                 felt = max(abs(value) for value in report.force)
             time.sleep(0.002)
         assert felt >= 0.5
@@ -175,7 +215,7 @@ def test_a_simulated_device_outlasts_a_servo_that_stood_still():
             os.kill(link.servo, signal.SIGCONT)
             began = link.report.tick if link.read() else 0
             _wait(lambda began=began: (report := link.read()) is not None and report.tick > began + 20, "it goes on")
-        assert not any("is gone" in text for text in link.notices())
+        assert not any("is gone" in text for text in link.warning_log())
     finally:
         link.close()
 

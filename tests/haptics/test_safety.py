@@ -10,7 +10,8 @@ from hypothesis import strategies as st
 
 from cotouch.device import PRESETS
 from cotouch.errors import DeviceError
-from cotouch.haptics import Cause, Heat, SafetyChain, SafetyLimits, Seen, saturate, silence, size, slew, spoken
+from cotouch.haptics import Cause, Heat, Observation, SafetyChain, SafetyLimits, saturate, silence, size, slew, spoken
+from cotouch.haptics._safety import STOOD
 
 LIMITS = SafetyLimits.of(PRESETS["touch"])
 anything = st.floats(allow_nan=True, allow_infinity=True)
@@ -40,15 +41,15 @@ def test_whatever_comes_in_what_comes_out_keeps_every_limit(cycles):
         if rearm:
             chain.rearm()
             latched = False
-        share = chain.limit(wanted, Seen(now, T, age, stale, speed, excess, enabled, follows))
-        assert 0.0 <= share <= 1.0
-        out = tuple(share * value for value in wanted) if share else (0.0, 0.0, 0.0)
+        fraction = chain.limit(wanted, Observation(now, T, age, stale, speed, excess, enabled, follows))
+        assert 0.0 <= fraction <= 1.0
+        out = tuple(fraction * value for value in wanted) if fraction else (0.0, 0.0, 0.0)
         assert all(math.isfinite(value) for value in out)
         length = size(out)
         broken |= not (math.isfinite(size(wanted)) and math.isfinite(speed))
         latched |= speed > LIMITS.speed or excess > 0.0
         off = broken or latched or not enabled or not follows
-        off |= not age < LIMITS.zero_after or not stale < LIMITS.zero_after or LIMITS.zero_after <= T
+        off |= not age < LIMITS.zero_after or not stale < LIMITS.zero_after or min(STOOD, LIMITS.zero_after) < T
         if off:
             assert length == 0.0
             assert chain.causes
@@ -74,11 +75,11 @@ def _distance(a, b):
 
 @given(st.tuples(*[st.floats(-5, 5)] * 3), st.tuples(*[st.floats(-5, 5)] * 3), st.floats(1e-3, 2.0))
 def test_slew_takes_the_largest_share_that_is_near_enough(wanted, before, most):
-    share = slew(wanted, before, most)
-    at = tuple(share * x for x in wanted)
+    fraction = slew(wanted, before, most)
+    at = tuple(fraction * x for x in wanted)
     assert _distance(at, before) <= most * (1 + 1e-6) + 1e-9
-    if share < 1.0:
-        more = tuple((share + 1e-3) * x for x in wanted)
+    if fraction < 1.0:
+        more = tuple((fraction + 1e-3) * x for x in wanted)
         assert _distance(more, before) > most * (1 - 1e-6)
 
 
@@ -92,8 +93,8 @@ def test_slew_never_holds_a_force_up():
 def test_saturation_and_silence():
     assert saturate(1.0, 2.0) == 1.0
     assert saturate(4.0, 2.0) == 0.5
-    shares = [silence(age, 0.02, 0.1) for age in (0.0, 0.02, 0.06, 0.1, inf, nan)]
-    assert shares == pytest.approx([1.0, 1.0, 0.5, 0.0, 0.0, 0.0])
+    fractions = [silence(age, 0.02, 0.1) for age in (0.0, 0.02, 0.06, 0.1, inf, nan)]
+    assert fractions == pytest.approx([1.0, 1.0, 0.5, 0.0, 0.0, 0.0])
 
 
 def test_heat_lets_much_for_a_moment_and_what_may_stay_for_ever():
@@ -116,9 +117,9 @@ def test_a_force_that_stays_comes_down_to_what_may_stay():
     assert chain.causes == Cause.HOT
 
 
-def _quiet(now: float, **changes) -> Seen:
+def _quiet(now: float, **changes) -> Observation:
     usual = {"T": 1e-3, "age": 0.0, "stale": 0.0, "speed": 0.1, "excess": -1.0, "enabled": True, "follows": True}
-    return Seen(now=now, **(usual | changes))
+    return Observation(now=now, **(usual | changes))
 
 
 def _risen(chain: SafetyChain, start: float = 0.0) -> float:
@@ -137,6 +138,7 @@ def _risen(chain: SafetyChain, start: float = 0.0) -> float:
         ({"excess": 1e-3}, Cause.ACTIVE, True),
         ({"age": 0.2}, Cause.SILENT, False),
         ({"stale": 0.2}, Cause.LATE, False),
+        ({"T": 0.025}, Cause.LATE, False),
         ({"enabled": False}, Cause.OFF, False),
         ({"follows": False}, Cause.DEVICE, False),
     ],
@@ -147,9 +149,9 @@ def test_what_removes_force_and_how_it_comes_back(seen, cause, latches):
     assert chain.limit((0.5, 0.0, 0.0), _quiet(now + 1e-3, **seen)) == 0.0
     assert chain.causes & cause
     assert spoken(chain.causes)
-    share = chain.limit((0.5, 0.0, 0.0), _quiet(now + 2e-3))
+    fraction = chain.limit((0.5, 0.0, 0.0), _quiet(now + 2e-3))
     if latches:
-        assert share == 0.0
+        assert fraction == 0.0
         chain.rearm()
         chain.limit((0.5, 0.0, 0.0), _quiet(now + 3e-3))
     assert chain.causes == Cause.RAMP

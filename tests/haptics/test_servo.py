@@ -3,14 +3,15 @@
 import os
 import time
 from collections.abc import Callable, Generator
+from math import inf, nan
 from pathlib import Path
 
 import pytest
 from tests.haptics.plant import DEAF, FROZEN, NAN, SLOW, THROW, Plant, PlantDevice
 from tests.stalls import Stalls
 
-from cotouch.haptics import Cause, DeviceChoice, Order, Report, Servo, ServoSettings, Word
-from cotouch.haptics._boards import OrderWriter, ReportReader
+from cotouch.haptics import Cause, DeviceChoice, EnergyMessage, Order, Servo, ServoReport, ServoSettings
+from cotouch.haptics._mailboxes import OrderWriter, ReportReader
 from cotouch.haptics._servo import _hung_up
 
 
@@ -22,7 +23,7 @@ class Loop:
         settings = ServoSettings(device=DeviceChoice("plant"), folder=folder)
         self.servo = Servo(device, settings, watched=lambda: self.watched, attended=lambda: self.attended)
         self.orders, self.reports = OrderWriter(folder), ReportReader(folder)
-        self.report: Report | None = None
+        self.report: ServoReport | None = None
         self.runs, self.rearm, self.enable = True, 0, True
 
     def until(self, done: Callable[[], object], what: str, *, orders: bool = True) -> None:
@@ -34,7 +35,7 @@ class Loop:
                     Order(
                         time=time.monotonic(),
                         place=(0.03, 0.0, 0.0),
-                        word=Word(given=1.0),
+                        message=EnergyMessage(given=1.0),
                         enable=self.enable,
                         rearm=self.rearm,
                     )
@@ -86,13 +87,29 @@ def test_a_device_that_fails_is_left_without_force(
     plant: Plant, loop: Loop, mode: int, cause: Cause, fault: str, stalls: Stalls
 ):
     began = time.monotonic()
-    plant.tell(mode)
+    plant.command(mode)
     loop.until(lambda: causes(loop) & cause, "cause")
     loop.until(lambda: plant.force == 0.0, "no force")
     assert loop.servo.fault == fault
     assert loop.runs == (cause != Cause.FAULT)
     if not fault:  # this driver waits for a quarter of a second; real ones don't
         stalls.within(began, plant.gone_after(began))
+
+
+@pytest.mark.parametrize("ahead", [0.5, 1e9, inf, nan])
+def test_an_order_from_the_future_is_silence(plant: Plant, loop: Loop, ahead: float, stalls: Stalls):
+    """Its sender hangs right after it: the stamp keeps nothing alive, now or when the clock comes to it."""
+    began = time.monotonic()
+    order = Order(time=began + ahead, place=(0.03, 0.0, 0.0), message=EnergyMessage(given=1.0), enable=True)
+    loop.orders.write(order)
+    loop.until(lambda: causes(loop) & Cause.SILENT, "cause", orders=False)
+    loop.until(lambda: plant.force == 0.0, "no force", orders=False)
+    stalls.within(began, plant.gone_after(began))
+    seen: list[Cause] = []
+    loop.until(lambda: seen.append(causes(loop)) or time.monotonic() > began + 0.7, "a while", orders=False)
+    assert all(cause & Cause.SILENT for cause in seen)
+    assert plant.force == 0.0
+    loop.until(lambda: plant.force > 0.0, "force again")  # orders of now
 
 
 def test_a_loop_that_nobody_watches_ends(plant: Plant, loop: Loop):

@@ -11,12 +11,12 @@ from cotouch.haptics import (
     Cause,
     DeviceChoice,
     EndOptions,
+    EnergyMessage,
     SafetyLimits,
     ServoCore,
     ServoSettings,
     SimulatedOnClock,
     VirtualProxyEnd,
-    Word,
     checked_virtual,
     coupling_of,
     simulated_model,
@@ -35,7 +35,7 @@ def virtual(options: EndOptions, friction: float, *, seconds: float = 1.0, peer:
     )
     ran = run(device, SPEC, seconds=seconds, peer=peer, clock=clock, options=options, **more)
     assert device.device is not None
-    assert ran.paid <= device.device.books["viscous_loss"] * (1 + 1e-9)
+    assert ran.paid <= device.device.ledger["viscous_loss"] * (1 + 1e-9)
     return ran
 
 
@@ -48,7 +48,7 @@ def passive(**wanted: float) -> EndOptions:
 
 @pytest.mark.parametrize("seed", range(12))
 def test_two_ports_are_passive_whatever_the_rates_and_boards(seed: int):
-    """Rates from 100 to 1000 Hz that drift, boards late beyond all that was declared, or unread: no violation."""
+    """Rates from 100 to 1000 Hz that drift, mailboxes late beyond all that was declared, or unread: no violation."""
     rng = np.random.default_rng(seed)
     friction = float(rng.uniform(0.5, 6.0))
     options = passive(
@@ -56,7 +56,7 @@ def test_two_ports_are_passive_whatever_the_rates_and_boards(seed: int):
         ages=float(rng.uniform(0.0, 0.03)),
         weight=float(10.0 ** rng.uniform(-1, 1)),
         damping=float(rng.uniform(0.0, 0.4)) * friction,
-        seed=float(10.0 ** rng.uniform(-4, -2)),
+        initial_energy=float(10.0 ** rng.uniform(-4, -2)),
         of=float(rng.uniform(0.2, 1.0)),
     )
     ran = virtual(
@@ -87,7 +87,7 @@ def test_within_its_limit_nothing_shortens_the_spring():
     options = passive(friction=3.0, ages=0.008)
     ran = virtual(options, 3.0, seconds=2.0, peer=500.0, body=Body(mass=0.1, shake=1.0, hertz=3.0))
     assert options.stiffness > 400.0
-    assert set(ran.shares[10:]) == {1.0}
+    assert set(ran.fractions[10:]) == {1.0}
     assert set(ran.pulls) == {1.0}
     followed, led = (np.abs(np.array(places)).max() for places in (ran.proxies, [r.place for r in ran.reports]))
     assert followed == pytest.approx(led, rel=0.3)  # the drag of 1.8 Ns/m is felt
@@ -104,35 +104,37 @@ def test_beyond_its_limit_it_would_make_energy_and_the_account_stops_it(monkeypa
         return virtual(options, 0.5, seconds=0.7, late=0.01, body=Body(mass=0.3, spring=200.0))
 
     ran = rung()
-    assert min(ran.shares) < 0.5
+    assert min(ran.fractions) < 0.5
     assert ran.excess <= ran.bound
     # Without the account it gives more than that bound: the scenario is one that counts.
     monkeypatch.setattr(Account, "energy", property(lambda _: 1e3))
-    monkeypatch.setattr(VirtualProxyEnd, "_acknowledge", lambda end, _: setattr(end.purse, "seed", 1e3))
+    monkeypatch.setattr(VirtualProxyEnd, "_acknowledge", lambda end, _: setattr(end.tank, "initial_energy", 1e3))
     ran = rung()
     assert ran.excess > ran.bound
     assert any(report.causes & Cause.ACTIVE for report in ran.reports)  # the observer then ends it
 
 
 def test_the_proxy_takes_no_more_than_the_seed_beyond_what_the_device_has_heard():
-    end = VirtualProxyEnd(EndOptions(law="virtual", damping=0.0, ages=0.0, seed=1e-3))
-    rich = Word(given=1.0)  # the device put in much, and has heard of nothing
+    end = VirtualProxyEnd(EndOptions(law="virtual", damping=0.0, ages=0.0, initial_energy=1e-3))
+    rich = EnergyMessage(given=1.0)  # the device put in much, and has heard of nothing
     for k in range(1000):
         pull = end.pull((0.0, 0.0, 0.0), (0.05, 0.0, 0.0), (0.0, 0.0, 0.0), rich, 1e-3)
         end.settle((500.0 * pull.target[0], 0.0, 0.0), (0.25 * pull.target[0], 0.0, 0.0))
-        assert end.purse.work <= 1e-3 + 1e-12, k
-    assert end.purse.work > 0.9e-3
-    end.pull((0.0, 0.0, 0.0), (0.05, 0.0, 0.0), (0.0, 0.0, 0.0), rich._replace(received=end.purse.word.given), 1e-3)
-    assert end.share > 0.03  # it has heard: there is as much again
+        assert end.tank.work <= 1e-3 + 1e-12, k
+    assert end.tank.work > 0.9e-3
+    end.pull((0.0, 0.0, 0.0), (0.05, 0.0, 0.0), (0.0, 0.0, 0.0), rich._replace(received=end.tank.message.given), 1e-3)
+    assert end.fraction > 0.03  # it has heard: there is as much again
 
 
 @pytest.mark.parametrize(
-    "word", [Word(given=np.nan), Word(given=np.inf), Word(given=1.0, received=np.nan)], ids=["nan", "inf", "received"]
+    "message",
+    [EnergyMessage(given=np.nan), EnergyMessage(given=np.inf), EnergyMessage(given=1.0, received=np.nan)],
+    ids=["nan", "inf", "received"],
 )
-def test_a_word_that_is_no_number_is_not_believed(word: Word):
+def test_a_word_that_is_no_number_is_not_believed(message: EnergyMessage):
     account = Account(0.01)
-    account.hear(Word(given=0.5))
-    account.hear(word)
+    account.receive(EnergyMessage(given=0.5))
+    account.receive(message)
     assert account.energy == pytest.approx(0.51)
 
 

@@ -1,4 +1,4 @@
-"""A device, its servo's core, and a proxy at another rate, with boards that are late or lost; on a virtual clock."""
+"""A device, its servo's core, and a proxy at another rate, with mailboxes that are late or lost; on a virtual clock."""
 
 from dataclasses import dataclass, field
 from typing import Any
@@ -8,13 +8,13 @@ import numpy as np
 from cotouch.device import DeviceSpec
 from cotouch.haptics import (
     EndOptions,
+    EnergyMessage,
     Order,
-    Report,
     SafetyLimits,
     ServoCore,
+    ServoReport,
     SimulatedOnClock,
     VirtualDeviceEnd,
-    Word,
     proxy_end,
 )
 
@@ -44,8 +44,8 @@ class Ran:
     proxy_work: float = 0.0
     paid: float = 0.0
     pulls: list[float] = field(default_factory=list)
-    reports: list[Report] = field(default_factory=list)
-    shares: list[float] = field(default_factory=list)
+    reports: list[ServoReport] = field(default_factory=list)
+    fractions: list[float] = field(default_factory=list)
     proxies: list[Array] = field(default_factory=list)
     speeds: list[float] = field(default_factory=list)
 
@@ -68,7 +68,7 @@ def run(
     seed: int = 0,
     core: Any = None,
 ) -> Ran:
-    """Runs both ends: the servo at `rate`, the peer at `peer` [Hz]; boards are up to `late` seconds old or not read."""
+    """Runs both ends: the servo at `rate`, the peer at `peer` [Hz]; mailboxes are up to `late` s old or not read."""
     rng = np.random.default_rng(seed)
     options = EndOptions() if options is None else options
     servo = core or ServoCore(spec, limits or SafetyLimits.of(spec), options)
@@ -77,9 +77,9 @@ def run(
     device.calibrate(allow_motion=False)
     device.enable_force()
     force = np.zeros(3)
-    to_peer: list[tuple[float, Report]] = []
+    to_peer: list[tuple[float, ServoReport]] = []
     to_servo: list[tuple[float, Order]] = []
-    known: Report | None = None
+    known: ServoReport | None = None
     next_servo, next_peer, last_peer, step = 0.0, 0.0, 0.0, 0
     origin: Array | None = None
 
@@ -91,7 +91,7 @@ def run(
             now = clock[0] = next_servo
             arrived = [order for time, order in to_servo if time <= now]
             if arrived and rng.random() >= loss:
-                servo.hear(arrived[-1])
+                servo.receive(arrived[-1])
                 to_servo = [entry for entry in to_servo if entry[0] > now]
             reading = device.exchange(force)
             report = servo.cycle(reading, now)
@@ -99,7 +99,7 @@ def run(
             to_peer.append((now + late * rng.random(), report))
             ran.reports.append(report)
             ran.speeds.append(float(np.linalg.norm(reading.velocity)))
-            ran.shares.append(servo.end.share)
+            ran.fractions.append(servo.end.fraction)
             next_servo += wobble(1.0 / rate)
         else:
             now = next_peer
@@ -113,26 +113,26 @@ def run(
                 if origin is None:
                     origin = body.place - np.array(known.place)
                 where = tuple(np.array(known.place) + origin)
-                pull = proxy.pull(tuple(body.place), where, known.rate, known.word, T)
+                pull = proxy.pull(tuple(body.place), where, known.rate, known.message, T)
                 done, moved = _step(body, pull, now, T)
                 proxy.settle(tuple(done), tuple(moved))
                 ran.proxy_work += float(done @ moved)
-                ran.pulls.append(proxy.share)
+                ran.pulls.append(proxy.fraction)
                 step += 1
                 if not silent[0] <= now < silent[1]:
                     there = tuple(body.place - origin)
-                    order = Order(time=now, step=step, place=there, word=proxy.purse.word, enable=True)
+                    order = Order(time=now, step=step, place=there, message=proxy.tank.message, enable=True)
                     to_servo.append((now + late * rng.random(), order))
             ran.proxies.append(body.place.copy())
             next_peer += wobble(1.0 / peer)
         assert device.device is not None
-        ran.device_work = device.device.books["work"]
+        ran.device_work = device.device.ledger["work"]
         if isinstance(
             servo.end, VirtualDeviceEnd
         ):  # what its own friction took, which must be no more than it really did
-            ran.paid = servo.end.purse.paid
+            ran.paid = servo.end.tank.paid
         ran.excess = max(ran.excess, ran.device_work + ran.proxy_work - ran.paid)
-    ran.bound = 2.0 * options.seed + servo.observed_bound + 1e-9
+    ran.bound = 2.0 * options.initial_energy + servo.observed_bound + 1e-9
     return ran
 
 
@@ -157,4 +157,4 @@ def _step(body: Body, pull: Any, now: float, T: float) -> tuple[Array, Array]:
     return done, moved
 
 
-NOTHING = Word()
+NOTHING = EnergyMessage()

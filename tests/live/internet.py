@@ -4,6 +4,7 @@ import heapq
 import random
 from collections.abc import Callable, Hashable
 
+from cotouch.errors import TransportError
 from cotouch.live import MOST_BYTES, Address, Arrival, Identity, Traffic
 from cotouch.live._control import Message, Relayed
 
@@ -24,6 +25,8 @@ class Nat:
         port = self._flows.get((inside, to))
         if port is None:
             port = inside.port + self._shift if self.kept else self._rng.randrange(1024, 65536)
+            while any(to == other and port == taken for (_, other), taken in self._flows.items()):
+                port += 1
             self._flows[inside, to] = port
         return Address(self.host, port)
 
@@ -59,6 +62,12 @@ class Internet:
             self._nats[behind.host] = behind
         return made
 
+    def move(self, socket: "VirtualSocket", address: Address) -> None:
+        realm = socket.nat.host if socket.nat else ""
+        del self._sockets[realm, socket.address]
+        socket._address = address
+        self._sockets[realm, address] = socket
+
     def carry(self, sender: "VirtualSocket", to: Address, payload: bytes) -> None:
         source, realm = sender.address, sender.nat.host if sender.nat else ""
         found = self._sockets.get((realm, to))
@@ -69,7 +78,12 @@ class Internet:
             inside = to if outer is None else outer.inward(to.port, source)
             found = None if inside is None else self._sockets.get((outer.host if outer else "", inside))
         self.log.append((self.now, source, to, payload))
-        if found is None or self.cut(source.host, to.host) or self._rng.random() < self.loss:
+        if (
+            found is None
+            or found.address.host not in found.hosts
+            or self.cut(source.host, to.host)
+            or self._rng.random() < self.loss
+        ):
             return
         self._count += 1
         heapq.heappush(self._flying, (self.now + self.delay, self._count, found, payload, source))
@@ -89,6 +103,7 @@ class VirtualSocket:
         self._neighbours: dict[int, Address] = {}
         self._traffic = Traffic()
         self.open = True
+        self.hosts = {address.host}  # of its machine; where the socket's own is no more, nothing is sent
 
     @property
     def address(self) -> Address:
@@ -101,8 +116,15 @@ class VirtualSocket:
     def now(self) -> float:
         return self.net.now
 
+    def rebind(self, host: str) -> None:
+        if host not in self.hosts:
+            raise TransportError(f"{host} is not an address of this machine")
+        self.net.move(self, Address(host, self.address.port))
+
     def reach(self, address: Address, payload: bytes) -> bool:
         assert len(payload) <= MOST_BYTES
+        if self.address.host not in self.hosts:
+            return False
         self.net.carry(self, Address(*address), payload)
         return self.open
 
@@ -112,7 +134,7 @@ class VirtualSocket:
             return False
         return self.reach(self._neighbours[neighbour], payload)
 
-    def bears(self, neighbour: int) -> float:
+    def capacity(self, neighbour: int) -> float:
         return float("inf")
 
     def poll(self) -> list[Arrival]:

@@ -15,9 +15,11 @@ from cotouch.live import Endpoint, Identity, Invitation, ZenohControl
 def main(path: str) -> None:
     given = json.loads(Path(path).read_text())
     invitation = Invitation.decode(given["invitation"])
-    listen = Endpoint.parse(given["listen"]) if "listen" in given else None
+    listen = given.get("listen")
+    if listen is not None and ":" in listen:
+        listen = Endpoint.parse(listen)
     plane = ZenohControl(invitation, Identity(bytes.fromhex(given["secret"])), listen=listen)
-    heard: dict[str, float] = {}
+    received: dict[str, float] = {}
     direct: list[str] = []
     print(json.dumps({"here": plane.identity.public.hex()}), flush=True)
     ends = time.monotonic() + given["seconds"]
@@ -26,7 +28,7 @@ def main(path: str) -> None:
         for message in plane.poll():
             if message.direct:
                 direct.append(message.body.decode())
-            heard[message.sender.hex()] = time.monotonic()
+            received[message.sender.hex()] = time.monotonic()
         if not select.select([sys.stdin], [], [], 0.05)[0]:
             continue
         line = sys.stdin.readline()
@@ -38,7 +40,7 @@ def main(path: str) -> None:
         now = time.monotonic()
         told = {
             "present": sorted(key.hex() for key in plane.present()),
-            "hears": sorted(key for key, then in heard.items() if now < then + 0.5),
+            "hears": sorted(key for key, then in received.items() if now < then + 0.5),
             "direct": direct,
             "refused": {reason.name: count for reason, count in plane.refused.items()},
             "dropped": plane.dropped,

@@ -62,6 +62,8 @@ def main(path: str) -> None:
         link = SampleLink(Assembly(layout, sender=j, initial=np.zeros((rows, 4))), rate=SendRate(highest=1.0 / T))
         link.seal.install(keys_from_text(neighbour["keys"]))
         plane.connect(j, link, at=tuple(neighbour["at"]))
+    print("ready", flush=True)
+    sys.stdin.readline()  # all begin together, however long each took to load
     wrong, useful, begin = 0, 0, clock()
     for k in range(round(given["seconds"] / T)):
         time.sleep(max(0.0, begin + (k + 1) * T - clock()))
@@ -88,7 +90,7 @@ def main(path: str) -> None:
                     str(j): {
                         "newest": link.assembly.newest,
                         "complete": link.assembly.complete,
-                        "opened": link.seal.heard[1],
+                        "opened": link.seal.received[1],
                         "refused": {reason.name: count for reason, count in link.refused.items()},
                         "worst_sum": link.ages.worst_sum,
                         "median_sum": link.ages.sum_quantile(0.5),

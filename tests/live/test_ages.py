@@ -5,14 +5,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from cotouch.live import LinkAges, Window
+from cotouch.live import AgeWindow, LinkAges
 
 offsets = st.floats(-1e8, 1e8)
 
 
 @given(st.lists(st.tuples(st.floats(0.0, 3.0), st.floats(-5.0, 5.0)), min_size=1, max_size=80), st.floats(0.0, 1.0))
 def test_the_window_against_a_list(steps: list[tuple[float, float]], q: float):
-    window, now, held = Window(2.0), 0.0, []
+    window, now, held = AgeWindow(2.0), 0.0, []
     for wait, value in steps:
         now += wait
         window.add(now, value)
@@ -25,7 +25,7 @@ def test_the_window_against_a_list(steps: list[tuple[float, float]], q: float):
 
 
 def test_the_window_does_not_grow_without_end():
-    window = Window(1e9)
+    window = AgeWindow(1e9)
     for k in range(50_000):
         window.add(float(k), float(-k))
     assert len(window) == 20_000
@@ -35,7 +35,7 @@ def test_the_window_does_not_grow_without_end():
 
 def test_quantiles_of_a_window_that_is_full():
     rng = np.random.default_rng(3)
-    window, values = Window(1e9), rng.normal(0.0, 1.0, 21_000)
+    window, values = AgeWindow(1e9), rng.normal(0.0, 1.0, 21_000)
     window.add(-2.0, 0.0)
     window.add(-1.0, 1.0)
     assert window.quantile(0.0) == 0.0  # from now on it is kept in order
@@ -67,7 +67,7 @@ def simulate(seed: int, offset: float, drift: float, loss: float, window: float)
                 newest[user], arrived[user] = (stamp, sent_true), when
             clock = clocks[user](now)
             if told is not None:
-                ends[user].heard(clock, index=index, age=told[0], worst=told[1])
+                ends[user].received(clock, index=index, age=told[0], worst=told[1])
             if echo is not None:
                 path = ends[user].echoed(clock, arrived=clocks[user](when), echo=echo[0], held=echo[1])
                 assert path is not None
@@ -95,10 +95,10 @@ def test_the_sum_of_the_greatest_ages_is_exact(seed: int, offset: float, loss: f
     tolerance = 4e-8 if abs(offset) > 1.0 else 1e-9  # numbers of 1e8 s have steps of 1.5e-8 s
     for user, end in enumerate(ends):
         assert end.own[1] + (offset if user == 0 else -offset) == pytest.approx(worst[user], abs=tolerance)
-        heard = end._reported[1] + (-offset if user == 0 else offset)
-        assert any(abs(heard - age) <= tolerance for _, age in true[1 - user])
+        received = end._reported[1] + (-offset if user == 0 else offset)
+        assert any(abs(received - age) <= tolerance for _, age in true[1 - user])
         assert end.worst_sum <= worst[0] + worst[1] + 2 * tolerance
-        assert end.worst_sum == pytest.approx(worst[user] + heard, abs=2 * tolerance)
+        assert end.worst_sum == pytest.approx(worst[user] + received, abs=2 * tolerance)
         assert end.impossible == 0
 
 
@@ -132,11 +132,11 @@ def test_drifting_clocks_change_the_sum_by_no_more_than_they_drift(drift: float)
 def test_what_was_long_ago_is_forgotten():
     ages = LinkAges(window=1.0)
     ages.used(0.0, -5.0)
-    ages.heard(0.0, index=0, age=5.0, worst=5.0)
+    ages.received(0.0, index=0, age=5.0, worst=5.0)
     assert ages.worst_sum == 10.0
     for k in range(1, 30):
         ages.used(0.1 * k, 0.1 * k - 0.1)
-        ages.heard(0.1 * k, index=k, age=0.2, worst=0.2)
+        ages.received(0.1 * k, index=k, age=0.2, worst=0.2)
     assert ages.worst_sum == pytest.approx(0.3)
     assert ages.sum_quantile(0.5) == pytest.approx(0.3)
 
@@ -144,8 +144,8 @@ def test_what_was_long_ago_is_forgotten():
 def test_a_report_that_was_overtaken_does_not_count_again():
     ages = LinkAges()
     ages.used(0.0, -1.0)
-    ages.heard(0.1, index=9, age=1.0, worst=3.0)
-    ages.heard(0.2, index=8, age=1.0, worst=7.0)
+    ages.received(0.1, index=9, age=1.0, worst=3.0)
+    ages.received(0.2, index=8, age=1.0, worst=7.0)
     assert ages.worst_sum == 4.0
 
 

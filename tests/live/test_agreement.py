@@ -1,9 +1,12 @@
 """Two members get the same keys; everybody else gets nothing, whatever is done to the messages."""
 
+import copy
+import pickle
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from tests.live.support import agree, agreements, entropy, identities
+from tests.live.support import agree, agreements, entropy, identities, in_a_fork
 
 from cotouch.errors import SessionError
 from cotouch.live import Agreement, Identity
@@ -47,10 +50,27 @@ def test_exactly_one_end_begins(side: int):
 def test_another_session_or_secret_gives_nothing():
     first, second = identities()
     initiator, responder = agreements(first, second, session=(b"this", b"that"))
-    assert responder.receive(initiator.start()).refused == "another session or other members"
+    assert responder.receive(initiator.start()).refused == "another session, secret or other members"
     initiator, responder = agreements(first, second, secret=(b"invited", b"guessed"))
+    assert responder.receive(initiator.start()).refused == "another session, secret or other members"
+    initiator._tag_key = responder._tag_key  # as if the MAC proved nothing
     reply = responder.receive(initiator.start()).message
     assert initiator.receive(reply).refused == "another secret"
+
+
+def test_without_the_secret_nothing_is_spent(monkeypatch: pytest.MonkeyPatch):
+    """Neither a signature is looked at nor a key agreed on, whatever comes."""
+    initiator, responder = agreements(*identities(), secret=(b"guessed", b"invited"))
+    hello = initiator.start()
+    spent: list[str] = []
+    for name in ("_signed", "_derive"):
+        monkeypatch.setattr(Agreement, name, lambda *_, name=name: spent.append(name))
+    for message in (hello, hello[:-1] + b"x", b"ctk1\1".ljust(len(hello), b"x")):
+        assert responder.receive(message).refused == "another session, secret or other members"
+    assert spent == []
+    responder._tag_key = initiator._tag_key
+    responder.receive(hello)
+    assert spent == ["_signed"]
 
 
 def test_another_member_cannot_speak_for_one():
@@ -60,12 +80,13 @@ def test_another_member_cannot_speak_for_one():
     from_alice = Agreement(identity=bob, other=alice.public, session=b"s", connection=2, entropy=entropy(2))
     as_bob = Agreement(identity=mallory, other=alice.public, session=b"s", connection=3, entropy=entropy(3))
     hello = to_bob.start()
-    assert as_bob.receive(hello).refused == "another session or other members"
-    as_bob._context = to_bob._context  # Mallory can write anything but a signature
+    assert as_bob.receive(hello).refused == "another session, secret or other members"
+    as_bob._context, as_bob._tag_key = to_bob._context, to_bob._tag_key  # Mallory can write anything but a signature
     forged = as_bob.receive(hello)
     assert to_bob.receive(forged.message).refused == "signature"
     as_alice = Agreement(identity=mallory, other=bob.public, session=b"s", connection=4, entropy=entropy(4))
     as_alice.initiator, as_alice._context = True, from_alice._context
+    as_alice._tag_key = from_alice._tag_key
     assert from_alice.receive(as_alice.start()).refused == "signature"
     # Neither did any harm.
     assert agree(to_bob, from_alice)[0].epoch == 1
@@ -120,7 +141,7 @@ def test_a_point_of_small_order_is_refused(point: bytes, monkeypatch: pytest.Mon
     initiator, responder = agreements(*identities())
     body = _agreement._OPENING.pack(b"ctk1", 1, 1, 11, point, initiator._context)
     hello = body + initiator._sign(b"hello", body)
-    assert responder.receive(hello).refused == "ephemeral key"
+    assert responder.receive(initiator._tagged(hello)).refused == "ephemeral key"
 
 
 @pytest.mark.parametrize("which", range(3))
@@ -177,3 +198,36 @@ def test_secrets_are_not_printed():
     assert repr(keys.sending.key) not in repr(keys)
     with pytest.raises(SessionError, match="has 3 bytes"):
         Identity(b"abc")
+
+
+def test_a_forked_process_and_a_copy_agree_on_nothing():
+    initiator, responder = agreements(*identities())
+    for copied in (copy.copy, copy.deepcopy, pickle.dumps):
+        with pytest.raises(SessionError, match="Agreement cannot be copied: nonces would be used twice"):
+            copied(initiator)
+    hello = initiator.start()
+
+    def child() -> bool:
+        refused = responder.receive(hello).refused == "not a message for this end"
+        try:
+            initiator.start()
+        except SessionError:
+            return refused
+        return False
+
+    assert in_a_fork(child)
+    assert responder.receive(hello).message is not None
+
+
+@pytest.mark.parametrize("epoch", [2**16 + 1, 2**31 - 2, 2**31 + 5, 2**32 - 2])
+def test_an_epoch_that_leaps_is_refused_by_either_end(epoch: int):
+    """Else the first agreement with a liar would be its last: no epoch would be left for new keys."""
+    one, two = identities()
+    initiator, responder = agreements(one, two)
+    initiator.epoch = epoch
+    assert responder.receive(initiator.start()).refused == "epoch"
+    initiator, responder = agreements(one, two)
+    responder.epoch = epoch
+    reply = responder.receive(initiator.start())
+    assert reply.message is None or initiator.receive(reply.message).refused is not None
+    assert initiator.epoch == 0

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from tests.live.support import datagrams, heading, layout, state_of
 
 from cotouch.live import Assembly, Codec, Refusal
-from cotouch.peer import COUPLED, GUARDED, Sample, Word
+from cotouch.peer import LinkHeader, LinkState, Sample
 
 SHAPE = layout(130, 3)  # three chunks: 45, 45, 40
 CODEC = Codec(SHAPE)
@@ -107,23 +107,23 @@ def test_whole_samples_may_come_another_way():
 def test_nothing_is_relied_on_before_all_rows_are_there():
     held = assembly()
     for at in range(2):
-        held.take(chunk(3, at, word=Word(COUPLED, 4, 2)))
+        held.take(chunk(3, at, header=LinkHeader(LinkState.COUPLED, 4, 2)))
         assert (held.choose(0).index, held.choose(0).stamp) == (-1, -math.inf)
-        assert held.choose(0).word.state == GUARDED
-    held.take(chunk(3, 2, word=Word(COUPLED, 4, 2)))
-    assert (held.choose(0).index, held.choose(0).stamp, held.choose(0).word) == (
+        assert held.choose(0).header.state == LinkState.GUARDED
+    held.take(chunk(3, 2, header=LinkHeader(LinkState.COUPLED, 4, 2)))
+    assert (held.choose(0).index, held.choose(0).stamp, held.choose(0).header) == (
         3,
         0.003,
-        Word(COUPLED, 4, 2),
+        LinkHeader(LinkState.COUPLED, 4, 2),
     )
 
 
 @given(st.lists(st.tuples(st.integers(0, 2), st.integers(1, 3), st.integers(0, 3)), min_size=3, max_size=3))
-def test_chunks_of_different_states_or_epochs_are_as_good_as_the_worst(words: list[tuple[int, int, int]]):
+def test_chunks_of_different_states_or_epochs_are_as_good_as_the_worst(headers: list[tuple[int, int, int]]):
     held = assembly()
-    for at, word in enumerate(words):
-        held.take(chunk(at, at, word=Word(*word)))
-    state, epoch, heard, *_ = held.word
-    assert (epoch, heard) == words[2][1:]  # the newest
-    alike = len({word[1] for word in words}) == 1
-    assert state == (min(word[0] for word in words) if alike else GUARDED)
+    for at, header in enumerate(headers):
+        held.take(chunk(at, at, header=LinkHeader(*header)))
+    state, epoch, received, *_ = held.header
+    assert (epoch, received) == headers[2][1:]  # the newest
+    alike = len({header[1] for header in headers}) == 1
+    assert state == (min(header[0] for header in headers) if alike else LinkState.GUARDED)

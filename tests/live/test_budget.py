@@ -1,12 +1,14 @@
 """Whatever becomes of the messages and of the ends: damping covers the budgets in force, and did so long enough."""
 
+import struct
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from cotouch.errors import SessionError
-from cotouch.live import BudgetAgreement, LinkAges
+from cotouch.live import MOST_AGE, BudgetAgreement, LinkAges
 
 TICK = 0.05
 
@@ -35,8 +37,8 @@ class Pair:
         self.ends[k] = self._make(k)
         self.since[k] = self.now
 
-    def wish(self, k: int, age: float) -> None:
-        self.ends[k].wish(self.now, age + self.offset[k], spare=0.02)
+    def request(self, k: int, age: float) -> None:
+        self.ends[k].request(self.now, age + self.offset[k], spare=0.02)
 
     def tick(self, fates: list[list[float]]) -> None:
         """Each message goes as many times as it has latencies."""
@@ -85,10 +87,10 @@ def test_damping_covers_what_is_in_force(story, offset: float):
     for event, one, two in story:
         if event is not None:
             who, age = event
-            pair.restart(who) if age is None else pair.wish(who, age)
+            pair.restart(who) if age is None else pair.request(who, age)
         pair.tick([one, two])
     for k in range(2):  # and when the messages pass again, both get what they want
-        pair.wish(k, 0.9)
+        pair.request(k, 0.9)
     for _ in range(60):
         pair.tick([[0.05], [0.05]])
     assert [end.settled for end in pair.ends] == [True, True]
@@ -98,12 +100,12 @@ def test_damping_covers_what_is_in_force(story, offset: float):
 def test_a_budget_is_raised_last_and_lowered_first():
     pair, order = Pair(), []
     for k in range(2):
-        pair.wish(k, 0.1)
+        pair.request(k, 0.1)
     for _ in range(40):
         pair.tick([[0.05], [0.05]])
     was = [(end.budget, end.total) for end in pair.ends]
     assert was == [(0.1, pytest.approx(0.2))] * 2
-    pair.wish(0, 0.3)
+    pair.request(0, 0.3)
     for _ in range(40):
         pair.tick([[0.05], [0.05]])
         now = [(end.budget, end.total) for end in pair.ends]
@@ -116,7 +118,7 @@ def test_a_budget_is_raised_last_and_lowered_first():
     raised = next(then for then, mine, other in pair.history if other > 0.3)
     assert pair.ends[0].budget == 0.3
     for _ in range(10):  # patience
-        pair.wish(0, 0.1)
+        pair.request(0, 0.1)
         pair.tick([[], []])
     assert pair.ends[0].budget == 0.1
     assert pair.ends[1].total == pytest.approx(0.4)  # it has not heard
@@ -129,20 +131,20 @@ def test_a_budget_is_raised_last_and_lowered_first():
 def test_the_first_budget_does_not_wait_for_what_its_guard_waits_for_again():
     pair = Pair()
     for k in range(2):
-        pair.wish(k, 0.5)
+        pair.request(k, 0.5)
     for _ in range(6):  # messages there and back, not both budgets besides
         pair.tick([[0.05], [0.05]])
     assert [end.budget for end in pair.ends] == [0.5, 0.5]
     pair.restart(1)
-    pair.wish(1, 0.5)
+    pair.request(1, 0.5)
     pair.tick([[0.05], [0.05]])
     pair.tick([[0.05], [0.05]])
     assert pair.ends[0].budget == -np.inf  # what the old life granted is gone
-    pair.wish(0, 0.8)
+    pair.request(0, 0.8)
     for _ in range(6):
         pair.tick([[0.05], [0.05]])
     assert [end.budget for end in pair.ends] == [0.8, 0.5]
-    pair.wish(0, 1.0)  # but one that is in use is raised only when the damping has stood
+    pair.request(0, 1.0)  # but one that is in use is raised only when the damping has stood
     for _ in range(20):
         pair.tick([[0.05], [0.05]])
     assert pair.ends[0].budget == 0.8
@@ -161,33 +163,81 @@ def test_an_old_grant_is_not_taken_for_the_answer_to_a_new_wish():
         assert message is not None
         return message
 
-    second.wish(0.0, 0.1)
-    first.wish(0.0, 0.5)
+    second.request(0.0, 0.1)
+    first.request(0.0, 0.5)
     first.receive(0.0, say(second, 0.0))
     second.receive(0.0, say(first, 0.0))
     said.append(say(second, 0.0))  # grants 0.5, and is late
     for now in (0.1, 0.2):
-        first.wish(now, 0.1)
+        first.request(now, 0.1)
     second.receive(0.2, say(first, 0.2))
     assert second.total == pytest.approx(0.2)
-    first.wish(0.3, 0.5)
+    first.request(0.3, 0.5)
     first.receive(0.3, said[0])
     for now in np.arange(0.3, 3.0, 0.1):
         first.advance(float(now))
     assert first.budget == -np.inf
 
 
+asked = st.one_of(st.floats(-2.1e10, 2.1e10), st.sampled_from([np.nan, np.inf, -np.inf, 0.0, 2.1e10, -2.1e10]))
+
+
+@settings(max_examples=200)
+@given(st.lists(st.tuples(asked, asked, st.integers(0, 3), st.floats(-1e9, 1e9)), max_size=30), st.floats(0.1, 5.0))
+def test_whatever_is_asked_and_measured_the_limit_holds(story, limit: float):
+    end = BudgetAgreement(life=5, limit=limit, patience=0.0)
+    for number, (ask, grant, life, request) in enumerate(story):
+        now = 0.1 * number
+        end.request(now, request)
+        end.receive(now, struct.pack("<4sQQIIdd", b"ctb1", 1 + life, 5, number, 1 << 31, ask, grant))
+        end.advance(now + 0.05)
+        assert 0.0 <= end.total <= limit * (1.0 + 1e-9) + 1e-5  # clocks that show 1e9 s are no finer
+        assert not np.isnan(end.budget)
+        assert end.budget < np.inf
+
+
+@pytest.mark.parametrize("offset", [0.0, 5.0, -1e4])
+def test_who_asks_for_too_much_gets_what_the_limit_leaves(offset: float):
+    """And the other end keeps what it has."""
+    pair = Pair(offset)
+    for k in range(2):
+        pair.request(k, 0.3)
+    for _ in range(40):
+        pair.tick([[0.05], [0.05]])
+    pair.request(1, 1e6)
+    for _ in range(100):
+        pair.tick([[0.05], [0.05]])
+    assert [end.total for end in pair.ends] == pytest.approx([MOST_AGE, MOST_AGE])
+    assert pair.ends[0].budget == pytest.approx(0.3 + offset)
+    assert pair.ends[1].budget == pytest.approx(MOST_AGE - 0.3 - offset)
+    pair.request(0, 1.5)  # nothing of what is granted is taken back
+    for _ in range(100):
+        pair.tick([[0.05], [0.05]])
+    assert [end.total for end in pair.ends] == pytest.approx([MOST_AGE, MOST_AGE])
+    assert pair.ends[0].budget == pytest.approx(0.3 + offset)
+    for _ in range(60):
+        pair.request(1, 0.2)
+        pair.request(0, 1.5)
+        pair.tick([[0.05], [0.05]])
+    assert [end.budget for end in pair.ends] == pytest.approx([1.5 + offset, 0.2 - offset])
+    assert [end.beyond for end in pair.ends] == [None, None]  # they ask for what they can get
+    insatiable = struct.pack("<4sQQIIdd", b"ctb1", 99, 10, 1, 0x7FFF_FFFF, 1e6 - offset, 1.5 + offset)
+    pair.ends[0].receive(pair.now, insatiable)
+    assert pair.ends[0].beyond == pytest.approx(1e6 + 1.5)
+    assert pair.ends[0].total == pytest.approx(MOST_AGE)
+
+
 def test_it_does_not_chatter():
     """Wishes that wander within half the margin change nothing, and little is said once all is settled."""
     pair, rng = Pair(), np.random.default_rng(0)
     for k in range(2):
-        pair.wish(k, 0.1)
+        pair.request(k, 0.1)
     for _ in range(40):
         pair.tick([[0.05], [0.05]])
     before, said = [end.budget for end in pair.ends], pair.said
     for _ in range(400):
         for k in range(2):
-            pair.wish(k, 0.1 + float(rng.uniform(-0.009, 0.009)))
+            pair.request(k, 0.1 + float(rng.uniform(-0.009, 0.009)))
         pair.tick([[0.05], [0.05]])
     assert [end.budget for end in pair.ends] == before
     assert pair.said - said <= 2 * (400 * TICK / 0.4 + 1)
@@ -196,15 +246,15 @@ def test_it_does_not_chatter():
 def test_one_short_calm_does_not_lower_it():
     pair = Pair()
     for k in range(2):
-        pair.wish(k, 0.3)
+        pair.request(k, 0.3)
     for _ in range(60):
         pair.tick([[0.05], [0.05]])
     for k in range(30):
-        pair.wish(0, 0.3 if k % 5 == 0 else 0.1)
+        pair.request(0, 0.3 if k % 5 == 0 else 0.1)
         pair.tick([[0.05], [0.05]])
     assert pair.ends[0].budget == 0.3
     for age in (0.1, 0.2, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1):  # the most of the calm counts
-        pair.wish(0, age)
+        pair.request(0, age)
         pair.tick([[0.05], [0.05]])
     assert pair.ends[0].budget == 0.2
 
@@ -216,7 +266,7 @@ def test_ages_become_a_wish():
     assert end._ask is None
     for k in range(10):
         ages.used(0.01 * k, 0.01 * k - 100.03)  # clocks apart
-        ages.heard(0.01 * k, index=k, age=-99.95, worst=-99.95)
+        ages.received(0.01 * k, index=k, age=-99.95, worst=-99.95)
     end.propose(0.1, ages)
     assert end._ask == pytest.approx(100.03 + 0.01 + 0.5 * (100.03 - 99.95))
 
@@ -224,7 +274,7 @@ def test_ages_become_a_wish():
 @given(st.binary(max_size=60), st.booleans())
 def test_noise_changes_nothing(noise: bytes, sealed: bool):
     end = BudgetAgreement(life=3)
-    end.wish(0.0, 0.1)
+    end.request(0.0, 0.1)
     before = (end.budget, end.total, end._ask, end._grant)
     message = (b"ctb1" + noise) if sealed else noise
     if len(message) != 44:
@@ -241,8 +291,22 @@ def test_noise_changes_nothing(noise: bytes, sealed: bool):
         ({"slack": np.inf}, "slack"),
         ({"patience": np.nan}, "patience"),
         ({"every": 0.0}, "every"),
+        ({"limit": np.inf}, "limit"),
+        ({"limit": 0.0}, "limit"),
     ],
 )
 def test_options_that_cannot_be_are_named(options: dict[str, float], message: str):
     with pytest.raises(SessionError, match=message):
         BudgetAgreement(**({"life": 1} | options))
+
+
+@pytest.mark.parametrize(
+    ("life", "number", "received"),
+    [(2**64 - 1, 1, 0), (2**63, 1, 0), (1, 2**32 - 1, 0), (1, 2**31, 0), (1, 1, 2**32 - 1)],
+)
+def test_lives_and_numbers_near_their_end_are_refused(life: int, number: int, received: int):
+    end = BudgetAgreement(life=5)
+    said = struct.pack("<4sQQIIdd", b"ctb1", life, 5, number, received, 0.1, float("nan"))
+    assert not end.receive(0.0, said)
+    honest = struct.pack("<4sQQIIdd", b"ctb1", 7, 5, 1, 0, 0.1, float("nan"))
+    assert end.receive(0.1, honest)

@@ -5,22 +5,24 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from cotouch.errors import SessionError
-from cotouch.live import MOST_CANDIDATES, Address, Candidate, Origin, local_candidates, read_offer, write_offer
+from cotouch.live import MOST_CANDIDATES, Address, Candidate, CandidateKind, local_candidates, read_offer, write_offer
 from cotouch.live._address import flaw, origin, plain
 from cotouch.live._interfaces import interface_hosts
 
-WORD = bytes(range(16))
+NONCE = bytes(range(16))
 hosts = st.one_of(st.ip_addresses(v=4), st.ip_addresses(v=6)).map(str)
 anywhere = st.builds(lambda host, port: plain((host, port)), hosts, st.integers(0, 65535))
 usable = st.builds(
-    Candidate, st.sampled_from([Origin.LOCAL, Origin.REFLEXIVE]), anywhere.filter(lambda address: not flaw(address))
+    Candidate,
+    st.sampled_from([CandidateKind.LOCAL, CandidateKind.REFLEXIVE]),
+    anywhere.filter(lambda address: not flaw(address)),
 )
 
 
-@given(candidates=st.lists(usable, max_size=MOST_CANDIDATES + 4), word=st.binary(min_size=16, max_size=16))
-def test_what_is_written_is_read(candidates: list[Candidate], word: bytes):
-    offer = read_offer(write_offer(word, candidates))
-    assert offer.word == word
+@given(candidates=st.lists(usable, max_size=MOST_CANDIDATES + 4), nonce=st.binary(min_size=16, max_size=16))
+def test_what_is_written_is_read(candidates: list[Candidate], nonce: bytes):
+    offer = read_offer(write_offer(nonce, candidates))
+    assert offer.nonce == nonce
     assert offer.candidates == tuple(dict.fromkeys(candidates))[:MOST_CANDIDATES]
     assert not offer.refused
 
@@ -33,7 +35,7 @@ def test_noise_is_refused_and_never_raised(message: bytes):
 
 @given(candidates=st.lists(usable, min_size=1, max_size=4), cut=st.integers(1, 22))
 def test_what_is_cut_or_longer_is_refused(candidates: list[Candidate], cut: int):
-    message = write_offer(WORD, candidates)
+    message = write_offer(NONCE, candidates)
     assert read_offer(message[:-cut]) is None
     assert read_offer(message + bytes(cut)) is None
 
@@ -48,8 +50,8 @@ BAD = [
 
 @pytest.mark.parametrize(("address", "why"), BAD)
 def test_nobody_is_sent_to_what_is_no_member(address: tuple[str, int], why: str):
-    good = Candidate(Origin.LOCAL, Address("192.0.2.1", 7000))
-    message = bytearray(write_offer(WORD, [good, good._replace(address=Address("2001:db8::1", 7))]))
+    good = Candidate(CandidateKind.LOCAL, Address("192.0.2.1", 7000))
+    message = bytearray(write_offer(NONCE, [good, good._replace(address=Address("2001:db8::1", 7))]))
     import ipaddress
 
     host = ipaddress.ip_address(address[0]).packed
@@ -59,11 +61,11 @@ def test_nobody_is_sent_to_what_is_no_member(address: tuple[str, int], why: str)
     assert dict(offer.refused) == {why: 1}
     assert len(offer.candidates) == 2
     with pytest.raises(SessionError, match=why):
-        write_offer(WORD, [Candidate(Origin.LOCAL, Address(*address))])
+        write_offer(NONCE, [Candidate(CandidateKind.LOCAL, Address(*address))])
 
 
 def test_a_multicast_group_within_ipv6_is_one_too():
-    message = write_offer(WORD, [])
+    message = write_offer(NONCE, [])
     mapped = b"\0\6\0\7" + bytes(10) + b"\xff\xff" + bytes((224, 0, 0, 1))
     offer = read_offer(message[:1] + b"\1" + message[2:] + mapped)
     assert dict(offer.refused) == {"multicast": 1}
@@ -71,25 +73,25 @@ def test_a_multicast_group_within_ipv6_is_one_too():
 
 @pytest.mark.parametrize(("origin", "family"), [(2, 4), (9, 4), (0, 5), (0, 0)])
 def test_unknown_origins_and_families_are_refused(origin: int, family: int):
-    message = b"\1\1" + WORD + bytes((origin, family, 0, 7, 192, 0, 2, 1))
+    message = b"\1\1" + NONCE + bytes((origin, family, 0, 7, 192, 0, 2, 1))
     assert read_offer(message) is None
-    assert read_offer(b"\1\1" + WORD + bytes((0, 4, 0, 7, 192, 0, 2, 1))) is not None
+    assert read_offer(b"\1\1" + NONCE + bytes((0, 4, 0, 7, 192, 0, 2, 1))) is not None
 
 
 def test_more_than_the_most_is_refused():
     """Whoever says more than anybody needs is to make no neighbour probe."""
     entry = bytes((0, 4, 0, 7, 192, 0, 2, 1))
-    assert read_offer(bytes((1, MOST_CANDIDATES)) + WORD + MOST_CANDIDATES * entry) is not None
-    assert read_offer(bytes((1, MOST_CANDIDATES + 1)) + WORD + (MOST_CANDIDATES + 1) * entry) is None
+    assert read_offer(bytes((1, MOST_CANDIDATES)) + NONCE + MOST_CANDIDATES * entry) is not None
+    assert read_offer(bytes((1, MOST_CANDIDATES + 1)) + NONCE + (MOST_CANDIDATES + 1) * entry) is None
 
 
 def test_another_version_is_refused():
-    assert read_offer(b"\2" + write_offer(WORD, [])[1:]) is None
+    assert read_offer(b"\2" + write_offer(NONCE, [])[1:]) is None
 
 
 def test_what_is_learnt_is_told_to_nobody():
     with pytest.raises(SessionError, match="learnt"):
-        write_offer(WORD, [Candidate(Origin.LEARNT, Address("192.0.2.1", 7))])
+        write_offer(NONCE, [Candidate(CandidateKind.LEARNT, Address("192.0.2.1", 7))])
 
 
 INTERFACES = ["127.0.0.1", "::1", "192.0.2.9", "2001:db8::9", "fe80::1"]
@@ -101,7 +103,7 @@ INTERFACES = ["127.0.0.1", "::1", "192.0.2.9", "2001:db8::9", "fe80::1"]
 ])  # fmt: skip
 def test_local_candidates_are_where_it_listens(listening: str, expected: list[str]):
     found = local_candidates(Address(listening, 7000), INTERFACES)
-    assert found == [Candidate(Origin.LOCAL, Address(host, 7000)) for host in expected]
+    assert found == [Candidate(CandidateKind.LOCAL, Address(host, 7000)) for host in expected]
 
 
 def test_the_machines_own_interfaces():

@@ -1,25 +1,26 @@
 """Two members' TLS, both ends checking, through memory; nobody else's certificate is taken."""
 
 import ssl
+import time
 from pathlib import Path
 
 import pytest
 from tests.live.support import entropy, identities
 
-from cotouch.live import Certificates, Endpoint, Invitation, make_certificates
+from cotouch.live import Endpoint, Invitation, TlsCertificates, make_certificates
 
 HOST = identities(1)[0].public
 
 
-def certificates(*, secret: int = 1, own: int = 5) -> Certificates:
+def certificates(*, secret: int = 1, own: int = 5, now: float | None = None) -> TlsCertificates:
     at = (Endpoint("127.0.0.1", 1),)
     invitation = Invitation.make(
         session="certificates", host=HOST, digest=bytes(32), endpoints=at, entropy=entropy(secret)
     )
-    return make_certificates(invitation, entropy=entropy(own))
+    return make_certificates(invitation, entropy=entropy(own), now=now)
 
 
-def context(made: Certificates, folder: Path, *, server: bool) -> ssl.SSLContext:
+def context(made: TlsCertificates, folder: Path, *, server: bool) -> ssl.SSLContext:
     out = ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER if server else ssl.PROTOCOL_TLS_CLIENT)
     out.check_hostname, out.verify_mode = False, ssl.CERT_REQUIRED
     file = folder / ("server.pem" if server else "client.pem")
@@ -29,7 +30,7 @@ def context(made: Certificates, folder: Path, *, server: bool) -> ssl.SSLContext
     return out
 
 
-def shake(server: Certificates, client: Certificates, folder: Path) -> bytes:
+def shake(server: TlsCertificates, client: TlsCertificates, folder: Path) -> bytes:
     """What the client hears through TLS; raises what either end objects to."""
     there, back = ssl.MemoryBIO(), ssl.MemoryBIO()
     ends = [
@@ -51,6 +52,22 @@ def shake(server: Certificates, client: Certificates, folder: Path) -> bytes:
 
 def test_two_of_the_invited(tmp_path: Path):
     assert shake(certificates(own=5), certificates(own=6), tmp_path) == b"welcome"
+
+
+@pytest.mark.parametrize("hours", [-23, 23])
+def test_clocks_may_be_hours_apart_and_a_session_last_a_day(hours: float, tmp_path: Path):
+    ends = certificates(own=5), certificates(own=6, now=time.time() + 3600 * hours)
+    assert shake(*ends, folder=tmp_path) == b"welcome"
+    assert shake(*ends[::-1], folder=tmp_path) == b"welcome"
+
+
+@pytest.mark.parametrize("days", [-1.05, 1.05])
+@pytest.mark.parametrize("old", ["server", "client"])
+def test_a_certificate_of_another_day(days: float, old: str, tmp_path: Path):
+    ends = {"server": certificates(own=5), "client": certificates(own=6)}
+    ends |= {old: certificates(own=7, now=time.time() + 86_400 * days)}
+    with pytest.raises(ssl.SSLError, match=r"(?i)expired|not yet valid|certificate"):
+        shake(**ends, folder=tmp_path)
 
 
 @pytest.mark.parametrize("stranger", ["server", "client"])

@@ -13,6 +13,7 @@ def session(**options: object) -> tuple[MemoryControlNetwork, list[MemoryControl
     network = MemoryControlNetwork(**options)  # pyright: ignore[reportArgumentType]
     members = [network.join(one) for one in identities(3)]
     network.now = 10.0
+    assert all(len(member.present()) == 2 for member in members)
     return network, members
 
 
@@ -29,54 +30,62 @@ def test_a_message_takes_its_time():
     assert said(two) == [b"later"]
 
 
-def test_a_cut_loses_what_is_on_its_way_and_is_noticed_after_the_lease():
-    network, (one, two, three) = session(delay=0.25, lease=1.5)
+def test_a_cut_loses_what_is_on_its_way_and_is_noticed_after_the_window():
+    network, (one, two, three) = session(delay=0.25, window=2.0)
     one.send("a", b"on its way")
     network.cut(ONE, TWO)
     one.send("a", b"into the void")
     two.send("a", b"back")
-    network.now = 11.4
+    network.now = 10.5
     assert (said(two), said(one)) == ([], [])
     assert said(three) == [b"on its way", b"into the void", b"back"]
     assert TWO in one.present()
-    network.now = 11.5
+    network.now = 12.0
     assert (one.present(), two.present(), three.present()) == ({THREE}, {THREE}, {ONE, TWO})
     network.mend(ONE, TWO)
+    network.now = 12.2
     assert TWO not in one.present()
-    network.now = 11.75
+    network.now = 13.6  # a beat there, an answer back, and the other's
     assert (one.present(), two.present()) == ({TWO, THREE}, {ONE, THREE})
     one.send("a", b"again")
-    network.now = 12.0
+    network.now = 14.0
     assert said(two) == [b"again"]
 
 
 def test_a_short_cut_is_not_noticed():
-    network, (one, _, _) = session(delay=0.1, lease=1.5)
+    network, (one, _, _) = session(delay=0.1, window=3.0)
     network.cut(ONE, TWO)
     for network.now in (10.5, 11.4):
         assert TWO in one.present()
     network.mend(ONE, TWO)
-    for network.now in (11.45, 11.6, 13.0):
+    for network.now in (11.45, 11.6, 13.0, 15.0):
         assert TWO in one.present()
 
 
-def test_who_is_killed_is_missed_after_the_lease_and_comes_back():
-    network, (one, two, _) = session(delay=0.1, lease=1.5)
-    two.send("a", b"heard")
+def test_who_is_killed_is_missed_after_the_window_and_comes_back():
+    network, (one, two, _) = session(delay=0.1, window=2.0)
+    two.send("a", b"received")
     network.now = 10.1
     two.send("a", b"lost")
     network.kill(TWO)
-    network.now = 11.5
+    network.now = 10.9
     assert TWO in one.present()
-    assert said(one) == [b"heard"]
-    network.now = 11.6
+    assert said(one) == [b"received"]
+    network.now = 12.0
     assert TWO not in one.present()
     again = network.join(identities(3)[1])
-    network.now = 11.7
+    network.now = 12.7
     assert (one.present(), again.present()) == ({TWO, THREE}, {ONE, THREE})
     again.send("a", b"back")
-    network.now = 11.8
+    network.now = 12.8
     assert said(one) == [b"back"]
+
+
+def test_who_leaves_is_missed_at_once():
+    network, (one, two, three) = session(delay=0.1)
+    two.close()
+    network.now = 10.15
+    assert (one.present(), three.present()) == ({THREE}, {ONE})
 
 
 def test_relayed_datagrams_obey_the_law_of_their_path():

@@ -28,6 +28,7 @@ from cotouch.live import (
     ZenohControl,
     _control_zenoh,
     _forward,
+    _line,
     free_port,
     make_certificates,
 )
@@ -91,15 +92,19 @@ def test_no_two_members_listen_at_the_same_key(stack: ExitStack, monkeypatch: py
         spied.append(set())
         return Spy(open_session(configured), spied[-1])
 
-    monkeypatch.setattr(_control_zenoh, "open_session", spy)
+    monkeypatch.setattr(_line, "open_session", spy)
     one, other = joined(stack, invitation(), 2)
     assert all(len(keys) >= 4 for keys in spied)  # said, relayed, files and their sizes
     assert not spied[0] & spied[1]
-    other.send("words", b"to all")
-    one.send("words", b"to one", to=other.identity.public)
-    heard: list[list[Message]] = [[], []]
-    until(lambda: [said.extend(plane.poll()) for said, plane in zip(heard, (one, other), strict=True)] and all(heard))
-    assert [(said.body, said.direct) for said in heard[0] + heard[1]] == [(b"to all", False), (b"to one", True)]
+    other.send("nonces", b"to all")
+    one.send("nonces", b"to one", to=other.identity.public)
+    received: list[list[Message]] = [[], []]
+    until(
+        lambda: (
+            [said.extend(plane.poll()) for said, plane in zip(received, (one, other), strict=True)] and all(received)
+        )
+    )
+    assert [(said.body, said.direct) for said in received[0] + received[1]] == [(b"to all", False), (b"to one", True)]
 
 
 def test_one_connection_for_each_two(stack: ExitStack):
@@ -145,8 +150,8 @@ def listening() -> set[tuple[str, int]]:
             _, local, _, state, *_, inode = line.split()[:10]
             if state == "0A" and f"socket:[{inode}]" in mine:
                 raw, port = local.split(":")
-                words = [bytes.fromhex(raw[k : k + 8])[::-1] for k in range(0, len(raw), 8)]
-                out.add((socket.inet_ntop(family, b"".join(words)), int(port, 16)))
+                nonces = [bytes.fromhex(raw[k : k + 8])[::-1] for k in range(0, len(raw), 8)]
+                out.add((socket.inet_ntop(family, b"".join(nonces)), int(port, 16)))
     return out
 
 
@@ -156,11 +161,13 @@ def test_nobody_listens_but_where_told(stack: ExitStack):
     made = invitation()
     planes = joined(stack, made, 3)
     found = listening() - before
-    assert found == {tuple(plane.endpoint) for plane in planes}
-    assert {host for host, _ in found} == {"127.0.0.1"}
+    assert found >= {tuple(plane.endpoint) for plane in planes}
+    assert all(host.startswith("127.") for host, _ in found)  # what else there is serves the gates
     reachable = ZenohControl(made, WHO[3], listen="reachable")
     stack.callback(reachable.close)
-    assert listening() - before - found == {tuple(reachable.endpoint)}
+    beside = {(host, port) for host, port in listening() - before - found if not host.startswith("127.")}
+    assert tuple(reachable.endpoint) in listening()
+    assert beside <= {tuple(reachable.endpoint)}
     routed = invitation(routed=True)
     router = ControlRouter(routed, listen=routed.routers)
     stack.callback(router.close)
@@ -194,8 +201,8 @@ class TestStrangers:
         joined(stack, made, 1)
         mine, theirs = (make_certificates(one, entropy=entropy(5))[1:] for one in (made, other))
         assert self.answer(made, mine, tmp_path) == "let in"
-        assert "certificate" in self.answer(made, None, tmp_path).lower()
-        assert "alert" in self.answer(made, theirs, tmp_path).lower()
+        assert self.answer(made, None, tmp_path) not in {"let in", "spoken to"}
+        assert self.answer(made, theirs, tmp_path) not in {"let in", "spoken to"}
 
     def test_learn_nothing_from_the_certificate(self, stack: ExitStack, tmp_path: Path):
         made = invitation()
@@ -227,7 +234,7 @@ def test_the_end_of_an_earlier_start_does_not_hide_a_later_one(stack: ExitStack)
     until(lambda: len(host._alive[WHO[1].public]) == 2)
     earlier.close()
     until(lambda: len(host._alive[WHO[1].public]) == 1)
-    assert host.present() == {WHO[1].public}
+    until(lambda: host.present() == {WHO[1].public})
     later.send("hello", b"")
     until(host.poll)
 
@@ -268,21 +275,60 @@ def test_what_cannot_be_sent_yet_is_bounded(stack: ExitStack, monkeypatch: pytes
     until(two.poll)
 
 
-def test_relays_are_counted_against_their_sender(stack: ExitStack):
+def test_relays_are_counted_against_their_sender(stack: ExitStack, monkeypatch: pytest.MonkeyPatch):
+    import zenoh
+
+    monkeypatch.setattr(_control_zenoh, "_RELAY_RATE", 100.0)
+    one, two = joined(stack, invitation(), 2)
+    key, waiting = f"{one._prefix}/relay/{one._me}/{two._me}", zenoh.CongestionControl.BLOCK
+    flood = one._tagged(b"flood", two.identity.public)
+    for _ in range(3000):
+        one._session.put(key, flood, congestion_control=waiting)
+    until(lambda: two.dropped["relayed"] > 0)
+    assert 0 < len(two.relayed()) < 2900
+
+
+def test_nobody_spends_anothers_limits(stack: ExitStack):
+    """A third member floods in the name of the first, at the second and at the host that hands on."""
+    import zenoh
+
+    host, one, two, third = joined(stack, invitation(), 4)
+    told = f"{one._me}/{two._me}"
+    for kind in ("relay", "pass", "via"):
+        for _ in range(2000):
+            third._session.put(
+                f"{one._prefix}/{kind}/{told}",
+                third._tagged(third._tagged(b"flood", two.identity.public), host.identity.public),
+                congestion_control=zenoh.CongestionControl.BLOCK,
+            )
+    until(lambda: two.dropped["relayed, forged"] >= 2000)
+    assert two.dropped["relayed"] == 0
+    assert one.relay(two.identity.public, b"seen")
+    until(lambda: [relayed for relayed in two.relayed() if relayed.payload == b"seen"])
+    one._present = frozenset({host.identity.public})  # as behind a NAT of its own
+    assert one.relay(two.identity.public, b"not seen")
+    until(lambda: [relayed for relayed in two.relayed() if relayed.payload == b"not seen"])
+    one.send("nonces", b"by the host", to=two.identity.public)
+    until(lambda: [message for message in two.poll() if message.body == b"by the host"])
+
+
+def test_no_member_reads_or_writes_what_is_configured_at_another(stack: ExitStack):
     import zenoh
 
     one, two = joined(stack, invitation(), 2)
-    key, waiting = f"{one._prefix}/relay/{one._me}/{two._me}", zenoh.CongestionControl.BLOCK
-    for _ in range(3000):
-        one._session.put(key, b"flood", congestion_control=waiting)
-    until(lambda: two.dropped["relayed"] > 0)
-    assert 0 < len(two.relayed()) < 2900
+    others = zenoh.Locality.REMOTE
+    for about in ("@/**", f"@/{one._session.info.zid()}/**", "**"):
+        assert list(two._session.get(about, timeout=1.0, allowed_destination=others)) == []
+    there = f"@/{one._session.info.zid()}/peer/config"
+    two._session.put(f"{there}/scouting/multicast/enabled", b"true")
+    two._session.delete(f"{there}/transport/unicast/max_sessions")
+    assert list(two._session.get(f"{there}/**", timeout=1.0, allowed_destination=others)) == []
 
 
 def test_the_host_hands_on_datagrams_of_who_is_not_seen(stack: ExitStack):
     """Two of three do not see each other, as behind two NATs."""
     host, one, two = joined(stack, invitation(), 3)
-    one._present = two._present = frozenset({host.identity.public})
+    one._near = two._near = frozenset({host.identity.public})
     two._relay_limit.unknow(one.identity.public)
     got: list[Relayed] = []
 
@@ -298,7 +344,7 @@ def test_the_host_hands_on_datagrams_of_who_is_not_seen(stack: ExitStack):
     assert {relayed.sender for relayed in got} == {one.identity.public}
     assert host.relayed() == []
 
-    one._present = frozenset()
+    one._near = frozenset()
     assert not one.relay(two.identity.public, b"nobody takes it")
 
 
@@ -306,7 +352,7 @@ def test_it_hands_on_so_many_of_each(stack: ExitStack, monkeypatch: pytest.Monke
     monkeypatch.setattr(_forward, "_PASS_BURST", 20.0)
     monkeypatch.setattr(_forward, "_PASS_RATE", 1e-3)
     host, one, two = joined(stack, invitation(), 3)
-    one._present = frozenset({host.identity.public})
+    one._near = frozenset({host.identity.public})
     for k in range(60):
         one.relay(two.identity.public, bytes([k]))
         time.sleep(0.01)

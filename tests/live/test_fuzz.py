@@ -44,9 +44,9 @@ def state_now(plane: SamplePlane) -> tuple[object, ...]:
     return (
         link.assembly.state.tobytes(), tuple(link.assembly.stamps), tuple(link.assembly.indices), link._newest,
         link.asked,
-        link.seal.heard, tuple(window._ring), link.seal.epoch, link.seal.sealed,
+        link.seal.received, tuple(window._ring), link.seal.epoch, link.seal.sealed,
         ages.own, ages.worst_sum, ages.shortest_path, ages.impossible, len(ages._others),
-        rate.rate, rate.trend, rate._started, rate._heard, dict(plane._transport._neighbours),
+        rate.rate, rate.trend, rate._started, rate._received, dict(plane._transport._neighbours),
     )  # fmt: skip
 
 
@@ -89,8 +89,8 @@ def outside(count: int) -> None:
 def inside(count: int) -> None:
     """From a member, who seals what it likes: what is refused changes nothing, what is taken is finite and bounded."""
     rng = random.Random(count)
-    for coding in ("float64", "float32", "float16"):
-        shape = layout(100, 3, coding=coding)
+    for encoding in ("float64", "float32", "float16"):
+        shape = layout(100, 3, encoding=encoding)
         codec = Codec(shape)
         good = [
             datagram
@@ -107,7 +107,7 @@ def inside(count: int) -> None:
                 assert result.values.shape == (len(range(100)[shape.span(result.chunk)]), 3)
             else:
                 reasons.add(result)
-        expected = {Refusal.SHORT, Refusal.VERSION, Refusal.CODING, Refusal.FLAGS, Refusal.EPOCH, Refusal.SENDER}
+        expected = {Refusal.SHORT, Refusal.VERSION, Refusal.ENCODING, Refusal.FLAGS, Refusal.EPOCH, Refusal.SENDER}
         assert (
             expected | {Refusal.RANGE, Refusal.SIZE, Refusal.INDEX, Refusal.TIME, Refusal.GUARD, Refusal.STATE}
             == reasons
@@ -163,4 +163,4 @@ def test_opened_is_what_was_sealed_even_after_noise():
         good = one.seal(k.to_bytes(4, "big"))
         for _ in range(3):
             assert isinstance(two.open(mutated(rng, [good]) + b"", 0.0), Refusal | Opened)
-        assert two.heard[0] <= k
+        assert two.received[0] <= k

@@ -1,4 +1,4 @@
-"""Guarded peers over the sample plane: outages, one way and both, and the books of everybody afterwards."""
+"""Guarded peers over the sample plane: outages, one way and both, and everybody's ledger afterwards."""
 
 import numpy as np
 import pytest
@@ -6,32 +6,34 @@ from tests.live.support import layout, planes
 
 from cotouch.body import lattice
 from cotouch.live import PathLaw
-from cotouch.mechanics import Grips, model
-from cotouch.peer import COUPLED, GUARDED, LinkGuard, Peer, Report
+from cotouch.mechanics import Ports, model
+from cotouch.peer import LinkGuard, LinkState, Peer, StepReport
 
 T = 0.004
 STRENGTH = 40.0
 CUT = PathLaw(loss=1.0)
 
 
-def session(law: PathLaw, *, coding: str = "float64", budget: float = 0.06, tank: float = 1e-3):
+def session(law: PathLaw, *, encoding: str = "float64", budget: float = 0.06, tank: float = 1e-3):
     """Two users, a lattice of several chunks, a hand each."""
     body = lattice((5, 4, 4), spacing=0.05, mass=1.0, stiffness=80.0, damping=0.2)
     ready = model(body, copies=2, basis="nodal")
-    shape = layout(ready.operator_rows, 3, coding=coding)
-    assert shape.chunks > 1 or coding != "float64"
+    shape = layout(ready.operator_rows, 3, encoding=encoding)
+    assert shape.chunks > 1 or encoding != "float64"
     network, users = planes(law, shape, rate=1 / T)
     made: list[Peer] = []
     for user, plane in enumerate(users):
         link = plane.links[1 - user]
         rounding = shape.rounding(0.25) * (3 * shape.rows) ** 0.5
-        link.guard = LinkGuard(link.assembly, budget=budget, total=2 * budget, seed=tank, cap=1.0, rounding=rounding)
+        link.guard = LinkGuard(
+            link.assembly, budget=budget, total=2 * budget, initial_energy=tank, cap=1.0, rounding=rounding
+        )
         ports = ready.port_rows(40 if user else 3)
         made.append(
             Peer(
                 index=user, model=ready, links={1 - user: link.guard}, strength=[STRENGTH], weight=[0],
                 local_damping=np.array([0.5 * STRENGTH * 2 * budget]), extra_damping=np.array([0.0]),
-                grips=Grips(
+                ports=Ports(
                     first=0, last=1, row=ports, shape=ready.port_shapes(ports), stiffness=np.full(1, 60.0),
                     damping=np.full(1, 0.5), start=np.zeros((1, 4)), end=np.zeros((1, 4)), push=np.zeros((1, 4)),
                     force=np.zeros((1, 4)),
@@ -49,8 +51,8 @@ def hand(user: int, now: float) -> np.ndarray:
     return out
 
 
-def run(network, users, made, *, seconds: float, cuts=()) -> list[list[Report]]:
-    reports: list[list[Report]] = [[], []]
+def run(network, users, made, *, seconds: float, cuts=()) -> list[list[StepReport]]:
+    reports: list[list[StepReport]] = [[], []]
     for k in range(int(seconds / T)):
         network.now = now = (k + 1) * T
         for when, sender, receiver, law in cuts:
@@ -58,8 +60,8 @@ def run(network, users, made, *, seconds: float, cuts=()) -> list[list[Report]]:
                 network.set(f"at {sender}", f"at {receiver}", law)
         for user, (plane, peer) in enumerate(zip(users, made, strict=True)):
             plane.poll(now)
-            peer.grips.start[:] = peer.grips.end
-            peer.grips.end[:] = hand(user, now)
+            peer.ports.start[:] = peer.ports.end
+            peer.ports.end[:] = hand(user, now)
             report = peer.step(now, T)
             plane.stepped(now)
             plane.send(now, report.sample, T)
@@ -75,22 +77,22 @@ CUTS = {
 }
 
 
-@pytest.mark.parametrize("coding", ["float64", "float32"])
+@pytest.mark.parametrize("encoding", ["float64", "float32"])
 @pytest.mark.parametrize("cut", CUTS)
-def test_outages(cut: str, coding: str):
-    network, users, made = session(PATH, coding=coding)
+def test_outages(cut: str, encoding: str):
+    network, users, made = session(PATH, encoding=encoding)
     reports = run(network, users, made, seconds=4.0, cuts=CUTS[cut])
     stored = supplied = 0.0
     for peer, kept in zip(made, reports, strict=True):
         supplied += sum(report.supplied for report in kept)
         most = max(report.kinetic + report.elastic for report in kept)
         assert max(abs(report.residual) for report in kept) < 1e-12 * most
-        guard = peer._guards[0]
+        guard = peer._ends[0].guard
         assert guard is not None
-        assert guard.state == COUPLED
+        assert guard.state == LinkState.COUPLED
         states = [event.state for event in guard.events]
-        assert states.count(COUPLED) >= 2
-        assert states.count(GUARDED) >= 1
+        assert states.count(LinkState.COUPLED) >= 2
+        assert states.count(LinkState.GUARDED) >= 1
         assert all(report.guards[0].tank >= -1e-9 for report in kept)
         assert max(float(np.abs(report.force).max()) for report in kept) < 60.0 * 0.4
         stored += kept[-1].kinetic + kept[-1].elastic
@@ -105,14 +107,14 @@ def test_words_travel_with_every_datagram():
     for plane in users:
         link = plane.links[1 - plane.user]
         assert link.guard is not None
-        assert link.assembly.word[:3] == (COUPLED, 1, 1)
-        assert link.guard.word[:3] == (COUPLED, 1, 1)
+        assert link.assembly.header[:3] == (LinkState.COUPLED, 1, 1)
+        assert link.guard.header[:3] == (LinkState.COUPLED, 1, 1)
 
 
 def test_half_precision_is_paid_for():
-    network, users, made = session(PATH, coding="float16", budget=0.08, tank=0.02)
+    network, users, made = session(PATH, encoding="float16", budget=0.08, tank=0.02)
     reports = run(network, users, made, seconds=3.0)
-    assert any(report.guards[0].state == COUPLED for report in reports[0])
+    assert any(report.guards[0].state == LinkState.COUPLED for report in reports[0])
     for kept in reports:
         assert kept[-1].guards[0].tank >= -1e-3
         assert max(abs(report.residual) for report in kept) < 1e-13

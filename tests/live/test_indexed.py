@@ -8,7 +8,7 @@ from tests.live.support import datagrams, heading, layout, state_of
 
 from cotouch.errors import SessionError
 from cotouch.live import Codec, IndexedAssembly, Refusal
-from cotouch.peer import COUPLED, GUARDED, READY, Sample, Word
+from cotouch.peer import LinkHeader, LinkState, Sample
 
 SHAPE = layout(130, 3)  # three chunks
 CODEC = Codec(SHAPE)
@@ -86,13 +86,36 @@ def test_memory_is_bounded_whatever_is_sent():
     assert len(held._whole) <= 66
 
 
+def test_whoever_began_earlier_or_later_costs_no_memory():
+    """A neighbour may say any index first; this end counts from there."""
+    held = assembly(2)
+    for at in range(3):
+        held.take(chunk(3, at))
+    held.shift = held.newest - 1_000_000
+    for step in range(4, 2000):
+        for at in range(3):
+            held.take(chunk(step, at))
+    assert len(held._whole) <= 66
+    assert held.choose(1_001_990).index == 3 + 1990 - 2
+    ahead = assembly(2)
+    for at in range(3):
+        ahead.take(chunk(5000, at))
+    ahead.shift = ahead.newest
+    assert [ahead.choose(k).index for k in range(4)] == [-1, -1, 5000, 5000]
+    assert [ahead.ready(k) for k in range(4)] == [True, True, True, False]
+
+
 def test_words_and_duplicates():
     held = assembly(1)
-    for at, word in enumerate([Word(READY, 4, 2), Word(READY, 4, 2), Word(GUARDED, 4, 2)]):
-        assert held.take(chunk(0, at, word=word)) is None
+    for at, header in enumerate(
+        [LinkHeader(LinkState.READY, 4, 2), LinkHeader(LinkState.READY, 4, 2), LinkHeader(LinkState.GUARDED, 4, 2)]
+    ):
+        assert held.take(chunk(0, at, header=header)) is None
     assert held.take(chunk(0, 0)) is Refusal.STALE
-    assert held.choose(1).word == Word(GUARDED, 4, 2)
-    whole = Sample(sender=1, index=1, stamp=0.001, position=np.ones((130, 4)), word=Word(COUPLED, 4, 2))
+    assert held.choose(1).header == LinkHeader(LinkState.GUARDED, 4, 2)
+    whole = Sample(
+        sender=1, index=1, stamp=0.001, position=np.ones((130, 4)), header=LinkHeader(LinkState.COUPLED, 4, 2)
+    )
     assert held.offer(whole)
     assert not held.offer(whole)
     assert held.choose(2) is whole
@@ -101,3 +124,17 @@ def test_words_and_duplicates():
 def test_a_delay_below_one_step_cannot_be():
     with pytest.raises(SessionError, match="delay is 0"):
         assembly(0)
+
+
+def test_a_neighbour_that_counts_faster_is_followed_where_it_is():
+    """Clocks differ a little, and whoever stood still is behind: what is due has then long been given up."""
+    held = assembly(2)
+    for step in range(200):
+        for at in range(3):
+            held.take(chunk(step, at))
+    assert held.choose(10).index == 198
+    for k in range(11, 20):
+        for at in range(3):
+            held.take(chunk(189 + k, at))
+        assert held.ready(k)
+        assert held.choose(k).index == 188 + k

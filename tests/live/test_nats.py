@@ -11,6 +11,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
+from tests.conftest import IMPORTS
 from tests.live.emulator import exchange as exchange_module
 from tests.live.emulator.star import BECOME, ENTER
 from tests.live.emulator.yard import OUTSIDE, PUBLIC
@@ -55,7 +56,7 @@ class Yard:
         enter = [ENTER[0], "-t", str(holder), *ENTER[1:]]
         started = subprocess.Popen(
             [*enter, *command], cwd=ROOT, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
-            env={**os.environ, "PYTHONPATH": str(ROOT)},
+            env={**os.environ, "PYTHONPATH": IMPORTS},
         )  # fmt: skip
         self.running.append(started)
         return started
@@ -121,8 +122,8 @@ def until(walkers: list[subprocess.Popen[str]], what: Callable[[dict], bool]) ->
     return out
 
 
-def by(way: str) -> Callable[[dict], bool]:
-    return lambda said: set(said["ways"].values()) == {way}
+def by(path_state: str) -> Callable[[dict], bool]:
+    return lambda said: set(said["ways"].values()) == {path_state}
 
 
 def newer(than: list[dict], by: str) -> Callable[[dict], bool]:

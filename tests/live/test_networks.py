@@ -55,6 +55,11 @@ def finish(running: list[subprocess.Popen[str]], seconds: float) -> list[dict]:
     results = []
     try:
         for process in running:
+            assert process.stdout.readline() == "ready\n", process.stderr.read()
+        for process in running:
+            process.stdin.write("\n")
+            process.stdin.flush()
+        for process in running:
             out, errors = process.communicate(timeout=seconds + 60)
             assert process.returncode == 0, errors
             results.append(json.loads(out))
@@ -79,10 +84,8 @@ def test_five_processes_on_this_machine(tmp_path: Path):
     ports = free_ports(5)
     files = configure(tmp_path, LINKS, lambda user: ("127.0.0.1", ports[user]), 3.0, 0.01)
     command = [sys.executable, str(NODE)]
-    running = [
-        subprocess.Popen([*command, str(path)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        for path in files
-    ]
+    pipes = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.PIPE)
+    running = [subprocess.Popen([*command, str(path)], text=True, **pipes) for path in files]
     for result in finish(running, 3.0):
         assert (result["wrong"], result["strays"], result["unsent"]) == (0, 0, {})
         for link in result["links"].values():
@@ -101,7 +104,7 @@ needs_star = pytest.mark.skipif(no_star is not None, reason=f"no emulated networ
 def test_the_papers_network_and_worse(tmp_path: Path):
     """Its delays, and on every path 200 ms of jitter, 30 % loss, duplicates, and half of all packets held back."""
     seconds = 8.0
-    with Star(5) as star:
+    with Star(5, seconds=600.0) as star:
         for i in range(5):
             for j in range(5):
                 if i != j:

@@ -236,7 +236,7 @@ def test_nothing_is_known_before_the_first_step() -> None:
 
 
 @pytest.mark.parametrize(
-    ("period", "options", "words"),
+    ("period", "options", "nonces"),
     [
         (0.0, {}, "period is 0 s"),
         (math.nan, {}, "period is nan s"),
@@ -244,8 +244,8 @@ def test_nothing_is_known_before_the_first_step() -> None:
         (0.01, {"spin": -1.0}, "spin is -1 s"),
     ],
 )
-def test_what_makes_no_sense_is_refused(period: float, options: dict[str, float], words: str) -> None:
-    with pytest.raises(SessionError, match=words):
+def test_what_makes_no_sense_is_refused(period: float, options: dict[str, float], nonces: str) -> None:
+    with pytest.raises(SessionError, match=nonces):
         Pacer(period, **options)
 
 

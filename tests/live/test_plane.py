@@ -19,7 +19,7 @@ from cotouch.live import (
     SamplePlane,
     Written,
 )
-from cotouch.mechanics import Grips, model
+from cotouch.mechanics import Ports, model
 from cotouch.peer import FreshestLink, Peer, Sample
 
 T = 0.002
@@ -40,11 +40,11 @@ def run(network: MemoryNetwork, users: list[SamplePlane], steps: int, first: int
 @given(
     loss=st.floats(0.0, 0.6), jitter=st.floats(0.0, 0.1),
     duplication=st.floats(0.0, 1.0), reordering=st.floats(0.0, 1.0),
-    rows=st.integers(1, 150), coding=st.sampled_from(["float64", "float32", "float16"]), seed=st.integers(0, 1000),
+    rows=st.integers(1, 150), encoding=st.sampled_from(["float64", "float32", "float16"]), seed=st.integers(0, 1000),
 )  # fmt: skip
-def test_what_is_held_was_sent(loss, jitter, duplication, reordering, rows, coding, seed):
+def test_what_is_held_was_sent(loss, jitter, duplication, reordering, rows, encoding, seed):
     law = PathLaw(delay=0.01, jitter=jitter, loss=loss, duplication=duplication, reordering=reordering, hold=0.03)
-    shape = layout(rows, 3, coding=coding)
+    shape = layout(rows, 3, encoding=encoding)
     network, users = planes(law, shape, seed=seed, rate=500.0)
     run(network, users, 60)
     for plane in users:
@@ -233,7 +233,7 @@ def test_a_neighbour_that_left_is_not_heard():
 
 
 def test_what_is_sent_is_reported_with_its_error():
-    _, users = planes(PathLaw(), layout(4, 3, coding="float16"), rate=500.0)
+    _, users = planes(PathLaw(), layout(4, 3, encoding="float16"), rate=500.0)
     state = state_of(users[0].layout, 1)
     sample = Sample(sender=0, index=0, stamp=0.0, position=state)
     written = users[0].send(0.0, sample, T)
@@ -254,7 +254,7 @@ def test_new_keys_are_asked_for_in_time():
 
 
 def test_keys_change_while_samples_flow():
-    """No step without a sample, and the books of both ends begin anew."""
+    """No step without a sample, and the ledger of both ends begin anew."""
     shape = layout(4, 3)
     network = MemoryNetwork(law=PathLaw(delay=0.003))
     ends = agreements(*identities())
@@ -298,7 +298,7 @@ def peers(links, body, ready):
             weight=[0],
             local_damping=np.array([1.0]),
             extra_damping=np.array([0.1]),
-            grips=Grips(
+            ports=Ports(
                 first=0, last=0, row=np.zeros(0, np.int32), shape=ready.port_shapes(np.zeros(0, np.int32)),
                 stiffness=empty, damping=empty, start=np.zeros((0, ready.width)), end=np.zeros((0, ready.width)),
                 push=np.zeros((0, ready.width)), force=np.zeros((0, ready.width)),

@@ -18,9 +18,9 @@ WORDS = b"word of the first", b"word of the other"
 def pair(**changes: bytes):
     """Keys of both ends; changes are the second end's mistakes."""
     given = {"secret": b"secret", "session": b"session"}
-    first = pair_keys(own=ONE, other=TWO, own_word=WORDS[0][:16], other_word=WORDS[1][:16], **given)
+    first = pair_keys(own=ONE, other=TWO, own_nonce=WORDS[0][:16], other_nonce=WORDS[1][:16], **given)
     second = pair_keys(
-        **({"own": TWO, "other": ONE, "own_word": WORDS[1][:16], "other_word": WORDS[0][:16]} | given | changes)
+        **({"own": TWO, "other": ONE, "own_nonce": WORDS[1][:16], "other_nonce": WORDS[0][:16]} | given | changes)
     )
     return first, second
 
@@ -28,12 +28,12 @@ def pair(**changes: bytes):
 addresses = st.one_of(st.ip_addresses(v=4), st.ip_addresses(v=6).filter(lambda host: host.ipv4_mapped is None))
 
 
-@given(host=addresses, port=st.integers(1, 65535), word=st.binary(min_size=16, max_size=16))
-def test_who_asks_is_told_its_address(host, port: int, word: bytes):
+@given(host=addresses, port=st.integers(1, 65535), nonce=st.binary(min_size=16, max_size=16))
+def test_who_asks_is_told_its_address(host, port: int, nonce: bytes):
     key = member_key(b"secret", b"session")
-    question = ask(key, word)
-    answer = tell(key, question, Address(str(host), port))
-    assert told(key, answer) == (word, Address(str(host), port))
+    question = ask(key, nonce)
+    answer = tell(key, question, Address(str(host), port), lambda nonce, host: b"cook")
+    assert told(key, answer) == (nonce, Address(str(host), port), b"cook")
     assert len(answer) <= len(question)
     assert question[0] == answer[0] == PROBE != VERSION
 
@@ -73,8 +73,8 @@ def test_the_other_end_reads_what_one_wrote(write, number: int):
 
 
 @pytest.mark.parametrize("change", [
-    {"secret": b"another"}, {"session": b"another"}, {"own": bytes(32)}, {"own_word": bytes(16)},
-    {"other_word": bytes(16)}, {"own_word": WORDS[0][:16], "other_word": WORDS[1][:16]},
+    {"secret": b"another"}, {"session": b"another"}, {"own": bytes(32)}, {"own_nonce": bytes(16)},
+    {"other_nonce": bytes(16)}, {"own_nonce": WORDS[0][:16], "other_nonce": WORDS[1][:16]},
 ])  # fmt: skip
 def test_everything_that_makes_a_pair_counts(change: dict[str, bytes]):
     first, second = pair(**change)
@@ -109,7 +109,7 @@ def test_the_keys_are_shown_to_nobody():
     assert str(first.sending[1]) not in repr(first)
 
 
-@pytest.mark.parametrize("change", [{"own": ONE}, {"other": b"short"}, {"own_word": b"short"}])
+@pytest.mark.parametrize("change", [{"own": ONE}, {"other": b"short"}, {"own_nonce": b"short"}])
 def test_what_makes_no_pair_is_refused(change: dict[str, bytes]):
     with pytest.raises(SessionError):
         pair(**change)

@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from cotouch.live import Path, PathLaw, SendRate, Trend
+from cotouch.live import EmulatedPath, PathLaw, SendRate, Trend
 
 SIZE = 1200
 
@@ -15,8 +15,8 @@ class Loop:
 
     def __init__(self, law: PathLaw, *, back: PathLaw | None = None, seed: int = 0, highest: float = 1000.0) -> None:
         self.rate = SendRate(highest=highest, lowest=20.0)
-        self.there = Path(law, np.random.default_rng([seed, 0]))
-        self.back = Path(back or PathLaw(delay=0.02), np.random.default_rng([seed, 1]))
+        self.there = EmulatedPath(law, np.random.default_rng([seed, 0]))
+        self.back = EmulatedPath(back or PathLaw(delay=0.02), np.random.default_rng([seed, 1]))
         self.now, self.sent, self.newest, self.count = 0.0, 0, -1, 0
         self.flying: list[tuple[float, int, float]] = []
         self.reports: list[tuple[float, int, int, float]] = []

@@ -2,11 +2,13 @@
 
 import pytest
 from tests.live.internet import Internet, Nat
-from tests.live.support import entropy
+from tests.live.support import entropy, identities
 
-from cotouch.live import Address, Lookup, Mirror, member_key
+from cotouch.live import Address, Addresses, Lookup, Mirror, member_key
+from cotouch.live._addresses import Place, transaction_of
 from cotouch.live._probe import MEMBER_BYTES, ask, tell
 
+MEMBER, OTHER = (one.public for one in identities(2))
 KEY = member_key(b"secret", b"session")
 MIRROR = Address("203.0.113.1", 7000)
 
@@ -18,8 +20,9 @@ class Asking:
         self.net = Internet(**law)
         self.own = self.net.socket("10.0.0.2", 5000, behind=nat)
         self.mirrors = [self.net.socket("203.0.113.1", 7000 + k) for k in range(mirrors)]
-        self.lookup = Lookup(KEY, entropy(3))
+        self.lookup = Lookup(KEY, entropy(3), MEMBER)
         self.lookup.look([socket.address for socket in self.mirrors])
+        self.addresses = Addresses(entropy(8))
         self.silent = False
 
     def run(self, seconds: float) -> "Asking":
@@ -29,7 +32,7 @@ class Asking:
                 self.own.reach(to, question)
             for socket in self.mirrors:
                 for arrival in socket.poll():
-                    answer = Mirror(KEY).answer(arrival.payload, arrival.source)
+                    answer = Mirror(KEY, self.addresses).answer(arrival.payload, arrival.source)
                     if answer is not None and not self.silent:
                         socket.reach(arrival.source, answer)
             for arrival in self.own.poll():
@@ -83,7 +86,7 @@ def test_a_mirror_that_is_gone_is_asked_rarely_and_forgotten():
 
 
 def test_a_question_has_one_answer_from_where_it_was_asked():
-    lookup = Lookup(KEY, entropy(3))
+    lookup = Lookup(KEY, entropy(3), MEMBER)
     lookup.look([MIRROR])
     ((to, question),) = lookup.due(0.0)
     assert to == MIRROR
@@ -99,7 +102,7 @@ def test_a_question_has_one_answer_from_where_it_was_asked():
 
 
 def test_a_member_that_tells_nonsense_is_not_believed():
-    lookup = Lookup(KEY, entropy(3))
+    lookup = Lookup(KEY, entropy(3), MEMBER)
     lookup.look([MIRROR])
     ((_, question),) = lookup.due(0.0)
     assert not lookup.take(0.1, tell(KEY, question, Address("224.0.0.1", 9)), MIRROR)
@@ -109,3 +112,26 @@ def test_a_member_that_tells_nonsense_is_not_believed():
 def test_strangers_are_not_answered(datagram: bytes):
     assert Mirror(KEY).answer(datagram, ("192.0.2.1", 5)) is None
     assert Mirror(KEY).answer(ask(KEY, bytes(16)), "nowhere") is None
+
+
+def test_who_was_told_shows_where_it_is_and_nobody_else_with_that():
+    asking = Asking(Nat("198.51.100.1")).run(5.0)
+    place = asking.lookup.place
+    assert place is not None
+    assert asking.addresses.shown(MEMBER, place) == "198.51.100.1"
+    assert asking.addresses.shown(OTHER, place) is None
+    assert asking.addresses.shown(MEMBER, place._replace(host="198.51.100.2")) is None
+    assert asking.addresses.shown(MEMBER, place._replace(host="nowhere")) is None
+    assert asking.addresses.shown(MEMBER, place._replace(nonce=bytes(16))) is None
+    assert Addresses(entropy(9)).shown(MEMBER, place) is None
+
+
+def test_of_version_6_a_network_is_one_address():
+    addresses, nonce = Addresses(entropy(8)), bytes(16)
+    hosts = ("2001:db8:1:2::5", "2001:db8:1:2:ffff::9", "2001:db8:1:3::5")
+    shown = [
+        addresses.shown(MEMBER, Place(nonce, host, addresses.cookie(transaction_of(MEMBER, nonce), host)))
+        for host in hosts
+    ]
+    assert shown[0] == shown[1] == "2001:db8:1:2::/64"
+    assert shown[2] == "2001:db8:1:3::/64"

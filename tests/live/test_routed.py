@@ -16,13 +16,13 @@ from cotouch.live import (
     Assembly,
     ByRelay,
     Candidate,
-    Origin,
+    CandidateKind,
+    PathChanged,
+    PathState,
     RoutedTransport,
     SampleLink,
     SamplePlane,
     UdpTransport,
-    Way,
-    WayChanged,
     member_key,
     write_offer,
 )
@@ -38,13 +38,14 @@ HOST = Address("203.0.113.1", 7000)
 class Member:
     def __init__(self, world: "World", user: int, socket: VirtualSocket) -> None:
         self.socket = socket
+        self.where: str | None = socket.address.host  # by which its machine reaches the others
         self.control: MemoryControl = world.exchange.join(identities(3)[user])
         self.transport = RoutedTransport(
             socket, self.control, session=b"session", secret=b"secret", entropy=entropy(50 + user),
-            mirrors=[HOST], interfaces=lambda: [socket.address.host],
+            mirrors=[HOST], interfaces=lambda: [socket.address.host], here=lambda: self.where,
         )  # fmt: skip
         self.plane = SamplePlane(self.transport, world.shape, user=user, epoch=3)
-        self.events: list[WayChanged] = []
+        self.events: list[PathChanged] = []
 
     def poll(self, now: float) -> None:
         for message in self.control.poll():
@@ -77,7 +78,7 @@ class World:
             self.members[who].plane.connect(1 - who, link)
             self.members[who].transport.introduce(1 - who, identities(2)[1 - who].public)
 
-    def run(self, seconds: float, until: Way | None = None) -> "World":
+    def run(self, seconds: float, until: PathState | None = None) -> "World":
         for _ in range(round(seconds / T)):
             self.net.now += T
             self.step += 1
@@ -89,14 +90,14 @@ class World:
                     position=state_of(self.shape, self.step),
                 )  # fmt: skip
                 member.plane.send(self.net.now, sample, T)
-            if until is not None and self.ways == [until] * 2:
+            if until is not None and self.paths == [until] * 2:
                 return self
-        assert until is None, self.ways
+        assert until is None, self.paths
         return self
 
     @property
-    def ways(self) -> list[Way]:
-        return [member.transport.way(1 - user) for user, member in enumerate(self.pair)]
+    def paths(self) -> list[PathState]:
+        return [member.transport.path_state(1 - user) for user, member in enumerate(self.pair)]
 
     @property
     def ages(self) -> list[int]:
@@ -108,18 +109,56 @@ def nat(k: int, **law: object) -> Nat:
     return Nat(f"192.0.2.{k}", seed=k, **law)
 
 
+@pytest.mark.parametrize("nats", [(None, None), (0, None), (None, 1), (0, 1)])
+@pytest.mark.parametrize("nowhere", [0.0, 1.0, 4.0, 12.0])
+def test_a_machine_that_gets_another_address_is_reached_straight_again(nats: tuple[int | None, ...], nowhere: float):
+    """Its control plane is cut off with it, and comes back 2 s after the new address."""
+    world = World(*(None if k is None else nat(k + 1) for k in nats))
+    world.run(5.0, PathState.DIRECT)
+    world.run(1.0)
+    moved = world.members[0]
+    old = moved.socket.address.host
+    new = old.rpartition(".")[0] + ".77"
+    moved.socket.hosts, moved.where = set(), None
+    world.exchange.off.add(moved.control.identity.public)
+    world.run(nowhere)
+    moved.socket.hosts, moved.where = {new}, new
+    world.run(2.0)
+    world.exchange.off.clear()
+    world.run(8.0)
+    assert world.paths == [PathState.DIRECT] * 2
+    assert moved.socket.address.host == new
+    assert {candidate.address.host for candidate in moved.transport.candidates} >= {new}
+    assert old not in {candidate.address.host for candidate in moved.transport.candidates}
+    assert max(world.ages) <= 10
+
+
+def test_an_address_that_cannot_be_listened_at_is_tried_again():
+    world = World(None, None)
+    world.run(5.0, PathState.DIRECT)
+    moved = world.members[0]
+    moved.where = "198.51.100.77"  # said to be the way out, but not up yet
+    world.run(2.5)
+    assert moved.socket.address.host != moved.where
+    assert world.paths == [PathState.DIRECT] * 2
+    moved.socket.hosts = {moved.where}
+    world.run(3.0)
+    assert moved.socket.address.host == moved.where
+    assert world.paths == [PathState.DIRECT] * 2
+
+
 def test_samples_flow_by_the_relay_until_nats_are_punched():
     world = World(nat(1), nat(2))
     world.run(0.05)
-    assert world.ways == [Way.TRYING] * 2
+    assert world.paths == [PathState.TRYING] * 2
     assert max(world.ages) < 15
-    world.run(5.0, Way.DIRECT)
+    world.run(5.0, PathState.DIRECT)
     world.run(5.0)
     assert max(world.ages) <= 10
     for user, member in enumerate(world.pair):
         assert member.transport.mapped == (Address(f"192.0.2.{user + 1}", 5000),)
         assert member.events == [
-            WayChanged(1 - user, member.events[0].time, Way.DIRECT, Address(f"192.0.2.{2 - user}", 5000))
+            PathChanged(1 - user, member.events[0].time, PathState.DIRECT, Address(f"192.0.2.{2 - user}", 5000))
         ]
         assert member.transport.relayed.sent > 0
         assert not member.transport.traffic.unsent
@@ -127,7 +166,7 @@ def test_samples_flow_by_the_relay_until_nats_are_punched():
 
 
 def test_random_ports_leave_the_relay_which_gets_what_it_bears():
-    world = World(nat(1, kept=False), nat(2, kept=False)).run(10.0, Way.RELAYED)
+    world = World(nat(1, kept=False), nat(2, kept=False)).run(10.0, PathState.RELAYED)
     before = [member.transport.relayed.sent for member in world.pair]
     world.run(10.0)
     assert max(world.ages) <= 12
@@ -142,44 +181,49 @@ def test_states_of_many_chunks_are_relayed_less_often():
     assert world.shape.chunks == 4
     world.run(5.0)
     member = world.pair[0]
-    assert member.transport.bears(1) == 100.0
+    assert member.transport.capacity(1) == 100.0
     assert member.plane.links[1].rate.rate == 25.0
 
 
 def test_the_rate_rises_again_on_the_direct_way():
-    world = World(None, None).run(5.0, Way.DIRECT)
+    world = World(None, None).run(5.0, PathState.DIRECT)
     world.run(10.0)
     assert [member.plane.links[1 - user].rate.rate for user, member in enumerate(world.pair)] == [1000.0] * 2
 
 
 def test_a_way_that_is_cut_falls_to_the_relay_and_returns():
-    world = World(nat(1), nat(2)).run(5.0, Way.DIRECT)
+    world = World(nat(1), nat(2)).run(5.0, PathState.DIRECT)
     hosts = {"192.0.2.1", "192.0.2.2"}
     world.net.cut = lambda source, to: {source, to} <= hosts
-    world.run(12.0, Way.RELAYED)
+    world.run(12.0, PathState.RELAYED)
     world.run(1.0)
     assert max(world.ages) <= 12
     world.net.cut = lambda source, to: False
-    world.run(60.0, Way.DIRECT)
+    world.run(60.0, PathState.DIRECT)
     world.run(2.0)
     assert max(world.ages) <= 10
-    assert [event.way for event in world.pair[0].events] == [Way.DIRECT, Way.TRYING, Way.RELAYED, Way.DIRECT]
+    assert [event.path_state for event in world.pair[0].events] == [
+        PathState.DIRECT,
+        PathState.TRYING,
+        PathState.RELAYED,
+        PathState.DIRECT,
+    ]
 
 
 def test_a_nat_that_forgets_between_two_is_found_out_and_told():
     nats = nat(1), nat(2)
-    world = World(*nats).run(5.0, Way.DIRECT)
+    world = World(*nats).run(5.0, PathState.DIRECT)
     nats[0].forget()
-    world.run(3.0, Way.TRYING)
-    world.run(5.0, Way.DIRECT)
+    world.run(3.0, PathState.TRYING)
+    world.run(5.0, PathState.DIRECT)
     assert world.pair[0].transport.mapped == (Address("192.0.2.1", 6000),)
     assert world.pair[1].events[-1].address == Address("192.0.2.1", 6000)
 
 
 def test_nobody_moves_a_way_by_repeating_a_sample():
     """The newest authentic datagram comes from elsewhere: it is asked there, and nothing more."""
-    world = World(None, None).run(5.0, Way.DIRECT)
-    way = world.pair[1].events[-1].address
+    world = World(None, None).run(5.0, PathState.DIRECT)
+    path_state = world.pair[1].events[-1].address
     mallory = world.net.socket("203.0.113.66", 6)
     carry = world.net.carry
 
@@ -193,14 +237,14 @@ def test_nobody_moves_a_way_by_repeating_a_sample():
     world.net.carry = hurry
     world.run(5.0)
     assert max(world.ages) <= 10
-    assert world.pair[1].events[-1].address == way
+    assert world.pair[1].events[-1].address == path_state
     assert not [arrival for arrival in mallory.poll() if arrival.payload[0] == 0xC1]
 
 
 def test_who_is_only_heard_by_its_samples_is_asked_where_they_come_from():
     """Its NAT has forgotten, and its own pings are lost."""
     box = nat(1)
-    world = World(box, None).run(5.0, Way.DIRECT)
+    world = World(box, None).run(5.0, PathState.DIRECT)
     box.forget()
     carry, socket = world.net.carry, world.pair[0].socket
     world.net.carry = lambda sender, to, payload: (
@@ -225,19 +269,19 @@ def test_who_comes_later_is_told_at_once(alone):
 
 
 def test_while_a_member_is_cut_off_from_all_nothing_breaks():
-    world = World(nat(1), nat(2)).run(5.0, Way.DIRECT)
+    world = World(nat(1), nat(2)).run(5.0, PathState.DIRECT)
     world.net.cut = lambda source, to: True
     world.exchange.off.add(world.pair[0].control.identity.public)
-    world.run(12.0, Way.RELAYED)
+    world.run(12.0, PathState.RELAYED)
     assert world.pair[0].transport.relayed.unsent["relay"] > 0
     world.exchange.off.clear()
     world.net.cut = lambda source, to: False
-    world.run(60.0, Way.DIRECT)
+    world.run(60.0, PathState.DIRECT)
 
 
 def test_a_member_that_comes_back_is_found():
     """Same name and keys, another process: other words, another port."""
-    world = World(nat(1), nat(2)).run(5.0, Way.DIRECT)
+    world = World(nat(1), nat(2)).run(5.0, PathState.DIRECT)
     old = world.pair[0]
     old.transport.close()
     new = Member(world, 0, world.net.socket("10.0.0.2", 5001, behind=world.pair[0].socket.nat))
@@ -246,12 +290,12 @@ def test_a_member_that_comes_back_is_found():
     new.transport.introduce(1, identities(2)[1].public)
     world.members[0] = world.pair[0] = new
     world.run(1.0)
-    world.run(10.0, Way.DIRECT)
-    assert new.transport.way(1) is Way.DIRECT
+    world.run(10.0, PathState.DIRECT)
+    assert new.transport.path_state(1) is PathState.DIRECT
 
 
 def test_a_neighbour_that_is_forgotten_is_asked_nothing():
-    world = World(None, None).run(5.0, Way.DIRECT)
+    world = World(None, None).run(5.0, PathState.DIRECT)
     for user, member in enumerate(world.pair):
         member.plane.disconnect(1 - user)
     world.net.log.clear()
@@ -291,7 +335,7 @@ def test_over_real_sockets(hosts: tuple[str, str]):
             got += [arrival for arrival in arrived if arrival.payload == b"direct"]
             for arrival in arrived:
                 transport.follow(1 - user, arrival.source)
-        if [transport.way(1 - user) for user, transport in enumerate(transports)] == [Way.DIRECT] * 2:
+        if [transport.path_state(1 - user) for user, transport in enumerate(transports)] == [PathState.DIRECT] * 2:
             transports[k % 2].send(1 - k % 2, b"direct")
         if len(got) >= 2 and transports[0].mapped:
             break
@@ -386,7 +430,7 @@ def test_candidates_are_believed_of_the_neighbour_alone_and_only_in_private(alon
     members = identities(3)
     exchange.join(members[1])
     transport.introduce(1, members[1].public)
-    body = write_offer(bytes(16), [Candidate(Origin.LOCAL, victim.address)])
+    body = write_offer(bytes(16), [Candidate(CandidateKind.LOCAL, victim.address)])
     for sender, direct in ((members[2], True), (members[1], False)):
         assert transport.take(Message(sender.public, "path.candidates", body, direct))
     assert transport.take(Message(members[1].public, "path.candidates", b"nonsense", True))
@@ -416,7 +460,7 @@ def test_addresses_beyond_this_socket_are_not_asked(listening: str, host: str, a
         interfaces=list,
     )  # fmt: skip
     transport.introduce(1, members[1].public)
-    body = write_offer(bytes(16), [Candidate(Origin.LOCAL, Address(host, 7))])
+    body = write_offer(bytes(16), [Candidate(CandidateKind.LOCAL, Address(host, 7))])
     transport.take(Message(members[1].public, "path.candidates", body, True))
     transport.poll()
     assert [to.host for _, _, to, _ in net.log] == [host] * asked
@@ -429,7 +473,7 @@ def test_where_this_member_may_be_reached_is_looked_up_when_it_listens_everywher
         net.socket("0.0.0.0", 5000), exchange.join(identities(1)[0]), session=b"", secret=b"", entropy=entropy(9),
         interfaces=lambda: ["127.0.0.1", "192.0.2.7", "fe80::1", "2001:db8::1"],
     )  # fmt: skip
-    assert transport.candidates == (Candidate(Origin.LOCAL, Address("192.0.2.7", 5000)),)
+    assert transport.candidates == (Candidate(CandidateKind.LOCAL, Address("192.0.2.7", 5000)),)
 
 
 @pytest.mark.parametrize("make", [

@@ -1,11 +1,16 @@
 """Nothing is opened but what the other end of this link sealed, in this direction and epoch, once."""
 
+import copy
+import pickle
+from collections.abc import Callable
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from tests.live.support import agree, agreements, identities, sealed_pair
+from tests.live.support import agree, agreements, identities, in_a_fork, sealed_pair
 
-from cotouch.live import MOST_SEALED, OVERHEAD, Opened, Refusal, ReplayWindow, SealedLink
+from cotouch.errors import SessionError
+from cotouch.live import MOST_SEALED, OVERHEAD, RENEW_EVERY, Opened, Refusal, ReplayWindow, SealedLink
 from cotouch.live._seal import HEADER
 
 PAYLOAD = bytes(range(200))
@@ -33,7 +38,7 @@ def test_every_flipped_bit_is_noticed_and_changes_nothing():
         forged = bytearray(datagram)
         forged[bit // 8] ^= 1 << (bit % 8)
         assert isinstance(two.open(bytes(forged), 0.0), Refusal)
-    assert two.heard == (-1, 0)
+    assert two.received == (-1, 0)
     assert isinstance(two.open(datagram, 0.0), Opened)
 
 
@@ -72,7 +77,7 @@ def test_reordering_is_harmless_and_only_the_newest_moves_addresses():
     first, second, third = (sealed(one, bytes([k])) for k in range(3))
     results = [two.open(datagram, 0.0) for datagram in (third, first, second)]
     assert results == [Opened(b"\2", newest=True), Opened(b"\0", newest=False), Opened(b"\1", newest=False)]
-    assert two.heard == (2, 3)
+    assert two.received == (2, 3)
 
 
 def test_without_keys_nothing_is_sealed_or_opened():
@@ -80,17 +85,42 @@ def test_without_keys_nothing_is_sealed_or_opened():
     bare = SealedLink()
     assert bare.seal(PAYLOAD) is None
     assert bare.open(sealed(one), 0.0) is Refusal.CONNECTION
-    assert bare.wants_keys
+    assert bare.wants_keys(0.0)
 
 
 def test_keys_are_used_up():
     one, two = sealed_pair()
     one._sequence = MOST_SEALED - 1
-    assert one.wants_keys
+    assert one.wants_keys(0.0)
     assert isinstance(two.open(sealed(one), 0.0), Opened)
     assert one.seal(PAYLOAD) is None
     beyond = HEADER.pack(0xC1, 0, 1, two.connection, MOST_SEALED) + bytes(30)
     assert two.open(beyond, 0.0) is Refusal.REPLAYED
+
+
+def test_keys_grow_old():
+    one, _ = sealed_pair()
+    assert not one.wants_keys(100.0)
+    assert not one.wants_keys(100.0 + RENEW_EVERY - 1.0)
+    assert one.wants_keys(100.0 + RENEW_EVERY)
+    initiator, responder = agreements(*identities())
+    agree(initiator, responder)
+    one.install(agree(initiator, responder)[0])
+    assert not one.wants_keys(100.0 + RENEW_EVERY)
+
+
+def test_a_forked_process_seals_nothing():
+    one, two = sealed_pair()
+    assert in_a_fork(lambda: one.seal(PAYLOAD) is None)
+    assert isinstance(two.open(sealed(one), 0.0), Opened)
+
+
+@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, pickle.dumps])
+def test_a_link_cannot_be_copied(copied: Callable[[object], object]):
+    one, two = sealed_pair()
+    with pytest.raises(SessionError, match="SealedLink cannot be copied: nonces would be used twice"):
+        copied(one)
+    assert isinstance(two.open(sealed(one), 0.0), Opened)
 
 
 def test_no_nonce_is_used_twice():

@@ -9,7 +9,7 @@ from tests.live.internet import Exchange
 from tests.live.support import entropy, identities
 
 from cotouch.errors import SessionError, TransportError
-from cotouch.live import MOST_BYTES, Arrival, ByRelay, MemoryNetwork, RoutedTransport, Transport, UdpTransport
+from cotouch.live import MOST_BYTES, Address, Arrival, ByRelay, MemoryNetwork, RoutedTransport, Transport, UdpTransport
 
 
 class Pair(NamedTuple):
@@ -326,3 +326,39 @@ class UdpHeld:
 
     def __exit__(self, *error: object) -> None:
         self.transport.close()
+
+
+def waited(transport: UdpTransport) -> list[Arrival]:
+    """What arrives at a socket, and it is bound to arrive."""
+    found: list[Arrival] = []
+    for _ in range(1000):
+        found += transport.poll()
+        if found:
+            break
+        time.sleep(0.002)
+    return found
+
+
+def test_a_socket_goes_to_another_address_of_its_machine():
+    with_it, other = UdpTransport(host="127.0.0.2"), UdpTransport()
+    try:
+        port = with_it.address.port
+        with_it.rebind("127.0.0.3")
+        assert with_it.address == Address("127.0.0.3", port)
+        other.reach(with_it.address, b"there")
+        assert [arrival.payload for arrival in waited(with_it)] == [b"there"]
+        with_it.reach(other.address, b"back")
+        assert [Address(*arrival.source) for arrival in waited(other)] == [Address("127.0.0.3", port)]
+        with pytest.raises(TransportError, match="not an address of this machine"):
+            with_it.rebind("192.0.2.1")
+        assert with_it.address == Address("127.0.0.3", port)
+        taken = UdpTransport(host="127.0.0.4", port=port)
+        with_it.rebind("127.0.0.4")  # at another port, then
+        assert with_it.address.host == "127.0.0.4"
+        assert with_it.address.port != port
+        taken.close()
+    finally:
+        with_it.close()
+        other.close()
+    with pytest.raises(TransportError, match="closed"):
+        with_it.rebind("127.0.0.1")

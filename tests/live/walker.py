@@ -50,10 +50,10 @@ def main(path: str) -> None:
         plane.send(now, Sample(sender=user, index=k, stamp=now, position=np.full((4, 4), 0.5)), T)
         if k % 10 == 0:
             said = {
-                "ways": {name: transport.way(name).name for name in plane.links},
+                "ways": {name: transport.path_state(name).name for name in plane.links},
                 "newest": {name: link.assembly.newest for name, link in plane.links.items()},
                 "rate": {name: link.rate.rate for name, link in plane.links.items()},
-                "events": [[event.way.name, event.address] for event in transport.events()],
+                "events": [[event.path_state.name, event.address] for event in transport.events()],
                 "mapped": transport.mapped,
                 "direct": transport.direct.received,
                 "relayed": transport.relayed.received,

@@ -13,19 +13,21 @@ from hypothesis import strategies as st
 from cotouch.body import Body
 from cotouch.mechanics import (
     BODY_LOSS,
-    BOOKS,
+    CLOSURE,
     ELASTIC,
     EXTRA_LOSS,
     ITERATIONS,
     KINETIC,
+    LEDGER_COLUMNS,
     LOCAL_LOSS,
     SUPPLIED,
     Basis,
-    Grips,
     Links,
     Model,
+    Ports,
     State,
     Workspace,
+    closed_settle,
     model,
     settle,
     step,
@@ -88,6 +90,7 @@ class Copy:
             velocity=self.model.to_rows(scene.velocity),
             momentum=np.zeros((rows, width)),
             tension=np.zeros((rows, width)),
+            memory=np.zeros(self.model.memory),
         )
         springs = scene.springs
         count = len(springs)
@@ -111,7 +114,7 @@ class Copy:
         if shape.shape[0]:
             shape = np.concatenate([np.full((others, rows), np.nan), shape, np.full((others, rows), np.nan)])
         total = len(entries) + 2 * others
-        self.grips = Grips(
+        self.ports = Ports(
             first=others,
             last=others + len(entries),
             row=_padded([row for _, row, _ in entries], others, 0).astype(np.int32),
@@ -127,20 +130,25 @@ class Copy:
         weights = op.weight.shape[0]
         self.local_damping = _fit(scene.local_damping, weights)
         self.extra_damping = _fit(scene.extra_damping, weights)
-        self.work: Workspace = workspace(op, width, len(entries))
-        self.books = np.full(BOOKS, np.nan)
+        self.work: Workspace = workspace(op, width, len(entries), closed=self.model.force is not None)
+        self.ledger = np.full(LEDGER_COLUMNS, np.nan)
+        self.ledger[CLOSURE:] = 0.0  # a linear step leaves what only closed ones book
         self.link_work = np.full(count + 2 * others, np.nan)
         self.settle()
 
     def settle(self) -> None:
-        settle(self.model.operator, self.state, self.books, self.model.lanes)
+        op, force, lanes = self.model.operator, self.model.force, self.model.lanes
+        if force is None:
+            settle(op, self.state, self.ledger, lanes)
+        else:
+            closed_settle(op, force, self.state, self.work, self.ledger, lanes)
 
     def hold(self) -> None:
         """Writes start, end and push of the scene's ports into the arrays."""
-        for index, (port, axis) in enumerate(self.port_of, start=self.grips.first):
+        for index, (port, axis) in enumerate(self.port_of, start=self.ports.first):
             for name in ("start", "end", "push"):
                 value = np.broadcast_to(np.asarray(getattr(port, name), dtype=np.float64), self.scene.body.dimension)
-                row = getattr(self.grips, name)[index]
+                row = getattr(self.ports, name)[index]
                 row[:] = 0.0
                 if self.model.full:
                     row[0] = value[axis]
@@ -152,13 +160,13 @@ class Copy:
             self.model.operator,
             self.state,
             self.links,
-            self.grips,
+            self.ports,
             self.local_damping,
             self.extra_damping,
             float(T),
             self.mean_slot if keep_mean else -1,
             self.work,
-            self.books,
+            self.ledger,
             self.link_work,
             float(tolerance),
             int(cap),
@@ -180,7 +188,7 @@ class Copy:
     @property
     def forces(self) -> Array:
         """Mean force of every port of the scene, (ports, d)."""
-        raw = self.grips.force[self.grips.first : self.grips.last]
+        raw = self.ports.force[self.ports.first : self.ports.last]
         d = self.scene.body.dimension
         return raw.reshape(-1, d) if self.model.full else raw[:, :d]
 
@@ -191,24 +199,24 @@ class Copy:
 
     @property
     def energy(self) -> float:
-        return float(self.books[KINETIC] + self.books[ELASTIC])
+        return float(self.ledger[KINETIC] + self.ledger[ELASTIC])
 
     @property
     def iterations(self) -> int:
-        return int(self.books[ITERATIONS])
+        return int(self.ledger[ITERATIONS])
 
     @property
     def gained(self) -> float:
-        """What the books say that the last step must have added to the energy [J]."""
-        books = self.books
-        lost = books[BODY_LOSS] + books[LOCAL_LOSS] + books[EXTRA_LOSS]
-        return float(books[SUPPLIED] + self.links_did.sum() - lost)
+        """What the ledger says that the last step must have added to the energy [J]."""
+        ledger = self.ledger
+        lost = ledger[BODY_LOSS] + ledger[LOCAL_LOSS] + ledger[EXTRA_LOSS]
+        return float(ledger[SUPPLIED] + self.links_did.sum() - lost)
 
     @property
     def turned_over(self) -> float:
         """Sum of the sizes of all energies that the last step moved [J]."""
-        books = self.books
-        return float(np.abs(books[:ITERATIONS]).sum() + np.abs(self.links_did).sum())
+        ledger = self.ledger
+        return float(np.abs(ledger[:ITERATIONS]).sum() + np.abs(self.links_did).sum())
 
 
 def _padded(values: Sequence[Any], others: int, filler: float) -> Array:

@@ -26,7 +26,7 @@ class Ball:
             skin = Skin(vertices=vertices, triangles=triangles, nodes=np.arange(n)[:, None], weights=np.ones((n, 1)))
         self.model = model(Body(mass=np.eye(n), rest=vertices, skin=skin), basis="nodal")
         self.surface = surface_of(self.model)
-        self.work: TouchWork = touch_work(self.model, self.surface, tools=1, ports=0)
+        self.work: TouchWork = touch_work(self.model, self.surface, tools=1, port_count=0)
         self.triangles = self.surface.corner
         self.vertices = vertices
 
@@ -56,7 +56,7 @@ class Ball:
         count = int(work.found.number[0])
         order = np.argsort(-work.found.depth[:count], kind="stable")
         for c in range(count):  # the point of contact is where the normal says
-            spot = work.found.share[c, :3] @ places[self.triangles[work.found.triangle[c]]]
+            spot = work.found.barycentric[c, :3] @ places[self.triangles[work.found.triangle[c]]]
             reached = centre - work.found.normal[c, :3] * (radius - work.found.depth[c])
             assert spot == pytest.approx(reached, abs=1e-12 * (1.0 + radius))
         return work.found.depth[order].copy(), work.found.normal[order, :3].copy(), bool(within)
@@ -81,9 +81,9 @@ def closest(corners: Array, point: Array) -> tuple[Array, Array]:
     squares = np.swapaxes(edges, 1, 2) @ edges
     wide = np.linalg.det(squares) > 1e-20 * squares[:, 0, 0] * squares[:, 1, 1]
     squares[~wide] = np.eye(2)
-    shares = np.linalg.solve(squares, np.swapaxes(edges, 1, 2) @ (point - a)[:, :, None])
-    allowed = wide & (shares[:, 0, 0] > 0) & (shares[:, 1, 0] > 0) & (shares.sum(axis=1)[:, 0] < 1)
-    offer(a + (edges @ shares)[:, :, 0], allowed)
+    fractions = np.linalg.solve(squares, np.swapaxes(edges, 1, 2) @ (point - a)[:, :, None])
+    allowed = wide & (fractions[:, 0, 0] > 0) & (fractions[:, 1, 0] > 0) & (fractions.sum(axis=1)[:, 0] < 1)
+    offer(a + (edges @ fractions)[:, :, 0], allowed)
     return spots, best
 
 
@@ -156,8 +156,8 @@ class TestClosedSkin:
     def test_centre_on_the_skin_goes_straight_out(self):
         places = np.asarray(SPHERE.vertices)
         for triangle in BLOB.triangles[:20]:
-            for share in ([1, 0, 0], [0.5, 0.5, 0], [0.2, 0.3, 0.5]):
-                centre = np.array(share) @ places[triangle]
+            for barycentric in ([1, 0, 0], [0.5, 0.5, 0], [0.2, 0.3, 0.5]):
+                centre = np.array(barycentric) @ places[triangle]
                 depth, normal, _ = BLOB.search(places, centre, 0.05, inside=True)
                 assert depth[0] == pytest.approx(0.05, abs=1e-12)
                 assert normal[0] @ centre > 0.9 * np.linalg.norm(centre)

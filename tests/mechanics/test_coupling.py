@@ -19,19 +19,19 @@ energies = st.floats(0.0, 1e3)
 
 @given(potential=energies, available=st.floats(-1e3, 1e3), cap=energies)
 def test_modulation_keeps_every_joule(potential, available, cap):
-    share, tank, sent = modulate(potential, available, cap)
-    assert 0.0 <= share <= 1.0
+    barycentric, tank, sent = modulate(potential, available, cap)
+    assert 0.0 <= barycentric <= 1.0
     assert sent >= 0.0
-    assert share**2 * potential + tank + sent == pytest.approx(available, rel=1e-14, abs=1e-12)
+    assert barycentric**2 * potential + tank + sent == pytest.approx(available, rel=1e-14, abs=1e-12)
     assert tank <= cap + 1e-15 * abs(available)
     if available <= 0.0:
-        assert (share, tank, sent) == (0.0, available, 0.0)
+        assert (barycentric, tank, sent) == (0.0, available, 0.0)
     else:
         assert tank >= 0.0
         # The wish comes true as far as it can: nothing is kept or sent while it does not.
-        assert (share == 1.0) or tank == sent == 0.0
+        assert (barycentric == 1.0) or tank == sent == 0.0
     if available > potential:
-        assert share == 1.0
+        assert barycentric == 1.0
 
 
 def test_modulation_at_its_edges():
@@ -40,8 +40,8 @@ def test_modulation_at_its_edges():
     assert modulate(4.0, 1.0, 1.0) == (0.5, 0.0, 0.0)
     assert modulate(1.0, 1.0, 0.0) == (1.0, 0.0, 0.0)
     assert modulate(0.0, float("nan"), 1.0)[0] == 0.0
-    for wish in (float("nan"), float("inf")):
-        assert modulate(wish, 1.0, 2.0) == (0.0, 1.0, 0.0)
+    for desired in (float("nan"), float("inf")):
+        assert modulate(desired, 1.0, 2.0) == (0.0, 1.0, 0.0)
 
 
 @given(totals=st.lists(energies, max_size=20))
@@ -180,3 +180,20 @@ def test_the_bound_of_modulation_by_hand():
         stiffness=0.0, damping=0.0, period=1e-3, speed=0.0, force=2.0, resolution=1e-3, axes=4
     )
     assert with_encoder == pytest.approx(6e-3)
+
+
+def test_dry_friction_sets_the_limit_that_an_encoder_asks_for():
+    """k <= 2 f / Δ of one axis [Abbott & Okamura 2005], and of the velocity that the same encoder measures."""
+    step, friction = 1e-4, 0.05
+    given = {"device_damping": 10.0, "period": 1e-3, "unseen": step / 2, "dry": friction}
+    assert virtual_coupling_limit(**given) == pytest.approx(2.0 * friction / step)
+    assert virtual_coupling_limit(**given, damping=0.1, shortest=5e-4) == pytest.approx(1000.0 - 400.0)
+    assert virtual_coupling_limit(**{**given, "unseen": 0.0}) == pytest.approx(2e4)
+    assert checked_virtual_coupling(stiffness=5000.0, lower=True, **given) == pytest.approx(1000.0)
+    with pytest.raises(
+        DeviceError, match=r"5e-05 m of its place, with 0\.05 N .* is passive up to 1000 N/m; lower it or"
+    ):
+        checked_virtual_coupling(stiffness=1001.0, **given)
+    for lower in (False, True):
+        with pytest.raises(DeviceError, match=r"with 0 N of dry friction .* is passive with none; refine them or use"):
+            checked_virtual_coupling(stiffness=1.0, lower=lower, **{**given, "dry": 0.0})

@@ -68,7 +68,7 @@ def test_takes_and_lets_go_at_no_gain(kind: str):
     copy.tools.mode[:] = AWAY
     before = copy.energy
     copy.step(1e-3)
-    assert copy.touch_books[TOUCH_LOSS] == pytest.approx(stored, rel=1e-12)
+    assert copy.touch_ledger[TOUCH_LOSS] == pytest.approx(stored, rel=1e-12)
     assert copy.energy <= before - stored + 1e-15
     assert copy.tools.held[0] == -1
     assert not copy.tools.touch_force.any()

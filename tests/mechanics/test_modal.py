@@ -65,7 +65,7 @@ class TestAgainstNodal:
         assert (nodal.model.basis, modal.model.basis) == ("nodal", "modal")
         rng = np.random.default_rng(4)
         largest = {"position": 0.0, "velocity": 0.0, "forces": 0.0}
-        books = 0.0
+        ledger = 0.0
         for T in 10.0 ** rng.uniform(-4.0, 0.0, 200):
             for port in scene.ports:
                 port.start = port.end
@@ -81,9 +81,9 @@ class TestAgainstNodal:
                 expected = getattr(nodal, name)
                 largest[name] = max(size, np.abs(expected).max())
                 assert np.abs(getattr(modal, name) - expected).max() <= 1e-10 * largest[name]
-            books = max(books, nodal.turned_over)
-            assert modal.books[:6] == pytest.approx(nodal.books[:6], abs=1e-10 * books)
-            assert modal.links_did == pytest.approx(nodal.links_did, abs=1e-10 * books)
+            ledger = max(ledger, nodal.turned_over)
+            assert modal.ledger[:6] == pytest.approx(nodal.ledger[:6], abs=1e-10 * ledger)
+            assert modal.links_did == pytest.approx(nodal.links_did, abs=1e-10 * ledger)
             assert abs(modal.energy - before - modal.gained) <= 1e-13 * (modal.turned_over + before)
         assert nodal.iterations > 0
 

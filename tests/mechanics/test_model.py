@@ -39,7 +39,7 @@ class TestOperator:
         ):
             found = rebuilt(ready, matrix, diagonal)
             assert np.allclose(found, exact, rtol=0.0, atol=1e-14 * np.abs(exact).max())
-        assert op.share == 1.0 / scene.copies
+        assert op.copy_scale == 1.0 / scene.copies
         assert not np.any(op.column == np.repeat(np.arange(op.mass.size), np.diff(op.pointer)))
 
     def test_springs_and_dampers_on_the_same_edges_share_one_family(self):
@@ -231,7 +231,7 @@ class TestRows:
     def test_kernels_get_contiguous_arrays_of_one_type(self, scene: Scene):
         op = model(scene.body, weights=scene.weights, basis="nodal").operator
         for name, array in op._asdict().items():
-            if name not in {"share", "split"}:
+            if name not in {"copy_scale", "firmness", "split"}:
                 assert array.flags.c_contiguous
                 assert array.flags.writeable
                 assert array.dtype == (np.int32 if name in {"pointer", "column"} else np.float64)

@@ -90,7 +90,7 @@ class TestCap:
             before = copy.energy
             copy.step(T, cap=cap)
             missed = max(missed, abs(copy.energy - before - copy.gained) / (copy.turned_over + before))
-            supplied += copy.books[SUPPLIED]
+            supplied += copy.ledger[SUPPLIED]
             in_play = max(in_play, copy.turned_over)
             capped += copy.iterations == cap
             assert stored() - first - supplied <= 1e-10 * in_play
@@ -152,7 +152,7 @@ class TestConjugateGradients:
     def test_identical_calls_give_identical_bits(self):
         a, b = self.solve()[0], self.solve()[0]
         assert np.array_equal(a.state.position, b.state.position)
-        assert np.array_equal(a.books, b.books)
+        assert np.array_equal(a.ledger, b.ledger)
 
     @given(scenes(), periods)
     def test_never_more_iterations_than_round_off_needs(self, scene: Scene, T: float):
@@ -398,4 +398,4 @@ class TestChoice:
         dirty.step(0.02, cap=cap)
         assert clean.iterations == min(cap, self.predicted(clean, 1e-15))
         assert np.array_equal(clean.position, dirty.position)
-        assert np.array_equal(clean.books, dirty.books)
+        assert np.array_equal(clean.ledger, dirty.ledger)

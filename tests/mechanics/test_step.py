@@ -62,13 +62,13 @@ class TestEnergyIdentity:
             (KINETIC, exact.kinetic),
             (ELASTIC, exact.elastic),
         ]:
-            assert copy.books[index] == pytest.approx(value, rel=1e-11, abs=1e-12 * size)
+            assert copy.ledger[index] == pytest.approx(value, rel=1e-11, abs=1e-12 * size)
         assert copy.links_did == pytest.approx(exact.links_did, rel=1e-11, abs=1e-12 * size)
         # The energies belong to the state that came out, and the losses are losses.
-        assert (copy.books[KINETIC], copy.books[ELASTIC]) == pytest.approx(
+        assert (copy.ledger[KINETIC], copy.ledger[ELASTIC]) == pytest.approx(
             energies(scene, copy.position, copy.velocity), rel=1e-12, abs=1e-13 * size
         )
-        assert np.all(copy.books[[BODY_LOSS, LOCAL_LOSS, EXTRA_LOSS]] >= 0.0)
+        assert np.all(copy.ledger[[BODY_LOSS, LOCAL_LOSS, EXTRA_LOSS]] >= 0.0)
         assert np.allclose(copy.velocity, 2.0 * mean - scene.velocity, rtol=1e-9, atol=1e-9 * np.abs(mean).max())
 
 
@@ -156,7 +156,7 @@ class TestArraysOfManyUsers:
         assert np.array_equal(among.forces, alone.forces)
         for written, first, last in [
             (among.link_work, among.links.first, among.links.last),
-            (among.grips.force, among.grips.first, among.grips.last),
+            (among.ports.force, among.ports.first, among.ports.last),
         ]:
             assert np.isnan(written[:first]).all()
             assert np.isnan(written[last:]).all()
@@ -188,7 +188,7 @@ class TestWorkspace:
 def same(a: Copy, b: Copy) -> None:
     """Equal to the last bit."""
     for left, right in zip(
-        (*a.state, a.books, a.links_did, a.forces), (*b.state, b.books, b.links_did, b.forces), strict=True
+        (*a.state, a.ledger, a.links_did, a.forces), (*b.state, b.ledger, b.links_did, b.forces), strict=True
     ):
         assert np.array_equal(left, right)
 
@@ -257,7 +257,7 @@ class TestPoint:
         copy = Copy(Scene(body=point(mass=2.0, stiffness=8.0), position=np.ones((1, 1)), velocity=np.zeros((1, 1))))
         copy.step(1.0)
         assert (copy.position.item(), copy.velocity.item()) == (0.0, -2.0)
-        assert (copy.books[KINETIC], copy.books[ELASTIC]) == (4.0, 0.0)
+        assert (copy.ledger[KINETIC], copy.ledger[ELASTIC]) == (4.0, 0.0)
 
 
 class TestCopies:
@@ -290,7 +290,7 @@ class TestCopies:
             assert copies * each.forces == pytest.approx(
                 one.forces, rel=1e-8, abs=1e-9 * np.abs(one.forces).max(initial=0)
             )
-            assert copies * each.books[:6] == pytest.approx(one.books[:6], rel=1e-8, abs=1e-9 * one.turned_over)
+            assert copies * each.ledger[:6] == pytest.approx(one.ledger[:6], rel=1e-8, abs=1e-9 * one.turned_over)
 
     def test_springs_between_copies_in_step_do_nothing(self):
         """K_ij (x̂_i - x̂_j) = 0 where the sample is one's own mean position."""
@@ -340,7 +340,7 @@ class TestWidths:
                 expected = getattr(line, field)
                 assert np.allclose(getattr(space, field), expected, rtol=0.0, atol=1e-11 * np.abs(expected).max())
                 assert np.ptp(getattr(space, field), axis=1).max() == 0.0
-            assert space.books[:6] == pytest.approx(dimension * line.books[:6], rel=1e-10)
+            assert space.ledger[:6] == pytest.approx(dimension * line.ledger[:6], rel=1e-10)
 
     @pytest.mark.parametrize("dimension", [2, 3])
     def test_axes_do_not_mix(self, dimension: int):
@@ -371,7 +371,7 @@ class TestWidths:
         for field in ("position", "velocity", "forces"):
             expected = getattr(node, field)
             assert np.allclose(getattr(full, field), expected, rtol=0.0, atol=1e-10 * np.abs(expected).max())
-        assert full.books[:6] == pytest.approx(node.books[:6], rel=1e-9, abs=1e-11 * node.turned_over)
+        assert full.ledger[:6] == pytest.approx(node.ledger[:6], rel=1e-9, abs=1e-11 * node.turned_over)
 
     @pytest.mark.parametrize("basis", ["nodal", "modal"])
     @pytest.mark.parametrize("dimension", [2, 3])
@@ -382,7 +382,7 @@ class TestWidths:
         copy = Copy(scene, basis=basis)
         for T in (1e-3, 2e-2, 0.3):
             copy.step(T, keep_mean=True)
-        for array in (*copy.state, copy.links.samples[copy.mean_slot], copy.grips.force, copy.work.mean):
+        for array in (*copy.state[:4], copy.links.samples[copy.mean_slot], copy.ports.force, copy.work.mean):
             assert array.shape[-1] == 4
             assert not np.any(array[..., dimension:])
 
@@ -398,7 +398,7 @@ class TestRest:
         copy = Copy(scene)
         copy.step(1e-2)
         assert not any(np.any(array) for array in copy.state)
-        assert not np.any(copy.books)
+        assert not np.any(copy.ledger)
 
     def test_the_last_of_a_motion_is_not_a_nan(self):
         """Amplitudes whose squares underflow."""

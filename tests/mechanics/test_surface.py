@@ -71,7 +71,7 @@ def test_boxes_hold_their_triangles(body: Body, basis: Basis, size: float):
 def test_features_are_shared_as_they_meet():
     surface = surface_of(model(block(), basis="nodal"))
     vertices = surface.rest.shape[0]
-    for feature, count in enumerate(surface.share):
+    for feature, count in enumerate(surface.meeting):
         if feature < vertices:
             meet = (surface.corner == feature).any(axis=1).sum()
         else:

@@ -106,10 +106,12 @@ def newton(k: Array, e: Array, a: Array, free: Array, R: Array) -> Array:
         if np.abs(wrong).max() <= 1e-16 * size:
             break
         move = -np.linalg.solve(np.eye(d.size) + R * slope, wrong)
-        share = 1.0
-        while share > 1e-6 and np.linalg.norm(left(d + share * move)) > (1 - 1e-4 * share) * np.linalg.norm(wrong):
-            share *= 0.5
-        d = d + share * move
+        barycentric = 1.0
+        while barycentric > 1e-6 and np.linalg.norm(left(d + barycentric * move)) > (
+            1 - 1e-4 * barycentric
+        ) * np.linalg.norm(wrong):
+            barycentric *= 0.5
+        d = d + barycentric * move
     return law(k, e, d, a)[0]
 
 
@@ -132,7 +134,7 @@ def touched_step(copy: TouchedCopy, before: Before, T: float) -> Touched:
         A += own.T @ own * (2.0 * tools.mass[t] / T + 0.5 * T * k + c)
         pull = k * (0.5 * (start[t] + end[t]) - before.place[t]) + c * (end[t] - start[t]) / T + tools.push[t, :3]
         b += own.T @ (2.0 * tools.mass[t] / T * before.rate[t] + pull)
-    grips: list[tuple[int, Array, Array]] = []
+    ports: list[tuple[int, Array, Array]] = []
     for t in range(number):
         if tools.mode[t] != GRASP:
             continue
@@ -144,7 +146,7 @@ def touched_step(copy: TouchedCopy, before: Before, T: float) -> Touched:
             stretch = H[:, :size] @ before.position.ravel() - before.place[t] - offset
             A += apart.T @ apart * (c + 0.5 * T * k)
             b -= apart.T @ (k * stretch)
-            grips.append((t, apart, stretch))
+            ports.append((t, apart, stretch))
 
     found, count = copy.touch.found, copy.count
     G = np.zeros((count, total))
@@ -153,16 +155,16 @@ def touched_step(copy: TouchedCopy, before: Before, T: float) -> Touched:
         t, n = int(found.tool[i]), found.normal[i, :3]
         vertices = copy.surface.corner[found.triangle[i]]
         reader = sum(
-            (s * carried(copy, int(v)) for s, v in zip(found.share[i, :3], vertices, strict=True)), np.zeros(1)
+            (s * carried(copy, int(v)) for s, v in zip(found.barycentric[i, :3], vertices, strict=True)), np.zeros(1)
         )
         G[i, :size] = n @ reader
         G[i] -= n @ proxy(t)
         k[i], a[i] = tools.stiffness[t], tools.loss[t] / T
     for t in range(number):
         own = (found.tool[:count] == t) & (e > 0.0)
-        wish = 0.5 * float(k[own] @ e[own] ** 2)
-        if wish > max(before.account[t], 0.0):
-            e[own] *= np.sqrt(max(before.account[t], 0.0) / wish)
+        desired = 0.5 * float(k[own] @ e[own] ** 2)
+        if desired > max(before.account[t], 0.0):
+            e[own] *= np.sqrt(max(before.account[t], 0.0) / desired)
     modes = np.eye(size)
     if copy.model.modes is not None:
         modes = copy.model.modes if copy.model.full else np.kron(copy.model.modes, np.eye(3))
@@ -180,7 +182,7 @@ def touched_step(copy: TouchedCopy, before: Before, T: float) -> Touched:
     for i in range(count):
         touch_force[int(found.tool[i])] += force[i] * found.normal[i, :3]
         account[int(found.tool[i])] += T * force[i] * float(G[i] @ mean)
-    for t, apart, stretch in grips:
+    for t, apart, stretch in ports:
         rate = apart @ mean
         k_grip, c_grip = tools.grip_stiffness[t], tools.grip_damping[t]
         touch_force[t] += k_grip * (stretch + 0.5 * T * rate) + c_grip * rate

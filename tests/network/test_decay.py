@@ -155,8 +155,8 @@ def test_another_root_as_a_guess_is_seen_through():
 def test_agrees_with_fine_collocation(seed):
     rng = np.random.default_rng(seed)
     network = random_network(rng, size=int(rng.integers(2, 7)))
-    share = rng.choice([0.05, 0.3, 1.0, 2.0])  # of the rule's damping: little of it leaves roots to the right
-    sync = share * rightmost_root(network).sync_damping
+    fraction = rng.choice([0.05, 0.3, 1.0, 2.0])  # of the rule's damping: little of it leaves roots to the right
+    sync = fraction * rightmost_root(network).sync_damping
     found = rightmost_root(network, mass=0.7, sync_damping=sync)
     delay, coupling = np.where(network.linked_spring() > 0, network.delay, 0.0), network.linked_spring()
     rows = np.ones(network.size)

@@ -47,8 +47,8 @@ def with_entry(value, *entries, scale=1.0):
         ({"delay": np.ones(3)}, ["delay is 3", "3 x 3"]),
         ({"links": [(0, 1), (1, 0)]}, ["user 1", "user 2", "twice"]),
         ({"links": [(1, 1)]}, ["user 2", "itself"]),
-        ({"links": [(0, 3)]}, ["[1, 4]", "user 4", "1 to 3"]),
-        ({"links": [(-1, 1)]}, ["user 0", "1 to 3"]),
+        ({"links": [(0, 3)]}, ["(0, 3)", "index 3", "indices 0 to 2", "files number 1 to 3"]),
+        ({"links": [(-1, 1)]}, ["(-1, 1)", "index -1", "indices 0 to 2"]),
         ({"links": [(0, 1, 2)]}, ["not a link", "pair"]),
         ({"links": [(0, 0.5)]}, ["not a link"]),
         ({"links": [(0, 1)], "spring": with_entry(0.0, (0, 1), (1, 0))}, ["user 1", "user 2", "0 N/m"]),
@@ -257,7 +257,7 @@ def test_refuses_a_file_by_name_and_key(tmp_path, text, words):
 
 
 def test_refuses_missing_and_binary_files(tmp_path):
-    with pytest.raises(NetworkError, match="no such file"):
+    with pytest.raises(NetworkError, match="cannot be read: No such file"):
         Network.read(tmp_path / "none.toml")
     with pytest.raises(NetworkError, match="cannot be read"):
         Network.read(tmp_path)

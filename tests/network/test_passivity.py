@@ -10,6 +10,7 @@ from tests.network.support import five_users, pairs, random_network, uniform
 from cotouch.errors import NetworkError, UnsupportedError
 from cotouch.network import (
     Network,
+    age_sums_of,
     certify,
     coefficients,
     complete,
@@ -19,7 +20,6 @@ from cotouch.network import (
     exact_scaling,
     minimax_damping,
     path,
-    reach_of,
     ring,
     rule_damping,
     star,
@@ -93,7 +93,7 @@ def test_minimax_and_sum_agree_with_an_optimiser_over_every_share_of_every_link(
             declared = {"ages": rng.uniform(0.01, 1.0, (n, n))}
         else:
             declared = {"index_delay": rng.integers(1, 50, (n, n)), "periods": rng.uniform(0.001, 0.03, n)}
-        reach, costs = reach_of(network, **declared).seconds, rng.uniform(0.3, 3.0, n)
+        reach, costs = age_sums_of(network, **declared).seconds, rng.uniform(0.3, 3.0, n)
 
         def damping(log_share, reach=reach, network=network, links=links):
             B = np.zeros(network.size)
@@ -178,16 +178,16 @@ def worst_start(H):
     return np.linalg.eigh(H)[1][:, 0]
 
 
-@pytest.mark.parametrize("share", ["rule", "own", "random"])
-def test_index_rule_with_own_varying_periods_never_gives_energy_away(share):
+@pytest.mark.parametrize("fraction", ["rule", "own", "random"])
+def test_index_rule_with_own_varying_periods_never_gives_energy_away(fraction):
     rng = np.random.default_rng(11)
     for _ in range(25):
         network = random_network(rng, size=3)
         longest = rng.uniform(0.02, 0.3, 3)
         steps = rng.integers(0, 5, (3, 3))
-        d = {"rule": np.ones(3), "own": 1 / longest, "random": np.exp(rng.normal(size=3))}[share]
+        d = {"rule": np.ones(3), "own": 1 / longest, "random": np.exp(rng.normal(size=3))}[fraction]
         beta = weighted_damping(network, d, index_delay=steps, periods=longest)
-        if share == "own":
+        if fraction == "own":
             half = (steps + steps.T) / 2 * network.linked_spring()
             np.testing.assert_allclose(beta[:, 0], longest * half.sum(axis=1), err_msg="one's own period, d = 1/T")
         periods = longest * rng.uniform(0.2, 1.0, (40, 3))

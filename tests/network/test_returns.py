@@ -80,9 +80,9 @@ def test_what_is_excluded_is_empty_and_no_turn_is_lost(seed):
     values = np.array([value(chain, w)[0] for w in np.linspace(low, high, 40_001)])
     assert turn == pytest.approx(np.unwrap(np.angle(values))[-1] - np.angle(values[0]), abs=1e-6)
     middle, half = 0.5 * (low + high), 0.5 * (high - low)
-    for share in (0.001, 0.01, 0.1):
-        if excluded(*value(chain, middle), bend, share * half):
-            near = [value(chain, w)[0] for w in np.linspace(middle - share * half, middle + share * half, 400)]
+    for fraction in (0.001, 0.01, 0.1):
+        if excluded(*value(chain, middle), bend, fraction * half):
+            near = [value(chain, w)[0] for w in np.linspace(middle - fraction * half, middle + fraction * half, 400)]
             assert min(map(abs, near)) > 0
 
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from cotouch.peer import UNHEARD, FreshestLink, LinkGuard, Sample
+from cotouch.peer import NO_HEADER, FreshestLink, LinkGuard, Sample
 
 K = 50.0
 
@@ -89,7 +89,7 @@ def attack(plan: Plan, move: Policy, guard: Callable[..., LinkGuard] = LinkGuard
     guards: dict[tuple[int, int], LinkGuard] = {}
     for a, b in plan.links:
         for i, j in ((a, b), (b, a)):
-            start = Sample(sender=j, index=-1, stamp=0.0, position=np.zeros(1), word=UNHEARD)
+            start = Sample(sender=j, index=-1, stamp=0.0, position=np.zeros(1), header=NO_HEADER)
             shift = plan.offset[i] - plan.offset[j]
             guards[i, j] = guard(
                 FreshestLink(start), budget=plan.budget[i, j] + shift, total=plan.total(i, j), **plan.options
@@ -115,10 +115,10 @@ def attack(plan: Plan, move: Policy, guard: Callable[..., LinkGuard] = LinkGuard
             newest = end.choose(k)
             y = float(newest.position[0])
             was = end.state
-            share = end.decide(newest, (x[i] - y) ** 2, (x[i] - held[pair]) ** 2, clock, T)
+            fraction = end.decide(newest, (x[i] - y) ** 2, (x[i] - held[pair]) ** 2, clock, T)
             coupled += was != 2 and end.state == 2
             guarded += was == 2 and end.state != 2
-            held[pair] = y if share == 1.0 else x[i] + share * (y - x[i])
+            held[pair] = y if fraction == 1.0 else x[i] + fraction * (y - x[i])
             force -= K * (x[i] - held[pair])
             greatest = max(greatest, K * abs(x[i] - held[pair]))
         v = move(i, k, force, damping[i])
@@ -136,7 +136,7 @@ def attack(plan: Plan, move: Policy, guard: Callable[..., LinkGuard] = LinkGuard
             arrival = plan.arrival[pair][k]
             if np.isfinite(arrival):
                 sample = Sample(
-                    sender=i, index=k, stamp=clock - 0.5 * T, position=np.array([middle]), word=guards[pair].word
+                    sender=i, index=k, stamp=clock - 0.5 * T, position=np.array([middle]), header=guards[pair].header
                 )
                 waiting[pair[1], i].append((float(arrival), sample))
     return Outcome(least, scale, coupled, guarded, greatest, max(x) - min(x), worked, supplied, guards)

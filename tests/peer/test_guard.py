@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from tests.peer.attack import K, Outcome, Plan, Way, attack, greedy, knots, random_plan, tight_plan
 
 from cotouch.errors import NetworkError
-from cotouch.peer import COUPLED, GUARDED, READY, UNHEARD, FreshestLink, LinkGuard, Sample, Word
+from cotouch.peer import NO_HEADER, FreshestLink, LinkGuard, LinkHeader, LinkState, Sample
 
 T = 0.01
 SPAN = 0.1
@@ -78,10 +78,10 @@ def run(seed: int, *, tight: bool = True, **options: float) -> Outcome:
 
 def balanced(outcome: Outcome, seed: float = 0.0) -> None:
     for guard in outcome.guards.values():
-        books = guard.books
-        total = seed + books.credited + books.taken - books.given - books.paid - books.lost
-        assert books.tank == pytest.approx(total, abs=1e-12 * max(1.0, books.credited + books.lost))
-        assert books.tank >= 0.0
+        ledger = guard.ledger
+        total = seed + ledger.credited + ledger.taken - ledger.given - ledger.paid - ledger.lost
+        assert ledger.tank == pytest.approx(total, abs=1e-12 * max(1.0, ledger.credited + ledger.lost))
+        assert ledger.tank >= 0.0
 
 
 def test_no_motion_gets_energy_out():
@@ -96,17 +96,17 @@ def test_no_motion_gets_energy_out():
     assert guarded > 80
 
 
-@pytest.mark.parametrize("seed_energy", [0.0, 0.02])
-def test_nor_over_bad_paths(seed_energy: float):
+@pytest.mark.parametrize("initial_energy", [0.0, 0.02])
+def test_nor_over_bad_paths(initial_energy: float):
     """Two to five users, jitter, loss, outages of one way, clocks of their own, hands that push and follow."""
     coupled = 0
     for seed in range(40):
-        options = {"seed": seed_energy, "cap": 0.5} if seed % 2 else {"seed": seed_energy}
+        options = {"initial_energy": initial_energy, "cap": 0.5} if seed % 2 else {"initial_energy": initial_energy}
         plan = random_plan(seed, **options)
         for policy in (greedy(seed), knots(plan, worst_motions(plan, seed), SPAN)):
             outcome = attack(plan, policy)
-            assert outcome.supplied >= -seed_energy * len(outcome.guards) - 1e-12 * outcome.scale
-            balanced(outcome, seed_energy)
+            assert outcome.supplied >= -initial_energy * len(outcome.guards) - 1e-12 * outcome.scale
+            balanced(outcome, initial_energy)
             coupled += outcome.coupled
     assert coupled > 150
 
@@ -117,7 +117,9 @@ def spoiled(monkeypatch: pytest.MonkeyPatch, what: str) -> None:
         why = LinkGuard._why_guard
         monkeypatch.setattr(
             LinkGuard, "_why_guard",
-            lambda self, word, fresh, rise: why(self, Word(COUPLED, self._partner, word.heard), fresh, rise),
+            lambda self, end, fresh, rise: why(
+                self, LinkHeader(LinkState.COUPLED, self._partner, end.known_epoch), fresh, rise
+            ),
         )  # fmt: skip
     elif what == "going guarded is free":
         fall = LinkGuard._fall
@@ -141,11 +143,11 @@ def spoiled(monkeypatch: pytest.MonkeyPatch, what: str) -> None:
     elif what == "age does not matter":
         decide = LinkGuard.decide
 
-        def blind(self: LinkGuard, sample: Sample, wish: float, held: float, now: float, T: float) -> float:
+        def blind(self: LinkGuard, sample: Sample, desired: float, held: float, now: float, T: float) -> float:
             old, self.budget = self.budget, 1e9
-            share = decide(self, sample, wish, held, now, T)
+            fraction = decide(self, sample, desired, held, now, T)
             self.budget, self._surplus = old, 0.0
-            return share
+            return fraction
 
         monkeypatch.setattr(LinkGuard, "decide", blind)
 
@@ -172,27 +174,29 @@ def test_so_do_others_where_age_does_not_matter(monkeypatch: pytest.MonkeyPatch)
 # One end by hand.
 
 
-def sample(k: int, word: Word, stamp: float | None = None) -> Sample:
-    return Sample(sender=1, index=k, stamp=T * k if stamp is None else stamp, position=np.zeros(1), word=word)
+def sample(k: int, header: LinkHeader, stamp: float | None = None) -> Sample:
+    return Sample(sender=1, index=k, stamp=T * k if stamp is None else stamp, position=np.zeros(1), header=header)
 
 
 def guard(**options: float) -> LinkGuard:
-    start = Sample(sender=1, index=-1, stamp=0.0, position=np.zeros(1), word=UNHEARD)
-    made = LinkGuard(FreshestLink(start), **({"budget": 0.05, "total": 0.1, "seed": 1.0} | options))
+    start = Sample(sender=1, index=-1, stamp=0.0, position=np.zeros(1), header=NO_HEADER)
+    made = LinkGuard(FreshestLink(start), **({"budget": 0.05, "total": 0.1, "initial_energy": 1.0} | options))
     made.attach(K)
     return made
 
 
-def feed(end: LinkGuard, k: int, word: Word, wish: float = 0.0, held: float = 0.0, **options: float) -> float:
-    share = end.decide(sample(k, word, **options), wish, held, T * (k + 1), T)
+def feed(
+    end: LinkGuard, k: int, header: LinkHeader, desired: float = 0.0, held: float = 0.0, **options: float
+) -> float:
+    fraction = end.decide(sample(k, header, **options), desired, held, T * (k + 1), T)
     end.settle(0.0, T)
-    return share
+    return fraction
 
 
 def couple(end: LinkGuard, epoch: int = 7) -> int:
     k = 0
-    while end.state != COUPLED:
-        feed(end, k, Word(READY if k > 3 else GUARDED, epoch, end.epoch))
+    while end.state != LinkState.COUPLED:
+        feed(end, k, LinkHeader(LinkState.READY if k > 3 else LinkState.GUARDED, epoch, end.epoch))
         k += 1
         assert k < 30
     return k
@@ -201,90 +205,153 @@ def couple(end: LinkGuard, epoch: int = 7) -> int:
 def test_an_end_couples_after_the_time_of_both_budgets():
     end = guard()
     assert couple(end) == 12  # ten or, with rounding, eleven steps of catching up before it
-    assert [event.state for event in end.events] == [COUPLED]
+    assert [event.state for event in end.events] == [LinkState.COUPLED]
     end = guard()
     for k in range(15):
-        feed(end, k, Word(GUARDED, 7, 1))
-    assert end.state == READY
-    assert end.word[:3] == (READY, 1, 7)
+        feed(end, k, LinkHeader(LinkState.GUARDED, 7, 1))
+    assert end.state == LinkState.READY
+    assert end.header[:3] == (LinkState.READY, 1, 7)
 
 
 @pytest.mark.parametrize(
-    ("word", "options", "reason"),
+    ("header", "options", "reason"),
     [
-        (Word(GUARDED, 7, 1), {}, "the other is guarded"),
-        (Word(READY, 8, 1), {}, "the other was guarded"),
-        (Word(COUPLED, 6, 1), {}, "the other was guarded"),
-        (Word(COUPLED, 7, 1), {"stamp": 0.0}, "too old"),
-        (Word(COUPLED, 7, 1), {"wish": 0.1}, "too much power"),
+        (LinkHeader(LinkState.GUARDED, 7, 1), {}, "the other is guarded"),
+        (LinkHeader(LinkState.READY, 8, 1), {}, "the other was guarded"),
+        (LinkHeader(LinkState.COUPLED, 6, 1), {}, "the other was guarded"),
+        (LinkHeader(LinkState.COUPLED, 7, 1), {"stamp": 0.0}, "too old"),
+        (LinkHeader(LinkState.COUPLED, 7, 1), {"desired": 0.1}, "too much power"),
     ],
 )
-def test_what_guards_a_coupled_end(word: Word, options: dict[str, float], reason: str):
+def test_what_guards_a_coupled_end(header: LinkHeader, options: dict[str, float], reason: str):
     end = guard(power=1.0, burst=1.0)
     k = couple(end)
-    assert feed(end, k, Word(COUPLED, 7, 1)) == 1.0
-    feed(end, k + 1, word, **options)
-    assert (end.state, end.epoch, end.events[-1].reason) == (GUARDED, 2, reason)
+    assert feed(end, k, LinkHeader(LinkState.COUPLED, 7, 1)) == 1.0
+    feed(end, k + 1, header, **options)
+    assert (end.state, end.epoch, end.events[-1].reason) == (LinkState.GUARDED, 2, reason)
 
 
-@pytest.mark.parametrize("word", [Word(READY, 7, 0), Word(COUPLED, 7, 3), Word(COUPLED, 7, 2)])
-def test_an_end_that_is_not_heard_in_this_epoch_stays_guarded(word: Word):
+@pytest.mark.parametrize(
+    "header",
+    [LinkHeader(LinkState.READY, 7, 0), LinkHeader(LinkState.COUPLED, 7, 3), LinkHeader(LinkState.COUPLED, 7, 2)],
+)
+def test_an_end_that_is_not_heard_in_this_epoch_stays_guarded(header: LinkHeader):
     end = guard(epoch=1)
     for k in range(40):
-        feed(end, k, word)
-    assert end.state == GUARDED
+        feed(end, k, header)
+    assert end.state == LinkState.GUARDED
 
 
 def test_going_guarded_is_paid_from_the_tank():
-    end = guard(seed=1.0)
+    end = guard(initial_energy=1.0)
     k = couple(end)
-    share = feed(end, k, Word(GUARDED, 7, 1), wish=0.01, held=0.01)  # ½ K 0.01 = 0.25 J
-    assert (share, end.tank) == (1.0, pytest.approx(0.75))
-    end = guard(seed=0.0625)
+    fraction = feed(end, k, LinkHeader(LinkState.GUARDED, 7, 1), desired=0.01, held=0.01)  # ½ K 0.01 = 0.25 J
+    assert (fraction, end.tank) == (1.0, pytest.approx(0.75))
+    end = guard(initial_energy=0.0625)
     k = couple(end)
-    assert feed(end, k, Word(GUARDED, 7, 1), wish=0.01, held=0.01) == pytest.approx(0.5)
+    assert feed(end, k, LinkHeader(LinkState.GUARDED, 7, 1), desired=0.01, held=0.01) == pytest.approx(0.5)
     assert end.tank == 0.0
-    end = guard(seed=0.0)
+    end = guard(initial_energy=0.0)
     k = couple(end)
-    assert feed(end, k, Word(GUARDED, 7, 1), wish=0.01, held=0.01) == 0.0
+    assert feed(end, k, LinkHeader(LinkState.GUARDED, 7, 1), desired=0.01, held=0.01) == 0.0
 
 
 def test_the_tank_that_stays_at_coupling_is_the_least_of_the_time_before():
-    end = guard(seed=1.0)
+    end = guard(initial_energy=1.0)
     for k in range(12):
-        feed(end, k, Word(GUARDED, 7, 1), wish=0.02 if k == 6 else 0.0, held=0.02 if k == 7 else 0.0)
+        feed(end, k, LinkHeader(LinkState.GUARDED, 7, 1), desired=0.02 if k == 6 else 0.0, held=0.02 if k == 7 else 0.0)
     assert end.tank == 1.0
-    feed(end, 12, Word(READY, 7, 1))
-    assert (end.state, end.tank) == (COUPLED, pytest.approx(0.5))
+    feed(end, 12, LinkHeader(LinkState.READY, 7, 1))
+    assert (end.state, end.tank) == (LinkState.COUPLED, pytest.approx(0.5))
 
 
 def test_what_the_other_gave_is_taken_once():
-    end = guard(seed=1.0)
+    end = guard(initial_energy=1.0)
     for k, total in enumerate((0.7, 0.7, 0.9, 0.8, 0.9, 1.4)):  # of before it was heard, again, more, overtaken, more
-        feed(end, k, Word(GUARDED, 7, 1, given=total))
+        feed(end, k, LinkHeader(LinkState.GUARDED, 7, 1, given=total))
     assert end.tank == pytest.approx(1.0 + 0.2 + 0.5)
-    assert end.books.taken == pytest.approx(0.7)
+    assert end.ledger.taken == pytest.approx(0.7)
+
+
+def test_what_the_other_says_it_gave_comes_no_faster_than_its_power_and_as_far_as_there_is_room():
+    end = guard(initial_energy=1.0, cap=1.2, power=2.0)
+    feed(end, 0, LinkHeader(LinkState.GUARDED, 7, 1, given=1e12))
+    for k in range(1, 40):
+        feed(end, k, LinkHeader(LinkState.GUARDED, 7, 1, given=2e12))
+        ledger = end.ledger
+        assert ledger.received == ledger.taken == pytest.approx(min(0.2, 2.0 * T * k))
+        assert end.tank == pytest.approx(1.0 + ledger.received)
+        assert ledger.lost == 0.0
+    # Nothing of it is there twice: what there was no room for is taken when there is.
+    end = guard(initial_energy=1.0, cap=1.2, power=2.0)
+    for k in range(61):
+        header = LinkHeader(LinkState.GUARDED, 7, 1, given=0.3 if k else 0.0)
+        feed(end, k, header, desired=0.0 if k < 30 else 0.02, held=0.0 if k <= 30 else 0.02)
+    assert end.ledger.received == pytest.approx(0.3)
+
+
+def test_of_a_leap_in_what_the_other_gave_one_tank_is_believed():
+    """Else one number would fill the tank again and again, for as long as the link lives."""
+    end = guard(initial_energy=0.1, cap=0.1, power=50.0)
+    for k in range(200):
+        spends = k % 2 == 0
+        header = LinkHeader(LinkState.GUARDED, 7, 1, given=1e12 if k else 0.0)
+        feed(end, k, header, desired=1.0 if spends else 0.0, held=0.0)
+    assert end.ledger.paid > 0.1  # there was room for more
+    assert end.ledger.received == pytest.approx(0.1)
+    for k in range(200, 240):  # what is given afterwards is taken
+        feed(end, k, LinkHeader(LinkState.GUARDED, 7, 1, given=1e12 + 0.03125), desired=1.0 if k % 2 else 0.0, held=0.0)
+    assert end.ledger.received == pytest.approx(0.1 + 0.03125, abs=1e-4)
+
+
+@pytest.mark.parametrize("stamp", [0.2, 1e6, 1e10])
+def test_stamps_of_the_future_leave_no_more_of_the_damping_over_than_there_is(stamp: float):
+    end = guard(total=0.1)
+    k = couple(end)
+    before = end.ledger.credited
+    end.decide(sample(k, LinkHeader(LinkState.COUPLED, 7, 1), stamp=stamp), 0.0, 0.0, T * (k + 1), T)
+    end.settle(1.0, T)
+    assert end.ledger.credited - before <= 0.5 * K * 0.1 * 1.0 * T * (1.0 + 1e-12)
+
+
+def test_a_newcomer_is_let_come_before_what_the_tank_holds_is_spent():
+    end, other = guard(initial_energy=1.0, patience=0.5), guard(initial_energy=1.0)
+    header, spent = LinkHeader(LinkState.GUARDED, 7, 1, starved=True), list[float]()
+    for k in range(60):
+        feed(end, k, header, desired=1.0, held=2.0 * end.ledger.potential / K)
+        spent += [end.ledger.potential]
+    feed(other, 0, header, desired=1.0)
+    assert other.ledger.potential == 1.0
+    assert spent[0] == 0.0
+    assert spent[5] == pytest.approx(0.01, rel=0.2)
+    assert spent[-1] == pytest.approx(1.0)
+    assert not np.any(np.diff(spent) < -1e-12)
+    # As long as it waits it lacks nothing.
+    assert not guard(initial_energy=1e-9, patience=0.5).starved
+    late = guard(initial_energy=1e-9, patience=0.5)
+    feed(late, 0, header, desired=1.0)
+    assert not late.starved
 
 
 def test_an_end_that_has_caught_up_gives_what_the_other_lacks_and_no_more_than_it_has_for_certain():
-    end = guard(seed=1.0)
+    end = guard(initial_energy=1.0)
     for k in range(8):
-        feed(end, k, Word(GUARDED, 7, 1))
-    assert end.word.given == 0.0  # nobody lacks anything
+        feed(end, k, LinkHeader(LinkState.GUARDED, 7, 1))
+    assert end.header.given == 0.0  # nobody lacks anything
     end.help(0.5)  # it may belong to a coupled link, if the other end has just coupled
-    feed(end, 8, Word(GUARDED, 7, 1, wanting=True))
-    assert (end.word.given, end.tank) == (pytest.approx(1.0), pytest.approx(0.5))
+    feed(end, 8, LinkHeader(LinkState.GUARDED, 7, 1, starved=True))
+    assert (end.header.given, end.tank) == (pytest.approx(1.0), pytest.approx(0.5))
     for k in range(9, 40):
-        feed(end, k, Word(GUARDED, 7, 1, wanting=True))
-    assert (end.word.given, end.tank) == (pytest.approx(1.5), pytest.approx(0.0))
+        feed(end, k, LinkHeader(LinkState.GUARDED, 7, 1, starved=True))
+    assert (end.header.given, end.tank) == (pytest.approx(1.5), pytest.approx(0.0))
 
 
 def test_an_end_that_could_not_pay_says_so():
-    end = guard(seed=0.01)
-    assert feed(end, 0, Word(GUARDED, 7, 1), wish=0.01) < 1.0
-    assert end.word.wanting
-    feed(end, 1, Word(GUARDED, 7, 1), stamp=-9.0, wish=0.01)  # too old: energy would not help
-    assert not end.word.wanting
+    end = guard(initial_energy=0.01)
+    assert feed(end, 0, LinkHeader(LinkState.GUARDED, 7, 1), desired=0.01) < 1.0
+    assert end.header.starved
+    feed(end, 1, LinkHeader(LinkState.GUARDED, 7, 1), stamp=-9.0, desired=0.01)  # too old: energy would not help
+    assert not end.header.starved
 
 
 def test_copies_at_rest_apart_meet_by_what_the_hand_of_one_put_in():
@@ -298,7 +365,7 @@ def test_copies_at_rest_apart_meet_by_what_the_hand_of_one_put_in():
         return force / (damping + 5.0)  # a damper of its own takes what the link's does not
 
     outcome = attack(plan, hold)
-    assert {end.state for end in outcome.guards.values()} == {COUPLED}
+    assert {end.state for end in outcome.guards.values()} == {LinkState.COUPLED}
     assert outcome.spread < 1e-3
     assert outcome.supplied >= 0.0
     balanced(outcome)
@@ -306,72 +373,72 @@ def test_copies_at_rest_apart_meet_by_what_the_hand_of_one_put_in():
 
 def test_an_end_that_was_ready_and_falls_back_gets_no_spring_that_it_cannot_pay():
     """Budgets are raised while it waits; the other end has all that was in its tank, and may have coupled."""
-    end = guard(seed=0.0625)
+    end = guard(initial_energy=0.0625)
     for k in range(15):
-        feed(end, k, Word(GUARDED, 7, 1, wanting=True))
-    assert end.state == READY
+        feed(end, k, LinkHeader(LinkState.GUARDED, 7, 1, starved=True))
+    assert end.state == LinkState.READY
     end.total = 1.0
-    assert feed(end, 15, Word(GUARDED, 7, 1), wish=0.01, held=0.01) == 0.0
-    assert (end.state, end.tank, end.books.potential) == (GUARDED, 0.0, 0.0)
+    assert feed(end, 15, LinkHeader(LinkState.GUARDED, 7, 1), desired=0.01, held=0.01) == 0.0
+    assert (end.state, end.tank, end.ledger.potential) == (LinkState.GUARDED, 0.0, 0.0)
 
 
 @given(st.floats(1e-6, 1e3), st.floats(0.0, 10.0), st.booleans())
 def test_the_force_is_limited(limit: float, distance: float, together: bool):
-    end = guard(force=limit, seed=1e9)
+    end = guard(force=limit, initial_energy=1e9)
     k = couple(end) if together else 0
-    share = feed(end, k, Word(COUPLED, 7, 1), wish=distance**2)
-    assert K * share * distance <= limit * (1 + 1e-12)
-    assert end.state == (COUPLED if together else GUARDED)
-    assert K * distance >= limit or share == 1.0
+    fraction = feed(end, k, LinkHeader(LinkState.COUPLED, 7, 1), desired=distance**2)
+    assert K * fraction * distance <= limit * (1 + 1e-12)
+    assert end.state == (LinkState.COUPLED if together else LinkState.GUARDED)
+    assert K * distance >= limit or fraction == 1.0
 
 
 def test_a_violent_neighbour_gets_no_more_in_than_the_power_it_has():
     """It jumps to and fro by a metre, in time and in the right words."""
-    end, power, burst = guard(power=2.0, burst=0.5, seed=100.0), 2.0, 0.5
+    end, power, burst = guard(power=2.0, burst=0.5, initial_energy=100.0), 2.0, 0.5
     rng, held, work = np.random.default_rng(0), 0.0, 0.0
     for k in range(2000):
         y = float(rng.normal())
-        share = end.decide(sample(k, Word(READY, 7, end.epoch)), y * y, held * held, T * (k + 1), T)
+        fraction = end.decide(sample(k, LinkHeader(LinkState.READY, 7, end.epoch)), y * y, held * held, T * (k + 1), T)
         before = 0.5 * K * held**2
-        held = share * y
+        held = fraction * y
         work += max(0.0, 0.5 * K * held**2 - before)
         end.settle(0.0, T)
         assert work <= burst + power * T * (k + 1) + 1e-9
     assert work > 0.9 * power * T * 2000
 
 
-@pytest.mark.parametrize("wish", [np.inf, np.nan])
-def test_a_sample_at_no_finite_distance_has_no_force(wish: float):
+@pytest.mark.parametrize("desired", [np.inf, np.nan])
+def test_a_sample_at_no_finite_distance_has_no_force(desired: float):
     end = guard()
-    assert feed(end, 0, Word(READY, 7, 1), wish=wish) == 0.0
+    assert feed(end, 0, LinkHeader(LinkState.READY, 7, 1), desired=desired) == 0.0
     assert end.tank == 1.0
 
 
 def test_rounding_is_paid():
-    end = guard(rounding=1e-3, seed=0.1)
+    end = guard(rounding=1e-3, initial_energy=0.1)
     charge = K * 1e-6 * 17
     k = couple(end)
     assert end.tank == pytest.approx(0.1 - charge)
     end.settle(4.0, T)
     assert end.tank == pytest.approx(0.1 - charge + 0.5 * K * end._surplus * 4.0 * T - K * 1e-3 * 2.0 * T)
-    poor = guard(rounding=1e-3, seed=0.5 * charge)
+    poor = guard(rounding=1e-3, initial_energy=0.5 * charge)
     for k in range(40):
-        feed(poor, k, Word(READY, 7, 1))
-    assert poor.state == READY
-    broke = guard(rounding=1e-3, seed=charge * 1.0001)
+        feed(poor, k, LinkHeader(LinkState.READY, 7, 1))
+    assert poor.state == LinkState.READY
+    broke = guard(rounding=1e-3, initial_energy=charge * 1.0001)
     k = couple(broke)
     broke._surplus = 0.0
     broke.settle(1.0, T)
     assert broke.tank < 0.0
-    feed(broke, k, Word(COUPLED, 7, 1), wish=1e-4)
-    assert (broke.state, broke.events[-1].reason) == (GUARDED, "rounding")
+    feed(broke, k, LinkHeader(LinkState.COUPLED, 7, 1), desired=1e-4)
+    assert (broke.state, broke.events[-1].reason) == (LinkState.GUARDED, "rounding")
 
 
 def test_copies_meet_again_after_an_outage():
     """Moved apart while nothing passes; then somebody moves a little, and all is coupled again, at one place."""
     ways = {pair: Way(0.02, outages=[(1.0, 2.0)]) for pair in ((0, 1), (1, 0))}
     ends = [T * np.arange(1, 900) for _ in range(2)]
-    plan = Plan(ends, [(0, 1)], ways, {(0, 1): 0.05, (1, 0): 0.05}, [5.0, -3.0], {"seed": 1e-3})
+    plan = Plan(ends, [(0, 1)], ways, {(0, 1): 0.05, (1, 0): 0.05}, [5.0, -3.0], {"initial_energy": 1e-3})
 
     def follow(i: int, k: int, force: float, damping: float) -> float:
         if 100 <= k < 200:
@@ -379,7 +446,7 @@ def test_copies_meet_again_after_an_outage():
         return force / (damping + 2.0)
 
     outcome = attack(plan, follow)
-    assert {end.state for end in outcome.guards.values()} == {COUPLED}
+    assert {end.state for end in outcome.guards.values()} == {LinkState.COUPLED}
     assert outcome.spread < 1e-3
     assert outcome.supplied >= -2e-3
     assert outcome.force < K * 0.6
@@ -389,7 +456,7 @@ def test_copies_meet_again_after_an_outage():
     ("options", "message"),
     [
         ({"balance": 0.0}, "balance"),
-        ({"seed": -1.0}, "seed"),
+        ({"initial_energy": -1.0}, "initial_energy"),
         ({"cap": 0.5}, "cap"),
         ({"force": 0.0}, "force"),
         ({"power": np.nan}, "power"),

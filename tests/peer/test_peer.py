@@ -3,8 +3,17 @@ import pytest
 
 from cotouch.body import lattice, point
 from cotouch.errors import NetworkError
-from cotouch.mechanics import Grips, model
-from cotouch.peer import COUPLED, READY, UNHEARD, ConstantLink, FreshestLink, LinkGuard, Peer, Sample, Word
+from cotouch.mechanics import Ports, model
+from cotouch.peer import (
+    NO_HEADER,
+    ConstantLink,
+    FreshestLink,
+    LinkGuard,
+    LinkHeader,
+    LinkState,
+    Peer,
+    Sample,
+)
 
 
 def sample(sender: int, index: int, value: float) -> Sample:
@@ -14,7 +23,7 @@ def sample(sender: int, index: int, value: float) -> Sample:
 def peer(*, delay: int | None = None, local: float = 2.0, stiffness: float = 0.0) -> Peer:
     ready = model(point(mass=1.0, stiffness=4.0, damping=0.5), copies=2)
     initial = sample(1, -1, 0.0)
-    grips = Grips(
+    ports = Ports(
         first=0,
         last=1,
         row=np.zeros(1, np.int32),
@@ -34,7 +43,7 @@ def peer(*, delay: int | None = None, local: float = 2.0, stiffness: float = 0.0
         weight=[0],
         local_damping=np.array([local]),
         extra_damping=np.array([0.1]),
-        grips=grips,
+        ports=ports,
         position=np.array([[0.2]]),
         velocity=np.array([[-0.1]]),
     )
@@ -114,7 +123,9 @@ def test_a_late_step_takes_longer_and_stays_balanced() -> None:
     assert one.steps == 500
 
 
-def alone(*, stiffness: float = 4.0, damping: float = 0.5, copies: int = 2, velocity: float = 0.4) -> Peer:
+def alone(
+    *, stiffness: float = 4.0, damping: float = 0.5, copies: int = 2, velocity: float = 0.4, allowance: float = 0.0
+) -> Peer:
     ready = model(point(mass=1.0, stiffness=stiffness, damping=damping), copies=copies)
     empty = np.zeros(0)
     return Peer(
@@ -125,13 +136,14 @@ def alone(*, stiffness: float = 4.0, damping: float = 0.5, copies: int = 2, velo
         weight=[],
         local_damping=np.array([0.0]),
         extra_damping=np.array([0.0]),
-        grips=Grips(
+        ports=Ports(
             first=0, last=0, row=np.zeros(0, np.int32), shape=ready.port_shapes(np.zeros(0, np.int32)),
             stiffness=empty, damping=empty, start=np.zeros((0, 1)), end=np.zeros((0, 1)), push=np.zeros((0, 1)),
             force=np.zeros((0, 1)),
         ),
         position=np.array([[0.3]]),
         velocity=np.array([[velocity]]),
+        allowance=allowance,
     )  # fmt: skip
 
 
@@ -155,8 +167,8 @@ def test_one_member_less_keeps_momentum_and_stiffens_as_it_is_paid_for():
     before = energy(one, mass=1 / 2, stiffness=4 / 2)
     one.rescale(1)
     assert one.state.velocity[0, 0] == pytest.approx(0.2, rel=1e-15)  # half as fast, twice as heavy
-    assert one.stiffness_share == 0.5
-    shares, total, lost = [], 0.0, 0.0
+    assert one.stiffness_scale == 0.5
+    fractions, total, lost = [], 0.0, 0.0
     for k in range(400):
         report = one.step(0.01 * (k + 1), 0.01)
         total, lost = total + report.rescaled, lost + report.body_loss
@@ -165,12 +177,12 @@ def test_one_member_less_keeps_momentum_and_stiffens_as_it_is_paid_for():
         assert report.kinetic + report.elastic <= before + 1e-15
         assert total <= lost + 1e-15
         assert report.kinetic + report.elastic == pytest.approx(
-            energy(one, mass=1.0, stiffness=4.0 * one.stiffness_share), abs=1e-15
+            energy(one, mass=1.0, stiffness=4.0 * one.stiffness_scale), abs=1e-15
         )
-        shares.append(one.stiffness_share)
-    assert 0.5 < shares[0] < 1.0
-    assert shares == sorted(shares)
-    assert shares[-1] == 1.0
+        fractions.append(one.stiffness_scale)
+    assert 0.5 < fractions[0] < 1.0
+    assert fractions == sorted(fractions)
+    assert fractions[-1] == 1.0
 
 
 def test_without_losses_the_stiffness_waits_until_the_body_is_at_rest_shape():
@@ -182,7 +194,7 @@ def test_without_losses_the_stiffness_waits_until_the_body_is_at_rest_shape():
         lifted += report.rescaled
         assert report.kinetic + report.elastic <= 0.5 * 2.0 * 0.09 + 1e-14
     assert lifted == 0.0
-    assert one.stiffness_share == 0.5
+    assert one.stiffness_scale == 0.5
 
 
 def test_members_come_and_go_and_the_books_stay_balanced():
@@ -198,7 +210,7 @@ def test_members_come_and_go_and_the_books_stay_balanced():
         weight=[],
         local_damping=np.array([0.0]),
         extra_damping=np.array([0.1]),
-        grips=Grips(
+        ports=Ports(
             first=0, last=0, row=np.zeros(0, np.int32), shape=ready.port_shapes(np.zeros(0, np.int32)),
             stiffness=empty, damping=empty, start=np.zeros((0, 4)), end=np.zeros((0, 4)), push=np.zeros((0, 4)),
             force=np.zeros((0, 4)),
@@ -213,8 +225,8 @@ def test_members_come_and_go_and_the_books_stay_balanced():
         now += T
         if k % 20 == 10 and len(guards) < 3:
             new = next(j for j in (1, 2, 3) if j not in guards)
-            start = Sample(sender=new, index=-1, stamp=-np.inf, position=np.zeros(rows), word=UNHEARD)
-            guards[new] = LinkGuard(FreshestLink(start), budget=0.05, total=0.1, seed=1.0)
+            start = Sample(sender=new, index=-1, stamp=-np.inf, position=np.zeros(rows), header=NO_HEADER)
+            guards[new] = LinkGuard(FreshestLink(start), budget=0.05, total=0.1, initial_energy=1.0)
             one.connect(new, guards[new], strength=30.0)
             copies += 1
             one.rescale(copies)
@@ -231,24 +243,77 @@ def test_members_come_and_go_and_the_books_stay_balanced():
         for j, guard in guards.items():
             place = np.zeros(rows)
             place[:, :3] = 0.02 * np.sin(3.0 * now + j)
-            one.receive(Sample(sender=j, index=k, stamp=now - 0.01, position=place, word=Word(READY, 5, guard.epoch)))
+            one.receive(
+                Sample(
+                    sender=j,
+                    index=k,
+                    stamp=now - 0.01,
+                    position=place,
+                    header=LinkHeader(LinkState.READY, 5, guard.epoch),
+                )
+            )
         report = one.step(now, T)
         assert len(report.guards) == len(guards) == report.link_work.size
         assert abs(report.residual) < 1e-12 * max(1.0, report.kinetic + report.elastic)
-        for at, (guard, books) in enumerate(zip(guards.values(), report.guards, strict=True)):
-            assert books == guard.books
-            # What the spring holds after the step, by the guard's books and by the copy's.
-            stretch = one.state.position - one._places[at]
+        for at, (guard, ledger) in enumerate(zip(guards.values(), report.guards, strict=True)):
+            assert ledger == guard.ledger
+            # What the spring holds after the step, by the guard's ledger and by the copy's.
+            stretch = one.state.position - one._ends[at].place
             held = 0.5 * 30.0 * float((ready.operator.weight[0][:, None] * stretch**2).sum())
-            assert held == pytest.approx(books.potential - report.link_work[at], abs=1e-12)
-    assert any(guard.state == COUPLED for guard in guards.values())
+            assert held == pytest.approx(ledger.potential - report.link_work[at], abs=1e-12)
+    assert any(guard.state == LinkState.COUPLED for guard in guards.values())
+
+
+def test_an_allowance_goes_evenly_to_links_that_lack_it_until_all_are_coupled():
+    one = alone(velocity=0.0, allowance=0.4)
+    far = [np.full((1, 1), 2.0), np.full((1, 1), -1.5)]
+    guards = {j: guard_of(j) for j in (3, 4)}
+    for j, guard in guards.items():
+        one.connect(j, guard, strength=10.0)
+    T, given, taken = 0.01, 0.0, 0.0
+    for k in range(400):
+        now, apart = T * (k + 1), k < 300
+        for j, place in zip(guards, far, strict=True):
+            shown = place if apart else one.state.position.copy()
+            header = LinkHeader(LinkState.GUARDED if apart or k < 350 else LinkState.READY, 7, guards[j].epoch)
+            one.receive(Sample(sender=j, index=k, stamp=now, position=shown, header=header))
+        report = one.step(now, T)
+        given += report.advanced
+        assert report.advanced <= 0.2 * T * (1.0 + 1e-12)  # over two seconds
+        assert abs(report.residual) < 1e-14
+        taken = sum(guard.ledger.taken for guard in guards.values())
+    assert 0.1 < given <= 0.4
+    assert taken >= given
+    assert all(guard.state == LinkState.COUPLED for guard in guards.values())
+    before = given
+    for k in range(400, 500):  # what is left then is nobody's
+        now = T * (k + 1)
+        for j, place in zip(guards, far, strict=True):
+            one.receive(
+                Sample(
+                    sender=j,
+                    index=k,
+                    stamp=now,
+                    position=place,
+                    header=LinkHeader(LinkState.GUARDED, 8, guards[j].epoch),
+                )
+            )
+        given += one.step(now, T).advanced
+    assert given == before
+
+
+def guard_of(j: int) -> LinkGuard:
+    start = Sample(sender=j, index=-1, stamp=-np.inf, position=np.zeros((1, 1)), header=NO_HEADER)
+    return LinkGuard(FreshestLink(start), budget=0.1, total=0.2)
 
 
 def test_a_new_link_is_relaxed_where_the_copy_is():
     one = alone()
-    start = Sample(sender=4, index=-1, stamp=-np.inf, position=np.zeros((1, 1)), word=UNHEARD)
+    start = Sample(sender=4, index=-1, stamp=-np.inf, position=np.zeros((1, 1)), header=NO_HEADER)
     one.connect(4, LinkGuard(FreshestLink(start), budget=0.1, total=0.2), strength=1e4)
-    one.receive(Sample(sender=4, index=0, stamp=0.0, position=np.full((1, 1), 9.0), word=Word(COUPLED, 1, 1)))
+    one.receive(
+        Sample(sender=4, index=0, stamp=0.0, position=np.full((1, 1), 9.0), header=LinkHeader(LinkState.COUPLED, 1, 1))
+    )
     report = one.step(0.01, 0.01)
     assert report.guards[0].potential == 0.0
     # Only the implicit part of the spring acts, K T/2 v̂, which is a damper.
@@ -281,16 +346,16 @@ def test_norms_in_a_weight_that_couples_rows_are_the_dense_ones():
     y[:, :3] = rng.normal(size=(body.nodes, 3))
     seen: list[tuple[float, float]] = []
 
-    guard = LinkGuard(FreshestLink(Sample(sender=1, index=0, stamp=0.0, position=y)), seed=1e9)
+    guard = LinkGuard(FreshestLink(Sample(sender=1, index=0, stamp=0.0, position=y)), initial_energy=1e9)
     decide = guard.decide
-    guard.decide = lambda sample, wish, held, now, T: (  # pyright: ignore[reportAttributeAccessIssue]
-        seen.append((wish, held)),
-        decide(sample, wish, held, now, T),
+    guard.decide = lambda sample, desired, held, now, T: (  # pyright: ignore[reportAttributeAccessIssue]
+        seen.append((desired, held)),
+        decide(sample, desired, held, now, T),
     )[1]
     one = Peer(
         index=0, model=ready, links={1: guard}, strength=[3.0], weight=[1],
         local_damping=np.array([0.0, 1.0]), extra_damping=np.zeros(2),
-        grips=Grips(
+        ports=Ports(
             first=0, last=0, row=np.zeros(0, np.int32), shape=ready.port_shapes(np.zeros(0, np.int32)),
             stiffness=empty, damping=empty, start=np.zeros((0, 4)), end=np.zeros((0, 4)), push=np.zeros((0, 4)),
             force=np.zeros((0, 4)),
@@ -299,7 +364,7 @@ def test_norms_in_a_weight_that_couples_rows_are_the_dense_ones():
     )  # fmt: skip
     W = np.asarray(laplacian + 0.5 * np.eye(body.nodes))
     for k in range(3):
-        x, held = ready.to_nodes(one.state.position), ready.to_nodes(one._places[0])
+        x, held = ready.to_nodes(one.state.position), ready.to_nodes(one._ends[0].place)
         one.step(0.01 * (k + 1), 0.01)
         away, before = x - ready.to_nodes(y), x - held
         assert seen[k][0] == pytest.approx(np.einsum("ia,ij,ja", away, W, away), rel=1e-12)

@@ -34,7 +34,7 @@ def test_the_slowest_mode_of_a_body_counts():
     modes = modes_of(body)
     found = plan(five_users(), links=6, objective="decay", **modes)
     single = [
-        plan(five_users().with_links(None), links=6, objective="decay", must=found.best.links, mass=m, stiffness=k)
+        plan(five_users().with_links(None), links=6, objective="decay", require=found.best.links, mass=m, stiffness=k)
         for m, k in zip(modes["mass"], modes["stiffness"], strict=True)
     ]
     assert found.best.value == pytest.approx(max(one.best.value for one in single), rel=1e-9)

@@ -45,9 +45,44 @@ def test_a_stronger_link_is_wider():
     assert lines[0].get_linewidth() < lines[1].get_linewidth()
 
 
-def test_beyond_ten_users_labels_thin_out():
-    network = community(20)
-    assert len(texts(networks([("all", network)]))) < 20 + 3 * len(network.links)
+def test_beyond_ten_users_a_link_has_one_label_and_is_thin():
+    network = community(30)
+    ring = network.with_links([(i, i + 1) for i in range(29)])
+    figure = networks([("ring", ring)])
+    said = texts(figure)
+    assert len(said) <= 30 + 29
+    trips = {f"{1e3 * (network.delay[a, b] + network.delay[b, a]):.3g}" for a, b in ring.links}
+    assert set(said) - set(ring.users) <= trips
+    lines = [line for line in figure.axes[0].get_lines() if len(line.get_xydata()) == 2]
+    assert max(line.get_linewidth() for line in lines) < 1.5
+
+
+def test_beyond_forty_links_colour_says_it_alone():
+    network = community(30)
+    around = [(i, i + step) for step in (1, 2) for i in range(30 - step)]
+    figure = networks([("two rings", network.with_links(around))])
+    assert set(texts(figure)) <= set(network.users)
+    assert "Small" not in figure.get_supxlabel()
+    assert figure.axes[1].get_xlabel().startswith("Round trip")
+
+
+def test_the_knee_shows_every_point_whole_and_its_label_covers_none():
+    figure = knee([4, 5, 6, 7], [-1.0, -5.0, -4.0, -4.9], [30.0, 90.0, 80.0, 85.0], chosen=6)
+    for panel, values in zip(figure.axes, ([1.0, 5.0, 4.0, 4.9], [30.0, 90.0, 80.0, 85.0]), strict=True):
+        low, high = panel.get_ylim()
+        assert low == 0.0
+        assert high >= 1.1 * max(values)
+        (label,) = panel.texts
+        assert label.get_position()[1] > 0.0, "above its point"
+    rising = knee([4, 5], [0.5, -1.0], [3.0, 4.0])
+    assert rising.axes[0].get_ylim()[0] < -0.5, "a choice that rises is seen"
+
+
+def test_springs_that_are_all_alike_are_said_once():
+    network = community(5).replace(spring=50.0 * (1 - np.eye(5)))
+    figure = networks([("all", network)])
+    assert "50" not in texts(figure)
+    assert "All springs 50 N/m" in figure.get_supxlabel()
 
 
 def test_ranks_say_spearmans_rho():

@@ -11,7 +11,7 @@ from tests.planning.support import GRID, five_users, pairs, small_network
 from cotouch import plan
 from cotouch.errors import NetworkError, UnsupportedError
 from cotouch.network import Network, complete, connected_graphs, mixing, rightmost_root, ring, rule_damping
-from cotouch.planning import survey
+from cotouch.planning import PlanInterrupted, survey
 
 TABLE = [
     ("consensus", "equation", "12 14 23 24 34 45", 0.993061, None, 1.0, 7),
@@ -98,21 +98,25 @@ def test_three_ways_agree_on_random_networks(seed: int):
     for objective in ("consensus", "decay"):
         options = {"links": links, "objective": objective, "time_unit": GRID}
         proved = plan(network, **options)
-        found = plan(network, **options, method="local", starts=80, seed=seed)
-        assert proved.status == "proved"
+        # Where no graph mixes, none is better than another.
+        assert proved.status == ("best found" if proved.periodic == proved.graphs else "proved")
+        for starts in (24, 80):  # few networks need more than the first, which are the same
+            found = plan(network, **options, method="local", starts=starts, seed=seed)
+            if found.best.value == pytest.approx(proved.best.value, abs=1e-9):
+                break
         assert found.best.value == pytest.approx(proved.best.value, abs=1e-9)
 
 
 def test_limits_on_the_links_are_kept():
     network = five_users()
-    must, never = pairs("13"), pairs("24 45")
+    require, forbid = pairs("13"), pairs("24 45")
     for method in ("enumerate", "bound", "local"):
-        found = plan(network, links=5, objective="damping", must=must, never=never, max_degree=3, method=method)
+        found = plan(network, links=5, objective="damping", require=require, forbid=forbid, max_degree=3, method=method)
         allowed = [
             graph
             for graph in connected_graphs(network, links=5)
-            if set(must) <= set(graph)
-            and not set(never) & set(graph)
+            if set(require) <= set(graph)
+            and not set(forbid) & set(graph)
             and network.with_links(graph).adjacency().sum(axis=1).max() <= 3
         ]
         best = min(rule_damping(network.with_links(graph), ages=network.delay).max() for graph in allowed)
@@ -156,11 +160,40 @@ def test_out_of_time_gives_the_best_so_far():
     assert found.best.value == pytest.approx(calls[-1][2])
 
 
+def test_out_of_time_in_the_middle_of_every_flood_gives_what_they_hold():
+    """Whatever the size, the budget does not wait for a flood to end."""
+    rng = np.random.default_rng(0)
+    spring = np.triu(rng.uniform(20, 100, (40, 40)), 1)
+    delay = rng.uniform(0.02, 0.4, (40, 40)) * (1 - np.eye(40))
+    network = Network(users=[str(i) for i in range(40)], spring=spring + spring.T, delay=delay)
+    rounds = []
+    found = plan(
+        network,
+        links=80,
+        objective="decay",
+        method="local",
+        seconds=2,
+        # After one slice of every flood it is time to close, and over once one of them is worked out.
+        clock=lambda: (0.0, 1.96, 3.0)[(len(rounds) >= 8) + (len(rounds) >= 9)],
+        progress=lambda *report: rounds.append(report),
+        jobs=1,
+    )
+    assert found.status == "best found"
+    assert rounds[0][2] < math.inf, "the first start is worked out before its flood"
+    assert len(rounds) < 20
+    assert found.graphs > 1, "what the floods held is worked out at the end"
+    assert found.best.value <= rounds[0][2]
+    assert found.best.value == pytest.approx(rightmost_root(network.with_links(found.best.links)).rate, rel=1e-9)
+
+
 def test_interrupted_gives_the_best_so_far():
     def interrupt(done: int, total: int, best: float) -> None:
         raise KeyboardInterrupt
 
-    found = plan(five_users(), links=6, objective="decay", progress=interrupt, jobs=1)
+    with pytest.raises(KeyboardInterrupt) as raised:
+        plan(five_users(), links=6, objective="decay", progress=interrupt, jobs=1)
+    assert isinstance(raised.value, PlanInterrupted)
+    found = raised.value.plan
     assert found.status == "best found"
     assert 0 < found.graphs < 205
 
@@ -184,21 +217,22 @@ NOT_JOINED = np.kron(np.eye(2), [[0, 1], [1, 0]])
 BAD = [
     ({"links": 2}, "links is 2; .* it must be 3 to 6"),
     ({"links": 7}, "links is 7; .* it must be 3 to 6"),
-    ({"links": 4, "never": pairs("12 13 14")}, "separate groups"),
-    ({"links": 4, "must": pairs("12"), "never": pairs("12")}, "1-2 is both in must and in never"),
-    ({"links": 3, "must": pairs("12 13 14 23")}, "must holds 4 links but links is 3"),
-    ({"links": 4, "must": pairs("12 13 14"), "max_degree": 2}, "must gives user 1 3 links but max_degree is 2"),
+    ({"links": 4, "forbid": pairs("12 13 14")}, "separate groups"),
+    ({"links": 4, "require": pairs("12"), "forbid": pairs("12")}, "1-2 is both in require and in forbid"),
+    ({"links": 3, "require": pairs("12 13 14 23")}, "require holds 4 links but links is 3"),
+    ({"links": 4, "require": pairs("12 13 14"), "max_degree": 2}, "require gives user 1 3 links but max_degree is 2"),
     ({"links": 5, "max_degree": 2}, "links is 5; with max_degree 2 .* at most 4"),
     ({"links": 4, "max_degree": 1}, "max_degree is 1; .* at least 2"),
-    ({"links": 3, "must": [(0, 4)]}, "must holds 1-5; .* numbered 1 to 4"),
-    ({"links": 3, "never": [(1, 1)]}, "never holds 2-2"),
-    ({"links": 3, "max_degree": 2, "never": pairs("23 24 34")}, "no choice of 3 links connects all 4 users"),
+    ({"links": 3, "require": [(0, 4)]}, "require holds 1-5; .* numbered 1 to 4"),
+    ({"links": 3, "forbid": [(1, 1)]}, "forbid holds 2-2"),
+    ({"links": 3, "max_degree": 2, "forbid": pairs("23 24 34")}, "no choice of 3 links connects all 4 users"),
     ({"links": 3, "objective": "speed"}, 'objective is "speed"'),
     ({"links": 3, "convention": "both"}, 'convention is "both"'),
     ({"links": 3, "time_unit": math.nan}, "time_unit is nan"),
     ({"links": 3, "method": "bound"}, 'method is "bound" but objective is "consensus"'),
     ({"links": 3, "method": "luck"}, 'method is "luck"'),
     ({"links": 3, "top": 0}, "top is 0"),
+    ({"links": 3, "top": 10**12}, "top is 1000000000000; it must be at most 1000"),
     ({"links": 3, "seed": -1}, "seed is -1"),
     ({"links": 3, "seconds": math.nan}, "seconds is nan"),
     ({"links": 3, "objective": "decay", "mass": 0.0}, "mass is 0 kg"),
@@ -232,7 +266,7 @@ def test_a_never_that_only_max_degree_makes_impossible_is_found_by_every_way():
     """A star is all that is left, and its middle may not have three links."""
     for method in ("enumerate", "bound", "local"):
         with pytest.raises(NetworkError, match="no choice of 3 links"):
-            plan(make(), links=3, max_degree=2, never=pairs("23 24 34"), method=method, objective="damping")
+            plan(make(), links=3, max_degree=2, forbid=pairs("23 24 34"), method=method, objective="damping")
 
 
 def test_a_plan_survives_a_pipe():

@@ -67,11 +67,11 @@ def test_a_pair_that_meets_moves_smoothly_in_mean_and_square():
 
 
 @settings(max_examples=12)
-@given(seed=st.integers(0, 10_000), share=st.floats(0.2, 3.0), thing=st.sampled_from(OBJECTS))
-def test_never_worse_and_within_the_limits(seed, share, thing):
+@given(seed=st.integers(0, 10_000), fraction=st.floats(0.2, 3.0), thing=st.sampled_from(OBJECTS))
+def test_never_worse_and_within_the_limits(seed, fraction, thing):
     rng = np.random.default_rng(seed)
     network = random_network(rng, size=int(rng.integers(2, 5)))
-    limit = share * ages(network).max() * rng.uniform(0.8, 1.2, network.size)
+    limit = fraction * ages(network).max() * rng.uniform(0.8, 1.2, network.size)
     tuned = tune_springs(network, damping_limit=limit, rounds=15, **thing)
     factor = min(1.0, float((limit / np.maximum(ages(network), 1e-300)).min()))
     assert tuned.start_factor == pytest.approx(factor, rel=1e-12)

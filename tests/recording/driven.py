@@ -10,12 +10,12 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.body import Body, point
-from cotouch.mechanics import Grips, Model, model
-from cotouch.peer import FreshestLink, Link, Peer, Report, Sample
+from cotouch.mechanics import Model, Ports, model
+from cotouch.peer import FreshestLink, Link, Peer, Sample, StepReport
 from cotouch.recording import RecordedBody, Recorder, RecordHeader
 
 Float = npt.NDArray[np.float64]
-Change = Callable[[int, Report], Report]
+Change = Callable[[int, StepReport], StepReport]
 Hand = Callable[[Peer, float, float], None]
 
 
@@ -23,11 +23,11 @@ def pulled(amplitude: float = 0.1, stiffness: float = 40.0, damping: float = 0.4
     """A spring to a place that moves."""
 
     def hand(peer: Peer, now: float, T: float) -> None:
-        grips = peer.grips
-        grips.stiffness[:] = stiffness
-        grips.damping[:] = damping
-        grips.start[:, 0] = amplitude * np.sin(7.0 * (now - T)) * (now > T)
-        grips.end[:, 0] = amplitude * np.sin(7.0 * now)
+        ports = peer.ports
+        ports.stiffness[:] = stiffness
+        ports.damping[:] = damping
+        ports.start[:, 0] = amplitude * np.sin(7.0 * (now - T)) * (now > T)
+        ports.end[:, 0] = amplitude * np.sin(7.0 * now)
 
     return hand
 
@@ -53,7 +53,7 @@ class Driven:
     change: Change | None = None
     disturb: Callable[[Peer, float], None] | None = None
     deliver: Callable[[int, Sample], Sample] | None = None
-    phase: Callable[[int, float], Sequence[int]] | None = None
+    link_state: Callable[[int, float], Sequence[int]] | None = None
     with_used: bool = False
     options: dict[str, Any] = field(default_factory=dict)
     rename: Callable[[int], str] = lambda user: ("Ann", "Ben", "Cyd", "Dot", "Eve")[user]
@@ -62,7 +62,7 @@ class Driven:
         self.users = len(self.periods)
         self.model: Model = model(self.body, copies=self.users)
         self.recorders: list[Recorder] = []
-        self.reports: list[list[Report]] = [[] for _ in range(self.users)]
+        self.reports: list[list[StepReport]] = [[] for _ in range(self.users)]
         self.states: list[list[tuple[Float, Float]]] = [[] for _ in range(self.users)]
 
     def neighbours(self, user: int) -> list[int]:
@@ -94,7 +94,7 @@ class Driven:
             weight=[0] * len(links),
             local_damping=np.array([self.local(user)]),
             extra_damping=np.array([0.1]),
-            grips=Grips(
+            ports=Ports(
                 first=0,
                 last=ports,
                 row=rows,
@@ -170,7 +170,7 @@ class Driven:
                 T=self.periods[user],
                 state=peer.state,
                 used=used if self.with_used else None,
-                phase=None if self.phase is None else self.phase(user, now),
+                link_state=None if self.link_state is None else self.link_state(user, now),
             )
             for j in self.neighbours(user):
                 sent += 1

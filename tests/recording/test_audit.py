@@ -10,8 +10,8 @@ from tests.recording.driven import Driven, pulled
 
 from cotouch.body import lattice, point
 from cotouch.errors import RecordingError
-from cotouch.peer import Peer, Report, Sample
-from cotouch.recording import Audit, LinkPhase, audit, read_recording
+from cotouch.peer import LinkState, Peer, Sample, StepReport
+from cotouch.recording import Audit, audit, read_recording
 from cotouch.recording._links import align
 from cotouch.scenario import Scenario
 from cotouch.simulation import prepare
@@ -52,40 +52,40 @@ def test_an_honest_session_holds(tmp_path: Path, options: dict[str, Any]) -> Non
     assert result.findings == ()
     assert result.complete
     assert result.margin >= -result.tolerance
-    for user, books in enumerate(result.users):
+    for user, ledger in enumerate(result.users):
         reports = driven.reports[user]
-        assert books.supplied == pytest.approx(sum(r.supplied for r in reports), abs=1e-12)
-        assert books.local_loss == pytest.approx(sum(r.local_loss for r in reports), abs=1e-12)
-        assert books.link_work == pytest.approx(sum(float(r.link_work.sum()) for r in reports), abs=1e-12)
-        assert abs(books.residual) < 1e-12
-    for books in result.links:
-        assert books.strict
-        assert books.whole
-        assert books.unknown < 0.15  # only those before the first sample
-        assert books.excess <= result.tolerance
+        assert ledger.supplied == pytest.approx(sum(r.supplied for r in reports), abs=1e-12)
+        assert ledger.local_loss == pytest.approx(sum(r.local_loss for r in reports), abs=1e-12)
+        assert ledger.link_work == pytest.approx(sum(float(r.link_work.sum()) for r in reports), abs=1e-12)
+        assert abs(ledger.residual) < 1e-12
+    for ledger in result.links:
+        assert ledger.strict
+        assert ledger.whole
+        assert ledger.unknown < 0.15  # only those before the first sample
+        assert ledger.excess <= result.tolerance
 
 
 def test_a_links_books_are_those_of_the_formula(tmp_path: Path) -> None:
     """W on both ends and the spring, by sums over what the test itself kept."""
     driven = Driven(tmp_path, hands=STRONG)
     result = audited(driven)
-    (books,) = result.links
+    (ledger,) = result.links
     works = [sum(float(r.link_work[0]) for r in driven.reports[user]) for user in range(2)]
-    assert books.work == pytest.approx(works, abs=1e-12)
+    assert ledger.work == pytest.approx(works, abs=1e-12)
     ends = [float(driven.states[user][-1][0][0, 0]) for user in range(2)]
-    assert books.spring == pytest.approx(0.5 * driven.spring * (ends[0] - ends[1]) ** 2, abs=1e-12)
-    assert books.by_phase == pytest.approx({"coupled": sum(works) + books.spring}, abs=1e-12)
+    assert ledger.spring == pytest.approx(0.5 * driven.spring * (ends[0] - ends[1]) ** 2, abs=1e-12)
+    assert ledger.by_state == pytest.approx({"coupled": sum(works) + ledger.spring}, abs=1e-12)
     lost = sum(r.local_loss for reports in driven.reports for r in reports)
-    assert books.dissipated == pytest.approx(lost, abs=1e-12)
+    assert ledger.dissipated == pytest.approx(lost, abs=1e-12)
     most = [max(float(r.age[0]) for r in driven.reports[user]) for user in range(2)]
-    assert books.age == pytest.approx(most, abs=1e-12)
+    assert ledger.age == pytest.approx(most, abs=1e-12)
     assert result.users[0].asked == pytest.approx(0.5 * driven.spring * sum(most), abs=1e-9)
 
 
 def test_a_force_recorded_as_half_is_found_at_the_hand(tmp_path: Path) -> None:
     missing: list[float] = []
 
-    def half(user: int, report: Report) -> Report:
+    def half(user: int, report: StepReport) -> StepReport:
         return replace(report, force=0.5 * report.force) if user == 0 and report.sample.index >= 100 else report
 
     driven = Driven(tmp_path, hands=STRONG, change=half)
@@ -120,7 +120,7 @@ def test_a_joule_in_the_recorded_state_alone_is_found_too(tmp_path: Path) -> Non
     """The peer did right, but what stands in the file is another position: nothing fits any more."""
     recorded = Driven(tmp_path, hands=STRONG)
 
-    def forge(user: int, report: Report) -> Report:
+    def forge(user: int, report: StepReport) -> StepReport:
         if user == 1 and report.sample.index == 30:
             return replace(report, sample=replace(report.sample, position=report.sample.position + 0.01))
         return report
@@ -156,13 +156,13 @@ def test_too_little_damping_and_a_hand_that_takes_are_found(tmp_path: Path) -> N
     places = {finding.place: finding for finding in result.findings}
     assert set(places) == {"link", "network"}
     assert places["link"].link == (0, 1)
-    assert places["link"].energy == pytest.approx(result.links[0].by_phase["coupled"], rel=1e-6)
+    assert places["link"].energy == pytest.approx(result.links[0].by_state["coupled"], rel=1e-6)
     supplied = sum(sum(r.supplied for r in reports) for reports in driven.reports)
     assert supplied < 0.0
     assert places["network"].energy >= -supplied * (1 - 1e-9)
     assert any("asks for" in note for note in result.notes)
-    for books in result.users:
-        assert abs(books.residual) < 1e-9  # nobody's own books are wrong
+    for ledger in result.users:
+        assert abs(ledger.residual) < 1e-9  # nobody's own ledger is wrong
 
 
 def test_enough_damping_takes_what_the_ages_make(tmp_path: Path) -> None:
@@ -175,7 +175,7 @@ def test_enough_damping_takes_what_the_ages_make(tmp_path: Path) -> None:
         driven = Driven(folder, delay=THREE, periods=tuple(rng.choice([0.004, 0.01, 0.016], 3)), hands=hands)
         result = audited(driven)
         assert result.holds, result.verdict
-        assert all(books.excess <= result.tolerance for books in result.links)
+        assert all(ledger.excess <= result.tolerance for ledger in result.links)
 
 
 def test_unix_times_that_are_apart_are_corrected(tmp_path: Path) -> None:
@@ -241,7 +241,7 @@ def test_a_recording_that_is_cut_off_is_judged_as_far_as_it_goes(tmp_path: Path)
     assert result.holds, result.verdict
     assert not result.complete
     assert not result.links[0].whole
-    assert any("not whole" in note for note in result.notes)
+    assert any("cut off after step" in note for note in result.notes)
 
 
 def test_one_recording_alone_is_audited_for_itself(tmp_path: Path) -> None:
@@ -258,11 +258,11 @@ def test_phases_of_a_link_share_what_it_made(tmp_path: Path) -> None:
     (tmp_path / "b").mkdir()
 
     def phase(user: int, now: float) -> list[int]:
-        return [LinkPhase.GUARDED if 0.3 <= now < 0.6 else LinkPhase.COUPLED]
+        return [LinkState.GUARDED if 0.3 <= now < 0.6 else LinkState.COUPLED]
 
-    result = audited(Driven(tmp_path / "b", hands=STRONG, phase=phase))
-    assert set(result.links[0].by_phase) == {"coupled", "guarded"}
-    assert sum(result.links[0].by_phase.values()) == pytest.approx(plain.links[0].by_phase["coupled"], abs=1e-12)
+    result = audited(Driven(tmp_path / "b", hands=STRONG, link_state=phase))
+    assert set(result.links[0].by_state) == {"coupled", "guarded"}
+    assert sum(result.links[0].by_state.values()) == pytest.approx(plain.links[0].by_state["coupled"], abs=1e-12)
     assert result.links[0].unknown > plain.links[0].unknown + 0.2
     assert result.holds
 
@@ -271,7 +271,7 @@ def test_somebody_joins_and_every_copy_gets_lighter(tmp_path: Path) -> None:
     driven = Driven(tmp_path, hands=STRONG)
 
     def join(peer: Peer, now: float) -> None:
-        if now >= 0.5 and peer.stiffness_share > 0.4:
+        if now >= 0.5 and peer.stiffness_scale > 0.4:
             recorder = driven.recorders[peer.index]
             recorder.setup(
                 now,
@@ -287,12 +287,12 @@ def test_somebody_joins_and_every_copy_gets_lighter(tmp_path: Path) -> None:
     driven.disturb = join
     result = audited(driven)
     assert result.holds, result.verdict
-    for user, books in enumerate(result.users):
+    for user, ledger in enumerate(result.users):
         at = round(0.5 / driven.periods[user]) - 1  # the state before the step that ends at 0.5 s
         x, v = (float(values[0, 0]) for values in driven.states[user][at - 1])
         energy = 0.5 * 1.0 * v * v + 0.5 * 4.0 * x * x
-        assert books.members == pytest.approx((1 / 3 - 1 / 2) * energy, rel=1e-9)
-        assert abs(books.residual) < 1e-12
+        assert ledger.members == pytest.approx((1 / 3 - 1 / 2) * energy, rel=1e-9)
+        assert abs(ledger.residual) < 1e-12
 
 
 def with_tools(folder: Path) -> list[Path]:
@@ -357,10 +357,10 @@ def test_tools_are_audited_too(tmp_path: Path) -> None:
     result = audit(recordings)
     assert result.holds, result.verdict
     assert max(float(r.columns["touch_stored"].max()) for r in recordings) > 1e-6
-    for recording, books in zip(recordings, result.users, strict=True):
-        assert books.supplied == pytest.approx(float(recording.columns["drive_work"].sum()), rel=1e-6)
-        assert books.supplied > 1e-8
-        assert abs(books.residual) < 1e-12
+    for recording, ledger in zip(recordings, result.users, strict=True):
+        assert ledger.supplied == pytest.approx(float(recording.columns["drive_work"].sum()), rel=1e-6)
+        assert ledger.supplied > 1e-8
+        assert abs(ledger.residual) < 1e-12
     # One proxy that is faster than what acts on it.
     columns = dict(recordings[0].columns)
     columns["tool_rate"] = np.array(columns["tool_rate"])

@@ -14,7 +14,7 @@ def batch(steps: int, links: int, states: int, seed: int = 0) -> Batch:
     columns = {name: rng.normal(size=steps) for name in SCALARS}
     columns["index"] = np.arange(steps, dtype=np.int64)
     columns["link_work"] = rng.normal(size=(steps, links))
-    columns["phase"] = rng.integers(0, 4, (steps, links)).astype(np.int8)
+    columns["link_state"] = rng.integers(0, 4, (steps, links)).astype(np.int8)
     columns["force"] = rng.normal(size=(steps, 2, 3))
     columns["state_row"] = np.sort(rng.choice(steps, states, replace=False)).astype(np.int32)
     columns["x"] = rng.normal(size=(states, 4, 3))

@@ -9,10 +9,10 @@ from tests.recording.driven import Driven, pulled
 from tests.recording.test_audit import recorded_world
 
 from cotouch.body import lattice
-from cotouch.errors import RecordingError
+from cotouch.errors import OutputError, RecordingError
 from cotouch.recording import read_recording, recordings_dataset, save_dataset
 from cotouch.scenario import Scenario
-from cotouch.simulation import at_times, simulate
+from cotouch.simulation import at_times, simulate, tables
 
 
 def test_it_is_the_dataset_of_the_same_run_in_the_simulator(tmp_path: Path) -> None:
@@ -38,6 +38,27 @@ def test_it_is_the_dataset_of_the_same_run_in_the_simulator(tmp_path: Path) -> N
     assert float(run["supplied"].max()) > 1e-3
     assert recorded["direction"].values.tolist() == run["direction"].values.tolist()
     assert recorded["user"].values.tolist() == ["Ann", "Ben"]
+    for name in ("time", "tick_time", "receiver", "sender"):
+        assert recorded.coords[name].dims == run.coords[name].dims, name
+    for name in ("receiver", "sender"):
+        assert recorded[name].values.tolist() == run[name].values.tolist()
+    assert np.allclose(recorded["tick_time"], run["tick_time"], rtol=0, atol=1e-9)
+    assert recorded["slack"].attrs == run["slack"].attrs
+    # Both users end a step every 20 ms. What was lost by then, what links did, and what the spring holds say the slack.
+    ann, ben = slice(0, None, 5), slice(0, 51, 2)
+    lost = run["local_loss"].values[0, ann] + run["local_loss"].values[1, ben]
+    done = run["link_work"].values[0, ann] + run["link_work"].values[1, ben]
+    apart = run["position"].values[0, ann] - run["position"].values[1, ben]
+    spring = 0.5 * 60.0 * (apart**2).sum(axis=(1, 2))
+    assert recorded["slack"].values[::5] == pytest.approx(lost - done - spring, abs=1e-12)
+    assert float(run["slack"][-1]) > 1e-3
+    found = tables(recorded)
+    assert len(found["user"]) == 126 + 51
+    assert len(found["user_node_axis"]) == (126 + 51) * 3 * 2
+    assert found["direction"].groupby(["receiver", "sender"]).size().to_dict() == {
+        ("Ann", "Ben"): 126,
+        ("Ben", "Ann"): 51,
+    }
     times = np.linspace(0.1, 0.4, 7)
     assert np.allclose(at_times(recorded, "position", times), at_times(run, "position", times))
 
@@ -63,6 +84,8 @@ def test_states_that_are_kept_less_often_have_their_own_dimension(tmp_path: Path
     run = recordings_dataset([read_recording(path) for path in driven.run()])
     assert run["position"].dims == ("user", "state", "node", "axis")
     assert run["state_time"].values[0, :3] == pytest.approx([0.004, 0.044, 0.084])
+    assert "slack" not in run, "without every state nobody knows it"
+    assert set(tables(run)) >= {"user", "direction", "user_state_node_axis"}
     assert run["position"].values[0, 2, 0, 0] == driven.states[0][20][0][0, 0]
 
 
@@ -74,9 +97,17 @@ def test_the_file_is_whole_or_not_there(tmp_path: Path) -> None:
             assert np.array_equal(values, again[name], equal_nan=True)
             assert again[name].attrs["units"]
         assert again.attrs["session"] == "table"
-    with pytest.raises(RecordingError, match="cannot be written"):
+    with pytest.raises(OutputError, match="does not exist; make it first"):
         save_dataset(run, tmp_path / "no" / "x.nc")
-    assert not list(tmp_path.glob("**/*.part"))
+    with pytest.raises(OutputError, match=r'ends in "\.mat"; what is written there must end in \.nc, '):
+        save_dataset(run, tmp_path / "x.mat")
+    assert [path.name for path in tmp_path.iterdir() if path.suffix != ".mcap"] == ["x.nc"]
+
+
+def test_without_a_neighbours_recording_there_is_no_slack_and_its_name_is_its_number(tmp_path: Path) -> None:
+    run = recordings_dataset([read_recording(Driven(tmp_path).run()[0])])
+    assert "slack" not in run
+    assert run["sender"].values.tolist() == ["user 2"]
 
 
 def test_two_of_the_same_user_are_refused(tmp_path: Path) -> None:

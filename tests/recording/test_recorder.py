@@ -16,8 +16,8 @@ from tests.recording.driven import Driven
 from cotouch.body import lattice, point
 from cotouch.errors import RecordingError
 from cotouch.mechanics import State, model
-from cotouch.peer import Report, Sample
-from cotouch.recording import LinkPhase, RecordedBody, Recorder, RecordHeader, both_clocks, read_recording
+from cotouch.peer import LinkState, Sample, StepReport
+from cotouch.recording import RecordedBody, Recorder, RecordHeader, both_clocks, read_recording
 
 
 def header(**fields: Any) -> RecordHeader:
@@ -25,8 +25,8 @@ def header(**fields: Any) -> RecordHeader:
     return RecordHeader(**{**made, **fields})
 
 
-def report(k: int, links: int = 1, value: float = 0.0) -> Report:
-    return Report(
+def report(k: int, links: int = 1, value: float = 0.0) -> StepReport:
+    return StepReport(
         sample=Sample(sender=0, index=k, stamp=0.0, position=np.full((1, 1), value)),
         force=np.full((1, 1), 2.0 * value),
         supplied=value + 0.5,
@@ -44,13 +44,17 @@ def report(k: int, links: int = 1, value: float = 0.0) -> Report:
         residual=11.0,
         age=np.full(links, 0.01),
         iterations=12,
+        closure=0.0,
+        closure_factor=0.0,
+        shortened=0.0,
         rescaled=0.0,
+        advanced=0.0,
         guards=(),
     )
 
 
 def state(value: float = 0.0) -> State:
-    return State(np.full((1, 1), value), np.full((1, 1), -value), np.zeros((1, 1)), np.zeros((1, 1)))
+    return State(np.full((1, 1), value), np.full((1, 1), -value), np.zeros((1, 1)), np.zeros((1, 1)), np.zeros(0))
 
 
 @pytest.mark.parametrize("body", ["point", "lattice", "full", "truncated"])
@@ -109,9 +113,15 @@ def test_columns_of_ones_own_and_links_that_change(tmp_path: Path) -> None:
         recorder.setup(16.0, copies=3, neighbours=[2, 1], strength=[6.0, 5.0])
         recorder.event("joined", 16.0, who="Cyd")
         for k in range(6, 9):
-            phase = [LinkPhase.GUARDED, LinkPhase.COUPLED]
+            link_state = [LinkState.GUARDED, LinkState.COUPLED]
             recorder.step(
-                report(k, 2), end=10 + k, T=1.0, state=state(), used=[k, -1], phase=phase, extra={"tank": [1, k]}
+                report(k, 2),
+                end=10 + k,
+                T=1.0,
+                state=state(),
+                used=[k, -1],
+                link_state=link_state,
+                extra={"tank": [1, k]},
             )
     read = read_recording(path)
     assert read.neighbours == (1, 2)
@@ -119,7 +129,7 @@ def test_columns_of_ones_own_and_links_that_change(tmp_path: Path) -> None:
     assert np.array_equal(read.columns["link_work"][:6, 0], np.zeros(6))
     assert np.all(np.isnan(read.columns["link_work"][:6, 1]))
     assert read.columns["link_work"][6:].tolist() == [[1.0, 0.0]] * 3  # by user, not by the order of links
-    assert read.columns["phase"][6:].tolist() == [[0, 1]] * 3
+    assert read.columns["link_state"][6:].tolist() == [[2, 0]] * 3
     assert read.columns["used"][6:].tolist() == [[-1, k] for k in range(6, 9)]
     assert read.columns["rate"][:6].tolist() == list(range(6))
     assert np.all(np.isnan(read.columns["rate"][6:]))
@@ -231,17 +241,17 @@ def test_other_readers_of_mcap_find_their_way(tmp_path: Path) -> None:
         summary = reader.get_summary()
         assert summary is not None
         topics = {channel.topic: channel for channel in summary.channels.values()}
-        assert set(topics) == {"/steps", "/events", "/books"}
+        assert set(topics) == {"/steps", "/events", "/ledger"}
         schema = summary.schemas[topics["/events"].schema_id]
         assert schema.encoding == "jsonschema"
         assert json.loads(schema.data)["required"] == ["kind", "time", "first"]
         columns = json.loads(summary.schemas[topics["/steps"].schema_id].data)["columns"]
         assert columns["T"]["unit"] == "s"
-        books = [json.loads(message.data) for _, channel, message in reader.iter_messages(topics=["/books"])]
-        assert books[0]["first"] == 0
-        assert [book["first"] for book in books[1:]] == [book["last"] + 1 for book in books[:-1]]
+        ledger = [json.loads(message.data) for _, channel, message in reader.iter_messages(topics=["/ledger"])]
+        assert ledger[0]["first"] == 0
+        assert [book["first"] for book in ledger[1:]] == [book["last"] + 1 for book in ledger[:-1]]
         read = read_recording(path)
-        assert sum(book["links"][0]["work"] for book in books) == pytest.approx(float(read.columns["link_work"].sum()))
+        assert sum(book["links"][0]["work"] for book in ledger) == pytest.approx(float(read.columns["link_work"].sum()))
         assert {entry.name for entry in reader.iter_attachments()} == {"configuration.json", "body.npz"}
         times = [message.log_time for _, _, message in reader.iter_messages(topics=["/steps"])]
         assert times[-1] == round((read.columns["end"][-1] + read.header.offset) * 1e9)

@@ -1,12 +1,15 @@
 import json
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from cotouch.body import point
 from cotouch.errors import InputError, NetworkError, ScenarioError
+from cotouch.network import Network, certify
 from cotouch.scenario import Scenario
-from cotouch.simulation import prepare, schedule
+from cotouch.simulation import prepare, schedule, simulate
 
 FIVE_USERS = Path(__file__).parents[2] / "examples" / "five-users.toml"
 PAIR = """
@@ -42,7 +45,7 @@ def test_a_network_alone_is_a_scenario() -> None:
         ("[steps]\nrandom = {low = 0.2, high = 0.1}", ["low", "0.2"]),
         ("[steps]\nperiod = [0.001]", ["steps.period", "1 entries", "2 users"]),
         ("[steps]\nduration = nan", ["steps.duration", "nan"]),
-        ("[steps]\nduration = 1e9", ["steps", "make it shorter"]),
+        ("[steps]\nduration = 1e9", ["steps", "1e+12 steps", "make steps.duration shorter"]),
         ("[steps]\nduration = 0.0001", ["less than one step"]),
         ("[synchronisation]\nmode = 'fastest'", ["synchronisation.mode", "'fastest'", "'freshest'"]),
         ("[synchronisation]\ndamping = 'best'", ["synchronisation.damping", "'best'"]),
@@ -72,6 +75,23 @@ def test_a_network_alone_is_a_scenario() -> None:
         ("[record]\nnodes = [7]", ["node 7", "1 to 1"]),
         ("[solver]\niterations = 0", ["solver.iterations", "0"]),
         ("seed = -1", ["seed", "-1"]),
+        ("seed = 10000000000000000000", ["seed", "less than"]),
+        ("seed = true", ["seed is True", "number"]),
+        ("[body]\nmass = true", ["body.mass is True", "number"]),
+        ("[steps]\nrate = [true, 1]", ["steps.rate is [True, 1]", "number"]),
+        ("[[hands]]\nuser = 1\npath = [[0, true]]", ["hands[1].path", "True"]),
+        ("[[hands]]\nuser = 1\npath = []", ["hands[1].path is []", "waypoints"]),
+        ("[[hands]]\nuser = 10000000000000000000", ["hands[1].user", "less than"]),
+        (
+            "[synchronisation]\nmode='constant'\nindex_delay = [[0, 1e19], [3, 0]]",
+            ["synchronisation.index_delay", "1e+19", "smaller"],
+        ),
+        ("[synchronisation]\nindex_delay = [[0, 1], [3, 0]]", ["synchronisation.index_delay", "freshest", "no effect"]),
+        ("[synchronisation]\nmax_step = 3", ["synchronisation.max_step", "freshest", "no effect"]),
+        ("[channel]\nreordering = 0.1", ["channel.reordering is 0.1", "reordering_delay is 0 s"]),
+        ("[steps]\nduration = 1\n[record]\nevery = 5000", ["record.every is 5000", "1000 steps"]),
+        ("[record]\nevery = 10000000000000000000", ["record.every", "less than"]),
+        ("[solver]\niterations = 10000000000000000000", ["solver.iterations", "less than"]),
     ],
 )
 def test_what_is_wrong_is_one_sentence(text: str, words: list[str]) -> None:
@@ -102,6 +122,45 @@ def test_files_that_cannot_be_read(tmp_path: Path) -> None:
         Scenario.read(broken)
 
 
+@pytest.mark.parametrize(
+    ("table", "words"),
+    [
+        ("3", ["network is 3", "users, spring, delay"]),
+        ("{users = 3, spring = [[0]], delay = [[0]]}", ["users is 3", "list of names"]),
+        ("{users = ['a', 'b'], spring = [[0, true], [true, 0]], delay = [[0, 1], [1, 0]]}", ["spring", "real numbers"]),
+        ("{users = ['a', 'b'], spring = [[0, 1], [1, 0]], delay = [[0, '1'], [1, 0]]}", ["delay", "real numbers"]),
+        (
+            '{users = ["a", "b\\u001b[2J"], spring = [[0, 1], [1, 0]], delay = [[0, 1], [1, 0]]}',
+            ["user 2", r"\x1b", "seen"],
+        ),
+    ],
+)
+def test_what_is_no_network_is_one_sentence(table: str, words: list[str]) -> None:
+    with pytest.raises(NetworkError) as caught:
+        Scenario.from_toml(f"network = {table}", source="test.toml")
+    for word in ("test.toml", *words):
+        assert word in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (Scenario, ["network is missing"]),
+        (lambda: Scenario(network=3), ["network is 3", "must be a table"]),
+        (lambda: simulate(None), ["scenario is None", "a path or a mapping"]),
+        (lambda: simulate({1: 2}), ["network is missing"]),
+        (lambda: Network(users=["a", "b"], spring=np.eye(2) * 1j, delay=np.zeros((2, 2))), ["spring", "real numbers"]),
+        (lambda: certify(Scenario.from_toml(PAIR).network, damping="big"), ["damping", "real numbers"]),
+        (lambda: certify(Scenario.from_toml(PAIR).network, periods="long"), ["periods", "real numbers"]),
+    ],
+)
+def test_what_is_wrong_in_python_is_one_sentence_too(call: Callable[[], object], words: list[str]) -> None:
+    with pytest.raises(InputError) as caught:
+        call()
+    for word in words:
+        assert word in str(caught.value)
+
+
 def test_replace_changes_one_option_and_keeps_the_rest() -> None:
     scenario = Scenario.read(FIVE_USERS)
     other = scenario.replace(synchronisation__mode="freshest", steps__duration=3.0)
@@ -120,3 +179,67 @@ def test_json_holds_the_whole_scenario() -> None:
     rebuilt = Scenario.make(network=network, **again)
     assert rebuilt.as_json() == scenario.as_json()
     assert np.array_equal(rebuilt.network.spring, scenario.network.spring)
+
+
+def test_options_are_replaced_one_by_one() -> None:
+    scenario = Scenario.read(FIVE_USERS)
+    other = scenario.replace(
+        steps__rate=[100, 200, 100, 100, 100], steps__period=None, synchronisation__mode="freshest"
+    )
+    assert (other.steps.rate, other.steps.period) == ([100, 200, 100, 100, 100], None)
+    fewer = scenario.replace(network__links=[[1, 2], [2, 3], [3, 4], [4, 5]])
+    assert fewer.network.links == ((0, 1), (1, 2), (2, 3), (3, 4))
+    assert np.array_equal(fewer.network.delay, scenario.network.delay)
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"network__links": [[1, 9]]}, ["[1, 9]", "users are numbered 1 to 5"]),
+        ({"network__link": 3}, ['no key "link"']),
+        ({"setps__duration": 3}, ['"setps" is no part', "steps"]),
+        ({"title__size": 3}, ["title has no options"]),
+        ({"hands__path": 3}, ["hands has no options"]),
+        ({"network": 3}, ["network is 3", "table"]),
+    ],
+)
+def test_what_cannot_be_replaced_is_one_sentence(changes: dict[str, object], words: list[str]) -> None:
+    with pytest.raises(InputError) as caught:
+        Scenario.read(FIVE_USERS).replace(**changes)
+    for word in words:
+        assert word in str(caught.value)
+
+
+EXAMPLES = sorted(path for path in FIVE_USERS.parent.glob("*.toml") if "[network]" in path.read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_a_scenario_is_its_own_text(path: Path) -> None:
+    scenario = Scenario.read(path)
+    again = Scenario.from_toml(scenario.to_toml())
+    left, right = json.loads(scenario.as_json()), json.loads(again.as_json())
+    for one in (left, right):
+        one["body"].pop("file", None)  # absolute in the text
+    assert left == right
+    assert again.to_toml() == scenario.to_toml()
+
+
+def test_text_that_needs_escapes_and_what_is_left_out() -> None:
+    title = 'She said "so": \\ \x7f\t\u00e9'
+    scenario = Scenario.from_toml(PAIR).replace(title=title, synchronisation__law={"kind": "wave", "impedance": 2.0})
+    text = scenario.to_toml()
+    assert Scenario.from_toml(text).title == title
+    assert Scenario.from_toml(text).synchronisation.law_given == ("wave", {"impedance": 2.0})
+    assert "[channel]" not in text, "no defaults"
+    assert "impedance = 2.0" in scenario._repr_html_()
+    with pytest.raises(ScenarioError, match="made in Python"):
+        scenario.replace(body=point()).to_toml()
+    assert "<td>Ann</td><td>Ben</td><td>50</td><td>0.02</td><td>0.05</td>" in scenario.network._repr_html_()
+
+
+def test_python_counts_users_from_0_and_says_so() -> None:
+    network = Scenario.from_toml(PAIR).network
+    with pytest.raises(NetworkError, match=r"links: \(0, 2\) holds the index 2; users have the indices 0 to 1"):
+        network.with_links([(0, 2)])
+    with pytest.raises(NetworkError, match=r"links: \[1, 3\] names user 3; users are numbered 1 to 2"):
+        Network.from_table({**network.as_table(), "links": [[1, 3]]})

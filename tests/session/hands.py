@@ -5,11 +5,11 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from cotouch.mechanics import model
-from cotouch.peer import Peer, Report
+from cotouch.peer import Peer, StepReport
 from cotouch.scenario import Scenario
-from cotouch.session import HandMode, Seat
-from cotouch.session._boards import Wish
-from cotouch.session._told import ToldHand
+from cotouch.session import HandMode, Slot
+from cotouch.session._commanded_hand import CommandedHand
+from cotouch.session._mailboxes import HandCommand
 
 T = 0.002
 BODIES: dict[str, str] = {
@@ -34,7 +34,7 @@ class Held:
     """One copy that is moved step by step."""
 
     scenario: Scenario
-    queue: list[Wish] = field(default_factory=list)
+    queue: list[HandCommand] = field(default_factory=list)
     supplied: float = 0.0
     forces: list[np.ndarray] = field(default_factory=list)
     worst: float = 0.0
@@ -43,9 +43,9 @@ class Held:
     def __post_init__(self) -> None:
         self.body = self.scenario.build_body()
         self.model = model(self.body, basis=self.scenario.solver.basis)
-        self.hand = ToldHand(
-            Seat(scenario=self.scenario, body=self.body, model=self.model, index=0, period=T, longest=0.05),
-            wishes=lambda: self.queue.pop(0) if self.queue else None,
+        self.hand = CommandedHand(
+            Slot(scenario=self.scenario, body=self.body, model=self.model, index=0, period=T, longest=0.05),
+            requests=lambda: self.queue.pop(0) if self.queue else None,
         )
         still = np.zeros((self.body.nodes, self.body.dimension))
         self.peer = Peer(
@@ -56,20 +56,23 @@ class Held:
             weight=[],
             local_damping=np.zeros(1),
             extra_damping=np.zeros(1),
-            grips=self.hand.grips,
+            ports=self.hand.ports,
             position=still,
             velocity=still,
             surface=self.hand.surface,
             tools=self.hand.tools,
+            contact=self.hand.contact,
         )
         self.hand.attach(self.peer.state.position)
         self.now = 0.0
 
     def tell(self, mode: HandMode, node: int = -1, target=(0.0, 0.0, 0.0), pointer: int = 0, **more: float) -> None:
-        wish = Wish(1, pointer, mode, node, tuple(map(float, target)), more.get("radius", 0), more.get("stiffness", 0))
-        self.queue.append(wish)
+        request = HandCommand(
+            1, pointer, mode, node, tuple(map(float, target)), more.get("radius", 0), more.get("stiffness", 0)
+        )
+        self.queue.append(request)
 
-    def run(self, seconds: float, length: float = T) -> Report:
+    def run(self, seconds: float, length: float = T) -> StepReport:
         report = None
         for _ in range(round(seconds / length)):
             self.now += length
@@ -86,14 +89,17 @@ class Held:
 
     def force(self) -> np.ndarray:
         """Of all ports and proxies on the copy, by axis."""
-        grips, axes = self.hand.grips, self.body.dimension
-        ports = grips.force[grips.first : grips.last]
+        ports, axes = self.hand.ports, self.body.dimension
+        ports = ports.force[ports.first : ports.last]
         total = ports[:, :axes].sum(axis=0) if not self.model.full else ports[:, 0].reshape(-1, axes).sum(axis=0)
         tools = self.hand.tools
         return total if tools is None else total - tools.touch_force[:, :axes].sum(axis=0)
 
+    def positions(self) -> np.ndarray:
+        return self.model.to_nodes(self.peer.state.position)
+
     def moved(self, node: int) -> np.ndarray:
-        return self.model.to_nodes(self.peer.state.position)[node]
+        return self.positions()[node]
 
     def jerk(self) -> float:
         """Greatest change of the force from one step to the next [N]."""

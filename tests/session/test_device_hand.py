@@ -1,4 +1,4 @@
-"""A device as the hand of a seat: with a tool of the file, one that fits the body, or a node that it holds.
+"""A device as the hand of a slot: with a tool of the file, one that fits the body, or a node that it holds.
 
 Alone or one in each hand, at the body's scale or another.
 """
@@ -15,14 +15,14 @@ import pytest
 
 from cotouch.device import PRESETS, DeviceSpec
 from cotouch.errors import DeviceError, SessionError
-from cotouch.haptics import Cause, CouplingChoice, EndOptions, Flag, Report, Word
+from cotouch.haptics import Cause, CouplingChoice, EndOptions, EnergyMessage, Flag, ServoReport
 from cotouch.peer import Peer
 from cotouch.recording import audit, read_recording
-from cotouch.session import HAND_MODES, MemberProcess, Seat, SessionFile, open_host
-from cotouch.session._boards import BoardFolder, view_fields
-from cotouch.session._desk import Desk
+from cotouch.session import HAND_MODES, MemberProcess, SessionFile, Slot, open_host
+from cotouch.session._command_client import CommandClient
 from cotouch.session._device_hand import DeviceHand
-from cotouch.session._replica import Replica
+from cotouch.session._mailboxes import MailboxFolder, view_fields
+from cotouch.session._shared_model import SharedModel
 
 HEAD = """
 title = "Two"
@@ -68,12 +68,12 @@ class Led:
         self.below = below
         return self.said.over(below).options(self.spec, period=1e-3, force=6.0)
 
-    def read(self) -> Report | None:
+    def read(self) -> ServoReport | None:
         self.given += 1e-3  # what a hand that moves puts in
         place = tuple(self.place.tolist())
         nothing = (0.0, 0.0, 0.0)
-        word = Word(given=self.given)
-        return Report(0.0, 1, place, self.rate, nothing, nothing, word, 0.0, 0.0, Cause(0), 0, Flag(0))
+        word = EnergyMessage(given=self.given)
+        return ServoReport(0.0, 1, place, self.rate, nothing, nothing, word, 0.0, 0.0, Cause(0), 0, Flag(0))
 
     def order(self, place, word, *, enable=True) -> None:
         self.orders.append((place, word))
@@ -82,10 +82,10 @@ class Led:
 def led(text: str, towards: list[float], *links: Led) -> tuple[DeviceHand, Peer, Led, float]:
     """Three hundred steps of one copy while devices go somewhere; the most that any leaves unexplained [J]."""
     session = SessionFile.from_toml(text, source="a test")
-    replica = Replica.build(session)
+    replica = SharedModel.build(session)
     model, links = replica.model(1), links or (Led(),)
     link = links[0]
-    hand = DeviceHand(Seat.of(session, replica, 0, model), link=links)  # type: ignore[arg-type]
+    hand = DeviceHand(Slot.of(session, replica, 0, model), link=links)  # type: ignore[arg-type]
     shape = (replica.body.nodes, replica.body.dimension)
     peer = Peer(
         index=0,
@@ -95,7 +95,7 @@ def led(text: str, towards: list[float], *links: Led) -> tuple[DeviceHand, Peer,
         weight=[],
         local_damping=np.zeros(1),
         extra_damping=np.full(1, 1.0),
-        grips=hand.grips,
+        ports=hand.ports,
         position=np.zeros(shape),
         velocity=np.zeros(shape),
         surface=hand.surface,
@@ -111,8 +111,8 @@ def led(text: str, towards: list[float], *links: Led) -> tuple[DeviceHand, Peer,
         hand.after()
         residual = max(residual, abs(float(report.residual)))
         did += report.supplied + report.drive_work
-    # Both books of the proxies' ports are the same: the body's, and the devices', in their own metres and newtons.
-    assert sum(hold._end.purse.work for hold in hand._holds) == pytest.approx(did, rel=1e-9, abs=1e-12)
+    # Both ledgers of the proxies' ports are the same: the body's, and the devices', in their own metres and newtons.
+    assert sum(hold._end.tank.work for hold in hand._holds) == pytest.approx(did, rel=1e-9, abs=1e-12)
     return hand, peer, link, residual
 
 
@@ -137,7 +137,7 @@ def test_the_proxy_follows_the_device_and_moves_the_copy(text: str, towards: lis
     displaced = np.abs(peer.model.to_nodes(peer.state.position)).max(axis=0)
     assert displaced[min(moved, axes - 1)] > 1e-4
     assert residual < 1e-12
-    assert word.purse >= 0.0
+    assert word.tank >= 0.0
     assert (hand.tools is None) == (axes == 1)
     # The page shows it: where the device is, what it holds or pushes with, and what pulls that.
     shown = {
@@ -169,7 +169,7 @@ def test_with_a_scale_the_body_moves_farther_and_the_device_feels_more(text: str
     moved = peer.model.to_nodes(peer.state.position)[0, 0] if tools is None else tools.place[tools.first, 0] - 0.09
     assert moved == pytest.approx(s * place[0], rel=1e-9)
     # What pulls the proxy is 1/s of the device's spring.
-    force = (hand.grips.force[0, 0] if tools is None else tools.drive_force[tools.first, 0]) * s
+    force = (hand.ports.force[0, 0] if tools is None else tools.drive_force[tools.first, 0]) * s
     gap = link.place[0] - link.orders[-1][0][0]
     assert force == pytest.approx(500.0 * gap, rel=0.02, abs=2e-3)
     if tools is None:  # a spring of 20 N/m holds the point: it is s² times as stiff for the device
@@ -180,12 +180,12 @@ def test_with_a_scale_the_body_moves_farther_and_the_device_feels_more(text: str
 @pytest.mark.parametrize("text", [POINT, TOOL], ids=["node", "tool"])
 def test_the_damper_pulls_towards_the_velocity_of_the_device_in_its_own_metres(text: str):
     session = SessionFile.from_toml(text, source="a test")
-    replica = Replica.build(session)
+    replica = SharedModel.build(session)
     link = Led(said=CouplingChoice(scale=4.0, damping=3.0), rate=(0.02, 0.0, 0.0))
-    hand = DeviceHand(Seat.of(session, replica, 0, replica.model(1)), link=[link])  # type: ignore[list-item]
+    hand = DeviceHand(Slot.of(session, replica, 0, replica.model(1)), link=[link])  # type: ignore[list-item]
     hand.before(5e-3, 5e-3)
     damping, push = (
-        (hand.grips.damping[0], hand.grips.push[0, 0])
+        (hand.ports.damping[0], hand.ports.push[0, 0])
         if hand.tools is None
         else (hand.tools.drive_damping[0], hand.tools.push[0, 0])
     )
@@ -224,14 +224,14 @@ def test_a_device_in_each_hand_moves_a_tool_each():
 @pytest.mark.parametrize(
     ("text", "links", "said"),
     [
-        (TOOL, [{}, {}], "tool 2 of seat 1, which has only one tool; give the session's file another"),
-        (TOOL, [{"tool": 3}], "tool 3 of seat 1, which has only one tool"),
-        (POINT, [{}, {}], "what hand 2 of seat 1 holds, which has 0; give the session's file another"),
-        (BLOCK, [{"tool": 1}, {"tool": 1}], "two devices are to move the same tool of seat 1"),
+        (TOOL, [{}, {}], "tool 2 of user 1, which has only one tool; give the session's file another"),
+        (TOOL, [{"tool": 3}], "tool 3 of user 1, which has only one tool"),
+        (POINT, [{}, {}], "what hand 2 of user 1 holds, which has 0; give the session's file another"),
+        (BLOCK, [{"tool": 1}, {"tool": 1}], "two devices are to move the same tool of user 1"),
         (POINT + '[[session.devices]]\ncoupling = "virtual"\n', [{}], "friction of Force Dimension omega.3 is 0"),
     ],
 )
-def test_what_a_seat_has_not_is_refused_in_a_sentence(text: str, links: list[dict], said: str):
+def test_what_a_slot_has_not_is_refused_in_a_sentence(text: str, links: list[dict], said: str):
     with pytest.raises(DeviceError, match=said) as caught:
         led(text, [0.0, 0.0, 0.0], *[Led(said=CouplingChoice(**one)) for one in links])
     assert "\n" not in str(caught.value)
@@ -286,13 +286,13 @@ def test_a_wrong_table_is_a_sentence(table: str, said: str):
 
 
 def _body(text: str):
-    return Replica.build(SessionFile.from_toml(text, source="a test")).body
+    return SharedModel.build(SessionFile.from_toml(text, source="a test")).body
 
 
 def test_a_hand_without_its_device_does_nothing():
     session = SessionFile.from_toml(BLOCK, source="a test")
-    replica = Replica.build(session)
-    hand = DeviceHand(Seat.of(session, replica, 1, replica.model(1)), link=None)
+    replica = SharedModel.build(session)
+    hand = DeviceHand(Slot.of(session, replica, 1, replica.model(1)), link=None)
     hand.before(5e-3, 5e-3)
     hand.after()
     assert hand.tools is not None
@@ -304,10 +304,10 @@ def test_a_device_takes_part_and_its_death_leaves_the_others_alone(tmp_path: Pat
     """Ann has a device, Ben none; Ann's servo is killed, and both go on; Ann's recording holds."""
     session = SessionFile.from_toml(GRASP, source="a test")  # held: wherever the hand goes round, it pulls
     record = tmp_path / "ann.mcap"
-    desk = Desk(BoardFolder(tmp_path), session, ["Ann"])
+    commands = CommandClient(MailboxFolder(tmp_path), session, ["Ann"])
     with open_host(session) as opened:
         options = ["--name", "Ann", "--headless", "--device", "simulated:cartesian", "--record", str(record)]
-        options += ["--boards", str(tmp_path)]
+        options += ["--mailboxes", str(tmp_path)]
         members = {
             "Ann": MemberProcess(opened.invitation, options, as_json=True),
             "Ben": MemberProcess(opened.invitation, ["--name", "Ben", "--headless", "--device", "none"], as_json=True),
@@ -329,7 +329,7 @@ def test_a_device_takes_part_and_its_death_leaves_the_others_alone(tmp_path: Pat
             until(lambda: all((s := status(n)) is not None and s.steps for n in members), "both move")
             until(lambda: (s := status("Ann")) is not None and s.force > 0.1, "Ann pushes")
             until(lambda: (s := status("Ben")) is not None and any(abs(x) > 1e-5 for x in s.position), "Ben feels it")
-            hand = desk.views()[0].hands[0]  # as its page draws it
+            hand = commands.views()[0].hands[0]  # as its page draws it
             assert hand.mode == "ball"
             assert np.linalg.norm(hand.target - hand.place) > 0.0
             assert hand.radius > 0.0
@@ -351,5 +351,5 @@ def test_a_device_takes_part_and_its_death_leaves_the_others_alone(tmp_path: Pat
         finally:
             for member in members.values():
                 member.close()
-            desk.close()
+            commands.close()
     assert audit([read_recording(record)]).holds

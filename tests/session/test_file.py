@@ -17,21 +17,21 @@ TETRAHEDRON = """OFF
 3 1 2 3
 3 0 3 2
 """
-SEATS = "[session]\nusers = 4\n"
+SLOTS = "[session]\nusers = 4\n"
 
 
 def test_an_example_is_a_session_too() -> None:
     session = SessionFile.read("examples/five-users.toml")
-    assert session.seats == 5
+    assert session.slots == 5
     assert session.named
     assert session.period(2) == 0.001
     assert not session.files
 
 
-def test_seats_without_names_have_equal_springs() -> None:
-    session = SessionFile.from_toml(SEATS + "spring = 25.0\n[steps]\nrate = 200\n")
+def test_slots_without_names_have_equal_springs() -> None:
+    session = SessionFile.from_toml(SLOTS + "spring = 25.0\n[steps]\nrate = 200\n")
     network = session.scenario.network
-    assert network.size == session.seats == 4
+    assert network.size == session.slots == 4
     assert not session.named
     assert (network.spring.sum(axis=1) == 75.0).all()
     assert session.period(3) == 1 / 200
@@ -42,7 +42,7 @@ def test_it_travels_with_its_mesh(tmp_path: Path) -> None:
     (here / "shapes").mkdir(parents=True)
     there.mkdir()
     (here / "shapes" / "t.off").write_text(TETRAHEDRON)
-    (here / "s.toml").write_text(SEATS + '[body]\nfile = "shapes/t.off"\nunit = "m"\nresolution = 4\n')
+    (here / "s.toml").write_text(SLOTS + '[body]\nfile = "shapes/t.off"\nunit = "m"\nresolution = 4\n')
     session = SessionFile.read(here / "s.toml")
     needed = SessionFile.needed(session.content)
     assert set(needed) == {"t.off"}
@@ -54,7 +54,7 @@ def test_it_travels_with_its_mesh(tmp_path: Path) -> None:
 
 def test_the_digest_tells_another_mesh(tmp_path: Path) -> None:
     (tmp_path / "t.off").write_text(TETRAHEDRON)
-    text = SEATS + '[body]\nfile = "t.off"\nunit = "m"\n'
+    text = SLOTS + '[body]\nfile = "t.off"\nunit = "m"\n'
     before = SessionFile.from_toml(text, folder=tmp_path).digest
     (tmp_path / "t.off").write_text(TETRAHEDRON.replace("0.1 0 0", "0.2 0 0"))
     assert SessionFile.from_toml(text, folder=tmp_path).digest != before
@@ -66,11 +66,13 @@ def test_the_digest_tells_another_mesh(tmp_path: Path) -> None:
         ("", SessionError, "neither session.users nor [network]"),
         ("[session]\nusers = 0\n", SessionError, "session.users is 0"),
         ("[session]\nusers = 4\nsprings = 3\n", SessionError, "session.springs is not an option"),
-        (SEATS + 'links = "given"\nreplan = true\n', SessionError, 'session.replan is for links = "plan"'),
-        (SEATS + "[network]\n", SessionError, "leave one of them out"),
-        (SEATS + "[steps]\nrandom = {low = 0.001, high = 0.002}\n", ScenarioError, "live peers keep"),
-        (SEATS + '[synchronisation]\ndamping = "exact"\n', ScenarioError, "'exact'"),
-        (SEATS + "[synchronisation]\nscale = 0.5\n", ScenarioError, "below 1 nothing is passive"),
+        (SLOTS + 'links = "given"\nreplan = true\n', SessionError, 'session.replan is for links = "plan"'),
+        (SLOTS + "[network]\n", SessionError, "leave one of them out"),
+        (SLOTS + "[steps]\nrandom = {low = 0.001, high = 0.002}\n", ScenarioError, "live peers keep"),
+        (SLOTS + '[synchronisation]\ndamping = "exact"\n', ScenarioError, "'exact'"),
+        (SLOTS + "[synchronisation]\ndamping = [1.0, 2.0]\n", ScenarioError, "[1.0, 2.0]"),
+        (SLOTS + '[synchronisation]\nlaw = "once"\n', ScenarioError, 'law is "once"; live it is "spring"'),
+        (SLOTS + "[synchronisation]\ndamping_scale = 0.5\n", ScenarioError, "below 1 nothing is passive"),
         ('[network]\nusers = ["a"]\n', NetworkError, "spring"),
         ("x = ", SessionError, "is not TOML"),
     ],
@@ -83,7 +85,7 @@ def test_what_is_wrong_is_said(text: str, error: type[Exception], said: str) -> 
 
 def test_a_missing_mesh_is_named(tmp_path: Path) -> None:
     with pytest.raises(SessionError, match=r"no\.stl cannot be read"):
-        SessionFile.from_toml(SEATS + '[body]\nfile = "no.stl"\nunit = "m"\n', folder=tmp_path)
+        SessionFile.from_toml(SLOTS + '[body]\nfile = "no.stl"\nunit = "m"\n', folder=tmp_path)
 
 
 @pytest.mark.parametrize(
@@ -92,11 +94,11 @@ def test_a_missing_mesh_is_named(tmp_path: Path) -> None:
         b"",
         b"[]",
         b"{}",
-        json.dumps({"format": "cotouch session 2", "text": "", "files": {}}).encode(),
-        json.dumps({"format": "cotouch session 1", "text": "", "files": {"../x": "00" * 32}}).encode(),
-        json.dumps({"format": "cotouch session 1", "text": "", "files": {"x": "00"}}).encode(),
-        json.dumps({"format": "cotouch session 1", "text": "", "files": {"..": "00" * 32}}).encode(),
-        json.dumps({"format": "cotouch session 1", "text": 3, "files": {}}).encode(),
+        json.dumps({"format": "cotouch session 3", "text": "", "files": {}}).encode(),
+        json.dumps({"format": "cotouch session 2", "text": "", "files": {"../x": "00" * 32}}).encode(),
+        json.dumps({"format": "cotouch session 2", "text": "", "files": {"x": "00"}}).encode(),
+        json.dumps({"format": "cotouch session 2", "text": "", "files": {"..": "00" * 32}}).encode(),
+        json.dumps({"format": "cotouch session 2", "text": 3, "files": {}}).encode(),
     ],
 )
 def test_what_travelled_is_checked(content: bytes) -> None:

@@ -23,7 +23,7 @@ def hand(user: int, path: list[list[float]]) -> str:
     return f"[[hands]]\nuser = {user}\npath = {path}\nstiffness = 40.0\ndamping = 1.0\n"
 
 
-THREE = "[session]\nusers = 3\nspring = 60.0\nseed = 1e-3" + BODY + hand(1, [[0, 0], [1, 0.05]])
+THREE = "[session]\nusers = 3\nspring = 60.0\ninitial_energy = 1e-3" + BODY + hand(1, [[0, 0], [1, 0.05]])
 
 
 def three(**options) -> World:
@@ -43,12 +43,24 @@ def test_three_meet_couple_and_follow_one_hand() -> None:
 
 
 # Both pull at once, away from each other, and hold.
-APART = "[session]\nusers = 2\nspring = 60.0\n{gather}" + BODY
+APART = "[session]\nusers = 2\nspring = 60.0\nallowance = 0.0\n{gather}" + BODY
 APART += hand(1, [[0, 0], [0.1, 0.05]]) + hand(2, [[0, 0], [0.1, -0.05]])
 
 
+def test_damping_goes_with_its_links_and_not_a_turn_later() -> None:
+    world = three()
+    world.until(world.all_coupled, 12.0)
+    copy = world.people[0].copy
+    assert copy.damping.max() > 0.0
+    copy.follow(world.people[0].member.roster.model_copy(update={"links": []}), world.now)
+    assert not copy.neighbours
+    assert copy.damping.max() == 0.0
+
+
 def test_hands_of_the_file_wait_until_their_copies_are_coupled() -> None:
-    alone, gathered = (World(APART.format(gather=given), law=PathLaw(delay=0.1)) for given in ("", "gather = 9.0"))
+    alone, gathered = (
+        World(APART.format(gather=given), law=PathLaw(delay=0.1)) for given in ("", "wait_for_peers = 9.0")
+    )
     for world in (alone, gathered):
         world.join("Ann")
         world.join("Ben")
@@ -63,16 +75,16 @@ def test_hands_of_the_file_wait_until_their_copies_are_coupled() -> None:
 
 
 def test_hands_of_the_file_wait_for_nobody_for_ever() -> None:
-    world = World(APART.format(gather="gather = 3.0"))
+    world = World(APART.format(gather="wait_for_peers = 3.0"))
     ann = world.join("Ann")
-    world.until(lambda: ann.member.copy is not None and ann.copy.peer is not None, 5.0)
+    world.until(lambda: ann.member.replica is not None and ann.copy.peer is not None, 5.0)
     world.run(2.9)
     assert np.abs(ann.position).max() == 0.0
     world.run(1.0)
     assert ann.position[0, 0] > 0.03
     # What waited once goes on, whoever comes.
     ben = world.join("Ben", moves=False)
-    world.until(lambda: ben.member.copy is not None and ben.copy.peer is not None, 5.0)
+    world.until(lambda: ben.member.replica is not None and ben.copy.peer is not None, 5.0)
     world.run(2.0)
     assert ann.position[0, 0] > 0.03
 
@@ -114,12 +126,12 @@ def test_one_goes_and_the_others_go_on(how: str) -> None:
 def test_who_crashed_comes_back_under_its_name() -> None:
     world = three()
     cleo = world.people[2]
-    seat = cleo.member.seat
+    slot = cleo.member.slot
     world.kill(cleo)
     world.run(1.0)
     again = world.join("Cleo", moves=False)
-    world.until(lambda: again.member.seat is not None and world.all_coupled(), 20.0)
-    assert again.member.seat == seat
+    world.until(lambda: again.member.slot is not None and world.all_coupled(), 20.0)
+    assert again.member.slot == slot
     world.run(3.0)
     assert world.apart() < 1e-3
     world.check()
@@ -133,12 +145,12 @@ def test_the_host_dies_and_people_still_come_and_go() -> None:
     world.leave(world.people[1])
     world.run(3.0)
     dan = world.join("Dan", moves=False)
-    world.until(lambda: dan.member.seat is not None and world.all_coupled(), 15.0)
+    world.until(lambda: dan.member.slot is not None and world.all_coupled(), 15.0)
     assert {p.copy.copies for p in world.people} == {3}
     world.check()
 
 
-def test_the_first_takes_over_when_the_host_and_the_lowest_seat_die_at_once() -> None:
+def test_the_first_takes_over_when_the_host_and_the_lowest_slot_die_at_once() -> None:
     world = three()
     world.kill_host()
     world.kill(world.people[0])
@@ -209,7 +221,7 @@ def test_a_copy_moves_from_the_step_after_it_was_made() -> None:
     ann = world.join("Ann")
     for _ in range(6000):
         world.run(0.002)
-        if ann.member.copy is not None and ann.copy.peer is not None:
+        if ann.member.replica is not None and ann.copy.peer is not None:
             break
     assert ann.copy.peer is not None
     assert ann.copy.peer.steps == 0
@@ -224,7 +236,7 @@ def test_a_name_that_stays_taken_is_an_error() -> None:
     other = world.join("Ben", moves=False)
     with pytest.raises(SessionError, match='"Ben" is taken'):
         world.run(20.0)
-    assert other.member.seat is None
+    assert other.member.slot is None
 
 
 def test_what_is_said_of_itself_adds_up() -> None:
@@ -237,7 +249,7 @@ def test_what_is_said_of_itself_adds_up() -> None:
         assert status.certificate >= -1e-12
         balance = status.initial + status.supplied + status.linked + status.rescaled - status.lost - status.energy
         assert abs(balance) < 1e-9
-        assert {link.way for link in status.links} == {"direct"}
+        assert {link.path_state for link in status.links} == {"direct"}
     host = world.host
     assert host is not None
     assert {seen.entry.name for seen in host.watch.members.values()} == {"Ann", "Ben", "Cleo"}
@@ -252,7 +264,7 @@ def test_everybodys_joules_are_somewhere_when_members_come_and_go() -> None:
     world.until(lambda: ann.copy.copies == 2, 10.0)
     world.run(0.5)
     again = world.join("Ben", moves=False)
-    world.until(lambda: again.member.seat is not None and ann.copy.copies == 3 and world.all_coupled(), 20.0)
+    world.until(lambda: again.member.slot is not None and ann.copy.copies == 3 and world.all_coupled(), 20.0)
     world.leave(cleo)
     world.until(lambda: ann.copy.copies == 2, 10.0)
     changed = 0.0
@@ -295,6 +307,49 @@ def test_a_constant_index_delay_couples_too(mode: str) -> None:
     world.check()
 
 
+def test_a_common_index_goes_on_with_the_clock_of_who_misses_steps() -> None:
+    """Steps that are left out are not taken later: else every one would make a user's samples older, for good."""
+    world = World(THREE + '[synchronisation]\nmode = "constant"\n', law=PathLaw(delay=0.01))
+    for name in ("Ann", "Ben", "Cleo"):
+        world.join(name, moves=name == "Ann")
+    world.until(world.all_coupled, 15.0)
+    world.run(2.0)
+    ann, ben, _ = world.people
+
+    def lead() -> int:
+        assert ann.copy.peer is not None
+        assert ben.copy.peer is not None
+        return ann.copy.peer.steps - ben.copy.peer.steps
+
+    before, began = lead(), world.now
+    taken = ben.copy.totals.steps
+    for _ in range(60):
+        ben.stalled_until = world.now + 0.03
+        world.run(0.1)
+    period = world.session.period(1)
+    assert ben.copy.totals.steps - taken < 0.85 * (world.now - began) / period
+    assert abs(lead() - before) <= 2
+    assert world.apart() < 2e-3
+    world.check()
+
+
+def test_a_wait_longer_than_a_step_may_last_is_time_in_which_the_copy_stood() -> None:
+    world = World(THREE + '[synchronisation]\nmode = "self-paced"\n', law=PathLaw(delay=0.01))
+    for name in ("Ann", "Ben", "Cleo"):
+        world.join(name, moves=name == "Ann")
+    world.until(world.all_coupled, 15.0)
+    world.run(2.0)
+    ann, ben, _ = world.people
+    before = ann.copy.stood
+    ben.stalled_until = world.now + 0.4
+    world.run(1.0)
+    status = ann.member.status(world.now)
+    assert status is not None
+    assert status.stood == ann.copy.stood
+    # All of the wait but for one step of the longest, and what the neighbour's last samples still allowed.
+    assert 0.4 - 2.0 * world.session.options.max_step - 0.1 < ann.copy.stood - before < 0.4
+
+
 def test_ways_are_measured_where_there_is_no_link() -> None:
     world = World(
         """
@@ -329,7 +384,7 @@ emulate = true
 
 
 def test_rounded_samples_are_paid_for() -> None:
-    text = THREE.replace("seed = 1e-3", 'seed = 1e-3\ncoding = "float32"\nreach = 1.0')
+    text = THREE.replace("initial_energy = 1e-3", 'initial_energy = 1e-3\nencoding = "float32"\nmax_displacement = 1.0')
     world = World(text)
     for name in ("Ann", "Ben", "Cleo"):
         world.join(name, moves=name == "Ann")
@@ -342,18 +397,18 @@ def test_rounded_samples_are_paid_for() -> None:
 
 def test_a_turn_takes_up_so_many_messages_and_forgets_none() -> None:
     world = three()
-    member, heard = world.people[0].member, []
-    hear, poll = member._hear, world.people[0].control.poll
-    member._hear = lambda message, *rest: (heard.append(message), hear(message, *rest))
+    member, received = world.people[0].member, []
+    receive, poll = member._receive, world.people[0].control.poll
+    member._receive = lambda message, *rest: (received.append(message), receive(message, *rest))
     flood = [Message(world.people[1].identity.public, "status", bytes([k]), direct=False) for k in range(100)]
     world.people[0].control.poll = lambda: [flood.pop(0) for _ in range(len(flood))] + poll()
     most, turns = 0, 0
     while turns == 0 or member.pending:
-        before = len(heard)
+        before = len(received)
         member.service(world.now)
-        most, turns = max(most, len(heard) - before), turns + 1
+        most, turns = max(most, len(received) - before), turns + 1
         assert turns < 50
-    said = [message.body[0] for message in heard if len(message.body) == 1]
+    said = [message.body[0] for message in received if len(message.body) == 1]
     assert said == list(range(100))
     assert most <= 12
     assert turns >= 9
@@ -373,12 +428,12 @@ def test_a_status_is_said_in_pieces_and_whole() -> None:
         turns += 1
         serve(now)
 
-    person.copy.link_status = lambda seat: (looked.append(turns), status_of(seat))[1]
+    person.copy.link_status = lambda slot: (looked.append(turns), status_of(slot))[1]
     person.member.service = service
     world.until(lambda: any(topic == "status" for topic, _ in said) and len(looked) >= 2, 2.0)
     assert len(set(looked)) == len(looked)
     status = Status.model_validate_json(next(body for topic, body in said if topic == "status"))
-    assert [link.seat for link in status.links] == [1, 2]
+    assert [link.slot for link in status.links] == [1, 2]
     assert status.steps > 0
     for _ in range(3):
         person.member.service(world.now)
@@ -418,7 +473,29 @@ def test_samples_are_read_between_steps_and_used_in_the_next() -> None:
 def test_links_are_tended_in_turns_where_they_are_many() -> None:
     copy = three().people[0].copy
     one = next(iter(copy.neighbours.values()))
-    copy.neighbours = {seat: replace(one, guarded=seat) for seat in range(1, 21)}
-    seen = [neighbour.guarded for _ in range(5) for neighbour in copy._turns()]
+    copy.neighbours = {slot: replace(one, guarded=slot) for slot in range(1, 21)}
+    seen = [neighbour.guarded for _ in range(5) for _, neighbour in copy._turns()]
     assert len(seen) == 40
     assert sorted(seen) == sorted([*range(1, 21)] * 2)
+
+
+def test_a_refusal_that_stays_is_told_at_once_and_a_full_session_is_waited_for() -> None:
+    """One who asks for a name of somebody else's needs no twelve seconds to hear so; slots may become free."""
+    pair = 'users = ["Ann", "Ben"]\nspring = [[0, 50], [50, 0]]\ndelay = [[0, 0.01], [0.01, 0]]'
+    world = World(f"[network]\n{pair}\n[steps]\nrate = 100\n")
+    world.join("Ann")
+    world.join("Ben")
+    world.run(1.0)
+    began = world.now
+    world.join("Ann", stranger=True)
+    with pytest.raises(SessionError, match='does not let Ann in: the name "Ann" is taken'):
+        world.run(5.0)
+    assert world.now - began < 2.0
+    world.people.pop()
+    began = world.now
+    late = world.join("Cleo")
+    world.run(2.0)
+    assert late.member.waits_because == "all 2 slots of this session are taken"
+    with pytest.raises(SessionError, match="all 2 slots"):
+        world.run(12.0)
+    assert world.now - began > 10.0

@@ -19,18 +19,18 @@ def test_noise_is_nothing(noise: bytes, kind) -> None:
 
 @given(st.integers(0, 400), st.integers(0, 255))
 def test_a_changed_byte_is_read_or_not_but_never_raises(place: int, byte: int) -> None:
-    status = Status(seat=3, links=[LinkStatus(seat=1, state="coupled", ages=0.1)])
+    status = Status(slot=3, links=[LinkStatus(slot=1, state="coupled", ages=0.1)])
     body = bytearray(write(status))
     body[place % len(body)] = byte
-    told = read(Status, bytes(body))
-    assert told is None or isinstance(told, Status)
+    commanded = read(Status, bytes(body))
+    assert commanded is None or isinstance(commanded, Status)
 
 
 def test_numbers_that_are_none_are_not_taken() -> None:
-    body = write(Status(seat=0))
+    body = write(Status(slot=0))
     assert read(Status, body.replace(b'"energy":0.0', b'"energy":NaN')) is None
     assert read(Status, body.replace(b'"energy":0.0', b'"energy":1e300')) is None
-    assert read(Status, body.replace(b'"seat":0', b'"seat":32')) is None
+    assert read(Status, body.replace(b'"slot":0', b'"slot":32')) is None
     assert read(Roster, b'{"members": ' + b"[" * 100_000) is None
 
 

@@ -7,10 +7,11 @@ import numpy as np
 import pytest
 from tests.live.emulator.yard import PUBLIC
 from tests.live.test_nats import Yard, obstacle, yard
-from tests.session.stage import calmest, judged, stage, worst_force
+from tests.session.session_api import api, calmest, judged, worst_force
 from tests.session.test_networks import FORCE, hand
 
-from cotouch.recording import LinkPhase, Recording, read_recording
+from cotouch.peer import LinkState
+from cotouch.recording import Recording, read_recording
 
 no_nats = obstacle()
 pytestmark = [pytest.mark.slow, pytest.mark.skipif(no_nats is not None, reason=f"no NATs here: {no_nats}")]
@@ -49,9 +50,9 @@ def missing(recordings: list[Recording], begin: float) -> list[str]:
     """What recordings lack of having moved as one through the cycle of the hand that begins then."""
     lacks = []
     for recording in recordings:
-        end, phase = recording.columns["end"], recording.columns["phase"]
+        end, phase = recording.columns["end"], recording.columns["link_state"]
         during = (end >= begin) & (end <= begin + CYCLE)
-        coupled = (phase[during] == LinkPhase.COUPLED).mean() if phase.shape[1:] == (1,) and during.any() else 0.0
+        coupled = (phase[during] == LinkState.COUPLED).mean() if phase.shape[1:] == (1,) and during.any() else 0.0
         places = recording.states["x"][during[recording.states["state_row"]], 0, 0]
         moved = np.ptp(places) if places.size else 0.0
         if end[0] > begin or coupled <= 0.8 or moved <= MOVED:
@@ -63,13 +64,13 @@ def missing(recordings: list[Recording], begin: float) -> list[str]:
     return lacks
 
 
-def ways(recording: Recording) -> list[str]:
+def paths(recording: Recording) -> list[str]:
     """How the neighbour was reached, one after the other."""
     return [str(event.fields["reason"]) for event in recording.events if event.kind == "way"]
 
 
-@pytest.mark.parametrize(("ports", "way"), [("kept", "direct"), ("random", "relayed")])
-def test_two_behind_nats_feel_each_other(tmp_path: Path, ports: str, way: str) -> None:
+@pytest.mark.parametrize(("ports", "path_state"), [("kept", "direct"), ("random", "relayed")])
+def test_two_behind_nats_feel_each_other(tmp_path: Path, ports: str, path_state: str) -> None:
     """Where ports are kept they punch; where each destination sees another one, the host relays.
 
     A machine that stands still gives their link an age budget, and with it a damping, that Ann's hand hardly moves
@@ -78,7 +79,7 @@ def test_two_behind_nats_feel_each_other(tmp_path: Path, ports: str, way: str) -
     names = ["Ann", "Ben"]
     lacks = ["a cycle"]
     begin = 0.0
-    with yard(ports) as running, stage(Behind(running), tmp_path, TWO, names) as played:
+    with yard(ports) as running, api(Behind(running), tmp_path, TWO, names) as played:
         for name in names:
             played.join(name)
 
@@ -87,7 +88,7 @@ def test_two_behind_nats_feel_each_other(tmp_path: Path, ports: str, way: str) -
             now = [read_recording(played.recordings[name][-1]) for name in names]
             begin = min(recording.columns["end"][-1] for recording in now) - CYCLE
             lacks = missing(now, begin)
-            lacks += [f"{one.name} has ways {ways(one)}" for one in now if ways(one)[-1:] != [way]]
+            lacks += [f"{one.name} has ways {paths(one)}" for one in now if paths(one)[-1:] != [path_state]]
             return not lacks
 
         for name in names:
@@ -99,4 +100,6 @@ def test_two_behind_nats_feel_each_other(tmp_path: Path, ports: str, way: str) -
     assert not missing(recordings, begin)
     for recording in recordings:
         assert worst_force(recording) > 0.5  # Ben has no hand: what moves him is what he feels of Ann
-    assert {link["way"] for one in said.values() for link in one["status"]["links"]} == {way}  # of who stopped first
+    assert {link["path_state"] for one in said.values() for link in one["status"]["links"]} == {
+        path_state
+    }  # of who stopped first

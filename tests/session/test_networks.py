@@ -12,10 +12,11 @@ import numpy as np
 import pytest
 from tests.live.emulator.star import Star, obstacle
 from tests.live.test_networks import DELAY, LINKS
-from tests.session.stage import LIFE, PATIENCE, Stage, apart, calmest, everywhere, judged, stage
+from tests.session.session_api import LIFE, PATIENCE, Stage, apart, api, calmest, everywhere, judged
 
 from cotouch.live import PathLaw
-from cotouch.recording import LinkPhase, Recording
+from cotouch.peer import LinkState
+from cotouch.recording import Recording
 
 no_star = obstacle()
 pytestmark = [
@@ -31,6 +32,7 @@ HAND = """
 [session]
 window = 4.0
 force_limit = {force}
+per_address = 5  # on a busy machine several join before the host has seen their addresses
 [[hands]]
 user = 1
 path = [{path}]
@@ -56,7 +58,7 @@ FAULTS = {"jitter": {"jitter": 0.2}, "reordering": {"reordering": 0.5, "hold": 0
 
 def papers() -> str:
     text = (ROOT / "examples" / "live.toml").read_text()
-    table = text[: text.index("[session]")].replace("rate = 500", "rate = 200")
+    table = text[: text.index("[session]")].replace("rate = 500", "rate = 100")
     return table + hand(5.0).replace("window = 4.0", f"window = {WINDOW}")
 
 
@@ -86,7 +88,7 @@ def test_the_papers_network_with_jitter_reordering_and_loss(tmp_path: Path) -> N
                 star.set(user, other, PathLaw(delay=0.02))
                 star.set(other, user, PathLaw(delay=0.02))
         paths()
-        with stage(star, tmp_path, papers(), names) as played:
+        with api(star, tmp_path, papers(), names) as played:
             for name in names:
                 played.join(name)
             together = played.coupled(*names, links=len(LINKS))
@@ -114,24 +116,26 @@ def test_the_papers_network_with_jitter_reordering_and_loss(tmp_path: Path) -> N
     for what, (began, ended, again) in times.items():
         if what == "jitter":  # the other two may stay within what the budgets leave
             assert guarded(recordings, began + 0.5, ended) > 0.02
-        assert guarded(recordings, again, again + CYCLE) < 0.1, what
-        assert farthest(recordings, again) < 1.15 * near, what
+        assert guarded(recordings, again, again + CYCLE) < 0.25, what  # one end of ten, all the time, and a little
+        assert farthest(recordings, again) < WIDE * near, what  # damping follows budgets, and copies are apart by it
         assert calmest(recordings, again, again + CYCLE) < max(1.5 * calm, 0.5 * NEAR), what
 
 
 def stretch(played: Stage, holds: Callable[[], bool], words: str) -> float:
     """Waits until something holds before and after the hand went once and rested; returns since when.
 
-    A machine that has other work to do may guard links in between: then once more.
+    Samples of a machine that has other work to do are late, which guards links: then once more, until one end at most
+    was guarded meanwhile.
     """
     end = time.monotonic() + 2.0 * PATIENCE
     while True:
         played.wait(holds, words)
-        since = time.monotonic()
+        since, before = time.monotonic(), played.guardings()
         time.sleep(CYCLE)
         with contextlib.suppress(AssertionError):
             played.wait(holds, words, patience=1.0)
-            return since
+            if played.guardings() <= before + 1:
+                return since
         assert time.monotonic() < end, words
 
 
@@ -142,8 +146,10 @@ def farthest(recordings: list[Recording], since: float) -> float:
 
 def guarded(recordings: list[Recording], begin: float, end: float) -> float:
     """Share of their time in which ends of links were guarded."""
-    phases = [r.columns["phase"][(r.columns["end"] > begin) & (r.columns["end"] < end)].ravel() for r in recordings]
-    return float((np.concatenate(phases) == LinkPhase.GUARDED).mean())
+    phases = [
+        r.columns["link_state"][(r.columns["end"] > begin) & (r.columns["end"] < end)].ravel() for r in recordings
+    ]
+    return float((np.concatenate(phases) == LinkState.GUARDED).mean())
 
 
 def test_partition_one_way_outage_crash_of_a_member_and_of_the_host(tmp_path: Path) -> None:
@@ -158,7 +164,7 @@ def test_partition_one_way_outage_crash_of_a_member_and_of_the_host(tmp_path: Pa
 
     with Star(5, seconds=LIFE) as star:
         everywhere(lambda i, j: clean, star, range(5))
-        with stage(star, tmp_path, THREE, names) as played:
+        with api(star, tmp_path, THREE, names) as played:
             for name in names:
                 played.join(name)
             settled("the start")
@@ -191,9 +197,9 @@ def test_partition_one_way_outage_crash_of_a_member_and_of_the_host(tmp_path: Pa
     assert [recording.name for recording in recordings] == ["Ann", "Ben", "Cleo", "Cleo"]
     assert recordings[2].broken is not None
     assert recordings[2].columns["end"][-1] > killed - 0.6  # readable up to its last batch
-    lost = recordings[0].columns["phase"][:, recordings[0].neighbours.index(2)]
+    lost = recordings[0].columns["link_state"][:, recordings[0].neighbours.index(2)]
     during = (recordings[0].columns["end"] > cut + 0.5) & (recordings[0].columns["end"] < healed)
-    assert set(lost[during]) == {LinkPhase.GUARDED}
+    assert set(lost[during]) == {LinkState.GUARDED}
     moved = apart(recordings[:3], np.arange(cut + 0.5, healed, 0.01))
     assert moved.max() > 2.5 * NEAR  # what recovers below
     for what, since in times.items():

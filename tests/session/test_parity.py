@@ -79,6 +79,8 @@ def live() -> Lived:
 class Tape:
     """Keeps time, place and the hand's force of every step."""
 
+    begun, failure = True, None
+
     def __init__(self, rows: list[list[tuple[float, float, float]]]) -> None:
         self._rows = rows
 
@@ -87,7 +89,7 @@ class Tape:
 
     def step(self, copy, report, now: float, T: float) -> None:
         place = float(copy.peer.model.to_nodes(copy.peer.state.position)[0, 0])
-        self._rows[copy.seat].append((now - copy._began, place, float(report.force.sum())))
+        self._rows[copy.slot].append((now - copy._began, place, float(report.force.sum())))
 
     def event(self, kind: str, time: float, **fields) -> None:
         pass

@@ -7,11 +7,11 @@ from cotouch.session._planner import notable_links
 SLOW = {(0, 1): 0.02, (0, 2): 0.02, (1, 2): 0.02, (0, 3): 0.4, (1, 3): 0.1, (2, 3): 0.4}
 
 
-def planned(text: str, seats: list[int], paths: dict[tuple[int, int], float]) -> list[tuple[int, int]]:
+def planned(text: str, slots: list[int], paths: dict[tuple[int, int], float]) -> list[tuple[int, int]]:
     planner = LinkPlanner(SessionFile.from_toml(text))
     try:
         for _ in range(6000):
-            links = planner(seats, paths)
+            links = planner(slots, paths)
             if links is not None:
                 return links
             time.sleep(0.02)

@@ -1,13 +1,15 @@
 """Recordings of a session with a cut path, a crash and a return, on a virtual clock: no book of them may be bent."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 from tests.session.world import World
 
 from cotouch.live import PathLaw
-from cotouch.recording import EXCHANGE, GUARDS, LinkPhase, Recording, audit, read_recording
+from cotouch.peer import LinkState
+from cotouch.recording import ADVANCED, EXCHANGE, GUARDS, Recording, audit, read_recording
 
 SESSION = """
 [session]
@@ -45,25 +47,25 @@ def recordings(tmp_path_factory: pytest.TempPathFactory) -> list[Recording]:
     world.paths(ann, ben, PathLaw(delay=0.005))
     world.run(1.0)
     world.kill(cleo)
-    world.run(8.0)  # she is taken for gone, and the copies get heavier and stiffer
+    world.run(12.0)  # she is taken for gone, and the copies get heavier and stiffer
     world.join("Cleo", moves=False)
     world.run(3.0)
     world.check()
     for person in world.people:
-        assert person.tape is not None
-        person.tape.close()
+        assert person.session_recorder is not None
+        person.session_recorder.close()
     return [read_recording(path) for path in world.recordings]
 
 
 def bent(
-    recordings: list[Recording], who: int, name: str, change, *, share: float = 0.5, other: int = 1
+    recordings: list[Recording], who: int, name: str, change, *, fraction: float = 0.5, other: int = 1
 ) -> list[Recording]:
     """With one column of one of them changed, after a share of the steps."""
     one = recordings[who]
     values = np.array(one.columns[name], dtype=float)
-    half = int(share * one.steps)
+    half = int(fraction * one.steps)
     link = one.neighbours.index(other)
-    values[half:, link] = change(values[half:, link], one.columns["phase"][half:, link])
+    values[half:, link] = change(values[half:, link], one.columns["link_state"][half:, link])
     return [*recordings[:who], replace(one, columns={**one.columns, name: values}), *recordings[who + 1 :]]
 
 
@@ -72,13 +74,13 @@ def test_all_of_it_holds(recordings: list[Recording]) -> None:
     assert result.holds, result.verdict
     assert [recording.name for recording in recordings] == ["Ann", "Ben", "Cleo", "Cleo"]
     # Both of Cleo's lives are linked to both others.
-    assert [books.ends for books in result.links] == [(0, 1), (0, 2), (0, 2), (1, 2), (1, 2)]
-    assert all(books.work[0] != 0.0 for books in result.links)
-    guarded = [recording.columns["phase"] == LinkPhase.GUARDED for recording in recordings]
+    assert [ledger.ends for ledger in result.links] == [(0, 1), (0, 2), (0, 2), (1, 2), (1, 2)]
+    assert all(ledger.work[0] != 0.0 for ledger in result.links)
+    guarded = [recording.columns["link_state"] == LinkState.GUARDED for recording in recordings]
     assert all(phase.any() for phase in guarded)
-    shares = recordings[0].columns["stiffness_share"]
-    assert shares[-1] == shares.min() < shares.max()  # K rose when she was gone, as far as losses paid
-    assert max(abs(books.residual) for books in result.users) < 1e-12
+    fractions = recordings[0].columns["stiffness_scale"]
+    assert fractions[-1] == fractions.min() < fractions.max()  # K rose when she was gone, as far as losses paid
+    assert max(abs(ledger.residual) for ledger in result.users) < 1e-12
 
 
 @pytest.mark.parametrize("name", GUARDS)
@@ -90,10 +92,10 @@ def test_each_book_of_a_guard_counts(recordings: list[Recording], name: str) -> 
 
 def test_what_a_guarded_end_moves_unpaid_is_found(recordings: list[Recording]) -> None:
     """Tank and payments are lowered alike, so that the tank's own balance stays."""
-    less = bent(recordings, 1, "paid", lambda values, phase: 0.5 * values, share=0.0, other=0)
+    less = bent(recordings, 1, "paid", lambda values, phase: 0.5 * values, fraction=0.0, other=0)
     gave = recordings[1].columns["paid"] - less[1].columns["paid"]
-    spilled = np.array(recordings[1].columns["spilled"]) + gave
-    forged = replace(less[1], columns={**less[1].columns, "spilled": spilled})
+    discarded = np.array(recordings[1].columns["discarded"]) + gave
+    forged = replace(less[1], columns={**less[1].columns, "discarded": discarded})
     words = [finding.words for finding in audit([recordings[0], forged, *recordings[2:]]).findings]
     assert words
     assert all("unpaid" in text for text in words)
@@ -102,8 +104,8 @@ def test_what_a_guarded_end_moves_unpaid_is_found(recordings: list[Recording]) -
 def test_what_no_damping_took_is_not_credited(recordings: list[Recording]) -> None:
     more = bent(recordings, 0, "credited", lambda values, phase: values + 1e3 * (values - values[0]))
     got = more[0].columns["credited"] - recordings[0].columns["credited"]
-    spilled = np.array(recordings[0].columns["spilled"]) + got
-    forged = replace(more[0], columns={**more[0].columns, "spilled": spilled})
+    discarded = np.array(recordings[0].columns["discarded"]) + got
+    forged = replace(more[0], columns={**more[0].columns, "discarded": discarded})
     words = [finding.words for finding in audit([forged, *recordings[1:]]).findings]
     assert words
     assert all("credited" in text for text in words)
@@ -116,7 +118,7 @@ def exchange(tmp_path_factory: pytest.TempPathFactory) -> list[Recording]:
 [session]
 users = 2
 spring = 60.0
-seed = 1e-6
+initial_energy = 1e-6
 [body]
 mass = 0.5
 damping = 0.2
@@ -138,13 +140,13 @@ damping = 1.0
     assert world.all_coupled()
     world.check()
     for person in world.people:
-        assert person.tape is not None
-        person.tape.close()
+        assert person.session_recorder is not None
+        person.session_recorder.close()
     return [read_recording(path) for path in world.recordings]
 
 
 def forged(one: Recording, link: int, energy: float, *names: str, since: float = 0.7) -> Recording:
-    """So much more in some books of a link, at once."""
+    """So much more in some ledger of a link, at once."""
     more = np.zeros((one.steps, len(one.neighbours)))
     more[int(since * one.steps) :, link] = energy
     return replace(one, columns={**one.columns, **{name: one.columns[name] + more for name in names}})
@@ -156,7 +158,7 @@ def test_what_one_end_took_the_other_gave(exchange: list[Recording]) -> None:
     assert audit(exchange).holds
     gave, got = float(np.nanmax(ann.columns["sent"])), float(np.nanmax(ben.columns["received"]))
     assert gave == got > 0.01
-    one = forged(ben, 0, 1.0, "received", "taken", "spilled")
+    one = forged(ben, 0, 1.0, "received", "taken", "discarded")
     (finding,) = audit([ann, one]).findings
     assert (finding.place, finding.user, finding.link) == ("guard", 1, (1, 0))
     assert finding.energy == pytest.approx(1.0, rel=1e-9)
@@ -166,8 +168,8 @@ def test_what_one_end_took_the_other_gave(exchange: list[Recording]) -> None:
     # Ann says that she gave it, and has it from nowhere else; but not, if she did so later.
     for since, users in ((0.6, []), (0.8, [1])):
         two = forged(ann, 0, 1.0, "sent", "given", since=since)
-        spilled = two.columns["spilled"] - (two.columns["sent"] - ann.columns["sent"])
-        two = replace(two, columns={**two.columns, "spilled": spilled})
+        discarded = two.columns["discarded"] - (two.columns["sent"] - ann.columns["sent"])
+        two = replace(two, columns={**two.columns, "discarded": discarded})
         assert [f.user for f in audit([two, one]).findings] == users
     # An old recording, which does not say, is judged by what it says.
     old = [replace(r, columns={n: v for n, v in r.columns.items() if n not in EXCHANGE}) for r in exchange]
@@ -189,12 +191,31 @@ def test_a_recording_that_was_cut_off_accuses_nobody(exchange: list[Recording]) 
     [
         (("received",), "exchanged more"),
         (("sent",), "exchanged more"),
-        (("taken", "spilled"), "took more of the copy"),
+        (("taken", "discarded"), "took more of the copy"),
     ],
 )
 def test_what_tanks_take_comes_from_somewhere(recordings: list[Recording], names: tuple[str, ...], words: str) -> None:
     one = forged(recordings[0], recordings[0].neighbours.index(1), 1.0, *names)
     assert any(words in finding.words for finding in audit([one]).findings)
+
+
+def test_an_allowance_is_counted_and_cannot_be_stretched(recordings: list[Recording]) -> None:
+    """Cleo comes where the object is held, and comes again: twice her links got what it took."""
+    result = audit(recordings)
+    got = [float(recording.columns[ADVANCED].sum()) for recording in recordings]
+    assert got[0] == 0.0  # Ann was alone
+    assert got[3] > 1e-3
+    assert result.initial == pytest.approx(sum(got) + 10 * 1e-3)  # ends of links: 3, 3, 2 and 2
+    for value, words in ((2.0, "more of the newcomer's allowance"), (-1.0, "more of the newcomer's allowance")):
+        column = np.array(recordings[3].columns[ADVANCED])
+        column[column.size // 2] += value
+        one = replace(recordings[3], columns={**recordings[3].columns, ADVANCED: column})
+        result = audit([*recordings[:3], one])
+        assert any(words in finding.words for finding in result.findings)
+        assert result.initial < 2.0
+    less = {**recordings[3].columns, ADVANCED: np.zeros(recordings[3].steps)}
+    findings = audit([*recordings[:3], replace(recordings[3], columns=less)]).findings
+    assert any("took more of the copy" in finding.words for finding in findings)
 
 
 def test_books_that_are_not_finite_hide_nothing(recordings: list[Recording]) -> None:
@@ -205,5 +226,68 @@ def test_books_that_are_not_finite_hide_nothing(recordings: list[Recording]) -> 
 
 def test_a_share_that_rises_unpaid_is_found(recordings: list[Recording]) -> None:
     one = recordings[0]
-    without = replace(one, columns={n: values for n, values in one.columns.items() if n != "stiffness_share"})
+    without = replace(one, columns={n: values for n, values in one.columns.items() if n != "stiffness_scale"})
     assert {f.user for f in audit([without, *recordings[1:]]).findings} == {0}
+
+
+TOUCHED = """
+[session]
+users = 2
+spring = 60.0
+[body]
+kind = "lattice"
+shape = [4, 3, 3]
+spacing = 0.03
+mass = 0.5
+damping = 1.0
+stiffness = 80.0
+ground = "x-"
+ground_stiffness = 80.0
+[steps]
+rate = 250
+[contact]
+law = "stiffening"
+[[tools]]
+user = 1
+at = [0.06, 0.03, 0.08]
+radius = 0.015
+friction = 0.5
+kinetic_friction = 0.3
+hand = {path = [[0, 0, 0, 0], [1, 0, 0, -0.03], [2, -0.02, 0.01, -0.03], [3, 0, 0, 0.02]], stiffness = 80.0}
+[[tools]]
+user = 2
+at = [0.09, 0.03, -0.02]
+radius = 0.015
+axis = [0.0, 0.01, 0.0]
+hand = {path = [[0, 0, 0, 0], [1.5, 0, 0, 0.03]], stiffness = 80.0}
+"""
+
+
+def test_a_session_that_touches_by_a_law_keeps_an_exact_ledger(tmp_path: Path) -> None:
+    """Two members and their tools; one comes late, so the other's share of the body changes while it touches."""
+    world = World(TOUCHED, folder=tmp_path, tick=1e-3)
+    ann = world.join("Ann")
+    world.run(1.5)
+    assert ann.copy.peer is not None
+    tools = ann.copy.peer.tools
+    assert tools is not None
+    assert tools.touching[tools.first] == 1
+    world.join("Ben")
+    world.until(world.all_coupled, 12.0)
+    world.run(4.0)
+    world.check()
+    for person in world.people:
+        assert person.session_recorder is not None
+        person.session_recorder.close()
+    recordings = [read_recording(path) for path in world.recordings]
+    result = audit(recordings)
+    assert result.holds, result.verdict
+    for recording, ledger in zip(recordings, result.users, strict=True):
+        assert float(recording.columns["touch_stored"].max()) > 1e-6
+        assert float(recording.columns["touch_loss"].min()) >= 0.0
+        assert abs(ledger.residual) < 1e-12
+    columns = dict(recordings[0].columns)  # a contact that gave more than it had
+    columns["touch_work"] = columns["touch_work"] + 1e-5 * (np.arange(recordings[0].steps) == 300)
+    forged = audit([replace(recordings[0], columns=columns), recordings[1]])
+    assert not forged.holds
+    assert "contacts" in {finding.place for finding in forged.findings}

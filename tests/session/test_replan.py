@@ -37,10 +37,10 @@ class Waited:
     def __init__(self, planner: LinkPlanner) -> None:
         self.planner, self.asked = planner, 0
 
-    def __call__(self, seats: list[int], paths: dict[tuple[int, int], float]) -> list[tuple[int, int]] | None:
+    def __call__(self, slots: list[int], paths: dict[tuple[int, int], float]) -> list[tuple[int, int]] | None:
         self.asked += 1
         for _ in range(6000):
-            links = self.planner(seats, paths)
+            links = self.planner(slots, paths)
             if links is not None:
                 return links
             time.sleep(0.01)

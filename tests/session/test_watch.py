@@ -5,7 +5,7 @@ from tests.session.world import World, entropy
 
 from cotouch.live import Identity, Message
 from cotouch.session import Status
-from cotouch.session._watch import HANDED_ON, Watch
+from cotouch.session._watch import HANDED_ON, SessionWatch
 
 THREE = """
 [session]
@@ -16,10 +16,10 @@ rate = 100
 """
 
 
-def watched(world: World) -> tuple[Watch, Identity]:
+def watched(world: World) -> tuple[SessionWatch, Identity]:
     identity = Identity.make(entropy(99))
     control = world.controls.join(identity)
-    return Watch(control, host=world.host_identity.public), identity
+    return SessionWatch(control, host=world.host_identity.public), identity
 
 
 def test_members_that_a_watcher_cannot_reach_are_handed_on_by_the_host() -> None:
@@ -32,9 +32,9 @@ def test_members_that_a_watcher_cannot_reach_are_handed_on_by_the_host() -> None
         world.run(0.05)
         watch.service(world.now)
     assert {seen.entry.name for seen in watch.members.values()} == {"Ann", "Ben", "Cleo"}
-    for seat, seen in watch.members.items():
+    for slot, seen in watch.members.items():
         assert seen.status is not None
-        assert seen.status.seat == seat
+        assert seen.status.slot == slot
         assert seen.status.steps > 0
         assert not seen.stale(world.now)
     assert set(watch.paths()) == {(0, 1), (0, 2), (1, 2)}
@@ -63,13 +63,13 @@ def test_only_the_host_hands_on_and_what_is_heard_directly_counts() -> None:
     assert before is not None
     lie = before.model_copy(update={"steps": 10**9}).model_dump_json().encode()
     host, ann = world.host_identity.public, people[0].identity.public
-    watch.hear(Message(host, HANDED_ON, lie, direct=True), present, world.now)
+    watch.receive(Message(host, HANDED_ON, lie, direct=True), present, world.now)
     assert seen.status == before
     hidden = present - {people[1].identity.public}
-    watch.hear(Message(ann, HANDED_ON, lie, direct=True), hidden, world.now)
+    watch.receive(Message(ann, HANDED_ON, lie, direct=True), hidden, world.now)
     assert seen.status == before
-    watch.hear(Message(host, HANDED_ON, b"no status", direct=True), hidden, world.now)
-    watch.hear(Message(host, HANDED_ON, lie, direct=True), hidden, world.now)
+    watch.receive(Message(host, HANDED_ON, b"no status", direct=True), hidden, world.now)
+    watch.receive(Message(host, HANDED_ON, lie, direct=True), hidden, world.now)
     assert seen.status is not None
     assert seen.status.steps == 10**9
     assert identity.public not in present
@@ -85,7 +85,21 @@ def test_names_are_remembered_only_so_many() -> None:
     entry = watch.members[0].entry
     rng = np.random.default_rng(0)
     for k in range(400):
-        watch._note(entry.model_copy(update={"name": f"guest {k}"}), Status(seat=0, steps=int(rng.integers(9))), 0.0)
+        watch._note(entry.model_copy(update={"name": f"guest {k}"}), Status(slot=0, steps=int(rng.integers(9))), 0.0)
     assert len(watch.last) == 256
     assert "guest 399" in watch.last
     assert "guest 143" not in watch.last
+
+
+def test_what_there_is_to_say_of_a_device_reaches_who_watches() -> None:
+    world = World(THREE)
+    ann = world.join("Ann", moves=False)
+    watch, _ = watched(world)
+    said = ["", "real-time priority was refused", "force is off", "force is off"]
+    assert ann.member is not None
+    ann.member._device = lambda: said.pop(0) if len(said) > 1 else said[0]
+    for _ in range(100):
+        world.run(0.05)
+        watch.service(world.now)
+    texts = [event.text for event in watch.events if "device" in event.text]
+    assert texts == ["Ann's device: real-time priority was refused", "Ann's device: force is off"]

@@ -15,14 +15,27 @@ from cotouch.live import (
     Transport,
 )
 from cotouch.mechanics import Model
-from cotouch.session import Copy, Hand, Host, Member, MemoryWays, NoHand, Replica, ScriptedHand, Seat, SessionFile
-from cotouch.session._boards import BoardFolder
+from cotouch.session import (
+    Admission,
+    Hand,
+    Host,
+    Member,
+    MemoryPaths,
+    NoHand,
+    Replica,
+    ScriptedHand,
+    SessionFile,
+    SharedModel,
+    Slot,
+)
+from cotouch.session._command_client import CommandClient
+from cotouch.session._commanded_hand import CommandedHand
 from cotouch.session._coordinator import Planner
-from cotouch.session._desk import Desk
 from cotouch.session._emulate import path_laws
-from cotouch.session._tape import Tape
-from cotouch.session._told import ToldHand
-from cotouch.session._window import Window
+from cotouch.session._mailboxes import MailboxFolder
+from cotouch.session._messages import Decision
+from cotouch.session._session_recorder import SessionRecorder
+from cotouch.session._telemetry import TelemetryPublisher
 
 _SERVICE = 0.02
 
@@ -35,12 +48,14 @@ def entropy(seed: int):
 class Person:
     """A member, and what of it the world moves."""
 
-    def __init__(self, world: "World", name: str, *, moves: bool, offset: float) -> None:
+    def __init__(
+        self, world: "World", name: str, *, moves: bool, offset: float, identity: Identity | None = None
+    ) -> None:
         self.name = name
         self.world = world
         world.count += 1
         made = entropy(1000 * world.seed + world.count)
-        self.identity = Identity.make(made)
+        self.identity = identity or Identity.make(made)
         self.control: MemoryControl = world.controls.join(self.identity)
         address = f"{name} {world.count}"
         world.directory[self.identity.public] = address
@@ -48,31 +63,30 @@ class Person:
         self.offset = offset
         carrier: Transport = self.samples
         self.impaired = None
-        if world.session.options.emulate or world.boards is not None:
+        if world.session.options.emulate or world.mailboxes is not None:
             carrier = self.impaired = ImpairedTransport(self.samples, {}, clock=lambda: world.now, seed=world.count)
-        self.tape = None
+        self.session_recorder = None
         if world.folder is not None:
             path = world.folder / f"{name} {world.count}.mcap"
             world.recordings.append(path)
-            self.tape = Tape(path, world.session, world.replica, name=name, key=self.identity.public)
-        self.window = None
-        if world.boards is not None:
-            key = self.identity.public
-            self.window = Window(
-                world.boards, name, world.session, world.replica, key=key, unsafe=True, recorder=self.tape
+            self.session_recorder = SessionRecorder(path, world.session, world.replica, name=name)
+        self.telemetry = None
+        if world.mailboxes is not None:
+            self.telemetry = TelemetryPublisher(
+                world.mailboxes, name, world.session, world.replica, unsafe=True, recorder=self.session_recorder
             )
         self.member = Member(
             session=world.session,
             replica=world.replica,
             control=self.control,
-            ways=MemoryWays(carrier, world.directory, path=lambda other: world.path(address, other)),
+            paths=MemoryPaths(carrier, world.directory, path=lambda other: world.path(address, other)),
             host=world.host_identity.public,
             name=name,
             version="test",
-            hand=self._hand if moves else lambda seat, model: NoHand(model),
+            hand=self._hand if moves else lambda slot, model: NoHand(model),
             entropy=made,
             secret=b"secret",
-            recorder=self.tape if self.window is None else self.window,
+            recorder=self.session_recorder if self.telemetry is None else self.telemetry,
         )
         self.alive = True
         self.next = world.now
@@ -80,21 +94,21 @@ class Person:
         self.service = world.now
         self.stalled_until = 0.0
 
-    def _hand(self, seat: int, model: Model) -> Hand:
+    def _hand(self, slot: int, model: Model) -> Hand:
         session, replica = self.world.session, self.world.replica
         if self.impaired is not None and session.options.emulate:
-            for other, law in path_laws(session.scenario, seat).items():
+            for other, law in path_laws(session.scenario, slot).items():
                 self.impaired.set(other, law)
-        if self.window is not None:
-            hand = ToldHand(Seat.of(session, replica, seat, model), wishes=self.window.wishes)
-            self.window.holds(hand, seat, told=True)
+        if self.telemetry is not None:
+            hand = CommandedHand(Slot.of(session, replica, slot, model), requests=self.telemetry.requests)
+            self.telemetry.holds(hand, slot, commanded=True)
             return hand
-        return ScriptedHand(Seat.of(session, replica, seat, model))
+        return ScriptedHand(Slot.of(session, replica, slot, model))
 
     @property
-    def copy(self) -> Copy:
-        assert self.member.copy is not None
-        return self.member.copy
+    def copy(self) -> Replica:
+        assert self.member.replica is not None
+        return self.member.replica
 
     @property
     def position(self) -> np.ndarray:
@@ -103,14 +117,14 @@ class Person:
         return peer.model.to_nodes(peer.state.position)
 
     def states(self) -> dict[int, str]:
-        return {link.seat: link.state for link in self.copy.status(self.world.now).links}
+        return {link.slot: link.state for link in self.copy.status(self.world.now).links}
 
     def turn(self, now: float) -> None:
         if now < self.next or now < self.stalled_until:
             return
-        seat = self.member.seat
-        period = self.world.session.period(seat or 0)
-        T = min(now - self.last, self.world.session.options.longest_step)
+        slot = self.member.slot
+        period = self.world.session.period(slot or 0)
+        T = min(now - self.last, self.world.session.options.max_step)
         self.last = now
         self.next = now + period * self.world.rng.uniform(0.9, 1.1)
         if T > 0.0:
@@ -118,10 +132,10 @@ class Person:
         if now >= self.service:
             self.service = now + _SERVICE
             self.member.service(now)
-            if self.window is not None:
-                self.window.service(now, seat, self.impaired)
-                if self.member.copy is not None:
-                    self.member.copy.give_damping(self.window.damping, now)
+            if self.telemetry is not None:
+                self.telemetry.service(now, slot, self.impaired)
+                if self.member.replica is not None:
+                    self.member.replica.give_damping(self.telemetry.damping, now)
 
 
 class World:
@@ -135,14 +149,14 @@ class World:
         law: PathLaw | None = None,
         tick: float = 5e-4,
         folder: Path | None = None,
-        boards: BoardFolder | None = None,
+        mailboxes: MailboxFolder | None = None,
         planner: Planner | None = None,
     ) -> None:
         self.folder = folder
-        self.boards = boards
+        self.mailboxes = mailboxes
         self.recordings: list[Path] = []
         self.session = SessionFile.from_toml(text)
-        self.replica = Replica.build(self.session)
+        self.replica = SharedModel.build(self.session)
         self.seed = seed
         self.rng = np.random.default_rng(seed)
         self.tick = tick
@@ -153,14 +167,29 @@ class World:
         self.directory: dict[bytes, str] = {}
         self.host_identity = Identity.make(entropy(seed + 7))
         self.host_control = self.controls.join(self.host_identity)
-        self.host: Host | None = Host(self.session, self.host_control, planner=planner)
+        self.kept: list[Decision] = []
+        self.planner = planner
+        self.host: Host | None = self.made_host(None)
         names = self.session.scenario.network.users
-        self.desk = None if boards is None else Desk(boards, self.session, list(names))
+        self.commands = None if mailboxes is None else CommandClient(mailboxes, self.session, list(names))
         self.people: list[Person] = []
         self.gone: list[Person] = []
 
-    def join(self, name: str, *, moves: bool = True) -> Person:
-        person = Person(self, name, moves=moves, offset=float(self.rng.uniform(-1e3, 1e3)))
+    def made_host(self, kept: Decision | None) -> Host:
+        admission = Admission(self.session, fingerprint=self.replica.fingerprint)
+        keep = self.kept.append
+        return Host(self.session, self.host_control, planner=self.planner, admission=admission, kept=kept, keep=keep)
+
+    def revive_host(self, kept: Decision | None) -> None:
+        """The host is started again, with what it kept."""
+        self.host_control = self.controls.join(self.host_identity)
+        self.host = self.made_host(kept)
+
+    def join(self, name: str, *, moves: bool = True, stranger: bool = False) -> Person:
+        """Somebody comes; who was here under this name comes back with its key, if it is no stranger to that."""
+        kept = next((person.identity for person in reversed(self.gone) if person.name == name), None)
+        identity = None if stranger else kept
+        person = Person(self, name, moves=moves, offset=float(self.rng.uniform(-1e3, 1e3)), identity=identity)
         self.people.append(person)
         return person
 
@@ -179,12 +208,12 @@ class World:
 
     def _out(self, person: Person) -> None:
         person.samples.close()
-        if person.tape is not None:
-            person.tape.close()
-        if person.window is not None:
-            person.window.close()
-            assert self.desk is not None
-            self.desk.forget(person.name)
+        if person.session_recorder is not None:
+            person.session_recorder.close()
+        if person.telemetry is not None:
+            person.telemetry.close()
+            assert self.commands is not None
+            self.commands.forget(person.name)
         person.alive = False
         self.people.remove(person)
         self.gone.append(person)
@@ -217,7 +246,7 @@ class World:
 
     def all_coupled(self) -> bool:
         return all(
-            p.member.copy is not None and p.copy.peer is not None and set(p.states().values()) <= {"coupled"}
+            p.member.replica is not None and p.copy.peer is not None and set(p.states().values()) <= {"coupled"}
             for p in self.people
         )
 
@@ -226,14 +255,14 @@ class World:
         return max(float(np.abs(a - b).max()) for a in places for b in places)
 
     def check(self) -> None:
-        """Everybody's books, and those of the whole: of those who left, too."""
-        everybody = [p for p in (*self.people, *self.gone) if p.member.copy is not None and p.copy.peer is not None]
+        """Everybody's ledger, and that of the whole: of those who left, too."""
+        everybody = [p for p in (*self.people, *self.gone) if p.member.replica is not None and p.copy.peer is not None]
         seeds = 0.0
         for person in everybody:
             totals = person.copy.totals
             assert totals.alarms == 0
             assert totals.residual < 1e-10
-            seeds += person.copy.seeds
+            seeds += person.copy.initial_energies
         supplied = sum(p.copy.totals.supplied + p.copy.totals.initial for p in everybody)
         risen = sum(max(0.0, p.copy.totals.rescaled) for p in everybody)
         assert supplied + seeds + risen >= -1e-9

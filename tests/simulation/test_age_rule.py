@@ -53,7 +53,7 @@ def users_of(draw: st.DrawFn, mode: str) -> Scenario:
         for b in range(a):
             spring[a, b] = spring[b, a] = draw(st.sampled_from([0.0, 5.0, 60.0])) if b else 20.0
             delay[a, b], delay[b, a] = draw(value), draw(value)
-    if draw(st.booleans()):
+    if mode == "constant" or draw(st.booleans()):  # of a common index the users' clocks are alike, but for chance
         steps: dict[str, Any] = {"random": {"low": 0.005, "high": draw(st.floats(0.01, 0.1))}}
     else:
         steps = {"period": [draw(st.sampled_from([0.01, 0.025, 0.08])) for _ in range(count)]}
@@ -82,6 +82,22 @@ def test_no_user_whatsoever_can_get_energy_out(mode: str, method: str, data: st.
     damping = prepared.local_damping[:, 0]
     least = np.linalg.eigvalsh(supply_form(timing, scenario.network.spring, damping))[0]
     assert least >= -1e-10 * max(damping.max(), 1.0)
+
+
+def test_a_common_index_keeps_to_the_rule_with_users_steps_that_differ() -> None:
+    """T_i(k) of the paper: here up to four times those of the others, in the same index."""
+    scenario = Scenario.make(
+        network={"users": ["a", "b"], "spring": [[0, 50], [50, 0]], "delay": [[0, 0.04], [0.06, 0]]},
+        steps={"duration": 3.0, "random": {"low": 0.005, "high": 0.02}},
+        synchronisation={"mode": "constant"},
+    )
+    timing = schedule(scenario)
+    assert (timing.length[0] / timing.length[1]).max() > 3.0
+    rule = prepare(scenario).local_damping[:, 0]
+    assert timing.index_delay is not None
+    both = (timing.index_delay[0, 1] + timing.index_delay[1, 0]) / 2
+    assert rule == pytest.approx(50.0 * both * timing.length.max(axis=1)[::-1], rel=1e-12)
+    assert np.linalg.eigvalsh(supply_form(timing, scenario.network.spring, rule))[0] >= -1e-10
 
 
 @pytest.mark.parametrize("mode", ["constant", "freshest"])

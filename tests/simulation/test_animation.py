@@ -1,8 +1,8 @@
 import base64
-import errno
 import gzip
 import json
 import re
+import resource
 from collections.abc import Generator
 from importlib.resources import files
 from pathlib import Path
@@ -17,8 +17,8 @@ from tests.simulation.browser import Opened, browser
 
 from cotouch import body_from_surface
 from cotouch.body import Skin
-from cotouch.errors import BodyError, InputError, NetworkError, ScenarioError
-from cotouch.simulation import Animation, GripTracks, ToolTracks, UserSeries
+from cotouch.errors import BodyError, InputError, NetworkError, OutputError
+from cotouch.simulation import Animation, PortTracks, ToolTracks, UserSeries
 
 FRAMES = 40
 TIME = np.arange(FRAMES) / 60
@@ -93,14 +93,14 @@ def test_everything_else_comes_back() -> None:
     shown = made(
         rest=np.ones((3, 3)),
         tools=ToolTracks(owner=[1, 0], centre=tracks[0], radius=[0.1, 0.2], force=tracks[1]),
-        grips=GripTracks(owner=[0, 0], place=tracks[2], force=tracks[3]),
+        ports=PortTracks(owner=[0, 0], place=tracks[2], force=tracks[3]),
         links=[(0, 1)],
         series=[UserSeries(name="Age", unit="s", values=values)],
     )
     header, arrays = unpacked(shown.page())
     assert (header["users"], header["links"]) == (["Ann", "Ben"], [[0, 1]])
     assert header["tools"] == {"owner": [1, 0], "radius": [0.1, 0.2]}
-    assert header["grips"] == {"owner": [0, 0]}
+    assert header["ports"] == {"owner": [0, 0]}
     assert header["series"] == [{"name": "Force", "unit": "N"}, {"name": "Age", "unit": "s"}]
     assert np.array_equal(arrays["time"], TIME)
     assert arrays["triangles"].tolist() == [[0, 1, 2]]
@@ -183,7 +183,7 @@ def test_a_user_feels_the_tools_less_what_the_hands_give() -> None:
             radius=0.01,
             force=np.concatenate([track + 3 * along, track + 4 * across], axis=1),
         ),
-        grips=GripTracks(owner=[1], place=track, force=track + along),
+        ports=PortTracks(owner=[1], place=track, force=track + along),
     )
     assert shown.felt() == pytest.approx(np.array([[0.0, 20.0**0.5]] * FRAMES))
 
@@ -228,15 +228,15 @@ def made_of(changes: dict[str, Any]) -> Animation:
     changes = dict(changes)
     if "tools" in changes:
         changes["tools"] = ToolTracks(**{**tool, **changes["tools"]})
-    if "grips" in changes:
-        changes["grips"] = GripTracks(**{**grip, **changes["grips"]})
+    if "ports" in changes:
+        changes["ports"] = PortTracks(**{**grip, **changes["ports"]})
     if "series" in changes:
         changes["series"] = [UserSeries(**{**series, **changes["series"]})]
     return made(**changes)
 
 
 @pytest.mark.parametrize(
-    ("changes", "error", "words"),
+    ("changes", "error", "headers"),
     [
         ({"users": []}, NetworkError, "no users"),
         ({"time": [0.0]}, BodyError, "vertices are 40 x 2 x 3 x 3; they must be 1 frames x 2 users"),
@@ -279,15 +279,15 @@ def made_of(changes: dict[str, Any]) -> Animation:
         ({"tools": {"radius": [1.0, 1.0]}}, InputError, "tool radii are 2; there are 1 tools"),
         ({"tools": {"force": TRACK + np.inf}}, InputError, "tool forces are inf at index"),
         ({"tools": {"centre": TRACK[:3]}}, InputError, "tools have 3 frames; this animation has 40"),
-        ({"grips": {"owner": [-1]}}, InputError, "a grip belongs to user index -1"),
-        ({"grips": {"force": TRACK[:3]}}, InputError, "grips have 3 frames"),
+        ({"ports": {"owner": [-1]}}, InputError, "a grip belongs to user index -1"),
+        ({"ports": {"force": TRACK[:3]}}, InputError, "grips have 3 frames"),
         ({"series": {"name": " "}}, InputError, "a series has no name"),
         ({"series": {"values": [1.0]}}, InputError, "values of Age are 1; they must be frames x users"),
         ({"series": {"values": np.zeros((FRAMES, 3))}}, InputError, "they must be 40 frames x 2 users"),
     ],
 )
-def test_what_is_wrong_is_said(changes: dict[str, Any], error: type[InputError], words: str) -> None:
-    with pytest.raises(error, match=words) as raised:
+def test_what_is_wrong_is_said(changes: dict[str, Any], error: type[InputError], headers: str) -> None:
+    with pytest.raises(error, match=headers) as raised:
         made_of(changes)
     assert type(raised.value) is error
     assert "\n" not in str(raised.value)
@@ -304,25 +304,26 @@ def test_it_is_written(tmp_path: Path) -> None:
     assert [entry.name for entry in tmp_path.iterdir()] == ["run.html"]
 
 
-def test_a_full_disk_leaves_the_old_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_full_disk_leaves_the_old_file(tmp_path: Path) -> None:
     path = tmp_path / "run.html"
     path.write_text("old")
-    whole = Path.write_text
-
-    def half(self: Path, data: str, *args: Any, **settings: Any) -> int:
-        whole(self, data[: len(data) // 2], *args, **settings)
-        raise OSError(errno.ENOSPC, "No space left on device")
-
-    monkeypatch.setattr(Path, "write_text", half)
-    with pytest.raises(ScenarioError, match=r"the animation cannot be written to .*run.html: No space left on device"):
-        made().write(path)
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    page = made()
+    resource.setrlimit(resource.RLIMIT_FSIZE, (1000, limits[1]))
+    try:
+        with pytest.raises(OutputError, match=r"the animation cannot be written to .*run.html: File too large"):
+            page.write(path)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
     assert path.read_text() == "old"
     assert [entry.name for entry in tmp_path.iterdir()] == ["run.html"]
 
 
 def test_no_such_folder(tmp_path: Path) -> None:
-    with pytest.raises(ScenarioError, match="No such file or directory"):
+    with pytest.raises(OutputError, match="does not exist; make it first"):
         made().write(tmp_path / "none" / "run.html")
+    with pytest.raises(OutputError, match=r'ends in "\.gif"; what is written there must end in \.html or \.htm'):
+        made().write(tmp_path / "run.gif")
 
 
 # ---- in a browser
@@ -618,15 +619,15 @@ def test_the_table_shows_no_force_where_there_is_none(running: Browser, tmp_path
 
 
 @pytest.mark.parametrize(
-    ("script", "words"),
+    ("script", "headers"),
     [
         ("HTMLCanvasElement.prototype.getContext = () => null", "needs WebGL2"),
         ("delete window.DecompressionStream", "too old"),
     ],
 )
-def test_a_browser_that_cannot_says_so(running: Browser, path: Path, script: str, words: str) -> None:
+def test_a_browser_that_cannot_says_so(running: Browser, path: Path, script: str, headers: str) -> None:
     opened = Opened(running, path, script=script)
     opened.page.wait_for_selector("#notice.failed")
-    assert words in opened.page.locator("#notice").inner_text()
+    assert headers in opened.page.locator("#notice").inner_text()
     assert opened.complaints == []
     opened.page.context.close()

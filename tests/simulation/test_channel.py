@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from cotouch.scenario._tables import Channel
+from cotouch.scenario import Channel
 from cotouch.simulation._channel import draw, resent
 
 SEED = (7, 2, 0, 1)

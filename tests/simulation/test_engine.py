@@ -1,4 +1,4 @@
-"""The batch engine against single peers, the energy books, the theorem and the closed loop."""
+"""The batch engine against single peers, the energy ledger, the theorem and the closed loop."""
 
 from pathlib import Path
 from typing import Any
@@ -117,7 +117,7 @@ def test_books_balance_and_users_stay_passive(mode: str, shape: str, cap: int) -
     assert run.attrs["finished"]
     assert run.attrs["energy_residual"] < 1e-12
     assert run.attrs["passivity_margin"] >= -1e-12 * run.attrs["energy_in_play"]
-    if mode == "constant":  # all users end on the same step, so their own books add up to those of the network
+    if mode == "constant":  # all users end on the same step, so their own ledger adds up to those of the network
         last = run.isel(step=-1)
         for total, parts in {
             "supplied_total": ("supplied",),
@@ -126,6 +126,41 @@ def test_books_balance_and_users_stay_passive(mode: str, shape: str, cap: int) -
         }.items():
             summed = sum(float(last[part].sum(skipna=False)) for part in parts)
             assert summed == pytest.approx(float(run[total][-1]), rel=1e-10)
+
+
+@pytest.mark.parametrize("mode", MODES)
+@pytest.mark.parametrize("steps", [{"period": 0.01}, {"random": {"low": 0.001, "high": 0.02}}, {"rate": [1000, 100]}])
+@pytest.mark.parametrize("rough", [False, True])
+def test_a_free_object_under_a_known_force_is_as_fast_as_it_should_be(
+    mode: str, steps: dict[str, Any], rough: bool
+) -> None:
+    """At every user and step: nobody's copy lives more slowly than its user, whoever waits for whom."""
+    if mode == "constant" and "rate" in steps:
+        pytest.skip("different rates are refused under a common index")
+    run = simulate(
+        Scenario.make(
+            network={"users": ["a", "b"], "spring": [[0, 1e-6], [1e-6, 0]], "delay": [[0, 0.03], [0.05, 0]]},
+            steps={"duration": 2.0, **steps},
+            synchronisation={"mode": mode},
+            channel=ROUGH if rough else {},
+            hands=[{"user": user, "kind": "force", "path": 0.5} for user in (1, 2)],
+        )
+    )
+    time, velocity = run["time"].values, run["velocity"].values[:, :, 0, 0]
+    simulated = np.cumsum(np.nan_to_num(run["period"].values), axis=1)  # half a kilogram, half a newton: 1 m/s^2
+    late = np.where(np.isfinite(time), time - simulated, 0.0)
+    there = np.isfinite(time)
+    assert velocity[there] == pytest.approx(simulated[there], rel=1e-4, abs=1e-9)
+    if mode == "self-paced":  # what the bound on a step cuts off of a wait is made up later, and said
+        assert late.max(axis=1) == pytest.approx(run.attrs["behind"], abs=1e-9)
+        assert np.abs(np.nanmax(velocity, axis=1) - np.nanmax(time, axis=1)).max() <= max(run.attrs["behind"]) + 1e-3
+    else:
+        assert np.abs(late).max() < 1e-9
+        assert run.attrs["behind"] == [0.0, 0.0]
+    asked = {"period": [100.0, 100.0], "rate": [1000.0, 100.0]}.get(next(iter(steps)))
+    if asked is not None:
+        assert run.attrs["rate_asked"] == pytest.approx(asked, rel=1e-6)
+    assert (np.array(run.attrs["rate"]) <= np.array(run.attrs["rate_asked"]) * (1.0 + 1e-6)).all()
 
 
 @pytest.mark.parametrize("mode", MODES)
@@ -258,10 +293,10 @@ def test_far_below_the_rule_the_users_run_away() -> None:
     tables: dict[str, Any] = {"network": five_users(), "steps": {"duration": 60.0}, "hands": [{"user": 1, "path": 0.1}]}
     safe = simulate(Scenario.make(**tables, synchronisation={"mode": "constant"}))
     assert safe.attrs["finished"]
-    loose = simulate(Scenario.make(**tables, synchronisation={"mode": "constant", "scale": 0.02}))
+    loose = simulate(Scenario.make(**tables, synchronisation={"mode": "constant", "damping_scale": 0.02}))
     assert loose.attrs["passivity_margin"] < -1.0
     assert not loose.attrs["finished"] or float(loose["stored"].max()) > 1e6 * float(safe["stored"].max())
-    # The energy came from delay, and the books say so to the last joule.
+    # The energy came from delay, and the ledger says so to the last joule.
     assert loose.attrs["energy_residual"] < 1e-10
     assert float(loose["delay_work_total"][-1]) > float(loose["dissipated_total"][-1])
 

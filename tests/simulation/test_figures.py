@@ -13,7 +13,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from cotouch.drawing import DASHES, USERS, decimate, peak, prefix, user_line
-from cotouch.errors import ScenarioError
+from cotouch.errors import OutputError, ScenarioError
 from cotouch.scenario import Scenario
 from cotouch.simulation import at_times, simulate
 from cotouch.simulation._figures import figures, save_figures
@@ -229,7 +229,7 @@ def test_saved_as_files(pair: xr.Dataset, tmp_path: Path) -> None:
 
 def test_folder_that_cannot_be_made(pair: xr.Dataset, tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
-    with pytest.raises(ScenarioError, match="cannot be written"):
+    with pytest.raises(OutputError, match="cannot be made"):
         save_figures(pair, tmp_path / "file" / "folder")
 
 

@@ -205,7 +205,7 @@ def test_a_unit_is_asked_for():
 
 
 def test_the_example_runs(tmp_path: Path):
-    """Three users hold a liver: read, truncated, simulated, with balanced books."""
+    """Three users hold a liver: read, truncated, simulated, with a balanced ledger."""
     from examples.make_shapes import main
 
     main(tmp_path / "shapes")

@@ -8,10 +8,10 @@ import pytest
 import xarray as xr
 
 from cotouch.body import chain
-from cotouch.errors import ScenarioError
+from cotouch.errors import OutputError
 from cotouch.network import Network
 from cotouch.scenario import Scenario
-from cotouch.simulation import dataset, prepare, save, simulate
+from cotouch.simulation import dataset, prepare, save, simulate, tables
 from cotouch.simulation._batch import run_batch
 from cotouch.simulation._result import _UNITS, TOOL_UNITS
 
@@ -36,6 +36,10 @@ def run() -> xr.Dataset:
     )
 
 
+# Only bodies with a closed step have these.
+_CLOSED = ("closure", "closure_factor", "closure_alarms")
+
+
 def test_dimensions_and_units(run: xr.Dataset) -> None:
     assert run["position"].dims == ("user", "step", "node", "axis")
     assert run["user"].values.tolist() == ["Ann", "Ben"]
@@ -43,7 +47,7 @@ def test_dimensions_and_units(run: xr.Dataset) -> None:
     assert run["axis"].values.tolist() == ["x", "y"]
     assert run["direction"].values.tolist() == ["1<-2", "2<-1"]
     assert run["link"].values.tolist() == ["1-2"]
-    assert set(run.data_vars) == set(_UNITS) - set(TOOL_UNITS) - {"frame_position"}
+    assert set(run.data_vars) == set(_UNITS) - set(TOOL_UNITS) - {"frame_position", *_CLOSED, "time", "tick_time"}
     for name in run.data_vars:
         assert run[name].attrs["units"] == _UNITS[str(name)][0]
         assert run[name].attrs["long_name"]
@@ -111,12 +115,16 @@ def test_netcdf_round_trip(run: xr.Dataset, tmp_path: Path) -> None:
     xr.testing.assert_identical(again.drop_attrs(), run.drop_attrs())
     assert json.loads(again.attrs["scenario"])["network"]["users"] == ["Ann", "Ben"]
     assert again["force"].attrs["units"] == "N"
-    assert not list(tmp_path.glob("*.part"))
+    assert [path.name for path in tmp_path.iterdir()] == ["run.nc"]
 
 
 def test_a_result_that_cannot_be_written_is_said(run: xr.Dataset, tmp_path: Path) -> None:
-    with pytest.raises(ScenarioError, match="cannot be written"):
+    with pytest.raises(OutputError, match="does not exist; make it first"):
         save(run, tmp_path / "nowhere" / "run.nc")
+    for name in ("run.mat", "run.csv", "run"):
+        with pytest.raises(OutputError, match=r"must end in \.nc, \.nc4, \.h5 or \.hdf5"):
+            save(run, tmp_path / name)
+    assert not list(tmp_path.iterdir())
 
 
 def test_recording_less_keeps_the_same_motion() -> None:
@@ -164,3 +172,66 @@ def test_labelling_leaves_the_record_alone() -> None:
     assert first["supplied"].isnull().any()
     assert all(np.array_equal(a, b, equal_nan=True) for a, b in zip(before, outcome.record, strict=True))
     xr.testing.assert_identical(first, dataset(prepared, outcome))
+
+
+@pytest.mark.parametrize("frame", ["fixed", "floating"])
+def test_a_run_at_rest_has_nothing_to_balance(frame: str) -> None:
+    """A share of round-off is no share of anything: this was 0.35, and 1.0 with more users."""
+    rest = simulate(
+        {
+            "network": PAIR,
+            "body": {"kind": "lattice", "shape": [3, 3, 3], "frame": frame},
+            "steps": {"duration": 0.5},
+        }
+    )
+    assert rest.attrs["energy_in_play"] < 1e-30
+    assert rest.attrs["energy_residual"] < 1e-12
+
+
+def test_names_and_times_are_coordinates(run: xr.Dataset) -> None:
+    assert {"time", "tick_time", "receiver", "sender", "one", "other", "hand_user"} <= set(run.coords)
+    assert run["receiver"].sel(direction="1<-2").item() == "Ann"
+    assert run["sender"].sel(direction="1<-2").item() == "Ben"
+    assert (run["one"].values.tolist(), run["other"].values.tolist()) == (["Ann"], ["Ben"])
+    assert run["hand_user"].values.tolist() == ["Ann", "Ann"]
+    assert run["supplied"].coords["time"].dims == ("user", "step")
+
+
+def test_tables_have_a_row_for_each_step_that_was_taken(run: xr.Dataset) -> None:
+    found = tables(run)
+    taken = np.isfinite(run["time"].values).sum(axis=1)
+    assert taken.tolist() == [101, 251]
+    assert found["user"].groupby("user").size().to_dict() == {"Ann": 101, "Ben": 251}
+    assert len(found["user_node_axis"]) == (101 + 251) * 3 * 2
+    assert found["direction"].groupby(["receiver", "sender"]).size().to_dict() == {
+        ("Ann", "Ben"): 101,
+        ("Ben", "Ann"): 251,
+    }
+    assert len(found["hand_axis"]) == 2 * 101 * 2
+    assert len(found["tick"]) == run.sizes["tick"]
+    ben = found["user"].query("user == 'Ben' and step == 250")
+    assert ben["supplied"].item() == run["supplied"].values[1, 250]
+    assert ben["time"].item() == run["time"].values[1, 250]
+    every = {name for table in found.values() for name in table.columns}
+    assert {str(name) for name in run.data_vars} <= every
+
+
+def test_the_slack_of_inequality_7() -> None:
+    """From rest (7) says: supplied >= stored + what all other dampers took; the slack is what damping B can spare."""
+    asked: dict[str, Any] = {
+        "network": PAIR,
+        "body": {"stiffness": 5.0, "damping": 0.3},
+        "steps": {"duration": 2.0},
+        "synchronisation": {"extra_damping": 0.1},
+        "hands": [{"user": 1, "path": 0.1}],
+    }
+    run = simulate(asked)
+    others = (run["body_loss"] + run["extra_loss"]).sum("user").values
+    # Both users step together, so their own ledgers are of the same instants as the ticks.
+    slack = run["supplied_total"].values - (run["stored"].values - run["stored"].values[0]) - others
+    assert run["slack"].values == pytest.approx(slack, abs=1e-12)
+    assert run["slack"].values[0] == 0.0
+    assert run["slack"].values.min() >= -1e-12
+    assert run["slack"].values[-1] > 1e-3
+    loose = simulate({**asked, "synchronisation": {"damping_scale": 0.0}})
+    assert loose["slack"].values[-1] < -1e-3, "without damping the delays put in energy"

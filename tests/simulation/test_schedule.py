@@ -30,12 +30,15 @@ def test_newest_is_the_newest_that_arrived(sent: np.ndarray, end: np.ndarray, da
 
 @given(times, st.integers(1, 10), st.data())
 def test_indexed_takes_its_sample_or_the_newest_before(clock: np.ndarray, delay: int, data: st.DataObject) -> None:
-    latency = np.array(data.draw(st.lists(st.floats(0, 0.5), min_size=clock.size, max_size=clock.size)))
+    def of_each(most: float) -> np.ndarray:
+        return np.array(data.draw(st.lists(st.floats(0, most), min_size=clock.size, max_size=clock.size)))
+
+    latency, sent, end = of_each(0.5), clock + of_each(9e-4), clock + of_each(9e-4)
     used = np.zeros(clock.size, np.int32)
-    short = indexed(latency, clock, delay, used)
+    short = indexed(latency, sent, end, delay, used)
     missing = 0
-    for k, now in enumerate(clock):
-        there = [m for m in range(max(k - delay + 1, 0)) if clock[m] + latency[m] <= now + 1e-9]
+    for k, now in enumerate(end):
+        there = [m for m in range(max(k - delay + 1, 0)) if sent[m] + latency[m] <= now + 1e-9]
         assert used[k] == max(there, default=-1)
         missing += int(used[k] < k - delay)
     assert short == missing
@@ -126,12 +129,64 @@ def test_own_rates_step_at_own_times() -> None:
         counter[i] += 1
 
 
-def test_own_step_lengths_share_one_index() -> None:
-    timing = schedule(scenario(synchronisation={"mode": "constant"}, steps={"duration": 1.0, "period": [0.01, 0.02]}))
-    assert timing.count.tolist() == [50, 50]
-    assert (timing.length[0] == 0.01).all()
-    assert (timing.length[1] == 0.02).all()
-    assert np.allclose(timing.end[0], 0.02 * np.arange(1, 51))
+@pytest.mark.parametrize("steps", [{"period": [0.01, 0.02]}, {"rate": [1000, 100]}])
+def test_clocks_of_different_rates_cannot_share_one_index(steps: dict[str, object]) -> None:
+    with pytest.raises(ScenarioError, match=r'^the scenario: steps\.\w+ is \[.*\], but .* use mode "freshest"'):
+        scenario(synchronisation={"mode": "constant"}, steps=steps)
+    scenario(synchronisation={"mode": "constant"}, steps={name: [0.01, 0.01] for name in steps})
+
+
+def test_steps_of_a_common_index_last_while_their_user_waits() -> None:
+    random = {"low": 0.001, "high": 0.02}
+    timing = schedule(scenario(synchronisation={"mode": "constant"}, steps={"duration": 5.0, "random": random}))
+    end, length = timing.end, timing.length
+    # Nobody takes a step before all have taken the one before, and then each takes as long as it was going to.
+    assert (end[:, 1:].min(axis=0) > end[:, :-1].max(axis=0)).all()
+    begun = np.concatenate([[0.0], end.max(axis=0)[:-1]])
+    assert np.allclose(end - begun, timing.nominal, rtol=0, atol=1e-12)
+    # Everybody's copy has simulated what has passed, at every step, though T_i(k) differs.
+    assert np.allclose(np.cumsum(length, axis=1), end, rtol=0, atol=1e-12)
+    assert np.abs(length[0] - length[1]).max() > 0.01
+    assert length.min() >= 0.001
+    assert length.max() <= 2 * 0.02 - 0.001
+    assert timing.bound == pytest.approx(length.max(axis=1))
+    assert timing.underruns.sum() == 0
+
+
+def test_an_index_delay_is_the_smallest_that_covers_what_it_is_to_cover() -> None:
+    steps = {"duration": 5.0, "random": {"low": 0.001, "high": 0.02}}
+    tables = {"steps": steps, "channel": {"jitter": {"scale": 0.05}, "loss": 0.05}}
+    found = schedule(scenario(synchronisation={"mode": "constant"}, **tables))
+    assert found.underruns.sum() == 0
+    assert found.index_delay is not None
+    for i, j in ((0, 1), (1, 0)):
+        fewer = found.index_delay.copy()
+        fewer[i, j] -= 1
+        short = schedule(scenario(synchronisation={"mode": "constant", "index_delay": fewer.tolist()}, **tables))
+        assert short.underruns.sum() > 0
+
+
+def test_a_longest_step_that_cannot_be_kept_is_refused() -> None:
+    steps = {"duration": 5.0, "random": {"low": 0.001, "high": 0.02}}
+    schedule(scenario(synchronisation={"mode": "constant", "max_step": 2.0}, steps=steps))
+    with pytest.raises(ScenarioError, match=r'max_step is 1; a step of user \d may last .* use mode "freshest"'):
+        schedule(scenario(synchronisation={"mode": "constant", "max_step": 1.0}, steps=steps))
+
+
+def test_self_pacing_that_could_never_make_up_for_its_waits_is_refused() -> None:
+    steps = {"duration": 2.0, "period": [0.001, 0.01]}
+    with pytest.raises(ScenarioError, match=r"max_step is 2; a step of user 1 simulates 0.002 s at most.*least 1\d,"):
+        schedule(scenario(synchronisation={"mode": "self-paced", "max_step": 2.0}, steps=steps))
+    timing = schedule(scenario(synchronisation={"mode": "self-paced", "max_step": 12.0}, steps=steps))
+    assert abs(timing.end[0, -1] - timing.length[0].sum()) < 0.012
+    # One that waits for long is behind for a while, and that is said.
+    jitter = {"jitter": {"kind": "exponential", "scale": 0.05}}
+    waits = schedule(
+        scenario(synchronisation={"mode": "self-paced"}, steps={"duration": 2.0, "period": 0.01}, channel=jitter)
+    )
+    late = waits.end - np.cumsum(waits.length, axis=1)
+    assert waits.behind == pytest.approx([late[i, :n].max() for i, n in enumerate(waits.count)], abs=1e-12)
+    assert waits.behind.max() > 0.0
 
 
 def test_random_steps_stay_within_bounds_and_repeat() -> None:

@@ -1,4 +1,4 @@
-"""Tools, devices and hands in a scenario: what they are, what they do, what the books say."""
+"""Tools, devices and hands in a scenario: what they are, what they do, what the ledger says."""
 
 import json
 from typing import Any
@@ -11,8 +11,8 @@ from cotouch.body import lattice, point
 from cotouch.errors import BodyError, CotouchError, ScenarioError
 from cotouch.mechanics import virtual_coupling_limit
 from cotouch.scenario import Scenario
-from cotouch.scenario._clear import clear_place
-from cotouch.scenario._tool_tables import DeviceTable, ToolHand, ToolTable
+from cotouch.scenario._penetration import resolve_penetration
+from cotouch.scenario._tool_tables import SimulatedDeviceTable, ToolHand, ToolTable
 from cotouch.simulation import animation, felt, figures, frame_rate, prepare, simulate, summary
 from cotouch.simulation._batch import run_batch
 from cotouch.simulation._tool_result import UNITS as TOOL_UNITS
@@ -35,7 +35,7 @@ HOLD: dict[str, Any] = {"user": 2, "at": [0.03, 0.01, 0.02], "kind": "grasp", "s
 DEVICES: dict[str, dict[str, Any]] = {
     "cartesian": {"viscous": 0.05, "coulomb": 0.05, "periods": [0.001, 0.0004, 0.003]},
     "preset": {"preset": "omega", "stiffness": 1500, "rate": 437},
-    "declared": {"viscous": 1.0, "declared": 0.5, "stiffness": 2000},
+    "declared": {"viscous": 1.0, "assumed_damping": 0.5, "stiffness": 2000},
     "phantom": {"preset": "phantom"},
     "virtual": {"coupling": "virtual", "viscous": 1.0, "damping": 0.1, "stiffness": 600},
 }
@@ -66,10 +66,10 @@ def test_defaults_are_a_touching_fingertip_and_van_beeks_hand() -> None:
     assert (tool.kind, tool.radius, tool.mass, tool.stiffness, tool.friction) == ("touch", 0.01, 0.05, 1000.0, 0.0)
     hand = ToolHand()
     assert (hand.mass, hand.damping, hand.stiffness) == (0.554, 6.45, 135.0)
-    assert DeviceTable().coupling == "pspm"
-    assert DeviceTable().sort() == "cartesian"
-    assert DeviceTable(preset="phantom").sort() == "phantom"
-    assert DeviceTable(preset="phantom", kind="cartesian").sort() == "cartesian"
+    assert SimulatedDeviceTable().coupling == "pspm"
+    assert SimulatedDeviceTable().sort() == "cartesian"
+    assert SimulatedDeviceTable(preset="phantom").sort() == "phantom"
+    assert SimulatedDeviceTable(preset="phantom", kind="cartesian").sort() == "cartesian"
 
 
 WRONG: list[tuple[str, str]] = [
@@ -98,7 +98,10 @@ WRONG: list[tuple[str, str]] = [
     ("AT\n[tools.device]\nperiods=[]", "tools[2].device.periods is []; it must have at least 1 entry"),
     ("AT\n[tools.device]\nkind='phantom'\nmass=1", "tools[2].device.mass is 1.0 kg; a PHANToM has its own"),
     ("AT\n[tools.device]\nkind='phantom'\npreset='omega'", 'tools[2].device.kind is "phantom" but preset is "omega"'),
-    ("AT\n[tools.device]\nlower=true", 'tools[2].device.lower is given, but with coupling "pspm" it has no effect'),
+    (
+        "AT\n[tools.device]\nclip_stiffness=true",
+        'tools[2].device.clip_stiffness is given, but with coupling "pspm" it has no effect',
+    ),
     ("AT\n[tools.device]\ncoupling='virtual'\nrate=9", 'tools[2].device.rate is given, but with coupling "virtual"'),
     ("AT\n[tools.device]\ncoupling='virtual'", "tools[2].device: the virtual coupling's damping is 2 Ns/m"),
     ("AT\n[tools.device]\ncoupling='virtual'\ndamping=0", "passive up to 25 N/m; lower it or use PSPM"),
@@ -114,14 +117,14 @@ WRONG: list[tuple[str, str]] = [
 ]
 
 
-@pytest.mark.parametrize(("text", "words"), WRONG)
-def test_what_is_wrong_is_one_sentence_with_its_place(text: str, words: str) -> None:
+@pytest.mark.parametrize(("text", "headers"), WRONG)
+def test_what_is_wrong_is_one_sentence_with_its_place(text: str, headers: str) -> None:
     tools = "[[tools]]\nuser=1\nat=[-1,0,0]\n[[tools]]\n" + text.replace("AT", "user=2\nat=[-0.05,0.01,0.01]")
     body = "[body]\nkind='lattice'\nshape=[3,3,3]\n"
     network = '[network]\nusers=["Ann","Ben"]\nspring=[[0,9],[9,0]]\ndelay=[[0,0.1],[0.1,0]]\n'
     with pytest.raises(CotouchError) as caught:
         prepare(Scenario.from_toml(network + body + "[steps]\nduration=0.1\n" + tools))
-    assert words in str(caught.value)
+    assert headers in str(caught.value)
     assert "\n" not in str(caught.value)
 
 
@@ -139,14 +142,14 @@ def test_where_a_sphere_is_clear_of_a_box() -> None:
         away = np.maximum(np.maximum(-centre, centre - 0.02), 0.0)
         outside = float(np.linalg.norm(away))
         depth = 0.005 - (outside or -min(*centre, *(0.02 - centre)))
-        found = clear_place(box, still, centre, 0.005)
+        found = resolve_penetration(box, still, centre, 0.005)
         assert (found is None) == (depth <= 0.0)
         if found is not None:
             assert found[0] == pytest.approx(depth)
-            assert clear_place(box, still, found[1] + 1e-9 * (found[1] - 0.01), 0.005) is None
+            assert resolve_penetration(box, still, found[1] + 1e-9 * (found[1] - 0.01), 0.005) is None
     moved = still + np.array([0.0, 0.0, 0.1])
-    assert clear_place(box, moved, np.array([0.01, 0.01, 0.01]), 0.005) is None
-    assert clear_place(point(rest=[0, 0, 0]), np.zeros((1, 3)), np.array([0.0, 0.0, 0.004]), 0.005) is not None
+    assert resolve_penetration(box, moved, np.array([0.01, 0.01, 0.01]), 0.005) is None
+    assert resolve_penetration(point(rest=[0, 0, 0]), np.zeros((1, 3)), np.array([0.0, 0.0, 0.004]), 0.005) is not None
 
 
 def test_a_tool_inside_the_body_may_wait_there_but_not_touch() -> None:
@@ -240,7 +243,10 @@ def test_every_joule_of_a_coupling_is_on_its_account(tool: dict[str, Any]) -> No
 
 def test_a_virtual_coupling_is_passive_up_to_its_limit_and_refused_above() -> None:
     steps = {"duration": 0.3, "random": {"low": 0.0005, "high": 0.002}}
-    tool = {**LEFT, "device": {"coupling": "virtual", "viscous": 1.0, "damping": 0.05, "stiffness": 1e5, "lower": True}}
+    tool = {
+        **LEFT,
+        "device": {"coupling": "virtual", "viscous": 1.0, "damping": 0.05, "stiffness": 1e5, "clip_stiffness": True},
+    }
     lowered = run_of(tool, steps=steps)
     check(lowered)
     length = lowered["period"].values[0, 1:]
@@ -251,11 +257,50 @@ def test_a_virtual_coupling_is_passive_up_to_its_limit_and_refused_above() -> No
         period=float(length.max()),
         spread=float((length[1:] / length[:-1]).max()),
     )
-    tool["device"] = {**tool["device"], "lower": False, "stiffness": 0.999 * limit}
+    tool["device"] = {**tool["device"], "clip_stiffness": False, "stiffness": 0.999 * limit}
     assert run_of(tool, steps=steps).attrs["coupling_excess"] <= 1e-15
     tool["device"]["stiffness"] = 1.001 * limit
     with pytest.raises(ScenarioError, match=r"tools\[1\]\.device: .*is passive up to"):
         run_of(tool, steps=steps)
+
+
+def test_a_virtual_coupling_counts_its_encoders() -> None:
+    """Refused where dry friction cannot pay for them; else the excess keeps its bound, which the proxy's path sets."""
+    device = {"coupling": "virtual", "viscous": 2.0, "damping": 0.05, "stiffness": 600, "resolution": 1e-3}
+    with pytest.raises(
+        ScenarioError, match=r"tools\[1\]\.device: .* 0\.000866 m of its place, with 0 N of dry friction"
+    ):
+        run_of({**LEFT, "device": device}, steps={"duration": 0.3, "period": 0.001})
+    for kind, resolution in ((LEFT, 1e-3), (HOLD, 1e-3), (HOLD, 1e-5)):
+        tool = {**kind, "device": {**device, "resolution": resolution, "coulomb": 0.7}}
+        run = run_of(tool, steps={"duration": 0.3, "period": 0.001})
+        check(run)
+        path = np.linalg.norm(np.diff(run["tool_position"].values[0], axis=0), axis=1).sum()
+        unsure = (600 + 2 * 0.05 / 0.001) * 0.5 * 3.0**0.5 * resolution
+        assert run["coupling_bound"].values[0] == pytest.approx(unsure * path, rel=1e-9)
+    phantom = {**device, "kind": "phantom", "viscous": 0.5, "coulomb": 0.01, "resolution": 1.4e-4, "stiffness": 400}
+    with pytest.raises(
+        ScenarioError, match=r"with 0\.025974 N of dry friction .* is passive up to 381\.\d+ N/m; lower"
+    ):
+        run_of({**HOLD, "device": phantom}, steps={"duration": 0.3, "period": 0.001})
+
+
+def test_at_rest_a_force_flickers_by_steps_of_the_encoder_and_with_friction_not() -> None:
+    """What PSPM leaves of a hum: not a matter of energy, for an exact encoder ends it, and so does friction."""
+    hand = {"path": [[0.0, 0.0, 0.0, 0.0], [0.5, 0.03, 0.002, 0.001]]}
+
+    def hum(**device: float) -> float:
+        run = run_of({**HOLD, "user": 1, "hand": hand, "device": device}, steps={"duration": 4.0, "period": 0.002})
+        check(run)
+        force = run["device_force"].values[0, 1500:]
+        assert np.linalg.norm(force, axis=1).min() > 1.0
+        return float(np.ptp(force, axis=0).max())
+
+    for stiffness in (500.0, 2000.0):
+        step = 3e-5
+        assert hum(stiffness=stiffness, resolution=step) < 3.0 * stiffness * step
+        assert hum(stiffness=stiffness, resolution=0.0) < 2e-3
+        assert hum(stiffness=stiffness, resolution=step, coulomb=0.05) < 2e-3
 
 
 @pytest.mark.parametrize("kind", ["touch", "grasp"])
@@ -358,10 +403,10 @@ def test_bodies_without_skin_or_with_fewer_axes_are_shown_by_nodes_and_edges(bod
     shown = animation(run, made.build_body())
     assert shown.triangles.shape[0] == 0
     assert shown.edges.shape == (edges, 2)
-    assert shown.grips.owner.tolist() == [1]
-    assert not shown.grips.force[1].any()
-    assert shown.grips.force[-1].any()
-    np.testing.assert_allclose(shown.grips.place[:, 0, 0], shown.vertices[:, 1, 0, 0])
+    assert shown.ports.owner.tolist() == [1]
+    assert not shown.ports.force[1].any()
+    assert shown.ports.force[-1].any()
+    np.testing.assert_allclose(shown.ports.place[:, 0, 0], shown.vertices[:, 1, 0, 0])
     assert "<html" in shown.page()
 
 

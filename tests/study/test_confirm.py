@@ -46,6 +46,15 @@ def test_the_slowest_of_several_exponentials():
     assert _slowest(signals, 0.05) == pytest.approx(-0.2, abs=1e-6)
 
 
+@pytest.mark.parametrize("other", [0.02, 2e-3, -0.02, 40.0])
+def test_powers_that_leave_the_range_of_floating_point(other):
+    """One that is gone after a few samples, one that comes out of round-off in the last ones."""
+    samples = np.arange(300)
+    extra = other ** (samples if abs(other) < 1 else samples - 299.0)
+    signals = np.array([np.exp(-0.01 * samples) + extra, np.exp(-0.01 * samples) - 2 * extra])
+    assert _slowest(signals, 0.05) == pytest.approx(-0.2, abs=1e-9)
+
+
 def test_refusals():
     network = uniform(path(2), 2, delay=1.0)
     for rate in (0.0, 1.0, float("nan")):

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from benchmarks import device_record as record
 
-from cotouch.haptics import Purse
+from cotouch.haptics import EnergyTank
 
 
 def test_numbers_are_scenarios_without_violations():
@@ -27,5 +27,5 @@ def test_scenarios_vary():
 
 
 def test_a_coupling_that_books_nothing_is_found(monkeypatch: pytest.MonkeyPatch):
-    monkeypatch.setattr(Purse, "book", lambda *_: None)
+    monkeypatch.setattr(EnergyTank, "book", lambda *_: None)
     assert any(record.broken(record.examine(number)) for number in (1, 2, 3))

@@ -89,28 +89,32 @@ class TestBlocks:
     def test_a_virtual_coupling_is_paid_for_by_its_device(self, run):
         prepared, outcome = run
         port = blocks(prepared, outcome).couplings[3]
-        assert (port.law, port.bound, port.saturated) == ("virtual", 0.0, 0)
+        # The bound is what the encoders' error can do on the proxy's way.
+        assert (port.law, port.saturated) == ("virtual", 0)
+        assert port.excess <= port.bound < 1e-3
         assert outcome.tools is not None
         # Without that it would have given something: the account of this run is not all negative anyway.
-        books = np.array(outcome.tools.device_books)
-        books[_DEVICE["viscous_loss"]] -= 1.0
-        unpaid = blocks(prepared, replace(outcome, tools=outcome.tools._replace(device_books=books)))
+        ledger = np.array(outcome.tools.device_ledger)
+        ledger[_DEVICE["viscous_loss"]] -= 1.0
+        unpaid = blocks(prepared, replace(outcome, tools=outcome.tools._replace(device_ledger=ledger)))
         assert unpaid.couplings[3].excess > 0.5
 
     def test_hands_that_get_energy_back_show(self, run):
         prepared, outcome = run
         assert outcome.tools is not None
-        books = np.array(outcome.tools.device_books)
-        books[_DEVICE["human"]] *= -1.0
-        assert blocks(prepared, replace(outcome, tools=outcome.tools._replace(device_books=books))).human_margin < -0.1
+        ledger = np.array(outcome.tools.device_ledger)
+        ledger[_DEVICE["human"]] *= -1.0
+        assert (
+            blocks(prepared, replace(outcome, tools=outcome.tools._replace(device_ledger=ledger))).human_margin < -0.1
+        )
         assert blocks(prepared, outcome).human_margin == 0.0
 
     def test_books_that_do_not_close_show(self, run):
         prepared, outcome = run
         assert outcome.tools is not None
-        books = np.array(outcome.tools.device_books)
-        books[_DEVICE["residual"], 2, 7] = -1e-3
-        broken = blocks(prepared, replace(outcome, tools=outcome.tools._replace(device_books=books)))
+        ledger = np.array(outcome.tools.device_ledger)
+        ledger[_DEVICE["residual"], 2, 7] = -1e-3
+        broken = blocks(prepared, replace(outcome, tools=outcome.tools._replace(device_ledger=ledger)))
         assert broken.device_residual > 1e-4
 
 

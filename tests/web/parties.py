@@ -80,7 +80,7 @@ class Party:
         process = self.running.pop(name)
         process.send_signal(how)
         try:
-            return process.wait(30)
+            return process.wait(PATIENCE)
         except subprocess.TimeoutExpired:
             process.kill()
             return process.wait()

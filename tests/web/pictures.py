@@ -6,7 +6,7 @@ from typing import Any
 from urllib.parse import urlsplit
 
 from playwright.sync_api import Browser, Page
-from tests.web.fake_stage import FakeStage, Kind
+from tests.web.fake_session_api import FakeSessionApi, Kind
 
 from cotouch.web import PageServer
 
@@ -27,15 +27,15 @@ class Shown:
         self.complaints: list[str] = []
         self.requests: list[str] = []
         self.pages: list[Page] = []
-        self.stage = self.made(still=still)
-        self.server = PageServer(self.stage, port=0, token=TOKEN)
+        self.api = self.made(still=still)
+        self.server = PageServer(self.api, port=0, token=TOKEN)
 
-    def made(self, *, still: bool = True) -> FakeStage:
+    def made(self, *, still: bool = True) -> FakeSessionApi:
         """A stage; still: no hand holds anything."""
-        stage = FakeStage(self.kind)
-        for seat in range(5) if still else ():
-            stage.do("hand", {"seat": seat, "mode": "free"})
-        return stage
+        api = FakeSessionApi(self.kind)
+        for slot in range(5) if still else ():
+            api.do("hand", {"slot": slot, "mode": "free"})
+        return api
 
     def open(self, *, token: bool = True, script: str | None = None, **settings: Any) -> Page:
         """A page that drew something; a script runs in it before its own."""

@@ -11,7 +11,7 @@ MODES = ("script", "free", "hold", "pull", "wander", "grab", "ball")
 
 @dataclass
 class Drawn:
-    seat: int
+    slot: int
     mode: str
     direct: bool
     has_hand: bool
@@ -21,7 +21,7 @@ class Drawn:
     place: tuple[float, ...]
     force: tuple[float, ...]
     radius: float
-    books: tuple[float, ...]  # energy, supplied, lost, linked
+    ledger: tuple[float, ...]  # energy, supplied, lost, linked
     node: int
     displacement: np.ndarray
 
@@ -47,7 +47,7 @@ def f32(data: bytes, at: int, count: int = 1) -> tuple[float, ...]:
 
 def read_frame(data: bytes) -> Picture:
     assert data[0] == 1
-    assert data[1] == 1
+    assert data[1] == 2
     count = int.from_bytes(data[2:4], "little")
     picture = Picture(
         number=u32(data, 4),
@@ -62,7 +62,7 @@ def read_frame(data: bytes) -> Picture:
         size = 6 * picture.points
         values = np.frombuffer(data, "<i2", 3 * picture.points, at + 68).astype(float)
         copy = Drawn(
-            seat=data[at],
+            slot=data[at],
             mode=MODES[data[at + 1]],
             direct=bool(data[at + 2] & 1),
             has_hand=bool(data[at + 2] & 2),
@@ -72,12 +72,12 @@ def read_frame(data: bytes) -> Picture:
             place=f32(data, at + 20, 3),
             force=f32(data, at + 32, 3),
             radius=f32(data, at + 44)[0],
-            books=f32(data, at + 48, 4),
+            ledger=f32(data, at + 48, 4),
             node=int.from_bytes(data[at + 64 : at + 68], "little", signed=True),
             displacement=values.reshape(-1, 3) * picture.scale,
         )
-        assert copy.seat not in picture.copies
-        picture.copies[copy.seat] = copy
+        assert copy.slot not in picture.copies
+        picture.copies[copy.slot] = copy
         at += 68 + size + (-size) % 4
     assert at == len(data)
     return picture
@@ -86,7 +86,7 @@ def read_frame(data: bytes) -> Picture:
 def pointer(
     number: int,
     *,
-    seat: int = 0,
+    slot: int = 0,
     action: int = 1,
     point: int = 0,
     target: tuple[float, float, float] = (0.0, 0.0, 0.0),
@@ -95,7 +95,7 @@ def pointer(
     sent: float = 0.0,
 ) -> bytes:
     return (
-        bytes([2, seat, action, 0])
+        bytes([2, slot, action, 0])
         + struct.pack("<I", number)
         + struct.pack("<I", point)
         + np.array(target, "<f4").tobytes()

@@ -6,7 +6,7 @@ import threading
 from pathlib import Path
 from typing import cast
 
-from tests.web.fake_stage import KINDS, FakeStage, Kind
+from tests.web.fake_session_api import KINDS, FakeSessionApi, Kind
 
 from cotouch.web import PageServer
 
@@ -22,7 +22,7 @@ def main() -> None:
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, lambda *_: stop.set())
     with PageServer(
-        FakeStage(cast("Kind", asked.body)), port=asked.port, static=asked.static, token=asked.token
+        FakeSessionApi(cast("Kind", asked.body)), port=asked.port, static=asked.static, token=asked.token
     ) as server:
         print(server.url, flush=True)
         stop.wait()

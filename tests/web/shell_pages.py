@@ -5,12 +5,12 @@ from contextlib import contextmanager
 from typing import Any
 
 from playwright.sync_api import Browser, Page
-from tests.web.fake_stage import FakeStage, Kind
+from tests.web.fake_session_api import FakeSessionApi, Kind
 
 from cotouch.web import PageServer
 
 # Nothing waits longer than it must [ms].
-PATIENCE = 15_000
+PATIENCE = 60_000
 READY = "() => window.cotouch?.store.state && window.cotouch.store.frame && document.querySelector('.user')"
 PHONE = {"viewport": {"width": 390, "height": 844}, "has_touch": True, "is_mobile": True}
 LINK = '.link[data-link="{}-{}"]'
@@ -23,8 +23,8 @@ class World:
 
     def __init__(self, running: Browser, kind: Kind = "1d", *, port: int = 0) -> None:
         self.browser = running
-        self.stage = FakeStage(kind)
-        self.server = PageServer(self.stage, port=port)
+        self.api = FakeSessionApi(kind)
+        self.server = PageServer(self.api, port=port)
         self.complaints: list[str] = []
         self.pages: list[Page] = []
 
@@ -50,7 +50,7 @@ class World:
 
     def did(self, what: str) -> list[dict[str, Any]]:
         """What the stage was asked for."""
-        return [dict(arguments) for name, arguments in self.stage.done if name == what]
+        return [dict(arguments) for name, arguments in self.api.done if name == what]
 
     def close(self) -> None:
         """Closes all."""

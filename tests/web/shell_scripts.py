@@ -58,6 +58,43 @@ SMALL = """() => [...document.querySelectorAll('button, select, a.button, input'
 MOVING = """() => [...document.querySelectorAll('*')].filter((one) => parseFloat(getComputedStyle(one)
     .transitionDuration) > 0).length"""
 
+# Contrast of every text that is seen with what is behind it, where that is one colour: [text, contrast].
+SEEN = """() => {
+    const canvas = document.createElement('canvas').getContext('2d', { willReadFrequently: true });
+    const rgba = (colour) => {
+        canvas.clearRect(0, 0, 1, 1); canvas.fillStyle = colour; canvas.fillRect(0, 0, 1, 1);
+        return [...canvas.getImageData(0, 0, 1, 1).data].map((value) => value / 255);
+    };
+    const light = (colour) => colour.slice(0, 3)
+        .map((value) => (value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4))
+        .reduce((sum, value, i) => sum + value * [0.2126, 0.7152, 0.0722][i], 0);
+    const over = (top, ground) => top.slice(0, 3).map((value, i) => value * top[3] + ground[i] * (1 - top[3]));
+    const ground = (one) => {
+        const layers = [];
+        for (let at = one; at; at = at.parentElement) {
+            const style = getComputedStyle(at);
+            if (style.backgroundImage !== 'none') return null;
+            const layer = rgba(style.backgroundColor);
+            if (layer[3] > 0) layers.push(layer);
+            if (layer[3] === 1) return layers.reverse().reduce((below, top) => over(top, below), [1, 1, 1]);
+        }
+        return null;
+    };
+    const found = [];
+    for (const one of document.querySelectorAll('body *')) {
+        const own = [...one.childNodes].some((node) => node.nodeType === 3 && node.textContent.trim());
+        if (!own || one.closest('.unseen, .skip, :disabled, [disabled], svg') || !one.getClientRects().length) continue;
+        if (one.closest('label')?.querySelector(':disabled')) continue;
+        const below = ground(one);
+        if (!below) continue;
+        const style = getComputedStyle(one);
+        const ink = over(rgba(style.color), below);
+        const [x, y] = [light(ink), light(below)].sort((p, q) => q - p);
+        const name = `${one.className || one.tagName}: ${one.textContent.trim().slice(0, 30)}`;
+        found.push([name, (x + 0.05) / (y + 0.05)]);
+    }
+    return found; }"""
+
 # Contrast of every pair of text and ground.
 CONTRAST = """() => {
     const canvas = document.createElement('canvas').getContext('2d', { willReadFrequently: true });
@@ -79,9 +116,9 @@ CONTRAST = """() => {
         [`var(--${tone})`, `var(--${tone}-tint)`]);
     pairs.push(['var(--on-accent)', 'var(--accent)'], ['var(--on-bad)', 'var(--bad)'],
         ['var(--panel)', 'var(--ink)']);
-    for (let seat = 0; seat < 8; seat++) {
-        pairs.push([`var(--on-user-${seat})`, `var(--user-${seat})`]);
-        pairs.push([`color-mix(in oklab, var(--user-${seat}) 45%, var(--ink))`, 'var(--panel)']);
+    for (let slot = 0; slot < 8; slot++) {
+        pairs.push([`var(--on-user-${slot})`, `var(--user-${slot})`]);
+        pairs.push([`color-mix(in oklab, var(--user-${slot}) 45%, var(--ink))`, 'var(--panel)']);
     }
     const found = pairs.map(([a, b]) => [a, b, contrast(a, b)]);
     probe.remove();

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from tests.web.fake_stage import made_body
+from tests.web.fake_session_api import made_body
 from tests.web.reader import read_frame
 
 from cotouch.body import chain
@@ -14,16 +14,16 @@ from cotouch.web._frames import FrameEncoder
 SOFT = made_body("3d")
 
 
-def view(seat: int, displacement: np.ndarray, **entries: object) -> CopyView:
+def view(slot: int, displacement: np.ndarray, **entries: object) -> CopyView:
     return CopyView(
-        **({"seat": seat, "time": 9.0, "step": 1, "displacement": displacement, "direct": True, "hands": ()} | entries)
+        **({"slot": slot, "time": 9.0, "step": 1, "displacement": displacement, "direct": True, "hands": ()} | entries)
     )
 
 
-def shown(encoder: FrameEncoder, views: list[CopyView], seats: set[int] | None = None) -> dict:
-    by_seat = {v.seat: v for v in views}
-    encoder.update(by_seat, set(by_seat))
-    frame = encoder.frame(seats or set(by_seat), number=7, time=10.0, start=4.0, echo=3, waited=0.0015)
+def shown(encoder: FrameEncoder, views: list[CopyView], slots: set[int] | None = None) -> dict:
+    by_slot = {v.slot: v for v in views}
+    encoder.update(by_slot, set(by_slot))
+    frame = encoder.frame(slots or set(by_slot), number=7, time=10.0, start=4.0, echo=3, waited=0.0015)
     return read_frame(frame)
 
 
@@ -34,12 +34,12 @@ def moved(rng: np.random.Generator, size: float) -> np.ndarray:
 @given(st.integers(0, 2**32 - 1), st.floats(1e-9, 10.0))
 def test_points_are_where_the_skin_is(seed: int, size: float):
     rng = np.random.default_rng(seed)
-    views = [view(seat, moved(rng, size)) for seat in (0, 2, 3)]
+    views = [view(slot, moved(rng, size)) for slot in (0, 2, 3)]
     picture = shown(FrameEncoder(SOFT), views)
     assert sorted(picture.copies) == [0, 2, 3]
     for one in views:
         want = SOFT.skin.carried(one.displacement)
-        error = np.abs(picture.copies[one.seat].displacement - want).max()
+        error = np.abs(picture.copies[one.slot].displacement - want).max()
         assert error <= 0.5 * picture.scale + 1e-6 * size
         assert picture.scale < 1e-3 * size  # and the range is used
 
@@ -65,17 +65,17 @@ def test_what_stands_in_front():
         radius=0.25,
     )
     still = np.zeros((SOFT.nodes, 3), np.float32)
-    books = {"energy": 1.5, "supplied": 2.5, "lost": 3.5, "linked": 4.5}
+    ledger = {"energy": 1.5, "supplied": 2.5, "lost": 3.5, "linked": 4.5}
     picture = shown(
         FrameEncoder(SOFT),
-        [view(4, still, hands=(hand, hand), **books), view(1, still, direct=False, time=9.75)],
+        [view(4, still, hands=(hand, hand), **ledger), view(1, still, direct=False, time=9.75)],
     )
     assert (picture.number, picture.time, picture.points) == (7, 6.0, SOFT.skin.vertices.shape[0])
     assert (picture.echo, picture.waited_us) == (3, 1500)
     held, other = picture.copies[4], picture.copies[1]
     assert (held.mode, held.direct, held.has_hand, held.hands, held.node) == ("grab", True, True, 2, 12)
     np.testing.assert_allclose([*held.target, *held.place, *held.force], [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 7, 8, 9])
-    assert (held.age, held.radius, held.books) == (1.0, 0.25, (1.5, 2.5, 3.5, 4.5))
+    assert (held.age, held.radius, held.ledger) == (1.0, 0.25, (1.5, 2.5, 3.5, 4.5))
     assert (other.mode, other.direct, other.has_hand, other.hands, other.node) == ("free", False, False, 0, -1)
     assert other.age == 0.25
 
@@ -122,7 +122,7 @@ def test_a_copy_that_broke_does_not_break_the_frame(bad: float):
 def test_who_asked_for_one_copy_gets_one():
     rng = np.random.default_rng(3)
     encoder = FrameEncoder(SOFT)
-    views = [view(seat, moved(rng, 0.01)) for seat in range(3)]
+    views = [view(slot, moved(rng, 0.01)) for slot in range(3)]
     assert sorted(shown(encoder, views, {2}).copies) == [2]
-    encoder.update({v.seat: v for v in views}, {1})
+    encoder.update({v.slot: v for v in views}, {1})
     assert sorted(read_frame(encoder.frame({0, 1, 2}, number=1, time=0.0, start=0.0)).copies) == [1]

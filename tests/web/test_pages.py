@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from tests.web.fake_stage import FakeStage
+from tests.web.fake_session_api import FakeSessionApi
 from tests.web.reader import ack, pointer
 from tests.web.visitor import Visitor, visit
 from websockets.exceptions import ConnectionClosed
@@ -21,19 +21,19 @@ from cotouch.web import PageServer
 from cotouch.web._access import Access
 from cotouch.web._hub import Hub
 from cotouch.web._page import Page
-from cotouch.web._protocol import Hello, Taken
+from cotouch.web._protocol import VERSION, FrameReceipt, Hello
 
 WORDS = ["hand", "impair", "cut", "kill", "revive", "links", "damping", "record", "control"]
 
 
 @pytest.fixture
-def stage() -> FakeStage:
-    return FakeStage("3d")
+def api() -> FakeSessionApi:
+    return FakeSessionApi("3d")
 
 
 @pytest.fixture
-def server(stage: FakeStage) -> Iterator[PageServer]:
-    with PageServer(stage, port=0) as running:
+def server(api: FakeSessionApi) -> Iterator[PageServer]:
+    with PageServer(api, port=0) as running:
         yield running
 
 
@@ -51,7 +51,7 @@ class TestFrames:
         assert second.points == 1924
 
     def test_come_with_one_copy_if_that_is_asked_for(self, server: PageServer):
-        with visit(server, want="mine", seat=3) as page:
+        with visit(server, want="mine", slot=3) as page:
             assert sorted(page.frame().copies) == [3]
 
     def test_no_more_than_two_on_the_way_and_then_the_newest(self, server: PageServer):
@@ -117,9 +117,9 @@ class TestFrames:
         now = 7.0
         page.period, page.due = period, now - sent
         page.offer(1, b"", now - sent)
-        page.acknowledged(Taken(1, 0.0, 0.0), now)
+        page.acknowledged(FrameReceipt(1, 0.0, 0.0), now)
         assert page.due == now - sent + period  # as long as the screen is not known
-        page.acknowledged(Taken(1, wait, every), now)
+        page.acknowledged(FrameReceipt(1, wait, every), now)
         pictures = (page.due - now - wait) / every
         assert pictures == pytest.approx(round(pictures), abs=1e-6)
         soonest = now - sent + 0.65 * period
@@ -131,19 +131,19 @@ class TestFrames:
 
         async def play(wanted: float) -> list[float]:
             times: list[float] = []
-            stage = FakeStage("1d")
-            stage.views = dict  # of which a frame is made at once
-            hub, page = Hub(stage, Access(listen="127.0.0.1", token="t" * 32)), Page(None)  # type: ignore[arg-type]
+            api = FakeSessionApi("1d")
+            api.views = dict  # of which a frame is made at once
+            hub, page = Hub(api, Access(listen="127.0.0.1", token="t" * 32)), Page(None)  # type: ignore[arg-type]
             offer = page.offer
 
             def offered(number: int, frame: bytes, now: float) -> None:
                 offer(number, frame, now)
                 times.append(now)
-                asyncio.get_running_loop().call_soon(hub.acknowledged, page, Taken(number, wanted, 0.4))
+                asyncio.get_running_loop().call_soon(hub.acknowledged, page, FrameReceipt(number, wanted, 0.4))
 
             page.offer = offered
             hub.enter(page)
-            hub.hello(page, Hello(type="hello", version=1, rate=10.0))
+            hub.hello(page, Hello(type="hello", version=VERSION, rate=10.0))
             while len(times) < 4:
                 await asyncio.sleep(0.01)
             hub.leave(page)
@@ -156,29 +156,29 @@ class TestFrames:
 
     def test_a_copy_that_is_gone_is_not_shown(self, server: PageServer):
         with visit(server) as page:
-            assert page.do("kill", seat=2)["ok"]
+            assert page.do("kill", slot=2)["ok"]
             assert sorted(page.frame(lambda f: len(f.copies) < 5).copies) == [0, 1, 3, 4]
             state = page.text("state", lambda m: m["members"]["2"]["alive"] is False)
             assert not state["members"]["2"]["here"]
 
 
 class TestPointer:
-    def test_reaches_the_stage_and_comes_back(self, server: PageServer, stage: FakeStage):
+    def test_reaches_the_stage_and_comes_back(self, server: PageServer, api: FakeSessionApi):
         with visit(server) as page:
             scene = page.text("scene")
             page.say(pointer(77, point=1500, target=(0.2, 0.1, 0.3), stiffness=80.0))
             frame = page.frame(lambda f: f.echo == 77)
             assert frame.copies[0].mode == "grab"
             assert frame.waited_us > 0
-            seat, told = stage.pointers[0]
-            assert (seat, told.mode, told.stiffness) == (0, "grab", 80.0)
-            skin = stage.scene.body.skin
+            slot, commanded = api.pointers[0]
+            assert (slot, commanded.mode, commanded.stiffness) == (0, "grab", 80.0)
+            skin = api.scene.body.skin
             best = skin.nodes[1500][skin.weights[1500].argmax()]
-            assert told.node == best == frame.copies[0].node
+            assert commanded.node == best == frame.copies[0].node
             # The node goes as far beside the target as it is beside the point at rest: taking hold does not pull.
-            beside = skin.vertices[1500] - stage.scene.body.rest[best]
+            beside = skin.vertices[1500] - api.scene.body.rest[best]
             assert np.abs(beside).max() > 1e-4
-            assert told.target == pytest.approx(tuple(np.array([0.2, 0.1, 0.3]) - beside), abs=1e-7)
+            assert commanded.target == pytest.approx(tuple(np.array([0.2, 0.1, 0.3]) - beside), abs=1e-7)
             assert scene["skin"]["vertices"] == frame.points
             page.say(pointer(78, action=0, radius=0.02))
             assert page.frame(lambda f: f.echo == 78).copies[0].mode == "ball"
@@ -186,77 +186,77 @@ class TestPointer:
             assert page.frame(lambda f: f.echo == 79).copies[0].mode == "free"
             assert page.text("state", lambda m: m["members"]["0"]["hand"] == "free")
 
-    def test_that_stands_still_is_told_again(self, server: PageServer, stage: FakeStage):
+    def test_that_stands_still_is_told_again(self, server: PageServer, api: FakeSessionApi):
         with visit(server) as page:
             page.say(pointer(5, point=9, target=(0.1, 0.0, 0.0)))
             for _ in range(4):
                 page.text("state")
-            told = [p for seat, p in stage.pointers if seat == 0]
-            assert len(told) >= 3
-            assert [p.number for p in told] == sorted({p.number for p in told})
-            assert {(p.mode, p.node, p.target) for p in told} == {("grab", told[0].node, told[0].target)}
+            commanded = [p for slot, p in api.pointers if slot == 0]
+            assert len(commanded) >= 3
+            assert [p.number for p in commanded] == sorted({p.number for p in commanded})
+            assert {(p.mode, p.node, p.target) for p in commanded} == {("grab", commanded[0].node, commanded[0].target)}
             assert page.frame().echo == 5
             page.say(pointer(6, action=2))
             page.frame(lambda f: f.echo == 6)
-            count = len(stage.pointers)
+            count = len(api.pointers)
             for _ in range(3):
                 page.text("state")
-            assert len(stage.pointers) == count
+            assert len(api.pointers) == count
 
-    def test_of_a_page_that_goes_lets_go(self, server: PageServer, stage: FakeStage):
-        with visit(server) as page, visit(server, seat=1) as other:
+    def test_of_a_page_that_goes_lets_go(self, server: PageServer, api: FakeSessionApi):
+        with visit(server) as page, visit(server, slot=1) as other:
             page.say(pointer(1))
             page.frame(lambda f: f.echo == 1)
             page.connection.close()
             other.text("state", lambda m: m["pages"] == 1)
-            assert stage.pointers[-1][1].mode == "free"
+            assert api.pointers[-1][1].mode == "free"
 
-    def test_of_a_page_that_is_served_when_the_server_stops_lets_go(self, stage: FakeStage):
-        with PageServer(stage, port=0) as server, visit(server) as page:
+    def test_of_a_page_that_is_served_when_the_server_stops_lets_go(self, api: FakeSessionApi):
+        with PageServer(api, port=0) as server, visit(server) as page:
             page.say(pointer(1))
             page.frame(lambda f: f.echo == 1)
             server.close()
-        assert stage.pointers[-1][1].mode == "free"
+        assert api.pointers[-1][1].mode == "free"
 
-    def test_that_the_stage_does_not_take_is_explained(self, server: PageServer, stage: FakeStage):
-        def refuse(seat: int, pointer: Pointer) -> None:
+    def test_that_the_stage_does_not_take_is_explained(self, server: PageServer, api: FakeSessionApi):
+        def refuse(slot: int, pointer: Pointer) -> None:
             raise SessionError("too far away")
 
-        stage.point = refuse  # type: ignore[method-assign]
+        api.point = refuse  # type: ignore[method-assign]
         with visit(server) as page:
             page.say(pointer(1))
-            assert page.text("told") == {"type": "told", "id": 0, "ok": False, "text": "too far away"}
+            assert page.text("answer") == {"type": "answer", "id": 0, "ok": False, "text": "too far away"}
             page.frame()
 
 
 class TestToken:
     @pytest.mark.parametrize("token", [None, "", "wrong"])
-    def test_without_it_a_page_watches_and_no_more(self, server: PageServer, stage: FakeStage, token: str | None):
+    def test_without_it_a_page_watches_and_no_more(self, server: PageServer, api: FakeSessionApi, token: str | None):
         with visit(server, token=token) as page:
             scene = page.text("scene")
             assert (scene["invitation"], scene["may"], scene["acts"]) == (None, [], False)
-            assert stage.scene.invitation not in json.dumps(page.texts)
+            assert api.scene.invitation not in json.dumps(page.texts)
             for number, what in enumerate(WORDS, 1):
-                told = page.do(what, number, seat=0, mode="free", a=0, b=1, on=True, share=0.5, choice="best")
-                assert not told["ok"]
-                assert "token" in told["text"]
+                commanded = page.do(what, number, slot=0, mode="free", a=0, b=1, on=True, fraction=0.5, choice="best")
+                assert not commanded["ok"]
+                assert "token" in commanded["text"]
             page.say(pointer(1))
             page.say(pointer(2))
-            page.text("told", lambda m: m["id"] == 0)
+            page.text("answer", lambda m: m["id"] == 0)
             page.frame()
             assert page.text("state")["control"] == "none"
-        assert (stage.pointers, stage.done) == ([], [])
+        assert (api.pointers, api.done) == ([], [])
 
     def test_may_come_later(self, server: PageServer):
         with visit(server, token=None) as page:
             page.text("scene")
-            page.hello(token=server.token, seat=0)
+            page.hello(token=server.token, slot=0)
             assert page.text("scene")["acts"]
             control(page, "mine")
 
 
 class TestControl:
-    def test_of_two_pages_for_one_seat_one_leads(self, server: PageServer, stage: FakeStage):
+    def test_of_two_pages_for_one_slot_one_leads(self, server: PageServer, api: FakeSessionApi):
         with visit(server) as one:
             control(one, "mine")
             with visit(server) as two:
@@ -264,28 +264,28 @@ class TestControl:
                 two.say(pointer(1))
                 two.frame()
                 two.frame()
-                assert stage.pointers == []
-                told = two.do("kill", seat=4)
-                assert not told["ok"]
-                assert "control" in told["text"]
+                assert api.pointers == []
+                commanded = two.do("kill", slot=4)
+                assert not commanded["ok"]
+                assert "control" in commanded["text"]
                 one.say(pointer(50))
                 one.frame(lambda f: f.echo == 50)
                 assert two.do("control")["ok"]
                 control(two, "mine")
                 control(one, "other")
-                assert stage.pointers[-1][1].mode == "free"  # what the first held was let go
+                assert api.pointers[-1][1].mode == "free"  # what the first held was let go
                 two.say(pointer(1))
                 two.frame(lambda f: f.echo == 1)
-                assert stage.pointers[-1][1].mode == "grab"
+                assert api.pointers[-1][1].mode == "grab"
                 assert two.frames[-1].echo == 1
-                count = len(stage.pointers)
+                count = len(api.pointers)
                 one.say(pointer(51, target=(9.0, 0.0, 0.0)))
                 one.frame()
                 one.frame()
-                assert (9.0, 0.0, 0.0) not in [p.target for _, p in stage.pointers[count:]]
+                assert (9.0, 0.0, 0.0) not in [p.target for _, p in api.pointers[count:]]
             control(one, "mine")
 
-    def test_numbers_rise_over_pages(self, server: PageServer, stage: FakeStage):
+    def test_numbers_rise_over_pages(self, server: PageServer, api: FakeSessionApi):
         with visit(server) as one:
             one.say(pointer(1000))
             one.frame(lambda f: f.echo == 1000)
@@ -293,82 +293,82 @@ class TestControl:
             control(two, "mine")
             two.say(pointer(1))
             two.frame(lambda f: f.echo == 1)
-        numbers = [p.number for _, p in stage.pointers]
+        numbers = [p.number for _, p in api.pointers]
         assert numbers == sorted(set(numbers))
 
-    def test_different_seats_have_different_pages(self, server: PageServer, stage: FakeStage):
-        with visit(server, seat=0) as one, visit(server, seat=1) as two:
+    def test_different_slots_have_different_pages(self, server: PageServer, api: FakeSessionApi):
+        with visit(server, slot=0) as one, visit(server, slot=1) as two:
             control(one, "mine")
             control(two, "mine")
-            one.say(pointer(3, seat=0))
-            two.say(pointer(4, seat=1))
+            one.say(pointer(3, slot=0))
+            two.say(pointer(4, slot=1))
             one.frame(lambda f: f.echo == 3)
             two.frame(lambda f: f.echo == 4)
-            two.say(pointer(5, seat=0))  # not its own
+            two.say(pointer(5, slot=0))  # not its own
             two.frame()
             two.frame()
-            told = one.do("hand", seat=1, mode="free")
-            assert not told["ok"]
-            assert "user 2" in told["text"]
-            assert one.do("hand", 2, seat=2, mode="hold")["ok"]
-        assert {(seat, p.mode) for seat, p in stage.pointers} == {(0, "grab"), (1, "grab"), (0, "free"), (1, "free")}
+            commanded = one.do("hand", slot=1, mode="free")
+            assert not commanded["ok"]
+            assert "user 2" in commanded["text"]
+            assert one.do("hand", 2, slot=2, mode="hold")["ok"]
+        assert {(slot, p.mode) for slot, p in api.pointers} == {(0, "grab"), (1, "grab"), (0, "free"), (1, "free")}
 
-    def test_saying_hello_again_keeps_it_and_another_seat_does_not(self, server: PageServer, stage: FakeStage):
+    def test_saying_hello_again_keeps_it_and_another_slot_does_not(self, server: PageServer, api: FakeSessionApi):
         with visit(server) as one, visit(server) as two:
             control(two, "other")
             one.say(pointer(1))
             one.frame(lambda f: f.echo == 1)
-            one.hello(token=server.token, seat=0, rate=5)
+            one.hello(token=server.token, slot=0, rate=5)
             two.text("state")
             control(two, "other")
-            assert {p.mode for _, p in stage.pointers} == {"grab"}
-            one.hello(token=server.token, seat=3)
+            assert {p.mode for _, p in api.pointers} == {"grab"}
+            one.hello(token=server.token, slot=3)
             control(two, "mine")
             control(one, "mine")
-            assert stage.pointers[-1][1].mode == "free"
+            assert api.pointers[-1][1].mode == "free"
         assert [m["type"] for m in one.texts].count("scene") == 1
 
 
 class TestDo:
-    def test_what_is_asked_for_is_done_and_said(self, server: PageServer, stage: FakeStage):
+    def test_what_is_asked_for_is_done_and_said(self, server: PageServer, api: FakeSessionApi):
         with visit(server) as page:
-            told = page.do("cut", 9, a=3, b=1, on=True)
-            assert (told["ok"], told["text"]) == (True, "the link of Dan and Ben is cut")
+            commanded = page.do("cut", 9, a=3, b=1, on=True)
+            assert (commanded["ok"], commanded["text"]) == (True, "the link of Dan and Ben is cut")
             assert page.text("state", lambda m: m["emulated"]["1-3"]["cut"] and m["ends"]["3-1"]["state"] == "guarded")
-        assert stage.done == [("cut", {"a": 3, "b": 1, "on": True})]
+        assert api.done == [("cut", {"a": 3, "b": 1, "on": True})]
 
     @pytest.mark.parametrize(
         ("what", "arguments", "word"),
-        [("cut", {"a": 0}, "missing"), ("damping", {"share": 7}, "share is 7"), ("fly", {}, '"fly"')],
+        [("cut", {"a": 0}, "missing"), ("damping", {"fraction": 7}, "share is 7"), ("fly", {}, '"fly"')],
     )
     def test_what_cannot_be_done_is_explained(self, server: PageServer, what: str, arguments: dict, word: str):
         with visit(server) as page:
-            told = page.do(what, **arguments)
-            assert not told["ok"]
-            assert word in told["text"]
+            commanded = page.do(what, **arguments)
+            assert not commanded["ok"]
+            assert word in commanded["text"]
 
-    def test_a_stage_that_breaks_does_not_leave_the_page_waiting(self, server: PageServer, stage: FakeStage):
+    def test_a_stage_that_breaks_does_not_leave_the_page_waiting(self, server: PageServer, api: FakeSessionApi):
         def broken(what: str, arguments: object) -> str:
             raise ZeroDivisionError("secret")
 
-        stage.do = broken  # type: ignore[method-assign]
+        api.do = broken  # type: ignore[method-assign]
         with visit(server) as page:
-            told = page.do("cut", a=0, b=1, on=True)
-            assert (told["ok"], "secret" in told["text"]) == (False, False)
+            commanded = page.do("cut", a=0, b=1, on=True)
+            assert (commanded["ok"], "secret" in commanded["text"]) == (False, False)
             page.frame()
 
     def test_lowered_damping_is_told(self, server: PageServer):
         with visit(server) as page:
             assert page.text("state")["verdict"]["level"] == "good"
-            assert page.do("damping", share=0.4)["ok"]
+            assert page.do("damping", fraction=0.4)["ok"]
             state = page.text("state", lambda m: m["damping"] == 0.4)
             assert state["verdict"]["level"] == "bad"
-            assert "not passive" in state["verdict"]["text"]
+            assert "not safe" in state["verdict"]["text"]
 
 
 @pytest.fixture(scope="module")
 def still() -> Iterator[PageServer]:
-    with PageServer(FakeStage("1d"), port=0) as running:
+    with PageServer(FakeSessionApi("1d"), port=0) as running:
         yield running
 
 
@@ -380,8 +380,8 @@ class TestMalformed:
             st.text(max_size=80).filter(lambda t: not t.isdigit()),
             st.just(pointer(1, point=1)),
             st.just(pointer(1, action=3)),
-            st.just(json.dumps({"type": "hello", "version": 2})),
-            st.just(json.dumps({"type": "hello", "version": 1, "seat": 9})),
+            st.just(json.dumps({"type": "hello", "version": VERSION + 1})),
+            st.just(json.dumps({"type": "hello", "version": 2, "slot": 9})),
             st.just(json.dumps({"type": "do", "id": 1, "what": "kill!"})),
         )
     )
@@ -401,8 +401,8 @@ class TestMalformed:
             assert page.closed()[0] == 1008
 
     def test_a_page_of_another_version_is_told(self, still: PageServer):
-        with visit(still, version=2) as page:
-            assert "version 2" in page.text("error")["text"]
+        with visit(still, version=VERSION + 1) as page:
+            assert f"version {VERSION + 1}" in page.text("error")["text"]
             assert page.closed()[0] == 1008
 
     def test_what_is_too_long_is_not_read(self, still: PageServer):
@@ -421,7 +421,7 @@ class TestMalformed:
 
     def test_others_go_on(self, still: PageServer):
         with visit(still) as watching:
-            with visit(still, seat=1) as page:
+            with visit(still, slot=1) as page:
                 page.say(b"nonsense")
                 page.closed()
             watching.frame()

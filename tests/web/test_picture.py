@@ -17,10 +17,10 @@ WATCH = """([point, far]) => {
   window.watched = { first, most };
   window.cotouch.store.on('frame', () => {
     const { copies, scale, time } = window.cotouch.store.frame;
-    for (const { seat, displacement: d } of copies) {
+    for (const { slot, displacement: d } of copies) {
       const size = scale * Math.hypot(d[3 * point], d[3 * point + 1], d[3 * point + 2]);
-      most[seat] = Math.max(most[seat] ?? 0, size);
-      if (size > far) first[seat] ??= time;
+      most[slot] = Math.max(most[slot] ?? 0, size);
+      if (size > far) first[slot] ??= time;
     }
   });
 }"""
@@ -37,8 +37,8 @@ def running() -> Generator[Browser]:
 
 def slowly(here: Shown) -> None:
     """All ways take half a second: longer than a busy machine takes for a picture."""
-    for a, b in here.stage.overview().roster.links:
-        here.stage.do("impair", {"a": a, "b": b, "delay": 0.5})
+    for a, b in here.api.overview().roster.links:
+        here.api.do("impair", {"a": a, "b": b, "delay": 0.5})
 
 
 # From Ann: one link to Ben and Dan, two to Cleo and Eve; a picture may show two moments as one.
@@ -58,9 +58,9 @@ def pulled(page: Page, by: tuple[float, float]) -> int:
 def node_target(here: Shown, page: Page, point: int) -> tuple[float, float, float]:
     """Where the node is to go that the held point of the skin hangs on: as far beside it as at rest."""
     x, y, z = page.evaluate("() => window.cotouch.stage.probe().hold.target.toArray()")
-    body = here.stage.scene.body
+    body = here.api.scene.body
     assert body.skin is not None
-    a, b, c = body.skin.vertices[point] - body.rest[here.stage.pointers[-1][1].node]
+    a, b, c = body.skin.vertices[point] - body.rest[here.api.pointers[-1][1].node]
     return x - a, y - b, z - c
 
 
@@ -114,10 +114,10 @@ def test_how_things_are_is_told_where_no_picture_is_drawn(running: Browser) -> N
 
 def test_numbers_arrive_as_the_server_has_them(running: Browser) -> None:
     with shown(running, still=False) as here:
-        stopped = here.stage.clock()
-        here.stage.clock = lambda: stopped
+        stopped = here.api.clock()
+        here.api.clock = lambda: stopped
         page = here.open()
-        views, body = here.stage.views(), here.stage.scene.body
+        views, body = here.api.views(), here.api.scene.body
         assert body.skin is not None
         frame = page.evaluate(
             """() => { const { frame, scene } = window.cotouch.store;
@@ -128,9 +128,9 @@ def test_numbers_arrive_as_the_server_has_them(running: Browser) -> None:
         assert frame["vertices"] == len(body.skin.vertices)
         np.testing.assert_allclose(frame["rest"], body.skin.vertices[-2:].ravel(), rtol=1e-6)
         assert frame["triangles"] == body.skin.triangles[-2:].ravel().tolist()
-        assert [copy["seat"] for copy in frame["copies"]] == sorted(views)
+        assert [copy["slot"] for copy in frame["copies"]] == sorted(views)
         for copy in frame["copies"]:
-            view = views[copy["seat"]]
+            view = views[copy["slot"]]
             skin = np.einsum("vk,vkd->vd", body.skin.weights, view.displacement[body.skin.nodes])
             error = np.array(copy["displacement"]).reshape(-1, 3) * frame["scale"] - skin
             assert np.abs(error).max() <= 0.51 * frame["scale"]
@@ -150,21 +150,21 @@ def test_a_drag_moves_the_held_point_here_first_then_there_and_release_lets_it_r
         point = pulled(page, (-70.0, -50.0))
         until(page, "Object.keys(window.watched.first).length === 5")
         first = page.evaluate("() => window.watched.first")
-        late = [first[str(seat)] - first["0"] for seat in range(5)]
-        assert all(late[seat] > least for seat, least in FARTHER)
+        late = [first[str(slot)] - first["0"] for slot in range(5)]
+        assert all(late[slot] > least for slot, least in FARTHER)
         until(page, "store.frame.copies[0].mode === 'grab' && stats.dragToMesh.length > 0")
         # The hand is where the pointer is, in the plane through the point that faces the eye.
-        seat, pointer = here.stage.pointers[-1]
-        assert (seat, pointer.mode) == (0, "grab")
+        slot, pointer = here.api.pointers[-1]
+        assert (slot, pointer.mode) == (0, "grab")
         wanted = node_target(here, page, point)
-        wait(page, lambda: here.stage.pointers[-1][1].target == pytest.approx(wanted, rel=1e-5, abs=1e-7))
+        wait(page, lambda: here.api.pointers[-1][1].target == pytest.approx(wanted, rel=1e-5, abs=1e-7))
         where = page.evaluate("() => window.cotouch.stage.probe().target")
         assert where == pytest.approx([x - 70.0, y - 50.0], abs=2.0)
         assert page.evaluate("() => window.watched.most[0]") > 0.005
         # And what is drawn follows.
         until(page, "(at => at.x < value[1] - 2 && at.y < value[2] - 2)(stage.spot(value[0]))", [point, x, y])
         page.mouse.up()
-        wait(page, lambda: here.stage.pointers[-1][1].mode == "free")
+        wait(page, lambda: here.api.pointers[-1][1].mode == "free")
         until(page, f"store.frame.copies.every(copy => {REACH} < 0.001)", point)
         assert all(most > 0.004 for most in page.evaluate("() => Object.values(window.watched.most)"))
 
@@ -175,7 +175,7 @@ def test_pointers_are_few_and_the_last_counts(running: Browser) -> None:
         point = pulled(page, (5.0, 0.0))
         until(page, "store.frame.copies[0].mode === 'grab'")
         page.wait_for_timeout(150)
-        before = len(here.stage.pointers)
+        before = len(here.api.pointers)
         x, y, _ = spot(page)
         took = page.evaluate(
             """([x, y]) => { const canvas = document.querySelector('.ct-canvas'), began = performance.now();
@@ -184,36 +184,36 @@ def test_pointers_are_few_and_the_last_counts(running: Browser) -> None:
                  return performance.now() - began; }""",
             [x, y],
         )
-        wait(page, lambda: len(here.stage.pointers) > before)
+        wait(page, lambda: len(here.api.pointers) > before)
         page.wait_for_timeout(100)
-        assert len(here.stage.pointers) - before <= 10 + took / 8
+        assert len(here.api.pointers) - before <= 10 + took / 8
         wanted = node_target(here, page, point)
-        assert here.stage.pointers[-1][1].target == pytest.approx(wanted, rel=1e-5, abs=1e-7)
+        assert here.api.pointers[-1][1].target == pytest.approx(wanted, rel=1e-5, abs=1e-7)
         page.keyboard.press("Escape")
-        wait(page, lambda: here.stage.pointers[-1][1].mode == "free")
+        wait(page, lambda: here.api.pointers[-1][1].mode == "free")
 
 
 def test_wheel_goes_into_the_depth_and_a_ball_pushes(running: Browser) -> None:
     with shown(running) as here:
         page = here.open()
         pulled(page, (3.0, 0.0))
-        wait(page, lambda: len(here.stage.pointers) > 0)
+        wait(page, lambda: len(here.api.pointers) > 0)
         away = np.array(page.evaluate("() => window.cotouch.stage.probe().orbit.axes()[2].toArray()"))
         page.wait_for_timeout(50)
-        before = np.array(here.stage.pointers[-1][1].target)
+        before = np.array(here.api.pointers[-1][1].target)
         page.mouse.wheel(0, -300)
-        wait(page, lambda: float((np.array(here.stage.pointers[-1][1].target) - before) @ away) > 0.005)
-        moved = np.array(here.stage.pointers[-1][1].target) - before
+        wait(page, lambda: float((np.array(here.api.pointers[-1][1].target) - before) @ away) > 0.005)
+        moved = np.array(here.api.pointers[-1][1].target) - before
         np.testing.assert_allclose(moved, (moved @ away) * away, atol=1e-6)
         page.mouse.up()
         page.evaluate("() => window.cotouch.store.set({ tool: 'ball' })")
         page.mouse.down()
-        wait(page, lambda: here.stage.pointers[-1][1].mode == "ball")
-        pressed = np.array(here.stage.pointers[-1][1].target)
-        wait(page, lambda: float((np.array(here.stage.pointers[-1][1].target) - pressed) @ away) > 0.001)
-        assert here.stage.pointers[-1][1].radius > 0.0
+        wait(page, lambda: here.api.pointers[-1][1].mode == "ball")
+        pressed = np.array(here.api.pointers[-1][1].target)
+        wait(page, lambda: float((np.array(here.api.pointers[-1][1].target) - pressed) @ away) > 0.001)
+        assert here.api.pointers[-1][1].radius > 0.0
         page.mouse.up()
-        wait(page, lambda: here.stage.pointers[-1][1].mode == "free")
+        wait(page, lambda: here.api.pointers[-1][1].mode == "free")
 
 
 def test_keys_grab_move_and_let_go(running: Browser) -> None:
@@ -221,13 +221,13 @@ def test_keys_grab_move_and_let_go(running: Browser) -> None:
         page = here.open()
         page.focus(".ct-canvas")
         page.keyboard.press("g")
-        wait(page, lambda: bool(here.stage.pointers) and here.stage.pointers[-1][1].mode == "grab")
+        wait(page, lambda: bool(here.api.pointers) and here.api.pointers[-1][1].mode == "grab")
         right = np.array(page.evaluate("() => window.cotouch.stage.probe().orbit.axes()[0].toArray()"))
-        before = np.array(here.stage.pointers[-1][1].target)
+        before = np.array(here.api.pointers[-1][1].target)
         page.keyboard.press("ArrowRight")
-        wait(page, lambda: float((np.array(here.stage.pointers[-1][1].target) - before) @ right) > 0.0)
+        wait(page, lambda: float((np.array(here.api.pointers[-1][1].target) - before) @ right) > 0.0)
         page.keyboard.press("Escape")
-        wait(page, lambda: here.stage.pointers[-1][1].mode == "free")
+        wait(page, lambda: here.api.pointers[-1][1].mode == "free")
 
 
 def test_without_the_token_a_drag_only_turns_the_picture(running: Browser) -> None:
@@ -239,7 +239,7 @@ def test_without_the_token_a_drag_only_turns_the_picture(running: Browser) -> No
         page.mouse.move(x + 60, y, steps=3)
         page.mouse.up()
         until(page, "Math.abs(stage.spot(value[0]).x - value[1]) > 5", [point, x])
-        assert here.stage.pointers == []
+        assert here.api.pointers == []
 
 
 def test_the_page_survives_the_servers_restart(running: Browser) -> None:
@@ -249,8 +249,8 @@ def test_the_page_survives_the_servers_restart(running: Browser) -> None:
         port = here.server.port
         here.server.close()
         until(page, "store.connection === 'lost'")
-        here.stage = here.made()
-        here.server = PageServer(here.stage, port=port, token=TOKEN)
+        here.api = here.made()
+        here.server = PageServer(here.api, port=port, token=TOKEN)
         until(
             page, "store.connection === 'open' && store.scene.started !== value && store.frame && store.state", started
         )
@@ -258,7 +258,7 @@ def test_the_page_survives_the_servers_restart(running: Browser) -> None:
         until(page, "stats.frames > value + 3 && connection.mayAct", frames)
         assert page.locator(".ct-canvas").count() == 1
         pulled(page, (-40.0, 0.0))
-        wait(page, lambda: bool(here.stage.pointers) and here.stage.pointers[-1][1].mode == "grab")
+        wait(page, lambda: bool(here.api.pointers) and here.api.pointers[-1][1].mode == "grab")
         page.mouse.up()
         # What a browser says of a server that is away cannot be kept from it.
         here.complaints[:] = [said for said in here.complaints if "ERR_CONNECTION" not in said]
@@ -268,11 +268,11 @@ def test_what_is_held_is_held_again_after_the_connection_was_lost(running: Brows
     with shown(running) as here:
         page = here.open()
         pulled(page, (-20.0, 0.0))
-        wait(page, lambda: bool(here.stage.pointers) and here.stage.pointers[-1][1].mode == "grab")
+        wait(page, lambda: bool(here.api.pointers) and here.api.pointers[-1][1].mode == "grab")
         page.evaluate("() => window.cotouch.connection.socket.close()")
 
         def again() -> bool:
-            modes = [pointer.mode for _, pointer in here.stage.pointers]
+            modes = [pointer.mode for _, pointer in here.api.pointers]
             return "free" in modes and "grab" in modes[modes.index("free") :]
 
         wait(page, again)
@@ -298,11 +298,11 @@ def test_one_finger_pulls_and_two_turn_and_zoom(running: Browser) -> None:
         fingers("touchStart", (x, y))
         for k in range(1, 6):
             fingers("touchMove", (x - 6 * k, y - 4 * k))
-        wait(page, lambda: bool(here.stage.pointers) and here.stage.pointers[-1][1].mode == "grab")
+        wait(page, lambda: bool(here.api.pointers) and here.api.pointers[-1][1].mode == "grab")
         until(page, "store.frame.copies[0].mode === 'grab'")
         fingers("touchEnd")
-        wait(page, lambda: here.stage.pointers[-1][1].mode == "free")
-        told = len(here.stage.pointers)
+        wait(page, lambda: here.api.pointers[-1][1].mode == "free")
+        commanded = len(here.api.pointers)
         until(page, f"store.frame.copies.every(copy => {REACH} < 0.001)", point)
         zoom = page.evaluate("() => window.cotouch.stage.probe().orbit.metres(100)")
         corner = page.locator(".ct-canvas").bounding_box()
@@ -313,8 +313,8 @@ def test_one_finger_pulls_and_two_turn_and_zoom(running: Browser) -> None:
             fingers("touchMove", (150.0 - 8 * k, low), (240.0 + 8 * k, low))
         fingers("touchEnd")
         until(page, "stage.probe().orbit.metres(100) < 0.9 * value", zoom)
-        assert {pointer.mode for _, pointer in here.stage.pointers[told:]} <= {"grab", "free"}
-        assert here.stage.pointers[-1][1].mode == "free"
+        assert {pointer.mode for _, pointer in here.api.pointers[commanded:]} <= {"grab", "free"}
+        assert here.api.pointers[-1][1].mode == "free"
 
 
 def slider(here: Shown, running: Page) -> None:
@@ -324,10 +324,10 @@ def slider(here: Shown, running: Page) -> None:
     running.mouse.move(x, y)
     running.mouse.down()
     running.mouse.move(x + 90, y, steps=6)
-    wait(running, lambda: bool(here.stage.pointers) and here.stage.pointers[-1][1].target[0] > 0.005)
+    wait(running, lambda: bool(here.api.pointers) and here.api.pointers[-1][1].target[0] > 0.005)
     until(running, "Object.keys(window.watched.first).length === 5")
     running.mouse.up()
-    wait(running, lambda: here.stage.pointers[-1][1].mode == "free")
+    wait(running, lambda: here.api.pointers[-1][1].mode == "free")
 
 
 def test_a_slider_is_dragged_on_its_rail_and_the_others_follow(running: Browser) -> None:
@@ -337,7 +337,7 @@ def test_a_slider_is_dragged_on_its_rail_and_the_others_follow(running: Browser)
         before = page.locator(".ct-canvas").screenshot()
         slider(here, page)
         first = page.evaluate("() => window.watched.first")
-        assert all(first[str(seat)] - first["0"] > least for seat, least in FARTHER)
+        assert all(first[str(slot)] - first["0"] > least for slot, least in FARTHER)
         assert page.locator(".ct-canvas").screenshot() != before
         # For another user, on his rail.
         _, own, _ = spot(page)
@@ -345,7 +345,7 @@ def test_a_slider_is_dragged_on_its_rail_and_the_others_follow(running: Browser)
         until(page, "store.state.control === 'mine' && connection.mayAct")
         assert spot(page)[1] > own + 50
         slider(here, page)
-        assert here.stage.pointers[-1][0] == 3
+        assert here.api.pointers[-1][0] == 3
 
 
 def test_side_by_side_every_copy_has_its_name_and_delay(running: Browser) -> None:
@@ -358,5 +358,5 @@ def test_side_by_side_every_copy_has_its_name_and_delay(running: Browser) -> Non
         assert [title.split()[0] for title in titles] == ["Ann", "Ben", "Cleo", "Dan", "Eve"]
         for title, words in zip(titles, ("you", "50 ms", "90 ms", "90 ms", "130 ms"), strict=True):
             assert words in title.replace("\u202f", " ")
-        here.stage.do("cut", {"a": 3, "b": 4, "on": True})
+        here.api.do("cut", {"a": 3, "b": 4, "on": True})
         page.wait_for_function("() => document.querySelectorAll('.ct-title')[4].textContent.includes('out of reach')")

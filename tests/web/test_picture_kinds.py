@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import Browser, Page
 from tests.simulation.browser import DRAWN, browser
-from tests.web.fake_stage import Kind
+from tests.web.fake_session_api import Kind
 from tests.web.pictures import shown, spot, until, wait
 
 # A gamepad as a browser would give it, and what its motors were asked for.
@@ -49,12 +49,12 @@ def test_a_body_without_a_skin_is_seen_and_held(running: Browser, kind: Kind) ->
         page.mouse.move(x, y)
         page.mouse.down()
         page.mouse.move(x + 80, y - 20, steps=4)
-        wait(page, lambda: bool(here.stage.pointers) and here.stage.pointers[-1][1].mode == "grab")
-        assert here.stage.pointers[-1][1].node == point
+        wait(page, lambda: bool(here.api.pointers) and here.api.pointers[-1][1].mode == "grab")
+        assert here.api.pointers[-1][1].node == point
         until(page, "store.frame.copies.every((copy) => copy.displacement[3 * value] > 0)", point)
         assert page.locator(".ct-canvas").screenshot() != still
         page.mouse.up()
-        wait(page, lambda: here.stage.pointers[-1][1].mode == "free")
+        wait(page, lambda: here.api.pointers[-1][1].mode == "free")
         if kind == "chain":  # on rails
             return
         # Without the others, all of one's own copy is there: every node and every edge.
@@ -75,31 +75,31 @@ def test_a_gamepad_moves_the_hand_and_its_motors_tell_the_force(running: Browser
     with shown(running, kind) as here:
         page = here.open(script=PAD)
         pad(page, buttons=[{"pressed": True}])
-        wait(page, lambda: bool(here.stage.pointers) and here.stage.pointers[-1][1].mode == "grab")
+        wait(page, lambda: bool(here.api.pointers) and here.api.pointers[-1][1].mode == "grab")
         until(page, "store.frame.copies[0].mode === 'grab'")
-        before = np.array(here.stage.pointers[-1][1].target)
+        before = np.array(here.api.pointers[-1][1].target)
         # Within what a stick has when nobody touches it, nothing moves.
         pad(page, axes=[0.1, 0, 0, 0])
         number = page.evaluate("() => window.cotouch.stats.frames")
         until(page, "stats.frames > value + 3", number)
-        assert np.array(here.stage.pointers[-1][1].target) == pytest.approx(before)
+        assert np.array(here.api.pointers[-1][1].target) == pytest.approx(before)
         # Where nothing pulls, nothing rumbles, although the node that is drawn is not quite where the skin was taken.
         assert page.evaluate("() => window.told.every((one) => one.weakMagnitude < 0.1)")
         pad(page, axes=[1, 0, 0, 0])
         page.wait_for_function("() => window.told.some((one) => one.weakMagnitude > 0.1)")
-        wait(page, lambda: float(np.abs(np.array(here.stage.pointers[-1][1].target) - before).max()) > 1e-3)
+        wait(page, lambda: float(np.abs(np.array(here.api.pointers[-1][1].target) - before).max()) > 1e-3)
         right = (
             [1, 0, 0] if kind == "1d" else page.evaluate("() => window.cotouch.stage.probe().orbit.axes()[0].toArray()")
         )
-        moved = np.array(here.stage.pointers[-1][1].target) - before
+        moved = np.array(here.api.pointers[-1][1].target) - before
         assert moved @ right > 0.9 * np.linalg.norm(moved) > 0.0
-        told = page.evaluate("() => window.told")
-        assert {one["kind"] for one in told} == {"dual-rumble"}
-        for one in told:
+        commanded = page.evaluate("() => window.told")
+        assert {one["kind"] for one in commanded} == {"dual-rumble"}
+        for one in commanded:
             assert one["strongMagnitude"] == pytest.approx(one["weakMagnitude"] ** 2)
             assert 0.0 < one["weakMagnitude"] <= 1.0
         pad(page, axes=[0, 0, 0, 0], buttons=[{"pressed": False}])
-        wait(page, lambda: here.stage.pointers[-1][1].mode == "free")
+        wait(page, lambda: here.api.pointers[-1][1].mode == "free")
 
 
 @pytest.mark.parametrize("kind", ["bare", "2d"])
@@ -113,7 +113,7 @@ def test_nodes_and_the_edges_between_them_are_drawn(running: Browser, kind: Kind
                     ({ type, geometry }) => [type, (geometry.index ?? geometry.attributes.position).count]);
             }"""
         )
-        nodes, edges = here.stage.scene.body.nodes, page.evaluate("() => window.cotouch.store.scene.edges.length")
+        nodes, edges = here.api.scene.body.nodes, page.evaluate("() => window.cotouch.store.scene.edges.length")
         assert edges >= 2 * (nodes - 1)
         assert drawn == [["Points", nodes], ["LineSegments", edges]]
 
@@ -138,8 +138,8 @@ def test_of_a_ghost_only_what_differs_is_drawn(running: Browser) -> None:
         page = here.open()
         until(page, "store.frame.copies.every(copy => copy.displacement.every(d => d === 0))")
         page.wait_for_function(f"() => ({OVER})().every((share) => share === 0)")
-        for seat in range(1, 5):
-            here.stage.do("hand", {"seat": seat, "mode": "pull", "node": 3, "to": (0.2, 0.2, 0.2)})
+        for slot in range(1, 5):
+            here.api.do("hand", {"slot": slot, "mode": "pull", "node": 3, "to": (0.2, 0.2, 0.2)})
         page.wait_for_function(f"() => ({OVER})().every((share) => share > 0.02 && share < 0.9)")
         page.evaluate("() => window.cotouch.store.set({ ghosts: false })")
         page.wait_for_function(f"() => ({OVER})().every((share) => share === 0)")
@@ -189,3 +189,29 @@ def test_every_window_has_a_picture(running: Browser, wide: int, high: int) -> N
         name = page.locator(".tabs button").first.bounding_box()
         assert name is not None
         assert name["x"] + name["width"] <= wide
+
+
+def test_nobody_zooms_into_the_object(running: Browser) -> None:
+    """The eye stays outside of the ball around all that is shown, wherever it looks."""
+    with shown(running) as here:
+        page = here.open(viewport={"width": 500, "height": 400})
+        far = """() => { const { stage, store } = window.cotouch, eye = stage.probe().orbit.camera.position;
+            return Math.hypot(...store.scene.centre.map((x, i) => eye.getComponent(i) - x)) / store.scene.radius; }"""
+        assert page.evaluate(far) > 2.0
+        page.evaluate(
+            """() => { const { orbit } = window.cotouch.stage.probe();
+                for (let k = 0; k < 60; k++) orbit.zoom(0.8);
+                while (orbit.step(1)); }"""
+        )
+        near = page.evaluate(far)
+        assert 1.0 < near < 1.3
+        page.evaluate(
+            """() => { const { orbit } = window.cotouch.stage.probe();
+                orbit.pan(300, 100, 400); orbit.turn(900, 0);
+                while (orbit.step(1)); }"""
+        )
+        assert page.evaluate(far) > 1.0
+        page.evaluate(
+            """() => { const { orbit } = window.cotouch.stage.probe(); orbit.zoom(1.5); while (orbit.step(1)); }"""
+        )
+        assert page.evaluate(far) > near

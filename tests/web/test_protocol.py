@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from tests.web.reader import ack, pointer
 
 from cotouch.errors import PageError
-from cotouch.web._protocol import Do, Hello, PointerMessage, Taken, read_binary, read_text
+from cotouch.web._protocol import Do, FrameReceipt, Hello, PointerMessage, read_binary, read_text
 
 single = st.floats(width=32, allow_nan=True, allow_infinity=True)
 
@@ -18,7 +18,7 @@ single = st.floats(width=32, allow_nan=True, allow_infinity=True)
 @settings(max_examples=200)
 @given(
     number=st.integers(0, 2**32 - 1),
-    seat=st.integers(0, 255),
+    slot=st.integers(0, 255),
     action=st.integers(0, 255),
     point=st.integers(0, 2**32 - 1),
     target=st.tuples(single, single, single),
@@ -26,7 +26,7 @@ single = st.floats(width=32, allow_nan=True, allow_infinity=True)
     stiffness=single,
     sent=st.floats(),
 )
-def test_a_pointer_is_what_was_sent_or_refused(number, seat, action, point, target, radius, stiffness, sent):
+def test_a_pointer_is_what_was_sent_or_refused(number, slot, action, point, target, radius, stiffness, sent):
     sensible = (
         action <= 2
         and all(abs(x) <= 1e4 for x in target)
@@ -35,7 +35,7 @@ def test_a_pointer_is_what_was_sent_or_refused(number, seat, action, point, targ
         and math.isfinite(sent)
     )
     data = pointer(
-        number, seat=seat, action=action, point=point, target=target, radius=radius, stiffness=stiffness, sent=sent
+        number, slot=slot, action=action, point=point, target=target, radius=radius, stiffness=stiffness, sent=sent
     )
     if not sensible:
         with pytest.raises(PageError):
@@ -43,7 +43,7 @@ def test_a_pointer_is_what_was_sent_or_refused(number, seat, action, point, targ
         return
     read = read_binary(data)
     assert isinstance(read, PointerMessage)
-    assert (read.number, read.seat, read.point) == (number, seat, point)
+    assert (read.number, read.slot, read.point) == (number, slot, point)
     assert read.mode == ("ball", "grab", "free")[action]
     assert (read.target, read.radius, read.stiffness, read.sent) == (target, radius, stiffness, sent)
 
@@ -53,7 +53,7 @@ def test_a_pointer_is_what_was_sent_or_refused(number, seat, action, point, targ
 def test_an_ack_is_what_was_sent_or_refused(number: int, wait: float, every: float):
     data = ack(number, wait, every)
     if 0.0 <= wait <= 1e3 and (every == 0.0 or 1.0 <= every <= 1e3):
-        assert read_binary(data) == Taken(number, 1e-3 * wait, 1e-3 * every)
+        assert read_binary(data) == FrameReceipt(number, 1e-3 * wait, 1e-3 * every)
         return
     with pytest.raises(PageError, match="the next frame is wanted in"):
         read_binary(data)
@@ -63,7 +63,7 @@ def test_an_ack_is_what_was_sent_or_refused(number: int, wait: float, every: flo
 @given(st.one_of(st.binary(max_size=60), st.binary(min_size=40, max_size=40).map(lambda b: b"\2" + b[1:])))
 def test_bytes_never_do_anything_else(data: bytes):
     with contextlib.suppress(PageError):
-        assert isinstance(read_binary(data), PointerMessage | Taken)
+        assert isinstance(read_binary(data), PointerMessage | FrameReceipt)
 
 
 values = st.recursive(
@@ -71,7 +71,7 @@ values = st.recursive(
     lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=8), inner, max_size=3),
     max_leaves=8,
 )
-names = st.sampled_from(["type", "version", "token", "seat", "want", "rate", "id", "what", "arguments"])
+names = st.sampled_from(["type", "version", "token", "slot", "want", "rate", "id", "what", "arguments"])
 hellos = st.dictionaries(names, values | st.sampled_from(["hello", "do", "all"]), max_size=8)
 
 
@@ -89,11 +89,11 @@ def test_texts_never_do_anything_else(text: str):
         "[]",
         "[" * 5000,
         '{"type": "hello"}',
-        '{"type": "hello", "version": 1, "rate": 0}',
-        '{"type": "hello", "version": 1, "rate": NaN}',
-        '{"type": "hello", "version": 1, "seat": -1}',
-        '{"type": "hello", "version": 1, "seat": 1.5}',
-        '{"type": "hello", "version": 1, "extra": 1}',
+        '{"type": "hello", "version": 2, "rate": 0}',
+        '{"type": "hello", "version": 2, "rate": NaN}',
+        '{"type": "hello", "version": 2, "slot": -1}',
+        '{"type": "hello", "version": 2, "slot": 1.5}',
+        '{"type": "hello", "version": 2, "extra": 1}',
         '{"type": "do", "what": "cut"}',
         '{"type": "do", "id": 1, "what": "../cut"}',
         '{"type": "do", "id": 1, "what": "cut", "delay": Infinity}',

@@ -18,8 +18,9 @@ from tests.web.shell_pages import choose, words
 USERS = 3
 # Longer than a session takes on a busy machine; nothing waits longer than it must.
 PATIENCE = 120_000
-# Ann's links to Ben and Dan take 50 ms; a picture may show two moments as one.
-MOVED = 0.008
+# Ann's links to Ben and Dan take 50 ms; a picture may show two moments as one. The last copy comes to about 9 mm once
+# all links are coupled, and to 6 mm where a busy machine keeps the second link guarded.
+MOVED = 0.005
 
 # When the held point of each copy had first moved so far from where it was, on the server's clock; how far it is now.
 WATCH = """([point, far]) => {
@@ -30,9 +31,9 @@ WATCH = """([point, far]) => {
     const { copies, scale, time } = window.cotouch.store.frame;
     for (const copy of copies) {
       const place = at(copy, scale);
-      from[copy.seat] ??= place;
-      now[copy.seat] = Math.hypot(...place.map((value, axis) => value - from[copy.seat][axis]));
-      if (now[copy.seat] > far) first[copy.seat] ??= time - copy.age;
+      from[copy.slot] ??= place;
+      now[copy.slot] = Math.hypot(...place.map((value, axis) => value - from[copy.slot][axis]));
+      if (now[copy.slot] > far) first[copy.slot] ??= time - copy.age;
     }
   });
 }"""
@@ -52,7 +53,7 @@ OFF = """() => Object.values(window.cotouch.store.state.members).filter((one) =>
 @contextmanager
 def demo(log: Path) -> Generator[str]:
     """A demonstration of real processes; its page's address. Ended at the end."""
-    command = [sys.executable, "-m", "cotouch", "demo", "--users", str(USERS), "--body", "soft", "--seconds", "300"]
+    command = [sys.executable, "-m", "cotouch", "demo", "--users", str(USERS), "--body", "soft", "--duration", "300"]
     with log.open("wb") as said:
         running = subprocess.Popen([*command, "--page", "--headless", "--port", "0"], stdout=said, stderr=said)
     try:
@@ -95,7 +96,7 @@ def drag(page: Page) -> None:
     page.mouse.move(x, y)
     page.mouse.down()
     page.mouse.move(x + 60, y - 190, steps=6)
-    until(page, "store.frame.copies.find((copy) => copy.seat === 0).mode === 'grab'")
+    until(page, "store.frame.copies.find((copy) => copy.slot === 0).mode === 'grab'")
     until(page, "Object.keys(window.watched.first).length === value", USERS)
     first = page.evaluate("() => window.watched.first")
     assert first["0"] < min(first["1"], first["2"])
@@ -111,34 +112,34 @@ def test_a_session_is_held_cut_killed_and_watched_from_a_page(tmp_path: Path) ->
         context.add_init_script(BEFORE)
         page = opened(context, address, said, asked)
         until(page, JOINED)
-        for seat in range(USERS):
-            page.evaluate("seat => window.cotouch.connection.do('hand', { seat, mode: 'free' })", seat)
+        for slot in range(USERS):
+            page.evaluate("slot => window.cotouch.connection.do('hand', { slot, mode: 'free' })", slot)
         until(page, REST)
         drag(page)
 
         # A page beside it, without the token, sees the same.
         second = opened(context, address.split("#")[0], said, asked)
-        until(second, "store.frame.copies.find((copy) => copy.seat === 0).mode === 'grab' && !connection.mayAct")
+        until(second, "store.frame.copies.find((copy) => copy.slot === 0).mode === 'grab' && !connection.mayAct")
         page.bring_to_front()
         page.mouse.up()
-        until(page, "store.frame.copies.find((copy) => copy.seat === 0).mode === 'free'")
+        until(page, "store.frame.copies.find((copy) => copy.slot === 0).mode === 'free'")
         until(page, "Object.values(window.watched.now).every((far) => far < value)", MOVED)
 
         choose(page, 0, 1)
         page.click("#cut")
         page.wait_for_selector('.link[data-link="0-1"][data-condition="cut"]')
         until(page, "['0-1', '1-0'].every((end) => store.state.ends[end].state === 'guarded')")
-        words(page, "#verdict", "1–2 is held back")
+        words(page, "#verdict", "paused, network slow")
         page.click("#cut")
         page.wait_for_selector('.link[data-link="0-1"]:not([data-condition="cut"])')
         page.keyboard.press("Escape")
 
-        page.click('.user[data-seat="2"] .user-head')
-        page.click('.user[data-seat="2"] >> text=Stop process')
-        page.wait_for_selector('.user[data-seat="2"]:not([data-presence="here"])')
+        page.click('.user[data-slot="2"] .user-head')
+        page.click('.user[data-slot="2"] >> text=Stop process')
+        page.wait_for_selector('.user[data-slot="2"]:not([data-presence="here"])')
         until(page, "!store.state.members[2].here")
-        page.click('.user[data-seat="2"] >> text=Bring back')
-        page.wait_for_selector('.user[data-seat="2"][data-presence="here"]')
+        page.click('.user[data-slot="2"] >> text=Bring back')
+        page.wait_for_selector('.user[data-slot="2"][data-presence="here"]')
         until(page, JOINED)
 
         # Members came and went, and still every joule is somewhere.

@@ -11,10 +11,10 @@ from tests.web.pictures import BEFORE, spot, until
 from tests.web.shell_pages import words
 
 # How far a copy has moved in this page [m].
-FAR = "store.frame.scale * Math.abs(store.frame.copies.find((copy) => copy.seat === {})?.displacement[0] ?? 0)"
+FAR = "store.frame.scale * Math.abs(store.frame.copies.find((copy) => copy.slot === {})?.displacement[0] ?? 0)"
 # Whether this page's own copy is coupled with all who are linked to it.
 COUPLED = """(ends => ends.length > 0 && ends.every(([, end]) => end.state === 'coupled'))(
-    Object.entries(store.state.ends).filter(([key]) => key.startsWith(`${store.seat}-`)))"""
+    Object.entries(store.state.ends).filter(([key]) => key.startsWith(`${store.slot}-`)))"""
 
 
 def opened(running: Any, address: str, said: list[str]) -> Page:
@@ -42,8 +42,8 @@ def test_people_meet_by_an_invitation_feel_each_other_and_part(tmp_path: Path) -
         for page in (ann, ben, cleo):
             until(page, COUPLED)
         # Each page acts for its own user alone, and knows of the others what came over the network.
-        until(ben, "store.seat === 1 && store.frame.copies.every((copy) => copy.direct === (copy.seat === 1))")
-        words(ben, '.user[data-seat="0"]', "on another computer")
+        until(ben, "store.slot === 1 && store.frame.copies.every((copy) => copy.direct === (copy.slot === 1))")
+        words(ben, '.user[data-slot="0"]', "on another computer")
         until(cleo, "store.state.members[2].hand !== null && connection.mayAct")
 
         x, y, _ = spot(ann)
@@ -61,13 +61,13 @@ def test_people_meet_by_an_invitation_feel_each_other_and_part(tmp_path: Path) -
         assert not old.evaluate("() => window.cotouch.connection.mayAct")
         old.context.close()
 
-        # A window that is gone takes its part with it; whoever has the invitation can have the seat.
+        # A window that is gone takes its part with it; whoever has the invitation can have the slot.
         here.end("Ben", signal.SIGKILL)
         words(ben, "#banner-lost", "Connecting again")
         until(ann, "!store.state.members[1]?.here")
         shown = str(ann.evaluate("() => window.cotouch.store.scene.invitation"))
         guest = opened(running, here.join("guest", shown), said)
-        until(guest, f"store.seat !== 0 && store.seat !== 2 && connection.mayAct && {COUPLED}")
+        until(guest, f"store.slot !== 0 && store.slot !== 2 && connection.mayAct && {COUPLED}")
         x, y, _ = spot(guest)
         guest.mouse.move(x, y)
         guest.mouse.down()

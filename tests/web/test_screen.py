@@ -58,13 +58,13 @@ def test_a_way_that_gets_short_is_not_taken_for_a_missed_picture(running: Browse
 
 def test_nothing_is_asked_for_while_the_screen_is_not_known_or_stands_still(running: Browser) -> None:
     with shown(running) as here:
-        told: Any = here.open().evaluate(
+        commanded: Any = here.open().evaluate(
             """() => { const screen = new (window.cotouch.connection.screen.constructor)(), before = screen.came(1);
                  for (let k = 1; k <= 40; k++) { screen.picture(10 * k); screen.picture(10 * k); }
                  return [before, screen.came(405), screen.came(1000)]; }"""
         )
-    assert told[0] == told[2] == [0, 0]
-    wait_, every = told[1]
+    assert commanded[0] == commanded[2] == [0, 0]
+    wait_, every = commanded[1]
     assert every == 10
     assert 0 < wait_ <= 10
 
@@ -80,5 +80,5 @@ def test_a_movement_is_told_once(running: Browser) -> None:
             page.mouse.move(x + 3.0 * k, y)
             until(page, "(([x, y]) => Math.abs(x - value) < 0.5)(stage.probe().target)", x + 3.0 * k)
             page.wait_for_timeout(60)
-        wait(page, lambda: len({pointer.target for _, pointer in here.stage.pointers}) == 11)
+        wait(page, lambda: len({pointer.target for _, pointer in here.api.pointers}) == 11)
         assert page.evaluate("() => window.cotouch.connection.number") == 11

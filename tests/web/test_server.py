@@ -7,6 +7,7 @@ import json
 import logging
 import socket
 import threading
+import time
 import xml.etree.ElementTree as ET
 import zipfile
 from collections.abc import Iterator
@@ -15,7 +16,8 @@ from pathlib import Path
 import numpy as np
 import psutil
 import pytest
-from tests.web.fake_stage import FakeStage
+import segno
+from tests.web.fake_session_api import FakeSessionApi
 from tests.web.reader import packed
 from tests.web.visitor import PATIENCE, visit
 from websockets.exceptions import InvalidStatus
@@ -23,6 +25,7 @@ from websockets.exceptions import InvalidStatus
 from cotouch import __version__
 from cotouch.errors import SessionError, TransportError
 from cotouch.web import PORT, PageAddress, PageServer
+from cotouch.web._connection import MOST_CONNECTIONS
 
 PAGE = "<!doctype html><title>page</title>"
 
@@ -39,13 +42,13 @@ def static(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def stage() -> FakeStage:
-    return FakeStage("3d")
+def api() -> FakeSessionApi:
+    return FakeSessionApi("3d")
 
 
 @pytest.fixture(scope="module")
-def server(stage: FakeStage, static: Path) -> Iterator[PageServer]:
-    with PageServer(stage, port=0, static=static) as running:
+def server(api: FakeSessionApi, static: Path) -> Iterator[PageServer]:
+    with PageServer(api, port=0, static=static) as running:
         yield running
 
 
@@ -86,10 +89,60 @@ class TestFiles:
         )
 
     @pytest.mark.parametrize(
-        "path", ["/none.js", "/.secret.js", "/notes.py", "/../outside.js", "/%2e%2e%2foutside.js", "/..%5coutside.js"]
+        "path",
+        [
+            "/none.js",
+            "/.secret.js",
+            "/notes.py",
+            "/../outside.js",
+            "/%2e%2e%2foutside.js",
+            "/..%5coutside.js",
+            "/nul%00.js",
+            pytest.param(f"/{'a' * 5_000}.js", id="a name that no disk takes"),
+        ],
     )
     def test_nothing_else_is_given(self, server: PageServer, path: str):
         assert get(server, path).status == 404
+
+
+class TestUnfinishedRequests:
+    def test_keep_nobody_out(self, server: PageServer):
+        """150 that never end; whoever asks for something gets it, and the oldest of them made room."""
+        started = [socket.create_connection(("127.0.0.1", server.port), PATIENCE) for _ in range(150)]
+        try:
+            for one in started:
+                one.sendall(b"GET / HTTP/1.1\r\nHost: 127.0")
+            assert get(server, "/").status == 200
+            with visit(server) as page:
+                page.frame()
+            assert ended(started[0])
+            assert ended(started[150 - MOST_CONNECTIONS])
+        finally:
+            for one in started:
+                one.close()
+
+    def test_end_after_a_while(self, server: PageServer, monkeypatch: pytest.MonkeyPatch):
+        monkeypatch.setattr("cotouch.web._connection._REQUEST", 0.2)
+        with socket.create_connection(("127.0.0.1", server.port), PATIENCE) as silent:
+            assert ended(silent)
+        monkeypatch.setattr("cotouch.web._connection._REQUEST", 3.0)
+        with socket.create_connection(("127.0.0.1", server.port), PATIENCE) as again:
+            again.sendall(f"GET / HTTP/1.1\r\nHost: 127.0.0.1:{server.port}\r\n\r\nGET /a".encode())
+            assert again.recv(100).startswith(b"HTTP/1.1 200")
+            assert ended(again)
+
+    def test_and_answers_that_nobody_takes(self, api: FakeSessionApi, monkeypatch: pytest.MonkeyPatch, tmp_path: Path):
+        monkeypatch.setattr("cotouch.web._connection._STUCK", 0.2)
+        (tmp_path / "big.txt").write_bytes(b"a" * 20_000_000)
+        with PageServer(api, port=0, static=tmp_path) as server, socket.socket() as stuck:
+            stuck.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+            stuck.connect(("127.0.0.1", server.port))
+            stuck.sendall(f"GET /big.txt HTTP/1.1\r\nHost: 127.0.0.1:{server.port}\r\n\r\n".encode())
+            assert stuck.recv(20).startswith(b"HTTP/1.1 200")
+            assert let_go(stuck)
+            monkeypatch.setattr("cotouch.web._connection._STUCK", 600.0)
+            fine = get(server, "/big.txt")
+            assert (fine.status, len(fine.content)) == (200, 20_000_000)
 
 
 class TestWhoIsLetIn:
@@ -134,35 +187,55 @@ class TestWhoIsLetIn:
 
 
 class TestWithToken:
-    def test_qr_code(self, server: PageServer):
-        code = get(server, f"/qr.svg?token={server.token}")
-        assert (code.status, code.headers["Content-Type"]) == (200, "image/svg+xml")
-        assert code.headers["Cache-Control"] == "no-store"
-        root = ET.fromstring(code.content)
-        assert root.tag.endswith("svg")
-        assert int(root.attrib["width"]) > 21
+    def test_qr_code_of_the_page(self, api: FakeSessionApi, monkeypatch: pytest.MonkeyPatch):
+        monkeypatch.setattr(PageAddress, "elsewhere", "http://192.0.2.7:8765/")
+        with PageServer(api, port=0) as server, visit(server) as page, visit(server, token=None) as watching:
+            assert page.text("scene")["page"] == "http://192.0.2.7:8765/"
+            assert watching.text("scene")["page"] is None
+            code = get(server, f"/qr.svg?token={server.token}&user=3")
+            assert (code.status, code.headers["Content-Type"]) == (200, "image/svg+xml")
+            assert code.headers["Cache-Control"] == "no-store"
+            wanted = io.BytesIO()
+            segno.make_qr(f"http://192.0.2.7:8765/?user=3#token={server.token}", error="l").save(wanted, kind="svg")
+            path = "{http://www.w3.org/2000/svg}path"
+            assert drawn(code.content).findall(path)[-1].attrib["d"] == drawn(wanted.getvalue()).find(path).attrib["d"]
+            assert get(server, f"/qr.svg?token={server.token}&user=9").status == 404
 
-    def test_recording(self, server: PageServer, stage: FakeStage):
+    def test_no_qr_code_of_a_page_that_nobody_else_reaches(self, server: PageServer):
+        assert get(server, f"/qr.svg?token={server.token}").status == 404
+        with visit(server) as page:
+            assert page.text("scene")["page"] is None
+
+    def test_where_others_find_the_page(self):
+        for listen, wanted in (("127.0.0.1", None), ("127.0.0.2", None), ("::1", None)):
+            at = PageAddress(listen=listen, port=0)
+            assert at.elsewhere == wanted
+            at.close()
+
+    def test_recording(self, server: PageServer, api: FakeSessionApi):
         assert get(server, f"/recording.zip?token={server.token}").status == 404
         with visit(server) as page:
-            assert not page.text("state")["recorded"]
+            assert page.text("state")["recording"]["state"] == "off"
+            assert head(server, f"/recording.zip?token={server.token}") == 404
             assert page.do("record", on=True)["ok"]
-            assert page.text("state", lambda m: m["recording"] is not None)
+            assert page.text("state", lambda m: m["recording"]["state"] == "on")
             assert page.do("record", 2, on=False)["ok"]
-            assert page.text("state", lambda m: m["recorded"])
+            done = page.text("state", lambda m: m["recording"]["state"] == "done")["recording"]
+            assert done["files"][0] == ["Ann.mcap", 18]
+            assert head(server, f"/recording.zip?token={server.token}") == 200
         archive = get(server, f"/recording.zip?token={server.token}")
         assert archive.headers["Content-Disposition"] == 'attachment; filename="cotouch-recording.zip"'
         with zipfile.ZipFile(io.BytesIO(archive.content)) as kept:
             assert "Ann.mcap" in kept.namelist()
 
-    def test_scene(self, server: PageServer, stage: FakeStage):
-        body = stage.scene.body
+    def test_scene(self, server: PageServer, api: FakeSessionApi):
+        body = api.scene.body
         with visit(server) as page:
             scene = page.text("scene")
         assert (scene["version"], scene["dimension"]) == (__version__, 3)
-        assert scene["users"][1] == {"seat": 1, "name": "Ben"}
+        assert scene["users"][1] == {"slot": 1, "name": "Ben"}
         assert (scene["own"], scene["acts"]) == ([0, 1, 2, 3, 4], True)
-        assert (scene["invitation"], scene["may"]) == (stage.scene.invitation, sorted(stage.scene.may))
+        assert (scene["invitation"], scene["may"]) == (api.scene.invitation, sorted(api.scene.may))
         np.testing.assert_allclose(packed(scene["nodes"]["rest"], "<f4", 3), body.rest, rtol=1e-6)
         np.testing.assert_allclose(packed(scene["skin"]["rest"], "<f4", 3), body.skin.vertices, rtol=1e-6, atol=1e-9)
         np.testing.assert_array_equal(packed(scene["skin"]["triangles"], "<u4", 3), body.skin.triangles)
@@ -173,7 +246,7 @@ class TestWithToken:
         assert scene["radius"] >= np.linalg.norm(body.skin.vertices - np.array(scene["centre"]), axis=1).max() - 1e-9
 
     def test_a_body_without_skin_has_edges_and_three_coordinates(self):
-        with PageServer(FakeStage("1d"), port=0) as other, visit(other) as page:
+        with PageServer(FakeSessionApi("1d"), port=0) as other, visit(other) as page:
             scene, frame = page.text("scene"), page.frame()
         assert (scene["dimension"], scene["skin"], scene["edges"]) == (1, None, "")
         assert packed(scene["nodes"]["rest"], "<f4", 3).shape == (1, 3)
@@ -183,16 +256,16 @@ class TestWithToken:
 
 class TestStartAndStop:
     def test_two_runs_differ_and_a_port_can_be_used_again(self):
-        with PageServer(FakeStage("1d"), port=0) as first, visit(first) as page:
+        with PageServer(FakeSessionApi("1d"), port=0) as first, visit(first) as page:
             one = page.text("scene")["started"]
-        with PageServer(FakeStage("1d"), port=first.port) as second, visit(second) as page:
+        with PageServer(FakeSessionApi("1d"), port=first.port) as second, visit(second) as page:
             two = page.text("scene")["started"]
         assert (one != two, first.token != second.token, len(first.token) >= 32) == (True, True, True)
 
     def test_stops_with_pages_that_listen_and_pages_that_do_not(self):
         """The thread ends long before `close` gives up waiting for it."""
         before = set(threading.enumerate())
-        server = PageServer(FakeStage("big"), port=0)
+        server = PageServer(FakeSessionApi("big"), port=0)
         own = f"http://127.0.0.1:{server.port}"
         stuck = socket.create_connection(("127.0.0.1", server.port), PATIENCE)
         try:
@@ -201,7 +274,7 @@ class TestStartAndStop:
                 f"GET /ws HTTP/1.1\r\nHost: {own[7:]}\r\nOrigin: {own}\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
                 "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n\r\n".encode()
             )
-            hello = json.dumps({"type": "hello", "version": 1}).encode()
+            hello = json.dumps({"type": "hello", "version": 2}).encode()
             stuck.sendall(bytes([0x81, 0x80 | len(hello)]) + b"\0\0\0\0" + hello)
             with visit(server) as page:
                 page.frame()
@@ -216,11 +289,11 @@ class TestStartAndStop:
             socket.create_connection(("127.0.0.1", server.port), 1.0).close()
 
     def test_pages_are_told_how_it_ended(self, static: Path):
-        stage = FakeStage("1d")
-        with PageServer(stage, port=0, static=static) as server, visit(server) as page, visit(server) as other:
+        api = FakeSessionApi("1d")
+        with PageServer(api, port=0, static=static) as server, visit(server) as page, visit(server) as other:
             page.text("state")
             other.text("state")
-            stage.ended = True
+            api.ended = True
             server.close()
             for visitor in (page, other):
                 visitor.acknowledge = False  # nobody hears it
@@ -228,23 +301,26 @@ class TestStartAndStop:
                 assert [text for text in visitor.texts if text["type"] == "state"][-1]["ended"]
 
     def test_a_port_that_was_asked_for_is_not_another(self):
-        with PageServer(FakeStage("1d"), port=0) as server, pytest.raises(TransportError, match=f"port {server.port}"):
-            PageServer(FakeStage("1d"), port=server.port)
+        with (
+            PageServer(FakeSessionApi("1d"), port=0) as server,
+            pytest.raises(TransportError, match=f"port {server.port}"),
+        ):
+            PageServer(FakeSessionApi("1d"), port=server.port)
 
     def test_the_next_free_port_if_none_was_asked_for(self):
-        with PageServer(FakeStage("1d")) as one, PageServer(FakeStage("1d")) as two:
+        with PageServer(FakeSessionApi("1d")) as one, PageServer(FakeSessionApi("1d")) as two:
             assert PORT <= one.port < two.port < PORT + 20
 
     @pytest.mark.parametrize(("listen", "port"), [("127.0.0.1", 70_000), ("no such name.", 0)])
     def test_what_cannot_be(self, listen: str, port: int):
         with pytest.raises(SessionError):
-            PageServer(FakeStage("1d"), listen=listen, port=port)
+            PageServer(FakeSessionApi("1d"), listen=listen, port=port)
 
     def test_a_port_is_held_before_there_is_anything_to_serve(self):
         at = PageAddress(port=0)
         with socket.create_connection(("127.0.0.1", at.port), PATIENCE) as early:
             early.sendall(f"GET /none HTTP/1.1\r\nHost: 127.0.0.1:{at.port}\r\n\r\n".encode())
-            with PageServer(FakeStage("1d"), at=at) as server:
+            with PageServer(FakeSessionApi("1d"), at=at) as server:
                 assert server.port == at.port
                 assert early.recv(100).startswith(b"HTTP/1.1 404")
 
@@ -278,10 +354,42 @@ class TestStartAndStop:
         assert get(server, "/open").headers["Location"] == "/"
 
     def test_elsewhere_only_when_told(self):
-        with PageServer(FakeStage("1d"), listen="127.0.0.2", port=0) as server:
+        with PageServer(FakeSessionApi("1d"), listen="127.0.0.2", port=0) as server:
             assert server.local
             assert get_status("127.0.0.2", server.port, "127.0.0.2") == 404  # let in; this folder may have no page
             assert get_status("127.0.0.2", server.port, "evil.example") == 403
+
+
+def drawn(picture: bytes) -> ET.Element:
+    return ET.fromstring(picture)
+
+
+def ended(connection: socket.socket) -> bool:
+    """Whether the server closes it, within the patience of its socket."""
+    try:
+        while connection.recv(65_536):
+            pass
+    except ConnectionResetError:
+        pass
+    return True
+
+
+def let_go(connection: socket.socket) -> bool:
+    """Whether the server, in this process, gives its end up; the client is not told before it reads on."""
+    for _ in range(600):
+        ends = {one.raddr for one in psutil.Process().net_connections("tcp")}
+        if connection.getsockname() not in ends:
+            return True
+        time.sleep(0.1)
+    return False
+
+
+def head(server: PageServer, path: str) -> int:
+    connection = http.client.HTTPConnection("127.0.0.1", server.port, timeout=PATIENCE)
+    connection.request("HEAD", path)
+    status = connection.getresponse().status
+    connection.close()
+    return status
 
 
 def get_status(address: str, port: int, host: str) -> int:

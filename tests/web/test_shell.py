@@ -2,10 +2,11 @@
 
 from dataclasses import replace
 
+import pytest
 from playwright.sync_api import Browser
-from tests.web.shell_pages import LINK, READY, World, choose, grab, words
+from tests.web.shell_pages import LINK, READY, World, choose, grab, words, world
 
-from cotouch.web import PageServer
+from cotouch.web import PageAddress, PageServer
 
 
 def test_cutting_a_link_shows_in_the_graph_the_card_and_the_verdict(here: World) -> None:
@@ -15,7 +16,7 @@ def test_cutting_a_link_shows_in_the_graph_the_card_and_the_verdict(here: World)
     page.click("#cut")
     page.wait_for_selector(LINK.format(1, 3) + '[data-condition="cut"]')
     words(page, LINK.format(1, 3) + " .link-words", "✕ cut")
-    words(page, "#verdict", "take note: Passive: link 2–4")
+    words(page, "#verdict", "take note: Safe: link 2–4")
     assert here.did("cut") == [{"a": 1, "b": 3, "on": True}]
     assert page.get_attribute(LINK.format(0, 1), "data-condition") == "coupled"
     page.click("#cut")
@@ -54,9 +55,9 @@ def test_a_link_is_disturbed_by_sliders_by_drawing_and_by_keys(here: World) -> N
 def test_a_second_page_follows_is_told_and_can_take_over(here: World) -> None:
     first = here.open()
     grab(first, 0.05)
-    words(first, '.user[data-seat="0"] .hand-mode', "pointer grabs")
+    words(first, '.user[data-slot="0"] .hand-mode', "pointer grabs")
     second = here.open()
-    words(second, '.user[data-seat="0"] .hand-mode', "pointer grabs")
+    words(second, '.user[data-slot="0"] .hand-mode', "pointer grabs")
     second.wait_for_selector("#banner-control")
     words(second, "#banner-control", "Another page holds the control of Ann")
     assert first.is_hidden("#banner-control")
@@ -72,8 +73,8 @@ def test_a_second_page_follows_is_told_and_can_take_over(here: World) -> None:
 
 def test_a_scripted_hand_can_be_told(here: World) -> None:
     page = here.open()
-    page.click('.user[data-seat="2"] .user-head')
-    card = page.locator('.user[data-seat="2"]')
+    page.click('.user[data-slot="2"] .user-head')
+    card = page.locator('.user[data-slot="2"]')
     for order, mode in (("Hold", "hold"), ("Let go", "free"), ("Script", "script"), ("Wander", "wander")):
         card.get_by_role("radio", name=order).click()
         page.wait_for_function("mode => window.cotouch.store.state.members[2].hand === mode", arg=mode)
@@ -86,7 +87,7 @@ def test_a_scripted_hand_can_be_told(here: World) -> None:
     card.get_by_role("button", name="Pull forward").click()
     page.wait_for_function("() => window.cotouch.store.state.members[2].hand === 'pull'")
     order = here.did("hand")[-1]
-    assert order["seat"] == 2
+    assert order["slot"] == 2
     assert order["node"] == 0
     assert order["to"][0] >= 0.1
     assert page.is_hidden("#banner-aim")
@@ -94,14 +95,14 @@ def test_a_scripted_hand_can_be_told(here: World) -> None:
 
 def test_a_user_is_stopped_and_brought_back(here: World) -> None:
     page = here.open()
-    page.click('.user[data-seat="4"] .user-head')
-    page.click('.user[data-seat="4"] >> text=Stop process')
-    page.wait_for_selector('.user[data-seat="4"][data-presence="stopped"]')
+    page.click('.user[data-slot="4"] .user-head')
+    page.click('.user[data-slot="4"] >> text=Stop process')
+    page.wait_for_selector('.user[data-slot="4"][data-presence="stopped"]')
     words(page, "#users .panel-note", "4 of 5 here")
-    page.wait_for_selector('.node[data-seat="4"]:not([data-presence="here"])')
+    page.wait_for_selector('.node[data-slot="4"]:not([data-presence="here"])')
     assert page.locator(LINK.format(3, 4)).count() == 0
-    page.click('.user[data-seat="4"] >> text=Bring back')
-    page.wait_for_selector('.user[data-seat="4"][data-presence="here"]')
+    page.click('.user[data-slot="4"] >> text=Bring back')
+    page.wait_for_selector('.user[data-slot="4"][data-presence="here"]')
     page.wait_for_selector(LINK.format(3, 4))
 
 
@@ -134,16 +135,79 @@ def test_links_are_switched_and_drawn(here: World) -> None:
 def test_an_invitation_is_shown_and_a_place_freed(here: World) -> None:
     page = here.open()
     page.click("#invite")
-    page.wait_for_function(
-        "() => { const code = document.querySelector('.qr'); return code.complete && code.naturalWidth > 0; }"
-    )
-    command = page.get_by_label("Command")
-    assert command.input_value() == f"cotouch join {here.stage.scene.invitation} --name Eve"
+    # The invitation is in no command, which every user of a machine could read.
+    assert page.get_by_label("Command").input_value() == "cotouch join - --name Eve"
+    assert page.get_by_label("Invitation").input_value() == here.api.scene.invitation
+    # Nobody else reaches this page, so there is nothing to scan.
+    assert page.is_hidden(".qr")
+    words(page, "dialog", "--page-listen")
     page.click("text=Free this place")
     words(page, "dialog", "The place of Eve is free")
-    assert here.did("kill") == [{"seat": 4}]
+    assert here.did("expel") == [{"slot": 4}]
     page.keyboard.press("Escape")
     assert page.evaluate("() => document.activeElement.id") == "invite"
+
+
+def test_a_phone_opens_the_page_by_its_qr_code(running: Browser, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(PageAddress, "elsewhere", "http://192.0.2.7:8765/")
+    with world(running) as here:
+        page = here.open()
+        page.click("#invite")
+        page.wait_for_function(
+            "() => { const code = document.querySelector('.qr'); return code.complete && code.naturalWidth > 0; }"
+        )
+        words(page, ".qr-frame", "opens this page on a phone, as Eve")
+        assert "user=5" in (page.get_attribute(".qr", "src") or "")
+
+
+def test_whoever_takes_part_from_elsewhere_is_sent_away_after_a_question(here: World) -> None:
+    here.api.elsewhere.add(1)
+    page = here.open()
+    card = page.locator('.user[data-slot="1"]')
+    card.locator(".user-head").click()
+    assert card.get_attribute("data-presence") == "here"
+    assert card.get_by_role("button", name="Stop process").is_hidden()
+    card.get_by_role("button", name="Send away").click()
+    question = page.get_by_role("dialog", name="Send Ben away?")
+    assert "for the rest of the session" in (question.text_content() or "")
+    page.keyboard.press("Enter")  # what takes nothing away has the focus
+    assert here.did("expel") == []
+    card.get_by_role("button", name="Send away").click()
+    question.get_by_role("button", name="Send away").click()
+    page.wait_for_selector('.user[data-slot="1"][data-presence="stopped"]')
+    assert here.did("expel") == [{"slot": 1}]
+    # One whose process runs here is stopped instead; and who only watches does neither.
+    page.click('.user[data-slot="2"] .user-head')
+    assert page.locator('.user[data-slot="2"]').get_by_role("button", name="Send away").is_hidden()
+    here.api.elsewhere.add(2)
+    watching = here.open(here.server.address)
+    watching.click('.user[data-slot="2"] .user-head')
+    assert watching.locator('.user[data-slot="2"]').get_by_role("button", name="Send away").count() == 0
+
+
+def test_a_banner_moves_nothing(here: World) -> None:
+    page = here.open()
+    places = """() => [...document.querySelectorAll('button, .panel, .tabs, #stage')].filter((one) =>
+        one.getClientRects().length && !one.closest('.notices, #verdict')).map((one) => {
+            const { left, top, width, height } = one.getBoundingClientRect();
+            return [one.id || one.textContent, left, top, width, height].join(' '); })"""
+    page.wait_for_function("() => document.fonts.status === 'loaded'")
+    before = page.evaluate(places)
+    here.api.do("damping", {"fraction": 0.4})
+    page.wait_for_selector("#banner-damping")
+    during = [place for place in page.evaluate(places) if "damping" not in place]
+    assert len(during) > 20
+    assert set(during) <= set(before)
+
+
+def test_a_verdict_is_said_once(here: World) -> None:
+    page = here.open()
+    here.api.do("damping", {"fraction": 0.4})
+    words(page, "#verdict", "Not safe: damping lowered to 40 %")
+    page.wait_for_function("() => /not safe/.test(document.querySelector('#spoken').textContent)")
+    assert page.is_hidden(".toast")
+    page.click("#tab-margin")
+    assert "not safe" not in (page.text_content("#margin .panel-body") or "").lower()
 
 
 def test_without_the_token_one_watches(here: World) -> None:
@@ -151,16 +215,20 @@ def test_without_the_token_one_watches(here: World) -> None:
     words(page, "#banner-view", "You are watching")
     assert page.is_hidden("#invite")
     assert page.is_disabled("#record")
-    page.click('.user[data-seat="1"] .user-head')
+    page.click('.user[data-slot="1"] .user-head')
     for name in ("Stop process",):
         assert page.get_by_role("button", name=name).first.is_disabled()
-    assert page.locator('.user[data-seat="1"]').get_by_role("radio", name="Hold").is_disabled()
+    assert page.locator('.user[data-slot="1"]').get_by_role("radio", name="Hold").is_disabled()
     choose(page, 1, 3)
     assert page.is_disabled("#cut")
     page.keyboard.press("r")
     grab(page, 0.05)
-    assert here.stage.done == []
-    assert here.stage.pointers == []
+    assert here.api.done == []
+    assert here.api.pointers == []
+    # Who watches is nobody, and takes hold of nothing.
+    assert page.locator(".chip-mine:visible").count() == 0
+    assert page.locator(".user[data-mine], .node[data-mine]").count() == 0
+    assert page.locator(".ct-hint:visible").count() == 0
 
 
 def test_an_old_token_is_told_and_offers_nothing(here: World) -> None:
@@ -185,13 +253,13 @@ def test_a_restart_is_shown_and_the_end_too(running: Browser) -> None:
         words(page, "#banner-lost", "connection is lost")
         words(page, "#verdict", "Connection lost")
         assert page.is_disabled("#record")
-        again = PageServer(made.stage, port=port, token=token)
+        again = PageServer(made.api, port=port, token=token)
         page.wait_for_selector("#banner-lost", state="hidden")
         page.wait_for_function("before => window.cotouch.store.scene.started !== before", arg=before)
         page.wait_for_function(READY)
         words(page, "#verdict", "to spare")
-        overview = made.stage.overview
-        made.stage.overview = lambda: replace(overview(), ended=True)  # type: ignore[method-assign]
+        overview = made.api.overview
+        made.api.overview = lambda: replace(overview(), ended=True)  # type: ignore[method-assign]
         words(page, "#banner-ended", "The session has ended")
         # While nobody listens, the browser says so itself; nothing else was said.
         assert [said for said in made.complaints if "ERR_CONNECTION_REFUSED" not in said] == []
@@ -202,15 +270,15 @@ def test_a_restart_is_shown_and_the_end_too(running: Browser) -> None:
 
 
 def test_choices_that_are_not_known_yet_say_so(here: World) -> None:
-    found = dict(here.stage.choices)
-    here.stage.choices = {"start": found["start"]}
+    found = dict(here.api.choices)
+    here.api.choices = {"start": found["start"]}
     page = here.open()
     best, worst = (page.get_by_role("radio", name=name) for name in ("Best", "Worst"))
     words(page, "#topology .means", "As the session began. Best and worst are being worked out.")
     assert best.is_disabled()
     assert "worked out" in (best.get_attribute("data-tip") or "")
     assert best.inner_text() == "Best …"
-    here.stage.choices = found | {"worst": []}
+    here.api.choices = found | {"worst": []}
     page.wait_for_function("() => document.querySelector('#topology [data-value=best]').textContent === 'Best'")
     assert best.is_enabled()
     assert worst.is_disabled()

@@ -1,12 +1,13 @@
 """Plots, energy, damping and recordings in the page."""
 
+import csv
 import io
 import re
 import zipfile
 
 import pytest
-from playwright.sync_api import Browser
-from tests.web.fake_stage import Kind
+from playwright.sync_api import Browser, Page
+from tests.web.fake_session_api import Kind
 from tests.web.shell_pages import World, words, world
 from tests.web.shell_scripts import COLOURS, FEED
 
@@ -38,7 +39,7 @@ def test_frozen_plots_stand_still_and_are_saved(here: World) -> None:
         page.click("#plots >> text=CSV")
     lines = saved.value.path().read_text().splitlines()
     heads = lines[0].split(",")
-    assert heads[:2] == ["time_s", "position_m 1 Ann"]
+    assert heads[:2] == ["time_s", "displacement_x_m 1 Ann"]
     assert len(heads) == 1 + 3 * 5
     assert all(len(line.split(",")) == len(heads) for line in lines)
     shown = page.evaluate("() => document.querySelector('#plots .reading').textContent")
@@ -52,6 +53,53 @@ def test_frozen_plots_stand_still_and_are_saved(here: World) -> None:
     assert saved.value.path().read_bytes().startswith(b"\x89PNG")
     page.keyboard.press("f")
     words(page, "#freeze", "Freeze")
+
+
+def saved_numbers(page: Page) -> dict[str, list[str]]:
+    """What the plots are of, by heading."""
+    with page.expect_download() as saved:
+        page.click("#plots >> text=CSV")
+    rows = list(csv.reader(saved.value.path().read_text().splitlines()))
+    return {head: [row[i] for row in rows[1:]] for i, head in enumerate(rows[0])}
+
+
+def test_what_is_plotted_and_saved_is_the_same_on_every_page(running: Browser) -> None:
+    """Also where one of them saw more: once, the axis was that along which a page had seen most."""
+    with world(running, "bare") as here:
+        pages = [here.open(), here.open()]
+        pages[1].evaluate(
+            """() => {
+                const { store } = window.cotouch, last = store.frame;
+                const copies = last.copies.map((copy) => ({ ...copy, displacement: copy.displacement.map((_, i) =>
+                    i % 3 === 2 ? 30000 : 0) }));
+                store.drawn({ ...last, copies, time: last.time + 1e-5, received: performance.now() });
+            }"""
+        )
+        for page in pages:
+            words(page, "#plots figcaption strong", "^Displacement$")
+            page.wait_for_function("() => window.cotouch.store.history.count > 30")
+        for _ in range(20):  # each page has frames of its own; some are both's
+            tables = [saved_numbers(page) for page in pages]
+            if set(tables[0]["time_s"]) & set(tables[1]["time_s"]):
+                break
+        heads = [f"displacement_{axis}_m 1 Ann" for axis in "xyz"]
+        assert set(heads) < tables[0].keys() == tables[1].keys()
+        common = set(tables[0]["time_s"]) & set(tables[1]["time_s"])
+        assert common
+        for head in heads:
+            one, other = (dict(zip(table["time_s"], table[head], strict=True)) for table in tables)
+            differ = [time for time in common if one[time] != other[time]]
+            assert len(differ) <= 1  # what one of them alone was shown
+        here.complaints.clear()  # FLAT has no WebGL, which the picture in space says
+
+
+def test_late_steps_are_a_share_of_those_that_were_due(here: World, monkeypatch: pytest.MonkeyPatch) -> None:
+    status = here.api._status
+    monkeypatch.setattr(
+        here.api, "_status", lambda slot, roster: status(slot, roster).model_copy(update={"steps": 100, "missed": 300})
+    )
+    page = here.open()
+    words(page, '.user[data-slot="0"] .metric', "^late75\u202f%$")
 
 
 def joules(words_: str) -> float:
@@ -92,7 +140,7 @@ def test_every_joule_is_somewhere(here: World) -> None:
         """() => [...document.querySelectorAll('.stack')].map((bar) =>
             bar.lastElementChild.getBoundingClientRect().right / bar.getBoundingClientRect().right)"""
     )
-    assert all(0.99 < share < 1.01 for share in filled)
+    assert all(0.99 < fraction < 1.01 for fraction in filled)
     page.click("#energy >> text=Count from now")
     page.wait_for_function("() => document.querySelector('#energy table').hasAttribute('data-initial')")
     # All of it is seen, also with the column that there is now.
@@ -119,11 +167,16 @@ def test_damping_is_lowered_behind_a_warning_and_restored_with_one_click(here: W
     page.click("#lower")
     dialog.get_by_role("button", name="Lower it").click()
     words(page, "#banner-damping", "lowered to 5\u202f%")
-    words(page, "#verdict", "not guaranteed: Not passive")
+    words(page, "#verdict", "not guaranteed: Not safe")
     words(other, "#banner-damping", "lowered to 5\u202f%")
     page.click("#banner-damping >> text=Restore now")
     page.wait_for_selector("#banner-damping", state="hidden")
-    assert here.did("damping") == [{"share": 0.05}, {"share": 1}]
+    assert here.did("damping") == [{"fraction": 0.05}, {"fraction": 1}]
+    # Where the button was is no other that does something, and everybody is told that it is over.
+    words(other, "#banner-restored", "All damping is back")
+    page.click("#banner-restored >> text=Dismiss")
+    page.wait_for_selector("#banner-restored", state="hidden")
+    assert here.did("damping") == [{"fraction": 0.05}, {"fraction": 1}]
 
 
 @pytest.mark.parametrize(("kind", "usual", "least"), [("1d", "5 %", "0.1 %"), ("3d", "1 %", "0.1 %")])
@@ -142,7 +195,7 @@ def test_the_share_of_the_damping_begins_where_the_body_shakes(
         assert slider.get_attribute("aria-valuetext") == f"{least} of what is needed"
         page.get_by_role("button", name="Lower it").click()
         words(page, "#banner-damping", "lowered to 0.1\u202f%")
-        assert here.did("damping") == [{"share": 0.001}]
+        assert here.did("damping") == [{"fraction": 0.001}]
         # FLAT has no WebGL, which the picture in space says.
         here.complaints.clear()
 

@@ -4,8 +4,9 @@ from typing import Any
 
 import pytest
 from playwright.sync_api import Page
+from tests.web.pictures import wait
 from tests.web.shell_pages import LINK, PHONE, READY, World, choose, grab, let_go, words
-from tests.web.shell_scripts import CONTRAST, DOUBLED, MOVING, NAMELESS, PANELS, RIGHTMOST, SMALL
+from tests.web.shell_scripts import CONTRAST, DOUBLED, MOVING, NAMELESS, PANELS, RIGHTMOST, SEEN, SMALL
 
 
 def test_keys_do_what_buttons_do(here: World) -> None:
@@ -33,8 +34,8 @@ def test_keys_do_what_buttons_do(here: World) -> None:
     page.keyboard.press("d")
     assert page.evaluate("() => document.documentElement.dataset.theme") == "dark"
     page.keyboard.press("2")
-    assert page.evaluate("() => window.cotouch.store.seat") == 1
-    page.wait_for_selector('.user[data-seat="1"] .chip-mine')
+    assert page.evaluate("() => window.cotouch.store.slot") == 1
+    page.wait_for_selector('.user[data-slot="1"] .chip-mine')
     page.focus("#tab-energy")
     page.keyboard.press("ArrowRight")
     assert page.evaluate("() => document.activeElement.id") == "tab-margin"
@@ -44,12 +45,12 @@ def test_keys_do_what_buttons_do(here: World) -> None:
 
 def test_everything_that_can_be_pressed_has_a_name_and_events_are_said(here: World) -> None:
     page = here.open()
-    page.click('.user[data-seat="0"] .user-head')
+    page.click('.user[data-slot="0"] .user-head')
     nameless = page.evaluate(NAMELESS)
     assert nameless == []
     doubled = page.evaluate(DOUBLED)
     assert doubled == []
-    here.stage.do("kill", {"seat": 3})
+    here.api.do("kill", {"slot": 3})
     page.wait_for_function("() => /Dan was killed/.test(document.querySelector('#spoken').textContent)")
     page.click("#tab-events")
     words(page, "#events li", "Dan was killed")
@@ -91,6 +92,23 @@ def test_all_text_stands_out_from_its_ground(here: World, scheme: Any) -> None:
     assert moving == 0
 
 
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_all_that_is_seen_stands_out_from_what_is_behind_it(here: World, scheme: Any) -> None:
+    page = here.open(color_scheme=scheme, reduced_motion="reduce")
+    here.api.do("kill", {"slot": 3})
+    here.api.do("damping", {"fraction": 0.4})
+    page.click('.user[data-slot="2"] .user-head')
+    page.wait_for_selector('.user[data-slot="3"][data-presence="stopped"]')
+    page.wait_for_selector("#banner-damping")
+    faint: list[Any] = []
+    for tab in ("energy", "margin", "events"):
+        page.click(f"#tab-{tab}")
+        found = page.evaluate(SEEN)
+        assert len(found) > 60
+        faint += [(what, round(ratio, 1)) for what, ratio in found if ratio < 4.5]
+    assert faint == []
+
+
 def done(page: Page) -> None:
     """Waits until the step of the tour says that it is done, and goes on."""
     page.wait_for_selector("#tour[data-done]")
@@ -127,8 +145,8 @@ def test_the_tour_invites_runs_through_and_is_taken_up_again(here: World) -> Non
     page.evaluate("() => window.cotouch.store.set({ layout: 'side' })")
     grab(page, 0.08)
     done(page)
-    page.click('.user[data-seat="2"] .user-head')
-    page.click('.user[data-seat="2"] >> text=Hold')
+    page.click('.user[data-slot="2"] .user-head')
+    page.click('.user[data-slot="2"] >> text=Hold')
     done(page)
     let_go(page)
     choose(page, 1, 3)
@@ -157,7 +175,7 @@ def test_the_tour_invites_runs_through_and_is_taken_up_again(here: World) -> Non
     page.click("#tour-next")
     assert page.is_hidden("#tour")
     assert page.evaluate("() => JSON.parse(localStorage.getItem('cotouch.tour')).step") == 0
-    assert here.did("damping") == [{"share": 0.05}, {"share": 1}]
+    assert here.did("damping") == [{"fraction": 0.05}, {"fraction": 1}]
 
 
 def test_the_tour_never_blocks_and_fits_a_phone(here: World) -> None:
@@ -172,10 +190,57 @@ def test_the_tour_never_blocks_and_fits_a_phone(here: World) -> None:
         assert box["x"] + box["width"] <= 390
         assert box["y"] >= 0
         assert box["y"] + box["height"] <= 844
-        # What lies under the veil can be reached.
+        # What lies beside it can be reached.
         under = page.evaluate("() => document.elementFromPoint(195, 20)?.closest('.bar') !== null")
         assert under
+        wait(page, lambda: hidden(page) < 0.05)  # the card moves, and is placed five times a second
         if number < 10:
             page.tap("#tour-next")
     page.tap("#tour-next")
     assert page.is_hidden("#tour")
+
+
+def hidden(page: Page, what: str = ".tour-hole") -> float:
+    """How much of something the tour's card lies over, as a share of it; by default of what the step is about."""
+    return page.evaluate(
+        """what => {
+            const [card, one] = ['#tour', what].map((name) => document.querySelector(name).getBoundingClientRect());
+            const common = (low, high) => Math.max(0, Math.min(card[high], one[high]) - Math.max(card[low], one[low]));
+            return common('left', 'right') * common('top', 'bottom') / (one.width * one.height); }""",
+        what,
+    )
+
+
+@pytest.mark.parametrize("size", [(1440, 900), (1024, 768)])
+def test_the_tour_covers_nothing_that_it_speaks_of(here: World, size: tuple[int, int]) -> None:
+    page = here.open(first=True, viewport={"width": size[0], "height": size[1]}, reduced_motion="reduce")
+    page.click("#tour-offer >> text=Start")
+    seen = {5: "#network", 6: "#link", 7: "#link", 8: "#stage", 9: "#stage", 10: "#stage"}
+    for number in range(1, 11):
+        words(page, "#tour .tour-number", f"Step {number} of 10")
+        if number == 6:
+            choose(page, 1, 3)
+        page.wait_for_timeout(300)  # the card is placed five times a second
+        wait(page, lambda: hidden(page) < 0.02)
+        assert hidden(page, "#verdict") == 0.0
+        assert hidden(page, seen.get(number, ".tour-hole")) < 0.02, number
+        if number in {6, 7}:
+            assert hidden(page, "#network") < 0.02, number
+        if number < 10:
+            page.click("#tour-next")
+
+
+def test_a_step_of_the_tour_is_done_only_by_doing_it(here: World) -> None:
+    page = here.open()
+    page.evaluate("localStorage.setItem('cotouch.tour', JSON.stringify({step: 6, over: false}))")
+    page.keyboard.press("t")
+    words(page, "#tour h2", "Mend it")
+    words(page, "#tour .tour-task", "No link is cut")
+    page.wait_for_timeout(500)
+    assert page.get_attribute("#tour", "data-done") is None
+    here.api.do("cut", {"a": 1, "b": 3, "on": True})
+    words(page, "#tour .tour-task", "Press Mend")
+    page.wait_for_timeout(300)
+    assert page.get_attribute("#tour", "data-done") is None
+    here.api.do("cut", {"a": 1, "b": 3, "on": False})
+    page.wait_for_selector("#tour[data-done]")

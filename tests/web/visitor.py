@@ -27,7 +27,7 @@ class Visitor:
         self.texts: list[dict[str, Any]] = []
 
     def hello(self, **entries: Any) -> None:
-        self.say({"type": "hello", "version": 1, "token": None, "seat": None, "want": "all", "rate": 60} | entries)
+        self.say({"type": "hello", "version": 2, "token": None, "slot": None, "want": "all", "rate": 60} | entries)
 
     def say(self, message: dict[str, Any] | bytes | str) -> None:
         self.connection.send(json.dumps(message) if isinstance(message, dict) else message)
@@ -59,7 +59,7 @@ class Visitor:
 
     def do(self, what: str, number: int = 1, **arguments: Any) -> dict[str, Any]:
         self.say({"type": "do", "id": number, "what": what} | arguments)
-        return self.text("told", lambda m: m["id"] == number)
+        return self.text("answer", lambda m: m["id"] == number)
 
     def closed(self) -> tuple[int, str]:
         """Reads to the end; code and reason."""
@@ -82,5 +82,5 @@ def visit(server: PageServer, *, origin: str | None = "", hello: bool = True, **
     ) as connection:
         visitor = Visitor(connection)
         if hello:
-            visitor.hello(**({"token": server.token, "seat": 0} | entries))
+            visitor.hello(**({"token": server.token, "slot": 0} | entries))
         yield visitor

@@ -3,9 +3,14 @@ import type { Context } from "./context";
 import { can } from "./context";
 import { attribute, button, h, icon, redraw, s, shown, text } from "./dom";
 import { clock } from "./format";
+import type { ConnectionState } from "../store";
 import { themeButton } from "../theme";
 
 const LEVELS = { good: "good", warn: "take note", bad: "not guaranteed" } as const;
+
+const WORDS: Record<ConnectionState, string> = {
+  connecting: "Connecting …", open: "Waiting for the copies …", silent: "No answer", lost: "Connection lost", refused: "Refused",
+};
 
 function mark(): SVGSVGElement {
   return s(
@@ -17,34 +22,59 @@ function mark(): SVGSVGElement {
   );
 }
 
-/** Record, stop and download. */
+const FETCH = 10_000; // ms for the server to say that it has the recording
+
+/** Record, stop and download; what came of it is said. */
 function recorder(context: Context): { element: HTMLElement; toggle: () => void } {
   const { store, connection } = context;
+  const busy = (): boolean => store.state?.recording.state === "ending";
   const toggle = (): void => {
-    if (can(context, "record")) void context.act("record", { on: store.state?.recording == null });
+    if (can(context, "record") && !busy()) void context.act("record", { on: store.state?.recording.state !== "on" });
   };
   const words = h("span", { class: "tabular" }, "Record");
   const record = h("button", { type: "button", class: "button", id: "record", "data-tip": "Record what every copy does, to audit or replay it (R)" }, icon("record"), words);
   record.addEventListener("click", toggle);
-  const save = h("a", { class: "button", download: "recording.zip", hidden: true, id: "download", "data-tip": "The last recording, as a ZIP of MCAP files" }, icon("save"), h("span", { class: "label" }, "Download"));
+  const save = button("", () => void fetched(context), { icon: "save", class: "button", id: "download", label: "Download the recording" });
+  save.append(h("span", { class: "label" }, "Download"));
+  /** Number of the last recording whose end was said, or was before this page came; -1: not known yet. */
+  let told = -1;
   const update = (): void => {
-    const seconds = store.state?.recording ?? null;
-    const on = seconds !== null;
+    const now = store.state?.recording;
+    const on = now?.state === "on";
+    const wrong = !!now?.troubles.length && now.state !== "off";
     attribute(record, "data-on", on ? "" : null);
+    attribute(record, "data-wrong", wrong ? "" : null);
     attribute(record, "aria-pressed", String(on));
-    attribute(record, "aria-label", on ? "Stop recording" : "Record");
+    const does = on ? "Stop recording" : busy() ? "The recording is being finished" : "Record";
+    attribute(record, "aria-label", wrong ? `${does}; the recording is not whole` : does);
     const drawn = record.querySelector("svg");
-    if (drawn) redraw(drawn, on ? "stop" : "record");
-    text(words, on ? clock(seconds) : "Record");
-    record.disabled = !can(context, "record");
+    if (drawn) redraw(drawn, on ? (wrong ? "warn" : "stop") : busy() ? "wait" : now?.state === "failed" ? "warn" : "record");
+    text(words, on ? clock(now.seconds) : busy() ? "Finishing …" : "Record");
+    record.disabled = !can(context, "record") || busy();
     shown(record, !!store.scene?.may.includes("record"));
-    const ready = !!store.state?.recorded && !on && connection.hasToken;
-    shown(save, ready);
-    if (ready) attribute(save, "href", connection.link("recording.zip"));
+    shown(save, now?.state === "done" && connection.hasToken);
+    save.disabled = store.connection !== "open";
+    if (now?.state === "done") attribute(save, "data-tip", `${now.text}, as a ZIP of MCAP files`);
+    const over = now?.state === "done" || now?.state === "failed" ? now.number : 0;
+    // What was over before this page came is no news.
+    if (now && over > told && told >= 0) context.say(now.state === "done" ? `Recorded: ${now.text}.` : "Nothing was recorded.", now.troubles.length ? "bad" : "good");
+    if (now) told = over || Math.max(0, now.number - 1);
   };
   for (const kind of ["scene", "state", "connection"] as const) store.on(kind, update);
   update();
   return { element: h("div", { class: "recorder" }, record, save), toggle };
+}
+
+/** Asks whether the recording is there, so that one that is not is said, and lets the browser save it. */
+async function fetched(context: Context): Promise<void> {
+  const address = context.connection.link("recording.zip");
+  try {
+    const there = await fetch(address, { method: "HEAD", cache: "no-store", signal: AbortSignal.timeout(FETCH) });
+    if (!there.ok) return context.say("The server does not have the recording any more.", "bad");
+  } catch {
+    return context.say("The server did not answer; the recording is still there. Try again.", "bad");
+  }
+  h("a", { href: address, download: "cotouch-recording.zip" }).click();
 }
 
 export function topBar(
@@ -78,14 +108,14 @@ export function topBar(
   const update = (): void => {
     text(title, store.scene?.title ?? "");
     attribute(title, "title", store.scene ? `${store.scene.title} · cotouch ${store.scene.version}` : null);
-    const now = store.connection === "open" ? store.state?.verdict : undefined;
+    const now = store.live || store.state?.ended ? store.state?.verdict : undefined;
     attribute(verdict, "data-level", now?.level ?? "none");
     redraw(sign, now?.level ?? "wait");
     text(level, now ? `${LEVELS[now.level]}: ` : "");
-    const sentence = now?.text ?? (store.connection === "open" ? "Waiting for the copies …" : store.connection === "lost" ? "Connection lost" : "Connecting …");
+    const sentence = now?.text ?? WORDS[store.stalled ? "silent" : store.connection];
     const said = sentence && sentence[0]?.toUpperCase() + sentence.slice(1);
     text(words, said);
-    attribute(verdict, "data-tip", `${said}. Opens the margin of every link.`);
+    attribute(verdict, "data-tip", `${said}. Safe (passive) means: nobody gets out energy that nobody put in. Opens the margin of every link.`);
     const named = [store.scene?.title, "cotouch"].filter(Boolean).join(" · ");
     if (document.title !== named) document.title = named;
     invite.hidden = !store.scene?.invitation;

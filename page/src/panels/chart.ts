@@ -175,7 +175,9 @@ export class Chart {
       const row = this.plot.data[i + 1];
       if (!reading || !row) return;
       const value = row[under ?? last];
-      const digits = this.scale > 0 && Math.abs((value ?? 0) / this.scale) < 10 ? 2 : 1;
+      const size = Math.abs((value ?? 0) / this.scale);
+      const most = this.plot.width / this.lines.length < 36 ? 1 : 2; // so that none is cut
+      const digits = Math.max(0, size < 9.995 ? most : size < 99.95 ? most - 1 : 0);
       text(reading, value === undefined || value === null || Number.isNaN(value) ? NONE : number(value / this.scale, digits));
       reading.style.setProperty("--user", line.colour());
     });

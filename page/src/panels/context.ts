@@ -32,13 +32,13 @@ export type Level = "info" | "good" | "warn" | "bad";
 
 /** Waits for a click in the picture that says a place. */
 export interface Aiming {
-  readonly seat: number;
+  readonly slot: number;
 }
 
 export interface Context {
   readonly store: Store;
   readonly connection: Connection;
-  /** The link whose panel is open, the lower seat first. */
+  /** The link whose panel is open, the lower slot first. */
   readonly link: Value<Pair | null>;
   /** Whose card is open. */
   readonly opened: Value<number | null>;
@@ -51,11 +51,11 @@ export interface Context {
 }
 
 /** A user's name, or what he is called before there is one. */
-export function nameOf(store: Store, seat: number): string {
-  return store.scene?.users.find((user) => user.seat === seat)?.name ?? `user ${seat + 1}`;
+export function nameOf(store: Store, slot: number): string {
+  return store.scene?.users.find((user) => user.slot === slot)?.name ?? `user ${slot + 1}`;
 }
 
-/** The lower seat first; as an address of a link. */
+/** The lower slot first; as an address of a link. */
 export function pairOf(a: number, b: number): Pair {
   return a < b ? [a, b] : [b, a];
 }
@@ -71,15 +71,15 @@ export function samePair(a: Pair | null, b: Pair | null): boolean {
 /** Whether this server does such a thing, and this page may ask for it. */
 export function can(context: Context, what: string): boolean {
   const { store, connection } = context;
-  return store.connection === "open" && connection.hasToken && !store.state?.ended && !!store.scene?.may.includes(what);
+  return store.live && connection.hasToken && !!store.scene?.may.includes(what);
 }
 
 /** What a pull draws at, and where to, for a direction of length 1: the point farthest that way, drawn out by a third of
  * the body's size. */
-export function pullTo(context: Context, seat: number, direction: Vec): { node: number; to: Vec } | null {
+export function pullTo(context: Context, slot: number, direction: Vec): { node: number; to: Vec } | null {
   const { scene, frame } = context.store;
   if (!scene) return null;
-  const copy = frame?.copies.find((one) => one.seat === seat);
+  const copy = frame?.copies.find((one) => one.slot === slot);
   const rest = scene.nodes.rest;
   let node = copy && copy.node >= 0 && copy.node < scene.nodes.count ? copy.node : -1;
   if (node < 0) {

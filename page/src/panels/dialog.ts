@@ -1,5 +1,5 @@
 /** Windows in the page that ask or tell one thing; the browser keeps the focus in them and gives it back. */
-import { button, h } from "./dom";
+import { button, h, text } from "./dom";
 
 export interface Action {
   words: string;
@@ -45,6 +45,30 @@ export function dialog(
     close,
     open: () => {
       if (!element.open) element.showModal();
+    },
+  };
+}
+
+export interface Confirmation {
+  /** Asks, and does it if the answer is yes. */
+  ask(title: string, words: string, act: () => void): void;
+}
+
+/** A dialog that asks before something is done that cannot be taken back. */
+export function confirmation(yes: string): Confirmation {
+  const question = h("p", null);
+  let does = (): void => undefined;
+  const box = dialog(yes, [question], [
+    { words: yes, class: "button danger", act: () => does() },
+    { words: "Cancel", class: "button primary", act: () => undefined, focus: true },
+  ]);
+  const title = box.element.querySelector("h2");
+  return {
+    ask(asked, words, act) {
+      if (title) text(title, asked);
+      text(question, words);
+      does = act;
+      box.open();
     },
   };
 }

@@ -12,7 +12,7 @@ const EXPLANATION =
   "its energy. What is left over after all this is rounding.";
 
 export interface Row {
-  seat: number;
+  slot: number;
   initial: number;
   hands: number;
   links: number;
@@ -23,11 +23,11 @@ export interface Row {
 }
 
 /** One user's account; energies in J. Initial + hands + links + shared − damped − stored is rounding. */
-export function account(seat: number, status: Partial<MemberStatus>, before: Partial<MemberStatus> | null): Row {
+export function account(slot: number, status: Partial<MemberStatus>, before: Partial<MemberStatus> | null): Row {
   const since = (kind: "supplied" | "linked" | "rescaled" | "lost"): number => (status[kind] ?? 0) - (before?.[kind] ?? 0);
   const initial = before ? (before.energy ?? 0) : (status.initial ?? 0);
   const row = {
-    seat, initial, hands: since("supplied"), links: since("linked"), shared: since("rescaled"), damped: since("lost"), stored: status.energy ?? 0,
+    slot, initial, hands: since("supplied"), links: since("linked"), shared: since("rescaled"), damped: since("lost"), stored: status.energy ?? 0,
   };
   return { ...row, residual: row.initial + row.hands + row.links + row.shared - row.damped - row.stored };
 }
@@ -36,7 +36,7 @@ interface Part {
   label: string;
   value: number;
   class: string;
-  seat?: number;
+  slot?: number;
 }
 
 /** What came in and where it went, as parts above 0; both sum to the same, up to the residual. */
@@ -48,7 +48,7 @@ export function sides(rows: readonly Row[]): { came: Part[]; went: Part[] } {
     else if (value < 0) went.push({ ...sink, value: -value });
   };
   for (const row of rows) {
-    put(row.hands, { label: "hand", class: "hand", seat: row.seat }, { label: "taken back by hand", class: "hand", seat: row.seat });
+    put(row.hands, { label: "hand", class: "hand", slot: row.slot }, { label: "taken back by hand", class: "hand", slot: row.slot });
   }
   put(rows.reduce((sum, row) => sum + row.initial, 0), { label: "at the start", class: "initial" }, { label: "at the start", class: "initial" });
   put(
@@ -84,22 +84,25 @@ function plain(value: number, scale: number): string {
   return Math.abs(value) < 1e-12 ? "0" : number(value / scale, size >= 99.95 ? 0 : size >= 9.995 ? 1 : 2);
 }
 
-function bar(element: HTMLElement, parts: readonly Part[], total: number, name: (seat: number) => string): void {
+const LETTER = 7; // pixels
+
+function bar(element: HTMLElement, parts: readonly Part[], total: number, name: (slot: number) => string): void {
   while (element.children.length > parts.length) element.lastElementChild?.remove();
   while (element.children.length < parts.length) element.append(h("div", null, h("span")));
   parts.forEach((part, i) => {
     const one = element.children[i] as HTMLElement;
     const share = total > 0 ? part.value / total : 0;
-    const label = part.seat === undefined ? part.label : `${part.label} of ${name(part.seat)}`;
+    const label = part.slot === undefined ? part.label : `${part.label} of ${name(part.slot)}`;
     attribute(one, "class", `part part-${part.class}`);
     one.style.width = `${(100 * share).toFixed(2)}%`;
-    if (part.seat !== undefined) {
-      one.style.setProperty("--user", `var(--user-${part.seat})`);
-      one.style.setProperty("--on-user", `var(--on-user-${part.seat})`);
+    if (part.slot !== undefined) {
+      one.style.setProperty("--user", `var(--user-${part.slot})`);
+      one.style.setProperty("--on-user", `var(--on-user-${part.slot})`);
     }
     attribute(one, "data-tip", `${label}: ${si(part.value, "J", 1e-12)}`);
-    const words = part.seat === undefined ? part.label : String(part.seat + 1);
-    if (one.firstElementChild) text(one.firstElementChild, share > (part.seat === undefined ? 0.18 : 0.06) ? words : "");
+    const words = part.slot === undefined ? part.label : String(part.slot + 1);
+    // What does not fit is not written.
+    if (one.firstElementChild) text(one.firstElementChild, share * element.clientWidth > 8 + LETTER * words.length ? words : "");
   });
 }
 
@@ -108,7 +111,7 @@ export function energyPanel(context: Context): HTMLElement {
   const base = new Map<number, Partial<MemberStatus>>();
   const zero = button("Count from now", () => {
     if (base.size) base.clear();
-    else for (const [seat, member] of Object.entries(store.state?.members ?? {})) base.set(Number(seat), { ...member });
+    else for (const [slot, member] of Object.entries(store.state?.members ?? {})) base.set(Number(slot), { ...member });
     update();
   }, { class: "button small", tip: "Leaves out what was before" });
   const { element, body } = panel("energy", "Energy", EXPLANATION, zero);
@@ -136,11 +139,11 @@ export function energyPanel(context: Context): HTMLElement {
     const all = Object.entries(store.state?.members ?? {})
       .filter(([, member]) => member.steps)
       .map(([key, member]) => {
-        const seat = Number(key);
-        const before = base.get(seat) ?? null;
+        const slot = Number(key);
+        const before = base.get(slot) ?? null;
         // A process that began anew counts from its own start.
-        if (before && (member.steps ?? 0) < (before.steps ?? 0)) base.delete(seat);
-        return account(seat, member, base.get(seat) ?? null);
+        if (before && (member.steps ?? 0) < (before.steps ?? 0)) base.delete(slot);
+        return account(slot, member, base.get(slot) ?? null);
       });
     shown(full, all.length > 0);
     shown(empty, all.length === 0);
@@ -149,7 +152,7 @@ export function energyPanel(context: Context): HTMLElement {
     const sum = (parts: readonly Part[]): number => parts.reduce((total, part) => total + part.value, 0);
     const [in_, out] = [sum(both.came), sum(both.went)];
     const total = Math.max(in_, out);
-    const name = (seat: number): string => nameOf(store, seat);
+    const name = (slot: number): string => nameOf(store, slot);
     bar(came, both.came, total, name);
     bar(went, both.went, total, name);
     text(cameSum, si(in_, "J", 1e-12));
@@ -162,17 +165,17 @@ export function energyPanel(context: Context): HTMLElement {
     const largest = Math.max(1e-9, ...all.flatMap((row) => COLUMNS.map((column) => Math.abs(row[column.key]))));
     const [scale, words] = UNITS.find(([one]) => largest >= one) ?? UNITS[UNITS.length - 1]!;
     text(unit, words);
-    for (const [seat, row] of cells) if (!all.some((one) => one.seat === seat)) (row.element.remove(), cells.delete(seat));
+    for (const [slot, row] of cells) if (!all.some((one) => one.slot === slot)) (row.element.remove(), cells.delete(slot));
     for (const one of all) {
-      let row = cells.get(one.seat);
+      let row = cells.get(one.slot);
       if (!row) {
         const own = COLUMNS.map(() => h("td"));
-        const line = h("tr", null, h("th", { scope: "row", title: name(one.seat) }, h("span", { class: "badge tiny", style: `--user:var(--user-${one.seat});--on-user:var(--on-user-${one.seat})` }, String(one.seat + 1))), ...own);
+        const line = h("tr", null, h("th", { scope: "row", title: name(one.slot) }, h("span", { class: "badge tiny", style: `--user:var(--user-${one.slot});--on-user:var(--on-user-${one.slot})` }, String(one.slot + 1))), ...own);
         row = { element: line, cells: own };
-        cells.set(one.seat, row);
+        cells.set(one.slot, row);
         rows.append(line);
-        // By seat, whoever came first.
-        for (const seat of [...cells.keys()].sort((a, b) => a - b)) rows.append(cells.get(seat)?.element ?? line);
+        // By slot, whoever came first.
+        for (const slot of [...cells.keys()].sort((a, b) => a - b)) rows.append(cells.get(slot)?.element ?? line);
       }
       COLUMNS.forEach((column, i) => {
         const cell = row.cells[i];
@@ -206,5 +209,5 @@ export function exponent(share: number): string {
   if (size === 0) return "0";
   if (size >= 0.01) return percent(size);
   const power = Math.floor(Math.log10(size));
-  return `${Math.round(size / 10 ** power)} · 10${[...String(power)].map((digit) => RAISED[digit] ?? "").join("")}`;
+  return `${Math.round(size / 10 ** power)}\u00a0·\u00a010${[...String(power)].map((digit) => RAISED[digit] ?? "").join("")}`;
 }

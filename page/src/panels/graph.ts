@@ -50,8 +50,8 @@ export function labelShares(links: readonly Pair[], at: readonly Point[]): numbe
 }
 
 /** The users that cannot be reached from the first of them over these links. */
-export function unreached(seats: readonly number[], links: readonly Pair[]): number[] {
-  const found = new Set(seats.slice(0, 1));
+export function unreached(slots: readonly number[], links: readonly Pair[]): number[] {
+  const found = new Set(slots.slice(0, 1));
   for (let grown = true; grown; ) {
     grown = false;
     for (const [a, b] of links) {
@@ -61,10 +61,10 @@ export function unreached(seats: readonly number[], links: readonly Pair[]): num
       }
     }
   }
-  return seats.filter((seat) => !found.has(seat));
+  return slots.filter((slot) => !found.has(slot));
 }
 
-/** All pairs, the lower seat first. */
-export function allPairs(seats: readonly number[]): Pair[] {
-  return seats.flatMap((a, i) => seats.slice(i + 1).map((b): Pair => (a < b ? [a, b] : [b, a])));
+/** All pairs, the lower slot first. */
+export function allPairs(slots: readonly number[]): Pair[] {
+  return slots.flatMap((a, i) => slots.slice(i + 1).map((b): Pair => (a < b ? [a, b] : [b, a])));
 }

@@ -1,4 +1,4 @@
-/** How somebody joins from another computer. */
+/** How somebody joins from another computer, or opens this page on a phone. */
 import { type Context, can, nameOf } from "./context";
 import { button, h, shown, text } from "./dom";
 import { dialog } from "./dialog";
@@ -21,13 +21,16 @@ export function quoted(name: string): string {
 export function inviteDialog(context: Context): { open: () => void } {
   const { store, connection } = context;
   const invitation = h("textarea", { readonly: true, rows: 3, "aria-label": "Invitation", spellcheck: "false" });
-  const command = h("textarea", { readonly: true, rows: 3, "aria-label": "Command", spellcheck: "false" });
-  const seats = h("select", { "aria-label": "Whose place" });
+  const command = h("textarea", { readonly: true, rows: 1, "aria-label": "Command", spellcheck: "false" });
+  const slots = h("select", { "aria-label": "Whose place" });
   const note = h("p", { class: "hint", role: "status" });
-  const code = h("img", { alt: "The invitation as a QR code", width: 168, height: 168, class: "qr" });
+  const code = h("img", { alt: "The address of this page as a QR code", width: 168, height: 168, class: "qr" });
+  const scan = h("figcaption", null);
+  const frame = h("figure", { class: "qr-frame" }, code, scan);
+  const near = h("p", { class: "hint" }, "Only this computer can open this page. To open it on a phone by a QR code, start cotouch with --page-listen and the address of this computer.");
   const free = button("Free this place", () => {
-    const seat = Number(seats.value);
-    void context.act("kill", { seat });
+    const slot = Number(slots.value);
+    void context.act("expel", { slot });
   }, { class: "button small danger", icon: "stop" });
   const whole = h("p", { class: "hint" }, "Whoever has the invitation can take part: give it only to those you trust. The other computer must reach this one over the network.");
   const box = dialog("Invite", [
@@ -37,42 +40,52 @@ export function inviteDialog(context: Context): { open: () => void } {
       h(
         "div",
         { class: "invite-words" },
-        h("label", { class: "field" }, h("span", null, "1. Whose place shall be taken?"), h("span", { class: "row" }, seats, free)),
+        h("label", { class: "field" }, h("span", null, "1. Whose place shall be taken?"), h("span", { class: "row" }, slots, free)),
         note,
-        h("div", { class: "field" }, h("span", null, "2. On the other computer, type"), command, h("span", { class: "row" }, button("Copy the command", () => void copy(context, command.value, "Command"), { class: "button small primary" }))),
-        h("div", { class: "field" }, h("span", null, "or hand over the invitation alone"), invitation, h("span", { class: "row" }, button("Copy the invitation", () => void copy(context, invitation.value, "Invitation"), { class: "button small" }))),
+        h("div", { class: "field" }, h("span", null, "2. On the other computer, type"), command, h("span", { class: "row" }, button("Copy the command", () => void copy(context, command.value, "Command"), { class: "button small" }))),
+        h("div", { class: "field" }, h("span", null, "3. There, paste the invitation"), invitation, h("span", { class: "row" }, button("Copy the invitation", () => void copy(context, invitation.value, "Invitation"), { class: "button small primary" }))),
       ),
-      h("figure", { class: "qr-frame" }, code, h("figcaption", null, "or scan it")),
+      frame,
     ),
     whole,
+    near,
   ], []);
   const update = (): void => {
     if (!box.element.open) return;
     const words = store.scene?.invitation ?? "";
-    const seat = Number(seats.value);
+    const slot = Number(slots.value);
     if (invitation.value !== words) invitation.value = words;
-    const line = `cotouch join ${words} --name ${quoted(nameOf(store, seat))}`;
+    const line = `cotouch join - --name ${quoted(nameOf(store, slot))}`;
     if (command.value !== line) command.value = line;
-    const now = presence(store.state, seat);
+    const now = presence(store.state, slot);
     const taken = now === "here" || now === "starting";
-    text(note, taken
-      ? `${nameOf(store, seat)} is played by a process here. Free the place first; the object stays, and whoever joins with this name takes it.`
-      : `The place of ${nameOf(store, seat)} is free.`);
+    const elsewhere = store.state?.members[slot]?.alive === null;
+    shown(frame, !!store.scene?.page);
+    shown(near, !store.scene?.page);
+    if (store.scene?.page) {
+      const address = connection.link("qr.svg", { user: String(slot + 1) });
+      if (code.getAttribute("src") !== address) code.src = address;
+      text(scan, `opens this page on a phone, as ${nameOf(store, slot)}`);
+    }
+    text(note, elsewhere && taken
+      ? `${nameOf(store, slot)} is played on another computer. If you free the place, whoever plays there is sent away for the rest of the session.`
+      : taken
+      ? `${nameOf(store, slot)} is played by a process here. Free the place first; the object stays, and whoever joins with this name takes it.`
+      : `The place of ${nameOf(store, slot)} is free.`);
     shown(free, taken);
-    free.disabled = !can(context, "kill") || !store.scene?.own.includes(seat);
+    free.disabled = !can(context, "expel");
   };
-  seats.addEventListener("change", update);
+  slots.addEventListener("change", update);
   store.on("state", update);
   store.on("scene", update);
   return {
     open: () => {
       if (!store.scene?.invitation) return;
       const users = store.scene.users;
-      const before = seats.value;
-      seats.replaceChildren(...users.map((user) => h("option", { value: user.seat }, `${user.seat + 1} · ${user.name}`)));
-      const open = users.find((user) => !["here", "starting"].includes(presence(store.state, user.seat))) ?? users.at(-1);
-      seats.value = before || String(open?.seat ?? 0);
-      code.src = connection.link("qr.svg");
+      const before = slots.value;
+      slots.replaceChildren(...users.map((user) => h("option", { value: user.slot }, `${user.slot + 1} · ${user.name}`)));
+      const open = users.find((user) => !["here", "starting"].includes(presence(store.state, user.slot))) ?? users.at(-1);
+      slots.value = before || String(open?.slot ?? 0);
       box.open();
       update();
     },

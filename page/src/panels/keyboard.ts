@@ -80,15 +80,15 @@ export function keyboard(context: Context, deeds: Deeds): { open: () => void } {
       return box.open();
     }
     if (off) return;
-    const seat = Number(event.key) - 1;
-    if (event.key.length === 1 && seat >= 0 && seat < 8) {
-      if (!store.scene?.own.includes(seat)) {
-        if (store.scene?.users.some((user) => user.seat === seat)) context.say(`${nameOf(store, seat)} moves elsewhere; this page cannot act for that user.`, "warn");
+    const slot = Number(event.key) - 1;
+    if (event.key.length === 1 && slot >= 0 && slot < 8) {
+      if (!store.scene?.own.includes(slot)) {
+        if (store.scene?.users.some((user) => user.slot === slot)) context.say(`${nameOf(store, slot)} moves elsewhere; this page cannot act for that user.`, "warn");
         return;
       }
-      store.take(seat);
-      history.replaceState(null, "", addressFor(seat));
-      context.say(`This page now acts as ${nameOf(store, seat)}.`);
+      store.take(slot);
+      history.replaceState(null, "", addressFor(slot));
+      context.say(`This page now acts as ${nameOf(store, slot)}.`);
       return;
     }
     act[event.key.toLowerCase()]?.();

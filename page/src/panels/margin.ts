@@ -1,13 +1,13 @@
 /** What is guaranteed, with how much to spare, and a way to see what happens without it. */
 import { agesChart } from "./ages";
 import { type Context, can, keyOf, nameOf, pairOf, samePair } from "./context";
-import { attribute, button, h, icon, panel, redraw, shown, text } from "./dom";
+import { attribute, button, h, icon, panel, shown, text } from "./dom";
 import { NONE, linkName, ms, number, percent } from "./format";
 import { dialog } from "./dialog";
 import { CONDITIONS, condition, spare, worse } from "./words";
 
 const EXPLANATION =
-  "Passive means: whatever the users do, the session as a whole never gives out more energy than hands put in, so nothing can " +
+  "Safe, or passive, means: whatever the users do, the session as a whole never gives out more energy than hands put in, so nothing can " +
   "start to swing by itself. It holds as long as each copy’s damping is at least what the ages on its links ask for. Damping is " +
   "made for a budget of ages on each link; what ages leave of it is to spare. A link that goes over its budget is guarded: it then " +
   "spends only what it has saved.";
@@ -47,9 +47,9 @@ export function dampingDialog(context: Context): { open: () => void } {
     ),
     h("p", null, "Do this with simulated hands only. Let go of any real device first."),
     h("label", { class: "slider" }, h("span", null, "damping"), input, output),
-    h("p", { class: "hint" }, "Scripted hands let go meanwhile. A copy that runs away restores the damping of all by itself; so does one click on the banner."),
+    h("p", { class: "hint" }, "Scripted hands let go meanwhile. It holds only while this page is open and answers. A copy that runs away restores the damping of all by itself; so does one click on the banner."),
   ], [
-    { words: "Lower it", class: "button danger", act: () => void context.act("damping", { share: Number((shareAt(Number(input.value)) / 100).toPrecision(3)) }) },
+    { words: "Lower it", class: "button danger", act: () => void context.act("damping", { fraction: Number((shareAt(Number(input.value)) / 100).toPrecision(3)) }) },
     { words: "Leave it as it is", class: "button primary", act: () => undefined, focus: true },
   ]);
   let whose: string | undefined;
@@ -70,15 +70,11 @@ export function marginPanel(context: Context): HTMLElement {
   const { store } = context;
   const lowering = dampingDialog(context);
   const lower = button("Lower damping …", () => lowering.open(), { icon: "warn", class: "button small danger", id: "lower", tip: "Shows what the damping is for" });
-  const restore = button("Restore damping", () => void context.act("damping", { share: 1 }), { class: "button small primary" });
+  const restore = button("Restore damping", () => void context.act("damping", { fraction: 1 }), { class: "button small primary" });
   const { element, body } = panel("margin", "Margin", EXPLANATION, lower, restore);
-  const sign = icon("good", 18);
-  const sentence = h("span", null);
-  const certificate = h("p", { class: "certificate" }, sign, sentence);
   const links = h("tbody");
   const users = h("tbody");
   body.append(
-    certificate,
     h(
       "table",
       { class: "numbers" },
@@ -110,9 +106,6 @@ export function marginPanel(context: Context): HTMLElement {
     shown(restore, lowered);
     lower.disabled = restore.disabled = !can(context, "damping");
     if (!state || body.offsetParent === null) return;
-    attribute(certificate, "data-level", state.verdict.level);
-    redraw(sign, state.verdict.level);
-    text(sentence, state.verdict.text);
     const pairs = state.links.map(([a, b]) => pairOf(a, b));
     const key = JSON.stringify([pairs, store.scene?.started]);
     if (links.dataset.key !== key) {
@@ -146,25 +139,25 @@ export function marginPanel(context: Context): HTMLElement {
       text(gauge.lastElementChild as Element, left === null ? NONE : left < 0 ? `${percent(-left, 0)} over` : percent(left, 0));
       text(cells[4] as Element, CONDITIONS[now].words);
     });
-    const seats = Object.keys(state.members).map(Number).sort((a, b) => a - b);
-    const whom = JSON.stringify([seats, store.scene?.started]);
+    const slots = Object.keys(state.members).map(Number).sort((a, b) => a - b);
+    const whom = JSON.stringify([slots, store.scene?.started]);
     if (users.dataset.key !== whom) {
       users.dataset.key = whom;
       users.replaceChildren(
-        ...seats.map((seat) =>
+        ...slots.map((slot) =>
           h(
             "tr",
             null,
-            h("th", { scope: "row" }, h("span", { class: "badge tiny", style: `--user:var(--user-${seat});--on-user:var(--on-user-${seat})` }, String(seat + 1)), " ", nameOf(store, seat)),
+            h("th", { scope: "row" }, h("span", { class: "badge tiny", style: `--user:var(--user-${slot});--on-user:var(--on-user-${slot})` }, String(slot + 1)), " ", nameOf(store, slot)),
             h("td"),
             h("td"),
           ),
         ),
       );
     }
-    seats.forEach((seat, i) => {
+    slots.forEach((slot, i) => {
       const cells = users.children[i]?.children;
-      const member = state.members[seat];
+      const member = state.members[slot];
       if (!cells || !member) return;
       text(cells[1] as Element, member.steps ? `${number(member.damping, 2)}\u202fN·s/m` : NONE);
       const above = member.certificate;

@@ -8,7 +8,7 @@ import { CONDITIONS, condition, presence, worse } from "./words";
 
 const EXPLANATION =
   "Who is joined to whom. A number on a link is the age of what its slower end knows of the other, and the share of samples " +
-  "that got lost. Choose a link to see both its ends and to delay, disturb or cut it; draw it sideways to change its delay " +
+  "that got lost. Choose a link to see both its ends and to delay, disturb or cut it; drag it sideways to change its delay " +
   "(1 ms for each point; with the keyboard + and −).";
 const NUDGE = 0.005; // s, of a key
 const MOST = 0.5; // s
@@ -123,9 +123,9 @@ function linkDrawing(context: Context, pair: Pair, at: readonly Point[], share: 
   return { group, update };
 }
 
-function userDrawing(context: Context, seat: number, at: Point): Drawn {
+function userDrawing(context: Context, slot: number, at: Point): Drawn {
   const { store } = context;
-  const name = nameOf(store, seat);
+  const name = nameOf(store, slot);
   // At the sides a name stands beside its user, else above or below, where links do not go.
   const aside = Math.abs(at.x - WIDTH / 2) > 80;
   const right = at.x > WIDTH / 2;
@@ -136,22 +136,22 @@ function userDrawing(context: Context, seat: number, at: Point): Drawn {
     : { x: at.x, y: at.y + (at.y < HEIGHT / 2 ? -RADIUS - 7 : RADIUS + 16), anchor: "middle" };
   const group = s(
     "g",
-    { class: "node", style: `--user:var(--user-${seat});--on-user:var(--on-user-${seat})`, "data-seat": seat },
+    { class: "node", style: `--user:var(--user-${slot});--on-user:var(--on-user-${slot})`, "data-slot": slot },
     s("title", null, name),
     s("circle", { cx: at.x, cy: at.y, r: RADIUS + 4, class: "node-mine" }),
     s("circle", { cx: at.x, cy: at.y, r: RADIUS, class: "node-disc" }),
-    s("text", { x: at.x, y: at.y + 4.5, class: "node-number" }, String(seat + 1)),
+    s("text", { x: at.x, y: at.y + 4.5, class: "node-number" }, String(slot + 1)),
     s("text", { x: label.x, y: label.y, "text-anchor": label.anchor, class: "node-name" }, short),
   );
   group.addEventListener("click", () => {
-    context.opened.set(seat);
+    context.opened.set(slot);
     context.tab.set("users");
   });
   return {
     group,
     update: () => {
-      attribute(group, "data-presence", presence(store.state, seat));
-      attribute(group, "data-mine", store.seat === seat && store.scene?.own.includes(seat) ? "" : null);
+      attribute(group, "data-presence", presence(store.state, slot));
+      attribute(group, "data-mine", store.me === slot ? "" : null);
     },
   };
 }
@@ -196,21 +196,21 @@ export function networkPanel(context: Context): HTMLElement {
   let drawn: Drawn[] = [];
   let built = "";
   const update = (): void => {
-    const seats = (store.scene?.users ?? []).map((user) => user.seat);
+    const slots = (store.scene?.users ?? []).map((user) => user.slot);
     const linked = (store.state?.links ?? []).map(([a, b]) => pairOf(a, b));
     const key = JSON.stringify([drafting, store.scene?.started, store.scene?.users, linked]);
     if (key !== built) {
       built = key;
       const focused = document.activeElement?.closest<SVGElement>("[data-link]")?.dataset.link;
       const at: Point[] = [];
-      places(seats.length).forEach((place, i) => {
-        at[seats[i] ?? i] = place;
+      places(slots.length).forEach((place, i) => {
+        at[slots[i] ?? i] = place;
       });
       const shares = labelShares(linked, at);
       const links = drafting
-        ? allPairs(seats).map((pair) => pairDrawing(draft, pair, at, () => choices.changed()))
+        ? allPairs(slots).map((pair) => pairDrawing(draft, pair, at, () => choices.changed()))
         : linked.map((pair, i) => linkDrawing(context, pair, at, shares[i] ?? 0.5, () => drafting));
-      drawn = [...links, ...seats.map((seat) => userDrawing(context, seat, at[seat] ?? { x: 0, y: 0 }))];
+      drawn = [...links, ...slots.map((slot) => userDrawing(context, slot, at[slot] ?? { x: 0, y: 0 }))];
       drawing.replaceChildren(...drawn.map((one) => one.group));
       attribute(drawing, "data-drafting", drafting ? "" : null);
       if (focused) drawing.querySelector<SVGElement>(`[data-link="${focused}"]`)?.focus();
@@ -227,7 +227,7 @@ export function networkPanel(context: Context): HTMLElement {
     update();
   }, () => update());
   body.append(drawing, legend, choices.element);
-  for (const kind of ["scene", "state", "seat", "connection"] as const) store.on(kind, update);
+  for (const kind of ["scene", "state", "slot", "connection"] as const) store.on(kind, update);
   context.link.on(update);
   update();
   return element;

@@ -7,13 +7,21 @@ import { button, h, panel, redraw, text } from "./dom";
 import { type Table, csv, thinned } from "./series";
 
 const EXPLANATION =
-  "The last 20 seconds of every copy, in the colours of the users; the line of the user that this page acts for is wider. Position is the mean " +
-  "displacement along the axis that moves most, force is the hand’s on the copy, energy is what the copy holds in motion and " +
+  "The last 20 seconds of every copy, in the colours of the users; the line of the user that this page acts for is wider. Displacement is the " +
+  "mean of all points (along x where the object moves along a line, else how far in all), force is the hand’s on the copy, energy is what the copy holds in motion and " +
   "springs. Move over a plot to read values; without, the newest are shown. Saved numbers are not thinned.";
 const WAIT = 45; // ms between two drawings, at least
-const KINDS: { kind: Quantity; what: string; unit: string; floor: number; tip: string }[] = [
-  { kind: "position", what: "Position", unit: "m", floor: 2e-3, tip: "Mean displacement of each copy from rest" },
-  { kind: "force", what: "Force", unit: "N", floor: 0.05, tip: "Of each user’s hand on his copy" },
+interface Kind {
+  kind: Quantity;
+  what: string;
+  unit: string;
+  floor: number;
+  tip: string;
+}
+const LINE: Kind = { kind: "x", what: "Displacement x", unit: "m", floor: 2e-3, tip: "Mean displacement of each copy from rest, along x" };
+const KINDS: Kind[] = [
+  { kind: "displacement", what: "Displacement", unit: "m", floor: 2e-3, tip: "Mean displacement of each copy from rest, how far in all" },
+  { kind: "force", what: "Force", unit: "N", floor: 0.05, tip: "Of each user’s hand on the copy" },
   { kind: "energy", what: "Energy", unit: "J", floor: 1e-5, tip: "In each copy: of its motion and its springs" },
 ];
 
@@ -30,12 +38,19 @@ export function plotsPanel(context: Context): { element: HTMLElement; freeze: ()
   let frozen: Map<Quantity, Table> | null = null;
   let frozenAt = 0;
   let charts: Chart[] = [];
-  let seats: number[] = [];
+  let slots: number[] = [];
+  const kinds = (): Kind[] => (store.scene?.dimension === 1 ? [LINE, ...KINDS.slice(1)] : KINDS);
+  /** What is saved: every axis by its name, so that it means the same whoever saved it. */
+  const saved = (): { kind: Quantity; head: string }[] => [
+    ...(["x", "y", "z"] as const).slice(0, store.scene?.dimension ?? 3).map((kind) => ({ kind, head: `displacement_${kind}_m` })),
+    { kind: "force", head: "force_N" },
+    { kind: "energy", head: "energy_J" },
+  ];
   let drawnAt = 0;
   let drawnVersion = -1;
 
   const table = (kind: Quantity): Table =>
-    frozen?.get(kind) ?? { time: store.history.time(), values: seats.map((seat) => store.history.series(kind, seat)) };
+    frozen?.get(kind) ?? { time: store.history.time(), values: slots.map((slot) => store.history.series(kind, slot)) };
   const now = (): number => {
     if (frozen) return frozenAt;
     const frame = store.frame;
@@ -46,7 +61,7 @@ export function plotsPanel(context: Context): { element: HTMLElement; freeze: ()
     if (frozen) frozen = null;
     else {
       frozenAt = now();
-      frozen = new Map(KINDS.map(({ kind }) => [kind, table(kind)]));
+      frozen = new Map([...kinds(), ...saved()].map(({ kind }) => [kind, table(kind)]));
     }
     const sign = stop.querySelector("svg");
     if (sign) redraw(sign, frozen ? "play" : "pause");
@@ -57,15 +72,13 @@ export function plotsPanel(context: Context): { element: HTMLElement; freeze: ()
   };
   const stop = button("Freeze", freeze, { icon: "pause", class: "button small", id: "freeze" });
   const saveCsv = button("CSV", () => {
-    const [first, ...rest] = KINDS.map(({ kind, what, unit }) => ({ what, unit, table: table(kind) }));
-    if (!first) return;
-    const all = [first, ...rest];
-    const heads = ["time_s", ...all.flatMap(({ what, unit }) => seats.map((seat) => `${what.toLowerCase()}_${unit} ${seat + 1} ${nameOf(store, seat)}`))];
-    const numbers = csv(heads, { time: first.table.time, values: all.flatMap((one) => one.table.values) });
+    const all = saved().map(({ kind, head }) => ({ head, table: table(kind) }));
+    const heads = ["time_s", ...all.flatMap(({ head }) => slots.map((slot) => `${head} ${slot + 1} ${nameOf(store, slot)}`))];
+    const numbers = csv(heads, { time: all[0]!.table.time, values: all.flatMap((one) => one.table.values) });
     download("cotouch.csv", new Blob([numbers], { type: "text/csv" }));
   }, { icon: "save", class: "button small", label: "Save the numbers as CSV" });
   const savePng = button("PNG", () => {
-    picture(context, charts, seats)?.toBlob((blob) => blob && download("cotouch.png", blob));
+    picture(context, charts, slots)?.toBlob((blob) => blob && download("cotouch.png", blob));
   }, { icon: "save", class: "button small", label: "Save the plots as a picture" });
   const { element, body } = panel("plots", "Plots", EXPLANATION, stop, saveCsv, savePng);
   body.classList.add("charts");
@@ -73,22 +86,22 @@ export function plotsPanel(context: Context): { element: HTMLElement; freeze: ()
   let built = "";
   const build = (): void => {
     const scene = store.scene;
-    const key = scene ? JSON.stringify([scene.started, scene.users]) : "";
+    const key = scene ? JSON.stringify([scene.started, scene.users, scene.dimension]) : "";
     if (key === built) return;
     built = key;
     if (frozen) freeze();
     for (const chart of charts) chart.dispose();
-    seats = (scene?.users ?? []).map((user) => user.seat);
-    charts = KINDS.map(
+    slots = (scene?.users ?? []).map((user) => user.slot);
+    charts = kinds().map(
       ({ what, unit, floor, tip }) =>
         new Chart(
           what,
           unit,
           floor,
-          seats.map((seat) => ({
-            name: nameOf(store, seat),
-            colour: () => userColour(seat, isDark(store.settings.theme)),
-            width: () => (seat === store.seat ? 2.25 : 1.25),
+          slots.map((slot) => ({
+            name: nameOf(store, slot),
+            colour: () => userColour(slot, isDark(store.settings.theme)),
+            width: () => (slot === store.slot ? 2.25 : 1.25),
           })),
           store.history.seconds,
           "users",
@@ -107,7 +120,7 @@ export function plotsPanel(context: Context): { element: HTMLElement; freeze: ()
     drawnAt = at;
     drawnVersion = store.history.version;
     const moment = now();
-    KINDS.forEach(({ kind }, i) => {
+    kinds().forEach(({ kind }, i) => {
       const chart = charts[i];
       chart?.draw(thinned(table(kind), store.history.seconds, chart.room), moment);
     });
@@ -121,7 +134,7 @@ export function plotsPanel(context: Context): { element: HTMLElement; freeze: ()
   return { element, freeze };
 }
 
-function picture(context: Context, charts: readonly Chart[], seats: readonly number[]): HTMLCanvasElement | null {
+function picture(context: Context, charts: readonly Chart[], slots: readonly number[]): HTMLCanvasElement | null {
   const first = charts[0]?.canvas;
   if (!first) return null;
   const look = getComputedStyle(document.documentElement);
@@ -144,11 +157,11 @@ function picture(context: Context, charts: readonly Chart[], seats: readonly num
   };
   const ink = look.getPropertyValue("--ink");
   let x = line;
-  for (const seat of seats) {
-    pen.fillStyle = userColour(seat, isDark(context.store.settings.theme));
+  for (const slot of slots) {
+    pen.fillStyle = userColour(slot, isDark(context.store.settings.theme));
     pen.fillRect(x, line - 5 * scale, 10 * scale, 10 * scale);
     x += 15 * scale;
-    x += write(nameOf(context.store, seat), x, line, 400, ink) + 16 * scale;
+    x += write(nameOf(context.store, slot), x, line, 400, ink) + 16 * scale;
   }
   let y = 2 * line;
   for (const chart of charts) {

@@ -5,7 +5,7 @@ import { attribute, button, choice, h } from "./dom";
 export function toolbar(context: Context, reset: () => void): HTMLElement {
   const { store } = context;
   const tool = choice("Tool", [
-    { value: "grab", words: "Grab", icon: "grab", tip: "Take hold of a point and draw it (B changes the tool)" },
+    { value: "grab", words: "Grab", icon: "grab", tip: "Take hold of a point and drag it (B changes the tool)" },
     { value: "ball", words: "Ball", icon: "ball", tip: "Push with a ball; Shift and wheel change its size" },
   ] as const, (value) => store.set({ tool: value }));
   const layout = choice("Copies", [

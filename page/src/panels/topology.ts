@@ -17,9 +17,9 @@ const MEANS: Record<Name, string> = {
 /** Quickest way there and back between two users, as they measured it, linked or not [s]. */
 export function wayBetween(state: State, a: number, b: number): number | null {
   for (const [from, to] of [[a, b], [b, a]] as const) {
-    const measured = (state.members[from] as { paths?: [number, number][] } | undefined)?.paths?.find(([seat]) => seat === to)?.[1];
-    const path = state.ends[`${from}-${to}`]?.path ?? measured;
-    if (typeof path === "number") return Math.max(path, 0);
+    const measured = state.members[from]?.round_trips?.find(([slot]) => slot === to)?.[1];
+    const way = state.ends[`${from}-${to}`]?.round_trip ?? measured;
+    if (typeof way === "number") return Math.max(way, 0);
   }
   return null;
 }
@@ -32,7 +32,7 @@ export function load(state: State, links: readonly Pair[]): { mean: number; most
     const way = wayBetween(state, a, b);
     if (way === null) return null;
     all += way;
-    for (const seat of [a, b]) sums.set(seat, (sums.get(seat) ?? 0) + way);
+    for (const slot of [a, b]) sums.set(slot, (sums.get(slot) ?? 0) + way);
   }
   return links.length ? { mean: all / links.length, most: Math.max(...sums.values()) } : null;
 }
@@ -123,8 +123,8 @@ export function topologyChoices(
     }
     text(expected, words && `${words}.`);
     shown(drafts, drafting);
-    const alone = drafting ? unreached((store.scene?.users ?? []).map((user) => user.seat), subject) : [];
-    text(warning, alone.length ? `No way leads to ${alone.map((seat) => nameOf(store, seat)).join(", ")}.` : "");
+    const alone = drafting ? unreached((store.scene?.users ?? []).map((user) => user.slot), subject) : [];
+    text(warning, alone.length ? `No way leads to ${alone.map((slot) => nameOf(store, slot)).join(", ")}.` : "");
     shown(warning, alone.length > 0);
     apply.disabled = alone.length > 0 || same(subject, now) || !can(context, "links");
     attribute(options.element, "data-drafting", drafting ? "" : null);

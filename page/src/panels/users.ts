@@ -2,20 +2,21 @@
 import type { HandMode, Vec } from "../protocol";
 import { type Context, can, nameOf, pullTo } from "./context";
 import { type Child, attribute, button, choice, h, icon, panel, redraw, shown, text } from "./dom";
+import { type Confirmation, confirmation } from "./dialog";
 import { NONE, count, hertz, newtons, percent } from "./format";
 import { MODES, PRESENCE, presence } from "./words";
 
 const EXPLANATION =
-  "Every user moves a copy of the object in a process of its own, at its own rate. Late steps came more than half a period " +
-  "after they were due; the next step is then longer, and energy stays exact. Force is what the hand exerts on its copy. " +
+  "Every user moves a copy of the object in a process of its own, at its own rate. A step that comes too late is " +
+  "left out; the next is then longer, and energy stays exact. Force is what the hand exerts on its copy. " +
   "Unfold a user to tell its hand what to do, to stop its process, or to act as that user.";
 
 const ORDERS: { value: HandMode; words: string; tip: string }[] = [
   { value: "script", words: "Script", tip: "Move as the session’s file says" },
   { value: "hold", words: "Hold", tip: "Keep what is held where it is now" },
   { value: "free", words: "Let go", tip: "Hold nothing" },
-  { value: "wander", words: "Wander", tip: "Draw it about slowly" },
-  { value: "pull", words: "Pull …", tip: "Draw it to a place" },
+  { value: "wander", words: "Wander", tip: "Move it about slowly" },
+  { value: "pull", words: "Pull …", tip: "Drag it to a place" },
 ];
 
 const DIRECTIONS: { words: string; label: string; to: Vec; from: 1 | 2 | 3 }[] = [
@@ -33,46 +34,47 @@ function metric(label: string, tip: string): { element: HTMLElement; value: HTML
 }
 
 /** The address of this page, for another user. */
-export function addressFor(seat: number): string {
+export function addressFor(slot: number): string {
   const url = new URL(location.href);
-  url.searchParams.set("user", String(seat + 1));
+  url.searchParams.set("user", String(slot + 1));
   return url.href;
 }
 
-function card(context: Context, seat: number): { element: HTMLElement; update: () => void } {
+function card(context: Context, slot: number, leaving: Confirmation): { element: HTMLElement; update: () => void } {
   const { store } = context;
-  const own = !!store.scene?.own.includes(seat);
+  const own = !!store.scene?.own.includes(slot);
+  const me = (): boolean => store.me === slot;
   const sign = icon("wait", 14);
   const state = h("span", { class: "presence-words" });
   const mine = h("span", { class: "chip chip-mine", hidden: true }, "you");
   const hand = h("span", { class: "hand-mode" });
   const rate = metric("rate", "Steps per second");
-  const late = metric("late", "Share of steps that came late, since the start");
+  const late = metric("late", "Share of the steps that were due and were left out, since the start");
   const force = metric("force", "Of the hand on its copy");
-  const folded = `user-${seat}-more`;
+  const folded = `user-${slot}-more`;
   const head = h(
     "button",
     { type: "button", class: "user-head", "aria-expanded": "false", "aria-controls": folded },
-    h("span", { class: "badge", style: `--user:var(--user-${seat})` }, String(seat + 1)),
-    h("span", { class: "user-name", style: `--user:var(--user-${seat})` }, nameOf(store, seat)),
+    h("span", { class: "badge", style: `--user:var(--user-${slot});--on-user:var(--on-user-${slot})` }, String(slot + 1)),
+    h("span", { class: "user-name", style: `--user:var(--user-${slot})` }, nameOf(store, slot)),
     mine,
     h("span", { class: "grow" }),
     h("span", { class: "presence" }, sign, state),
   );
-  head.addEventListener("click", () => context.opened.set(context.opened.get() === seat ? null : seat));
+  head.addEventListener("click", () => context.opened.set(context.opened.get() === slot ? null : slot));
 
   const pulls = h("div", { class: "pulls", hidden: true });
   const ask = (mode: HandMode, more: object = {}): void => {
     context.aiming.set(null);
-    void context.act("hand", { seat, mode, ...more });
+    void context.act("hand", { slot, mode, ...more });
   };
-  const orders = choice(`Hand of ${nameOf(store, seat)}`, ORDERS, (mode) => {
+  const orders = choice(`Hand of ${nameOf(store, slot)}`, ORDERS, (mode) => {
     if (mode !== "pull") {
       pulls.hidden = true;
       ask(mode);
     } else {
       pulls.hidden = !pulls.hidden;
-      context.aiming.set(pulls.hidden ? null : { seat });
+      context.aiming.set(pulls.hidden ? null : { slot });
     }
   });
   pulls.append(
@@ -82,29 +84,33 @@ function card(context: Context, seat: number): { element: HTMLElement; update: (
       { class: "directions", role: "group", "aria-label": "Direction to pull" },
       ...DIRECTIONS.filter((one) => one.from <= (store.scene?.dimension ?? 1)).map((one) =>
         button(one.words, () => {
-          const goal = pullTo(context, seat, one.to);
+          const goal = pullTo(context, slot, one.to);
           if (goal) ask("pull", goal);
         }, { class: "button small", label: `Pull ${one.label}` }),
       ),
     ),
   );
   const take = button("Take over", () => {
-    store.take(seat);
-    history.replaceState(null, "", addressFor(seat));
-    context.say(`This page now acts as ${nameOf(store, seat)}.`);
+    store.take(slot);
+    history.replaceState(null, "", addressFor(slot));
+    context.say(`This page now acts as ${nameOf(store, slot)}.`);
   }, { class: "button small", tip: "Your pointer moves this user’s hand" });
-  const window_ = button("New window", () => void open(addressFor(seat), "_blank", "noopener"), {
+  const window_ = button("New window", () => void open(addressFor(slot), "_blank", "noopener"), {
     class: "button small", tip: "Open another page that acts as this user",
   });
-  const kill = button("Stop process", () => void context.act("kill", { seat }), {
+  const kill = button("Stop process", () => void context.act("kill", { slot }), {
     class: "button small danger", icon: "stop", tip: "Ends this user’s process at once, as a crash would",
   });
-  const revive = button("Bring back", () => void context.act("revive", { seat }), { class: "button small", icon: "reset" });
-  const actions: Child[] = [take, window_, kill, revive];
+  const away = button("Send away …", () => {
+    const name = nameOf(store, slot);
+    leaving.ask(`Send ${name} away?`, `${name} takes part from another computer. The place becomes free at once, and whoever is sent away cannot come back for the rest of the session.`, () => void context.act("expel", { slot }));
+  }, { class: "button small danger", icon: "stop", tip: "Sends away who plays this user on another computer" });
+  const revive = button("Bring back", () => void context.act("revive", { slot }), { class: "button small", icon: "reset" });
+  const actions: Child[] = [take, window_, kill, away, revive];
   const more = h("div", { class: "user-more", id: folded, hidden: true }, orders.element, pulls, h("div", { class: "actions" }, ...actions));
   const element = h(
     "li",
-    { class: "user", "data-seat": seat },
+    { class: "user", "data-slot": slot },
     head,
     h("dl", { class: "metrics" }, rate.element, late.element, force.element),
     hand,
@@ -112,33 +118,38 @@ function card(context: Context, seat: number): { element: HTMLElement; update: (
   );
 
   const update = (): void => {
-    const member = store.state?.members[seat];
-    const now = presence(store.state, seat);
+    const member = store.state?.members[slot];
+    const now = presence(store.state, slot);
     redraw(sign, PRESENCE[now].icon);
     text(state, PRESENCE[now].words);
     attribute(element, "data-presence", now);
-    shown(mine, store.seat === seat && own);
-    attribute(element, "data-mine", store.seat === seat && own ? "" : null);
-    const live = now === "here" ? member : undefined;
+    shown(mine, me());
+    attribute(element, "data-mine", me() ? "" : null);
+    const live = now === "here" || now === "over" ? member : undefined;
     text(rate.value, hertz(live?.rate));
-    text(late.value, live?.steps ? percent((live.missed ?? 0) / live.steps) : NONE);
-    attribute(late.element, "data-tip", live?.steps ? `${count(live.missed ?? 0)} of ${count(live.steps)} steps came late` : null);
+    const missed = live?.missed ?? 0;
+    const due = (live?.steps ?? 0) + missed;
+    text(late.value, due ? percent(missed / due) : NONE);
+    attribute(late.element, "data-tip", due ? `${count(missed)} of ${count(due)} steps that were due came too late and were left out` : null);
     text(force.value, newtons(live?.force));
     text(hand, live ? (MODES[live.hand ?? "elsewhere"] ?? "") : "");
     orders.mark(live && own ? live.hand : null);
-    const open = context.opened.get() === seat;
+    const open = context.opened.get() === slot;
     attribute(head, "aria-expanded", String(open));
     shown(more, open);
     if (!open) {
       pulls.hidden = true;
-      if (context.aiming.get()?.seat === seat) context.aiming.set(null);
+      if (context.aiming.get()?.slot === slot) context.aiming.set(null);
     }
     const may = can(context, "hand") && own && now === "here";
     for (const order of ORDERS) orders.allow(order.value, may);
-    take.disabled = !own || store.seat === seat;
+    take.disabled = !own || !context.connection.hasToken || store.slot === slot;
     window_.disabled = !own;
     const stopped = now === "stopped" || (now === "gone" && own);
-    shown(kill, !stopped);
+    const elsewhere = !!member?.here && member.alive === null;
+    shown(away, elsewhere && !!store.scene?.may.includes("expel"));
+    away.disabled = !can(context, "expel");
+    shown(kill, !stopped && !(own && elsewhere));
     shown(revive, stopped);
     kill.disabled = !can(context, "kill") || !own || now === "awaited";
     revive.disabled = !can(context, "revive") || !own;
@@ -152,12 +163,13 @@ export function usersPanel(context: Context): HTMLElement {
   const here = h("span", { class: "panel-note" });
   const { element, body } = panel("users", "Users", EXPLANATION, here);
   const list = h("ul", { class: "users" });
+  const leaving = confirmation("Send away");
   body.append(list);
   let cards: { element: HTMLElement; update: () => void }[] = [];
   const update = (): void => {
     for (const one of cards) one.update();
     const all = store.scene?.users ?? [];
-    text(here, all.length ? `${all.filter((user) => presence(store.state, user.seat) === "here").length} of ${all.length} here` : "");
+    text(here, all.length ? `${all.filter((user) => ["here", "over"].includes(presence(store.state, user.slot))).length} of ${all.length} here` : "");
   };
   let built = "";
   const build = (): void => {
@@ -166,12 +178,12 @@ export function usersPanel(context: Context): HTMLElement {
     const key = scene ? JSON.stringify([scene.started, scene.users, scene.own, scene.dimension]) : "";
     if (key === built) return update();
     built = key;
-    cards = (scene?.users ?? []).map((user) => card(context, user.seat));
+    cards = (scene?.users ?? []).map((user) => card(context, user.slot, leaving));
     list.replaceChildren(...cards.map((one) => one.element));
     update();
   };
   store.on("scene", build);
-  for (const kind of ["state", "seat", "connection"] as const) store.on(kind, update);
+  for (const kind of ["state", "slot", "connection"] as const) store.on(kind, update);
   context.opened.on(update);
   build();
   return element;

@@ -2,7 +2,7 @@
 import type { LinkStatus, State } from "../protocol";
 import type { IconName } from "./dom";
 
-export type Presence = "here" | "starting" | "gone" | "stopped" | "awaited";
+export type Presence = "here" | "starting" | "gone" | "stopped" | "awaited" | "over";
 
 export const PRESENCE: Record<Presence, { words: string; icon: IconName }> = {
   here: { words: "here", icon: "good" },
@@ -10,12 +10,14 @@ export const PRESENCE: Record<Presence, { words: string; icon: IconName }> = {
   gone: { words: "gone", icon: "bad" },
   stopped: { words: "stopped", icon: "bad" },
   awaited: { words: "not here yet", icon: "wait" },
+  over: { words: "to the end", icon: "tick" },
 };
 
 /** Whether a user takes part. */
-export function presence(state: State | null, seat: number): Presence {
-  const member = state?.members[seat];
+export function presence(state: State | null, slot: number): Presence {
+  const member = state?.members[slot];
   if (!member) return "awaited";
+  if (state?.ended && member.here && member.steps) return "over";
   if (member.alive === false) return "stopped";
   if (!member.here) return member.alive ? "starting" : member.steps ? "gone" : "awaited";
   return member.steps ? "here" : "starting";
@@ -65,7 +67,7 @@ export function isCut(state: State, a: number, b: number): boolean {
 }
 
 /** The greater of what both ends say; null where neither does. */
-export function worse(state: State | null, a: number, b: number, kind: "age" | "ages" | "path" | "loss" | "budget"): number | null {
+export function worse(state: State | null, a: number, b: number, kind: "age" | "ages" | "round_trip" | "loss" | "budget"): number | null {
   const all = [state?.ends[`${a}-${b}`]?.[kind], state?.ends[`${b}-${a}`]?.[kind]].filter((x): x is number => typeof x === "number");
   return all.length ? Math.max(...all) : null;
 }

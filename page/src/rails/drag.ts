@@ -17,7 +17,7 @@ export interface Rails {
   mayAct(): boolean;
   /** Whose rail a place is on; null: nobody's. */
   whose(y: number): number | null;
-  take(seat: number): void;
+  take(slot: number): void;
   stiffness: number;
   draw(): void;
 }
@@ -46,8 +46,8 @@ export class Drag {
     on(canvas, "pointerup", (event) => this.up(event));
     on(canvas, "pointercancel", (event) => this.up(event));
     on(canvas, "dblclick", (event) => {
-      const seat = rails.whose(this.at(event).y);
-      if (seat !== null) rails.take(seat);
+      const slot = rails.whose(this.at(event).y);
+      if (slot !== null) rails.take(slot);
     });
     on(window, "keydown", (event) => this.key(event));
     on(window, "blur", () => this.release());

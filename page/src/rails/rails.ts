@@ -34,7 +34,7 @@ class Rails implements View, Told {
   private half = 0.1;
   private wanted = 0.1;
   private proxy = 0;
-  private pulsed = { seat: -1, since: -Infinity };
+  private pulsed = { slot: -1, since: -Infinity };
 
   constructor(element: HTMLElement, private readonly scene: Scene, private readonly store: Store, private readonly connection: Connection, private readonly stats: Stats) {
     this.stiffness = scene.stiffness;
@@ -44,7 +44,7 @@ class Rails implements View, Told {
     this.canvas.setAttribute("role", "application");
     this.canvas.setAttribute("aria-label", "One slider for every user. Drag yours; G grabs, arrows move, Escape lets go.");
     element.append(this.canvas);
-    this.furniture = new Furniture(element, store, "Drag your slider and feel the others through it.");
+    this.furniture = new Furniture(element, store, { act: "Drag your slider and feel the others through it.", look: "" });
     this.furniture.legend("plain", "");
     this.drag = new Drag(this, connection);
     const sized = new ResizeObserver(() => this.resize());
@@ -56,7 +56,7 @@ class Rails implements View, Told {
       store.on("settings", draw),
       store.on("frame", draw),
       store.on("state", draw),
-      store.on("seat", () => {
+      store.on("slot", () => {
         this.drag.release();
         this.draw();
       }),
@@ -72,19 +72,19 @@ class Rails implements View, Told {
     this.draw();
   }
 
-  pulse(seat: number): void {
-    this.pulsed = { seat, since: performance.now() };
+  pulse(slot: number): void {
+    this.pulsed = { slot, since: performance.now() };
     this.draw();
   }
 
   spot(point = 0): { x: number; y: number; point: number } | null {
-    const copy = this.copy(this.store.seat);
-    return copy ? { x: this.x(this.place(copy, point)), y: this.y(this.store.seat), point } : null;
+    const copy = this.copy(this.store.slot);
+    return copy ? { x: this.x(this.place(copy, point)), y: this.y(this.store.slot), point } : null;
   }
 
   aim(x: number): { point: number; to: Vec } | null {
     const along = x - this.canvas.getBoundingClientRect().left;
-    const found = this.reach(along, this.y(this.store.seat), true);
+    const found = this.reach(along, this.y(this.store.slot), true);
     return found && { point: found.point, to: [this.metres(along), 0, 0] };
   }
 
@@ -100,10 +100,10 @@ class Rails implements View, Told {
   // What dragging asks.
 
   reach(x: number, y: number, loose: boolean): { point: number; place: number; near: boolean } | null {
-    const copy = this.copy(this.store.seat);
+    const copy = this.copy(this.store.slot);
     if (!copy) return null;
     const anywhere = Number.isNaN(x);
-    if (!anywhere && Math.abs(y - this.y(this.store.seat)) > Math.max(this.gap * 0.45, loose ? 34 : 24)) return null;
+    if (!anywhere && Math.abs(y - this.y(this.store.slot)) > Math.max(this.gap * 0.45, loose ? 34 : 24)) return null;
     let point = 0, best = Infinity;
     for (let i = 0; i < this.shown!.points; i++) {
       const far = Math.abs(this.x(this.place(copy, i)) - (anywhere ? this.x(this.scene.centre[0]) : x));
@@ -129,11 +129,11 @@ class Rails implements View, Told {
   }
 
   whose(y: number): number | null {
-    return this.scene.users.find(({ seat }) => Math.abs(this.y(seat) - y) < this.gap / 2)?.seat ?? null;
+    return this.scene.users.find(({ slot }) => Math.abs(this.y(slot) - y) < this.gap / 2)?.slot ?? null;
   }
 
-  take(seat: number): void {
-    if (this.scene.own.includes(seat)) this.store.take(seat);
+  take(slot: number): void {
+    if (this.scene.own.includes(slot)) this.store.take(slot);
   }
 
   draw(): void {
@@ -162,7 +162,7 @@ class Rails implements View, Told {
 
   /** Room below the rails, for the scale, a hint and what marks mean [pixels]. */
   private get foot(): number {
-    return this.narrow ? 108 : 66;
+    return 108;
   }
 
   /** Force that draws the longest arrow [N]. */
@@ -170,16 +170,16 @@ class Rails implements View, Told {
     return this.scene.stiffness * this.half;
   }
 
-  private y(seat: number): number {
-    return 26 + this.gap * (this.scene.users.findIndex((user) => user.seat === seat) + 0.5) + (this.narrow ? 8 : 0);
+  private y(slot: number): number {
+    return 26 + this.gap * (this.scene.users.findIndex((user) => user.slot === slot) + 0.5) + (this.narrow ? 8 : 0);
   }
 
   private x(metres: number): number {
     return this.middle + ((metres - this.scene.centre[0]) / (2 * this.half)) * (this.right - this.left);
   }
 
-  private copy(seat: number): Copy | undefined {
-    return this.shown?.copies.find((copy) => copy.seat === seat);
+  private copy(slot: number): Copy | undefined {
+    return this.shown?.copies.find((copy) => copy.slot === slot);
   }
 
   private place(copy: Copy, point: number): number {
@@ -193,7 +193,7 @@ class Rails implements View, Told {
   }
 
   private pull(): number {
-    const copy = this.copy(this.store.seat);
+    const copy = this.copy(this.store.slot);
     return this.drag.holds && copy ? this.stiffness * Math.abs(this.drag.target - this.place(copy, this.drag.point)) : 0;
   }
 
@@ -239,7 +239,7 @@ class Rails implements View, Told {
   }
 
   private lag(seconds: number): boolean {
-    const copy = this.copy(this.store.seat);
+    const copy = this.copy(this.store.slot);
     if (!this.drag.holds || !copy) {
       this.proxy = NaN; // the next hold begins where the pointer is
       return false;
@@ -258,11 +258,11 @@ class Rails implements View, Told {
     const ink = INK[dark ? "dark" : "light"];
     pen.clearRect(0, 0, this.width, this.height);
     this.scale(ink);
-    const seats = this.scene.users.map((user) => user.seat);
-    for (const seat of seats) this.rail(seat, ink, now);
+    const slots = this.scene.users.map((user) => user.slot);
+    for (const slot of slots) this.rail(slot, ink, now);
     this.springs(ink);
-    for (const seat of seats) this.beliefs(seat, ink);
-    for (const seat of seats) this.slider(seat, ink);
+    for (const slot of slots) this.beliefs(slot, ink);
+    for (const slot of slots) this.slider(slot, ink);
     this.key(ink);
   }
 
@@ -289,16 +289,16 @@ class Rails implements View, Told {
     const y = this.height - 25;
     const x = this.narrow ? 22 : 32;
     belief(this.pen, x, y, 5.5, ink.soft, ink);
-    text(this.pen, "where a user believes its neighbours to be, by what has arrived", x + 13, y, { size: 12, colour: ink.soft });
+    text(this.pen, "what a user knows of a neighbour", x + 13, y, { size: 12, colour: ink.soft });
   }
 
-  private rail(seat: number, ink: Ink, now: number): void {
+  private rail(slot: number, ink: Ink, now: number): void {
     const { pen, store } = this;
-    const colour = userColour(seat, ink.dark);
-    const y = this.y(seat);
-    const mine = seat === store.seat;
-    const copy = this.copy(seat);
-    const gone = !copy || store.state?.members[seat]?.here === false;
+    const colour = userColour(slot, ink.dark);
+    const y = this.y(slot);
+    const mine = slot === store.slot;
+    const copy = this.copy(slot);
+    const gone = !copy || store.state?.members[slot]?.here === false;
     if (mine) {
       pen.fillStyle = alpha(colour, ink.dark ? 0.13 : 0.07);
       pen.beginPath();
@@ -306,7 +306,7 @@ class Rails implements View, Told {
       pen.fill();
     }
     const share = (now - this.pulsed.since) / PULSE;
-    if (seat === this.pulsed.seat && share < 1) {
+    if (slot === this.pulsed.slot && share < 1) {
       pen.strokeStyle = alpha(colour, calm.matches ? 0.8 : Math.sin(share * Math.PI * 3) ** 2);
       pen.lineWidth = 3;
       pen.beginPath();
@@ -314,10 +314,10 @@ class Rails implements View, Told {
       pen.stroke();
     }
     rail(pen, this.left, this.right, y, mine ? 7 : 5, ink.rail);
-    const name = this.scene.users.find((user) => user.seat === seat)!.name;
-    const delay = store.state ? delaysFrom(store.state, store.seat).get(seat) : undefined;
+    const name = this.scene.users.find((user) => user.slot === slot)!.name;
+    const delay = store.state ? delaysFrom(store.state, store.slot).get(slot) : undefined;
     const old = copy && !copy.direct ? `, ${inWords(copy.age)} old` : "";
-    const note = gone ? "not here" : mine ? "you" : !store.state ? "" : delay === undefined ? "out of reach" : this.narrow ? `+${inWords(delay)}` : `feels you ${inWords(delay)} later${old}`;
+    const note = gone ? "not here" : slot === store.me ? "you" : mine ? "" : !store.state ? "" : delay === undefined ? "out of reach" : this.narrow ? `+${inWords(delay)}` : store.me === null ? `${inWords(delay)} after ${this.scene.users.find((user) => user.slot === store.slot)?.name}${old}` : `feels you ${inWords(delay)} later${old}`;
     const [nx, ny] = this.narrow ? [this.left - 8, y - this.gap * 0.33] : [26, y - 9];
     text(pen, name, nx, ny, { size: 15, weight: 650, colour: gone ? ink.soft : colour });
     const beside = this.narrow ? [nx + pen.measureText(name).width + 8, ny] : [nx, y + 10];
@@ -333,7 +333,7 @@ class Rails implements View, Told {
   private springs(ink: Ink): void {
     const { state } = this.store;
     if (!state || !this.shown) return;
-    const order = (seat: number) => this.scene.users.findIndex((user) => user.seat === seat);
+    const order = (slot: number) => this.scene.users.findIndex((user) => user.slot === slot);
     for (const [a, b] of state.links) {
       const [p, q] = [this.copy(a), this.copy(b)];
       if (!p || !q) continue;
@@ -350,29 +350,29 @@ class Rails implements View, Told {
   }
 
   /** Where this user takes its neighbours to be: their sliders, as old as the link. */
-  private beliefs(seat: number, ink: Ink): void {
+  private beliefs(slot: number, ink: Ink): void {
     const { state, history } = this.store;
-    if (!state || !this.copy(seat)) return;
+    if (!state || !this.copy(slot)) return;
     for (const [a, b] of state.links) {
-      if (a !== seat && b !== seat) continue;
-      const other = a === seat ? b : a;
-      const delay = linkDelay(state, seat, other);
+      if (a !== slot && b !== slot) continue;
+      const other = a === slot ? b : a;
+      const delay = linkDelay(state, slot, other);
       if (delay === null || !this.copy(other)) continue;
       const past = history.before(other, delay);
       if (Number.isNaN(past)) continue;
       let rest = 0;
       for (let i = 0; i < this.shown!.points; i++) rest += this.scene.points[3 * i]! / this.shown!.points;
-      belief(this.pen, this.x(rest + past), this.y(seat), 6, userColour(other, ink.dark), ink);
+      belief(this.pen, this.x(rest + past), this.y(slot), 6, userColour(other, ink.dark), ink);
     }
   }
 
-  private slider(seat: number, ink: Ink): void {
-    const copy = this.copy(seat);
+  private slider(slot: number, ink: Ink): void {
+    const copy = this.copy(slot);
     if (!copy) return;
     const { pen } = this;
-    const colour = userColour(seat, ink.dark);
-    const y = this.y(seat);
-    const mine = seat === this.store.seat;
+    const colour = userColour(slot, ink.dark);
+    const y = this.y(slot);
+    const mine = slot === this.store.slot;
     const held = mine && this.drag.holds;
     const size = Math.min(mine ? 19 : 15, this.gap * 0.3);
     const point = held ? this.drag.point : Math.max(copy.node, 0);

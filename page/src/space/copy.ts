@@ -37,7 +37,7 @@ export class CopyShown {
   private readonly flash = { value: 0 };
   private readonly strength = { value: 1 };
 
-  constructor(readonly seat: number, shape: Shape, common: Common) {
+  constructor(readonly slot: number, shape: Shape, common: Common) {
     this.moving = new Moving(shape);
     const { geometry, lines, film } = this.moving;
     const uniforms = { ...common, plain: this.plain, flash: this.flash };

@@ -8,7 +8,7 @@ interface Made {
   readonly element: HTMLElement;
   readonly text: HTMLElement;
   readonly detail: HTMLElement;
-  seat: number;
+  slot: number;
   place: string;
 }
 
@@ -32,12 +32,12 @@ export class Labels {
   }
 
   /** Puts a label; what was not put since `sweep` began disappears with it. */
-  put(key: string, kind: string, seat: number, text: string, detail: string, x: number, y: number): void {
+  put(key: string, kind: string, slot: number, text: string, detail: string, x: number, y: number): void {
     const label = this.made.get(key) ?? this.make(key);
     this.used.add(key);
     const name = `ct-label ct-${kind}`;
     if (label.element.className !== name) label.element.className = name;
-    if (label.seat !== seat) label.element.style.setProperty("--user", `var(--user-${(label.seat = seat) % 8})`);
+    if (label.slot !== slot) label.element.style.setProperty("--user", `var(--user-${(label.slot = slot) % 8})`);
     if (label.text.textContent !== text) label.text.textContent = text;
     const shown = label.detail.textContent!;
     if (shown !== detail && (this.count || !shown || !detail)) label.detail.textContent = detail;
@@ -51,7 +51,7 @@ export class Labels {
     const [text, detail] = [document.createElement("b"), document.createElement("span")];
     element.append(text, detail);
     this.element.append(element);
-    const made = { element, text, detail, seat: -1, place: "" };
+    const made = { element, text, detail, slot: -1, place: "" };
     this.made.set(key, made);
     return made;
   }

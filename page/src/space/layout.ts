@@ -3,16 +3,16 @@ import type { Cell } from "./pick";
 
 const GAP = 6;
 
-/** @param seats one's own first */
-export function cells(seats: number[], width: number, height: number, side: boolean): Cell[] {
-  if (!side || seats.length < 2) return [{ seat: seats[0] ?? 0, x: 0, y: 0, width, height }];
+/** @param slots one's own first */
+export function cells(slots: number[], width: number, height: number, side: boolean): Cell[] {
+  if (!side || slots.length < 2) return [{ slot: slots[0] ?? 0, x: 0, y: 0, width, height }];
   const wide = width >= height;
-  const count = seats.length - 1;
+  const count = slots.length - 1;
   // Half of the picture for one's own, unless the others would be slivers.
   const share = count === 1 ? 0.5 : 0.48;
   const own: Cell = wide
-    ? { seat: seats[0]!, x: 0, y: 0, width: Math.round(width * share) - GAP / 2, height }
-    : { seat: seats[0]!, x: 0, y: 0, width, height: Math.round(height * share) - GAP / 2 };
+    ? { slot: slots[0]!, x: 0, y: 0, width: Math.round(width * share) - GAP / 2, height }
+    : { slot: slots[0]!, x: 0, y: 0, width, height: Math.round(height * share) - GAP / 2 };
   const [left, top] = wide ? [own.width + GAP, 0] : [0, own.height + GAP];
   const [room, deep] = [width - left, height - top];
   let columns = 1, best = 0;
@@ -24,8 +24,8 @@ export function cells(seats: number[], width: number, height: number, side: bool
   const [w, h] = [(room - GAP * (columns - 1)) / columns, (deep - GAP * (rows - 1)) / rows];
   return [
     own,
-    ...seats.slice(1).map((seat, i) => ({
-      seat,
+    ...slots.slice(1).map((slot, i) => ({
+      slot,
       x: Math.round(left + (i % columns) * (w + GAP)),
       y: Math.round(top + Math.floor(i / columns) * (h + GAP)),
       width: Math.round(w),

@@ -2,6 +2,7 @@
 import { PerspectiveCamera, Vector3 } from "three";
 
 const LIMIT = 1.54;
+const OUTSIDE = 1.15; // nearest to the centre of what is shown, in radii of the ball around it
 
 interface Place {
   target: Vector3;
@@ -47,8 +48,8 @@ export class Orbit {
     const key = aspect.toFixed(3);
     const known = this.fits.get(key);
     if (known) return known;
-    const { target, yaw, pitch } = this.home;
-    const back = new Vector3(Math.cos(yaw) * Math.cos(pitch), Math.sin(yaw) * Math.cos(pitch), Math.sin(pitch));
+    const { target } = this.home;
+    const back = backOf(this.home);
     const right = new Vector3(0, 0, 1).cross(back).normalize(), up = back.clone().cross(right), q = new Vector3();
     const half = Math.tan((this.camera.fov * Math.PI) / 360);
     const stride = 3 * Math.max(1, Math.floor(this.cloud.length / 3 / 500));
@@ -67,8 +68,10 @@ export class Orbit {
     this.goal.pitch = Math.min(Math.max(this.goal.pitch + dy * 0.0065, -LIMIT), LIMIT);
   }
 
+  /** Comes nearer or goes away, and never into the object. */
   zoom(factor: number): void {
-    this.goal.zoom = Math.min(Math.max(this.goal.zoom * factor, 0.12), 6);
+    const nearest = this.nearest(this.goal) / this.fit;
+    this.goal.zoom = Math.min(Math.max(Math.max(this.goal.zoom, nearest) * factor, nearest, 0.12), Math.max(6, nearest));
   }
 
   /** Moves along the picture by so many of its pixels. */
@@ -84,7 +87,7 @@ export class Orbit {
 
   /** Size of a pixel at the target [m]. */
   metres(height: number): number {
-    return (2 * Math.tan((this.camera.fov * Math.PI) / 360) * this.now.zoom * this.fit) / Math.max(height, 1);
+    return (2 * Math.tan((this.camera.fov * Math.PI) / 360) * Math.max(this.now.zoom * this.fit, this.nearest(this.now))) / Math.max(height, 1);
   }
 
   /** Right, up and away, of length 1. */
@@ -109,13 +112,26 @@ export class Orbit {
     return true;
   }
 
+  /** From where on, away from its target, the eye is outside of the ball around all that is shown [m]. */
+  private nearest(place: Place): number {
+    const off = place.target.clone().sub(this.home.target);
+    const along = off.dot(backOf(place));
+    const beside = (OUTSIDE * this.size) ** 2 - off.lengthSq() + along ** 2;
+    return beside > 0 ? Math.sqrt(beside) - along : 0;
+  }
+
   private apply(): void {
-    const { target, yaw, pitch, zoom } = this.now;
-    const distance = zoom * this.fit;
-    this.camera.position.set(Math.cos(yaw) * Math.cos(pitch), Math.sin(yaw) * Math.cos(pitch), Math.sin(pitch)).multiplyScalar(distance).add(target);
+    const { target, zoom } = this.now;
+    const distance = Math.max(zoom * this.fit, this.nearest(this.now));
+    this.camera.position.copy(backOf(this.now)).multiplyScalar(distance).add(target);
     this.camera.lookAt(target);
     this.camera.updateMatrixWorld();
   }
+}
+
+/** From the target to the eye, of length 1. */
+function backOf({ yaw, pitch }: Place): Vector3 {
+  return new Vector3(Math.cos(yaw) * Math.cos(pitch), Math.sin(yaw) * Math.cos(pitch), Math.sin(pitch));
 }
 
 function clone(place: Place): Place {

@@ -13,7 +13,7 @@ export interface Hit {
 
 /** A rectangle of the picture, in its pixels. */
 export interface Cell {
-  seat: number;
+  slot: number;
   x: number;
   y: number;
   width: number;

@@ -68,7 +68,7 @@ class Space implements View {
   private last = 0;
   private handle = 0;
   private peak = 0;
-  private pulsed = { seat: -1, since: -Infinity };
+  private pulsed = { slot: -1, since: -Infinity };
   private readonly quality = new Quality(() => Math.min(devicePixelRatio || 1, 2));
 
   constructor(element: HTMLElement, private readonly scene: Scene, private readonly store: Store, private readonly connection: Connection, private readonly stats: Stats) {
@@ -88,11 +88,11 @@ class Space implements View {
     this.orbit = new Orbit(new Vector3(...scene.centre), radius, scene.points, flat);
     this.full = 0.6 * scene.stiffness * radius;
     this.hold = new Hold(connection, radius, scene.stiffness, flat);
-    for (const { seat } of scene.users) {
-      const copy = new CopyShown(seat, this.shape, this.common);
-      const hand = new HandProp(radius, this.full, userColour(seat, false));
-      this.copies.set(seat, copy);
-      this.hands.set(seat, hand);
+    for (const { slot } of scene.users) {
+      const copy = new CopyShown(slot, this.shape, this.common);
+      const hand = new HandProp(radius, this.full, userColour(slot, false));
+      this.copies.set(slot, copy);
+      this.hands.set(slot, hand);
       this.world.add(copy.group, hand.group);
     }
     let low = Infinity;
@@ -103,7 +103,7 @@ class Space implements View {
     this.dot.visible = false;
     this.world.add(this.ground.mesh, this.dot);
     this.labels = new Labels(element);
-    this.furniture = new Furniture(element, store, "Take hold of the object and pull. Drag beside it to look around.");
+    this.furniture = new Furniture(element, store, { act: "Take hold of the object and pull. Drag beside it to look around.", look: "Drag to look around, and scroll to come nearer." });
     this.touch = new Touch(this, store);
     const sized = new ResizeObserver(() => this.resize());
     sized.observe(element);
@@ -112,7 +112,7 @@ class Space implements View {
       () => sized.disconnect(),
       onSystemTheme(dressed),
       store.on("settings", dressed),
-      store.on("seat", () => {
+      store.on("slot", () => {
         this.touch.release();
         this.dress();
       }),
@@ -131,8 +131,8 @@ class Space implements View {
     this.draw();
   }
 
-  pulse(seat: number): void {
-    this.pulsed = { seat, since: performance.now() };
+  pulse(slot: number): void {
+    this.pulsed = { slot, since: performance.now() };
     this.draw();
   }
 
@@ -181,7 +181,7 @@ class Space implements View {
   aim(x: number, y: number): { point: number; to: Vec } | null {
     const box = this.canvas.getBoundingClientRect();
     const cell = this.cellAt(x - box.left, y - box.top);
-    const moving = (this.copies.get(cell.seat) ?? this.mine).moving;
+    const moving = (this.copies.get(cell.slot) ?? this.mine).moving;
     const ray = rayAt(this.orbit.camera, cell, x - box.left, y - box.top);
     const over = pick(moving, this.orbit.camera, cell, x - box.left, y - box.top, 0);
     const near = over ?? pick(moving, this.orbit.camera, cell, x - box.left, y - box.top, Infinity);
@@ -213,7 +213,7 @@ class Space implements View {
   }
 
   private get mine(): CopyShown {
-    return this.copies.get(this.store.seat) ?? this.copies.values().next().value!;
+    return this.copies.get(this.store.slot) ?? this.copies.values().next().value!;
   }
 
   private get side(): boolean {
@@ -223,7 +223,7 @@ class Space implements View {
   /** Force of one's own hand as far as it is known here: before an answer comes, that of its spring [N]. */
   private pull(): number {
     if (!this.hold.holds || this.fresh) return 0; // just taken: where it is held is not looked at yet
-    const told = this.shown?.copies.find((copy) => copy.seat === this.store.seat);
+    const told = this.shown?.copies.find((copy) => copy.slot === this.store.slot);
     if (this.hold.action === "ball") return told?.mode === "ball" ? Math.hypot(...told.force) : 0;
     return this.scene.stiffness * this.place.distanceTo(this.hold.target);
   }
@@ -240,10 +240,10 @@ class Space implements View {
   }
 
   private arrange(): void {
-    const others = this.scene.users.map((user) => user.seat).filter((seat) => seat !== this.store.seat);
+    const others = this.scene.users.map((user) => user.slot).filter((slot) => slot !== this.store.slot);
     // Side by side each has its name on top, below the buttons.
     const above = this.side && this.height > 3 * ABOVE ? ABOVE : 0;
-    this.area = cells([this.store.seat, ...others], this.width, this.height - above, this.side);
+    this.area = cells([this.store.slot, ...others], this.width, this.height - above, this.side);
     for (const cell of this.area) cell.y += above;
     this.furniture.rules(this.area.length > 1 ? this.area : []);
   }
@@ -254,10 +254,10 @@ class Space implements View {
     const mode = { displacement: 0, stress: 1, plain: 2 }[settings.colour];
     if (mode !== this.common.by.value) this.peak = 0;
     this.common.by.value = mode;
-    for (const [seat, copy] of this.copies) {
-      copy.paint(userColour(seat, dark), dark);
+    for (const [slot, copy] of this.copies) {
+      copy.paint(userColour(slot, dark), dark);
       copy.against(this.mine.moving);
-      this.hands.get(seat)!.paint(userColour(seat, dark));
+      this.hands.get(slot)!.paint(userColour(slot, dark));
     }
     paint(this.dotPaint, dark ? "#FFFFFF" : "#111827");
     this.ground.colours(dark);
@@ -299,8 +299,8 @@ class Space implements View {
     const ghosts = this.side || this.store.settings.ghosts;
     const stretch = this.common.by.value === 1;
     let peak = 0;
-    for (const { seat, displacement } of frame.copies) {
-      const copy = this.copies.get(seat);
+    for (const { slot, displacement } of frame.copies) {
+      const copy = this.copies.get(slot);
       if (!copy || !(ghosts || copy === this.mine)) continue;
       copy.moving.update(displacement, frame.scale, stretch && (this.side || copy === this.mine));
       if (this.side || copy === this.mine) peak = Math.max(peak, copy.moving.peak);
@@ -314,7 +314,7 @@ class Space implements View {
     const { moving } = this.mine;
     if (this.hold.action === "grab") this.place.fromArray(moving.places, 3 * this.shape.corner[this.hold.point]!);
     else {
-      const told = this.shown?.copies.find((copy) => copy.seat === this.store.seat);
+      const told = this.shown?.copies.find((copy) => copy.slot === this.store.slot);
       if (told?.mode === "ball") this.place.fromArray(told.place);
       else this.place.copy(this.hold.target);
     }
@@ -345,21 +345,21 @@ class Space implements View {
     renderer.clear();
     for (const cell of this.area) {
       this.orbit.aspect(cell.width, cell.height);
-      const shown = this.copies.get(cell.seat) ?? this.mine;
+      const shown = this.copies.get(cell.slot) ?? this.mine;
       const told = this.shown?.copies;
-      for (const [seat, copy] of this.copies) {
-        const known = !told || told.some((other) => other.seat === seat);
+      for (const [slot, copy] of this.copies) {
+        const known = !told || told.some((other) => other.slot === slot);
         const ghost = !this.side && this.store.settings.ghosts && known && told;
-        copy.show(copy === shown ? "solid" : ghost ? "ghost" : "hidden", this.flash(seat, now));
+        copy.show(copy === shown ? "solid" : ghost ? "ghost" : "hidden", this.flash(slot, now));
         copy.thin(this.mine.moving, this.orbit.camera.position, common.apart.value);
         copy.order(away);
       }
-      for (const [seat, hand] of this.hands) hand.group.visible = (!this.side || seat === cell.seat) && this.pose(seat, hand);
+      for (const [slot, hand] of this.hands) hand.group.visible = (!this.side || slot === cell.slot) && this.pose(slot, hand);
       this.dot.visible = !!this.hovered && cell === this.area[0];
       if (this.hovered) this.dot.position.fromArray(this.mine.moving.places, 3 * this.shape.corner[this.hovered.point]!);
-      if (this.side || shown.seat !== this.shadowed.by || --this.shadowed.left <= 0) {
+      if (this.side || shown.slot !== this.shadowed.by || --this.shadowed.left <= 0) {
         this.ground.shadow(renderer, shown.moving, common.scale.value);
-        this.shadowed = { by: shown.seat, left: this.quality.shadows };
+        this.shadowed = { by: shown.slot, left: this.quality.shadows };
       }
       common.height.value = cell.height * this.quality.ratio;
       const bottom = this.height - cell.y - cell.height;
@@ -374,16 +374,16 @@ class Space implements View {
     this.labels.sweep();
   }
 
-  private flash(seat: number, now: number): number {
+  private flash(slot: number, now: number): number {
     const share = (now - this.pulsed.since) / PULSE;
-    if (seat !== this.pulsed.seat || share >= 1 || share < 0) return 0;
+    if (slot !== this.pulsed.slot || share >= 1 || share < 0) return 0;
     return calm.matches ? 0.6 : Math.sin(share * Math.PI * 3) ** 2 * (1 - share);
   }
 
   /** @returns whether this user has a hand to show */
-  private pose(seat: number, prop: HandProp): boolean {
+  private pose(slot: number, prop: HandProp): boolean {
     const pose = this.posed;
-    if (seat === this.store.seat && this.hold.holds) {
+    if (slot === this.store.slot && this.hold.holds) {
       const force = this.pull();
       pose.place.copy(this.place);
       pose.proxy.copy(this.proxy);
@@ -394,7 +394,7 @@ class Space implements View {
       prop.pose(pose, this.face);
       return true;
     }
-    const copy = this.shown?.copies.find((other) => other.seat === seat);
+    const copy = this.shown?.copies.find((other) => other.slot === slot);
     if (!copy?.hasHand || copy.mode === "free" || (copy.node < 0 && copy.radius === 0)) return false;
     pose.place.fromArray(copy.place);
     pose.target.fromArray(copy.target);
@@ -407,26 +407,26 @@ class Space implements View {
   }
 
   private name(cell: Cell): void {
-    const { seat: mine, state } = this.store;
-    const named = (seat: number) => this.scene.users.find((user) => user.seat === seat)?.name ?? `User ${seat + 1}`;
+    const { slot: mine, me, state } = this.store;
+    const named = (slot: number) => this.scene.users.find((user) => user.slot === slot)?.name ?? `User ${slot + 1}`;
     if (this.side) {
-      const delay = state ? delaysFrom(state, mine).get(cell.seat) : 0;
-      const copy = this.shown?.copies.find((other) => other.seat === cell.seat);
-      const gone = state?.members[cell.seat]?.here === false || !copy;
+      const delay = state ? delaysFrom(state, mine).get(cell.slot) : 0;
+      const copy = this.shown?.copies.find((other) => other.slot === cell.slot);
+      const gone = state?.members[cell.slot]?.here === false || !copy;
       const old = copy && !copy.direct ? `, shown ${inWords(copy.age)} old` : "";
-      const text = cell.seat === mine ? "you" : gone ? "not here" : delay === undefined ? `out of reach${old}` : cell.width < 240 ? `+${inWords(delay)}` : `feels you ${inWords(delay)} later${old}`;
-      this.labels.put(`cell${cell.seat}`, "title", cell.seat, named(cell.seat), text, cell.x + 14, cell.y + 12);
+      const text = cell.slot === me ? "you" : cell.slot === mine ? "" : gone ? "not here" : delay === undefined ? `out of reach${old}` : cell.width < 240 ? `+${inWords(delay)}` : me === null ? `${inWords(delay)} after ${named(mine)}${old}` : `feels you ${inWords(delay)} later${old}`;
+      this.labels.put(`cell${cell.slot}`, "title", cell.slot, named(cell.slot), text, cell.x + 14, cell.y + 12);
     }
-    for (const [seat, hand] of this.hands) {
+    for (const [slot, hand] of this.hands) {
       if (!hand.group.visible) continue;
       const at = project(this.orbit.camera, cell, hand.spot);
       if (!at || at.x < cell.x || at.x > cell.x + cell.width || at.y < cell.y || at.y > cell.y + cell.height) continue;
       const force = hand.force > 0.005 * this.full ? newtons(hand.force) : "";
       if (this.side && !force) continue;
-      const who = this.side ? "" : seat === mine && this.hold.holds ? "You" : named(seat);
+      const who = this.side ? "" : slot === me && this.hold.holds ? "You" : named(slot);
       at.x = Math.max(Math.min(at.x, cell.x + cell.width - Labels.wide(who, force)), cell.x);
       at.y = Math.max(at.y, cell.y + 34);
-      this.labels.put(`hand${seat}`, "hand", seat, who, force, at.x, at.y);
+      this.labels.put(`hand${slot}`, "hand", slot, who, force, at.x, at.y);
     }
   }
 }

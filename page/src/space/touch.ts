@@ -193,8 +193,8 @@ export class Touch {
   /** A double click on another's picture: act for that user. */
   private double(event: MouseEvent): void {
     const at = this.at(event);
-    const { seat } = this.picture.cellAt(at.x, at.y);
-    if (seat !== this.store.seat && this.store.scene?.own.includes(seat)) this.store.take(seat);
+    const { slot } = this.picture.cellAt(at.x, at.y);
+    if (slot !== this.store.slot && this.store.scene?.own.includes(slot)) this.store.take(slot);
     else if (!this.picture.pick(at.x, at.y, MOUSE)) this.picture.orbit.reset();
     this.picture.draw();
   }

@@ -1,15 +1,19 @@
 """The shared object and builders for it."""
 
 from cotouch.body._body import Body
-from cotouch.body._builders import Ground, chain, lattice, point
+from cotouch.body._builders import MOST_NODES, GridModel, Ground, chain, lattice, point
 from cotouch.body._checks import Matrix, SumOfSquares
+from cotouch.body._eigenspaces import canonical
 from cotouch.body._ground import Box, Held, NodeSet, Plane
-from cotouch.body._meshes import MOST_ELEMENTS, MOST_NODES, MOST_TRIANGLES, body_from_surface, body_from_tetrahedra
+from cotouch.body._material import Frame, Material, MaterialModel
+from cotouch.body._mesh_material import SolidModel, SurfaceModel
+from cotouch.body._meshes import MOST_ELEMENTS, MOST_TRIANGLES, body_from_surface, body_from_tetrahedra
 from cotouch.body._origin import Origin
-from cotouch.body._reading import SURFACES, UNITS, VOLUMES
+from cotouch.body._reading import UNITS
 from cotouch.body._skin import Skin
 from cotouch.body._statics import lowest_modes
 from cotouch.body._truncation import Truncation
+from cotouch.meshfile import SURFACES, VOLUMES, is_surface
 
 __all__ = [
     "MOST_ELEMENTS",
@@ -20,18 +24,26 @@ __all__ = [
     "VOLUMES",
     "Body",
     "Box",
+    "Frame",
+    "GridModel",
     "Ground",
     "Held",
+    "Material",
+    "MaterialModel",
     "Matrix",
     "NodeSet",
     "Origin",
     "Plane",
     "Skin",
+    "SolidModel",
     "SumOfSquares",
+    "SurfaceModel",
     "Truncation",
     "body_from_surface",
     "body_from_tetrahedra",
+    "canonical",
     "chain",
+    "is_surface",
     "lattice",
     "lowest_modes",
     "point",

@@ -9,14 +9,14 @@ import numpy as np
 import numpy.typing as npt
 import scipy.sparse as sp
 
+from cotouch.arrays import Float
 from cotouch.body._checks import Form, Matrix, SumOfSquares, diagonal, plausible, positive, square
+from cotouch.body._material import Material
 from cotouch.body._origin import Origin
 from cotouch.body._skin import Skin
 from cotouch.body._statics import factorise
 from cotouch.body._truncation import Truncation, truncate
-from cotouch.errors import BodyError
-
-Float = npt.NDArray[np.float64]
+from cotouch.errors import BodyError, UnsupportedError
 
 
 @final
@@ -37,6 +37,7 @@ class Body:
         skin: a surface that the nodes carry, in three dimensions. None: contact happens at nodes.
         origin: what a builder read and understood.
         truncation: shapes that the motion is confined to; see `truncated`.
+        material: what its inner forces follow instead of K and B, of which these are then what they are like at rest.
 
     Raises:
         BodyError: a matrix is not finite, symmetric, definite or of the right size; a node has no mass; the rest shape
@@ -57,6 +58,7 @@ class Body:
     skin: Skin | None
     origin: Origin | None
     truncation: Truncation | None
+    material: Material | None
     form: Form = field(init=False)
 
     def __init__(
@@ -71,6 +73,7 @@ class Body:
         skin: Skin | None = None,
         origin: Origin | None = None,
         truncation: Truncation | None = None,
+        material: Material | None = None,
     ) -> None:
         shape = _rest_shape(rest)
         nodes, dimension = shape.shape
@@ -115,6 +118,9 @@ class Body:
         object.__setattr__(self, "skin", skin)
         object.__setattr__(self, "origin", origin)
         object.__setattr__(self, "truncation", truncation)
+        if material is not None:
+            material.check(shape)
+        object.__setattr__(self, "material", material)
 
     @property
     def nodes(self) -> int:
@@ -155,6 +161,7 @@ class Body:
             skin=self.skin,
             origin=self.origin,
             truncation=None if self.truncation is None else self.truncation.as_full(self.dimension),
+            material=self.material,
         )
 
     def truncated(self, *, modes: int, contacts: Sequence[int] = ()) -> "Body":
@@ -174,8 +181,12 @@ class Body:
 
         Raises:
             BodyError: fewer modes than the body's free motions or more than it has; a contact it does not have.
-            UnsupportedError: damping that the modes do not make diagonal.
+            UnsupportedError: damping that the modes do not make diagonal; a material, which has no modes.
         """
+        if self.material is not None:
+            raise UnsupportedError(
+                f'modes is {modes}, but model is "{self.material.model}"; only a linear body has modes: leave one out'
+            )
         return Body(
             mass=self.mass,
             rest=self.rest,
@@ -226,7 +237,12 @@ class Body:
         return 0.5 * (missing + missing.T)
 
     def apply(self, matrix: sp.csr_array, field_: npt.ArrayLike) -> Float:
-        """`matrix @ field` for one of the body's own matrices and a field of shape (..., n, d)."""
+        """`matrix @ field` for one of the body's own matrices and a field of shape (..., n, d).
+
+        Args:
+            matrix: sparse, square.
+            field_: (..., n, d).
+        """
         values = np.asarray(field_, dtype=np.float64)
         if self.form == "full":
             flat = values.reshape(-1, self.nodes * self.dimension)

@@ -1,19 +1,27 @@
 """Bodies from a few numbers: a point, a chain, a lattice."""
 
 from collections.abc import Sequence
-from typing import Any, Literal, TypeAlias
+from math import prod
+from typing import Any, Final, Literal, TypeAlias, get_args
 
 import numpy as np
 import numpy.typing as npt
 import scipy.sparse as sp
 
 from cotouch.body._body import Body
+from cotouch.body._checks import one_number
+from cotouch.body._elasticity import cubes_of, springs_of_cells
+from cotouch.body._material import Frame, Material, linear_material, weight_of
 from cotouch.body._skin import Skin
 from cotouch.errors import BodyError
 
 # Which nodes the ground holds: a list of node indices, all, or the faces of the box ("x-" has the smallest x).
 Ground: TypeAlias = Sequence[int] | Literal["none", "all", "x-", "x+", "y-", "y+", "z-", "z+"]
 
+GridModel: TypeAlias = Literal["springs", "cells", "spring-network"]
+
+# A step of a node costs about 0.2 µs, so that more is far from any haptic rate.
+MOST_NODES: Final = 100_000
 _REACH = {6: 1, 18: 2, 26: 3}  # how many coordinates two neighbours may differ in
 
 
@@ -35,6 +43,7 @@ def point(
     Raises:
         BodyError: a value is not finite or out of its range.
     """
+    one_number("mass", mass)
     _at_least_zero(damping=damping, stiffness=stiffness)
     return Body(
         mass=[[mass]],
@@ -55,6 +64,10 @@ def chain(
     ground: Ground = "none",
     ground_stiffness: float = 0.0,
     ground_damping: float = 0.0,
+    model: GridModel = "springs",
+    frame: Frame = "fixed",
+    gravity: Sequence[float] | None = None,
+    most_nodes: int = MOST_NODES,
 ) -> Body:
     """Nodes along x, each joined to the next.
 
@@ -68,6 +81,10 @@ def chain(
         ground: which nodes are held: indices, "none", "all", or a face such as "x-".
         ground_stiffness: of each held node [N/m].
         ground_damping: of each held node [Ns/m].
+        model: "springs", or "spring-network": a rope; see `lattice`.
+        frame: see `lattice`.
+        gravity: see `lattice`.
+        most_nodes: see `lattice`.
 
     Raises:
         BodyError: a value is out of its range.
@@ -83,6 +100,10 @@ def chain(
         ground=ground,
         ground_stiffness=ground_stiffness,
         ground_damping=ground_damping,
+        model=model,
+        frame=frame,
+        gravity=gravity,
+        most_nodes=most_nodes,
     )
 
 
@@ -97,6 +118,10 @@ def lattice(
     ground: Ground = "none",
     ground_stiffness: float = 0.0,
     ground_damping: float = 0.0,
+    model: GridModel = "springs",
+    frame: Frame = "fixed",
+    gravity: Sequence[float] | None = None,
+    most_nodes: int = MOST_NODES,
 ) -> Body:
     """A box of nodes on a regular grid, each joined to its 6, 18 or 26 neighbours (fewer axes: the same rule).
 
@@ -112,6 +137,12 @@ def lattice(
         ground: which nodes are held: indices, "none", "all", or a face such as "z-".
         ground_stiffness: of each held node [N/m].
         ground_damping: of each held node [Ns/m].
+        model: "springs": linear, and turning the body costs energy. "cells": cubes that turn, for bodies that bend far;
+            6 neighbours, and each cube gives a quarter of `stiffness` to its edges. "spring-network": springs that turn
+            with their ends; 18 or 26 neighbours, or nothing resists shear.
+        frame: "floating": the linear body turns as a whole without a force.
+        gravity: acceleration, a number for each of three axes [m/s²]. None: no weight.
+        most_nodes: refuse more than this.
 
     Raises:
         BodyError: a value is out of its range.
@@ -119,27 +150,88 @@ def lattice(
     extents = tuple(int(extent) if float(extent).is_integer() else 0 for extent in shape)
     if not 1 <= len(extents) <= 3 or min(extents) < 1:
         raise BodyError(f"the lattice's shape is {tuple(shape)}; it must be 1 to 3 whole numbers of at least 1")
+    if prod(extents) > most_nodes:
+        raise BodyError(
+            f"{' x '.join(map(str, extents))} make {prod(extents)} nodes, but the limit is {most_nodes}; "
+            "make it coarser, or raise most_nodes"
+        )
     if neighbours not in _REACH:
         raise BodyError(f"neighbours is {neighbours}; it must be 6, 18 or 26")
-    if not (np.isfinite(spacing) and spacing > 0.0):
+    one_number("mass", mass)
+    if not (np.isfinite(one_number("spacing", spacing)) and spacing > 0.0):
         raise BodyError(f"spacing is {spacing}; it must be more than 0 m")
     _at_least_zero(
         stiffness=stiffness, damping=damping, ground_stiffness=ground_stiffness, ground_damping=ground_damping
     )
-    count = int(np.prod(extents))
+    count = prod(extents)
     grid = np.stack(np.meshgrid(*[np.arange(extent) for extent in extents], indexing="ij"), axis=-1)
     places = grid.reshape(count, len(extents))
     laplacian = _laplacian(places, extents, _REACH[neighbours])
     held = np.zeros(count)
     held[_held(ground, places, extents)] = 1.0
+    rest = places * spacing
+    material, springs = _grid_material(
+        extents, neighbours, laplacian * stiffness, stiffness=stiffness, damping=damping, wish=(model, frame, gravity)
+    )
     return Body(
         mass=sp.diags_array(np.full(count, mass / count)),
-        rest=places * spacing,
+        rest=rest,
         damping_int=laplacian * damping,
         damping_ext=sp.diags_array(held * ground_damping),
-        stiffness_int=laplacian * stiffness,
+        stiffness_int=springs,
         stiffness_ext=sp.diags_array(held * ground_stiffness),
         skin=_box_skin(places, extents, spacing) if len(extents) == 3 and min(extents) > 1 else None,
+        material=material,
+    )
+
+
+def _grid_material(
+    extents: tuple[int, ...],
+    neighbours: int,
+    springs: sp.csr_array,
+    *,
+    stiffness: float,
+    damping: float,
+    wish: tuple[str, str, Sequence[float] | None],
+) -> tuple[Material | None, sp.csr_array]:
+    """The material of a grid, and its K at rest."""
+    model, frame, gravity = wish
+    if model not in get_args(GridModel):
+        raise BodyError(f'model is "{model}"; a grid has one of {", ".join(get_args(GridModel))}')
+    if model == "springs":
+        return linear_material(frame, gravity), springs
+    if frame != "fixed":
+        raise BodyError(f'frame is "{frame}", but model "{model}" turns by itself; leave frame out')
+    if stiffness == 0.0:
+        raise BodyError(f'stiffness is 0; model "{model}" needs more than 0 N/m')
+    weight = weight_of(gravity)
+    if model == "cells":
+        if len(extents) != 3 or min(extents) < 2 or neighbours != 6:
+            raise BodyError(
+                f'shape is {extents} with {neighbours} neighbours; model "cells" needs at least 2 nodes along each of '
+                "3 axes, and 6 neighbours"
+            )
+        cubes = cubes_of(extents)
+        full = np.ones(cubes.shape[0])
+        return (
+            Material(
+                model="cells", elements=cubes, stiffness=full * stiffness, viscosity=damping / stiffness, gravity=weight
+            ),
+            springs_of_cells(int(np.prod(extents)), cubes, full, stiffness=stiffness),
+        )
+    wide = sum(extent > 1 for extent in extents)
+    if wide > 1 and neighbours == 6:
+        raise BodyError('neighbours is 6; model "spring-network" needs 18 or 26, or nothing resists shear')
+    upper = sp.coo_array(sp.triu(springs, k=1))
+    return (
+        Material(
+            model="spring-network",
+            elements=np.stack([upper.row, upper.col], axis=1).astype(np.int64),
+            stiffness=-upper.data,
+            viscosity=damping / stiffness,
+            gravity=weight,
+        ),
+        springs,
     )
 
 
@@ -208,5 +300,5 @@ def _held(ground: Ground, places: npt.NDArray[np.int64], extents: tuple[int, ...
 
 def _at_least_zero(**values: float) -> None:
     for name, value in values.items():
-        if not (np.isfinite(value) and value >= 0.0):
+        if not (np.isfinite(one_number(name, value)) and value >= 0.0):
             raise BodyError(f"{name} is {value}; it must be a finite number of at least 0")

@@ -1,4 +1,7 @@
-"""The cells of a grid that a closed surface fills or touches, and how much of each it fills."""
+"""The cells of a grid that a closed surface fills or touches, and how much of each it fills.
+
+Inside is where the winding number is above 0, so what shells share counts once.
+"""
 
 from dataclasses import dataclass
 from typing import Final, final
@@ -6,15 +9,14 @@ from typing import Final, final
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
+from cotouch.body._lines import crossings, turns
 from cotouch.errors import BodyError
 
-Float = npt.NDArray[np.float64]
 Ints = npt.NDArray[np.int64]
 
 # Vertical lines through each cell, along each of two axes, on which what is inside is measured exactly.
 _LINES: Final = 4
-# The lines stand a little off every symmetric place, where surfaces like to have edges.
-_OFF: Final = (1.6180e-4, 1.4142e-4)
 # Points on the surface are looked at this far inside of it, in cells, so that a face on the grid has its inner cells.
 _INWARD: Final = 1e-5
 # A cell that the surface only grazes is filled this much, or its nodes would weigh next to nothing.
@@ -79,57 +81,24 @@ def cells_of(vertices: Float, triangles: Ints, resolution: int) -> Cells:
 def _filled(points: Float, triangles: Ints, shape: Ints) -> Float:
     """The share of every cell that is inside, (nx, ny, nz); places are in cells.
 
-    Along each line the winding number changes by one where it crosses the surface, so a crossing at z fills what is
-    above z, or empties it; no sorting is needed, and shells that overlap only count once.
+    A crossing that leads inside at z fills what is above z, and one that leads out empties it.
     """
     nx, ny, nz = (int(extent) for extent in shape)
     wide, deep = nx * _LINES, ny * _LINES
-    # Places in lines: line i stands at i.
-    u = points[:, 0] * _LINES - 0.5 - _OFF[0]
-    v = points[:, 1] * _LINES - 0.5 - _OFF[1]
-    z = points[:, 2]
+    lines = np.array([_LINES, _LINES, 1.0])
+    line, height, winding, turn = crossings(points * lines, triangles, wide, deep)
     level = np.zeros(wide * deep * (nz + 2))
-    turns = np.zeros(wide * deep)
-    corners_u, corners_v = u[triangles], v[triangles]
-    first_u = np.clip(np.ceil(corners_u.min(axis=1)), 0, wide).astype(np.int64)
-    last_u = np.clip(np.floor(corners_u.max(axis=1)), -1, wide - 1).astype(np.int64)
-    first_v = np.clip(np.ceil(corners_v.min(axis=1)), 0, deep).astype(np.int64)
-    last_v = np.clip(np.floor(corners_v.max(axis=1)), -1, deep - 1).astype(np.int64)
-    across = np.maximum(last_u - first_u + 1, 0)
-    count = across * np.maximum(last_v - first_v + 1, 0)
-    useful = np.flatnonzero(count)
-    ends = np.cumsum(count[useful])
-    start = 0
-    while start < useful.size:
-        done = int(ends[start - 1]) if start else 0
-        stop = max(int(np.searchsorted(ends, done + _BATCH, side="right")), start + 1)
-        batch = useful[start:stop]
-        which = np.repeat(batch, count[batch])
-        number = np.arange(which.size) - np.repeat(np.cumsum(count[batch]) - count[batch], count[batch])
-        i = first_u[which] + number % across[which]
-        j = first_v[which] + number // across[which]
-        a, b, c = (triangles[which, k] for k in range(3))
-        wa = (u[b] - i) * (v[c] - j) - (u[c] - i) * (v[b] - j)
-        wb = (u[c] - i) * (v[a] - j) - (u[a] - i) * (v[c] - j)
-        wc = (u[a] - i) * (v[b] - j) - (u[b] - i) * (v[a] - j)
-        total = wa + wb + wc
-        hit = (((wa >= 0) & (wb >= 0) & (wc >= 0)) | ((wa <= 0) & (wb <= 0) & (wc <= 0))) & (total != 0.0)
-        if hit.any():
-            a, b, c = a[hit], b[hit], c[hit]
-            height = (wa[hit] * z[a] + wb[hit] * z[b] + wc[hit] * z[c]) / total[hit]
-            enters = np.where(total[hit] > 0.0, -1.0, 1.0)  # a face that looks up is where a line leaves
-            line = i[hit] * deep + j[hit]
-            height = np.clip(height, 0.0, float(nz))
-            cell = np.minimum(height.astype(np.int64), nz - 1)
-            above = (cell + 1) - height
-            np.add.at(level, line * (nz + 2) + cell, enters * above)
-            np.add.at(level, line * (nz + 2) + cell + 1, enters * (1.0 - above))
-            np.add.at(turns, line, enters)
-        start = stop
+    inward = (winding + turn > 0) * 1.0 - (winding > 0) * 1.0
+    through = inward != 0.0
+    at, height, inward = line[through], np.clip(height[through], 0.0, float(nz)), inward[through]
+    cell = np.minimum(height.astype(np.int64), nz - 1)
+    above = (cell + 1) - height
+    np.add.at(level, at * (nz + 2) + cell, inward * above)
+    np.add.at(level, at * (nz + 2) + cell + 1, inward * (1.0 - above))
     inside = np.cumsum(level.reshape(wide, deep, nz + 2), axis=2)[:, :, :nz]
     inside = np.clip(inside, 0.0, 1.0)
     # A line that grazed an edge counts it twice or never and does not come out again; the others of its cell stand in.
-    sound = (turns == 0.0).reshape(wide, deep).astype(np.float64)
+    sound = (turns(line, turn, wide * deep) == 0).reshape(wide, deep).astype(np.float64)
     blocks = (nx, _LINES, ny, _LINES)
     number = sound.reshape(blocks).sum(axis=(1, 3))
     sums = (inside * sound[:, :, None]).reshape(*blocks, nz).sum(axis=(1, 3))
@@ -182,6 +151,11 @@ def _cell(spots: Float, shape: Ints) -> Ints:
 
 def carriers(vertices: Float, triangles: Ints, cells: Cells) -> tuple[Ints, Float]:
     """For every vertex the cell that it lies in, as a row of `cells.places`, and trilinear weights of its corners.
+
+    Args:
+        vertices: (V, 3) [m].
+        triangles: (T, 3) indices of vertices.
+        cells: of the lattice.
 
     Returns:
         rows (V,), and weights (V, 8) in the order of `CORNERS`.

@@ -107,7 +107,12 @@ def _is_diagonal(matrix: sp.csr_array, own: npt.NDArray[np.float64]) -> bool:
 
 
 def diagonal(name: str, matrix: sp.csr_array) -> None:
-    """Refuses a matrix that is not diagonal with entries >= 0 (what binds a node to the ground binds nothing else)."""
+    """Refuses a matrix that is not diagonal with entries >= 0 (what binds a node to the ground binds nothing else).
+
+    Args:
+        name: what messages call it.
+        matrix: sparse, square.
+    """
     own = matrix.diagonal()
     if _is_diagonal(matrix, own) and np.all(own >= 0.0):
         return
@@ -128,6 +133,10 @@ def diagonal(name: str, matrix: sp.csr_array) -> None:
 def plausible(name: str, matrix: sp.csr_array) -> None:
     """Refuses a symmetric matrix that cannot be positive semidefinite, from its 1 x 1 and 2 x 2 minors.
 
+    Args:
+        name: what messages call it.
+        matrix: sparse, square.
+
     Raises:
         BodyError: a minor is negative.
     """
@@ -147,6 +156,11 @@ def plausible(name: str, matrix: sp.csr_array) -> None:
 
 def positive(name: str, matrix: sp.csr_array, *, strictly: bool) -> None:
     """Refuses a symmetric matrix that is not positive (semi)definite, naming its smallest eigenvalue.
+
+    Args:
+        name: what messages call it.
+        matrix: sparse, square.
+        strictly: whether zero is refused, too.
 
     Raises:
         BodyError: the smallest eigenvalue is negative, or zero where `strictly`.
@@ -207,3 +221,21 @@ def _smallest_eigenvalue(matrix: sp.csr_array, below: float, above: float) -> fl
         vector = factors.solve(vector)
         vector /= la.norm(vector)
     return float(vector @ (matrix @ vector))
+
+
+def one_number(name: str, value: object) -> float:
+    """A value that must be one real number, whichever.
+
+    Args:
+        name: of the value, for the message.
+        value: anything.
+
+    Raises:
+        BodyError: it is not.
+    """
+    if isinstance(value, bool | str | complex | np.complexfloating) or np.ndim(value) != 0:  # pyright: ignore[reportArgumentType]
+        raise BodyError(f"{name} is {value!r}; it must be one number")
+    try:
+        return float(value)  # pyright: ignore[reportArgumentType]
+    except (TypeError, ValueError):
+        raise BodyError(f"{name} is {value!r}; it must be one number") from None

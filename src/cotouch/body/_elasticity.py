@@ -6,9 +6,9 @@ import numpy as np
 import numpy.typing as npt
 import scipy.sparse as sp
 
+from cotouch.arrays import Float
 from cotouch.body._cells import CORNERS
 
-Float = npt.NDArray[np.float64]
 Ints = npt.NDArray[np.int64]
 
 # The twelve edges of a cell, as pairs of its corners.
@@ -16,7 +16,14 @@ EDGES: Final = [(i, j) for i in range(8) for j in range(i + 1, 8) if int(np.abs(
 
 
 def elastic_tetrahedra(points: Float, tetrahedra: Ints, *, young: float, poisson: float) -> sp.csr_array:
-    """K of isotropic linear elasticity on linear tetrahedra (P1), 3n x 3n [N/m], by scikit-fem."""
+    """K of isotropic linear elasticity on linear tetrahedra (P1), 3n x 3n [N/m], by scikit-fem.
+
+    Args:
+        points: (n, 3) [m].
+        tetrahedra: (E, 4) indices of points.
+        young: Young's modulus [Pa].
+        poisson: Poisson's ratio.
+    """
     from skfem import Basis, ElementTetP1, ElementVector, MeshTet
     from skfem.models.elasticity import lame_parameters, linear_elasticity
 
@@ -31,6 +38,11 @@ def springs_of_tetrahedra(points: Float, tetrahedra: Ints, *, young: float) -> s
 
     Off the diagonal it is minus a spring for each edge, `k_ij = -E ∫ ∇φ_i·∇φ_j` (the cotangent weights). It stretches a
     bar by E A / L exactly. A flat element may have a spring below zero; the sum stays positive semidefinite.
+
+    Args:
+        points: (n, 3) [m].
+        tetrahedra: (E, 4) indices of points.
+        young: Young's modulus [Pa].
     """
     from skfem import Basis, ElementTetP1, MeshTet
     from skfem.models.poisson import laplace
@@ -41,7 +53,13 @@ def springs_of_tetrahedra(points: Float, tetrahedra: Ints, *, young: float) -> s
 
 
 def springs_along_edges(nodes: int, tetrahedra: Ints, *, stiffness: float) -> sp.csr_array:
-    """K of equal springs along the edges of tetrahedra, n x n [N/m]."""
+    """K of equal springs along the edges of tetrahedra, n x n [N/m].
+
+    Args:
+        nodes: how many.
+        tetrahedra: (E, 4) indices of points.
+        stiffness: of one spring [N/m].
+    """
     pairs = edges_of(tetrahedra)
     return _laplacian(nodes, pairs[:, 0], pairs[:, 1], np.full(pairs.shape[0], stiffness))
 
@@ -55,7 +73,16 @@ def edges_of(tetrahedra: Ints) -> Ints:
 def elastic_cells(
     nodes: int, corners: Ints, fill: Float, *, spacing: float, young: float, poisson: float
 ) -> sp.csr_array:
-    """K of isotropic linear elasticity on cubes with trilinear shapes (Q1), 3n x 3n [N/m], each scaled by its fill."""
+    """K of isotropic linear elasticity on cubes with trilinear shapes (Q1), 3n x 3n [N/m], each scaled by its fill.
+
+    Args:
+        nodes: how many.
+        corners: (C, 8) nodes of each cube, in the order of `CORNERS`.
+        fill: (C,) share of each cube that the body takes.
+        spacing: edge of a cube [m].
+        young: Young's modulus [Pa].
+        poisson: Poisson's ratio.
+    """
     from skfem import Basis, ElementHex1, ElementVector, MeshHex
     from skfem.models.elasticity import lame_parameters, linear_elasticity
 
@@ -75,12 +102,56 @@ def springs_of_cells(nodes: int, corners: Ints, fill: Float, *, stiffness: float
 
     Inside, where four full cubes share an edge, a spring has `stiffness`. With `stiffness = E h` a bar along the grid
     stretches by E A / L exactly: each of the A/h² rows of springs has E h per cell of length h.
+
+    Args:
+        nodes: how many.
+        corners: (C, 8) nodes of each cube, in the order of `CORNERS`.
+        fill: (C,) share of each cube that the body takes.
+        stiffness: of one spring [N/m].
     """
     one = np.zeros((8, 8))
     for i, j in EDGES:
         one[[i, j], [i, j]] += 0.25 * stiffness
         one[[i, j], [j, i]] -= 0.25 * stiffness
     return _assembled(nodes, corners, one, fill)
+
+
+def cubes_of(extents: tuple[int, ...]) -> Ints:
+    """Corners of the cubes of a box of nodes, (.., 8), in the order of `CORNERS`."""
+    index = np.arange(int(np.prod(extents))).reshape(extents)
+    ends = [slice(0, -1), slice(1, None)]
+    return np.stack([index[ends[a], ends[b], ends[c]].ravel() for a, b, c in CORNERS], axis=1).astype(np.int64)
+
+
+def network_of_cells(corners: Ints, fill: Float, *, stiffness: float) -> tuple[Ints, Float]:
+    """Springs along edges and across faces of cubes, each edge once, (.., 2), and their stiffness.
+
+    With springs of k inside along both, the lattice is isotropic, with `E = 2.5 k / h` and a Poisson's ratio of ¼: four
+    cubes share an edge, two a face.
+
+    Args:
+        corners: (C, 8) nodes of each cube, in the order of `CORNERS`.
+        fill: (C,) share of each cube that the body takes.
+        stiffness: of one spring [N/m].
+    """
+    apart = {1: 0.25, 2: 0.5}
+    kinds = [(i, j, int(np.abs(CORNERS[i] - CORNERS[j]).sum())) for i in range(8) for j in range(i + 1, 8)]
+    chosen = [(i, j, apart[steps]) for i, j, steps in kinds if steps in apart]
+    pairs = np.concatenate([np.sort(corners[:, [i, j]], axis=1) for i, j, _ in chosen])
+    fractions = np.concatenate([fraction * stiffness * fill for _, _, fraction in chosen])
+    edges, place = np.unique(pairs, axis=0, return_inverse=True)
+    return edges, np.bincount(place.ravel(), weights=fractions).astype(np.float64)
+
+
+def laplacian_of(nodes: int, edges: Ints, stiffness: Float) -> sp.csr_array:
+    """K of scalar springs, n x n [N/m].
+
+    Args:
+        nodes: how many.
+        edges: (S, 2) pairs of nodes.
+        stiffness: (S,) of each spring [N/m].
+    """
+    return _laplacian(nodes, edges[:, 0], edges[:, 1], stiffness)
 
 
 def _assembled(rows: int, places: Ints, one: Float, fill: Float) -> sp.csr_array:

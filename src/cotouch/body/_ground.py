@@ -7,13 +7,15 @@ from typing import Literal, TypeAlias, final
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.errors import BodyError
 
-Float = npt.NDArray[np.float64]
 Nodes = npt.NDArray[np.intp]
 
 # Nodes this near to a face, beside the body's size, lie on it.
 _ON = 1e-6
+# A plane is held by so many nodes.
+_FACE = 3
 # Singular values this small beside the largest are motions that nothing holds.
 _FREE = 1e-9
 
@@ -66,13 +68,14 @@ Held: TypeAlias = (
 )
 
 
-def held_nodes(ground: Held, rest: Float, *, slack: float, sets: Mapping[str, Nodes]) -> Nodes:
+def held_nodes(ground: Held, rest: Float, *, slack: float, spacing: float, sets: Mapping[str, Nodes]) -> Nodes:
     """Indices of the nodes that `ground` means.
 
     Args:
         ground: see `Held`.
         rest: places of the nodes, (n, 3) [m].
         slack: default thickness of a plane [m].
+        spacing: between nodes; a face that is no plane, and so holds fewer than three, is so thick [m].
         sets: nodes of every named set.
 
     Raises:
@@ -111,7 +114,8 @@ def held_nodes(ground: Held, rest: Float, *, slack: float, sets: Mapping[str, No
         axis = "xyz".find(ground[:1])
         if len(ground) == 2 and axis >= 0 and ground[1] in "-+":
             along = rest[:, axis] if ground[1] == "-" else -rest[:, axis]
-            return np.flatnonzero(along <= along.min() + _ON * size)
+            found = np.flatnonzero(along <= along.min() + _ON * size)
+            return found if found.size >= _FACE else np.flatnonzero(along <= along.min() + spacing)
         raise BodyError(
             f'ground is "{ground}"; it must be "none", "all", a face "x-", "x+", "y-", "y+", "z-", "z+", '
             "a plane, a box, a named set, or node indices"
@@ -123,8 +127,29 @@ def held_nodes(ground: Held, rest: Float, *, slack: float, sets: Mapping[str, No
     return np.unique(indices)
 
 
+def rounded_face(ground: Held, rest: Float, held: Nodes) -> str | None:
+    """What to say where a face of the body is no plane, so that a layer of nodes is held in its place.
+
+    Args:
+        ground: as given.
+        rest: places of the nodes, (n, 3) [m].
+        held: the nodes that it means.
+    """
+    axis = "xyz".find(ground[:1]) if isinstance(ground, str) and ground not in {"none", "all"} else -1
+    deep = float(np.ptp(rest[held, axis])) if axis >= 0 else 0.0
+    if deep <= _ON * float(np.ptp(rest, axis=0).max()):
+        return None
+    return f'The face "{ground}" is no plane: the {held.size} nodes within {deep:.3g} m of it are held.'
+
+
 def free_motions(rest: Float, held: Nodes, *, turning: bool) -> int:
-    """How many rigid motions the ground leaves free: of 6, or of the 3 shifts where turning is not free by itself."""
+    """How many rigid motions the ground leaves free: of 6, or of the 3 shifts where turning is not free by itself.
+
+    Args:
+        rest: (n, 3) places at rest [m].
+        held: nodes that the ground holds.
+        turning: whether turns are free by themselves.
+    """
     if held.size == 0:
         return 6 if turning else 3
     if not turning:

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any, Final, Literal, TypeAlias
+from typing import Any, Final, TypeAlias, get_args
 
 import numpy as np
 import numpy.typing as npt
@@ -10,26 +10,31 @@ import scipy.sparse as sp
 
 from cotouch.body import _elasticity as elasticity
 from cotouch.body._body import Body
+from cotouch.body._builders import MOST_NODES
 from cotouch.body._cells import carriers
 from cotouch.body._checks import SumOfSquares
-from cotouch.body._ground import Held, free_motions, held_nodes
+from cotouch.body._ground import Held, free_motions, held_nodes, rounded_face
+from cotouch.body._inertia import inertia_excess
+from cotouch.body._lines import doubled
+from cotouch.body._material import Frame, Material
+from cotouch.body._mesh_material import SolidModel, SurfaceModel, check_material, of_cells, of_tetrahedra, warned
 from cotouch.body._origin import Origin
-from cotouch.body._pieces import Float, boundary_of, grid_nodes, one_part, one_piece, volumes_of, without_broken
-from cotouch.body._reading import Mesh, Unit, as_mesh, check_indices, metres, read_surface, read_tetrahedra
+from cotouch.body._pieces import Float, boundary_of, grid_nodes, hinged, one_part, one_piece, volumes_of, without_broken
+from cotouch.body._reading import Unit, as_mesh, check_indices, metres
 from cotouch.body._repair import repaired
 from cotouch.body._skin import Skin
 from cotouch.errors import BodyError
+from cotouch.meshfile import Mesh, read_surface, read_tetrahedra
 
-Model: TypeAlias = Literal["springs", "elastic"]
 MeshSource: TypeAlias = str | Path | tuple[npt.ArrayLike, npt.ArrayLike]
 
 # Counted in the file before it is loaded; what a surface has beyond is finer than any lattice inside it can follow.
 MOST_TRIANGLES: Final = 1_000_000
 MOST_ELEMENTS: Final = 500_000
-# A step of a node costs about 0.2 µs, so that more is far from any haptic rate.
-MOST_NODES: Final = 100_000
-# Above this Poisson's ratio linear elements lock: they turn out much too stiff.
-_LOCKS: Final = 0.45
+# Moments of inertia that are nearer than this are as good as the rest.
+_INERTIA = 0.03
+# Of the volume of tetrahedra; more is no rounding.
+_OVERLAP: Final = 1e-3
 
 
 def body_from_surface(
@@ -37,7 +42,7 @@ def body_from_surface(
     *,
     unit: Unit | None = None,
     resolution: int = 12,
-    model: Model = "springs",
+    model: SurfaceModel = "springs",
     young: float = 1e4,
     poisson: float = 0.3,
     stiffness: float | None = None,
@@ -48,6 +53,8 @@ def body_from_surface(
     ground: Held = "none",
     ground_stiffness: float = 0.0,
     ground_damping: float = 0.0,
+    frame: Frame = "fixed",
+    gravity: Sequence[float] | None = None,
     part: int | None = None,
     most_triangles: int = MOST_TRIANGLES,
     most_nodes: int = MOST_NODES,
@@ -64,11 +71,14 @@ def body_from_surface(
         resolution: cells along the longest side, >= 1.
         model: "springs": scalar springs along the edges of the cells, of E h each [N/m], cheap to step. They store
             `½ E ∫ |∇u|²`: a stretched bar has E A / L exactly, Poisson's ratio is 0, the shear modulus is E, and
-            turning the body costs energy. "elastic": linear elasticity on the cells, right for bending and turning, at
-            three times the rows.
+            turning the body costs energy. "elastic": linear elasticity on the cells, right for small bends and turns,
+            at three times the rows. "cells": the springs' cubes, each with a rotation of its own, for bodies that turn
+            and bend far. "spring-network": springs along edges and across faces of the cells that turn with their ends;
+            isotropic, with a Poisson's ratio of ¼.
         young: Young's modulus E [Pa], > 0.
         poisson: Poisson's ratio, above -1 and below 0.5; "elastic" only.
-        stiffness: of each spring of a full cell's inside, instead of E h [N/m]; "springs" only.
+        stiffness: of each spring of a full cell's inside, instead of E h ("spring-network": 0.4 E h) [N/m]; not of
+            "elastic".
         density: [kg/m³], > 0.
         mass: of the whole body, instead of density times volume [kg].
         rayleigh_mass: α of the damping α M + β K [1/s], >= 0.
@@ -76,6 +86,8 @@ def body_from_surface(
         ground: which nodes are held: "none", "all", a face such as "z-", a `Plane`, a `Box` [m], or node indices.
         ground_stiffness: of each held node [N/m].
         ground_damping: of each held node [Ns/m].
+        frame: "floating": a linear body ("springs", "elastic") turns as a whole without a force.
+        gravity: acceleration, a number for each of three axes [m/s²]. None: no weight.
         part: which of several separate parts to take, from 1, the biggest first.
         most_triangles: refuse more than this.
         most_nodes: refuse more than this.
@@ -97,7 +109,18 @@ def body_from_surface(
     name = _name(source)
     if not (float(resolution).is_integer() and resolution >= 1):
         raise BodyError(f"resolution is {resolution}; it must be a whole number of at least 1")
-    _check_material(model, young, poisson, stiffness, density, mass, rayleigh_mass, rayleigh_stiffness)
+    check_material(
+        model,
+        get_args(SurfaceModel),
+        young=young,
+        poisson=poisson,
+        stiffness=stiffness,
+        density=density,
+        mass=mass,
+        rayleigh_mass=rayleigh_mass,
+        rayleigh_stiffness=rayleigh_stiffness,
+        frame=frame,
+    )
     scale = metres(unit, name)
     mesh = (
         read_surface(Path(name), most_triangles) if isinstance(source, str | Path) else as_mesh(source, 3, "triangles")
@@ -115,21 +138,38 @@ def body_from_surface(
             f"resolution {resolution} makes {rest.shape[0]} nodes of {name}, but the limit is {most_nodes}; lower it, "
             "or raise most_nodes"
         )
-    volume = shells.volume
-    shares = np.bincount(corners.ravel(), weights=np.repeat(cells.fill, 8), minlength=rest.shape[0])
+    twice = doubled(shells.vertices, shells.triangles)
+    volume = shells.volume - twice
+    if twice != 0.0:
+        notes = [*notes, f"Its surface overlaps itself in {100.0 * twice / volume:.2g} % of the volume, counted once."]
+    fractions = np.bincount(corners.ravel(), weights=np.repeat(cells.fill, 8), minlength=rest.shape[0])
     total = density * volume if mass is None else mass
-    if model == "springs":
-        spring = young * cells.spacing if stiffness is None else stiffness
-        springs = elasticity.springs_of_cells(rest.shape[0], corners, cells.fill, stiffness=spring)
-    else:
-        springs = elasticity.elastic_cells(
-            rest.shape[0], corners, cells.fill, spacing=cells.spacing, young=young, poisson=poisson
-        )
+    springs, material = of_cells(
+        cells,
+        corners,
+        rest.shape[0],
+        model=model,
+        young=young,
+        poisson=poisson,
+        stiffness=stiffness,
+        viscosity=rayleigh_stiffness,
+        frame=frame,
+        gravity=gravity,
+    )
+    heavy = 0.0
+    if twice == 0.0:  # its integrals over the surface count what overlaps twice
+        heavy = inertia_excess(shells.vertices, shells.triangles, rest, fractions.astype(float))
+    if heavy > _INERTIA:
+        notes = [
+            *notes,
+            f"Its moments of inertia are up to {100.0 * heavy:.0f} % above the solid's, as its mass sits at corners "
+            "of cells; a higher resolution is nearer.",
+        ]
     rows, weights = carriers(shells.vertices, shells.triangles, cells)
     skin = Skin(vertices=shells.vertices, triangles=shells.triangles, nodes=corners[rows], weights=weights)
     return _body(
         rest=rest,
-        masses=total * shares / shares.sum(),
+        masses=total * fractions / fractions.sum(),
         springs=springs,
         alpha=rayleigh_mass,
         beta=rayleigh_stiffness,
@@ -149,7 +189,8 @@ def body_from_surface(
             "size": np.ptp(shells.vertices, axis=0),
             "spacing": cells.spacing,
         },
-        notes=[*shells.notes, *notes, *_warned(model, poisson)],
+        notes=[*shells.notes, *notes, *warned(model, poisson)],
+        material=material,
     )
 
 
@@ -157,7 +198,7 @@ def body_from_tetrahedra(
     source: MeshSource,
     *,
     unit: Unit | None = None,
-    model: Model = "elastic",
+    model: SolidModel = "elastic",
     young: float = 1e4,
     poisson: float = 0.3,
     stiffness: float | None = None,
@@ -168,6 +209,8 @@ def body_from_tetrahedra(
     ground: Held = "none",
     ground_stiffness: float = 0.0,
     ground_damping: float = 0.0,
+    frame: Frame = "fixed",
+    gravity: Sequence[float] | None = None,
     part: int | None = None,
     sets: Mapping[str, Sequence[int]] | None = None,
     most_elements: int = MOST_ELEMENTS,
@@ -179,10 +222,12 @@ def body_from_tetrahedra(
         source: a VTK, VTU, Gmsh (.msh) or MEDIT (.mesh) file, or (points (P, 3), tetrahedra (E, 4)).
         unit: of the source: "m", "mm", "cm" or "in"; these formats do not say it.
         model: "elastic": linear elasticity (P1, lumped mass). "springs": scalar springs along the edges that store
-            `½ E ∫ |∇u|²`; see `body_from_surface` for what that means.
+            `½ E ∫ |∇u|²`; see `body_from_surface` for what that means. For bodies that turn and bend far: "corotated",
+            "st-venant-kirchhoff", "neo-hookean" (see `Material`), or "spring-network": springs of `stiffness` along the
+            edges that turn with their ends.
         young: Young's modulus E [Pa], > 0.
-        poisson: Poisson's ratio, above -1 and below 0.5; "elastic" only.
-        stiffness: of the spring along every edge, instead of what E gives [N/m]; "springs" only.
+        poisson: Poisson's ratio, above -1 (with "neo-hookean" above 0) and below 0.5; not of springs.
+        stiffness: of the spring along every edge, instead of what E gives [N/m]; of springs only.
         density: [kg/m³], > 0.
         mass: of the whole body, instead of density times volume [kg].
         rayleigh_mass: α of the damping α M + β K [1/s], >= 0.
@@ -191,6 +236,8 @@ def body_from_tetrahedra(
             file, or indices among the nodes of the body.
         ground_stiffness: of each held node [N/m].
         ground_damping: of each held node [Ns/m].
+        frame: "floating": a linear body ("springs", "elastic") turns as a whole without a force.
+        gravity: acceleration, a number for each of three axes [m/s²]. None: no weight.
         part: which of several separate parts to take, from 1, the biggest first.
         sets: more named sets, as indices of the source's points.
         most_elements: refuse more than this.
@@ -209,7 +256,18 @@ def body_from_tetrahedra(
         ('full', 1000)
     """
     name = _name(source)
-    _check_material(model, young, poisson, stiffness, density, mass, rayleigh_mass, rayleigh_stiffness)
+    check_material(
+        model,
+        get_args(SolidModel),
+        young=young,
+        poisson=poisson,
+        stiffness=stiffness,
+        density=density,
+        mass=mass,
+        rayleigh_mass=rayleigh_mass,
+        rayleigh_stiffness=rayleigh_stiffness,
+        frame=frame,
+    )
     scale = metres(unit, name)
     if isinstance(source, str | Path):
         mesh = read_tetrahedra(Path(name), most_elements)
@@ -224,6 +282,12 @@ def body_from_tetrahedra(
     notes = list(mesh.notes)
     elements = without_broken(mesh.points, mesh.elements, name, notes)
     elements = one_piece(mesh.points, elements, part, name, notes)
+    loose = hinged(elements)
+    if loose > 1:
+        notes.append(
+            f"{loose} groups of tetrahedra touch only at points or edges, as at hinges: there they may turn against "
+            "each other without a force."
+        )
     used, flat = np.unique(elements, return_inverse=True)
     elements = flat.reshape(elements.shape).astype(np.int64)
     unused = mesh.points.shape[0] - used.size
@@ -236,14 +300,26 @@ def body_from_tetrahedra(
         )
     volumes = volumes_of(rest, elements)
     volume = float(volumes.sum())
-    shares = np.bincount(elements.ravel(), weights=np.repeat(volumes, 4), minlength=rest.shape[0])
+    skin = boundary_of(rest, elements)
+    twice = doubled(skin.vertices, skin.triangles.astype(np.int64))
+    if twice > _OVERLAP * volume:
+        raise BodyError(
+            f"tetrahedra of {name} overlap in {100.0 * twice / volume:.2g} % of their volume; every place must be in "
+            "one of them, so mesh the union of the parts"
+        )
+    fractions = np.bincount(elements.ravel(), weights=np.repeat(volumes, 4), minlength=rest.shape[0])
     total = density * volume if mass is None else mass
-    if model == "elastic":
-        springs = elasticity.elastic_tetrahedra(rest, elements, young=young, poisson=poisson)
-    elif stiffness is None:
-        springs = elasticity.springs_of_tetrahedra(rest, elements, young=young)
-    else:
-        springs = elasticity.springs_along_edges(rest.shape[0], elements, stiffness=stiffness)
+    springs, material = of_tetrahedra(
+        rest,
+        elements,
+        model=model,
+        young=young,
+        poisson=poisson,
+        stiffness=stiffness,
+        viscosity=rayleigh_stiffness,
+        frame=frame,
+        gravity=gravity,
+    )
     place = np.full(mesh.points.shape[0], -1, dtype=np.int64)
     place[used] = np.arange(used.size)
     given = {**mesh.sets, **{key: np.asarray(members, dtype=np.int64) for key, members in (sets or {}).items()}}
@@ -251,7 +327,7 @@ def body_from_tetrahedra(
     edges = rest[elasticity.edges_of(elements)]
     return _body(
         rest=rest,
-        masses=total * shares / shares.sum(),
+        masses=total * fractions / fractions.sum(),
         springs=springs,
         alpha=rayleigh_mass,
         beta=rayleigh_stiffness,
@@ -260,7 +336,7 @@ def body_from_tetrahedra(
         ground_damping=ground_damping,
         slack=0.0,
         sets=named,
-        skin=boundary_of(rest, elements),
+        skin=skin,
         origin={
             "source": name,
             "kind": "tetrahedra",
@@ -271,7 +347,8 @@ def body_from_tetrahedra(
             "size": np.ptp(rest, axis=0),
             "spacing": float(np.linalg.norm(edges[:, 1] - edges[:, 0], axis=1).mean()),
         },
-        notes=[*notes, *_warned(model, poisson)],
+        notes=[*notes, *warned(model, poisson)],
+        material=material,
     )
 
 
@@ -290,15 +367,19 @@ def _body(
     skin: Skin,
     origin: dict[str, Any],
     notes: list[str],
+    material: Material | None,
 ) -> Body:
     """Puts the parts together; what holds it are springs to the ground, so that they are diagonal."""
     for label, value in (("ground_stiffness", ground_stiffness), ("ground_damping", ground_damping)):
         if not (np.isfinite(value) and value >= 0.0):
             raise BodyError(f"{label} is {value}; it must be a finite number of at least 0")
-    held = held_nodes(ground, rest, slack=slack, sets=sets)
+    held = held_nodes(ground, rest, slack=slack, spacing=float(origin["spacing"]), sets=sets)
+    rounded = rounded_face(ground, rest, held)
+    if rounded is not None:
+        notes.append(rounded)
     if held.size and ground_stiffness == 0.0 and ground_damping == 0.0:
         raise BodyError(f"the ground holds {held.size} nodes with ground_stiffness 0; give it in N/m for each node")
-    turning = springs.shape[0] == 3 * rest.shape[0]
+    turning = springs.shape[0] == 3 * rest.shape[0] or (material is not None and material.model != "linear")
     free = free_motions(rest, held if ground_stiffness > 0.0 else held[:0], turning=turning)
     if free == (6 if turning else 3):
         notes.append("Held by nothing: pushed, it flies off. Give ground and ground_stiffness to hold it.")
@@ -315,43 +396,9 @@ def _body(
         stiffness_ext=sp.diags_array(grip * ground_stiffness),
         skin=skin,
         origin=Origin(held=held, free=free, notes=tuple(notes), **origin),
+        material=material,
     )
 
 
 def _name(source: object) -> str:
     return str(source) if isinstance(source, str | Path) else "arrays"
-
-
-def _check_material(
-    model: str,
-    young: float,
-    poisson: float,
-    stiffness: float | None,
-    density: float,
-    mass: float | None,
-    rayleigh_mass: float,
-    rayleigh_stiffness: float,
-) -> None:
-    if model not in {"springs", "elastic"}:
-        raise BodyError(f'model is "{model}"; it must be "springs" or "elastic"')
-    for label, value, unit in (
-        ("young", young, "Pa"),
-        ("density", density, "kg/m³"),
-        ("mass", mass, "kg"),
-        ("stiffness", stiffness, "N/m"),
-    ):
-        if value is not None and not (np.isfinite(value) and value > 0.0):
-            raise BodyError(f"{label} is {value}; it must be more than 0 {unit}")
-    if stiffness is not None and model != "springs":
-        raise BodyError(f'stiffness is {stiffness}, but model is "elastic"; give young and poisson, or model "springs"')
-    if not -1.0 < poisson < 0.5:
-        raise BodyError(f"poisson is {poisson}; it must be above -1 and below 0.5")
-    for label, value in (("rayleigh_mass", rayleigh_mass), ("rayleigh_stiffness", rayleigh_stiffness)):
-        if not (np.isfinite(value) and value >= 0.0):
-            raise BodyError(f"{label} is {value}; it must be a finite number of at least 0")
-
-
-def _warned(model: str, poisson: float) -> list[str]:
-    if model == "elastic" and poisson > _LOCKS:
-        return [f"Poisson's ratio {poisson:g}: so near to 0.5 linear elements are too stiff."]
-    return []

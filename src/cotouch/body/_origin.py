@@ -15,7 +15,7 @@ class Origin:
     Attributes:
         source: name of the file, or "arrays".
         kind: "surface" (a lattice inside it) or "tetrahedra".
-        model: "springs" or "elastic".
+        model: as a builder was asked for it.
         unit: of the source.
         elements: number of cells or tetrahedra.
         volume: of the solid [m³].
@@ -28,7 +28,7 @@ class Origin:
 
     source: str
     kind: Literal["surface", "tetrahedra"]
-    model: Literal["springs", "elastic"]
+    model: str
     unit: str
     elements: int
     volume: float

@@ -1,23 +1,25 @@
 """What of a mesh is used: the part that was chosen, without what is broken in it."""
 
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 import numpy.typing as npt
 import scipy.sparse as sp
 from scipy.sparse.csgraph import connected_components
 
+from cotouch.arrays import Float
 from cotouch.body._cells import CORNERS, Cells, carriers, cells_of
 from cotouch.body._repair import Shells
 from cotouch.body._skin import Skin
 from cotouch.errors import BodyError
 
-Float = npt.NDArray[np.float64]
 Ints = npt.NDArray[np.int64]
 # A piece with less than this share of the volume is debris.
 _DEBRIS: Final = 0.01
 # A tetrahedron of less than this share of its longest edge cubed is flat (a regular one has 0.118).
 _FLAT: Final = 1e-8
+# Of volumes, beside the largest, by which parts are ordered.
+_DIGITS: Final = 9
 
 
 def grid_nodes(cells: Cells) -> tuple[Ints, Float]:
@@ -32,6 +34,12 @@ def grid_nodes(cells: Cells) -> tuple[Ints, Float]:
 def one_part(shells: Shells, resolution: int, part: int | None, name: str) -> tuple[Shells, Cells, list[str]]:
     """The shells that hang together, and their cells.
 
+    Args:
+        shells: closed surfaces.
+        resolution: cells along the longest side.
+        part: which one to take, from 1; None: there must be one only.
+        name: what messages call it.
+
     Raises:
         BodyError: there are several parts and none was chosen, or not so many.
     """
@@ -41,27 +49,34 @@ def one_part(shells: Shells, resolution: int, part: int | None, name: str) -> tu
     rows, _ = carriers(shells.vertices, shells.triangles, cells)
     first = shells.triangles[np.unique(shells.shell, return_index=True)[1], 0]
     of_shell = label[corners[rows[first], 0]]
-    shares = np.bincount(of_shell, weights=shells.volumes)
-    if part is None and shares.size == 1:
+    fractions = np.bincount(of_shell, weights=shells.volumes)
+    if part is None and fractions.size == 1:
         return shells, cells, []
-    ranked = np.argsort(-shares, kind="stable")
-    chosen = _choice(shares[ranked] / shares.sum(), part, name)
-    if shares.size == 1:
+    ranked = _by_size(fractions)
+    chosen = _choice(fractions[ranked] / fractions.sum(), part, name)
+    if fractions.size == 1:
         return shells, cells, []
     kept = shells.only(np.flatnonzero(of_shell == ranked[chosen]))
-    return kept, cells_of(kept.vertices, kept.triangles, resolution), [_left(shares.size, chosen, part)]
+    return kept, cells_of(kept.vertices, kept.triangles, resolution), [_left(fractions.size, chosen, part)]
 
 
-def _choice(shares: Float, part: int | None, name: str) -> int:
+def _by_size(fractions: npt.NDArray[Any]) -> Ints:
+    """Largest first; what differs by no more than round-off keeps its order, so that all machines number alike."""
+    return np.argsort(-np.round(fractions / fractions.max(), _DIGITS), kind="stable")
+
+
+def _choice(fractions: Float, part: int | None, name: str) -> int:
     """Which of the parts, ordered by size, to take."""
     if part is not None:
-        if not 1 <= part <= shares.size:
-            raise BodyError(f"part is {part}; {name} has parts 1 to {shares.size}")
+        if not 1 <= part <= fractions.size:
+            raise BodyError(f"part is {part}; {name} has parts 1 to {fractions.size}")
         return part - 1
-    if shares[1:].sum() > _DEBRIS:
-        shown = ", ".join(f"{100 * share:.3g} %" for share in shares[:5]) + (", ..." if shares.size > 5 else "")
+    if fractions[1:].sum() > _DEBRIS:
+        shown = ", ".join(f"{100 * fraction:.3g} %" for fraction in fractions[:5]) + (
+            ", ..." if fractions.size > 5 else ""
+        )
         raise BodyError(
-            f"{name} has {shares.size} separate parts ({shown} of its volume) that nothing joins; choose one with "
+            f"{name} has {fractions.size} separate parts ({shown} of its volume) that nothing joins; choose one with "
             "part, or join them"
         )
     return 0
@@ -81,13 +96,25 @@ def _together(elements: Ints, nodes: int) -> Ints:
 
 
 def volumes_of(points: Float, elements: Ints) -> Float:
-    """Of tetrahedra, (E,); negative of those that are turned inside out [m³]."""
+    """Of tetrahedra, (E,); negative of those that are turned inside out [m³].
+
+    Args:
+        points: (n, 3) [m].
+        elements: (E, 4) indices of points.
+    """
     a, b, c, d = (points[elements[:, k]] for k in range(4))
     return np.einsum("ij,ij->i", b - a, np.cross(c - a, d - a)) / 6.0
 
 
 def without_broken(points: Float, elements: Ints, name: str, notes: list[str]) -> Ints:
-    """Without flat and repeated elements, and all turned the right way."""
+    """Without flat and repeated elements, and all turned the right way.
+
+    Args:
+        points: (n, 3) [m].
+        elements: (E, 4) indices of points.
+        name: what messages call it.
+        notes: what was repaired; added to.
+    """
     sides = np.stack([points[elements[:, i]] - points[elements[:, j]] for i in range(4) for j in range(i)])
     longest = np.linalg.norm(sides, axis=2).max(axis=0)
     volumes = volumes_of(points, elements)
@@ -112,24 +139,47 @@ def without_broken(points: Float, elements: Ints, name: str, notes: list[str]) -
 def one_piece(points: Float, elements: Ints, part: int | None, name: str, notes: list[str]) -> Ints:
     """The elements that hang together.
 
+    Args:
+        points: (n, 3) [m].
+        elements: (E, 4) indices of points.
+        part: which one to take, from 1; None: there must be one only.
+        name: what messages call it.
+        notes: what was repaired; added to.
+
     Raises:
         BodyError: there are several parts and none was chosen, or not so many.
     """
     label = _together(elements, points.shape[0])[elements[:, 0]]
     found, label = np.unique(label, return_inverse=True)
-    shares = np.bincount(label.ravel(), weights=volumes_of(points, elements))
-    ranked = np.argsort(-shares, kind="stable")
+    fractions = np.bincount(label.ravel(), weights=volumes_of(points, elements))
+    ranked = _by_size(fractions)
     if found.size == 1 and part is None:
         return elements
-    chosen = _choice(shares[ranked] / shares.sum(), part, name)
+    chosen = _choice(fractions[ranked] / fractions.sum(), part, name)
     if found.size == 1:
         return elements
     notes.append(_left(found.size, chosen, part))
     return elements[label.ravel() == ranked[chosen]]
 
 
+def hinged(elements: Ints) -> int:
+    """How many groups of elements there are that no face joins to each other."""
+    count = elements.shape[0]
+    faces = np.sort(np.concatenate([np.delete(elements, corner, axis=1) for corner in range(4)]), axis=1)
+    _, face = np.unique(faces, axis=0, return_inverse=True)
+    owner = np.tile(np.arange(count), 4)
+    ones = np.ones(owner.size)
+    joined = sp.csr_array((ones, (owner, face.ravel())), shape=(count, int(face.max()) + 1))
+    return int(connected_components(joined @ joined.T, directed=False)[0])
+
+
 def boundary_of(rest: Float, elements: Ints) -> Skin:
-    """Faces that belong to one element only, seen from outside."""
+    """Faces that belong to one element only, seen from outside.
+
+    Args:
+        rest: (n, 3) places at rest [m].
+        elements: (E, 4) indices of points.
+    """
     faces = np.concatenate([elements[:, face] for face in ([0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3])])
     _, first, times = np.unique(np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True)
     outer = faces[np.sort(first[times == 1])]

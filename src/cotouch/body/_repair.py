@@ -8,10 +8,11 @@ import numpy.typing as npt
 import scipy.sparse as sp
 from scipy.sparse.csgraph import breadth_first_order, connected_components
 
-from cotouch.body._reading import Mesh, check_indices
+from cotouch.arrays import Float
+from cotouch.body._reading import check_indices
 from cotouch.errors import BodyError
+from cotouch.meshfile import Mesh
 
-Float = npt.NDArray[np.float64]
 Ints = npt.NDArray[np.int64]
 
 # Points this near to each other, beside the size of the whole, are one: single precision in files keeps 1e-7.
@@ -47,7 +48,7 @@ class Shells:
 
     @property
     def volume(self) -> float:
-        """Of the solid, as if shells did not overlap."""
+        """As if shells did not overlap; `cotouch.body._lines.doubled` says what is then too much."""
         return float(self.volumes.sum())
 
     def only(self, shells: Ints) -> "Shells":
@@ -65,6 +66,10 @@ class Shells:
 
 def repaired(mesh: Mesh, source: str) -> Shells:
     """Merges points, drops degenerate triangles and debris, turns faces round, and fills holes.
+
+    Args:
+        mesh: points and elements.
+        source: what messages call the file.
 
     Raises:
         BodyError: the surface has one side only, is open beyond repair, encloses nothing, or is no surface at all.

@@ -8,9 +8,9 @@ import numpy as np
 import numpy.typing as npt
 import scipy.sparse as sp
 
+from cotouch.arrays import Float
 from cotouch.errors import BodyError
 
-Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
 
 # What the sum of a vertex's weights may be off by: they come from a division or from a file.
@@ -50,23 +50,23 @@ class Skin:
         places = _table("skin vertices", vertices, np.float64, width=3)
         corners = _table("skin triangles", triangles, np.int32, width=3)
         carriers = _table("skin nodes", nodes, np.int32, width=None)
-        shares = _table("skin weights", weights, np.float64, width=None)
+        parts = _table("skin weights", weights, np.float64, width=None)
         if not np.isfinite(places).all():
             bad = int(np.flatnonzero(~np.isfinite(places).all(axis=1))[0])
             raise BodyError(f"skin vertex {bad} is {places[bad].tolist()}; every coordinate must be a finite number")
-        if carriers.shape != shares.shape or carriers.shape[0] != places.shape[0] or not 1 <= carriers.shape[1] <= 8:
+        if carriers.shape != parts.shape or carriers.shape[0] != places.shape[0] or not 1 <= carriers.shape[1] <= 8:
             raise BodyError(
-                f"skin nodes are {_size(carriers)} and skin weights {_size(shares)}; both must be {places.shape[0]} x "
+                f"skin nodes are {_size(carriers)} and skin weights {_size(parts)}; both must be {places.shape[0]} x "
                 "k with k from 1 to 8"
             )
         if corners.size and (corners.min() < 0 or corners.max() >= places.shape[0]):
             wrong = int(corners.min() if corners.min() < 0 else corners.max())
             raise BodyError(f"a skin triangle names vertex {wrong}; this skin has vertices 0 to {places.shape[0] - 1}")
-        sums = shares.sum(axis=1)
+        sums = parts.sum(axis=1)
         off = np.flatnonzero(~(np.abs(sums - 1.0) <= _SUM))
         if off.size:
             raise BodyError(f"the weights of skin vertex {off[0]} sum to {sums[off[0]]:.9g}; they must sum to 1")
-        for name, array in (("vertices", places), ("triangles", corners), ("nodes", carriers), ("weights", shares)):
+        for name, array in (("vertices", places), ("triangles", corners), ("nodes", carriers), ("weights", parts)):
             array.setflags(write=False)
             object.__setattr__(self, name, array)
 
@@ -98,7 +98,12 @@ class Skin:
         return np.einsum("vk,vkd->vd", self.weights, field[self.nodes])
 
     def spread(self, forces: npt.ArrayLike, body_nodes: int) -> Float:
-        """Forces at the nodes, (n, 3), that do the same work as forces at the skin's vertices, (V, 3)."""
+        """Forces at the nodes, (n, 3), that do the same work as forces at the skin's vertices, (V, 3).
+
+        Args:
+            forces: (V, 3) [N].
+            body_nodes: n.
+        """
         return np.asarray(self.interpolation(body_nodes).T @ np.asarray(forces, dtype=np.float64))
 
 

@@ -8,7 +8,9 @@ import numpy.typing as npt
 import scipy.linalg as la
 import scipy.sparse as sp
 
-Float = npt.NDArray[np.float64]
+from cotouch.arrays import Float
+from cotouch.body._eigenspaces import canonical
+
 Nodes = npt.NDArray[np.intp]
 
 # Up to here a dense eigenvalue solve takes well under a second.
@@ -21,6 +23,10 @@ _SHIFT = 1e-3
 _RIGID = 1e-6
 # Rounding of a dense solve, in last places of the largest eigenvalue.
 _ROUNDINGS = 16.0
+# Eigenvalues this close to each other, relatively, are equal.
+_EQUAL = 1e-9
+# Shapes looked for beyond those that are wanted, so that all of a repeated eigenvalue are found.
+_MORE = 6
 # Each refinement leaves of the error the share that the shift has in the lowest eigenvalue left, mostly a thousandth.
 _REFINEMENTS = 40
 _EXACT = 1e-12
@@ -56,6 +62,10 @@ class Statics:
 
         All rigid motions must be among the modes. A load then finds inertia relief: the shape that a free body takes
         while the load accelerates it.
+
+        Args:
+            loads: (rows, m) [N].
+            shapes: (rows, m) mass-normal modes.
         """
         carried = self.mass @ shapes
         balanced = loads - carried @ (shapes.T @ loads)
@@ -76,6 +86,12 @@ def factorise(mass: sp.csr_array, stiffness: sp.csr_array, rest: Float, *, free:
 
     For a solid of 20,000 nodes this needs a third of the fill and an eighth of the time of minimum degree. Where
     nothing is free the shift may be left out.
+
+    Args:
+        mass: M, sparse [kg].
+        stiffness: K, sparse [N/m].
+        rest: (n, 3) places at rest [m].
+        free: whether rigid motions may be free.
     """
     from scipy.sparse.linalg import splu
 
@@ -134,15 +150,31 @@ def lowest_modes(
         statics: the factors, if there are some already.
 
     Returns:
-        λ (count,) [1/s²], exactly 0 for rigid motions, and Φ (rows, count), each with its largest entry positive.
+        λ (count,) [1/s²], exactly 0 for rigid motions, and Φ (rows, count), the same on every machine: see `canonical`.
     """
     rows = mass.shape[0]
     count = min(count, rows)
+    wanted = count
+    while True:
+        wanted = min(wanted + _MORE, rows)
+        values, shapes, closeness = _lowest(mass, stiffness, rest, wanted, statics)
+        # Where the last of them has equals that are not there yet, which of them it is would be left to round-off.
+        if wanted == rows or (np.diff(values[count - 1 :]) > closeness[count - 1 :]).any():
+            return values[:count], np.ascontiguousarray(canonical(values, shapes, mass, closeness)[:, :count])
+        wanted *= 2
+
+
+def _lowest(
+    mass: sp.csr_array, stiffness: sp.csr_array, rest: Float, wanted: int, statics: Statics | None
+) -> tuple[Float, Float, Float]:
+    """λ, Φ, and how close neighbours of the λ can be and still be equal."""
+    rows = mass.shape[0]
     guess = _lowest_guess(mass, stiffness, rest.shape[0])
-    if rows <= _DENSE_ROWS or count > rows // 3:
-        values, shapes = la.eigh(stiffness.toarray(), mass.toarray(), subset_by_index=[0, count - 1])
+    if rows <= _DENSE_ROWS or wanted > rows // 3:
+        values, shapes = la.eigh(stiffness.toarray(), mass.toarray(), subset_by_index=[0, wanted - 1])
         highest = float((stiffness.diagonal() / mass.diagonal()).max(initial=0.0))
-        limit = max(_RIGID * _SHIFT * guess, _ROUNDINGS * np.finfo(np.float64).eps * highest)
+        noise = _ROUNDINGS * np.finfo(np.float64).eps * highest
+        limit = max(_RIGID * _SHIFT * guess, noise)
     else:
         from scipy.sparse.linalg import LinearOperator, eigsh
 
@@ -150,7 +182,6 @@ def lowest_modes(
         inverse: Any = LinearOperator(
             (rows, rows), matvec=lambda b: ready.solve(np.asarray(b).ravel()), dtype=np.float64
         )
-        wanted = min(count + 6, rows - 1)  # a few more, so that all of a repeated eigenvalue are found
         values, shapes = eigsh(
             stiffness,
             k=wanted,
@@ -160,9 +191,8 @@ def lowest_modes(
             v0=np.cos(np.arange(rows) * 1.618),  # any fixed vector, so that the same body gives the same modes
             ncv=min(rows, max(2 * wanted + 1, wanted + 20)),
         )
-        best = np.argsort(values)[:count]
+        best = np.argsort(values)
         values, shapes = values[best], shapes[:, best]
-        limit = _RIGID * _SHIFT * guess
+        noise, limit = 0.0, _RIGID * _SHIFT * guess
     values = np.where(values < limit, 0.0, values)
-    largest = np.take_along_axis(shapes, np.abs(shapes).argmax(axis=0)[None, :], axis=0)
-    return np.asarray(values), np.ascontiguousarray(shapes * np.where(largest < 0.0, -1.0, 1.0))
+    return values, shapes, np.asarray(noise + _EQUAL * values[1:])

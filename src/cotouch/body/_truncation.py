@@ -5,17 +5,18 @@ from dataclasses import dataclass
 from typing import final
 
 import numpy as np
-import numpy.typing as npt
 import scipy.linalg as la
 import scipy.sparse as sp
 
+from cotouch.arrays import Float
+from cotouch.body._eigenspaces import canonical
 from cotouch.body._statics import factorise, lowest_modes
 from cotouch.errors import BodyError, UnsupportedError
 
-Float = npt.NDArray[np.float64]
-
 # A residual this small beside the whole answer is rounding; shapes whose mass is so small follow from the others.
 _DEPENDENT = 1e-11
+# Stiffnesses of residual shapes this close to each other, beside the largest, are equal.
+_EQUAL = 1e-9
 # How far from diagonal the damping may be in the shapes, relative to its largest entry there.
 _COMMUTES = 1e-8
 
@@ -80,6 +81,14 @@ def truncate(
     With Φ the kept modes, the static answer to a force at a contact is `K⁻¹h = Φ Λ⁻¹ Φᵀh + ψ`. The rest ψ is orthogonal
     to the modes in M and in K, so keeping it as a shape changes no mode and makes `hᵀK⁻¹h` exact [MacNeal 1971; Rubin
     1975].
+
+    Args:
+        mass: M, sparse [kg].
+        damping: D, sparse [Ns/m].
+        stiffness: K, sparse [N/m].
+        rest: (n, 3) places at rest [m].
+        modes: how many are kept.
+        contacts: nodes at which static answers stay exact.
     """
     nodes, rows = rest.shape[0], mass.shape[0]
     if not 1 <= modes <= rows:
@@ -141,4 +150,4 @@ def _orthonormal(mass: sp.csr_array, stiffness: sp.csr_array, residual: Float, a
     good = sizes > _DEPENDENT * sizes.max(initial=0.0)
     basis = columns @ (turn[:, good] / np.sqrt(sizes[good]))
     values, turn = la.eigh(basis.T @ (stiffness @ basis))
-    return values, basis @ turn
+    return values, canonical(values, basis @ turn, mass, _EQUAL * values[-1])

@@ -8,7 +8,9 @@ import typer
 
 from cotouch.cli import _live_commands as live
 from cotouch.cli._device_commands import devices
+from cotouch.cli._interrupted import INTERRUPTED, say_interrupted
 from cotouch.cli._options import AsJson
+from cotouch.cli._standard import interrupts, warnings_as_sentences
 from cotouch.errors import CotouchError
 
 app = typer.Typer(
@@ -41,7 +43,7 @@ def _main(
 
 @app.command()
 def simulate(
-    scenario: Annotated[Path, typer.Argument(help="A scenario, TOML.", show_default=False)],
+    scenario: Annotated[Path, typer.Argument(help="Scenario (TOML).", show_default=False)],
     out: Annotated[
         Path | None, typer.Option(help="Write the whole run to this NetCDF file.", show_default=False)
     ] = None,
@@ -52,25 +54,83 @@ def simulate(
     ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Run a scenario of many virtual peers and say how it went."""
+    """Simulate a scenario with many virtual peers and summarise the run."""
     from cotouch.cli._simulate import run
 
-    run(scenario, out=out, figures=figures, animation=animation, as_json=as_json)
+    if not run(scenario, out=out, figures=figures, animation=animation, as_json=as_json):
+        raise typer.Exit(1)
+
+
+@app.command()
+def feel(
+    scenario: Annotated[Path, typer.Argument(help="Scenario (TOML).", show_default=False)],
+    user: Annotated[int, typer.Option(help="Whose hand.", min=1)] = 1,
+    others: Annotated[str, typer.Option(help="What the other hands do: free, or holding still.")] = "free",
+    law: Annotated[str | None, typer.Option(help="Instead of the scenario's law.", show_default=False)] = None,
+    figures: Annotated[
+        Path | None, typer.Option(help="Draw the Bode plot into this folder.", show_default=False)
+    ] = None,
+    measure: Annotated[bool, typer.Option(help="Simulate, beside predicting.")] = True,
+    as_json: AsJson = False,
+) -> None:
+    """Say what a hand feels of the object: drag, mass, stiffness, and impedance over frequency."""
+    from cotouch.cli._laboratory import feel as run
+
+    run(scenario, user=user, others=others, law=law, figures=figures, measure=measure, as_json=as_json)
+
+
+@app.command()
+def sweep(
+    scenario: Annotated[Path, typer.Argument(help="Scenario (TOML).", show_default=False)],
+    vary: Annotated[
+        list[str],
+        typer.Option(
+            help="OPTION=VALUES: link.delay=0.01:0.1:10, synchronisation.law=spring,wave; again for more.",
+            show_default=False,
+        ),
+    ],
+    out: Annotated[Path | None, typer.Option(help="Write all to this NetCDF file.", show_default=False)] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Run a scenario with options varied, in every combination."""
+    from cotouch.cli._laboratory import sweep as run
+
+    run(scenario, vary=vary, out=out, as_json=as_json)
+
+
+@app.command()
+def compare(
+    study: Annotated[Path, typer.Argument(help="Study (TOML): laws, networks, tasks, users.", show_default=False)],
+    out: Annotated[
+        Path, typer.Option(help="Folder for results and report; resumes what is there.", show_default=False)
+    ],
+    dask: Annotated[
+        str | None,
+        typer.Option(help="Let the workers of this Dask scheduler compute: tcp://host:8786.", show_default=False),
+    ] = None,
+    jobs: Annotated[int, typer.Option(help="Cells at once; -1: one per core.", min=-1)] = -1,
+    as_json: AsJson = False,
+) -> None:
+    """Compare link laws over networks, tasks and numbers of users, and write a report."""
+    from cotouch.cli._compare import run
+
+    run(study, out=out, dask=dask, jobs=jobs, as_json=as_json)
 
 
 @app.command()
 def certify(
-    network: Annotated[Path, typer.Argument(help="A network or scenario, TOML.", show_default=False)],
-    period: Annotated[float, typer.Option(help="Length of the steps [s].", min=1e-9)] = 1e-3,
+    network: Annotated[Path, typer.Argument(help="Network or scenario (TOML).", show_default=False)],
+    period: Annotated[float, typer.Option(help="Step length [s].", min=1e-9)] = 1e-3,
     damping: Annotated[
         str | None,
         typer.Option(
-            help="Check this instead of designing: B in Ns/m, one number or one per user.", show_default=False
+            help="Check this damping instead of designing it: B in Ns/m, one number or one per user.",
+            show_default=False,
         ),
     ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Work out the damping that keeps a network passive, by each method, and say what each one covers."""
+    """Compute the damping that keeps a network passive, by each method, and say what each covers."""
     from cotouch.cli._certify import run
 
     run(network, period=period, damping=damping, as_json=as_json)
@@ -79,22 +139,35 @@ def certify(
 @app.command()
 def body(
     file: Annotated[
-        Path, typer.Argument(help="A mesh: STL, OBJ, PLY, OFF, GLB, VTK, VTU, .msh or .mesh.", show_default=False)
+        Path, typer.Argument(help="Mesh: STL, OBJ, PLY, OFF, GLB, VTK, VTU, .msh or .mesh.", show_default=False)
     ],
     unit: Annotated[
-        str | None, typer.Option(help="Of the file: m, mm, cm or in; only GLB says it itself.", show_default=False)
+        str | None,
+        typer.Option(help="Unit of the file: m, mm, cm or in; only GLB files state theirs.", show_default=False),
     ] = None,
     resolution: Annotated[
         int | None,
-        typer.Option(help="Surfaces: cells along the longest side (default 12).", show_default=False),
+        typer.Option(help="Cells along the longest side, for surfaces (default 12).", show_default=False),
     ] = None,
     model: Annotated[
         str | None,
         typer.Option(help="springs (default of surfaces) or elastic (default of tetrahedra).", show_default=False),
     ] = None,
+    frame: Annotated[str | None, typer.Option(help="fixed (default) or floating.", show_default=False)] = None,
+    gravity: Annotated[
+        str | None, typer.Option(help="Acceleration along x, y and z, as 0,0,-9.81 [m/s²].", show_default=False)
+    ] = None,
     young: Annotated[float, typer.Option(help="Young's modulus [Pa].")] = 1e4,
     poisson: Annotated[float, typer.Option(help="Poisson's ratio.")] = 0.3,
-    density: Annotated[float, typer.Option(help="[kg/m³].")] = 1000.0,
+    stiffness: Annotated[
+        float | None, typer.Option(help="Of each spring, instead of Young's modulus [N/m].", show_default=False)
+    ] = None,
+    density: Annotated[float, typer.Option(help="Density [kg/m³].")] = 1000.0,
+    mass: Annotated[
+        float | None, typer.Option(help="Of the whole body, instead of the density [kg].", show_default=False)
+    ] = None,
+    rayleigh_mass: Annotated[float, typer.Option(help="α of the damping α M + β K [1/s].")] = 0.0,
+    rayleigh_stiffness: Annotated[float, typer.Option(help="β [s].")] = 0.0,
     ground: Annotated[
         str,
         typer.Option(
@@ -102,21 +175,25 @@ def body(
             "box:X,Y,Z/X,Y,Z, in metres."
         ),
     ] = "none",
-    ground_stiffness: Annotated[float, typer.Option(help="Of each held node [N/m].")] = 1e3,
+    ground_stiffness: Annotated[float, typer.Option(help="Stiffness of each held node [N/m].")] = 1e3,
+    ground_damping: Annotated[float, typer.Option(help="Damping of each held node [Ns/m].")] = 0.0,
     part: Annotated[
-        int | None, typer.Option(help="Which of several parts; the biggest is 1.", show_default=False)
+        int | None, typer.Option(help="Which of several parts to use; the biggest is 1.", show_default=False)
     ] = None,
     modes: Annotated[
         int | None,
-        typer.Option(help="Also say how good so many modes would be at a contact.", show_default=False),
+        typer.Option(help="Also report how accurate this many modes would be at a contact.", show_default=False),
     ] = None,
     most: Annotated[
-        int | None, typer.Option(help="Refuse files with more triangles or tetrahedra.", show_default=False)
+        int | None, typer.Option(help="Refuse files with more triangles or tetrahedra than this.", show_default=False)
+    ] = None,
+    most_nodes: Annotated[
+        int | None, typer.Option(help="Refuse bodies with more nodes than this.", show_default=False)
     ] = None,
     figures: Annotated[Path | None, typer.Option(help="Draw a figure into this folder.", show_default=False)] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Make a body of a mesh and say what was understood: repairs, size, mass, first modes, what holds it."""
+    """Make a body from a mesh and report on it: repairs, size, mass, first modes, supports."""
     from cotouch.cli._body import run
 
     run(
@@ -126,74 +203,122 @@ def body(
         unit=unit,
         resolution=resolution,
         model=model,
+        frame=frame,
+        gravity=gravity,
         young=young,
         poisson=poisson,
+        stiffness=stiffness,
         density=density,
+        mass=mass,
+        rayleigh_mass=rayleigh_mass,
+        rayleigh_stiffness=rayleigh_stiffness,
         ground=ground,
         ground_stiffness=ground_stiffness,
+        ground_damping=ground_damping,
         part=part,
         modes=modes,
         most=most,
+        most_nodes=most_nodes,
     )
 
 
 @app.command()
 def plan(
-    network: Annotated[Path, typer.Argument(help="A network or scenario, TOML.", show_default=False)],
-    links: Annotated[int, typer.Option(help="How many links.", show_default=False)],
-    objective: Annotated[str, typer.Option(help="What is to be small: consensus, decay or damping.")] = "consensus",
-    convention: Annotated[str, typer.Option(help="Of the consensus: equation or matrix.")] = "equation",
-    time_unit: Annotated[float, typer.Option(help="Of the consensus [s].")] = 0.01,
-    rounding: Annotated[str, typer.Option(help="Of delays to time units: exact, nearest or up.")] = "exact",
-    must: Annotated[
-        list[str] | None, typer.Option(help="Links that must be, as 1-2; again for more.", show_default=False)
+    network: Annotated[
+        Path | None, typer.Argument(help="A network or scenario, TOML; not needed with --delays.", show_default=False)
     ] = None,
-    never: Annotated[
-        list[str] | None, typer.Option(help="Links that may not be, as 1-3; again for more.", show_default=False)
+    links: Annotated[
+        str, typer.Option(help='How many: 6, a range such as 4-8, or "at most 8".', show_default=False)
+    ] = "",
+    objective: Annotated[
+        str | None,
+        typer.Option(
+            help="What to minimise: consensus, decay or damping; decay where delays are no whole time units.",
+            show_default="consensus",
+        ),
     ] = None,
-    max_degree: Annotated[int | None, typer.Option(help="Most links of one user.", show_default=False)] = None,
+    convention: Annotated[str, typer.Option(help="Form of the consensus model: equation or matrix.")] = "equation",
+    time_unit: Annotated[float, typer.Option(help="Time unit of the consensus model [s].")] = 0.01,
+    rounding: Annotated[str, typer.Option(help="Rounding of delays to time units: exact, nearest or up.")] = "exact",
+    require: Annotated[
+        list[str] | None,
+        typer.Option(help="Links that must be, as 1-2 or Ann-Ben; again for more.", show_default=False),
+    ] = None,
+    forbid: Annotated[
+        list[str] | None,
+        typer.Option(help="Links that may not be, as 1-3 or Ann-Ben; again for more.", show_default=False),
+    ] = None,
+    max_degree: Annotated[
+        int | None, typer.Option(help="Maximum number of links per user.", show_default=False)
+    ] = None,
+    damping_limit: Annotated[
+        float | None, typer.Option(help="Most damping of one user [Ns/m].", show_default=False)
+    ] = None,
+    drag_limit: Annotated[
+        float | None, typer.Option(help="Most drag that all users together feel [Ns/m].", show_default=False)
+    ] = None,
+    lost: Annotated[str, typer.Option(help="Judge by the worst loss: nothing, link or user.")] = "nothing",
     mass: Annotated[
-        float | None, typer.Option(help="Of the object [kg], instead of the file's; else 1.", show_default=False)
+        float | None, typer.Option(help="Mass of the object [kg]; default: the file's, else 1.", show_default=False)
     ] = None,
     damping: Annotated[
-        float | None, typer.Option(help="Of the object [Ns/m], instead of the file's; else 0.", show_default=False)
+        float | None,
+        typer.Option(help="Damping of the object [Ns/m]; default: the file's, else 0.", show_default=False),
     ] = None,
     stiffness: Annotated[
-        float | None, typer.Option(help="Of the object [N/m], instead of the file's; else 0.", show_default=False)
+        float | None,
+        typer.Option(help="Stiffness of the object [N/m]; default: the file's, else 0.", show_default=False),
     ] = None,
-    top: Annotated[int, typer.Option(help="How many of the best to show.")] = 5,
-    method: Annotated[str, typer.Option(help="auto, enumerate, bound or local.")] = "auto",
-    seconds: Annotated[float | None, typer.Option(help="Time budget [s].", show_default=False)] = None,
-    seed: Annotated[int, typer.Option(help="Of the random starts of the local search.")] = 0,
+    top: Annotated[int, typer.Option(help="How many of the best choices to show.")] = 5,
+    method: Annotated[str, typer.Option(help="Method: auto, enumerate, bound or local.")] = "auto",
+    seconds: Annotated[float | None, typer.Option("--time-limit", help="Time limit [s].", show_default=False)] = None,
+    seed: Annotated[int, typer.Option(help="Seed of the local search's random starts.")] = 0,
     dask: Annotated[
-        str | None, typer.Option(help="Share the work with this Dask scheduler, tcp://host:port.", show_default=False)
+        str | None,
+        typer.Option(help="Distribute the work by this Dask scheduler, tcp://host:port.", show_default=False),
     ] = None,
+    delays: Annotated[
+        list[Path] | None,
+        typer.Option(help="Table of round trips in ms, CSV, of all users; again for more times.", show_default=False),
+    ] = None,
+    pick: Annotated[
+        str | None, typer.Option(help="Of the table's users only these: NAME,NAME,...", show_default=False)
+    ] = None,
+    spring: Annotated[float, typer.Option(help="Of every link, with --delays [N/m].")] = 50.0,
+    quantile: Annotated[float, typer.Option(help="Of a pair's measured round trips: 1 is the worst.")] = 1.0,
     tune_springs: Annotated[
         float | None,
         typer.Option(
-            help="Then tune the springs of the best choice, with no user's damping above this [Ns/m].",
+            help="Also choose the springs, with no user's damping above this [Ns/m].",
             show_default=False,
         ),
     ] = None,
     figures: Annotated[Path | None, typer.Option(help="Draw figures into this folder.", show_default=False)] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Find the links that serve an objective best, and say how sure that is."""
+    """Find the best links for an objective, and say whether that is proved."""
     from cotouch.cli._plan import run
 
     run(
         network,
-        must=must or [],
-        never=never or [],
+        require=require or [],
+        forbid=forbid or [],
+        links=links,
+        delays=delays or [],
+        pick=pick,
+        spring=spring,
+        quantile=quantile,
         tune=tune_springs,
         figures=figures,
         as_json=as_json,
-        links=links,
         objective=objective,
         convention=convention,
         time_unit=time_unit,
         rounding=rounding,
         max_degree=max_degree,
+        damping_limit=damping_limit,
+        drag_limit=drag_limit,
+        lost=lost,
         mass=mass,
         damping=damping,
         stiffness=stiffness,
@@ -214,7 +339,7 @@ def reproduce(
     out: Annotated[Path, typer.Option(help="Folder for the report.")] = Path("out"),
     as_json: AsJson = False,
 ) -> None:
-    """Repeat the paper: topologies, Theorem 1, the bound, the modes, as one HTML report."""
+    """Reproduce the paper in one HTML report: topologies, Theorem 1, the bound, the modes."""
     from cotouch.cli._reproduce import run
 
     run(out, as_json=as_json)
@@ -228,10 +353,15 @@ app.add_typer(devices, name="devices")
 def main() -> None:
     """Runs the command; what the user got wrong is one sentence and exit code 2."""
     try:
-        app()
+        with interrupts(), warnings_as_sentences():
+            app()
     except CotouchError as error:
         sys.stderr.write(f"cotouch: {error}\n")
         sys.exit(2)
-    except KeyboardInterrupt:
-        sys.stderr.write("cotouch: interrupted\n")
-        sys.exit(130)
+    except MemoryError:
+        sys.stderr.write("cotouch: there is not enough memory for this; make the run shorter or the body coarser\n")
+        sys.exit(2)
+    except SystemExit as end:
+        if end.code == INTERRUPTED:  # typer makes this of a KeyboardInterrupt, without a word
+            say_interrupted()
+        raise

@@ -2,22 +2,30 @@
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from cotouch.cli._output import folder, number, print_json, working
+from cotouch.cli._output import literal, number, print_columns, print_json, working
+from cotouch.files import beside, folder
 
 if TYPE_CHECKING:
-    from rich.table import Table
+    from rich.console import Console
 
-    from cotouch.recording import Audit, UserBooks
+    from cotouch.recording import Audit, LinkLedger, UserLedger
 
 
 def run(files: Sequence[Path], *, figures: Path | None, tolerance: float | None, as_json: bool) -> bool:
-    """Audits recordings of one session and prints what came out; returns whether all is accounted for."""
+    """Audits recordings of one session and prints what came out; returns whether all is accounted for.
+
+    Args:
+        files: the recordings.
+        figures: folder for figures; None: none.
+        tolerance: of the energy, as a share; None: the usual.
+        as_json: whether to print one JSON object and nothing else on standard output.
+    """
     from cotouch.recording import audit, read_recording, save_audit_figures
 
     if figures is not None:
-        folder(figures)
+        beside(folder(figures), ("audit.png",), files)
     with working("Reading ...", quiet=as_json):
         recordings = [read_recording(file) for file in files]
     options = {} if tolerance is None else {"tolerance": tolerance}
@@ -36,69 +44,57 @@ def run(files: Sequence[Path], *, figures: Path | None, tolerance: float | None,
 
 def _print(result: "Audit", written: Sequence[Path]) -> None:
     from rich.console import Console
-    from rich.markup import escape
 
     console = Console()
-    console.print(_users(result))
+    _users(console, result)
     if result.links:
-        console.print(_links(result))
+        _links(console, result)
     for note in result.notes:
-        console.print(f"  [yellow]•[/yellow] {escape(note)}", highlight=False, soft_wrap=True)
+        console.print(f"  [yellow]•[/yellow] {literal(note)}", highlight=False, soft_wrap=True)
     for finding in result.findings:
         console.print(
-            f"  [red]•[/red] at {finding.time:.4g} s, {number(finding.energy, 'J')}: {escape(finding.words)}",
+            f"  [red]•[/red] at {finding.time:.4g} s, {number(finding.energy, 'J')}: {literal(finding.words)}",
             highlight=False,
             soft_wrap=True,
         )
     console.print(result.verdict, style="bold green" if result.holds else "bold red", highlight=False, markup=False)
     for file in written:
-        console.print(f"  wrote {file}", highlight=False, soft_wrap=True)
+        console.print(f"  wrote {literal(file)}", highlight=False, soft_wrap=True)
 
 
-def _users(result: "Audit") -> "Table":
-    from rich.box import SIMPLE_HEAD
-    from rich.table import Table
-
-    table = Table(box=SIMPLE_HEAD, title="Energy of each user [J]", title_justify="left")
-    table.add_column("")
-    for books in result.users:
-        table.add_column(books.name, justify="right")
-    rows: list[tuple[str, Callable[[UserBooks], float]]] = [
-        ("put in by hands and tools", lambda books: books.supplied),
-        ("work of the links", lambda books: books.link_work),
-        ("taken by the body's dampers", lambda books: 0.0 - books.body_loss),
-        ("taken by damping B of the links", lambda books: 0.0 - books.local_loss),
-        ("taken by extra damping B_e", lambda books: 0.0 - books.extra_loss),
-        ("lost in contacts and grasps", lambda books: 0.0 - books.touch_loss),
-        ("came with joining and leaving", lambda books: books.members),
-        ("stored, more than at the start", lambda books: books.stored),
+def _users(console: "Console", result: "Audit") -> None:
+    rows: list[tuple[str, Callable[[UserLedger], float]]] = [
+        ("put in by hands and tools", lambda ledger: ledger.supplied),
+        ("work of the links", lambda ledger: ledger.link_work),
+        ("taken by the body's dampers", lambda ledger: 0.0 - ledger.body_loss),
+        ("taken by damping B of the links", lambda ledger: 0.0 - ledger.local_loss),
+        ("taken by extra damping B_e", lambda ledger: 0.0 - ledger.extra_loss),
+        ("lost in contacts and grasps", lambda ledger: 0.0 - ledger.touch_loss),
+        ("came with joining and leaving", lambda ledger: ledger.members),
+        ("stored, more than at the start", lambda ledger: ledger.stored),
     ]
-    for label, value in rows:
-        values = [value(books) for books in result.users]
-        if any(values) or "joining" not in label:
-            table.add_row(label, *(number(entry) for entry in values))
-    table.add_row("unexplained", *(number(books.residual, digits=2) for books in result.users))
-    return table
+    rows = [(label, value) for label, value in rows if any(map(value, result.users)) or "joining" not in label]
+    columns = [
+        (ledger.name, [*(number(value(ledger)) for _, value in rows), number(ledger.residual, digits=2)])
+        for ledger in result.users
+    ]
+    print_columns(console, "Energy of each user [J]", [*(label for label, _ in rows), "unexplained"], columns)
 
 
-def _links(result: "Audit") -> "Table":
-    from rich.box import SIMPLE_HEAD
-    from rich.table import Table
-
-    names: dict[int, str] = {books.user: books.name for books in result.users}
-    phases = list(dict.fromkeys(phase for books in result.links for phase in books.by_phase))
-    table = Table(box=SIMPLE_HEAD, title="Energy of each link [J]", title_justify="left")
-    table.add_column("link")
-    headings: list[Any] = ["on the\nfirst", "on the\nsecond", "its\nspring", *(f"made,\n{phase}" for phase in phases)]
-    for heading in (*headings, "damping\ntook", "most\nbeyond"):
-        table.add_column(heading, justify="right")
-    for books in result.links:
-        one, two = (names[user] for user in books.ends)
-        table.add_row(
-            f"{one} - {two}",
-            *(number(value) for value in (*books.work, books.spring)),
-            *(number(books.by_phase.get(phase, 0.0)) for phase in phases),
-            number(books.dissipated),
-            number(books.excess, digits=2) if books.strict else "not judged",
-        )
-    return table
+def _links(console: "Console", result: "Audit") -> None:
+    names: dict[int, str] = {ledger.user: ledger.name for ledger in result.users}
+    states = list(dict.fromkeys(state for ledger in result.links for state in ledger.by_state))
+    columns: list[tuple[str, Callable[[LinkLedger], str]]] = [
+        ("on the\nfirst", lambda ledger: number(ledger.work[0])),
+        ("on the\nsecond", lambda ledger: number(ledger.work[1])),
+        ("its\nspring", lambda ledger: number(ledger.spring)),
+        *((f"made,\n{state}", lambda ledger, state=state: number(ledger.by_state.get(state, 0.0))) for state in states),
+        ("damping\ntook", lambda ledger: number(ledger.dissipated)),
+        ("most\nbeyond", lambda ledger: number(ledger.excess, digits=2) if ledger.strict else "not judged"),
+    ]
+    print_columns(
+        console,
+        "Energy of each link [J]",
+        [" - ".join(names[user] for user in ledger.ends) for ledger in result.links],
+        [(heading, [show(ledger) for ledger in result.links]) for heading, show in columns],
+    )

@@ -3,33 +3,56 @@
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from cotouch.cli._output import folder, number, print_json, working
+from cotouch.cli._output import literal, number, print_json, working
 from cotouch.errors import ScenarioError
+from cotouch.files import beside, folder
 
 if TYPE_CHECKING:
     from rich.table import Table
 
 
 def run(
-    path: Path, *, figures: Path | None, as_json: bool, ground: str, most: int | None = None, **options: Any
+    path: Path,
+    *,
+    figures: Path | None,
+    as_json: bool,
+    ground: str,
+    gravity: str | None = None,
+    most: int | None = None,
+    **options: Any,
 ) -> None:
-    """Reads a mesh, makes the body, and says what was understood."""
-    from cotouch.body import SURFACES
-    from cotouch.scenario import FileTable
-    from cotouch.simulation import save_body_figure, understood
+    """Reads a mesh, makes the body, and says what was understood.
 
+    Args:
+        path: of the file to read.
+        figures: folder for figures; None: none.
+        as_json: whether to print one JSON object and nothing else on standard output.
+        ground: what holds the body, as on the command line.
+        gravity: as on the command line; None: no weight.
+        most: elements that are taken; None: the usual.
+        **options: of the library call, as named there.
+    """
+    from cotouch.body import is_surface
+    from cotouch.interrupt import interruptible
+    from cotouch.scenario import FileTable
+    from cotouch.simulation import body_report, save_body_figure
+
+    if figures is not None and figures.is_dir():  # it is made only once there is something to draw
+        beside(figures, ("body.png",), (path,))
     given = {name: value for name, value in options.items() if value is not None}
+    if gravity is not None:
+        given["gravity"] = _vector(gravity)
     if most is not None:
-        given["most_triangles" if path.suffix.lower() in SURFACES else "most_elements"] = most
+        given["most_triangles" if is_surface(path) else "most_elements"] = most
     table = FileTable.make(source="the body", file=str(path), ground=_ground(ground), **given)
     with working("Reading the mesh and finding its modes", quiet=as_json):
-        body = table.build()
-        numbers, fields = understood(body)
+        body = interruptible(table.build)()
+        numbers, fields = interruptible(body_report)(body)
         drawn: list[Path] = []
         if figures is not None:
             drawn.append(save_body_figure(body, numbers, fields, folder(figures)))
     if table.modes is not None:
-        numbers["truncation"] = _truncated(body, table.modes)
+        numbers["truncation"] = interruptible(_truncated)(body, table.modes)
     if as_json:
         print_json({**numbers, "files": [str(file) for file in drawn]})
         return
@@ -38,9 +61,9 @@ def run(
     console = Console()
     console.print(_table(numbers))
     for note in numbers["notes"]:
-        console.print(f"  [yellow]•[/yellow] {note}", highlight=False, soft_wrap=True)
+        console.print(f"  [yellow]•[/yellow] {literal(note)}", highlight=False, soft_wrap=True)
     for file in drawn:
-        console.print(f"  wrote {file}", highlight=False, soft_wrap=True)
+        console.print(f"  wrote {literal(file)}", highlight=False, soft_wrap=True)
 
 
 def _truncated(body: Any, modes: int) -> dict[str, Any]:
@@ -56,6 +79,15 @@ def _truncated(body: Any, modes: int) -> dict[str, Any]:
         "compliance_error": found.error,
         "compliance_error_without_residual": found.error_without,
     }
+
+
+def _vector(text: str) -> list[float]:
+    """`X,Y,Z`."""
+    try:
+        x, y, z = (float(part) for part in text.split(","))
+    except ValueError:
+        raise ScenarioError(f'--gravity is "{text}"; it must be three numbers, as 0,0,-9.81') from None
+    return [x, y, z]
 
 
 def _ground(text: str) -> Any:
@@ -84,7 +116,7 @@ def _table(numbers: dict[str, Any]) -> "Table":
     from rich.box import SIMPLE_HEAD
     from rich.table import Table
 
-    table = Table(box=SIMPLE_HEAD, title=Path(numbers["file"]).name, title_justify="left", title_style="bold")
+    table = Table(box=SIMPLE_HEAD, title=literal(Path(numbers["file"]).name), title_justify="left", title_style="bold")
     table.add_column("what")
     table.add_column("understood")
     cells = numbers["kind"] == "surface"
@@ -95,7 +127,7 @@ def _table(numbers: dict[str, Any]) -> "Table":
     what = "cells of" if cells else "tetrahedra with edges of"
     table.add_row("nodes", f"{numbers['nodes']:,}")
     table.add_row("elements", f"{numbers['elements']:,} {what} {number(numbers['spacing_m'], 'm')}")
-    table.add_row("model", "linear elasticity" if numbers["model"] == "elastic" else "springs")
+    table.add_row("model", "linear elasticity" if numbers["model"] == "elastic" else numbers["model"])
     table.add_row("skin", f"{numbers['skin']['vertices']:,} vertices, {numbers['skin']['triangles']:,} triangles")
     held = numbers["held_nodes"]
     free = numbers["free_rigid_motions"]

@@ -1,11 +1,11 @@
 """`cotouch certify`."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from cotouch.cli._output import number, print_json
+from cotouch.cli._output import literal, number, print_json
 from cotouch.errors import ScenarioError
 
 if TYPE_CHECKING:
@@ -13,11 +13,34 @@ if TYPE_CHECKING:
 
 
 def run(path: Path, *, period: float, damping: str | None, as_json: bool) -> None:
-    """Designs damping by each method, or checks the one given, for both ways of counting delay."""
-    from cotouch.network import Network, certify
+    """Designs damping by each method, or checks the one given, for both ways of counting delay.
+
+    Args:
+        path: of the file to read.
+        period: of the steps [s].
+        damping: to check, as on the command line; None: designs one.
+        as_json: whether to print one JSON object and nothing else on standard output.
+    """
+    from cotouch.interrupt import interruptible
+    from cotouch.network import Network
 
     network = Network.read(path)
     given = None if damping is None else _numbers(damping, network.size)
+    tables, spare = interruptible(_worked_out)(network, period, given)
+    if as_json:
+        print_json(_as_json(network, period, tables, spare))
+    else:
+        _print(network, period, tables, spare)
+
+
+_Tables: TypeAlias = "dict[str, dict[str, Certificate]]"
+_Spare: TypeAlias = dict[tuple[str, str], float]
+
+
+def _worked_out(network: "Network", period: float, given: list[float] | None) -> tuple[_Tables, _Spare]:
+    """The certificates by basis and method, and how far the exact test would let each damping fall."""
+    from cotouch.network import certify
+
     # A step's sample is dated at its middle and used until the end of a step: one and a half steps on top of the delay.
     linked = network.adjacency() > 0
     ages = np.where(linked, network.delay + 1.5 * period, 0.0)
@@ -25,16 +48,12 @@ def run(path: Path, *, period: float, damping: str | None, as_json: bool) -> Non
         "index": certify(network, periods=period, damping=given),
         "age": certify(network, ages=ages, damping=given),
     }
-    # How far the exact test would let each damping fall, where it applies.
     spare = {
         (basis, method): certify(network, periods=period, damping=certificate.damping)["exact"].margin
         for basis, certificates in tables.items()
         for method, certificate in certificates.items()
     }
-    if as_json:
-        print_json(_as_json(network, period, tables, spare))
-    else:
-        _print(network, period, tables, spare)
+    return tables, spare
 
 
 def _numbers(text: str, users: int) -> list[float]:
@@ -49,9 +68,7 @@ def _numbers(text: str, users: int) -> list[float]:
     return values
 
 
-def _as_json(
-    network: "Network", period: float, tables: dict[str, dict[str, "Certificate"]], spare: dict[tuple[str, str], float]
-) -> dict[str, Any]:
+def _as_json(network: "Network", period: float, tables: _Tables, spare: _Spare) -> dict[str, Any]:
     certificates = [
         {
             "basis": basis,
@@ -91,9 +108,7 @@ _TITLES = {
 }
 
 
-def _print(
-    network: "Network", period: float, tables: dict[str, dict[str, "Certificate"]], spare: dict[tuple[str, str], float]
-) -> None:
+def _print(network: "Network", period: float, tables: _Tables, spare: _Spare) -> None:
     from rich.box import SIMPLE_HEAD
     from rich.console import Console
     from rich.table import Table
@@ -117,7 +132,9 @@ def _print(
         columns = [certificate.damping.sum(axis=1) for certificate in shown.values()]
         for i, name in enumerate(network.users):
             table.add_row(
-                f"user {name}", *(number(float(column[i])) for column in columns), end_section=i + 1 == network.size
+                f"user {literal(name)}",
+                *(number(float(column[i])) for column in columns),
+                end_section=i + 1 == network.size,
             )
         table.add_row("largest", *(number(float(column.max(initial=0.0))) for column in columns))
         table.add_row("sum", *(number(float(column.sum())) for column in columns), end_section=True)
@@ -132,7 +149,7 @@ def _print(
         console.print()
 
 
-def _percent(share: float) -> str:
-    if not np.isfinite(share):
+def _percent(fraction: float) -> str:
+    if not np.isfinite(fraction):
         return "nothing"
-    return f"{100.0 * share:.1f} %" if abs(share) > 5e-10 else "0 %"
+    return f"{100.0 * fraction:.1f} %" if abs(fraction) > 5e-10 else "0 %"

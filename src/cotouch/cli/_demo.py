@@ -7,11 +7,12 @@ from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from cotouch.cli._output import folder, print_json
-from cotouch.cli._session import interruptible, shown
+from cotouch.cli._output import literal, print_json
+from cotouch.cli._session import shown, stop_signals
+from cotouch.files import folder
 
 if TYPE_CHECKING:
-    from cotouch.session import DemoStage, Shown
+    from cotouch.session import DemoOutcome, DemoSessionApi
 
 _COLUMNS = (
     ("user", ""),
@@ -21,8 +22,9 @@ _COLUMNS = (
     ("hand put in", "J"),
     ("delays added", "J"),
     ("damped", "J"),
-    ("books", "off by"),
+    ("ledger", "off by"),
 )
+_LOWERED = "Nothing was guaranteed while the damping was lowered"
 _LINE_EVERY = 5.0  # where nobody looks at a terminal [s]
 
 
@@ -32,10 +34,11 @@ def run(
     body: str | None,
     seconds: float | None,
     impair: Sequence[str],
+    law: str,
     record: Path | None,
     headless: bool,
     as_json: bool,
-    beside: "Callable[[DemoStage], AbstractContextManager[object]] | None" = None,
+    beside: "Callable[[DemoSessionApi], AbstractContextManager[object]] | None" = None,
 ) -> None:
     """Plays the demonstration and says how it went.
 
@@ -44,6 +47,7 @@ def run(
         body: see `demo_session`; None: the cushion where there is something beside, else the paper's point.
         seconds: how long; None: until it is interrupted.
         impair: what the network does besides.
+        law: of the links, as `demo_session` takes it.
         record: folder for recordings.
         headless: whether to show no table.
         as_json: whether to print numbers.
@@ -52,29 +56,31 @@ def run(
     from cotouch.session import demo_session, play
 
     body = body or ("point" if beside is None else "soft")
-    session = demo_session(users=users, body=body, seconds=seconds, impair=impair)
+    session = demo_session(users=users, body=body, seconds=seconds, impair=impair, law=law)
     if record is not None:
         folder(record)
-    stages: list[DemoStage] = []
+    apis: list[DemoSessionApi] = []
     told = [-float("inf")]
     quiet = headless or as_json
     if not quiet:
         sys.stderr.write(f"cotouch: {users} users join, each a process of its own; the first time kernels compile\n")
     with (
-        interruptible() as stopped,
-        shown(lambda: stages[0].opened.host.watch, title=session.scenario.title, quiet=quiet) as redraw,
+        stop_signals() as stopped,
+        shown(lambda: apis[0].opened.host.watch, title=session.scenario.title, quiet=quiet) as redraw,
     ):
 
-        def each(stage: "DemoStage", now: float) -> None:
-            stages[:] = [stage]
+        def each(api: "DemoSessionApi", now: float) -> None:
+            apis[:] = [api]
             redraw()
             if not quiet and not sys.stderr.isatty() and now - told[0] > _LINE_EVERY:
                 told[0] = now
-                _line(stage)
+                _line(api)
 
         outcome = play(
             session, seconds=seconds, each=each, stopped=stopped, record=record, beside=beside or nullcontext
         )
+    for note in outcome.notes:
+        sys.stderr.write(f"cotouch: {note}\n")
     if as_json:
         print_json(numbers(outcome))
     else:
@@ -83,7 +89,7 @@ def run(
         sys.exit(1)
 
 
-def numbers(outcome: "Shown") -> dict[str, Any]:
+def numbers(outcome: "DemoOutcome") -> dict[str, Any]:
     """The outcome for JSON."""
     return {
         "seconds": outcome.seconds,
@@ -100,17 +106,17 @@ def numbers(outcome: "Shown") -> dict[str, Any]:
     }
 
 
-def _line(stage: "DemoStage") -> None:
+def _line(api: "DemoSessionApi") -> None:
     """One line for a log."""
     from cotouch.cli._table import balance
 
-    members = stage.opened.host.watch.members
+    members = api.opened.host.watch.members
     known = [seen.status for seen in members.values() if seen.status is not None]
     if known:
         sys.stderr.write(f"cotouch: {time.strftime('%H:%M:%S')} {len(members)} here. {balance(known)}\n")
 
 
-def _print(outcome: "Shown") -> None:
+def _print(outcome: "DemoOutcome") -> None:
     from rich.console import Console
     from rich.table import Table
     from rich.text import Text
@@ -126,11 +132,11 @@ def _print(outcome: "Shown") -> None:
     for name, result in outcome.members.items():
         status = None if result is None else result["status"]
         if status is None:
-            table.add_row(name, Text("no result", style="red"))
+            table.add_row(literal(name), Text("no result", style="red"))
             continue
         known.append(Status.model_validate(status))
         table.add_row(
-            name,
+            literal(name),
             f"{status['steps']:,}",
             f"{status['missed']:,}",
             f"{1e3 * status['longest']:.1f}",
@@ -148,7 +154,9 @@ def _print(outcome: "Shown") -> None:
     )
     if outcome.complaints:
         for complaint in outcome.complaints:
-            console.print(f"[red]{complaint}[/red]", highlight=False)
+            console.print(f"[red]{literal(complaint)}[/red]", highlight=False)
+    elif outcome.lowered:
+        console.print(f"[yellow]{_LOWERED}; links added {outcome.linked:.4g} J in all.[/yellow]", highlight=False)
     else:
         console.print(f"[green]{verdict(known)}[/green]", highlight=False)
 

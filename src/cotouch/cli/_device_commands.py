@@ -8,7 +8,7 @@ from cotouch.cli._options import AsJson
 
 devices = typer.Typer(
     no_args_is_help=True,
-    help="Haptic devices: which there are, whether they do what they must, what they measure.",
+    help="Haptic devices: list, check, calibrate and monitor them.",
 )
 DeviceName = Annotated[
     str, typer.Argument(help="name, name:variant or name:variant,option=value,...", show_default=False)
@@ -18,7 +18,7 @@ AllowMotion = Annotated[bool, typer.Option("--allow-motion", help="The device ma
 
 @devices.command("list")
 def devices_list(as_json: AsJson = False) -> None:
-    """List the drivers that are installed, and what seems to be connected."""
+    """List installed drivers and connected devices."""
     from cotouch.cli._devices import show
 
     show(as_json=as_json)
@@ -31,7 +31,7 @@ def devices_check(
     force: Annotated[bool, typer.Option(help="Switch the motors on, for 0.05 N.")] = True,
     as_json: AsJson = False,
 ) -> None:
-    """Check that a device does what every device must; exit code 1 if it does not."""
+    """Check a device against the requirements; exit code 1 if it fails."""
     from cotouch.cli._devices import check
 
     if not check(device, allow_motion=allow_motion, force=force, as_json=as_json):
@@ -40,7 +40,7 @@ def devices_check(
 
 @devices.command("calibrate")
 def devices_calibrate(device: DeviceName, allow_motion: AllowMotion = False, as_json: AsJson = False) -> None:
-    """Make a device's places absolute."""
+    """Calibrate a device, so that its positions are absolute."""
     from cotouch.cli._devices import calibrate
 
     calibrate(device, allow_motion=allow_motion, as_json=as_json)
@@ -50,7 +50,7 @@ def devices_calibrate(device: DeviceName, allow_motion: AllowMotion = False, as_
 def devices_monitor(
     device: DeviceName,
     seconds: Annotated[
-        float | None, typer.Option(help="How long; by default until Ctrl-C.", show_default=False)
+        float | None, typer.Option("--duration", help="Duration [s]; default: until Ctrl-C.", show_default=False)
     ] = None,
     as_json: AsJson = False,
 ) -> None:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from cotouch.cli._output import print_json
-from cotouch.cli._session import interruptible
+from cotouch.cli._session import stop_signals
 from cotouch.errors import DeviceError
 
 _REDRAW = 10.0  # times a second
@@ -55,27 +55,44 @@ def show(*, as_json: bool) -> None:
 
 
 def check(text: str, *, allow_motion: bool, force: bool, as_json: bool) -> bool:
-    """Runs the checks that every device must pass; whether it did."""
-    from cotouch.haptics import DeviceChoice, conform, make_device
+    """Runs the checks that every device must pass; whether it did.
+
+    Args:
+        text: device as named on the command line.
+        allow_motion: whether the device may move by itself.
+        force: whether motors may be switched on.
+        as_json: whether to print one JSON object and nothing else on standard output.
+    """
+    from cotouch.haptics import DeviceChoice, ServoSettings, conform, make_device, priority_refused
+    from cotouch.pacing import real_time_refused
 
     choice = DeviceChoice.read(text)
     make_device(choice.name, **choice.options)  # what is wrong with the options is said at once
     found = conform(lambda: make_device(choice.name, **choice.options), allow_motion=allow_motion, force=force)
     passed = all(finding.passed for finding in found)
+    refused = real_time_refused(ServoSettings.real_time or 1)  # as its servo will ask
     if as_json:
         checks = [{"check": one.check, "passed": one.passed, "detail": one.detail} for one in found]
-        print_json({"device": text, "passed": passed, "checks": checks})
+        print_json({"device": text, "passed": passed, "checks": checks, "real_time_refused": refused})
         return passed
     for one in found:
         sys.stdout.write(f"{'ok  ' if one.passed else 'FAIL'}  {one.check}: {one.detail}\n")
     failed = sum(not one.passed for one in found)
+    if refused:
+        sys.stdout.write(f"WARN  {priority_refused(refused)}\n")
     verdict = "does what it must" if passed else f"fails {failed} of {len(found)} checks"
     sys.stdout.write(f"{text} {verdict}\n")
     return passed
 
 
 def calibrate(text: str, *, allow_motion: bool, as_json: bool) -> None:
-    """Makes a device's places absolute."""
+    """Makes a device's places absolute.
+
+    Args:
+        text: device as named on the command line.
+        allow_motion: whether the device may move by itself.
+        as_json: whether to print one JSON object and nothing else on standard output.
+    """
     device, close = _opened(text)
     try:
         device.calibrate(allow_motion=allow_motion)
@@ -93,12 +110,18 @@ def calibrate(text: str, *, allow_motion: bool, as_json: bool) -> None:
 
 
 def monitor(text: str, *, seconds: float | None, as_json: bool) -> None:
-    """Shows what a device measures, with its motors off."""
+    """Shows what a device measures, with its motors off.
+
+    Args:
+        text: device as named on the command line.
+        seconds: ends after so long [s]; None: does not.
+        as_json: whether to print one JSON object and nothing else on standard output.
+    """
     device, close = _opened(text)
     period = 1.0 / min(device.spec.rate, 1000.0)
     try:
         device.calibrate(allow_motion=False)
-        with interruptible() as stopped:
+        with stop_signals() as stopped:
             cycles, slowest, last = _watch(device, period, seconds, stopped, quiet=as_json)
     finally:
         close()

@@ -4,14 +4,21 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from cotouch.cli._output import print_json, working, writable
+from cotouch.cli._output import print_json, working
+from cotouch.files import NETCDF, prepare
 
 
 def run(files: Sequence[Path], *, out: Path, as_json: bool) -> None:
-    """Writes recordings of one session into one NetCDF file."""
+    """Writes recordings of one session into one NetCDF file.
+
+    Args:
+        files: the recordings.
+        out: file to write; None: none.
+        as_json: whether to print one JSON object and nothing else on standard output.
+    """
     from cotouch.recording import read_recording, recordings_dataset, save_dataset
 
-    writable(out)
+    prepare(out, NETCDF, files)
     with working("Reading ...", quiet=as_json):
         recordings = [read_recording(file) for file in files]
     run_of_all = recordings_dataset(recordings)
@@ -26,10 +33,11 @@ def run(files: Sequence[Path], *, out: Path, as_json: bool) -> None:
                 "sizes": sizes,
                 "missing_steps": [recording.missing for recording in recordings],
                 "broken": [recording.broken for recording in recordings],
+                "cut": [recording.cut for recording in recordings],
             }
         )
         return
     sys.stdout.write(f"wrote {out}: " + ", ".join(f"{size} {name}" for name, size in sizes.items()) + "\n")
     for recording in recordings:
-        if recording.broken is not None:
-            sys.stderr.write(f"{recording.path} is not whole: {recording.broken}\n")
+        if recording.cut is not None:
+            sys.stderr.write(f"{recording.path} is {recording.cut}\n")

@@ -13,63 +13,61 @@ Invited = Annotated[
 ]
 OwnAddress = Annotated[
     str | None,
-    typer.Option(
-        help="Address of this machine, in numbers; by default the one that leads to the host.", show_default=False
-    ),
+    typer.Option(help="Numeric address of this machine; default: the one that leads to the host.", show_default=False),
 ]
 _DEMO = 30.0  # [s]
 
 
 def host(
-    session: Annotated[Path, typer.Argument(help="A session, TOML.", show_default=False)],
-    listen: Annotated[
-        str, typer.Option(help="Address of this machine, in numbers, by which the others reach it.")
-    ] = "127.0.0.1",
-    port: Annotated[
-        int | None, typer.Option(help="Of TCP and UDP; by default one that is free.", show_default=False)
-    ] = None,
+    session: Annotated[Path, typer.Argument(help="Session (TOML).", show_default=False)],
+    listen: Annotated[str, typer.Option(help="Numeric address at which others reach this machine.")] = "127.0.0.1",
+    port: Annotated[int | None, typer.Option(help="TCP and UDP port; default: a free one.", show_default=False)] = None,
     seconds: Annotated[
-        float | None, typer.Option(help="How long; by default until Ctrl-C.", show_default=False)
+        float | None, typer.Option("--duration", help="Duration [s]; default: until Ctrl-C.", show_default=False)
     ] = None,
-    keep: Annotated[
+    key_file: Annotated[
         Path | None,
-        typer.Option(help="Keep the session's keys here, to go on with the same invitation.", show_default=False),
+        typer.Option(
+            help="File for the session's keys, so that a restarted host keeps its invitation.", show_default=False
+        ),
     ] = None,
     headless: Annotated[bool, typer.Option("--headless", help="Show no table.")] = False,
     as_json: AsJson = False,
 ) -> None:
-    """Open a session, print the invitation to it, and keep it open."""
+    """Host a session: print its invitation and keep it open."""
     from cotouch.cli._session import host as run
 
-    run(session, listen=listen, port=port, seconds=seconds, keep=keep, headless=headless, as_json=as_json)
+    run(session, listen=listen, port=port, seconds=seconds, key_file=key_file, headless=headless, as_json=as_json)
 
 
 def join(
     invitation: Invited,
     name: Annotated[
-        str | None, typer.Option(help="That the others see; by default yours on this machine.", show_default=False)
+        str | None, typer.Option(help="Name shown to the others; default: your user name.", show_default=False)
     ] = None,
     device: Annotated[
         str,
         typer.Option(
-            help="What moves the copy: scripted (what the session's file says for the seat), none, or a device, such "
+            help="What moves the copy: scripted (what the session's file says for the slot), none, or a device, such "
             "as simulated:touch; two hands: 'haply:id=1 + haply:id=2'. cotouch devices list shows them all."
         ),
     ] = "scripted",
     seconds: Annotated[
-        float | None, typer.Option(help="How long; by default until the end.", show_default=False)
+        float | None,
+        typer.Option("--duration", help="Duration [s]; default: until the session ends.", show_default=False),
     ] = None,
     listen: OwnAddress = None,
     record: Annotated[Path | None, typer.Option(help="Record into this MCAP file.", show_default=False)] = None,
     headless: Annotated[bool, typer.Option("--headless", help="Show no table.")] = False,
-    boards: Annotated[Path | None, typer.Option(hidden=True)] = None,
+    mailboxes: Annotated[Path | None, typer.Option(hidden=True)] = None,
     unsafe: Annotated[bool, typer.Option("--unsafe", hidden=True)] = False,
-    page: Annotated[bool, typer.Option("--page", help="Serve a page for a browser, to see and to take hold.")] = False,
+    ordinary: Annotated[bool, typer.Option("--ordinary", hidden=True)] = False,
+    page: Annotated[bool, typer.Option("--page", help="Serve a browser page to see and hold the object.")] = False,
     port: PagePort = None,
     page_listen: PageListen = "127.0.0.1",
     as_json: AsJson = False,
 ) -> None:
-    """Take part in a session."""
+    """Join a session."""
     from cotouch.cli._session import join as run
 
     run(
@@ -80,8 +78,9 @@ def join(
         listen=listen,
         record=record,
         headless=headless,
-        boards=boards,
+        mailboxes=mailboxes,
         unsafe=unsafe,
+        real_time=not ordinary,
         page=page,
         port=port,
         page_listen=page_listen,
@@ -91,21 +90,21 @@ def join(
 
 def measure(
     invitation: Invited,
-    seconds: Annotated[float, typer.Option(help="How long to watch.", min=0.5)] = 10.0,
+    seconds: Annotated[float, typer.Option("--duration", help="Duration [s].", min=0.5)] = 10.0,
     out: Annotated[
         Path | None, typer.Option(help="Write the network to this TOML file, for cotouch plan.", show_default=False)
     ] = None,
     listen: OwnAddress = None,
     as_json: AsJson = False,
 ) -> None:
-    """Measure how far those who take part in a session are from each other, without taking part."""
+    """Measure the delays between a session's members, without joining it."""
     from cotouch.cli._measure import run
 
     run(invitation, seconds=seconds, listen=listen, out=out, as_json=as_json)
 
 
 def demo(
-    users: Annotated[int, typer.Option(help="How many; the paper has five.")] = 5,
+    users: Annotated[int, typer.Option(help="Number of users; the paper has five.")] = 5,
     body: Annotated[
         str | None,
         typer.Option(
@@ -116,7 +115,8 @@ def demo(
     seconds: Annotated[
         float | None,
         typer.Option(
-            help="How long, once all are there; by default 30 s, and at a terminal with a page until interrupted.",
+            "--duration",
+            help="Duration [s] once all have joined; default: 30, with a page at a terminal until Ctrl-C.",
             min=1.0,
             show_default=False,
         ),
@@ -124,16 +124,19 @@ def demo(
     impair: Annotated[
         list[str] | None,
         typer.Option(
-            help="What the network does besides: loss=0.1, jitter=0.02 (s), duplication=, reordering=; again for more.",
+            help="Impairment of the network: loss=0.1, jitter=0.02 (s), duplication=, reordering=; repeatable.",
             show_default=False,
         ),
     ] = None,
+    law: Annotated[
+        str, typer.Option(help="Law of the links: spring (the paper's, with its damping), paid, wave or tank.")
+    ] = "spring",
     record: Annotated[Path | None, typer.Option(help="Record every user into this folder.", show_default=False)] = None,
     page: Annotated[
         bool | None,
         typer.Option(
             "--page/--no-page",
-            help="Serve a page for a browser; by default unless --headless or --json is given.",
+            help="Serve a browser page; default: yes, unless --headless or --json is given.",
             show_default=False,
         ),
     ] = None,
@@ -154,6 +157,7 @@ def demo(
             body=body,
             seconds=_DEMO if seconds is None and not (wanted and watched()) else seconds,
             impair=impair or [],
+            law=law,
             record=record,
             headless=headless,
             as_json=as_json,
@@ -162,28 +166,28 @@ def demo(
 
 
 def replay(
-    file: Annotated[Path, typer.Argument(help="A recording, MCAP.", show_default=False)],
-    speed: Annotated[float, typer.Option(help="Seconds of the recording in a second.")] = 1.0,
-    start: Annotated[float, typer.Option("--from", help="Where to begin [s].")] = 0.0,
-    stop: Annotated[float | None, typer.Option("--to", help="Where to end [s].", show_default=False)] = None,
+    file: Annotated[Path, typer.Argument(help="Recording (MCAP).", show_default=False)],
+    speed: Annotated[float, typer.Option(help="Playback speed.")] = 1.0,
+    start: Annotated[float, typer.Option("--from", help="Start time [s].")] = 0.0,
+    stop: Annotated[float | None, typer.Option("--to", help="End time [s].", show_default=False)] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Play one user's recording: rate, force, books and links as they were; with --json only sum it up."""
+    """Play one user's recording: rate, force, ledger and links as they were; with --json, a summary only."""
     from cotouch.cli._replay import run
 
     run(file, speed=speed, start=start, stop=stop, as_json=as_json)
 
 
 def audit(
-    files: Annotated[list[Path], typer.Argument(help="Recordings of one session, MCAP.", show_default=False)],
+    files: Annotated[list[Path], typer.Argument(help="Recordings of one session (MCAP).", show_default=False)],
     tolerance: Annotated[
         float | None,
-        typer.Option(help="Share of the energy in play that may be rounding (1e-9).", show_default=False, min=0.0),
+        typer.Option(help="Fraction of the energy in play that may be rounding (1e-9).", show_default=False, min=0.0),
     ] = None,
     figures: Annotated[Path | None, typer.Option(help="Draw a figure into this folder.", show_default=False)] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Work the energy of a session out anew from its recordings; exit code 1 if it does not add up."""
+    """Recompute everyone's energy balance from a session's recordings; exit code 1 if it does not close."""
     from cotouch.cli._audit import run
 
     if not run(files, figures=figures, tolerance=tolerance, as_json=as_json):
@@ -191,7 +195,7 @@ def audit(
 
 
 def export(
-    files: Annotated[list[Path], typer.Argument(help="Recordings of one session, MCAP.", show_default=False)],
+    files: Annotated[list[Path], typer.Argument(help="Recordings of one session (MCAP).", show_default=False)],
     out: Annotated[Path, typer.Option(help="The NetCDF file to write.", show_default=False)],
     as_json: AsJson = False,
 ) -> None:

@@ -1,29 +1,37 @@
 """`cotouch measure`."""
 
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from cotouch.cli._output import print_json, working, writable
-from cotouch.cli._session import interruptible
-from cotouch.errors import SessionError
+from cotouch.cli._output import literal, print_json, working
+from cotouch.cli._session import stop_signals, typed
+from cotouch.errors import printable
+from cotouch.files import prepare, write
 
 if TYPE_CHECKING:
     from cotouch.session import Measured
 
 
 def run(invitation: str, *, seconds: float, listen: str | None, out: Path | None, as_json: bool) -> None:
-    """Watches a session, and prints or writes how far its members are from each other."""
+    """Watches a session, and prints or writes how far its members are from each other.
+
+    Args:
+        invitation: as the host printed it.
+        seconds: how long to watch.
+        listen: address to listen at; None: one that fits the invitation.
+        out: file to write; None: none.
+        as_json: whether to print one JSON object and nothing else on standard output.
+    """
     from cotouch.live import Invitation
     from cotouch.session import measure
 
     if out is not None:
-        writable(out)
-    decoded = Invitation.decode(sys.stdin.readline() if invitation == "-" else invitation)
-    with interruptible() as stopped, working(f"watching for {seconds:g} s ...", quiet=as_json):
+        prepare(out, (".toml",))
+    decoded = Invitation.decode(typed() if invitation == "-" else invitation)
+    with stop_signals() as stopped, working(f"watching for {seconds:g} s ...", quiet=as_json):
         found = measure(decoded, seconds=seconds, listen=listen, stopped=stopped)
     if out is not None:
-        _write(out, found.toml())
+        write(out, found.toml().encode(), "network")
     if as_json:
         print_json(numbers(found))
     else:
@@ -43,16 +51,6 @@ def numbers(found: "Measured") -> dict[str, Any]:
     }
 
 
-def _write(out: Path, text: str) -> None:
-    beside = out.with_name(f".{out.name}.part")
-    try:
-        beside.write_text(text, encoding="utf-8")
-        beside.replace(out)
-    except OSError as error:
-        beside.unlink(missing_ok=True)
-        raise SessionError(f"the network cannot be written to {out}: {error.strerror}") from error
-
-
 def _print(found: "Measured", out: Path | None) -> None:
     from rich.box import SIMPLE_HEAD
     from rich.console import Console
@@ -69,14 +67,14 @@ def _print(found: "Measured", out: Path | None) -> None:
     )
     table.add_column("")
     for name in network.users:
-        table.add_column(name, justify="right")
+        table.add_column(literal(name), justify="right")
     for i, name in enumerate(network.users):
         cells = [
             "" if i == j else "?" if (i, j) in missing else f"{1e3 * network.delay[i, j]:.1f}"
             + ("*" if (i, j) in linked else " ")
             for j in range(network.size)
         ]  # fmt: skip
-        table.add_row(name, *cells)
+        table.add_row(literal(name), *cells)
     console = Console()
     console.print(table)
     notes = ["Half of the quickest way there and back; * linked now."]
@@ -86,4 +84,4 @@ def _print(found: "Measured", out: Path | None) -> None:
         notes.append("The session emulates a network; its delays are in these.")
     if out is not None:
         notes.append(f"Written to {out}; plan with: cotouch plan {out} --links {max(1, len(network.links))}")
-    console.print("\n".join(notes), highlight=False, markup=False, soft_wrap=True)
+    console.print("\n".join(map(printable, notes)), highlight=False, markup=False, soft_wrap=True)

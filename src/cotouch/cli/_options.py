@@ -9,8 +9,6 @@ AsJson = Annotated[
 ]
 
 PagePort = Annotated[
-    int | None, typer.Option(help="Of the page; by default 8765, or the next that is free.", show_default=False)
+    int | None, typer.Option(help="Port of the page; default: 8765 or the next free one.", show_default=False)
 ]
-PageListen = Annotated[
-    str, typer.Option(help="Address of this machine for the page; other than loopback, others can reach it.")
-]
+PageListen = Annotated[str, typer.Option(help="Address of the page; others can reach any but loopback.")]

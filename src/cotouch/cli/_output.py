@@ -3,12 +3,14 @@
 import json
 import math
 import sys
-from collections.abc import Generator
+from collections.abc import Generator, Sequence
 from contextlib import contextmanager
-from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from cotouch.errors import ScenarioError
+if TYPE_CHECKING:
+    from rich.console import Console
+
+from cotouch.errors import printable
 
 
 def print_json(value: dict[str, Any]) -> None:
@@ -27,40 +29,33 @@ def _finite(value: Any) -> Any:
 
 
 def number(value: float | None, unit: str = "", digits: int = 4) -> str:
-    """A number for a table."""
+    """A number for a table.
+
+    Args:
+        value: the number; None: a dash.
+        unit: of it.
+        digits: significant ones.
+    """
     if value is None:
         return "not settled"
     return f"{value:.{digits}g}" + (f" {unit}" if unit else "")
 
 
-def folder(path: Path) -> Path:
-    """Makes a folder for output.
+def literal(text: object) -> str:
+    """A name or a path as rich may have it: no markup, and nothing that a terminal would obey."""
+    from rich.markup import escape
 
-    Raises:
-        ScenarioError: it cannot be made.
-    """
-    try:
-        path.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise ScenarioError(f"the folder {path} cannot be made: {error.strerror}") from error
-    return path
-
-
-def writable(path: Path) -> None:
-    """Refuses a file that cannot be written, before the work that would fill it.
-
-    Raises:
-        ScenarioError: its folder does not exist, or it is a folder itself.
-    """
-    if path.is_dir():
-        raise ScenarioError(f"{path} is a folder; name a file")
-    if not path.absolute().parent.is_dir():
-        raise ScenarioError(f"the folder of {path} does not exist; make it first")
+    return escape(printable(str(text)))
 
 
 @contextmanager
 def working(text: str, *, quiet: bool) -> Generator[None]:
-    """Shows on standard error that something is going on."""
+    """Shows on standard error that something is going on.
+
+    Args:
+        text: what goes on.
+        quiet: whether to show nothing.
+    """
     if quiet or not sys.stderr.isatty():
         yield
         return
@@ -68,3 +63,41 @@ def working(text: str, *, quiet: bool) -> Generator[None]:
 
     with Console(stderr=True).status(text):
         yield
+
+
+def print_columns(
+    console: "Console", title: str, rows: Sequence[str], columns: Sequence[tuple[str, Sequence[str]]]
+) -> None:
+    """Prints numbers; where all columns do not fit beside each other, as several tables, so that no number is cut.
+
+    Args:
+        console: to print on.
+        title: above all.
+        rows: what each row is.
+        columns: heading of each, and its entries, one for each row.
+    """
+    from rich.box import SIMPLE_HEAD
+    from rich.table import Table
+    from rich.text import Text
+
+    def plain(text: str) -> Text:
+        return Text("\n".join(map(printable, text.split("\n"))))
+
+    def table(some: Sequence[tuple[str, Sequence[str]]], above: Text | None) -> Table:
+        made = Table(box=SIMPLE_HEAD, title=above, title_justify="left", title_style="bold")
+        made.add_column("", no_wrap=True)
+        for heading, _ in some:
+            made.add_column(plain(heading), justify="right", no_wrap=True)
+        for i, row in enumerate(rows):
+            made.add_row(plain(row), *(plain(entries[i]) for _, entries in some))
+        return made
+
+    wide = console.options.update_width(1 << 16)  # as wide as it would be; else it is measured as if it fitted
+    left: list[tuple[str, Sequence[str]]] = list(columns)
+    above: Text | None = plain(title)
+    while left:
+        count = len(left)
+        while count > 1 and console.measure(table(left[:count], None), options=wide).maximum > console.width:
+            count -= 1
+        console.print(table(left[:count], above))
+        left, above = left[count:], None

@@ -9,7 +9,7 @@ from contextlib import AbstractContextManager, contextmanager
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from cotouch.session import Stage
+    from cotouch.session import SessionApi
     from cotouch.web import PageAddress
 
 
@@ -30,7 +30,7 @@ def watched() -> bool:
 @contextmanager
 def page(
     *, wanted: bool, port: int | None, listen: str
-) -> "Generator[Callable[[Stage], AbstractContextManager[object]] | None]":
+) -> "Generator[Callable[[SessionApi], AbstractContextManager[object]] | None]":
     """Takes the page's port at once; gives what serves a stage there, or None where no page is wanted.
 
     Args:
@@ -49,16 +49,16 @@ def page(
 
     at = PageAddress(listen=listen, port=port)
     try:
-        yield lambda stage: _served(stage, at)
+        yield lambda api: _served(api, at)
     finally:
         at.close()
 
 
 @contextmanager
-def _served(stage: "Stage", at: "PageAddress") -> Generator[None]:
+def _served(api: "SessionApi", at: "PageAddress") -> Generator[None]:
     from cotouch.web import PageServer
 
-    with PageServer(stage, at=at) as server:
+    with PageServer(api, at=at) as server:
         sys.stderr.write(f"cotouch: the page is at {server.url}\n")
         if not server.local:
             sys.stderr.write(

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.cli._output import number, print_json
+from cotouch.cli._output import literal, number, print_json
 from cotouch.units import user_number
 
 if TYPE_CHECKING:
@@ -23,7 +23,15 @@ _WINDOW = 0.5
 
 
 def run(path: Path, *, speed: float, start: float, stop: float | None, as_json: bool) -> None:
-    """Plays one user's recording as a table, as lines without a terminal, or only sums it up."""
+    """Plays one user's recording as a table, as lines without a terminal, or only sums it up.
+
+    Args:
+        path: of the file to read.
+        speed: a factor.
+        start: in the recording [s].
+        stop: likewise; None: the end.
+        as_json: whether to print one JSON object and nothing else on standard output.
+    """
     from cotouch.recording import play, read_recording
 
     recording = read_recording(path)
@@ -60,10 +68,10 @@ def _print(table: "Table") -> None:
 
 
 def _gaps(recording: "Recording") -> str:
-    words = [] if recording.broken is None else [f"not whole: {recording.broken}"]
-    if recording.missing:
-        words.append(f"{recording.missing} steps are missing")
-    return f"{recording.path} is {'; '.join(words)}" if recording.broken else f"in {recording.path} {words[-1]}"
+    missing = f"{recording.missing} steps are missing" if recording.missing else ""
+    if recording.cut is None:
+        return f"in {recording.path} {missing}"
+    return f"{recording.path} is {'; '.join(filter(None, (recording.cut, missing)))}"
 
 
 def _now(recording: "Recording", row: int) -> dict[str, Any]:
@@ -84,7 +92,7 @@ def _now(recording: "Recording", row: int) -> dict[str, Any]:
             {
                 "neighbour": user,
                 "age": float(columns["age"][row, entry]),
-                "phase": _phase(int(columns["phase"][row, entry]), float(columns["age"][row, entry])),
+                "state": _state(int(columns["link_state"][row, entry]), float(columns["age"][row, entry])),
                 "work": float(np.nansum(columns["link_work"][own, entry])),
             }
             for entry, user in enumerate(recording.neighbours)
@@ -92,18 +100,18 @@ def _now(recording: "Recording", row: int) -> dict[str, Any]:
     }
 
 
-def _phase(code: int, age: float) -> str:
-    from cotouch.recording import LinkPhase
+def _state(code: int, age: float) -> str:
+    from cotouch.peer import LinkState
 
     if not np.isfinite(age):
         return "no link"
-    return LinkPhase(code).name.lower() if code in list(LinkPhase) else f"phase {code}"
+    return LinkState(code).name.lower() if code in list(LinkState) else f"state {code}"
 
 
 def _line(recording: "Recording", row: int, time: float) -> str:
     now = _now(recording, row)
     links = ", ".join(
-        f"{user_number(link['neighbour'])}: {number(1e3 * link['age'], 'ms', 3)} {link['phase']}"
+        f"{user_number(link['neighbour'])}: {number(1e3 * link['age'], 'ms', 3)} {link['state']}"
         for link in now["links"]
     )
     return (
@@ -114,7 +122,6 @@ def _line(recording: "Recording", row: int, time: float) -> str:
 
 def _table(recording: "Recording", row: int, time: float) -> "Table":
     from rich.box import SIMPLE_HEAD
-    from rich.markup import escape
     from rich.table import Table
 
     now = _now(recording, row)
@@ -122,7 +129,7 @@ def _table(recording: "Recording", row: int, time: float) -> "Table":
         f"{number(now['rate'], 'Hz')} · T {number(1e3 * now['T'], 'ms', 3)} · force {number(now['force'], 'N', 3)} · "
         f"stored {number(now['stored'], 'J', 3)} · residual {number(now['residual'], 'J', 2)}"
     )
-    title = f"{escape(recording.name)}, {time:.2f} s of {_seconds(recording):.2f} s"
+    title = f"{literal(recording.name)}, {time:.2f} s of {_seconds(recording):.2f} s"
     table = Table(title=title, caption=caption, box=SIMPLE_HEAD, title_justify="left", caption_justify="left")
     table.add_column("neighbour")
     table.add_column("link")
@@ -131,7 +138,7 @@ def _table(recording: "Recording", row: int, time: float) -> "Table":
     for link in now["links"]:
         table.add_row(
             str(user_number(link["neighbour"])),
-            link["phase"],
+            link["state"],
             number(1e3 * link["age"], digits=3),
             number(link["work"]),
         )
@@ -157,6 +164,7 @@ def _summary(recording: "Recording") -> dict[str, Any]:
         "version": recording.header.version,
         "whole": recording.broken is None,
         "broken": recording.broken,
+        "last_step": int(columns["index"][-1]),
         "steps": recording.steps,
         "missing_steps": recording.missing,
         "seconds": _seconds(recording),

@@ -7,14 +7,20 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from cotouch.cli._output import folder, number, print_json
+from cotouch.cli._output import number, print_json
+from cotouch.files import folder
 
 if TYPE_CHECKING:
     from rich.table import Table
 
 
 def run(out: Path, *, as_json: bool) -> None:
-    """Repeats the paper, prints the numbers and where the report is, and opens it if there is a desktop."""
+    """Repeats the paper, prints the numbers and where the report is, and opens it if there is a desktop.
+
+    Args:
+        out: file to write; None: none.
+        as_json: whether to print one JSON object and nothing else on standard output.
+    """
     folder(out)
     from cotouch.study import reproduce
 
@@ -40,7 +46,7 @@ def run(out: Path, *, as_json: bool) -> None:
         "everything came out as it should" if result.confirmed else "[red]not everything came out as it should[/red]"
     )
     console.print(
-        f"In {result.seconds:.0f} s; {verdict}. Energy books miss {result.energy_residual:.0e} of the energy in play."
+        f"In {result.seconds:.0f} s; {verdict}. The ledger misses {result.energy_residual:.0e} of the energy in play."
     )
     console.print(f"The report: {result.report.resolve()}", highlight=False, soft_wrap=True)
     if _desktop():

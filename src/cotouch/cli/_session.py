@@ -9,13 +9,15 @@ from contextlib import AbstractContextManager, ExitStack, contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from cotouch.cli._output import print_json, writable
+from cotouch.cli._console import Console
+from cotouch.cli._output import print_json
 from cotouch.cli._page import page as paged
 from cotouch.errors import SessionError
+from cotouch.files import prepare
 
 if TYPE_CHECKING:
     from cotouch.live import Invitation
-    from cotouch.session import MemberStage, Part, Taken, Watch
+    from cotouch.session import MemberSessionApi, Part, PartOutcome, SessionWatch
 
 _POLL = 0.02
 _REDRAW = 4.0  # times a second
@@ -27,15 +29,31 @@ def host(
     listen: str,
     port: int | None,
     seconds: float | None,
-    keep: Path | None,
+    key_file: Path | None,
     headless: bool,
     as_json: bool,
 ) -> None:
-    """Opens a session and keeps it open."""
+    """Opens a session and keeps it open.
+
+    Args:
+        file: of the session.
+        listen: address to listen at.
+        port: to listen at; None: the next that is free.
+        seconds: ends after so long [s]; None: does not.
+        key_file: file that keeps the host's keys and roster; None: none.
+        headless: whether to show no table.
+        as_json: whether to print one JSON object and nothing else on standard output.
+    """
     from cotouch.session import SessionFile, open_host
 
+    def say(text: str) -> None:
+        if not as_json:
+            _say(text)
+
     session = SessionFile.read(file)
-    with interruptible() as stopped, open_host(session, listen=listen, port=port, keep=keep) as opened:
+    if sys.stderr.isatty():
+        say("opening the session ...")
+    with stop_signals() as stopped, open_host(session, listen=listen, port=port, key_file=key_file) as opened:
         line = opened.invitation.encode()
         if as_json:
             print_json({"invitation": line, "session": session.digest.hex()})
@@ -43,12 +61,19 @@ def host(
         else:
             sys.stdout.write(f"{line}\n")
             sys.stdout.flush()
-            sys.stderr.write("join with: cotouch join INVITATION (the line above; whoever has it can take part)\n")
+            sys.stderr.write("join with: cotouch join -, then paste the line above; whoever has it can take part\n")
+            sys.stderr.flush()
         title = session.scenario.title or file.stem
         with shown(lambda: opened.host.watch, title=title, invitation=line, quiet=headless or as_json) as redraw:
             end = None if seconds is None else time.monotonic() + seconds
+            console = Console(opened.host)
+            ready = False
             while not stopped() and (end is None or time.monotonic() < end):
                 opened.service(time.monotonic())
+                console.service(time.monotonic())
+                if not ready and opened.host.admission.fingerprint is not None:
+                    ready = True
+                    say("ready; nobody is here yet")
                 redraw()
                 time.sleep(_POLL)
         opened.host.end()
@@ -64,24 +89,42 @@ def join(
     record: Path | None,
     headless: bool,
     as_json: bool,
-    boards: Path | None = None,
+    mailboxes: Path | None = None,
     unsafe: bool = False,
+    real_time: bool = True,
     page: bool = False,
     port: int | None = None,
     page_listen: str = "127.0.0.1",
 ) -> None:
-    """Takes part in a session."""
+    """Takes part in a session.
+
+    Args:
+        invitation: as the host printed it.
+        name: of the user; None: the first that is free.
+        hand: what it does.
+        seconds: ends after so long [s]; None: does not.
+        listen: address to listen at; None: one that fits the invitation.
+        record: file to record into; None: none.
+        headless: whether to show no table.
+        as_json: whether to print one JSON object and nothing else on standard output.
+        mailboxes: folder of shared memory; None: none.
+        unsafe: whether damping may be lowered.
+        real_time: whether to ask for real-time priority.
+        page: whether to serve a page.
+        port: to listen at; None: the next that is free.
+        page_listen: address of the page.
+    """
     from cotouch import __version__
     from cotouch.live import Invitation
-    from cotouch.session import Part
+    from cotouch.session import Part, identity_folder
     from cotouch.session import join as take_part
 
     device = hand if hand not in {"scripted", "none"} else None
     if device is not None:
         _known_device(device)
     if record is not None:
-        writable(record)
-    decoded = Invitation.decode(sys.stdin.readline() if invitation == "-" else invitation)
+        prepare(record)
+    decoded = Invitation.decode(typed() if invitation == "-" else invitation)
     part = Part(
         name=name or _own_name(),
         version=__version__,
@@ -90,8 +133,10 @@ def join(
         seconds=seconds,
         listen=listen,
         record=record,
-        boards=boards,
+        mailboxes=mailboxes,
+        identities=identity_folder(),
         unsafe=unsafe,
+        real_time=real_time,
     )
     if page:
         if as_json:
@@ -104,61 +149,72 @@ def join(
         _with_table(decoded, part)
         return
     parent = os.getppid()
-    with interruptible() as stopped:
+    with stop_signals() as stopped:
         taken = take_part(
             decoded,
             part,
             warn=_warn,
-            say=lambda text: None if as_json else _say(text),
+            say=lambda text: None if as_json else _say(text if text.startswith("ready") else f"{text} ..."),
             # Whoever shows it and tells it what to do has gone.
-            stopped=lambda: stopped() or (part.boards is not None and os.getppid() != parent),
+            stopped=lambda: stopped() or (part.mailboxes is not None and os.getppid() != parent),
         )
     if as_json:
         print_json(numbers(taken))
     else:
         sys.stdout.write(sentence(taken) + "\n")
+    if taken.trouble is not None:
+        _warn(f"the recording {record} {taken.trouble}")
+        sys.exit(1)
 
 
-def numbers(taken: "Taken") -> dict[str, Any]:
-    """How taking part went, for JSON; the user is numbered from 1, seats in the status from 0."""
+def numbers(taken: "PartOutcome") -> dict[str, Any]:
+    """How taking part went, for JSON; the user is numbered from 1, slots in the status from 0."""
     status = taken.status
     return {
         "name": taken.name,
-        "user": None if taken.seat is None else taken.seat + 1,
+        "user": None if taken.slot is None else taken.slot + 1,
         "ended": taken.why,
         "status": None if status is None else status.model_dump(),
         "pace": dict(taken.pace),
         "recorded_steps": taken.recorded,
+        "recording_trouble": taken.trouble,
         "device": None if taken.device is None else dict(taken.device),
     }
 
 
-def sentence(taken: "Taken") -> str:
+def sentence(taken: "PartOutcome") -> str:
     """How taking part went, for people."""
     status = taken.status
+    why = "the host ended the session; " if taken.why == "ended" else ""
     if status is None or not status.steps:
-        return f"{taken.name} did not come to take part"
+        return f"{why}{taken.name} did not come to take part"
     return (
-        f"{taken.name} took {status.steps} steps in {status.time:.1f} s, {status.missed} of them late; the books "
-        f"balance to {status.residual:.1e} of the energy in play"
+        f"{why}{taken.name} took {status.steps} steps in {status.time:.1f} s, {status.missed} of them late; the ledger "
+        f"balances to {status.residual:.1e} of the energy in play"
         + ("" if taken.recorded is None else f"; {taken.recorded} steps are recorded")
     )
 
 
 @contextmanager
-def interruptible() -> Generator[Callable[[], bool]]:
-    """Lets SIGINT and SIGTERM end a loop in order; a second one interrupts at once."""
+def stop_signals() -> Generator[Callable[[], bool]]:
+    """Lets SIGINT and SIGTERM end a loop in order; a second one, or one before the loop looks, interrupts at once."""
     asked: list[int] = []
+    looking: list[bool] = []
 
     def ask(number: int, frame: object) -> None:
         del frame
-        if asked:
+        if asked or not looking:
             raise KeyboardInterrupt
         asked.append(number)
 
+    def stopped() -> bool:
+        if not looking:
+            looking.append(True)
+        return bool(asked)
+
     before = {number: signal.signal(number, ask) for number in (signal.SIGINT, signal.SIGTERM)}
     try:
-        yield lambda: bool(asked)
+        yield stopped
     finally:
         for number, handler in before.items():
             signal.signal(number, handler)
@@ -166,9 +222,16 @@ def interruptible() -> Generator[Callable[[], bool]]:
 
 @contextmanager
 def shown(
-    watch: "Callable[[], Watch]", *, title: str, invitation: str | None = None, quiet: bool
+    watch: "Callable[[], SessionWatch]", *, title: str, invitation: str | None = None, quiet: bool
 ) -> Generator[Callable[[], None]]:
-    """A live table on standard error; gives a function to be called often, which draws now and then."""
+    """A live table on standard error; gives a function to be called often, which draws now and then.
+
+    Args:
+        watch: gives what there is to show.
+        title: of the table.
+        invitation: to show; None: none.
+        quiet: whether to show nothing.
+    """
     if quiet or not sys.stderr.isatty():
         yield lambda: None
         return
@@ -195,7 +258,7 @@ def _with_table(invitation: "Invitation", part: "Part") -> None:
 
     options = ["--name", part.name, "--headless", *_options(part)]
     options += [] if part.listen is None else ["--listen", part.listen]
-    with interruptible() as stopped, watching(invitation, listen=part.listen) as watch:
+    with stop_signals() as stopped, watching(invitation, listen=part.listen) as watch:
         child = MemberProcess(invitation, options)
         try:
             with shown(lambda: watch, title=invitation.session, quiet=False) as redraw:
@@ -205,13 +268,14 @@ def _with_table(invitation: "Invitation", part: "Part") -> None:
                     time.sleep(_POLL)
         finally:
             code = child.stop()
+            sys.stdout.write(child.said())
     if code:
         sys.exit(code)
 
 
 def staged(
     invitation: "Invitation",
-    beside: "Callable[[MemberStage], AbstractContextManager[object]]",
+    beside: "Callable[[MemberSessionApi], AbstractContextManager[object]]",
     part: "Part",
     *,
     quiet: bool,
@@ -224,32 +288,36 @@ def staged(
         part: how.
         quiet: whether to show no table.
     """
-    from cotouch.session import member_stage
+    from cotouch.session import member_session_api
 
     with (
-        interruptible() as stopped,
-        member_stage(invitation, name=part.name, listen=part.listen, options=_options(part)) as stage,
-        shown(lambda: stage.watch, title=invitation.session, quiet=quiet) as redraw,
+        stop_signals() as stopped,
+        member_session_api(invitation, name=part.name, listen=part.listen, options=_options(part)) as api,
+        shown(lambda: api.watch, title=invitation.session, quiet=quiet) as redraw,
         ExitStack() as serving,
     ):
         served = False
-        while not stage.over and not stopped():
-            stage.tick(time.monotonic())
-            if not served and stage.seat is not None:
+        while not api.over and not stopped():
+            api.tick(time.monotonic())
+            if not served and api.slot is not None:
                 served = True
-                serving.enter_context(beside(stage))
+                serving.enter_context(beside(api))
             redraw()
             time.sleep(_POLL)
         serving.close()
-        code = stage.close()
-    if code:
-        sys.exit(code)
+        code, said = api.close()
+        sys.stdout.write(said)
+        troubles, kept = api.recording_left()
+        for text in (*troubles, *([] if kept is None else [kept])):
+            _warn(text)
+    if code or troubles:
+        sys.exit(code or 1)
 
 
 def _options(part: "Part") -> list[str]:
     """Of the process that takes part."""
     options = ["--device", part.device or part.hand]
-    for flag, value in (("--seconds", part.seconds), ("--record", part.record)):
+    for flag, value in (("--duration", part.seconds), ("--record", part.record)):
         options += [] if value is None else [flag, str(value)]
     return options
 
@@ -282,5 +350,12 @@ def _warn(text: str) -> None:
 
 
 def _say(text: str) -> None:
-    if sys.stderr.isatty():
-        sys.stderr.write(f"cotouch: {text} ...\n")
+    sys.stderr.write(f"cotouch: {text}\n")
+    sys.stderr.flush()
+
+
+def typed() -> str:
+    """The invitation from standard input; who sits there is told what is waited for."""
+    if sys.stdin.isatty():
+        _say("paste the invitation, and press Enter:")
+    return sys.stdin.readline()

@@ -3,27 +3,45 @@
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from cotouch.cli._output import folder, number, print_json, working, writable
+import numpy as np
+
+from cotouch.cli._output import literal, number, print_columns, print_json, working
+from cotouch.files import NETCDF, beside, folder, prepare
 
 if TYPE_CHECKING:
+    import xarray as xr
+    from rich.console import Console
     from rich.table import Table
 
+# Waiting that takes less than this of the rate asked for is not worth a word.
+_AS_ASKED = 0.99
 
-def run(path: Path, *, out: Path | None, figures: Path | None, animation: Path | None, as_json: bool) -> None:
-    """Runs a scenario, writes what was asked for, prints a summary."""
+
+def run(path: Path, *, out: Path | None, figures: Path | None, animation: Path | None, as_json: bool) -> bool:
+    """Runs a scenario, writes what was asked for, prints a summary; whether it came to its end without diverging.
+
+    Args:
+        path: of the file to read.
+        out: file to write; None: none.
+        figures: folder for figures; None: none.
+        animation: HTML file to write; None: none.
+        as_json: whether to print one JSON object and nothing else on standard output.
+    """
+    from cotouch.interrupt import interruptible
     from cotouch.scenario import Scenario
-    from cotouch.simulation import frame_rate, save, summary
+    from cotouch.simulation import FIGURES, HTML, frame_rate, save, summary
     from cotouch.simulation import simulate as simulate_scenario
 
     scenario = Scenario.read(path)
+    read = (path, *scenario.files())
     if out is not None:
-        writable(out)
+        prepare(out, NETCDF, read)
     if figures is not None:
-        folder(figures)
+        beside(folder(figures), [f"{name}.png" for name in FIGURES], read)
     if animation is not None:
-        writable(animation)
+        prepare(animation, HTML, read)
         if scenario.record.frames is None:
-            scenario = scenario.replace(record__frames=frame_rate(scenario))
+            scenario = scenario.replace(record__frames=interruptible(frame_rate)(scenario))
     wait = "a minute and a half" if scenario.tools else "half a minute"
     with working(f"Simulating (the first run of all compiles the kernels, for about {wait})", quiet=as_json):
         result = simulate_scenario(scenario)
@@ -39,42 +57,63 @@ def run(path: Path, *, out: Path | None, figures: Path | None, animation: Path |
         from cotouch.simulation import animation as animation_of
 
         written.append(animation_of(result, scenario.build_body()).write(animation))
-    figures_of_run = summary(result, scenario.build_body())
+    figures_of_run = {**interruptible(summary)(result, scenario.build_body()), **closure_of(result)}
     if as_json:
         print_json({**figures_of_run, "files": [str(file) for file in written]})
-        return
+        return figures_of_run["finished"]
     from rich.console import Console
 
     console = Console()
     origin = scenario.build_body().origin
     if origin is not None:
         for note in origin.notes:
-            console.print(f"  [yellow]•[/yellow] {Path(origin.source).name}: {note}", highlight=False, soft_wrap=True)
-    console.print(figures_of_run["title"], style="bold", highlight=False, markup=False)
-    console.print((_tools if "tools" in figures_of_run else _users)(scenario.network.users, figures_of_run))
-    console.print(_books(figures_of_run))
+            console.print(
+                f"  [yellow]•[/yellow] {literal(Path(origin.source).name)}: {literal(note)}",
+                highlight=False,
+                soft_wrap=True,
+            )
+    if "tools" in figures_of_run:
+        console.print(literal(figures_of_run["title"]), style="bold", highlight=False)
+        console.print(_tools(scenario.network.users, figures_of_run))
+    else:
+        _users(console, scenario.network.users, figures_of_run)
+    console.print(_ledger(figures_of_run))
     for file in written:
-        console.print(f"  wrote {file}", highlight=False, soft_wrap=True)
+        console.print(f"  wrote {literal(file)}", highlight=False, soft_wrap=True)
+    return figures_of_run["finished"]
 
 
-def _users(names: tuple[str, ...], figures: dict[str, Any]) -> "Table":
-    from rich.box import SIMPLE_HEAD
-    from rich.table import Table
+def closure_of(result: "xr.Dataset") -> dict[str, Any]:
+    """What balanced the steps of a body that bends or turns far; nothing of a linear one."""
+    if "closure" not in result:
+        return {}
+    return {
+        "closure": {
+            "work_j": [float(work) for work in result["closure"].max("step") - result["closure"].min("step")],
+            "largest_factor": float(result["closure_factor"].max()),
+            "alarms": int(result["closure_alarms"].max("step").sum()),
+        }
+    }
 
+
+def _closure(figures: dict[str, Any], grid: "Table") -> None:
+    """Balanced energy proves no forces; by how much velocities were changed for it does."""
+    if "closure" in figures:
+        largest, alarms = figures["closure"]["largest_factor"], figures["closure"]["alarms"]
+        told = f"; [yellow]{alarms} steps by more than 1 %: take shorter ones[/yellow]" if alarms else ""
+        grid.add_row("  closure", f"changed velocities by {largest:.1e} at most{told}")
+
+
+def _users(console: "Console", names: tuple[str, ...], figures: dict[str, Any]) -> None:
     held = figures["hold"]
-    table = Table(box=SIMPLE_HEAD)
-    table.add_column("user")
     columns: list[tuple[str, list[Any]]] = [
         ("damping B\nNs/m", figures["local_damping"]),
         (f"x at {held['time_s']:g} s\nm", held["position"]),
         ("f there\nN", held["force"]),
         ("x at the end\nm", figures["final"]["position"]),
     ]
-    for heading, _ in columns:
-        table.add_column(heading, justify="right")
-    for name, *values in zip(names, *(values for _, values in columns), strict=True):
-        table.add_row(name, *(_short(value) for value in values))
-    return table
+    told = [(heading, [_short(value) for value in values]) for heading, values in columns]
+    print_columns(console, figures["title"], names, told)
 
 
 def _tools(names: tuple[str, ...], figures: dict[str, Any]) -> "Table":
@@ -89,7 +128,7 @@ def _tools(names: tuple[str, ...], figures: dict[str, Any]) -> "Table":
     for heading in ("felt N\npeak", "\nmean", "contacts\nat most", "\nfor s"):
         table.add_column(heading, justify="right")
     for i, name in enumerate(names):
-        start = [name, _short(figures["local_damping"][i])]
+        start = [literal(name), _short(figures["local_damping"][i])]
         own = [tool for tool in figures["tools"] if tool["user"] == i + 1]
         for tool in own:
             count, node = tool["most_contacts"], "" if tool["kind"] == "touch" else " nodes"
@@ -107,6 +146,23 @@ def _tools(names: tuple[str, ...], figures: dict[str, Any]) -> "Table":
     return table
 
 
+def _paces(figures: dict[str, Any]) -> str | None:
+    """Who steps more slowly than asked because it waits for others; None where nobody does."""
+    asked, taken = (np.atleast_1d(figures["rate_hz"][name]) for name in ("asked", "taken"))
+    slow = np.flatnonzero(taken < _AS_ASKED * asked)
+    if not slow.size:
+        return None
+    i = int(slow[np.argmin(taken[slow] / asked[slow])])
+    text = (
+        f"user {i + 1} takes {number(float(taken[i]), digits=4)} steps a second instead of "
+        f"{number(float(asked[i]), digits=4)}, and each lasts so much longer: it waits for the others"
+    )
+    if slow.size > 1:
+        text += f"; so do{'es' * (slow.size == 2)} {slow.size - 1} more"
+    behind = float(np.max(figures["behind_s"]))
+    return text + (f". What copies made up for was up to {number(behind, 's', digits=3)}" if behind > 0.0 else "")
+
+
 def _coupling(tools: list[dict[str, Any]]) -> str | None:
     """Whether the couplings of all devices were passive, with the one that came nearest to its bound."""
     coupled = [
@@ -119,6 +175,27 @@ def _coupling(tools: list[dict[str, Any]]) -> str | None:
     verdict = f"[red]{bad} of {len(coupled)} not passive[/red]" if bad else "passive"
     given, most = number(excess, "J", digits=3), number(bound, "J", digits=3)
     return f"{verdict}: gave at most {given} more than it got, bound {most}"
+
+
+def _hot(tools: list[dict[str, Any]]) -> list[str]:
+    """Devices that could not do for long what they did in the run."""
+    return [
+        f"of user {tool['user']}'s {tool['device']} held {number(tool['rms_force_n'], 'N', digits=3)} in the mean "
+        f"square, more than the {number(tool['continuous_force_n'], 'N', digits=3)} that they can do all the time"
+        for tool in tools
+        if tool.get("continuous_force_n") is not None and tool["rms_force_n"] > tool["continuous_force_n"]
+    ]
+
+
+def _law(judged: dict[str, Any], rounding: float) -> str:
+    """What the links made, and whether that is what their law promises."""
+    made, seed = (value if value > rounding else 0.0 for value in (judged["made_j"], judged["seed_j"]))
+    text = f"{judged['law']}: made {number(made, 'J', digits=3)} of its own"
+    if judged["promised"] and not judged["kept"]:
+        return f"[red]{text}, but declares that it makes at most {number(seed, 'J', digits=3)}[/red]"
+    return (
+        f"{text}, {'at most' if judged['promised'] else 'promises nothing; its seed is'} {number(seed, 'J', digits=3)}"
+    )
 
 
 def _short(value: Any) -> str:
@@ -134,7 +211,7 @@ def _short(value: Any) -> str:
     return f"{len(value)} nodes"  # pyright: ignore[reportUnknownArgumentType]
 
 
-def _books(figures: dict[str, Any]) -> "Table":
+def _ledger(figures: dict[str, Any]) -> "Table":
     from rich.table import Table
 
     settling = figures["settling_time_s"]
@@ -144,6 +221,9 @@ def _books(figures: dict[str, Any]) -> "Table":
     held = figures["hold"]
     energy = figures["energy_j"]
     grid.add_row("  mode", f"{figures['mode']}, {figures['steps']} steps in {figures['duration_s']:g} s")
+    paces = _paces(figures)
+    if paces is not None:
+        grid.add_row("  pace", paces)
     if not figures["finished"]:
         grid.add_row("  [red]diverged[/red]", "the motion left the range of floating point; the run stops there")
     grid.add_row(
@@ -161,13 +241,22 @@ def _books(figures: dict[str, Any]) -> "Table":
         f"stored {number(energy['stored'], 'J')}, added by delay {number(energy['delay_work'], 'J')}",
     )
     grid.add_row("  residual", f"{figures['energy_residual']:.1e} of the energy in play")
+    _closure(figures, grid)
     margin = figures["passivity_margin_j"]
     rounding = 1e-10 * energy["in_play"]
     verdict = "passive" if margin >= -rounding else "[red]not passive[/red]"
-    grid.add_row("  passivity", f"{verdict}: margin {number(margin if abs(margin) > rounding else 0.0, 'J')}")
+    spare = figures["slack_j"]["at_end"]
+    grid.add_row(
+        "  passivity",
+        f"{verdict}: margin {number(margin if abs(margin) > rounding else 0.0, 'J')}; "
+        f"damping B took {number(spare, 'J')} more than delays added",
+    )
+    grid.add_row("  law", _law(figures["judge"], rounding))
     coupling = _coupling(figures.get("tools", []))
     if coupling is not None:
         grid.add_row("  devices", coupling)
+        for told in _hot(figures["tools"]):
+            grid.add_row("  [yellow]motors[/yellow]", told)
         grid.add_row("  their residual", f"{figures['device_residual']:.1e} of the energy in play")
     ages = figures["age_s"]
     grid.add_row("  age of samples", f"{number(ages['mean'], 's')} mean, {number(ages['max'], 's')} max")

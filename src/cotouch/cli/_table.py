@@ -8,7 +8,7 @@ if TYPE_CHECKING:
     from rich.console import RenderableType
     from rich.text import Text
 
-    from cotouch.session import LinkStatus, Seen, Status, Watch
+    from cotouch.session import LinkStatus, MemberState, SessionWatch, Status
 
 # States of a link, so that a row of them can be read at a glance: mark, colour, what it means.
 _MARKS = {
@@ -28,7 +28,7 @@ _COLUMNS = (
     ("late", "", False),
     ("apart", "mm", False),
     ("hand", "N", False),
-    ("books", "off by", False),
+    ("ledger", "off by", False),
     ("damping", "spare", False),
 )
 _EVENTS = 5
@@ -37,7 +37,9 @@ _ROUND_OFF = 1e-9  # [J]
 _SLOW = 0.9  # share of the wanted rate below which it is marked
 
 
-def view(watch: "Watch", now: float, *, title: str, started: float, invitation: str | None = None) -> "RenderableType":
+def view(
+    watch: "SessionWatch", now: float, *, title: str, started: float, invitation: str | None = None
+) -> "RenderableType":
     """The session as it is now.
 
     Args:
@@ -55,17 +57,28 @@ def view(watch: "Watch", now: float, *, title: str, started: float, invitation: 
     for name, unit, text in _COLUMNS:
         head = Text(name, style="bold").append(f"\n{unit}", style="dim")
         table.add_column(head, justify="left" if text else "right", no_wrap=True)
-    for seat in sorted(watch.members):
-        table.add_row(*_row(watch.members[seat], now))
+    for slot in sorted(watch.members):
+        table.add_row(*_row(watch.members[slot], now))
     if not watch.members:
         how = f"; join with\n\n  cotouch join {invitation}\n" if invitation else ""
         return Group(Text(f"{title} · {now - started:.0f} s", style="bold"), Text(f"nobody is here yet{how}"))
     known = [seen.status for seen in watch.members.values() if seen.status is not None]
     parts: list[RenderableType] = [table, Text(), _legend(known)]
     parts.append(Text(f"{balance(known)} {verdict(known)}"))
+    parts += [Text(text, style="bold red") for text in _not_recorded(watch)]
     recent = [event for event in watch.events if now - event.time < _RECENT][-_EVENTS:]
     parts += [Text(f"{event.time - started:6.1f} s  {event.text}", style="dim") for event in recent]
     return Group(*parts)
+
+
+def _not_recorded(watch: "SessionWatch") -> list[str]:
+    """Whose recording stopped, as long as they are there."""
+    failed = [seen for _, seen in sorted(watch.members.items()) if seen.status and seen.status.recording == "failed"]
+    return [
+        f"NOT RECORDED: {seen.entry.name}'s recording stopped"
+        + (f": {seen.status.recording_failure}" if seen.status and seen.status.recording_failure else "")
+        for seen in failed
+    ]
 
 
 def balance(known: "Sequence[Status]") -> str:
@@ -83,7 +96,7 @@ def balance(known: "Sequence[Status]") -> str:
 
 def verdict(known: "Sequence[Status]") -> str:
     """Whether the whole is passive, in a sentence."""
-    margin = sum(status.supplied + status.initial for status in known)
+    margin = sum(status.supplied + status.initial + status.initial_energies for status in known)
     if margin >= -_ROUND_OFF:
         return "Passive: nobody got out what nobody had put in."
     return f"NOT PASSIVE: {-margin:.3g} J came out that nobody put in."
@@ -100,24 +113,30 @@ def _legend(known: "Sequence[Status]") -> "Text":
         if state in seen and meaning not in told:
             told.add(meaning)
             legend.append(mark, style=colour).append(f" {meaning}   ", style="dim")
-    if any(link.way == "relayed" for status in known for link in status.links):
+    if any(link.path_state == "relayed" for status in known for link in status.links):
         legend.append("~ by the relay   ", style="dim")
+    laws = {status.law for status in known} - {"spring"}
+    if laws:
+        links = [link for status in known for link in status.links]
+        given, taken = (sum(getattr(link, name) for link in links) for name in ("given", "taken"))
+        on_the_way = f"{1e3 * max(given - taken, 0.0):.3g} mJ on the way"
+        legend.append(f"\nlaw {', '.join(sorted(laws))}: needs no damping; {on_the_way}", style="dim")
     legend.append("\nages: how old the samples of both ends are; budget: what the damping covers", style="dim")
     return legend
 
 
-def _row(seen: "Seen", now: float) -> list["str | RenderableType"]:
+def _row(seen: "MemberState", now: float) -> list["str | RenderableType"]:
     from rich.text import Text
 
     status = seen.status
-    name = Text(f"{seen.entry.seat + 1} ", style="dim")
+    name = Text(f"{seen.entry.slot + 1} ", style="dim")
     name.append(seen.entry.name, style="dim" if seen.stale(now) else "bold")
     if status is None:
         return [name, Text("starting", style="dim")]
     marks = Text()
     for link in status.links:
         mark, colour, _ = _MARKS.get(link.state, ("?", "red", ""))
-        marks.append(mark, style=colour).append(f"{link.seat + 1}{'~' if link.way == 'relayed' else ''} ")
+        marks.append(mark, style=colour).append(f"{link.slot + 1}{'~' if link.path_state == 'relayed' else ''} ")
     apart = max((link.difference for link in status.links if link.difference is not None), default=None)
     ages, budget = _ages(status.links)
     margin = status.certificate

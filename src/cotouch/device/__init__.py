@@ -2,15 +2,15 @@
 
 from cotouch.device._advance import advance
 from cotouch.device._assemble import assemble
-from cotouch.device._couple import Couplings, couplings, excess_bound, pull_proxy, sure_force, tell_device
+from cotouch.device._couple import Couplings, command_device, couplings, excess_bound, pull_proxy, sure_force
 from cotouch.device._critical import critical_stiffness, rings
-from cotouch.device._models import CartesianPlant, Coupling, DeviceModel, PhantomPlant, Servo, SimulatedHand
+from cotouch.device._models import CartesianPlant, Coupling, DeviceModel, PhantomPlant, ServoModel, SimulatedHand
 from cotouch.device._simulated import DeviceSample, SimulatedDevice
 from cotouch.device._spec import PRESETS, DeviceSpec, preset
-from cotouch.device._tables import DEVICE_BOOKS, Devices, DeviceState, Grasps, Plants, Servos
+from cotouch.device._tables import DEVICE_LEDGER, Devices, DeviceState, Grasps, Plants, Servos
 
 __all__ = [
-    "DEVICE_BOOKS",
+    "DEVICE_LEDGER",
     "PRESETS",
     "CartesianPlant",
     "Coupling",
@@ -23,12 +23,13 @@ __all__ = [
     "Grasps",
     "PhantomPlant",
     "Plants",
-    "Servo",
+    "ServoModel",
     "Servos",
     "SimulatedDevice",
     "SimulatedHand",
     "advance",
     "assemble",
+    "command_device",
     "couplings",
     "critical_stiffness",
     "excess_bound",
@@ -36,5 +37,4 @@ __all__ = [
     "pull_proxy",
     "rings",
     "sure_force",
-    "tell_device",
 ]

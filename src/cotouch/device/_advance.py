@@ -3,11 +3,11 @@
 What whoever steps the proxy does with it, in each step from t to t + T:
 
 * *PSPM, or a sampled spring.* `advance` to any time up to now; pull the proxy towards `sample`; after the step write
-  the proxy's place to `wish`. With PSPM both ends here draw on one account, the device's spring and tank in `books`
+  the proxy's place to `desired`. With PSPM both ends here draw on one account, the device's spring and tank in `ledger`
   (`_couple.py`). With a proxy in another process each end has its own, and they tell each other totals, late or never
   as the channel likes: `sent` and `received` (`SimulatedDevice`).
-* *Told force.* `advance` to t, the start of the step; with q = `sample` and v = `sample_velocity` step the proxy under
-  `τ = k (q - y⁺) + b (v - ŵ)`; write -τ to `told`. The next `advance`, to t + T, holds it.
+* *Host force.* `advance` to t, the start of the step; with q = `sample` and v = `sample_velocity` step the proxy under
+  `τ = k (q - y⁺) + b (v - ŵ)`; write -τ to `host_force`. The next `advance`, to t + T, holds it.
 """
 # An array indexed by an element of another is a number to numba and an array to numpy's types.
 # pyright: reportArgumentType=false, reportReturnType=false
@@ -15,20 +15,20 @@ What whoever steps the proxy does with it, in each step from t to t + T:
 from math import ceil
 
 from cotouch.device._cartesian import cartesian_mass, cartesian_step
-from cotouch.device._hand import LANES, add_book, hand_energy, next_change, relax, should_hold
+from cotouch.device._hand import LANES, add_to_ledger, hand_energy, next_change, relax, should_hold
 from cotouch.device._phantom import coefficients, inverse, mass_matrix, phantom_kinetic, phantom_potential, phantom_step
 from cotouch.device._servo import actuate, next_tick, tick
 from cotouch.device._tables import (
     COULOMB_LOSS,
     HAND_ENERGY,
     HAND_LOSS,
+    HOST_FORCE,
     HUMAN,
     INITIAL,
     KINETIC,
     PHANTOM,
     POTENTIAL,
     RESIDUAL,
-    TOLD,
     VISCOUS_LOSS,
     WORK,
     Devices,
@@ -44,7 +44,7 @@ _ON_TIME = 1e-6
 def advance(devices: Devices, state: DeviceState, d: int, until: float) -> bool:
     """Moves device d from its own time to `until`; all ticks up to and including `until` happen.
 
-    With the law TOLD the force in `told` acts all the time, and the one sample is taken at `until`.
+    With the law TOLD the force in `host_force` acts all the time, and the one sample is taken at `until`.
 
     Args:
         devices: what the devices are.
@@ -55,11 +55,11 @@ def advance(devices: Devices, state: DeviceState, d: int, until: float) -> bool:
     Returns:
         Whether the motion is still within the range of floating point.
     """
-    told = at(devices.servos.law, d) == TOLD
-    if told:
+    host_force = at(devices.servos.law, d) == HOST_FORCE
+    if host_force:
         if at(state.ticks, d) == 0:
             tick(devices, state, d)
-        actuate(devices, state, d, load(state.told, d, LANES))
+        actuate(devices, state, d, load(state.host_force, d, LANES))
     slack = _ON_TIME * at(devices.servos.period, (d, 0))
     moving = True
     while moving:
@@ -83,27 +83,33 @@ def advance(devices: Devices, state: DeviceState, d: int, until: float) -> bool:
                 else:
                     cartesian_step(devices, state, d, h)
             put(state.time, d, stop)
-    if told:
+    if host_force:
         tick(devices, state, d)
     return balance(devices, state, d) < 1e200
 
 
 @kernel
 def balance(devices: Devices, state: DeviceState, d: int) -> float:
-    """Books the energies of now and the residual; returns the energy in all [J]."""
+    """Books the energies of now and the residual; returns the energy in all [J].
+
+    Args:
+        devices: all devices.
+        state: of all devices; changed in place.
+        d: number of the device.
+    """
     kinetic = _kinetic(devices, state, d)
     held = hand_energy(devices.grasps, state, d)
     potential = 0.0
     if at(devices.plants.kind, d) == PHANTOM:
         potential = phantom_potential(devices.plants, d, at(state.coordinate, (d, 1)), at(state.coordinate, (d, 2)))
     now = kinetic + held + potential
-    books = state.books
-    put(books, (d, KINETIC), kinetic)
-    put(books, (d, HAND_ENERGY), held)
-    put(books, (d, POTENTIAL), potential)
-    losses = at(books, (d, HAND_LOSS)) + at(books, (d, VISCOUS_LOSS)) + at(books, (d, COULOMB_LOSS))
-    supplied = at(books, (d, WORK)) + at(books, (d, HUMAN))
-    put(books, (d, RESIDUAL), now - at(books, (d, INITIAL)) - supplied + losses)
+    ledger = state.ledger
+    put(ledger, (d, KINETIC), kinetic)
+    put(ledger, (d, HAND_ENERGY), held)
+    put(ledger, (d, POTENTIAL), potential)
+    losses = at(ledger, (d, HAND_LOSS)) + at(ledger, (d, VISCOUS_LOSS)) + at(ledger, (d, COULOMB_LOSS))
+    supplied = at(ledger, (d, WORK)) + at(ledger, (d, HUMAN))
+    put(ledger, (d, RESIDUAL), now - at(ledger, (d, INITIAL)) - supplied + losses)
     return now
 
 
@@ -126,7 +132,7 @@ def _change_hold(devices: Devices, state: DeviceState, d: int) -> None:
     if at(state.holding, d) == 0:
         put(state.holding, d, 1)
         relax(devices, state, d)
-        add_book(state, d, HAND_LOSS, before - _kinetic(devices, state, d))
+        add_to_ledger(state, d, HAND_LOSS, before - _kinetic(devices, state, d))
         return
     before += hand_energy(devices.grasps, state, d)
     if at(devices.plants.kind, d) == PHANTOM:
@@ -140,8 +146,8 @@ def _change_hold(devices: Devices, state: DeviceState, d: int) -> None:
         put(state.momentum, (d, 1), m[1] * v2 + m[3] * v3)
         put(state.momentum, (d, 2), m[3] * v2 + m[2] * v3)
     else:
-        share = 1.0 / cartesian_mass(devices, state, d)
+        fraction = 1.0 / cartesian_mass(devices, state, d)
         put(state.holding, d, 0)
-        share *= cartesian_mass(devices, state, d)
-        store(state.momentum, d, share * load(state.momentum, d, LANES), LANES)
-    add_book(state, d, HUMAN, _kinetic(devices, state, d) - before)
+        fraction *= cartesian_mass(devices, state, d)
+        store(state.momentum, d, fraction * load(state.momentum, d, LANES), LANES)
+    add_to_ledger(state, d, HUMAN, _kinetic(devices, state, d) - before)

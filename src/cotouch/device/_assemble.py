@@ -9,7 +9,7 @@ import numpy.typing as npt
 from cotouch.device._models import LAWS, CartesianPlant, DeviceModel, PhantomPlant, SimulatedHand
 from cotouch.device._phantom import phantom_potential
 from cotouch.device._tables import (
-    DEVICE_BOOKS,
+    DEVICE_LEDGER,
     INITIAL,
     PHANTOM,
     POTENTIAL,
@@ -24,7 +24,7 @@ from cotouch.device._tables import (
 
 
 def assemble(models: Sequence[DeviceModel]) -> tuple[Devices, DeviceState]:
-    """Tables of all devices, and where they start: at rest, nothing sent, the wish where the tip is.
+    """Tables of all devices, and where they start: at rest, nothing sent, the desired position where the tip is.
 
     Args:
         models: one for each device; may be empty.
@@ -81,7 +81,7 @@ def _servos(models: Sequence[DeviceModel]) -> Servos:
         lag=_integers([coupling.lag for coupling in couplings]),
         cap=_column([coupling.cap for coupling in couplings]),
         reserve=_column([coupling.reserve for coupling in couplings]),
-        declared=_rows([[coupling.declared] * 3 for coupling in couplings]),
+        declared=_rows([[coupling.assumed_damping] * 3 for coupling in couplings]),
     )
 
 
@@ -116,10 +116,10 @@ def _start(models: Sequence[DeviceModel], devices: Devices) -> DeviceState:
     ratio = devices.servos.window / devices.servos.period.min(axis=1, initial=inf)
     lag = int(devices.servos.lag.max(initial=0))
     length = max(int(np.ceil(ratio.max(initial=0.0))), lag) + 3
-    books = np.zeros((count, len(DEVICE_BOOKS)))
+    ledger = np.zeros((count, len(DEVICE_LEDGER)))
     for d, kind in enumerate(devices.plants.kind):
         if kind == PHANTOM:
-            books[d, INITIAL] = books[d, POTENTIAL] = phantom_potential(devices.plants, d, *coordinate[d, 1:3])
+            ledger[d, INITIAL] = ledger[d, POTENTIAL] = phantom_potential(devices.plants, d, *coordinate[d, 1:3])
 
     def vectors() -> Float:
         return np.zeros((count, 4))
@@ -131,15 +131,15 @@ def _start(models: Sequence[DeviceModel], devices: Devices) -> DeviceState:
         return np.zeros(count, dtype=np.int64)
 
     return DeviceState(
-        wish=place.copy(),
-        told=vectors(),
+        desired=place.copy(),
+        host_force=vectors(),
         received=numbers(),
         sample=place.copy(),
         sample_velocity=vectors(),
         sample_time=numbers(),
         sent=numbers(),
         force=vectors(),
-        books=books,
+        ledger=ledger,
         time=numbers(),
         next_tick=numbers(),
         ticks=integers(),

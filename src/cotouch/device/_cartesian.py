@@ -2,14 +2,20 @@
 # An array indexed by an element of another is a number to numba and an array to numpy's types.
 # pyright: reportArgumentType=false, reportReturnType=false
 
-from cotouch.device._hand import LANES, add_book, book_hand, book_motors, correct, equilibrium_after
+from cotouch.device._hand import LANES, add_to_ledger, book_hand, book_motors, correct, equilibrium_after
 from cotouch.device._tables import COULOMB_LOSS, Devices, DeviceState
 from cotouch.mechanics import at, inner, load, part, splat, store, total
 
 
 @inner
 def cartesian_mass(devices: Devices, state: DeviceState, d: int) -> float:
-    """Mass that moves, the hand's included [kg]."""
+    """Mass that moves, the hand's included [kg].
+
+    Args:
+        devices: all devices.
+        state: of all devices; changed in place.
+        d: number of the device.
+    """
     mass = at(devices.plants.mass, d)
     if at(state.holding, d) != 0:
         mass += at(devices.grasps.mass, d)
@@ -22,6 +28,12 @@ def cartesian_step(devices: Devices, state: DeviceState, d: int, h: float) -> No
 
     Coulomb friction acts against v̂, at most with its own size. Where all else together is less, the device stops: the
     midpoint rule alone would go on with -v for ever. What it had is booked as friction.
+
+    Args:
+        devices: all devices.
+        state: of all devices; changed in place.
+        d: number of the device.
+        h: length of the step [s].
     """
     grasps = devices.grasps
     drag, rough = at(devices.plants.viscous, (d, 0)), at(devices.plants.coulomb, (d, 0))
@@ -44,14 +56,14 @@ def cartesian_step(devices: Devices, state: DeviceState, d: int, h: float) -> No
     size = total(push * push) ** 0.5
     if rough > 0.0 and size <= rough:
         mean = splat(0.0, LANES)
-        add_book(state, d, COULOMB_LOSS, 0.5 * total(momentum * momentum) / mass)
+        add_to_ledger(state, d, COULOMB_LOSS, 0.5 * total(momentum * momentum) / mass)
         momentum = splat(0.0, LANES)
     else:
         if rough > 0.0:
             gain *= 1.0 - rough / size
         mean = gain * push
         momentum = (2.0 * mass) * mean - momentum
-        add_book(state, d, COULOMB_LOSS, h * rough * total(mean * mean) ** 0.5)
+        add_to_ledger(state, d, COULOMB_LOSS, h * rough * total(mean * mean) ** 0.5)
     motion = h * mean
     store(state.momentum, d, momentum, LANES)
     store(state.coordinate, d, place + motion, LANES)

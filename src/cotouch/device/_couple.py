@@ -16,15 +16,16 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.device._advance import advance
 from cotouch.device._hand import LANES
 from cotouch.device._tables import (
     COULOMB_LOSS,
     DECLARED,
+    HOST_FORCE,
     PHANTOM,
     SPRING_ENERGY,
     TANK,
-    TOLD,
     VISCOUS_LOSS,
     WORK,
     Devices,
@@ -32,7 +33,6 @@ from cotouch.device._tables import (
 )
 from cotouch.mechanics import Tools, at, load, modulate, modulation_bound, part, put, splat, store, total
 
-Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int64]
 
 
@@ -46,10 +46,12 @@ class Couplings(NamedTuple):
         damping: b at the proxy, (tools,) [Ns/m].
         most: of a virtual coupling: the force at which it saturates, (tools,) [N].
         before: y at the start of the step, (tools, 4) [m].
+        unsure: of a virtual coupling: by how much encoders may falsify its force, (tools,) [N].
         work: Σ τᵀŵ T, done on the proxy since the start, (tools,) [J].
-        excess: largest `∫τᵀq̇ dt + Σ τᵀŵ T` so far: two-port passive if bounded, (tools,) [J]. Where the coupling counts
-            on the device's own friction this is paid from it: all of it with a virtual coupling, what was declared
-            with PSPM.
+        excess: largest `∫τᵀq̇ dt + Σ τᵀŵ T` so far: two-port passive if bounded, (tools,) [J]. Where the coupling
+            counts on the device's own friction this is paid from it: all of it with a virtual coupling, what was
+            declared with PSPM.
+        unpaid: of a virtual coupling: what the false part of its force can have done on the proxy, (tools,) [J].
     """
 
     device: Int
@@ -58,8 +60,10 @@ class Couplings(NamedTuple):
     damping: Float
     most: Float
     before: Float
+    unsure: Float
     work: Float
     excess: Float
+    unpaid: Float
 
 
 def couplings(count: int) -> Couplings:
@@ -71,13 +75,20 @@ def couplings(count: int) -> Couplings:
         damping=np.zeros(count),
         most=np.full(count, inf),
         before=np.zeros((count, 4)),
+        unsure=np.zeros(count),
         work=np.zeros(count),
         excess=np.zeros(count),
+        unpaid=np.zeros(count),
     )
 
 
 def sure_force(devices: Devices, d: int) -> float:
-    """The force that a device's motors can do in every direction and wherever it is; may be infinite [N]."""
+    """The force that a device's motors can do in every direction and wherever it is; may be infinite [N].
+
+    Args:
+        devices: all devices.
+        d: number of the device.
+    """
     servos, plants = devices.servos, devices.plants
     most = float(servos.force[d])
     if plants.kind[d] == PHANTOM:
@@ -87,8 +98,10 @@ def sure_force(devices: Devices, d: int) -> float:
     return most
 
 
-def excess_bound(devices: Devices, d: int, fastest: float, longest: float, largest: float) -> float:
+def excess_bound(devices: Devices, d: int, fastest: float, longest: float, largest: float, unpaid: float) -> float:
     """What the excess of a coupling can at most come to [J].
+
+    That of a virtual coupling is paid by its device's own friction, but for what its encoders' error did on the proxy.
 
     Args:
         devices: what the devices are.
@@ -96,9 +109,12 @@ def excess_bound(devices: Devices, d: int, fastest: float, longest: float, large
         fastest: highest speed of its tip, as measured [m/s].
         longest: longest period between ticks [s].
         largest: highest force that its motors held; matters where nothing limits it [N].
+        unpaid: as in `Couplings` [J].
     """
     servos = devices.servos
-    if servos.law[d] == TOLD or longest == 0.0:
+    if servos.law[d] == HOST_FORCE:
+        return unpaid
+    if longest == 0.0:
         return 0.0
     # A joint's encoder moves the tip by no more than its resolution times the arm.
     arm = float(devices.plants.length[d].sum()) if devices.plants.kind[d] == PHANTOM else 1.0
@@ -139,7 +155,7 @@ def pull_proxy(
     gap = load(state.sample, d, LANES) + load(couplings.origin, t, LANES) - place
     store(couplings.before, t, place, LANES)
     rate = load(state.sample_velocity, d, LANES)
-    if at(devices.servos.law, d) == TOLD:
+    if at(devices.servos.law, d) == HOST_FORCE:
         # The gap at the start of the step is shortened, which makes k (q - y) the slope of a convex energy, no steeper
         # than k; the damper gets what force is left. What the coupling makes in a period then keeps its bound, which it
         # does not if motors cut off the force of a linear spring and damper.
@@ -153,13 +169,13 @@ def pull_proxy(
         b += 0.5 * k * T
     else:
         # The damper's pull towards the device's velocity gives at most ¼ b ‖v‖² T in a step; it is set aside first.
-        available = max(at(state.books, (d, SPRING_ENERGY)) + at(state.books, (d, TANK)), 0.0)
+        available = max(at(state.ledger, (d, SPRING_ENERGY)) + at(state.ledger, (d, TANK)), 0.0)
         cost = 0.25 * b * T * total(rate * rate)
-        share = 1.0 if cost <= available else (available / cost) ** 0.5
-        store(tools.push, t, (share * b) * rate, LANES)
-        left = max(available - share * share * cost, 0.0)
-        share, _, _ = modulate(0.5 * k * total(gap * gap), left, inf)
-        gap = share * gap
+        fraction = 1.0 if cost <= available else (available / cost) ** 0.5
+        store(tools.push, t, (fraction * b) * rate, LANES)
+        left = max(available - fraction * fraction * cost, 0.0)
+        fraction, _, _ = modulate(0.5 * k * total(gap * gap), left, inf)
+        gap = fraction * gap
     target = place + gap
     put(tools.drive_stiffness, t, k)
     put(tools.drive_damping, t, b)
@@ -169,19 +185,29 @@ def pull_proxy(
 
 
 @part
-def tell_device(devices: Devices, state: DeviceState, couplings: Couplings, tools: Tools, t: int) -> None:
-    """Tells a tool's device where its proxy went in the step just taken, and books what that took from the coupling."""
+def command_device(devices: Devices, state: DeviceState, couplings: Couplings, tools: Tools, t: int) -> None:
+    """Tells a tool's device where its proxy went in the step just taken, and books what that took from the coupling.
+
+    Args:
+        devices: all devices.
+        state: of all devices; changed in place.
+        couplings: of all tools; changed in place.
+        tools: proxies and their ledger.
+        t: number of the tool.
+    """
     d = at(couplings.device, t)
     place, force = load(tools.place, t, LANES), load(tools.drive_force, t, LANES)
     moved = place - load(couplings.before, t, LANES)
     done = total(force * moved)
     put(couplings.work, t, at(couplings.work, t) + done)
-    store(state.wish, d, place - load(couplings.origin, t, LANES), LANES)
-    if at(devices.servos.law, d) == TOLD:
-        store(state.told, d, splat(0.0, LANES) - force, LANES)
-        paid = at(state.books, (d, VISCOUS_LOSS)) + at(state.books, (d, COULOMB_LOSS))
+    store(state.desired, d, place - load(couplings.origin, t, LANES), LANES)
+    if at(devices.servos.law, d) == HOST_FORCE:
+        store(state.host_force, d, splat(0.0, LANES) - force, LANES)
+        false = at(couplings.unsure, t) * total(moved * moved) ** 0.5
+        put(couplings.unpaid, t, at(couplings.unpaid, t) + false)
+        paid = at(state.ledger, (d, VISCOUS_LOSS)) + at(state.ledger, (d, COULOMB_LOSS))
     else:
-        put(state.books, (d, TANK), at(state.books, (d, TANK)) - done)
-        paid = at(state.books, (d, DECLARED))
-    both = at(state.books, (d, WORK)) + at(couplings.work, t) - paid
+        put(state.ledger, (d, TANK), at(state.ledger, (d, TANK)) - done)
+        paid = at(state.ledger, (d, DECLARED))
+    both = at(state.ledger, (d, WORK)) + at(couplings.work, t) - paid
     put(couplings.excess, t, max(at(couplings.excess, t), both))

@@ -6,7 +6,7 @@ from math import inf
 
 from cotouch.device._advance import advance
 from cotouch.device._assemble import assemble
-from cotouch.device._models import CartesianPlant, Coupling, DeviceModel, Servo, SimulatedHand, need
+from cotouch.device._models import CartesianPlant, Coupling, DeviceModel, ServoModel, SimulatedHand, need
 from cotouch.device._tables import KINETIC, Devices, DeviceState
 from cotouch.errors import DeviceError
 from cotouch.mechanics import at, kernel
@@ -20,13 +20,22 @@ _RUNAWAY = 1e6
 
 @kernel
 def peak_kinetic(devices: Devices, state: DeviceState, d: int, until: float, step: float, stop: float) -> float:
-    """Largest kinetic energy until then, looked at every `step`; ends early above `stop` [J]."""
+    """Largest kinetic energy until then, looked at every `step`; ends early above `stop` [J].
+
+    Args:
+        devices: all devices.
+        state: of all devices; changed in place.
+        d: number of the device.
+        until: time [s].
+        step: between two looks [s].
+        stop: energy above which it ends [J].
+    """
     start = at(state.time, d)
     count = round((until - start) / step)
     peak = 0.0
     for k in range(1, count + 1):
         fine = advance(devices, state, d, start + k * step)
-        peak = max(peak, at(state.books, (d, KINETIC)))
+        peak = max(peak, at(state.ledger, (d, KINETIC)))
         if not fine or peak > stop:
             return inf
     return peak
@@ -41,7 +50,7 @@ def rings(model: DeviceModel, span: float, step: float) -> bool:
         step: between looks [s].
     """
     devices, state = assemble([model])
-    state.wish[0, 0] += _KICK
+    state.desired[0, 0] += _KICK
     stop = _RUNAWAY * model.coupling.stiffness * _KICK**2
     peaks = [peak_kinetic(devices, state, 0, 0.25 * quarter * span, step, stop) for quarter in (1, 2, 3, 4)]
     return not peaks[3] < peaks[1]
@@ -79,7 +88,7 @@ def critical_stiffness(
 
     def unstable(stiffness: float) -> bool:
         coupling = Coupling(law="spring", stiffness=stiffness, damping=0.0, lag=lag)
-        servo = Servo(period=period, window=0.0, substep=min(1e-4, 0.1 * period))
+        servo = ServoModel(period=period, window=0.0, substep=min(1e-4, 0.1 * period))
         return rings(DeviceModel(plant=plant, servo=servo, coupling=coupling, hand=hand), span, period)
 
     low = 0.1 * damping / period

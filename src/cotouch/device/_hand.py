@@ -26,14 +26,28 @@ LANES = (0, 0, 0, 0)
 
 
 @inner
-def add_book(state: DeviceState, d: int, book: int, value: float) -> None:
-    """Adds to a book of device d."""
-    put(state.books, (d, book), at(state.books, (d, book)) + value)
+def add_to_ledger(state: DeviceState, d: int, book: int, value: float) -> None:
+    """Adds to a book of device d.
+
+    Args:
+        state: of all devices; changed in place.
+        d: number of the device.
+        book: column of the ledger.
+        value: to add.
+    """
+    put(state.ledger, (d, book), at(state.ledger, (d, book)) + value)
 
 
 @inner
 def path_place(grasps: Grasps, state: DeviceState, d: int, t: float) -> float:
-    """Where the path of hand d is at time t: straight between waypoints, still before and after them, plus the sine."""
+    """Where the path of hand d is at time t: straight between waypoints, still before and after them, plus the sine.
+
+    Args:
+        grasps: how hands hold and move, of all devices.
+        state: of all devices; changed in place.
+        d: number of the device.
+        t: time [s].
+    """
     first, last = at(grasps.path_first, d), at(grasps.path_first, d + 1) - 1
     here = at(state.cursor, d)
     while here > first and at(grasps.path_time, here) > t:
@@ -43,8 +57,8 @@ def path_place(grasps: Grasps, state: DeviceState, d: int, t: float) -> float:
     put(state.cursor, d, here)
     value = load(grasps.path_value, here, LANES)
     if here < last and t > at(grasps.path_time, here):
-        share = (t - at(grasps.path_time, here)) / (at(grasps.path_time, here + 1) - at(grasps.path_time, here))
-        value = (1.0 - share) * value + share * load(grasps.path_value, here + 1, LANES)
+        fraction = (t - at(grasps.path_time, here)) / (at(grasps.path_time, here + 1) - at(grasps.path_time, here))
+        value = (1.0 - fraction) * value + fraction * load(grasps.path_value, here + 1, LANES)
     if at(grasps.frequency, d) != 0.0:
         wave = np.sin(2.0 * np.pi * at(grasps.frequency, d) * t + at(grasps.phase, d))
         value = value + wave * load(grasps.amplitude, d, LANES)
@@ -53,7 +67,14 @@ def path_place(grasps: Grasps, state: DeviceState, d: int, t: float) -> float:
 
 @inner
 def equilibrium_after(grasps: Grasps, state: DeviceState, d: int, t: float) -> float:
-    """The equilibrium point at time t: path, what is left of the offset of taking hold, and what the will has added."""
+    """The equilibrium point at time t: path, what is left of the offset of taking hold, and what the will has added.
+
+    Args:
+        grasps: how hands hold and move, of all devices.
+        state: of all devices; changed in place.
+        d: number of the device.
+        t: time [s].
+    """
     value = path_place(grasps, state, d, t) + load(state.corrected, d, LANES)
     passed = t - at(state.grasped, d)
     if passed < at(grasps.blend, d):
@@ -63,7 +84,13 @@ def equilibrium_after(grasps: Grasps, state: DeviceState, d: int, t: float) -> f
 
 @inner
 def hand_energy(grasps: Grasps, state: DeviceState, d: int) -> float:
-    """Energy of the hand's spring; 0 if it does not hold [J]."""
+    """Energy of the hand's spring; 0 if it does not hold [J].
+
+    Args:
+        grasps: how hands hold and move, of all devices.
+        state: of all devices; changed in place.
+        d: number of the device.
+    """
     if at(state.holding, d) == 0:
         return 0.0
     stretch = load(state.tip, d, LANES) - load(state.equilibrium, d, LANES)
@@ -72,7 +99,14 @@ def hand_energy(grasps: Grasps, state: DeviceState, d: int) -> float:
 
 @part
 def correct(grasps: Grasps, state: DeviceState, d: int, h: float) -> None:
-    """The will moves the equilibrium for a time h, against the error that it saw one reaction time ago."""
+    """The will moves the equilibrium for a time h, against the error that it saw one reaction time ago.
+
+    Args:
+        grasps: how hands hold and move, of all devices.
+        state: of all devices; changed in place.
+        d: number of the device.
+        h: length of the step [s].
+    """
     if at(grasps.correction, d) == 0.0:
         return
     t = at(state.time, d)
@@ -93,7 +127,13 @@ def correct(grasps: Grasps, state: DeviceState, d: int, h: float) -> None:
 
 @inner
 def next_change(grasps: Grasps, state: DeviceState, d: int) -> float:
-    """When the hand next takes hold or lets go [s]."""
+    """When the hand next takes hold or lets go [s].
+
+    Args:
+        grasps: how hands hold and move, of all devices.
+        state: of all devices; changed in place.
+        d: number of the device.
+    """
     t = at(state.time, d)
     if at(grasps.begin, d) > t:
         return at(grasps.begin, d)
@@ -104,13 +144,25 @@ def next_change(grasps: Grasps, state: DeviceState, d: int) -> float:
 
 @inner
 def should_hold(grasps: Grasps, state: DeviceState, d: int) -> bool:
-    """Whether the hand holds from now on."""
+    """Whether the hand holds from now on.
+
+    Args:
+        grasps: how hands hold and move, of all devices.
+        state: of all devices; changed in place.
+        d: number of the device.
+    """
     return at(grasps.begin, d) <= at(state.time, d) < at(grasps.release, d)
 
 
 @inner
 def relax(devices: Devices, state: DeviceState, d: int) -> None:
-    """A hand that is taking hold starts with its spring relaxed; the offset that this needs fades afterwards."""
+    """A hand that is taking hold starts with its spring relaxed; the offset that this needs fades afterwards.
+
+    Args:
+        devices: all devices.
+        state: of all devices; changed in place.
+        d: number of the device.
+    """
     tip = load(state.tip, d, LANES)
     place = path_place(devices.grasps, state, d, at(state.time, d))
     store(state.offset, d, tip - place, LANES)
@@ -123,13 +175,29 @@ def relax(devices: Devices, state: DeviceState, d: int) -> None:
 
 @inner
 def book_hand(grasps: Grasps, state: DeviceState, d: int, h: float, work: float, slip: float) -> None:
-    """Books a step of the hand: work on its far end, and the square of how far that end went beyond the tip."""
-    add_book(state, d, HUMAN, work)
-    add_book(state, d, HAND_LOSS, at(grasps.damping, d) / h * slip)
+    """Books a step of the hand: work on its far end, and the square of how far that end went beyond the tip.
+
+    Args:
+        grasps: how hands hold and move, of all devices.
+        state: of all devices; changed in place.
+        d: number of the device.
+        h: length of the step [s].
+        work: on the far end of the hand's spring [J].
+        slip: square of how far that end went beyond the tip [m²].
+    """
+    add_to_ledger(state, d, HUMAN, work)
+    add_to_ledger(state, d, HAND_LOSS, at(grasps.damping, d) / h * slip)
 
 
 @inner
 def book_motors(state: DeviceState, d: int, work: float, viscous: float) -> None:
-    """Books the work of the held effort and the loss in the device's viscous friction."""
-    add_book(state, d, WORK, work)
-    add_book(state, d, VISCOUS_LOSS, viscous)
+    """Books the work of the held effort and the loss in the device's viscous friction.
+
+    Args:
+        state: of all devices; changed in place.
+        d: number of the device.
+        work: of the held effort [J].
+        viscous: loss in the device's viscous friction [J].
+    """
+    add_to_ledger(state, d, WORK, work)
+    add_to_ledger(state, d, VISCOUS_LOSS, viscous)

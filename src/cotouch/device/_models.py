@@ -6,22 +6,32 @@ from itertools import pairwise
 from math import acos, atan2, cos, degrees, hypot, inf, isfinite, pi, sin
 from typing import Literal, final
 
-from cotouch.device._tables import CARTESIAN, PHANTOM, PSPM, SPRING, TOLD
+from cotouch.device._tables import CARTESIAN, HOST_FORCE, PHANTOM, PSPM, SPRING
 from cotouch.errors import DeviceError
 
 Triple = tuple[float, float, float]
 
-LAWS = {"pspm": PSPM, "spring": SPRING, "told": TOLD}
+LAWS = {"pspm": PSPM, "spring": SPRING, "host_force": HOST_FORCE}
 
 # van Beek et al., Sci. Rep. 5:18004 (2015), one typical trial.
 HAND_MASS, HAND_DAMPING, HAND_STIFFNESS = 0.554, 6.45, 135.0
 GRAVITY = 9.80665
+# Of a PHANToM's force and torque, what its motors can do for a moment, by what they can do all the time.
+_PEAK = 8.5 / 1.4
 
 
 def need(
     name: str, value: float, *, least: float = 0.0, above: bool = False, most: float = inf, unit: str = ""
 ) -> None:
     """Refuses a number that is not finite or out of range.
+
+    Args:
+        name: of what is checked, for the message.
+        value: the number.
+        least: smallest that is right.
+        above: whether `least` itself is wrong.
+        most: largest that is right.
+        unit: for the message.
 
     Raises:
         DeviceError: it is.
@@ -35,6 +45,10 @@ def need(
 
 def triple(name: str, value: Sequence[float]) -> Triple:
     """Three finite numbers; one or two are padded by zeros.
+
+    Args:
+        name: of what is checked, for the message.
+        value: the numbers.
 
     Raises:
         DeviceError: it is not one to three finite numbers.
@@ -81,12 +95,13 @@ class PhantomPlant:
     """A PHANToM 1.5 [Çavuşoğlu, Feygin & Tendick 2002].
 
     Masses, inertias and lengths are the published ones. Inertias of the links `be` and `df` are about their joints'
-    axes, as the published mass matrix uses them. Friction and torque are nominal.
+    axes, as the published mass matrix uses them. Friction and torque are nominal: what its motors can do all the time,
+    0.0286 Nm behind ratios of 13.3 and 11.2, is 1.4 N at the tip, and at their peak as much more as 8.5 N is.
 
     Attributes:
         viscous: friction of every joint, >= 0 [Nm s/rad].
         coulomb: friction of every joint, >= 0 [Nm].
-        torque: largest of each joint, > 0 [Nm].
+        torque: largest of each joint, > 0; by default the peak [Nm].
         gravity: whether it pulls; False: compensated.
 
     Raises:
@@ -95,7 +110,7 @@ class PhantomPlant:
 
     viscous: float = 5e-4
     coulomb: float = 0.01
-    torque: Triple = (0.0286 * 13.3, 0.0286 * 11.2, 0.0286 * 11.2)
+    torque: Triple = (_PEAK * 0.0286 * 13.3, _PEAK * 0.0286 * 11.2, _PEAK * 0.0286 * 11.2)
     gravity: bool = False
 
     kind = PHANTOM
@@ -170,13 +185,13 @@ _LIMITS = ((-90.0, 90.0), (-124.0, 119.0), (-29.0, 214.0), (-65.0, 55.0))
 
 @final
 @dataclass(frozen=True, kw_only=True)
-class Servo:
+class ServoModel:
     """Sensor, clock and actuator.
 
     Attributes:
         period: time between ticks, or several used in turn, each > 0 [s].
-        window: over which velocity is measured, >= 0; less than a period: since the last tick [s]. With the law `told`
-            it is always since the last sample.
+        window: over which velocity is measured, >= 0; less than a period: since the last tick [s]. With the law
+            `host_force` it is always since the last sample.
         resolution: of the encoders, >= 0 [m], of a joint [rad]; 0: exact.
         force: largest, > 0 [N].
         substep: longest step of the integrator, > 0 [s].
@@ -216,8 +231,8 @@ class Coupling:
     (`cotouch.mechanics.modulation_bound`); a stiffness that a device cannot render makes this noticeable.
 
     Attributes:
-        law: `pspm`; `spring`, a plain sampled spring and damper to the wish, passive under a condition only
-            (`cotouch.mechanics.virtual_coupling_limit`); `told`, the force that the body's step computes.
+        law: `pspm`; `spring`, a plain sampled spring and damper to the desired position, passive under a condition only
+            (`cotouch.mechanics.virtual_coupling_limit`); `host_force`, the force that the body's step computes.
         stiffness: k, >= 0 [N/m].
         damping: b, >= 0 [Ns/m].
         cap: most energy that the tank keeps, >= 0 [J].
@@ -230,12 +245,12 @@ class Coupling:
         DeviceError: a number is out of range, or there is no such law.
     """
 
-    law: Literal["pspm", "spring", "told"] = "pspm"
+    law: Literal["pspm", "spring", "host_force"] = "pspm"
     stiffness: float = 1000.0
     damping: float = 2.0
     cap: float = 0.1
     reserve: float = 1e-3
-    declared: float = 0.0
+    assumed_damping: float = 0.0
     lag: int = 0
 
     def __post_init__(self) -> None:
@@ -245,7 +260,7 @@ class Coupling:
         need("damping", self.damping, unit="Ns/m")
         need("cap", self.cap, unit="J")
         need("reserve", self.reserve, unit="J")
-        need("declared", self.declared)
+        need("assumed damping", self.assumed_damping)
         need("lag", self.lag, most=8)
 
 
@@ -344,7 +359,7 @@ class DeviceModel:
     """
 
     plant: CartesianPlant | PhantomPlant = field(default_factory=CartesianPlant)
-    servo: Servo = field(default_factory=Servo)
+    servo: ServoModel = field(default_factory=ServoModel)
     coupling: Coupling = field(default_factory=Coupling)
     hand: SimulatedHand | None = None
     position: Sequence[float] = (0.0, 0.0, 0.0)

@@ -19,7 +19,7 @@ Tip in the frame of the package, θ = 0 at the origin, with `r = l1 cos θ2 + l2
 
 from math import cos, inf, sin
 
-from cotouch.device._hand import LANES, add_book, book_hand, book_motors, correct, equilibrium_after
+from cotouch.device._hand import LANES, add_to_ledger, book_hand, book_motors, correct, equilibrium_after
 from cotouch.device._tables import COULOMB_LOSS, Devices, DeviceState, Grasps, Plants
 from cotouch.mechanics import at, inner, kernel, part, put, store
 
@@ -37,7 +37,13 @@ Seven = tuple[float, float, float, float, float, float, float]
 
 @inner
 def coefficients(devices: Devices, state: DeviceState, d: int) -> Seven:
-    """The numbers of the mass matrix as in `Plants.inertia`, a holding hand's point mass at the tip included."""
+    """The numbers of the mass matrix as in `Plants.inertia`, a holding hand's point mass at the tip included.
+
+    Args:
+        devices: all devices.
+        state: of all devices; changed in place.
+        d: number of the device.
+    """
     plants = devices.plants
     m = at(devices.grasps.mass, d) if at(state.holding, d) != 0 else 0.0
     l1, l2 = at(plants.length, (d, 0)), at(plants.length, (d, 1))
@@ -54,7 +60,13 @@ def coefficients(devices: Devices, state: DeviceState, d: int) -> Seven:
 
 @inner
 def mass_matrix(c: Seven, q2: float, q3: float) -> Four:
-    """M11, M22, M33, M23 [kg m²]; the rest is zero."""
+    """M11, M22, M33, M23 [kg m²]; the rest is zero.
+
+    Args:
+        c: the numbers of the mass matrix; see `coefficients`.
+        q2: second joint [rad].
+        q3: third joint [rad].
+    """
     s2, c2, s3, c3 = sin(q2), cos(q2), sin(q3), cos(q3)
     m11 = c[0] + c[1] * (1.0 - 2.0 * s2 * s2) + c[2] * (1.0 - 2.0 * s3 * s3) + c[3] * c2 * s3
     return m11, c[4], c[5], -c[6] * (s2 * c3 - c2 * s3)
@@ -69,13 +81,29 @@ def inverse(m: Four) -> Four:
 
 @inner
 def form(w: Four, p1: float, p2: float, p3: float) -> float:
-    """`pᵀ W p`."""
+    """`pᵀ W p`.
+
+    Args:
+        w: W11, W22, W33, W23.
+        p1: first component.
+        p2: second.
+        p3: third.
+    """
     return w[0] * p1 * p1 + w[1] * p2 * p2 + w[2] * p3 * p3 + 2.0 * w[3] * p2 * p3
 
 
 @inner
 def mass_slopes(c: Seven, q2: float, q3: float, u1: float, u2: float, u3: float) -> tuple[float, float]:
-    """`∂(uᵀ M u)/∂θ2` and `/∂θ3` with u fixed."""
+    """`∂(uᵀ M u)/∂θ2` and `/∂θ3` with u fixed.
+
+    Args:
+        c: the numbers of the mass matrix; see `coefficients`.
+        q2: second joint [rad].
+        q3: third joint [rad].
+        u1: first component of u.
+        u2: second.
+        u3: third.
+    """
     s2, c2, s3, c3 = sin(q2), cos(q2), sin(q3), cos(q3)
     cross = 2.0 * u2 * u3 * c[6] * (c2 * c3 + s2 * s3)
     return (
@@ -86,7 +114,15 @@ def mass_slopes(c: Seven, q2: float, q3: float, u1: float, u2: float, u3: float)
 
 @inner
 def phantom_tip(plants: Plants, d: int, q1: float, q2: float, q3: float) -> tuple[float, float, float]:
-    """Place of the tip [m]."""
+    """Place of the tip [m].
+
+    Args:
+        plants: constants of all devices.
+        d: number of the device.
+        q1: first joint [rad].
+        q2: second joint [rad].
+        q3: third joint [rad].
+    """
     l1, l2 = at(plants.length, (d, 0)), at(plants.length, (d, 1))
     r = l1 * cos(q2) + l2 * sin(q3)
     return l1 - r * cos(q1), -r * sin(q1), l2 - l2 * cos(q3) + l1 * sin(q2)
@@ -96,7 +132,18 @@ def phantom_tip(plants: Plants, d: int, q1: float, q2: float, q3: float) -> tupl
 def joint_torques(
     plants: Plants, d: int, q1: float, q2: float, q3: float, fx: float, fy: float, fz: float
 ) -> tuple[float, float, float]:
-    """`Jᵀ f`: the joints' torques of a force at the tip [Nm]."""
+    """`Jᵀ f`: the joints' torques of a force at the tip [Nm].
+
+    Args:
+        plants: constants of all devices.
+        d: number of the device.
+        q1: first joint [rad].
+        q2: second joint [rad].
+        q3: third joint [rad].
+        fx: force forward [N].
+        fy: force to the left [N].
+        fz: force up [N].
+    """
     l1, l2 = at(plants.length, (d, 0)), at(plants.length, (d, 1))
     s1, c1, s2, c2, s3, c3 = sin(q1), cos(q1), sin(q2), cos(q2), sin(q3), cos(q3)
     r = l1 * c2 + l2 * s3
@@ -106,13 +153,26 @@ def joint_torques(
 
 @kernel
 def phantom_potential(plants: Plants, d: int, q2: float, q3: float) -> float:
-    """Energy of gravity [J]."""
+    """Energy of gravity [J].
+
+    Args:
+        plants: constants of all devices.
+        d: number of the device.
+        q2: second joint [rad].
+        q3: third joint [rad].
+    """
     return at(plants.gravity, (d, 0)) * sin(q2) - at(plants.gravity, (d, 1)) * cos(q3)
 
 
 @inner
 def phantom_kinetic(devices: Devices, state: DeviceState, d: int) -> float:
-    """Kinetic energy, the hand's included [J]."""
+    """Kinetic energy, the hand's included [J].
+
+    Args:
+        devices: all devices.
+        state: of all devices; changed in place.
+        d: number of the device.
+    """
     c = coefficients(devices, state, d)
     w = inverse(mass_matrix(c, at(state.coordinate, (d, 1)), at(state.coordinate, (d, 2))))
     return 0.5 * form(w, at(state.momentum, (d, 0)), at(state.momentum, (d, 1)), at(state.momentum, (d, 2)))
@@ -129,7 +189,13 @@ def _shrink(value: float, by: float) -> float:
 
 @inner
 def store_tip(plants: Plants, state: DeviceState, d: int) -> None:
-    """Brings the tip to where the joints are."""
+    """Brings the tip to where the joints are.
+
+    Args:
+        plants: constants of all devices.
+        state: of all devices; changed in place.
+        d: number of the device.
+    """
     x, y, z = phantom_tip(
         plants, d, at(state.coordinate, (d, 0)), at(state.coordinate, (d, 1)), at(state.coordinate, (d, 2))
     )
@@ -156,12 +222,19 @@ def _stop(c: Seven, state: DeviceState, d: int, held: tuple[bool, bool, bool]) -
     put(state.momentum, (d, 0), p1)
     put(state.momentum, (d, 1), p2)
     put(state.momentum, (d, 2), p3)
-    add_book(state, d, COULOMB_LOSS, 0.5 * (before - form(w, p1, p2, p3)))
+    add_to_ledger(state, d, COULOMB_LOSS, 0.5 * (before - form(w, p1, p2, p3)))
 
 
 @part
 def phantom_step(devices: Devices, state: DeviceState, d: int, h: float) -> None:
-    """A PHANToM for a time h; the step of the module's text, solved by fixed-point iteration on the mean velocity."""
+    """A PHANToM for a time h; the step of the module's text, solved by fixed-point iteration on the mean velocity.
+
+    Args:
+        devices: all devices.
+        state: of all devices; changed in place.
+        d: number of the device.
+        h: length of the step [s].
+    """
     plants, grasps = devices.plants, devices.grasps
     c = coefficients(devices, state, d)
     q1, q2, q3 = at(state.coordinate, (d, 0)), at(state.coordinate, (d, 1)), at(state.coordinate, (d, 2))
@@ -231,7 +304,7 @@ def phantom_step(devices: Devices, state: DeviceState, d: int, h: float) -> None
     put(state.momentum, (d, 2), 2.0 * (m[3] * w2 + m[2] * w3) - p3)
     store_tip(plants, state, d)
     book_motors(state, d, e1 * d1 + e2 * d2 + e3 * d3, h * (b1 * w1 * w1 + b2 * w2 * w2 + b3 * w3 * w3))
-    add_book(state, d, COULOMB_LOSS, h * (f1 * abs(w1) + f2 * abs(w2) + f3 * abs(w3)))
+    add_to_ledger(state, d, COULOMB_LOSS, h * (f1 * abs(w1) + f2 * abs(w2) + f3 * abs(w3)))
     held = (f1 > 0.0 and w1 == 0.0, f2 > 0.0 and w2 == 0.0, f3 > 0.0 and w3 == 0.0)
     if held[0] or held[1] or held[2]:
         _stop(c, state, d, held)

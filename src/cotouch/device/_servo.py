@@ -10,12 +10,13 @@ from math import inf
 
 import numpy as np
 
-from cotouch.device._hand import LANES, add_book
+from cotouch.device._hand import LANES, add_to_ledger
 from cotouch.device._phantom import joint_torques, phantom_tip
 from cotouch.device._tables import (
     CHARGED,
     DECLARED,
     FASTEST,
+    HOST_FORCE,
     LONGEST,
     LOWEST,
     MEASURED_WORK,
@@ -25,7 +26,6 @@ from cotouch.device._tables import (
     SPRING,
     SPRING_ENERGY,
     TANK,
-    TOLD,
     Devices,
     DeviceState,
 )
@@ -34,28 +34,34 @@ from cotouch.mechanics import at, credit, inner, load, modulate, part, put, spla
 
 @part
 def tick(devices: Devices, state: DeviceState, d: int) -> None:
-    """One tick of device d, now; with the law TOLD it only measures, because the force is the body's affair."""
+    """One tick of device d, now; with the law TOLD it only measures, because the force is the body's affair.
+
+    Args:
+        devices: all devices.
+        state: of all devices; changed in place.
+        d: number of the device.
+    """
     servos = devices.servos
     paid = _measure(devices, state, d)
     place, rate = load(state.sample, d, LANES), load(state.sample_velocity, d, LANES)
-    wish = load(state.wish, d, LANES)
+    desired = load(state.desired, d, LANES)
     stiffness, damping = at(servos.stiffness, d), at(servos.damping, d)
     law = at(servos.law, d)
     if law == PSPM:
         gift = credit(at(state.received, d), at(state.seen, d))
         put(state.seen, d, at(state.seen, d) + gift)
-        available = at(state.books, (d, SPRING_ENERGY)) + at(state.books, (d, TANK)) + paid + gift
-        put(state.books, (d, LOWEST), min(at(state.books, (d, LOWEST)), available))
-        gap = wish - place
+        available = at(state.ledger, (d, SPRING_ENERGY)) + at(state.ledger, (d, TANK)) + paid + gift
+        put(state.ledger, (d, LOWEST), min(at(state.ledger, (d, LOWEST)), available))
+        gap = desired - place
         potential = 0.5 * stiffness * total(gap * gap)
-        share, tank, sent = modulate(potential, available, at(servos.cap, d))
-        put(state.books, (d, TANK), tank)
-        if share == 0.0:  # also if the wish is no number
+        fraction, tank, sent = modulate(potential, available, at(servos.cap, d))
+        put(state.ledger, (d, TANK), tank)
+        if fraction == 0.0:  # also if the desired position is no number
             gap, potential = splat(0.0, LANES), 0.0
-        put(state.books, (d, SPRING_ENERGY), share * share * potential)
+        put(state.ledger, (d, SPRING_ENERGY), fraction * fraction * potential)
         put(state.sent, d, at(state.sent, d) + sent)
-        store(state.set_position, d, place + share * gap, LANES)
-        force = (stiffness * share) * gap - damping * rate
+        store(state.set_position, d, place + fraction * gap, LANES)
+        force = (stiffness * fraction) * gap - damping * rate
         if available < -at(servos.reserve, d):
             force = splat(0.0, LANES)
         actuate(devices, state, d, force)
@@ -64,12 +70,19 @@ def tick(devices: Devices, state: DeviceState, d: int) -> None:
         if at(servos.lag, d) > 0:
             late = max(at(state.ticks, d) - 1 - at(servos.lag, d), 0)
             seen = load(state.history, _slot(state, d, late), LANES)
-        actuate(devices, state, d, stiffness * (wish - seen) - damping * rate)
+        actuate(devices, state, d, stiffness * (desired - seen) - damping * rate)
 
 
 @part
 def actuate(devices: Devices, state: DeviceState, d: int, force: float) -> None:
-    """Holds a force from now on, shortened to what the motors can do; its direction is kept."""
+    """Holds a force from now on, shortened to what the motors can do; its direction is kept.
+
+    Args:
+        devices: all devices.
+        state: of all devices; changed in place.
+        d: number of the device.
+        force: on the hand, 3 numbers [N].
+    """
     servos = devices.servos
     size = total(force * force) ** 0.5
     scale = 1.0
@@ -103,7 +116,7 @@ def actuate(devices: Devices, state: DeviceState, d: int, force: float) -> None:
         store(state.effort, d, over * load(state.effort, d, LANES), LANES)
         store(state.force, d, over * force, LANES)
     if over * scale < 1.0:
-        add_book(state, d, SATURATED, 1.0)
+        add_to_ledger(state, d, SATURATED, 1.0)
 
 
 @inner
@@ -157,11 +170,11 @@ def _measure(devices: Devices, state: DeviceState, d: int) -> float:
         return 0.0
     _differentiate(devices, state, d, index)
     step = place - before
-    put(state.books, (d, FASTEST), max(at(state.books, (d, FASTEST)), total(step * step) ** 0.5 / span))
-    put(state.books, (d, LONGEST), max(at(state.books, (d, LONGEST)), span))
-    add_book(state, d, MEASURED_WORK, work)
-    add_book(state, d, CHARGED, charged)
-    add_book(state, d, DECLARED, declared)
+    put(state.ledger, (d, FASTEST), max(at(state.ledger, (d, FASTEST)), total(step * step) ** 0.5 / span))
+    put(state.ledger, (d, LONGEST), max(at(state.ledger, (d, LONGEST)), span))
+    add_to_ledger(state, d, MEASURED_WORK, work)
+    add_to_ledger(state, d, CHARGED, charged)
+    add_to_ledger(state, d, DECLARED, declared)
     return declared - work - charged
 
 
@@ -172,7 +185,7 @@ def _differentiate(devices: Devices, state: DeviceState, d: int, index: int) -> 
     With the law TOLD always since the last sample, which is what the bound of the virtual coupling asks for.
     """
     now = at(state.sample_time, d)
-    window = 0.0 if at(devices.servos.law, d) == TOLD else at(devices.servos.window, d)
+    window = 0.0 if at(devices.servos.law, d) == HOST_FORCE else at(devices.servos.window, d)
     horizon = now - window * (1.0 + 1e-9)
     oldest = max(at(state.oldest, d), index + 1 - state.history_time.shape[1])
     while oldest < index - 1 and at(state.history_time, _slot(state, d, oldest)) < horizon:
@@ -187,5 +200,11 @@ def _differentiate(devices: Devices, state: DeviceState, d: int, index: int) -> 
 
 @inner
 def next_tick(devices: Devices, state: DeviceState, d: int) -> float:
-    """When the servo next ticks by itself [s]."""
-    return inf if at(devices.servos.law, d) == TOLD else at(state.next_tick, d)
+    """When the servo next ticks by itself [s].
+
+    Args:
+        devices: all devices.
+        state: of all devices; changed in place.
+        d: number of the device.
+    """
+    return inf if at(devices.servos.law, d) == HOST_FORCE else at(state.next_tick, d)

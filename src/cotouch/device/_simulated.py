@@ -7,7 +7,7 @@ from typing import final
 from cotouch.device._advance import advance
 from cotouch.device._assemble import assemble
 from cotouch.device._models import DeviceModel, need, triple
-from cotouch.device._tables import DEVICE_BOOKS, SATURATED, Float
+from cotouch.device._tables import DEVICE_LEDGER, SATURATED, Float
 from cotouch.errors import DeviceError
 
 
@@ -39,8 +39,8 @@ class DeviceSample:
 class SimulatedDevice:
     """A device with its servo and perhaps a hand, moved by the same kernels as in a batch.
 
-    `tell` hands over what the proxy's side says, `advance` moves the device on; with the law `told`, `exchange` is one
-    cycle of both. The clock is the caller's.
+    `command` hands over what the proxy's side says, `advance` moves the device on; with the law `host_force`,
+    `exchange` is one cycle of both. The clock is the caller's.
     """
 
     def __init__(self, model: DeviceModel) -> None:
@@ -58,31 +58,31 @@ class SimulatedDevice:
         return self._state.tip[0, :3].copy()
 
     @property
-    def books(self) -> dict[str, float]:
-        """Energies by name, as `DEVICE_BOOKS`: cumulative work and losses, stored now [J]."""
-        return dict(zip(DEVICE_BOOKS, self._state.books[0].tolist(), strict=True))
+    def ledger(self) -> dict[str, float]:
+        """Energies by name, as `DEVICE_LEDGER`: cumulative work and losses, stored now [J]."""
+        return dict(zip(DEVICE_LEDGER, self._state.ledger[0].tolist(), strict=True))
 
-    def tell(
+    def command(
         self,
         *,
-        wish: Sequence[float] | Float | None = None,
+        desired: Sequence[float] | Float | None = None,
         force: Sequence[float] | Float | None = None,
         energy: float | None = None,
     ) -> None:
         """Takes over what the proxy's side says; what is None stays.
 
         Args:
-            wish: the proxy's place [m].
-            force: for the law `told` [N].
+            desired: the proxy's place [m].
+            force: for the law `host_force` [N].
             energy: sent to the device since the start [J]. A total that is less than one known is without effect.
 
         Raises:
             DeviceError: a number is not finite.
         """
-        if wish is not None:
-            self._state.wish[0, :3] = triple("wish", list(wish))
+        if desired is not None:
+            self._state.desired[0, :3] = triple("desired", list(desired))
         if force is not None:
-            self._state.told[0, :3] = triple("force", list(force))
+            self._state.host_force[0, :3] = triple("force", list(force))
         if energy is not None:
             need("energy", energy, unit="J")
             self._state.received[0] = max(self._state.received[0], energy)
@@ -98,7 +98,7 @@ class SimulatedDevice:
         """
         need("until", until, least=self.time, unit="s")
         state = self._state
-        before = state.books[0, SATURATED]
+        before = state.ledger[0, SATURATED]
         finite = bool(advance(self._devices, state, 0, until))
         return DeviceSample(
             time=float(state.sample_time[0]),
@@ -106,7 +106,7 @@ class SimulatedDevice:
             velocity=state.sample_velocity[0, :3].copy(),
             force=state.force[0, :3].copy(),
             energy=float(state.sent[0]),
-            limited=bool(state.books[0, SATURATED] > before),
+            limited=bool(state.ledger[0, SATURATED] > before),
             finite=finite,
         )
 
@@ -117,10 +117,10 @@ class SimulatedDevice:
             force: at the tip [N].
 
         Raises:
-            DeviceError: the law is not `told`, or the force is not finite.
+            DeviceError: the law is not `host_force`, or the force is not finite.
         """
-        if self.model.coupling.law != "told":
-            raise DeviceError(f'law is "{self.model.coupling.law}"; to exchange forces it must be "told"')
-        self.tell(force=force)
+        if self.model.coupling.law != "host_force":
+            raise DeviceError(f'law is "{self.model.coupling.law}"; to exchange forces it must be "host_force"')
+        self.command(force=force)
         periods = self.model.servo.periods()
         return self.advance(self.time + periods[int(self._state.ticks[0]) % len(periods)])

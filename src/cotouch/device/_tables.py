@@ -10,13 +10,14 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-Float = npt.NDArray[np.float64]
+from cotouch.arrays import Float
+
 Int = npt.NDArray[np.int64]
 
 # Kinds of plant.
 CARTESIAN, PHANTOM = range(2)
-# Laws of the servo: PSPM; a plain sampled spring-damper to the wish; the force that the body's step tells.
-PSPM, SPRING, TOLD = range(3)
+# Laws of the servo: PSPM; a plain sampled spring-damper to the desired position; the force that the body's step tells.
+PSPM, SPRING, HOST_FORCE = range(3)
 
 # What a device books. Work and losses are cumulative, energies are of now [J]. The first nine are physics: true motion.
 (
@@ -41,7 +42,7 @@ PSPM, SPRING, TOLD = range(3)
     FASTEST,  # highest measured speed between two ticks [m/s]
     LONGEST,  # longest period between two ticks [s]
 ) = range(19)
-DEVICE_BOOKS = (
+DEVICE_LEDGER = (
     "work",
     "human",
     "hand_loss",
@@ -171,15 +172,15 @@ class DeviceState(NamedTuple):
     """Where the devices are, and what they exchange with the proxies' side.
 
     Attributes:
-        wish: in: the proxy's place, as last told, (devices, 4) [m].
-        told: in: force that the law TOLD holds, (devices, 4) [N].
+        desired: in: the proxy's place, as last told, (devices, 4) [m].
+        host_force: in: force that the law TOLD holds, (devices, 4) [N].
         received: in: energy that the proxy's side has sent since the start, (devices,) [J].
         sample: out: the tip's place as last measured, (devices, 4) [m].
         sample_velocity: out: its velocity as measured, (devices, 4) [m/s].
         sample_time: out: when, (devices,) [s].
         sent: out: energy sent to the proxy's side since the start, (devices,) [J].
         force: out: force at the tip that the motors hold, (devices, 4) [N].
-        books: out: (devices, len(DEVICE_BOOKS)).
+        ledger: out: (devices, len(DEVICE_BOOKS)).
         time: (devices,) [s].
         next_tick: (devices,) [s].
         ticks: how many there were, (devices,).
@@ -205,15 +206,15 @@ class DeviceState(NamedTuple):
         cursor: waypoint, (devices,).
     """
 
-    wish: Float
-    told: Float
+    desired: Float
+    host_force: Float
     received: Float
     sample: Float
     sample_velocity: Float
     sample_time: Float
     sent: Float
     force: Float
-    books: Float
+    ledger: Float
     time: Float
     next_tick: Float
     ticks: Int

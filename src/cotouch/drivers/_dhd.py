@@ -11,7 +11,7 @@ from cotouch.errors import DeviceError
 
 SDK = Library(
     product="Force Dimension",
-    linux=("libdrd.so", "libdrd.so.3"),
+    linux=("libdrd.so",),
     windows=("drd64.dll", "drd.dll"),
     mac=("libdrd.dylib",),
     variable="COTOUCH_FORCE_DIMENSION",
@@ -21,7 +21,9 @@ SDK = Library(
 TIME_GUARD, SATURATED = 1, 2
 # Fields of dhdGetStatus, and how many there are.
 _POWER, _CONNECTED, _FORCE, _BRAKE, _CAUSE, _COUNT = 0, 1, 5, 6, 14, 17
-_CAUSES = {
+BUTTON, WATCHDOG, DEADMAN = 1, 3, 6
+"""Causes by which a device takes its forces away in ordinary use; see `CAUSES`."""
+CAUSES = {
     1: "its button or foot switch",
     2: "it was too fast",
     3: "no force came in time (watchdog)",
@@ -29,14 +31,8 @@ _CAUSES = {
     5: "its USB cable is gone",
     6: "nobody held it",
 }
-SYSTEMS = {
-    33: ("omega", "omega.3"), 34: ("omega", "omega.6"), 36: ("omega", "omega.6 left"), 35: ("omega", "omega.7"),
-    37: ("omega", "omega.7 left"), 63: ("delta", "delta.3"), 64: ("delta", "delta.6"), 206: ("sigma", "sigma.3"),
-    104: ("sigma", "sigma.7"), 105: ("sigma", "sigma.7 left"), 203: ("lambda", "lambda.3"), 108: ("lambda", "lambda.7"),
-    109: ("lambda", "lambda.7 left"), 131: ("lambda", "lambda.6"), 132: ("lambda", "lambda.6 left"),
-    60: ("falcon", "Falcon"),
-}  # fmt: skip
-"""By what dhdGetSystemType says: family, product."""
+"""In words, as the end of a sentence."""
+_UNPLUGGED = 5
 _D3 = (POINTER(c_double),) * 3
 _FUNCTIONS: dict[str, tuple[object, tuple[object, ...]]] = {
     "dhdErrorGetLastStr": (c_char_p, ()),
@@ -48,6 +44,7 @@ _FUNCTIONS: dict[str, tuple[object, tuple[object, ...]]] = {
     "dhdGetForce": (c_int, (*_D3, c_byte)),
     "dhdSetForce": (c_int, (c_double, c_double, c_double, c_byte)),
     "dhdGetButtonMask": (c_uint, (c_byte,)),
+    "dhdEmulateButton": (c_int, (c_ubyte, c_byte)),
     "dhdGetStatus": (c_int, (POINTER(c_int * _COUNT), c_byte)),
     "dhdSetMaxForce": (c_int, (c_double, c_byte)),
     "dhdSetGravityCompensation": (c_int, (c_int, c_byte)),
@@ -103,7 +100,7 @@ class Dhd:
         opened = self._call["drdOpenID"](index)
         if opened < 0:
             raise DeviceError(f"the Force Dimension device {index} cannot be opened: {self._said()}")
-        self._id = index
+        self._index, self._id = index, opened  # what every other call must name, whatever the order of devices is
         self._a, self._b, self._c = c_double(), c_double(), c_double()
         self._three = (byref(self._a), byref(self._b), byref(self._c))
         self._code = 0
@@ -148,13 +145,14 @@ class Dhd:
     def limit_velocity(self, threshold: int) -> None:
         """Sets the velocity at which the device brakes, in the unit of its firmware; only downwards."""
         now = c_uint()
-        self._asked("dhdGetVelocityThreshold", byref(now))
-        if not 0 < threshold <= now.value:
-            raise DeviceError(
-                f"the velocity threshold is {threshold}; it must be from 1 to {now.value}, what the device came with"
-            )
         self._asked("dhdEnableExpertMode", device=False)
         try:
+            self._asked("dhdGetVelocityThreshold", byref(now))
+            if not 0 < threshold <= now.value:
+                raise DeviceError(
+                    f"the velocity threshold is {threshold}; it must be from 1 to {now.value}, what the device came "
+                    "with"
+                )
             self._asked("dhdSetVelocityThreshold", threshold)
         finally:
             self._call["dhdDisableExpertMode"]()
@@ -187,17 +185,24 @@ class Dhd:
         """Bit n is button n."""
         return self._call["dhdGetButtonMask"](self._id)
 
-    def why_off(self) -> str | None:
-        """Why the device took its forces away by itself, as the end of a sentence; None if it did not."""
+    def emulate_button(self) -> bool:
+        """Lets a gripper that is closed be button 0; whether the device has such a gripper."""
+        return self._call["dhdEmulateButton"](1, self._id) >= 0
+
+    def why_off(self) -> int | None:
+        """Why the device took its forces away by itself, as one of `CAUSES` or 0 for none said; None if it did not.
+
+        Raises:
+            DeviceError: it cannot be asked, its cable is gone, or it has no power.
+        """
         if self._call["dhdGetStatus"](byref(self._status), self._id) < 0:
             raise self._error("dhdGetStatus")
-        if not self._status[_CONNECTED]:
-            return _CAUSES[5]
-        if not self._status[_POWER]:
-            return "it has no power"
+        for field, why in ((_CONNECTED, CAUSES[_UNPLUGGED]), (_POWER, "it has no power")):
+            if not self._status[field]:
+                raise DeviceError(f"the Force Dimension device {self._index} took its forces away by itself: {why}")
         if self._status[_FORCE] and not self._status[_BRAKE]:
             return None
-        return _CAUSES.get(self._status[_CAUSE], "no cause said")
+        return self._status[_CAUSE]
 
     def stop(self) -> None:
         """Zero force, then brakes; never raises."""
@@ -221,7 +226,7 @@ class Dhd:
         return answer
 
     def _error(self, name: str) -> DeviceError:
-        return DeviceError(f"the Force Dimension device {self._id} failed: {self._said()} ({name})")
+        return DeviceError(f"the Force Dimension device {self._index} failed: {self._said()} ({name})")
 
     def _said(self) -> str:
         text = self._call["dhdErrorGetLastStr"]()

@@ -28,7 +28,7 @@ Ioctl = Callable[[int, int, bytearray], int]
 Opener = Callable[[str, int], int]
 
 
-class Event(NamedTuple):
+class InputEvent(NamedTuple):
     """One change.
 
     Attributes:
@@ -116,13 +116,13 @@ class EventFile:
         value, least, most, *_ = _ABSINFO.unpack(data)
         return (value, least, most) if most > least else (0, -32768, 32767)
 
-    def events(self) -> list[Event]:
+    def events(self) -> list[InputEvent]:
         """What happened since the last look; waits for nothing.
 
         Raises:
             DeviceError: it is gone.
         """
-        out: list[Event] = []
+        out: list[InputEvent] = []
         while True:
             try:
                 data = os.read(self._fd, 64 * _EVENT.size)
@@ -135,7 +135,7 @@ class EventFile:
             data = self._rest + data
             whole = len(data) - len(data) % _EVENT.size
             self._rest = data[whole:]
-            out += [Event(kind, code, value) for _, _, kind, code, value in _EVENT.iter_unpack(data[:whole])]
+            out += [InputEvent(kind, code, value) for _, _, kind, code, value in _EVENT.iter_unpack(data[:whole])]
 
     def rumble(self, strength: float) -> None:
         """Rumbles for 100 ms, or stops at 0; where it cannot, nothing happens.

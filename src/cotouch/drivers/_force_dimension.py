@@ -7,34 +7,27 @@ from dataclasses import replace
 from typing import final
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.device import PRESETS, DeviceSpec
-from cotouch.drivers._dhd import SATURATED, SYSTEMS, TIME_GUARD, Dhd
+from cotouch.arrays import Float
+from cotouch.device import DeviceSpec
+from cotouch.drivers._dhd import BUTTON, CAUSES, DEADMAN, SATURATED, TIME_GUARD, WATCHDOG, Dhd
+from cotouch.drivers._dhd_systems import SPECS, SYSTEMS, UNKNOWN
 from cotouch.drivers._watch import SampleWatch
 from cotouch.errors import DeviceError
 from cotouch.haptics import FORCE_DIMENSION, DeviceReading, Flag
 
-Float = npt.NDArray[np.float64]
-
 # For a hand to put the handle into its rest.
 _RESET_MS = 20_000
-# A call to the SDK that takes longer has failed; two late ones are still well below 100 ms [s].
+# A cycle that takes longer has no force, as the firmware's watchdog has taken it away or is about to; where that was
+# only a busy machine, the next one is in time again, and two in a row are a fault [s].
 _LIMIT = 0.03
 # Longer than this is late [s].
 _LATE = 0.005
 # The device's own reason is asked for every so many cycles: it costs another exchange with the device.
 _ASK_EVERY = 10
-_SIGMA = "force, stiffness, damping: CHAI3D (sigma.7), which is less than the vendor says; the rest assumed"
-_LAMBDA = "assumed to be those of the sigma"
-SPECS: dict[str, DeviceSpec] = {
-    "omega": PRESETS["omega"],
-    "delta": PRESETS["delta"],
-    "falcon": PRESETS["falcon"],
-    "sigma": replace(PRESETS["omega"], name="Force Dimension sigma", stiffness=4000.0, source=_SIGMA),
-    "lambda": replace(PRESETS["omega"], name="Force Dimension lambda", stiffness=4000.0, source=_LAMBDA),
-}
-"""By family; every one is nominal."""
+# A hand, or a pause; any other reason is a fault.
+_BY_HAND = frozenset({BUTTON, DEADMAN})
+_ORDINARY = _BY_HAND | {WATCHDOG}
 
 
 @final
@@ -43,6 +36,10 @@ class ForceDimension:
 
     The force is set in every cycle, zero as well, because the SDK compensates gravity only then. If the SDK says that
     the motors cannot do what they were told, the reading is flagged LIMITED.
+
+    What takes the force away in ordinary use is no fault: readings do not say FORCE_ON meanwhile, and the motors have
+    zero. After a pause that was too long for the watchdog they are switched on again from here. Where a hand did it, by
+    the force button or by letting go of a handle that senses one, the device itself gives the force back.
     """
 
     def __init__(
@@ -71,14 +68,18 @@ class ForceDimension:
         if not 0.001 <= watchdog <= 0.03:
             raise DeviceError(f"the watchdog is {watchdog:g} s; it must be from 0.001 to 0.03 s")
         self._index, self._library, self._family = index, library, family
-        self._ticks = max(1, round(watchdog / 125e-6))
+        self._ticks, self._silence = max(1, round(watchdog / 125e-6)), watchdog
         self._threshold, self._reset = velocity_threshold, reset_seconds
         self._spec = SPECS[family or "omega"]
         self._dhd: Dhd | None = None
         self._lock = threading.Lock()  # what is set after stop() is zero
         self._on = False
+        self._off: int | None = None  # why the device took its forces away; None: it did not, as far as is known
+        self._middle = np.zeros(3)
         self._applied = np.zeros(3)
         self._cycle = 0
+        self._began = 0.0
+        self._slow = False  # the last cycle took too long
         self._watch = SampleWatch()
         self.watchdog = False
         """Whether the opened device has a watchdog."""
@@ -92,14 +93,17 @@ class ForceDimension:
         """See `Device.open`."""
         self.close()
         dhd = Dhd(self._library, self._index)
-        self._dhd, self._cycle, self._watch = dhd, 0, SampleWatch()
+        self._dhd, self._cycle, self._off, self._slow, self._watch = dhd, 0, None, False, SampleWatch()
         try:
             dhd.enable_force(False)
-            family, product = SYSTEMS.get(dhd.system(), ("omega", "device of unknown kind"))
+            family, product, middle, gripper = SYSTEMS.get(dhd.system(), UNKNOWN)
             _check_family(self._index, family, product, self._family)
+            self._middle = FORCE_DIMENSION.place(middle)
             self._spec = replace(
                 SPECS[family], name=f"{'Novint' if family == 'falcon' else 'Force Dimension'} {product}"
             )
+            if gripper:
+                dhd.emulate_button()
             self.watchdog = dhd.protect(force=self._spec.force, watchdog=self._ticks)
             if self._threshold is not None:
                 dhd.limit_velocity(self._threshold)
@@ -115,6 +119,7 @@ class ForceDimension:
         try:
             if allow_motion:
                 dhd.auto_init()
+                dhd.enable_force(False)  # finding its place leaves them on
             else:
                 dhd.wait_for_reset(max(1, int(1e3 * self._reset)))
         except DeviceError as error:
@@ -132,34 +137,43 @@ class ForceDimension:
             self.stop()
             return
         with self._lock:
-            dhd.enable_force(True)
-            dhd.set_force((0.0, 0.0, 0.0))
+            if not self._on or self._off not in _BY_HAND:  # what a hand took, a hand gives back
+                self._switch_on(dhd)
             self._on = True
+
+    def _switch_on(self, dhd: Dhd) -> None:
+        """From zero, whatever the device was told before."""
+        dhd.set_force((0.0, 0.0, 0.0))
+        dhd.enable_force(True)
+        dhd.set_force((0.0, 0.0, 0.0))
+        self._off = None
 
     def exchange(self, force: Float) -> DeviceReading:
         """See `Device.exchange`."""
         dhd = self._opened()
         if not np.isfinite(force).all():
             raise self._fault(f"{self._spec.name} was told a force that is not finite")
-        began = time.monotonic()
+        began, before = time.monotonic(), self._began
+        self._began = began
         try:
             place, guarded = dhd.position()
-            position, velocity = FORCE_DIMENSION.place(place), FORCE_DIMENSION.place(dhd.velocity())
+            position, velocity = FORCE_DIMENSION.place(place) - self._middle, FORCE_DIMENSION.place(dhd.velocity())
             at = time.monotonic()
             why = self._watch.fault(at, position, velocity)
-            on, code = self._set(dhd, force if why is None else np.zeros(3))
-            why = why or self._taken_away(dhd, on)
+            self._look(dhd, paused=began - before > 0.5 * self._silence)
+            on, code = self._set(dhd, force if why is None and at - began <= _LIMIT else np.zeros(3))
             buttons = dhd.buttons()
             calibrated = dhd.initialized()
         except DeviceError as error:
             raise self._fault(str(error)) from None
         took = time.monotonic() - began
-        if why is None and took > _LIMIT:
-            why = f"took {1e3 * took:.0f} ms for a cycle; more than {1e3 * _LIMIT:.0f} ms is a fault"
+        slow, self._slow = self._slow, took > _LIMIT
+        if why is None and slow and self._slow:
+            why = f"took {1e3 * took:.0f} ms for a cycle, the second in a row of more than {1e3 * _LIMIT:.0f} ms"
         if why is not None:
             raise self._fault(f"{self._spec.name} {why}")
         flags = Flag.CALIBRATED if calibrated else Flag(0)
-        flags |= Flag.FORCE_ON if on else Flag(0)
+        flags |= Flag.FORCE_ON if on and not self._slow else Flag(0)
         flags |= Flag.LIMITED if code else Flag(0)
         flags |= Flag.LATE if took > _LATE else Flag(0)
         flags |= Flag.STALE if guarded == TIME_GUARD else Flag(0)
@@ -192,22 +206,30 @@ class ForceDimension:
     def _set(self, dhd: Dhd, force: Float) -> tuple[bool, int]:
         """Sets a force; whether motors follow, and what the SDK said."""
         with self._lock:
-            on = self._on
+            on = self._on and self._off is None
             x, y, z = FORCE_DIMENSION.back(force if on else np.zeros(3)).tolist()
             code = dhd.set_force((x, y, z))
+            if self._on and self._off == WATCHDOG:
+                self._switch_on(dhd)
         if code == SATURATED:
             self._applied = FORCE_DIMENSION.direction(dhd.force())
         elif code != TIME_GUARD:
             self._applied = force.copy() if on else np.zeros(3)
         return on, code
 
-    def _taken_away(self, dhd: Dhd, on: bool) -> str | None:
-        """Why the device took its forces away by itself; asked now and then."""
+    def _look(self, dhd: Dhd, *, paused: bool) -> None:
+        """Looks now and then, and after every pause, whether the device took its forces away by itself.
+
+        Raises:
+            DeviceError: it did, and for no reason of ordinary use.
+        """
         self._cycle += 1
-        if not on or self._cycle % _ASK_EVERY:
-            return None
-        cause = dhd.why_off()
-        return None if cause is None else f"took its forces away by itself: {cause}"
+        if not self._on or not (paused or self._off is not None or self._cycle % _ASK_EVERY == 0):
+            return
+        off = dhd.why_off()
+        if off is not None and off not in _ORDINARY and self._on:
+            raise DeviceError(f"{self._spec.name} took its forces away by itself: {CAUSES.get(off, 'no cause said')}")
+        self._off = off
 
     def _opened(self) -> Dhd:
         if self._dhd is None:

@@ -7,14 +7,12 @@ from collections.abc import Callable
 from typing import final
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.drivers._evdev import EV_ABS, EV_KEY, EventFile, Ioctl, Opener, kernel_ioctl
 from cotouch.drivers._passive import PASSIVE, UNSAID
 from cotouch.errors import DeviceError
 from cotouch.haptics import DeviceReading, Flag
-
-Float = npt.NDArray[np.float64]
 
 # ABS_Y forward, ABS_X to the left, ABS_RY up; all three count the other way.
 _AXES = (0x01, 0x00, 0x04)
@@ -110,7 +108,7 @@ class Gamepad:
                 self._buttons = self._buttons | bit if event.value else self._buttons & ~bit
         now = self._clock()
         elapsed, self._time = max(0.0, now - self._time), now
-        way = _RADIUS * self._wish() - self._position
+        way = _RADIUS * self._desired() - self._position
         far = float(np.linalg.norm(way))
         step = way * min(1.0, self._speed * elapsed / far) if far > 0.0 else way
         self._position = self._position + step
@@ -142,11 +140,11 @@ class Gamepad:
         if file is not None:
             file.close()
 
-    def _wish(self) -> Float:
+    def _desired(self) -> Float:
         """Where the sticks point, at most at the rim, (3,)."""
-        wish = np.array([-self._sticks[code] for code in _AXES])
-        size = float(np.linalg.norm(wish))
-        return wish / size if size > 1.0 else wish
+        desired = np.array([-self._sticks[code] for code in _AXES])
+        size = float(np.linalg.norm(desired))
+        return desired / size if size > 1.0 else desired
 
     def _rumble(self, file: EventFile, size: float, now: float) -> None:
         with self._lock:
@@ -164,6 +162,6 @@ class Gamepad:
 
 def _deflection(value: int, least: int, most: int) -> float:
     """From -1 to 1, none within the dead zone."""
-    share = 2.0 * (value - least) / (most - least) - 1.0
-    size = (abs(share) - _DEAD) / (1.0 - _DEAD)
-    return float(np.copysign(min(1.0, size), share)) if size > 0.0 else 0.0
+    fraction = 2.0 * (value - least) / (most - least) - 1.0
+    size = (abs(fraction) - _DEAD) / (1.0 - _DEAD)
+    return float(np.copysign(min(1.0, size), fraction)) if size > 0.0 else 0.0

@@ -3,7 +3,8 @@
 from dataclasses import replace
 
 from cotouch.device import PRESETS
-from cotouch.drivers._inverse import EVENTS, LIMIT, SERVICE, Inverse3, halt, present
+from cotouch.drivers._inverse import EVENTS, LIMIT, Inverse3
+from cotouch.drivers._inverse_aside import SERVICE, halt, present
 from cotouch.haptics import Device, Driver
 
 
@@ -13,12 +14,14 @@ def _inverse3(
     url: str | None = None,
     events: str | None = None,
     limit: float | None = None,
+    grip: str | int | None = None,
 ) -> Device:
     return Inverse3(
         None if id is None else str(id),
         url=url or SERVICE,
         events=None if events == "none" else events or EVENTS,
         limit=LIMIT if limit is None else float(limit),
+        grip=None if grip is None else str(grip),
     )
 
 
@@ -35,6 +38,7 @@ HAPLY = Driver(
         "id": "identity of the device, if there are several",
         "url": "of the service; ws://localhost:10001",
         "events": "url of the service's events; ws://localhost:10020, or none",
+        "grip": "identity of the VerseGrip; else the one that belongs to the device, if that can be told",
         "limit": "within which the service must answer, 0.005 to 0.08 [s]; 0.06",
     },
     watchdog="Not known to us: we assume that the service goes on with the last force, and send zero from elsewhere.",

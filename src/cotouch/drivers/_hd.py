@@ -11,7 +11,7 @@ from cotouch.errors import DeviceError
 
 SDK = Library(
     product="OpenHaptics (3D Systems)",
-    linux=("libHD.so", "libHD.so.3.5", "libHD.so.3.4"),
+    linux=("libHD.so",),
     windows=("hd.dll", "HD.dll"),
     mac=(),
     variable="COTOUCH_OPENHAPTICS",
@@ -23,7 +23,7 @@ CURRENT_FORCE, MAX_FORCE, CONTINUOUS_FORCE = 0x2700, 0x2603, 0x2604
 USABLE_WORKSPACE, MODEL, CALIBRATION_STYLE = 0x2551, 0x2501, 0x2555
 FORCE_OUTPUT, FORCE_CLAMPING, FORCE_RAMPING, SOFTWARE_LIMIT = 0x4000, 0x4001, 0x4002, 0x4003
 CALIBRATED, NEEDS_UPDATE, NEEDS_HAND = 0x5000, 0x5001, 0x5002
-INKWELL = 1 << 2
+ENCODER_RESET, AUTO, INKWELL = 1 << 0, 1 << 1, 1 << 2
 DONE, CONTINUE = 0, 1
 WARM = 0x0200
 _SAFETY = {
@@ -107,7 +107,12 @@ class Hd:
             self._call["hdEnable"](protection)
 
     def numbers(self, what: int, count: int) -> tuple[float, ...]:
-        """Numbers of the device."""
+        """Numbers of the device.
+
+        Args:
+            what: parameter of the vendor's library.
+            count: how many there are.
+        """
         values = (c_double * 16)()
         self._call["hdGetDoublev"](what, values)
         return tuple(values[:count])
@@ -154,7 +159,13 @@ class Hd:
         return self._one.value
 
     def set_force(self, x: float, y: float, z: float) -> None:
-        """Of this frame, in the vendor's axes [N]."""
+        """Of this frame, in the vendor's axes [N].
+
+        Args:
+            x: right.
+            y: up.
+            z: towards the user.
+        """
         self._three[0], self._three[1], self._three[2] = x, y, z
         self._call["hdSetDoublev"](CURRENT_FORCE, self._three)
 
@@ -166,9 +177,17 @@ class Hd:
         """CALIBRATED, NEEDS_UPDATE or NEEDS_HAND; within a frame."""
         return self._call["hdCheckCalibration"]()
 
-    def calibrate(self) -> None:
-        """Takes up the calibration in the way of this device."""
-        self._call["hdUpdateCalibration"](self.integer(CALIBRATION_STYLE))
+    def style(self) -> int:
+        """How this device is calibrated: AUTO, INKWELL or ENCODER_RESET, the first that it can; 0: none of these.
+
+        The library tells all of them in one mask, and takes one.
+        """
+        styles = self.integer(CALIBRATION_STYLE)
+        return next((style for style in (AUTO, INKWELL, ENCODER_RESET) if styles & style), 0)
+
+    def calibrate(self, style: int) -> None:
+        """Takes up the calibration in one way; see `style`."""
+        self._call["hdUpdateCalibration"](style)
 
     def check(self) -> None:
         """Looks at all errors since the last look.

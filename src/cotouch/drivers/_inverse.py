@@ -4,22 +4,22 @@ import contextlib
 import math
 import threading
 import time
+from collections.abc import Mapping
 from dataclasses import replace
-from typing import final
+from typing import Any, final
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.device import PRESETS, DeviceSpec
-from cotouch.drivers._inverse_frame import InverseState, choose, identities, read_event, read_frame, read_state
+from cotouch.drivers._inverse_aside import SERVICE, WHAT, halt, holders
+from cotouch.drivers._inverse_frame import Grip, InverseState, choose, grip_of, read_event, read_frame, read_state
+from cotouch.drivers._inverse_session import asking, command, deviations, greeting, plea
 from cotouch.drivers._watch import SampleWatch
 from cotouch.drivers._websocket import WebSocket
 from cotouch.errors import DeviceError, TransportError
 from cotouch.haptics import HAPLY, DeviceReading, Flag
 
-Float = npt.NDArray[np.float64]
-
-SERVICE = "ws://localhost:10001"
 EVENTS = "ws://localhost:10020"
 # Where Haply's own examples in wide use stop; ten newtons are only nominal [N].
 _FORCE = 5.0
@@ -27,8 +27,8 @@ _FORCE = 5.0
 _LATE = 0.005
 # Who does not answer for this long has failed; with what follows, well within 100 ms [s].
 LIMIT = 0.06
-MIDDLE = (0.0, -0.12, 0.15)
-"""Where the handle is in the middle of its workspace, in the service's axes; nominal [m]."""
+MIDDLE = (-0.01, -0.07, 0.13)
+"""Middle of the box that the handle reaches, in the service's axes from the device's base; as measured on one [m]."""
 _CONNECT = 2.0
 # The service sends its first frame unasked; one that waits to be asked is asked after this [s].
 _FIRST = 0.5
@@ -36,9 +36,12 @@ _FAREWELL = 0.05
 # What the service applies may differ from what it was told by this without being limited [N, share].
 _TOLERANCE = (0.05, 0.05)
 _HINT = "install it with Haply Hub (develop.haply.co), start it, or say with the option url where it is"
-_WHAT = "the Inverse Service"
-# Of the first message only; axes as the device has them, whatever was set up in Haply Hub. One brace is left open.
-_SESSION = b'"session":{"configure":{"profile":{"name":"org.cotouch:hand"},"basis":{"permutation":"XYZ"}}'
+# How the workspace is set, and whose handle is whose, is asked every so many cycles: Haply Hub may change it meanwhile.
+_ASK_EVERY = 50
+# Pleas for a workspace as it must be, of which each may take the service a few frames.
+_PLEAS, _FRAMES = 6, 5
+# For somebody else who has just left a device, and between two looks whether they have [s].
+_LEAVING, _AGAIN = 0.3, 0.03
 
 
 @final
@@ -46,7 +49,8 @@ class Inverse3:
     """A Haply Inverse3. `cotouch.haptics.Device` says what its methods do.
 
     `current_cursor_force` is recorded as the force that is really applied, as the service may alter what it is told;
-    where it does, the reading is flagged LIMITED. A handle's orientation and buttons are in the reading.
+    where it does, the reading is flagged LIMITED. Orientation and buttons are those of the handle that belongs to the
+    device; where it cannot be told which does, there are none.
     """
 
     def __init__(
@@ -56,6 +60,7 @@ class Inverse3:
         url: str = SERVICE,
         events: str | None = EVENTS,
         limit: float = LIMIT,
+        grip: str | None = None,
         middle: tuple[float, float, float] = MIDDLE,
     ) -> None:
         """Connects to nothing yet.
@@ -65,6 +70,7 @@ class Inverse3:
             url: of the service.
             events: of its events, by which it says that a safety function was triggered; None: do without.
             limit: within which it must answer, 0.005 to 0.08 [s].
+            grip: `device_id` of the handle; None: the one that belongs to the device, if that can be told.
             middle: of the workspace, in the service's axes [m].
 
         Raises:
@@ -73,11 +79,15 @@ class Inverse3:
         if not _LATE <= limit <= 0.08:
             raise DeviceError(f"the time limit of an answer is {limit:g} s; it must be from {_LATE:g} to 0.08 s")
         self._wanted, self._url, self._events_url, self._limit = identity, url, events, limit
+        self._wanted_grip = grip
         self._middle = HAPLY.place(middle)
         self._spec = replace(PRESETS["inverse3"], force=_FORCE)
         self._socket: WebSocket | None = None
         self._events: WebSocket | None = None
         self._identity = ""
+        self._grip: Grip | None = None
+        self._session: object = None  # number of ours
+        self._commanded = 0  # forces in this session
         self._lock = threading.Lock()  # what is sent after stop() is zero
         self._on = False
         self._greeted = False
@@ -104,18 +114,23 @@ class Inverse3:
         """See `Device.open`."""
         self.close()
         self._on = self._greeted = self._lost = False
-        self._identity, self._owed, self._watch = "", 0, SampleWatch()
+        self._identity, self._owed, self._commanded, self._watch = "", 0, 0, SampleWatch()
+        self._grip = self._session = self._last = self._reading = None
         try:
-            self._socket = WebSocket(self._url, what=_WHAT, timeout=_CONNECT, hint=_HINT)
+            self._socket = WebSocket(self._url, what=WHAT, timeout=_CONNECT, hint=_HINT)
             if self._events_url is not None:
-                self._events = WebSocket(self._events_url, what=f"{_WHAT} (events)", timeout=_CONNECT, hint=_HINT)
+                self._events = WebSocket(self._events_url, what=f"{WHAT} (events)", timeout=_CONNECT, hint=_HINT)
             frame = read_frame(self._first(self._socket))
-            self._identity = choose(frame, self._wanted)
-            self._take(read_state(frame, self._identity))
+            identity = choose(frame, self._wanted)
+            self._session = frame.get("session_id")
+            self._take(self._free(self._socket, read_state(frame, identity), identity))
+            self._identity = identity
+            self._set_workspace(self._socket)
+            self._listen()
             self._check_status(opening=True)
         except TransportError as lost:
             self.close()
-            raise DeviceError(f"{_WHAT} at {self._url} cannot be used: {lost}") from None
+            raise DeviceError(f"{WHAT} at {self._url} cannot be used: {lost}") from None
         except BaseException:
             self.close()
             raise
@@ -153,7 +168,12 @@ class Inverse3:
                 data = newer
             self._owed = 0
             now = time.monotonic()
-            self._take(read_state(read_frame(data), self._identity))
+            frame = read_frame(data)
+            state = read_state(frame, self._identity, self._grip)
+            if state.config:
+                self._grip = grip_of(frame, self._identity, self._wanted_grip)
+            self._take(state)
+            self._look(state)
             self._listen()
         except TransportError as lost:
             raise self._fault(f"the connection to the Inverse Service is gone: {lost}") from None
@@ -198,11 +218,70 @@ class Inverse3:
         first = link.receive(_FIRST)
         if first is None:
             self._greeted = True
-            link.send(b"{" + _SESSION + b',"force_render_full_state":{}}}')
+            link.send(greeting(None))
             first = link.receive(_CONNECT)
         if first is None:
-            raise DeviceError(f"{_WHAT} at {self._url} sends no frame within {_CONNECT:g} s; is its version 3.1?")
+            raise DeviceError(f"{WHAT} at {self._url} sends no frame within {_CONNECT:g} s; is its version 3.1?")
         return first
+
+    def _free(self, link: WebSocket, state: InverseState, identity: str) -> InverseState:
+        """A state in which nobody uses the device; it takes the service a moment to see that somebody has left.
+
+        Raises:
+            DeviceError: somebody does.
+        """
+        end = time.monotonic() + _LEAVING
+        while state.status.get("in_use"):
+            if time.monotonic() > end:
+                raise DeviceError(f"the Inverse3 {identity} is in use by {holders(self._url)}; end that first")
+            time.sleep(_AGAIN)
+            message, self._greeted = asking() if self._greeted else greeting(None), True
+            link.send(message)
+            data = link.receive(_CONNECT)
+            if data is not None and (newer := read_state(read_frame(data), identity)).status:
+                state = newer
+        return state
+
+    def _set_workspace(self, link: WebSocket) -> None:
+        """Asks for axes, preset, mount and transform, reads them back, and asks again for what is otherwise."""
+        name = self._identity
+        message, self._greeted = plea(name, "preset") if self._greeted else greeting(name), True
+        asked: list[str] = []
+        wrong: dict[str, str] = {}
+        for _ in range(_PLEAS):
+            frame = self._full(link, message)
+            state = read_state(frame, name)
+            self._take(state)
+            self._grip = grip_of(frame, name, self._wanted_grip)
+            wrong = deviations(state.config, state.raw)
+            # What was asked for longest ago first: a mount undoes a preset, and a preset a mount.
+            what = min(wrong, key=lambda each: (asked.count(each), list(wrong).index(each)), default=None)
+            if what is None:
+                return
+            asked.append(what)
+            message = plea(name, what)
+        raise DeviceError(_set_otherwise(name, wrong, "and does not let it be set back"))
+
+    def _full(self, link: WebSocket, message: bytes) -> Mapping[str, Any]:
+        """A frame in full, as the answer to a message or soon after."""
+        for _ in range(_FRAMES):
+            link.send(message)
+            data = link.receive(_CONNECT)
+            if data is None:
+                break
+            frame = read_frame(data)
+            if read_state(frame, self._identity).config:
+                return frame
+            message = command(self._identity, np.zeros(3), full=True)
+        raise DeviceError(
+            f"{WHAT} at {self._url} does not say how the workspace of the Inverse3 {self._identity} is set, so its "
+            "metres may not be ours; is its version 3.1 or newer?"
+        )
+
+    def _look(self, state: InverseState) -> None:
+        wrong = deviations(state.config, state.raw)
+        if wrong:
+            raise DeviceError(_set_otherwise(self._identity, wrong, "since a moment ago"))
 
     def _leave(self, link: WebSocket) -> None:
         self._lost = True
@@ -216,15 +295,16 @@ class Inverse3:
 
     def _send(self, link: WebSocket, force: Float) -> None:
         with self._lock:
-            told = force.copy() if self._on else np.zeros(3)
+            commanded = force.copy() if self._on else np.zeros(3)
             self._asked = time.monotonic()
-            link.send(self._message(HAPLY.back(told)))
+            link.send(self._message(HAPLY.back(commanded)))
             self._owed += 1
-            self._sent = [self._sent[1], told]
+            self._sent = [self._sent[1], commanded]
 
     def _message(self, force: Float) -> bytes:
-        session, self._greeted = b"" if self._greeted else _SESSION + b"},", True
-        return b"{" + session + _command(self._identity, force) + b"}"
+        first, self._greeted = not self._greeted, True
+        self._commanded += 1
+        return command(self._identity, force, first=first, full=self._commanded % _ASK_EVERY == 0)
 
     def _take(self, state: InverseState) -> None:
         if not state.status and self._last is not None:
@@ -232,9 +312,13 @@ class Inverse3:
         self._last = state
         self._calibrated = bool(state.status.get("calibrated", True))
 
-    def _check_status(self, *, opening: bool) -> None:
+    @property
+    def _status(self) -> Mapping[str, Any]:
         assert self._last is not None
-        status = self._last.status
+        return self._last.status
+
+    def _check_status(self, *, opening: bool) -> None:
+        status = self._status
         for name, meaning in (("power_supply", "has no power"), ("ready", "is not ready")):
             if status.get(name) is False:
                 raise self._fault(
@@ -244,7 +328,7 @@ class Inverse3:
 
     def _listen(self) -> None:
         while self._events is not None and (event := self._events.receive(0.0)) is not None:
-            why = read_event(event, self._identity)
+            why = read_event(event, self._identity, self._session)
             if why is not None:
                 raise DeviceError(why)
 
@@ -271,7 +355,7 @@ class Inverse3:
         flags = Flag(0)
         flags |= Flag.CALIBRATED if self._calibrated else flags
         flags |= Flag.FORCE_ON if self._on else flags
-        if math.isfinite(state.force[0]) and not any(_near(applied, told) for told in self._sent):
+        if math.isfinite(state.force[0]) and not any(_near(applied, commanded) for commanded in self._sent):
             flags |= Flag.LIMITED
         self._reading = DeviceReading(
             time=at,
@@ -290,50 +374,13 @@ class Inverse3:
         return DeviceError(why)
 
 
-def _near(applied: Float, told: Float) -> bool:
+def _near(applied: Float, commanded: Float) -> bool:
     absolute, relative = _TOLERANCE
-    return float(np.linalg.norm(applied - told)) <= absolute + relative * float(np.linalg.norm(told))
+    return float(np.linalg.norm(applied - commanded)) <= absolute + relative * float(np.linalg.norm(commanded))
 
 
-def halt(identity: str | None, *, url: str = SERVICE) -> None:
-    """Tells the service zero force from elsewhere; blocks for 50 ms at most and never raises.
-
-    Args:
-        identity: `device_id` of the device; None: every Inverse3 that the service knows.
-        url: of the service.
-    """
-    end = time.monotonic() + 0.045
-    with contextlib.suppress(Exception):
-        link = WebSocket(url, what=_WHAT, timeout=0.03)
-        try:
-            first = link.receive(max(0.0, end - time.monotonic() - 0.01))
-            there = identities(read_frame(first)) if first is not None else []
-            for each in [identity] if identity is not None else there:
-                link.send(_zero(each))
-            link.receive(max(0.0, end - time.monotonic()))
-        finally:
-            link.close()
-
-
-def present(url: str = SERVICE) -> list[str]:
-    """Identities of the Inverse3 that a service on this machine knows; none if there is no service."""
-    with contextlib.suppress(Exception):
-        link = WebSocket(url, what=_WHAT, timeout=0.2)
-        try:
-            first = link.receive(_FIRST)
-            return identities(read_frame(first)) if first is not None else []
-        finally:
-            link.close()
-    return []
-
-
-def _zero(identity: str) -> bytes:
-    return b"{" + _SESSION + b"}," + _command(identity, np.zeros(3)) + b"}"
-
-
-def _command(identity: str, force: Float) -> bytes:
-    x, y, z = force.tolist()
+def _set_otherwise(identity: str, wrong: Mapping[str, str], since: str) -> str:
     return (
-        f'"inverse3":[{{"device_id":"{identity}","commands":{{"set_cursor_force":'
-        f'{{"values":{{"x":{x:.6g},"y":{y:.6g},"z":{z:.6g}}}}}}}}}]'
-    ).encode()
+        f"the workspace of the Inverse3 {identity} is set to {', '.join(wrong.values())} {since}; its metres are not "
+        'ours then, so open the device\'s settings in Haply Hub and choose the preset "defaults"'
+    )

@@ -12,6 +12,24 @@ Quaternion = tuple[float, float, float, float]
 _NOWHERE = (math.nan, math.nan, math.nan)
 _UPRIGHT = (0.0, 0.0, 0.0, 1.0)
 _BUTTONS = ("a", "b", "c")
+_GRIPS = ("verse_grip", "wireless_verse_grip", "custom_verse_grip")
+# Levels of events that are no more than news.
+_NEWS = ("info", "notice")
+_MOST_FIELDS = 200
+
+
+class Grip(NamedTuple):
+    """A handle that belongs to a device.
+
+    Attributes:
+        kind: list of the frame that it is in.
+        identity: its `device_id`.
+        only: whether it was taken because there was no other, and no other device.
+    """
+
+    kind: str
+    identity: str
+    only: bool = False
 
 
 class InverseState(NamedTuple):
@@ -22,6 +40,8 @@ class InverseState(NamedTuple):
         velocity: of the cursor [m/s].
         force: that the service applies; NaN if it does not say [N].
         status: what the frame says of it; may be empty.
+        config: how it is set; empty in a lean frame.
+        raw: its state as it came.
         buttons: of the handle; bit n is button n.
         orientation: of the handle, xyzw; None if there is none.
     """
@@ -30,6 +50,8 @@ class InverseState(NamedTuple):
     velocity: Triple
     force: Triple
     status: Mapping[str, Any]
+    config: Mapping[str, Any]
+    raw: Mapping[str, Any]
     buttons: int
     orientation: Quaternion | None
 
@@ -74,12 +96,65 @@ def choose(frame: Mapping[str, Any], wanted: str | None) -> str:
     return wanted or there[0]
 
 
-def read_state(frame: Mapping[str, Any], identity: str) -> InverseState:
+def grip_of(frame: Mapping[str, Any], identity: str, wanted: str | None) -> Grip | None:
+    """The handle that belongs to a device, in a full frame; None where that cannot be told for certain.
+
+    A handle that names a device belongs to it and to no other; else the hand that both are for decides, if it does;
+    else one device and one handle belong together. With the wrong one, a hand could re-arm the device of another.
+
+    Args:
+        frame: in full.
+        identity: `device_id` of the Inverse3.
+        wanted: `device_id` of the handle; None: see above.
+    """
+    devices = {str(entry.get("device_id")): entry for entry in _entries(frame, "inverse3")}
+    grips = [(kind, entry) for kind in _GRIPS for entry in _entries(frame, kind)]
+    if wanted is not None:
+        return next((Grip(kind, wanted) for kind, entry in grips if str(entry.get("device_id")) == wanted), None)
+    named = [(kind, entry, _names(entry, devices)) for kind, entry in grips]
+    own = [(kind, entry) for kind, entry, names in named if names == {identity}]
+    free = [(kind, entry) for kind, entry, names in named if not names]
+    if not own and identity in devices:
+        hand = _hand(devices[identity])
+        alike = [other for other in devices.values() if hand is not None and _hand(other) == hand]
+        own = [(kind, entry) for kind, entry in free if hand is not None and _hand(entry) == hand]
+        own = own if len(alike) == 1 else []
+    if own:
+        return Grip(own[0][0], str(own[0][1].get("device_id"))) if len(own) == 1 else None
+    if len(devices) == 1 and len(grips) == len(free) == 1 and _hand(free[0][1]) in {None, _hand(devices[identity])}:
+        return Grip(free[0][0], str(free[0][1].get("device_id")), only=True)
+    return None
+
+
+def _names(entry: Mapping[str, Any], devices: Mapping[str, object]) -> set[str]:
+    """Which devices a handle names, wherever it does so in what is said of it beside its own identity."""
+    found: set[str] = set()
+    left: list[object] = [value for key, value in entry.items() if key != "device_id"]
+    for _ in range(_MOST_FIELDS):
+        if not left:
+            break
+        value = left.pop()
+        if isinstance(value, dict):
+            left.extend(value.values())
+        elif isinstance(value, list):
+            left.extend(value)
+        elif isinstance(value, str) and value in devices:
+            found.add(value)
+    return found
+
+
+def _hand(entry: Mapping[str, Any]) -> str | None:
+    hand = _mapping(entry.get("config")).get("handedness", _mapping(entry.get("status")).get("handedness"))
+    return hand if hand in {"left", "right"} else None
+
+
+def read_state(frame: Mapping[str, Any], identity: str, grip: Grip | None = None) -> InverseState:
     """What a frame says of one device.
 
     Args:
         frame: as it came.
         identity: `device_id` of the Inverse3.
+        grip: its handle; None: it has none.
 
     Raises:
         DeviceError: it is not in the frame, or its place or velocity is missing.
@@ -96,44 +171,77 @@ def read_state(frame: Mapping[str, Any], identity: str) -> InverseState:
             raise DeviceError(f"the Inverse Service left out {name} of the Inverse3 {identity}")
     assert position is not None
     assert velocity is not None
-    buttons, orientation = _handle(frame)
+    buttons, orientation = _handle(frame, grip)
     force = _triple(state.get("current_cursor_force")) or _NOWHERE
-    return InverseState(position, velocity, force, _mapping(entry.get("status")), buttons, orientation)
+    status, config = _mapping(entry.get("status")), _mapping(entry.get("config"))
+    return InverseState(position, velocity, force, status, config, state, buttons, orientation)
 
 
-def read_event(data: bytes, identity: str) -> str | None:
+def read_event(data: bytes, identity: str, session: object = None) -> str | None:
     """Why an event of the service is a fault, as a sentence; None if it is none.
+
+    The service pushes news to everybody. What ends a device is what its maker calls a warning or worse: that it is
+    gone, that a safety function has acted, or that another session has it.
 
     Args:
         data: as it came.
         identity: `device_id` of the Inverse3.
+        session: number of our own session; None if the service did not say.
     """
     event = read_frame(data)
     detail = _mapping(event.get("data"))
-    whose = detail.get("device_id")
-    if isinstance(whose, str) and whose != identity:
+    family = detail.get("device_family")
+    if str(detail.get("device_id", identity)) != identity or (isinstance(family, str) and "inverse" not in family):
         return None
-    name = str(event.get("name", ""))
+    said = str(event.get("message") or "")[:200]
+    behind = f" ({said})" if said else ""
+    name = event.get("name")
     if name == "device-disconnected":
         return f"the Inverse3 {identity} was disconnected"
+    if event.get("level") in _NEWS:
+        return None
     if name == "device-safety-triggered":
-        said = str(event.get("message") or "")
-        kind = str(detail.get("safety_type", "of no said kind"))
-        return f"the safety function of the Inverse3 {identity} was triggered: {kind}" + (f" ({said})" if said else "")
+        kind = str(detail.get("safety_type", "of no said kind"))[:80]
+        if kind == "ebrake_released":
+            return None
+        return f"the safety function of the Inverse3 {identity} was triggered: {kind}{behind}"
+    if name == "device-busy":
+        holder = detail.get("session_id", detail.get("session"))
+        if session is not None and holder == session:
+            return None  # another wanted what we have
+        who = next((text for key in ("profile", "profile_name", "session") if (text := named(detail.get(key)))), "")
+        who = who or (f"number {holder}" if isinstance(holder, int) else "")
+        return f"the Inverse3 {identity} is in use by another session{f' {who}' if who else ''}{behind}; end that first"
     return None
 
 
-def _handle(frame: Mapping[str, Any]) -> tuple[int, Quaternion | None]:
-    """Buttons and orientation of the first VerseGrip, by cable or without."""
-    for grip in _entries(frame, "verse_grip"):
-        state = _mapping(grip.get("state"))
-        return int(bool(state.get("button"))), _quaternion(state.get("orientation"))
-    for grip in _entries(frame, "wireless_verse_grip"):
-        state = _mapping(grip.get("state"))
-        pressed = _mapping(state.get("buttons"))
-        mask = sum(1 << bit for bit, name in enumerate(_BUTTONS) if pressed.get(name))
-        return mask, _quaternion(state.get("orientation"))
-    return 0, None
+def named(session: Any) -> str:
+    """What a session calls itself; empty for nothing, and never long or with odd characters."""
+    if isinstance(session, dict):
+        profile = session.get("profile", session.get("profile_name", session.get("name")))
+        session = profile.get("name") if isinstance(profile, dict) else profile
+    text = session if isinstance(session, str) else ""
+    return "".join(letter for letter in text if letter.isprintable())[:60]
+
+
+def _handle(frame: Mapping[str, Any], grip: Grip | None) -> tuple[int, Quaternion | None]:
+    """Buttons and orientation of a VerseGrip, by cable or without."""
+    if grip is None:
+        return 0, None
+    if grip.only and (len(_entries(frame, "inverse3")) != 1 or sum(len(_entries(frame, kind)) for kind in _GRIPS) != 1):
+        return 0, None  # another came; whose this is must be looked at anew
+    for entry in _entries(frame, grip.kind):
+        if str(entry.get("device_id")) == grip.identity:
+            break
+    else:
+        return 0, None
+    state, status = _mapping(entry.get("state")), _mapping(entry.get("status"))
+    orientation = _quaternion(state.get("orientation"))
+    if any(status.get(name) is False for name in ("connected", "awake", "ready")):
+        return 0, orientation  # a handle that sleeps says what it said last
+    pressed = _mapping(state.get("buttons"))
+    mask = sum(1 << bit for bit, name in enumerate(_BUTTONS) if pressed.get(name))
+    return mask | int(bool(state.get("button"))), orientation
 
 
 def _entries(frame: Mapping[str, Any], kind: str) -> list[Mapping[str, Any]]:

@@ -2,6 +2,7 @@
 
 import ctypes
 import os
+import re
 import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -18,7 +19,7 @@ class Library:
 
     Attributes:
         product: whose it is, in words.
-        linux: file names to try on Linux, the usual one first.
+        linux: file names to try on Linux, the usual one first; with a version behind them, too.
         windows: likewise.
         mac: likewise; empty: there is none.
         variable: environment variable that names the file or its folder.
@@ -47,7 +48,7 @@ class Library:
             DeviceError: it is not there or cannot be loaded.
         """
         given = path or os.environ.get(self.variable)
-        tried = _candidates(given, self.names) if given else self.names
+        tried = _candidates(given, self.names) if given else (*self.names, *_installed(self.names))
         failed: list[str] = []
         for name in tried:
             try:
@@ -86,6 +87,42 @@ class Library:
         return function
 
 
+# Where a system's own loader looks, but only for names without a version.
+_FOLDERS = ("/usr/local/lib", "/usr/lib", "/usr/lib64")
+_MOST_FILES = 10_000
+
+
 def _candidates(given: str, names: tuple[str, ...]) -> tuple[str, ...]:
     folder = Path(given)
-    return tuple(str(folder / name) for name in names) if folder.is_dir() else (given,)
+    if not folder.is_dir():
+        return (given,)
+    return (*(str(folder / name) for name in names), *_versioned(folder, names))
+
+
+def _installed(names: tuple[str, ...]) -> tuple[str, ...]:
+    """With a version in their names, where the system looks for libraries."""
+    searched = os.environ.get("LD_LIBRARY_PATH", "").split(os.pathsep) if sys.platform.startswith("linux") else []
+    folders = [*filter(None, searched), *_FOLDERS] if sys.platform != "win32" else []
+    return tuple(found for folder in folders for found in _versioned(Path(folder), names))
+
+
+def _versioned(folder: Path, names: tuple[str, ...]) -> tuple[str, ...]:
+    """Files such as libdrd.so.3.17.5 or libdrd.3.17.5.dylib, which is all that some vendors ship; the newest first."""
+    patterns = [_with_version(name) for name in names]
+    found: list[tuple[tuple[int, ...], str]] = []
+    try:
+        with os.scandir(folder) as entries:
+            for _, entry in zip(range(_MOST_FILES), entries, strict=False):
+                version = next((match[1] for pattern in patterns if (match := pattern.fullmatch(entry.name))), None)
+                if version is not None:
+                    found.append((tuple(int(part) for part in version.split(".")), entry.path))
+    except OSError:
+        return ()
+    return tuple(path for _, path in sorted(found, reverse=True))
+
+
+def _with_version(name: str) -> re.Pattern[str]:
+    stem, _, kind = name.rpartition(".")
+    if kind == "dylib":
+        return re.compile(rf"{re.escape(stem)}\.([0-9]{{1,9}}(?:\.[0-9]{{1,9}})*)\.dylib")
+    return re.compile(rf"{re.escape(name)}\.([0-9]{{1,9}}(?:\.[0-9]{{1,9}})*)")

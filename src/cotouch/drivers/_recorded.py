@@ -7,14 +7,12 @@ from pathlib import Path
 from typing import final
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.drivers._passive import PASSIVE, UNSAID
 from cotouch.errors import DeviceError, RecordingError
 from cotouch.haptics import DeviceReading, Flag
 from cotouch.recording import read_recording
-
-Float = npt.NDArray[np.float64]
 
 RECORDED_SPEC = replace(
     PASSIVE, name="recorded hand", rate=1000.0, resolution=1e-6, source="what the hand went through"

@@ -34,8 +34,8 @@ def _force_dimension(
     )
 
 
-def _touch(*, name: str | None = None, library: str | None = None, wait: float = 20.0) -> Device:
-    return Touch(name, library=library, hand_seconds=float(wait))
+def _touch(*, name: str | None = None, library: str | None = None, wait: float = 20.0, reset: bool = False) -> Device:
+    return Touch(name, library=library, hand_seconds=float(wait), reset=reset is True)
 
 
 def _gamepad(*, path: str | None = None, speed: float = 0.2) -> Device:
@@ -88,6 +88,7 @@ TOUCH = Driver(
         "name": "of the device in the vendor's setup; Default Device",
         "library": "file or folder of libHD; else $COTOUCH_OPENHAPTICS, or where the system looks",
         "wait": "for a hand to put the stylus into the inkwell [s]; 20",
+        "reset": "true: somebody holds it in its reset position, for a device that has no other calibration",
     },
     watchdog="Not published; the vendor's driver ends the servo with the program, and is said to cut the motors.",
     tested="a stub library with a scheduler of its own; no device",

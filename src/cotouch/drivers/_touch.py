@@ -8,8 +8,8 @@ from dataclasses import replace
 from typing import Any, final
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.device import PRESETS, DeviceSpec
 from cotouch.drivers._hd import (
     BUTTONS,
@@ -18,6 +18,7 @@ from cotouch.drivers._hd import (
     CONTINUE,
     CONTINUOUS_FORCE,
     DONE,
+    ENCODER_RESET,
     MAX_FORCE,
     NEEDS_UPDATE,
     POSITION,
@@ -28,8 +29,6 @@ from cotouch.drivers._hd import (
 from cotouch.drivers._watch import SampleWatch
 from cotouch.errors import DeviceError
 from cotouch.haptics import OPENHAPTICS, DeviceReading, Flag
-
-Float = npt.NDArray[np.float64]
 
 # A force that nobody renewed for so long is taken away by the tick itself [s].
 _SILENCE = 0.02
@@ -47,18 +46,28 @@ class Touch:
     """A 3D Systems Touch, Touch X or PHANToM. `cotouch.haptics.Device` says what its methods do.
 
     An exchange hands its force to the next tick and returns what that tick measured. What goes wrong in a tick makes
-    the force zero and ends the ticking; the next exchange says why.
+    the force zero and ends the ticking; the next exchange says why. After a force that nobody renewed in time a reading
+    does not say FORCE_ON, so that it comes back by the ramp.
     """
 
-    def __init__(self, name: str | None = None, *, library: str | None = None, hand_seconds: float = 20.0) -> None:
+    def __init__(
+        self,
+        name: str | None = None,
+        *,
+        library: str | None = None,
+        hand_seconds: float = 20.0,
+        reset: bool = False,
+    ) -> None:
         """Loads nothing yet.
 
         Args:
             name: of the device, as set up with the vendor's tool; None: "Default Device".
             library: file or folder of libHD; None: $COTOUCH_OPENHAPTICS, or where the system looks.
             hand_seconds: to wait for a hand to put the stylus into the inkwell for calibration [s].
+            reset: whether somebody holds the device in its reset position. Some have no other way to find their place:
+                their encoders are set to zero where they are when it is calibrated.
         """
-        self._name, self._library, self._patience = name, library, hand_seconds
+        self._name, self._library, self._patience, self._held = name, library, hand_seconds, reset
         self._spec = PRESETS["touch"]
         self._middle = np.zeros(3)
         self._hd: Hd | None = None
@@ -68,6 +77,8 @@ class Touch:
 
     def _reset(self) -> None:
         self._on = self._calibrated = False
+        self._hushed = False  # a force that nobody renewed was taken away, and no reading has told so yet
+        self._by_reset = False  # it is calibrated by a hand that holds it in its reset position
         self._force = np.zeros(3)
         self._renewed = 0.0  # when a force came last
         self._ticks = 0
@@ -108,13 +119,21 @@ class Touch:
             raise
 
     def calibrate(self, *, allow_motion: bool) -> None:
-        """See `Device.calibrate`. The device does not move by itself; a hand puts the stylus into the inkwell."""
+        """See `Device.calibrate`. The device does not move by itself; a hand puts the stylus into the inkwell.
+
+        One that can only have its encoders reset is held in its reset position by somebody who has said so.
+        """
         del allow_motion
         end = time.monotonic() + self._patience
         while not self._calibrated:
             self._asked(self._take_up)
             if self._calibrated:
                 return
+            if self._by_reset:
+                raise self._fault(
+                    f"the {self._spec.name} is not calibrated, and takes the place where it is held meanwhile for its "
+                    "reset position; hold it there as its manual shows, and open it with the option reset=true"
+                )
             if time.monotonic() > end:
                 raise self._fault(f"the {self._spec.name} is not calibrated; put its stylus into the inkwell")
             time.sleep(_POLL)
@@ -140,6 +159,8 @@ class Touch:
             before = self._ticks
             self._met.wait_for(lambda: self._ticks > before or self._ended, _LATE)
             why, late, last = self._why, self._ticks == before, self._reading
+            if self._hushed and not late:
+                self._hushed, self._force = False, np.zeros(3)  # until the next exchange, which knows of it
         if why is None and time.monotonic() - self._ticked > _LIMIT:
             why = f"the library of the {self._spec.name} does not tick any more; is its cable loose?"
         if why is not None or last is None:
@@ -203,11 +224,12 @@ class Touch:
             orientation = OPENHAPTICS.orientation(_quaternion(hd.transform()))
             buttons = hd.integer(BUTTONS)
             on, force = self._on, self._force
-            silent = now - self._renewed > _SILENCE
             size = float(np.linalg.norm(force))
-            share = 0.0 if silent or not on else min(1.0, self._spec.force / size) if size else 1.0
-            told = share * force
-            x, y, z = OPENHAPTICS.back(told).tolist()
+            self._hushed |= on and size > 0.0 and now - self._renewed > _SILENCE
+            follows = on and not self._hushed
+            fraction = 0.0 if not follows else min(1.0, self._spec.force / size) if size else 1.0
+            commanded = fraction * force
+            x, y, z = OPENHAPTICS.back(commanded).tolist()
             hd.set_force(x, y, z)
             if not on:
                 hd.enable(False)
@@ -218,13 +240,13 @@ class Touch:
         if why is not None:
             raise DeviceError(f"the {self._spec.name} {why}")
         flags = Flag.CALIBRATED if self._calibrated else Flag(0)
-        flags |= Flag.FORCE_ON if on else Flag(0)
-        flags |= Flag.LIMITED if hd.warm or (on and share < 1.0) else Flag(0)
+        flags |= Flag.FORCE_ON if follows else Flag(0)
+        flags |= Flag.LIMITED if hd.warm or (on and fraction < 1.0) else Flag(0)
         self._reading = DeviceReading(
             time=now,
             position=position,
             velocity=velocity,
-            force=told,
+            force=commanded,
             buttons=buttons,
             flags=flags,
             orientation=orientation,
@@ -234,8 +256,10 @@ class Touch:
         self._calibrated = hd.calibration() == CALIBRATED
 
     def _take_up(self, hd: Hd) -> None:
-        if hd.calibration() == NEEDS_UPDATE:
-            hd.calibrate()
+        needed, style = hd.calibration(), hd.style()
+        self._by_reset = style == ENCODER_RESET
+        if needed != CALIBRATED and (self._held if self._by_reset else needed == NEEDS_UPDATE):
+            hd.calibrate(style)
         self._look(hd)
 
     def _asked(self, job: Callable[[Hd], None]) -> None:

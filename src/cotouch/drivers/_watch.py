@@ -3,10 +3,7 @@
 import math
 from typing import final
 
-import numpy as np
-import numpy.typing as npt
-
-Float = npt.NDArray[np.float64]
+from cotouch.arrays import Float
 
 # A device that says it moves must show it within this time; well below the 100 ms within which force must be gone [s].
 PATIENCE = 0.04

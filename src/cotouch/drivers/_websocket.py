@@ -21,6 +21,7 @@ from cotouch.errors import DeviceError, TransportError
 
 # The longest frame that a service with some devices sends is a few thousand characters.
 _MOST = 1 << 20
+_CLOSED = "it closed the connection"
 _PIECE = 1 << 16
 
 
@@ -137,6 +138,8 @@ class WebSocket:
             data = self._socket.recv(_PIECE)
         except (BlockingIOError, InterruptedError):
             return True
+        except ConnectionError:  # closed while something of ours was unread: its goodbye is lost
+            raise TransportError(_CLOSED) from None
         except (OSError, ValueError) as error:
             raise TransportError(f"the connection failed ({error})") from None
         with self._lock:
@@ -149,7 +152,7 @@ class WebSocket:
                 self._event(event)
         if self._protocol.state is not State.OPEN and not self._ready and self._protocol.handshake_exc is None:
             said = self._protocol.close_reason
-            raise TransportError("it closed the connection" + (f' and said "{said}"' if said else ""))
+            raise TransportError(_CLOSED + (f' and said "{said}"' if said else ""))
         return True
 
     def _event(self, event: object) -> None:
@@ -167,5 +170,7 @@ class WebSocket:
                 continue
             try:
                 self._socket.sendall(data)
+            except ConnectionError:
+                raise TransportError(_CLOSED) from None
             except OSError as error:
                 raise TransportError(f"the connection failed ({error.strerror or error})") from None

@@ -1,10 +1,10 @@
 """Devices that are held in a hand: what they have in common, and the loop that holds them safely."""
 
-from cotouch.haptics._conformance import Finding, conform
-from cotouch.haptics._core import Order, Report, ServoCore
+from cotouch.haptics._conformance import CheckResult, conform
+from cotouch.haptics._core import Order, ServoCore, ServoReport
 from cotouch.haptics._coupling import COUPLING, LEAST_SCALE, MOST_SCALE, CouplingChoice, Scale, coupling_of
 from cotouch.haptics._device import Device, DeviceReading, Flag
-from cotouch.haptics._ends import DeviceEnd, EndOptions, ProxyEnd, Pull, Purse, Word, checked
+from cotouch.haptics._ends import DeviceEnd, EndOptions, EnergyMessage, EnergyTank, ProxyEnd, Pull, checked
 from cotouch.haptics._frames import FORCE_DIMENSION, FRAMES, HAPLY, OPENHAPTICS, OPENXR, OURS, Frame
 from cotouch.haptics._limits import UNKNOWN_FORCE, SafetyLimits
 from cotouch.haptics._link import ServoLink
@@ -21,8 +21,8 @@ from cotouch.haptics._registry import (
 from cotouch.haptics._safety import (
     Cause,
     Heat,
+    Observation,
     SafetyChain,
-    Seen,
     Vector,
     reasons,
     saturate,
@@ -42,6 +42,7 @@ from cotouch.haptics._virtual import (
     proxy_end,
     virtual_limit,
 )
+from cotouch.haptics._warning_log import priority_refused
 
 __all__ = [
     "COUPLING",
@@ -58,6 +59,7 @@ __all__ = [
     "UNKNOWN_FORCE",
     "Account",
     "Cause",
+    "CheckResult",
     "CouplingChoice",
     "Device",
     "DeviceChoice",
@@ -65,29 +67,28 @@ __all__ = [
     "DeviceReading",
     "Driver",
     "EndOptions",
-    "Finding",
+    "EnergyMessage",
+    "EnergyTank",
     "Flag",
     "Frame",
     "Heat",
+    "Observation",
     "Option",
     "Order",
     "ProxyEnd",
     "Pull",
-    "Purse",
-    "Report",
     "SafetyChain",
     "SafetyLimits",
     "Scale",
-    "Seen",
     "Servo",
     "ServoCore",
     "ServoLink",
+    "ServoReport",
     "ServoSettings",
     "SimulatedOnClock",
     "Vector",
     "VirtualDeviceEnd",
     "VirtualProxyEnd",
-    "Word",
     "checked",
     "checked_virtual",
     "conform",
@@ -96,6 +97,7 @@ __all__ = [
     "driver",
     "make_device",
     "open_device",
+    "priority_refused",
     "proxy_end",
     "reasons",
     "saturate",

@@ -27,7 +27,7 @@ _ZERO = np.zeros(3)
 
 @final
 @dataclass(frozen=True)
-class Finding:
+class CheckResult:
     """What one check found.
 
     Attributes:
@@ -49,7 +49,7 @@ def conform(
     force: bool = True,
     clock: Callable[[], float] = time.monotonic,
     sleep: Callable[[float], None] = time.sleep,
-) -> list[Finding]:
+) -> list[CheckResult]:
     """Checks a device; it is closed afterwards.
 
     Args:
@@ -64,10 +64,10 @@ def conform(
         What was found, in order; what came after an error is missing.
     """
     device = make()
-    found: list[Finding] = []
+    found: list[CheckResult] = []
 
     def note(check: str, passed: bool, detail: str) -> None:
-        found.append(Finding(check, bool(passed), detail))
+        found.append(CheckResult(check, bool(passed), detail))
 
     note("stop and close before open", _silent(device.stop) and _silent(device.close), "they must not raise")
     note("exchange before open is refused", _refuses(lambda: device.exchange(_ZERO)), "a DeviceError of one sentence")

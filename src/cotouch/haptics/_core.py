@@ -10,9 +10,9 @@ import numpy.typing as npt
 
 from cotouch.device import DeviceSpec
 from cotouch.haptics._device import DeviceReading, Flag
-from cotouch.haptics._ends import DeviceEnd, EndOptions, Word, checked
+from cotouch.haptics._ends import DeviceEnd, EndOptions, EnergyMessage, checked
 from cotouch.haptics._limits import SafetyLimits
-from cotouch.haptics._safety import ZERO, Cause, SafetyChain, Seen, Vector, scaled, size
+from cotouch.haptics._safety import ZERO, Cause, Observation, SafetyChain, Vector, scaled, size
 from cotouch.haptics._virtual import WINDOW, VirtualDeviceEnd, checked_virtual, device_end
 
 # The safety chain's speed is that over this [s]: shorter, and one step of an encoder looks quick; longer, and a device
@@ -33,7 +33,7 @@ class Order(NamedTuple):
         time: when, on the clock that both share [s].
         step: of the peer.
         place: of the proxy, in the device's frame [m]; None: there is none to follow.
-        word: of the proxy's end.
+        message: of the proxy's end.
         enable: whether force is wanted.
         rearm: rises by one each time that somebody re-arms.
         coupling: number of the coupling that is meant; rises by one with each.
@@ -43,7 +43,7 @@ class Order(NamedTuple):
     time: float
     step: int = 0
     place: Vector | None = None
-    word: Word = Word()
+    message: EnergyMessage = EnergyMessage()
     enable: bool = False
     rearm: int = 0
     coupling: int = 0
@@ -51,9 +51,30 @@ class Order(NamedTuple):
 
 
 _NONE = Order(time=-inf)
+# How far ahead of the clock a stamp may be: clocks of two cores may differ by microseconds [s].
+_AHEAD = 1e-3
 
 
-class Report(NamedTuple):
+def silent_for(said: float, came: float, now: float) -> float:
+    """For how long nothing has been heard of another process [s].
+
+    Its stamp alone is not believed: one ahead of the clock, or infinite, would keep an order fresh long after its
+    sender hangs. So what counts is when it came, too, and a stamp from the future is silence.
+
+    Args:
+        said: its stamp on what it said last [s].
+        came: when that was first seen here; -inf: never [s].
+        now: [s].
+
+    Returns:
+        >= 0; inf if the stamp is none.
+    """
+    if not said <= now + _AHEAD:
+        return inf
+    return max(0.0, now - said, now - came)
+
+
+class ServoReport(NamedTuple):
     """What the servo says of a cycle.
 
     Attributes:
@@ -63,7 +84,7 @@ class Report(NamedTuple):
         rate: its velocity, over 10 ms [m/s].
         force: for the motors from the next exchange on [N].
         wanted: by the coupling and the wall, before the safety chain [N].
-        word: of the device's end.
+        message: of the device's end.
         work: of the motors so far, as measured [J].
         excess: of it beyond what may [J]; <= 0.
         causes: why force was removed.
@@ -78,7 +99,7 @@ class Report(NamedTuple):
     rate: Vector
     force: Vector
     wanted: Vector
-    word: Word
+    message: EnergyMessage
     work: float
     excess: float
     causes: Cause
@@ -116,6 +137,7 @@ class ServoCore:
         self.end = self._made(options)
         self.chain = SafetyChain(limits)
         self._order = _NONE
+        self._came: float | None = -inf  # when the order was there first; None: since the last cycle
         self._force = ZERO
         self._begun: float | None = None
         self._last = self._fresh = self._measured = 0.0
@@ -124,7 +146,7 @@ class ServoCore:
         self._path = deque[tuple[float, Vector]]()
         self._place: Vector | None = None
         self._farthest = self._longest = self._bound = 0.0
-        self._out = 0.0  # work of the motors by the observer's own books [J]
+        self._out = 0.0  # work of the motors by the observer's own ledger [J]
         self._acted = ZERO
         self._pressed: float | None = None
         self._armed: int | None = None
@@ -139,13 +161,13 @@ class ServoCore:
         """What sampling alone may have made of the motion so far, at most [J]; part of the d² of two-port passivity."""
         return self._bound
 
-    def hear(self, order: Order) -> None:
+    def receive(self, order: Order) -> None:
         """Takes the newest order.
 
         Raises:
             DeviceError: it brings a coupling that does not fit the device.
         """
-        self._order = order
+        self._order, self._came = order, None
         if order.coupling > self.coupling and order.options is not None:
             self._couple(order.options, order.coupling)
         if self._armed is not None and order.rearm > self._armed:
@@ -160,14 +182,14 @@ class ServoCore:
         return device_end(options, resolution=spec.resolution, lever=lever, radius=limits.radius, wall=limits.wall)
 
     def _couple(self, options: EndOptions, number: int) -> None:
-        """Begins anew with another coupling: relaxed, with books of its own, and with the ramp."""
+        """Begins anew with another coupling: relaxed, with a ledger of its own, and with the ramp."""
         self.end, self.coupling = self._made(options), number
         self.chain.restart()
         self._force = self._acted = ZERO
         self._place = None
         self._farthest = self._longest = self._bound = self._out = 0.0
 
-    def cycle(self, reading: DeviceReading, now: float, unwatched: float = 0.0) -> Report:
+    def cycle(self, reading: DeviceReading, now: float, unwatched: float = 0.0) -> ServoReport:
         """One cycle.
 
         Args:
@@ -194,16 +216,17 @@ class ServoCore:
             self._fresh = now
         self._buttons(reading.buttons, size(rate), now)
         order = self._order
-        gone = now - order.time
-        wish = order.place if gone < self._limits.zero_after else None
-        if wish is not None and not isfinite(size(wish)):
+        self._came = now if self._came is None else self._came
+        gone = silent_for(order.time, self._came, now)
+        desired = order.place if gone < self._limits.zero_after else None
+        if desired is not None and not isfinite(size(desired)):
             self.chain.fail(Cause.FAULT)
-            wish = None
-        wanted = self.end.decide(wish, rate, order.word, T)
+            desired = None
+        wanted = self.end.decide(desired, rate, order.message, T)
         excess = self._excess()
-        share = self.chain.limit(
+        fraction = self.chain.limit(
             wanted,
-            Seen(
+            Observation(
                 now=now,
                 T=T,
                 age=gone,
@@ -215,15 +238,15 @@ class ServoCore:
                 unwatched=unwatched,
             ),
         )
-        self._force = scaled(share, wanted)
-        return Report(
+        self._force = scaled(fraction, wanted)
+        return ServoReport(
             time=reading.time,
             tick=self._tick,
             place=place,
             rate=rate,
             force=self._force,
             wanted=wanted if isfinite(size(wanted)) else ZERO,
-            word=self.end.purse.word,
+            message=self.end.tank.message,
             work=self._out,
             excess=excess,
             causes=self.chain.causes,
@@ -233,7 +256,7 @@ class ServoCore:
         )
 
     def _observe(self, place: Vector, T: float) -> None:
-        """The observer's books: nothing but forces that were told and measured places."""
+        """The observer's ledger: nothing but forces that were told and measured places."""
         if self._place is not None:
             before = self._place
             moved = (place[0] - before[0], place[1] - before[1], place[2] - before[2])
@@ -245,9 +268,9 @@ class ServoCore:
         self._acted = self._force
 
     def _excess(self) -> float:
-        """Work of the motors beyond what the peer gave, the seed and the bound of sampling [J]."""
-        purse = self.end.purse
-        return self._out - (purse.received - purse.given + self.end.start + self._bound + _SLACK)
+        """Work of the motors beyond what the peer gave, the initial energy and the bound of sampling [J]."""
+        tank = self.end.tank
+        return self._out - (tank.received - tank.given + self.end.start + self._bound + _SLACK)
 
     def _rates(self, time: float, place: Vector) -> tuple[Vector, float]:
         """Velocity over the window, and the quickest of the last moments [m/s].

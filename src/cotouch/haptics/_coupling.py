@@ -23,7 +23,7 @@ COUPLING: Mapping[str, str] = {
     "ages": "of the places that both ends know of each other, together; with coupling=virtual, 0.01 [s]",
     "weight": "more lets the device pay for old places, less the proxy; with coupling=virtual, 1",
     "scale": "the body moves so many times as far as the device, which feels so many times the force; or fit",
-    "tool": "of the seat that it moves, from 1",
+    "tool": "of the user that it moves, from 1",
 }
 _LAWS: Mapping[str, Law] = {"pspm": "pspm", "virtual": "virtual"}
 _OF_VIRTUAL = ("friction", "ages", "weight")
@@ -43,7 +43,7 @@ class CouplingChoice:
         weight: of the age rule, likewise; 1.
         scale: metres of the body per metre of the device, 0.01 to 100; the device then feels so many times the force,
             so that power is the same at both; "fit": as much as lets its workspace span the body. 1.
-        tool: of the seat, from 1. The first that no other device of the seat has.
+        tool: of the user, from 1. The first that no other device of the user has.
     """
 
     law: Law | None = None
@@ -72,7 +72,7 @@ class CouplingChoice:
         if isinstance(self.scale, int | float) and not LEAST_SCALE <= self.scale <= MOST_SCALE:
             raise DeviceError(f"scale is {self.scale:g}; it must be from {LEAST_SCALE:g} to {MOST_SCALE:g}, or fit")
         if self.tool is not None and self.tool < 1:
-            raise DeviceError(f"tool is {self.tool}; tools of a seat are numbered from 1")
+            raise DeviceError(f"tool is {self.tool}; tools of a user are numbered from 1")
 
     def over(self, below: "CouplingChoice") -> "CouplingChoice":
         """What was said here, and where nothing was, what was said below.
@@ -154,7 +154,7 @@ def _said(name: str, value: Option) -> float | int | str:
     number = isinstance(value, int | float) and not isinstance(value, bool) and isfinite(value)
     if name == "tool":
         if not isinstance(value, int) or isinstance(value, bool):
-            raise DeviceError(f"tool is {value}; tools of a seat are numbered from 1")
+            raise DeviceError(f"tool is {value}; tools of a user are numbered from 1")
         return value
     if name == "scale" and not number:
         raise DeviceError(f"scale is {value}; it must be from {LEAST_SCALE:g} to {MOST_SCALE:g}, or fit")

@@ -4,12 +4,8 @@ from dataclasses import dataclass
 from enum import IntFlag
 from typing import Protocol, final
 
-import numpy as np
-import numpy.typing as npt
-
+from cotouch.arrays import Float
 from cotouch.device import DeviceSpec
-
-Float = npt.NDArray[np.float64]
 
 
 @final

@@ -5,11 +5,9 @@ from dataclasses import dataclass
 from typing import final
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.errors import DeviceError
-
-Float = npt.NDArray[np.float64]
 
 
 @final

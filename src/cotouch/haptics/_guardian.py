@@ -2,8 +2,8 @@
 
 It is the servo's parent and the peer's child, in a session of its own, so that no Ctrl-C reaches it. It does nothing
 but look, every 2 ms and ahead of the servo where real-time priority is permitted: whether the servo runs and ticks, and
-whether the peer still holds the other end of its standard input. Each look is said on a board, so that the servo knows
-when nobody watches it.
+whether the peer still holds the other end of its standard input. Each look is said on a mailbox, so that the servo
+knows when nobody watches it.
 
 What it does about a servo that stands still does not depend on the peer: one that has not said that it stopped its
 device is halted from outside, or ended and its device opened anew, whether the peer lives, hangs, or is dead.
@@ -22,7 +22,7 @@ from collections.abc import Callable
 from dataclasses import asdict
 from typing import Any, final
 
-from cotouch.haptics._boards import Looks, ReportReader
+from cotouch.haptics._mailboxes import Looks, ReportReader
 from cotouch.haptics._registry import Driver, driver, make_device
 from cotouch.haptics._safety import FOR_GOOD
 from cotouch.haptics._servo import STILL
@@ -58,7 +58,7 @@ def main(line: str, servo: subprocess.Popen[str]) -> int:
         above = None if settings.real_time is None else settings.real_time + 1
         with prepare_process(real_time=above) as state:
             _said(guardian=asdict(state))
-            code = Watch(servo, settings, chosen).run(lambda: bool(asked) or _peer_is_gone())
+            code = ServoWatch(servo, settings, chosen).run(lambda: bool(asked) or _peer_is_gone())
     except Exception as error:  # noqa: BLE001  # whatever failed here, nobody watches the servo any more
         servo.kill()
         code = servo.wait()
@@ -71,7 +71,7 @@ def main(line: str, servo: subprocess.Popen[str]) -> int:
 
 
 @final
-class Watch:
+class ServoWatch:
     """Looks at the servo until it has ended."""
 
     def __init__(self, servo: subprocess.Popen[str], settings: ServoSettings, chosen: Driver) -> None:
@@ -84,7 +84,7 @@ class Watch:
         """
         self._servo, self._settings, self._chosen = servo, settings, chosen
         self._reports, self._looks = ReportReader(settings.folder), Looks(settings.folder)
-        self._heard: float | None = None  # when the servo ticked last; None: it never had force
+        self._last_tick: float | None = None  # when the servo ticked last; None: it never had force
         self._safe = False  # whether it said that it stopped its device
         self._vain = 0  # looks since then
         self._halted: float | None = None
@@ -112,10 +112,10 @@ class Watch:
         now = time.monotonic()
         report = self._reports.read()
         if report is not None:
-            self._heard, self._vain, self._halted = now, 0, None
+            self._last_tick, self._vain, self._halted = now, 0, None
             self._safe = bool(report.causes & FOR_GOOD)
         self._vain += 1
-        still = 0.0 if self._heard is None or self._safe else now - self._heard
+        still = 0.0 if self._last_tick is None or self._safe else now - self._last_tick
         if still <= STILL or self._vain < _LEAST:
             return
         halting = self._chosen.halt
@@ -137,6 +137,10 @@ def halt(chosen: Driver | None, settings: ServoSettings) -> str:
 
     By the driver's own way if it has one, else by opening the device anew and stopping it, as far as it lets itself be
     opened. Says how, in words.
+
+    Args:
+        chosen: driver of the device; None if it is not known.
+        settings: of the servo.
     """
     if chosen is not None and chosen.halt is not None:
         try:

@@ -3,26 +3,24 @@
 import json
 import os
 import select
-import shutil
 import subprocess
 import sys
-import tempfile
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from pathlib import Path
 from typing import Any, final
 
 from cotouch.device import DeviceSpec
 from cotouch.errors import DeviceError
-from cotouch.haptics._boards import OrderWriter, ReportReader
-from cotouch.haptics._core import Order, Report
+from cotouch.haptics._core import Order, ServoReport, silent_for
 from cotouch.haptics._coupling import CouplingChoice, coupling_of
-from cotouch.haptics._ends import EndOptions, Word
-from cotouch.haptics._notices import Notices
+from cotouch.haptics._ends import EndOptions, EnergyMessage
+from cotouch.haptics._mailboxes import OrderWriter, ReportReader
 from cotouch.haptics._registry import DeviceChoice, driver
 from cotouch.haptics._safety import NO_CAUSE, Cause, Vector
 from cotouch.haptics._settings import ServoSettings, spec_from
+from cotouch.haptics._warning_log import WarningLog, priority_refused
+from cotouch.processes import MemoryFolder
 
 # The servo is started before the guardian loads what it needs itself, so that both load at the same time.
 GUARDIAN = """
@@ -90,22 +88,22 @@ class ServoLink:
         choice, said = coupling_of(choice)
         self.said = said.over(CouplingChoice(stiffness=stiffness, damping=damping))
         self._clock = clock
-        memory = Path("/dev/shm")  # noqa: S108  # boards on a disk would wait for it
-        where = memory if memory.is_dir() and os.access(memory, os.W_OK) else None
-        self._folder = Path(tempfile.mkdtemp(prefix="cotouch-", dir=where))
+        self._folder = MemoryFolder()
         self._process: subprocess.Popen[bytes] | None = None
-        self.report: Report | None = None
+        self.report: ServoReport | None = None
+        self._came = 0.0  # when that came [s]
         self._rest = b""
-        self._notices = Notices(clock)
+        self._warning_log = WarningLog(clock)
         self._step = self._rearm = 0
         self._over = ""
+        self._kept_waiting = False  # real-time priority was refused
         self._silent = False
         self.statistics: dict[str, Any] = {}
         self.process: dict[str, Any] = {}
         self._number = 0  # of the coupling
         settings = self._settings = ServoSettings(
             device=choice,
-            folder=self._folder,
+            folder=self._folder.path,
             coupling=self.said,
             limits=dict(limits or {}),
             rate=rate,
@@ -113,11 +111,12 @@ class ServoLink:
             real_time=real_time,
         )
         try:
-            self._orders = OrderWriter(self._folder)
-            self._reports = ReportReader(self._folder)
+            self._orders = OrderWriter(self._folder.path)
+            self._reports = ReportReader(self._folder.path)
             said = self._start(settings)
             self.spec: DeviceSpec = spec_from(said["spec"])
             self.process |= said["process"]
+            self._priority(said["process"])
             self.servo = int(said["pid"])
             assert self._process is not None
             self.guardian = self._process.pid
@@ -129,22 +128,24 @@ class ServoLink:
     @property
     def gone(self) -> bool:
         """Whether nothing is heard of the servo any more."""
-        return bool(self._over) or (self.report is not None and self._clock() - self.report.time > _GONE)
+        if self._over or self.report is None:
+            return bool(self._over)
+        return silent_for(self.report.time, self._came, self._clock()) > _GONE
 
     @property
     def causes(self) -> Cause:
         """Why force is removed now."""
         return NO_CAUSE if self.report is None else self.report.causes
 
-    def read(self) -> Report | None:
+    def read(self) -> ServoReport | None:
         """The newest report of this coupling, also if it was given before; None without one, or with the servo gone."""
         got = self._reports.read()
         if got is not None:
-            self.report = got
+            self.report, self._came = got, self._clock()
         return None if self.gone or self.report is None or self.report.coupling != self._number else self.report
 
     def couple(self, below: CouplingChoice) -> EndOptions:
-        """Begins anew with a coupling: relaxed, with books of its own at both ends; the force comes back by the ramp.
+        """Begins anew with a coupling: relaxed, with a new ledger at both ends; the force comes back by the ramp.
 
         To be called whenever the proxy's end is made anew: what the device's end gave to the one before is spent.
 
@@ -162,12 +163,12 @@ class ServoLink:
         self._number += 1
         return self.options
 
-    def order(self, place: Vector | None, word: Word, *, enable: bool = True) -> None:
+    def order(self, place: Vector | None, message: EnergyMessage, *, enable: bool = True) -> None:
         """Tells the servo where the proxy is now.
 
         Args:
             place: in the device's frame [m]; None: nowhere.
-            word: of the proxy's end.
+            message: of the proxy's end.
             enable: whether force is wanted.
         """
         self._step += 1
@@ -176,7 +177,7 @@ class ServoLink:
                 time=self._clock(),
                 step=self._step,
                 place=place,
-                word=word,
+                message=message,
                 enable=enable,
                 rearm=self._rearm,
                 coupling=self._number,
@@ -188,23 +189,23 @@ class ServoLink:
         """Lets the force come back after it was latched off; with the next order."""
         self._rearm += 1
 
-    def notices(self) -> list[str]:
+    def warning_log(self) -> list[str]:
         """What the user should be told since the last call: why force was removed, that a process is gone."""
-        for said in self._heard(0.0):
+        for said in self._received(0.0):
             self._take(said)
         if not self._over and self._process is not None and self._process.poll() is not None:
             self._over = "guardian"
-            self._notices.say("the program that watches over the device is gone; force is off")
+            self._warning_log.say("the program that watches over the device is gone; force is off")
         if self.report is not None:
-            self._notices.force(self.causes)
+            self._warning_log.force(self.causes)
         silent = self.gone and not self._over
         if silent and not self._silent:
-            self._notices.say("nothing is heard of the device's servo; the proxy is left alone until it is back")
+            self._warning_log.say("nothing is heard of the device's servo; the proxy is left alone until it is back")
         self._silent = silent
-        return self._notices.fresh()
+        return self._warning_log.fresh()
 
     def close(self) -> None:
-        """Ends the processes and takes the boards away; the device is stopped first."""
+        """Ends the processes and takes the mailboxes away; the device is stopped first."""
         process, self._process = self._process, None
         if process is not None:
             assert process.stdin is not None
@@ -215,13 +216,13 @@ class ServoLink:
             except subprocess.TimeoutExpired:
                 process.kill()
                 process.wait(10.0)
-            for said in self._heard(0.0, process):
+            for said in self._received(0.0, process):
                 self._take(said)
             process.stdout.close()
         if hasattr(self, "_reports"):
             self._reports.close()
             self._orders.close()
-        shutil.rmtree(self._folder, ignore_errors=True)
+        self._folder.close()
 
     def _start(self, settings: ServoSettings) -> dict[str, Any]:
         threads = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
@@ -238,10 +239,11 @@ class ServoLink:
         end = self._clock() + _PATIENCE
         while self._clock() < end:
             ready: dict[str, Any] | None = None
-            for said in self._heard(0.1):
+            for said in self._received(0.1):
                 ready = said if "ready" in said else ready
                 if "guardian" in said:
                     self.process["guardian"] = said["guardian"]
+                    self._priority(said["guardian"])
                 if "error" in said:
                     raise DeviceError(str(said["error"]))
             if ready is not None:
@@ -250,7 +252,7 @@ class ServoLink:
                 break
         raise DeviceError(f'the device "{settings.device.name}" did not come up; its process ended or hangs')
 
-    def _heard(self, wait: float, ended: "subprocess.Popen[bytes] | None" = None) -> list[dict[str, Any]]:
+    def _received(self, wait: float, ended: "subprocess.Popen[bytes] | None" = None) -> list[dict[str, Any]]:
         """What the processes wrote; never waits longer than it says."""
         process = self._process or ended
         if process is None or process.stdout is None:
@@ -274,16 +276,25 @@ class ServoLink:
                 continue
         return found
 
+    def _priority(self, state: dict[str, Any]) -> None:
+        """Tells whoever holds the device, once, that its processes may be kept waiting."""
+        refused = state.get("real_time_refused")
+        if self._settings.real_time is None or not refused or self._kept_waiting:
+            return
+        self._kept_waiting = True
+        self._warning_log.say(priority_refused(refused))
+
     def _take(self, said: dict[str, Any]) -> None:
         self.statistics.update(said.get("pace") or {})
         if "guardian" in said:  # it may be slower to load than the servo
             self.process["guardian"] = said["guardian"]
+            self._priority(said["guardian"])
         if said.get("fault"):
-            self._notices.say(f"the device failed: {said['fault']}")
+            self._warning_log.say(f"the device failed: {said['fault']}")
         elif "error" in said:
-            self._notices.say(f"the device failed: {said['error']}")
+            self._warning_log.say(f"the device failed: {said['error']}")
         elif "gone" in said:
             self._over = "servo"
-            self._notices.say(f"the device's servo is gone; the device was {said['halted']}")
+            self._warning_log.say(f"the device's servo is gone; the device was {said['halted']}")
         elif "still" in said:
-            self._notices.say("the device's servo stands still; its force was taken away from outside")
+            self._warning_log.say("the device's servo stands still; its force was taken away from outside")

@@ -39,14 +39,14 @@ class MotorPort:
         self.place: Vector | None = None
         self.resolution = resolution
         self._lever = lever
-        self._told, self._said, self._changed = ZERO, ZERO, 0.0
+        self._commanded, self._said, self._changed = ZERO, ZERO, 0.0
 
-    def measure(self, place: Vector, told: Vector, said: Vector | None) -> Did | None:
+    def measure(self, place: Vector, commanded: Vector, said: Vector | None) -> Did | None:
         """Books the tick that has passed.
 
         Args:
             place: of the tip [m].
-            told: force that acts from here on [N].
+            commanded: force that acts from here on [N].
             said: what the device says that its motors do; None: nothing [N].
 
         Returns:
@@ -55,12 +55,12 @@ class MotorPort:
         did: Did | None = None
         if self.place is not None:
             moved = less(place, self.place)
-            turned = 0.5 * size(self._told) * dot(moved, moved) / self._lever
-            work = max(dot(self._told, moved), dot(self._said, moved))
+            turned = 0.5 * size(self._commanded) * dot(moved, moved) / self._lever
+            work = max(dot(self._commanded, moved), dot(self._said, moved))
             did = Did(work, 0.5 * self.resolution * self._changed + turned, size(moved))
-        self._changed = sum(abs(a - b) for a, b in zip(told, self._told, strict=True))
-        self.place, self._told = place, told
-        self._said = told if said is None else said
+        self._changed = sum(abs(a - b) for a, b in zip(commanded, self._commanded, strict=True))
+        self.place, self._commanded = place, commanded
+        self._said = commanded if said is None else said
         return did
 
 
@@ -102,10 +102,20 @@ class Wall:
 
 
 def plus(a: Vector, b: Vector) -> Vector:
-    """Sum."""
+    """Sum.
+
+    Args:
+        a: one, 3 numbers.
+        b: the other, 3 numbers.
+    """
     return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
 
 
 def less(a: Vector, b: Vector) -> Vector:
-    """Difference."""
+    """Difference.
+
+    Args:
+        a: one, 3 numbers.
+        b: the other, 3 numbers.
+    """
     return (a[0] - b[0], a[1] - b[1], a[2] - b[2])

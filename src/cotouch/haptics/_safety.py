@@ -1,7 +1,8 @@
 """The last things between a force and the motors: each can only shorten it, so all limits hold together.
 
 A stage gives a share in [0, 1] of the force that it is shown. What comes out is the product of the shares times what
-came in: its direction is kept, no stage undoes another, and the energy books need to know only the force that is left.
+came in: its direction is kept, no stage undoes another, and the energy ledger needs to know only the force that is
+    left.
 """
 
 from enum import IntFlag
@@ -14,6 +15,9 @@ Vector = tuple[float, float, float]
 ZERO: Vector = (0.0, 0.0, 0.0)
 # From nothing to all that is left of the heat budget [s]; so long the force takes to come down to what may stay.
 _COOLING = 1.0
+# A loop that stood still for longer may find that its device, or whoever watches, has taken the force away; so it gives
+# it back by the ramp. Two cycles of a peer at 100 Hz, and what a watchdog in a device allows [s].
+STOOD = 0.02
 
 
 @final
@@ -27,7 +31,7 @@ class Cause(IntFlag):
         HOT: the motors have been given much for long.
         QUIET: the peer has said nothing for a while, and the force fades.
         SILENT: the peer is gone.
-        LATE: the device or this loop was late.
+        LATE: the device was late, or this loop stood still for so long that others may have taken the force away.
         OFF: nobody enabled it.
         DEVICE: the device itself has switched its motors off.
         FAST: it was faster than a hand; latched until re-armed.
@@ -69,7 +73,7 @@ _SENTENCES = {
     Cause.STOPPED: "the device was let go",
     Cause.ACTIVE: "more energy came out of the motors than may; re-arm to go on",
     Cause.FAST: "the device moved faster than a hand does; re-arm to go on",
-    Cause.DEVICE: "the device has switched its motors off",
+    Cause.DEVICE: "the device has switched its motors off, by its own button or because it heard nothing for a moment",
     Cause.OFF: "force is not enabled",
     Cause.UNWATCHED: "the program that watches over the device stands still",
     Cause.SILENT: "the peer has been silent for too long",
@@ -98,22 +102,43 @@ def size(vector: Vector) -> float:
 
 
 def dot(a: Vector, b: Vector) -> float:
-    """Inner product."""
+    """Inner product.
+
+    Args:
+        a: one, 3 numbers.
+        b: the other, 3 numbers.
+    """
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
-def scaled(share: float, vector: Vector) -> Vector:
-    """A multiple; a share of 0 gives 0 whatever the vector is."""
-    return (share * vector[0], share * vector[1], share * vector[2]) if share else ZERO
+def scaled(fraction: float, vector: Vector) -> Vector:
+    """A multiple; a share of 0 gives 0 whatever the vector is.
+
+    Args:
+        fraction: the factor.
+        vector: 3 numbers.
+    """
+    return (fraction * vector[0], fraction * vector[1], fraction * vector[2]) if fraction else ZERO
 
 
 def saturate(length: float, most: float) -> float:
-    """Share of a force of this length that is within a limit [N]."""
+    """Share of a force of this length that is within a limit [N].
+
+    Args:
+        length: of the force, >= 0 [N].
+        most: the limit [N].
+    """
     return 1.0 if length <= most else most / length
 
 
 def silence(age: float, fade_after: float, zero_after: float) -> float:
-    """Share of a force whose reason was heard so long ago: all, fading, none [s]."""
+    """Share of a force whose reason was heard so long ago: all, fading, none [s].
+
+    Args:
+        age: of the reason [s].
+        fade_after: age from which the force fades [s].
+        zero_after: age from which there is none [s].
+    """
     if not age < zero_after:
         return 0.0
     return 1.0 if age <= fade_after else (zero_after - age) / (zero_after - fade_after)
@@ -169,12 +194,17 @@ class Heat:
         return sqrt(self._most + max(0.0, self._most - self.square) * (self._time / _COOLING))
 
     def hold(self, force: float, T: float) -> None:
-        """Books that so much force was held for so long [N, s]."""
-        share = T / (self._time + T)
-        self.square += share * (force * force - self.square)
+        """Books that so much force was held for so long [N, s].
+
+        Args:
+            force: its size [N].
+            T: how long [s].
+        """
+        fraction = T / (self._time + T)
+        self.square += fraction * (force * force - self.square)
 
 
-class Seen(NamedTuple):
+class Observation(NamedTuple):
     """What the chain goes by in a cycle.
 
     Attributes:
@@ -236,7 +266,7 @@ class SafetyChain:
         """Takes the force away for good."""
         self.broken |= cause
 
-    def limit(self, wanted: Vector, seen: Seen) -> float:
+    def limit(self, wanted: Vector, seen: Observation) -> float:
         """Share of a force that may go to the motors.
 
         Args:
@@ -260,11 +290,11 @@ class SafetyChain:
             causes |= Cause.OFF
         elif not seen.follows:
             causes |= Cause.DEVICE
-        if not (seen.stale < limits.zero_after and limits.zero_after > T):
+        if not (seen.stale < limits.zero_after and min(STOOD, limits.zero_after) >= T):
             causes |= Cause.LATE
-        share = silence(seen.age, limits.fade_after, limits.zero_after)
-        if share < 1.0:
-            causes |= Cause.SILENT if share == 0.0 else Cause.QUIET
+        fraction = silence(seen.age, limits.fade_after, limits.zero_after)
+        if fraction < 1.0:
+            causes |= Cause.SILENT if fraction == 0.0 else Cause.QUIET
         watched = silence(seen.unwatched, limits.fade_after, limits.zero_after)
         if watched < 1.0:
             causes |= Cause.UNWATCHED
@@ -272,23 +302,23 @@ class SafetyChain:
             self.restart()
             self.causes = causes
             return 0.0
-        share *= watched
-        share *= silence(seen.stale, limits.fade_after, limits.zero_after)
+        fraction *= watched
+        fraction *= silence(seen.stale, limits.fade_after, limits.zero_after)
         self._back = seen.now if self._back is None else self._back
         back = min(1.0, (seen.now - self._back) / limits.ramp)
-        share *= back
+        fraction *= back
         if back < 1.0:
             causes |= Cause.RAMP
-        kept = share * length
+        kept = fraction * length
         most = min(limits.force, self._heat.limit)
         if kept > most:
             causes |= Cause.SATURATED if limits.force <= self._heat.limit else Cause.HOT
-            share *= saturate(kept, most)
-        force = scaled(share, wanted)
+            fraction *= saturate(kept, most)
+        force = scaled(fraction, wanted)
         rise = slew(force, self._before, limits.force * min(1.0, T / limits.rise))
         if rise < 1.0:
             causes |= Cause.SLEW
-            share *= rise
+            fraction *= rise
             force = scaled(rise, force)
         self._before, self.causes = force, causes
-        return share
+        return fraction

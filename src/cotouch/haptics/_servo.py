@@ -1,4 +1,4 @@
-"""The servo's process: opens the device, holds it at its rate, and talks to the peer by two boards.
+"""The servo's process: opens the device, holds it at its rate, and talks to the peer by two mailboxes.
 
 Started as the guardian's child (`_link.py`), told what to do in the first line of its standard input. It says on
 standard output, in lines of JSON, that it is ready or why not, and what went wrong; nothing is written in the loop.
@@ -20,9 +20,9 @@ import numpy as np
 
 from cotouch.device import DeviceSpec
 from cotouch.errors import CotouchError
-from cotouch.haptics._boards import OrderReader, ReportWriter, Watched
-from cotouch.haptics._core import Order, Report, ServoCore
+from cotouch.haptics._core import Order, ServoCore, ServoReport
 from cotouch.haptics._device import Device, DeviceReading, Flag
+from cotouch.haptics._mailboxes import OrderReader, ReportWriter, Watched
 from cotouch.haptics._registry import open_device
 from cotouch.haptics._safety import ZERO, Cause
 from cotouch.haptics._settings import ServoSettings
@@ -81,7 +81,7 @@ class Servo:
         self._reports = ReportWriter(settings.folder)
         self._force = np.zeros(3)
         self._on, self._armed, self._coupling = False, -1, 0
-        self._report: Report | None = None
+        self._report: ServoReport | None = None
         self._last = self._stood = -inf  # when the last cycle was, and when one was so late that others took over
 
     def cycle(self) -> bool:
@@ -95,7 +95,7 @@ class Servo:
         try:
             order = self._orders.read()
             if order is not None:
-                core.hear(order)
+                core.receive(order)
                 if core.coupling > self._coupling:  # what acts is of the one before
                     self._coupling = core.coupling
                     self._force[:] = 0.0
@@ -135,7 +135,7 @@ class Servo:
         self.say()
 
     def close(self) -> None:
-        """Stops the device, lets go of it, and removes the board."""
+        """Stops the device, lets go of it, and removes the mailbox."""
         self._device.stop()
         self._device.close()
         self._orders.close()
@@ -167,18 +167,23 @@ def _sentence(error: Exception) -> str:
     return f"its driver failed with {type(error).__name__}: {str(error).partition(chr(10))[0]}"
 
 
-def _nothing(now: float) -> Report:
-    from cotouch.haptics._ends import Word
+def _nothing(now: float) -> ServoReport:
+    from cotouch.haptics._ends import EnergyMessage
 
-    return Report(now, 0, ZERO, ZERO, ZERO, ZERO, Word(), 0.0, 0.0, Cause.OFF, 0, Flag(0))
+    return ServoReport(now, 0, ZERO, ZERO, ZERO, ZERO, EnergyMessage(), 0.0, 0.0, Cause.OFF, 0, Flag(0))
 
 
 def warm(spec: DeviceSpec, settings: ServoSettings) -> None:
-    """Takes some cycles that nobody feels, so that everything is compiled and loaded before the first real one."""
+    """Takes some cycles that nobody feels, so that everything is compiled and loaded before the first real one.
+
+    Args:
+        spec: limits of the device.
+        settings: of the servo.
+    """
     core = ServoCore(spec, settings.safety(spec), settings.end_options(spec), period=settings.period(spec))
     for tick in range(20):
         now = 1e-3 * tick
-        core.hear(Order(time=now, place=(1e-4, 0.0, 0.0), enable=True))
+        core.receive(Order(time=now, place=(1e-4, 0.0, 0.0), enable=True))
         place = np.array([1e-5 * tick, 0.0, 0.0])
         reading = DeviceReading(
             time=now, position=place, velocity=np.zeros(3), force=np.zeros(3), flags=Flag.FORCE_ON | Flag.CALIBRATED

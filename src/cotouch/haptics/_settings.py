@@ -23,7 +23,7 @@ class ServoSettings:
 
     Attributes:
         device: which one.
-        folder: private one of the boards.
+        folder: private one of the mailboxes.
         coupling: what was said of it.
         limits: safety limits other than the default, by name; see `SafetyLimits`.
         rate: of the servo; None: the device's, at most 1 kHz [Hz].

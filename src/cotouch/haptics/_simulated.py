@@ -6,8 +6,8 @@ from collections.abc import Callable
 from typing import final
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.device import (
     PRESETS,
     CartesianPlant,
@@ -15,7 +15,7 @@ from cotouch.device import (
     DeviceModel,
     DeviceSpec,
     PhantomPlant,
-    Servo,
+    ServoModel,
     SimulatedDevice,
     SimulatedHand,
 )
@@ -23,7 +23,6 @@ from cotouch.errors import DeviceError
 from cotouch.haptics._device import DeviceReading, Flag
 from cotouch.haptics._registry import Driver
 
-Float = npt.NDArray[np.float64]
 VARIANTS = ("phantom", "cartesian", "touch")
 # A clock that stood for so long moves the device by no more, so that a cycle stays short [s].
 _LONGEST = 0.05
@@ -67,8 +66,8 @@ def simulated_model(
     led = SimulatedHand(path=(0.0, 0.0, 0.0), amplitude=(x, y, -z), frequency=1.0 / _ROUND) if hand else None
     return DeviceModel(
         plant=plant,
-        servo=Servo(resolution=resolution, force=spec.force),
-        coupling=Coupling(law="told"),
+        servo=ServoModel(resolution=resolution, force=spec.force),
+        coupling=Coupling(law="host_force"),
         hand=led,
     )
 
@@ -85,14 +84,14 @@ class SimulatedOnClock:
 
     Attributes:
         spec: of the product that it stands for.
-        device: the device behind; None before `open`. Its books know what the motors really did.
+        device: the device behind; None before `open`. Its ledger knows what the motors really did.
     """
 
     def __init__(self, model: DeviceModel, spec: DeviceSpec, *, clock: Callable[[], float] = time.monotonic) -> None:
         """Prepares it.
 
         Args:
-            model: with the law `told`.
+            model: with the law `commanded`.
             spec: that it says.
             clock: monotonic time [s].
         """
@@ -116,7 +115,7 @@ class SimulatedOnClock:
 
     def enable_force(self, on: bool = True) -> None:
         """Lets the motors follow, or not."""
-        self._opened().tell(force=(0.0, 0.0, 0.0))
+        self._opened().command(force=(0.0, 0.0, 0.0))
         self._on = on
 
     def exchange(self, force: Float) -> DeviceReading:
@@ -127,7 +126,7 @@ class SimulatedOnClock:
         if ahead > _LONGEST:
             self._behind += ahead - _LONGEST
         if not self._on:
-            device.tell(force=(0.0, 0.0, 0.0))
+            device.command(force=(0.0, 0.0, 0.0))
         sample = device.advance(max(device.time, now - self._behind))
         if not sample.finite:
             raise DeviceError("the simulated device has left the range of numbers; its hand or force was too much")
@@ -135,7 +134,7 @@ class SimulatedOnClock:
         size = float(np.linalg.norm(wanted))
         if not math.isfinite(size):
             raise DeviceError(f"force is {wanted.tolist()} N; it must be finite")
-        device.tell(force=wanted if self._on else (0.0, 0.0, 0.0))
+        device.command(force=wanted if self._on else (0.0, 0.0, 0.0))
         held = device.advance(device.time)  # no time passes; the motors take what of the force their torques allow
         flags = Flag.CALIBRATED if self._calibrated else Flag(0)
         if self._on:

@@ -20,14 +20,14 @@ assumed.
 only, less friction than was said. Then a period may make energy; how much is known, because both ends book their ports'
 exact work X. With `paid` what the declared friction took, by measured places, each end knows what there is:
 
-    at the device   seed + paid - X_device - (X_proxy as it was told)
-    at the proxy    seed + (paid - X_device as it was told) - X_proxy
+    at the device   initial energy + paid - X_device - (X_proxy as it was told)
+    at the proxy    initial energy + (paid - X_device as it was told) - X_proxy
 
 and shortens its spring where that is less than the spring's energy. Sums here rise and fall, so an old one may promise
-too much; the proxy therefore never takes more than the seed beyond what the device is known to have heard of. So,
-whatever the rates, the clocks and the boards do,
+too much; the proxy therefore never takes more than the initial energy beyond what the device is known to have heard of.
+So, whatever the rates, the clocks and the mailboxes do,
 
-    X_device + X_proxy - paid  ≤  2 seeds + what two ticks of a held force can make
+    X_device + X_proxy - paid  ≤  2 initial energies + what two ticks of a held force can make
 
 which is two-port passivity of coupling and device together. The passivity observer holds the motors' work to the same
 account and switches them off where it is not kept.
@@ -39,7 +39,7 @@ from typing import final
 
 from cotouch.device import DeviceSpec
 from cotouch.errors import DeviceError
-from cotouch.haptics._ends import DeviceEnd, EndOptions, ProxyEnd, Pull, Word
+from cotouch.haptics._ends import DeviceEnd, EndOptions, EnergyMessage, ProxyEnd, Pull
 from cotouch.haptics._port import MotorPort, Wall, less, plus
 from cotouch.haptics._safety import ZERO, Vector, dot, scaled, size
 from cotouch.mechanics import modulate, virtual_coupling_limit
@@ -49,7 +49,7 @@ WINDOW = 0.01
 # Ticks that a place of the device is held and waited for: a force is decided on while the one before still acts.
 _HELD = 3.0
 # So many words are kept until the device has heard them.
-_WORDS = 256
+_MESSAGES = 256
 
 
 def drag_of(options: EndOptions) -> float:
@@ -114,48 +114,54 @@ class Account:
     """What one end knows of the energy.
 
     Attributes:
-        seed: with which it starts [J].
-        heard: what the other end has put in, by its last word [J].
+        initial_energy: with which it starts [J].
+        acknowledged: what the other end has put in, by its last word [J].
         given: always 0; nothing is given away, ends only say what they put in [J].
         work: of this end's port on what is outside, so far [J].
         paid: by the device's friction so far [J].
         charge: what may have been unseen so far [J].
-        wanting: whether the spring was shortened for want of energy.
+        starved: whether the spring was shortened for want of energy.
         lowest: the deepest debt so far, <= 0 [J].
     """
 
-    def __init__(self, seed: float) -> None:
-        """Starts with the seed [J]."""
-        self.seed = seed
-        self.heard = self.given = self.work = self.paid = self.charge = self.lowest = 0.0
-        self.wanting = False
+    def __init__(self, initial_energy: float) -> None:
+        """Starts with the initial energy [J]."""
+        self.initial_energy = initial_energy
+        self.other_given = self.given = self.work = self.paid = self.charge = self.lowest = 0.0
+        self.starved = False
 
     @property
     def energy(self) -> float:
         """That there is, by what was heard last; negative: a debt [J]."""
-        return self.seed + self.heard + self.paid - self.work - self.charge
+        return self.initial_energy + self.other_given + self.paid - self.work - self.charge
 
     @property
     def received(self) -> float:
         """What the motors may give: what the other end put in, and what friction paid [J]."""
-        return self.heard + self.paid
+        return self.other_given + self.paid
 
     @property
-    def word(self) -> Word:
+    def message(self) -> EnergyMessage:
         """For the other end: what this one put in, and what it knows of the other."""
-        return Word(self.paid - self.work - self.charge, self.heard, self.energy, self.wanting)
+        return EnergyMessage(self.paid - self.work - self.charge, self.other_given, self.energy, self.starved)
 
     def book(self, work: float, paid: float = 0.0, charge: float = 0.0) -> None:
-        """Takes in what the port did, what friction took, and what may have been unseen [J]."""
+        """Takes in what the port did, what friction took, and what may have been unseen [J].
+
+        Args:
+            work: done on the outside by this port [J].
+            paid: what friction took [J].
+            charge: what encoder and levers may have hidden [J].
+        """
         self.work += work
         self.paid += paid
         self.charge += charge
         self.lowest = min(self.lowest, self.energy)
 
-    def hear(self, word: Word) -> None:
+    def receive(self, message: EnergyMessage) -> None:
         """Takes what the other end put in, as it says; what is no number is not believed."""
-        if isfinite(word.given) and isfinite(word.received):
-            self.heard = word.given
+        if isfinite(message.given) and isfinite(message.received):
+            self.other_given = message.given
 
 
 @final
@@ -164,8 +170,8 @@ class VirtualDeviceEnd:
 
     Attributes:
         options: of the coupling.
-        purse: its account.
-        share: how far the set position followed the wish in the last tick.
+        tank: its account.
+        fraction: how far the set position followed the desired position in the last tick.
     """
 
     def __init__(
@@ -187,52 +193,65 @@ class VirtualDeviceEnd:
             wall: its stiffness [N/m].
         """
         self.options = options
-        self.purse = Account(options.seed)
-        self.share = 0.0
+        self.tank = Account(options.initial_energy)
+        self.fraction = 0.0
         self._port, self._wall = MotorPort(resolution=resolution, lever=lever), Wall(radius, wall)
 
     @property
     def start(self) -> float:
-        """What the motors may give that nobody gave them: both seeds, because the proxy's end may be ahead [J]."""
-        return 2.0 * self.options.seed
+        """What the motors may give on their own: both initial energies, as the proxy's end may be ahead [J]."""
+        return 2.0 * self.options.initial_energy
 
-    def measure(self, place: Vector, told: Vector, said: Vector | None = None, T: float = 0.0) -> None:
+    def measure(self, place: Vector, commanded: Vector, said: Vector | None = None, T: float = 0.0) -> None:
         """Books the tick that has passed.
 
         Args:
             place: of the tip [m].
-            told: force that acts from here on [N].
+            commanded: force that acts from here on [N].
             said: what the device says that its motors do; None: nothing [N].
             T: since the last time; 0: unknown, and friction is not counted [s].
         """
-        did = self._port.measure(place, told, said)
+        did = self._port.measure(place, commanded, said)
         if did is not None:
             # An encoder may have seen more motion than there was.
             sure = max(0.0, did.moved - self._port.resolution)
             paid = self.options.friction * sure * sure / T if T > 0.0 else 0.0
-            self.purse.book(did.work, paid, did.charge)
+            self.tank.book(did.work, paid, did.charge)
 
-    def decide(self, wish: Vector | None, rate: Vector, word: Word, T: float) -> Vector:
-        """The force that the coupling wants; as `DeviceEnd.decide`."""
+    def decide(self, desired: Vector | None, rate: Vector, message: EnergyMessage, T: float) -> Vector:
+        """The force that the coupling wants; as `DeviceEnd.decide`.
+
+        Args:
+            desired: desired place of the spring's end [m]; None: none is known.
+            rate: velocity of the device [m/s].
+            message: what the other end said last.
+            T: length of the step or tick [s].
+        """
         del T
         place = self._port.place
         assert place is not None, "measure first"
-        options, purse = self.options, self.purse
-        purse.hear(word)
-        available = purse.energy
+        options, tank = self.options, self.tank
+        tank.receive(message)
+        available = tank.energy
         force = scaled(-options.damping, rate)
         force = plus(force, self._wall.pull(place, available))
         springs = self._wall.energy
-        purse.wanting, self.share = False, 0.0
-        if wish is not None:
-            gap = saturated(less(wish, place), options)
-            self.share, _, _ = modulate(0.5 * options.stiffness * dot(gap, gap), available - springs, inf)
-            purse.wanting = self.share < 1.0
-            force = plus(force, scaled(options.stiffness * self.share, gap))
-        return ZERO if purse.energy < -options.reserve else force
+        tank.starved, self.fraction = False, 0.0
+        if desired is not None:
+            gap = saturated(less(desired, place), options)
+            self.fraction, _, _ = modulate(0.5 * options.stiffness * dot(gap, gap), available - springs, inf)
+            tank.starved = self.fraction < 1.0
+            force = plus(force, scaled(options.stiffness * self.fraction, gap))
+        return ZERO if tank.energy < -options.reserve else force
 
     def bound(self, speed: float, period: float, force: float) -> float:
-        """What two ticks of held forces can take beyond what there is [J]; as `DeviceEnd.bound`."""
+        """What two ticks of held forces can take beyond what there is [J]; as `DeviceEnd.bound`.
+
+        Args:
+            speed: of the device [m/s].
+            period: of the servo [s].
+            force: that is held [N].
+        """
         options = self.options
         pull = force if force > 0.0 else options.most
         unseen = 1.5 * self._port.resolution * pull * 3.0**0.5
@@ -245,8 +264,8 @@ class VirtualProxyEnd:
 
     Attributes:
         options: of the coupling.
-        purse: its account.
-        share: how far the set position followed the device in the last step.
+        tank: its account.
+        fraction: how far the set position followed the device in the last step.
     """
 
     def __init__(self, options: EndOptions) -> None:
@@ -256,47 +275,65 @@ class VirtualProxyEnd:
             options: of the coupling.
         """
         self.options = options
-        self.purse = Account(options.seed)
-        self.share = 0.0
+        self.tank = Account(options.initial_energy)
+        self.fraction = 0.0
         self._drag = drag_of(options)
         # What this end had put in, at each of its words that the device may not have heard; the most of older ones.
-        self._unheard, self._older = deque[float]([0.0]), -inf
+        self._unacknowledged, self._older = deque[float]([0.0]), -inf
 
-    def pull(self, place: Vector, wish: Vector | None, rate: Vector, word: Word, T: float) -> Pull:
-        """What pulls the proxy in the coming step; as `ProxyEnd.pull`."""
+    def pull(self, place: Vector, desired: Vector | None, rate: Vector, message: EnergyMessage, T: float) -> Pull:
+        """What pulls the proxy in the coming step; as `ProxyEnd.pull`.
+
+        Args:
+            place: of the proxy [m].
+            desired: desired place of the spring's end [m]; None: none is known.
+            rate: velocity of the device [m/s].
+            message: what the other end said last.
+            T: length of the step or tick [s].
+        """
         del rate, T
-        options, purse = self.options, self.purse
+        options, tank = self.options, self.tank
         damping = options.damping + self._drag
-        purse.hear(word)
-        self._acknowledge(word.received)
-        if wish is None or not isfinite(size(wish)):
-            purse.wanting, self.share = False, 0.0
+        tank.receive(message)
+        self._acknowledge(message.received)
+        if desired is None or not isfinite(size(desired)):
+            tank.starved, self.fraction = False, 0.0
             return Pull(0.0, damping, place, ZERO)
         # Of what this end put in, the device may still count on the most that it was told since it last heard.
-        allowed = purse.seed + purse.word.given - max(self._older, *self._unheard)
-        gap = saturated(less(wish, place), options)
+        allowed = tank.initial_energy + tank.message.given - max(self._older, *self._unacknowledged)
+        gap = saturated(less(desired, place), options)
         potential = 0.5 * options.stiffness * dot(gap, gap)
-        self.share, _, _ = modulate(potential, max(0.0, min(purse.energy, allowed)), inf)
-        purse.wanting = self.share < 1.0
-        return Pull(options.stiffness, damping, plus(place, scaled(self.share, gap)), ZERO)
+        self.fraction, _, _ = modulate(potential, max(0.0, min(tank.energy, allowed)), inf)
+        tank.starved = self.fraction < 1.0
+        return Pull(options.stiffness, damping, plus(place, scaled(self.fraction, gap)), ZERO)
 
     def settle(self, force: Vector, moved: Vector) -> None:
-        """Books the step; as `ProxyEnd.settle`."""
-        self.purse.book(dot(force, moved))
-        self._unheard.append(self.purse.word.given)
-        if len(self._unheard) > _WORDS:
-            self._older = max(self._older, self._unheard.popleft())
+        """Books the step; as `ProxyEnd.settle`.
 
-    def _acknowledge(self, heard: float) -> None:
+        Args:
+            force: mean force on the proxy in the step [N].
+            moved: how far the proxy went [m].
+        """
+        self.tank.book(dot(force, moved))
+        self._unacknowledged.append(self.tank.message.given)
+        if len(self._unacknowledged) > _MESSAGES:
+            self._older = max(self._older, self._unacknowledged.popleft())
+
+    def _acknowledge(self, acknowledged: float) -> None:
         """Forgets what was told before the word that the device has heard."""
-        if heard in self._unheard:
+        if acknowledged in self._unacknowledged:
             self._older = -inf
-            while self._unheard[0] != heard:
-                self._unheard.popleft()
+            while self._unacknowledged[0] != acknowledged:
+                self._unacknowledged.popleft()
 
 
 def saturated(gap: Vector, options: EndOptions) -> Vector:
-    """A gap shortened to what the motors can do: its spring is the slope of a convex energy, no steeper than k."""
+    """A gap shortened to what the motors can do: its spring is the slope of a convex energy, no steeper than k.
+
+    Args:
+        gap: from one end of the spring to the other [m].
+        options: of the coupling.
+    """
     pull = options.stiffness * size(gap)
     return gap if pull <= options.most else scaled(options.most / pull, gap)
 
@@ -304,7 +341,15 @@ def saturated(gap: Vector, options: EndOptions) -> Vector:
 def device_end(
     options: EndOptions, *, resolution: float, lever: float, radius: float = inf, wall: float = 0.0
 ) -> DeviceEnd | VirtualDeviceEnd:
-    """The device's end, by the law of the options; arguments as for `DeviceEnd`."""
+    """The device's end, by the law of the options; arguments as for `DeviceEnd`.
+
+    Args:
+        options: of the coupling.
+        resolution: of the device's places [m].
+        lever: shortest arm of the device, > 0 [m].
+        radius: beyond which the wall's spring leads back [m].
+        wall: its stiffness [N/m].
+    """
     kind = DeviceEnd if options.law == "pspm" else VirtualDeviceEnd
     return kind(options, resolution=resolution, lever=lever, radius=radius, wall=wall)
 

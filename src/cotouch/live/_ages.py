@@ -30,7 +30,7 @@ _AT_ONCE = 8
 
 
 @final
-class Window:
+class AgeWindow:
     """Values of the last so many seconds: their greatest, smallest and quantiles.
 
     Adding one and asking cost about a microsecond, however many there are: both happen in the loop of a peer.
@@ -49,7 +49,12 @@ class Window:
         self._sorted: list[float] | None = None  # kept as soon as somebody asks for a quantile other than the ends
 
     def add(self, now: float, value: float) -> None:
-        """Adds a value; now must not run backwards [s]."""
+        """Adds a value; now must not run backwards [s].
+
+        Args:
+            now: time by the clock of this member [s].
+            value: the value.
+        """
         values, greatest, smallest, ordered = self._values, self._greatest, self._smallest, self._sorted
         if ordered is not None:
             if len(values) == _MOST_KEPT:
@@ -126,9 +131,9 @@ class LinkAges:
         self._counted = deque[tuple[float, float]]()  # on their way into the window
         self._ends = deque[tuple[float, float]](maxlen=_MOST_ENDS)  # of outages: when, and the age then
         self._window = window
-        self._own = Window(window)
-        self._others = Window(window)
-        self._path = Window(window)
+        self._own = AgeWindow(window)
+        self._others = AgeWindow(window)
+        self._path = AgeWindow(window)
         self._age: float | None = None
         self._reported: tuple[int, float] | None = None
 
@@ -176,7 +181,7 @@ class LinkAges:
         greatest = self._own.greatest
         return None if greatest is None else max(greatest, self._recurring())
 
-    def heard(self, now: float, *, index: int, age: float, worst: float) -> None:
+    def received(self, now: float, *, index: int, age: float, worst: float) -> None:
         """Notes what the other end found.
 
         Args:

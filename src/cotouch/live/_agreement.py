@@ -27,15 +27,26 @@ from cryptography.hazmat.primitives.kdf.hkdf import HKDF
 
 from cotouch.errors import SessionError
 from cotouch.live._keys import IV_BYTES, KEY_BYTES, DirectionKeys, Entropy, Identity, LinkKeys
+from cotouch.live._unique import Unique
 
 _MAGIC = b"ctk1"
 _HELLO, _REPLY, _CONFIRM = 1, 2, 3
 _OPENING = struct.Struct(">4sBII32s32s")  # magic, kind, epoch, connection, ephemeral, context or hash of the hello
 _CLOSING = struct.Struct(">4sB32s")  # magic, kind, hash of all before
 _SIGNATURE, _PROOF = 64, 32
+# Of every message the last bytes are a MAC under a key of all who were invited. It proves little, but it costs 2 µs,
+# and without it nothing is spent on signatures and curves.
+_TAG = 16
 # An attacker who can inject old hellos must not push out the one that is going on.
 _MOST_PENDING = 4
-_LAST_EPOCH = 0xFFFF_FFFF
+_LAST_EPOCH = 0x7FFF_FFFF
+# New keys are agreed one after the other: an epoch that leaps would soon leave none.
+_MOST_LEAP = 1 << 16
+_SIZES = {
+    _HELLO: _OPENING.size + _SIGNATURE + _TAG,
+    _REPLY: _OPENING.size + _SIGNATURE + _PROOF + _TAG,
+    _CONFIRM: _CLOSING.size + _SIGNATURE + _PROOF + _TAG,
+}
 
 
 class Progress(NamedTuple):
@@ -59,8 +70,8 @@ class _Secrets(NamedTuple):
 
 
 @final
-class Agreement:
-    """One end of one link. Opens nothing: messages in, messages and keys out.
+class Agreement(Unique):
+    """One end of one link. Opens nothing: messages in, messages and keys out. In a forked process it agrees on nothing.
 
     Attributes:
         initiator: whether this end begins: the one with the smaller public key, so that never both do.
@@ -87,6 +98,7 @@ class Agreement:
             entropy: gives so many bytes that nobody can guess, such as `os.urandom`.
             secret: what only invited members know.
         """
+        super().__init__()
         if len(other) != 32 or other == identity.public:
             raise SessionError("the other end's public key takes 32 bytes, and must not be this member's own")
         if not 0 <= connection < 1 << 32:
@@ -101,6 +113,7 @@ class Agreement:
         # Everything that both know beforehand; the lengths are fixed, so nothing can be read in two ways.
         self._context = hashlib.sha256(hashlib.sha256(session).digest() + first + second).digest()
         self._secret = hashlib.sha256(b"cotouch invitation" + secret).digest()
+        self._tag_key = hmac.digest(self._secret, b"cotouch agreement tag" + self._context, "sha256")
         self._hello: tuple[bytes, X25519PrivateKey] | None = None
         self._answered: dict[bytes, bytes] = {}
         self._pending: dict[bytes, _Secrets] = {}
@@ -111,6 +124,8 @@ class Agreement:
         Raises:
             SessionError: this end is not the one that begins.
         """
+        if not self.here:
+            raise SessionError("keys are not agreed on in a forked process; make a new link there")
         if not self.initiator:
             raise SessionError("this end of the link does not begin; the one with the smaller public key does")
         ephemeral = X25519PrivateKey.from_private_bytes(self._entropy(32))
@@ -119,18 +134,20 @@ class Agreement:
         body = _OPENING.pack(_MAGIC, _HELLO, epoch, self._connection, public, self._context)
         hello = body + self._sign(b"hello", body)
         self._hello = (hello, ephemeral)
-        return hello
+        return self._tagged(hello)
 
     def receive(self, message: bytes) -> Progress:
         """Takes a message of the other end, or what is said to be one; never raises for what is in it."""
         kind = message[4] if len(message) > 4 and message[:4] == _MAGIC else 0
-        if kind == _HELLO and not self.initiator and len(message) == _OPENING.size + _SIGNATURE:
-            return self._answer(message)
-        if kind == _REPLY and self.initiator and len(message) == _OPENING.size + _SIGNATURE + _PROOF:
-            return self._conclude(message)
-        if kind == _CONFIRM and not self.initiator and len(message) == _CLOSING.size + _SIGNATURE + _PROOF:
-            return self._accept(message)
-        return Progress(refused="not a message for this end")
+        size = _SIZES.get(kind)
+        if size is None or len(message) != size or (kind == _REPLY) is not self.initiator or not self.here:
+            return Progress(refused="not a message for this end")
+        said = message[:-_TAG]
+        if not hmac.compare_digest(message, self._tagged(said)):
+            return Progress(refused="another session, secret or other members")
+        if kind == _HELLO:
+            return self._answer(said)
+        return self._conclude(said) if kind == _REPLY else self._accept(said)
 
     def _answer(self, hello: bytes) -> Progress:
         if hello in self._answered:
@@ -142,7 +159,7 @@ class Agreement:
         if not self._signed(b"hello", body, signature):
             return Progress(refused="signature")
         epoch = max(epoch, self.epoch + 1)
-        if epoch > _LAST_EPOCH:
+        if epoch > min(_LAST_EPOCH, self.epoch + _MOST_LEAP):
             return Progress(refused="epoch")
         ephemeral = X25519PrivateKey.from_private_bytes(self._entropy(32))
         mine = ephemeral.public_key().public_bytes_raw()
@@ -151,7 +168,7 @@ class Agreement:
         secrets = self._derive(ephemeral, theirs, said, epoch, connection)
         if secrets is None:
             return Progress(refused="ephemeral key")
-        reply = answer + self._sign(b"reply", said) + secrets.responder_proof
+        reply = self._tagged(answer + self._sign(b"reply", said) + secrets.responder_proof)
         while len(self._pending) >= _MOST_PENDING:
             del self._pending[next(iter(self._pending))]
             del self._answered[next(iter(self._answered))]
@@ -168,13 +185,13 @@ class Agreement:
         if not self._signed(b"reply", said, signature):
             return Progress(refused="signature")
         secrets = self._derive(ephemeral, theirs, said, epoch, connection)
-        if secrets is None or epoch <= self.epoch:
+        if secrets is None or not self.epoch < epoch <= min(_LAST_EPOCH, self.epoch + _MOST_LEAP):
             return Progress(refused="epoch or ephemeral key")
         if not hmac.compare_digest(reply[-_PROOF:], secrets.responder_proof):
             return Progress(refused="another secret")
         self.epoch, self._hello = epoch, None
         body = _CLOSING.pack(_MAGIC, _CONFIRM, said)
-        confirm = body + self._sign(b"confirm", said) + secrets.initiator_proof
+        confirm = self._tagged(body + self._sign(b"confirm", said) + secrets.initiator_proof)
         return Progress(message=confirm, keys=secrets.keys)
 
     def _accept(self, confirm: bytes) -> Progress:
@@ -213,6 +230,9 @@ class Agreement:
             wait=self.initiator,
         )
         return _Secrets(keys, made[-2 * _PROOF : -_PROOF], made[-_PROOF:])
+
+    def _tagged(self, said: bytes) -> bytes:
+        return said + hmac.digest(self._tag_key, said, "sha256")[:_TAG]
 
     def _sign(self, what: bytes, message: bytes) -> bytes:
         return self._identity.sign(b"cotouch agreement " + what + b"\0" + message)

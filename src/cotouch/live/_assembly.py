@@ -4,14 +4,12 @@ from math import inf
 from typing import final
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.live._codec import Chunk
 from cotouch.live._layout import Layout
 from cotouch.live._refusal import Refusal
-from cotouch.peer import GUARDED, UNHEARD, Sample, Word
-
-Float = npt.NDArray[np.float64]
+from cotouch.peer import NO_HEADER, LinkHeader, LinkState, Message, Sample
 
 
 @final
@@ -25,7 +23,9 @@ class Assembly:
         state: as far as it is known, (rows, width); changes in place.
         stamps: of each chunk, on the neighbour's clock [s].
         indices: of each chunk, the step it comes from; -1 before the first.
-        words: of each chunk, what the neighbour's guard said with it.
+        headers: of each chunk, what the neighbour's guard said with it.
+        message: fields of the link's law, each row of the newest chunk that has it, and the newest numbers; None where
+            the law says nothing. It changes in place.
     """
 
     def __init__(self, layout: Layout, *, sender: int, initial: Float, stamp: float = 0.0) -> None:
@@ -42,7 +42,12 @@ class Assembly:
         self.state = np.array(initial, dtype=np.float64)
         self.stamps = [stamp] * layout.chunks
         self.indices = [-1] * layout.chunks
-        self.words = [UNHEARD] * layout.chunks
+        self.headers = [NO_HEADER] * layout.chunks
+        self.message: Message | None = None
+        self._fields: Float | None = None  # the same, with rows
+        if layout.fields or layout.scalars:
+            self._fields = np.zeros((layout.fields, layout.rows, layout.width))
+            self.message = self._fields.reshape(layout.fields, -1), np.zeros(layout.scalars)
         self._whole = False
         # Where each chunk goes; none with a basis, which spreads every number over all rows.
         spans = [] if layout.basis is not None else [layout.span(chunk) for chunk in range(layout.chunks)]
@@ -65,19 +70,19 @@ class Assembly:
         return max(self.indices)
 
     @property
-    def word(self) -> Word:
+    def header(self) -> LinkHeader:
         """What the neighbour's guard says of all rows together.
 
         Of chunks that were sent in different states, the most cautious counts; in different epochs, none is to be
         relied on. What it has heard is that of the newest.
         """
-        first = self.words[0]
-        if len(self.words) == 1:
+        first = self.headers[0]
+        if len(self.headers) == 1:
             return first
-        newest = self.words[self.indices.index(max(self.indices))]
-        if any(word.epoch != newest.epoch for word in self.words):
-            return newest._replace(state=GUARDED)
-        return newest._replace(state=min(word.state for word in self.words))
+        newest = self.headers[self.indices.index(max(self.indices))]
+        if any(header.epoch != newest.epoch for header in self.headers):
+            return newest._replace(state=LinkState.GUARDED)
+        return newest._replace(state=min(header.state for header in self.headers))
 
     def take(self, chunk: Chunk) -> Refusal | None:
         """Takes a chunk that was read; says why, if it is of no use."""
@@ -91,9 +96,14 @@ class Assembly:
             self._parts[at][...] = chunk.values
         else:
             self._layout.expand(chunk.values, self.state)
+        if self.message is not None and self._fields is not None:
+            assert chunk.fields is not None and chunk.scalars is not None  # noqa: PT018
+            self._fields[:, self._layout.span(at), : self._layout.axes] = chunk.fields
+            if step >= self.newest:
+                self.message[1][:] = chunk.scalars
         self.indices[at] = step
         self.stamps[at] = stamp
-        self.words[at] = heading.word
+        self.headers[at] = heading.header
         self._chosen = None
         if not self._whole:
             self._whole = min(self.indices) >= 0
@@ -106,7 +116,7 @@ class Assembly:
         self.state[:] = sample.position
         self.indices = [sample.index] * len(self.indices)
         self.stamps = [sample.stamp] * len(self.stamps)
-        self.words = [sample.word] * len(self.words)
+        self.headers = [sample.header] * len(self.headers)
         self._whole, self._chosen = True, None
         return True
 
@@ -122,9 +132,14 @@ class Assembly:
         """
         del k
         if not self._whole:
-            return Sample(sender=self.sender, index=-1, stamp=-inf, position=self.state, word=self.word)
+            return Sample(sender=self.sender, index=-1, stamp=-inf, position=self.state, header=self.header)
         if self._chosen is None:
             self._chosen = Sample(
-                sender=self.sender, index=self.newest, stamp=self.oldest, position=self.state, word=self.word
+                sender=self.sender,
+                index=self.newest,
+                stamp=self.oldest,
+                position=self.state,
+                header=self.header,
+                message=self.message,
             )
         return self._chosen

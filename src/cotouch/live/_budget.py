@@ -11,9 +11,15 @@ budgets; offsets of the clocks drop out of that sum and of nothing else. So an e
 
 A message says all that its sender knows, so that losses and repetitions do not matter: its life and the number of its
 message, the other's life and message that it heard last, what it asks for, what it grants. One that was overtaken is
-dropped, and a grant counts only if whoever gave it had heard the present wish. An end that begins a new life (it was
+dropped, and a grant counts only if whoever gave it had heard the present request. An end that begins a new life (it was
 restarted) has no budget until it is granted one in that life; who hears of it gives up its own until then, because what
 the old life granted is gone. Budgets of one direction are at no time above what the other end grants.
+
+**Both budgets together have a limit**, because damping follows from them, and the other end may lie: about what it
+wants, and by its stamps about the ages that this end finds. Whatever was granted stays so: an end grants no more than
+the limit leaves beside its own request, and requests no more for itself than it leaves beside what is granted. It
+grants nothing before it has a request of its own, for one budget alone, with the clocks' offset in it, says nothing.
+Who is granted less than it asked for uses that, and its guard holds back what is older.
 """
 
 import struct
@@ -26,8 +32,13 @@ from cotouch.live._ages import LinkAges
 # magic, own life, other's life as heard, own number, other's number as heard, ask, grant (NaN: nothing)
 _MESSAGE = struct.Struct("<4sQQIIdd")
 _MAGIC = b"ctb1"
-_LAST = 0xFFFF_FFFF
+# Numbers and lives that are said are far below what their fields hold.
+_LAST = 0x7FFF_FFFF
+_LAST_LIFE = 1 << 63
 _MOST = 2.1e10  # no clock shows more
+# Of both budgets of a link, unless a session says otherwise: over a satellite the sum of both ages is about 0.7 s. With
+# 60 N/m it comes to 60 Ns/m at most, against which a hand of 40 N/m still moves its copy within seconds [s].
+MOST_AGE = 2.0
 _NOTHING = float("nan")
 
 
@@ -51,6 +62,7 @@ class BudgetAgreement:
         slack: float = 0.0,
         patience: float = 5.0,
         every: float = 0.25,
+        limit: float = MOST_AGE,
     ) -> None:
         """Starts without a budget.
 
@@ -61,6 +73,7 @@ class BudgetAgreement:
             slack: what is added besides, such as the longest step, >= 0 [s].
             patience: for so long a smaller budget must do before it is lowered, >= 0 [s].
             every: how often a message is sent as long as the other end does not answer, > 0 [s].
+            limit: that both budgets may come to, > 0 [s].
 
         Raises:
             SessionError: an option is out of range.
@@ -74,17 +87,21 @@ class BudgetAgreement:
                 raise SessionError(f"a budget's {name} is {value:g}; it must be finite and at least 0")
         if not 0.0 < every < inf:
             raise SessionError(f"a budget's message is due every {every:g} s; it takes a finite time above 0")
+        if not 0.0 < limit < inf:
+            raise SessionError(f"the limit of a link's budgets is {limit:g} s; it takes a finite time above 0")
         self.budget = -inf
         self._life = life
         self._quantile, self._margin, self._slack = quantile, margin, slack
-        self._patience, self._every = patience, every
-        self._ask: float | None = None  # what this end would use
+        self._patience, self._every, self._limit = patience, every, limit
+        self._ask: float | None = None  # what this end would use, as far as the limit lets it
+        self._asked_for: float | None = None  # what the other end would use
         self._grant: float | None = None  # the most that the other end may use
         self._number = 0  # of the newest thing said
-        self._asked = 0  # number that the present wish was said with
+        self._asked = 0  # number that the present request was said with
         self._other_life = 0
         self._other_number = 0
-        self._granted_since: float | None = None
+        self._granted: float | None = None  # by the other end, of the present request
+        self._granted_since = 0.0
         self._covered = 0.0
         self._due = -inf
         self._small: tuple[float, float] | None = None  # since when less would do, and how much at most
@@ -98,6 +115,13 @@ class BudgetAgreement:
     def settled(self) -> bool:
         """Whether the budget in force is the one wished for."""
         return self._ask is not None and self.budget == self._ask
+
+    @property
+    def beyond(self) -> float | None:
+        """What both budgets would come to by what the other end asks for, where it is granted less; else None [s]."""
+        if self._ask is None or self._asked_for is None or self._grant is None or self._asked_for <= self._grant:
+            return None
+        return self._ask + self._asked_for
 
     def propose(self, now: float, ages: LinkAges) -> None:
         """Looks at the ages, and asks for another budget if they call for one; to be called now and then.
@@ -113,9 +137,9 @@ class BudgetAgreement:
         if own is None or both is None:
             return
         spare = self._margin * max(0.0, both)
-        self.wish(now, own + self._slack + spare, spare=spare)
+        self.request(now, own + self._slack + spare, spare=spare)
 
-    def wish(self, now: float, budget: float, *, spare: float = 0.0) -> None:
+    def request(self, now: float, budget: float, *, spare: float = 0.0) -> None:
         """Asks for a budget; sooner for a larger one than for a smaller one.
 
         Args:
@@ -136,15 +160,27 @@ class BudgetAgreement:
 
     def _change(self, now: float, budget: float) -> None:
         self._small = None
+        if self._grant is not None:
+            budget = min(budget, self._limit - self._grant)
         if self._ask == budget:
             return
         self._ask = budget
         self.budget = min(self.budget, budget)
-        self._granted_since = None
+        self._granted = None
         self._say()
         self._asked = self._number
+        self._regrant()
         self._cover()
         self._due = now
+
+    def _regrant(self) -> bool:
+        """Grants what is asked for, as far as the limit leaves it; whether that is another grant."""
+        if self._ask is None or self._asked_for is None:
+            return False
+        before = self._grant
+        left = self._limit - self._ask
+        self._grant = min(self._asked_for, left if before is None else max(left, before))
+        return self._grant != before
 
     def message(self, now: float) -> bytes | None:
         """What is to be said now, if anything: at once after a change, and again until it is settled; later rarely."""
@@ -170,8 +206,10 @@ class BudgetAgreement:
         """
         if len(message) != _MESSAGE.size or not message.startswith(_MAGIC):
             return False
-        _, life, heard_life, number, heard, ask, grant = _MESSAGE.unpack(message)
-        if life == 0 or not all(isnan(value) or abs(value) <= _MOST for value in (ask, grant)):
+        _, life, received_life, number, received, ask, grant = _MESSAGE.unpack(message)
+        if not 0 < life < _LAST_LIFE or max(number, received) > _LAST:
+            return False
+        if not all(isnan(value) or abs(value) <= _MOST for value in (ask, grant)):
             return False
         if life < self._other_life or (life == self._other_life and number < self._other_number):
             return False
@@ -179,35 +217,37 @@ class BudgetAgreement:
             self._forget(now)
             self._other_life = life
         self._other_number = number
-        if isfinite(ask) and ask != self._grant:
-            self._grant = ask
+        if isfinite(ask):
+            self._asked_for = ask
+        if self._regrant():
             self._cover()
             self._say()
             self._due = now
-        if heard_life != self._life or heard < self._number or number == 0:
+        if received_life != self._life or received < self._number or number == 0:
             self._due = min(self._due, now + 0.5 * self._every)
-        answered = heard_life == self._life and heard >= self._asked
-        granted = answered and self._ask is not None and isfinite(grant) and grant >= self._ask
-        if granted and self._granted_since is None:
-            self._granted_since = now
+        answered = received_life == self._life and received >= self._asked
+        if answered and self._ask is not None and isfinite(grant):
+            granted = min(self._ask, grant)
+            if granted != self._granted:
+                self._granted, self._granted_since = granted, now
+                self.budget = min(self.budget, granted)
         self.advance(now)
         return True
 
     def advance(self, now: float) -> None:
         """Raises the budget when its time has come; to be called often [s]."""
-        if self._granted_since is None or self._ask is None or self._grant is None:
+        if self._granted is None or self._grant is None:
             return
         # Without a budget the end is guarded, and couples only after it has caught up for as long as both budgets.
-        if self.budget != self._ask and (self.budget == -inf or now - self._granted_since >= self._covered):
-            self.budget = self._ask
+        if self.budget != self._granted and (self.budget == -inf or now - self._granted_since >= self._covered):
+            self.budget = self._granted
             self._cover()
 
     def _forget(self, now: float) -> None:
         """The other end began a new life: what its old one granted is gone, and it uses nothing."""
         self.budget = -inf
-        self._grant = None
+        self._grant = self._asked_for = self._granted = None
         self._other_number = 0
-        self._granted_since = None
         if self._ask is not None:  # only a grant of the new life counts
             self._say()
             self._asked = self._number

@@ -2,9 +2,9 @@
 
 ::
 
-    version u8 | count u8 | word, 16 bytes | count × ( kind u8 | family u8 | port u16 | host, 4 or 16 bytes )
+    version u8 | count u8 | nonce, 16 bytes | count × ( kind u8 | family u8 | port u16 | host, 4 or 16 bytes )
 
-All numbers are big-endian. The word is this end's part of the pair's keys; see `pair_keys`.
+All numbers are big-endian. The nonce is this end's part of the pair's keys; see `pair_keys`.
 """
 
 import ipaddress
@@ -16,7 +16,7 @@ from typing import NamedTuple, final
 
 from cotouch.errors import SessionError
 from cotouch.live._address import Address, flaw, numeric, plain
-from cotouch.live._probe import WORD_BYTES
+from cotouch.live._probe import PAIR_NONCE_BYTES
 
 TOPIC = "path.candidates"
 # A machine with more addresses than this is reached by some of them; and nobody can make a neighbour probe more.
@@ -27,7 +27,7 @@ _HOST_BYTES = {4: 4, 6: 16}
 
 
 @final
-class Origin(IntEnum):
+class CandidateKind(IntEnum):
     """How an address is known; the smaller, the straighter."""
 
     LOCAL = 0
@@ -43,7 +43,7 @@ class Candidate(NamedTuple):
         address: in plain form.
     """
 
-    origin: Origin
+    origin: CandidateKind
     address: Address
 
 
@@ -51,12 +51,12 @@ class Offer(NamedTuple):
     """What a neighbour said of itself.
 
     Attributes:
-        word: its part of the pair's keys.
+        nonce: its part of the pair's keys.
         candidates: of use, each once, in its order.
         refused: those that are not, by reason.
     """
 
-    word: bytes
+    nonce: bytes
     candidates: tuple[Candidate, ...]
     refused: Counter[str]
 
@@ -77,24 +77,28 @@ def local_candidates(listening: Address, interfaces: Iterable[str]) -> list[Cand
         address = plain((host, listening.port))
         wanted = address is not None and (own.version == 6 or numeric(address.host).version == 4)
         if address is not None and wanted and flaw(address) is None:
-            found.append(Candidate(Origin.LOCAL, address))
+            found.append(Candidate(CandidateKind.LOCAL, address))
     return found
 
 
-def write_offer(word: bytes, candidates: Sequence[Candidate]) -> bytes:
+def write_offer(nonce: bytes, candidates: Sequence[Candidate]) -> bytes:
     """The message; of too many candidates the first.
 
+    Args:
+        nonce: what makes the question new.
+        candidates: addresses that may work.
+
     Raises:
-        SessionError: an address is of no use to anybody, or the word has another length.
+        SessionError: an address is of no use to anybody, or the nonce has another length.
     """
-    if len(word) != WORD_BYTES:
-        raise SessionError(f"a word of {len(word)} bytes makes no offer; it takes {WORD_BYTES}")
-    told = list(dict.fromkeys(candidates))[:MOST_CANDIDATES]
-    out = bytearray((_VERSION, len(told))) + word
-    for origin, address in told:
+    if len(nonce) != PAIR_NONCE_BYTES:
+        raise SessionError(f"a nonce of {len(nonce)} bytes makes no offer; it takes {PAIR_NONCE_BYTES}")
+    announced = list(dict.fromkeys(candidates))[:MOST_CANDIDATES]
+    out = bytearray((_VERSION, len(announced))) + nonce
+    for origin, address in announced:
         host = numeric(address.host)
         why = flaw(address)
-        if why is not None or origin is Origin.LEARNT:
+        if why is not None or origin is CandidateKind.LEARNT:
             raise SessionError(f"{address.host} port {address.port} is no candidate ({why or 'learnt'}); leave it out")
         out += _ENTRY.pack(origin, host.version, address.port) + host.packed
     return bytes(out)
@@ -102,18 +106,18 @@ def write_offer(word: bytes, candidates: Sequence[Candidate]) -> bytes:
 
 def read_offer(message: bytes) -> Offer | None:
     """What a neighbour says of itself; None if it cannot be read. Never raises for what is in it."""
-    if len(message) < 2 + WORD_BYTES or message[0] != _VERSION or message[1] > MOST_CANDIDATES:
+    if len(message) < 2 + PAIR_NONCE_BYTES or message[0] != _VERSION or message[1] > MOST_CANDIDATES:
         return None
     found: dict[Candidate, None] = {}
     refused: Counter[str] = Counter()
-    at = 2 + WORD_BYTES
+    at = 2 + PAIR_NONCE_BYTES
     for _ in range(message[1]):
         if len(message) < at + _ENTRY.size:
             return None
         origin, family, port = _ENTRY.unpack_from(message, at)
         at += _ENTRY.size
         size = _HOST_BYTES.get(family)
-        if size is None or len(message) < at + size or origin not in {Origin.LOCAL, Origin.REFLEXIVE}:
+        if size is None or len(message) < at + size or origin not in {CandidateKind.LOCAL, CandidateKind.REFLEXIVE}:
             return None
         host = message[at : at + size]
         at += size
@@ -122,5 +126,5 @@ def read_offer(message: bytes) -> Offer | None:
         if address is None or why is not None:
             refused[why or "host"] += 1
         else:
-            found[Candidate(Origin(origin), address)] = None
-    return Offer(message[2 : 2 + WORD_BYTES], tuple(found), refused) if at == len(message) else None
+            found[Candidate(CandidateKind(origin), address)] = None
+    return Offer(message[2 : 2 + PAIR_NONCE_BYTES], tuple(found), refused) if at == len(message) else None

@@ -5,7 +5,8 @@ certificate, and both ends of a connection accept what that authority signed and
 other end *was invited*; *who* it is says the signature on each message (`_sign.py`).
 """
 
-from datetime import UTC, datetime
+import time
+from datetime import UTC, datetime, timedelta
 from typing import NamedTuple
 
 from cryptography import x509
@@ -16,11 +17,14 @@ from cryptography.x509.oid import ExtendedKeyUsageOID, NameOID
 from cotouch.live._invitation import Invitation
 from cotouch.live._keys import Entropy
 
-# A session's authority lives as long as its invitation; clocks of members may be wrong by years and nothing is lost.
+# A session's authority lives as long as its invitation: whoever has that can make any certificate anyway.
 _FROM, _UNTIL = datetime(2000, 1, 1, tzinfo=UTC), datetime(2100, 1, 1, tzinfo=UTC)
+# A member's certificate is good for a day from its start, so that a key that leaks is soon of no use. From before that
+# it is good, too, for those whose clocks are behind, by up to a day; where one is ahead, the day is shorter.
+_BEHIND, _DAY = timedelta(days=1), timedelta(days=1)
 
 
-class Certificates(NamedTuple):
+class TlsCertificates(NamedTuple):
     """What one member's TLS takes, each in PEM.
 
     Attributes:
@@ -37,25 +41,32 @@ class Certificates(NamedTuple):
         return "Certificates()"
 
 
-def make_certificates(invitation: Invitation, *, entropy: Entropy) -> Certificates:
+def make_certificates(invitation: Invitation, *, entropy: Entropy, now: float | None = None) -> TlsCertificates:
     """A member's certificates [Ed25519, X.509].
 
     Args:
         invitation: of the session.
         entropy: gives so many bytes that nobody can guess, such as `os.urandom`.
+        now: unix time from which the member's certificate is good for a day; None: the system's [s].
     """
+    begins = datetime.fromtimestamp(time.time() if now is None else now, UTC)
     authority = Ed25519PrivateKey.from_private_bytes(invitation.derive(b"authority", 32))
     own = Ed25519PrivateKey.from_private_bytes(entropy(32))
     issuer = x509.Name([x509.NameAttribute(NameOID.COMMON_NAME, "cotouch session")])
     root = (
-        _begun(issuer, issuer, 1)
+        _begun(issuer, issuer, 1, (_FROM, _UNTIL))
         .public_key(authority.public_key())
         .add_extension(x509.BasicConstraints(ca=True, path_length=0), critical=True)
         .sign(authority, None)
     )
     usages = [ExtendedKeyUsageOID.SERVER_AUTH, ExtendedKeyUsageOID.CLIENT_AUTH]
     member = (
-        _begun(x509.Name([x509.NameAttribute(NameOID.COMMON_NAME, "member")]), issuer, _serial(entropy))
+        _begun(
+            x509.Name([x509.NameAttribute(NameOID.COMMON_NAME, "member")]),
+            issuer,
+            _serial(entropy),
+            (begins - _BEHIND, begins + _DAY),
+        )
         .public_key(own.public_key())
         .add_extension(x509.BasicConstraints(ca=False, path_length=None), critical=True)
         .add_extension(x509.ExtendedKeyUsage(usages), critical=False)
@@ -63,12 +74,14 @@ def make_certificates(invitation: Invitation, *, entropy: Entropy) -> Certificat
         .sign(authority, None)
     )
     key = own.private_bytes(Encoding.PEM, PrivateFormat.PKCS8, NoEncryption())
-    return Certificates(root.public_bytes(Encoding.PEM), member.public_bytes(Encoding.PEM), key)
+    return TlsCertificates(root.public_bytes(Encoding.PEM), member.public_bytes(Encoding.PEM), key)
 
 
-def _begun(subject: x509.Name, issuer: x509.Name, serial: int) -> x509.CertificateBuilder:
+def _begun(
+    subject: x509.Name, issuer: x509.Name, serial: int, valid: tuple[datetime, datetime]
+) -> x509.CertificateBuilder:
     builder = x509.CertificateBuilder().subject_name(subject).issuer_name(issuer).serial_number(serial)
-    return builder.not_valid_before(_FROM).not_valid_after(_UNTIL)
+    return builder.not_valid_before(valid[0]).not_valid_after(valid[1])
 
 
 def _serial(entropy: Entropy) -> int:

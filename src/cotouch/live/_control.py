@@ -26,7 +26,7 @@ class Relayed(NamedTuple):
 
     Attributes:
         payload: its bytes, sealed for the link as any other datagram.
-        sender: public key of the member it says it is from.
+        sender: public key of the member who sent it; what others send in its name was dropped.
         time: of arrival [s].
     """
 
@@ -62,7 +62,15 @@ class ControlPlane(Protocol):
         ...
 
     def present(self) -> frozenset[bytes]:
-        """Public keys of all others who are connected now, by their liveliness."""
+        """Public keys of all others who show that they are there; see `Presence`. Nobody can say it of another."""
+        ...
+
+    def shun(self, members: frozenset[bytes]) -> None:
+        """From now on nothing of these members is taken or handed on, and of nobody else.
+
+        Args:
+            members: public keys.
+        """
         ...
 
     def offer(self, content: bytes) -> bytes:
@@ -74,7 +82,12 @@ class ControlPlane(Protocol):
         ...
 
     def relay(self, to: bytes, payload: bytes) -> bool:
-        """Hands on a datagram for a member who cannot be reached directly: may be lost, never waits in a queue."""
+        """Hands on a datagram for a member who cannot be reached directly: may be lost, never waits in a queue.
+
+        Args:
+            to: public key of the receiver.
+            payload: the datagram.
+        """
         ...
 
     def relayed(self) -> list[Relayed]:

@@ -9,36 +9,21 @@ import numpy as np
 
 from cotouch.errors import SessionError
 from cotouch.live._control import Message, Relayed
+from cotouch.live._emulated_path import EmulatedPath, PathLaw
 from cotouch.live._keys import Identity
-from cotouch.live._path import Path, PathLaw
+from cotouch.live._presence import WINDOW, Presence
 from cotouch.live._sign import MessageReader, MessageRefusal, MessageWriter
 from cotouch.live._transport import MOST_BYTES
 
-
-@final
-class _Tie:
-    """Whether two members see each other, and since when."""
-
-    def __init__(self, now: float, delay: float) -> None:
-        self.up = True
-        self._changed, self._lag, self._was = now, delay, False
-
-    def set(self, up: bool, now: float, lag: float) -> None:
-        if up != self.up:
-            self._was = self.seen(now)
-            self.up, self._changed, self._lag = up, now, lag
-
-    def seen(self, now: float) -> bool:
-        """Presence follows what is true, `lag` later."""
-        return self.up if now >= self._changed + self._lag else self._was
+# The clock is moved on by no more than this at once, so that beats are said and heard in between [s].
+_TURN = 0.05
 
 
 @final
 class MemoryControlNetwork:
     """Carries messages between its members; the same seed, the same fates.
 
-    Attributes:
-        now: its clock; moved by whoever uses it, and never backwards [s].
+    Members beat as the clock is moved, whether they are polled or not.
     """
 
     def __init__(
@@ -46,7 +31,7 @@ class MemoryControlNetwork:
         *,
         session: bytes = bytes(32),
         delay: float = 0.0,
-        lease: float = 1.5,
+        window: float = WINDOW,
         law: PathLaw | None = None,
         seed: int = 0,
     ) -> None:
@@ -54,20 +39,33 @@ class MemoryControlNetwork:
 
         Args:
             session: 32 bytes that name the session.
-            delay: of every message, and until somebody who came or left is noticed [s].
-            lease: until it is noticed that somebody was cut off or killed [s].
+            delay: of every message [s].
+            window: of presence; see `Presence` [s].
             law: of relayed datagrams, each way.
             seed: of their fates.
         """
-        self.now = 0.0
-        self.delay, self.lease = delay, lease
+        self._now = 0.0
+        self.delay, self.window = delay, window
         self.session = session
         self._law = law or PathLaw()
         self._seed = seed
         self._members: dict[bytes, MemoryControl] = {}
-        self._ties: dict[frozenset[bytes], _Tie] = {}
-        self._paths: dict[tuple[bytes, bytes], Path] = {}
+        self._ever = set[bytes]()
+        self._cuts = set[frozenset[bytes]]()
+        self._paths: dict[tuple[bytes, bytes], EmulatedPath] = {}
         self._joined = 0
+
+    @property
+    def now(self) -> float:
+        """Its clock; moved by whoever uses it, and never backwards [s]."""
+        return self._now
+
+    @now.setter
+    def now(self, time: float) -> None:
+        while self._now < time:
+            self._now = min(time, self._now + _TURN)
+            for member in list(self._members.values()):
+                member.turn(self._now)
 
     def join(self, identity: Identity) -> "MemoryControl":
         """A member, or one that comes back after it was killed or left.
@@ -79,61 +77,83 @@ class MemoryControlNetwork:
             raise SessionError("a member of this identity is there already; every member needs its own")
         self._joined += 1
         # Any rising number does for the unix time: a member that comes back is above all it said before.
-        member = MemoryControl(self, identity, started=self._joined * 1_000_000_000)
-        for other in self._members:
-            pair = frozenset((identity.public, other))
-            if pair in self._ties:
-                self._ties[pair].set(up=True, now=self.now, lag=self.delay)
-            else:
-                self._ties[pair] = _Tie(self.now, self.delay)
+        member = MemoryControl(self, identity, started=self._joined * 1_000_000_000, seed=(self._seed, self._joined))
+        self._cuts = {pair for pair in self._cuts if identity.public not in pair}
         self._members[identity.public] = member
+        self._ever.add(identity.public)
         return member
 
     def cut(self, one: bytes, other: bytes) -> None:
-        """From now on nothing goes between these two, either way."""
-        self._tie(one, other).set(up=False, now=self.now, lag=self.lease)
+        """From now on nothing goes between these two, either way.
+
+        Args:
+            one: public key of one member.
+            other: public key of the other.
+        """
+        self._cuts.add(self._pair(one, other))
         self._lose(one, other)
 
     def mend(self, one: bytes, other: bytes) -> None:
-        """They meet again."""
-        self._tie(one, other).set(up=True, now=self.now, lag=self.delay)
+        """They meet again.
+
+        Args:
+            one: public key of one member.
+            other: public key of the other.
+        """
+        self._cuts.discard(self._pair(one, other))
 
     def kill(self, member: bytes) -> None:
-        """Ends a member without a word; the others notice after the lease."""
+        """Ends a member without a word."""
         for other in self._members:
             if other != member:
                 self._lose(member, other)
-        self.drop(member, lag=self.lease)
+        self.drop(member)
 
-    def drop(self, member: bytes, *, lag: float) -> None:
-        """Takes a member out; the others notice after the lag."""
-        if self._members.pop(member, None) is not None:
-            for other in self._members:
-                self._tie(member, other).set(up=False, now=self.now, lag=lag)
+    def drop(self, member: bytes) -> None:
+        """Takes a member out; what it said is on its way."""
+        self._members.pop(member, None)
 
     def connected(self, one: bytes, other: bytes) -> bool:
-        """Whether something sent now would arrive."""
-        return one in self._members and other in self._members and self._tie(one, other).up
+        """Whether something sent now would arrive.
 
-    def seen(self, member: bytes) -> frozenset[bytes]:
-        """Whom a member sees."""
-        ties = ((pair - {member}, tie) for pair, tie in self._ties.items() if member in pair)
-        return frozenset(other for others, tie in ties if tie.seen(self.now) for other in others)
+        Args:
+            one: public key of one member.
+            other: public key of the other.
+        """
+        return one in self._members and other in self._members and frozenset((one, other)) not in self._cuts
 
-    def carry(self, sender: bytes, to: bytes | None, message: bytes) -> None:
-        """Takes a message on its way; anybody may write any sender into it."""
+    def carry(self, sender: bytes, to: bytes | None, message: bytes, *, beat: bool = False) -> None:
+        """Takes a message or a beat on its way; anybody may write any sender into it.
+
+        Args:
+            sender: public key that is written on it.
+            to: public key of the receiver; None: all others.
+            message: as it travels.
+            beat: whether it only shows presence.
+        """
         for key in self._members if to is None else (to,):
             if key != sender and self.connected(sender, key):
-                self._members[key].deliver(self.now + self.delay, sender, message)
+                self._members[key].deliver(self.now + self.delay, sender, message, beat=beat)
 
     def relay(self, sender: bytes, to: bytes, payload: bytes) -> None:
-        """Takes a datagram on its way."""
+        """Takes a datagram on its way.
+
+        Args:
+            sender: public key that is written on it.
+            to: public key of the receiver.
+            payload: the datagram.
+        """
         if self.connected(sender, to):
             for time in self._path(sender, to).arrivals(self.now, len(payload)):
                 self._members[to].deliver_relayed(Relayed(payload, sender, time))
 
     def content(self, digest: bytes, member: bytes) -> bytes | None:
-        """A file that somebody offers whom this member can reach."""
+        """A file that somebody offers whom this member can reach.
+
+        Args:
+            digest: of its content.
+            member: its public key.
+        """
         others = (other for key, other in self._members.items() if key != member and self.connected(member, key))
         offered = (other.offered.get(digest) for other in others)
         return next((content for content in offered if content is not None), None)
@@ -144,16 +164,15 @@ class MemoryControlNetwork:
             if receiver in self._members:
                 self._members[receiver].lose(sender)
 
-    def _tie(self, one: bytes, other: bytes) -> _Tie:
-        tie = self._ties.get(frozenset((one, other)))
-        if tie is None:
+    def _pair(self, one: bytes, other: bytes) -> frozenset[bytes]:
+        if not {one, other} <= self._ever:
             raise SessionError("these two were never in the session together; let both join first")
-        return tie
+        return frozenset((one, other))
 
-    def _path(self, sender: bytes, to: bytes) -> Path:
+    def _path(self, sender: bytes, to: bytes) -> EmulatedPath:
         if (sender, to) not in self._paths:
             seed = np.random.SeedSequence([self._seed, *sender, *to])
-            self._paths[sender, to] = Path(self._law, np.random.Generator(np.random.PCG64(seed)))
+            self._paths[sender, to] = EmulatedPath(self._law, np.random.Generator(np.random.PCG64(seed)))
         return self._paths[sender, to]
 
 
@@ -165,13 +184,18 @@ class MemoryControl:
         offered: files that others may fetch, by their hash.
     """
 
-    def __init__(self, network: MemoryControlNetwork, identity: Identity, *, started: int) -> None:
+    def __init__(
+        self, network: MemoryControlNetwork, identity: Identity, *, started: int, seed: tuple[int, int]
+    ) -> None:
         self.offered: dict[bytes, bytes] = {}
         self._network = network
         self._identity = identity
         self._writer = MessageWriter(identity, network.session, started=started)
         self._reader = MessageReader(identity.public, network.session)
-        self._inbox: list[tuple[float, int, bytes, bytes]] = []
+        self._presence = Presence(identity, network.session, np.random.default_rng(seed).bytes, window=network.window)
+        self._shunned = frozenset[bytes]()
+        self._inbox: list[tuple[float, int, bytes, bytes, bool]] = []
+        self._received = list[Message]()
         self._relayed: list[tuple[float, int, Relayed]] = []
         self._asked: dict[bytes, float] = {}
         self._count = 0
@@ -188,24 +212,29 @@ class MemoryControl:
         return self._reader.refused
 
     def send(self, topic: str, body: bytes, *, to: bytes | None = None) -> None:
-        """Says something to one member, or to all others."""
+        """Says something to one member, or to all others.
+
+        Args:
+            topic: what it is about.
+            body: the message.
+            to: public key of the receiver; None: all others.
+        """
         self._writer.check(topic, body, to)
         if self._open:
             self._network.carry(self._identity.public, to, self._writer.write(topic, body, to))
 
     def poll(self) -> list[Message]:
         """What was said since the last call."""
-        out = list[Message]()
-        while self._open and self._inbox and self._inbox[0][0] <= self._network.now:
-            time, _, _, message = heapq.heappop(self._inbox)
-            read = self._reader.read(message, time)
-            if isinstance(read, Message):
-                out.append(read)
+        out, self._received = self._received, []
         return out
 
     def present(self) -> frozenset[bytes]:
-        """Public keys of all others who are connected now."""
-        return self._network.seen(self._identity.public) if self._open else frozenset()
+        """Public keys of all others who show that they are there."""
+        return self._presence.present(self._network.now) - self._shunned if self._open else frozenset()
+
+    def shun(self, members: frozenset[bytes]) -> None:
+        """From now on nothing of these members is taken."""
+        self._shunned = members
 
     def offer(self, content: bytes) -> bytes:
         """Keeps a file for others to fetch; returns its SHA-256."""
@@ -223,7 +252,12 @@ class MemoryControl:
         return self.offered.get(digest)
 
     def relay(self, to: bytes, payload: bytes) -> bool:
-        """Hands on a datagram."""
+        """Hands on a datagram.
+
+        Args:
+            to: public key of the receiver.
+            payload: the datagram.
+        """
         if not self._open or len(payload) > MOST_BYTES or to not in self.present():
             return False
         self._network.relay(self._identity.public, to, payload)
@@ -239,13 +273,40 @@ class MemoryControl:
     def close(self) -> None:
         """Leaves: the others see it after the delay."""
         if self._open:
+            self._beat(self._network.now, leaving=True)
             self._open = False
-            self._network.drop(self._identity.public, lag=self._network.delay)
+            self._received.clear()
+            self._network.drop(self._identity.public)
 
-    def deliver(self, time: float, sender: bytes, message: bytes) -> None:
-        """A message that will arrive; the sender is the true one, whatever the message says."""
+    def turn(self, now: float) -> None:
+        """Hears what has arrived, and says that it is there when that is due [s]."""
+        while self._open and self._inbox and self._inbox[0][0] <= now:
+            time, _, _, raw, beat = heapq.heappop(self._inbox)
+            if beat:
+                self._presence.receive(raw, time)
+                continue
+            read = self._reader.read(raw, time)
+            if isinstance(read, Message) and read.sender not in self._shunned:
+                self._received.append(read)
+        if self._presence.wait(now) == 0.0:
+            self._beat(now)
+
+    def deliver(self, time: float, sender: bytes, message: bytes, *, beat: bool = False) -> None:
+        """Something that will arrive; the sender is the true one, whatever the message says.
+
+        Args:
+            time: when it arrives [s].
+            sender: public key of who truly sent it.
+            message: as it travels.
+            beat: whether it only shows presence.
+        """
         self._count += 1
-        heapq.heappush(self._inbox, (time, self._count, sender, message))
+        heapq.heappush(self._inbox, (time, self._count, sender, message, beat))
+
+    def _beat(self, now: float, *, leaving: bool = False) -> None:
+        raw = self._presence.beat(now, leaving=leaving)
+        if raw is not None:
+            self._network.carry(self._identity.public, None, raw, beat=True)
 
     def lose(self, sender: bytes) -> None:
         """What is on its way from a sender will not arrive."""

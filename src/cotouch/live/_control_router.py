@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from typing import final
 
 from cotouch.live._certificates import make_certificates
+from cotouch.live._gate import Gate, inner_endpoint
 from cotouch.live._invitation import Endpoint, Invitation, checked
 from cotouch.live._keys import Entropy
 from cotouch.live._zenoh import close_session, configuration, open_session
@@ -40,8 +41,14 @@ class ControlRouter:
         """
         certificates = make_certificates(invitation, entropy=entropy)
         at, connect = [checked(endpoint) for endpoint in listen], [checked(endpoint) for endpoint in connect]
-        self._session = open_session(configuration("router", certificates, listen=at, connect=connect, lease=lease))
+        inner = inner_endpoint(entropy)
+        self._session = open_session(
+            configuration("router", certificates, listen=at, inner=inner, connect=connect, lease=lease)
+        )
+        self._gate = None if inner is None or not at else Gate(at, inner, certificates)
 
     def close(self) -> None:
         """Ends it."""
         close_session(self._session)
+        if self._gate is not None:
+            self._gate.close()

@@ -9,18 +9,20 @@ from collections.abc import Callable, Sequence
 from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING, NamedTuple, final
 
-from cotouch.live._certificates import make_certificates
+from cotouch.errors import SessionError, TransportError
 from cotouch.live._control import Message, Relayed
 from cotouch.live._files import Files
 from cotouch.live._forward import Forwarder
-from cotouch.live._introducer import Introducer
 from cotouch.live._invitation import Endpoint, Invitation, checked
 from cotouch.live._keys import Entropy, Identity
 from cotouch.live._limit import Bucket, SourceLimit
-from cotouch.live._listening import advertised, listening
+from cotouch.live._line import Line
+from cotouch.live._listening import is_ours, listening, towards
+from cotouch.live._pairs import TAG_BYTES, PairTags
+from cotouch.live._presence import MOST_BEAT, Presence
 from cotouch.live._sign import MOST_MESSAGE, MessageReader, MessageRefusal, MessageWriter, cost_of
+from cotouch.live._sockets import tend_links
 from cotouch.live._transport import MOST_BYTES
-from cotouch.live._zenoh import Mode, close_session, configuration, open_session
 from cotouch.pacing import give_back_memory
 
 if TYPE_CHECKING:
@@ -35,9 +37,16 @@ _MOST_ALIVE = 4096
 # Below what others take of one sender, so that nothing said in a hurry is refused there.
 _RATE, _BURST = 400.0, 900.0
 # Datagrams of whom this member does not see come through the host, at a relay's rate and twice that.
+_RELAY_RATE, _RELAY_BURST = 4000.0, 1024.0
 _UNSEEN_RATE, _UNSEEN_BURST = 200.0, 64.0
 # What links that came and went leave in pieces is given back so long after the first of them did [s].
 _CALM = 5.0
+# Who is silent for this much longer than a connection takes to notice is gone: a return of 1.5 s and a lost beat [s].
+_PATIENCE = 1.5
+_SHORTEST = 0.02
+# This machine's address towards the host is looked at this often, and connections so long after somebody came [s].
+_LOOK = 0.5
+_SETTLED = 1.0
 _NOWHERE = "-"
 # In place of a member's name in a key: everybody. Keys that are subscribed to have their subscriber's name, so that no
 # two members subscribe to the same: Zenoh keeps what it knows of a member for ever if that had subscribed to a key that
@@ -103,40 +112,51 @@ class ZenohControl:
         self._writer = MessageWriter(identity, invitation.id, started=started or time.time_ns())
         self._reader = MessageReader(identity.public, invitation.id)
         self._lock = threading.Lock()  # among Zenoh's threads only
-        self._inbox, self._heard_bytes, self._polled_bytes = deque[Message](), 0, 0
+        self._inbox, self._received_bytes, self._polled_bytes = deque[Message](), 0, 0
         self._outbox, self._said_bytes, self._sent_bytes = SimpleQueue[_Said | None](), 0, 0
         self._relays = deque[Relayed](maxlen=_MOST_RELAYED)
         self._relay_limit = SourceLimit(
-            rate=4000.0, burst=1024.0, stranger_rate=_UNSEEN_RATE, stranger_burst=_UNSEEN_BURST
+            rate=_RELAY_RATE, burst=_RELAY_BURST, stranger_rate=_UNSEEN_RATE, stranger_burst=_UNSEEN_BURST
         )
+        self._tags = PairTags(identity, invitation.id)
+        self._tags_lock = threading.Lock()
+        # Whoever is said to send and was not heard before costs a key agreement, so only so many a second.
+        self._new_limit = SourceLimit(rate=1.0, burst=1.0, stranger_rate=20.0, stranger_burst=20.0)
         self._alive: dict[bytes, dict[str, Endpoint | None]] = {}
-        self._present = frozenset[bytes]()
+        self._near = frozenset[bytes]()  # who is said to be connected: by anybody, so it only helps to choose a way
+        self._shunned = frozenset[bytes]()
+        self._presence = Presence(identity, invitation.id, entropy, window=lease + _PATIENCE)
+        self._beating = threading.Event()
         self._changed: float | None = None  # when somebody came or went, since memory was given back
         self._closed = False
 
         routers = invitation.routers if routers is None else tuple(checked(router) for router in routers)
-        mode: Mode = "client" if routers else "peer"
+        self._invitation, self._host = invitation, invitation.host
         host = identity.public == invitation.host
-        at = () if routers else listening(invitation, listen, host=host)
-        certificates = make_certificates(invitation, entropy=entropy)
-        connect = routers or (() if host else invitation.endpoints)
-        self._own = advertised(at[0], invitation) if at else None
-        self._session = open_session(
-            configuration(mode, certificates, listen=at, connect=connect, lease=lease, multicast=multicast)
-        )
-        self._introducer: Introducer | None = None
-        if self._own is not None:
+        # Who listens where this machine reaches the host goes where that goes.
+        self._roams = listen == "reachable" and not routers and not host
+        self._here, self._looked, self._serviced = None if host else towards(invitation), 0.0, 0.0
 
-            def beside(endpoints: Sequence[Endpoint]) -> "zenoh.Session":
-                return open_session(configuration("peer", certificates, connect=endpoints, lease=lease, dial=False))
+        def opened(at: Sequence[Endpoint]) -> Line:
+            return Line(
+                invitation, at, mode="client" if routers else "peer",
+                connect=routers or (() if host else invitation.endpoints),
+                lease=lease, multicast=multicast, entropy=entropy, clock=clock,
+            )  # fmt: skip
 
-            self._introducer = Introducer(self._own, beside, clock)
+        self._opened, self._entropy = opened, entropy
+        self._mover: threading.Thread | None = None
+        self._line = opened(() if routers else listening(invitation, listen, host=host))
         self._files = Files(self._session, self._prefix, self._me)
-        self._host = invitation.host
-        self._forwarder = Forwarder(self._session, self._prefix, clock) if host else None
-        self._declare(entropy)
+        self._forwarder = (
+            Forwarder(self._session, self._prefix, PairTags(identity, invitation.id), clock) if host else None
+        )
+        self._declare(self._line)
         self._speaker = threading.Thread(target=self._speak, name="cotouch speaker", daemon=True)
         self._speaker.start()
+        # Of its own, and dropped rather than waited for: who does not read holds up no other's beats.
+        self._heart = threading.Thread(target=self._beat, name="cotouch presence", daemon=True)
+        self._heart.start()
 
     @property
     def identity(self) -> Identity:
@@ -146,7 +166,11 @@ class ZenohControl:
     @property
     def endpoint(self) -> Endpoint | None:
         """Where others find this member; None behind routers."""
-        return self._own
+        return self._line.own
+
+    @property
+    def _session(self) -> "zenoh.Session":
+        return self._line.session
 
     @property
     def refused(self) -> Counter[MessageRefusal]:
@@ -155,6 +179,11 @@ class ZenohControl:
 
     def send(self, topic: str, body: bytes, *, to: bytes | None = None) -> None:
         """Says something to one member, or to all others: a thread signs and sends it.
+
+        Args:
+            topic: what it is about.
+            body: the message.
+            to: public key of the receiver; None: all others.
 
         Raises:
             SessionError: the topic, the body or the recipient cannot be.
@@ -178,8 +207,14 @@ class ZenohControl:
         return out
 
     def present(self) -> frozenset[bytes]:
-        """Public keys of all others who are connected now, by their liveliness."""
-        return frozenset() if self._closed else self._present
+        """Public keys of all others who show that they are there."""
+        return frozenset() if self._closed else self._presence.present(self._clock()) - self._shunned
+
+    def shun(self, members: frozenset[bytes]) -> None:
+        """From now on nothing of these members is taken or handed on, and of nobody else."""
+        self._shunned = members
+        if self._forwarder is not None:
+            self._forwarder.shunned = frozenset(member.hex() for member in members)
 
     def offer(self, content: bytes) -> bytes:
         """Keeps a file for others to fetch; returns its SHA-256.
@@ -198,16 +233,22 @@ class ZenohControl:
         return self._files.fetch(digest)
 
     def relay(self, to: bytes, payload: bytes) -> bool:
-        """Hands on a datagram, through the host to whom this member does not see; dropped rather than queued."""
+        """Hands on a datagram, through the host to whom this member does not see; dropped rather than queued.
+
+        Args:
+            to: public key of the receiver.
+            payload: the datagram.
+        """
         import zenoh
 
-        near = to in self._present
-        if self._closed or len(payload) > MOST_BYTES or not (near or self._host in self._present):
+        near = to in self._near
+        if self._closed or len(payload) > MOST_BYTES or not (near or self._host in self._near):
             return False
+        payload = self._tagged(payload, to)
         try:
             self._session.put(
                 f"{self._prefix}/{'relay' if near else 'pass'}/{self._me}/{to.hex()}",
-                payload,
+                payload if near else self._tagged(payload, self._host),
                 congestion_control=zenoh.CongestionControl.DROP,
                 priority=zenoh.Priority.DATA_HIGH,
                 express=True,
@@ -225,37 +266,44 @@ class ZenohControl:
 
     def close(self) -> None:
         """Says what is still to be said, and leaves; waits a few seconds at most."""
-        if self._closed:
-            return
-        self._closed = True
+        with self._lock:
+            if self._closed:
+                return
+            self._closed = True
         self._outbox.put(None)
         self._speaker.join(1.0)
-        users = [self._speaker, *self._files.threads]
-        if self._introducer is not None:
-            self._introducer.close()
-            users.append(self._introducer.thread)
+        self._beating.set()
+        self._heart.join(1.0)
+        if self._mover is not None:  # it lets go of what it opened meanwhile
+            self._mover.join(1.0)
         self._files.close()
-        close_session(self._session, [user for user in users if user.is_alive()])
+        self._line.close([self._speaker, self._heart, *self._files.threads])
         self._inbox.clear()
         self._relays.clear()
 
-    def _declare(self, entropy: Entropy) -> None:
+    def _declare(self, line: Line) -> None:
         """Listens first and then says that it is there: who sees a member can be heard by it."""
         import zenoh
         from zenoh.handlers import Callback
 
         others = zenoh.Locality.REMOTE
+
+        def lives(sample: zenoh.Sample) -> None:
+            self._lives(sample, line)
+
         # In Zenoh's own threads: the order of a sender's messages is kept, and a flood holds up its sender.
-        for kind, hear in (("said", self._heard), ("relay", self._handed)):
+        for kind, receive in (("said", self._received), ("relay", self._handed), ("beat", self._beaten)):
             key = f"{self._prefix}/{kind}/*/{self._me}"
-            self._session.declare_subscriber(key, Callback(hear, indirect=False), allowed_origin=others)
-        self._session.liveliness().declare_subscriber(
-            f"{self._prefix}/alive/*/*/*", Callback(self._lives, indirect=False), history=True
+            line.session.declare_subscriber(key, Callback(receive, indirect=False), allowed_origin=others)
+        line.session.liveliness().declare_subscriber(
+            f"{self._prefix}/alive/*/*/*",
+            Callback(lives, indirect=False),
+            history=True,
         )
-        at = _NOWHERE if self._own is None else base64.urlsafe_b64encode(str(self._own).encode()).decode().rstrip("=")
+        at = _NOWHERE if line.own is None else base64.urlsafe_b64encode(str(line.own).encode()).decode().rstrip("=")
         # A name of its own for every start: the end of an earlier one must not hide this one.
-        self._token = self._session.liveliness().declare_token(
-            f"{self._prefix}/alive/{self._me}/{entropy(8).hex()}/{at}"
+        self._token = line.session.liveliness().declare_token(
+            f"{self._prefix}/alive/{self._me}/{self._entropy(8).hex()}/{at}"
         )
 
     def _speak(self) -> None:
@@ -274,11 +322,12 @@ class ZenohControl:
             while not limit.take(time.monotonic(), cost):
                 time.sleep(0.5 / _RATE)
             to = _EVERYBODY if said.to is None else said.to.hex()
-            far = said.to is not None and said.to not in self._present and self._host in self._present
+            far = said.to is not None and said.to not in self._near and self._host in self._near
+            written = self._writer.write(*said)
             try:
                 self._session.put(
                     f"{self._prefix}/{'via' if far else 'said'}/{self._me}/{to}",
-                    self._writer.write(*said),
+                    self._tagged(written, self._host) if far else written,
                     congestion_control=zenoh.CongestionControl.BLOCK,
                     priority=zenoh.Priority.INTERACTIVE_HIGH,
                     express=True,
@@ -287,36 +336,127 @@ class ZenohControl:
                 self.dropped["closed"] += 1
             self._sent_bytes += len(said.body)
 
+    def _beat(self) -> None:
+        import zenoh
+
+        while True:
+            with self._lock:
+                leaving = self._closed
+                beat = self._presence.beat(self._clock(), leaving=leaving)
+                wait = self._presence.wait(self._clock())
+            if beat is not None:
+                try:
+                    self._session.put(
+                        f"{self._prefix}/beat/{self._me}/{_EVERYBODY}",
+                        beat,
+                        congestion_control=zenoh.CongestionControl.DROP,
+                        priority=zenoh.Priority.INTERACTIVE_LOW,
+                        express=True,
+                    )
+                except zenoh.ZError:
+                    self.dropped["closed"] += 1
+            if leaving:
+                return
+            self._look_around()
+            self._beating.wait(max(wait, _SHORTEST))
+            self._beating.clear()
+
+    def _look_around(self) -> None:
+        """Tends connections that are new, and goes where this machine is when its address is another."""
+        now = time.monotonic()
+        if self._serviced and now >= self._serviced:
+            self._serviced = 0.0
+            tend_links()
+        if now < self._looked + _LOOK or (self._mover is not None and self._mover.is_alive()):
+            return
+        self._looked, before = now, self._here
+        here = None if before is None else towards(self._invitation)
+        if before is None or here is None or here == before or is_ours(before):
+            return
+        if self._roams:
+            self._mover = threading.Thread(target=self._move, args=(here,), name="cotouch mover")
+            self._mover.start()
+        else:
+            self._here = here
+        tend_links(before)
+
+    def _move(self, host: str) -> None:
+        """Listens there from now on. Zenoh keeps the address that it began with, so it begins anew."""
+        try:
+            line = self._opened(listening(self._invitation, host, host=False))
+        except (SessionError, TransportError):  # gone again, or not quite there: looked at again
+            return
+        with self._lock:
+            closed, before = self._closed, self._line
+            if not closed:
+                self._here, self._line = host, line
+                for member in self._alive:
+                    self._relay_limit.unknow(member)
+                self._alive, self._near = {}, frozenset()
+        if not closed:
+            self._declare(line)
+            self._files.move(line.session)
+        (line if closed else before).close()
+
+    def _beaten(self, sample: "zenoh.Sample") -> None:
+        if len(sample.payload) > MOST_BEAT:
+            return
+        with self._lock:
+            now = self._clock()
+            before = self._presence.wait(now)
+            self._presence.receive(sample.payload.to_bytes(), now)
+            if self._presence.wait(now) < before:
+                self._beating.set()
+
     def _tidy(self) -> None:
         """Gives memory back some time after somebody came or went: Zenoh needs much for that, and for a moment."""
         if self._changed is not None and time.monotonic() >= self._changed + _CALM:
             self._changed = None
             give_back_memory()
 
-    def _heard(self, sample: "zenoh.Sample") -> None:
+    def _received(self, sample: "zenoh.Sample") -> None:
         size = len(sample.payload)
         raw = sample.payload.to_bytes() if size <= MOST_MESSAGE else bytes(1)  # too long: not even copied
         with self._lock:
+            if raw[4:36] in self._shunned:
+                self.dropped["shunned"] += 1
+                return
             message = self._reader.read(raw, self._clock())
             if isinstance(message, MessageRefusal):
                 return
-            if len(self._inbox) >= _MOST_MESSAGES or self._heard_bytes - self._polled_bytes > _MOST_HELD:
+            if len(self._inbox) >= _MOST_MESSAGES or self._received_bytes - self._polled_bytes > _MOST_HELD:
                 self.dropped["not polled"] += 1
                 return
-            self._heard_bytes += len(message.body)
+            self._received_bytes += len(message.body)
             self._inbox.append(message)
+
+    def _tagged(self, said: bytes, to: bytes) -> bytes:
+        with self._tags_lock:
+            return said + (self._tags.tag(to, said) or bytes(TAG_BYTES))
+
+    def _came(self, sender: bytes, raw: bytes, now: float) -> bool:
+        """Whether that member sent this; looked at before anything counts against its limit."""
+        with self._tags_lock:
+            if not self._tags.known(sender) and not self._new_limit.take(now, sender, sender):
+                return False
+            return self._tags.true(sender, raw[:-TAG_BYTES], raw[-TAG_BYTES:])
 
     def _handed(self, sample: "zenoh.Sample") -> None:
         now = self._clock()
         sender = _member(str(sample.key_expr).split("/")[3:4])
         size = len(sample.payload)
+        raw = sample.payload.to_bytes() if TAG_BYTES <= size <= MOST_BYTES + TAG_BYTES else b""
+        true = sender is not None and raw != b"" and self._came(sender, raw, now)
         with self._lock:
-            if sender is None or size > MOST_BYTES or not self._relay_limit.take(now, sender, sender):
+            if sender is None or sender in self._shunned or not true:
+                self.dropped["relayed, forged"] += 1
+                return
+            if not self._relay_limit.take(now, sender, sender):
                 self.dropped["relayed"] += 1
                 return
-        self._relays.append(Relayed(sample.payload.to_bytes(), sender, now))
+        self._relays.append(Relayed(raw[:-TAG_BYTES], sender, now))
 
-    def _lives(self, sample: "zenoh.Sample") -> None:
+    def _lives(self, sample: "zenoh.Sample", line: Line) -> None:
         import zenoh
 
         parts = str(sample.key_expr).split("/")
@@ -324,6 +464,8 @@ class ZenohControl:
         if member is None or member == self._identity.public or len(parts) != 6:
             return
         with self._lock:
+            if line is not self._line:  # as seen from where this member was
+                return
             starts = self._alive.setdefault(member, {})
             if sample.kind == zenoh.SampleKind.PUT:
                 if sum(map(len, self._alive.values())) < _MOST_ALIVE:
@@ -332,23 +474,25 @@ class ZenohControl:
                 starts.pop(parts[4], None)
             if not starts:
                 del self._alive[member]
-            self._present = frozenset(self._alive)
+            self._near = frozenset(self._alive)
             self._follow(member, _endpoint(parts[5]))
 
     def _follow(self, member: bytes, at: Endpoint | None) -> None:
         """Tells those who care that a member came or went."""
-        if self._changed is None:
-            self._changed = time.monotonic()
-        if member in self._present:
+        now = time.monotonic()
+        self._changed = self._changed or now
+        self._serviced = self._serviced or now + _SETTLED
+        introducer = self._line.introducer
+        if member in self._near:
             self._relay_limit.know(member)
-            if self._introducer is not None:
-                self._introducer.back(member)
+            if introducer is not None:
+                introducer.back(member)
         else:
             self._relay_limit.unknow(member)
             self._reader.forget(member)
             # One of two introduces: the one with the greater key.
-            if self._introducer is not None and at is not None and self._identity.public > member:
-                self._introducer.gone(member, at)
+            if introducer is not None and at is not None and self._identity.public > member:
+                introducer.gone(member, at)
 
 
 def _member(parts: list[str]) -> bytes | None:

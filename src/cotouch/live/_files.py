@@ -55,7 +55,12 @@ class Files:
         ]
         for thread in self._threads:
             thread.start()
-        for key in (f"{prefix}/size/*/{me}", f"{prefix}/file/*/{me}/*"):
+        self.move(session)
+
+    def move(self, session: "zenoh.Session") -> None:
+        """Serves, and asks, through this session from now on."""
+        self._session = session
+        for key in (f"{self._prefix}/size/*/{self._me}", f"{self._prefix}/file/*/{self._me}/*"):
             session.declare_queryable(key, self._take)
 
     def offer(self, content: bytes) -> bytes:

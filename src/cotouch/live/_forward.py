@@ -2,12 +2,14 @@
 
 What is handed on is signed by who said it, or sealed for whom it is, so the host can only drop it. Nobody asks for
 this: a member that does not see another says `via` the host what is for that member alone, and lets datagrams for it
-`pass` through the host.
+`pass` through the host. To both it adds its MAC for the host, so that nobody uses up another's limit.
 """
 
+import threading
 from typing import TYPE_CHECKING, final
 
 from cotouch.live._limit import SourceLimit
+from cotouch.live._pairs import TAG_BYTES, PairTags
 from cotouch.live._sign import MOST_MESSAGE, cost_of
 from cotouch.live._transport import MOST_BYTES
 
@@ -23,20 +25,29 @@ _PASS_RATE, _PASS_BURST = 1000.0, 500.0
 
 @final
 class Forwarder:
-    """Listens at the host, and says again; in Zenoh's own threads."""
+    """Listens at the host, and says again; in Zenoh's own threads.
 
-    def __init__(self, session: "zenoh.Session", prefix: str, clock: "Callable[[], float]") -> None:
+    Attributes:
+        shunned: names of members for whom nothing is handed on.
+    """
+
+    def __init__(self, session: "zenoh.Session", prefix: str, tags: PairTags, clock: "Callable[[], float]") -> None:
         """Begins to.
 
         Args:
             session: the host's.
             prefix: of the session's names.
+            tags: the host's own; nobody else uses them.
             clock: [s].
         """
         import zenoh
         from zenoh.handlers import Callback
 
-        self._session, self._prefix, self._clock = session, prefix, clock
+        self.shunned = frozenset[str]()
+        self._session, self._prefix, self._tags, self._clock = session, prefix, tags, clock
+        self._lock = threading.Lock()  # among Zenoh's threads
+        # Who was not heard before costs a key agreement, and is let through only so often.
+        self._strangers = SourceLimit(rate=_RATE, burst=_BURST, stranger_rate=20.0, stranger_burst=20.0)
         self._limit = SourceLimit(rate=_RATE, burst=_BURST, stranger_rate=_RATE, stranger_burst=_BURST)
         self._pass_limit = SourceLimit(
             rate=_PASS_RATE, burst=_PASS_BURST, stranger_rate=_PASS_RATE, stranger_burst=_PASS_BURST
@@ -49,15 +60,14 @@ class Forwarder:
     def _forward(self, sample: "zenoh.Sample") -> None:
         import zenoh
 
-        *_, sender, to = str(sample.key_expr).split("/")
-        size = len(sample.payload)
+        sender, to, said = self._checked(sample, MOST_MESSAGE)
         name = sender.encode()
-        if size > MOST_MESSAGE or not self._limit.take(self._clock(), name, name, cost_of(size)):
+        if said is None or not self._limit.take(self._clock(), name, name, cost_of(len(said))):
             return
         # Dropped rather than waited for: this thread also hears everybody else.
         self._session.put(
             f"{self._prefix}/said/{sender}/{to}",
-            sample.payload,
+            said,
             congestion_control=zenoh.CongestionControl.DROP,
             priority=zenoh.Priority.INTERACTIVE_HIGH,
             express=True,
@@ -66,14 +76,31 @@ class Forwarder:
     def _pass(self, sample: "zenoh.Sample") -> None:
         import zenoh
 
-        *_, sender, to = str(sample.key_expr).split("/")
+        sender, to, said = self._checked(sample, MOST_BYTES + TAG_BYTES)
         name = sender.encode()
-        if len(sample.payload) > MOST_BYTES or not self._pass_limit.take(self._clock(), name, name):
+        if said is None or not self._pass_limit.take(self._clock(), name, name):
             return
         self._session.put(
             f"{self._prefix}/relay/{sender}/{to}",
-            sample.payload,
+            said,
             congestion_control=zenoh.CongestionControl.DROP,
             priority=zenoh.Priority.DATA_HIGH,
             express=True,
         )
+
+    def _checked(self, sample: "zenoh.Sample", most: int) -> tuple[str, str, bytes | None]:
+        """Sender, recipient, and what is for the recipient; None if the sender did not send it, or too much."""
+        *_, sender, to = str(sample.key_expr).split("/")
+        size = len(sample.payload)
+        if not TAG_BYTES <= size <= most + TAG_BYTES or len(sender) != 64 or sender in self.shunned:
+            return sender, to, None
+        raw = sample.payload.to_bytes()
+        said = raw[:-TAG_BYTES]
+        with self._lock:
+            try:
+                key = bytes.fromhex(sender)
+            except ValueError:
+                return sender, to, None
+            if not self._tags.known(key) and not self._strangers.take(self._clock(), key, key):
+                return sender, to, None
+            return sender, to, said if self._tags.true(key, said, raw[-TAG_BYTES:]) else None

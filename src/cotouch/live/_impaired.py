@@ -6,7 +6,7 @@ from typing import final
 
 import numpy as np
 
-from cotouch.live._path import Path, PathLaw
+from cotouch.live._emulated_path import EmulatedPath, PathLaw
 from cotouch.live._transport import MOST_BYTES, Arrival, Traffic, Transport
 
 # What a path with a queue of its own could hold at most; beyond it the oldest is lost.
@@ -40,18 +40,23 @@ class ImpairedTransport:
         self._transport = transport
         self._clock = clock
         self._seed = seed
-        self._paths: dict[int, Path] = {}
+        self._paths: dict[int, EmulatedPath] = {}
         self._waiting: list[tuple[float, int, int, bytes]] = []
         self._count = 0
         for neighbour, law in laws.items():
             self.set(neighbour, law)
 
     def set(self, neighbour: int, law: PathLaw) -> None:
-        """Changes the law of the direction to a neighbour; what is on its way keeps its time."""
+        """Changes the law of the direction to a neighbour; what is on its way keeps its time.
+
+        Args:
+            neighbour: slot of the neighbour.
+            law: delay, jitter, loss and order of the path.
+        """
         if neighbour in self._paths:
             self._paths[neighbour].law = law
         else:
-            self._paths[neighbour] = Path(law, np.random.default_rng([self._seed, neighbour]))
+            self._paths[neighbour] = EmulatedPath(law, np.random.default_rng([self._seed, neighbour]))
 
     @property
     def due(self) -> float:
@@ -69,7 +74,12 @@ class ImpairedTransport:
         return self._transport.traffic
 
     def send(self, neighbour: int, payload: bytes) -> bool:
-        """Takes a datagram on its way; True also if it is going to be lost there."""
+        """Takes a datagram on its way; True also if it is going to be lost there.
+
+        Args:
+            neighbour: slot of the neighbour.
+            payload: the datagram.
+        """
         path = self._paths.get(neighbour)
         if path is None or len(payload) > MOST_BYTES:
             return self._transport.send(neighbour, payload)
@@ -81,9 +91,9 @@ class ImpairedTransport:
         self._leave(now)
         return True
 
-    def bears(self, neighbour: int) -> float:
+    def capacity(self, neighbour: int) -> float:
         """Datagrams per second that the way to a neighbour is to be given at most."""
-        return self._transport.bears(neighbour)
+        return self._transport.capacity(neighbour)
 
     def poll(self) -> list[Arrival]:
         """Everything that arrived since the last call."""
@@ -91,7 +101,12 @@ class ImpairedTransport:
         return self._transport.poll()
 
     def follow(self, neighbour: int, source: Hashable) -> None:
-        """From now on the neighbour is there."""
+        """From now on the neighbour is there.
+
+        Args:
+            neighbour: slot of the neighbour.
+            source: where it came from.
+        """
         self._transport.follow(neighbour, source)
 
     def forget(self, neighbour: int) -> None:

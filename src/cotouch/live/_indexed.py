@@ -4,15 +4,14 @@ from math import inf
 from typing import final
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.errors import SessionError
 from cotouch.live._codec import Chunk
 from cotouch.live._layout import Layout
 from cotouch.live._refusal import Refusal
-from cotouch.peer import UNHEARD, Sample, Word
+from cotouch.peer import NO_HEADER, LinkHeader, Sample
 
-Float = npt.NDArray[np.float64]
 # Whoever sends indices far ahead is not given memory for them.
 _AHEAD = 64
 
@@ -25,7 +24,7 @@ class _Entry:
         self.state = np.zeros((rows, width))
         self.missing = set(range(chunks))
         self.stamp = inf
-        self.word: Word | None = None
+        self.header: LinkHeader | None = None
 
 
 @final
@@ -40,6 +39,7 @@ class IndexedAssembly:
     Attributes:
         sender: index of the neighbour.
         delay: N_ij, >= 1.
+        shift: the neighbour's index less this end's: nobody began at the same time.
         newest: greatest index that came whole; -1: none.
     """
 
@@ -61,11 +61,14 @@ class IndexedAssembly:
         self._layout = layout
         self.sender = sender
         self.delay = delay
+        self.shift = 0
         self.newest = -1
+        # By how much the neighbour counts faster than this user, found where what was due has been given up long since.
+        self._ahead = 0
         self._whole: dict[int, Sample] = {}
         self._parts: dict[int, _Entry] = {}
         self._current = Sample(
-            sender=sender, index=-1, stamp=stamp, position=np.array(initial, dtype=np.float64), word=UNHEARD
+            sender=sender, index=-1, stamp=stamp, position=np.array(initial, dtype=np.float64), header=NO_HEADER
         )
 
     @property
@@ -106,11 +109,11 @@ class IndexedAssembly:
             layout.expand(chunk.values, entry.state)
         entry.missing.discard(chunk.chunk)
         entry.stamp = min(entry.stamp, heading.stamp)
-        entry.word = heading.word if entry.word is None else min(entry.word, heading.word)
+        entry.header = heading.header if entry.header is None else min(entry.header, heading.header)
         if not entry.missing:
             self._parts.pop(index, None)
             self._keep(
-                Sample(sender=self.sender, index=index, stamp=entry.stamp, position=entry.state, word=entry.word)
+                Sample(sender=self.sender, index=index, stamp=entry.stamp, position=entry.state, header=entry.header)
             )
         return None
 
@@ -123,11 +126,13 @@ class IndexedAssembly:
 
     def ready(self, k: int) -> bool:
         """Whether what step k uses is there, or will never be."""
-        return k < self.delay or self.newest >= k - self.delay
+        return self.newest >= self._due(k)
 
     def choose(self, k: int) -> Sample:
         """Index k - N_ij; where it is missing, the newest before it."""
-        due = [index for index in self._whole if index <= k - self.delay]
+        if len(self._whole) >= self.delay + _AHEAD and min(self._whole) > self._due(k):
+            self._ahead += self.newest - 1 - self._due(k)
+        due = [index for index in self._whole if index <= self._due(k)]
         if due:
             self._current = self._whole[max(due)]
             for index in due:
@@ -135,6 +140,9 @@ class IndexedAssembly:
             for index in [index for index in self._parts if index <= self._current.index]:
                 del self._parts[index]
         return self._current
+
+    def _due(self, k: int) -> int:
+        return k + self.shift + self._ahead - self.delay
 
     def _keep(self, sample: Sample) -> None:
         self._whole[sample.index] = sample

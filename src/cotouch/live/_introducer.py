@@ -57,7 +57,12 @@ class Introducer:
         self._thread.start()
 
     def gone(self, member: bytes, at: Endpoint) -> None:
-        """A member that listens there is not seen any more."""
+        """A member that listens there is not seen any more.
+
+        Args:
+            member: its public key.
+            at: endpoint in question.
+        """
         with self._lock:
             self._gone[member] = (self._clock(), at)
 

@@ -6,13 +6,13 @@ from typing import Literal, final
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.errors import SessionError
 from cotouch.live._seal import OVERHEAD
 from cotouch.live._transport import MOST_BYTES
 
-Float = npt.NDArray[np.float64]
-Coding = Literal["float64", "float32", "float16"]
-CODINGS: tuple[Coding, ...] = ("float64", "float32", "float16")
+Encoding = Literal["float64", "float32", "float16"]
+ENCODINGS: tuple[Encoding, ...] = ("float64", "float32", "float16")
 HEAD_BYTES = 92
 _ROOM = MOST_BYTES - OVERHEAD - HEAD_BYTES
 # Largest relative error of rounding to nearest, and half the smallest number there is.
@@ -31,8 +31,10 @@ class Layout:
         rows: of the session's model.
         width: of its rows, padding included.
         axes: columns that travel; the rest is zero.
-        coding: of a number on the wire.
+        encoding: of a number on the wire.
         limit: largest number that is accepted; the default is beyond any position in metres.
+        fields: of a link law, that travel beside the state, as the rows that they belong to.
+        scalars: numbers of a link law that travel with every chunk.
         basis: columns in which the state is sent, (rows, coordinates), of full rank; none: the rows themselves.
         sent: rows that travel: all of them, or as many as there are coordinates.
         chunk: rows in a chunk; the last one may be shorter.
@@ -41,8 +43,10 @@ class Layout:
     rows: int
     width: int
     axes: int
-    coding: Coding = "float64"
+    encoding: Encoding = "float64"
     limit: float = 1e4
+    fields: int = 0
+    scalars: int = 0
     basis: Float | None = None
     sent: int = field(init=False)
     chunk: int = field(init=False)
@@ -51,12 +55,17 @@ class Layout:
     def __post_init__(self) -> None:
         if not 1 <= self.axes <= self.width or self.rows < 1:
             raise SessionError(f"{self.rows} rows of {self.axes} axes in a width of {self.width} make no state")
-        if self.coding not in CODINGS:
-            raise SessionError(f"coding {self.coding!r} is unknown; it is one of {', '.join(CODINGS)}")
+        if self.encoding not in ENCODINGS:
+            raise SessionError(f"coding {self.encoding!r} is unknown; it is one of {', '.join(ENCODINGS)}")
         most = float(np.finfo(self.dtype).max)
         if not 0.0 < self.limit < most:
-            raise SessionError(f"limit is {self.limit}; {self.coding} takes one between 0 and {most:.6g}")
-        sent, room = self.rows, _ROOM // (self.axes * self.dtype.itemsize)
+            raise SessionError(f"limit is {self.limit}; {self.encoding} takes one between 0 and {most:.6g}")
+        if (self.fields or self.scalars) and (self.encoding != "float64" or self.basis is not None):
+            raise SessionError("what a link law sends goes beside rows as float64; leave coding and basis out")
+        room = max(_ROOM - 8 * self.scalars, 0) // ((1 + self.fields) * self.axes * self.dtype.itemsize)
+        if room < 1:
+            raise SessionError(f"{self.fields} fields and {self.scalars} numbers of a link law do not fit a datagram")
+        sent = self.rows
         if self.basis is not None:
             sent = self.basis.shape[-1]
             if self.basis.shape != (self.rows, sent) or np.linalg.matrix_rank(self.basis) < sent:
@@ -64,7 +73,7 @@ class Layout:
                     f"basis has the shape {self.basis.shape}; it takes {self.rows} rows and independent columns"
                 )
             if sent > room:
-                raise SessionError(f"basis has {sent} coordinates; {room} fit one datagram as {self.coding}")
+                raise SessionError(f"basis has {sent} coordinates; {room} fit one datagram as {self.encoding}")
             object.__setattr__(self, "_inverse", np.linalg.pinv(self.basis))
         object.__setattr__(self, "sent", sent)
         object.__setattr__(self, "chunk", min(room, sent))
@@ -72,7 +81,7 @@ class Layout:
     @property
     def dtype(self) -> np.dtype[np.floating]:
         """Of a number on the wire, little-endian."""
-        return np.dtype(self.coding).newbyteorder("<")
+        return np.dtype(self.encoding).newbyteorder("<")
 
     @property
     def chunks(self) -> int:
@@ -85,7 +94,7 @@ class Layout:
 
     def rounding(self, magnitude: float) -> float:
         """Bound on the rounding error of a number of at most this magnitude, before it is sent."""
-        relative, absolute = _ROUNDING[self.coding]
+        relative, absolute = _ROUNDING[self.encoding]
         return relative * magnitude + absolute
 
     def reduce(self, state: Float) -> Float:
@@ -94,5 +103,10 @@ class Layout:
         return values if self._inverse is None else self._inverse @ values
 
     def expand(self, sent: npt.NDArray[np.floating], out: Float) -> None:
-        """The state that the receiver sees, written into `out`, (rows, width)."""
+        """The state that the receiver sees, written into `out`, (rows, width).
+
+        Args:
+            sent: (rows, width) as it was sent.
+            out: written to.
+        """
         out[:, : self.axes] = sent if self.basis is None else self.basis @ sent

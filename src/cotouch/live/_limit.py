@@ -65,16 +65,16 @@ class SourceLimit:
         """It is no longer."""
         self._known.pop(address, None)
 
-    def take(self, now: float, address: Hashable, share: Hashable, cost: float = 1.0) -> bool:
+    def take(self, now: float, address: Hashable, group: Hashable, cost: float = 1.0) -> bool:
         """Whether a datagram is read.
 
         Args:
             now: [s].
             address: where it says it came from.
-            share: what strangers of one origin have in common, such as their host or network.
+            group: what strangers of one origin have in common, such as their host or network.
             cost: how many it counts for.
         """
         bucket = self._known.get(address)
         if bucket is None:
-            bucket = self._strangers[hash(share) % _STRANGERS]
+            bucket = self._strangers[hash(group) % _STRANGERS]
         return bucket.take(now, cost)

@@ -49,8 +49,31 @@ def listening(invitation: Invitation, listen: Endpoint | str | None, *, host: bo
 
 
 def advertised(at: Endpoint, invitation: Invitation) -> Endpoint:
-    """Where others find who listens there: on all addresses, the one towards the host."""
+    """Where others find who listens there: on all addresses, the one towards the host.
+
+    Args:
+        at: endpoint in question.
+        invitation: of the session.
+    """
     return Endpoint(_towards(invitation), at.port) if at.host in {"0.0.0.0", "::"} else at  # noqa: S104
+
+
+def towards(invitation: Invitation) -> str | None:
+    """The address by which this machine reaches the host now; None: it does not. Nothing is sent."""
+    try:
+        return _towards(invitation)
+    except TransportError:
+        return None
+
+
+def is_ours(host: str) -> bool:
+    """Whether this machine has this address now."""
+    try:
+        with socket.socket(socket.AF_INET6 if ":" in host else socket.AF_INET, socket.SOCK_DGRAM) as probe:
+            probe.bind((host, 0))
+    except OSError:
+        return False
+    return True
 
 
 def _towards(invitation: Invitation) -> str:

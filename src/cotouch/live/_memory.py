@@ -7,7 +7,7 @@ from typing import final
 import numpy as np
 
 from cotouch.errors import SessionError
-from cotouch.live._path import Path, PathLaw
+from cotouch.live._emulated_path import EmulatedPath, PathLaw
 from cotouch.live._transport import MOST_BYTES, Arrival, Traffic
 
 
@@ -29,16 +29,27 @@ class MemoryNetwork:
         self.now = 0.0
         self._law = law or PathLaw()
         self._seed = seed
-        self._paths: dict[tuple[str, str], Path] = {}
+        self._paths: dict[tuple[str, str], EmulatedPath] = {}
         self._waiting: dict[str, list[tuple[float, int, str, bytes]]] = {}
         self._count = 0
 
     def set(self, sender: str, receiver: str, law: PathLaw) -> None:
-        """Changes the law of one direction."""
+        """Changes the law of one direction.
+
+        Args:
+            sender: name of who sends.
+            receiver: name of the one who gets it.
+            law: delay, jitter, loss and order of the path.
+        """
         self._path(sender, receiver).law = law
 
     def law(self, sender: str, receiver: str) -> PathLaw:
-        """The law of one direction."""
+        """The law of one direction.
+
+        Args:
+            sender: name of who sends.
+            receiver: name of the one who gets it.
+        """
         return self._path(sender, receiver).law
 
     def join(self, address: str) -> "MemoryTransport":
@@ -49,7 +60,13 @@ class MemoryNetwork:
         return MemoryTransport(self, address)
 
     def carry(self, sender: str, receiver: str, payload: bytes) -> None:
-        """Takes a datagram on its way; anybody may write any sender on it."""
+        """Takes a datagram on its way; anybody may write any sender on it.
+
+        Args:
+            sender: name that is written on it.
+            receiver: name of the one who gets it.
+            payload: the datagram.
+        """
         path = self._path(sender, receiver)
         for time in path.arrivals(self.now, len(payload)):
             if receiver in self._waiting:
@@ -65,7 +82,12 @@ class MemoryNetwork:
         return out
 
     def move(self, old: str, new: str) -> None:
-        """Another address for a member, as a NAT gives; what is on its way to the old one is lost."""
+        """Another address for a member, as a NAT gives; what is on its way to the old one is lost.
+
+        Args:
+            old: address until now.
+            new: address from now on.
+        """
         del self._waiting[old]
         self._waiting[new] = []
 
@@ -73,12 +95,12 @@ class MemoryNetwork:
         """Nobody is at this address any more."""
         self._waiting.pop(address, None)
 
-    def _path(self, sender: str, receiver: str) -> Path:
+    def _path(self, sender: str, receiver: str) -> EmulatedPath:
         key = (sender, receiver)
         if key not in self._paths:
             # From the names, so that a path's fates do not depend on which paths there are.
             seed = np.random.SeedSequence([self._seed, *sender.encode(), 0x100, *receiver.encode()])
-            self._paths[key] = Path(self._law, np.random.Generator(np.random.PCG64(seed)))
+            self._paths[key] = EmulatedPath(self._law, np.random.Generator(np.random.PCG64(seed)))
         return self._paths[key]
 
 
@@ -104,7 +126,12 @@ class MemoryTransport:
         return self._traffic
 
     def send(self, neighbour: int, payload: bytes) -> bool:
-        """Hands a datagram to the network."""
+        """Hands a datagram to the network.
+
+        Args:
+            neighbour: slot of the neighbour.
+            payload: the datagram.
+        """
         if not self._open:
             self._traffic.unsent["closed"] += 1
         elif len(payload) > MOST_BYTES:
@@ -118,7 +145,7 @@ class MemoryTransport:
             return True
         return False
 
-    def bears(self, neighbour: int) -> float:  # noqa: ARG002
+    def capacity(self, neighbour: int) -> float:  # noqa: ARG002
         """Nothing is known here of what a path bears."""
         return float("inf")
 
@@ -132,7 +159,12 @@ class MemoryTransport:
         return arrived
 
     def follow(self, neighbour: int, source: Hashable) -> None:
-        """From now on the neighbour is there."""
+        """From now on the neighbour is there.
+
+        Args:
+            neighbour: slot of the neighbour.
+            source: where it came from.
+        """
         self._neighbours[neighbour] = str(source)
 
     def forget(self, neighbour: int) -> None:

@@ -5,9 +5,6 @@ from collections.abc import Hashable
 from dataclasses import dataclass, field
 from typing import final
 
-import numpy as np
-import numpy.typing as npt
-
 from cotouch.errors import SessionError
 from cotouch.live._ages import LinkAges
 from cotouch.live._assembly import Assembly
@@ -18,9 +15,7 @@ from cotouch.live._rate import SendRate
 from cotouch.live._refusal import Refusal
 from cotouch.live._seal import SealedLink, connection_of
 from cotouch.live._transport import Arrival, Transport
-from cotouch.peer import LinkGuard, Sample
-
-Float = npt.NDArray[np.float64]
+from cotouch.peer import LawLink, LinkGuard, Sample
 
 # Reading goes on for a little after the clock was read. What came later than this came while the process stood still,
 # and the step that ends now must not use it: it would know what is yet to be [s].
@@ -40,6 +35,9 @@ class SampleLink:
         refused: datagrams that came by its number and were of no use, by reason.
         asked: whether the other end asks for new keys.
         guard: what keeps this end passive; its words go with every datagram. None: this end says it is coupled.
+        law: what the link does instead of a guarded spring; its words go with every datagram.
+        ahead: what the neighbour's samples seem older than they are, because clocks differ, as the quickest echo of the
+            last seconds says with ways there and back that take the same; 0 before [s].
     """
 
     assembly: Assembly | IndexedAssembly
@@ -49,27 +47,44 @@ class SampleLink:
     refused: Counter[Refusal] = field(default_factory=Counter[Refusal])
     asked: bool = False
     guard: LinkGuard | None = None
+    law: LawLink | None = None
+    ahead: float = 0.0
     _newest: tuple[float, float] | None = None  # stamp and arrival
 
     def note(self, chunk: Chunk, arrived: float, now: float) -> None:
-        """Takes what an authenticated chunk says besides its state."""
-        _, _, step, stamp, _, flags, newest, count, echo, held, age, worst, _ = chunk.heading
+        """Takes what an authenticated chunk says besides its state.
+
+        Args:
+            chunk: which part of the state.
+            arrived: when, by the receiver's clock [s].
+            now: time by the clock of this member [s].
+        """
+        _, _, step, stamp, T, flags, newest, count, echo, held, age, worst, _ = chunk.heading
         if self._newest is None or stamp > self._newest[0]:
             self._newest = (stamp, arrived)
         self.asked = bool(flags & RENEW)
         ages = self.ages
         if flags & AGED:
-            ages.heard(now, index=step, age=age, worst=worst)
+            ages.received(now, index=step, age=age, worst=worst)
         if flags & ECHO:
             path = ages.echoed(now, arrived=arrived, echo=echo, held=held)
+            if path is not None and path <= (ages.shortest_path or 0.0):
+                self.ahead = arrived - stamp - 0.5 * (T + path)
             self.rate.report(
                 now, sent=self.seal.sealed, newest=newest, count=count, path=path, shortest=ages.shortest_path
             )
 
     def heading(self, epoch: int, sample: Sample, T: float, now: float) -> Heading:
-        """What a datagram to this neighbour says besides the state."""
+        """What a datagram to this neighbour says besides the state.
+
+        Args:
+            epoch: of the links.
+            sample: what the step tells.
+            T: length of the step [s].
+            now: time by the clock of this member [s].
+        """
         flags, echo, held, age, worst = 0, 0.0, 0.0, 0.0, 0.0
-        newest, count = self.seal.heard
+        newest, count = self.seal.received
         if self._newest is not None and newest >= 0:
             flags |= ECHO
             echo, held = self._newest[0], max(0.0, now - self._newest[1])
@@ -77,9 +92,9 @@ class SampleLink:
         if own is not None:
             flags |= AGED
             age, worst = own
-        if self.seal.wants_keys:
+        if self.seal.wants_keys(now):
             flags |= RENEW
-        word = sample.word if self.guard is None else self.guard.word
+        header = sample.header if self.guard is None else self.guard.header
         return Heading(
             epoch,
             sample.sender,
@@ -93,7 +108,7 @@ class SampleLink:
             held,
             age,
             worst,
-            word,
+            header,
         )
 
 
@@ -227,9 +242,9 @@ class SamplePlane:
         Returns:
             What was sent, with its rounding error; None if it was nobody's turn; why not, if nobody would take it.
         """
-        bears, chunks, due = self._transport.bears, self.layout.chunks, list[tuple[int, SampleLink]]()
+        capacity, chunks, due = self._transport.capacity, self.layout.chunks, list[tuple[int, SampleLink]]()
         for neighbour, link in self.links.items():
-            link.rate.cap(bears(neighbour) / chunks)
+            link.rate.cap(capacity(neighbour) / chunks)
             if link.rate.due(now):
                 due.append((neighbour, link))
         if not due:
@@ -241,8 +256,12 @@ class SamplePlane:
             return written
         for neighbour, link in due:
             heading = link.heading(self.epoch, sample, T, now)
+            told = codec.told(None if link.law is None else link.law.message)
+            if isinstance(told, Refusal):
+                link.refused[told] += 1
+                continue
             for chunk, body in enumerate(written.bodies):
-                sealed = link.seal.seal(codec.datagram(heading, chunk, body))
+                sealed = link.seal.seal(codec.datagram(heading, chunk, body, told[chunk]))
                 if sealed is not None:
                     send(neighbour, sealed)
         return written

@@ -73,7 +73,7 @@ class SendRate:
         self.loss = 0.0
         self.trend = Trend.HOLD
         self._due = -float("inf")
-        self._heard: float | None = None
+        self._received: float | None = None
         self._started: tuple[float, int, int] | None = None
         self._skip = -1  # reports about datagrams up to this one are about the rate before
         self._reached = float("inf")
@@ -112,9 +112,9 @@ class SendRate:
         if now < self._due - 0.5 * period:
             return False
         self._due = (now if now >= self._due + period else self._due) + period
-        if self._heard is None:
-            self._heard = now
-        if now - self._heard > _SILENCE and self.trend is not Trend.SILENT:
+        if self._received is None:
+            self._received = now
+        if now - self._received > _SILENCE and self.trend is not Trend.SILENT:
             self._before_silence = self.rate if self._trial is None else self._trial[0]
             self._turn(self._lowest, Trend.SILENT, -1)
         return True
@@ -132,7 +132,7 @@ class SendRate:
             path: time there and back, by the echo of this report [s].
             shortest: of the window [s].
         """
-        self._heard = now
+        self._received = now
         if self.trend is Trend.SILENT:
             self._turn(_DOWN * self._before_silence, Trend.HOLD, sent)
         if self._started is None:
@@ -152,8 +152,8 @@ class SendRate:
         if now - then < _LEAST_INTERVAL or newest - first < _LEAST_SENT:
             return
         waits = sorted(self._waits)
-        share = (count - before) / (newest - first)
-        self.loss = max(0.0, 1.0 - share)  # what comes late belongs to the interval before
+        fraction = (count - before) / (newest - first)
+        self.loss = max(0.0, 1.0 - fraction)  # what comes late belongs to the interval before
         interval = _Interval((count - before) / (now - then), self.loss, waits[len(waits) // 4] if waits else 0.0)
         self._started = (now, newest, count)
         self._waits.clear()

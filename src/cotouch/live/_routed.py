@@ -4,30 +4,35 @@ from collections import deque
 from collections.abc import Callable, Hashable, Sequence
 from typing import final
 
-from cotouch.errors import SessionError
+from cotouch.errors import SessionError, TransportError
 from cotouch.live._address import Address, numeric, origin, plain
-from cotouch.live._candidates import TOPIC, Candidate, Origin, local_candidates, read_offer, write_offer
+from cotouch.live._addresses import Addresses, Place
+from cotouch.live._candidates import TOPIC, Candidate, CandidateKind, local_candidates, read_offer, write_offer
 from cotouch.live._control import ControlPlane, Message
 from cotouch.live._interfaces import interface_hosts
 from cotouch.live._keys import Entropy
 from cotouch.live._limit import SourceLimit
-from cotouch.live._probe import MEMBER_BYTES, PROBE, WORD_BYTES, Kind, label_of, member_key, pair_keys
-from cotouch.live._puncher import Puncher, Way
+from cotouch.live._path_prober import PathProber, PathState
+from cotouch.live._paths import ByRelay, Known, PathChanged
+from cotouch.live._probe import MEMBER_BYTES, PAIR_NONCE_BYTES, PROBE, Kind, label_of, member_key, pair_keys
 from cotouch.live._reflexive import Lookup, Mirror
 from cotouch.live._transport import MOST_BYTES, Arrival, Ground, Traffic
-from cotouch.live._ways import ByRelay, Known, WayChanged
 
 # Candidates are said again this often: messages are lost while a member is cut off.
 _TELL = 5.0
 _TELL_DIRECT = 60.0
 _TELL_LEAST = 0.5
+# As often in the time after this machine got another address, while the control plane finds its own way back [s].
+_TELL_MOVED, _MOVED_FOR = 1.0, 20.0
 # A neighbour that was sent nothing for this long is idle.
 _ACTIVE = 1.0
 # The machine is asked for its interfaces at most this often.
 _LOOK_AROUND = 5.0
+# And for the address by which it reaches the others, which costs some system calls, this often [s].
+_WATCH = 1.0
 _MOST_EVENTS = 256
 # Ways are tended at most this often, however often arrivals are looked for.
-_TEND = 0.002
+_SERVICE = 0.002
 
 
 @final
@@ -55,6 +60,8 @@ class RoutedTransport:
         mirrors: Sequence[Address] = (),
         relay_rate: float = 100.0,
         interfaces: Callable[[], Sequence[str]] = interface_hosts,
+        addresses: Addresses | None = None,
+        here: Callable[[], str | None] | None = None,
     ) -> None:
         """Begins without neighbours.
 
@@ -67,6 +74,9 @@ class RoutedTransport:
             mirrors: who is asked for this member's own address: the host's sample socket, as members reach it.
             relay_rate: datagrams to a neighbour by the relay, at most [1/s].
             interfaces: gives the hosts of this machine's interfaces.
+            addresses: tells members what shows where they are, if this is the host's.
+            here: gives the address by which this machine reaches the others now, None where it does not; the socket
+                goes where that goes. None: the socket stays.
 
         Raises:
             SessionError: the rate is not positive, or a mirror is no address in numbers.
@@ -79,18 +89,20 @@ class RoutedTransport:
         self._session, self._secret, self._entropy = session, secret, entropy
         self._relay_rate = relay_rate
         self._interfaces = interfaces
+        self._address_now = here
         key = member_key(secret, session)
-        self._mirror, self._lookup = Mirror(key), Lookup(key, entropy)
+        self._mirror = Mirror(key, addresses)
+        self._lookup = Lookup(key, entropy, control.identity.public)
         self._neighbours: dict[int, Known] = {}
         self._labels: dict[int, int] = {}
         self._by_relay: dict[int, bytes] = {}  # neighbours that were not introduced
         self._probe_limit = SourceLimit(rate=200.0, burst=100.0, stranger_rate=200.0, stranger_burst=100.0)
         self._relay_limit = SourceLimit(rate=4096.0, burst=4096.0, stranger_rate=200.0, stranger_burst=64.0)
-        self._events: deque[WayChanged] = deque(maxlen=_MOST_EVENTS)
+        self._events: deque[PathChanged] = deque(maxlen=_MOST_EVENTS)
         self._listening = ground.address
         self._here, self._own = list[Candidate](), list[Candidate]()
-        self._looked = -float("inf")
-        self._last, self._tended = ground.now(), -float("inf")
+        self._looked = self._watched = self._moved = -float("inf")
+        self._last, self._serviced = ground.now(), -float("inf")
         self._open = True
         self.look(mirrors)
         self._look_around(self._last)
@@ -117,6 +129,11 @@ class RoutedTransport:
     def mapped(self) -> tuple[Address, ...]:
         """Where others see this one; two with one host are a NAT through which nobody can punch."""
         return tuple(self._lookup.addresses)
+
+    @property
+    def place(self) -> Place | None:
+        """What shows the host where this member is; None: nothing yet."""
+        return self._lookup.place
 
     def look(self, mirrors: Sequence[Address]) -> None:
         """Whom to ask for this member's own address from now on.
@@ -145,19 +162,19 @@ class RoutedTransport:
         known = self._neighbours.get(neighbour)
         if known is None or known.member != member:
             self.forget(neighbour)
-            self._neighbours[neighbour] = Known(member, self._entropy(WORD_BYTES), Puncher(self._ground.now()))
+            self._neighbours[neighbour] = Known(member, self._entropy(PAIR_NONCE_BYTES), PathProber(self._ground.now()))
             self._relay_limit.know(ByRelay(member))
 
-    def way(self, neighbour: int) -> Way:
+    def path_state(self, neighbour: int) -> PathState:
         """How a neighbour that was introduced is reached now."""
-        return self._neighbours[neighbour].way
+        return self._neighbours[neighbour].path_state
 
-    def path(self, neighbour: int) -> float | None:
+    def round_trip(self, neighbour: int) -> float | None:
         """Quickest way there and back of the last 20 s to one that was introduced; None if it is not direct [s]."""
         known = self._neighbours.get(neighbour)
-        return None if known is None else known.puncher.quickest
+        return None if known is None else known.prober.quickest
 
-    def events(self) -> list[WayChanged]:
+    def events(self) -> list[PathChanged]:
         """What changed since the last call; of too much the newest."""
         out = list(self._events)
         self._events.clear()
@@ -177,15 +194,20 @@ class RoutedTransport:
         for neighbour, known in self._neighbours.items():
             if known.member != message.sender:
                 continue
-            if offer.word != known.theirs:
-                known.theirs = offer.word
+            if offer.nonce != known.theirs:
+                known.theirs = offer.nonce
                 known.tell = now  # it may not have ours
                 self._rekey(neighbour, known)
-            known.puncher.offer([candidate for candidate in offer.candidates if self._usable(candidate)])
+            known.prober.offer([candidate for candidate in offer.candidates if self._usable(candidate)])
         return True
 
     def send(self, neighbour: int, payload: bytes) -> bool:
-        """Hands a datagram to the socket or the relay; never waits."""
+        """Hands a datagram to the socket or the relay; never waits.
+
+        Args:
+            neighbour: slot of the neighbour.
+            payload: the datagram.
+        """
         known = self._neighbours.get(neighbour)
         member = self._by_relay.get(neighbour) if known is None else known.member
         by = self.direct if member is None or (known is not None and known.address is not None) else self.relayed
@@ -208,7 +230,7 @@ class RoutedTransport:
             by.sent_bytes += len(payload)
         return done
 
-    def bears(self, neighbour: int) -> float:
+    def capacity(self, neighbour: int) -> float:
         """Datagrams per second that the way to a neighbour is to be given at most."""
         known = self._neighbours.get(neighbour)
         if known is None:
@@ -230,14 +252,18 @@ class RoutedTransport:
         now = self._ground.now()
         if came := self._relayed(now):
             out = sorted(out + came, key=lambda arrival: arrival.time)
-        if now >= self._tended + _TEND:
-            self._tended = now
-            self._tend(now)
+        if now >= self._serviced + _SERVICE:
+            self._serviced = now
+            self._service(now)
         self._last = now
         return out
 
     def follow(self, neighbour: int, source: Hashable) -> None:
         """The neighbour's newest authentic datagram came from there: an address, or `ByRelay`.
+
+        Args:
+            neighbour: slot of the neighbour.
+            source: where it came from.
 
         Raises:
             SessionError: this is no address, or one that the socket cannot reach.
@@ -250,15 +276,15 @@ class RoutedTransport:
                 self._by_relay[neighbour] = source.member
                 self._relay_limit.know(source)
             return
-        if known is not None and known.heard is not None and known.heard[0] == source:
-            known.puncher.learn(self._last, known.heard[1])
+        if known is not None and known.received is not None and known.received[0] == source:
+            known.prober.learn(self._last, known.received[1])
             return
         self._ground.follow(neighbour, source)  # its datagrams from there are no stranger's
         self._by_relay.pop(neighbour, None)
         address = plain(source)
         if known is not None and address is not None:
-            known.heard = (source, address)
-            known.puncher.learn(self._last, address)
+            known.received = (source, address)
+            known.prober.learn(self._last, address)
 
     def forget(self, neighbour: int) -> None:
         """The neighbour left."""
@@ -290,10 +316,10 @@ class RoutedTransport:
             if neighbour is None:
                 dropped["probe: label"] += 1
                 return
-            puncher = self._neighbours[neighbour].puncher
-            before = puncher.refused
-            answer = puncher.receive(arrival.time, datagram, source)
-            if puncher.refused > before:
+            prober = self._neighbours[neighbour].prober
+            before = prober.refused
+            answer = prober.receive(arrival.time, datagram, source)
+            if prober.refused > before:
                 dropped["probe: refused"] += 1
                 return
             self._note(arrival.time, neighbour)
@@ -305,11 +331,11 @@ class RoutedTransport:
             if self._lookup.addresses != before:
                 self._look_around(arrival.time)
         else:
-            told = self._mirror.answer(datagram, source)
-            if told is None:
+            announced = self._mirror.answer(datagram, source)
+            if announced is None:
                 dropped["probe: refused"] += 1
                 return
-            answer = (source, told)
+            answer = (source, announced)
         self.probes.received += 1
         self.probes.received_bytes += len(datagram)
         if answer is not None:
@@ -329,28 +355,52 @@ class RoutedTransport:
                 self.relayed.received_bytes += len(payload)
         return out
 
-    def _tend(self, now: float) -> None:
+    def _service(self, now: float) -> None:
         """Sends what is due: questions, pings, candidates."""
+        if self._address_now is not None and now >= self._watched + _WATCH:
+            self._watched = now
+            self._move(now, self._address_now())
         for to, question in self._lookup.due(now):
             self._out(to, question)
         for neighbour, known in self._neighbours.items():
-            for to, payload in known.puncher.due(now, active=now - known.sent < _ACTIVE):
+            for to, payload in known.prober.due(now, active=now - known.sent < _ACTIVE):
                 self._out(to, payload)
             self._note(now, neighbour)
-            if now >= max(known.tell, known.told + _TELL_LEAST):
-                known.told = now
-                known.tell = now + (_TELL_DIRECT if known.way is Way.DIRECT else _TELL)
-                self._control.send(TOPIC, write_offer(known.word, self._own), to=known.member)
+            if now >= max(known.tell, known.announced + _TELL_LEAST):
+                known.announced = now
+                known.tell = now + self._telling(now, known)
+                self._control.send(TOPIC, write_offer(known.nonce, self._own), to=known.member)
+
+    def _telling(self, now: float, known: Known) -> float:
+        """Until candidates are said again [s]."""
+        if now < self._moved + _MOVED_FOR:
+            return _TELL_MOVED
+        return _TELL_DIRECT if known.path_state is PathState.DIRECT else _TELL
+
+    def _move(self, now: float, host: str | None) -> None:
+        """Goes where this machine is now: a socket at an address that is gone neither sends nor hears."""
+        if host is None or host == self._listening.host:
+            return
+        try:
+            self._ground.rebind(host)
+        except TransportError:  # it is gone again, or not quite there; the next look tells
+            return
+        self._listening, self._looked, self._moved = self._ground.address, -float("inf"), now
+        self._lookup.hurry(now)
+        for known in self._neighbours.values():
+            known.prober.moved()
+            known.tell = now
+        self._look_around(now)
 
     def _note(self, now: float, neighbour: int) -> None:
         """Takes over which way the puncher has come to."""
         known = self._neighbours[neighbour]
-        puncher = known.puncher
-        if known.way is puncher.way and known.address == puncher.address:
+        prober = known.prober
+        if known.path_state is prober.path_state and known.address == prober.address:
             return
-        lost = known.way is Way.DIRECT and puncher.way is not Way.DIRECT
-        known.way, known.address = puncher.way, puncher.address
-        self._events.append(WayChanged(neighbour, now, known.way, known.address))
+        lost = known.path_state is PathState.DIRECT and prober.path_state is not PathState.DIRECT
+        known.path_state, known.address = prober.path_state, prober.address
+        self._events.append(PathChanged(neighbour, now, known.path_state, known.address))
         if lost:  # perhaps this machine is elsewhere now, or its NAT has forgotten
             known.tell = now
             self._lookup.hurry(now)
@@ -364,12 +414,12 @@ class RoutedTransport:
             session=self._session,
             own=self._control.identity.public,
             other=known.member,
-            own_word=known.word,
-            other_word=known.theirs,
+            own_nonce=known.nonce,
+            other_nonce=known.theirs,
         )
         known.label = keys.receiving[0]
         self._labels[known.label] = neighbour
-        known.puncher.rekey(keys)
+        known.prober.rekey(keys)
 
     def _look_around(self, now: float) -> None:
         """Finds out where this member may be reached; neighbours are told if that has changed."""
@@ -379,7 +429,9 @@ class RoutedTransport:
             self._here = local_candidates(self._listening, self._interfaces() if every else ())
         own = list(self._here)
         here = {candidate.address for candidate in own}
-        own += [Candidate(Origin.REFLEXIVE, address) for address in self._lookup.addresses if address not in here]
+        own += [
+            Candidate(CandidateKind.REFLEXIVE, address) for address in self._lookup.addresses if address not in here
+        ]
         if own != self._own:
             self._own = own
             for known in self._neighbours.values():

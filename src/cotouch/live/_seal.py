@@ -18,6 +18,7 @@ from cryptography.hazmat.primitives.ciphers.aead import AESGCM
 from cotouch.live._keys import DirectionKeys, LinkKeys
 from cotouch.live._refusal import Refusal
 from cotouch.live._replay import ReplayWindow
+from cotouch.live._unique import Unique
 
 VERSION = 0xC1
 HEADER = struct.Struct(">BBHIQ")
@@ -27,6 +28,9 @@ OVERHEAD = HEADER.size + TAG_BYTES
 # no hurry, is when new keys are asked for. At 1 kHz and five chunks that is after 7 hours.
 MOST_SEALED = 1 << 28
 RENEW_AFTER = MOST_SEALED // 2
+# And after an hour, however little was sealed: a key that leaks opens no more than that. An agreement costs each end a
+# millisecond, so this could be more often; TLS and WireGuard live with from two minutes to a day [s].
+RENEW_EVERY = 3600.0
 # How long datagrams of the epoch before are still opened, once the other end is heard in the new one: longer than any
 # of them is worth anything [s].
 _GRACE = 2.0
@@ -67,10 +71,13 @@ def connection_of(datagram: bytes) -> int | Refusal:
 
 
 @final
-class SealedLink:
-    """Seals and opens the datagrams of one link, across epochs of keys."""
+class SealedLink(Unique):
+    """Seals and opens the datagrams of one link, across epochs of keys. In a forked process it seals nothing."""
 
     def __init__(self) -> None:
+        """Begins without keys."""
+        super().__init__()
+        self._since: float | None = None
         self._sending: _Sending | None = None
         self._next: _Sending | None = None
         self._receiving: list[_Receiving] = []
@@ -94,17 +101,22 @@ class SealedLink:
         return self._sequence
 
     @property
-    def heard(self) -> tuple[int, int]:
+    def received(self) -> tuple[int, int]:
         """Greatest sequence number opened in the newest epoch (-1: none), and how many were."""
         if not self._receiving:
             return -1, 0
         window = self._receiving[0].window
         return window.newest, window.count
 
-    @property
-    def wants_keys(self) -> bool:
-        """Whether it is time to agree on new keys."""
-        return self._sending is None or self._sequence >= RENEW_AFTER
+    def wants_keys(self, now: float) -> bool:
+        """Whether it is time to agree on new keys.
+
+        Args:
+            now: time, never backwards; keys age from the first call after they came [s].
+        """
+        if self._since is None:
+            self._since = now
+        return self._sending is None or self._sequence >= RENEW_AFTER or now >= self._since + RENEW_EVERY
 
     def install(self, keys: LinkKeys) -> None:
         """Takes the keys of a new epoch; those of the last one still open until the other end is heard in the new one.
@@ -113,6 +125,7 @@ class SealedLink:
         """
         if keys.epoch <= self.epoch:
             return
+        self._since = None
         self._connection = keys.receiving.connection
         cipher, iv = _cipher(keys.receiving)
         self._receiving = [_Receiving(keys.epoch, cipher, iv, ReplayWindow()), *self._receiving[:1]]
@@ -124,9 +137,9 @@ class SealedLink:
             self._switch(sending)
 
     def seal(self, payload: bytes) -> bytes | None:
-        """The sealed datagram, `OVERHEAD` longer; None without keys, or when they are used up."""
+        """The sealed datagram, `OVERHEAD` longer; None without keys, when they are used up, or in a forked process."""
         sending, sequence = self._sending, self._sequence
-        if sending is None or sequence >= MOST_SEALED:
+        if sending is None or sequence >= MOST_SEALED or not self.here:
             return None
         self._sequence = sequence + 1
         header = HEADER.pack(VERSION, 0, sending.epoch & 0xFFFF, sending.connection, sequence)
@@ -164,10 +177,10 @@ class SealedLink:
         newest = present and sequence > window.newest
         window.mark(sequence)
         if present and self._retire == float("inf"):
-            self._heard_in_new_epoch(now)
+            self._received_in_new_epoch(now)
         return Opened(payload, newest)
 
-    def _heard_in_new_epoch(self, now: float) -> None:
+    def _received_in_new_epoch(self, now: float) -> None:
         self._retire = now + _GRACE
         if self._next is not None:
             self._switch(self._next)

@@ -36,6 +36,8 @@ MOST_MESSAGE = _HEAD.size + _MOST_TOPIC + MOST_BODY + _SIGNATURE
 _MOST_SENDERS = 1024
 # Of those who left, the last counters are kept of so many.
 _MOST_GONE = 1024
+# Unix time in nanoseconds comes there in the year 2262.
+_LAST_COUNTER = 1 << 63
 # So many bytes count as one more message: hashing them takes as long as a signature.
 _BYTES_PER_UNIT = 16_384
 
@@ -50,6 +52,7 @@ class MessageRefusal(Enum):
     NOT_OURS = "for another member"
     OWN = "said to be from ourselves"
     TOPIC = "a topic that is none"
+    COUNTER = "a counter near its end"
     REPLAYED = "seen before, or older than what was seen"
     STRANGERS = "one more sender than a session may have"
     FORGED = "the signature does not fit"
@@ -79,7 +82,13 @@ class MessageWriter:
         self._counter = started
 
     def write(self, topic: str, body: bytes, to: bytes | None = None) -> bytes:
-        """A message as it travels; see `check` for what it may be."""
+        """A message as it travels; see `check` for what it may be.
+
+        Args:
+            topic: what it is about.
+            body: the message.
+            to: public key of the receiver; None: all others.
+        """
         self._counter += 1
         head = _HEAD.pack(_MAGIC, self._identity.public, to or _ALL, self._counter, len(topic))
         said = head + topic.encode() + body
@@ -87,6 +96,11 @@ class MessageWriter:
 
     def check(self, topic: str, body: bytes, to: bytes | None) -> None:
         """Refuses what cannot be said.
+
+        Args:
+            topic: what it is about.
+            body: the message.
+            to: public key of the receiver; None: all others.
 
         Raises:
             SessionError: the topic, the body or the recipient cannot be.
@@ -182,6 +196,8 @@ class MessageReader:
             return MessageRefusal.TOPIC
         if len(message) - end - _SIGNATURE > MOST_BODY:
             return MessageRefusal.SIZE
+        if counter >= _LAST_COUNTER:
+            return MessageRefusal.COUNTER
         if counter <= self._last.get(sender, self._gone.get(sender, 0)):
             return MessageRefusal.REPLAYED
         key = self._keys.get(sender)

@@ -60,10 +60,15 @@ class Transport(Protocol):
         ...
 
     def send(self, neighbour: int, payload: bytes) -> bool:
-        """Hands a datagram to the network; never waits. False, and counted, if that was not possible."""
+        """Hands a datagram to the network; never waits. False, and counted, if that was not possible.
+
+        Args:
+            neighbour: slot of the neighbour.
+            payload: the datagram.
+        """
         ...
 
-    def bears(self, neighbour: int) -> float:
+    def capacity(self, neighbour: int) -> float:
         """Datagrams per second that the way to a neighbour is to be given at most; inf: what it bears must show."""
         ...
 
@@ -72,7 +77,12 @@ class Transport(Protocol):
         ...
 
     def follow(self, neighbour: int, source: Hashable) -> None:
-        """From now on the neighbour is where this datagram came from; only to be said of an authenticated one."""
+        """From now on the neighbour is where this datagram came from; only to be said of an authenticated one.
+
+        Args:
+            neighbour: slot of the neighbour.
+            source: where it came from.
+        """
         ...
 
     def forget(self, neighbour: int) -> None:
@@ -92,8 +102,21 @@ class Ground(Transport, Protocol):
         """Where it listens."""
         ...
 
+    def rebind(self, host: str) -> None:
+        """Listens at another address of this machine from now on.
+
+        Raises:
+            TransportError: that is not possible; it stays where it is.
+        """
+        ...
+
     def reach(self, address: Address, payload: bytes) -> bool:
-        """Hands over a datagram for an address that is no neighbour's, uncounted. False: that was not possible."""
+        """Hands over a datagram for an address that is no neighbour's, uncounted. False: that was not possible.
+
+        Args:
+            address: IP address and port.
+            payload: the datagram.
+        """
         ...
 
     def now(self) -> float:

@@ -71,6 +71,30 @@ class UdpTransport:
             raise TransportError("the socket is closed; open a new transport")
         return Address(*self._socket.getsockname()[:2])
 
+    def rebind(self, host: str) -> None:
+        """Listens at another address of this machine from now on, at the same port if that is free.
+
+        What waits in the kernel is lost, as on any path.
+
+        Args:
+            host: as at first.
+
+        Raises:
+            SessionError: the address is none.
+            TransportError: it is not this machine's; the socket stays where it is.
+        """
+        number = numeric(host)
+        if self._socket is None:
+            raise TransportError("the socket is closed; open a new transport")
+        six, port = number.version == 6, self.address.port
+        try:
+            opened = _open(str(number), port, six=six)
+        except TransportError:
+            opened = _open(str(number), 0, six=six)
+        self._socket.close()
+        self._socket, self._six = opened, six
+        self._stamped = _ask_for_stamps(opened)
+
     @property
     def buffer(self) -> int:
         """Receive buffer that the kernel granted [B]."""
@@ -86,7 +110,12 @@ class UdpTransport:
         return -1 if self._socket is None else self._socket.fileno()
 
     def send(self, neighbour: int, payload: bytes) -> bool:
-        """Hands a datagram to the kernel; never waits."""
+        """Hands a datagram to the kernel; never waits.
+
+        Args:
+            neighbour: slot of the neighbour.
+            payload: the datagram.
+        """
         to = self._neighbours.get(neighbour)
         if self._socket is None:
             self._traffic.unsent["closed"] += 1
@@ -106,7 +135,12 @@ class UdpTransport:
         return False
 
     def reach(self, address: Address, payload: bytes) -> bool:
-        """Hands the kernel a datagram for an address that is no neighbour's; whoever asks counts it."""
+        """Hands the kernel a datagram for an address that is no neighbour's; whoever asks counts it.
+
+        Args:
+            address: IP address and port.
+            payload: the datagram.
+        """
         if self._socket is None:
             return False
         try:
@@ -115,7 +149,7 @@ class UdpTransport:
             return False
         return True
 
-    def bears(self, neighbour: int) -> float:  # noqa: ARG002
+    def capacity(self, neighbour: int) -> float:  # noqa: ARG002
         """Nothing is known here of what a path bears."""
         return float("inf")
 
@@ -166,6 +200,10 @@ class UdpTransport:
 
     def follow(self, neighbour: int, source: Hashable) -> None:
         """From now on the neighbour is there: an `Address`, or the source of an arrival.
+
+        Args:
+            neighbour: slot of the neighbour.
+            source: where it came from.
 
         Raises:
             SessionError: this is no address, or one that this socket cannot reach.

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Literal
 
 from cotouch.errors import TransportError
-from cotouch.live._certificates import Certificates
+from cotouch.live._certificates import TlsCertificates
 from cotouch.live._invitation import Endpoint
 
 if TYPE_CHECKING:
@@ -29,9 +29,10 @@ Mode = Literal["peer", "client", "router"]
 
 def configuration(
     mode: Mode,
-    certificates: Certificates,
+    certificates: TlsCertificates,
     *,
     listen: Sequence[Endpoint] = (),
+    inner: str | None = None,
     connect: Sequence[Endpoint] = (),
     lease: float = 1.5,
     dial: bool = True,
@@ -43,6 +44,7 @@ def configuration(
         mode: peers speak with each other, clients through routers.
         certificates: of this member; keys go in by value, so nothing of them is written to disk.
         listen: where it listens; nowhere else.
+        inner: address of this machine where it also listens, on any free port, for its gate.
         connect: whom it dials, again and again until there is an answer.
         lease: after which a silent neighbour is gone [s].
         dial: whether a peer dials those of whom it hears from others.
@@ -67,7 +69,10 @@ def configuration(
     }
     made = {
         "mode": mode,
-        "listen": {"endpoints": [_locator(endpoint) for endpoint in listen], "exit_on_failure": True},
+        "listen": {
+            "endpoints": [*map(_locator, listen), *([f"tls/{inner}:0"] if inner and listen else [])],
+            "exit_on_failure": True,
+        },
         "connect": {
             "endpoints": [_locator(endpoint) for endpoint in connect],
             "timeout_ms": {"client": 3000, "peer": -1, "router": -1},
@@ -77,7 +82,9 @@ def configuration(
         # Who is there is seen by presence; opening need not wait for it.
         "open": {"return_conditions": {"connect_scouted": False}},
         "scouting": {"delay": 0, "multicast": {"enabled": multicast, **found}, "gossip": {"enabled": True, **found}},
-        "adminspace": {"enabled": False},
+        # Nobody reads or changes another's configuration, and nothing is loaded that could let them.
+        "adminspace": {"enabled": False, "permissions": {"read": False, "write": False}},
+        "plugins_loading": {"enabled": False},
         "transport": {
             "shared_memory": {"enabled": False},
             "unicast": {"open_timeout": _OPENING, "accept_timeout": _OPENING},
@@ -108,7 +115,8 @@ def open_session(configured: str) -> "zenoh.Session":
         return zenoh.open(zenoh.Config.from_json5(configured))
     except zenoh.ZError as error:
         given = json.loads(configured)
-        listen = ", ".join(name.removeprefix("tls/") for name in given["listen"]["endpoints"])
+        outer = (name for name in given["listen"]["endpoints"] if not name.endswith(":0"))
+        listen = ", ".join(name.removeprefix("tls/") for name in outer)
         connect = ", ".join(name.removeprefix("tls/") for name in given["connect"]["endpoints"])
         text = str(error)
         known = {

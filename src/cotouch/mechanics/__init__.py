@@ -1,5 +1,12 @@
 """How a body moves, passively: the compiled step and what it needs."""
 
+from cotouch.mechanics._closed import CLOSURE_ALARM, closed_settle, closed_step
+from cotouch.mechanics._contact_foundation import Foundation
+from cotouch.mechanics._contact_law import CONTACT_LAWS, press
+from cotouch.mechanics._contact_patch import press_skin
+from cotouch.mechanics._contact_step import contact_step
+from cotouch.mechanics._contact_stiffening import Stiffening
+from cotouch.mechanics._contact_work import Contact, contact_by
 from cotouch.mechanics._coupling import (
     checked_virtual_coupling,
     credit,
@@ -7,20 +14,24 @@ from cotouch.mechanics._coupling import (
     modulation_bound,
     virtual_coupling_limit,
 )
+from cotouch.mechanics._force import LAWS, BodyForce, evaluate, resist
 from cotouch.mechanics._kernel import block, inner, kernel, part
 from cotouch.mechanics._model import Basis, Model, model
 from cotouch.mechanics._operator import WEIGHTS, Operator, mixed, multiply, rescaled
 from cotouch.mechanics._state import (
+    BETA,
     BODY_LOSS,
-    BOOKS,
+    CLOSURE,
     ELASTIC,
     EXTRA_LOSS,
     ITERATIONS,
     KINETIC,
+    LEDGER_COLUMNS,
     LOCAL_LOSS,
+    SHORTENED,
     SUPPLIED,
-    Grips,
     Links,
+    Ports,
     State,
     Workspace,
     workspace,
@@ -36,7 +47,7 @@ from cotouch.mechanics._tools import (
     MOST_HELD,
     PROXY,
     TOUCH,
-    TOUCH_BOOKS,
+    TOUCH_LEDGER,
     TOUCH_LOSS,
     TOUCH_STORED,
     TOUCHED,
@@ -50,31 +61,41 @@ from cotouch.mechanics._vector import at, load, put, splat, store, total
 
 __all__ = [
     "AWAY",
+    "BETA",
     "BODY_LOSS",
-    "BOOKS",
+    "CLOSURE",
+    "CLOSURE_ALARM",
+    "CONTACT_LAWS",
     "DRIVE",
     "ELASTIC",
     "EXTRA_LOSS",
     "GRASP",
     "ITERATIONS",
     "KINETIC",
+    "LAWS",
+    "LEDGER_COLUMNS",
     "LOCAL_LOSS",
     "MOST_CONTACTS",
     "MOST_HELD",
     "PROXY",
+    "SHORTENED",
     "SUPPLIED",
     "TOUCH",
     "TOUCHED",
-    "TOUCH_BOOKS",
+    "TOUCH_LEDGER",
     "TOUCH_LOSS",
     "TOUCH_STORED",
     "WEIGHTS",
     "Basis",
-    "Grips",
+    "BodyForce",
+    "Contact",
+    "Foundation",
     "Links",
     "Model",
     "Operator",
+    "Ports",
     "State",
+    "Stiffening",
     "Surface",
     "Tools",
     "TouchWork",
@@ -83,7 +104,12 @@ __all__ = [
     "at",
     "block",
     "checked_virtual_coupling",
+    "closed_settle",
+    "closed_step",
+    "contact_by",
+    "contact_step",
     "credit",
+    "evaluate",
     "inner",
     "kernel",
     "load",
@@ -94,8 +120,11 @@ __all__ = [
     "modulation_bound",
     "multiply",
     "part",
+    "press",
+    "press_skin",
     "put",
     "rescaled",
+    "resist",
     "settle",
     "splat",
     "step",

@@ -13,10 +13,10 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.mechanics._kernel import block, inner, part
 from cotouch.mechanics._surface import Fit, Surface, box_distance, place_vertex
 
-Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
 
 # Triangles whose nearest points one search compares; more, and the farthest are left out.
@@ -39,7 +39,7 @@ class Hits(NamedTuple):
         feature: where the nearest point of some triangles is, (MOST_HITS,).
         seen: how many triangles said so, (MOST_HITS,).
         triangle: one of them, (MOST_HITS,).
-        share: of its corners in the point, (MOST_HITS, 4).
+        fraction: of its corners in the point, (MOST_HITS, 4).
         away: from the point to the centre of the sphere, (MOST_HITS, 4) [m].
         distance: (MOST_HITS,) [m].
         normal: sum of their normals, weighted by their angles there, (MOST_HITS, 4).
@@ -50,7 +50,7 @@ class Hits(NamedTuple):
     feature: Int
     seen: Int
     triangle: Int
-    share: Float
+    barycentric: Float
     away: Float
     distance: Float
     normal: Float
@@ -64,7 +64,7 @@ class Contacts(NamedTuple):
     Attributes:
         tool: which sphere, (most,).
         triangle: of the skin, (most,).
-        share: of its corners in the point of contact, (most, 4).
+        fraction: of its corners in the point of contact, (most, 4).
         normal: outward, from the skin to the sphere, (most, 4).
         depth: penetration, negative for a gap, (most,) [m].
         number: (1,).
@@ -72,7 +72,7 @@ class Contacts(NamedTuple):
 
     tool: Int
     triangle: Int
-    share: Float
+    barycentric: Float
     normal: Float
     depth: Float
     number: Int
@@ -84,7 +84,7 @@ def hits() -> Hits:
         feature=np.zeros(MOST_HITS, dtype=np.int32),
         seen=np.zeros(MOST_HITS, dtype=np.int32),
         triangle=np.zeros(MOST_HITS, dtype=np.int32),
-        share=np.zeros((MOST_HITS, 4)),
+        barycentric=np.zeros((MOST_HITS, 4)),
         away=np.zeros((MOST_HITS, 4)),
         distance=np.zeros(MOST_HITS),
         normal=np.zeros((MOST_HITS, 4)),
@@ -98,7 +98,7 @@ def contacts(most: int) -> Contacts:
     return Contacts(
         tool=np.zeros(most, dtype=np.int32),
         triangle=np.zeros(most, dtype=np.int32),
-        share=np.zeros((most, 4)),
+        barycentric=np.zeros((most, 4)),
         normal=np.zeros((most, 4)),
         depth=np.zeros(most),
         number=np.zeros(1, dtype=np.int32),
@@ -168,15 +168,15 @@ def nearest_point(place: Float, ia: int, ib: int, ic: int, x: float, y: float, z
         size = ux * ux + uy * uy + uz * uz
         if not 0.0 < dot < size:
             continue  # a corner is as near
-        share, own = dot / size, (i + 1) * vertices + j
-        fx, fy, fz = place[i, 0] + share * ux, place[i, 1] + share * uy, place[i, 2] + share * uz
+        fraction, own = dot / size, (i + 1) * vertices + j
+        fx, fy, fz = place[i, 0] + fraction * ux, place[i, 1] + fraction * uy, place[i, 2] + fraction * uz
         gx, gy, gz = x - fx, y - fy, z - fz
         square = gx * gx + gy * gy + gz * gz
         if square < best or (square == best and own < rank):
             where, best, rank = 3 + side, square, own
             near[0, 0], near[0, 1], near[0, 2] = 0.0, 0.0, 0.0
-            near[0, first] = 1.0 - share
-            near[0, second] = share
+            near[0, first] = 1.0 - fraction
+            near[0, second] = fraction
             near[1, 0], near[1, 1], near[1, 2] = fx, fy, fz
     return where
 
@@ -200,7 +200,7 @@ def _add_hit(
 ) -> int:
     """Notes what one triangle said; returns the new number of hits."""
     ia, ib, ic = surface.corner[triangle, 0], surface.corner[triangle, 1], surface.corner[triangle, 2]
-    edges = surface.share.shape[0]
+    edges = surface.meeting.shape[0]
     feature = edges + triangle
     if where < 3:
         feature = surface.corner[triangle, where]
@@ -229,7 +229,7 @@ def _add_hit(
         hits.triangle[slot] = triangle
         hits.distance[slot] = distance
         for a in range(3):
-            hits.share[slot, a] = hits.near[0, a]
+            hits.barycentric[slot, a] = hits.near[0, a]
             hits.away[slot, a] = centre[t, a] - hits.near[1, a]
             hits.normal[slot, a] = 0.0
     hits.seen[slot] += 1
@@ -368,7 +368,7 @@ def touching(
         if within:
             if slot == best:
                 _keep(hits, found, slot, tool, radius + hits.distance[slot], -1.0)
-        elif feature >= surface.share.shape[0] or hits.seen[slot] == surface.share[feature]:
+        elif feature >= surface.meeting.shape[0] or hits.seen[slot] == surface.meeting[feature]:
             _merge(hits, count, slot, _CLOSE * radius)
             facing = _dot(hits.away, slot, hits.near, 0)
             if (facing >= 0.0 or hits.distance[slot] <= _ON) and hits.distance[slot] <= radius + margin:
@@ -403,7 +403,7 @@ def _keep(hits: Hits, found: Contacts, slot: int, tool: int, depth: float, sign:
     found.depth[c] = depth
     size = hits.distance[slot]
     for a in range(3):
-        found.share[c, a] = hits.share[slot, a]
+        found.barycentric[c, a] = hits.barycentric[slot, a]
         found.normal[c, a] = sign * hits.away[slot, a]
     if size <= _ON:
         size = math.sqrt(_dot(hits.near, 0, hits.near, 0))

@@ -11,12 +11,12 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.mechanics._kernel import block, part
 from cotouch.mechanics._operator import Operator, row_sum
 from cotouch.mechanics._surface import FOUR
 from cotouch.mechanics._vector import load, splat, store
 
-Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
 
 # Rows that a column may be read at: three corners, each carried by eight nodes, each with three axes.

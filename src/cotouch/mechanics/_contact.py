@@ -11,9 +11,9 @@ import math
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.mechanics._kernel import block, part
 
-Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
 
 SWEEPS = 200

@@ -1,8 +1,8 @@
 """What joins a device to its proxy without making energy: passive set-position modulation, virtual coupling.
 
 **Passive set-position modulation** (PSPM) [Lee & Huang 2010] holds a spring from a place q (the device's tip, or on the
-other side the proxy) to a *set position* ȳ and moves ȳ towards the wish y only as far as there is energy for it. Both
-sides do this with `modulate`; they differ only in how they know what energy there is:
+other side the proxy) to a *set position* ȳ and moves ȳ towards the desired position y only as far as there is energy
+for it. Both sides do this with `modulate`; they differ only in how they know what energy there is:
 
 * *Device side, sampled.* A force F_k held between two servo ticks does exactly the work F_k·(q_{k+1} - q_k), whatever
   the device did in between. With the spring's energy S_k = ½k‖q_k - ȳ_k‖² and the tank E_k after tick k, what is there
@@ -31,10 +31,11 @@ from cotouch.mechanics._kernel import kernel
 
 @kernel
 def modulate(potential: float, available: float, cap: float) -> tuple[float, float, float]:
-    """How far the set position may move from the place towards the wish: `ȳ = q + share (y - q)`.
+    """How far the set position may move from the place towards the desired position: `ȳ = q + fraction (y - q)`.
 
     Args:
-        potential: P = ½k‖q - y‖², the spring's energy if the wish came true; infinite or NaN: the wish is ignored [J].
+        potential: P = ½k‖q - y‖², the spring's energy if the desired position came true; infinite or NaN: the desired
+            position is ignored [J].
         available: R, the energy that there is [J]; negative: a debt.
         cap: Ē, what the tank keeps at most [J].
 
@@ -99,6 +100,9 @@ def virtual_coupling_limit(
     ages: float = 0.0,
     weight: float = 1.0,
     spread: float = 1.0,
+    unseen: float = 0.0,
+    dry: float = 0.0,
+    shortest: float | None = None,
 ) -> float:
     """The stiffest spring-damper to the proxy that stays passive behind a sampled servo [N/m]; negative: none does.
 
@@ -108,6 +112,11 @@ def virtual_coupling_limit(
     device and body have clocks of their own, each end has its own damper and the spring's samples have ages, which the
     age rule adds as `½k ages · weight`; the proxy then needs `½k ages / weight` of its own.
 
+    An encoder shifts the place by up to `unseen` and the velocity by up to `2 unseen / T`, hence the force by up to
+    `(k + 2b/T) unseen`. What that does on the device its dry friction pays for, if it is no less; with one axis, b = 0
+    and steps of Δ in the encoder this is `k <= 2 dry / Δ` [Abbott & Okamura 2005; Diolaiti et al. 2006]. What it does
+    on the proxy nobody pays for: at most `(k + 2b/T) unseen` times the proxy's path.
+
     Args:
         device_damping: the device's physical viscous damping, >= 0 [Ns/m].
         period: longest servo period, > 0 [s].
@@ -116,10 +125,14 @@ def virtual_coupling_limit(
             of its use, >= 0 [s]; 0 if the body's step tells the force.
         weight: d of the age rule, > 0.
         spread: longest period beside the one before it, >= 1.
+        unseen: farthest that the tip may be from where the encoders have it, >= 0 [m].
+        dry: the device's physical Coulomb friction, >= 0 [N]; matters with `unseen`.
+        shortest: servo period, > 0 [s]; None: as the longest.
 
     Raises:
         DeviceError: an argument is out of range.
     """
+    shortest = period if shortest is None else shortest
     for name, value, least, strict in (
         ("device_damping", device_damping, 0.0, False),
         ("period", period, 0.0, True),
@@ -127,12 +140,16 @@ def virtual_coupling_limit(
         ("ages", ages, 0.0, False),
         ("weight", weight, 0.0, True),
         ("spread", spread, 1.0, False),
+        ("unseen", unseen, 0.0, False),
+        ("dry", dry, 0.0, False),
+        ("shortest", shortest, 0.0, True),
     ):
         if not (isfinite(value) and (value > least if strict else value >= least)):
             raise DeviceError(
                 f"{name} is {value:g}; it must be finite and {'above' if strict else 'at least'} {least:g}"
             )
-    return (device_damping - 0.5 * damping * (1.0 + spread)) / (0.5 * period + 0.5 * ages * weight)
+    sampled = (device_damping - 0.5 * damping * (1.0 + spread)) / (0.5 * period + 0.5 * ages * weight)
+    return sampled if unseen == 0.0 else min(sampled, dry / unseen - 2.0 * damping / shortest)
 
 
 def checked_virtual_coupling(
@@ -144,6 +161,9 @@ def checked_virtual_coupling(
     ages: float = 0.0,
     weight: float = 1.0,
     spread: float = 1.0,
+    unseen: float = 0.0,
+    dry: float = 0.0,
+    shortest: float | None = None,
     lower: bool = False,
 ) -> float:
     """A stiffness that is passive: the given one, or with `lower` the limit if that is less [N/m].
@@ -156,6 +176,9 @@ def checked_virtual_coupling(
         ages: sum of the largest ages [s].
         weight: d of the age rule.
         spread: longest period beside the one before it.
+        unseen: by the encoders [m].
+        dry: Coulomb friction [N].
+        shortest: servo period [s].
         lower: take the limit where the stiffness exceeds it.
 
     Raises:
@@ -166,6 +189,24 @@ def checked_virtual_coupling(
     limit = virtual_coupling_limit(
         device_damping=device_damping, period=period, damping=damping, ages=ages, weight=weight, spread=spread
     )
+    coarse = virtual_coupling_limit(
+        device_damping=device_damping,
+        period=period,
+        damping=damping,
+        ages=ages,
+        weight=weight,
+        spread=spread,
+        unseen=unseen,
+        dry=dry,
+        shortest=shortest,
+    )
+    if limit > 0.0 and coarse < limit and not (stiffness <= coarse or (lower and coarse > 0.0)):
+        upto = f"is passive up to {coarse:g} N/m; lower it" if coarse > 0.0 else "is passive with none; refine them"
+        raise DeviceError(
+            f"the virtual coupling's stiffness is {stiffness:g} N/m; a device whose encoders may miss {unseen:.3g} m "
+            f"of its place, with {dry:g} N of dry friction to pay for it, {upto} or use PSPM"
+        )
+    limit = min(limit, coarse)
     if limit <= 0.0:
         raise DeviceError(
             f"the virtual coupling's damping is {damping:g} Ns/m, but the device's own {device_damping:g} Ns/m can pay "

@@ -6,17 +6,17 @@ import math
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.mechanics._collide import Contacts
 from cotouch.mechanics._columns import Columns
 from cotouch.mechanics._grasp import held_place
 from cotouch.mechanics._kernel import block, part
-from cotouch.mechanics._ports import Ports, correct, factorise_ports
+from cotouch.mechanics._modal_ports import ModalPorts, correct, factorise_ports
 from cotouch.mechanics._small import Small
-from cotouch.mechanics._state import Grips
+from cotouch.mechanics._state import Ports
 from cotouch.mechanics._surface import FOUR, Fit, Surface, place_vertex
 from cotouch.mechanics._tools import MOST_HELD, Tools
 
-Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
 
 
@@ -73,8 +73,8 @@ def gather(
     first: int,
     last: int,
     grip_gain: Float,
+    modal_ports: ModalPorts,
     ports: Ports,
-    grips: Grips,
     port_gain: Float,
     diagonal: Float,
     wide: bool,
@@ -88,16 +88,16 @@ def gather(
         first: first tool.
         last: one past the last.
         grip_gain: coefficients of their grasps.
-        ports: result.
-        grips: what else holds the copy.
+        modal_ports: result.
+        ports: what else holds the copy.
         port_gain: its coefficients.
         diagonal: D.
         wide: whether axes are alike.
     """
-    shape, gain, other = ports.shape, ports.gain, grips.shape
-    rows, before = diagonal.shape[0], grips.first
+    shape, gain, other = modal_ports.shape, modal_ports.gain, ports.shape
+    rows, before = diagonal.shape[0], ports.first
     q = 0
-    for p in range(before, grips.last):
+    for p in range(before, ports.last):
         for i in range(rows):
             shape[q, i] = other[p, i]
         gain[q] = math.sqrt(port_gain[p - before])
@@ -109,7 +109,7 @@ def gather(
                     shape[q, i] = surface_shape[hold_of[t, c] * rows + i, a]
                 gain[q] = math.sqrt(grip_gain[t - first])
                 q += 1
-    factorise_ports(ports, q, diagonal)
+    factorise_ports(modal_ports, q, diagonal)
     return q
 
 
@@ -136,7 +136,7 @@ def elements(
     first, held, hold_of = tools.first, tools.held, tools.hold
     shape, hold_row, corner = surface.shape, surface.hold_row, surface.corner
     carried, weight = surface.row, surface.weight
-    triangle, share, normal, tool = found.triangle, found.share, found.normal, found.tool
+    triangle, barycentric, normal, tool = found.triangle, found.barycentric, found.normal, found.tool
     direction, column, owner, force = small.direction, small.column, small.owner, small.force
     grip_column = small.grip_column
     dense, row, value, entries = work.dense, work.row, work.value, work.entries
@@ -156,10 +156,10 @@ def elements(
                 continue
             column[n + j] = used
             if modal:
-                _dense_column(shape, corner, triangle[c], share, c, direction, n + j, dense, used, rows, wide)
+                _dense_column(shape, corner, triangle[c], barycentric, c, direction, n + j, dense, used, rows, wide)
             else:
                 entries[used] = _sparse_column(
-                    carried, weight, corner, triangle[c], share, c, direction, n + j, row, value, used, wide
+                    carried, weight, corner, triangle[c], barycentric, c, direction, n + j, row, value, used, wide
                 )
             used += 1
     for t in range(first, tools.last):
@@ -198,7 +198,7 @@ def _dense_column(
     shape: Float,
     corner: Int,
     triangle: int,
-    share: Float,
+    barycentric: Float,
     c: int,
     direction: Float,
     element: int,
@@ -211,7 +211,7 @@ def _dense_column(
     for i in range(rows):
         dense[column, i] = 0.0
     for q in range(3):
-        part = share[c, q]
+        part = barycentric[c, q]
         if part == 0.0:
             continue
         v = corner[triangle, q]
@@ -230,7 +230,7 @@ def _sparse_column(
     weight: Float,
     corner: Int,
     triangle: int,
-    share: Float,
+    barycentric: Float,
     c: int,
     direction: Float,
     element: int,
@@ -244,7 +244,7 @@ def _sparse_column(
     for q in range(3):
         v = corner[triangle, q]
         for k in range(carried.shape[1]):
-            part = share[c, q] * weight[v, k]
+            part = barycentric[c, q] * weight[v, k]
             if part == 0.0:
                 continue
             for a in range(1 if wide else 3):
@@ -255,7 +255,7 @@ def _sparse_column(
 
 
 @part
-def modal_columns(dense: Float, answers: Float, ports: Ports, held: int, used: int, diagonal: Float) -> None:
+def modal_columns(dense: Float, answers: Float, modal_ports: ModalPorts, held: int, used: int, diagonal: Float) -> None:
     """`A⁻¹ h_c` where A is diagonal but for ports."""
     for group in range((used + 3) // 4):
         answer = answers[group]
@@ -263,4 +263,4 @@ def modal_columns(dense: Float, answers: Float, ports: Ports, held: int, used: i
             for lane in range(4):
                 c = 4 * group + lane
                 answer[i, lane] = dense[c, i] / diagonal[i] if c < used else 0.0
-        correct(ports, held, diagonal, answer, FOUR)
+        correct(modal_ports, held, diagonal, answer, FOUR)

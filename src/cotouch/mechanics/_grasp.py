@@ -4,11 +4,11 @@
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._surface import Fit, Surface, place_vertex
 from cotouch.mechanics._tools import MOST_HELD, MOST_HELD_MODAL, Tools
 
-Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
 
 

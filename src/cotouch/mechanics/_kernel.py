@@ -24,7 +24,7 @@ def kernel(function: F) -> F:
 
 def inner(function: F) -> F:
     """A kernel that only kernels call. What lets Python call one costs a second of compilation with many arrays."""
-    return stamped(_numba(forceinline=True, no_cpython_wrapper=True, no_cfunc_wrapper=True)(function))
+    return stamped(_numba(forceinline=True, no_cpython_wrapper=True)(function))
 
 
 def block(function: F) -> F:
@@ -34,9 +34,9 @@ def block(function: F) -> F:
 
 def part(function: F) -> F:
     """A `block` that only kernels call."""
-    return stamped(_numba(forceinline=False, no_cpython_wrapper=True, no_cfunc_wrapper=True)(function))
+    return stamped(_numba(forceinline=False, no_cpython_wrapper=True)(function))
 
 
 def _numba(**options: bool) -> Callable[[F], Any]:
     njit: Any = numba.njit
-    return njit(cache=True, nogil=True, fastmath={"contract"}, error_model="numpy", _nrt=False, **options)
+    return njit(nogil=True, fastmath={"contract"}, error_model="numpy", _nrt=False, no_cfunc_wrapper=True, **options)

@@ -10,12 +10,14 @@ import scipy.linalg as la
 import scipy.sparse as sp
 from scipy.sparse import csgraph
 
-from cotouch.body import Body, Matrix, Truncation
+from cotouch.arrays import Float
+from cotouch.body import Body, Material, Matrix, Truncation, canonical
 from cotouch.errors import BodyError, UnsupportedError
-from cotouch.mechanics._operator import MASS, STIFFNESS, WEIGHTS, Operator, mixed
+from cotouch.mechanics._force import BodyForce
+from cotouch.mechanics._materials import force_of, outline_of
+from cotouch.mechanics._operator import DAMPING, MASS, STIFFNESS, WEIGHTS, Operator, mixed
 from cotouch.mechanics._vector import WIDTHS
 
-Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
 Basis = Literal["auto", "nodal", "modal"]
 
@@ -24,6 +26,8 @@ Basis = Literal["auto", "nodal", "modal"]
 _MODAL_ROWS = 256
 # A row sum of K this small beside the diagonal is the rounding of a row that sums to nothing.
 _NO_GROUND = 1e-14
+# Eigenvalues that differ by no more than this, beside the largest, are equal.
+_EQUAL = 1e-13
 # How far from diagonal a matrix may be in the modal basis, relative to its largest entry there, to count as commuting.
 _COMMUTES = 1e-11
 
@@ -42,6 +46,8 @@ class Model:
             body has fewer columns than rows.
         inverse: the inverse of `modes`, or `modesᵀ M`, which projects on them; None in the nodal basis.
         order: row k of the kernels is row `order[k]` of the body; None where they are in the same order.
+        force: what resists inside a body of some material; None where K and B of the operator do.
+        memory: numbers that it remembers of a copy.
     """
 
     body: Body
@@ -49,6 +55,8 @@ class Model:
     modes: Float | None
     inverse: Float | None
     order: Int | None
+    force: BodyForce | None = None
+    memory: int = 0
 
     @property
     def basis(self) -> Literal["nodal", "modal"]:
@@ -58,7 +66,7 @@ class Model:
     @property
     def full(self) -> bool:
         """Whether each axis of a node has a row of its own."""
-        return self.body.form == "full"
+        return self.force is None and self.body.form == "full"
 
     @property
     def operator_rows(self) -> int:
@@ -127,7 +135,7 @@ def model(body: Body, *, copies: int = 1, weights: Sequence[Matrix] = (), basis:
     Raises:
         BodyError: a weight does not fit the body.
         UnsupportedError: basis "modal" where the matrices do not commute; a truncated body with basis "nodal" or with
-            link weights of its own.
+            link weights of its own; a material with basis "modal", with weights that couple axes, or on one axis.
     """
     if copies < 1:
         raise BodyError(f"copies is {copies}; there must be at least 1 user")
@@ -138,6 +146,8 @@ def model(body: Body, *, copies: int = 1, weights: Sequence[Matrix] = (), basis:
                 f"{what}, but the body is truncated to a few shapes; leave that out, or the truncation"
             )
         return _truncated(body, body.truncation, copies)
+    if body.material is not None:
+        return _of_material(body, body.material, copies, weights, basis)
     fitted = [_fit(body, index, weight) for index, weight in enumerate(weights, start=1)]
     if body.form == "node" and any(full for _, full in fitted):
         body = body.as_full()
@@ -155,6 +165,34 @@ def model(body: Body, *, copies: int = 1, weights: Sequence[Matrix] = (), basis:
     if basis == "modal":
         raise UnsupportedError(f'basis is "modal", but {changed}; use "nodal" or "auto"')
     return plain
+
+
+def _of_material(body: Body, material: Material, copies: int, weights: Sequence[Matrix], basis: Basis) -> Model:
+    """The model of a body whose inner forces are not linear: its matrices give the direction of a step."""
+    if basis == "modal":
+        raise UnsupportedError(f'basis is "modal", but model is "{material.model}", which has no modes; use "auto"')
+    if body.dimension < 2:
+        raise UnsupportedError(f'model is "{material.model}", but the body has one axis; it needs 2 or 3')
+    outline = outline_of(body, material)
+    fitted = [_fit(outline, index, weight) for index, weight in enumerate(weights, start=1)]
+    if any(full for _, full in fitted):
+        raise UnsupportedError(
+            f'model is "{material.model}", so link weights must be {body.nodes} x {body.nodes}, alike along each axis'
+        )
+    own = [outline.mass, outline.damping, outline.stiffness, sp.eye_array(body.nodes, format="csr")]
+    matrices = [*own, *(m for m, _ in fitted)]
+    order, split = _halves(matrices)
+    ordered = matrices if order is None else [sp.csr_array(matrix[order][:, order]) for matrix in matrices]
+    force, memory = force_of(body, material, order)
+    return Model(
+        body=body,
+        operator=_operator(ordered, copies, split),
+        modes=None,
+        inverse=None,
+        order=order,
+        force=force,
+        memory=memory,
+    )
 
 
 def _fit(body: Body, index: int, weight: Matrix) -> tuple[sp.csr_array, bool]:
@@ -246,13 +284,17 @@ def _assembled(
 ) -> Operator:
     rows = diagonals[0].size
     magnitude = np.zeros((entries.shape[0], rows))
-    ground = diagonals[STIFFNESS].copy()
+    ground, drag = diagonals[STIFFNESS].copy(), diagonals[DAMPING].copy()
     for family, values in enumerate(entries):
         magnitude[family] = sp.csr_array((np.abs(values), column, pointer), shape=(rows, rows)).sum(axis=1)
-        ground += mix[STIFFNESS, family] * sp.csr_array((values, column, pointer), shape=(rows, rows)).sum(axis=1)
+        beside = sp.csr_array((values, column, pointer), shape=(rows, rows)).sum(axis=1)
+        ground += mix[STIFFNESS, family] * beside
+        drag += mix[DAMPING, family] * beside
     ground[np.abs(ground) <= _NO_GROUND * diagonals[STIFFNESS]] = 0.0
+    drag[np.abs(drag) <= _NO_GROUND * diagonals[DAMPING]] = 0.0
     return Operator(
-        share=1.0 / copies,
+        copy_scale=1.0 / copies,
+        firmness=1.0,
         mass=diagonals[0],
         damping=diagonals[1],
         stiffness=diagonals[2],
@@ -262,6 +304,7 @@ def _assembled(
         entries=entries,
         mix=mix,
         ground=ground,
+        drag=drag,
         magnitude=magnitude,
         split=split,
     )
@@ -277,7 +320,8 @@ def _modal(body: Body, matrices: list[sp.csr_array], copies: int) -> Model | str
         size = np.abs(matrix).max()
         if size > 0.0:
             mixture += matrix * (np.sqrt(q + 1.0) / size)
-    _, modes = la.eigh(mixture, mass)
+    values, modes = la.eigh(mixture, mass)
+    modes = canonical(values, modes, mass, _EQUAL * float(np.abs(values).max()))
     names = ["mass", "damping", "stiffness", "the identity link weight"]
     names += [f"link weight {w}" for w in range(1, len(dense) - WEIGHTS + 1)]
     diagonals: list[sp.csr_array] = []

@@ -5,10 +5,10 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.mechanics._kernel import inner, kernel
 from cotouch.mechanics._vector import at, load, splat, store, total
 
-Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
 
 # Rows of `Operator.mix`; the weights follow.
@@ -24,7 +24,8 @@ class Operator(NamedTuple):
     is assembled at all; with none the step is a closed form.
 
     Attributes:
-        share: 1/N, the scale of M, B and K in each of N copies.
+        coefficient: 1/N, the scale of M, B and K in each of N copies.
+        firmness: scale of K beside that, 1 but while members come and go.
         mass: diagonal of M, (rows,).
         damping: diagonal of B, (rows,).
         stiffness: diagonal of K, (rows,).
@@ -34,12 +35,14 @@ class Operator(NamedTuple):
         entries: values of each family, (families, entries).
         mix: (3 + weights, families), rows M, B, K, W_0, W_1, ...
         ground: row sums of K, exactly 0 where they are only rounding, (rows,).
+        drag: row sums of B likewise, (rows,).
         magnitude: sum of the absolute values of each row of each family, (families, rows).
         split: rows before it have no entries among each other, nor have those from it on; 0 where no order of the rows
             makes it so.
     """
 
-    share: float
+    copy_scale: float
+    firmness: float
     mass: Float
     damping: Float
     stiffness: Float
@@ -49,24 +52,27 @@ class Operator(NamedTuple):
     entries: Float
     mix: Float
     ground: Float
+    drag: Float
     magnitude: Float
     split: int
 
 
-def rescaled(op: Operator, *, share: float, stiffness: float) -> Operator:
+def rescaled(op: Operator, *, copy_scale: float, stiffness: float) -> Operator:
     """The same body in another number of copies, its springs in yet another.
 
     Args:
         op: as the model has it.
-        share: scale of M and B, > 0.
+        copy_scale: scale of M and B, > 0.
         stiffness: scale of K, > 0.
     """
-    ratio = stiffness / share
+    ratio = stiffness / copy_scale
     if ratio == 1.0:
-        return op._replace(share=share)
+        return op._replace(copy_scale=copy_scale)
     mix = op.mix.copy()
     mix[STIFFNESS] *= ratio
-    return op._replace(share=share, stiffness=op.stiffness * ratio, ground=op.ground * ratio, mix=mix)
+    return op._replace(
+        copy_scale=copy_scale, firmness=ratio, stiffness=op.stiffness * ratio, ground=op.ground * ratio, mix=mix
+    )
 
 
 @kernel
@@ -114,11 +120,11 @@ def pull(op: Operator, i: int, field: Float, lanes: tuple[int, ...]) -> float:
     own = load(field, i, lanes)
     result = at(op.ground, i) * own
     for family in range(op.entries.shape[0]):
-        share = op.mix[STIFFNESS, family]
-        if share != 0.0:
+        coefficient = op.mix[STIFFNESS, family]
+        if coefficient != 0.0:
             entries = op.entries[family]
             for e in range(at(op.pointer, i), at(op.pointer, i + 1)):
-                result = result + (share * at(entries, e)) * (load(field, at(op.column, e), lanes) - own)
+                result = result + (coefficient * at(entries, e)) * (load(field, at(op.column, e), lanes) - own)
     return result
 
 

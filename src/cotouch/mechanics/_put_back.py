@@ -1,18 +1,14 @@
 """Putting the forces of the small problem back into the body and the proxies."""
 # pyright: reportArgumentType=false, reportReturnType=false
 
-import numpy as np
-import numpy.typing as npt
-
+from cotouch.arrays import Float
 from cotouch.mechanics._columns import Columns, read_column
 from cotouch.mechanics._kernel import part
+from cotouch.mechanics._modal_ports import ModalPorts
 from cotouch.mechanics._operator import Operator, row_sum
-from cotouch.mechanics._ports import Ports
 from cotouch.mechanics._small import Small, sound
 from cotouch.mechanics._surface import FOUR
 from cotouch.mechanics._vector import at, load, splat, store, total
-
-Float = npt.NDArray[np.float64]
 
 # What the energy's two sides may differ by, beside the sizes of their terms: what rounding does to the sums. At rest in
 # contact the terms are large and the sums nothing; a quotient of these would be any number.
@@ -24,7 +20,7 @@ def put_back(
     op: Operator,
     columns: Columns,
     small: Small,
-    ports: Ports,
+    modal_ports: ModalPorts,
     T: float,
     account: Float,
     first: int,
@@ -49,7 +45,7 @@ def put_back(
         op: gives the pattern.
         columns: how the body yields.
         small: forces.
-        ports: of a modal body.
+        modal_ports: of a modal body.
         T: length of the step [s].
         account: of all tools [J].
         first: the first of these tools.
@@ -101,7 +97,7 @@ def put_back(
             for j in range(elements):
                 force[j] = 0.0
         if modal:
-            gain, more = _add_modal(columns, loads, ports, used, held, diagonal, rhs, mean, lanes)
+            gain, more = _add_modal(columns, loads, modal_ports, used, held, diagonal, rhs, mean, lanes)
         else:
             gain, more = _add_nodal(op, columns, loads, used, values, scale, diagonal, rhs, mean, lanes)
         work += gain
@@ -195,7 +191,7 @@ def _add_nodal(
 def _add_modal(
     columns: Columns,
     loads: Float,
-    ports: Ports,
+    modal_ports: ModalPorts,
     used: int,
     held: int,
     diagonal: Float,
@@ -206,7 +202,7 @@ def _add_modal(
     """The same where A is diagonal but for ports."""
     rows, width = mean.shape[0], 3 if len(lanes) > 1 else 1
     gain = form = 0.0
-    form -= _ports_form(ports, held, mean, lanes)
+    form -= _modal_ports_form(modal_ports, held, mean, lanes)
     for i in range(rows):
         for a in range(width):
             y = 0.0
@@ -215,16 +211,16 @@ def _add_modal(
             gain += y * rhs[i, a]
             form += diagonal[i] * y * (2.0 * mean[i, a] + y)
             mean[i, a] += y
-    return gain, form + _ports_form(ports, held, mean, lanes)
+    return gain, form + _modal_ports_form(modal_ports, held, mean, lanes)
 
 
 @part
-def _ports_form(ports: Ports, held: int, mean: Float, lanes: tuple[int, ...]) -> float:
+def _modal_ports_form(modal_ports: ModalPorts, held: int, mean: Float, lanes: tuple[int, ...]) -> float:
     """What ports add to v̂ᵀ A v̂."""
     form = 0.0
     for p in range(held):
         reading = splat(0.0, lanes)
         for i in range(mean.shape[0]):
-            reading = reading + ports.shape[p, i] * load(mean, i, lanes)
-        form += ports.gain[p] * ports.gain[p] * total(reading * reading)
+            reading = reading + modal_ports.shape[p, i] * load(mean, i, lanes)
+        form += modal_ports.gain[p] * modal_ports.gain[p] * total(reading * reading)
     return form

@@ -1,9 +1,9 @@
 """The small problem that a step with tools comes down to: contacts and proxies, with the body as a few columns.
 
-With v̂₀ the body's motion under guessed contact forces, X = A⁻¹ H its columns, the motion is `v̂ = v̂₀ + X load`; the load
-of a contact is the guess minus its force, that of a grasp its spring's pull towards the proxy. Everything that contacts
-and proxies need to know is `Hᵀ v̂₀` and `Hᵀ X`, few numbers both. X is taken as it is, not as it should be: the forces
-then fit the motion that comes out, even if the solver of the columns stopped early.
+With v̂₀ the body's motion under guessed contact forces, X = A⁻¹ H its columns, the motion is `v̂ = v̂₀ + X load`; the
+load of a contact is the guess minus its force, that of a grasp its spring's pull towards the proxy. Everything that
+contacts and proxies need to know is `Hᵀ v̂₀` and `Hᵀ X`, few numbers both. X is taken as it is, not as it should be:
+the forces then fit the motion that comes out, even if the solver of the columns stopped early.
 """
 # pyright: reportArgumentType=false, reportReturnType=false
 
@@ -12,11 +12,11 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.mechanics._columns import Columns, read_column
 from cotouch.mechanics._kernel import block, part
-from cotouch.mechanics._ports import factorise
+from cotouch.mechanics._modal_ports import factorise
 
-Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
 # How deep an account may go into debt, as a share of the energy that moves within the step.
 _DEBT = 1e-12
@@ -158,9 +158,9 @@ def reduce_step(columns: Columns, small: Small, T: float, tools: int, elements: 
                 along = direction[j, a]
                 push, back = (along, along) if owner[j] == p else (0.0, 0.0)
                 if gain > 0.0:
-                    share = gain * along if wide else gain
-                    push -= share * yielding[own, column[j]]
-                    back -= share * yielding[column[j], own]
+                    fraction = gain * along if wide else gain
+                    push -= fraction * yielding[own, column[j]]
+                    back -= fraction * yielding[column[j], own]
                 pushing[row, j] = push
                 back_of[row, j] = back
             for other in range(3 * (p + 1)):
@@ -183,12 +183,12 @@ def reduce_step(columns: Columns, small: Small, T: float, tools: int, elements: 
             free -= back_of[i, j] * still[i]
         free_of[j] = T * free
         for k in range(elements):
-            share = 1.0
+            fraction = 1.0
             if wide:
-                share = 0.0
+                fraction = 0.0
                 for a in range(3):
-                    share += direction[j, a] * direction[k, a]
-            value = share * yielding[column[j], column[k]]
+                    fraction += direction[j, a] * direction[k, a]
+            value = fraction * yielding[column[j], column[k]]
             for i in range(size):
                 value += back_of[i, j] * solved[i, k]
             compliance[j, k] = T * value

@@ -12,13 +12,11 @@ themselves, and the scale only makes up for rounding where A is badly conditione
 import math
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.mechanics._kernel import inner, kernel
 from cotouch.mechanics._operator import Operator, row_sum
 from cotouch.mechanics._vector import at, load, splat, store, total
-
-Float = npt.NDArray[np.float64]
 
 # Squared residuals below this are the end of motion, not work left to do; they would underflow into 0/0.
 _FLOOR = 1e-290

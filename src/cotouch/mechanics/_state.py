@@ -6,14 +6,17 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.mechanics._operator import WEIGHTS, Operator
 
-Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
 
-# What a step books, in order. The first four are work during the step [J], the next two energies after it [J].
-SUPPLIED, BODY_LOSS, LOCAL_LOSS, EXTRA_LOSS, KINETIC, ELASTIC, ITERATIONS = range(7)
-BOOKS = 7
+# What a step books, in order. The first four are work during the step [J], the next two energies after it [J]. The last
+# three are of a closed step: work of the closure on the end velocity [J], |β - 1|, and the share of the step given up.
+SUPPLIED, BODY_LOSS, LOCAL_LOSS, EXTRA_LOSS, KINETIC, ELASTIC, ITERATIONS, CLOSURE, BETA, SHORTENED = range(10)
+LEDGER_COLUMNS = 10
+
+_NO_BRAKE, _NO_PUSH = np.zeros(0), np.zeros((0, 0, 0))
 
 
 class State(NamedTuple):
@@ -24,26 +27,30 @@ class State(NamedTuple):
         velocity: v [m/s].
         momentum: M v, kept only where M has entries off the diagonal.
         tension: K (x - x_d) [N].
+        memory: what a body force remembers, (numbers,); (0,) of a linear body.
     """
 
     position: Float
     velocity: Float
     momentum: Float
     tension: Float
+    memory: Float
 
 
 class Links(NamedTuple):
-    """The springs to the neighbours: K_ij = strength * W_weight, pulling towards the sample in `samples[slot]`.
+    """The links to the neighbours: `F_ij = W [k (y - x̂) + c - b v̂]`, y in `samples[slot]`; springs have no b and c.
 
     The arrays may hold the links of many users; those of this copy are `first` to `last - 1`.
 
     Attributes:
         first: first link of this copy.
         last: one past its last.
-        strength: (links,) [N/m for the identity weight].
+        strength: k, (links,) [N/m for the identity weight].
         weight: index of each link's weight, (links,).
-        slot: which sample each link uses, (links,).
-        samples: samples x̃, (slots, rows, width) [m].
+        slot: where y of each link is, (links,).
+        samples: samples x̃, and what else links pull to, (slots, rows, width) [m].
+        brake: b, (links,), or (0,) where all links are springs [Ns/m for the identity weight].
+        push: c, (links, rows, width), or (0, rows, width); such weights are diagonal [N for the identity weight].
     """
 
     first: int
@@ -52,9 +59,11 @@ class Links(NamedTuple):
     weight: Int
     slot: npt.NDArray[np.int64]
     samples: Float
+    brake: Float = _NO_BRAKE
+    push: Float = _NO_PUSH
 
 
-class Grips(NamedTuple):
+class Ports(NamedTuple):
     """What holds the copy at its ports during the step: `f = k (r̂ - ŷ) + b (ṙ̂ - ẏ̂) + push`, y the port's position.
 
     The arrays may hold the ports of many users; those of this copy are `first` to `last - 1`.
@@ -102,6 +111,9 @@ class Workspace(NamedTuple):
     port_gain: Float
     small: Float
     small_rhs: Float
+    ahead: Float
+    pull: Float
+    weighed: Float
 
 
 def _aligned(*shape: int) -> Float:
@@ -112,8 +124,8 @@ def _aligned(*shape: int) -> Float:
     return raw[first : first + size].reshape(shape)
 
 
-def workspace(op: Operator, width: int, ports: int) -> Workspace:
-    """Scratch arrays for steps with `op` and at most `ports` ports per user."""
+def workspace(op: Operator, width: int, ports: int, *, closed: bool = False) -> Workspace:
+    """Scratch arrays for steps with `op` and at most `ports` ports per user; for closed ones, if so."""
     rows, families, weights = op.mass.size, op.entries.shape[0], op.weight.shape[0]
     solver = rows if families else 0
     general = rows if families and np.any(op.mix[WEIGHTS:]) else 0
@@ -133,4 +145,7 @@ def workspace(op: Operator, width: int, ports: int) -> Workspace:
         port_gain=_aligned(ports),
         small=_aligned(ports, ports),
         small_rhs=_aligned(ports, width),
+        ahead=_aligned(rows if closed else 0, width),
+        pull=_aligned(rows if closed else 0, width),
+        weighed=_aligned(5),
     )

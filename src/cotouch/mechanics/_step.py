@@ -3,9 +3,7 @@
 Everything that advances a copy calls `step`: the single peer, the simulator of many, live or not.
 """
 
-import numpy as np
-import numpy.typing as npt
-
+from cotouch.arrays import Float
 from cotouch.mechanics._kernel import inner, kernel
 from cotouch.mechanics._operator import (
     DAMPING,
@@ -34,14 +32,12 @@ from cotouch.mechanics._state import (
     KINETIC,
     LOCAL_LOSS,
     SUPPLIED,
-    Grips,
     Links,
+    Ports,
     State,
     Workspace,
 )
 from cotouch.mechanics._vector import at, load, put, splat, store, total
-
-Float = npt.NDArray[np.float64]
 
 # Rows handled together, so that they are still in the first-level cache when each link comes to read them.
 _BLOCK = 64
@@ -52,13 +48,13 @@ def step(
     op: Operator,
     state: State,
     links: Links,
-    grips: Grips,
+    ports: Ports,
     local_damping: Float,
     extra_damping: Float,
     T: float,
     sample: int,
     work: Workspace,
-    books: Float,
+    ledger: Float,
     link_work: Float,
     tolerance: float,
     cap: int,
@@ -69,25 +65,25 @@ def step(
     Args:
         op: the body's matrices.
         state: of the copy; changed in place.
-        links: the neighbours' samples.
-        grips: what holds the copy; `force` is written.
+        links: to the neighbours.
+        ports: what holds the copy; `force` is written.
         local_damping: B_i as coefficients over the weights, (weights,).
         extra_damping: B_e likewise, (weights,).
         T: length of the step, > 0 [s].
         sample: slot of `links.samples` that receives x̂, the position at mid-step; negative: none.
         work: scratch.
-        books: result (BOOKS,): work supplied at the ports and dissipated by body, local and extra damping during the
+        ledger: result (BOOKS,): work supplied at the ports and dissipated by body, local and extra damping during the
             step; kinetic and elastic energy after it [J]; iterations of the solver.
         link_work: result (links,), this copy's entries: work that each link did on it [J].
         tolerance: of the solver.
         cap: on its iterations.
         lanes: fixes the width of a row.
     """
-    assemble(op, state, links, grips, local_damping, extra_damping, T, work, lanes)
-    books[ITERATIONS] = solve_step(op, grips, work, tolerance, cap, lanes)
-    books[SUPPLIED] = port_work(op, state, grips, T, work.mean, lanes)
+    assemble(op, state, links, ports, local_damping, extra_damping, T, work, lanes)
+    ledger[ITERATIONS] = solve_step(op, ports, work, tolerance, cap, lanes)
+    ledger[SUPPLIED] = port_work(op, state, ports, T, work.mean, lanes)
     move(op, state, links, T, sample, work, link_work, lanes)
-    book_energies(op, state, local_damping, extra_damping, T, work, books, lanes)
+    book_energies(op, state, local_damping, extra_damping, T, work, ledger, lanes)
 
 
 @kernel
@@ -95,7 +91,7 @@ def assemble(
     op: Operator,
     state: State,
     links: Links,
-    grips: Grips,
+    ports: Ports,
     local_damping: Float,
     extra_damping: Float,
     T: float,
@@ -105,15 +101,20 @@ def assemble(
     """Diagonal and family scales of `A = (2/T)M/N + B/N + (T/2)K/N + ...`, and the right-hand side."""
     rows, weights, families = op.mass.shape[0], op.weight.shape[0], op.entries.shape[0]
     half = 0.5 * T
-    inertia = 2.0 * op.share / T
+    inertia = 2.0 * op.copy_scale / T
     for w in range(weights):
         work.gain[w] = local_damping[w] + extra_damping[w]
     for link in range(links.first, links.last):
         w = at(links.weight, link)
         put(work.gain, w, at(work.gain, w) + half * at(links.strength, link))
+    pushed = links.push.shape[0] > 0
+    if pushed:
+        for link in range(links.first, links.last):
+            w = at(links.weight, link)
+            put(work.gain, w, at(work.gain, w) + at(links.brake, link))
     for family in range(families):
-        scale = inertia * op.mix[MASS, family] + op.share * op.mix[DAMPING, family]
-        scale += half * op.share * op.mix[STIFFNESS, family]
+        scale = inertia * op.mix[MASS, family] + op.copy_scale * op.mix[DAMPING, family]
+        scale += half * op.copy_scale * op.mix[STIFFNESS, family]
         for w in range(weights):
             scale += work.gain[w] * op.mix[WEIGHTS + w, family]
         work.scale[family] = scale
@@ -122,10 +123,14 @@ def assemble(
     for first in range(0, rows, _BLOCK):
         last = min(first + _BLOCK, rows)
         for i in range(first, last):
-            own = inertia * at(op.mass, i) + op.share * at(op.damping, i) + (half * op.share) * at(op.stiffness, i)
+            own = (
+                inertia * at(op.mass, i)
+                + op.copy_scale * at(op.damping, i)
+                + (half * op.copy_scale) * at(op.stiffness, i)
+            )
             work.diagonal[i] = own
             impulse = load(state.momentum, i, lanes) if heavy else at(op.mass, i) * load(state.velocity, i, lanes)
-            store(work.rhs, i, inertia * impulse - op.share * load(state.tension, i, lanes), lanes)
+            store(work.rhs, i, inertia * impulse - op.copy_scale * load(state.tension, i, lanes), lanes)
         for w in range(weights):
             weight, gain = op.weight[w], work.gain[w]
             for i in range(first, last):
@@ -135,6 +140,12 @@ def assemble(
             for i in range(first, last):
                 stretch = load(state.position, i, lanes) - load(links.samples, base + i, lanes)
                 store(work.rhs, i, load(work.rhs, i, lanes) - (strength * at(weight, i)) * stretch, lanes)
+        if pushed:
+            for link in range(links.first, links.last):
+                own, base = at(links.weight, link) * rows, link * rows
+                for i in range(first, last):
+                    push = at(op.weight, own + i) * load(links.push, base + i, lanes)
+                    store(work.rhs, i, load(work.rhs, i, lanes) + push, lanes)
     for w in range(weights):
         if mixed(op, WEIGHTS + w):  # what such a weight couples off the diagonal; its diagonal is in already
             for i in range(rows):
@@ -147,43 +158,43 @@ def assemble(
             for i in range(rows):
                 b = load(work.rhs, i, lanes)
                 for family in range(families):
-                    share = op.mix[WEIGHTS + w, family]
-                    if share != 0.0:
-                        b = b - share * row_product(op, family, i, work.stretch, lanes)
+                    coefficient = op.mix[WEIGHTS + w, family]
+                    if coefficient != 0.0:
+                        b = b - coefficient * row_product(op, family, i, work.stretch, lanes)
                 store(work.rhs, i, b, lanes)
 
-    dense = grips.shape.shape[0] > 0
-    for p in range(grips.first, grips.last):
-        k, b = at(grips.stiffness, p), at(grips.damping, p)
+    dense = ports.shape.shape[0] > 0
+    for p in range(ports.first, ports.last):
+        k, b = at(ports.stiffness, p), at(ports.damping, p)
         gain = b + half * k
-        put(work.port_gain, p - grips.first, gain)
-        start, end = load(grips.start, p, lanes), load(grips.end, p, lanes)
-        wish = (0.5 * k) * (start + end) + (b / T) * (end - start) + load(grips.push, p, lanes)
+        put(work.port_gain, p - ports.first, gain)
+        start, end = load(ports.start, p, lanes), load(ports.end, p, lanes)
+        desired = (0.5 * k) * (start + end) + (b / T) * (end - start) + load(ports.push, p, lanes)
         if dense:
             place = splat(0.0, lanes)
             for i in range(rows):
-                place = place + at(grips.shape, (p, i)) * load(state.position, i, lanes)
-            force = wish - k * place
+                place = place + at(ports.shape, (p, i)) * load(state.position, i, lanes)
+            force = desired - k * place
             for i in range(rows):
-                store(work.rhs, i, load(work.rhs, i, lanes) + at(grips.shape, (p, i)) * force, lanes)
+                store(work.rhs, i, load(work.rhs, i, lanes) + at(ports.shape, (p, i)) * force, lanes)
         else:
-            i = at(grips.row, p)
+            i = at(ports.row, p)
             put(work.diagonal, i, at(work.diagonal, i) + gain)
-            force = wish - k * load(state.position, i, lanes)
+            force = desired - k * load(state.position, i, lanes)
             store(work.rhs, i, load(work.rhs, i, lanes) + force, lanes)
 
 
 @inner
-def solve_step(op: Operator, grips: Grips, work: Workspace, tolerance: float, cap: int, lanes: tuple[int, ...]) -> int:
+def solve_step(op: Operator, ports: Ports, work: Workspace, tolerance: float, cap: int, lanes: tuple[int, ...]) -> int:
     families = op.entries.shape[0]
     if families == 0:
         divide(work.diagonal, work.rhs, work.mean, lanes)
-        if grips.shape.shape[0] > 0:
+        if ports.shape.shape[0] > 0:
             add_ports(
                 work.diagonal,
-                grips.shape,
-                grips.first,
-                grips.last,
+                ports.shape,
+                ports.first,
+                ports.last,
                 work.port_gain,
                 work.small,
                 work.small_rhs,
@@ -234,24 +245,24 @@ def solve_step(op: Operator, grips: Grips, work: Workspace, tolerance: float, ca
 
 
 @inner
-def port_work(op: Operator, state: State, grips: Grips, T: float, mean: Float, lanes: tuple[int, ...]) -> float:
+def port_work(op: Operator, state: State, ports: Ports, T: float, mean: Float, lanes: tuple[int, ...]) -> float:
     """Mean force at every port, and the work `T v̂ᵀ f` that they did together."""
-    dense = grips.shape.shape[0] > 0
+    dense = ports.shape.shape[0] > 0
     supplied = 0.0
-    for p in range(grips.first, grips.last):
+    for p in range(ports.first, ports.last):
         place, rate = splat(0.0, lanes), splat(0.0, lanes)
         if dense:
             for i in range(op.mass.shape[0]):
-                place = place + at(grips.shape, (p, i)) * load(state.position, i, lanes)
-                rate = rate + at(grips.shape, (p, i)) * load(mean, i, lanes)
+                place = place + at(ports.shape, (p, i)) * load(state.position, i, lanes)
+                rate = rate + at(ports.shape, (p, i)) * load(mean, i, lanes)
         else:
-            place, rate = load(state.position, at(grips.row, p), lanes), load(mean, at(grips.row, p), lanes)
-        k, b = at(grips.stiffness, p), at(grips.damping, p)
-        start, end = load(grips.start, p, lanes), load(grips.end, p, lanes)
+            place, rate = load(state.position, at(ports.row, p), lanes), load(mean, at(ports.row, p), lanes)
+        k, b = at(ports.stiffness, p), at(ports.damping, p)
+        start, end = load(ports.start, p, lanes), load(ports.end, p, lanes)
         stretch = 0.5 * (start + end) - (place + (0.5 * T) * rate)
         slip = (1.0 / T) * (end - start) - rate
-        force = k * stretch + b * slip + load(grips.push, p, lanes)
-        store(grips.force, p, force, lanes)
+        force = k * stretch + b * slip + load(ports.push, p, lanes)
+        store(ports.force, p, force, lanes)
         supplied += T * total(force * rate)
     return supplied
 
@@ -284,6 +295,15 @@ def move(
                 middle = load(state.position, i, lanes) + (0.5 * T) * rate
                 power = power + at(op.weight, own + i) * (rate * (middle - load(links.samples, base + i, lanes)))
             put(link_work, link, at(link_work, link) - T * at(links.strength, link) * total(power))
+        if links.push.shape[0] > 0:
+            for link in range(links.first, links.last):
+                own, brake = at(links.weight, link) * rows, at(links.brake, link)
+                base, power = link * rows, splat(0.0, lanes)
+                for i in range(first, last):
+                    rate = load(work.mean, i, lanes)
+                    force = load(links.push, base + i, lanes) - brake * rate
+                    power = power + at(op.weight, own + i) * (rate * force)
+                put(link_work, link, at(link_work, link) + T * total(power))
         for i in range(first, last):
             rate = load(work.mean, i, lanes)
             x = load(state.position, i, lanes)
@@ -304,9 +324,9 @@ def move(
             for i in range(rows):
                 coupled = splat(0.0, lanes)
                 for family in range(op.entries.shape[0]):
-                    share = op.mix[WEIGHTS + w, family]
-                    if share != 0.0:
-                        coupled = coupled + share * row_product(op, family, i, work.mean, lanes)
+                    coefficient = op.mix[WEIGHTS + w, family]
+                    if coefficient != 0.0:
+                        coupled = coupled + coefficient * row_product(op, family, i, work.mean, lanes)
                 store(work.image, i, coupled, lanes)
                 square = square + coupled * load(work.mean, i, lanes)
             work.quadratic[w] += total(square)
@@ -328,7 +348,7 @@ def book_energies(
     extra_damping: Float,
     T: float,
     work: Workspace,
-    books: Float,
+    ledger: Float,
     lanes: tuple[int, ...],
 ) -> None:
     """Energies from the new state, losses from the mean velocity; keeps `K x` and `M v` for the next step."""
@@ -357,23 +377,23 @@ def book_energies(
         kinetic = kinetic + v * momentum
         elastic = elastic + x * tension
         lost = lost + rate * drag
-    books[KINETIC] = 0.5 * op.share * total(kinetic)
-    books[ELASTIC] = 0.5 * op.share * total(elastic)
-    books[BODY_LOSS] = T * op.share * total(lost)
-    books[LOCAL_LOSS] = 0.0
-    books[EXTRA_LOSS] = 0.0
+    ledger[KINETIC] = 0.5 * op.copy_scale * total(kinetic)
+    ledger[ELASTIC] = 0.5 * op.copy_scale * total(elastic)
+    ledger[BODY_LOSS] = T * op.copy_scale * total(lost)
+    ledger[LOCAL_LOSS] = 0.0
+    ledger[EXTRA_LOSS] = 0.0
     for w in range(weights):
-        books[LOCAL_LOSS] += T * local_damping[w] * work.quadratic[w]
-        books[EXTRA_LOSS] += T * extra_damping[w] * work.quadratic[w]
+        ledger[LOCAL_LOSS] += T * local_damping[w] * work.quadratic[w]
+        ledger[EXTRA_LOSS] += T * extra_damping[w] * work.quadratic[w]
 
 
 @kernel
-def settle(op: Operator, state: State, books: Float, lanes: tuple[int, ...]) -> None:
+def settle(op: Operator, state: State, ledger: Float, lanes: tuple[int, ...]) -> None:
     """Fills in `K x`, `M v` and the energies of a state that was just set."""
     elastic = splat(0.0, lanes)
     for i in range(op.mass.shape[0]):
         tension = pull(op, i, state.position, lanes)
         store(state.tension, i, tension, lanes)
         elastic = elastic + load(state.position, i, lanes) * tension
-    books[ELASTIC] = 0.5 * op.share * total(elastic)
-    books[KINETIC] = 0.5 * op.share * multiply(op, MASS, op.mass, state.velocity, state.momentum, lanes)
+    ledger[ELASTIC] = 0.5 * op.copy_scale * total(elastic)
+    ledger[KINETIC] = 0.5 * op.copy_scale * multiply(op, MASS, op.mass, state.velocity, state.momentum, lanes)

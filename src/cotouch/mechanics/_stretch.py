@@ -1,13 +1,9 @@
 """What a link's spring holds before the step, and a sample taken only part of the way."""
 
-import numpy as np
-import numpy.typing as npt
-
+from cotouch.arrays import Float
 from cotouch.mechanics._kernel import kernel
 from cotouch.mechanics._operator import WEIGHTS, Operator, multiply
 from cotouch.mechanics._vector import at, load, splat, store, total
-
-Float = npt.NDArray[np.float64]
 
 
 @kernel
@@ -46,8 +42,8 @@ def mixed_stretch(
 
 
 @kernel
-def approach(position: Float, sample: Float, share: float, held: Float, lanes: tuple[int, ...]) -> None:
-    """`ȳ = x + share (y - x)`, written to `held`."""
+def approach(position: Float, sample: Float, fraction: float, held: Float, lanes: tuple[int, ...]) -> None:
+    """`ȳ = x + fraction (y - x)`, written to `held`."""
     for i in range(position.shape[0]):
         x = load(position, i, lanes)
-        store(held, i, x + share * (load(sample, i, lanes) - x), lanes)
+        store(held, i, x + fraction * (load(sample, i, lanes) - x), lanes)

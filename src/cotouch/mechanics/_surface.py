@@ -13,13 +13,13 @@ import numpy as np
 import numpy.typing as npt
 import scipy.sparse as sp
 
+from cotouch.arrays import Float
 from cotouch.body import Body
 from cotouch.errors import BodyError
 from cotouch.mechanics._kernel import block
 from cotouch.mechanics._model import Model
 from cotouch.mechanics._vector import at, load, lower, splat, store, upper
 
-Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
 
 # A row of four numbers, whatever the width of the body's own fields: places and normals.
@@ -38,7 +38,7 @@ class Surface(NamedTuple):
         rest: places of the vertices at rest, (V, 4), the last column zero [m].
         corner: vertices of each triangle, (F, 3).
         edge: features of its edges, between corners 0-1, 1-2 and 2-0, (F, 3).
-        share: how many triangles meet at each vertex and edge, (V + E,).
+        meeting: how many triangles meet at each vertex and edge, (V + E,).
         row: rows that carry each vertex, (V, k, axes): one for all axes, or one each; (V, 0, axes) in a modal basis.
         weight: how much of each, (V, k).
         shape: modal: displacement of each vertex with each row, (V * rows, 4): the same on all axes, or one for each.
@@ -57,7 +57,7 @@ class Surface(NamedTuple):
     rest: Float
     corner: Int
     edge: Int
-    share: Int
+    meeting: Int
     row: Int
     weight: Float
     shape: Float
@@ -102,7 +102,7 @@ def surface_of(model: Model) -> Surface:
     if body.dimension != 3:
         raise BodyError(f"the body has {body.dimension} axes; tools touch bodies of 3 axes only")
     rest, corner, nodes, weights = _skin(body)
-    edge, share = _features(corner, rest.shape[0])
+    edge, meeting = _features(corner, rest.shape[0])
     axes = 3 if model.full else 1
     modal = model.modes is not None
     child, leaf, members = _tree(rest, corner)
@@ -123,7 +123,7 @@ def surface_of(model: Model) -> Surface:
         rest=_padded(rest),
         corner=corner,
         edge=edge,
-        share=share,
+        meeting=meeting,
         row=row,
         weight=weight,
         shape=shape,
@@ -166,7 +166,7 @@ def _softness(model: Model, rest: Float, corner: Int) -> Float:
         own = missing[rows, rows].reshape(3, axes, 3, axes).trace(axis1=1, axis2=3) / axes
         alone, together = own.trace() / 3, (own.sum() - own.trace()) / 6
         result[owner == probe] = max(alone, 0.0), min(max(together, 0.0), max(alone, 0.0))
-    return result / model.operator.share
+    return result / model.operator.copy_scale
 
 
 def fit_of(surface: Surface, model: Model) -> Fit:
@@ -208,8 +208,8 @@ def _features(corner: Int, vertices: int) -> tuple[Int, Int]:
     number = np.arange(corner.shape[0])
     meets = np.unique(np.stack([np.repeat(number, 3), corner.ravel()]), axis=1)[1]
     borders = np.unique(np.stack([np.repeat(number, 3), edge]), axis=1)[1]
-    share = np.concatenate([np.bincount(meets, minlength=vertices), np.bincount(borders)])
-    return (edge.reshape(-1, 3) + vertices).astype(np.int32), share.astype(np.int32)
+    meeting = np.concatenate([np.bincount(meets, minlength=vertices), np.bincount(borders)])
+    return (edge.reshape(-1, 3) + vertices).astype(np.int32), meeting.astype(np.int32)
 
 
 def _tree(rest: Float, corner: Int) -> tuple[Int, Int, list[tuple[int, int]]]:

@@ -5,14 +5,14 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.mechanics._collide import Contacts, Hits, contacts, hits
 from cotouch.mechanics._columns import Columns, columns
+from cotouch.mechanics._modal_ports import ModalPorts, ports_of
 from cotouch.mechanics._model import Model
-from cotouch.mechanics._ports import Ports, ports_of
 from cotouch.mechanics._small import Small, small
 from cotouch.mechanics._surface import Fit, Surface, fit_of
 
-Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
 
 # What a tool does with the body.
@@ -20,7 +20,7 @@ AWAY, TOUCH, GRASP = 0, 1, 2
 # What tools book, in order: work of the drives on the proxies, work of contacts and grasps on the body, dissipated in
 # contacts and grasps during the step; kinetic energy of the proxies, energy in contacts and grasps after it [J].
 DRIVE, TOUCHED, TOUCH_LOSS, PROXY, TOUCH_STORED = range(5)
-TOUCH_BOOKS = 5
+TOUCH_LEDGER = 5
 # Contacts of one user in one step, and nodes (or skin vertices in a modal basis) in one grasp.
 MOST_CONTACTS = 32
 MOST_HELD = 64
@@ -43,7 +43,13 @@ class Tools(NamedTuple):
         radius: of the sphere, (tools,) [m].
         stiffness: of a contact, (tools,) [N/m].
         loss: λ of a contact: its force grows by (1 + λ η'), (tools,) [s/m].
-        friction: Coulomb's coefficient, (tools,).
+        friction: Coulomb's coefficient of what does not slip, (tools,).
+        kinetic: the same of what slips, (tools,); with a contact law, like the three that follow.
+        axis: from the middle of a stylus to the middle of its tip, (tools, 4); 0 of a ball [m].
+        stretch: of the spring of friction, (tools, 4) [m].
+        slipping: whether it slipped in the last step, (tools,).
+        share: of the contact's law that acts, in [0, 1]; below 1 until it lets go where something else than motion
+            pressed it deeper, (tools,).
         reserve: energy that the account may hold beyond its springs, to pay when geometry changes, (tools,) [J].
         grip_stiffness: k of every held node in a grasp, (tools,) [N/m].
         grip_damping: b of it, (tools,) [Ns/m].
@@ -55,10 +61,10 @@ class Tools(NamedTuple):
         push: explicit mean force, (tools, 4) [N].
         place: y, (tools, 4) [m].
         rate: w, (tools, 4) [m/s].
-        account: energy in the contacts of each tool, (tools,) [J].
+        account: energy in the contacts of each tool, and in their friction, (tools,) [J].
         grip_energy: energy in the springs of its grasp, (tools,) [J].
         inside: 0: the centre is outside the body; 1: it is inside or may be, and the skin is looked for however far it
-            is, (tools,).
+            is, (tools,); with a contact law: 1: it has not been out of the skin yet, and does not touch.
         held: how many nodes it holds; -1: it does not hold, (tools,).
         hold: which, (tools, MOST_HELD).
         offset: stretch-free place of each relative to y, less its rest place, (tools * MOST_HELD, 4) [m].
@@ -74,6 +80,11 @@ class Tools(NamedTuple):
     stiffness: Float
     loss: Float
     friction: Float
+    kinetic: Float
+    axis: Float
+    stretch: Float
+    slipping: Int
+    share: Float
     reserve: Float
     grip_stiffness: Float
     grip_damping: Float
@@ -108,6 +119,11 @@ def tools(count: int) -> Tools:
         stiffness=line(),
         loss=line(),
         friction=line(),
+        kinetic=line(),
+        axis=row(),
+        stretch=row(),
+        slipping=whole(),
+        share=np.ones(count),
         reserve=np.full(count, RESERVE),
         grip_stiffness=line(),
         grip_damping=line(),
@@ -140,7 +156,7 @@ class TouchWork(NamedTuple):
         found: contacts of this step.
         columns: how the body yields.
         small: the problem among contacts and proxies.
-        ports: of hands and grasps in a modal basis.
+        port_count: of hands and grasps in a modal basis.
     """
 
     fit: Fit
@@ -148,10 +164,10 @@ class TouchWork(NamedTuple):
     found: Contacts
     columns: Columns
     small: Small
-    ports: Ports
+    modal_ports: ModalPorts
 
 
-def touch_work(model: Model, surface: Surface, *, tools: int, ports: int) -> TouchWork:
+def touch_work(model: Model, surface: Surface, *, tools: int, port_count: int) -> TouchWork:
     """Scratch for steps with at most so many tools and ports of one user."""
     modal = model.modes is not None
     axes = 3 if model.full else 1
@@ -163,5 +179,5 @@ def touch_work(model: Model, surface: Surface, *, tools: int, ports: int) -> Tou
         found=contacts(MOST_CONTACTS),
         columns=columns(rows, most, held=MOST_HELD, modal=modal),
         small=small(MOST_CONTACTS, tools, most),
-        ports=ports_of(ports + axes * tools * MOST_HELD_MODAL if modal else 0, rows if modal else 0),
+        modal_ports=ports_of(port_count + axes * tools * MOST_HELD_MODAL if modal else 0, rows if modal else 0),
     )

@@ -9,41 +9,41 @@ do in the step that comes out of it goes to the account of each tool.
 
 import math
 
-import numpy as np
-import numpy.typing as npt
-
+from cotouch.arrays import Float
+from cotouch.mechanics._closed import LAST_ATTEMPT, close, keep_place, predict, weigh
 from cotouch.mechanics._collide import Contacts, Hits, touching
 from cotouch.mechanics._columns import Columns, solve_columns
 from cotouch.mechanics._contact import sweep
 from cotouch.mechanics._elements import elements, gather, hold, modal_columns
+from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._grasp import take
 from cotouch.mechanics._kernel import block, part
+from cotouch.mechanics._modal_ports import correct
 from cotouch.mechanics._operator import Operator
-from cotouch.mechanics._ports import correct
+from cotouch.mechanics._proxy import proxy_drive, proxy_inertia
 from cotouch.mechanics._put_back import put_back
 from cotouch.mechanics._settle import settle_contacts, settle_tools
 from cotouch.mechanics._small import Small, limit, reduce_step, sound
 from cotouch.mechanics._solve import divide
-from cotouch.mechanics._state import ITERATIONS, SUPPLIED, Grips, Links, State, Workspace
+from cotouch.mechanics._state import ITERATIONS, SUPPLIED, Links, Ports, State, Workspace
 from cotouch.mechanics._step import assemble, book_energies, move, port_work, solve_step
 from cotouch.mechanics._surface import Fit, Surface, refit
-from cotouch.mechanics._tools import AWAY, GRASP, TOUCH, TOUCH_LOSS, Tools, TouchWork
-
-Float = npt.NDArray[np.float64]
+from cotouch.mechanics._tools import AWAY, DRIVE, GRASP, PROXY, TOUCH, TOUCH_LOSS, TOUCH_STORED, Tools, TouchWork
 
 # Gaps count as contacts up to this share of a radius, and as far as two steps of the proxy carry it.
 _MARGIN = 0.05
 # Columns need not be better than this, nor than the solver's own tolerance to the power ¾: what they leave out is a
-# share of what a contact's force changes by from step to step, in the body's motion and not in the books.
+# share of what a contact's force changes by from step to step, in the body's motion and not in the ledger.
 _COLUMN_TOLERANCE = 1e-9
 
 
 @block
 def touch_step(
     op: Operator,
+    force: BodyForce | None,
     state: State,
     links: Links,
-    grips: Grips,
+    ports: Ports,
     surface: Surface,
     tools: Tools,
     local_damping: Float,
@@ -52,8 +52,8 @@ def touch_step(
     sample: int,
     work: Workspace,
     touch: TouchWork,
-    books: Float,
-    touch_books: Float,
+    ledger: Float,
+    touch_ledger: Float,
     link_work: Float,
     tolerance: float,
     cap: int,
@@ -63,9 +63,10 @@ def touch_step(
 
     Args:
         op: the body's matrices.
+        force: what resists inside the body beside them; None: nothing.
         state: of the copy; changed in place.
         links: the neighbours' samples.
-        grips: what else holds the copy.
+        ports: what else holds the copy.
         surface: the body's skin.
         tools: the proxies; changed in place.
         local_damping: B_i as coefficients over the weights, (weights,).
@@ -74,22 +75,25 @@ def touch_step(
         sample: slot of `links.samples` that receives x̂; negative: none.
         work: scratch.
         touch: scratch.
-        books: result (BOOKS,), as of `step`.
-        touch_books: result (TOUCH_BOOKS,): see `cotouch.mechanics.TOUCH_BOOKS`.
+        ledger: result (BOOKS,), as of `step`.
+        touch_ledger: result (TOUCH_BOOKS,): see `cotouch.mechanics.TOUCH_LEDGER`.
         link_work: result (links,).
         tolerance: of the solver.
         cap: on its iterations.
         lanes: fixes the width of a row.
     """
-    for book in range(touch_books.shape[0]):
-        touch_books[book] = 0.0
-    fit, found, columns, small, ports = touch.fit, touch.found, touch.columns, touch.small, touch.ports
+    for book in range(touch_ledger.shape[0]):
+        touch_ledger[book] = 0.0
+    fit, found, columns, small, modal_ports = touch.fit, touch.found, touch.columns, touch.small, touch.modal_ports
     position, rhs, mean, diagonal = state.position, work.rhs, work.mean, work.diagonal
-    first, last, force = tools.first, tools.last, small.force
+    first, last, pushes = tools.first, tools.last, small.force
+    before = 0.0 if force is None else _tool_energy(tools)
     wide, modal = len(lanes) > 1, surface.shape.shape[0] > 0
-    axes = _meet(surface, fit, touch.hits, found, tools, T, position, touch_books, lanes)
-    _charge(surface.soft, found, small, tools, T, touch_books)
-    assemble(op, state, links, grips, local_damping, extra_damping, T, work, lanes)
+    axes = _meet(surface, fit, touch.hits, found, tools, T, position, touch_ledger, lanes)
+    _charge(surface.soft, found, small, tools, T, touch_ledger)
+    if force is not None:
+        predict(op, force, state, T, state.velocity, work, lanes)
+    assemble(op, state, links, ports, local_damping, extra_damping, T, work, lanes)
     _drive(tools, small, T)
     held = hold(surface, fit, tools, small, T, position, rhs, diagonal, lanes)
     contacts = found.number[0]
@@ -104,17 +108,17 @@ def touch_step(
             first,
             last,
             small.grip_gain,
+            modal_ports,
             ports,
-            grips,
             work.port_gain,
             diagonal,
             wide,
         )
         divide(diagonal, rhs, mean, lanes)
-        correct(ports, port_count, diagonal, mean, lanes)
-        books[ITERATIONS] = 0.0
+        correct(modal_ports, port_count, diagonal, mean, lanes)
+        ledger[ITERATIONS] = 0.0
     else:
-        books[ITERATIONS] = solve_step(op, grips, work, tolerance, cap, lanes)
+        ledger[ITERATIONS] = solve_step(op, ports, work, tolerance, cap, lanes)
     if contacts == 0 and held == 0:
         for i in range(3 * (last - first)):
             small.mean[i] = small.drive[i] / small.inertia[i // 3]
@@ -124,7 +128,7 @@ def touch_step(
         scale = work.scale[0] if families == 1 else 1.0 if families > 1 else 0.0
         coarse = 0.0
         if modal:
-            modal_columns(columns.dense, columns.answer, ports, port_count, used, diagonal)
+            modal_columns(columns.dense, columns.answer, modal_ports, port_count, used, diagonal)
         else:
             coarse = max(tolerance**0.75, _COLUMN_TOLERANCE)
             solve_columns(op, values, scale, diagonal, columns, used, coarse, cap)
@@ -139,18 +143,18 @@ def touch_step(
             small.friction,
             small.free,
             small.compliance,
-            force,
+            pushes,
             small.trail,
         )
         limit(small, count, tools.account, first, last - first, coarse)
         if not sound(small, count, tools.account, first, last - first, 1.0, False):
             for j in range(count):
-                force[j] = 0.0
+                pushes[j] = 0.0
         put_back(
             op,
             columns,
             small,
-            ports,
+            modal_ports,
             T,
             tools.account,
             first,
@@ -166,11 +170,33 @@ def touch_step(
             modal,
             lanes,
         )
-        settle_contacts(tools, small, T, contacts, axes, touch_books)
-    settle_tools(surface, fit, tools, small.mean, T, position, mean, touch_books)
-    books[SUPPLIED] = port_work(op, state, grips, T, mean, lanes)
-    move(op, state, links, T, sample, work, link_work, lanes)
-    book_energies(op, state, local_damping, extra_damping, T, work, books, lanes)
+        settle_contacts(tools, small, T, contacts, axes, touch_ledger)
+    settle_tools(surface, fit, tools, small.mean, T, position, mean, touch_ledger)
+    ledger[SUPPLIED] = port_work(op, state, ports, T, mean, lanes)
+    if force is None:
+        move(op, state, links, T, sample, work, link_work, lanes)
+        book_energies(op, state, local_damping, extra_damping, T, work, ledger, lanes)
+    else:
+        keep_place(state, work, lanes)
+        move(op, state, links, T, sample, work, link_work, lanes)
+        gain = ledger[SUPPLIED] + touch_ledger[DRIVE] - touch_ledger[TOUCH_LOSS]
+        gain -= touch_ledger[PROXY] + touch_ledger[TOUCH_STORED] - before
+        for link in range(links.first, links.last):
+            gain += link_work[link]
+        weigh(op, force, state, local_damping, extra_damping, T, gain, work, ledger, lanes)
+        close(op, state, LAST_ATTEMPT, work, ledger, lanes)
+
+
+@part
+def _tool_energy(tools: Tools) -> float:
+    """What the proxies, their contacts and grasps hold [J]."""
+    mass, rate, account, grip_energy = tools.mass, tools.rate, tools.account, tools.grip_energy
+    energy = 0.0
+    for t in range(tools.first, tools.last):
+        energy += account[t] + grip_energy[t]
+        for a in range(3):
+            energy += 0.5 * mass[t] * rate[t, a] * rate[t, a]
+    return energy
 
 
 @part
@@ -182,7 +208,7 @@ def _meet(
     tools: Tools,
     T: float,
     position: Float,
-    touch_books: Float,
+    touch_ledger: Float,
     lanes: tuple[int, ...],
 ) -> int:
     """Finds contacts, takes and lets go.
@@ -202,7 +228,7 @@ def _meet(
     for t in range(first, last):
         touching_now[t] = 0
         if mode[t] != GRASP and held[t] >= 0:
-            touch_books[TOUCH_LOSS] += grip_energy[t]
+            touch_ledger[TOUCH_LOSS] += grip_energy[t]
             grip_energy[t] = 0.0
             held[t] = -1
         if mode[t] == GRASP and held[t] < 0:
@@ -221,10 +247,10 @@ def _meet(
 
 
 @part
-def _charge(soft: Float, found: Contacts, small: Small, tools: Tools, T: float, touch_books: Float) -> None:
+def _charge(soft: Float, found: Contacts, small: Small, tools: Tools, T: float, touch_ledger: Float) -> None:
     """Gives the springs of the contacts no more energy than their tools' accounts hold, and clears the rest."""
     tool, found_depth, count = found.tool, found.depth, found.number[0]
-    triangle, share = found.triangle, found.share
+    triangle, barycentric = found.triangle, found.barycentric
     depth, stiffness, loss, friction = small.depth, small.stiffness, small.loss, small.friction
     account, mode, reserve = tools.account, tools.mode, tools.reserve
     own_stiffness, own_loss, own_friction = tools.stiffness, tools.loss, tools.friction
@@ -235,28 +261,28 @@ def _charge(soft: Float, found: Contacts, small: Small, tools: Tools, T: float, 
         if soft.shape[0] > 0:  # in series with what the shapes of a truncated body leave out
             square = 0.0
             for corner in range(3):
-                square += share[c, corner] * share[c, corner]
+                square += barycentric[c, corner] * barycentric[c, corner]
             alone, together = soft[triangle[c], 0], soft[triangle[c], 1]
             stiffness[c] /= 1.0 + (together + (alone - together) * square) * own_stiffness[t]
         loss[c] = own_loss[t] / T
         friction[c] = own_friction[t]
     for t in range(tools.first, tools.last):
-        wish = 0.0
+        desired = 0.0
         for c in range(count):
             if tool[c] == t and depth[c] > 0.0:
-                wish += 0.5 * stiffness[c] * depth[c] * depth[c]
+                desired += 0.5 * stiffness[c] * depth[c] * depth[c]
         have = account[t]
-        if wish > max(have, 0.0):
-            ratio = math.sqrt(max(have, 0.0) / wish)
+        if desired > max(have, 0.0):
+            ratio = math.sqrt(max(have, 0.0) / desired)
             for c in range(count):
                 if tool[c] == t and depth[c] > 0.0:
                     depth[c] *= ratio
-        excess = have - wish - reserve[t]
+        excess = have - desired - reserve[t]
         if mode[t] != TOUCH:
             excess = have  # nothing to pay for
         if excess > 0.0:
             account[t] = have - excess
-            touch_books[TOUCH_LOSS] += excess
+            touch_ledger[TOUCH_LOSS] += excess
 
 
 @part
@@ -300,14 +326,9 @@ def _guess(found: Contacts, columns: Columns, small: Small, tools: Tools, axes: 
 
 @part
 def _drive(tools: Tools, small: Small, T: float) -> None:
-    """The proxies' own `a ŵ = drive` [Lee & Huang 2010, proxy]."""
-    stiffness, damping, mass = tools.drive_stiffness, tools.drive_damping, tools.mass
-    start, end, push = tools.drive_start, tools.drive_end, tools.push
-    place, rate, inertia, drive = tools.place, tools.rate, small.inertia, small.drive
+    """What each proxy does without contacts."""
     for t in range(tools.first, tools.last):
         p = t - tools.first
-        k, b, heavy = stiffness[t], damping[t], 2.0 * mass[t] / T
-        inertia[p] = heavy + 0.5 * T * k + b
+        small.inertia[p] = proxy_inertia(tools, t, T)
         for a in range(3):
-            wish = 0.5 * k * (start[t, a] + end[t, a]) + (b / T) * (end[t, a] - start[t, a]) + push[t, a]
-            drive[3 * p + a] = heavy * rate[t, a] + wish - k * place[t, a]
+            small.drive[3 * p + a] = proxy_drive(tools, t, a, T)

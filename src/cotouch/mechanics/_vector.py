@@ -17,16 +17,12 @@ from llvmlite import ir
 from numba.core import types
 from numba.core.cgutils import unpack_tuple
 from numba.core.errors import TypingError
-from numba.extending import intrinsic as numba_intrinsic
 from numba.extending import models, overload, register_model
+
+from cotouch.compiled import intrinsic
 
 WIDTHS = (1, 4)
 _FLAGS = ("contract",)
-
-
-def intrinsic(generator: Any) -> Any:
-    """Numba's decorator; what it makes takes the arguments after `typingctx`, which types cannot say."""
-    return numba_intrinsic(generator)
 
 
 class Vec(types.Type):

@@ -1,5 +1,6 @@
 """Who is joined to whom, how fast that brings them together, and what damping it takes to stay passive."""
 
+from cotouch.network._age_sums import AgeSums, Basis, age_sums_of
 from cotouch.network._certificate import Certificate, Mode, certify
 from cotouch.network._checks import one_user
 from cotouch.network._collocation import generator_eigenvalues
@@ -16,16 +17,17 @@ from cotouch.network._decay import Decay, closed_loop, rightmost_root
 from cotouch.network._exact import exact_margin, exact_scaling, sync_hermitian
 from cotouch.network._gains import coefficients, damping_matrices
 from cotouch.network._lags import Convention, Rounding, consensus_lags, cycle_period
-from cotouch.network._loop import Loop, characteristic, polish
+from cotouch.network._loop import Loop, characteristic
 from cotouch.network._network import Network
-from cotouch.network._reach import Basis, Reach, reach_of
 from cotouch.network._resonance import none_beyond, slowest
 from cotouch.network._returns import Chain, arrive, chain_of, on_line, value
 from cotouch.network._rightmost import rate_of, rightmost
 from cotouch.network._topologies import complete, connected_graphs, path, ring, star
 from cotouch.network._types import Pair
+from cotouch.network._walk import polish
 
 __all__ = [
+    "AgeSums",
     "Basis",
     "Certificate",
     "Chain",
@@ -37,8 +39,8 @@ __all__ = [
     "Mode",
     "Network",
     "Pair",
-    "Reach",
     "Rounding",
+    "age_sums_of",
     "arrive",
     "certify",
     "chain_of",
@@ -62,7 +64,6 @@ __all__ = [
     "path",
     "polish",
     "rate_of",
-    "reach_of",
     "rightmost",
     "rightmost_root",
     "ring",

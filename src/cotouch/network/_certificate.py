@@ -6,11 +6,11 @@ from typing import Literal, TypeAlias, final
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.network._damping import Method, damping_for, method_shares, minimax_shares
+from cotouch.network._age_sums import AgeSums, Basis, age_sums_of, check_periods, index_delays_of
+from cotouch.network._damping import Method, damping_for, method_fractions, minimax_fractions
 from cotouch.network._exact import exact_scaling
 from cotouch.network._gains import coefficients, damping_matrices, inverse_roots, link_matrices, single_weight
 from cotouch.network._network import Network
-from cotouch.network._reach import Basis, Reach, check_periods, index_delays_of, reach_of
 from cotouch.network._types import FloatArray
 
 Mode: TypeAlias = Literal["constant", "self-paced", "freshest"]
@@ -55,7 +55,7 @@ class Certificate:
             it takes 125 %, -inf that some user on a delayed link has none. 1 when nothing needs damping.
         user_margin: (N,) the part of its damping that each user alone could give up; None for "exact", and for weights
             that fail or stand exactly on the bound it is `margin` for all.
-        link_margin: (links,) by which part of itself the reach (age or delay, both directions together) of each link
+        link_margin: (links,) by which part of itself the age sum (age or delay, both directions together) of each link
             alone could grow, in the order of `network.links`; inf where it is 0. None and equal for all as for
             `user_margin`.
     """
@@ -83,7 +83,7 @@ def certify(
 
     Args:
         network: linked users.
-        ages: (N, N) s, the greatest age of the samples; see `reach_of`. Without ages and periods the delays of the
+        ages: (N, N) s, the greatest age of the samples; see `age_sums_of`. Without ages and periods the delays of the
             network count as ages.
         index_delay: (N, N) steps; None with `periods` given rounds the delays of the network up to steps.
         periods: s, the longest step, one or (N,).
@@ -97,18 +97,20 @@ def certify(
         NetworkError: inputs that contradict each other or are out of range.
         UnsupportedError: the exact test of different weights is too large.
     """
-    reach = reach_of(network, ages=ages, index_delay=index_delay, periods=periods)
+    age_sums = age_sums_of(network, ages=ages, index_delay=index_delay, periods=periods)
     result: dict[str, Certificate] = {}
     if damping is None:
         methods: tuple[Method, ...] = ("rule", "minimax", "sum")
         for method in methods:
             beta = damping_for(network, method, ages=ages, index_delay=index_delay, periods=periods)
-            d = method_shares(network, reach, method)
-            result[method] = _certificate(method, reach, beta, _check_shares(network, reach, beta, d))
+            d = method_fractions(network, age_sums, method)
+            result[method] = _certificate(method, age_sums, beta, _check_fractions(network, age_sums, beta, d))
     else:
         beta = coefficients(network, damping)
-        result["rule"] = _certificate("rule", reach, beta, _check_shares(network, reach, beta, reach.shares))
-        result["weighted"] = _certificate("weighted", reach, beta, _check_best(network, reach, beta))
+        result["rule"] = _certificate(
+            "rule", age_sums, beta, _check_fractions(network, age_sums, beta, age_sums.fractions)
+        )
+        result["weighted"] = _certificate("weighted", age_sums, beta, _check_best(network, age_sums, beta))
     if periods is not None and np.ptp(longest := check_periods(network, periods)) == 0:
         steps = index_delays_of(network, index_delay, longest)
         beta = (
@@ -117,7 +119,7 @@ def certify(
             else coefficients(network, damping)
         )
         margin = 1.0 - exact_scaling(network, index_delay=steps, period=float(longest[0]), damping=beta)
-        result["exact"] = _certificate("exact", reach, beta, (margin, None, None))
+        result["exact"] = _certificate("exact", age_sums, beta, (margin, None, None))
     return result
 
 
@@ -125,13 +127,13 @@ _Margins: TypeAlias = tuple[float, FloatArray | None, FloatArray | None]
 
 
 def _certificate(
-    method: Method | Literal["weighted"], reach: Reach, beta: FloatArray, margins: _Margins
+    method: Method | Literal["weighted"], age_sums: AgeSums, beta: FloatArray, margins: _Margins
 ) -> Certificate:
-    covers, modes = _COVERS["exact" if method == "exact" else reach.basis]
+    covers, modes = _COVERS["exact" if method == "exact" else age_sums.basis]
     margin, user, link = margins
     return Certificate(
         method=method,
-        basis=reach.basis,
+        basis=age_sums.basis,
         covers=covers,
         modes=modes,
         damping=beta,
@@ -142,20 +144,20 @@ def _certificate(
     )
 
 
-def _check_shares(network: Network, reach: Reach, beta: FloatArray, d: FloatArray) -> _Margins:
+def _check_fractions(network: Network, age_sums: AgeSums, beta: FloatArray, d: FloatArray) -> _Margins:
     """Each user's damping against what the rule with weights d asks of it, as matrices."""
     own, springs = damping_matrices(network, beta), link_matrices(network)
-    shares = reach.seconds * d / d[:, None]
+    fractions = age_sums.seconds * d / d[:, None]
     need = np.zeros_like(own)
     for link, (i, j) in enumerate(network.links):
-        need[i] += shares[i, j] * springs[link]
-        need[j] += shares[j, i] * springs[link]
+        need[i] += fractions[i, j] * springs[link]
+        need[j] += fractions[j, i] * springs[link]
     user = 1.0 - _relative_norm(own, need)
     growth = np.full(len(network.links), np.inf)
     for link, (i, j) in enumerate(network.links):
         for a, b in ((i, j), (j, i)):
-            if shares[a, b] > 0:
-                spare = _least_ratio(own[a] - need[a], shares[a, b] * springs[link])
+            if fractions[a, b] > 0:
+                spare = _least_ratio(own[a] - need[a], fractions[a, b] * springs[link])
                 growth[link] = min(growth[link], spare)
     return float(user.min()), user, growth
 
@@ -176,17 +178,17 @@ def _least_ratio(spare: FloatArray, unit: FloatArray) -> float:
     return float(np.linalg.eigvalsh(root @ spare @ root)[0])
 
 
-def _check_best(network: Network, reach: Reach, beta: FloatArray) -> _Margins:
+def _check_best(network: Network, age_sums: AgeSums, beta: FloatArray) -> _Margins:
     """Whether any weights are known to do: all of them where one spring weight serves all, else three good choices."""
-    best = _check_weighted(network, reach, beta)
+    best = _check_weighted(network, age_sums, beta)
     if single_weight(network, beta) is None:
-        for d in (reach.shares, minimax_shares(network, reach)):
-            other = _check_shares(network, reach, beta, d)
+        for d in (age_sums.fractions, minimax_fractions(network, age_sums)):
+            other = _check_fractions(network, age_sums, beta, d)
             best = other if other[0] > best[0] else best
     return best
 
 
-def _check_weighted(network: Network, reach: Reach, beta: FloatArray) -> _Margins:
+def _check_weighted(network: Network, age_sums: AgeSums, beta: FloatArray) -> _Margins:
     """Whether any weights d make `B_i >= sum_j reach_ij K_ij d_j/d_i`.
 
     With `Q_ij = reach_ij |B_i^(-1/2) K_ij B_j^(-1/2)|` they exist where the Perron eigenvalue of Q is at most 1 (and
@@ -197,10 +199,10 @@ def _check_weighted(network: Network, reach: Reach, beta: FloatArray) -> _Margin
     springs = link_matrices(network)
     q = np.zeros((network.size, network.size))
     for link, (i, j) in enumerate(network.links):
-        if reach.seconds[i, j] > 0:
+        if age_sums.seconds[i, j] > 0:
             bare = not (np.isfinite(root[i]).all() and np.isfinite(root[j]).all())
             norm = np.inf if bare else np.linalg.norm(root[i] @ springs[link] @ root[j], ord=2)
-            q[i, j] = q[j, i] = reach.seconds[i, j] * norm
+            q[i, j] = q[j, i] = age_sums.seconds[i, j] * norm
     load = np.array([q[i, j] for i, j in network.links])
     if not np.isfinite(q).all():
         return -np.inf, np.full(network.size, -np.inf), np.full(len(load), -np.inf)

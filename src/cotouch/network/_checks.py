@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.errors import NetworkError
+from cotouch.errors import NetworkError, printable
 from cotouch.network._types import FloatArray, IntArray, Pair
 from cotouch.units import user_number
 
@@ -37,13 +37,20 @@ def check_users(users: Iterable[str]) -> tuple[str, ...]:
     """Names of the users: at least one, none empty, no two alike."""
     if isinstance(users, str):
         raise NetworkError(f'users is the text "{users}"; it must be a list of names, one for each user')
-    names = tuple(users)
+    try:
+        names = tuple(users)
+    except TypeError:
+        raise NetworkError(f"users is {users!r}; it must be a list of names, one for each user") from None
     if not names:
         raise NetworkError("users is empty; a network has at least one user")
     for i, name in enumerate(names):
         if not isinstance(name, str) or not name.strip():  # pyright: ignore[reportUnnecessaryIsInstance]
             raise NetworkError(
                 f"users: the name of user {user_number(i)} is {name!r}; it must be a text that is not empty"
+            )
+        if printable(name) != name:
+            raise NetworkError(
+                f"users: the name of user {user_number(i)} is {name!r}; it must be one line of letters that can be seen"
             )
         if name in names[:i]:
             first = user_number(names.index(name))
@@ -55,7 +62,7 @@ def check_users(users: Iterable[str]) -> tuple[str, ...]:
 
 def check_delay(users: tuple[str, ...], delay: npt.ArrayLike) -> FloatArray:
     """Delays in seconds, (N, N), entry [i][j] from j to i: finite, at least 0, and 0 on the diagonal."""
-    matrix = _numbers("delay", delay)
+    matrix = numbers("delay", delay)
     size = len(users)
     if matrix.shape != (size, size):
         raise NetworkError(f"delay is {_shape(matrix)}; for {size} users it must be {size} x {size}")
@@ -73,14 +80,14 @@ def check_delay(users: tuple[str, ...], delay: npt.ArrayLike) -> FloatArray:
 
 def check_springs(users: tuple[str, ...], spring: npt.ArrayLike, weight: npt.ArrayLike | None) -> Springs:
     """Springs in N/m as (N, N) strengths with at most one common `weight`, or as (N, N, r, r) matrices."""
-    matrix = _numbers("spring", spring)
+    matrix = numbers("spring", spring)
     size = len(users)
     if matrix.shape == (size, size):
         strength = _scalar_springs(users, matrix)
         weights: tuple[FloatArray, ...] = ()
         weight_of = np.full((size, size), -1, dtype=np.int64)
         if weight is not None:
-            unit = _numbers("weight", weight)
+            unit = numbers("weight", weight)
             if unit.ndim != 2 or unit.shape[0] != unit.shape[1] or unit.shape[0] == 0:
                 raise NetworkError(f"weight is {_shape(unit)}; it must be a square matrix")
             unit = _spd("weight", unit)
@@ -101,10 +108,7 @@ def check_springs(users: tuple[str, ...], spring: npt.ArrayLike, weight: npt.Arr
 def check_links(
     users: tuple[str, ...], strength: FloatArray, links: Iterable[Sequence[int]] | None
 ) -> tuple[Pair, ...]:
-    """Links as sorted pairs of indices; None means every pair with a spring.
-
-    Messages count users from 1, as files and screens do.
-    """
+    """Links as sorted pairs of indices; None means every pair with a spring."""
     if links is None:
         return tuple((int(i), int(j)) for i, j in np.argwhere(np.triu(strength) > 0))
     chosen: set[Pair] = set()
@@ -129,8 +133,8 @@ def _pair(users: tuple[str, ...], link: Sequence[int]) -> Pair:
     for end in (i, j):
         if not 0 <= end < len(users):
             raise NetworkError(
-                f"links: [{user_number(i)}, {user_number(j)}] names user {user_number(end)}; users are numbered "
-                f"1 to {len(users)}"
+                f"links: ({i}, {j}) holds the index {end}; users have the indices 0 to {len(users) - 1}, which "
+                f"files number 1 to {len(users)}"
             )
     if i == j:
         raise NetworkError(f"links: {one_user(users, i)} is linked to itself; a link joins two different users")
@@ -151,7 +155,7 @@ def _scalar_springs(users: tuple[str, ...], matrix: FloatArray) -> FloatArray:
             f"spring is not symmetric: {two_users(users, i, j)} have {matrix[i, j]:.9g} N/m one way and "
             f"{matrix[j, i]:.9g} N/m the other; K_ij and K_ji must be equal"
         )
-    return (matrix + matrix.T) / 2
+    return matrix / 2 + matrix.T / 2
 
 
 def _matrix_springs(users: tuple[str, ...], blocks: FloatArray) -> Springs:
@@ -209,14 +213,30 @@ def _spd(name: str, matrix: FloatArray) -> FloatArray:
             f"{name} is not positive definite: its smallest eigenvalue is {smallest:.6g}; "
             "every eigenvalue must be above 0"
         )
-    return (matrix + matrix.T) / 2
+    return matrix / 2 + matrix.T / 2
 
 
-def _numbers(name: str, values: npt.ArrayLike) -> FloatArray:
+def numbers(name: str, values: npt.ArrayLike) -> FloatArray:
+    """A copy of real numbers, [row for each user]; what Python would count as some, such as true, is refused.
+
+    Args:
+        name: of what they are, for the message.
+        values: anything.
+
+    Raises:
+        NetworkError: they are no array of real numbers.
+    """
     try:
-        return np.array(values, dtype=np.float64)
+        found = np.array(values)
     except (TypeError, ValueError):
-        raise NetworkError(f"{name} is not an array of numbers; give one row of numbers for each user") from None
+        found = np.empty(0, dtype=object)
+    if found.dtype.kind not in "iuf" or _has_truth(values):
+        raise NetworkError(f"{name} is not an array of real numbers; give one row of numbers for each user")
+    return found.astype(np.float64)
+
+
+def _has_truth(values: object) -> bool:
+    return isinstance(values, bool) or (isinstance(values, list | tuple) and any(map(_has_truth, values)))  # pyright: ignore[reportUnknownArgumentType]
 
 
 def _shape(array: FloatArray) -> str:

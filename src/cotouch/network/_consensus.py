@@ -7,6 +7,7 @@ from typing import final
 import numpy as np
 
 from cotouch.errors import NetworkError, UnsupportedError
+from cotouch.interrupt import check
 from cotouch.network._lags import Convention, Rounding, consensus_lags, cycle_period
 from cotouch.network._loop import Loop, loop_of
 from cotouch.network._network import Network
@@ -101,6 +102,7 @@ def _second_modulus(network: Network, lags: IntArray, time_unit: float) -> float
     """Second largest |eigenvalue| of an aperiodic chain."""
     loop = consensus_loop(network, lags, time_unit)
     root, certain, _ = slowest(loop, math.pi / time_unit, np.zeros(0, dtype=np.complex128))
+    check()
     if certain:
         return math.exp(root.real * time_unit)
     rows = int(lags.max(axis=0).sum())

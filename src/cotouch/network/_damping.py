@@ -14,10 +14,10 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.errors import NetworkError
-from cotouch.network._checks import one_user
+from cotouch.network._age_sums import AgeSums, age_sums_of, check_periods, index_delays_of
+from cotouch.network._checks import numbers, one_user
 from cotouch.network._exact import exact_scaling
 from cotouch.network._network import Network
-from cotouch.network._reach import Reach, check_periods, index_delays_of, reach_of
 from cotouch.network._types import FloatArray
 
 Method: TypeAlias = Literal["rule", "minimax", "sum", "exact"]
@@ -38,9 +38,9 @@ def damping_for(
         network: linked users.
         method: "rule" (`rule_damping`), "minimax" (`minimax_damping`), "sum" (`sum_damping`), or "exact": the rule
             scaled down until the exact test only just passes, for constant index delays and one constant period alone.
-        ages: (N, N) s; as for `reach_of`.
-        index_delay: (N, N) steps; as for `reach_of`.
-        periods: s, one or (N,); as for `reach_of`.
+        ages: (N, N) s; as for `age_sums_of`.
+        index_delay: (N, N) steps; as for `age_sums_of`.
+        periods: s, one or (N,); as for `age_sums_of`.
         costs: (N,) for "sum" alone.
 
     Raises:
@@ -63,16 +63,18 @@ def damping_for(
         steps = index_delays_of(network, index_delay, longest)
         rule = rule_damping(network, index_delay=steps, periods=longest)
         return rule * exact_scaling(network, index_delay=steps, period=float(longest[0]), damping=rule)
-    reach = reach_of(network, ages=ages, index_delay=index_delay, periods=periods)
-    return shared(network, reach, method_shares(network, reach, method, costs=costs))
+    age_sums = age_sums_of(network, ages=ages, index_delay=index_delay, periods=periods)
+    return shared(network, age_sums, method_fractions(network, age_sums, method, costs=costs))
 
 
-def method_shares(network: Network, reach: Reach, method: Method, *, costs: npt.ArrayLike | None = None) -> FloatArray:
+def method_fractions(
+    network: Network, age_sums: AgeSums, method: Method, *, costs: npt.ArrayLike | None = None
+) -> FloatArray:
     """Weights d (N,) of a method that is not "exact"."""
     if method == "rule":
-        return reach.shares
+        return age_sums.fractions
     if method == "minimax":
-        return minimax_shares(network, reach)
+        return minimax_fractions(network, age_sums)
     return np.ones(network.size) if costs is None else np.sqrt(_positive(network, "costs", costs))
 
 
@@ -114,8 +116,8 @@ def weighted_damping(
     Raises:
         NetworkError: a weight is not positive and finite.
     """
-    reach = reach_of(network, ages=ages, index_delay=index_delay, periods=periods)
-    return shared(network, reach, reach.shares * _positive(network, "d", d))
+    age_sums = age_sums_of(network, ages=ages, index_delay=index_delay, periods=periods)
+    return shared(network, age_sums, age_sums.fractions * _positive(network, "d", d))
 
 
 def minimax_damping(
@@ -148,7 +150,7 @@ def sum_damping(
 
     Every link adds `reach_ij K_ij (c_i d_j/d_i + c_j d_i/d_j)`, at least `2 reach_ij K_ij sqrt(c_i c_j)`, and `d_i =
     sqrt(c_i)` reaches that on all links at once. With equal costs and ages it is the plain rule: nothing has a smaller
-    sum. For index delays g is not symmetric, the reach is (see `Reach`), and the same holds.
+    sum. For index delays g is not symmetric, the age sum is (see `Reach`), and the same holds.
 
     Args:
         network: linked users.
@@ -160,20 +162,20 @@ def sum_damping(
     return damping_for(network, "sum", ages=ages, index_delay=index_delay, periods=periods, costs=costs)
 
 
-def shared(network: Network, reach: Reach, d: FloatArray) -> FloatArray:
+def shared(network: Network, age_sums: AgeSums, d: FloatArray) -> FloatArray:
     """Coefficients of `B_i = sum_j reach_ij K_ij d_j/d_i`."""
-    shares = reach.seconds * network.linked_spring() * d / d[:, None]
+    fractions = age_sums.seconds * network.linked_spring() * d / d[:, None]
     beta = np.zeros((network.size, 1 + len(network.weights)))
     for w in range(beta.shape[1]):
-        beta[:, w] = np.where(network.weight_of == w - 1, shares, 0.0).sum(axis=1)
+        beta[:, w] = np.where(network.weight_of == w - 1, fractions, 0.0).sum(axis=1)
     return beta
 
 
-def minimax_shares(network: Network, reach: Reach) -> FloatArray:
+def minimax_fractions(network: Network, age_sums: AgeSums) -> FloatArray:
     """Perron vector of `reach_ij K_ij` in every connected component."""
-    load = reach.seconds * network.linked_spring()
+    load = age_sums.seconds * network.linked_spring()
     d = np.ones(network.size)
-    # Links with reach 0 carry nothing and must not join two components into one.
+    # Links with an age sum of 0 carry nothing and must not join two components into one.
     loaded = network.with_links([link for link in network.links if load[link] > 0])
     for component in loaded.components():
         users = list(component)
@@ -183,7 +185,7 @@ def minimax_shares(network: Network, reach: Reach) -> FloatArray:
 
 
 def _positive(network: Network, name: str, values: npt.ArrayLike) -> FloatArray:
-    array = np.array(values, dtype=np.float64)
+    array = numbers(name, values)
     if array.shape != (network.size,):
         raise NetworkError(f"{name} has shape {array.shape}; it must be ({network.size},), one for each user")
     for i in map(int, np.flatnonzero(~(np.isfinite(array) & (array > 0)))):

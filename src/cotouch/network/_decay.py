@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.errors import NetworkError, UnsupportedError
+from cotouch.interrupt import check
 from cotouch.network._checks import one_user
 from cotouch.network._collocation import generator_eigenvalues
 from cotouch.network._loop import Loop, characteristic, loop_of
@@ -91,6 +92,7 @@ def rightmost_root(
     root, certain = 0j, False
     for guesses in _guesses(loop):
         root, certain, _ = rightmost(loop, not grounded, guesses)
+        check()
         if certain:
             break
     if not certain:
@@ -146,5 +148,7 @@ def closed_loop(
             raise NetworkError(
                 f"sync_damping of {one_user(network.users, i)} is {sync[i]:g} Ns/m; it must be finite and at least 0"
             )
-    share = np.full(network.size, 1.0 / network.size)
-    return loop_of(network, mass=mass * share, drag=damping * share + sync, ground=stiffness * share), sync
+    copy_scale = np.full(network.size, 1.0 / network.size)
+    return loop_of(
+        network, mass=mass * copy_scale, drag=damping * copy_scale + sync, ground=stiffness * copy_scale
+    ), sync

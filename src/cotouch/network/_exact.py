@@ -23,6 +23,8 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.errors import NetworkError, UnsupportedError
+from cotouch.interrupt import check
+from cotouch.network._age_sums import check_periods, index_delays_of
 from cotouch.network._gains import (
     coefficients,
     damping_matrices,
@@ -31,7 +33,6 @@ from cotouch.network._gains import (
     single_weight,
 )
 from cotouch.network._network import Network
-from cotouch.network._reach import check_periods, index_delays_of
 from cotouch.network._types import ComplexArray, FloatArray, IntArray
 
 # What is returned is never on the wrong side of the truth, and at most this far from it, relative to the scale of C.
@@ -220,6 +221,7 @@ def _largest(family: _Family) -> float:
     if not len(family.ends):
         return best
     for _ in range(_HALVINGS):
+        check()
         size, bend = family.bounds(low)
         upper = np.minimum(np.maximum(at_low, at_high) + bend * (high - low) ** 2 / 8, size + shift)
         keep = upper > best + slack

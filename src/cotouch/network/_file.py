@@ -1,10 +1,10 @@
 """The `[network]` table of a TOML file, up to the arguments of the constructor."""
 
-import tomllib
 from collections.abc import Mapping
 from pathlib import Path
 
 from cotouch.errors import NetworkError
+from cotouch.files import read_toml
 from cotouch.units import user_index
 
 _REQUIRED = ("users", "spring", "delay")
@@ -17,17 +17,7 @@ def read_table(path: Path) -> Mapping[str, object]:
     Raises:
         NetworkError: the file cannot be read, is not TOML, or has no such table.
     """
-    try:
-        tables = tomllib.loads(path.read_text(encoding="utf-8"))
-    except FileNotFoundError:
-        raise NetworkError(f"{path}: there is no such file") from None
-    except OSError as error:
-        raise NetworkError(f"{path}: the file cannot be read ({error.strerror})") from None
-    except UnicodeDecodeError:
-        raise NetworkError(f"{path}: the file is not UTF-8 text; it must be TOML") from None
-    except tomllib.TOMLDecodeError as error:
-        raise NetworkError(f"{path}: the file is not TOML ({error})") from None
-    table = tables.get("network")
+    table = read_toml(path, "network", NetworkError).get("network")
     if not isinstance(table, dict):
         raise NetworkError(f"{path}: there is no table [network]; it must hold {', '.join(_REQUIRED)}")
     return table
@@ -39,6 +29,8 @@ def arguments(table: Mapping[str, object], source: str) -> dict[str, object]:
     Raises:
         NetworkError: a key is unknown or missing, or `links` is not a list of pairs of whole numbers.
     """
+    if not isinstance(table, Mapping):  # pyright: ignore[reportUnnecessaryIsInstance]
+        raise NetworkError(f"{source}: network is {table!r}; it must be a table with {', '.join(_REQUIRED)}")
     for key in table:
         if key not in _REQUIRED + _OPTIONAL:
             raise NetworkError(
@@ -51,11 +43,11 @@ def arguments(table: Mapping[str, object], source: str) -> dict[str, object]:
         raise NetworkError(f"{source}: users is {table['users']!r}; it must be a list of names, one for each user")
     found = dict(table)
     if "links" in found:
-        found["links"] = _links(found["links"], source)
+        found["links"] = _links(found["links"], source, len(table["users"]))
     return found
 
 
-def _links(links: object, source: str) -> list[tuple[int, int]]:
+def _links(links: object, source: str, users: int) -> list[tuple[int, int]]:
     if not isinstance(links, list | tuple):
         raise NetworkError(
             f"{source}: links is {links!r}; it must be a list of pairs of user numbers, such as [[1, 2]]"
@@ -64,6 +56,11 @@ def _links(links: object, source: str) -> list[tuple[int, int]]:
     for link in links:
         match link:
             case [int(i), int(j)] if not isinstance(i, bool) and not isinstance(j, bool):
+                for end in (i, j):
+                    if not 1 <= end <= users:
+                        raise NetworkError(
+                            f"{source}: links: [{i}, {j}] names user {end}; users are numbered 1 to {users}"
+                        )
                 pairs.append((user_index(i), user_index(j)))
             case _:
                 raise NetworkError(f"{source}: links: {link!r} is not a link; a link is a pair of user numbers from 1")

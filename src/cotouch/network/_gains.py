@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.errors import NetworkError
-from cotouch.network._checks import one_user
+from cotouch.network._checks import numbers, one_user
 from cotouch.network._network import Network
 from cotouch.network._types import FloatArray
 
@@ -21,7 +21,7 @@ def coefficients(network: Network, damping: npt.ArrayLike) -> FloatArray:
         NetworkError: another shape, an entry that is negative or not finite, or (N,) where links have different
             weights.
     """
-    values = np.array(damping, dtype=np.float64)
+    values = numbers("damping", damping)
     columns = 1 + len(network.weights)
     if values.shape == (network.size,):
         used = {int(network.weight_of[i, j]) for i, j in network.links}

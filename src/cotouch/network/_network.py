@@ -1,8 +1,10 @@
 """Who is joined to whom, how strongly, and how late."""
 
 import dataclasses
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from html import escape
 from pathlib import Path
 from typing import Self, final
 
@@ -13,7 +15,9 @@ from scipy.sparse import csgraph
 
 from cotouch.errors import NetworkError
 from cotouch.network import _checks, _file
+from cotouch.network._round_trips import delays_of_round_trips
 from cotouch.network._types import FloatArray, IntArray, Pair
+from cotouch.units import user_number
 
 # A delay this little above a whole number of steps is round-off of its decimal fraction, not a further step.
 _STEP_ROUND_OFF = 1e-9
@@ -112,6 +116,58 @@ class Network:
             return cls(**arguments)  # pyright: ignore[reportArgumentType]
         except NetworkError as error:
             raise NetworkError(f"{source}: {error}") from None
+
+    def as_table(self) -> dict[str, object]:
+        """The contents of a `[network]` table that `from_table` makes this network of: users are numbered from 1."""
+        spring: object = self.spring.tolist()
+        table: dict[str, object] = {"users": list(self.users)}
+        if self.weights and (self.weight_of[self.spring > 0] == 0).all():
+            table["weight"] = self.weights[0].tolist()
+        elif self.weights:
+            units = np.stack([*self.weights, np.eye(len(self.weights[0]))])  # -1, the identity, is the last
+            spring = (self.spring[..., None, None] * units[self.weight_of]).tolist()
+        links = [[user_number(a), user_number(b)] for a, b in self.links]
+        return {**table, "spring": spring, "delay": self.delay.tolist(), "links": links}
+
+    @classmethod
+    def from_delays(
+        cls,
+        paths: str | Path | Sequence[str | Path],
+        *,
+        pick: Sequence[str] = (),
+        spring: float = 50.0,
+        quantile: float = 1.0,
+    ) -> Self:
+        """Users of a table of measured round trips, all of whom may be linked.
+
+        The delay of each direction is half of the round trip. A round trip does not tell how its two ways share it;
+        only their sum enters the rule and, but for round-off, the consensus and the decay of a tree.
+
+        Args:
+            paths: a CSV file, or several with the same names: measured at different times, say. The first row and
+                column are names, fields are ms, an empty one was not measured.
+            pick: names of the users to take; none takes all.
+            spring: N/m, of each pair whose round trip was measured one way or the other.
+            quantile: of what was measured of one pair, both ways and in all files: 1 takes the worst, 0.5 the median.
+
+        Raises:
+            NetworkError: a file is wrong, files or picks name others, or a value is out of its range.
+        """
+        if not (math.isfinite(spring) and spring > 0):
+            raise NetworkError(f"spring is {spring:g} N/m; it must be finite and above 0")
+        files = [paths] if isinstance(paths, str | Path) else list(paths)
+        users, delay, measured = delays_of_round_trips(files, pick, quantile)
+        return cls(users=users, spring=np.where(measured, spring, 0.0), delay=delay)
+
+    def _repr_html_(self) -> str:  # pyright: ignore[reportUnusedFunction]
+        """What a notebook shows: users, and of each link its spring and its delays there and back."""
+        rows = "".join(
+            f"<tr><td>{escape(self.users[a])}</td><td>{escape(self.users[b])}</td><td>{self.spring[a, b]:g}</td>"
+            f"<td>{self.delay[b, a]:g}</td><td>{self.delay[a, b]:g}</td></tr>"
+            for a, b in self.links
+        )
+        heads = "".join(f"<th>{head}</th>" for head in ("one", "other", "N/m", "s there", "s back"))
+        return f"<p>{self.size} users, {len(self.links)} links</p><table><tr>{heads}</tr>{rows}</table>"
 
     def with_links(self, links: Iterable[Sequence[int]] | None) -> Self:
         """The same users, springs and delays with other links; None links every pair that has a spring."""

@@ -7,8 +7,8 @@ together; those few windows are found first, for a fine grid almost as quickly a
 
 import numpy as np
 
-from cotouch.compiled import routine, subroutine
-from cotouch.network._loop import Loop, keep, polish, reciprocal, standing, walk
+from cotouch.compiled import raised, routine, subroutine
+from cotouch.network._loop import Loop
 from cotouch.network._returns import (
     Chain,
     arrive,
@@ -21,6 +21,7 @@ from cotouch.network._returns import (
     value,
 )
 from cotouch.network._types import ComplexArray, IntArray
+from cotouch.network._walk import keep, polish, reciprocal, standing, walk
 from cotouch.network._windows import windows
 
 # Roots, starts of Newton in one window, steps through one window, and windows that are kept.
@@ -123,6 +124,8 @@ def _swift(loop: Loop, top: float, guesses: ComplexArray, enough: float) -> tupl
         found = _take(chain, guesses[g], scale, top, known, found)
         reach = min(reach, _HINT * guesses[g].real)
     for _ in range(_SWIFT_ROUNDS):
+        if raised(loop.stop):
+            return best, False, effort
         for f in range(1, found):
             if known[f].real > best.real:
                 best = known[f]
@@ -309,6 +312,8 @@ def _thorough(loop: Loop, top: float, guesses: ComplexArray, enough: float) -> t
         found = _add(loop, guesses[g], scale, top, known, copies, found)
     reach, left = -0.02 * scale, _LEFT
     for _ in range(_ROUNDS):
+        if raised(loop.stop):
+            return best, False, effort
         best = complex(-np.inf, 0.0)
         for f in range(1, found):
             if known[f].real > best.real:
@@ -349,6 +354,8 @@ def _thorough(loop: Loop, top: float, guesses: ComplexArray, enough: float) -> t
             continue
         certain, fresh = True, False
         for w in range(many):
+            if raised(loop.stop):
+                return best, False, effort
             inside, steps, count = _count(loop, line, lows[w], highs[w], top, starts)
             effort += steps
             mirrored = lows[w] == 0.0 or highs[w] == top

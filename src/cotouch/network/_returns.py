@@ -12,9 +12,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cotouch.compiled import routine, subroutine
-from cotouch.network._loop import Loop, reciprocal
+from cotouch.compiled import raised, routine, subroutine
+from cotouch.network._loop import Loop
 from cotouch.network._types import ComplexArray, FloatArray, IntArray
+from cotouch.network._walk import reciprocal
 
 _NEWTON_STEPS = 40
 _ARRIVED, _ROUGH = 1e-13, 1e-8
@@ -84,6 +85,7 @@ def chain_of(loop: Loop) -> Chain:
             loop.spring,
             loop.to_first,
             loop.to_second,
+            loop.stop,
         ),
         place,
         np.zeros(1),
@@ -338,7 +340,7 @@ def turn_of(chain: Chain, bend: float, low: float, high: float, most: int) -> tu
         stride = np.sqrt(2.0 * _SAFE * gap / bend)
         stride = max(stride, 2.0 * _SAFE * size / (speed + np.sqrt(speed * speed + 2.0 * bend * size)))
         stride = min(stride, high - here)
-        if steps >= most or not here + stride > here:
+        if steps >= most or not here + stride > here or raised(chain.loop.stop):
             return np.nan, steps, nearest
         tangent = f + complex(0.0, stride) * slope
         old = f

@@ -2,19 +2,34 @@
 
 import numpy as np
 
-from cotouch.compiled import routine, subroutine
-from cotouch.network._loop import Loop, keep, polish, standing, walk
-from cotouch.network._types import ComplexArray
+from cotouch.compiled import raised, routine, subroutine
+from cotouch.network._elimination import cut, definite, negatives
+from cotouch.network._loop import Loop
+from cotouch.network._types import ComplexArray, IntArray
+from cotouch.network._walk import keep, polish, standing, walk
 
 # Roots, and starts of Newton along one line, that are kept.
 _MOST_ROOTS = 64
 _MOST_STARTS = 64
 _MOST_STEPS = 20_000
-_ROUNDS = 12
+_ROUNDS = 20
 # How far left of the rightmost root known the line of the count goes, beside its distance from 0.
 _LEFT = 0.05
+_NEAREST = 1e-3
+# Once it is nearer than this and finds nothing, it goes to the right by this factor instead.
+_SOON, _NEARER = 0.01, 0.8
+# With more users, real roots are looked at first; this is the nearest to the rightmost root that the line then goes.
+_MANY, _NARROW = 24, 2e-3
 # With more roots than this missed, what is known is far from the rightmost one.
 _CROWD = 6
+# The axis is looked at as far as links carry e to this, and to so many rates of the loop.
+_FAR, _SWIFTEST = 20.0, 20.0
+# Stretches of a line on which G turned by an angle is definite: upper over lower end at first, at most and at least;
+# cotangents of the angle, beside the frequency over the line's distance from 0; and the share of that distance below
+# which a walk takes few steps.
+_STRETCH, _LONGEST, _SHORTEST = 2.0, 8.0, 1.08
+_LEANS = (0.4, 0.2, 0.7, 1.2)
+_AT_ONCE = 2e-3
 
 
 @routine
@@ -69,24 +84,115 @@ def _own_roots(loop: Loop, line: float, high: float) -> tuple[int, float]:
 
 
 @routine
-def count_right(loop: Loop, line: float, starts: ComplexArray) -> tuple[int, int, int]:
+def definite_from(loop: Loop, line: float, high: float, near: float) -> float:
+    """Frequency from which on to `high` the determinant's phase along the line is known without following it.
+
+    There G, turned by some angle, has a positive definite Hermitian part. That is made sure of stretch by stretch, from
+    above; an angle is found by trial.
+
+    Args:
+        loop: the loop.
+        line: real part.
+        high: highest frequency.
+        near: low enough.
+    """
+    n = len(loop.mass)
+    parts, matrix = cut(loop, 0.0, -np.inf), np.zeros((n, n), np.complex128)
+    ratio, kind = _STRETCH, 0
+    while high > near:
+        low, held = high / ratio, False
+        for turn in range(len(_LEANS)):
+            lean = _LEANS[(kind + turn) % len(_LEANS)] * 0.5 * (low + high) / (np.abs(line) + near)
+            if definite(loop, parts, line, low, high, lean, matrix):
+                kind, held = (kind + turn) % len(_LEANS), True
+                break
+        if held:
+            high, ratio = low, min(1.0 + 1.5 * (ratio - 1.0), _LONGEST)
+        elif ratio > _SHORTEST:
+            ratio = 1.0 + 0.4 * (ratio - 1.0)
+        else:
+            break
+    return high
+
+
+@routine
+def count_right(loop: Loop, line: float, starts: ComplexArray, whole: bool = True) -> tuple[int, int, int]:
     """Number of roots right of a line, by the argument principle.
 
     What turns is the determinant over the product of its diagonal, whose own roots are those of quadratics. Beyond a
     frequency the diagonal dominates along the line, and beyond a distance all over the half plane, so what is left of
     the contour there is known at its end.
 
+    Args:
+        loop: the loop.
+        line: real part.
+        starts: filled with Newton's next points.
+        whole: whether to walk all along the line, or only where the phase is not known by itself.
+
     Returns:
         The number (-1 if unclear), the number of steps, the number of starts for Newton along the line.
     """
     high = _free_beyond(loop, line)
-    turn, steps, count = walk(loop, line, 0.0, high, _MOST_STEPS, starts)
+    far = high if whole else definite_from(loop, line, high, _AT_ONCE * np.abs(line))
+    turn, steps, count = walk(loop, line, 0.0, far, _MOST_STEPS, starts)
+    if far < high:
+        turn += standing(loop, complex(line, high), False) - standing(loop, complex(line, far), False)
     own, own_turn = _own_roots(loop, line, high)
     rest = standing(loop, complex(line, high), True)
     windings = (rest - (turn - own_turn)) / np.pi
     if not abs(windings - np.round(windings)) < 0.02:
         return -1, steps, count
     return own + int(np.round(windings)), steps, count
+
+
+@routine
+def on_axis(loop: Loop, resting: bool) -> float:
+    """About where the rightmost real root is, the resting translation aside; NaN if there is none near."""
+    n = len(loop.mass)
+    if len(loop.first) == 0:
+        return np.nan
+    parts, matrix = cut(loop, 0.0, -np.inf), np.zeros((n, n))
+    longest = max(np.max(loop.to_first), np.max(loop.to_second))
+    expected, scale = (1 if resting else 0), rate_of(loop)
+    low, high = 0.0, -1e-4 * scale
+    while negatives(loop, parts, high, matrix) <= expected:
+        if high * longest < -_FAR or high < -_SWIFTEST * scale:
+            return np.nan
+        low, high = high, 2.0 * high
+    while low - high > 1e-4 * -high:
+        middle = 0.5 * (low + high)
+        if negatives(loop, parts, middle, matrix) <= expected:
+            low = middle
+        else:
+            high = middle
+    return 0.5 * (low + high)
+
+
+@subroutine
+def _gap(loop: Loop, rate: float, widest: float, resting: int) -> float:
+    """How far left of a rate a line may go, as a share of it, and leave the real roots further left well alone."""
+    parts, matrix = cut(loop, 0.0, -np.inf), np.zeros((len(loop.mass), len(loop.mass)))
+    while widest > _NARROW and negatives(loop, parts, rate * (1.0 + 2.0 * widest), matrix) > resting + 1:
+        widest *= 0.5
+    return widest
+
+
+@subroutine
+def _look_around(
+    loop: Loop, line: float, best: complex, scale: float, known: ComplexArray, copies: IntArray, found: int
+) -> int:
+    """Newton from points right of a root: pairs that just left the axis lie there; ends with the first one found."""
+    for ahead in (0.97, 0.9, 0.8):
+        for aside in (0.02, 0.08, 0.25):
+            if raised(loop.stop):
+                return found
+            start = complex(ahead * best.real, aside * np.abs(best.real))
+            root, arrived = polish(loop, start, scale, known, copies, found)
+            if arrived and root.real > line:
+                now = keep(loop, root, scale, known, copies, found)
+                if now > found:
+                    return now
+    return found
 
 
 @routine
@@ -111,25 +217,37 @@ def rightmost(loop: Loop, resting: bool, guesses: ComplexArray) -> tuple[complex
     trivial = found
     starts = np.empty(_MOST_STARTS, np.complex128)
     effort = 0
+    if len(guesses) == 0:
+        real = on_axis(loop, resting)
+        # Roots leave the axis where delays differ both ways; Newton by itself never does.
+        guesses = np.array([complex(real, 0.0), complex(1.03 * real, 0.03 * real), complex(real, 0.1 * real)])
+    many = len(loop.mass) > _MANY
+    first = guesses[0].real if len(guesses) > 0 else np.nan
     for g in range(len(guesses)):
-        root, arrived = polish(loop, guesses[g], scale, known, copies, found)
-        if arrived:
-            found = keep(loop, root, scale, known, copies, found)
-    left, nearer = _LEFT, 1.0
-    best = complex(-np.inf, 0.0)
+        # A root where it was guessed needs no other guess.
+        if np.isfinite(guesses[g].real) and not (many and found > trivial and known[trivial].real > 1.005 * first):
+            root, arrived = polish(loop, guesses[g], scale, known, copies, found)
+            if arrived:
+                found = keep(loop, root, scale, known, copies, found)
+    left, nearer, whole = _LEFT, 1.0, not many
+    best, around = complex(-np.inf, 0.0), complex(np.inf, 0.0)
     for _ in range(_ROUNDS):
+        if raised(loop.stop):
+            return best, False, effort
         for f in range(trivial, found):
             if known[f].real > best.real:
                 best, nearer = known[f], 1.0
         line = -0.01 * scale
         if found > trivial:
+            if many:  # Their roots lie close together, and a line through a gap takes fewer steps.
+                left = _gap(loop, best.real, left, trivial)
             width = left * max(np.abs(best.real), 0.001 * scale)
             line = best.real - width
             for f in range(trivial, found):  # Not through a root that is known.
                 if np.abs(known[f].real - line) < 0.1 * width:
                     line = known[f].real - 0.25 * width
             line *= nearer
-        right, steps, count = count_right(loop, line, starts)
+        right, steps, count = count_right(loop, line, starts, whole)
         effort += steps
         expected = 1 if resting and line < 0.0 else 0
         for f in range(trivial, found):
@@ -142,11 +260,19 @@ def rightmost(loop: Loop, resting: bool, guesses: ComplexArray) -> tuple[complex
             continue
         before = found
         for c in range(count):
+            if raised(loop.stop):
+                return best, False, effort
             root, arrived = polish(loop, starts[c], scale, known, copies, found)
             if arrived and (root.real > line or nearer < 1.0 or found == trivial):
                 found = keep(loop, root, scale, known, copies, found)
-        if found == before:
-            # Missed roots lie right of the line: where fewer others are near it, the walk points at them.
-            nearer = 0.5 * nearer if right != expected else 1.0
-            left *= 0.618
+        if found == before and found > trivial and right > expected and around != best:
+            around = best
+            found = _look_around(loop, line, best, scale, known, copies, found)
+        if found == before and not whole:  # What is missed may lie beside the part that was not walked.
+            whole = True
+        elif found == before:
+            # What is missed lies between the line and the root, where a line nearer to it leaves it out; or else right
+            # of the root, where the walk points at it once fewer others are near the line.
+            nearer = _NEARER * nearer if right != expected and left < _SOON else 1.0
+            left = max(0.3 * left, 0.3 * _NEAREST)
     return best, False, effort

@@ -6,7 +6,7 @@ grid almost as quickly found as for a coarse one.
 
 import numpy as np
 
-from cotouch.compiled import routine, subroutine
+from cotouch.compiled import raised, routine, subroutine
 from cotouch.network._loop import Loop
 from cotouch.network._types import FloatArray
 
@@ -22,7 +22,7 @@ def _may_resonate(
     around: FloatArray,
     sizes: FloatArray,
     cross: FloatArray,
-    share: FloatArray,
+    fraction: FloatArray,
     entry: FloatArray,
     matrix: FloatArray,
 ) -> bool:
@@ -47,7 +47,7 @@ def _may_resonate(
         # 1 - cos, from below
         rest = square * (0.5 - square * (1.0 / 24.0 - square * (1.0 / 720.0 - square * (1.0 / 40320.0))))
         entry[e] = rest
-        total += share[e] * rest
+        total += fraction[e] * rest
     if total > 1.0 + 1e-9:
         return False
     for i in range(n):
@@ -98,7 +98,7 @@ def _invert_real(matrix: FloatArray) -> None:
 
 @subroutine
 def _tolerances(
-    loop: Loop, sizes: FloatArray, cross: FloatArray, matrix: FloatArray, tolerance: FloatArray, share: FloatArray
+    loop: Loop, sizes: FloatArray, cross: FloatArray, matrix: FloatArray, tolerance: FloatArray, fraction: FloatArray
 ) -> None:
     """For each link, how far its phase may be from resonance if all others resonate; π where that says nothing.
 
@@ -112,7 +112,8 @@ def _tolerances(
         cross: 2ab.
         matrix: scratch, (N, N).
         tolerance: filled, in radians.
-        share: filled with what `1 - cos` of the phase is multiplied by for `_may_resonate`; 0 where that says nothing.
+        fraction: filled with what `1 - cos` of the phase is multiplied by for `_may_resonate`; 0 where that says
+            nothing.
     """
     n, links = len(loop.mass), len(loop.first)
     full = np.zeros((n, n))
@@ -124,7 +125,7 @@ def _tolerances(
     inverse = full.copy()
     _invert_real(inverse)
     for e in range(links):
-        tolerance[e], share[e] = np.pi, 0.0
+        tolerance[e], fraction[e] = np.pi, 0.0
         i, j = loop.first[e], loop.second[e]
         # (1 + t y_ij)² = t² y_ii y_jj
         y, product = inverse[i, j], inverse[i, i] * inverse[j, j]
@@ -147,7 +148,7 @@ def _tolerances(
         if not _positive(matrix):
             continue
         # M - m = (M² - m²) / (M + m) >= cross (1 - cos) / (2 M)
-        share[e] = 0.25 * loop.spring[e] * cross[e] / (largest * change)
+        fraction[e] = 0.25 * loop.spring[e] * cross[e] / (largest * change)
         cosine = (size * size - sizes[e]) / cross[e]
         if cosine > -1.0:
             tolerance[e] = np.arccos(min(cosine, 1.0)) + 1e-9
@@ -180,7 +181,7 @@ def windows(
     """Intervals of frequency outside which no root lies right of the line; their number, and that of the tests."""
     n, links = len(loop.mass), len(loop.first)
     around, sizes, cross = np.empty(links), np.empty(links), np.empty(links)
-    tolerance, share, entry = np.empty(links), np.empty(links), np.empty(links)
+    tolerance, fraction, entry = np.empty(links), np.empty(links), np.empty(links)
     longest = 0.0
     for e in range(links):
         around[e] = loop.to_first[e] + loop.to_second[e]
@@ -188,7 +189,7 @@ def windows(
         a, b = np.exp(-line * loop.to_first[e]), np.exp(-line * loop.to_second[e])
         sizes[e], cross[e] = a * a + b * b, 2.0 * a * b
     matrix = np.empty((n, n))
-    _tolerances(loop, sizes, cross, matrix, tolerance, share)
+    _tolerances(loop, sizes, cross, matrix, tolerance, fraction)
     lows[0], highs[0] = 0.0, top
     given = 1
     order = np.argsort(around)  # short delays make few wide teeth, which long ones then divide
@@ -209,7 +210,9 @@ def windows(
             depth -= 1
             low, high = stack[depth, 0], stack[depth, 1]
             tests += 1
-            if not _may_resonate(loop, low, high, around, sizes, cross, share, entry, matrix):
+            if raised(loop.stop):
+                return -1, tests
+            if not _may_resonate(loop, low, high, around, sizes, cross, fraction, entry, matrix):
                 continue
             if 0.5 * (high - low) * longest > _NARROW:
                 middle = 0.5 * (low + high)

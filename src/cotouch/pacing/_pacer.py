@@ -236,8 +236,8 @@ class Pacer:
         late = sorted(self._late[: min(self._steps, _KEPT)])
         elapsed = self._last - self._begin
 
-        def quantile(share: float) -> float:
-            return late[min(len(late) - 1, int(share * len(late)))] if late else math.nan
+        def quantile(fraction: float) -> float:
+            return late[min(len(late) - 1, int(fraction * len(late)))] if late else math.nan
 
         return PaceStatistics(
             steps=self._steps,

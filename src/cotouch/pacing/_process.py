@@ -117,6 +117,19 @@ def prepare_process(*, real_time: int | None = 10, collector: bool = False) -> G
         )
 
 
+def real_time_refused(priority: int) -> str | None:
+    """Whether this user's processes may have real-time priority.
+
+    Args:
+        priority: under SCHED_FIFO, 1 to 99.
+
+    Returns:
+        Why not; None if they may.
+    """
+    with contextlib.ExitStack() as undo:
+        return _real_time(priority, 1, undo)[1]
+
+
 def _one_blas_thread(undo: contextlib.ExitStack) -> int | None:
     """One thread, by threadpoolctl if it is there; else the environment may have said so before numpy was loaded."""
     try:

@@ -1,23 +1,26 @@
 """One user's replica, sans-IO."""
 
-from cotouch.peer._guard import GuardBooks, GuardEvent, LinkGuard
-from cotouch.peer._links import COUPLED, GUARDED, READY, UNHEARD, ConstantLink, FreshestLink, Link, Sample, Word
+from cotouch.peer._guard import LinkGuard
+from cotouch.peer._guard_ledger import GuardEvent, GuardLedger
+from cotouch.peer._law_link import CopyMemory, LawLink
+from cotouch.peer._links import NO_HEADER, ConstantLink, FreshestLink, Link, LinkHeader, LinkState, Message, Sample
 from cotouch.peer._peer import Peer
-from cotouch.peer._report import Report
+from cotouch.peer._report import StepReport
 
 __all__ = [
-    "COUPLED",
-    "GUARDED",
-    "READY",
-    "UNHEARD",
+    "NO_HEADER",
     "ConstantLink",
+    "CopyMemory",
     "FreshestLink",
-    "GuardBooks",
     "GuardEvent",
+    "GuardLedger",
+    "LawLink",
     "Link",
     "LinkGuard",
+    "LinkHeader",
+    "LinkState",
+    "Message",
     "Peer",
-    "Report",
     "Sample",
-    "Word",
+    "StepReport",
 ]

@@ -38,6 +38,12 @@ sample, so that losses and repetitions do not matter. It gives no more than the 
 see above. Energy on its way belongs to nobody and is lost with the link. A copy's links help each other, too (`Peer`):
 what coupled ones do not need goes to those that lack it, with what the body's own damping and B_e took.
 
+**What the other end says is not believed.** Its stamps may be of the future and its gifts may be nobody's. An age
+leaves over no more than both budgets, for that is all that this end damps for; and of what the other says it gave, no
+more is taken than the tank holds, and no faster than the power limit; of a sum that rises by more than a tank, the rest
+is forgotten. So whatever it says, its link puts into this copy
+at most what the power limit allows.
+
 **Rounding.** A sample on the wire may be off by ε (in W's norm). A coupled end pays `K ε‖v̂‖_W T` a step from its tank;
 what one step takes beyond it is a debt, and guards the link. A guarded end needs no more than its account. At coupling,
 the product above grows by K(‖e‖ + ‖p‖)ε + Kε², of which ends that leave another 1/16 of both budgets out of their tanks
@@ -46,65 +52,17 @@ pay all but 17 K ε²; that comes out of the tank.
 
 from collections import deque
 from math import inf, sqrt
-from typing import NamedTuple, final
+from typing import final
 
 from cotouch.errors import NetworkError
-from cotouch.peer._links import COUPLED, GUARDED, READY, Link, Sample, Word
+from cotouch.peer._guard_ledger import GuardEvent, GuardLedger
+from cotouch.peer._links import Link, LinkHeader, LinkState, Sample
 
 # Share of both budgets that pays for the rounding of samples at coupling; 1/share + 1 times K ε² is left.
-_ROUNDING_SHARE = 1.0 / 16.0
+_ROUNDING_FRACTION = 1.0 / 16.0
 _BURST = 0.1  # [s] of the power that may come at once
 _MOST_EVENTS = 256
 _LAST_EPOCH = 255
-
-
-class GuardEvent(NamedTuple):
-    """A change of an end's state.
-
-    Attributes:
-        time: end of the step that was the first in the new state, on this end's clock [s].
-        state: the new one.
-        reason: in a few words.
-    """
-
-    time: float
-    state: int
-    reason: str
-
-
-class GuardBooks(NamedTuple):
-    """Where the energy of one end is and went, all since the beginning [J].
-
-    `tank = seed + credited + taken - given - paid - lost`, and the work that the link did on the copy is `injected`
-    less what the spring holds after the step.
-
-    Attributes:
-        state: in the last step.
-        epoch: how often this end was guarded, modulo 255.
-        potential: U, what the spring held as the last step began, with the set position of that step.
-        tank: E; negative: a debt.
-        credited: damping that went to the tank.
-        taken: what the other end and the copy's other links gave.
-        given: to them.
-        paid: what the tank paid for moving the set position, for going guarded and for rounding.
-        lost: what the tank could not hold, or might have belonged to the coupled link.
-        injected: what moving the set position, by the tank or by the coupled neighbour, put into the spring.
-        sent: of what was given, that to the other end.
-        received: of what was taken, that of the other end.
-    """
-
-    state: int
-    epoch: int
-    potential: float
-    tank: float
-    credited: float
-    taken: float
-    given: float
-    paid: float
-    lost: float
-    injected: float
-    sent: float
-    received: float
 
 
 @final
@@ -133,12 +91,13 @@ class LinkGuard:
         budget: float = -inf,
         total: float = 0.0,
         balance: float = 1.0,
-        seed: float = 0.0,
+        initial_energy: float = 0.0,
         cap: float = inf,
         force: float = inf,
         power: float = inf,
         burst: float | None = None,
         rounding: float = 0.0,
+        patience: float = 0.0,
         epoch: int = 1,
     ) -> None:
         """Starts guarded and relaxed.
@@ -148,13 +107,15 @@ class LinkGuard:
             budget: A_ij [s].
             total: A_ij + A_ji [s].
             balance: d_j/d_i of the age rule; the damping that pays is `½K total balance`.
-            seed: what the tank starts with, so that copies at rest apart meet; counts once in the bound on what the
-                users can get out, >= 0 [J].
-            cap: what the tank keeps at most, >= seed [J].
+            initial_energy: what the tank starts with, so that copies at rest apart meet; counts once in the bound on
+                what the users can get out, >= 0 [J].
+            cap: what the tank keeps at most, >= initial_energy [J].
             force: greatest force of the spring, in the norm of the link's weight, > 0 [N].
             power: what the neighbour may put in by moving its copy, for long, > 0 [W].
             burst: and at once, > 0; None: what the power gives in 0.1 s [J].
             rounding: bound on the error of a sample, in the norm of the link's weight, >= 0 [m].
+            patience: over so long its force may grow to what the tank is good for, while a newcomer is on its way,
+                >= 0 [s].
             epoch: 1 to 255; another one after a restart than before it.
 
         Raises:
@@ -162,12 +123,13 @@ class LinkGuard:
         """
         for name, value, least, strict in (
             ("balance", balance, 0.0, True),
-            ("seed", seed, 0.0, False),
-            ("cap", cap, seed, False),
+            ("initial_energy", initial_energy, 0.0, False),
+            ("cap", cap, initial_energy, False),
             ("force", force, 0.0, True),
             ("power", power, 0.0, True),
             ("burst", inf if burst is None else burst, 0.0, True),
             ("rounding", rounding, 0.0, False),
+            ("patience", patience, 0.0, False),
         ):
             if not (value > least if strict else value >= least):
                 raise NetworkError(
@@ -178,28 +140,28 @@ class LinkGuard:
         self.source = source
         self.budget = budget
         self.total = total
-        self.state = GUARDED
+        self.state = LinkState.GUARDED
         self.epoch = epoch
-        self.tank = seed
+        self.tank = initial_energy
         self.events = deque[GuardEvent](maxlen=_MOST_EVENTS)
         self.bypassed = False
-        self._keep_back = seed
+        self._keep_back, self._patience, self._waited = initial_energy, patience, 0.0
         self._balance, self._cap, self._rounding = balance, cap, rounding
         self._force, self._power, self._burst = force, power, _BURST * power if burst is None else burst
         self._bucket = self._burst
         self._strength = 0.0
         self._most = inf  # of U, by the force
         self._charge = 0.0  # at coupling
-        self._heard = 0
+        self._known_epoch = 0
         self._partner = 0  # the other's epoch that this end is coupled with
         self._potential = 0.0
         self._caught = 0.0  # for how long ȳ = y with an age within the budget
         self._catching = False  # in this step
-        self._short = False  # of energy, in this step
+        self._short = 0.0  # of so much energy, in this step
         self._recent = self._older = inf  # least tank, of two stretches of time since then
         self._stretch = 0.0  # how long the recent one is
         self._surplus = 0.0  # of the budget, in this step
-        self._known: float | None = None  # what the other gave in all, as heard
+        self._given_before: float | None = None  # by the other, as heard first
         self._given = self._received = self._shared = self._taken = 0.0
         self._credited = self._paid = self._lost = self._injected = 0.0
 
@@ -207,17 +169,17 @@ class LinkGuard:
         """Learns the link's spring [N/m for the identity weight]; the peer calls it."""
         self._strength = strength
         self._most = 0.5 * self._force**2 / strength if strength > 0.0 else inf
-        self._charge = strength * self._rounding**2 * (1.0 / _ROUNDING_SHARE + 1.0)
+        self._charge = strength * self._rounding**2 * (1.0 / _ROUNDING_FRACTION + 1.0)
 
     @property
-    def word(self) -> Word:
+    def header(self) -> LinkHeader:
         """What the other end must be told with the sample of the step that was just taken."""
-        return Word(self.state, self.epoch, self._heard, self._given, self.wanting)
+        return LinkHeader(self.state, self.epoch, self._known_epoch, self._given, self.starved)
 
     @property
-    def books(self) -> GuardBooks:
+    def ledger(self) -> GuardLedger:
         """Energies, as they are now."""
-        return GuardBooks(
+        return GuardLedger(
             self.state,
             self.epoch,
             self._potential,
@@ -244,12 +206,12 @@ class LinkGuard:
         """The sample that step k would use."""
         return self.source.choose(k)
 
-    def decide(self, sample: Sample, wish: float, held: float, now: float, T: float) -> float:
-        """How far the spring may follow the sample in the coming step: `ȳ = x + share (y - x)`.
+    def decide(self, sample: Sample, desired: float, held: float, now: float, T: float) -> float:
+        """How far the spring may follow the sample in the coming step: `ȳ = x + fraction (y - x)`.
 
         Args:
             sample: the newest, y.
-            wish: ‖x - y‖²_W, x at the start of the step [m²]; a sample at no finite distance is ignored.
+            desired: ‖x - y‖²_W, x at the start of the step [m²]; a sample at no finite distance is ignored.
             held: ‖x - ȳ‖²_W, with ȳ of the step before [m²].
             now: end of the step [s].
             T: its length [s].
@@ -257,46 +219,48 @@ class LinkGuard:
         Returns:
             The share, in [0, 1].
         """
-        word, half = sample.word, 0.5 * self._strength
-        wish, held = half * wish, half * held
-        if not wish < inf:
-            wish, goal = inf, 0.0
+        header, half = sample.header, 0.5 * self._strength
+        desired, held = half * desired, half * held
+        if not desired < inf:
+            desired, goal = inf, 0.0
         else:
-            goal = min(wish, self._most)
+            goal = min(desired, self._most)
         bucket = self._bucket + self._power * T
         self._bucket = min(bucket, self._burst)
         left = self.budget - (now - sample.stamp) if sample.index >= 0 else -inf
         if self._rounding > 0.0:
-            left -= _ROUNDING_SHARE * self.total
+            left -= _ROUNDING_FRACTION * self.total
         fresh = left >= 0.0
-        surplus = left - 0.5 * T
+        surplus = min(left - 0.5 * T, self.total)
         self._surplus = surplus if fresh and surplus > 0.0 else 0.0
         if sample.index >= 0:
-            self._heard = word.epoch
-            if word.given != self._known:
-                self._receive(word.given)
-        self._short = False
-        if self.bypassed and sample.index >= 0 and wish < inf:
+            self._known_epoch = header.epoch
+            self._receive(header.given, T)
+        self._short = 0.0
+        if self.bypassed and sample.index >= 0 and desired < inf:
             self._catching = False
-            self._move(wish, held)
+            self._move(desired, held)
             return 1.0
-        if self.state == COUPLED:
-            reason = self._why_guard(word, fresh, goal - held)
+        if self.state == LinkState.COUPLED:
+            reason = self._why_guard(header, fresh, goal - held)
             if not reason:
                 self._move(goal, held)
-                return 1.0 if goal == wish else sqrt(goal / wish)
+                return 1.0 if goal == desired else sqrt(goal / desired)
             self._fall(now, reason, self.tank)
             available = self.tank
         else:
             available = self.tank + held
+        if self._waited < self._patience:
+            goal = min(goal, (self._waited / self._patience) ** 2 * available)
+            self._waited += T
         potential = self._affordable(goal, held, available)
-        caught = fresh and potential == wish
-        if self.state == READY and not (caught and self._caught >= self.total):
+        caught = fresh and potential == desired
+        if self.state == LinkState.READY and not (caught and self._caught >= self.total):
             self._fall(now, "left behind" if fresh else "too old", self._least)
             available = self.tank
             potential = self._affordable(goal, held, available)
-            caught = fresh and potential == wish
-        self._short = fresh and potential < goal and available <= potential
+            caught = fresh and potential == desired
+        self._short = goal - potential if fresh and potential < goal and available <= potential else 0.0
         if not caught:
             self._forget()
         self._paid += self.tank - (available - potential)
@@ -304,13 +268,13 @@ class LinkGuard:
         self._move(potential, held)
         self._catching = caught
         if caught:
-            self._remember(word, T)
-            self._rise(word, now)
-            if word.wanting and word.state == GUARDED and self.state != COUPLED:
+            self._remember(header, T)
+            self._rise(header, now)
+            if header.starved and header.state == LinkState.GUARDED and self.state != LinkState.COUPLED:
                 self._give()
             self._caught += T
             return 1.0
-        return sqrt(potential / wish) if potential > 0.0 else 0.0
+        return sqrt(potential / desired) if potential > 0.0 else 0.0
 
     def settle(self, square: float, T: float) -> None:
         """Books what the step left over.
@@ -319,24 +283,29 @@ class LinkGuard:
             square: ‖v̂‖²_W, v̂ the mean velocity of the step [m²/s²].
             T: its length [s].
         """
-        trusted = self.state == COUPLED or self._catching
+        trusted = self.state == LinkState.COUPLED or self._catching
         span = self._surplus if trusted else self.total
         gain = 0.5 * self._strength * self._balance * span * square * T
         self._credited += gain
-        if self._rounding > 0.0 and self.state == COUPLED:
+        if self._rounding > 0.0 and self.state == LinkState.COUPLED:
             price = self._strength * self._rounding * sqrt(square) * T
             self._paid += price
             gain -= price
         self._keep(self.tank + gain)
 
     @property
-    def wanting(self) -> bool:
+    def starved(self) -> bool:
         """Whether this end cannot follow its neighbour for want of energy, as of the last step."""
+        return self._short > 0.0
+
+    @property
+    def lacking(self) -> float:
+        """How much energy it lacked [J]."""
         return self._short
 
     def donate(self) -> float:
         """Takes out of the tank of a coupled end what it can do without, for the copy's other links [J]."""
-        if self.state != COUPLED or self.tank <= self._keep_back:
+        if self.state != LinkState.COUPLED or self.tank <= self._keep_back:
             return 0.0
         spare = self.tank - self._keep_back
         self.tank = self._keep_back
@@ -352,26 +321,30 @@ class LinkGuard:
         self._taken += energy
         self._keep(self.tank + energy)
 
-    def _receive(self, given: float) -> None:
-        """Takes what the other end gave since it was heard last; what it gave before that is nobody's."""
-        if self._known is None:
-            self._known = given
-        elif given > self._known:
-            self._received += given - self._known
-            self.help(given - self._known)
-            self._known = given
+    def _receive(self, given: float, T: float) -> None:
+        """Takes what the other end gave since it was heard first, as fast as it may and as far as there is room."""
+        if self._given_before is None:
+            self._given_before = given
+        due = given - self._given_before - self._received
+        if due > self._cap:  # an honest end has no more to give than its own tank held
+            self._given_before += due - self._cap
+            due = self._cap
+        taken = min(due, self._power * T, self._cap - self.tank)
+        if taken > 0.0:
+            self._received += taken
+            self.help(taken)
 
     @property
     def _least(self) -> float:
         """Of the tank, over the time in which the other end may have coupled."""
         return min(self._recent, self._older)
 
-    def _remember(self, word: Word, T: float) -> None:
+    def _remember(self, header: LinkHeader, T: float) -> None:
         """Notes the tank of an end that has caught up.
 
         Until the sample that says GUARDED was sent, the other end had not coupled; so long ago as both budgets it was.
         """
-        if word.state == GUARDED and self._stretch >= self.total:
+        if header.state == LinkState.GUARDED and self._stretch >= self.total:
             self._older, self._recent, self._stretch = self._recent, inf, 0.0
         self._stretch += T
         self._recent = min(self._recent, self.tank)
@@ -390,20 +363,20 @@ class LinkGuard:
             self._older -= spare
             self._given += spare
 
-    def _why_guard(self, word: Word, fresh: bool, rise: float) -> str:
+    def _why_guard(self, header: LinkHeader, fresh: bool, rise: float) -> str:
         """Why a coupled end cannot stay so; empty if it can."""
         if not fresh:
             return "too old"
-        if word.state == GUARDED:
+        if header.state == LinkState.GUARDED:
             return "the other is guarded"
-        if word.epoch != self._partner:
+        if header.epoch != self._partner:
             return "the other was guarded"
         if rise > self._bucket:
             return "too much power"
         return "rounding" if self.tank < 0.0 else ""
 
     def _affordable(self, goal: float, held: float, available: float) -> float:
-        """The potential nearest to the wish that energy and power allow."""
+        """The potential nearest to the desired position that energy and power allow."""
         return max(0.0, min(goal, available, held + self._bucket))
 
     def _move(self, potential: float, held: float) -> None:
@@ -425,21 +398,21 @@ class LinkGuard:
         """Guards the link, with so much in the tank and nothing in the spring."""
         self._lost += self.tank - tank
         self.tank = tank
-        self.state = GUARDED
+        self.state = LinkState.GUARDED
         self.epoch = self.epoch % _LAST_EPOCH + 1
         self._forget()
-        self.events.append(GuardEvent(now, GUARDED, reason))
+        self.events.append(GuardEvent(now, LinkState.GUARDED, reason))
 
-    def _rise(self, word: Word, now: float) -> None:
+    def _rise(self, header: LinkHeader, now: float) -> None:
         """An end that has caught up becomes ready, and then couples."""
-        if self._caught < self.total or word.heard != self.epoch:
+        if self._caught < self.total or header.known_epoch != self.epoch:
             return
-        if word.state != GUARDED and self._least >= self._charge:
+        if header.state != LinkState.GUARDED and self._least >= self._charge:
             self._lost += self.tank - self._least
             self._paid += self._charge
             self.tank = self._least - self._charge
-            self.state, self._partner = COUPLED, word.epoch
-            self.events.append(GuardEvent(now, COUPLED, "both have caught up"))
-        elif self.state == GUARDED:
-            self.state = READY
-            self.events.append(GuardEvent(now, READY, "caught up"))
+            self.state, self._partner = LinkState.COUPLED, header.epoch
+            self.events.append(GuardEvent(now, LinkState.COUPLED, "both have caught up"))
+        elif self.state == LinkState.GUARDED:
+            self.state = LinkState.READY
+            self.events.append(GuardEvent(now, LinkState.READY, "caught up"))

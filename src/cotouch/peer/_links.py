@@ -1,37 +1,44 @@
 """Which sample of a neighbour a step uses: one of a fixed index, or the newest there is."""
 
 from dataclasses import dataclass, field
-from typing import NamedTuple, Protocol, final
+from enum import IntEnum
+from typing import NamedTuple, Protocol, TypeAlias, final
 
-import numpy as np
-import numpy.typing as npt
+from cotouch.arrays import Float
 
-Float = npt.NDArray[np.float64]
-
-# States of one end of a link, in the order of trust; see `cotouch.peer.LinkGuard`.
-GUARDED, READY, COUPLED = range(3)
+# Fields (fields, size) and numbers (scalars,) that a law tells a neighbour besides x̂; see `cotouch.laws.Law`.
+Message: TypeAlias = tuple[Float, Float]
 
 
-class Word(NamedTuple):
+@final
+class LinkState(IntEnum):
+    """What one end of a link does, in the order of trust; see `cotouch.peer.LinkGuard`."""
+
+    GUARDED = 0
+    READY = 1
+    COUPLED = 2
+
+
+class LinkHeader(NamedTuple):
     """What one end of a link tells the other besides its position.
 
     Attributes:
-        state: in which the step was taken: `GUARDED`, `READY` or `COUPLED`.
+        state: in which the step was taken: a `LinkState`.
         epoch: how often this end was guarded, 1 to 255 and round again; 0 says nothing.
-        heard: the other end's epoch as this end heard it last; 0 before.
+        known_epoch: the other end's epoch as this end heard it last; 0 before.
         given: energy that this end gave to the other, all since the beginning, >= 0 [J].
-        wanting: whether this end cannot follow its neighbour for want of energy.
+        starved: whether this end cannot follow its neighbour for want of energy.
     """
 
-    state: int = COUPLED
+    state: int = LinkState.COUPLED
     epoch: int = 0
-    heard: int = 0
+    known_epoch: int = 0
     given: float = 0.0
-    wanting: bool = False
+    starved: bool = False
 
 
 # Of a neighbour that holds its springs itself, as in the simulator, and of one that has not been heard yet.
-_PLAIN, UNHEARD = Word(), Word(GUARDED)
+_PLAIN, NO_HEADER = LinkHeader(), LinkHeader(LinkState.GUARDED)
 
 
 @final
@@ -44,14 +51,16 @@ class Sample:
         index: k, the number of the step, from 0.
         stamp: time at the middle of the step on the sender's clock [s].
         position: x̂, the position at the middle of the step, in the rows of the session's model, (rows, width) [m].
-        word: of the sender's guard to this neighbour; by default that of a neighbour without one.
+        header: of the sender's guard to this neighbour; by default that of a neighbour without one.
+        message: of the link's law to this neighbour; None where the law says nothing.
     """
 
     sender: int
     index: int
     stamp: float
     position: Float
-    word: Word = _PLAIN
+    header: LinkHeader = _PLAIN
+    message: Message | None = None
 
 
 class Link(Protocol):

@@ -1,35 +1,41 @@
-"""One user's replica: samples in, sample and books out; time is handed to it, and it opens nothing."""
+"""One user's replica: samples in, sample and a ledger out; time is handed to it, and it opens nothing."""
 
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple, final
+from typing import final
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.errors import NetworkError
+from cotouch.laws import feel
 from cotouch.mechanics import (
+    BETA,
     BODY_LOSS,
-    BOOKS,
+    CLOSURE,
     DRIVE,
     ELASTIC,
     EXTRA_LOSS,
     ITERATIONS,
     KINETIC,
+    LEDGER_COLUMNS,
     LOCAL_LOSS,
     PROXY,
+    SHORTENED,
     SUPPLIED,
-    TOUCH_BOOKS,
+    TOUCH_LEDGER,
     TOUCH_LOSS,
     TOUCH_STORED,
     TOUCHED,
-    WEIGHTS,
-    Grips,
-    Links,
+    Contact,
     Model,
+    Ports,
     State,
     Surface,
     Tools,
     approach,
+    closed_settle,
+    closed_step,
+    contact_step,
     mixed_stretch,
     settle,
     step,
@@ -39,39 +45,35 @@ from cotouch.mechanics import (
     workspace,
 )
 from cotouch.peer._guard import LinkGuard
-from cotouch.peer._links import Link, Sample
-from cotouch.peer._report import Report
+from cotouch.peer._joined import LinkEnd, joined
+from cotouch.peer._law_link import LawLink
+from cotouch.peer._links import Link, LinkState, Message, Sample
+from cotouch.peer._report import StepReport
 from cotouch.peer._scale import CopyScale
 
-Float = npt.NDArray[np.float64]
-
-
-class _End(NamedTuple):
-    """A link as a step goes through it."""
-
-    source: Link
-    guard: LinkGuard | None
-    place: Float
-    weight: int
-    diagonal: Float | None  # of the weight, the same in any number of copies; None where it couples rows
+# So long an allowance lasts at least: a hand that comes into a session is not torn along [s].
+APPROACH = 2.0
+# Links with a law get of it only where copies are farther apart when they first hear of each other [m].
+_APART = 1e-3
 
 
 @final
 class Peer:
     """One user's copy of the shared object and its links.
 
-    Use it in three steps: `receive` whatever arrived, write into `grips` and `tools` what the hands do, `step`; then
-    send `report.sample` to every neighbour. What a link's guard says goes with it: its `word`.
+    Use it in three steps: `receive` whatever arrived, write into `ports` and `tools` what the hands do, `step`; then
+    send `report.sample` to every neighbour. What a link's guard says goes with it: its `header`.
 
-    Links come and go between steps, and so does the share that the copy has of the body. A newcomer starts where a
-    neighbour is, at rest, with guarded links.
+    Links come and go between steps, and so does the share that the copy has of the body. A newcomer starts at rest with
+    guarded links, at a place that nobody tells it. What it takes to come to where the others are, its links get of an
+    allowance, as they need it and evenly over `APPROACH` seconds at the fastest, until all of them are coupled.
 
     Attributes:
         index: of the user.
         model: the body.
         neighbours: users it is linked to, in the order of their links.
         state: position and velocity.
-        grips: what holds the copy; written by the owner before each step.
+        ports: what holds the copy; written by the owner before each step.
         tools: the proxies, likewise; None without.
         steps: number of steps taken, so the index of the next one.
         integrated: sum of all T so far [s].
@@ -87,11 +89,13 @@ class Peer:
         weight: Sequence[int],
         local_damping: Float,
         extra_damping: Float,
-        grips: Grips,
+        ports: Ports,
         position: Float,
         velocity: Float,
+        allowance: float = 0.0,
         surface: Surface | None = None,
         tools: Tools | None = None,
+        contact: Contact | None = None,
         tolerance: float = 1e-10,
         iterations: int = 500,
     ) -> None:
@@ -105,11 +109,13 @@ class Peer:
             weight: index of each link's weight among the model's.
             local_damping: B_i as coefficients over the weights, (weights,) [Ns/m].
             extra_damping: B_e likewise.
-            grips: the ports.
+            ports: the ports.
             position: initial displacement from rest, (n, d) [m].
             velocity: initial velocity, (n, d) [m/s].
+            allowance: energy that its links may get once, to come to where the others are, >= 0 [J].
             surface: the body's skin (`cotouch.mechanics.surface_of`); with tools.
             tools: the user's proxies.
+            contact: the law by which they touch; None: springs with accounts.
             tolerance: of the solver.
             iterations: cap of the solver.
         """
@@ -118,33 +124,40 @@ class Peer:
         self.model = model
         self.steps = 0
         self.integrated = 0.0
-        self.grips = grips
+        self._allowance, self._advance = allowance, allowance / APPROACH
+        self._approached = 0.0  # for so long links with a law have had of it [s]
+        self.ports = ports
         self.state = State(
-            model.to_rows(position), model.to_rows(velocity), np.zeros((rows, width)), np.zeros((rows, width))
+            model.to_rows(position),
+            model.to_rows(velocity),
+            np.zeros((rows, width)),
+            np.zeros((rows, width)),
+            np.zeros(model.memory),
         )
         self._lanes = model.lanes
         self._scale = CopyScale(model.operator)
-        self._mixed = [bool(np.any(mix)) for mix in model.operator.mix[WEIGHTS:]]
         self._hold(tuple(links), tuple(links.values()), strength, weight, {})
         self._local = np.ascontiguousarray(local_damping, dtype=np.float64)
         self._extra = np.ascontiguousarray(extra_damping, dtype=np.float64)
-        self._work = workspace(model.operator, width, grips.last - grips.first)
-        self._books = np.zeros(BOOKS)
+        self._work = workspace(model.operator, width, ports.last - ports.first, closed=model.force is not None)
+        self._ledger = np.zeros(LEDGER_COLUMNS)
         self._solver = tolerance, iterations
         self.tools = tools
         self._surface = surface
         self._soft = None if surface is None else surface.soft
         self._touch = None
-        self._touch_books = np.zeros(TOUCH_BOOKS)
+        self._contact = contact
+        self._touch_ledger = np.zeros(TOUCH_LEDGER)
         self._rescaled = 0.0
-        self._moved: tuple[Sample, list[float], float] | None = None  # the last step, not in the books yet
-        settle(model.operator, self.state, self._books, model.lanes)
-        self._energy = float(self._books[KINETIC] + self._books[ELASTIC])
+        self._moved: tuple[Sample, list[float], float] | None = None  # the last step, not in the ledger yet
+        self._settle()
+        self._energy = float(self._ledger[KINETIC] + self._ledger[ELASTIC])
         if tools is not None:
             if surface is None:
                 raise ValueError("tools are given without a surface; make one of the model with surface_of")
-            ports = grips.last - grips.first
-            self._touch = touch_work(model, surface, tools=tools.last - tools.first, ports=ports)
+            if contact is None:
+                port_count = ports.last - ports.first
+                self._touch = touch_work(model, surface, tools=tools.last - tools.first, port_count=port_count)
             own = slice(tools.first, tools.last)
             self._energy += 0.5 * float(tools.mass[own] @ (tools.rate[own] ** 2).sum(axis=1))
             self._energy += float(tools.account[own].sum() + tools.grip_energy[own].sum())
@@ -162,6 +175,11 @@ class Peer:
             return False
         return source.offer(sample)
 
+    def message(self, neighbour: int) -> Message | None:
+        """What the link's law tells a neighbour with the sample of the step taken last; None without a law."""
+        source = self._sources[self.neighbours.index(neighbour)]
+        return source.message if isinstance(source, LawLink) else None
+
     def connect(self, neighbour: int, link: Link, *, strength: float, weight: int = 0) -> None:
         """Adds a link, which starts relaxed: its spring holds nothing until a step chooses a sample.
 
@@ -176,16 +194,17 @@ class Peer:
         """
         if neighbour in self.neighbours or neighbour == self.index:
             raise NetworkError(f"user index {neighbour} is linked to user index {self.index} already; disconnect it")
-        if not (0 <= weight < len(self._mixed) and 0.0 <= strength < np.inf):
+        weights = self.model.operator.weight.shape[0]
+        if not (0 <= weight < weights and 0.0 <= strength < np.inf):
             raise NetworkError(
                 f"a link has strength {strength:g} and weight {weight}; it takes a finite strength >= 0 and a weight "
-                f"from 0 to {len(self._mixed) - 1}"
+                f"from 0 to {weights - 1}"
             )
         held, links = self._held(), self._links
         self._hold(
             (*self.neighbours, neighbour),
             (*self._sources, link),
-            (*links.strength, strength),
+            (*(end.spring for end in self._ends), strength),
             (*links.weight, weight),
             held,
         )
@@ -199,7 +218,7 @@ class Peer:
         self._hold(
             tuple(self.neighbours[at] for at in kept),
             tuple(self._sources[at] for at in kept),
-            [float(links.strength[at]) for at in kept],
+            [self._ends[at].spring for at in kept],
             [int(links.weight[at]) for at in kept],
             held,
         )
@@ -229,16 +248,18 @@ class Peer:
         Args:
             copies: N, >= 1.
         """
-        kinetic, elastic = float(self._books[KINETIC]), float(self._books[ELASTIC])
+        kinetic, elastic = float(self._ledger[KINETIC]), float(self._ledger[ELASTIC])
         self._changed(self._scale.rescale(copies, self.state, kinetic, elastic))
-        settle(self._scale.operator, self.state, self._books, self.model.lanes)
+        for law in self._laws:
+            law.copies = copies
+        self._settle()
 
     @property
-    def stiffness_share(self) -> float:
+    def stiffness_scale(self) -> float:
         """Share of K that the copy carries; 1/N, or less while it still rises."""
         return self._scale.stiffness
 
-    def step(self, now: float, T: float) -> Report:
+    def step(self, now: float, T: float) -> StepReport:
         """Takes the step that ends now and lasted T: `move` and `account`.
 
         Args:
@@ -258,28 +279,43 @@ class Peer:
         Returns:
             What the neighbours should be told, with the words that the links' guards have now.
         """
-        links, books, lanes, scale, x = self._links, self._books, self._lanes, self._scale, self.state.position
+        links, ledger, lanes, scale, x = self._links, self._ledger, self._lanes, self._scale, self.state.position
         if scale.rising:
-            self._changed(scale.rise(self.state, float(books[ELASTIC])))
+            self._changed(scale.rise(self.state, float(ledger[ELASTIC])))
         age: list[float] = []
         for end in self._ends:
             guard, place, sample = end.guard, end.place, end.source.choose(self.steps)
             age.append(now - sample.stamp)
-            share = 1.0 if guard is None else self._decide(guard, end, sample, now, T)
-            if share == 1.0:
+            if end.law is not None:
+                at = len(age) - 1
+                links.strength[at], links.brake[at] = end.law.before(sample, age[at], T, x, self.state.velocity)
+                continue
+            fraction = 1.0 if guard is None else self._decide(guard, end, sample, now, T)
+            if fraction == 1.0:
                 place[...] = sample.position
-            elif share == 0.0:
+            elif fraction == 0.0:
                 place[...] = x
             else:
-                approach(x, sample.position, share, place, lanes)
+                approach(x, sample.position, fraction, place, lanes)
         own = len(self._ends)
-        op, state, grips, work = scale.operator, self.state, self.grips, self._work
-        surface, tools, touch, touched = self._surface, self.tools, self._touch, self._touch_books
+        op, force, state, ports, work = scale.operator, self.model.force, self.state, self.ports, self._work
+        surface, tools, touched = self._surface, self.tools, self._touch_ledger
+        contact, touch = self._contact, self._touch
         damping, rest = (self._local, self._extra), (self._link_work, *self._solver, lanes)
-        if tools is None or surface is None or touch is None:
-            step(op, state, links, grips, *damping, T, own, work, books, *rest)
+        if tools is not None and surface is not None:
+            what = surface, tools, *damping, T, own, work
+            if contact is not None:
+                contact_step(contact, op, force, state, links, ports, *what, ledger, touched, *rest)
+            elif touch is not None:
+                touch_step(op, force, state, links, ports, *what, touch, ledger, touched, *rest)
+        elif force is not None:
+            closed_step(op, force, state, links, ports, *damping, T, own, work, ledger, *rest)
         else:
-            touch_step(op, state, links, grips, surface, tools, *damping, T, own, work, touch, books, touched, *rest)
+            step(op, state, links, ports, *damping, T, own, work, ledger, *rest)
+        for law in self._laws:
+            law.after(work.mean)
+        if self._laws and self._laws[0].law.feels:
+            feel(self._laws[0].memory.hand, ports)
         self.steps += 1
         self.integrated += T
         sample = Sample(
@@ -288,24 +324,25 @@ class Peer:
         self._moved = sample, age, T
         return sample
 
-    def account(self) -> Report:
+    def account(self) -> StepReport:
         """Books the step that was just moved through; guards get what it left over."""
         assert self._moved is not None
-        books, touched, scale, (sample, age, T) = self._books, self._touch_books, self._scale, self._moved
+        ledger, touched, scale, (sample, age, T) = self._ledger, self._touch_ledger, self._scale, self._moved
         # As Python's own numbers from here on: one by one out of an array they take longer than the step of a point.
-        square, did, touch = self._work.quadratic.tolist(), books.tolist(), touched.tolist()
+        square, did, touch = self._work.quadratic.tolist(), ledger.tolist(), touched.tolist()
         for guard, end in self._guarded:
             guard.settle(square[end.weight], T)
         if scale.rising:
             scale.tank += did[BODY_LOSS] + did[EXTRA_LOSS]
         else:
             self._share(did[BODY_LOSS] + did[EXTRA_LOSS])
+        advanced = self._approach(T) if self._allowance > 0.0 else 0.0
         energy = did[KINETIC] + did[ELASTIC] + touch[PROXY] + touch[TOUCH_STORED]
         lost = did[BODY_LOSS] + did[LOCAL_LOSS] + did[EXTRA_LOSS] + touch[TOUCH_LOSS]
         supplied = did[SUPPLIED] + touch[DRIVE]
-        report = Report(
+        report = StepReport(
             sample=sample,
-            force=self.grips.force[self.grips.first : self.grips.last].copy(),
+            force=self.ports.force[self.ports.first : self.ports.last].copy(),
             supplied=did[SUPPLIED],
             body_loss=did[BODY_LOSS],
             local_loss=did[LOCAL_LOSS],
@@ -321,31 +358,64 @@ class Peer:
             residual=energy - self._energy - supplied + lost - sum(self._link_work.tolist()),
             age=np.array(age),
             iterations=int(did[ITERATIONS]),
+            closure=did[CLOSURE],
+            closure_factor=did[BETA],
+            shortened=did[SHORTENED],
             rescaled=self._rescaled,
-            guards=tuple(None if end.guard is None else end.guard.books for end in self._ends),
+            advanced=advanced,
+            guards=tuple(None if end.guard is None else end.guard.ledger for end in self._ends),
         )
         self._energy, self._rescaled = energy, 0.0
         return report
 
-    def _decide(self, guard: LinkGuard, end: "_End", sample: Sample, now: float, T: float) -> float:
+    def _settle(self) -> None:
+        """Energies of a state that was just set."""
+        op, force, lanes = self._scale.operator, self.model.force, self.model.lanes
+        if force is None:
+            settle(op, self.state, self._ledger, lanes)
+        else:
+            closed_settle(op, force, self.state, self._work, self._ledger, lanes)
+
+    def _decide(self, guard: LinkGuard, end: LinkEnd, sample: Sample, now: float, T: float) -> float:
         """How far the guard lets its spring follow."""
         x, lanes = self.state.position, self._lanes
-        _, _, place, w, diagonal = end
+        place, w, diagonal = end.place, end.weight, end.diagonal
         if diagonal is None:
             work, operator = self._work, self._scale.operator
-            wish = mixed_stretch(operator, w, x, sample.position, work.stretch, work.image, lanes)
+            desired = mixed_stretch(operator, w, x, sample.position, work.stretch, work.image, lanes)
             held = mixed_stretch(operator, w, x, place, work.stretch, work.image, lanes)
         else:
-            wish, held = stretches(diagonal, x, sample.position, place, lanes)
-        return guard.decide(sample, wish, held, now, T)
+            desired, held = stretches(diagonal, x, sample.position, place, lanes)
+        return guard.decide(sample, desired, held, now, T)
 
     def _share(self, spare: float) -> None:
         """Lets links that cannot follow have what other links, and the copy's own damping, can spare [J]."""
-        wanting = [guard for guard, _ in self._guarded if guard.wanting]
-        if wanting:
+        starved = [guard for guard, _ in self._guarded if guard.starved]
+        if starved:
             spare += sum(guard.donate() for guard, _ in self._guarded)
-            for guard in wanting:
-                guard.help(spare / len(wanting))
+            for guard in starved:
+                guard.help(spare / len(starved))
+
+    def _approach(self, T: float) -> float:
+        """Lets links have what they lack to come to where the others are, as far as the allowance goes [J]."""
+        starved = [guard for guard, _ in self._guarded if guard.starved]
+        most, before = min(self._allowance, self._advance * T), self._allowance
+        if self._laws:
+            memory, self._approached = self._laws[0].memory, self._approached + T
+            energy = min(memory.lacking, most)
+            # Those who begin together have nowhere to come to: their hands would get what nobody put in.
+            if energy > 0.0 and any(link.apart > _APART for link in self._laws):
+                memory.help(energy)
+                self._allowance -= energy
+        for guard in starved:
+            energy = min(guard.lacking, most / len(starved))
+            guard.help(energy)
+            self._allowance -= energy
+        advanced = before - self._allowance
+        together = self._guarded and all(guard.state == LinkState.COUPLED for guard, _ in self._guarded)
+        if together or self._approached > 2.0 * APPROACH:  # a law has no state that says that it has arrived
+            self._allowance = 0.0
+        return advanced
 
     def _changed(self, energy: float) -> None:
         """Books what the copy's energy changed by between steps."""
@@ -356,7 +426,7 @@ class Peer:
 
     def _held(self) -> dict[int, Float]:
         """Set positions of the links, by neighbour."""
-        return {other: self._places[at].copy() for at, other in enumerate(self.neighbours)}
+        return {other: end.place.copy() for other, end in zip(self.neighbours, self._ends, strict=True)}
 
     def _hold(
         self,
@@ -366,26 +436,8 @@ class Peer:
         weight: Sequence[int],
         held: Mapping[int, Float],
     ) -> None:
-        """Takes these links; what was held is kept, what is new starts where the copy is."""
-        count, position = len(sources), self.state.position
-        samples = np.zeros((count + 1, *position.shape))  # the last one receives this peer's own sample
-        for at, other in enumerate(neighbours):
-            samples[at] = held.get(other, position)
-        self._links = Links(
-            first=0,
-            last=count,
-            strength=np.asarray(strength, dtype=np.float64),
-            weight=np.asarray(weight, dtype=np.int32),
-            slot=np.arange(count, dtype=np.int64),
-            samples=samples,
-        )
-        self.neighbours, self._sources, self._link_work = neighbours, sources, np.zeros(count)
-        self._places = [samples[at] for at in range(count)]
-        diagonals = [None if self._mixed[w] else self.model.operator.weight[w] for w in weight]
-        self._guards = [source if isinstance(source, LinkGuard) else None for source in sources]
-        ends = zip(sources, self._guards, self._places, map(int, weight), diagonals, strict=True)
-        self._ends = [_End(*end) for end in ends]
+        """Takes these links."""
+        self._links, self._ends = joined(self.model, self.state.position, neighbours, sources, strength, weight, held)
+        self.neighbours, self._sources, self._link_work = neighbours, sources, np.zeros(len(sources))
         self._guarded = [(end.guard, end) for end in self._ends if end.guard is not None]
-        for guard, stiffness in zip(self._guards, strength, strict=True):
-            if guard is not None:
-                guard.attach(float(stiffness))
+        self._laws = [end.law for end in self._ends if end.law is not None]

@@ -3,18 +3,14 @@
 from dataclasses import dataclass
 from typing import final
 
-import numpy as np
-import numpy.typing as npt
-
-from cotouch.peer._guard import GuardBooks
+from cotouch.arrays import Float
+from cotouch.peer._guard_ledger import GuardLedger
 from cotouch.peer._links import Sample
-
-Float = npt.NDArray[np.float64]
 
 
 @final
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Report:
+class StepReport:
     """What one step did.
 
     Attributes:
@@ -32,11 +28,15 @@ class Report:
         touch_loss: dissipated in contacts and grasps [J].
         proxy: kinetic energy of the proxies after the step [J].
         touch_stored: energy in contacts and grasps after the step [J].
-        residual: what the books of this step do not explain [J]; round-off, or something is broken.
+        residual: what the ledger of this step does not explain [J]; round-off, or something is broken.
         age: of each link's sample at the end of the step, by the clocks as they are [s].
         iterations: of the solver.
+        closure: work on the velocity that closed the step's balance, in no other book; 0 of a linear body [J].
+        closure_factor: |β - 1|, by how much that changed the velocity; above CLOSURE_ALARM forces and energy disagree.
+        shortened: which share of the step was given up, because its energy could not be balanced; mostly 0.
         rescaled: what kinetic and elastic energy changed by since the step before, as the number of copies did [J].
-        guards: books of each link's guard, in the order of `Peer.neighbours`; None for a link without.
+        advanced: what the links' tanks got of the newcomer's allowance after the step [J].
+        guards: ledger of each link's guard, in the order of `Peer.neighbours`; None for a link without.
     """
 
     sample: Sample
@@ -56,5 +56,9 @@ class Report:
     residual: float
     age: Float
     iterations: int
+    closure: float
+    closure_factor: float
+    shortened: float
     rescaled: float
-    guards: tuple[GuardBooks | None, ...]
+    advanced: float
+    guards: tuple[GuardLedger | None, ...]

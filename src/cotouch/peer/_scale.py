@@ -16,26 +16,26 @@ class CopyScale:
 
     Attributes:
         operator: the body's matrices in these shares.
-        stiffness: share of K; that of M and B is `operator.share`.
+        stiffness: share of K; that of M and B is `operator.copy_scale`.
         tank: what there is to pay with [J].
     """
 
     def __init__(self, operator: Operator) -> None:
         """Starts with the shares of the model."""
         self.operator = operator
-        self.stiffness = operator.share
+        self.stiffness = operator.copy_scale
         self.tank = 0.0
         self._model = operator
 
     @property
     def rising(self) -> bool:
         """Whether K still has to rise."""
-        return self.stiffness < self.operator.share
+        return self.stiffness < self.operator.copy_scale
 
     @property
     def softness(self) -> float:
         """How much softer the copy is than the model's."""
-        return self._model.share / self.stiffness
+        return self._model.copy_scale / self.stiffness
 
     def rescale(self, copies: int, state: State, kinetic: float, elastic: float) -> float:
         """Takes part in another number of copies.
@@ -51,18 +51,18 @@ class CopyScale:
         """
         if copies < 1:
             raise NetworkError(f"copies is {copies}; there must be at least 1 user")
-        share, before = 1.0 / copies, self.operator.share
-        if share > before:
-            slower = before / share
+        copy_scale, before = 1.0 / copies, self.operator.copy_scale
+        if copy_scale > before:
+            slower = before / copy_scale
             state.velocity[:] *= slower
             state.momentum[:] *= slower
             change = kinetic * (slower - 1.0)
             self.tank -= change
-            self._set(share, self.stiffness, state)
+            self._set(copy_scale, self.stiffness, state)
             return change
-        stiffness = min(self.stiffness, share)
-        change = kinetic * (share / before - 1.0) + elastic * (stiffness / self.stiffness - 1.0)
-        self._set(share, stiffness, state)
+        stiffness = min(self.stiffness, copy_scale)
+        change = kinetic * (copy_scale / before - 1.0) + elastic * (stiffness / self.stiffness - 1.0)
+        self._set(copy_scale, stiffness, state)
         return change
 
     def rise(self, state: State, elastic: float) -> float:
@@ -75,20 +75,20 @@ class CopyScale:
         Returns:
             What the elastic energy rose by [J].
         """
-        share = self.operator.share
-        price = elastic * (share / self.stiffness - 1.0)
+        copy_scale = self.operator.copy_scale
+        price = elastic * (copy_scale / self.stiffness - 1.0)
         if price <= self.tank:
-            self._set(share, share, state)
+            self._set(copy_scale, copy_scale, state)
             self.tank = 0.0
             return price
         paid = self.tank
         if paid > 0.0:
-            self._set(share, self.stiffness * (1.0 + paid / elastic), state)
+            self._set(copy_scale, self.stiffness * (1.0 + paid / elastic), state)
             self.tank = 0.0
         return paid
 
-    def _set(self, share: float, stiffness: float, state: State) -> None:
-        before = self.stiffness / self.operator.share
-        self.operator = rescaled(self._model, share=share, stiffness=stiffness)
+    def _set(self, copy_scale: float, stiffness: float, state: State) -> None:
+        before = self.stiffness / self.operator.copy_scale
+        self.operator = rescaled(self._model, copy_scale=copy_scale, stiffness=stiffness)
         self.stiffness = stiffness
-        state.tension[:] *= (stiffness / share) / before
+        state.tension[:] *= (stiffness / copy_scale) / before

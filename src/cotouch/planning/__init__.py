@@ -1,29 +1,42 @@
 """Which links to use, and how stiff to make them: every choice, a proof by bounds, or the best found in time."""
 
 from cotouch.planning._body import modes_of
+from cotouch.planning._counts import LinkCounts, plan_counts
+from cotouch.planning._early import FirstChoice, first_choice
 from cotouch.planning._figures import knee, networks, ranks
-from cotouch.planning._plan import Progress, compiles, plan
-from cotouch.planning._problem import Objective
+from cotouch.planning._joint import Joint, plan_springs
+from cotouch.planning._plan import PlanInterrupted, Progress, compiles, plan
+from cotouch.planning._problem import Lost, Objective
 from cotouch.planning._result import Choice, Method, Plan, Status, WorstStatus
 from cotouch.planning._springs import Tuned, tune_springs
 from cotouch.planning._survey import Survey, survey
+from cotouch.planning._workers import workers
 
 __all__ = [
     "Choice",
+    "FirstChoice",
+    "Joint",
+    "LinkCounts",
+    "Lost",
     "Method",
     "Objective",
     "Plan",
+    "PlanInterrupted",
     "Progress",
     "Status",
     "Survey",
     "Tuned",
     "WorstStatus",
     "compiles",
+    "first_choice",
     "knee",
     "modes_of",
     "networks",
     "plan",
+    "plan_counts",
+    "plan_springs",
     "ranks",
     "survey",
     "tune_springs",
+    "workers",
 ]

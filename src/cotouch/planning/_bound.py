@@ -14,8 +14,9 @@ from typing import NamedTuple
 import numpy as np
 
 from cotouch.compiled import routine, subroutine
+from cotouch.interrupt import check
 from cotouch.planning._problem import Problem
-from cotouch.planning._task import BoolArray, FloatArray, IntArray, Task, admissible, largest_damping
+from cotouch.planning._task import BoolArray, FloatArray, IntArray, Task, admissible, drag_of, largest_damping
 
 # Decisions between looks at the clock: about a tenth of a second.
 _SLICE = 100_000
@@ -103,9 +104,9 @@ def _take(task: Task, e: int, damping: FloatArray, group: IntArray, degree: IntA
 @subroutine
 def _record(task: Task, dive: Dive, depth: int) -> None:
     """Keeps a complete choice where it belongs among the best."""
-    chosen = np.empty(len(task.must) + task.pick, np.int64)
-    count = len(task.must)
-    chosen[:count] = task.must
+    chosen = np.empty(len(task.require) + task.pick, np.int64)
+    count = len(task.require)
+    chosen[:count] = task.require
     for place in range(depth):
         if dive.taken[place]:
             chosen[count] = dive.order[place]
@@ -149,7 +150,7 @@ def descend(task: Task, dive: Dive, ceiling: float, most: int, first: bool) -> b
     picked = np.zeros(pairs + 1, np.int64)
     depth = int(dive.counts[0])
     group[0] = np.arange(n)
-    for e in task.must:
+    for e in task.require:
         _take(task, e, damping[0], group[0], degree[0])
     for place in range(depth):
         damping[place + 1], group[place + 1], degree[place + 1] = damping[place], group[place], degree[place]
@@ -166,6 +167,7 @@ def descend(task: Task, dive: Dive, ceiling: float, most: int, first: bool) -> b
             least = max(np.max(damping[depth]), average)
             limit = min(dive.values[-1], ceiling)
             open_ = least < limit * (1.0 - ROUND_OFF) or limit == np.inf
+            open_ = open_ and least <= task.limit * (1.0 + ROUND_OFF) and drag_of(task, 0.5 * n * average) <= task.drag
         open_ = open_ and _joins(task, dive, depth, group[depth], degree[depth], need)
         if open_ and need == 0:
             _record(task, dive, depth)
@@ -191,11 +193,11 @@ def descend(task: Task, dive: Dive, ceiling: float, most: int, first: bool) -> b
     return False
 
 
-def any_choice(problem: Problem) -> IntArray | None:
-    """Numbers of the pairs of some admissible choice; None if there is none."""
+def any_choice(problem: Problem, most: float = np.inf) -> IntArray | None:
+    """Numbers of the pairs of some admissible choice; None if there is none, or none after so many decisions."""
     dive = dive_into(problem, 1)
-    while not descend(problem.task, dive, np.inf, _SLICE, True):
-        pass
+    while not descend(problem.task, dive, np.inf, _SLICE, True) and dive.counts[2] < most:
+        check()
     return dive.choices[0] if dive.counts[1] else None
 
 
@@ -204,4 +206,5 @@ def bounded(problem: Problem, dive: Dive, ceiling: float = np.inf) -> Generator[
     over = False
     while not over:
         over = descend(problem.task, dive, ceiling, _SLICE, False)
+        check()
         yield over

@@ -7,7 +7,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from cotouch.compiled import routine
+from cotouch.compiled import raised, routine
+from cotouch.interrupt import check
 from cotouch.planning._problem import Problem
 from cotouch.planning._task import (
     CONSENSUS,
@@ -72,8 +73,8 @@ def choose(task: Task, combination: IntArray, chosen: IntArray) -> None:
     """Numbers of the pairs linked, ascending: those that must be and those picked."""
     m = p = 0
     for c in range(len(chosen)):
-        if p == len(combination) or (m < len(task.must) and task.must[m] < task.free[combination[p]]):
-            chosen[c] = task.must[m]
+        if p == len(combination) or (m < len(task.require) and task.require[m] < task.free[combination[p]]):
+            chosen[c] = task.require[m]
             m += 1
         else:
             chosen[c] = task.free[combination[p]]
@@ -91,16 +92,18 @@ def sweep(
     Args:
         task: the search.
         combination: the first combination; changed.
-        values: filled with the objectives; its length says how many there are.
+        values: filled with the objectives, as far as it comes; its length says how many there are.
         sure: filled with whether they are certain.
         best: the best known so far, ascending, inf where there is none yet; kept up. With none, (0,), every objective
             is worked out.
         worst: the worst known so far; -inf where there is none yet.
     """
     pick, count = len(combination), len(task.free)
-    chosen = np.empty(len(task.must) + pick, np.int64)
+    chosen = np.empty(len(task.require) + pick, np.int64)
     guesses = np.full(len(task.modes), complex(-np.inf, 0.0))
     for r in range(len(values)):
+        if raised(task.stop):
+            return
         choose(task, combination, chosen)
         values[r], sure[r] = np.nan, True
         if admissible(task, chosen):
@@ -133,7 +136,7 @@ def sweep(
 def chosen_at(problem: Problem, rank: int) -> IntArray:
     """Numbers of the pairs that choice number `rank` links."""
     task = problem.task
-    return np.sort(np.concatenate([task.must, task.free[unrank(rank, len(task.free), task.pick)]]))
+    return np.sort(np.concatenate([task.require, task.free[unrank(rank, len(task.free), task.pick)]]))
 
 
 class Values(NamedTuple):
@@ -157,12 +160,12 @@ def values_of(problem: Problem, start: int, count: int, best: Sequence[float] = 
     `best`, none is.
     """
     task = thawed(problem.task)
-    values, sure = np.empty(count), np.empty(count, dtype=np.bool_)
+    values, sure = np.full(count, math.nan), np.ones(count, dtype=np.bool_)
     sweep(task, unrank(start, len(task.free), task.pick), values, sure, np.array(best, dtype=np.float64), worst)
     connected, unsure = ~np.isnan(values), 0
     for r in map(int, np.flatnonzero(~sure)):
         value = problem.reference(chosen_at(problem, start + r))
-        unsure += value is None
+        unsure += value is None and not task.stop[0]  # what was stopped was not looked at
         values[r] = math.nan if value is None else value
     return Values(values, connected, unsure)
 
@@ -198,7 +201,8 @@ def look(problem: Problem, start: int, count: int, top: int, known: Found) -> Fo
 def thawed(task: Task) -> Task:
     """The same with arrays of its own: what comes from another process is read-only, another type to the kernels."""
     parts: dict[str, Any] = {
-        name: np.array(part) if isinstance(part, np.ndarray) else part for name, part in task._asdict().items()
+        name: np.array(part) if isinstance(part, np.ndarray) and not part.flags.writeable else part
+        for name, part in task._asdict().items()
     }
     return task._replace(**parts)
 
@@ -243,5 +247,6 @@ def enumerated(problem: Problem, top: int, parallel: Any, jobs: int) -> Generato
             parts = [look(problem, *work[0], top, found)]
         else:
             parts = parallel(delayed(look)(problem, start, count, top, found) for start, count in work)
+        check()
         found = merged([found, *parts], top)
         yield found

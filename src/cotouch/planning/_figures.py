@@ -14,20 +14,22 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-Float = npt.NDArray[np.float64]
 
 _GOOD, _BAD, _OTHER = drawing.USERS[2], drawing.USERS[1], drawing.USERS[0]
 # From here on delays are written in seconds.
 _LONG_DELAY = 10.0
 # More dots than this are a blot; their density is drawn instead.
 _MOST_DOTS = 4000
+# More links than this have no labels; and room above the highest point, for its label.
+_MOST_LABELLED, _HEADROOM = 40, 0.2
 
 
 def networks(cases: Sequence[tuple[str, Network]]) -> "Figure":
     """Draws networks side by side, as the paper's Fig. 4: the best choice of links beside the worst.
 
     A link is as wide as its spring is strong and has the colour of its round trip, on scales that all networks share;
-    in bold its strength [N/m], beside either end the delay of what arrives there.
+    in bold its strength [N/m] unless all are alike, beside either end the delay of what arrives there. With more than
+    ten users a link has its round trip alone, and with more than 40 links its colour.
 
     Args:
         cases: titles and networks, at least one.
@@ -44,9 +46,12 @@ def networks(cases: Sequence[tuple[str, Network]]) -> "Figure":
     trips = [float(network.delay[a, b] + network.delay[b, a]) for network, a, b in ends]
     longest = max((max(float(network.delay[a, b]), float(network.delay[b, a])) for network, a, b in ends), default=0.0)
     strongest = max((float(network.spring[a, b]) for network, a, b in ends), default=1.0)
+    alike = len({float(network.spring[a, b]) for network, a, b in ends}) == 1
+    many = max(network.size for _, network in cases) > drawing.MANY_USERS
     unit, letter = (1.0, "s") if longest >= _LONG_DELAY else (1e-3, "ms")
     quickest, slowest = min((t for t in trips if t > 0), default=1.0) / unit, max([*trips, 0.0]) / unit
     several = slowest > 1.001 * quickest
+    labelled = not many or max(len(network.links) for _, network in cases) <= _MOST_LABELLED
     colors = LinearSegmentedColormap.from_list("trips", [drawing.USERS[0], "#9a6f9c", drawing.USERS[1]])
     norm = LogNorm(quickest, slowest) if several else None
 
@@ -71,10 +76,19 @@ def networks(cases: Sequence[tuple[str, Network]]) -> "Figure":
                 width=width,
                 strongest=strongest,
                 color=color,
+                labelled=labelled,
+                strengths=not alike,
                 delay_unit=unit,
             )
             panel.set_title(title)
-        words = f"Bold: strength / (N/m), width likewise. Small: delay / {letter} of what arrives at that end."
+        springs = f"All springs {strongest:.4g} N/m." if alike else "Bold: strength / (N/m), width likewise."
+        if many and not alike:
+            springs = f"As wide as strong, up to {strongest:.4g} N/m."
+        words = f"{springs} Small: " + (
+            f"round trip / {letter}." if many else f"delay / {letter} of what arrives at that end."
+        )
+        if not labelled:
+            words = springs
         if norm is not None:
             bar = figure.colorbar(
                 ScalarMappable(norm, colors), ax=panels, location="bottom", shrink=0.5, aspect=45, pad=0.01
@@ -189,22 +203,23 @@ def knee(
                 at = int(np.flatnonzero(count == chosen)[0])
                 panel.axvline(chosen, color=drawing.MUTED, linewidth=0.7, linestyle=(0, (2.0, 2.0)), zorder=0)
                 panel.plot(chosen, values[at], "o", color=drawing.SURFACE, markeredgecolor=color, markersize=8.0)
-                left = at > count.size // 2
+                side = "left" if at == 0 else "right" if at == count.size - 1 else "center"
                 panel.annotate(
                     f"{values[at]:.3g} {unit}",
                     (chosen, values[at]),
-                    xytext=(-8 if left else 8, -11),
+                    xytext=(0, 7),
                     textcoords="offset points",
-                    ha="right" if left else "left",
+                    ha=side,
+                    va="bottom",
                     color=color,
                     bbox={"boxstyle": "square,pad=0.1", "facecolor": drawing.SURFACE, "edgecolor": "none"},
                 )
             panel.margins(x=0.05)
+            least, most = min(0.0, float(values.min())), max(0.0, float(values.max()))
+            panel.set_ylim(least, most + _HEADROOM * (most - least or 1.0))
         if rate.min() < 0:
             panels[0].axhline(0.0, color=drawing.ALARM, linewidth=0.8)
-        else:
-            panels[0].set_ylim(bottom=0.0)
-        panels[1].set_ylim(bottom=0.0)
+            panels[0].set_ylim(bottom=1.1 * float(rate.min()))
         panels[1].xaxis.set_major_locator(MaxNLocator(integer=True))
         panels[0].set(ylabel="Decay / (1/s)", title="What more links bring")
         panels[1].set(ylabel="Largest damping / (Ns/m)", xlabel="Number of links", title="What they cost")

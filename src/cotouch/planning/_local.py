@@ -1,34 +1,62 @@
-"""Local search: one link swapped for another as long as that helps, from many starts.
+"""Local search: a flood that lifts whatever holds, swaps of one link as long as they help, and kicks that go on there.
 
-Nothing is proved by it. A swap is turned down as soon as Newton, from the roots of the links at hand, reaches a root
-that is no better; only what passes that is worked out in full, with the count of roots that makes it certain.
+Nothing is proved by it, but every value is. A swap is turned down as soon as Newton, from the roots of the links at
+hand, reaches a root that is no better; only what passes that is worked out in full, with the count of roots that makes
+it certain.
 """
 
-from collections.abc import Generator
+from collections.abc import Callable, Generator
 from dataclasses import dataclass, field, replace
 from typing import Any, final
 
 import numpy as np
 
-from cotouch.compiled import routine
+from cotouch.compiled import raised, routine
+from cotouch.interrupt import Flag, check
 from cotouch.planning._bound import ROUND_OFF
 from cotouch.planning._enumerate import thawed
+from cotouch.planning._flood import Front, flood
+from cotouch.planning._levels import holds, uneven
 from cotouch.planning._problem import Problem
-from cotouch.planning._task import DAMPING, ComplexArray, IntArray, Task, admissible, hopeless, pulls, rate, remember
+from cotouch.planning._starts import SMALL, side_by_side, start_of
+from cotouch.planning._task import (
+    DAMPING,
+    DECAY,
+    ComplexArray,
+    IntArray,
+    Task,
+    admissible,
+    hopeless,
+    pulls,
+    rate,
+    remember,
+)
 
-# Walks side by side, whatever the machine, so that a seed means the same everywhere.
-WALKS = 8
-# Swaps of a walk between looks at the clock: so many over the cube of the number of users, and at least.
-_SLICE, _SHORTEST = 200_000, 10
-# Random starts tried before a start that is known to be admissible is taken.
-_TRIES = 100
-
-# Users up to whom a swap that looks better but is uncertain is worth a slow answer; beyond, it is turned down.
+# Swaps of a walk between looks at the clock: so many over the cube of the number of users, and at least; and how many
+# that are turned down by real roots take as long as one that is not.
+_SLICE, _SHORTEST, _CHEAP = 200_000, 10, 50
+# Users up to whom what is uncertain is worth a slow answer; beyond, it is turned down.
 _MOST_REFERRED = 8
 # So few swaps are tried in random order.
 _FEW = 200
 # Roots at hand to turn swaps down by.
 _POOL = 6
+# By how much a flood rises with every swap that holds: the first starts quickly, later ones ever more slowly.
+_RISES = (1e-2, 1e-3, 1e-4, 3e-5, 1e-5)
+# Few users: most floods end alike whatever their speed, and all go on by swaps.
+_SLOWEST_SMALL = 1e-3
+# The level a flood begins at, beside that of its start, and the swaps it tries in one slice.
+_BELOW, _TRIES_OF_FLOOD = 0.9, 20_000
+# Among many users only what comes so near the best of all starts goes on by swaps.
+_NEAR = 0.02
+# Where no swap helps, so many links, at least and at most, are exchanged at random and swaps go on from there, until
+# that has been in vain so often, in networks of up to so many users; less often unless for decay.
+_KICK, _KICKS, _FEWEST_KICKS = (2, 4), ((SMALL, 12), (60, 10)), 2
+# Random exchanges tried for one that keeps to the limits and is worked out for certain.
+_TRIES = 100
+
+# What real roots say of links whose delays differ both ways is believed this far: they are those of the mean delays.
+_SIGHT = 0.9
 
 _DONE, _BETTER, _UNSURE = 0, 1, 2
 
@@ -46,10 +74,16 @@ class Walk:
         pool: roots at hand to turn swaps down by, (modes, any number): what settled one settles others like it.
         turn: swaps accepted so far.
         position: swaps tried since.
-        tried: swaps tried before the last one accepted, and that.
         looked: swaps and starts looked at.
-        over: whether no swap helps.
-        seen: choices worked out in full.
+        level: of its flood, 1/s; 0 once that is over, or if there is none.
+        idle: swaps that the flood tried in vain since its level rose.
+        slices: of the flood.
+        home: the best pairs that no swap helps, (0,) before there are any.
+        best: their objective.
+        kicks: random exchanges made from there.
+        vain: those since `home` changed.
+        over: whether it has come to its end.
+        seen: choices worked out in full by the last step.
     """
 
     start: int
@@ -59,10 +93,21 @@ class Walk:
     pool: ComplexArray = field(default_factory=lambda: np.zeros((0, 0), dtype=np.complex128))
     turn: int = 0
     position: int = 0
-    tried: int = 0
     looked: int = 0
+    level: float = 0.0
+    idle: int = 0
+    slices: int = 0
+    home: IntArray = field(default_factory=lambda: np.zeros(0, dtype=np.int64))
+    best: float = np.inf
+    kicks: int = 0
+    vain: int = 0
     over: bool = False
     seen: tuple[tuple[float, tuple[int, ...]], ...] = ()
+
+    @property
+    def reached(self) -> float:
+        """The best objective so far."""
+        return min(self.best, self.value)
 
 
 @routine
@@ -73,12 +118,12 @@ def swaps(
     outside: IntArray,
     order: IntArray,
     begin: int,
-    end: int,
+    most: int,
     value: float,
     guesses: ComplexArray,
     pool: ComplexArray,
-) -> tuple[int, int, float, int]:
-    """Tries swaps until one helps.
+) -> tuple[int, int, float, int, int]:
+    """Tries swaps until one helps, or the work is done.
 
     Args:
         task: the search.
@@ -87,17 +132,22 @@ def swaps(
         outside: those that may come.
         order: the swaps, `leaving * len(outside) + coming`.
         begin: first of them to try.
-        end: one after the last.
+        most: work to do, in swaps not turned down by real roots.
         value: objective of `chosen`.
         guesses: roots of `chosen`; become those after the swap.
         pool: roots that settle swaps, as `hopeless` takes them; kept up.
 
     Returns:
-        `_DONE`, `_BETTER` or `_UNSURE` (looks better, uncertain), the next swap, the objective, the swaps looked at.
+        `_DONE`, `_BETTER` or `_UNSURE` (looks better, uncertain), the next swap, the objective, the swaps looked at,
+        and the work done.
     """
-    looked = 0
+    looked = dear = work = 0
+    sight = _SIGHT if uneven(task) else 1.0
     trial, roots = chosen.copy(), guesses.copy()
-    for p in range(begin, end):
+    for p in range(begin, len(order)):
+        work = dear + (p - begin) // _CHEAP
+        if work >= most or raised(task.stop):
+            return _DONE, p, value, looked, work
         leaving, coming = inside[order[p] // len(outside)], outside[order[p] % len(outside)]
         for c in range(len(chosen)):
             trial[c] = coming if chosen[c] == leaving else chosen[c]
@@ -106,6 +156,9 @@ def swaps(
             continue
         looked += 1
         least = value - ROUND_OFF * np.abs(value)
+        if task.objective != DAMPING and least < 0.0 and not holds(task, trial, -sight * least):
+            continue
+        dear += 1
         if hopeless(task, trial, least, pool):
             continue
         roots[:] = guesses
@@ -117,61 +170,33 @@ def swaps(
         else:
             chosen[:] = trial
             guesses[:] = roots
-            return (_BETTER if sure else _UNSURE), p + 1, found, looked
-    return _DONE, end, value, looked
-
-
-def random_choice(task: Task, rng: np.random.Generator) -> IntArray | None:
-    """A random spanning tree with random links on top; None if the limits leave none after some tries."""
-    users = range(task.size)
-    for _ in range(_TRIES):
-        group, degree, chosen = list(users), [0] * task.size, []
-        spare: list[int] = []
-        needed = task.must.tolist()
-        for e in [*needed, *rng.permutation(task.free).tolist()]:
-            i, j = int(task.first[e]), int(task.second[e])
-            joins = group[i] != group[j]
-            if e in needed or (joins and max(degree[i], degree[j]) < task.most):
-                chosen.append(e)
-                degree[i] += 1
-                degree[j] += 1
-                group = [group[j] if g == group[i] else g for g in group]
-            else:
-                spare.append(e)
-        for e in spare:
-            i, j = int(task.first[e]), int(task.second[e])
-            if len(chosen) < len(needed) + task.pick and max(degree[i], degree[j]) < task.most:
-                chosen.append(e)
-                degree[i] += 1
-                degree[j] += 1
-        result = np.array(sorted(chosen), dtype=np.int64)
-        if len(result) == len(needed) + task.pick and admissible(task, result):
-            return result
-    return None
+            return (_BETTER if sure else _UNSURE), p + 1, found, looked, work + 1
+    return _DONE, len(order), value, looked, work + 1
 
 
 def step(problem: Problem, walk: Walk, seed: int, fallback: IntArray) -> Walk:
     """Goes on with a walk for a while."""
     task = thawed(problem.task)
+    walk = replace(walk, seen=())
     if not walk.chosen.size:
         walk = _begin(problem, task, walk, seed, fallback)
+    if walk.level > 0.0:
+        return _flooded(problem, task, walk, seed)
     left = max(_SLICE // task.size**3, _SHORTEST)
-    while left > 0 and not walk.over:
-        turn, position = walk.turn, walk.position
-        walk = _swapped(problem, task, walk, seed, left)
-        left -= walk.position - position if walk.turn == turn else 1 + max(walk.tried - position, 0)
+    while left > 0 and not walk.over and not task.stop[0]:
+        walk, work = _swapped(problem, task, walk, seed, left)
+        left -= 1 + work
     return walk
 
 
-def _swapped(problem: Problem, task: Task, walk: Walk, seed: int, most: int) -> Walk:
-    """The walk after the next swap that helps, or after `most` that don't."""
+def _swapped(problem: Problem, task: Task, walk: Walk, seed: int, most: int) -> tuple[Walk, int]:
+    """The walk after the next swap that helps, or after so much work; and the work."""
     chosen, guesses, pool = walk.chosen.copy(), walk.guesses.copy(), walk.pool.copy()
-    inside = np.setdiff1d(chosen, task.must)
+    inside = np.setdiff1d(chosen, task.require)
     outside = np.setdiff1d(task.free, chosen)
     order = _order(task, walk, seed, inside, outside)
-    end = min(walk.position + most, order.size)
-    outcome, position, value, looked = swaps(
-        task, chosen, inside, outside, order, walk.position, end, walk.value, guesses, pool
+    outcome, position, value, looked, work = swaps(
+        task, chosen, inside, outside, order, walk.position, most, walk.value, guesses, pool
     )
     looked += walk.looked
     if outcome == _UNSURE:
@@ -181,20 +206,36 @@ def _swapped(problem: Problem, task: Task, walk: Walk, seed: int, most: int) -> 
         else:
             value = settled
     if outcome == _DONE:
-        return replace(walk, pool=pool, position=position, looked=looked, over=position == order.size)
+        walk = replace(walk, pool=pool, position=position, looked=looked)
+        if position == order.size and not task.stop[0]:
+            walk = _kicked(problem, task, walk, seed)
+        return walk, work
     seen = (*walk.seen, (value, tuple(chosen.tolist())))
-    return replace(
-        walk,
-        chosen=chosen,
-        value=value,
-        guesses=guesses,
-        pool=_pool(guesses, pool),
-        turn=walk.turn + 1,
-        position=0,
-        tried=position,
-        looked=looked,
-        seen=seen,
-    )
+    walk = replace(walk, value=value, guesses=guesses, pool=_pool(guesses, pool), looked=looked, seen=seen)
+    return replace(walk, chosen=chosen, turn=walk.turn + 1, position=0), work
+
+
+def _kicked(problem: Problem, task: Task, walk: Walk, seed: int) -> Walk:
+    """The walk somewhere near the best links that it knows, now that no swap helps; over if it was there too often."""
+    vain = 0 if walk.value < walk.best else walk.vain + 1
+    if walk.value <= walk.best:
+        walk = replace(walk, home=walk.chosen, best=walk.value)
+    most = _FEWEST_KICKS
+    if task.objective == DECAY:
+        most = next((kicks for users, kicks in _KICKS if task.size <= users), most)
+    rng = np.random.default_rng((seed, walk.start, walk.kicks, 2))
+    inside, outside = np.setdiff1d(walk.home, task.require), np.setdiff1d(task.free, walk.home)
+    largest = min(_KICK[1], inside.size, outside.size)
+    walk = replace(walk, turn=walk.turn + 1, position=0, kicks=walk.kicks + 1, vain=vain)
+    for _ in range(_TRIES if vain < most and largest >= _KICK[0] else 0):
+        count = rng.integers(_KICK[0], largest, endpoint=True)
+        kept = np.setdiff1d(walk.home, rng.choice(inside, count, replace=False))
+        chosen = np.sort(np.concatenate([kept, rng.choice(outside, count, replace=False)]))
+        if admissible(task, chosen):
+            kicked = _settled(problem, task, replace(walk, chosen=chosen))
+            if not kicked.over:
+                return kicked
+    return replace(walk, over=True)
 
 
 def _pool(guesses: ComplexArray, pool: ComplexArray) -> ComplexArray:
@@ -217,23 +258,59 @@ def _order(task: Task, walk: Walk, seed: int, inside: IntArray, outside: IntArra
 
 
 def _begin(problem: Problem, task: Task, walk: Walk, seed: int, fallback: IntArray) -> Walk:
-    chosen = random_choice(task, np.random.default_rng((seed, walk.start)))
-    chosen = fallback.copy() if chosen is None else chosen
+    chosen, level = start_of(task, walk.start, seed, fallback)
+    walk = replace(walk, chosen=chosen)
+    if walk.start and level > 0.0:
+        return replace(walk, level=_BELOW * level)
+    # The first start is worked out before it goes on, so that there is an answer early.
+    walk = _settled(problem, task, walk)
+    return replace(walk, level=_BELOW * level, over=False) if level > 0.0 else walk
+
+
+def _flooded(problem: Problem, task: Task, walk: Walk, seed: int) -> Walk:
+    """The walk after a slice of its flood; what the flood ends with is worked out exactly."""
+    rise = _RISES[min(walk.start // side_by_side(task.size), len(_RISES) - 1)]
+    if task.size <= SMALL:
+        rise = max(rise, _SLOWEST_SMALL)
+    picks = np.random.default_rng((seed, walk.start, walk.slices, 1)).random((_TRIES_OF_FLOOD, 2))
+    front = flood(task, Front(walk.chosen.copy(), walk.level, walk.idle, False), rise, picks)
+    walk = replace(walk, chosen=front.chosen, level=front.level, idle=front.idle, slices=walk.slices + 1)
+    return _settled(problem, task, replace(walk, level=0.0)) if front.over and not task.stop[0] else walk
+
+
+def _settled(problem: Problem, task: Task, walk: Walk) -> Walk:
+    """The walk with its links worked out exactly."""
     guesses = np.full(len(task.modes), complex(-np.inf, 0.0))
-    value, sure = rate(task, chosen, guesses)
-    if not sure:
-        settled = problem.reference(chosen)
-        if settled is None:
-            return replace(walk, over=True, looked=1)
-        value = settled
+    value = worked_out(problem, task, walk.chosen, guesses)
+    if value is None:
+        return replace(walk, over=True, looked=walk.looked + 1)
     nothing = np.full((len(guesses), _POOL), complex(-np.inf, 0.0))
-    pool = _pool(guesses, nothing)
-    return replace(
-        walk, chosen=chosen, value=value, guesses=guesses, pool=pool, looked=1, seen=((value, tuple(chosen.tolist())),)
-    )
+    seen = (*walk.seen, (value, tuple(walk.chosen.tolist())))
+    return replace(walk, value=value, guesses=guesses, pool=_pool(guesses, nothing), looked=walk.looked + 1, seen=seen)
 
 
-def walked(problem: Problem, starts: int, seed: int, fallback: IntArray, parallel: Any) -> Generator[Walk]:
+def worked_out(problem: Problem, task: Task, chosen: IntArray, guesses: ComplexArray) -> float | None:
+    """The objective of one choice as `rate` gives it; None if it cannot be told for certain, or only slowly."""
+    value, sure = rate(task, chosen, guesses)
+    if sure:
+        return float(value)
+    return problem.reference(chosen) if task.size <= _MOST_REFERRED and not task.stop[0] else None
+
+
+def closed(problem: Problem, walk: Walk) -> Walk:
+    """A walk in the middle of its flood, at its end all the same."""
+    return replace(_settled(problem, thawed(problem.task), replace(walk, level=0.0)), over=True)
+
+
+def walked(
+    problem: Problem,
+    starts: int,
+    seed: int,
+    fallback: IntArray,
+    parallel: Any,
+    closing: Callable[[], bool] = lambda: False,
+    ending: Flag | None = None,
+) -> Generator[Walk]:
     """Walks from random starts; yields every walk as it ends, or as it stands after a while.
 
     Args:
@@ -242,14 +319,31 @@ def walked(problem: Problem, starts: int, seed: int, fallback: IntArray, paralle
         seed: of all random numbers.
         fallback: an admissible choice.
         parallel: a `joblib.Parallel`.
+        closing: whether it is time to end: what floods hold then is worked out, the highest first.
+        ending: raised once there is no time for that either.
     """
     from joblib import delayed
 
-    walks = [Walk(start) for start in range(min(WALKS, starts))]
-    following = len(walks)
+    walks = [Walk(start) for start in range(min(side_by_side(problem.task.size), starts))]
+    following, best = len(walks), np.inf
+    many = problem.task.size > SMALL
     while walks:
         walks = parallel(delayed(step)(problem, walk, seed, fallback) for walk in walks)
+        check()
+        best = min(best, *(walk.reached for walk in walks))
+        walks = [
+            replace(walk, over=True)
+            if many and walk.slices and walk.level == 0.0 and _NEAR * abs(best) < walk.reached - best < np.inf
+            else walk
+            for walk in walks
+        ]
         yield from walks
+        if closing():
+            floods = sorted((walk for walk in walks if walk.level > 0.0), key=lambda walk: -walk.level)
+            last = problem if ending is None else replace(problem, task=problem.task._replace(stop=ending))
+            for walk in floods:  # one by one: who reads them stops when it is late
+                yield closed(last, walk)
+            return
         going: list[Walk] = []
         for walk in walks:
             if not walk.over:

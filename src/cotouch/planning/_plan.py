@@ -1,8 +1,10 @@
 """The planner: which links to use."""
 
+import math
+import threading
 import time
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Literal, TypeAlias, final, get_args
 
 import numpy as np
@@ -10,13 +12,16 @@ import numpy.typing as npt
 
 from cotouch.compiled import cold
 from cotouch.errors import NetworkError
+from cotouch.interrupt import Flag, finishing, flag, heeding, interruptible
 from cotouch.network import Convention, Network, Rounding
 from cotouch.planning._bound import any_choice, bounded, descend, dive_into
 from cotouch.planning._enumerate import Found, chosen_at, enumerated, sweep
-from cotouch.planning._local import WALKS, swaps, walked
-from cotouch.planning._problem import Objective, Problem, make_problem
+from cotouch.planning._local import swaps, walked, worked_out
+from cotouch.planning._problem import Lost, Objective, Problem, impossible, make_problem, questions
+from cotouch.planning._relaxation import bound_of
 from cotouch.planning._result import Method, Plan, choice_of, shown
-from cotouch.planning._task import IntArray
+from cotouch.planning._starts import WALKS, random_choice
+from cotouch.planning._task import NOTHING, IntArray, pulls
 from cotouch.planning._workers import Workers, workers
 
 Progress: TypeAlias = Callable[[int, int, float], None]
@@ -24,18 +29,39 @@ Progress: TypeAlias = Callable[[int, int, float], None]
 # More choices than this are not enumerated unasked: minutes for consensus and decay.
 _ENUMERABLE = 2_000_000
 _STARTS = 64
+# Choices returned, at most: each is worked out.
+_MOST_SHOWN = 1000
 # Ranks of choices must fit the kernels' whole numbers.
 _RANKS = 2**62
+# Of the time budget, what is left for the floods under way; how often the clock is looked at beside the kernels [s].
+_RESERVE, _LOOK = 0.05, 0.02
+# Decisions after which the search for any choice within tight limits gives up.
+_DECISIONS = 3_000_000
+# Users times pairs up to which there is branch and bound: 270 users, 240 MB.
+_ROOM = 10_000_000
 
 
 def compiles(method: Literal["auto"] | Method = "auto") -> bool:
-    """Whether `plan` is going to compile its kernels first, once on this machine, which takes about a minute.
+    """Whether `plan` is going to compile its kernels first, once on this machine, which takes about two minutes.
 
     Args:
         method: as `plan` takes it; "auto" counts as "enumerate".
     """
     needed = {"bound": (descend, swaps), "local": (descend, swaps)}.get(method, (sweep,))
     return any(cold(kernel) for kernel in needed)
+
+
+@final
+class PlanInterrupted(KeyboardInterrupt):
+    """A plan was interrupted from the keyboard after it had found something.
+
+    Attributes:
+        plan: with the best found so far.
+    """
+
+    def __init__(self, plan: Plan) -> None:
+        super().__init__("the plan was interrupted")
+        self.plan = plan
 
 
 @final
@@ -66,11 +92,12 @@ class _Search:
         self.kept[tuple(chosen.tolist())] = value
 
     def enough(self, done: int, total: int) -> bool:
-        """Says how far the search is; answers whether the time is up and something is found."""
+        """Says how far the search is; answers whether the time is up."""
         best = min(self.kept.values(), default=None)
-        return self.tick(done, total, np.inf if best is None else shown(self.problem, best)) and best is not None
+        return self.tick(done, total, np.inf if best is None else shown(self.problem, best))
 
 
+@interruptible
 def plan(
     network: Network,
     *,
@@ -79,9 +106,12 @@ def plan(
     convention: Convention = "equation",
     time_unit: float = 0.01,
     rounding: Rounding = "exact",
-    must: Iterable[Sequence[int]] = (),
-    never: Iterable[Sequence[int]] = (),
+    require: Iterable[Sequence[int]] = (),
+    forbid: Iterable[Sequence[int]] = (),
     max_degree: int | None = None,
+    damping_limit: float | None = None,
+    drag_limit: float | None = None,
+    lost: Lost = "nothing",
     mass: npt.ArrayLike = 1.0,
     damping: npt.ArrayLike = 0.0,
     stiffness: npt.ArrayLike = 0.0,
@@ -99,7 +129,7 @@ def plan(
 ) -> Plan:
     """Finds the links, of a given number, that serve an objective best. **Beyond** the paper, which tries all.
 
-    Interrupted from the keyboard or out of time it returns the best found so far.
+    Out of time it returns the best found so far; interrupted from the keyboard it raises that.
 
     Args:
         network: users, springs and delays; pairs with a spring may be linked. Its present links do not matter.
@@ -110,30 +140,36 @@ def plan(
         convention: of the consensus, see `network.mixing`.
         time_unit: s, of the consensus.
         rounding: of delays to time units, see `network.mixing`.
-        must: pairs of user indices (from 0) that every choice links.
-        never: pairs that none links.
+        require: pairs of user indices (from 0) that every choice links.
+        forbid: pairs that none links.
         max_degree: largest number of links of one user; None for no limit.
         mass: kg, of the body or of each of its modes.
         damping: Ns/m, likewise.
         stiffness: N/m, likewise.
         sync_damping: (N,) `B_i` in Ns/m of every choice for "decay"; None takes the rule.
         top: how many of the best choices to return.
+        damping_limit: Ns/m that no `B_i` of the rule may exceed.
+        drag_limit: Ns/m that the drag of all users together may not exceed, `Choice.drag`.
+        lost: "link" or "user" makes the objective that of the worst case, with any one of them lost or none.
         method: "enumerate" looks at every choice; "bound" leaves out what cannot be best (damping alone); "local"
             swaps links from many random starts and proves nothing; "auto" enumerates up to `limit` choices, beyond
             that bounds the damping and searches locally for the others.
         limit: of choices for "auto".
         starts: of the local search.
         seed: of the random starts.
-        seconds: time budget; None for none.
+        seconds: time budget; None for none. Compilation, once on a machine, is not part of it.
         clock: seconds that only grow.
-        progress: called now and then with what is done, the total (0 if unknown) and the best objective so far.
+        progress: called now and then, maybe in another thread, with what is done, the total (0 if unknown) and the
+            best objective so far.
         jobs: threads; -1 for one per core.
         dask: address of a Dask scheduler that shares the work.
 
     Raises:
         NetworkError: no choice of links can be as asked for, or an argument is out of its range.
         UnsupportedError: decay with springs that have weights, or no Dask.
+        PlanInterrupted: a `KeyboardInterrupt` that holds what was found by then.
     """
+    begun = clock()
     problem = make_problem(
         network,
         links=links,
@@ -141,9 +177,12 @@ def plan(
         convention=convention,
         time_unit=time_unit,
         rounding=rounding,
-        must=must,
-        never=never,
+        require=require,
+        forbid=forbid,
         max_degree=max_degree,
+        damping_limit=damping_limit,
+        drag_limit=drag_limit,
+        lost=lost,
         mass=mass,
         damping=damping,
         stiffness=stiffness,
@@ -153,42 +192,92 @@ def plan(
     for name, value in (("top", top), ("starts", starts), ("limit", limit)):
         if value < 1:
             raise NetworkError(f"{name} is {value}; it must be at least 1")
+    if top > _MOST_SHOWN:
+        raise NetworkError(f"top is {top}; it must be at most {_MOST_SHOWN}")
     if seed < 0:
         raise NetworkError(f"seed is {seed}; it must be at least 0")
     if jobs != -1 and jobs < 1:
         raise NetworkError(f"jobs is {jobs}; it must be at least 1, or -1 for one per core")
     if seconds is not None and not seconds > 0:
         raise NetworkError(f"seconds is {seconds:g}; it must be above 0")
-    begun = clock()
+    if seconds is not None:
+        before = clock()
+        _warm(objective, chosen_method)
+        begun += clock() - before
+
+    def late(fraction: float = 1.0) -> bool:
+        return seconds is not None and clock() - begun >= fraction * seconds
 
     def tick(done: int, total: int, best: float) -> bool:
         if progress is not None:
             progress(done, total, best)
-        return seconds is not None and clock() - begun >= seconds
+        return late()
 
+    stop: Flag = np.zeros(1, dtype=np.int64)
+    ending: Flag = np.zeros(1, dtype=np.int64)
+    problem = replace(problem, task=problem.task._replace(stop=stop))
+    closing = 1.0 - _RESERVE if chosen_method == "local" else 1.0
     search = _Search(problem, tick)
-    covered = proved = False
-    fallback = None
-    if problem.choices > limit or chosen_method != "enumerate":
-        fallback = any_choice(problem)
-        if fallback is None:
-            raise _nothing(problem)
+    covered = proved = interrupted = False
+    fallback, notes = None, questions(problem)
+    over = threading.Event()
+
+    def watch(asked: Flag) -> None:
+        # A kernel may last longer than the budget; what it was at is worth little.
+        while not over.wait(_LOOK):
+            timed = clock is time.monotonic
+            if search.kept:
+                finishing(asked)
+            if asked[0] or (timed and late(closing)):
+                stop[0] = 1
+            if asked[0] or (timed and late(1.0 + 0.5 * _RESERVE)):
+                ending[0] = 1
+
+    threading.Thread(target=watch, args=(flag(),), name="cotouch deadline", daemon=True).start()
     try:
+        if problem.choices > limit or chosen_method != "enumerate":
+            fallback = some_choice(problem)
+            if fallback is None:
+                raise impossible(problem)
         with workers(jobs, dask) as hands:
             if chosen_method == "enumerate":
                 covered = proved = _enumerate(search, top, hands)
             elif fallback is not None:
-                walked_all = _walk(search, WALKS if chosen_method == "bound" else starts, seed, fallback, hands)
-                proved = chosen_method == "bound" and walked_all and _bound(search, top)
+                floods = WALKS if chosen_method == "bound" else starts
+                walked_all = _walk(search, floods, seed, fallback, hands, lambda: late(closing), ending)
+                proved = chosen_method == "bound" and walked_all and _small(problem) and _bound(search, top)
+            notes += hands.notes
     except KeyboardInterrupt:
         if not search.kept:
             raise
+        interrupted = True
+    finally:
+        over.set()
+    lowered: Flag = np.zeros(1, dtype=np.int64) if interrupted else flag()
+    # What was found is still to be worked out, whatever ended the search; one choice at least.
+    problem = replace(problem, task=problem.task._replace(stop=lowered))
     if not search.kept:
-        raise _nothing(problem)
+        fallback = some_choice(problem) if fallback is None else fallback
+        if fallback is None:
+            raise impossible(problem)
+        nothing = np.full(len(problem.task.modes), complex(-np.inf, 0.0))
+        value = worked_out(problem, problem.task, fallback, nothing)
+        value = problem.reference(fallback) if value is None else value
+        if value is None:
+            raise impossible(problem)
+        search.keep(fallback, value)
+    if search.periodic and search.periodic == search.graphs:
+        proved = False
+        notes += (
+            f"On a grid of {time_unit:g} s all {search.graphs} graphs are periodic and never mix: none is better than "
+            "another. Choose another time unit or the objective decay.",
+        )
     ranked = sorted((value, chosen) for chosen, value in search.kept.items())
     worst = next(entry for entry in ranked if entry[0] == ranked[-1][0])
-    choices = [choice_of(problem, np.array(chosen), value) for value, chosen in [*ranked[:top], worst]]
-    return Plan(
+    with heeding(lowered):
+        choices = [choice_of(problem, np.array(chosen), value) for value, chosen in [*ranked[:top], worst]]
+    bound, bound_by = (choices[0].value, "every choice is covered") if proved else bound_of(problem)
+    found = Plan(
         objective=objective,
         status="proved" if proved and not search.unsure else "best found",
         worst_status="proved" if covered and not search.unsure else "worst found",
@@ -203,7 +292,13 @@ def plan(
         unsure=search.unsure,
         seed=seed,
         seconds=clock() - begun,
+        notes=notes,
+        bound=bound,
+        bound_by=bound_by,
     )
+    if interrupted:
+        raise PlanInterrupted(found)
+    return found
 
 
 def _method(problem: Problem, method: str, limit: int) -> Method:
@@ -224,11 +319,28 @@ def _method(problem: Problem, method: str, limit: int) -> Method:
     raise NetworkError(f'method is "{method}"; it must be "auto", "enumerate", "bound" or "local"')
 
 
-def _nothing(problem: Problem) -> NetworkError:
-    return NetworkError(
-        f"no choice of {problem.links} links connects all {problem.task.size} users within must, never and max_degree; "
-        "relax one of them"
-    )
+def _warm(objective: Objective, method: Method) -> None:
+    """Compiles, or reads from the disk, what the search is going to run."""
+    delay = 0.01 * (1.0 - np.eye(3))
+    tiny = Network(users=["a", "b", "c"], spring=100.0 * delay, delay=delay)
+    plan(tiny, links=2, objective=objective, method=method, starts=2, jobs=1)
+    if method != "enumerate" and objective != "damping":
+        task = make_problem(tiny, links=2, objective=objective).task
+        pulls(task, np.arange(2), np.array([-1.0 + 0.0j]), np.empty(3))
+
+
+def some_choice(problem: Problem) -> IntArray | None:
+    """Numbers of the pairs of some admissible choice; None if there is none, or none is found within tight limits."""
+    chosen = random_choice(problem.task, np.random.default_rng(0))
+    if chosen is not None or not _small(problem):
+        return chosen
+    free = problem.task.lost == NOTHING and not math.isfinite(problem.task.limit)
+    return any_choice(problem) if free else any_choice(problem, _DECISIONS)
+
+
+def _small(problem: Problem) -> bool:
+    """Whether branch and bound has room: it keeps what every user has after every decision."""
+    return problem.task.size * len(problem.task.free) <= _ROOM
 
 
 def _enumerate(search: _Search, top: int, hands: Workers) -> bool:
@@ -243,14 +355,23 @@ def _enumerate(search: _Search, top: int, hands: Workers) -> bool:
         search.periodic, search.unsure = found.periodic, found.unsure
         if search.enough(found.looked, search.problem.choices) and found.looked < search.problem.choices:
             return False
-    return True
+    return not search.problem.task.stop[0]  # A stretch that was stopped counts as looked at.
 
 
-def _walk(search: _Search, starts: int, seed: int, fallback: IntArray, hands: Workers) -> bool:
+def _walk(
+    search: _Search,
+    starts: int,
+    seed: int,
+    fallback: IntArray,
+    hands: Workers,
+    closing: Callable[[], bool],
+    ending: Flag,
+) -> bool:
     """Local search; answers whether every walk came to its end."""
     looked: dict[int, int] = {}
     over = 0
-    for walk in walked(search.problem, starts, seed, fallback, hands.parallel):
+
+    for walk in walked(search.problem, starts, seed, fallback, hands.parallel, closing, ending):
         for value, chosen in walk.seen:
             search.keep(np.array(chosen), value)
         looked[walk.start] = walk.looked
@@ -258,7 +379,7 @@ def _walk(search: _Search, starts: int, seed: int, fallback: IntArray, hands: Wo
         over += walk.over
         if search.enough(over, starts) and over < starts:
             return False
-    return True
+    return over >= starts
 
 
 def _bound(search: _Search, top: int) -> bool:

@@ -1,7 +1,7 @@
 """What a plan is asked for, checked once: one sentence for each thing that cannot be."""
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Literal, TypeAlias, final, get_args
 
@@ -9,13 +9,23 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.errors import NetworkError, UnsupportedError
-from cotouch.network import Convention, Network, Pair, Rounding, consensus_lags, mixing, rightmost_root
-from cotouch.planning._task import CONSENSUS, DAMPING, DECAY, FloatArray, IntArray, Task
+from cotouch.interrupt import flag, heeding
+from cotouch.network import Convention, Network, Pair, Rounding, consensus_lags, mixing, one_user, rightmost_root
+from cotouch.planning._task import CONSENSUS, DAMPING, DECAY, LOST_LINK, LOST_USER, NOTHING, FloatArray, IntArray, Task
 from cotouch.units import user_number
 
 Objective: TypeAlias = Literal["consensus", "decay", "damping"]
 
+Lost: TypeAlias = Literal["nothing", "link", "user"]
+
+# Sums that differ by this share of a limit only in their order keep to it.
+_ROUND_OFF = 1e-12
+# Fourth powers of what follows from springs must be finite.
+_STIFFEST = 1e30
+# Delays longer than this are questioned [s].
+_LONG = 5.0
 _CODE = {"consensus": CONSENSUS, "decay": DECAY, "damping": DAMPING}
+_LOST = {"nothing": NOTHING, "link": LOST_LINK, "user": LOST_USER}
 
 
 @final
@@ -29,6 +39,7 @@ class Problem:
         links: links of each choice.
         convention: of the consensus.
         time_unit: of the consensus, s.
+        stride: time units of the grid that the consensus is worked out on, the factor that all lags share.
         rounding: of the consensus.
         task: the same for the kernels.
     """
@@ -40,6 +51,7 @@ class Problem:
     time_unit: float
     rounding: Rounding
     task: Task
+    stride: int = 1
 
     @property
     def choices(self) -> int:
@@ -54,18 +66,40 @@ class Problem:
         """The objective of one choice as `rate` gives it, slowly; None if it cannot be told for certain either."""
         network, task = self.network.with_links(self.pairs(chosen)), self.task
         try:
-            if self.objective == "consensus":
-                found = mixing(
-                    network, time_unit=self.time_unit, convention=self.convention, rounding=self.rounding
-                ).value
-                return math.log(found) / self.time_unit if found > 0 else -math.inf
-            sync = task.sync if task.sync.size else None
-            return max(
-                rightmost_root(network, mass=m, damping=b, stiffness=k, sync_damping=sync).rate
-                for m, b, k in task.modes.tolist()
-            )
-        except UnsupportedError:
+            with heeding(task.stop):
+                if self.objective == "consensus":
+                    grid = self.time_unit * self.stride
+                    found = mixing(network, time_unit=grid, convention=self.convention, rounding=self.rounding).value
+                    return math.log(found) / grid if found > 0 else -math.inf
+                return max(
+                    rightmost_root(left, mass=m, damping=b, stiffness=k, sync_damping=sync).rate
+                    for left, sync in self._left_by(network)
+                    for m, b, k in task.modes.tolist()
+                )
+        except (UnsupportedError, KeyboardInterrupt):  # the latter would end one thread of many; who shares work looks
             return None
+
+    def _left_by(self, network: Network) -> Iterator[tuple[Network, FloatArray | None]]:
+        """The network, and what any loss leaves of it, with the synchronisation damping given."""
+        sync = self.task.sync if self.task.sync.size else None
+        yield network, sync
+        if self.task.lost == LOST_LINK:
+            for gone in network.links:
+                yield network.with_links([link for link in network.links if link != gone]), sync
+        if self.task.lost == LOST_USER:
+            for user in range(network.size):
+                rest = np.delete(np.arange(network.size), user)
+                there = np.ix_(rest, rest)
+                links = [(a - (a > user), b - (b > user)) for a, b in network.links if user not in (a, b)]
+                yield (
+                    Network(
+                        users=[network.users[i] for i in rest],
+                        spring=network.spring[there],
+                        delay=network.delay[there],
+                        links=links,
+                    ),
+                    None if sync is None else sync[rest],
+                )
 
 
 def make_problem(
@@ -76,9 +110,12 @@ def make_problem(
     convention: Convention = "equation",
     time_unit: float = 0.01,
     rounding: Rounding = "exact",
-    must: Iterable[Sequence[int]] = (),
-    never: Iterable[Sequence[int]] = (),
+    require: Iterable[Sequence[int]] = (),
+    forbid: Iterable[Sequence[int]] = (),
     max_degree: int | None = None,
+    damping_limit: float | None = None,
+    drag_limit: float | None = None,
+    lost: Lost = "nothing",
     mass: npt.ArrayLike = 1.0,
     damping: npt.ArrayLike = 0.0,
     stiffness: npt.ArrayLike = 0.0,
@@ -95,11 +132,28 @@ def make_problem(
     if network.size < 2:
         raise NetworkError("the network has 1 user; a plan needs at least 2")
     every = network.with_links(None)
+    if lost not in get_args(Lost):
+        raise NetworkError(f'lost is "{lost}"; it must be "nothing", "link" or "user"')
+    if lost != "nothing" and objective == "consensus":
+        raise NetworkError(f'lost is "{lost}" but objective is "consensus"; choose the objective "decay" or "damping"')
+    least = {"nothing": 2, "link": 3, "user": 4}[lost]
+    if network.size < least:
+        raise NetworkError(f'lost is "{lost}" but the network has {network.size} users; it takes at least {least}')
+    for name, value in (("damping_limit", damping_limit), ("drag_limit", drag_limit)):
+        if value is not None and not value > 0:
+            raise NetworkError(f"{name} is {value:g} Ns/m; it must be above 0")
+    sync = _sync(sync_damping, network.size)
+    if sync.size and damping_limit is not None and sync.max() > damping_limit:
+        raise NetworkError(
+            f"sync_damping holds {sync.max():g} Ns/m but damping_limit is {damping_limit:g} Ns/m; lower the one or "
+            "raise the other"
+        )
     needed, barred = (
-        _pairs(network, name, pairs, spring) for name, pairs, spring in (("must", must, True), ("never", never, False))
+        _pairs(network, name, pairs, spring)
+        for name, pairs, spring in (("require", require, True), ("forbid", forbid, False))
     )
     for a, b in sorted(needed & barred):
-        raise NetworkError(f"the link {_name(a, b)} is both in must and in never; it can be in one of them")
+        raise NetworkError(f"the link {_name(a, b)} is both in require and in forbid; it can be in one of them")
     allowed = every.with_links([link for link in every.links if link not in barred])
     most = _most_degree(max_degree, allowed.size)
     _check_counts(allowed, links, needed, most, bool(barred))
@@ -107,6 +161,18 @@ def make_problem(
         raise UnsupportedError(
             "springs have weights; the decay of one body mode needs scalar springs: use the mode's own"
         )
+    heaviest = max(allowed.links, key=lambda link: allowed.spring[link])
+    if allowed.spring[heaviest] > _STIFFEST:
+        raise NetworkError(
+            f"the spring {_name(*heaviest)} is {allowed.spring[heaviest]:g} N/m, with which the planner's numbers "
+            f"overflow; it must be at most {_STIFFEST:g} N/m"
+        )
+    lags, stride = np.zeros((network.size, network.size), dtype=np.int64), 1
+    if objective == "consensus":
+        lags = consensus_lags(allowed, time_unit=time_unit, convention=convention, rounding=rounding)
+        shared = int(np.gcd.reduce(lags[lags > 0]))
+        # With a factor in all lags the model falls apart into as many that never meet. One of them says it all.
+        stride = shared if convention == "equation" else 1
     return Problem(
         network=allowed,
         objective=objective,
@@ -117,16 +183,18 @@ def make_problem(
         task=_task(
             allowed,
             objective,
-            consensus_lags(allowed, time_unit=time_unit, convention=convention, rounding=rounding)
-            if objective == "consensus"
-            else np.zeros((network.size, network.size), dtype=np.int64),
-            time_unit,
+            lags // stride,
+            time_unit * stride,
             needed,
             links - len(needed),
             most,
             modes_table(mass, damping, stiffness),
-            _sync(sync_damping, network.size),
+            sync,
+            limit=math.inf if damping_limit is None or sync.size else damping_limit * (1.0 + _ROUND_OFF),
+            drag=math.inf if drag_limit is None else drag_limit * (1.0 + _ROUND_OFF),
+            lost=_LOST[lost],
         ),
+        stride=stride,
     )
 
 
@@ -140,6 +208,10 @@ def _task(
     most: int,
     modes: FloatArray,
     sync: FloatArray,
+    *,
+    limit: float,
+    drag: float,
+    lost: int,
 ) -> Task:
     first, second = (np.array([link[end] for link in network.links], dtype=np.int64) for end in (0, 1))
     spring = np.ascontiguousarray(network.spring[first, second])
@@ -157,13 +229,48 @@ def _task(
         lag_first=np.ascontiguousarray(lags[first, second]),
         lag_second=np.ascontiguousarray(lags[second, first]),
         load=spring * (delay[first, second] + delay[second, first]) / 2,
-        must=np.flatnonzero(required),
+        require=np.flatnonzero(required),
         free=np.flatnonzero(~required),
         pick=pick,
         most=most,
         modes=modes,
         sync=sync,
+        limit=limit,
+        drag=drag,
+        lost=lost,
         top=math.pi / time_unit if objective == "consensus" else math.inf,
+        stop=flag(),
+    )
+
+
+def questions(problem: Problem) -> tuple[str, ...]:
+    """What looks like a mistake."""
+    network, notes = problem.network, ()
+    if problem.stride > 1:
+        notes = (
+            f"All delays are multiples of {problem.stride} time units: the consensus is worked out on a grid of "
+            f"{problem.stride * problem.time_unit:g} s, for on the finer one it would never mix.",
+        )
+    worst = max(((float(network.delay[pair]), pair) for a, b in network.links for pair in ((a, b), (b, a))))
+    if worst[0] <= _LONG:
+        return notes
+    seconds, (i, j) = worst
+    return (
+        *notes,
+        f"The delay from {one_user(network.users, j)} to {one_user(network.users, i)} is {seconds:g} s; delays are in "
+        "seconds: is it right?",
+    )
+
+
+def impossible(problem: Problem) -> NetworkError:
+    """That no choice keeps to the limits."""
+    task = problem.task
+    limits = ["require", "forbid", "max_degree"]
+    limits += ["damping_limit"] * math.isfinite(task.limit) + ["drag_limit"] * math.isfinite(task.drag)
+    limits += ["lost"] * (task.lost != NOTHING)
+    return NetworkError(
+        f"no choice of {problem.links} links connects all {task.size} users within {', '.join(limits[:-1])} and "
+        f"{limits[-1]}; relax one of them"
     )
 
 
@@ -198,7 +305,7 @@ def _most_degree(max_degree: int | None, size: int) -> int:
 def _check_counts(network: Network, links: int, needed: set[Pair], most: int, barred: bool) -> None:
     possible, least = len(network.links), network.size - 1
     if not network.is_connected():
-        cause = "spring and never leave" if barred else "spring leaves"
+        cause = "spring and forbid leave" if barred else "spring leaves"
         remedy = "forbid fewer links" if barred else "give more pairs a spring above 0"
         raise NetworkError(f"{cause} the users in separate groups whatever is linked; {remedy}")
     if not least <= links <= possible:
@@ -207,13 +314,13 @@ def _check_counts(network: Network, links: int, needed: set[Pair], most: int, ba
             f"{least} to {possible}"
         )
     if len(needed) > links:
-        raise NetworkError(f"must holds {len(needed)} links but links is {links}; ask for at least {len(needed)}")
+        raise NetworkError(f"require holds {len(needed)} links but links is {links}; ask for at least {len(needed)}")
     degree = np.zeros(network.size, dtype=np.int64)
     for a, b in needed:
         degree[[a, b]] += 1
     for i in map(int, np.flatnonzero(degree > most)):
         raise NetworkError(
-            f"must gives user {user_number(i)} {degree[i]} links but max_degree is {most}; it must be at least "
+            f"require gives user {user_number(i)} {degree[i]} links but max_degree is {most}; it must be at least "
             f"{degree[i]}"
         )
     if 2 * links > network.size * most:

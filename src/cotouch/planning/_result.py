@@ -5,11 +5,15 @@ from dataclasses import dataclass, replace
 from typing import Any, Literal, TypeAlias, final
 
 import numpy as np
+import scipy.sparse
 
 from cotouch.network import Network, Pair
 from cotouch.planning._problem import Objective, Problem
-from cotouch.planning._task import DECAY, FloatArray, IntArray, period_of, rate
+from cotouch.planning._task import DECAY, NOTHING, FloatArray, IntArray, drag_of, period_of, rate
 from cotouch.units import user_number
+
+# Users up to whom a decay that is uncertain is worked out slowly.
+_SLOW = 40
 
 Status: TypeAlias = Literal["proved", "best found"]
 WorstStatus: TypeAlias = Literal["proved", "worst found"]
@@ -28,6 +32,7 @@ class Choice:
         time_constant_s: seconds in which what is left falls by e, of the consensus or else of the closed loop; inf if
             it never does; NaN where springs have weights, which the closed loop does not take.
         damping: `B_i` in Ns/m, (N,): the rule with the delays as ages, or what was given.
+        drag: Ns/m that all users together feel as they move the object steadily: the sum of `B_i + sum_j K_ij d_ij`.
         worst_path_s: longest of the quickest ways from any user to any other along the links, s.
         period: of the consensus, in time units; above 1 it never settles. 1 for the other objectives.
     """
@@ -36,6 +41,7 @@ class Choice:
     value: float
     time_constant_s: float
     damping: FloatArray
+    drag: float
     worst_path_s: float
     period: int
 
@@ -47,6 +53,7 @@ class Choice:
             "time_constant_s": self.time_constant_s,
             "damping": self.damping.tolist(),
             "largest_damping": float(self.damping.max()),
+            "drag": self.drag,
             "worst_path_s": self.worst_path_s,
             "period": self.period,
         }
@@ -73,6 +80,9 @@ class Plan:
         unsure: how many of the graphs no method could tell for certain; they are left out.
         seed: of the random starts.
         seconds: how long it took.
+        notes: sentences on what may be a mistake, and on what did not go as asked.
+        bound: the best value that any choice could have, by a relaxation; None where none is known.
+        bound_by: which relaxation, or why there is none.
     """
 
     objective: Objective
@@ -89,6 +99,9 @@ class Plan:
     unsure: int
     seed: int
     seconds: float
+    notes: tuple[str, ...] = ()
+    bound: float | None = None
+    bound_by: str = ""
 
     def numbers(self) -> dict[str, Any]:
         """For JSON; users are numbered from 1."""
@@ -103,6 +116,9 @@ class Plan:
             "unsure": self.unsure,
             "seed": self.seed,
             "seconds": self.seconds,
+            "notes": list(self.notes),
+            "bound": self.bound,
+            "bound_by": self.bound_by,
             "best": self.best.numbers(),
             "worst": self.worst.numbers(),
             "worst_status": self.worst_status,
@@ -128,6 +144,7 @@ def choice_of(problem: Problem, chosen: IntArray, value: float) -> Choice:
         value=shown(problem, value),
         time_constant_s=math.nan if math.isnan(slowest) else -1.0 / slowest if slowest < 0 else math.inf,
         damping=task.sync if task.sync.size else damping,
+        drag=float(drag_of(task, float(task.load[chosen].sum()))),
         worst_path_s=worst_path(network),
         period=int(period_of(task, chosen)) if problem.objective == "consensus" else 1,
     )
@@ -137,19 +154,19 @@ def _decay(problem: Problem, chosen: IntArray) -> float:
     """Rightmost root of the closed loop beside another objective, 1/s; NaN where there is none to be had."""
     if any(problem.network.weight_of[i, j] >= 0 for i, j in problem.pairs(chosen)):
         return math.nan
-    task = problem.task._replace(objective=DECAY)
+    task = problem.task._replace(objective=DECAY, lost=NOTHING)
     value, sure = rate(task, chosen, np.full(len(task.modes), complex(-np.inf, 0.0)))
     if sure:
         return float(value)
-    settled = replace(problem, objective="decay", task=task).reference(chosen)
+    settled = replace(problem, objective="decay", task=task).reference(chosen) if task.size <= _SLOW else None
     return math.nan if settled is None else settled
 
 
 def worst_path(network: Network) -> float:
     """Longest of the quickest ways from any user to any other along the links, s."""
-    linked = network.adjacency() > 0
-    way = np.where(linked, network.delay, np.inf)
-    np.fill_diagonal(way, 0.0)
-    for k in range(network.size):
-        way = np.minimum(way, way[:, k, None] + way[None, k, :])
-    return float(way.max())
+    ends = np.array(network.links, dtype=np.int64).reshape(-1, 2)
+    there, back = np.concatenate([ends, ends[:, ::-1]]).T
+    # A delay of 0 is no link to a sparse matrix.
+    delay = np.maximum(network.delay[there, back], np.finfo(float).tiny)
+    graph = scipy.sparse.csr_array((delay, (there, back)), shape=(network.size,) * 2)
+    return float(scipy.sparse.csgraph.shortest_path(graph).max())

@@ -17,6 +17,7 @@ import numpy.typing as npt
 import scipy.optimize
 
 from cotouch.errors import NetworkError, UnsupportedError
+from cotouch.interrupt import interruptible
 from cotouch.network import (
     Decay,
     Loop,
@@ -75,6 +76,7 @@ class Tuned:
     mode: FloatArray
 
 
+@interruptible
 def tune_springs(
     network: Network,
     *,
@@ -85,6 +87,7 @@ def tune_springs(
     lowest: float | None = None,
     highest: float | None = None,
     rounds: int = 200,
+    spread: bool = True,
 ) -> Tuned:
     """Springs on the links in use that lower the rate of the slowest mode, within a limit on every user's damping.
 
@@ -103,6 +106,7 @@ def tune_springs(
         lowest: N/m, the softest spring allowed; None takes a tenth of the softest at the (feasible) start.
         highest: N/m, the stiffest spring allowed; None takes ten times the stiffest at the start.
         rounds: most linear programs in a row from any start; 0 only makes the start feasible.
+        spread: whether to try other starts than the present springs.
 
     Raises:
         NetworkError: not connected, a parameter out of its range, or a limit that the start cannot be scaled into
@@ -124,7 +128,7 @@ def tune_springs(
     best, count = (search.at(start), start), 0
     before = best[0].rate
     if rounds and _can_move(best[0], network):
-        for begin in [best, *search.spread()]:
+        for begin in [best, *(search.spread() if spread else [])]:
             found, used = search.improve(begin, rounds)
             count += used
             if found[0].rate < best[0].rate:

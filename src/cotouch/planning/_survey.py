@@ -7,6 +7,7 @@ from typing import Any, final
 import numpy as np
 
 from cotouch.errors import NetworkError
+from cotouch.interrupt import check, interruptible
 from cotouch.network import Network, Pair
 from cotouch.planning._enumerate import chosen_at, values_of
 from cotouch.planning._problem import Problem, make_problem
@@ -35,6 +36,7 @@ class Survey:
     choices: int
 
 
+@interruptible
 def survey(network: Network, *, links: int, objectives: dict[str, dict[str, Any]], **options: Any) -> Survey:
     """Works out several objectives of every connected choice of links.
 
@@ -43,7 +45,7 @@ def survey(network: Network, *, links: int, objectives: dict[str, dict[str, Any]
         links: how many links each choice has.
         objectives: by a name of your own, options of `plan` that differ between them, such as `{"paper": {"objective":
             "consensus", "time_unit": 0.05, "rounding": "up"}, "loop": {"objective": "decay"}}`.
-        **options: of `plan`, for all of them: `must`, `never`, `max_degree`, `mass`, `damping`, `stiffness`.
+        **options: of `plan`, for all of them: `require`, `never`, `max_degree`, `mass`, `damping`, `stiffness`.
 
     Raises:
         NetworkError: more than 200,000 choices, or as `plan` raises it.
@@ -58,6 +60,7 @@ def survey(network: Network, *, links: int, objectives: dict[str, dict[str, Any]
         if choices > _MOST:
             raise NetworkError(f"there are {choices} choices of {links} links; at most {_MOST} can be shown together")
         found = values_of(problem, 0, choices)
+        check()
         admitted = np.flatnonzero(found.connected)
         values[name] = np.array([shown(problem, value) for value in found.values[admitted].tolist()])
         never[name] = int((values[name] == 1.0).sum()) if problem.objective == "consensus" else 0

@@ -14,6 +14,7 @@ ComplexArray: TypeAlias = npt.NDArray[np.complex128]
 BoolArray: TypeAlias = npt.NDArray[np.bool_]
 
 CONSENSUS, DECAY, DAMPING = 0, 1, 2
+NOTHING, LOST_LINK, LOST_USER = 0, 1, 2
 
 
 class Task(NamedTuple):
@@ -30,13 +31,17 @@ class Task(NamedTuple):
         lag_first: for consensus the delays in time units, (M,).
         lag_second: the other way, (M,).
         load: what the link adds to the damping of either end, Ns/m, (M,): `K (d_ij + d_ji) / 2`.
-        must: pairs that every choice has, ascending.
+        require: pairs that every choice has, ascending.
         free: the other pairs, ascending.
         pick: how many of `free` a choice has.
         most: largest number of links of one user.
         modes: mass [kg], damping [Ns/m], stiffness [N/m] of each body mode, (modes, 3).
         sync: synchronisation damping Ns/m, (N,), or (0,) for the rule.
+        limit: Ns/m that no `B_i` of the rule may exceed; inf for none.
+        drag: Ns/m that the drag of all users together may not exceed; inf for none.
+        lost: `LOST_LINK` or `LOST_USER` where the objective is the worst with any one of them lost, or `NOTHING`.
         top: π over the time unit of consensus, 1/s.
+        stop: the search ends, with whatever it has, once this is raised, (1,); see `cotouch.interrupt`.
     """
 
     size: int
@@ -49,26 +54,35 @@ class Task(NamedTuple):
     lag_first: IntArray
     lag_second: IntArray
     load: FloatArray
-    must: IntArray
+    require: IntArray
     free: IntArray
     pick: int
     most: int
     modes: FloatArray
     sync: FloatArray
+    limit: float
+    drag: float
+    lost: int
     top: float
+    stop: IntArray
 
 
-@routine
-def admissible(task: Task, chosen: IntArray) -> bool:
-    """Whether links connect all users and give none too many."""
-    group, degree = np.arange(task.size), np.zeros(task.size, np.int64)
-    groups = task.size
+@subroutine
+def mean_delay(task: Task, e: int) -> float:
+    """Mean of both delays of a pair, s."""
+    return 0.5 * (task.to_first[e] + task.to_second[e])
+
+
+@subroutine
+def _joined(task: Task, chosen: IntArray, without_link: int, without_user: int, group: IntArray) -> bool:
+    """Whether links connect all users but one, without one of them; -1 leaves none out."""
+    for u in range(task.size):
+        group[u] = u
+    groups = task.size - (1 if without_user >= 0 else 0)
     for e in chosen:
         i, j = task.first[e], task.second[e]
-        degree[i] += 1
-        degree[j] += 1
-        if degree[i] > task.most or degree[j] > task.most:
-            return False
+        if without_user in (i, j) or e == without_link:
+            continue
         a, b = group[i], group[j]
         if a != b:
             groups -= 1
@@ -76,6 +90,48 @@ def admissible(task: Task, chosen: IntArray) -> bool:
                 if group[u] == a:
                     group[u] = b
     return groups == 1
+
+
+@routine
+def admissible(task: Task, chosen: IntArray) -> bool:
+    """Whether links connect all users, also those left after a loss, and keep to the limits."""
+    degree, damping = np.zeros(task.size, np.int64), np.zeros(task.size)
+    total = 0.0
+    for e in chosen:
+        i, j = task.first[e], task.second[e]
+        degree[i] += 1
+        degree[j] += 1
+        damping[i] += task.load[e]
+        damping[j] += task.load[e]
+        total += task.load[e]
+        if degree[i] > task.most or degree[j] > task.most:
+            return False
+    if np.max(damping) > task.limit or drag_of(task, float(total)) > task.drag:
+        return False
+    group = np.empty(task.size, np.int64)
+    if not _joined(task, chosen, -1, -1, group):
+        return False
+    if task.lost == LOST_LINK:
+        for e in chosen:
+            if not _joined(task, chosen, e, -1, group):
+                return False
+    if task.lost == LOST_USER:
+        for user in range(task.size):
+            if not _joined(task, chosen, -1, user, group):
+                return False
+    return True
+
+
+@routine
+def drag_of(task: Task, total: float) -> float:
+    """What all users together feel per speed of a steady common motion, Ns/m: the sum of `B_i + sum_j K_ij d_ij`.
+
+    Args:
+        task: the search.
+        total: sum of the loads of the links.
+    """
+    own = np.sum(task.sync) if len(task.sync) > 0 else 2.0 * total
+    return own + 2.0 * total
 
 
 @routine
@@ -120,13 +176,20 @@ def largest_damping(task: Task, chosen: IntArray) -> float:
 
 
 @routine
-def loop_of(task: Task, chosen: IntArray, mode: int) -> Loop:
-    """The loop of one choice of links: the consensus, or the closed loop of one body mode."""
+def loop_of(task: Task, chosen: IntArray, mode: int, without: int = -1) -> Loop:
+    """The loop of one choice of links: the consensus, or the closed loop of one body mode; maybe without one user."""
     n = task.size
+    if without >= 0:
+        n -= 1
+        chosen = chosen[(task.first[chosen] != without) & (task.second[chosen] != without)]
+    first, second = task.first[chosen], task.second[chosen]
+    if without >= 0:
+        first, second = first - (first > without), second - (second > without)
     mass, drag, rigid = np.zeros(n), np.zeros(n), np.zeros(n)
     moving = task.objective != CONSENSUS
-    for e in chosen:
-        for i in (task.first[e], task.second[e]):
+    for c in range(len(chosen)):
+        e = chosen[c]
+        for i in (first[c], second[c]):
             rigid[i] += task.spring[e]
             if moving and len(task.sync) == 0:
                 drag[i] += task.load[e]
@@ -136,16 +199,17 @@ def loop_of(task: Task, chosen: IntArray, mode: int) -> Loop:
             drag[i] += task.modes[mode, 1] / n
             rigid[i] += task.modes[mode, 2] / n
             if len(task.sync) > 0:
-                drag[i] += task.sync[i]
+                drag[i] += task.sync[i + 1 if 0 <= without <= i else i]
     return Loop(
         mass,
         drag,
         rigid,
-        task.first[chosen],
-        task.second[chosen],
+        first,
+        second,
         task.spring[chosen],
         task.to_first[chosen],
         task.to_second[chosen],
+        task.stop,
     )
 
 
@@ -158,7 +222,7 @@ def rate(task: Task, chosen: IntArray, guesses: ComplexArray, enough: float = np
         chosen: numbers of the pairs linked, ascending.
         guesses: of each mode where its root may be, real part -inf where nothing is known; the roots found replace
             them.
-        enough: for consensus, a value that the objective need not be known beyond.
+        enough: for consensus and with losses, a value that the objective need not be known beyond.
 
     Returns:
         Real part of the slowest root in 1/s (0 for a periodic graph, -inf if there is no root), or the largest damping
@@ -180,6 +244,18 @@ def rate(task: Task, chosen: IntArray, guesses: ComplexArray, enough: float = np
         # No root at all is rare enough to be looked at again.
         sure = sure and certain and root.real > -np.inf
         worst = max(worst, root.real)
+        if task.lost == NOTHING or not sure or worst > enough:
+            continue
+        for gone in range(len(chosen) if task.lost == LOST_LINK else task.size):
+            if task.lost == LOST_LINK:
+                loop = loop_of(task, np.concatenate((chosen[:gone], chosen[gone + 1 :])), mode)
+            else:
+                loop = loop_of(task, chosen, mode, gone)
+            root, certain, _ = rightmost(loop, task.modes[mode, 2] == 0.0, guesses[:0])
+            sure = sure and certain and root.real > -np.inf
+            worst = max(worst, root.real)
+            if not sure or worst > enough:
+                break
     return worst, sure
 
 

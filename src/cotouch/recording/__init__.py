@@ -1,34 +1,36 @@
 """What live peers did, on disk: recorded off the loop, read back, played, exported, audited."""
 
-from cotouch.recording._audit import Audit, UserBooks, audit
+from cotouch.recording._audit import Audit, UserLedger, audit
 from cotouch.recording._body import RecordedBody
-from cotouch.recording._columns import EXCHANGE, GUARDS, LinkPhase
+from cotouch.recording._columns import ADVANCED, EXCHANGE, GUARDS
 from cotouch.recording._dataset import recordings_dataset, save_dataset
+from cotouch.recording._disk import NewFile
 from cotouch.recording._figures import audit_figure, save_audit_figures
-from cotouch.recording._findings import Finding
+from cotouch.recording._findings import AuditFinding
 from cotouch.recording._header import RecordHeader
-from cotouch.recording._links import LinkBooks
+from cotouch.recording._links import LinkLedger
 from cotouch.recording._play import Played, play
 from cotouch.recording._reader import read_recording
 from cotouch.recording._recorder import Recorded, Recorder, both_clocks
-from cotouch.recording._recording import Event, Recording, Setup
+from cotouch.recording._recording import RecordedEvent, Recording, Setup
 
 __all__ = [
+    "ADVANCED",
     "EXCHANGE",
     "GUARDS",
     "Audit",
-    "Event",
-    "Finding",
-    "LinkBooks",
-    "LinkPhase",
+    "AuditFinding",
+    "LinkLedger",
+    "NewFile",
     "Played",
     "RecordHeader",
     "Recorded",
     "RecordedBody",
+    "RecordedEvent",
     "Recorder",
     "Recording",
     "Setup",
-    "UserBooks",
+    "UserLedger",
     "audit",
     "audit_figure",
     "both_clocks",

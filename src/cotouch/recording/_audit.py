@@ -1,6 +1,6 @@
 """The audit: do the recordings of all users say together that nobody got energy out of the network, and if not, where?
 
-Nothing is taken from the peers' own books that recorded motion and forces say (`_motion.py`). Then, for the whole:
+Nothing is taken from the peers' own ledgers that recorded motion and forces say (`_motion.py`). Then, for the whole:
 
 * every step's energy is explained, at every user;
 * N-port passivity [Lee & Huang 2010, eq. 4]: at every instant users have put in `Σ ∫ f v ≥ -c²`, c² what was stored at
@@ -14,18 +14,16 @@ from itertools import pairwise
 from typing import Any, final
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.errors import RecordingError
 from cotouch.recording._columns import GUARDS
-from cotouch.recording._findings import Finding, exchanged, findings_of, missing_words
-from cotouch.recording._guards import seeds
-from cotouch.recording._links import LinkBooks, ages, align, grid_of, link_books, linked, so_far, too_young
+from cotouch.recording._findings import AuditFinding, exchanged, findings_of, missing_words
+from cotouch.recording._guards import started
+from cotouch.recording._links import LinkLedger, ages, align, grid_of, link_ledger, linked, so_far, too_young
 from cotouch.recording._motion import LOSSES, Motion, motions
 from cotouch.recording._recording import Recording
 from cotouch.units import user_number
-
-Float = npt.NDArray[np.float64]
 
 # Share of the energy in play that rounding may make of it.
 TOLERANCE = 1e-9
@@ -33,7 +31,7 @@ TOLERANCE = 1e-9
 
 @final
 @dataclass(frozen=True, kw_only=True)
-class UserBooks:
+class UserLedger:
     """One user's energy over the whole recording, worked out anew [J].
 
     Attributes:
@@ -77,14 +75,14 @@ class Audit:
     """What came out.
 
     Attributes:
-        users: their books.
+        users: their ledger.
         links: of those that both ends are recorded of.
         findings: energy that is not accounted for, largest first; empty if all is well.
         complete: whether every step of everybody is recorded with its state.
         notes: what could not be judged, or is worth knowing; one sentence each.
         tolerance: what energies may differ by [J].
         in_play: the most that was stored, supplied or lost [J].
-        initial: c², stored at the beginning [J].
+        initial: c², stored at the beginning, with what links were given to begin with [J].
         margin: the least of `Σ ∫ f v + c²`, with what others' joining and leaving brought or took [J].
         margin_time: when, since the beginning [s].
         time: instants of the next three, since the beginning [s].
@@ -93,9 +91,9 @@ class Audit:
         taken: by all damping of the synchronisation so far [J].
     """
 
-    users: tuple[UserBooks, ...]
-    links: tuple[LinkBooks, ...]
-    findings: tuple[Finding, ...]
+    users: tuple[UserLedger, ...]
+    links: tuple[LinkLedger, ...]
+    findings: tuple[AuditFinding, ...]
     complete: bool
     notes: tuple[str, ...]
     tolerance: float
@@ -136,21 +134,21 @@ class Audit:
             "initial_j": self.initial,
             "passivity_margin_j": self.margin,
             "passivity_margin_time_s": self.margin_time,
-            "users": [{**vars(books), "user": user_number(books.user)} for books in self.users],
+            "users": [{**vars(ledger), "user": user_number(ledger.user)} for ledger in self.users],
             "links": [
                 {
-                    "link": [user_number(user) for user in books.ends],
-                    "work_j": list(books.work),
-                    "spring_j": books.spring,
-                    "dissipated_j": books.dissipated,
-                    "made_by_phase_j": dict(books.by_phase),
-                    "excess_j": books.excess,
-                    "age_s": list(books.age),
-                    "judged": books.strict,
-                    "without_gap": books.whole,
-                    "as_booked": books.unknown,
+                    "link": [user_number(user) for user in ledger.ends],
+                    "work_j": list(ledger.work),
+                    "spring_j": ledger.spring,
+                    "dissipated_j": ledger.dissipated,
+                    "made_by_state_j": dict(ledger.by_state),
+                    "excess_j": ledger.excess,
+                    "age_s": list(ledger.age),
+                    "judged": ledger.strict,
+                    "without_gap": ledger.whole,
+                    "as_booked": ledger.unknown,
                 }
-                for books in self.links
+                for ledger in self.links
             ],
             "findings": [
                 {
@@ -172,7 +170,7 @@ def audit(recordings: Sequence[Recording], *, tolerance: float = TOLERANCE) -> A
     """Recomputes the energy of a session from the recordings of its users.
 
     Args:
-        recordings: of different users of the same session; one is enough for its own books.
+        recordings: of different users of the same session; one is enough for its own ledger.
         tolerance: share of the energy in play that rounding may make of it.
 
     Raises:
@@ -183,7 +181,7 @@ def audit(recordings: Sequence[Recording], *, tolerance: float = TOLERANCE) -> A
     names = {recording.user: recording.name for recording in recordings}
     notes = missing_words(recordings, names)
     complete = not notes
-    left: list[Finding] = []
+    left: list[AuditFinding] = []
     for at, recording in enumerate(recordings):
         if recording.finite < recording.steps:
             left.append(_left(recording))
@@ -200,9 +198,9 @@ def audit(recordings: Sequence[Recording], *, tolerance: float = TOLERANCE) -> A
     asked = [_asked(recording, recordings) for recording in recordings]
     links = _links(moved, grid, asked)
     supply = sum((so_far(m, m.known["supplied"] + m.known["drive_work"], grid) for m in moved), np.zeros(grid.size))
-    made = sum((books.made for books in links), np.zeros(grid.size))
+    made = sum((ledger.made for ledger in links), np.zeros(grid.size))
     taken = sum((so_far(m, m.known["local_loss"], grid) for m in moved), np.zeros(grid.size))
-    initial = sum(float(m.start[0]) + seeds(m.recording) for m in moved) + sum(books.initial for books in links)
+    initial = sum(float(m.start[0]) + started(m.recording) for m in moved) + sum(ledger.initial for ledger in links)
     lost = sum(float(m.known[name].sum()) for m in moved for name in LOSSES)
     in_play = max(float(np.abs(supply).max()), lost, sum(float(m.stored.max()) for m in moved), initial)
     rounding = sum(m.rounding * np.sqrt(m.end.size) for m in moved)
@@ -218,16 +216,16 @@ def audit(recordings: Sequence[Recording], *, tolerance: float = TOLERANCE) -> A
         found.append(_of_network(float(-margin[least]), float(grid[least]) - start, words))
     # Guarded ends may spend what they were given once, and what the body's own damping took.
     spare = allowed + sum(
-        seeds(m.recording) + float(m.known["body_loss"].sum() + m.known["extra_loss"].sum())
+        started(m.recording) + float(m.known["body_loss"].sum() + m.known["extra_loss"].sum())
         for m in moved
         if _guarded(m)
     )
     found += _links_beyond(links, made - taken, grid, allowed, spare, names)
-    for books, need in zip(moved, asked, strict=True):
-        have = _least_damping(books.recording)
-        if sum(need.values()) > have * (1.0 + 1e-9) and not _guarded(books):  # a guard judges every sample by itself
+    for ledger, need in zip(moved, asked, strict=True):
+        have = _least_damping(ledger.recording)
+        if sum(need.values()) > have * (1.0 + 1e-9) and not _guarded(ledger):  # a guard judges every sample by itself
             notes.append(
-                f"the damping of {books.recording.name} was {have:.4g} Ns/m; the age rule asks for "
+                f"the damping of {ledger.recording.name} was {have:.4g} Ns/m; the age rule asks for "
                 f"{sum(need.values()):.4g} Ns/m with the ages that there were"
             )
     return Audit(
@@ -269,7 +267,7 @@ def _belong(recordings: Sequence[Recording]) -> None:
             )
 
 
-def _left(recording: Recording) -> Finding:
+def _left(recording: Recording) -> AuditFinding:
     """Of a copy that left floating point, after which nothing can be worked out.
 
     Raises:
@@ -278,7 +276,7 @@ def _left(recording: Recording) -> Finding:
     row, columns = recording.finite, recording.columns
     if row == 0:
         raise RecordingError(f"the first step of {recording.path} has numbers that are not finite")
-    return Finding(
+    return AuditFinding(
         user=recording.user,
         link=None,
         place="state",
@@ -311,21 +309,21 @@ def _asked(recording: Recording, recordings: Sequence[Recording]) -> dict[int, f
     return result
 
 
-def _links(moved: Sequence[Motion], grid: Float, asked: Sequence[dict[int, float]]) -> list[LinkBooks]:
-    result: list[LinkBooks] = []
+def _links(moved: Sequence[Motion], grid: Float, asked: Sequence[dict[int, float]]) -> list[LinkLedger]:
+    result: list[LinkLedger] = []
     for i, one in enumerate(moved):
         for j in range(i + 1, len(moved)):
             two = moved[j]
             users = one.recording.user, two.recording.user
             if linked(one.recording, two.recording):
-                shares = _share(one, users[1], asked[i]), _share(two, users[0], asked[j])
-                result.append(link_books(one, two, grid, shares))
+                fractions = _share(one, users[1], asked[i]), _share(two, users[0], asked[j])
+                result.append(link_ledger(one, two, grid, fractions))
     return result
 
 
 def _share(motion: Motion, user: int, asked: dict[int, float]) -> Float:
     """Share of the user's damping that is this link's, per step."""
-    share = np.zeros(motion.end.size)
+    fraction = np.zeros(motion.end.size)
     for setup, span in motion.recording.setup_rows():
         if user not in setup.neighbours:
             continue
@@ -334,35 +332,35 @@ def _share(motion: Motion, user: int, asked: dict[int, float]) -> Float:
         else:
             parts = {other: asked[other] for other in setup.neighbours}
         total = sum(parts.values())
-        share[span] = parts[user] / total if total > 0.0 else 0.0
-    return share
+        fraction[span] = parts[user] / total if total > 0.0 else 0.0
+    return fraction
 
 
 def _links_beyond(
-    links: Sequence[LinkBooks], beyond: Float, grid: Float, allowed: float, spare: float, names: dict[int, str]
-) -> list[Finding]:
+    links: Sequence[LinkLedger], beyond: Float, grid: Float, allowed: float, spare: float, names: dict[int, str]
+) -> list[AuditFinding]:
     """Links that made more than the damping took, if all together did.
 
     One alone may: its share of the damping is a convention, and what another link leaves over is there for it.
     """
-    judged = [books for books in links if books.strict]
+    judged = [ledger for ledger in links if ledger.strict and ledger.strength > 0.0]
     if not judged or len(judged) < len(links):
         return []
-    together = float(beyond.max()) if all(books.whole for books in links) else np.inf
-    over = [books for books in judged if books.excess > allowed + books.granted]
+    together = float(beyond.max()) if all(ledger.whole for ledger in links) else np.inf
+    over = [ledger for ledger in judged if ledger.excess > allowed + ledger.granted]
     if together <= spare or not over:
         return []
-    result: list[Finding] = []
-    for books in over:
-        one, two = (names[user] for user in books.ends)
-        words = f"the link of {one} and {two} made {books.excess:.4g} J more than its damping took"
+    result: list[AuditFinding] = []
+    for ledger in over:
+        one, two = (names[user] for user in ledger.ends)
+        words = f"the link of {one} and {two} made {ledger.excess:.4g} J more than its damping took"
         result.append(
-            Finding(
+            AuditFinding(
                 user=None,
-                link=books.ends,
+                link=ledger.ends,
                 place="link",
-                energy=books.excess,
-                time=books.moment - float(grid[0]),
+                energy=ledger.excess,
+                time=ledger.moment - float(grid[0]),
                 step=None,
                 words=words,
             )
@@ -370,17 +368,17 @@ def _links_beyond(
     return result
 
 
-def _of_network(energy: float, time: float, words: str) -> Finding:
-    return Finding(user=None, link=None, place="network", energy=energy, time=time, step=None, words=words)
+def _of_network(energy: float, time: float, words: str) -> AuditFinding:
+    return AuditFinding(user=None, link=None, place="network", energy=energy, time=time, step=None, words=words)
 
 
 def _least_damping(recording: Recording) -> float:
     return min(setup.local_damping[0] if setup.local_damping else 0.0 for setup in recording.setups)
 
 
-def _user(motion: Motion, asked: float) -> UserBooks:
+def _user(motion: Motion, asked: float) -> UserLedger:
     recording, known = motion.recording, motion.known
-    return UserBooks(
+    return UserLedger(
         user=recording.user,
         name=recording.name,
         steps=recording.steps,

@@ -11,13 +11,13 @@ import numpy as np
 import numpy.typing as npt
 import scipy.sparse as sp
 
+from cotouch.arrays import Float
 from cotouch.body import Matrix
 from cotouch.errors import RecordingError
 
 if TYPE_CHECKING:  # reading a recording needs no kernels
     from cotouch.mechanics import Model
 
-Float = npt.NDArray[np.float64]
 
 _MATRICES = ("mass", "damping", "stiffness")
 _UNREADABLE = (OSError, ValueError, KeyError, EOFError, IndexError, TypeError, zipfile.BadZipFile, zlib.error)
@@ -95,11 +95,22 @@ class RecordedBody:
         return self.field(rows).reshape(*rows.shape[:-2], *self.rest.shape)
 
     def form(self, matrix: sp.csr_array, left: Float, right: Float | None = None) -> Float:
-        """`leftᵀ matrix right`, for fields (steps, body rows, axes), (steps,)."""
+        """`leftᵀ matrix right`, for fields (steps, body rows, axes), (steps,).
+
+        Args:
+            matrix: of the body.
+            left: one field.
+            right: the other; None: the same.
+        """
         return np.einsum("sra,sra->s", left, self.image(matrix, left if right is None else right))
 
     def image(self, matrix: sp.csr_array, field: Float) -> Float:
-        """`matrix field` at every step, for fields (steps, body rows, axes)."""
+        """`matrix field` at every step, for fields (steps, body rows, axes).
+
+        Args:
+            matrix: of the body.
+            field: the field.
+        """
         steps, rows, axes = field.shape
         turned = np.ascontiguousarray(field.transpose(1, 0, 2)).reshape(rows, steps * axes)
         return np.asarray(matrix @ turned).reshape(rows, steps, axes).transpose(1, 0, 2)

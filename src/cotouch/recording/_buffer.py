@@ -7,13 +7,14 @@ from typing import TYPE_CHECKING, Any, NamedTuple, final
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.recording._columns import SCALARS, UNSAID, Batch, LinkPhase
+from cotouch.arrays import Float
+from cotouch.peer import LinkState
+from cotouch.recording._columns import SCALARS, UNSAID, Batch
 
 if TYPE_CHECKING:
     from cotouch.mechanics import State, Tools
-    from cotouch.peer import Report
+    from cotouch.peer import StepReport
 
-Float = npt.NDArray[np.float64]
 Extra = Mapping[str, float | Sequence[float] | npt.NDArray[Any]]
 
 
@@ -73,7 +74,7 @@ class Buffer:
         self._link_work = np.zeros((steps, links))
         self._age = np.zeros((steps, links))
         self._used = np.zeros((steps, links), dtype=np.int64)
-        self._phase = np.zeros((steps, links), dtype=np.int8)
+        self._link_state = np.zeros((steps, links), dtype=np.int8)
         self._tools = [np.zeros((steps, extents.tools, 4)) for _ in range(4 if extents.tools else 0)]
         self._row = np.zeros(kept, dtype=np.int32)
         self._state = [np.zeros((kept, extents.rows, width)) for _ in range(3)]
@@ -92,16 +93,27 @@ class Buffer:
 
     def put(
         self,
-        report: "Report",
+        report: "StepReport",
         end: float,
         T: float,
         state: "State",
         tools: "Tools | None",
         used: Sequence[int] | npt.NDArray[np.int64] | None,
-        phase: Sequence[int] | npt.NDArray[np.int8] | None,
+        link_state: Sequence[int] | npt.NDArray[np.int8] | None,
         extra: Extra | None,
     ) -> None:
-        """Copies what a step did into the next row."""
+        """Copies what a step did into the next row.
+
+        Args:
+            report: of the step.
+            end: of the step, on the user's clock [s].
+            T: its length [s].
+            state: after it.
+            tools: of the user; None without.
+            used: index of the sample that each link used; None: not known.
+            link_state: of each link's end; None: not known.
+            extra: columns of one's own.
+        """
         k = self.count
         index = report.sample.index
         # One call for all scalars: writing them into an array one by one would take three times as long.
@@ -133,7 +145,7 @@ class Buffer:
             self._link_work[k] = report.link_work
             self._age[k] = report.age
             self._used[k] = UNSAID if used is None else used
-            self._phase[k] = LinkPhase.COUPLED if phase is None else phase
+            self._link_state[k] = LinkState.COUPLED if link_state is None else link_state
         if tools is not None and self._tools:
             own = slice(tools.first, tools.last)
             for column, values in zip(
@@ -162,7 +174,7 @@ class Buffer:
         columns["iterations"] = columns["iterations"].astype(np.int32)
         columns["force"] = self._force[:n, :, :axes]
         columns |= {"link_work": self._link_work[:n], "age": self._age[:n]}
-        columns |= {"used": self._used[:n], "phase": self._phase[:n]}
+        columns |= {"used": self._used[:n], "link_state": self._link_state[:n]}
         names = ("tool_place", "tool_rate", "drive_force", "touch_force")
         columns |= {name: values[:n, :, :3] for name, values in zip(names, self._tools, strict=False)}
         columns["state_row"] = self._row[:m]

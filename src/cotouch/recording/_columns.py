@@ -9,8 +9,7 @@ state was kept.
 import json
 import math
 import struct
-from enum import IntEnum
-from typing import Any, NamedTuple, final
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -35,7 +34,7 @@ SCALARS: dict[str, tuple[str, str]] = {
     "touch_loss": ("J", "dissipated in contacts and grasps"),
     "proxy": ("J", "kinetic energy of the proxies after the step"),
     "touch_stored": ("J", "energy in contacts and grasps after the step"),
-    "residual": ("J", "what the books of the step do not explain"),
+    "residual": ("J", "what the ledger of the step does not explain"),
     "iterations": ("1", "of the solver"),
 }
 # More than one number for each step: unit, meaning, extents after the first.
@@ -48,7 +47,7 @@ VECTORS: dict[str, tuple[str, str, str]] = {
         "index of each link's sample; -1 the one before the first, -2 mixed of several, -3 not said",
         "links",
     ),
-    "phase": ("1", "of each link: 0 coupled, 1 guarded, 2 suspended, 3 engaging", "links"),
+    "link_state": ("1", "of each link's end: 0 guarded, 1 ready, 2 coupled", "links"),
     "tool_place": ("m", "place of every proxy after the step", "tools, 3"),
     "tool_rate": ("m/s", "velocity of every proxy after the step", "tools, 3"),
     "drive_force": ("N", "mean force of what pulls each proxy", "tools, 3"),
@@ -61,7 +60,7 @@ STATES: dict[str, tuple[str, str, str]] = {
     "v": ("m/s", "velocity after the step", "rows, axes"),
     "middle": ("m", "position at mid-step: the sample that the neighbours were told", "rows, axes"),
 }
-# Extra columns of links with a guard that an audit knows (`cotouch.peer.GuardBooks`); all but two are sums so far.
+# Extra columns of links with a guard that an audit knows (`cotouch.peer.GuardLedger`); all but two are sums so far.
 GUARDS: dict[str, tuple[str, str]] = {
     "tank": ("J", "energy in the tank of each link after the step"),
     "potential": ("J", "energy in the spring of each link as the step began"),
@@ -69,7 +68,7 @@ GUARDS: dict[str, tuple[str, str]] = {
     "taken": ("J", "what the tank of each link got of the other end and of the copy's other links"),
     "given": ("J", "what the tank of each link gave to these"),
     "paid": ("J", "what the tank of each link paid for moving the spring's end, and for rounding"),
-    "spilled": ("J", "what the tank of each link could not hold or keep"),
+    "discarded": ("J", "what the tank of each link could not hold or keep"),
     "injected": ("J", "what moving its end put into the spring of each link"),
 }
 # Likewise; of these, what went over the link.
@@ -77,20 +76,12 @@ EXCHANGE: dict[str, tuple[str, str]] = {
     "sent": ("J", "what the tank of each link gave to the other end"),
     "received": ("J", "what the tank of each link got of the other end"),
 }
+# One number for each step, of a session: what its links' tanks got of what a newcomer may have to come to the others.
+ADVANCED = "advanced"
 MIXED, UNSAID = -2, -3
 _TYPES = ("<f8", "<f4", "<i8", "<i4", "|i1")
 _LENGTH = struct.Struct("<I")
 _MOST_COLUMNS = 1000
-
-
-@final
-class LinkPhase(IntEnum):
-    """What a link was doing in a step."""
-
-    COUPLED = 0
-    GUARDED = 1
-    SUSPENDED = 2
-    ENGAGING = 3
 
 
 class Batch(NamedTuple):
@@ -148,7 +139,7 @@ def unpack(data: bytes) -> Batch:
     states = {values.shape[0] for name, values in columns.items() if name in STATES}
     if len(steps) > 1 or len(states) > 1 or not {"index", "end", "T"} <= set(columns):
         raise RecordingError("the columns of a batch have different lengths, or it has no index, end and T")
-    links = [columns[name] for name in ("link_work", "age", "used", "phase", *GUARDS) if name in columns]
+    links = [columns[name] for name in ("link_work", "age", "used", "link_state", *GUARDS) if name in columns]
     if any(values.ndim != 2 or values.shape[1] != len(neighbours) for values in links):
         raise RecordingError(f"a batch has {len(neighbours)} links, but columns of another width")
     rows = columns.get("state_row", np.zeros(0))

@@ -8,16 +8,19 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.errors import RecordingError
-from cotouch.recording._columns import EXCHANGE, GUARDS, LinkPhase
+from cotouch.files import write_netcdf
+from cotouch.peer import LinkState
+from cotouch.recording._columns import EXCHANGE, GUARDS
 from cotouch.recording._links import align
 from cotouch.recording._recording import Recording
+from cotouch.recording._slack import slack_of
 from cotouch.units import user_number
 
 if TYPE_CHECKING:
     import xarray as xr
 
-Float = npt.NDArray[np.float64]
 
 _AXES = ("x", "y", "z")
 # Energies that a run has as sums so far, and a recording step by step.
@@ -29,7 +32,7 @@ _SUMS = {
     "drive_work": "work so far on the proxies by what pulls them",
     "touch_work": "work so far on the body by contacts and grasps",
     "touch_loss": "dissipated so far in contacts and grasps",
-    "residual": "what the books do not explain so far: zero but for round-off",
+    "residual": "what the ledger does not explain so far: zero but for round-off",
 }
 _PLAIN = {
     "kinetic": ("J", "kinetic energy of the copy"),
@@ -56,9 +59,11 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
     Returns:
         As `cotouch.simulation.simulate` does: dimensions `user`, `step` (a user's own steps; 0 is the state before the
         first; NaN after its last), `node`, `axis`, `direction` (a receiver's view of a neighbour, "1<-2") and, with
-        tools, `tool` and `space`. Where not every state is recorded, `position` and `velocity` have a dimension `state`
-        instead of `step`, and `state_time`. Time counts from the beginning of the first step of all; the attribute
-        `unix_start` says when that was.
+        tools, `tool` and `space`. Coordinates beside them: `time` of every user's steps, `receiver` and `sender` of a
+        direction, by name. Where every neighbour's recording is given and has every state, `slack` over `tick`, the
+        steps of the user who took most, with `tick_time`. Where not every state is recorded, `position` and `velocity`
+        have a dimension `state` instead of `step`, and `state_time`. Time counts from the beginning of the first step
+        of all; the attribute `unix_start` says when that was.
 
     Raises:
         RecordingError: they do not belong together.
@@ -117,14 +122,18 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
     for name, (shown, unit, text) in _TOOLS.items():
         column(name, ("user", "step", "tool", "space"), unit, text, shown)
     directions = [(at, entry) for at, recording in enumerate(recordings) for entry in range(len(recording.neighbours))]
-    books = GUARDS | EXCHANGE
+    ledger = GUARDS | EXCHANGE
     if directions:
         for name, unit, text in (
             ("link_work", "J", "work of the link on its receiver so far"),
             ("age", "s", "age of the sample used, by the clocks as they are"),
             ("used", "1", "index of the sample used; < 0 where it has none"),
-            ("phase", "1", "of the link: " + ", ".join(f"{phase.value} {phase.name.lower()}" for phase in LinkPhase)),
-            *((name, *said) for name, said in books.items() if any(name in r.columns for r in recordings)),
+            (
+                "link_state",
+                "1",
+                "of the link's end: " + ", ".join(f"{state.value} {state.name.lower()}" for state in LinkState),
+            ),
+            *((name, *said) for name, said in ledger.items() if any(name in r.columns for r in recordings)),
         ):
             parts = []
             for k, (at, entry) in enumerate(directions):
@@ -136,13 +145,23 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
             put(name, ("direction", "step"), parts, unit, text)
     _states(recordings, times, put)
     known = {*data, *_TOOLS, "index", "end", "T"}
-    extra = [name for recording in recordings for name in recording.columns if name not in known and name not in books]
+    extra = [name for recording in recordings for name in recording.columns if name not in known and name not in ledger]
     for name in dict.fromkeys(extra):
         unit, text = next(
             (r.header.columns[name] for r in recordings if name in r.header.columns), ("1", "as recorded")
         )
         wide = max(r.columns[name].ndim for r in recordings if name in r.columns) - 1
         column(name, ("user", "step", *(f"{name}_{k}" for k in range(wide))), unit, text)
+    spare = slack_of(recordings, offsets)
+    if spare is not None:
+        meaning = "lost so far in the damping B_i less what the age of samples added: what inequality (7) has to spare"
+        data["slack"] = (("tick",), spare.energy, {"units": "J", "long_name": meaning})
+        of_ticks = {"units": "s", "long_name": "time of the network-wide records"}
+        data["tick_time"] = (("tick",), spare.time - start, of_ticks)
+    who = {recording.user: recording.name for recording in recordings}
+    receivers = [recordings[at].name for at, _ in directions]
+    others = [recordings[at].neighbours[entry] for at, entry in directions]
+    senders = [who.get(other, f"user {user_number(other)}") for other in others]
     names = [f"{user_number(recordings[at].user)}<-{user_number(recordings[at].neighbours[e])}" for at, e in directions]
     return xr.Dataset(
         data,
@@ -151,28 +170,24 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
             "axis": list(_AXES[: rest.shape[1]]),
             "node": np.arange(1, rest.shape[0] + 1),
             **({"direction": np.array(names, dtype=np.str_)} if names else {}),
+            **({"receiver": ("direction", receivers), "sender": ("direction", senders)} if names else {}),
             **({"space": list(_AXES)} if "tool_position" in data else {}),
         },
         attrs=_attributes(recordings, users, start),
-    )
+    ).set_coords([name for name in ("time", "tick_time", "state_time") if name in data])
 
 
 def save_dataset(run: "xr.Dataset", path: str | Path) -> None:
     """Writes it to a NetCDF 4 file, compressed, whole or not at all.
 
+    Args:
+        run: the dataset.
+        path: of the file; for messages or to write to.
+
     Raises:
-        RecordingError: the file cannot be written.
+        OutputError: the file cannot be written, or its name does not end in ".nc", ".nc4", ".h5" or ".hdf5".
     """
-    target = Path(path)
-    partial = target.with_name(target.name + ".part")
-    packed = {"zlib": True, "complevel": 1, "shuffle": True}
-    encoding = {name: packed for name, values in run.data_vars.items() if values.dtype.kind == "f"}
-    try:
-        run.to_netcdf(partial, engine="h5netcdf", encoding=encoding)
-        partial.replace(target)
-    except OSError as error:
-        partial.unlink(missing_ok=True)
-        raise RecordingError(f"the recordings cannot be written to {path}: {error.strerror or error}") from error
+    write_netcdf(run, path, "recordings")
 
 
 def _shifted(values: npt.NDArray[Any]) -> Float:

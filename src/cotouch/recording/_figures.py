@@ -4,7 +4,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from cotouch import drawing
-from cotouch.errors import RecordingError
+from cotouch.files import write
 from cotouch.recording._audit import Audit
 
 if TYPE_CHECKING:
@@ -37,16 +37,13 @@ def audit_figure(result: Audit) -> "Figure":
 def save_audit_figures(result: Audit, folder: Path) -> list[Path]:
     """Writes the figure into a folder as PNG, whole or not at all.
 
+    Args:
+        result: the audit.
+        folder: to write into.
+
     Raises:
-        RecordingError: it cannot be written.
+        OutputError: it cannot be written.
     """
     target = folder / "audit.png"
-    partial = target.with_name(target.name + ".part")
-    try:
-        with drawing.style():
-            audit_figure(result).savefig(partial, format="png", dpi=200)
-        partial.replace(target)
-    except OSError as error:
-        partial.unlink(missing_ok=True)
-        raise RecordingError(f"the figure cannot be written to {target}: {error.strerror or error}") from error
+    write(target, drawing.drawn(audit_figure(result), dpi=200), "figure")
     return [target]

@@ -1,5 +1,6 @@
 """The file of a recording: MCAP, a chunk for every batch, flushed, so that it can be cut off anywhere."""
 
+import contextlib
 import json
 import struct
 import tempfile
@@ -13,13 +14,14 @@ from mcap.writer import CompressionType, Writer
 
 from cotouch.errors import RecordingError
 from cotouch.recording._columns import Batch, description, pack
+from cotouch.recording._disk import NewFile
 from cotouch.recording._header import RecordHeader
 
 PROFILE: Final = "cotouch"
 METADATA: Final = "cotouch"
 CONFIGURATION: Final = "configuration.json"
 BODY: Final = "body.npz"
-STEPS, EVENTS, BOOKS = "/steps", "/events", "/books"
+STEPS, EVENTS, LEDGER = "/steps", "/events", "/ledger"
 ENCODING: Final = "cotouch-columns"
 
 _EVENT_SCHEMA: dict[str, Any] = {
@@ -36,9 +38,9 @@ _EVENT_SCHEMA: dict[str, Any] = {
     "required": ["kind", "time", "first"],
 }
 _NUMBER = {"type": "number"}
-_BOOKS_SCHEMA: dict[str, Any] = {
+_LEDGER_SCHEMA: dict[str, Any] = {
     "type": "object",
-    "title": "cotouch.Books",
+    "title": "cotouch.Ledger",
     "description": "sums over one batch of steps; energies in J, times in s",
     "properties": {
         **{name: {"type": "integer"} for name in ("first", "last")},
@@ -127,23 +129,18 @@ class RecordingFile:
     """Writes batches and events; used by one thread.
 
     Raises:
-        RecordingError: the file exists, or cannot be made.
+        RecordingError: the head cannot be written; then there is no file.
     """
 
-    def __init__(self, path: Path, header: RecordHeader) -> None:
-        try:
-            self._stream = path.open("xb")
-        except FileExistsError:
-            raise RecordingError(f"{path} exists; a recording is never written over, name another file") from None
-        except OSError as error:
-            raise RecordingError(f"the recording {path} cannot be written: {error.strerror}") from error
+    def __init__(self, file: NewFile, header: RecordHeader) -> None:
+        self._file = file
         self._offset = header.offset
-        self._writer = writer = Writer(self._stream, compression=CompressionType.ZSTD, chunk_size=1 << 62)
+        self._writer = writer = Writer(file, compression=CompressionType.ZSTD, chunk_size=1 << 62)  # pyright: ignore[reportArgumentType]  # it writes, tells and flushes
         self._indices: ChunkIndices | None = None
         try:
             held = vars(writer)
             if held.get(_INDICES) == []:  # a writer that keeps them elsewhere only takes more memory
-                held[_INDICES] = self._indices = ChunkIndices("zstd", path.parent)
+                held[_INDICES] = self._indices = ChunkIndices("zstd", file.path.parent)
             writer.start(profile=PROFILE, library=header.metadata()["version"])
             writer.add_metadata(METADATA, header.metadata())
             begun = self._ns(header.monotonic)
@@ -153,20 +150,21 @@ class RecordingFile:
             schema = writer.register_schema("cotouch.Steps", ENCODING, description(dict(header.columns)))
             self._steps = writer.register_channel(STEPS, ENCODING, schema)
             self._events = self._json_channel(EVENTS, _EVENT_SCHEMA)
-            self._books = self._json_channel(BOOKS, _BOOKS_SCHEMA)
-            self._stream.flush()
+            self._ledger = self._json_channel(LEDGER, _LEDGER_SCHEMA)
+            file.keep()
         except OSError as error:
-            self._stream.close()
+            file.discard()
             if self._indices is not None:
                 self._indices.close()
-            raise RecordingError(f"the recording {path} cannot be written: {error.strerror}") from error
+            reason = error.strerror or error
+            raise RecordingError(f"the recording {file.path} cannot be written: {reason}") from error
 
     def batch(self, batch: Batch) -> None:
-        """Adds a batch and its books."""
+        """Adds a batch and its ledger."""
         time = self._ns(float(batch.columns["end"][-1]))
         sequence = int(batch.columns["index"][0]) & 0xFFFF_FFFF
         self._writer.add_message(self._steps, time, pack(batch), time, sequence)
-        self._writer.add_message(self._books, time, json.dumps(_books(batch)).encode(), time, sequence)
+        self._writer.add_message(self._ledger, time, json.dumps(_ledger(batch)).encode(), time, sequence)
 
     def event(self, fields: dict[str, Any]) -> None:
         """Adds an event; what JSON has no word for is written as text."""
@@ -174,17 +172,38 @@ class RecordingFile:
         self._writer.add_message(self._events, time, json.dumps(fields, default=_plain).encode(), time)
 
     def flush(self) -> None:
-        """Hands everything to the operating system, so that the end of this process cannot take it back."""
+        """Hands everything to the operating system, so that the end of this process cannot take it back.
+
+        Raises:
+            OSError: it does not take it.
+        """
         self._writer.flush()
+        self._file.keep()
 
     def finish(self) -> None:
-        """Writes the index and closes."""
+        """Writes the index and closes.
+
+        Raises:
+            OSError: the index does not fit any more; what was flushed can be read without it.
+        """
+        self.flush()
+        self._writer.finish()
+        self._file.keep()
+        self._close()
+
+    def abandon(self) -> None:
+        """Closes after an error: cut off behind what was flushed last."""
+        self._file.cut()
+        with contextlib.suppress(OSError):
+            self._close()
+
+    def _close(self) -> None:
         try:
-            self._writer.finish()
+            self._file.close()
         finally:
-            self._stream.close()
             if self._indices is not None:
-                self._indices.close()
+                with contextlib.suppress(OSError):
+                    self._indices.close()
 
     def _json_channel(self, topic: str, schema: dict[str, Any]) -> int:
         number = self._writer.register_schema(schema["title"], "jsonschema", json.dumps(schema).encode())
@@ -194,7 +213,7 @@ class RecordingFile:
         return max(0, round((time + self._offset) * 1e9))
 
 
-def _books(batch: Batch) -> dict[str, Any]:
+def _ledger(batch: Batch) -> dict[str, Any]:
     columns = batch.columns
     lost = sum(float(columns[name].sum()) for name in ("body_loss", "local_loss", "extra_loss", "touch_loss"))
     stored = sum(float(columns[name][-1]) for name in ("kinetic", "elastic", "proxy", "touch_stored"))

@@ -5,14 +5,12 @@ from dataclasses import dataclass
 from typing import final
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.recording._guards import unbalanced, unfounded
 from cotouch.recording._motion import LOSSES, Motion
 from cotouch.recording._recording import Recording
 from cotouch.units import user_number
-
-Float = npt.NDArray[np.float64]
 
 _NAMES = {
     "supplied": ("hands", "the work of the forces at the ports"),
@@ -28,7 +26,7 @@ _NAMES = {
 
 @final
 @dataclass(frozen=True, kw_only=True)
-class Finding:
+class AuditFinding:
     """Energy that is not accounted for.
 
     Attributes:
@@ -50,7 +48,7 @@ class Finding:
     words: str
 
 
-def findings_of(motion: Motion, tolerance: float, start: float, names: dict[int, str]) -> list[Finding]:
+def findings_of(motion: Motion, tolerance: float, start: float, names: dict[int, str]) -> list[AuditFinding]:
     """What does not fit in one user's recording.
 
     Args:
@@ -60,12 +58,12 @@ def findings_of(motion: Motion, tolerance: float, start: float, names: dict[int,
         names: of users by index.
     """
     recording = motion.recording
-    found: list[Finding] = []
+    found: list[AuditFinding] = []
 
     def add(place: str, energies: Float, words: str, link: tuple[int, int] | None = None) -> None:
         step = int(np.argmax(np.abs(energies) > max(tolerance / max(energies.size, 1), 1e-3 * np.abs(energies).max())))
         found.append(
-            Finding(
+            AuditFinding(
                 user=recording.user,
                 link=link,
                 place=place,
@@ -84,18 +82,18 @@ def findings_of(motion: Motion, tolerance: float, start: float, names: dict[int,
             other = int(name.split()[1])
             words = (
                 f"the link's work on {names[recording.user]}'s copy is {_beside(total)} by the sample that "
-                f"{names.get(other, f'user {user_number(other)}')} recorded than by the books"
+                f"{names.get(other, f'user {user_number(other)}')} recorded than by the ledger"
             )
             add("link", difference, words, (recording.user, other))
         elif name in {"proxies", "contacts"}:
             place, what = _NAMES[name]
-            add(place, difference, f"{what} at {names[recording.user]} differs from the books by {_joule(total)}")
+            add(place, difference, f"{what} at {names[recording.user]} differs from the ledger by {_joule(total)}")
         else:
             place, what = _NAMES[name]
-            add(place, difference, f"{what} at {names[recording.user]} is {_beside(total)} than the books say")
+            add(place, difference, f"{what} at {names[recording.user]} is {_beside(total)} than the ledger says")
     residual = motion.residual
     booked = residual + _explained(motion)
-    # What the books explain and the recorded numbers don't is in one of the places above.
+    # What the ledger explains and the recorded numbers don't is in one of the places above.
     if _counts(residual, tolerance) and (not found or _counts(booked, tolerance)):
         add(
             "step", residual, f"steps of {names[recording.user]} gained {_joule(_most(residual))} that nothing explains"
@@ -121,7 +119,7 @@ def findings_of(motion: Motion, tolerance: float, start: float, names: dict[int,
     return sorted(found, key=lambda finding: -abs(finding.energy))
 
 
-def exchanged(moved: Sequence[Motion], tolerance: float, start: float, names: dict[int, str]) -> list[Finding]:
+def exchanged(moved: Sequence[Motion], tolerance: float, start: float, names: dict[int, str]) -> list[AuditFinding]:
     """Energy that an end of a link got of the other, which never gave it.
 
     Args:
@@ -130,7 +128,7 @@ def exchanged(moved: Sequence[Motion], tolerance: float, start: float, names: di
         start: of the session in shared time [s].
         names: of users by index.
     """
-    found: list[Finding] = []
+    found: list[AuditFinding] = []
     for one in moved:
         for two in moved:
             if one.recording.user == two.recording.user:
@@ -141,7 +139,7 @@ def exchanged(moved: Sequence[Motion], tolerance: float, start: float, names: di
                 users = one.recording.user, two.recording.user
                 taker, giver = (names[user] for user in users)
                 found.append(
-                    Finding(
+                    AuditFinding(
                         user=users[0],
                         link=users,
                         place="guard",
@@ -155,12 +153,17 @@ def exchanged(moved: Sequence[Motion], tolerance: float, start: float, names: di
 
 
 def missing_words(recordings: Sequence[Recording], names: dict[int, str]) -> list[str]:
-    """What the recordings don't hold, one sentence each."""
+    """What the recordings don't hold, one sentence each.
+
+    Args:
+        recordings: of all users.
+        names: of the users, by number.
+    """
     notes: list[str] = []
     for recording in recordings:
         own = names[recording.user]
-        if recording.broken is not None:
-            notes.append(f"the recording of {own} is not whole: {recording.broken}; it is judged up to its last batch")
+        if recording.cut is not None:
+            notes.append(f"the recording of {own} is {recording.cut}; it is judged up to there")
         if recording.missing:
             notes.append(f"{recording.missing} steps of {own} are not recorded; what happened in them is not known")
         kept = recording.states["state_row"].size
@@ -176,7 +179,7 @@ def missing_words(recordings: Sequence[Recording], names: dict[int, str]) -> lis
 
 
 def _explained(motion: Motion) -> Float:
-    """What the residual would lose if the recorded numbers were what the books say, per step."""
+    """What the residual would lose if the recorded numbers were what the ledger says, per step."""
     difference = motion.difference
     links = sum((values for name, values in difference.items() if name.startswith("link ")), np.zeros(motion.end.size))
     losses = sum((difference[name] for name in LOSSES), np.zeros(motion.end.size))

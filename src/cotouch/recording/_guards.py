@@ -1,13 +1,17 @@
-"""What guarded links were allowed, from the recorded books of their tanks; see `cotouch.peer.GuardBooks`.
+"""What guarded links, and those of a law that pays, may do, by recorded ledgers; see `cotouch.peer.GuardLedger`.
 
 Of every end of a link, as long as it has one guard, with U the energy in its spring as a step begins:
 
-* tank = seed + credited + taken - given - paid - spilled, after every step;
+* tank = initial_energy + credited + taken - given - paid - discarded, after every step;
 * injected - U of a step is what the link did on the copy up to then, by recorded motion where that is known;
 * what moves the spring's end while it is guarded is paid: injected rises no more than paid;
 * what all tanks of a copy are credited in a step, its damping B_i took;
 * what an end got of the other, it took, and the other had given it by then;
-* what else the tanks of a copy took, they gave each other, or the body's damping and B_e took it.
+* what else the tanks of a copy took, they gave each other, or the body's damping and B_e took it, or it is of the
+  newcomer's allowance, of which there is no more than was declared.
+
+Of every copy whose links a law holds that is passive by itself: what all of them did on it, by recorded motion where
+that is known, is at no time more than their seeds, the allowance and what the other ends gave, less what it gave.
 """
 
 from collections.abc import Iterator
@@ -16,10 +20,11 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.recording._columns import EXCHANGE, GUARDS, LinkPhase
+from cotouch.arrays import Float
+from cotouch.peer import LinkState
+from cotouch.recording._columns import ADVANCED, EXCHANGE, GUARDS
 from cotouch.recording._recording import Recording
 
-Float = npt.NDArray[np.float64]
 Bool = npt.NDArray[np.bool_]
 
 
@@ -74,7 +79,13 @@ def lives(recording: Recording) -> list[Life]:
 
 
 def linked_steps(recording: Recording, user: int, key: str) -> Bool:
-    """Steps with a link to the one who is called by this key; a recording that says no keys means whoever it is."""
+    """Steps with a link to the one who is called by this key; a recording that says no keys means whoever it is.
+
+    Args:
+        recording: of one user.
+        user: number of the neighbour, from 0.
+        key: of the neighbour, as its recording says.
+    """
     out = np.zeros(recording.steps, dtype=bool)
     for life in lives(recording):
         if life.user == user and (life.key is None or not key or life.key == key):
@@ -82,13 +93,26 @@ def linked_steps(recording: Recording, user: int, key: str) -> Bool:
     return out
 
 
-def seeds(recording: Recording) -> float:
-    """What all tanks started with [J]."""
-    return sum(life.seed or 0.0 for life in lives(recording))
+def advanced(recording: Recording) -> Float:
+    """What the tanks got of the newcomer's allowance, per step; nothing where that is no number [J]."""
+    said = np.asarray(recording.columns.get(ADVANCED, np.zeros(recording.steps)), dtype=np.float64)
+    return np.where(np.isfinite(said), said, 0.0)
+
+
+def started(recording: Recording) -> float:
+    """What all tanks were given once: seeds, and what they got of the allowance as far as that was declared [J]."""
+    declared = max(setup.allowance for setup in recording.setups)
+    return sum(life.seed or 0.0 for life in lives(recording)) + min(float(advanced(recording).sum()), declared)
 
 
 def granted(recording: Recording, user: int, key: str) -> float:
-    """What the tanks of a link had besides its own damping: seeds, and most of what others gave [J]."""
+    """What the tanks of a link had besides its own damping: seeds, and most of what others gave [J].
+
+    Args:
+        recording: of one user.
+        user: number of the neighbour, from 0.
+        key: of the neighbour, as its recording says.
+    """
     if not set(GUARDS) <= set(recording.columns):
         return 0.0
     column, total = recording.neighbours.index(user), 0.0
@@ -108,6 +132,9 @@ def unbalanced(recording: Recording, link: Float, local_loss: Float) -> Iterator
         local_loss: taken by B_i, per step [J].
     """
     columns = recording.columns
+    if any(setup.law != "spring" for setup in recording.setups):
+        yield Unbalanced(None, "links did more than they were paid for", _unpaid(recording, link))
+        return
     if not set(GUARDS) <= set(columns):
         return
     credited, helped, shared = (np.zeros(recording.steps) for _ in range(3))
@@ -118,13 +145,13 @@ def unbalanced(recording: Recording, link: Float, local_loss: Float) -> Iterator
         if not all(np.isfinite(values).all() for values in book.values()):
             bad = np.where(np.all([np.isfinite(values) for values in book.values()], axis=0), 0.0, np.inf)
             yield Unbalanced(
-                life.user, "the books of a guard have numbers that are not finite", _placed(bad, at, recording)
+                life.user, "the ledger of a guard have numbers that is not finite", _placed(bad, at, recording)
             )
             continue
         # A step after a gap has nothing to be compared with, nor has the first of a guard that began before.
         follows = recording.consecutive[at].copy()
         follows[0] = False
-        kept = book["tank"] - book["credited"] - book["taken"] + book["given"] + book["paid"] + book["spilled"]
+        kept = book["tank"] - book["credited"] - book["taken"] + book["given"] + book["paid"] + book["discarded"]
         lacks = _rise(kept, follows)
         if life.seed is not None:
             lacks[0] = kept[0] - life.seed
@@ -132,10 +159,10 @@ def unbalanced(recording: Recording, link: Float, local_loss: Float) -> Iterator
         done = np.zeros(kept.size)
         done[1:] = link[at, column][:-1]
         held = _rise(book["injected"] - book["potential"], follows) - np.where(follows, done, 0.0)
-        words = "the books of a guard say another work than the link did"
+        words = "the ledger of a guard says another work than the link did"
         yield Unbalanced(life.user, words, _placed(held, at, recording))
         paid = _rise(book["injected"], follows) - _rise(book["paid"], follows)
-        unpaid = np.where(columns["phase"][at, column] == LinkPhase.GUARDED, np.maximum(paid, 0.0), 0.0)
+        unpaid = np.where(columns["link_state"][at, column] != LinkState.COUPLED, np.maximum(paid, 0.0), 0.0)
         yield Unbalanced(life.user, "a guarded link moved its spring's end unpaid", _placed(unpaid, at, recording))
         credited[at] += _rise(book["credited"], follows)
         if exchange:
@@ -150,9 +177,36 @@ def unbalanced(recording: Recording, link: Float, local_loss: Float) -> Iterator
     beyond = np.maximum(credited - local_loss, 0.0)
     yield Unbalanced(None, "tanks were credited more than the damping took", beyond)
     if exchange:
-        most = np.cumsum(shared + columns["body_loss"] + columns["extra_loss"])
+        most = np.cumsum(shared + columns["body_loss"] + columns["extra_loss"] + advanced(recording))
         words = "tanks took more of the copy than others gave and its own damping lost"
         yield Unbalanced(None, words, _rises(np.cumsum(helped) - most))
+        got = np.cumsum(advanced(recording))
+        more = _rises(got - max(setup.allowance for setup in recording.setups)) + np.maximum(-advanced(recording), 0.0)
+        yield Unbalanced(None, "tanks got more of the newcomer's allowance than there is", more)
+
+
+def _unpaid(recording: Recording, link: Float) -> Float:
+    """What the links of a law did on a copy beyond what paid for it, per step, up to the first gap [J]."""
+    columns, until = recording.columns, recording.steps
+    gaps = np.flatnonzero(~recording.consecutive[1:])
+    if gaps.size:
+        until = int(gaps[0]) + 1
+    if not set(EXCHANGE) <= set(columns) or not all(
+        np.isfinite(columns[name][life.steps, recording.neighbours.index(life.user)]).all()
+        for life in lives(recording)
+        for name in EXCHANGE
+    ):
+        return np.full(recording.steps, np.inf)
+    declared = max(setup.allowance for setup in recording.setups)
+    paid = np.minimum(np.cumsum(advanced(recording)), declared)
+    for life in lives(recording):
+        at, column = life.steps, recording.neighbours.index(life.user)
+        net = columns["received"][at, column] - columns["sent"][at, column]
+        paid[at] += net + (life.seed or 0.0)
+        paid[at.stop :] += net[-1] + (life.seed or 0.0)
+    beyond = np.cumsum(link.sum(axis=1)) - paid
+    beyond[until:] = -np.inf
+    return _rises(beyond)
 
 
 def unfounded(one: Recording, two: Recording, at_one: Float, at_two: Float) -> Float:

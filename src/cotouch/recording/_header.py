@@ -68,6 +68,11 @@ class RecordHeader:
     def read(cls, metadata: Mapping[str, str], configuration: bytes, body: bytes) -> "RecordHeader":
         """Puts it together again.
 
+        Args:
+            metadata: the record `cotouch` of the file.
+            configuration: the attachment, JSON.
+            body: the attachment, NumPy's.
+
         Raises:
             RecordingError: something is missing, or of a later version of this format.
         """

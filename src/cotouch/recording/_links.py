@@ -16,17 +16,17 @@ from typing import NamedTuple, final
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.recording._columns import LinkPhase
+from cotouch.arrays import Float
+from cotouch.peer import LinkState
 from cotouch.recording._guards import granted, linked_steps
 from cotouch.recording._motion import Motion
 from cotouch.recording._recording import Recording
 
-Float = npt.NDArray[np.float64]
 Bool = npt.NDArray[np.bool_]
 Int = npt.NDArray[np.int64]
 
-ABSENT = 4
-PHASES = ("coupled", "guarded", "suspended", "engaging", "absent")
+ABSENT = -1
+_STATES = {ABSENT: "absent"} | {int(state): state.name.lower() for state in LinkState}
 _BLOCK = 4096
 
 
@@ -46,7 +46,7 @@ class Ages(NamedTuple):
 
 @final
 @dataclass(frozen=True, kw_only=True, eq=False)
-class LinkBooks:
+class LinkLedger:
     """What one link did.
 
     Attributes:
@@ -55,7 +55,7 @@ class LinkBooks:
         work: on the first user's copy and on the second's [J].
         spring: energy in the spring at the end less that at the beginning [J].
         age: most age of samples at either end [s].
-        by_phase: `W + ΔS` for each phase that there was [J].
+        by_state: `W + ΔS` for each state that there was, of both ends the less trusting one's [J].
         dissipated: by its share of the users' damping [J].
         made: `W + ΔS` so far, on the grid; the spring counts where both ends are coupled [J].
         taken: dissipated so far [J].
@@ -73,7 +73,7 @@ class LinkBooks:
     work: tuple[float, float]
     spring: float
     age: tuple[float, float]
-    by_phase: Mapping[str, float]
+    by_state: Mapping[str, float]
     dissipated: float
     made: Float
     taken: Float
@@ -87,10 +87,15 @@ class LinkBooks:
 
 
 def ages(recording: Recording, neighbour: int) -> Ages | None:
-    """Of the samples of a neighbour, by the clocks as they are; None where none was used."""
+    """Of the samples of a neighbour, by the clocks as they are; None where none was used.
+
+    Args:
+        recording: of one user.
+        neighbour: number of the sender, from 0.
+    """
     column = recording.neighbours.index(neighbour)
     age = recording.columns["age"][:, column]
-    counted = age[np.isfinite(age) & (recording.columns["phase"][:, column] == LinkPhase.COUPLED)]
+    counted = age[np.isfinite(age) & (recording.columns["link_state"][:, column] == LinkState.COUPLED)]
     if not counted.size:
         return None
     rank = min(counted.size - 1, max(1, counted.size // 100))
@@ -98,7 +103,12 @@ def ages(recording: Recording, neighbour: int) -> Ages | None:
 
 
 def linked(one: Recording, two: Recording) -> bool:
-    """Whether both had a link to the other; who came again under another key is another."""
+    """Whether both had a link to the other; who came again under another key is another.
+
+    Args:
+        one: recording of one user.
+        two: recording of another.
+    """
     return (
         one.user != two.user
         and two.user in one.neighbours
@@ -144,7 +154,12 @@ def align(recordings: Sequence[Recording]) -> tuple[list[float], bool]:
 
 
 def too_young(recordings: Sequence[Recording], offsets: Sequence[float]) -> list[str]:
-    """A sentence for every link on which a sample was used before it was there, by clocks as `align` laid them."""
+    """A sentence for every link on which a sample was used before it was there, by clocks as `align` laid them.
+
+    Args:
+        recordings: of all users.
+        offsets: of the users' clocks [s].
+    """
     found: list[str] = []
     for i, one in enumerate(recordings):
         for j, two in enumerate(recordings):
@@ -162,7 +177,13 @@ def grid_of(motions: Sequence[Motion]) -> Float:
 
 
 def so_far(motion: Motion, values: Float, grid: Float) -> Float:
-    """The sum of what steps booked, at the instants of a grid; straight within a step."""
+    """The sum of what steps booked, at the instants of a grid; straight within a step.
+
+    Args:
+        motion: of the user.
+        values: what each step booked, (steps,).
+        grid: instants [s].
+    """
     total = np.concatenate([[0.0], np.cumsum(values)])
     knots = np.empty(2 * values.size)
     sums = np.empty(2 * values.size)
@@ -171,14 +192,14 @@ def so_far(motion: Motion, values: Float, grid: Float) -> Float:
     return np.interp(grid, np.maximum.accumulate(knots), sums)
 
 
-def link_books(one: Motion, two: Motion, grid: Float, shares: tuple[Float, Float]) -> LinkBooks:
-    """Works out the books of the link between two users.
+def link_ledger(one: Motion, two: Motion, grid: Float, fractions: tuple[Float, Float]) -> LinkLedger:
+    """Works out the ledger of the link between two users.
 
     Args:
         one: the first user's.
         two: the second user's.
         grid: as `grid_of` makes it.
-        shares: of each user's damping loss that is this link's, per step.
+        fractions: of each user's damping loss that is this link's, per step.
     """
     ends = one.recording.user, two.recording.user
     sides = (one, one.recording.neighbours.index(ends[1])), (two, two.recording.neighbours.index(ends[0]))
@@ -186,33 +207,33 @@ def link_books(one: Motion, two: Motion, grid: Float, shares: tuple[Float, Float
     here = [linked_steps(m.recording, user, key) for (m, _), user, key in zip(sides, ends[::-1], other, strict=True)]
     works = [so_far(m, m.link[:, c] * own, grid) for (m, c), own in zip(sides, here, strict=True)]
     taken = np.zeros(grid.size)
-    for motion, share, own in zip((one, two), shares, here, strict=True):
-        taken += so_far(motion, motion.known["local_loss"] * share * own, grid)
+    for motion, fraction, own in zip((one, two), fractions, here, strict=True):
+        taken += so_far(motion, motion.known["local_loss"] * fraction * own, grid)
     ours = list(zip(sides, here, strict=True))
     strength = np.maximum(*(_at_grid(m, _strength(m, c) * own, grid) for (m, c), own in ours))
-    status = np.maximum(*(_at_grid(m, np.where(own, _status(m, c), ABSENT), grid) for (m, c), own in ours))
+    status = np.minimum(*(_at_grid(m, np.where(own, _status(m, c), ABSENT), grid) for (m, c), own in ours))
     spring = _spring(one, two, grid) * strength
-    counted = np.where(status == LinkPhase.COUPLED, spring, 0.0)
+    counted = np.where(status == LinkState.COUPLED, spring, 0.0)
     lost = [_lost(motion, grid) for motion in (one, two)]
     bad = lost[0] | lost[1]
     work = works[0] + works[1]
     steps = np.diff(work + spring)
     steps[bad[1:]] = 0.0
-    by_phase = {
-        name: float(steps[status[1:] == code].sum()) for code, name in enumerate(PHASES) if np.any(status[1:] == code)
+    by_state = {
+        name: float(steps[status[1:] == code].sum()) for code, name in _STATES.items() if np.any(status[1:] == code)
     }
     most = [ages(motion.recording, other) for motion, other in zip((one, two), ends[::-1], strict=True)]
     long = tuple(0.0 if age is None else age.most for age in most)
     excess, moment = _excess(one, two, grid, work + counted, taken, bad, float(strength.max(initial=0.0)), long)
     steps_of = sum(int(np.isfinite(motion.recording.columns["age"][:, c]).sum()) for motion, c in sides)
     found = sum(int(motion.link_known[:, c].sum()) for motion, c in sides)
-    return LinkBooks(
+    return LinkLedger(
         ends=ends,
         strength=float(strength.max(initial=0.0)),
         work=(float(works[0][-1]), float(works[1][-1])),
         spring=float(spring[-1] - spring[0]),
         age=(long[0], long[1]),
-        by_phase=by_phase,
+        by_state=by_state,
         dissipated=float(taken[-1]),
         made=work + counted - counted[0],
         taken=taken,
@@ -323,7 +344,7 @@ def _at_grid(motion: Motion, values: npt.NDArray[np.float64], grid: Float) -> Fl
 
 def _status(motion: Motion, column: int) -> Float:
     columns = motion.recording.columns
-    return np.where(np.isfinite(columns["age"][:, column]), columns["phase"][:, column], float(ABSENT))
+    return np.where(np.isfinite(columns["age"][:, column]), columns["link_state"][:, column], float(ABSENT))
 
 
 def _strength(motion: Motion, column: int) -> Float:

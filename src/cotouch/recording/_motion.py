@@ -1,4 +1,4 @@
-"""One user's books, worked out anew: from recorded positions, velocities and forces, and the matrices of the body.
+"""One user's ledger, worked out anew: from recorded positions, velocities and forces, and the matrices of the body.
 
 A recorded step says all there is: with x⁺, v⁺ after it, x̂ at its middle and T, it began at `x = 2 x̂ - x⁺` with
 `v = 2 v̂ - v⁺`, where `v̂ = 2 (x⁺ - x̂) / T`. What the peer booked is used only where nothing else is recorded.
@@ -11,12 +11,13 @@ from typing import final
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.errors import RecordingError
+from cotouch.peer import LinkState
 from cotouch.recording._body import RecordedBody
-from cotouch.recording._columns import UNSAID, LinkPhase
+from cotouch.recording._columns import UNSAID
 from cotouch.recording._recording import Recording, Setup
 
-Float = npt.NDArray[np.float64]
 Bool = npt.NDArray[np.bool_]
 Int = npt.NDArray[np.int64]
 
@@ -70,7 +71,7 @@ class Motion:
 
 
 def motions(recordings: Sequence[Recording], offsets: Sequence[float]) -> list[Motion]:
-    """Works out everybody's books.
+    """Works out everybody's ledger.
 
     Args:
         recordings: of different users of one session.
@@ -161,24 +162,26 @@ class _Steps:
         x, self.v, self.middle = (body.field(recording.states[name][chosen]) for name in ("x", "v", "middle"))
         self.x = x
         self.mean = 2.0 * (x - self.middle) / T[:, None, None]
-        self.share = 1.0 / setup.copies
-        shares = recording.columns.get("stiffness_share")
+        self.copy_scale = 1.0 / setup.copies
+        fractions = recording.columns.get("stiffness_scale")
         at = recording.states["state_row"][chosen]
-        self.stiff = np.full(T.size, self.share) if shares is None else np.asarray(shares[at], dtype=np.float64)
+        self.stiff = (
+            np.full(T.size, self.copy_scale) if fractions is None else np.asarray(fractions[at], dtype=np.float64)
+        )
 
     def energies(self) -> tuple[Float, Float, float]:
         """After each step, before it, and what rounding may make of them."""
         body = self.body
         start, speed = 2.0 * self.middle - self.x, 2.0 * self.mean - self.v
-        after = self.share * body.form(body.mass, self.v) + self.stiff * body.form(body.stiffness, self.x)
-        before = self.share * body.form(body.mass, speed) + self.stiff * body.form(body.stiffness, start)
+        after = self.copy_scale * body.form(body.mass, self.v) + self.stiff * body.form(body.stiffness, self.x)
+        before = self.copy_scale * body.form(body.mass, speed) + self.stiff * body.form(body.stiffness, start)
         # The stretch of a body that has travelled is a small difference of large places; so is its mean velocity.
         places = np.abs(self.x).max(axis=(1, 2), initial=0.0)
         stiff = float(np.abs(body.stiffness).sum())
         heavy = float(np.abs(body.mass).sum())
         fast = np.abs(self.v).max(axis=(1, 2), initial=0.0)
         size = stiff * places**2 + heavy * places * fast / self.T
-        return 0.5 * after, 0.5 * before, _EPS * self.share * float(size.max(initial=0.0))
+        return 0.5 * after, 0.5 * before, _EPS * self.copy_scale * float(size.max(initial=0.0))
 
     def losses(self) -> tuple[Float, Float, Float]:
         """By the body's dampers, by B_i and by B_e."""
@@ -186,7 +189,7 @@ class _Steps:
         square = [body.form(weight, self.mean) for weight in body.weights]
         local = sum((b * s for b, s in zip(self.setup.local_damping, square, strict=False)), np.zeros(T.size))
         extra = sum((b * s for b, s in zip(self.setup.extra_damping, square, strict=False)), np.zeros(T.size))
-        return T * self.share * body.form(body.damping, self.mean), T * local, T * extra
+        return T * self.copy_scale * body.form(body.damping, self.mean), T * local, T * extra
 
     def supplied(self, force: Float, booked: Float) -> Float:
         """Work of the recorded forces at the nodes they act on."""
@@ -213,11 +216,11 @@ class _Steps:
     def link(self, entry: int, column: int, other: Recording | None, at: Int) -> tuple[Float, Bool]:
         """Work of a link, from the neighbour's own recording of the sample that was used, and where that was found."""
         work, found = np.zeros(at.size), np.zeros(at.size, dtype=bool)
-        if other is None:
+        if other is None or self.setup.law != "spring":
             return work, found
         own = self.recording.columns
         places = _samples(other, own["used"][at, column], own["end"][at] - own["age"][at, column])
-        found = (places >= 0) & (own["phase"][at, column] == LinkPhase.COUPLED)
+        found = (places >= 0) & (own["link_state"][at, column] == LinkState.COUPLED)
         if not found.any():
             return work, found
         weight = self.body.weights[self.setup.weight[entry]]
@@ -267,9 +270,9 @@ def _carried(recording: Recording, kept: Bool, stored: Float, start: Float, gain
     whole = breaks[rows[1:]] == breaks[rows[:-1]]
     between = total[rows[1:]] - total[rows[:-1] + 1]
     carried[rows[1:]] = np.where(whole, start[rows[1:]] - stored[rows[:-1]] - between, 0.0)
-    shares = recording.columns.get("stiffness_share")
-    if shares is not None:  # K's share rises over some steps
-        members[rows[1:]] = np.diff(shares[rows]) != 0.0
+    fractions = recording.columns.get("stiffness_scale")
+    if fractions is not None:  # K's share rises over some steps
+        members[rows[1:]] = np.diff(fractions[rows]) != 0.0
     for first in changed:
         after = np.searchsorted(index[rows], first)
         if 0 < after < rows.size:
@@ -278,7 +281,7 @@ def _carried(recording: Recording, kept: Bool, stored: Float, start: Float, gain
 
 
 def _tools(recording: Recording) -> tuple[Float, Float, dict[str, Float]]:
-    """Energy of proxies and contacts, work of the drives, and where those differ from the books."""
+    """Energy of proxies and contacts, work of the drives, and where those differ from the ledger."""
     columns = recording.columns
     booked = columns["proxy"] + columns["touch_stored"]
     drive = np.array(columns["drive_work"])

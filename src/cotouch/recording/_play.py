@@ -5,12 +5,10 @@ from collections.abc import Callable, Generator
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.errors import RecordingError
 from cotouch.recording._recording import Recording
-
-Float = npt.NDArray[np.float64]
 
 # Times that differ by no more are the same: they come from sums and differences of large numbers [s].
 _SAME = 1e-9

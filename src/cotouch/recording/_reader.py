@@ -8,16 +8,19 @@ from pathlib import Path
 from typing import Any
 
 import zstandard
-from mcap.exceptions import McapError
+from mcap.exceptions import EndOfFile, McapError
 from mcap.records import Attachment, Channel, Chunk, Footer, McapRecord, Message, Metadata, Schema
 from mcap.stream_reader import StreamReader, breakup_chunk
 
 from cotouch.errors import RecordingError
+from cotouch.files import read_bytes
 from cotouch.recording._columns import Batch, unpack
 from cotouch.recording._file import BODY, CONFIGURATION, EVENTS, METADATA, STEPS
 from cotouch.recording._header import RecordHeader
-from cotouch.recording._recording import Event, Recording, recording_of
+from cotouch.recording._recording import RecordedEvent, Recording, recording_of
 
+# It is read as a whole.
+_MOST_BYTES = 16 << 30
 # No batch of ours comes near it; what a broken or hostile file asks for must not be made.
 _MOST_CHUNK = 1 << 30
 _BROKEN = (McapError, struct.error, ValueError, EOFError, OSError, KeyError, zstandard.ZstdError, IndexError)
@@ -32,10 +35,7 @@ def read_recording(path: str | Path) -> Recording:
     Raises:
         RecordingError: it cannot be read, is none of ours, or ends before its first step.
     """
-    try:
-        data = Path(path).read_bytes()
-    except OSError as error:
-        raise RecordingError(f"the recording {path} cannot be read: {error.strerror or error}") from error
+    data = read_bytes(Path(path), "recording", RecordingError, _MOST_BYTES)
     try:
         return _recording(data, str(path))
     except RecordingError as error:
@@ -47,7 +47,7 @@ def _recording(data: bytes, name: str) -> Recording:
     attachments: dict[str, bytes] = {}
     topics: dict[int, str] = {}
     batches: list[Batch] = []
-    events: list[Event] = []
+    events: list[RecordedEvent] = []
     broken: str | None = "it ends before its index"
     try:
         for record in _records(data):
@@ -65,6 +65,8 @@ def _recording(data: bytes, name: str) -> Recording:
                     events.append(_event(record.data))
             elif isinstance(record, Footer):
                 broken = None
+    except EndOfFile:
+        pass
     except _BROKEN as error:
         broken = f"it breaks off: {str(error) or type(error).__name__}"
     if metadata is None or CONFIGURATION not in attachments or BODY not in attachments:
@@ -86,8 +88,8 @@ def _records(data: bytes) -> Generator[McapRecord]:
         yield from breakup_chunk(record, validate_crc=True)
 
 
-def _event(data: bytes) -> Event:
+def _event(data: bytes) -> RecordedEvent:
     fields: dict[str, Any] = json.loads(data)
-    return Event(
+    return RecordedEvent(
         kind=str(fields.pop("kind")), time=float(fields.pop("time")), first=int(fields.pop("first")), fields=fields
     )

@@ -1,6 +1,5 @@
 """The recorder: numbers are copied in the loop, and written by a thread of its own, which the loop never waits for."""
 
-import contextlib
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -13,12 +12,13 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.recording._buffer import Buffer, Extents, Extra
+from cotouch.recording._disk import NewFile
 from cotouch.recording._file import RecordingFile
 from cotouch.recording._header import RecordHeader
 
 if TYPE_CHECKING:
     from cotouch.mechanics import State, Tools
-    from cotouch.peer import Report
+    from cotouch.peer import StepReport
 
 # Numbers of a state up to which it is kept at every step; of larger ones at so many fewer steps.
 _EVERY_STEP = 256
@@ -32,8 +32,8 @@ class Recorded:
     """What became of a recording.
 
     Attributes:
-        steps: that were written.
-        dropped_steps: that were not, because the disk could not follow.
+        steps: that are in the file.
+        dropped_steps: that are not, because the disk could not follow or writing ended early.
         dropped_events: likewise.
         failure: why writing ended early; None if it did not.
     """
@@ -42,6 +42,18 @@ class Recorded:
     dropped_steps: int
     dropped_events: int
     failure: str | None
+
+    @property
+    def trouble(self) -> str | None:
+        """What is wrong with the recording, in words that follow its name; None: it is whole."""
+        taken = self.steps + self.dropped_steps
+        if self.failure is not None and self.dropped_steps:
+            return f"ends after {self.steps:,} of {taken:,} steps: {self.failure}"
+        if self.failure is not None:
+            return f"has its {self.steps:,} steps, but was not finished: {self.failure}"
+        if self.dropped_steps:
+            return f"lacks {self.dropped_steps:,} of {taken:,} steps, for which the disk was too slow"
+        return None
 
 
 def both_clocks() -> tuple[float, float]:
@@ -67,7 +79,7 @@ class Recorder:
 
     def __init__(
         self,
-        path: str | Path,
+        file: str | Path | NewFile,
         header: RecordHeader,
         *,
         batch: int = 256,
@@ -78,7 +90,7 @@ class Recorder:
         """Opens the file and starts the thread.
 
         Args:
-            path: must not exist.
+            file: path of a file that does not exist, or one that was made before.
             header: who and what.
             batch: most steps of a batch, >= 1.
             interval: a batch ends after this time even if it is not full [s]; what a crash can take at most.
@@ -106,7 +118,8 @@ class Recorder:
         self._dropped_steps = self._dropped_events = 0  # the loop's
         self._gap: dict[str, Any] | None = None
         self._closed = False
-        self._file = RecordingFile(Path(path), header)
+        new = file if isinstance(file, NewFile) else NewFile(Path(file))
+        self._file = RecordingFile(new, header)
         # A daemon: a disk that hangs must not keep the process from ending.
         self._thread = Thread(target=self._write, name="cotouch recorder", daemon=True)
         self._thread.start()
@@ -127,7 +140,7 @@ class Recorder:
         rounding: float = 0.0,
         **fields: Any,
     ) -> None:
-        """Says what the books of the next steps follow from; before the first step, and whenever one of it changes.
+        """Says what the ledger of the next steps follow from; before the first step, and whenever one of it changes.
 
         Args:
             time: now, on the user's clock [s].
@@ -165,14 +178,14 @@ class Recorder:
 
     def step(
         self,
-        report: "Report",
+        report: "StepReport",
         *,
         end: float,
         T: float,
         state: "State",
         tools: "Tools | None" = None,
         used: Sequence[int] | npt.NDArray[np.int64] | None = None,
-        phase: Sequence[int] | npt.NDArray[np.int8] | None = None,
+        link_state: Sequence[int] | npt.NDArray[np.int8] | None = None,
         extra: Extra | None = None,
     ) -> None:
         """Copies what a step did; never waits and opens nothing.
@@ -185,7 +198,7 @@ class Recorder:
             tools: after it (`Peer.tools`).
             used: index of the sample that each link used, -1 for the one before the first, -2 for one that is mixed of
                 several or otherwise not a sample as it was sent; None: to be found by its age.
-            phase: of each link, a `LinkPhase`; None: all are coupled.
+            link_state: of each link's end, a `LinkState`; None: all are coupled.
             extra: further columns by name, each a number or an array that keeps its length until the next `setup`.
         """
         current = self._current
@@ -193,7 +206,7 @@ class Recorder:
             current.extents.neighbours != self._neighbours and self._neighbours is not None
         ):  # the first step, or other links
             current = self._resize(report, state, tools)
-        current.put(report, end, T, state, tools, used, phase, extra)
+        current.put(report, end, T, state, tools, used, link_state, extra)
         self._next = current.last + 1
         if current.full or end - current.first_end >= self._interval:
             self._cut()
@@ -211,6 +224,11 @@ class Recorder:
             return
         self._full.put({"kind": kind, "time": float(time), "first": self._next, **fields})
 
+    @property
+    def dropped(self) -> int:
+        """Steps so far that are not in the file and never will be."""
+        return self._dropped_steps + self._failed_steps
+
     def close(self) -> Recorded:
         """Writes what is left, closes the file, and says what became of it; a second call changes nothing."""
         if not self._closed:
@@ -224,7 +242,7 @@ class Recorder:
                 self.failure = f"the disk did not take the rest within {_JOIN:g} s"
         return Recorded(
             steps=self._written,
-            dropped_steps=self._dropped_steps + self._failed_steps,
+            dropped_steps=self.dropped,
             dropped_events=self._dropped_events + self._failed_events,
             failure=self.failure,
         )
@@ -235,7 +253,7 @@ class Recorder:
     def __exit__(self, *_: object) -> None:
         self.close()
 
-    def _resize(self, report: "Report", state: "State", tools: "Tools | None") -> Buffer:
+    def _resize(self, report: "StepReport", state: "State", tools: "Tools | None") -> Buffer:
         """Buffers for other sizes; those of before go when they are written."""
         self._cut()
         links = report.link_work.size
@@ -291,8 +309,8 @@ class Recorder:
             if self.failure is None:
                 try:
                     self._put(item)
-                except (OSError, ValueError, TypeError) as error:
-                    self.failure = f"{type(error).__name__}: {error}"
+                except Exception as error:  # noqa: BLE001  whatever it is, it ends the recording and has to be said
+                    self._fail(error)
             if self.failure is not None:
                 if isinstance(item, _Full):
                     self._failed_steps += item.buffer.count
@@ -301,8 +319,17 @@ class Recorder:
             if isinstance(item, _Full):
                 item.buffer.clear()
                 item.home.put(item.buffer)
-        with contextlib.suppress(OSError, ValueError):
-            self._file.finish()
+        if self.failure is None:
+            try:
+                self._file.finish()
+            except Exception as error:  # noqa: BLE001
+                self._fail(error)
+
+    def _fail(self, error: Exception) -> None:
+        """Ends the file where it is whole, at once, so that nothing that comes later can harm it."""
+        reason = error.strerror if isinstance(error, OSError) else f"{type(error).__name__}: {error}"
+        self.failure = reason or str(error)
+        self._file.abandon()
 
     def _put(self, item: "_Full | dict[str, Any]") -> None:
         if isinstance(item, _Full):

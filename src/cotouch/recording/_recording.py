@@ -1,4 +1,4 @@
-"""A recording in memory: columns by name, events, and what its books follow from at every step."""
+"""A recording in memory: columns by name, events, and what its ledger follows from at every step."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -9,23 +9,24 @@ from typing import Any, NamedTuple, final
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.errors import RecordingError
+from cotouch.peer import LinkState
 from cotouch.recording._columns import EXCHANGE, GUARDS, STATES, UNSAID, Batch
 from cotouch.recording._header import RecordHeader
 from cotouch.units import user_number
 
 Array = npt.NDArray[Any]
-Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int64]
 
-_LINKS = ("link_work", "age", "used", "phase")
+_LINKS = ("link_work", "age", "used", "link_state")
 # What a column of integers says where there is no link.
-_NONE = {"used": UNSAID, "phase": 0}
+_NONE = {"used": UNSAID, "link_state": LinkState.GUARDED}
 
 
 @final
 @dataclass(frozen=True, kw_only=True)
-class Event:
+class RecordedEvent:
     """Something that happened.
 
     Attributes:
@@ -42,7 +43,7 @@ class Event:
 
 
 class Setup(NamedTuple):
-    """What the books of some steps follow from; see `Recorder.setup`.
+    """What the ledger of some steps follow from; see `Recorder.setup`.
 
     Attributes:
         first: index of the first step that it holds for.
@@ -58,6 +59,8 @@ class Setup(NamedTuple):
         rounding: most that a coordinate of a sample may differ from what was sent [m].
         keys: of the users at the other ends; None: not said.
         seeds: what the tank of each link started with [J]; None: not said.
+        allowance: what all tanks may get once besides, to come to where the others are [J].
+        law: of the links; whatever is no "spring" has no strength, and its work is as booked, judged by their sum.
     """
 
     first: int
@@ -73,6 +76,8 @@ class Setup(NamedTuple):
     rounding: float
     keys: tuple[str, ...] | None = None
     seeds: tuple[float, ...] | None = None
+    allowance: float = 0.0
+    law: str = "spring"
 
 
 @final
@@ -97,7 +102,7 @@ class Recording:
     neighbours: tuple[int, ...]
     columns: Mapping[str, Array]
     states: Mapping[str, Array]
-    events: tuple[Event, ...]
+    events: tuple[RecordedEvent, ...]
     broken: str | None
 
     @property
@@ -119,6 +124,14 @@ class Recording:
     def time(self) -> Float:
         """End of every step in Unix time, by this machine's clock [s]."""
         return self.columns["end"] + self.header.offset
+
+    @property
+    def cut(self) -> str | None:
+        """Where and why the file ends early, in words; None if it is whole."""
+        if self.broken is None:
+            return None
+        seconds = float(self.columns["end"][-1] - self.columns["end"][0] + self.columns["T"][0])
+        return f"cut off after step {int(self.columns['index'][-1]):,}, {seconds:.2f} s from its start: {self.broken}"
 
     @property
     def closed(self) -> bool:
@@ -148,7 +161,7 @@ class Recording:
 
     @cached_property
     def setups(self) -> tuple[Setup, ...]:
-        """What the books follow from, in order.
+        """What the ledger follows from, in order.
 
         Raises:
             RecordingError: there is none, or one makes no sense.
@@ -195,9 +208,16 @@ class Recording:
 
 
 def recording_of(
-    path: str, header: RecordHeader, batches: Sequence[Batch], events: Sequence[Event], broken: str | None
+    path: str, header: RecordHeader, batches: Sequence[Batch], events: Sequence[RecordedEvent], broken: str | None
 ) -> Recording:
     """Puts batches together.
+
+    Args:
+        path: of the file; for messages or to write to.
+        header: who recorded what.
+        batches: of steps, in order.
+        events: in order.
+        broken: why the file ends early; None if it does not.
 
     Raises:
         RecordingError: there is no step in them, or they do not fit together.
@@ -275,7 +295,7 @@ def _padded(entry: Array | None, count: int, shape: tuple[int, ...]) -> Array:
     return out
 
 
-def _setup(event: Event) -> Setup:
+def _setup(event: RecordedEvent) -> Setup:
     said = event.fields
     try:
         neighbours = tuple(int(user) for user in said["neighbours"])
@@ -294,6 +314,8 @@ def _setup(event: Event) -> Setup:
             rounding=float(said["rounding"]),
             keys=None if said.get("keys") is None else tuple(map(str, said["keys"])),
             seeds=None if said.get("seeds") is None else tuple(map(float, said["seeds"])),
+            allowance=float(said.get("allowance", 0.0)),
+            law=str(said.get("law", "spring")),
         )
     except (KeyError, TypeError, ValueError) as error:
         raise RecordingError(f"a setup of the recording cannot be read: {error!r}") from None

@@ -1,11 +1,11 @@
 """What a run or a session is asked for: tables read from a file, and the hands and tools that follow from them."""
 
 from cotouch.scenario._body_tables import FileTable
+from cotouch.scenario._channel import Channel
 from cotouch.scenario._hands import Hands, grip, ports_of
 from cotouch.scenario._messages import sentence
 from cotouch.scenario._scenario import Scenario, per_user
 from cotouch.scenario._tables import (
-    Channel,
     Mode,
     NonNegative,
     Positive,
@@ -26,6 +26,7 @@ from cotouch.scenario._touching import (
     tool_record,
     tools_of,
 )
+from cotouch.scenario._traces import Trace
 
 __all__ = [
     "DEFAULT_RATE",
@@ -41,6 +42,7 @@ __all__ = [
     "ToolRecord",
     "ToolTable",
     "Touching",
+    "Trace",
     "after_step",
     "after_step_alone",
     "before_step",

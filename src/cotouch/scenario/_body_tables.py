@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Annotated, Any, Literal, Self, final
+from typing import Annotated, Any, Literal, Self, cast, final, get_args
 
 from pydantic import (
     Discriminator,
@@ -22,12 +22,17 @@ from cotouch.body import (
     VOLUMES,
     Body,
     Box,
+    Frame,
+    GridModel,
     Held,
     NodeSet,
     Plane,
+    SolidModel,
+    SurfaceModel,
     body_from_surface,
     body_from_tetrahedra,
     chain,
+    is_surface,
     lattice,
     point,
 )
@@ -58,6 +63,10 @@ class _GridTable(Table):
     ground: str | list[Number] = "none"
     ground_stiffness: NonNegative = 0.0
     ground_damping: NonNegative = 0.0
+    model: GridModel = "springs"
+    frame: Frame = "fixed"
+    gravity: Place | None = None
+    most_nodes: Number = MOST_NODES
 
     def _common(self) -> dict[str, Any]:
         held = self.ground if isinstance(self.ground, str) else [number - 1 for number in self.ground]
@@ -69,7 +78,7 @@ class ChainTable(_GridTable):
     """Nodes along x; see `cotouch.body.chain`. `ground` lists node numbers from 1, or names all or a face."""
 
     kind: Literal["chain"]
-    nodes: Annotated[int, Field(ge=1)]
+    nodes: Number
     dimension: Annotated[int, Field(ge=1, le=3)] = 1
 
     def build(self) -> Body:
@@ -82,7 +91,7 @@ class LatticeTable(_GridTable):
     """A box of nodes; see `cotouch.body.lattice`. `ground` lists node numbers from 1, or names all or a face."""
 
     kind: Literal["lattice"]
-    shape: list[Annotated[int, Field(ge=1)]]
+    shape: list[Number]
     neighbours: Literal[6, 18, 26] = 6
 
     def build(self) -> Body:
@@ -164,6 +173,10 @@ _OF_SURFACES = ("resolution", "most_triangles")
 _OF_VOLUMES = ("most_elements",)
 
 
+def _listed(names: Any) -> str:
+    return ", ".join(f'"{name}"' for name in get_args(names))
+
+
 @final
 class FileTable(Table):
     """A body from a mesh; see `cotouch.body_from_surface` and `cotouch.body_from_tetrahedra`.
@@ -173,7 +186,10 @@ class FileTable(Table):
             scenario.
         unit: of the file: "m", "mm", "cm", "in"; only GLB has one by itself.
         resolution: surfaces: cells of the lattice along the longest side.
-        model: "springs" (default of surfaces) or "elastic" (default of tetrahedra).
+        model: "springs" (default of surfaces), "elastic" (default of tetrahedra), "spring-network"; of surfaces
+            "cells"; of tetrahedra "corotated", "st-venant-kirchhoff", "neo-hookean".
+        frame: "fixed" or, of "springs" and "elastic", "floating": it turns as a whole without a force.
+        gravity: acceleration along x, y, z [m/s²].
         young: [Pa].
         poisson: Poisson's ratio.
         stiffness: of each spring, instead of what Young's modulus gives [N/m].
@@ -195,7 +211,9 @@ class FileTable(Table):
     file: str
     unit: Literal["m", "mm", "cm", "in"] | None = None
     resolution: Annotated[int, Field(ge=1)] = 12
-    model: Literal["springs", "elastic"] | None = None
+    model: SurfaceModel | SolidModel | None = None
+    frame: Frame = "fixed"
+    gravity: Place | None = None
     young: Positive = 1e4
     poisson: Annotated[float, Field(gt=-1.0, lt=0.5)] = 0.3
     stiffness: Positive | None = None
@@ -210,7 +228,7 @@ class FileTable(Table):
     modes: Annotated[int, Field(ge=1)] | None = None
     most_triangles: Annotated[int, Field(ge=1)] = MOST_TRIANGLES
     most_elements: Annotated[int, Field(ge=1)] = MOST_ELEMENTS
-    most_nodes: Annotated[int, Field(ge=1)] = MOST_NODES
+    most_nodes: Number = MOST_NODES
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
@@ -220,7 +238,10 @@ class FileTable(Table):
                 f'file is "{self.file}"; it must end in {", ".join(SURFACES)} (surfaces) or {", ".join(VOLUMES)} '
                 "(tetrahedra)"
             )
-        others, what = (_OF_VOLUMES, "tetrahedra") if suffix in SURFACES else (_OF_SURFACES, "surfaces")
+        others, what = (_OF_VOLUMES, "tetrahedra") if is_surface(Path(self.file)) else (_OF_SURFACES, "surfaces")
+        known, models = ("surfaces", SurfaceModel) if is_surface(Path(self.file)) else ("tetrahedra", SolidModel)
+        if self.model is not None and self.model not in get_args(models):
+            raise ValueError(f'model is "{self.model}", but file is "{self.file}"; {known} take {_listed(models)}')
         for name in others:
             if name in self.model_fields_set:
                 raise ValueError(f'{name} is for {what}, but file is "{self.file}"; leave it out')
@@ -247,16 +268,16 @@ class FileTable(Table):
             options["ground"] = self.ground.held()
         elif isinstance(self.ground, list):
             options["ground"] = [number - 1 for number in self.ground]
-        if Path(self.file).suffix.lower() in SURFACES:
+        if is_surface(Path(self.file)):
             return body_from_surface(
                 self.file,
-                model=self.model or "springs",
+                model=cast("SurfaceModel", self.model or "springs"),
                 resolution=self.resolution,
                 most_triangles=self.most_triangles,
                 **options,
             )
         return body_from_tetrahedra(
-            self.file, model=self.model or "elastic", most_elements=self.most_elements, **options
+            self.file, model=cast("SolidModel", self.model or "elastic"), most_elements=self.most_elements, **options
         )
 
 

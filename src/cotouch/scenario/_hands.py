@@ -7,12 +7,12 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.body import Body
 from cotouch.errors import ScenarioError
-from cotouch.mechanics import Grips, Model, at, kernel, load, put, splat, store
-from cotouch.scenario._tables import Hand
+from cotouch.mechanics import Model, Ports, at, kernel, load, put, splat, store
+from cotouch.scenario._tables import HandTable
 
-Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
 
 
@@ -64,8 +64,8 @@ def _place(hands: Hands, cursor: Int, p: int, t: float, lanes: tuple[int, ...]) 
     put(cursor, p, here)
     value = load(hands.path_value, here, lanes)
     if here < last and t > at(hands.path_time, here):
-        share = (t - at(hands.path_time, here)) / (at(hands.path_time, here + 1) - at(hands.path_time, here))
-        value = (1.0 - share) * value + share * load(hands.path_value, here + 1, lanes)
+        fraction = (t - at(hands.path_time, here)) / (at(hands.path_time, here + 1) - at(hands.path_time, here))
+        value = (1.0 - fraction) * value + fraction * load(hands.path_value, here + 1, lanes)
     if at(hands.frequency, p) != 0.0:
         wave = np.sin(2.0 * np.pi * at(hands.frequency, p) * t + at(hands.phase, p))
         value = value + wave * load(hands.amplitude, p, lanes)
@@ -73,27 +73,43 @@ def _place(hands: Hands, cursor: Int, p: int, t: float, lanes: tuple[int, ...]) 
 
 
 @kernel
-def grip(hands: Hands, grips: Grips, cursor: Int, p: int, end: float, T: float, lanes: tuple[int, ...]) -> None:
-    """What port p does during a step that ends at `end`."""
+def grip(hands: Hands, ports: Ports, cursor: Int, p: int, end: float, T: float, lanes: tuple[int, ...]) -> None:
+    """What port p does during a step that ends at `end`.
+
+    Args:
+        hands: of all users.
+        ports: ports, written to.
+        cursor: waypoint at which each path is; changed in place.
+        p: number of the port.
+        end: of the step [s].
+        T: length of the step [s].
+        lanes: as many as a row is wide.
+    """
     middle = end - 0.5 * T
     zero = splat(0.0, lanes)
-    store(grips.start, p, zero, lanes)
-    store(grips.end, p, zero, lanes)
-    store(grips.push, p, zero, lanes)
-    put(grips.stiffness, p, 0.0)
-    put(grips.damping, p, 0.0)
+    store(ports.start, p, zero, lanes)
+    store(ports.end, p, zero, lanes)
+    store(ports.push, p, zero, lanes)
+    put(ports.stiffness, p, 0.0)
+    put(ports.damping, p, 0.0)
     if at(hands.begin, p) <= middle < at(hands.release, p):
         if at(hands.forced, p):
-            store(grips.push, p, _place(hands, cursor, p, middle, lanes), lanes)
+            store(ports.push, p, _place(hands, cursor, p, middle, lanes), lanes)
         else:
-            put(grips.stiffness, p, at(hands.stiffness, p))
-            put(grips.damping, p, at(hands.damping, p))
-            store(grips.start, p, _place(hands, cursor, p, end - T, lanes), lanes)
-            store(grips.end, p, _place(hands, cursor, p, end, lanes), lanes)
+            put(ports.stiffness, p, at(hands.stiffness, p))
+            put(ports.damping, p, at(hands.damping, p))
+            store(ports.start, p, _place(hands, cursor, p, end - T, lanes), lanes)
+            store(ports.end, p, _place(hands, cursor, p, end, lanes), lanes)
 
 
-def ports_of(hands: list[Hand], users: int, body: Body, ready: Model) -> tuple[Hands, Int]:
+def ports_of(hands: list[HandTable], users: int, body: Body, ready: Model) -> tuple[Hands, Int]:
     """Ports of all hands, ordered by user, and which ports belong to which hand, (hands, ports per hand).
+
+    Args:
+        hands: of the scenario.
+        users: how many there are.
+        body: that they hold.
+        ready: the same for the kernels.
 
     Raises:
         ScenarioError: a hand names a user or node that is not there, or its path does not fit the body.
@@ -159,7 +175,7 @@ def ports_of(hands: list[Hand], users: int, body: Body, ready: Model) -> tuple[H
     )
 
 
-def _path(hand: Hand, name: str, dimension: int) -> tuple[Float, Float]:
+def _path(hand: HandTable, name: str, dimension: int) -> tuple[Float, Float]:
     """Times and places of a path."""
     path = hand.path
     if isinstance(path, list) and path and isinstance(path[0], list):

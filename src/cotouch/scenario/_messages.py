@@ -5,11 +5,16 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from cotouch.scenario import _body_tables, _tables, _tool_tables
+from cotouch.scenario import _body_tables, _channel, _tables, _tool_tables, _traces
 
 
 def sentence(error: ValidationError, source: str) -> str:
-    """The first problem of a validation as one sentence: where, what value, what would be right."""
+    """The first problem of a validation as one sentence: where, what value, what would be right.
+
+    Args:
+        error: of pydantic.
+        source: what was read.
+    """
     problems = error.errors()
     first = problems[0]
     place = _place(first["loc"])
@@ -24,8 +29,10 @@ def sentence(error: ValidationError, source: str) -> str:
         case "union_tag_invalid" | "union_tag_not_found":
             kind = first["input"].get("kind") if isinstance(first["input"], Mapping) else first["input"]
             text = f'{place}.kind is {kind!r}; it must be "point", "chain", "lattice", "matrices" or "file"'
-        case "model_type" | "model_attributes_type":
+        case "is_instance_of" | "model_type" | "model_attributes_type":
             text = f"{place} is {value}; it must be a table"
+        case "int_parsing_size":
+            text = f"{place} is {value}; it must be a smaller number"
         case "too_short" | "too_long":
             bound = first.get("ctx", {})
             text = f"{place} is {value}; it must have {_count(bound)}"
@@ -62,7 +69,9 @@ def _place(parts: tuple[int | str, ...]) -> str:
 
 
 def _options() -> frozenset[str]:
-    known = [value for module in (_tables, _body_tables, _tool_tables) for value in vars(module).values()]
+    known = [
+        value for module in (_tables, _body_tables, _channel, _tool_tables, _traces) for value in vars(module).values()
+    ]
     tables = [table for table in known if isinstance(table, type) and issubclass(table, _tables.Table)]
     return frozenset(name for table in tables for name in table.model_fields)
 

@@ -1,31 +1,33 @@
 """A scenario: who is joined, what they hold, how time passes, what the network does, and what the hands do."""
 
 import json
-import tomllib
 from collections.abc import Mapping
+from html import escape
 from pathlib import Path
-from typing import Annotated, Any, final
+from typing import Annotated, Any, Self, cast, final
 
 import numpy as np
 import numpy.typing as npt
-from pydantic import Field, InstanceOf, PrivateAttr, ValidationError, field_validator
+from pydantic import Field, InstanceOf, PrivateAttr, ValidationError, field_validator, model_validator
 
 from cotouch.body import Body
 from cotouch.errors import ScenarioError
+from cotouch.files import read_text, toml, toml_text
 from cotouch.network import Network
 from cotouch.scenario._body_tables import BodySource, FileTable, PointTable
+from cotouch.scenario._channel import Channel
 from cotouch.scenario._messages import sentence
 from cotouch.scenario._tables import (
-    Channel,
-    Hand,
+    HandTable,
     Initial,
-    Recording,
+    RecordTable,
     Solver,
     Steps,
     Synchronisation,
     Table,
 )
-from cotouch.scenario._tool_tables import ToolTable
+from cotouch.scenario._tool_tables import ContactTable, ToolTable
+from cotouch.scenario._traces import Trace
 
 # Nodes of a truncated body next to a tool's start that keep their local stiffness.
 _NEAR = 4
@@ -47,18 +49,48 @@ class Scenario(Table):
     """
 
     title: str = ""
-    seed: Annotated[int, Field(ge=0)] = 0
+    seed: Annotated[int, Field(ge=0, lt=2**63)] = 0
     network: InstanceOf[Network]
     body: BodySource = PointTable()
     steps: Steps = Steps()
     synchronisation: Synchronisation = Synchronisation()
     channel: Channel = Channel()
-    hands: list[Hand] = Field(default_factory=list[Hand])
+    hands: list[HandTable] = Field(default_factory=list[HandTable])
     tools: list[ToolTable] = Field(default_factory=list[ToolTable])
+    contact: ContactTable = ContactTable()
     initial: Initial = Initial()
     solver: Solver = Solver()
-    record: Recording = Recording()
+    record: RecordTable = RecordTable()
     _built: Body | None = PrivateAttr(default=None)
+    _trace: Trace | None = PrivateAttr(default=None)
+
+    def __init__(self, *, source: str = "the scenario", **tables: Any) -> None:
+        """Makes a scenario from tables or objects.
+
+        Args:
+            source: its name in messages.
+            **tables: as in the file.
+
+        Raises:
+            ScenarioError: a table or value is wrong.
+        """
+        try:
+            super().__init__(**tables)
+        except ValidationError as error:
+            raise ScenarioError(sentence(error, source)) from None
+
+    @model_validator(mode="after")
+    def _one_index(self) -> Self:
+        """All take the steps of a constant index together: different clocks would let some copies live more slowly."""
+        if self.synchronisation.mode == "constant":
+            for name in ("period", "rate"):
+                value = getattr(self.steps, name)
+                if isinstance(value, list) and len(set(value)) > 1:
+                    raise ValueError(
+                        f'steps.{name} is {value}, but in mode "constant" all take the steps of one index together; '
+                        'give one number for all, or use mode "freshest", in which everybody keeps a rate of their own'
+                    )
+        return self
 
     @field_validator("network", mode="before")
     @classmethod
@@ -73,26 +105,28 @@ class Scenario(Table):
             ScenarioError: the file is missing, is not TOML, or something in it is wrong.
             NetworkError: its network is wrong.
         """
-        try:
-            text = Path(path).read_text(encoding="utf-8")
-        except (OSError, UnicodeDecodeError) as error:
-            reason = error.strerror if isinstance(error, OSError) else "it is not UTF-8 text"
-            raise ScenarioError(f"the scenario {path} cannot be read: {reason}") from error
+        text = read_text(Path(path), "scenario", ScenarioError)
         return cls.from_toml(text, source=str(path), folder=Path(path).parent)
 
     @classmethod
     def from_toml(cls, text: str, *, source: str = "the scenario", folder: Path | None = None) -> "Scenario":
-        """Reads a scenario from TOML text; `source` names it in messages, files it names are relative to `folder`."""
-        try:
-            table = tomllib.loads(text)
-        except tomllib.TOMLDecodeError as error:
-            raise ScenarioError(f"{source} is not TOML: {error}") from error
+        """Reads a scenario from TOML text; `source` names it in messages, files it names are relative to `folder`.
+
+        A table `[session]` says how live sessions go and is left out here, so that a session's file is a scenario too.
+
+        Args:
+            text: TOML.
+            source: its name in messages.
+            folder: to which paths in it are relative; None: the present one.
+        """
+        table = toml(text, source, ScenarioError)
+        table.pop("session", None)
         if "network" not in table:
             raise ScenarioError(f"{source} has no [network] table; it needs one with users, spring and delay")
         table["network"] = Network.from_table(table["network"], source=source)
-        body = table.get("body")
-        if folder is not None and isinstance(body, dict) and isinstance(body.get("file"), str):
-            table["body"] = {**body, "file": str(folder / body["file"])}
+        if folder is not None:
+            _rooted(table, "body", folder)
+            _rooted(table.get("channel"), "trace", folder)
         return cls.make(source=source, **table)
 
     @classmethod
@@ -102,25 +136,59 @@ class Scenario(Table):
         Raises:
             ScenarioError: a table or value is wrong.
         """
-        try:
-            return cls(**tables)
-        except ValidationError as error:
-            raise ScenarioError(sentence(error, source)) from None
+        return cls(source=source, **tables)
 
     def replace(self, **changes: Any) -> "Scenario":
-        """A copy with whole tables replaced, or single options given as `table__option=value`."""
+        """A copy with whole tables replaced, or single options given as `table__option=value`.
+
+        Options are those of the file, so the network's `links` are pairs of user numbers from 1.
+
+        Args:
+            **changes: tables, or options of them.
+
+        Raises:
+            ScenarioError: there is no such table, it has no options, or what is given is wrong.
+            NetworkError: the network is wrong.
+        """
         tables: dict[str, Any] = {name: getattr(self, name) for name in type(self).model_fields}
         for name, value in changes.items():
             table, _, option = name.partition("__")
-            if option:
-                kept: Any = tables[table]
-                tables[table] = {**kept.model_dump(exclude_unset=True), option: value}
-            else:
-                tables[table] = value
+            if table not in tables:
+                raise ScenarioError(f'"{table}" is no part of a scenario; there are {", ".join(tables)}')
+            tables[table] = {**self._options_of(table, tables[table]), option: value} if option else value
         result = type(self).make(**tables)
         if not {name.partition("__")[0] for name in changes} & {"body", "hands", "tools"}:
             result._built = self._built
+        if "channel" not in {name.partition("__")[0] for name in changes}:
+            result._trace = self._trace
         return result
+
+    def _options_of(self, table: str, kept: object) -> dict[str, Any]:
+        """A table's options as a file gives them."""
+        match kept:
+            case dict():
+                return cast("dict[str, Any]", kept)
+            case Network():
+                return kept.as_table()
+            case Table():
+                return kept.model_dump(exclude_unset=True)
+            case _:
+                raise ScenarioError(f"{table} has no options to replace one by one; give all of it")
+
+    def files(self) -> tuple[Path, ...]:
+        """What it reads besides its own file: a mesh, a trace."""
+        tables = (self.body if isinstance(self.body, FileTable) else None, self.channel.trace)
+        return tuple(Path(table.file) for table in tables if table is not None)
+
+    def trace(self) -> Trace | None:
+        """The measured latencies of its channel, read once; None: it has none.
+
+        Raises:
+            ScenarioError: the file cannot be read, or something in it is wrong.
+        """
+        if self._trace is None and self.channel.trace is not None:
+            self._trace = self.channel.trace.read()
+        return self._trace
 
     def build_body(self) -> Body:
         """The shared object; read and built once."""
@@ -150,7 +218,7 @@ class Scenario(Table):
             for index, hand in enumerate(self.hands)
         ]
         result = self.model_copy(update={"hands": hands})
-        result._built = body
+        result._built, result._trace = body, self._trace
         return result
 
     def _node(self, index: int, body: Body) -> int:
@@ -164,34 +232,68 @@ class Scenario(Table):
             raise ScenarioError(f"hands[{index + 1}].at is {hand.at}; it must be {body.dimension} coordinates [m]")
         return 1 + int(np.argmin(np.linalg.norm(body.rest - np.array(hand.at), axis=1)))
 
+    def to_toml(self) -> str:
+        """The scenario as the text of a file, with what was given and no defaults; `from_toml` makes the same of it.
+
+        Paths of meshes become absolute.
+
+        Raises:
+            ScenarioError: its body was made in Python, which no file can say.
+        """
+        if isinstance(self.body, Body):
+            raise ScenarioError("body was made in Python; a file holds a body as one of its tables")
+        tables: dict[str, Any] = {}
+        for name in type(self).model_fields:
+            value: Any = getattr(self, name)
+            if name == "network":
+                tables[name] = self.network.as_table()
+            elif name not in self.model_fields_set:
+                continue
+            elif isinstance(value, list):
+                tables[name] = [entry.model_dump(exclude_unset=True) for entry in cast("list[Table]", value)]
+            else:
+                tables[name] = value.model_dump(exclude_unset=True) if isinstance(value, Table) else value
+        if isinstance(self.body, FileTable):
+            tables["body"]["file"] = str(Path(self.body.file).resolve())
+        return toml_text({name: table for name, table in tables.items() if table not in ({}, [], "")})
+
+    def _repr_html_(self) -> str:  # pyright: ignore[reportUnusedFunction]
+        """What a notebook shows: the scenario's own text."""
+        shown = repr(self) if isinstance(self.body, Body) else self.to_toml()
+        return (
+            f"<details open><summary>{escape(self.title or 'scenario')}</summary><pre>{escape(shown)}</pre></details>"
+        )
+
     def as_json(self) -> str:
         """The whole scenario as JSON, for a result's attributes. A body made in Python is named by its size only."""
-        network = self.network
-        numbered = [[a + 1, b + 1] for a, b in network.links]
-        tables: dict[str, Any] = {
-            "title": self.title,
-            "seed": self.seed,
-            "network": {
-                "users": list(network.users),
-                "spring": network.spring.tolist(),
-                "delay": network.delay.tolist(),
-                "links": numbered,
-            },
-        }
+        tables: dict[str, Any] = {"title": self.title, "seed": self.seed, "network": self.network.as_table()}
         if isinstance(self.body, Body):
             tables["body"] = {"kind": "made in Python", "nodes": self.body.nodes, "dimension": self.body.dimension}
         else:
             tables["body"] = self.body.model_dump()
         for name in ("steps", "synchronisation", "channel", "initial", "solver", "record"):
-            tables[name] = getattr(self, name).model_dump()
+            tables[name] = getattr(self, name).model_dump(by_alias=True)
         tables["hands"] = [hand.model_dump() for hand in self.hands]
         if self.tools:
             tables["tools"] = [tool.model_dump() for tool in self.tools]
+            tables["contact"] = self.contact.model_dump()
         return json.dumps(tables)
+
+
+def _rooted(holder: Any, name: str, folder: Path) -> None:
+    """Makes the file that a table names relative to a folder."""
+    named = holder.get(name) if isinstance(holder, dict) else None
+    if isinstance(named, dict) and isinstance(named.get("file"), str):
+        holder[name] = {**named, "file": str(folder / named["file"])}
 
 
 def per_user(value: float | list[float], users: int, name: str) -> npt.NDArray[np.float64]:
     """One number for all users, or a list with one for each.
+
+    Args:
+        value: one number, or one for each.
+        users: how many there are.
+        name: of the option, for messages.
 
     Raises:
         ScenarioError: the list has another length.

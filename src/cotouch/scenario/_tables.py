@@ -1,7 +1,8 @@
 """The tables of a scenario: every option, its range, and what it means."""
 
+from collections.abc import Mapping
 from itertools import pairwise
-from typing import Annotated, Any, Literal, Self, final
+from typing import Annotated, Any, Literal, Self, cast, final
 
 from pydantic import (
     BaseModel,
@@ -12,18 +13,38 @@ from pydantic import (
 )
 from pydantic import NonNegativeFloat as _NonNegativeFloat
 
+from cotouch.errors import NetworkError
+from cotouch.laws import law_named
+
 Positive = Annotated[float, Field(gt=0.0, allow_inf_nan=False)]
 NonNegative = Annotated[_NonNegativeFloat, Field(allow_inf_nan=False)]
 Probability = Annotated[float, Field(ge=0.0, le=1.0, allow_inf_nan=False)]
-Number = int  # users, nodes: from 1 in files
+_MOST = 2**31 - 1
+# Users, nodes, steps: from 1 in files, and what kernels can count.
+Number = Annotated[int, Field(ge=1, le=_MOST)]
 Mode = Literal["constant", "self-paced", "freshest"]
 DampingMethod = Literal["rule", "minimax", "exact"]
+
+
+def _has_truth(value: Any) -> bool:
+    return isinstance(value, bool) or (isinstance(value, list | tuple) and any(map(_has_truth, value)))  # pyright: ignore[reportUnknownArgumentType]
 
 
 class Table(BaseModel):
     """A table of a scenario: nothing unknown in it, nothing changed after reading."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, arbitrary_types_allowed=True, str_strip_whitespace=True)
+
+    @model_validator(mode="before")
+    @classmethod
+    def _no_truth(cls, given: Any) -> Any:
+        """Refuses true and false for numbers, which Python counts as 1 and 0."""
+        if isinstance(given, Mapping):
+            for name, value in cast("Mapping[str, Any]", given).items():
+                field = cls.model_fields.get(name)
+                if field is not None and field.annotation is not bool and _has_truth(value):
+                    raise ValueError(f"{name} is {value!r}; it must be given as a number, not as true or false")
+        return given
 
 
 Place = Annotated[list[FiniteFloat], Field(min_length=3, max_length=3)]
@@ -47,10 +68,12 @@ class Random(Table):
 class Steps(Table):
     """How long the run lasts and how long the steps are: one of `period`, `rate`, `random`.
 
+    This is how long a user takes by itself; a step also lasts while its user waits for others (`Synchronisation.mode`).
+
     Attributes:
         duration: [s].
-        period: T of every step, one number or one for each user [s].
-        rate: steps per second, one number or one for each user [Hz].
+        period: of the steps, one number or, but for a constant index, one for each user [s].
+        rate: steps per second, likewise [Hz].
         random: bounds of random steps.
     """
 
@@ -72,76 +95,64 @@ class Synchronisation(Table):
     """How the copies are kept together.
 
     Attributes:
-        mode: "constant" (a common index; the sample k - N_ij is used, whatever buffering that takes), "self-paced"
-            (step k is taken once the samples k - N_ij are there, and lasts as long as that took) or "freshest" (the
-            newest sample that has arrived).
+        mode: "constant" (a common index: nobody takes step k + 1 before all have taken step k; the sample k - N_ij is
+            used, whatever buffering that takes), "self-paced" (step k is taken once the samples k - N_ij are there) or
+            "freshest" (the newest sample that has arrived). In each a step lasts as long as has passed since the step
+            before it on the user's own clock, waiting included.
         damping: "rule", "minimax" (smallest largest B_i), "exact" (constant mode with one common step length), or B_i
-            itself, one number or one for each user [Ns/m].
+            itself, one number or one for each user [Ns/m]; by default what the law needs.
+        law: what a link does: the name of a law, or a table of its name as `kind` and parameters.
         scale: multiplies the damping; below 1 nothing is guaranteed.
         extra_damping: B_e, one number or one for each user [Ns/m].
         index_delay: N_ij in steps, [i][j] from j to i; by default from the channel's delays.
         quantile: share of this run's samples that N_ij ("constant", "self-paced") or the age budget ("freshest") must
             cover; by default all, and 99 % where self-pacing waits for the rest.
-        longest: self-paced: bound on T_i(k), in nominal steps; what passes beyond it is made up later. By default
-            twice the mean pace of this run.
+        longest: bound on T_i(k), in the longest of the user's own steps. "self-paced": what passes beyond it is made up
+            later; by default twice the mean pace of this run. "constant": a step that lasts longer is refused; by
+            default none is.
     """
 
     mode: Mode = "freshest"
-    damping: DampingMethod | NonNegative | list[NonNegative] = "rule"
-    scale: NonNegative = 1.0
+    law: str | dict[str, Any] = "spring"
+    damping: DampingMethod | NonNegative | list[NonNegative] | None = None
+    damping_scale: NonNegative = 1.0
     extra_damping: NonNegative | list[NonNegative] = 0.0
-    index_delay: list[list[Annotated[int, Field(ge=0)]]] | None = None
+    index_delay: list[list[Annotated[int, Field(ge=0, le=_MOST)]]] | None = None
     quantile: Probability | None = None
-    longest: Annotated[float, Field(ge=1.0, allow_inf_nan=False)] | None = None
+    max_step: Annotated[float, Field(ge=1.0, allow_inf_nan=False)] | None = None
+
+    @property
+    def law_given(self) -> tuple[str, dict[str, float | str]]:
+        """Name of the law, and the parameters that are given."""
+        if isinstance(self.law, str):
+            return self.law, {}
+        return str(self.law["kind"]), {name: value for name, value in self.law.items() if name != "kind"}
+
+    @model_validator(mode="after")
+    def _of_the_mode(self) -> Self:
+        if self.mode == "freshest":
+            for name in ("index_delay", "max_step"):
+                if getattr(self, name) is not None:
+                    raise ValueError(
+                        f'{name} is given, but in mode "freshest" it has no effect; leave it out, or use mode '
+                        '"constant" or "self-paced"'
+                    )
+        return self
+
+    @model_validator(mode="after")
+    def _known_law(self) -> Self:
+        if not isinstance(self.law, str) and "kind" not in self.law:
+            raise ValueError(f'law is {self.law}; give a law\'s name, or a table with it as kind: {{kind = "wave"}}')
+        name, given = self.law_given
+        try:
+            law_named(name).check(given)
+        except NetworkError as error:
+            raise ValueError(str(error)) from None
+        return self
 
 
 @final
-class Jitter(Table):
-    """Random delay added to every message, never negative.
-
-    Uniform in [0, scale], exponential with mean scale, or the size of a normal with standard deviation scale [s].
-    """
-
-    kind: Literal["uniform", "exponential", "normal"] = "uniform"
-    scale: NonNegative
-
-
-@final
-class Burst(Table):
-    """Losses in bursts (Gilbert-Elliott): a good and a bad state with their own losses, switching at every message."""
-
-    enter: Probability
-    leave: Annotated[float, Field(gt=0.0, le=1.0)]
-    loss_good: Probability = 0.0
-    loss_bad: Probability = 1.0
-
-
-@final
-class Channel(Table):
-    """What the network does to messages, besides the delay of `[network]`; the same law on every link, own draws.
-
-    Attributes:
-        jitter: random delay.
-        loss: probability that a message is lost.
-        burst: losses in bursts, on top.
-        duplication: probability that a message arrives a second time, with its own delay.
-        reordering: probability that a message is held back by `reordering_delay`.
-        reordering_delay: [s].
-        resend: after how long a lost message is sent again where every sample is needed (constant, self-paced); by
-            default the link's round trip with its jitter [s].
-    """
-
-    jitter: Jitter | None = None
-    loss: Annotated[float, Field(ge=0.0, lt=1.0)] = 0.0
-    burst: Burst | None = None
-    duplication: Probability = 0.0
-    reordering: Probability = 0.0
-    reordering_delay: NonNegative = 0.0
-    resend: Positive | None = None
-
-
-@final
-class Hand(Table):
+class HandTable(Table):
     """A hand at a node: a spring-damper pulling to a moving place, or a force.
 
     Attributes:
@@ -160,8 +171,8 @@ class Hand(Table):
         release: when it lets go [s]; by default never.
     """
 
-    user: Annotated[Number, Field(ge=1)]
-    node: Annotated[Number, Field(ge=1)] = 1
+    user: Number
+    node: Number = 1
     at: Annotated[list[FiniteFloat], Field(min_length=1, max_length=3)] | None = None
     kind: Literal["spring", "force"] = "spring"
     stiffness: NonNegative = 100.0
@@ -177,6 +188,8 @@ class Hand(Table):
     def _after(self) -> Self:
         if self.at is not None and "node" in self.model_fields_set:
             raise ValueError("node and at are given; give only one of them")
+        if self.path == []:
+            raise ValueError("path is []; it must be a place, or waypoints [time, x, ...]")
         if self.release is not None and self.release <= self.begin:
             raise ValueError(f"release is {self.release} s but begin is {self.begin} s; it must be later")
         if isinstance(self.path, list) and self.path and isinstance(self.path[0], list):
@@ -199,12 +212,12 @@ class Solver(Table):
     """Accuracy of the step's solve; fewer iterations cost accuracy, never passivity."""
 
     tolerance: Annotated[float, Field(gt=0.0, lt=1.0)] = 1e-10
-    iterations: Annotated[int, Field(ge=1)] = 500
+    iterations: Number = 500
     basis: Literal["auto", "nodal", "modal"] = "auto"
 
 
 @final
-class Recording(Table):
+class RecordTable(Table):
     """What is kept.
 
     Attributes:
@@ -214,6 +227,6 @@ class Recording(Table):
         frames: whole copies so many times a second, for an animation [Hz]; by default none.
     """
 
-    every: Annotated[int, Field(ge=1)] = 1
-    nodes: list[Annotated[Number, Field(ge=1)]] | Literal["all"] | None = None
+    every: Number = 1
+    nodes: list[Number] | Literal["all"] | None = None
     frames: Positive | None = None

@@ -1,26 +1,28 @@
 """The tables of a scenario for tools: proxies, the devices that move them, and the hands on those."""
 
 from itertools import pairwise
-from typing import Annotated, Literal, Self, final
+from typing import Annotated, Any, Literal, Self, final
 
 from pydantic import Discriminator, Field, FiniteFloat, Tag, model_validator
 
 from cotouch.device import PRESETS
+from cotouch.errors import ScenarioError
+from cotouch.mechanics import CONTACT_LAWS
 from cotouch.scenario._tables import NonNegative, Number, Place, Positive, Table
 
 # Of a device's servo, where neither a scenario nor a product says it [Hz].
 DEFAULT_RATE = 1000.0
 # Options of a hand that only one on a device has, and of a device that only one law of the coupling has.
 _OF_DEVICES = ("mass", "reaction", "correction", "reach", "blend")
-_OF_PSPM = ("rate", "periods", "window", "cap", "reserve", "declared")
-_OF_VIRTUAL = ("lower",)
+_OF_PSPM = ("rate", "periods", "window", "cap", "reserve", "assumed_damping")
+_OF_VIRTUAL = ("clip_stiffness",)
 
 
 def _path_form(value: object) -> str:
     return "waypoints()" if isinstance(value, list) and any(isinstance(row, list) for row in value) else "place()"  # pyright: ignore[reportUnknownVariableType]
 
 
-Way = Annotated[
+ToolPath = Annotated[
     Annotated[list[FiniteFloat], Tag("place()")] | Annotated[list[list[FiniteFloat]], Tag("waypoints()")],
     Discriminator(_path_form),
 ]
@@ -50,7 +52,7 @@ class ToolHand(Table):
         blend: over which the equilibrium comes to its path after taking hold [s].
     """
 
-    path: Way = Field(default_factory=lambda: [0.0, 0.0, 0.0])
+    path: ToolPath = Field(default_factory=lambda: [0.0, 0.0, 0.0])
     amplitude: Place = Field(default_factory=lambda: [0.0, 0.0, 0.0])
     frequency: NonNegative = 0.0
     phase: FiniteFloat = 0.0
@@ -81,7 +83,7 @@ class ToolHand(Table):
 
 
 @final
-class DeviceTable(Table):
+class SimulatedDeviceTable(Table):
     """A simulated device between a hand and a tool; see `cotouch.device`.
 
     Attributes:
@@ -96,7 +98,7 @@ class DeviceTable(Table):
         resolution: of the encoders [m], of a PHANToM's joints [rad].
         force: largest [N].
         coupling: "pspm" (passive whatever the rates), or "virtual" (a sampled spring-damper; refused where the device's
-            own damping is too little).
+            own damping is too little for its rate, or its dry friction for its encoders).
         stiffness: of the coupling [N/m].
         damping: of the coupling [Ns/m].
         cap: most energy that the tank keeps [J].
@@ -120,8 +122,8 @@ class DeviceTable(Table):
     damping: NonNegative = 2.0
     cap: NonNegative = 0.1
     reserve: NonNegative = 1e-3
-    declared: NonNegative = 0.0
-    lower: bool = False
+    assumed_damping: NonNegative = 0.0
+    clip_stiffness: bool = False
 
     @model_validator(mode="after")
     def _after(self) -> Self:
@@ -145,6 +147,40 @@ class DeviceTable(Table):
 
 
 @final
+class ContactTable(Table):
+    """How tools touch.
+
+    Attributes:
+        law: "springs" (one at each local minimum of distance, with an account of energy for each tool), or the name of
+            a contact law, whose energy is a function of where body and tools are: "stiffening" or "foundation".
+        parameters: of the law, by name.
+    """
+
+    law: str = "springs"
+    parameters: dict[str, FiniteFloat] = Field(default_factory=dict[str, float])
+
+    def made(self) -> Any:
+        """The law for the kernels; None: springs.
+
+        Raises:
+            ScenarioError: there is no such law, or it has no such parameter.
+        """
+        kinds = {kind.__name__.lower(): kind for kind in CONTACT_LAWS}
+        known: tuple[str, ...] = ()
+        if self.law != "springs":
+            if self.law not in kinds:
+                raise ScenarioError(
+                    f'contact.law is "{self.law}"; it must be one of springs, {", ".join(sorted(kinds))}'
+                )
+            known = kinds[self.law]._fields  # pyright: ignore[reportAttributeAccessIssue]
+        for name, value in self.parameters.items():
+            if name not in known or not value > 0.0:
+                has = f"has {', '.join(known)}, each above 0" if known else "has none"
+                raise ScenarioError(f'contact.parameters.{name} is {value:g}; law "{self.law}" {has}')
+        return None if self.law == "springs" else kinds[self.law](**self.parameters)
+
+
+@final
 class ToolTable(Table):
     """A proxy: a sphere that a hand or a device moves and that touches or holds the body.
 
@@ -158,14 +194,16 @@ class ToolTable(Table):
         stiffness: of a contact, or of each held node [N/m].
         damping: touch: λ, the contact's force grows by 1 + λ times the speed of its penetration [s/m]; grasp: of each
             held node [Ns/m].
-        friction: Coulomb's coefficient of a touch.
+        friction: Coulomb's coefficient of a touch; with a contact law, of what does not slip yet.
+        kinetic_friction: of what slips, at most `friction`; by default the same. Like `axis` with a contact law only.
+        axis: from the middle of a stylus to the middle of its round tip [m]; by default the tool is a ball.
         begin: it acts from here [s].
         release: to here [s]; by default always.
         hand: what moves it.
         device: the device in between; without it the hand moves the proxy itself.
     """
 
-    user: Annotated[Number, Field(ge=1)]
+    user: Number
     at: Place
     kind: Literal["touch", "grasp"] = "touch"
     radius: Positive = 0.01
@@ -173,10 +211,12 @@ class ToolTable(Table):
     stiffness: Positive = 1000.0
     damping: NonNegative = 0.0
     friction: NonNegative = 0.0
+    kinetic_friction: NonNegative | None = None
+    axis: Place | None = None
     begin: NonNegative = 0.0
     release: NonNegative | None = None
     hand: ToolHand | None = None
-    device: DeviceTable | None = None
+    device: SimulatedDeviceTable | None = None
 
     @model_validator(mode="after")
     def _after(self) -> Self:
@@ -186,6 +226,11 @@ class ToolTable(Table):
             for name in _OF_DEVICES:
                 if name in self.hand.model_fields_set:
                     raise ValueError(f"hand.{name} needs a device; give device or leave it out")
+        if self.kinetic_friction is not None and self.kinetic_friction > self.friction:
+            raise ValueError(
+                f"kinetic_friction is {self.kinetic_friction} but friction is {self.friction}; what slips is not held "
+                "more firmly than what does not"
+            )
         if self.kind == "grasp" and self.friction > 0.0:
             raise ValueError(f"friction is {self.friction}, but a grasp holds without; leave it out")
         return self

@@ -1,10 +1,11 @@
 """From the tables of tools to the arrays that the engines work on."""
 
 from math import inf
+from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.body import Body
 from cotouch.device import (
     PRESETS,
@@ -12,7 +13,7 @@ from cotouch.device import (
     Coupling,
     DeviceModel,
     PhantomPlant,
-    Servo,
+    ServoModel,
     SimulatedHand,
     assemble,
     couplings,
@@ -22,23 +23,30 @@ from cotouch.errors import BodyError, DeviceError, ScenarioError
 from cotouch.mechanics import (
     GRASP,
     TOUCH,
-    TOUCH_BOOKS,
+    TOUCH_LEDGER,
     Model,
     checked_virtual_coupling,
+    contact_by,
     surface_of,
     tools,
     touch_work,
 )
-from cotouch.scenario._clear import clear_place
 from cotouch.scenario._hands import Hands
-from cotouch.scenario._tool_tables import DEFAULT_RATE, DeviceTable, ToolHand, ToolTable
+from cotouch.scenario._penetration import resolve_penetration
+from cotouch.scenario._tool_tables import DEFAULT_RATE, ContactTable, SimulatedDeviceTable, ToolHand, ToolTable
 from cotouch.scenario._touching import Touching
-
-Float = npt.NDArray[np.float64]
 
 
 def touching_of(
-    tables: list[ToolTable], users: int, body: Body, model: Model, lengths: Float, *, start: Float, ports: int
+    tables: list[ToolTable],
+    users: int,
+    body: Body,
+    model: Model,
+    lengths: Float,
+    *,
+    start: Float,
+    ports: int,
+    contact: ContactTable | None = None,
 ) -> tuple[Touching | None, list[int]]:
     """The tools of a scenario, ordered by user, and which tool each table became; None without tools.
 
@@ -50,6 +58,7 @@ def touching_of(
         lengths: of the body's steps, which a virtual coupling must be passive at, (users, steps); 0: none [s].
         start: displacements of all copies at the start, (users, n, d) [m].
         ports: most hands of one user that hold the body directly.
+        contact: how they touch; by default by springs.
 
     Raises:
         ScenarioError: a tool names a user that is not there or starts inside the body, or a device or hand is wrong.
@@ -59,11 +68,15 @@ def touching_of(
         return None, []
     if body.dimension != 3:
         raise BodyError(f"tools touch bodies of 3 axes, but this one has {body.dimension}{_remedy(body.dimension)}")
+    law = None if contact is None else contact.made()
+    if law is not None and (body.skin is None or not body.skin.triangles.size):
+        raise BodyError("tools touch by a contact law, which needs a skin, but the body has none; leave contact out")
     for number, table in enumerate(tables, start=1):
+        _fits(number, table, law)
         if table.user > users:
             raise ScenarioError(f"tools[{number}].user is {table.user}; the network has users 1 to {users}")
         if table.kind == "touch" and table.begin == 0.0:
-            reached = clear_place(body, start[table.user - 1], np.array(table.at), table.radius)
+            reached = resolve_penetration(body, start[table.user - 1], np.array(table.at), table.radius)
             if reached is not None:
                 depth, place = reached
                 raise ScenarioError(
@@ -80,7 +93,9 @@ def touching_of(
     models: list[DeviceModel] = []
     for t, table in enumerate(chosen):
         own.mass[t], own.radius[t], own.friction[t] = table.mass, table.radius, table.friction
+        own.kinetic[t] = table.friction if table.kinetic_friction is None else table.kinetic_friction
         own.place[t, :3] = table.at
+        own.axis[t, :3] = table.axis or 0.0
         if table.kind == "touch":
             own.stiffness[t], own.loss[t] = table.stiffness, table.damping
         else:
@@ -97,18 +112,20 @@ def touching_of(
         joined.device[t] = len(models)
         joined.origin[t, :3] = table.at
         joined.stiffness[t], joined.damping[t] = device.coupling.stiffness, device.coupling.damping
+        joined.unsure[t] = _unsure(device, lengths[table.user - 1])
         models.append(device)
     devices, states = assemble(models)
     for t in np.flatnonzero(joined.device >= 0):
         joined.most[t] = sure_force(devices, int(joined.device[t]))
     owner = np.array([table.user - 1 for table in chosen])
     first = np.searchsorted(owner, np.arange(users + 1)).astype(np.int32)
-    hands = _drives(chosen)
+    hands, most = _drives(chosen), int(np.diff(first).max())
     return (
         Touching(
             surface=surface,
             tools=own,
-            work=touch_work(model, surface, tools=int(np.diff(first).max()), ports=ports),
+            accounts=touch_work(model, surface, tools=most, port_count=ports) if law is None else None,
+            contact=None if law is None else contact_by(law, model, surface, tools=most),
             first=first,
             kind=np.array([TOUCH if table.kind == "touch" else GRASP for table in chosen], dtype=np.int32),
             begin=np.array([table.begin for table in chosen]),
@@ -120,13 +137,33 @@ def touching_of(
             devices=devices,
             states=states,
             couplings=joined,
-            books=np.zeros(TOUCH_BOOKS),
+            ledger=np.zeros(TOUCH_LEDGER),
         ),
         [order.index(index) for index in range(count)],
     )
 
 
-def device_model(table: DeviceTable, hand: ToolHand | None, lengths: Float) -> DeviceModel:
+def _fits(number: int, table: ToolTable, law: Any) -> None:
+    """Refuses what a tool has and its contact has not.
+
+    Raises:
+        ScenarioError: it is so.
+    """
+    if law is None:
+        for name in ("kinetic_friction", "axis"):
+            if getattr(table, name) is not None:
+                raise ScenarioError(
+                    f"tools[{number}].{name} is {getattr(table, name)}, which contact by springs has not; give contact "
+                    'a law, as law = "stiffening", or leave it out'
+                )
+    elif table.kind == "grasp":
+        raise ScenarioError(
+            f'tools[{number}].kind is "grasp", which only contact by springs has; leave contact out, or hold the body '
+            "with hands"
+        )
+
+
+def device_model(table: SimulatedDeviceTable, hand: ToolHand | None, lengths: Float) -> DeviceModel:
     """A device as `cotouch.device` wants it.
 
     Args:
@@ -152,7 +189,7 @@ def device_model(table: DeviceTable, hand: ToolHand | None, lengths: Float) -> D
         )
     # What a PHANToM's encoders tell apart at the tip they do at the end of its upper arm, about.
     lever = plant.lengths()[0] if isinstance(plant, PhantomPlant) else 1.0
-    servo = Servo(
+    servo = ServoModel(
         period=tuple(table.periods) if table.periods else 1.0 / rate,
         window=table.window,
         resolution=_first(table.resolution, product and product.resolution / lever, 0.0),
@@ -162,6 +199,7 @@ def device_model(table: DeviceTable, hand: ToolHand | None, lengths: Float) -> D
     if table.coupling == "virtual":
         # A PHANToM's joints damp its tip by at least their own damping over the square of its longest lever.
         longest = sum(plant.lengths()) if isinstance(plant, PhantomPlant) else 1.0
+        unseen = _unseen(plant, servo)
         known = lengths[lengths > 0.0]
         stiffness = checked_virtual_coupling(
             stiffness=stiffness,
@@ -169,21 +207,39 @@ def device_model(table: DeviceTable, hand: ToolHand | None, lengths: Float) -> D
             period=float(known.max()),
             damping=table.damping,
             spread=float((known[1:] / known[:-1]).max(initial=1.0)),
-            lower=table.lower,
+            unseen=unseen,
+            dry=plant.coulomb / longest,
+            shortest=float(known.min()),
+            lower=table.clip_stiffness,
         )
     return DeviceModel(
         plant=plant,
         servo=servo,
         coupling=Coupling(
-            law="pspm" if table.coupling == "pspm" else "told",
+            law="pspm" if table.coupling == "pspm" else "host_force",
             stiffness=stiffness,
             damping=table.damping,
             cap=table.cap,
             reserve=table.reserve,
-            declared=table.declared,
+            assumed_damping=table.assumed_damping,
         ),
         hand=None if hand is None else SimulatedHand(**hand.model_dump()),
     )
+
+
+def _unseen(plant: CartesianPlant | PhantomPlant, servo: ServoModel) -> float:
+    """Farthest that a tip may be from where its encoders have it: half a step on each axis or joint [m]."""
+    if isinstance(plant, PhantomPlant):
+        return servo.resolution * sum(plant.lengths())  # joint 1 turns both arms, the others their own
+    return 0.5 * 3.0**0.5 * servo.resolution
+
+
+def _unsure(device: DeviceModel, lengths: Float) -> float:
+    """By how much encoders may falsify the force of a virtual coupling; of others 0 [N]."""
+    if device.coupling.law != "host_force":
+        return 0.0
+    shortest = float(lengths[lengths > 0.0].min())
+    return (device.coupling.stiffness + 2.0 * device.coupling.damping / shortest) * _unseen(device.plant, device.servo)
 
 
 def _remedy(axes: int) -> str:

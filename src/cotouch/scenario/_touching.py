@@ -7,11 +7,11 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.device import DEVICE_BOOKS, Couplings, Devices, DeviceState, pull_proxy, tell_device
-from cotouch.mechanics import AWAY, Grips, Surface, Tools, TouchWork, at, block, load, part, put, store
+from cotouch.arrays import Float
+from cotouch.device import DEVICE_LEDGER, Couplings, Devices, DeviceState, command_device, pull_proxy
+from cotouch.mechanics import AWAY, Contact, Ports, Surface, Tools, TouchWork, at, block, load, part, put, store
 from cotouch.scenario._hands import Hands, grip
 
-Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
 
 FOUR = (0, 0, 0, 0)
@@ -23,7 +23,8 @@ class Touching(NamedTuple):
     Attributes:
         surface: the body's skin.
         tools: the proxies.
-        work: scratch.
+        accounts: scratch where they touch by springs with accounts, else None.
+        contact: the law by which they touch, else None.
         first: first tool of each user, (users + 1,).
         kind: what each does while it acts, TOUCH or GRASP, (tools,).
         begin: it acts from here, (tools,) [s].
@@ -35,12 +36,13 @@ class Touching(NamedTuple):
         devices: the devices.
         states: where they are.
         couplings: which drives which tool.
-        books: result of one step, (TOUCH_BOOKS,).
+        ledger: result of one step, (TOUCH_BOOKS,).
     """
 
     surface: Surface
     tools: Tools
-    work: TouchWork
+    accounts: TouchWork | None
+    contact: Contact | None
     first: Int
     kind: Int
     begin: Float
@@ -52,7 +54,7 @@ class Touching(NamedTuple):
     devices: Devices
     states: DeviceState
     couplings: Couplings
-    books: Float
+    ledger: Float
 
 
 class ToolRecord(NamedTuple):
@@ -66,8 +68,8 @@ class ToolRecord(NamedTuple):
         touching: contacts that pushed, or nodes held, (tools, records).
         device_place: measured place of the device in the body's frame, (tools, records, 4) [m].
         device_force: that its motors hold, (tools, records, 4) [N].
-        device_books: (len(DEVICE_BOOKS), tools, records), see there.
-        coupling: work of the coupling on the proxy; largest excess so far, (2, tools, records) [J].
+        device_ledger: (len(DEVICE_BOOKS), tools, records), see there.
+        coupling: work of the coupling on the proxy; largest excess; what nobody pays for, (3, tools, records) [J].
     """
 
     place: Float
@@ -77,12 +79,17 @@ class ToolRecord(NamedTuple):
     touching: Float
     device_place: Float
     device_force: Float
-    device_books: Float
+    device_ledger: Float
     coupling: Float
 
 
 def tool_record(count: int, records: int) -> ToolRecord:
-    """Room for a record."""
+    """Room for a record.
+
+    Args:
+        count: of tools.
+        records: of each tool.
+    """
     rows = [np.zeros((count, records, 4)) for _ in range(6)]
     return ToolRecord(
         place=rows[0],
@@ -92,14 +99,20 @@ def tool_record(count: int, records: int) -> ToolRecord:
         touching=np.zeros((count, records)),
         device_place=rows[4],
         device_force=rows[5],
-        device_books=np.zeros((len(DEVICE_BOOKS), count, records)),
-        coupling=np.zeros((2, count, records)),
+        device_ledger=np.zeros((len(DEVICE_LEDGER), count, records)),
+        coupling=np.zeros((3, count, records)),
     )
 
 
 @part
 def before_step(touching: Touching, i: int, end: float, T: float) -> bool:
     """What the tools of user i do in a step that ends at `end`; their devices advance to then.
+
+    Args:
+        touching: tools and devices of all users; changed in place.
+        i: number of the user, from 0.
+        end: of the step [s].
+        T: length of the step [s].
 
     Returns:
         Whether all devices' motion is still within the range of floating point.
@@ -114,7 +127,7 @@ def before_step(touching: Touching, i: int, end: float, T: float) -> bool:
             fine = pull_proxy(touching.devices, touching.states, touching.couplings, tools, t, end, T)
             finite = finite and fine
         else:
-            drive = Grips(
+            drive = Ports(
                 0,
                 0,
                 touching.row,
@@ -132,32 +145,59 @@ def before_step(touching: Touching, i: int, end: float, T: float) -> bool:
 
 @part
 def after_step(touching: Touching, i: int) -> None:
-    """Tells the devices of user i what came of the step."""
+    """Tells the devices of user i what came of the step.
+
+    Args:
+        touching: tools and devices of all users; changed in place.
+        i: number of the user, from 0.
+    """
     for t in range(at(touching.first, i), at(touching.first, i + 1)):
         if at(touching.couplings.device, t) >= 0:
-            tell_device(touching.devices, touching.states, touching.couplings, touching.tools, t)
+            command_device(touching.devices, touching.states, touching.couplings, touching.tools, t)
 
 
 @block
 def before_step_alone(touching: Touching, i: int, end: float, T: float) -> bool:
-    """`before_step` for a call from Python."""
+    """`before_step` for a call from Python.
+
+    Args:
+        touching: tools and devices of all users; changed in place.
+        i: number of the user, from 0.
+        end: of the step [s].
+        T: length of the step [s].
+    """
     return before_step(touching, i, end, T)
 
 
 @block
 def after_step_alone(touching: Touching, i: int) -> None:
-    """`after_step` for a call from Python."""
+    """`after_step` for a call from Python.
+
+    Args:
+        touching: tools and devices of all users; changed in place.
+        i: number of the user, from 0.
+    """
     after_step(touching, i)
 
 
 def tools_of(touching: Touching, i: int) -> Tools:
-    """The tools of one user, in the arrays of all."""
+    """The tools of one user, in the arrays of all.
+
+    Args:
+        touching: tools and devices of all users; changed in place.
+        i: number of the user, from 0.
+    """
     return touching.tools._replace(first=int(touching.first[i]), last=int(touching.first[i + 1]))
 
 
 @part
 def proxy_energy(touching: Touching, i: int) -> float:
-    """Kinetic energy of a user's proxies [J]."""
+    """Kinetic energy of a user's proxies [J].
+
+    Args:
+        touching: tools and devices of all users; changed in place.
+        i: number of the user, from 0.
+    """
     energy = 0.0
     for t in range(at(touching.first, i), at(touching.first, i + 1)):
         for axis in range(3):
@@ -167,7 +207,14 @@ def proxy_energy(touching: Touching, i: int) -> float:
 
 @part
 def keep_tools(record: ToolRecord, touching: Touching, i: int, entry: int) -> None:
-    """Records the tools of one user."""
+    """Records the tools of one user.
+
+    Args:
+        record: written to.
+        touching: tools and devices of all users; changed in place.
+        i: number of the user, from 0.
+        entry: row of the record.
+    """
     tools, couplings, states = touching.tools, touching.couplings, touching.states
     records = record.touching.shape[1]
     for t in range(at(touching.first, i), at(touching.first, i + 1)):
@@ -181,7 +228,8 @@ def keep_tools(record: ToolRecord, touching: Touching, i: int, entry: int) -> No
         if d >= 0:
             store(record.device_place, here, load(states.sample, d, FOUR) + load(couplings.origin, t, FOUR), FOUR)
             store(record.device_force, here, load(states.force, d, FOUR), FOUR)
-            for book in range(record.device_books.shape[0]):
-                put(record.device_books, (book, t, entry), at(states.books, (d, book)))
+            for book in range(record.device_ledger.shape[0]):
+                put(record.device_ledger, (book, t, entry), at(states.ledger, (d, book)))
             put(record.coupling, (0, t, entry), at(couplings.work, t))
             put(record.coupling, (1, t, entry), at(couplings.excess, t))
+            put(record.coupling, (2, t, entry), at(couplings.unpaid, t))

@@ -4,15 +4,13 @@ from collections.abc import Sequence
 from typing import final
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.body import Body
 from cotouch.mechanics import AWAY, TOUCH, Tools
 from cotouch.scenario import ToolTable
-from cotouch.scenario._clear import clear_place
+from cotouch.scenario._penetration import resolve_penetration
 from cotouch.session._motion import Mover
-
-Float = npt.NDArray[np.float64]
 
 # Of the body's radius: the ball's, if nobody says how large it is, and the least and most that it may be.
 _USUAL, _LEAST, _MOST = 0.15, 0.03, 0.6
@@ -26,17 +24,17 @@ _GROWTH = 0.3
 _NEVER = 1e9
 
 
-def ball_table(seat: int, body: Body, *, size: float, stiffness: float) -> ToolTable:
+def ball_table(slot: int, body: Body, *, size: float, stiffness: float) -> ToolTable:
     """The ball as a tool that never begins by itself.
 
     Args:
-        seat: whose.
+        slot: whose.
         body: the shared object.
         size: its radius [m].
         stiffness: of the hand [N/m].
     """
     return ToolTable(
-        user=seat + 1,
+        user=slot + 1,
         at=body.rest.max(axis=0).tolist(),
         radius=_USUAL * size,
         mass=_MASS,
@@ -84,7 +82,7 @@ class Ball:
         tools, t = self._tools, self._t
         self.radius = self._wanted
         where = np.array(place, dtype=np.float64)
-        reached = clear_place(self._body, displacement, where, self.radius)
+        reached = resolve_penetration(self._body, displacement, where, self.radius)
         if reached is not None:
             where = reached[1]
         tools.radius[t] = self.radius

@@ -6,7 +6,8 @@ from itertools import combinations
 import numpy as np
 import numpy.typing as npt
 
-Float = npt.NDArray[np.float64]
+from cotouch.arrays import Float
+
 Ints = npt.NDArray[np.int64]
 
 # Half its width and half its height [m].
@@ -33,7 +34,12 @@ def cushion() -> tuple[Float, Ints]:
 
 
 def stl(points: Float, corners: Ints) -> bytes:
-    """A surface as a binary STL file."""
+    """A surface as a binary STL file.
+
+    Args:
+        points: (n, 3) [m].
+        corners: (m, 3) indices of points.
+    """
     sides = points[corners]
     normal = np.cross(sides[:, 1] - sides[:, 0], sides[:, 2] - sides[:, 0])
     normal /= np.linalg.norm(normal, axis=1, keepdims=True)

@@ -5,29 +5,31 @@ import time
 import tomllib
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, nullcontext
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from importlib.resources import files
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any, final
 
 from cotouch.errors import SessionError
-from cotouch.session._boards import board_folder
+from cotouch.interrupt import interruptible
+from cotouch.session._commanded_hand import CommandedHand
 from cotouch.session._cushion import HALF, cushion, stl
-from cotouch.session._demo_stage import DemoStage
+from cotouch.session._demo_session_api import DemoSessionApi
 from cotouch.session._file import MOST_USERS, SessionFile
-from cotouch.session._hand import Seat
+from cotouch.session._hand import Slot
+from cotouch.session._mailboxes import mailbox_folder
 from cotouch.session._open import open_host
-from cotouch.session._process import MemberProcess
-from cotouch.session._replica import Replica
-from cotouch.session._told import ToldHand
+from cotouch.session._shared_model import SharedModel
 from cotouch.session._totals import ALARM
 from cotouch.session._warm import compiles, warm_up
+from cotouch.units import user_number
 
 _FILE = "live.toml"
 # Compiling on a machine that never did takes so long, several processes at once [s].
 _PATIENCE = 300.0
 _POLL = 0.02
+_NUMBERS = ("No", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight")
 _BODIES = ("point", "block", "soft")
 # Springs and delays of users beyond the paper's five.
 _SPRING, _DELAY = 60.0, 0.05
@@ -59,17 +61,17 @@ _SOFT = {
     "ground_stiffness": 10.0,
     "modes": 60,
 }
-_SOFT_SHARE, _BLOCK_SHARE = 1.0 / 40.0, 1.0 / 8.0
+_SOFT_FRACTION, _BLOCK_FRACTION = 1.0 / 40.0, 1.0 / 8.0
 _SLOW = 0.5
 # Five members of 500 Hz leave too little of two cores to a page and its browser [Hz].
 _SOFT_RATE = 250
-# How fast hands go around that never let go [Hz].
+# How fast hands go around, until they let go [Hz].
 _ROUND = (0.11, 0.17, 0.13, 0.19, 0.15)
 # What `--impair` takes, and where it stands in a session's file.
 _IMPAIRMENTS = ("loss", "jitter", "duplication", "reordering")
 _HOLD = 0.05
 # Hands wait for everybody to be there and coupled, so long and for such a share of the time at most [s].
-_GATHER, _GATHER_SHARE = 15.0, 1.0 / 6.0
+_GATHER, _GATHER_FRACTION = 15.0, 1.0 / 6.0
 
 
 def demo_file() -> Path:
@@ -89,7 +91,12 @@ def demo_file() -> Path:
 
 
 def demo_session(
-    *, users: int = 5, body: str = "point", seconds: float | None = 30.0, impair: Sequence[str] = ()
+    *,
+    users: int = 5,
+    body: str = "point",
+    seconds: float | None = 30.0,
+    impair: Sequence[str] = (),
+    law: str = "spring",
 ) -> SessionFile:
     """The session of a demonstration.
 
@@ -99,14 +106,20 @@ def demo_session(
         seconds: how long; the hands let go after two thirds of it. None: they never do, and go on moving.
         impair: what the network does besides, each such as "loss=0.1", "jitter=0.02" (s), "duplication=0.05",
             "reordering=0.1".
+        law: of all links: "spring" (the paper's), "paid", "wave" or "tank".
 
     Raises:
         SessionError: one of these cannot be.
+        ScenarioError: the law cannot be, or not live.
     """
     tables = tomllib.loads(demo_file().read_text(encoding="utf-8"))
     if not 1 <= users <= MOST_USERS:
         raise SessionError(f"--users is {users}; it must be from 1 to {MOST_USERS}")
     network = tables["network"]
+    if users != len(network["users"]):
+        tables["title"] = (
+            f"{_NUMBERS[users] if users < len(_NUMBERS) else users} user{'s' if users > 1 else ''}, one object"
+        )
     if users <= len(network["users"]):
         network["users"] = network["users"][:users]
         for name in ("spring", "delay"):
@@ -123,14 +136,17 @@ def demo_session(
     tables["hands"] = hands
     _embody(tables, body)
     for n, hand in enumerate(hands):
+        last = hand["path"][-1][1:]
+        hand["amplitude"] = last if len(last) > 1 else last[0]
+        hand["frequency"] = _ROUND[n % 5]
         if seconds is not None:
             hand["release"] = round(2.0 * seconds / 3.0, 3)
-        else:
-            last = hand["path"][-1][1:]
-            hand["amplitude"] = last if len(last) > 1 else last[0]
-            hand["frequency"] = _ROUND[n % 5]
-    tables["session"]["gather"] = _GATHER if seconds is None else min(_GATHER, round(_GATHER_SHARE * seconds, 3))
+    tables["session"]["wait_for_peers"] = (
+        _GATHER if seconds is None else min(_GATHER, round(_GATHER_FRACTION * seconds, 3))
+    )
     _impair(tables, impair)
+    if law != "spring":
+        tables["synchronisation"] = {"law": law}
     with TemporaryDirectory(prefix="cotouch-") as folder:
         if body == "soft":
             Path(folder, _SOFT_FILE).write_bytes(stl(*cushion()))
@@ -139,7 +155,7 @@ def demo_session(
 
 @final
 @dataclass(frozen=True, kw_only=True)
-class Shown:
+class DemoOutcome:
     """How a demonstration went.
 
     Attributes:
@@ -155,6 +171,8 @@ class Shown:
         missed: share of steps that came late.
         guarded: how often links were guarded after they were coupled first.
         complaints: what went wrong, in sentences; empty if all came out as it should.
+        notes: what else is to be known.
+        lowered: whether somebody lowered the damping meanwhile, so that nothing is promised of the whole.
     """
 
     members: dict[str, dict[str, Any] | None]
@@ -169,17 +187,19 @@ class Shown:
     missed: float
     guarded: int
     complaints: list[str]
+    notes: list[str] = field(default_factory=list[str])
+    lowered: bool = False
 
 
 def play(
     session: SessionFile,
     *,
     seconds: float | None,
-    each: Callable[[DemoStage, float], None] | None = None,
+    each: Callable[[DemoSessionApi, float], None] | None = None,
     stopped: Callable[[], bool] = lambda: False,
     record: Path | None = None,
-    beside: Callable[[DemoStage], AbstractContextManager[object]] = nullcontext,
-) -> Shown:
+    beside: Callable[[DemoSessionApi], AbstractContextManager[object]] = nullcontext,
+) -> DemoOutcome:
     """Plays a session with one process for each of its users.
 
     Args:
@@ -193,6 +213,7 @@ def play(
     Raises:
         TransportError: this machine refuses a port.
         SessionError: somebody could not take part.
+        KeyboardInterrupt: it was stopped before all were there; nobody is left.
     """
     with TemporaryDirectory(prefix="cotouch-") as folder:
         if session.files:  # a mesh is read again from where it lies
@@ -203,44 +224,53 @@ def play(
 def _played(
     session: SessionFile,
     seconds: float | None,
-    each: Callable[[DemoStage, float], None] | None,
+    each: Callable[[DemoSessionApi, float], None] | None,
     stopped: Callable[[], bool],
     record: Path | None,
-    beside: Callable[[DemoStage], AbstractContextManager[object]],
-) -> Shown:
-    replica = Replica.build(session)
+    beside: Callable[[DemoSessionApi], AbstractContextManager[object]],
+) -> DemoOutcome:
+    replica = interruptible(SharedModel.build)(session)
     if compiles(session, touched=replica.body.skin is not None):
         # Here, once, rather than in every process at the same time.
-        warm_up(replica, lambda model: ToldHand(Seat.of(session, replica, 0, model)))
-    with open_host(session) as opened, board_folder() as boards:
-        stage = DemoStage(session, opened, replica, boards, record=record)
+        interruptible(warm_up)(replica, lambda model: CommandedHand(Slot.of(session, replica, 0, model)))
+    with open_host(session) as opened, mailbox_folder() as mailboxes:
+        api = DemoSessionApi(session, opened, replica, mailboxes, record=record, rouse=seconds is None)
         try:
-            with beside(stage):
-                stage.start()
-                began = _gather(stage, each, stopped)
-                stage.choose_links()
+            with beside(api):
+                api.start()
+                began = _gather(api, each, stopped)
+                api.choose_links()
                 end = began + (float("inf") if seconds is None else seconds)
                 while time.monotonic() < end and not stopped():
-                    _turn(stage, each)
+                    _turn(api, each)
                 opened.host.end()
                 took = time.monotonic() - began
                 finish = time.monotonic() + 10.0
-                while time.monotonic() < finish and any(member.running for member in stage.members.values()):
-                    _turn(stage, None)
-            return _summed(stage.members, took, acted=stage.acted)
+                while time.monotonic() < finish and any(member.running for member in api.members.values()):
+                    _turn(api, None)
+                _turn(api, None)  # what they said last
+            return _summed(api, took)
         finally:
-            stage.close()
+            api.close()
 
 
-def _gather(stage: DemoStage, each: Callable[[DemoStage, float], None] | None, stopped: Callable[[], bool]) -> float:
-    """Waits until everybody moves; returns when that was [s]."""
+def _gather(
+    api: DemoSessionApi, each: Callable[[DemoSessionApi, float], None] | None, stopped: Callable[[], bool]
+) -> float:
+    """Waits until everybody moves; returns when that was [s].
+
+    Raises:
+        KeyboardInterrupt: it was stopped before.
+    """
     patience = time.monotonic() + _PATIENCE
-    members = stage.members
-    while not stopped():
-        _turn(stage, each)
-        if stage.acted:  # somebody killed one of them meanwhile, say
+    members = api.members
+    while True:
+        if stopped():
+            raise KeyboardInterrupt
+        _turn(api, each)
+        if api.acted:  # somebody killed one of them meanwhile, say
             break
-        seen = stage.opened.host.watch.members.values()
+        seen = api.opened.host.watch.members.values()
         if len(seen) == len(members) and all(s.status is not None and s.status.steps for s in seen):
             break
         for name, member in members.items():
@@ -251,17 +281,19 @@ def _gather(stage: DemoStage, each: Callable[[DemoStage, float], None] | None, s
     return time.monotonic()
 
 
-def _turn(stage: DemoStage, each: Callable[[DemoStage, float], None] | None) -> None:
+def _turn(api: DemoSessionApi, each: Callable[[DemoSessionApi, float], None] | None) -> None:
     now = time.monotonic()
-    stage.tick(now)
+    api.tick(now)
     if each is not None:
-        each(stage, now)
+        each(api, now)
     time.sleep(_POLL)
 
 
-def _summed(members: dict[str, MemberProcess], seconds: float, *, acted: bool) -> Shown:
+def _summed(api: DemoSessionApi, seconds: float) -> DemoOutcome:
     """What came of it; where somebody changed how it went, who was killed or cut off is nothing to complain about."""
-    results = {name: member.result() for name, member in members.items()}
+    acted = api.acted
+    results = {name: member.result() for name, member in api.members.items()}
+    troubles, kept = api.recording_left()
     complaints = [f"{name} ended without a result" for name, result in results.items() if result is None and not acted]
     known = [r["status"] for r in results.values() if r is not None and r["status"] is not None]
 
@@ -269,18 +301,33 @@ def _summed(members: dict[str, MemberProcess], seconds: float, *, acted: bool) -
         return float(sum(status[name] for status in known))
 
     supplied, initial, lost = total("supplied"), total("initial"), total("lost")
+    had = initial + total("initial_energies")
     residual = max((status["residual"] for status in known), default=0.0)
     links = [link for status in known for link in status["links"]]
     apart = max((link["difference"] for link in links if link["difference"] is not None), default=0.0)
-    if supplied + initial < -ALARM * max(lost, abs(supplied)) and not acted:
-        complaints.append(f"the hands got out {-supplied - initial:.3g} J that nobody put in")
+    if supplied + had < -ALARM * max(lost, abs(supplied)) and not acted:
+        complaints.append(f"the hands got out {-supplied - had:.3g} J that nobody put in")
     if residual > ALARM:
-        complaints.append(f"the energy books are off by {residual:.1e} of the energy in play")
-    apart_links = sum(link["state"] not in {"coupled", "ready"} for link in links)
-    if apart_links and not acted:  # one that is ready has caught up, and waits for as long as its budgets
-        complaints.append(f"at the end {apart_links} of {len(links)} ends of links were not coupled")
+        complaints.append(f"the energy ledger is off by {residual:.1e} of the energy in play")
+    # One that is ready has caught up, and waits for as long as its budgets.
+    loose = sorted(
+        {
+            (min(status["slot"], link["slot"]), max(status["slot"], link["slot"]))
+            for status in known
+            for link in status["links"]
+            if link["state"] not in {"coupled", "ready"}
+        }
+    )
+    if loose and not acted:
+        pairs = ", ".join(f"{user_number(a)}-{user_number(b)}" for a, b in loose)
+        complaints.append(
+            f"at the end {'this link was' if len(loose) == 1 else 'these links were'} not coupled: {pairs}"
+        )
+    for name, result in results.items():
+        if result is not None and result["recording_trouble"]:
+            complaints.append(f"the recording of {name} {result['recording_trouble']}")
     steps = total("steps")
-    return Shown(
+    return DemoOutcome(
         members=results,
         seconds=seconds,
         supplied=supplied,
@@ -292,7 +339,9 @@ def _summed(members: dict[str, MemberProcess], seconds: float, *, acted: bool) -
         apart=apart,
         missed=total("missed") / steps if steps else 0.0,
         guarded=sum(link["guarded"] for link in links),
-        complaints=complaints,
+        complaints=complaints + troubles,
+        notes=[] if kept is None else [kept],
+        lowered=api.lowered,
     )
 
 
@@ -302,7 +351,7 @@ def _embody(tables: dict[str, Any], body: str) -> None:
         return
     if body == "block":
         tables["body"] = dict(_BLOCK)
-        _soften(tables, _BLOCK_SHARE)
+        _soften(tables, _BLOCK_FRACTION)
         places = [[0.14, 0.02 * (n % 4), 0.02 * (n // 4 % 4)] for n in range(len(tables["hands"]))]
     elif body == "soft":
         _cushion(tables)
@@ -311,7 +360,7 @@ def _embody(tables: dict[str, Any], body: str) -> None:
         raise SessionError(f'--body is "{body}"; it must be {" or ".join(_BODIES)}')
     ways = ((0.0, 0.3, 0.0), (0.0, -0.3, 0.1), (0.2, 0.0, 0.3), (0.0, 0.2, -0.3), (-0.2, 0.0, 0.2))
     for n, (hand, place) in enumerate(zip(tables["hands"], places, strict=True)):
-        reach = [0.06 * share for share in ways[n % 5]]  # so far that a hand feels the others
+        reach = [0.06 * fraction for fraction in ways[n % 5]]  # so far that a hand feels the others
         hand |= {"at": place, "path": [[0, 0, 0, 0], [2, *reach]], "stiffness": 200.0}
 
 
@@ -319,37 +368,37 @@ def _cushion(tables: dict[str, Any]) -> None:
     """The cushion: held at its corners and in the middle, at shares of its half width."""
     tables["body"] = dict(_SOFT)
     tables["steps"] = {"rate": _SOFT_RATE}
-    _soften(tables, _SOFT_SHARE)
+    _soften(tables, _SOFT_FRACTION)
     places = ((0.85, 0.85, 0.0), (-0.85, 0.85, 0.0), (-0.85, -0.85, 0.0), (0.85, -0.85, 0.0), (0.0, 0.0, 0.3))
     ways = ((0.3, 0.3, 0.3), (-0.3, 0.2, 0.4), (-0.2, -0.3, -0.2), (0.3, -0.2, 0.4), (0.0, 0.0, 0.5))
     for n, hand in enumerate(tables["hands"]):
         hand |= {
-            "at": [HALF * share for share in places[n % 5]],
-            "path": [[0, 0, 0, 0], [2, *(HALF * share for share in ways[n % 5])]],
+            "at": [HALF * fraction for fraction in places[n % 5]],
+            "path": [[0, 0, 0, 0], [2, *(HALF * fraction for fraction in ways[n % 5])]],
             "stiffness": 150.0,
             "damping": 3.0,
         }
 
 
-def _soften(tables: dict[str, Any], share: float) -> None:
+def _soften(tables: dict[str, Any], fraction: float) -> None:
     """Gives every node a share of the paper's springs, and leaves out its slowest path."""
     network = tables["network"]
-    network["spring"] = [[share * spring for spring in row] for row in network["spring"]]
+    network["spring"] = [[fraction * spring for spring in row] for row in network["spring"]]
     if "links" in network:
         network["links"] = [[a, b] for a, b in network["links"] if network["delay"][a - 1][b - 1] < _SLOW]
 
 
 def _impair(tables: dict[str, Any], impair: Sequence[str]) -> None:
     channel: dict[str, Any] = {}
-    for wish in impair:
-        name, _, text = wish.partition("=")
+    for one in impair:
+        name, _, text = one.partition("=")
         try:
             value = float(text)
         except ValueError:
             value = -1.0
         if name not in _IMPAIRMENTS or not 0.0 <= value <= 1.0:
             raise SessionError(
-                f'--impair is "{wish}"; it must be {", ".join(_IMPAIRMENTS)}, "=", and a number from 0 to 1 (jitter: s)'
+                f'--impair is "{one}"; it must be {", ".join(_IMPAIRMENTS)}, "=", and a number from 0 to 1 (jitter: s)'
             )
         channel[name] = {"scale": value} if name == "jitter" else value
         if name == "reordering":

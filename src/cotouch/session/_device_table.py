@@ -64,7 +64,7 @@ class DeviceTable(Table):
         )
 
 
-def coupling_of_seat(scenario: Scenario, devices: Sequence[DeviceTable], seat: int, tool: int) -> CouplingChoice:
+def coupling_of_slot(scenario: Scenario, devices: Sequence[DeviceTable], slot: int, tool: int) -> CouplingChoice:
     """What the file says of the device that moves a tool.
 
     Tables that name the tool go before those that name the user, and these before those for everybody; at last what
@@ -73,15 +73,15 @@ def coupling_of_seat(scenario: Scenario, devices: Sequence[DeviceTable], seat: i
     Args:
         scenario: of the session.
         devices: its tables `[[session.devices]]`.
-        seat: of the user, from 0.
-        tool: of the seat, from 0.
+        slot: of the user, from 0.
+        tool: of the slot, from 0.
     """
-    fitting = [table for table in devices if table.user in {None, seat + 1} and table.tool in {None, tool + 1}]
+    fitting = [table for table in devices if table.user in {None, slot + 1} and table.tool in {None, tool + 1}]
     fitting.sort(key=lambda table: (table.tool is None, table.user is None))
     found = CouplingChoice()
     for table in fitting:
         found = found.over(table.said())
-    own = [table.device for table in scenario.tools if table.user == seat + 1]
+    own = [table.device for table in scenario.tools if table.user == slot + 1]
     simulated = own[tool] if tool < len(own) else None
     if simulated is None:
         return found

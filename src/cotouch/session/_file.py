@@ -2,7 +2,6 @@
 
 import hashlib
 import json
-import tomllib
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import Annotated, Any, Literal, Self, final
@@ -11,12 +10,14 @@ import numpy as np
 from pydantic import Field, ValidationError, model_validator
 
 from cotouch.errors import ScenarioError, SessionError
-from cotouch.live import Coding
+from cotouch.files import read_bytes, read_text, toml
+from cotouch.live import MOST_AGE, Encoding
 from cotouch.network import Network
 from cotouch.scenario import NonNegative, Positive, Probability, Scenario, Table, per_user, sentence
 from cotouch.session._device_table import DeviceTable
+from cotouch.session._law_check import check_law
 
-# Seats of a session without names: more than this many people at one object nobody has tried.
+# Slots of a session without names: more than this many people at one object nobody has tried.
 MOST_USERS = 32
 # Steps per second where the file says nothing: what a computer that does other things too can keep.
 DEFAULT_RATE = 500.0
@@ -24,7 +25,7 @@ DEFAULT_RATE = 500.0
 MOST_BYTES = 256 << 20
 _DEFAULT_SPRING = 60.0
 _DEFAULT_DELAY = 0.02
-_FORMAT = "cotouch session 1"
+_FORMAT = "cotouch session 2"
 
 
 @final
@@ -32,7 +33,7 @@ class SessionTable(Table):
     """What only the live world needs.
 
     Attributes:
-        users: instead of `[network]`: this many seats, whoever comes first; all springs are `spring`.
+        users: instead of `[network]`: this many slots, whoever comes first; all springs are `spring`.
         spring: of every pair, with `users` [N/m].
         links: "given" (those of `[network]`, or all), or "plan" (chosen from the delays that are measured).
         link_count: how many "plan" chooses; by default 6 of 5 people's 10, and in this proportion.
@@ -46,12 +47,17 @@ class SessionTable(Table):
         power_limit: that one neighbour's motion can put in, on average over a second [W].
         tank: most energy that a link's tank holds [J].
         seed: energy that a link has once, to begin with [J].
+        allowance: energy that a newcomer's links may get once, to bring its copy from rest to where the others are;
+            about what 20 N do over 0.1 m [J].
+        age_limit: that the age budgets of both ends of a link may come to; samples that are older are guarded, and no
+            neighbour can ask for more damping than half the spring times this [s].
         gather: hands of the file wait until all users are there and their own copy is coupled, at most so long [s].
-        coding: of a number on the wire; what the rounding of others than "float64" can cost is paid for.
+        encoding: of a number on the wire; what the rounding of others than "float64" can cost is paid for.
         reach: greatest displacement of any node along an axis; what is farther is not sent, and not taken [m].
         send_rate: highest rate of samples on each link [1/s]; by default the sender's own.
         emulate: put the delays of `[network]` and the law of `[channel]` on every direct path, to try a network on one
             machine.
+        per_address: slots that one address may take, this machine aside; by default half of them, rounded up.
         devices: how the devices in people's hands are coupled.
     """
 
@@ -64,16 +70,19 @@ class SessionTable(Table):
     quantile: Probability = 1.0
     margin: NonNegative = 0.25
     window: Positive = 10.0
-    longest_step: Annotated[float, Field(gt=0.0, le=1.0)] = 0.05
+    max_step: Annotated[float, Field(gt=0.0, le=1.0)] = 0.05
     force_limit: Positive = 20.0
     power_limit: Positive = 50.0
     tank: NonNegative = 0.05
-    seed: NonNegative = 1e-3
-    gather: NonNegative = 0.0
-    coding: Coding = "float64"
-    reach: Annotated[float, Field(gt=0.0, le=1e4)] = 10.0
+    initial_energy: NonNegative = 1e-3
+    allowance: NonNegative = 1.0
+    age_limit: Positive = MOST_AGE
+    wait_for_peers: NonNegative = 0.0
+    encoding: Encoding = "float64"
+    max_displacement: Annotated[float, Field(gt=0.0, le=1e4)] = 10.0
     send_rate: Positive | None = None
     emulate: bool = False
+    per_address: Annotated[int, Field(ge=1, le=MOST_USERS)] | None = None
     devices: list[DeviceTable] = Field(default_factory=list[DeviceTable])
 
 
@@ -119,25 +128,24 @@ class SessionFile:
             ScenarioError, NetworkError, BodyError: one of its other tables is wrong.
         """
         path = Path(path)
-        try:
-            text = path.read_text(encoding="utf-8")
-        except (OSError, UnicodeDecodeError) as error:
-            reason = error.strerror if isinstance(error, OSError) else "it is not UTF-8 text"
-            raise SessionError(f"the session {path} cannot be read: {reason}") from error
+        text = read_text(path, "session", SessionError)
         return cls.from_toml(text, source=str(path), folder=path.parent)
 
     @classmethod
     def from_toml(cls, text: str, *, source: str = "the session", folder: Path | None = None) -> "SessionFile":
-        """Reads a session from TOML text; a mesh is looked for in `folder`."""
+        """Reads a session from TOML text; a mesh is looked for in `folder`.
+
+        Args:
+            text: the words.
+            source: what messages call it.
+            folder: where meshes are looked for; None: none is read.
+        """
         tables = _parsed(text, source)
         name = _mesh(tables)
         files: dict[str, bytes] = {}
         if name is not None:
             mesh = (folder or Path()) / name
-            try:
-                files[PurePosixPath(name).name] = mesh.read_bytes()
-            except OSError as error:
-                raise SessionError(f"{source}: the mesh {mesh} cannot be read: {error.strerror}") from error
+            files[PurePosixPath(name).name] = read_bytes(mesh, "mesh", SessionError, MOST_BYTES)
         scenario, options = _made(tables, source, folder)
         described = {
             "format": _FORMAT,
@@ -184,22 +192,22 @@ class SessionFile:
         return hashlib.sha256(self.content).digest()
 
     @property
-    def seats(self) -> int:
+    def slots(self) -> int:
         """How many can take part at once."""
         return self.scenario.network.size
 
     @property
     def named(self) -> bool:
-        """Whether seats are for certain names."""
+        """Whether slots are for certain names."""
         return self.options.users is None
 
-    def period(self, seat: int) -> float:
-        """T of a seat [s]."""
+    def period(self, slot: int) -> float:
+        """T of a slot [s]."""
         steps = self.scenario.steps
         if steps.period is not None:
-            return float(per_user(steps.period, self.seats, "steps.period")[seat])
+            return float(per_user(steps.period, self.slots, "steps.period")[slot])
         if steps.rate is not None:
-            return 1.0 / float(per_user(steps.rate, self.seats, "steps.rate")[seat])
+            return 1.0 / float(per_user(steps.rate, self.slots, "steps.rate")[slot])
         return 1.0 / DEFAULT_RATE
 
     def link_count(self, members: int) -> int:
@@ -230,10 +238,7 @@ def _described(content: bytes) -> dict[str, Any]:
 
 
 def _parsed(text: str, source: str) -> dict[str, Any]:
-    try:
-        return tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise SessionError(f"{source} is not TOML: {error}") from error
+    return toml(text, source, SessionError)
 
 
 def _mesh(tables: dict[str, Any]) -> str | None:
@@ -253,7 +258,7 @@ def _made(tables: dict[str, Any], source: str, folder: Path | None) -> tuple[Sce
             raise SessionError(f"{source}: session.users is {users} and [network] is given; leave one of them out")
         spring = options.spring * (1.0 - np.eye(users))
         tables["network"] = Network(
-            users=[f"seat {seat + 1}" for seat in range(users)],
+            users=[f"user {slot + 1}" for slot in range(users)],
             spring=spring,
             delay=_DEFAULT_DELAY * (1.0 - np.eye(users)),
         )
@@ -265,6 +270,7 @@ def _made(tables: dict[str, Any], source: str, folder: Path | None) -> tuple[Sce
         tables["body"] = {**tables["body"], "file": str(folder / name)}
     scenario = Scenario.make(source=source, **tables)
     _live(scenario, source)
+    check_law(scenario, options.encoding, source)
     for number, table in enumerate(options.devices, start=1):
         users = scenario.network.size
         if table.user is not None and table.user > users:
@@ -279,11 +285,13 @@ def _live(scenario: Scenario, source: str) -> None:
         ScenarioError: it is there.
     """
     sync = scenario.synchronisation
-    if sync.damping != "rule":
+    if sync.damping is not None and sync.damping != "rule":
         raise ScenarioError(
             f'{source}: synchronisation.damping is {sync.damping!r}; live it is "rule", with the ages that are measured'
         )
-    if sync.scale < 1.0:
-        raise ScenarioError(f"{source}: synchronisation.scale is {sync.scale}; below 1 nothing is passive, use 1")
+    if sync.damping_scale < 1.0:
+        raise ScenarioError(
+            f"{source}: synchronisation.damping_scale is {sync.damping_scale}; below 1 nothing is passive, use 1"
+        )
     if scenario.steps.random is not None:
         raise ScenarioError(f"{source}: steps.random is given; live peers keep a period or a rate")

@@ -3,14 +3,13 @@
 from collections.abc import Sequence
 from typing import Any, Protocol, final
 
-import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.haptics import Vector
-from cotouch.mechanics import Grips, Tools
-from cotouch.session._told import write_hand
+from cotouch.mechanics import Ports, Tools
+from cotouch.session._commanded_hand import write_hand
 
-Float = npt.NDArray[np.float64]
 _NOWHERE: Vector = (0.0, 0.0, 0.0)
 
 
@@ -22,7 +21,14 @@ class Grasped(Protocol):
         ...
 
     def drive(self, stiffness: float, damping: float, target: Vector, push: Vector) -> None:
-        """Sets what pulls it in the coming step."""
+        """Sets what pulls it in the coming step.
+
+        Args:
+            stiffness: [N/m].
+            damping: [Ns/m].
+            target: where it is pulled to [m].
+            push: force besides [N].
+        """
         ...
 
     def force(self) -> Vector:
@@ -30,7 +36,7 @@ class Grasped(Protocol):
         ...
 
     def show(self, fields: dict[str, npt.NDArray[Any]], k: int, target: Vector | None) -> None:
-        """Writes it into a board's fields.
+        """Writes it into a mailbox's fields.
 
         Args:
             fields: see `view_fields`.
@@ -41,11 +47,11 @@ class Grasped(Protocol):
 
 
 @final
-class Ball:
+class GraspedBall:
     """A tool: a sphere that touches the skin, or holds nodes."""
 
     def __init__(self, tools: Tools, k: int, radius: float) -> None:
-        """The `k`-th of a seat's, from 0, with its radius [m]."""
+        """The `k`-th of a slot's, from 0, with its radius [m]."""
         self._tools = tools
         self._row = tools.first + k
         self._radius = radius
@@ -55,7 +61,14 @@ class Ball:
         return _vector(self._tools.place[self._row])
 
     def drive(self, stiffness: float, damping: float, target: Vector, push: Vector) -> None:
-        """Sets what pulls it in the coming step."""
+        """Sets what pulls it in the coming step.
+
+        Args:
+            stiffness: [N/m].
+            damping: [Ns/m].
+            target: where it is pulled to [m].
+            push: force besides [N].
+        """
         tools, row = self._tools, self._row
         tools.drive_stiffness[row], tools.drive_damping[row] = stiffness, damping
         tools.drive_start[row, :3] = tools.drive_end[row, :3] = target
@@ -66,53 +79,72 @@ class Ball:
         return _vector(self._tools.drive_force[self._row])
 
     def show(self, fields: dict[str, npt.NDArray[Any]], k: int, target: Vector | None) -> None:
-        """Writes it into a board's fields."""
+        """Writes it into a mailbox's fields.
+
+        Args:
+            fields: written to.
+            k: entry of the fields.
+            target: where it is pulled to [m].
+        """
         place = self.place()
         write_hand(fields, k, "ball", -1, target or place, place, self.force(), self._radius)
 
 
 @final
-class Node:
+class GraspedNode:
     """A node of a body, held at its ports; of a body with fewer axes the device's first ones count."""
 
-    def __init__(self, grips: Grips, axes: int, node: int, rest: Vector, ports: Sequence[int]) -> None:
+    def __init__(self, ports: Ports, axes: int, node: int, rest: Vector, own_ports: Sequence[int]) -> None:
         """Takes hold.
 
         Args:
-            grips: the ports of all hands.
+            ports: the ports of all hands.
             axes: of the body.
             node: which, from 0.
             rest: its place at rest [m].
-            ports: its own: one with all axes, or one for each axis.
+            own_ports: its own: one with all axes, or one for each axis.
         """
-        self._grips, self._axes = grips, axes
+        self._ports, self._axes = ports, axes
         self._node, self._rest = node, rest
-        self._ports = ports
+        self._own_ports = own_ports
         self.position: Float | None = None  # of the copy's rows
 
     def place(self) -> Vector:
         """Displacement of the node [m]."""
         if self.position is None:
             return _NOWHERE
-        grips, position = self._grips, self.position
-        modal = grips.shape.shape[0] > 0
-        rows = [grips.shape[p] @ position if modal else position[grips.row[p]] for p in self._ports]
+        ports, position = self._ports, self.position
+        modal = ports.shape.shape[0] > 0
+        rows = [ports.shape[p] @ position if modal else position[ports.row[p]] for p in self._own_ports]
         return self._spread(rows)
 
     def drive(self, stiffness: float, damping: float, target: Vector, push: Vector) -> None:
-        """Sets what pulls it in the coming step."""
-        grips, used = self._grips, self._axes if len(self._ports) == 1 else 1
-        for axis, port in enumerate(self._ports):
-            grips.stiffness[port], grips.damping[port] = stiffness, damping
-            grips.start[port, :used] = grips.end[port, :used] = target[axis : axis + used]
-            grips.push[port, :used] = push[axis : axis + used]
+        """Sets what pulls it in the coming step.
+
+        Args:
+            stiffness: [N/m].
+            damping: [Ns/m].
+            target: where it is pulled to [m].
+            push: force besides [N].
+        """
+        ports, used = self._ports, self._axes if len(self._own_ports) == 1 else 1
+        for axis, port in enumerate(self._own_ports):
+            ports.stiffness[port], ports.damping[port] = stiffness, damping
+            ports.start[port, :used] = ports.end[port, :used] = target[axis : axis + used]
+            ports.push[port, :used] = push[axis : axis + used]
 
     def force(self) -> Vector:
         """Mean of what pulled it in the last step [N]."""
-        return self._spread([self._grips.force[port] for port in self._ports])
+        return self._spread([self._ports.force[port] for port in self._own_ports])
 
     def show(self, fields: dict[str, npt.NDArray[Any]], k: int, target: Vector | None) -> None:
-        """Writes it into a board's fields."""
+        """Writes it into a mailbox's fields.
+
+        Args:
+            fields: written to.
+            k: entry of the fields.
+            target: where it is pulled to [m].
+        """
         place, axes = self.place(), self._axes
         there, here = more(self._rest, target or place), more(self._rest, place)
         write_hand(fields, k, "hold", self._node, there[:axes], here[:axes], self.force()[:axes])
@@ -124,7 +156,12 @@ class Node:
 
 
 def more(a: Vector, b: Vector) -> Vector:
-    """Sum [m]."""
+    """Sum [m].
+
+    Args:
+        a: one.
+        b: the other.
+    """
     return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
 
 

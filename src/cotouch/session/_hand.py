@@ -5,10 +5,10 @@ from dataclasses import dataclass
 from typing import Protocol, final, runtime_checkable
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.body import Body
-from cotouch.mechanics import Grips, Model, Surface, Tools
+from cotouch.mechanics import Contact, Model, Ports, Surface, Tools
 from cotouch.scenario import (
     Scenario,
     after_step_alone,
@@ -20,14 +20,12 @@ from cotouch.scenario import (
 )
 from cotouch.session._device_table import DeviceTable
 from cotouch.session._file import SessionFile
-from cotouch.session._replica import Replica
-
-Float = npt.NDArray[np.float64]
+from cotouch.session._shared_model import SharedModel
 
 
 @final
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Seat:
+class Slot:
     """The copy that a hand moves.
 
     Attributes:
@@ -49,15 +47,22 @@ class Seat:
     devices: Sequence[DeviceTable] = ()
 
     @classmethod
-    def of(cls, session: SessionFile, replica: Replica, index: int, model: Model) -> "Seat":
-        """The copy of one user of a session."""
+    def of(cls, session: SessionFile, replica: SharedModel, index: int, model: Model) -> "Slot":
+        """The copy of one user of a session.
+
+        Args:
+            session: the session's file.
+            replica: the shared model.
+            index: slot of the user.
+            model: in the kernels' form.
+        """
         return cls(
             scenario=replica.scenario,
             body=replica.body,
             model=model,
             index=index,
             period=session.period(index),
-            longest=session.options.longest_step,
+            longest=session.options.max_step,
             devices=session.options.devices,
         )
 
@@ -66,22 +71,24 @@ class Hand(Protocol):
     """What holds and touches one copy.
 
     Attributes:
-        grips: the ports, for the peer.
+        ports: the ports, for the peer.
         surface: the skin, with tools.
         tools: the proxies; None without.
+        contact: the law by which they touch; None: springs.
         nodes: index of the node that each of its ports holds; of a body in the full form once for every axis.
     """
 
     nodes: list[int]
-    grips: Grips
+    ports: Ports
     surface: Surface | None
     tools: Tools | None
+    contact: Contact | None
 
     def before(self, end: float, T: float) -> None:
         """Writes into grips and tools what it does in the step that ends now.
 
         Args:
-            end: time of what the file says; 0 as long as that waits (`session.gather`) [s].
+            end: time of what the file says; 0 as long as that waits (`session.wait_for_peers`) [s].
             T: length of the step [s].
         """
         ...
@@ -104,11 +111,16 @@ class AttachedHand(Protocol):
         ...
 
 
-def no_grips(model: Model, row: Sequence[int] = ()) -> Grips:
-    """Ports at rows of the model, which hold nothing yet."""
+def no_ports(model: Model, row: Sequence[int] = ()) -> Ports:
+    """Ports at rows of the model, which hold nothing yet.
+
+    Args:
+        model: in the kernels' form.
+        row: rows of the model.
+    """
     ports, width = len(row), model.width
     rows = np.array(row, dtype=np.int32)
-    return Grips(
+    return Ports(
         first=0,
         last=ports,
         row=rows,
@@ -133,12 +145,18 @@ class NoHand:
             model: the body.
         """
         self.nodes: list[int] = []
-        self.grips = no_grips(model)
+        self.ports = no_ports(model)
         self.surface: Surface | None = None
         self.tools: Tools | None = None
+        self.contact: Contact | None = None
 
     def before(self, end: float, T: float) -> None:
-        """Does nothing."""
+        """Does nothing.
+
+        Args:
+            end: of the step [s].
+            T: length of the step [s].
+        """
 
     def after(self) -> None:
         """Does nothing."""
@@ -146,9 +164,9 @@ class NoHand:
 
 @final
 class ScriptedHand:
-    """The hands and tools of one seat, as the session's file says."""
+    """The hands and tools of one slot, as the session's file says."""
 
-    def __init__(self, at: Seat) -> None:
+    def __init__(self, at: Slot) -> None:
         """Takes hold.
 
         Args:
@@ -157,38 +175,46 @@ class ScriptedHand:
         Raises:
             ScenarioError: a hand, tool or device is wrong.
         """
-        scenario, body, model, seat = at.scenario, at.body, at.model, at.index
+        scenario, body, model, slot = at.scenario, at.body, at.model, at.index
         users = scenario.network.size
         hands, _ = ports_of(scenario.hands, users, body, model)
         self._hands = hands
         axes = body.dimension if model.full else 1
-        self.nodes = [hand.node - 1 for hand in scenario.hands if hand.user == seat + 1 for _ in range(axes)]
+        self.nodes = [hand.node - 1 for hand in scenario.hands if hand.user == slot + 1 for _ in range(axes)]
         self._cursor = hands.path_first[:-1].copy()
         self._lanes = model.lanes
-        self.grips = no_grips(model, hands.row.tolist())._replace(
-            first=int(hands.first[seat]), last=int(hands.first[seat + 1]), shape=hands.shape
+        self.ports = no_ports(model, hands.row.tolist())._replace(
+            first=int(hands.first[slot]), last=int(hands.first[slot + 1]), shape=hands.shape
         )
         self.surface: Surface | None = None
         self.tools: Tools | None = None
+        self.contact: Contact | None = None
         self._touching = None
-        self._seat = seat
-        if any(tool.user == seat + 1 for tool in scenario.tools):
+        self._slot = slot
+        if any(tool.user == slot + 1 for tool in scenario.tools):
             most = int(np.diff(hands.first).max(initial=0))
             still = np.zeros((users, body.nodes, body.dimension))
             lengths = np.tile([at.period, at.longest], (users, 1))
-            self._touching, _ = touching_of(scenario.tools, users, body, model, lengths, start=still, ports=most)
+            self._touching, _ = touching_of(
+                scenario.tools, users, body, model, lengths, start=still, ports=most, contact=scenario.contact
+            )
             assert self._touching is not None
-            self.surface = self._touching.surface
-            self.tools = tools_of(self._touching, seat)
+            self.surface, self.contact = self._touching.surface, self._touching.contact
+            self.tools = tools_of(self._touching, slot)
 
     def before(self, end: float, T: float) -> None:
-        """Does what the file says for this step."""
-        for port in range(self.grips.first, self.grips.last):
-            grip(self._hands, self.grips, self._cursor, port, end, T, self._lanes)
+        """Does what the file says for this step.
+
+        Args:
+            end: of the step [s].
+            T: length of the step [s].
+        """
+        for port in range(self.ports.first, self.ports.last):
+            grip(self._hands, self.ports, self._cursor, port, end, T, self._lanes)
         if self._touching is not None:
-            before_step_alone(self._touching, self._seat, end, T)
+            before_step_alone(self._touching, self._slot, end, T)
 
     def after(self) -> None:
         """Tells the devices what came of the step."""
         if self._touching is not None:
-            after_step_alone(self._touching, self._seat)
+            after_step_alone(self._touching, self._slot)

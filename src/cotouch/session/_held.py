@@ -1,16 +1,20 @@
 """The device of somebody who takes part, or one for each hand, for as long as they last."""
 
+from collections import deque
 from collections.abc import Callable, Generator, Sequence
 from contextlib import ExitStack, contextmanager
 from typing import Any, final
 
 from cotouch.errors import DeviceError
 from cotouch.haptics import DeviceChoice, ServoLink, reasons
-from cotouch.session._tape import Tape
+from cotouch.session._messages import MOST_NOTICE
+from cotouch.session._session_recorder import SessionRecorder
 
 # Between the names of two devices.
 AND = " + "
 _HANDS = 2
+# Sentences that wait for a status to tell them.
+_MOST_NEWS = 16
 
 
 @final
@@ -34,33 +38,41 @@ class HeldDevice:
         self.link = link
         self._text, self._warn = text, warn
         self._said: list[list[str]] = [[] for _ in link or ()]
+        self._news = deque[str](maxlen=_MOST_NEWS)
 
     @property
     def unheld(self) -> "HeldDevice":
         """The same with nobody at it, for steps that nobody sees."""
         return HeldDevice(self._text, None, self._warn)
 
-    def tend(self, tape: Tape | None, now: float) -> None:
+    def service(self, session_recorder: SessionRecorder | None, now: float) -> None:
         """Passes on what is to be said of the devices.
 
         Args:
-            tape: that records; None: none.
+            session_recorder: that records; None: none.
             now: [s].
         """
         links = self.link or ()
         for link, said in zip(links, self._said, strict=True):
-            for text in link.notices():
+            for text in link.warning_log():
                 whose = text if len(links) == 1 else f"{link.spec.name}: {text}"
                 said.append(text)
                 self._warn(whose)
-                if tape is not None:
-                    tape.event("device", now, reason=whose)
+                self._news.append("".join(filter(str.isprintable, whose))[:MOST_NOTICE])
+                if session_recorder is not None:
+                    session_recorder.event("device", now, reason=whose)
+
+    def notice(self) -> str:
+        """What others should see of the devices now: the next sentence that was not told yet, else the last."""
+        if len(self._news) > 1:
+            return self._news.popleft()
+        return self._news[0] if self._news else ""
 
     def summary(self) -> dict[str, Any] | None:
         """How it went, with a second device under `other`; None without a device."""
         if not self.link:
             return None
-        self.tend(None, 0.0)
+        self.service(None, 0.0)
         assert self._text is not None
         parts = zip(self._text.split(AND), self.link, self._said, strict=True)
         first, *others = [_summary(text, link, said) for text, link, said in parts]

@@ -1,41 +1,51 @@
 """Joining a session from this process: what opens sockets and fetches what the others have."""
 
 import os
+import socket
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Generator
+from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from cotouch.errors import TransportError
+from cotouch.interrupt import interruptible
 from cotouch.live import ControlPlane, Identity, Invitation, ZenohControl, few_arenas
+from cotouch.recording import NewFile
 from cotouch.session._file import SessionFile
-from cotouch.session._hand import Seat
+from cotouch.session._hand import Slot
 from cotouch.session._held import held_device
-from cotouch.session._part import Part, Taken
+from cotouch.session._keep import KeptIdentity
+from cotouch.session._part import Part, PartOutcome
 from cotouch.session._playing import hand_of, take_part
-from cotouch.session._replica import Replica
+from cotouch.session._shared_model import SharedModel
 from cotouch.session._warm import compiles, warm_up
 
 # The host answers at once, if it is there and reachable; a large mesh takes longer, but comes in pieces [s].
 _PATIENCE = 20.0
 _FILE_PATIENCE = 120.0
 _WAIT = 0.02
+# Whether anybody listens where the invitation leads is looked at so often, and an answer is waited for so long [s].
+_LOOK, _ANSWER = 2.0, 1.0
 
 
-def fetch_session(control: ControlPlane, digest: bytes, folder: Path) -> SessionFile:
+def fetch_session(control: ControlPlane, invitation: Invitation, folder: Path) -> SessionFile:
     """The session's file and meshes, from whoever has them.
 
     Args:
         control: the control plane.
-        digest: SHA-256 of the description.
+        invitation: names them, and where somebody is to be found.
         folder: an empty, private one for the meshes.
 
     Raises:
         TransportError: nobody answers.
         SessionError: what came is no session of this version.
     """
-    content = _fetched(control, digest, _PATIENCE)
-    files = {name: _fetched(control, wanted, _FILE_PATIENCE) for name, wanted in SessionFile.needed(content).items()}
+    content = _fetched(control, invitation, invitation.digest, _PATIENCE)
+    files = {
+        name: _fetched(control, invitation, wanted, _FILE_PATIENCE)
+        for name, wanted in SessionFile.needed(content).items()
+    }
     return SessionFile.from_content(content, files, folder=folder)
 
 
@@ -46,13 +56,14 @@ def join(
     warn: Callable[[str], None] | None = None,
     say: Callable[[str], None] | None = None,
     stopped: Callable[[], bool] = lambda: False,
-) -> Taken:
+) -> PartOutcome:
     """Takes part until time is up, the host ends the session, or it is told to stop.
 
     Args:
         invitation: to the session.
         part: how.
-        warn: is told in a sentence why a device's force is off.
+        warn: is told in a sentence, at once, why a device's force is off, why nothing is recorded any more, or that
+            this member's key cannot be kept.
         say: is told in a few words what takes time.
         stopped: whether to stop now.
 
@@ -60,39 +71,96 @@ def join(
         SessionError: it may not take part.
         TransportError: the host, the network or this machine refuses.
         DeviceError: the device does not open.
+        RecordingError: the recording cannot be made.
     """
-    few_arenas()
-    identity = Identity.make(os.urandom)
     tell = say or _nobody
+    # First of all: whoever wants a recording that cannot be does not take part without it.
+    file = None if part.record is None else NewFile(part.record)
+    try:
+        return _joined(invitation, part, file, warn or _nobody, tell, stopped)
+    finally:
+        if file is not None and not file.kept:
+            file.discard()
+
+
+def _joined(
+    invitation: Invitation,
+    part: Part,
+    file: NewFile | None,
+    warn: Callable[[str], None],
+    tell: Callable[[str], None],
+    stopped: Callable[[], bool],
+) -> PartOutcome:
+    few_arenas()
     if part.device is not None:
         tell("opening the device")
-    with held_device(part.device, warn or _nobody) as held:
+    with held_device(part.device, warn) as held, _identity(invitation, part, warn) as identity:
         tell("joining")
         control = ZenohControl(invitation, identity, listen=part.listen or "reachable")
         try:
             with TemporaryDirectory(prefix="cotouch-") as folder:
                 tell("fetching the session")
-                session = fetch_session(control, invitation.digest, Path(folder))
-                replica = Replica.build(session)
-            for file in (session.content, *session.files.values()):
-                control.offer(file)
-            if compiles(session, touched=part.boards is not None and replica.body.skin is not None):
+                session = fetch_session(control, invitation, Path(folder))
+                replica = interruptible(SharedModel.build)(session)
+            for content in (session.content, *session.files.values()):
+                control.offer(content)
+            if compiles(session, touched=part.mailboxes is not None and replica.body.skin is not None):
                 tell("compiling, once on this machine, which takes a minute or two")
-            warm_up(replica, lambda model: hand_of(part, held.unheld, Seat.of(session, replica, 0, model)))
-            tell("waiting for a seat")
-            return take_part(session, replica, control, invitation, part, held, stopped=stopped)
+            interruptible(warm_up)(
+                replica, lambda model: hand_of(part, held.unheld, Slot.of(session, replica, 0, model))
+            )
+            tell("waiting for a slot")
+            return take_part(
+                session, replica, control, invitation, part, held, stopped=stopped, warn=warn, say=tell, file=file
+            )
         finally:
             control.close()
+
+
+@contextmanager
+def _identity(invitation: Invitation, part: Part, warn: Callable[[str], None]) -> Generator[Identity]:
+    """Who this member is: as before a crash, if that is kept."""
+    kept: KeptIdentity | None = None
+    if part.identities is not None:
+        try:
+            kept = KeptIdentity(part.identities, invitation.id, part.name, os.urandom)
+        except TransportError as error:
+            warn(f"{error}; after a crash you need another name")
+    try:
+        yield Identity.make(os.urandom) if kept is None else kept.identity
+    finally:
+        if kept is not None:
+            kept.close()
+
+
+def _abandoned(invitation: Invitation) -> bool:
+    """Whether every machine that the invitation names says that nobody listens there; no answer says nothing."""
+    for endpoint in invitation.endpoints:
+        try:
+            socket.create_connection((endpoint.host, endpoint.port), _ANSWER).close()
+        except ConnectionRefusedError:
+            continue
+        except OSError:
+            return False
+        return False
+    return True
 
 
 def _nobody(text: str) -> None:
     """Hears nothing."""
 
 
-def _fetched(control: ControlPlane, digest: bytes, patience: float) -> bytes:
-    end = time.monotonic() + patience
+def _fetched(control: ControlPlane, invitation: Invitation, digest: bytes, patience: float) -> bytes:
+    now = time.monotonic()
+    end, look = now + patience, now + _LOOK
     while (content := control.fetch(digest)) is None:
-        if time.monotonic() > end:
+        now = time.monotonic()
+        if now > look and not control.present():
+            look = now + _LOOK
+            if _abandoned(invitation):
+                where = " and ".join(f"{one.host}:{one.port}" for one in invitation.endpoints)
+                raise TransportError(f"nobody listens at {where}: the session has ended, or its host is not running")
+        if now > end:
             who = "nobody of the session answers" if not control.present() else "nobody has the session's file"
             raise TransportError(f"{who} within {patience:.0f} s; check that the host runs and can be reached")
         time.sleep(_WAIT)

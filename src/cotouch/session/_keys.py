@@ -2,9 +2,12 @@
 
 from typing import final
 
-from cotouch.live import Agreement, ControlPlane, Entropy, SealedLink
+from cotouch.live import Agreement, Bucket, ControlPlane, Entropy, SealedLink
 
 _AGAIN = 0.3  # a hello without an answer is said again [s]
+# Messages of the other end that are looked at: an honest one says a hello again every 0.3 s, and each that fits costs a
+# signature and a key exchange, 0.3 ms [1/s].
+_RATE, _BURST = 8.0, 16.0
 TOPIC = "link.keys"
 
 
@@ -52,27 +55,37 @@ class KeyExchange:
         )
         self._hello: bytes | None = None
         self._said = -float("inf")
+        self._now = 0.0
+        self._limit = Bucket(_RATE, _BURST)
+        self._renew = False
 
-    def hear(self, body: bytes) -> None:
-        """Takes a message of the other end."""
+    def renew(self) -> None:
+        """Keys are agreed anew, though those that there are would do."""
+        self._renew = self.agreed
+
+    def receive(self, body: bytes) -> None:
+        """Takes a message of the other end; of too many, none."""
+        if not self._limit.take(self._now):
+            return
         progress = self._agreement.receive(body)
         if progress.keys is not None:
             self._seal.install(progress.keys)
-            self.agreed, self._hello = True, None
+            self.agreed, self._hello, self._renew = True, None, False
         if progress.message is not None:
             self._control.send(TOPIC, progress.message, to=self._other)
 
-    def tend(self, now: float, *, asked: bool) -> None:
+    def service(self, now: float, *, asked: bool) -> None:
         """Begins, or begins again, if it is this end's turn to.
 
         Args:
             now: [s].
             asked: whether the other end asks for new keys.
         """
-        wanted = not self.agreed or self._seal.wants_keys or asked
+        self._now = now
+        wanted = not self.agreed or self._seal.wants_keys(now) or asked or self._renew
         if not self._agreement.initiator or not wanted or now - self._said < _AGAIN:
             return
-        if self._hello is None or self.agreed:
+        if self._hello is None:  # kept until there is an answer to it, however long the way is
             self._hello = self._agreement.start()
         self._said = now
         self._control.send(TOPIC, self._hello, to=self._other)

@@ -3,11 +3,10 @@
 from collections.abc import Iterable
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.network import Network
 
-Float = npt.NDArray[np.float64]
 Pair = tuple[int, int]
 
 

@@ -16,7 +16,7 @@ from cotouch.network import Network
 from cotouch.session._file import SessionFile
 from cotouch.session._join import fetch_session
 from cotouch.session._links import Pair, delays_of
-from cotouch.session._watch import Watch
+from cotouch.session._watch import SessionWatch
 
 _POLL = 0.02
 
@@ -55,7 +55,7 @@ class Measured:
         return "\n".join(lines) + "\n"
 
 
-def measured(watch: Watch, session: SessionFile) -> Measured:
+def measured(watch: SessionWatch, session: SessionFile) -> Measured:
     """What members have said of their ways so far.
 
     Args:
@@ -65,17 +65,17 @@ def measured(watch: Watch, session: SessionFile) -> Measured:
     Raises:
         SessionError: fewer than two take part.
     """
-    there = watch.roster.by_seat()
+    there = watch.roster.by_slot()
     if len(there) < 2:
         who = f"only {next(iter(there.values())).name}" if there else "nobody"
         raise SessionError(f"{who} takes part in the session; a way can be measured from two on")
     paths = watch.paths()
-    seats, whole = sorted(there), session.scenario.network
-    chosen = np.ix_(seats, seats)
-    index = {seat: n for n, seat in enumerate(seats)}
-    pairs = [(a, b) for a in seats for b in seats if a < b]
+    slots, whole = sorted(there), session.scenario.network
+    chosen = np.ix_(slots, slots)
+    index = {slot: n for n, slot in enumerate(slots)}
+    pairs = [(a, b) for a in slots for b in slots if a < b]
     network = Network(
-        users=[there[seat].name for seat in seats],
+        users=[there[slot].name for slot in slots],
         spring=whole.spring[chosen],
         delay=delays_of(whole, paths)[chosen],
         links=[(index[a], index[b]) for a, b in watch.roster.links if a in index and b in index],
@@ -106,8 +106,8 @@ def measure(
     control = ZenohControl(invitation, Identity.make(os.urandom), listen=listen or "reachable")
     try:
         with TemporaryDirectory(prefix="cotouch-") as folder:
-            session = fetch_session(control, invitation.digest, Path(folder))
-        watch = Watch(control, host=invitation.host)
+            session = fetch_session(control, invitation, Path(folder))
+        watch = SessionWatch(control, host=invitation.host, network=session.scenario.network)
         end = time.monotonic() + seconds
         while time.monotonic() < end and not stopped():
             watch.service(time.monotonic())

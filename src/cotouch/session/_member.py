@@ -8,20 +8,39 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.errors import SessionError
-from cotouch.live import ControlPlane, Entropy, Message
+from cotouch.live import ControlPlane, Entropy, Message, Place
 from cotouch.mechanics import Model
 from cotouch.session import _keys
-from cotouch.session._coordinator import Coordinator, acting, believed
-from cotouch.session._copy import Copy, Recorder
+from cotouch.session._coordinator import Coordinator
 from cotouch.session._file import MOST_USERS, SessionFile
 from cotouch.session._hand import Hand
-from cotouch.session._messages import Join, LinkStatus, Refused, Roster, Status, read, write
-from cotouch.session._replica import Replica
-from cotouch.session._ways import Ways
+from cotouch.session._law_check import signature_of
+from cotouch.session._messages import (
+    AddressProof,
+    Decided,
+    Join,
+    LinkStatus,
+    Refused,
+    Roster,
+    Status,
+    plain,
+    read,
+    write,
+)
+from cotouch.session._paths import Paths
+from cotouch.session._replica import Replica, StepRecorder
+from cotouch.session._shared_model import SharedModel
+from cotouch.session._succession import Belief
 
 _ASK_EVERY = 0.5
 _STATUS_EVERY = 0.5
-# A name may still be held by what crashed a moment ago: so long it is asked for again [s].
+# Whoever decides and says another roster than the one believed is told that one, this often [s].
+_TELL_EVERY = 1.0
+# A member that cannot show where it is asks without that after so long [s].
+_SHOW = 3.0
+# What members say they work with counts for so long [s].
+_VOTE = 2.0
+# Slots may still be held by what crashed a moment ago: so long one is asked for again [s].
 _PATIENCE = 12.0
 # A turn of `service` stands between two steps, so what it takes up is bounded; signatures and rosters count for more.
 _EFFORT = 12
@@ -30,13 +49,13 @@ _HEAVY = {"roster": 6, _keys.TOPIC: 6, "status": 4}
 
 @final
 class Member:
-    """Takes part: asks for a seat, follows the roster, moves its copy, decides when it is its turn to.
+    """Takes part: asks for a slot, follows the roster, moves its copy, decides when it is its turn to.
 
     Call `service` some fifty times a second, or after the next step while `pending`, and `step` at every step.
 
     Attributes:
-        roster: the newest that is believed.
-        copy: of the object; None before there is a seat.
+        complaints: why rosters were not believed, the last ones.
+        copy: of the object; None before there is a slot.
         ended: whether the host ended the session.
     """
 
@@ -44,9 +63,9 @@ class Member:
         self,
         *,
         session: SessionFile,
-        replica: Replica,
+        replica: SharedModel,
         control: ControlPlane,
-        ways: Ways,
+        paths: Paths,
         host: bytes,
         name: str,
         version: str,
@@ -54,9 +73,11 @@ class Member:
         entropy: Entropy,
         secret: bytes = b"",
         coordinator: Coordinator | None = None,
-        recorder: Recorder | None = None,
+        recorder: StepRecorder | None = None,
         pace: Callable[[], Mapping[str, float]] = dict,
         delays: Callable[[], npt.NDArray[np.float64]] | None = None,
+        device: Callable[[], str] = str,
+        place: Callable[[], Place | None] | None = None,
     ) -> None:
         """Prepares to take part; nothing is said before the first `service`.
 
@@ -64,43 +85,68 @@ class Member:
             session: what was asked for.
             replica: the body as built here.
             control: the control plane.
-            ways: the sample plane's transport.
+            paths: the sample plane's transport.
             host: public key of the host.
             name: that others see.
             version: of this software.
-            hand: makes what moves the copy, given the seat and the body's model.
+            hand: makes what moves the copy, given the slot and the body's model.
             entropy: gives so many bytes that nobody can guess.
             secret: that only the invited know.
             coordinator: takes over when it is this member's turn to decide; by default one without a planner.
             recorder: is told of everything.
             pace: what the process knows of its steps, for the status: rate, longest, missed, stood, busy.
             delays: that are emulated now, [to, from], (users, users) [s]; None: as the session says.
+            device: what others should see of the device in the user's hand, in a line; empty for nothing.
+            place: what shows the host where this member is, once it was told; None: nobody asks.
         """
-        self.roster = Roster()
-        self.copy: Copy | None = None
+        self.complaints = deque[str](maxlen=16)
+        start = entropy(8).hex()
+        own = control.identity.public
+        self._belief = Belief(host, network=session.scenario.network, own=own, start=start)
+        self.replica: Replica | None = None
         self.ended = False
         self._session = session
         self._replica = replica
         self._control = control
-        self._ways = ways
+        self._paths = paths
         self._host = host
-        self._wish = Join(name=name, fingerprint=replica.fingerprint, version=version)
+        self._request = Join(
+            name=name,
+            fingerprint=replica.fingerprint,
+            version=version,
+            law=signature_of(session.scenario),
+            start=start,
+        )
+        self._place = place
         self._make_hand = hand
         self._entropy = entropy
         self._secret = secret
         self._coordinator = coordinator or Coordinator(session, fingerprint=replica.fingerprint)
         self._recorder = recorder
-        self._pace = pace
+        self._pace, self._device = pace, device
         given = session.scenario.network.delay if session.options.emulate else np.zeros((MOST_USERS, MOST_USERS))
         self._delays = delays or (lambda: given)
         self._decides = False
+        self._theirs: tuple[bytes, str] | None = None  # what was said last by one who decides, and by whom
+        self._votes: dict[bytes, tuple[float, str | None]] = {}
+        self._departed = set[bytes]()
+        self._left_out = False
+        self._digest = ("", "")
+        self._banned = frozenset[bytes]()
+        self._announced_to_them = -float("inf")
         self._asked = -float("inf")
         self._first_asked: float | None = None
         self._refusal: str | None = None
-        self._told = -float("inf")
+        self._final = False
+        self._announced = -float("inf")
         self._met = set[int]()
         self._waiting = deque[Message]()
         self._telling: Iterator[None] | None = None
+
+    @property
+    def waits_because(self) -> str | None:
+        """Why it was not let in so far; None: it was, or nobody said anything."""
+        return self._refusal if self.slot is None else None
 
     @property
     def pending(self) -> bool:
@@ -108,10 +154,15 @@ class Member:
         return bool(self._waiting) or self._telling is not None
 
     @property
-    def seat(self) -> int | None:
+    def roster(self) -> Roster:
+        """The newest that is believed."""
+        return self._belief.roster
+
+    @property
+    def slot(self) -> int | None:
         """Index of this user; None before the roster has it."""
         entry = self.roster.of(self._control.identity.public)
-        return None if entry is None else entry.seat
+        return None if entry is None or entry.start != self._request.start else entry.slot
 
     def service(self, now: float) -> None:
         """Hears, decides, says; not everything at once, so that no turn keeps the next step waiting for long.
@@ -123,26 +174,28 @@ class Member:
             SessionError: it may not take part; the message says why.
         """
         own = self._control.identity.public
-        present = self._control.present() | {own}
-        decider = acting(self.roster, self._host, present)
+        present = (self._control.present() - self._departed) | {own}
+        decider = self._belief.acting(present)
         waiting, effort = self._waiting, 0
         if not waiting:  # else what is said piles up where it is bounded
             waiting.extend(self._control.poll())
         while waiting and effort < _EFFORT:
             message = waiting.popleft()
             effort += _HEAVY.get(message.topic, 1)
-            self._hear(message, decider, present, now)
-        self._decide(decider == own, present, now)
-        if self.seat is None:
-            self._telling = None
+            self._receive(message, decider, present, now)
+        self._reconcile(decider, present, now)
+        self._decide(decider == own and self._belief.entitled(self._control.identity), present, now)
+        if self.slot is None or self._left_out:
             self._ask(now)
-        elif self.copy is not None:
-            since = now - self._told
+        if self.slot is None:
+            self._telling = None
+        elif self.replica is not None:
+            since = now - self._announced
             if self._telling is None and since >= _STATUS_EVERY and (not waiting or since >= 2.0 * _STATUS_EVERY):
-                self._told = now
-                self._telling = self._tell(self.copy, now)
+                self._announced = now
+                self._telling = self._tell(self.replica, now)
             if self._telling is None:
-                self.copy.tend(now)
+                self.replica.service(now)
             elif effort and since < _STATUS_EVERY:
                 pass  # hearing took this turn
             elif next(self._telling, True):  # it yields nothing but None
@@ -154,8 +207,8 @@ class Member:
         Args:
             now: [s].
         """
-        if self.copy is not None:
-            self.copy.listen(now)
+        if self.replica is not None:
+            self.replica.listen(now)
 
     def step(self, now: float, T: float) -> bool:
         """Takes a step that ends now; False before there is something to step.
@@ -164,28 +217,31 @@ class Member:
             now: [s].
             T: length of the step [s].
         """
-        return self.copy is not None and self.copy.step(now, T)
+        if self.replica is None:
+            return False
+        self.replica.step(now, T)
+        return True
 
     def status(self, now: float) -> Status | None:
-        """What this member says about itself; None before it has a seat.
+        """What this member says about itself; None before it has a slot.
 
         Args:
             now: [s].
         """
-        if self.copy is None:
+        if self.replica is None:
             return None
-        return self._whole(self.copy.status(now))
+        return self._whole(self.replica.status(now))
 
-    def _tell(self, copy: Copy, now: float) -> Iterator[None]:
+    def _tell(self, copy: Replica, now: float) -> Iterator[None]:
         """Says what there is to say about this member, a piece in every turn: all at once would take half a step."""
         links: list[LinkStatus] = []
-        for seat in list(copy.neighbours):
-            if seat in copy.neighbours:
-                links.append(copy.link_status(seat))
+        for slot in list(copy.neighbours):
+            if slot in copy.neighbours:
+                links.append(copy.link_status(slot))
             yield
-        if copy is not self.copy:
+        if copy is not self.replica:
             return
-        status = self._whole(copy.status(now, [link for link in links if link.seat in copy.neighbours]))
+        status = self._whole(copy.status(now, [link for link in links if link.slot in copy.neighbours]))
         yield
         self._control.send("status", write(status))
 
@@ -195,94 +251,190 @@ class Member:
 
     def _whole(self, status: Status) -> Status:
         """With what the copy does not know."""
-        return status.model_copy(update={**self._pace(), "paths": self._paths()})
+        known = dict(self._pace())
+        if self.replica is not None:
+            known["stood"] = known.get("stood", 0.0) + self.replica.stood
+        said = {"round_trips": self._round_trips(), "device": self._device(), "roster": self._working_with()}
+        return status.model_copy(update={**known, **said, **self._recording()})
 
-    def _paths(self) -> list[tuple[int, float]]:
+    def _recording(self) -> dict[str, str]:
+        recorder = self._recorder
+        if recorder is None:
+            return {}
+        if recorder.failure is not None:
+            return {"recording": "failed", "recording_failure": plain(recorder.failure)}
+        return {"recording": "on" if recorder.begun else "off"}
+
+    def _round_trips(self) -> list[tuple[int, float]]:
         """Times there and back to all others; pings do not go through what is emulated, so its delays are added."""
-        own, delay = self.seat, self._delays()
+        own, delay = self.slot, self._delays()
         found: list[tuple[int, float]] = []
-        for seat in self._met:
-            path = self._ways.path(seat)
+        for slot in self._met:
+            path = self._paths.round_trip(slot)
             if own is not None and path is not None:
-                found.append((seat, path + float(delay[own, seat] + delay[seat, own])))
+                found.append((slot, path + float(delay[own, slot] + delay[slot, own])))
         return found
 
-    def _hear(self, message: Message, decider: bytes | None, present: frozenset[bytes], now: float) -> None:
+    def _receive(self, message: Message, decider: bytes | None, present: frozenset[bytes], now: float) -> None:
         match message.topic:
             case "roster":
-                roster = read(Roster, message.body)
-                if roster is not None and believed(roster, self.roster, message.sender, self._host, present):
-                    self._follow(roster, now)
+                self._receive_roster(message, decider, present, now)
             case "refused":
                 said = read(Refused, message.body)
                 if said is not None and message.sender in (decider, self._host) and message.direct:
-                    self._refusal = said.reason
+                    self._refusal, self._final = said.reason, said.final
             case "end":
                 self.ended |= message.sender == self._host
             case topic if topic.startswith("link."):
                 entry = self.roster.of(message.sender)
-                if entry is not None and self.copy is not None:
-                    self.copy.hear(entry.seat, topic, message.body, now)
-            case _ if not self._ways.take(message):
-                self._coordinator.hear(message, now)
-            case _:
+                if entry is not None and self.replica is not None:
+                    self.replica.receive(entry.slot, topic, message.body, now)
+            case _ if self._paths.take(message):
                 pass
+            case _:
+                self._note(message, now)
+                if self._decides:
+                    self._coordinator.receive(message, now)
+                else:
+                    self._coordinator.learn(message)
+
+    def _note(self, message: Message, now: float) -> None:
+        """What others say of themselves that decides whom to believe."""
+        entry = self.roster.of(message.sender)
+        if message.topic == "leave" and entry is not None:
+            self._departed.add(message.sender)
+        elif message.topic == "join":
+            self._departed.discard(message.sender)
+        elif message.topic == "status" and entry is not None:
+            status = read(Status, message.body)
+            if status is not None:
+                self._votes[message.sender] = (now, status.roster)
+
+    def _receive_roster(self, message: Message, decider: bytes | None, present: frozenset[bytes], now: float) -> None:
+        decided = read(Decided, message.body)
+        if decided is None:
+            return
+        if message.sender == decider:
+            self._theirs = (message.sender, decided.chain[-1].signature)
+        before = self._belief.complaint
+        if self._belief.receive(decided, message.sender, present):
+            self._follow(now)
+        elif message.sender == decider and self._belief.chain and decided.chain[-1] != self._belief.chain[-1]:
+            # Whoever decides took this member for gone; the others may see that it is not.
+            said = decided.chain[-1].roster.of(self._control.identity.public)
+            self._left_out = self.slot is not None and (said is None or said.start != self._request.start)
+        if self._belief.complaint is not None and self._belief.complaint != before:
+            self.complaints.append(self._belief.complaint)
+            if self._recorder is not None:
+                self._recorder.event("roster", now, reason=self._belief.complaint)
+        announced, self._belief.announced = self._belief.announced, None
+        if announced is not None and self._decides:
+            self._coordinator.take_up(announced[-1].roster, present, now)
+
+    def _reconcile(self, decider: bytes | None, present: frozenset[bytes], now: float) -> None:
+        """Gives way where most work with another roster, and tells whoever decides what it does not know."""
+        votes = {key: digest for key, (time, digest) in self._votes.items() if now - time <= _VOTE}
+        if self._belief.settle(votes, present):
+            self._follow(now)
+        chain = self._belief.chain
+        if decider in (None, self._control.identity.public) or not chain or now - self._announced_to_them < _TELL_EVERY:
+            return
+        if self._theirs != (decider, chain[-1].signature):  # also one who has come, or come back, and said nothing yet
+            self._announced_to_them = now
+            self._control.send("roster", write(Decided(chain=list(chain))), to=decider)
+
+    def _working_with(self) -> str | None:
+        """Digest of the roster; worked out once for each."""
+        if not self._belief.chain:
+            return None
+        about = self._belief.chain[-1].signature
+        if self._digest[0] != about:
+            self._digest = (about, self.roster.digest)
+        return self._digest[1]
 
     def _decide(self, mine: bool, present: frozenset[bytes], now: float) -> None:
         if mine and not self._decides:
+            # Whom the host let in keeps its slot while the host is gone.
+            chain = self._belief.chain
+            self._coordinator.admission.mine = {e.key: e.slot for one in chain[:1] for e in one.roster.members}
             self._coordinator.adopt(self.roster, now)
         self._decides = mine
         if not mine:
             return
         for topic, body, to in self._coordinator.tick(now, present):
             self._control.send(topic, body, to=to)
-        if self._coordinator.roster.epoch > self.roster.epoch:
-            self._follow(self._coordinator.roster, now)
+        if self._coordinator.roster != self.roster:
+            self._belief.decide(self._control.identity, self._coordinator.roster)
+            self._follow(now)
+        if self._coordinator.due(now):
+            self._control.send("roster", write(Decided(chain=list(self._belief.chain))))
 
     def _ask(self, now: float) -> None:
         if self._first_asked is None:
             self._first_asked = now
-        if self._refusal is not None and now - self._first_asked > _PATIENCE:
-            raise SessionError(f"the host does not let {self._wish.name} in: {self._refusal}")
+        waited = now - self._first_asked > _PATIENCE
+        if self.slot is None and self._refusal is not None and (self._final or waited):
+            raise SessionError(f"the host does not let {self._request.name} in: {self._refusal}")
         if now - self._asked >= _ASK_EVERY:
+            place = None if self._place is None else self._place()
+            if self._place is not None and place is None and now - self._first_asked < _SHOW:
+                return
             self._asked = now
-            body = write(self._wish)
+            request = self._request
+            if place is not None:
+                shown = AddressProof(nonce=place.nonce.hex(), host=place.host, cookie=place.cookie.hex())
+                request = request.model_copy(update={"place": shown})
+            body = write(request)
             self._control.send("join", body)
             if self._decides:
-                self._coordinator.hear(Message(self._control.identity.public, "join", body, direct=True), now)
+                self._coordinator.receive(Message(self._control.identity.public, "join", body, direct=True), now)
 
-    def _follow(self, roster: Roster, now: float) -> None:
-        self.roster = roster
-        self._coordinator.adopt(roster, now)
-        seat = self.seat
-        if seat is None:
-            if self.copy is not None:  # it was cut off for so long that it was taken for gone: it asks anew
-                self.copy.alone(now)
+    def _follow(self, now: float) -> None:
+        roster = self.roster
+        self._left_out = False
+        keys = {bytes.fromhex(entry.key) for entry in roster.members}
+        self._departed &= keys
+        self._votes = {key: vote for key, vote in self._votes.items() if key in keys}
+        if self._coordinator.roster != roster:
+            self._coordinator.adopt(roster, now)
+        own = self._control.identity.public.hex()
+        if own in roster.banned:
+            raise SessionError(f"the host sent {self._request.name} away from this session")
+        banned = frozenset(map(bytes.fromhex, roster.banned))
+        if banned != self._banned:
+            self._banned = banned
+            self._control.shun(banned)
+            for neighbour in self.replica.neighbours.values() if self.replica is not None else ():
+                neighbour.keys.renew()
+        slot = self.slot
+        if slot is None:
+            if self.replica is not None:  # it was cut off for so long that it was taken for gone: it asks anew
+                self.replica.alone(now)
                 self._meet({})
                 self._first_asked, self._refusal = None, None
             return
-        if self.copy is not None and self.copy.seat != seat:
-            self.copy.alone(now)
-            self.copy = None
-        if self.copy is None:
-            self.copy = Copy(
+        if self.replica is not None and self.replica.slot != slot:
+            self.replica.alone(now)
+            self.replica = None
+        if self.replica is None:
+            self.replica = Replica(
                 session=self._session,
                 replica=self._replica,
-                seat=seat,
+                slot=slot,
                 hand=self._make_hand,
                 control=self._control,
-                ways=self._ways,
+                paths=self._paths,
                 entropy=self._entropy,
                 secret=self._secret,
                 recorder=self._recorder,
             )
-        self.copy.follow(roster, now)
-        self._meet({entry.seat: bytes.fromhex(entry.key) for entry in roster.members if entry.seat != seat})
+        self.replica.follow(roster, now)
+        self._meet({entry.slot: bytes.fromhex(entry.key) for entry in roster.members if entry.slot != slot})
 
     def _meet(self, others: Mapping[int, bytes]) -> None:
         """Looks for ways to all others, linked or not: how far they are decides who should be linked."""
         for gone in self._met - others.keys():
-            self._ways.transport.forget(gone)
-        for seat, key in others.items():
-            self._ways.introduce(seat, key)
+            self._paths.transport.forget(gone)
+        for slot, key in others.items():
+            self._paths.introduce(slot, key)
         self._met = set(others)

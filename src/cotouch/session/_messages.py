@@ -1,42 +1,78 @@
 """What members tell each other over the control plane, as JSON; checked before anything of it is used."""
 
-from typing import Annotated, TypeVar, final
+import hashlib
+from typing import Annotated, Literal, Self, TypeVar, final
 
-from pydantic import Field, FiniteFloat, StringConstraints, ValidationError
+from pydantic import Field, FiniteFloat, StringConstraints, ValidationError, model_validator
 
 from cotouch.scenario import Table
 from cotouch.session._file import MOST_USERS
 
 MOST_LINKS = MOST_USERS * (MOST_USERS - 1) // 2
-Seat = Annotated[int, Field(ge=0, lt=MOST_USERS)]  # from 0; people see seat + 1
+MOST_NOTICE = 200
+# Names that a session remembers, and keys that it does not let in any more.
+MOST_NAMES = MOST_BANNED = 256
+# Rosters of one chain: the host's, and those who decided after it was gone.
+MOST_STAGES = 4
+# No counter of ours comes near these; whoever says more is not believed.
+LAST_EPOCH = 1 << 52
+_LAST_COUNT = 1 << 53
+Slot = Annotated[int, Field(ge=0, lt=MOST_USERS)]  # from 0; people see slot + 1
 Key = Annotated[str, StringConstraints(pattern=r"^[0-9a-f]{64}$")]
 Name = Annotated[str, StringConstraints(min_length=1, max_length=32, pattern=r"^[^\x00-\x1f\x7f]+$")]
 Text = Annotated[str, StringConstraints(max_length=200)]
+Notice = Annotated[str, StringConstraints(max_length=MOST_NOTICE, pattern=r"^[^\x00-\x1f\x7f]*$")]
+Reason = Annotated[str, StringConstraints(max_length=100, pattern=r"^[^\x00-\x1f\x7f-\x9f]*$")]
 Number = Annotated[FiniteFloat, Field(ge=-1e12, le=1e12)]
+Start = Annotated[str, StringConstraints(pattern=r"^[0-9a-f]{16}$")]
+Signature = Annotated[str, StringConstraints(pattern=r"^[0-9a-f]{128}$")]
+Epoch = Annotated[int, Field(ge=0, lt=LAST_EPOCH)]
+Count = Annotated[int, Field(ge=0, lt=_LAST_COUNT)]
 Path = Annotated[FiniteFloat, Field(ge=0.0, le=1e6)]
 T = TypeVar("T", bound=Table)
 
 
 @final
+class AddressProof(Table):
+    """Where a member is, as the host told it; see `cotouch.live.Place`."""
+
+    nonce: Annotated[str, StringConstraints(pattern=r"^[0-9a-f]{32}$")]
+    host: Annotated[str, StringConstraints(max_length=45)]
+    cookie: Annotated[str, StringConstraints(pattern=r"^[0-9a-f]{8}$")]
+
+
+@final
 class Join(Table):
-    """A wish to take part; said again until a roster or a refusal answers it.
+    """A request to take part; said again until a roster or a refusal answers it.
 
     Attributes:
         name: that others see.
         fingerprint: of the body as this machine built it.
         version: of the software.
+        law: signature of the session's link law as this machine has it; see `cotouch.laws.Law`.
+        start: drawn when the process began: one that comes back with its key needs new links.
+        place: what shows where it is.
     """
 
     name: Name
     fingerprint: Annotated[list[Number], Field(max_length=16)]
     version: Text
+    law: Text = ""
+    start: Start = "0" * 16
+    place: AddressProof | None = None
 
 
 @final
 class Refused(Table):
-    """Why a wish to take part was not granted."""
+    """Why a request to take part was not granted.
+
+    Attributes:
+        reason: in a sentence.
+        final: whether asking again is of no use; else a slot may become free.
+    """
 
     reason: Text
+    final: bool = False
 
 
 @final
@@ -44,44 +80,120 @@ class Entry(Table):
     """One who takes part.
 
     Attributes:
-        seat: index of the user.
+        slot: index of the user.
         name: that others see.
         key: public key.
+        start: of its process; see `Join`.
     """
 
-    seat: Seat
+    slot: Slot
+    name: Name
+    key: Key
+    start: Start = "0" * 16
+
+    @property
+    def life(self) -> str:
+        """Tells one start of its process from the next, which comes back with the same key."""
+        return self.key + self.start
+
+
+@final
+class NameOwner(Table):
+    """A name, and whose it is for the whole session."""
+
     name: Name
     key: Key
 
 
 @final
 class Roster(Table):
-    """Who takes part, and who is linked to whom; the newest epoch counts.
+    """Who takes part, and who is linked to whom.
+
+    No slot, key or name is there twice, no name has two keys and no key two names, links are of those who are there.
 
     Attributes:
         epoch: rises with every change.
-        members: in the order of their seats.
-        links: pairs of seats, the smaller first, sorted.
+        members: in the order of their slots.
+        links: pairs of slots, the smaller first, sorted.
+        names: that somebody ever had, and whose they are.
+        banned: keys of those whom the host sent away.
     """
 
-    epoch: Annotated[int, Field(ge=0, lt=1 << 32)] = 0
+    epoch: Epoch = 0
     members: Annotated[list[Entry], Field(max_length=MOST_USERS)] = Field(default_factory=list[Entry])
-    links: Annotated[list[tuple[Seat, Seat]], Field(max_length=MOST_LINKS)] = Field(
-        default_factory=list[tuple[Seat, Seat]]
+    links: Annotated[list[tuple[Slot, Slot]], Field(max_length=MOST_LINKS)] = Field(
+        default_factory=list[tuple[Slot, Slot]]
     )
+    names: Annotated[list[NameOwner], Field(max_length=MOST_NAMES)] = Field(default_factory=list[NameOwner])
+    banned: Annotated[list[Key], Field(max_length=MOST_BANNED)] = Field(default_factory=list[Key])
 
-    def by_seat(self) -> dict[int, Entry]:
-        """The members by seat."""
-        return {entry.seat: entry for entry in self.members}
+    @model_validator(mode="after")
+    def _whole(self) -> Self:
+        slots = [entry.slot for entry in self.members]
+        if sorted(set(slots)) != slots:
+            raise ValueError("slots are not in order, or one is there twice")
+        if any(not a < b or a not in slots or b not in slots for a, b in self.links):
+            raise ValueError("a link is none of two who are there")
+        if sorted(set(self.links)) != self.links:
+            raise ValueError("links are not in order, or one is there twice")
+        said = [(entry.name, entry.key) for entry in (*self.names, *self.members)]
+        owners = set(said)
+        if len({name for name, _ in owners}) < len(owners) or len({key for _, key in owners}) < len(owners):
+            raise ValueError("a name has two keys, or a key two names")
+        if len({entry.key for entry in self.members}) < len(slots) or len(set(self.names)) < len(self.names):
+            raise ValueError("a key or a name is there twice")
+        if {entry.key for entry in self.members} & set(self.banned):
+            raise ValueError("somebody is there who was sent away")
+        return self
+
+    def owners(self) -> dict[str, str]:
+        """Whose each name is: the key by the name."""
+        return {entry.name: entry.key for entry in (*self.names, *self.members)}
+
+    @property
+    def digest(self) -> str:
+        """SHA-256 of all of it."""
+        return hashlib.sha256(write(self)).hexdigest()
+
+    def by_slot(self) -> dict[int, Entry]:
+        """The members by slot."""
+        return {entry.slot: entry for entry in self.members}
 
     def of(self, key: bytes) -> Entry | None:
         """The member with this public key."""
         wanted = key.hex()
         return next((entry for entry in self.members if entry.key == wanted), None)
 
-    def neighbours(self, seat: int) -> list[int]:
-        """Seats that a seat is linked to."""
-        return [b if a == seat else a for a, b in self.links if seat in (a, b)]
+    def neighbours(self, slot: int) -> list[int]:
+        """Slots that a slot is linked to."""
+        return [b if a == slot else a for a, b in self.links if slot in (a, b)]
+
+
+@final
+class Decision(Table):
+    """A roster, and who decided it.
+
+    Attributes:
+        roster: that was decided.
+        signer: public key of who did.
+        signature: over the roster and the session; see `signed`.
+    """
+
+    roster: Roster
+    signer: Key
+    signature: Signature
+
+
+@final
+class Decided(Table):
+    """The newest roster, and by what right it was decided.
+
+    Attributes:
+        chain: first a roster of the host; then, if it is gone, the newest of whoever decides, a member of the one
+            before; rarely more, where all whom the host knew have left.
+    """
+
+    chain: Annotated[list[Decision], Field(min_length=1, max_length=MOST_STAGES)]
 
 
 @final
@@ -89,9 +201,12 @@ class LinkStatus(Table):
     """What one end knows of a link.
 
     Attributes:
-        seat: of the neighbour.
+        slot: of the neighbour.
+        law: of the link.
+        given: energy that this end says it gave over the link, with a law that pays; 0 for springs [J].
+        taken: energy that it took over the link, likewise [J].
         state: "keys" (not agreed yet), "waiting" (nothing heard), "guarded", "ready" or "coupled".
-        way: "direct" or "relayed".
+        path_state: "direct" or "relayed".
         age: of the sample in the last step, plus the offset of the clocks [s].
         ages: greatest sum of both directions' ages in the window [s]; null until both are known.
         budget: sum of both budgets [s].
@@ -102,21 +217,26 @@ class LinkStatus(Table):
         work: of the link on the copy since the start [J].
         difference: between its copy, as far as known, and this one, over all nodes, greatest [m].
         guarded: how often the link was guarded.
+        asked: what both ends' budgets would come to, where that is beyond the session's limit; null: it is not [s].
     """
 
-    seat: Seat
+    slot: Slot
     state: Text
-    way: Text = "direct"
+    law: Text = "spring"
+    given: Number = 0.0
+    taken: Number = 0.0
+    path_state: Text = "direct"
     age: Number | None = None
     ages: Number | None = None
     budget: Number | None = None
-    path: Number | None = None
+    round_trip: Number | None = None
     loss: Number = 0.0
     rate: Number = 0.0
     force: Number = 0.0
     work: Number = 0.0
     difference: Number | None = None
-    guarded: int = 0
+    guarded: Count = 0
+    asked: Number | None = None
 
 
 @final
@@ -124,7 +244,7 @@ class Status(Table):
     """What a member says about itself, twice a second.
 
     Attributes:
-        seat: its own.
+        slot: its own.
         epoch: of the roster it works with.
         time: since it began to step [s].
         steps: so many.
@@ -132,7 +252,7 @@ class Status(Table):
         period: that it aims at [s].
         longest: longest T since the last status [s].
         missed: steps that came more than half a period late, so far.
-        stood: time in which the copy stood still, because a step was later than it may be [s].
+        stood: time in which the copy stood still, because a step was later than it may be, or waited longer [s].
         busy: share of a core that its work takes.
         force: of the hand and devices on the copy [N].
         position: of the copy's centre, from rest [m].
@@ -143,23 +263,30 @@ class Status(Table):
             far [J]. `initial + supplied + linked + rescaled - lost` is `energy`, to round-off.
         energy: kinetic and elastic [J].
         initial: what it began with [J].
+        seeds: what its links were given once, to begin with and to come to where the others are, so far [J].
         residual: greatest of any step, of the energy in play.
         damping: B_i, as the largest coefficient [Ns/m].
+        law: of its links.
+        held: energy that the law's account holds, for who gave and was not given back [J].
         certificate: what the damping exceeds what the budgets in force need by, as a share.
         links: to each neighbour.
-        alarms: of the books, so far.
-        paths: seat of another member, linked or not, and the quickest way there and back as pings find it [s]; with
+        alarms: of the ledger, so far.
+        roster: digest of the roster it works with.
+        paths: slot of another member, linked or not, and the quickest way there and back as pings find it [s]; with
             what is emulated.
+        device: what there is to say of the device in the user's hand; empty for nothing.
+        recording: whether it records what it does, or wanted to.
+        recording_failure: why it does not any more.
     """
 
-    seat: Seat
-    epoch: int = 0
+    slot: Slot
+    epoch: Count = 0
     time: Number = 0.0
-    steps: int = 0
+    steps: Count = 0
     rate: Number = 0.0
     period: Number = 0.0
     longest: Number = 0.0
-    missed: int = 0
+    missed: Count = 0
     stood: Number = 0.0
     busy: Number = 0.0
     force: Number = 0.0
@@ -170,22 +297,36 @@ class Status(Table):
     rescaled: Number = 0.0
     energy: Number = 0.0
     initial: Number = 0.0
+    initial_energies: Number = 0.0
     residual: Number = 0.0
     damping: Number = 0.0
+    law: Text = "spring"
+    held: Number = 0.0
     certificate: Number | None = None
     links: Annotated[list[LinkStatus], Field(max_length=MOST_USERS)] = Field(default_factory=list[LinkStatus])
-    alarms: int = 0
-    paths: Annotated[list[tuple[Seat, Path]], Field(max_length=MOST_USERS)] = Field(
-        default_factory=list[tuple[Seat, float]]
+    alarms: Count = 0
+    roster: Key | None = None
+    round_trips: Annotated[list[tuple[Slot, Path]], Field(max_length=MOST_USERS)] = Field(
+        default_factory=list[tuple[Slot, float]]
     )
+    device: Notice = ""
+    recording: Literal["off", "on", "failed"] = "off"
+    recording_failure: Reason = ""
 
     def measured(self) -> dict[int, float]:
-        """Times there and back by the other's seat [s]: as pings find them; by a relay, as the samples of a link do."""
-        return {link.seat: max(link.path, 0.0) for link in self.links if link.path is not None} | dict(self.paths)
+        """Times there and back by the other's slot [s]: as pings find them; by a relay, as the samples of a link do."""
+        return {link.slot: max(link.round_trip, 0.0) for link in self.links if link.round_trip is not None} | dict(
+            self.round_trips
+        )
 
 
 def read(kind: type[T], body: bytes) -> T | None:
-    """A message, or None if it is none of this kind."""
+    """A message, or None if it is none of this kind.
+
+    Args:
+        kind: of message.
+        body: as it came.
+    """
     try:
         return kind.model_validate_json(body)
     except (ValidationError, ValueError):
@@ -195,3 +336,8 @@ def read(kind: type[T], body: bytes) -> T | None:
 def write(message: Table) -> bytes:
     """The message as bytes."""
     return message.model_dump_json().encode()
+
+
+def plain(text: str) -> str:
+    """As a `Reason`: short, without what steers a terminal."""
+    return "".join(letter if letter.isprintable() else " " for letter in text)[:100]

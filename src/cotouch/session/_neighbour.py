@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from typing import Self, final
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.live import (
     LOWEST_RATE,
     Assembly,
@@ -18,19 +18,19 @@ from cotouch.live import (
     SampleLink,
     SendRate,
 )
-from cotouch.peer import COUPLED, READY, LinkGuard
+from cotouch.peer import CopyMemory, GuardLedger, LawLink, LinkGuard, LinkState
 from cotouch.session import _keys
 from cotouch.session._file import SessionFile
 from cotouch.session._messages import Entry, LinkStatus
-from cotouch.session._replica import Replica
+from cotouch.session._shared_model import SharedModel
 
-Float = npt.NDArray[np.float64]
-
-STATES = {COUPLED: "coupled", READY: "ready"}
+STATES = {int(state): state.name.lower() for state in LinkState}
 # Steps that may come late by so many periods without a budget being raised for it.
 _SLACK = 2.0
 # What was bad in the window is forgotten with it; so much longer, as a share of it, less must do before it is less.
 _PATIENCE = 0.2
+# Over so long an end begins to pull at a newcomer: it has what it takes to come, and nobody's hand is torn along [s].
+_PATIENT = 2.0
 # A path that loses so many samples in a row, at the slowest that they come, does not only lose some; see `LinkAges`.
 _OUTAGE = 10.0
 
@@ -46,10 +46,12 @@ class Neighbour:
         weight: index of the spring's weight among the model's.
         keys: how it gets its keys.
         link: its samples.
-        guard: what keeps this end passive.
+        guard: what keeps this end passive; None: its law does.
+        law: what the link does; None: a guarded spring.
         budget: how both ends agree on ages.
         connected: whether the spring is there, because the neighbour's state is known.
         guarded: how often it was guarded since it was coupled first.
+        beyond: whether more damping is asked for than the session's limit gives; as last noticed.
     """
 
     entry: Entry
@@ -57,16 +59,48 @@ class Neighbour:
     weight: int
     keys: _keys.KeyExchange
     link: SampleLink
-    guard: LinkGuard
+    guard: LinkGuard | None
+    law: LawLink | None
     budget: BudgetAgreement
     connected: bool = False
     guarded: int = 0
+    beyond: bool = False
 
     @property
-    def heard(self) -> bool:
+    def received(self) -> bool:
         """Whether the neighbour's whole state is known."""
         assembly = self.link.assembly
         return assembly.newest >= 0 if isinstance(assembly, IndexedAssembly) else assembly.complete
+
+    @property
+    def source(self) -> LinkGuard | LawLink:
+        """For the peer."""
+        source = self.law or self.guard
+        assert source is not None
+        return source
+
+    @property
+    def coupled(self) -> bool:
+        """Whether it does all that it is for."""
+        return self.connected if self.guard is None else self.guard.state == LinkState.COUPLED
+
+    @property
+    def total(self) -> float:
+        """Sum of both budgets, as far as damping covers it; 0 where none is needed [s]."""
+        return 0.0 if self.guard is None else self.guard.total
+
+    @property
+    def ledger(self) -> GuardLedger | None:
+        """Of the guard."""
+        return None if self.guard is None else self.guard.ledger
+
+    @property
+    def force(self) -> float:
+        """Of the spring, or of what the law pushes with, on the copy [N]."""
+        if self.law is not None:
+            return self.law.force
+        ledger = self.ledger
+        return 0.0 if ledger is None else float(np.sqrt(max(0.0, 2.0 * ledger.potential * self.strength)))
 
     @property
     def used(self) -> int:
@@ -82,12 +116,15 @@ class Neighbour:
         entry: Entry,
         *,
         session: SessionFile,
-        replica: Replica,
-        seat: int,
+        replica: SharedModel,
+        slot: int,
         control: ControlPlane,
         number: int,
         entropy: Entropy,
         secret: bytes,
+        newcomer: bool,
+        memory: CopyMemory | None,
+        copies: int,
         now: float,
     ) -> Self:
         """Prepares this end as the session's file says; nothing is said yet.
@@ -96,25 +133,28 @@ class Neighbour:
             entry: who is at the other end.
             session: what was asked for.
             replica: the body as built here.
-            seat: of this end.
+            slot: of this end.
             control: carries the keys' agreement.
             number: by which this end finds the link.
             entropy: gives so many bytes that nobody can guess.
             secret: that only the invited know.
+            newcomer: whether the one at the other end has just come to where this one is.
+            memory: what the law's ends of the copy share; None: springs.
+            copies: N.
             now: [s].
         """
         network, options, layout = replica.scenario.network, session.options, replica.layout
         still = np.zeros((layout.rows, layout.width))
         assembly: Assembly | IndexedAssembly = (
-            Assembly(layout, sender=entry.seat, initial=still)
+            Assembly(layout, sender=entry.slot, initial=still)
             if replica.scenario.synchronisation.mode == "freshest"
             else IndexedAssembly(
-                layout, sender=entry.seat, initial=still, delay=_index_delay(session, replica, seat, entry.seat)
+                layout, sender=entry.slot, initial=still, delay=_index_delay(session, replica, slot, entry.slot)
             )
         )
-        slowest = max(1.0 / LOWEST_RATE, _send_period(session, entry.seat), session.period(seat))
+        slowest = max(1.0 / LOWEST_RATE, _send_period(session, entry.slot), session.period(slot))
         ages = LinkAges(window=options.window, outage=_OUTAGE * slowest)
-        link = SampleLink(assembly, rate=SendRate(highest=1.0 / _send_period(session, seat)), ages=ages)
+        link = SampleLink(assembly, rate=SendRate(highest=1.0 / _send_period(session, slot)), ages=ages)
         keys = _keys.KeyExchange(
             control,
             link.seal,
@@ -124,74 +164,83 @@ class Neighbour:
             entropy=entropy,
             secret=secret,
         )
-        guard = LinkGuard(
-            assembly,
-            seed=options.seed,
-            cap=max(options.tank, options.seed),
-            force=options.force_limit,
-            power=options.power_limit,
-            rounding=replica.rounding,
-            epoch=1 + entropy(1)[0] % 255,
-        )
-        link.guard = guard
+        if replica.law is not None and memory is not None:
+            link.law = replica.law.link(assembly, memory, slot=slot, other=entry.slot, copies=copies)
+        else:
+            link.guard = LinkGuard(
+                assembly,
+                initial_energy=options.initial_energy,
+                cap=max(options.tank, options.initial_energy),
+                force=options.force_limit,
+                power=options.power_limit,
+                rounding=replica.rounding,
+                patience=_PATIENT if newcomer else 0.0,
+                epoch=1 + entropy(1)[0] % 255,
+            )
         return cls(
             entry=entry,
-            strength=float(network.spring[seat, entry.seat]),
-            weight=int(network.weight_of[seat, entry.seat]) + 1,
+            strength=float(network.spring[slot, entry.slot]),
+            weight=int(network.weight_of[slot, entry.slot]) + 1,
             keys=keys,
             link=link,
-            guard=guard,
+            guard=link.guard,
+            law=link.law,
             budget=BudgetAgreement(
                 life=max(1, int(1e9 * now)),
                 quantile=options.quantile,
                 margin=options.margin,
-                slack=_SLACK * session.period(seat),
+                slack=_SLACK * session.period(slot),
                 patience=_PATIENCE * options.window,
+                limit=options.age_limit,
             ),
         )
 
-    def status(self, position: Float | None, *, way: str, work: float) -> LinkStatus:
+    def status(self, position: Float | None, *, path_state: str, work: float) -> LinkStatus:
         """What is known of the link.
 
         Args:
             position: of this end's copy, as the model's rows [m]; None before it moves.
-            way: how the neighbour is reached.
+            path_state: how the neighbour is reached.
             work: of the link on the copy since the start [J].
         """
-        seat, link = self.entry.seat, self.link
+        slot, link = self.entry.slot, self.link
         if not self.keys.agreed:
-            return LinkStatus(seat=seat, state="keys", way=way)
+            return LinkStatus(slot=slot, state="keys", path_state=path_state)
         if not self.connected or position is None:
-            return LinkStatus(seat=seat, state="waiting", way=way)
-        books = self.guard.books
+            return LinkStatus(slot=slot, state="waiting", path_state=path_state)
+        ledger, law = self.ledger, self.law
         apart = np.linalg.norm(position - link.assembly.state, axis=1)
         return LinkStatus(
-            seat=seat,
-            state=STATES.get(books.state, "guarded"),
-            way=way,
+            slot=slot,
+            law="spring" if law is None else law.law.name,
+            given=0.0 if law is None else law.sent,
+            taken=0.0 if law is None else law.received,
+            state="coupled" if ledger is None else STATES[ledger.state],
+            path_state=path_state,
             age=link.ages.age,
             ages=link.ages.worst_sum,
-            budget=self.guard.total if np.isfinite(self.guard.budget) else None,
-            path=link.ages.shortest_path,
+            budget=self.guard.total if self.guard is not None and np.isfinite(self.guard.budget) else None,
+            round_trip=link.ages.shortest_path,
             loss=link.rate.loss,
             rate=link.rate.rate,
-            force=float(np.sqrt(max(0.0, 2.0 * books.potential * self.strength))),
+            force=self.force,
             work=work,
             difference=float(apart.max()),
             guarded=self.guarded,
+            asked=self.budget.beyond,
         )
 
 
-def _send_period(session: SessionFile, seat: int) -> float:
+def _send_period(session: SessionFile, slot: int) -> float:
     """Least time between samples of a user [s]."""
     rate = session.options.send_rate
-    return 1.0 / rate if rate else session.period(seat)
+    return 1.0 / rate if rate else session.period(slot)
 
 
-def _index_delay(session: SessionFile, replica: Replica, seat: int, other: int) -> int:
+def _index_delay(session: SessionFile, replica: SharedModel, slot: int, other: int) -> int:
     """N_ij of a neighbour, from the file: as given, or what covers the delay that it says."""
     given = replica.scenario.synchronisation.index_delay
     if given is not None:
-        return max(1, given[seat][other])
-    delay = float(replica.scenario.network.delay[seat, other])
-    return 1 + math.ceil(delay / session.period(seat))
+        return max(1, given[slot][other])
+    delay = float(replica.scenario.network.delay[slot, other])
+    return 1 + math.ceil(delay / session.period(slot))

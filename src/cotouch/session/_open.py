@@ -1,16 +1,16 @@
 """Opening a session from this process, and watching one."""
 
-import json
 import os
-import time
 from collections.abc import Generator
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import final
 
-from cotouch.errors import SessionError, TransportError
 from cotouch.live import (
+    Addresses,
     Endpoint,
     Identity,
     Invitation,
@@ -20,10 +20,13 @@ from cotouch.live import (
     few_arenas,
     free_port,
 )
+from cotouch.session._admission import Admission, addresses_of
 from cotouch.session._file import SessionFile
 from cotouch.session._host import Host
+from cotouch.session._keep import KeptHost, keep_host, kept_host
 from cotouch.session._planner import LinkPlanner
-from cotouch.session._watch import Watch
+from cotouch.session._shared_model import SharedModel
+from cotouch.session._watch import SessionWatch
 
 _MOST_TITLE = 40
 
@@ -43,20 +46,26 @@ class OpenHost:
     host: Host
     control: ZenohControl
     _mirror: RoutedTransport
+    _built: "_Built"
 
     def service(self, now: float) -> None:
         """Hears, decides, says; to be called some fifty times a second.
 
         Args:
             now: on the monotonic clock [s].
+
+        Raises:
+            InputError: the body of the session cannot be built.
         """
+        if self.host.admission.fingerprint is None:
+            self.host.admission.fingerprint = self._built.look()
         self._mirror.poll()  # tells members how they are seen from here
         self.host.service(now)
 
 
 @contextmanager
 def open_host(
-    session: SessionFile, *, listen: str = "127.0.0.1", port: int | None = None, keep: Path | None = None
+    session: SessionFile, *, listen: str = "127.0.0.1", port: int | None = None, key_file: Path | None = None
 ) -> Generator[OpenHost]:
     """Opens a session.
 
@@ -64,41 +73,49 @@ def open_host(
         session: what is asked for.
         listen: address in numbers that members reach this machine by.
         port: of TCP and UDP; None: a free one.
-        keep: file with the session's keys, made if it is not there; with it a host that was ended or crashed goes on
-            with the same invitation. Whoever reads it can be the host.
+        key_file: file with the session's keys and its last roster, made if it is not there; with it a host that was
+            ended or crashed goes on with the same invitation and the same people. Whoever reads it can be the host.
 
     Raises:
         SessionError: the address is none, or the file is of another session.
         TransportError: the port is taken.
+        OutputError: the keys cannot be kept.
     """
     few_arenas()
-    identity, invitation = _kept(keep, session) if keep is not None and keep.exists() else (None, None)
-    resumed = identity is not None
-    if identity is None or invitation is None:
-        identity = Identity.make(os.urandom)
-        invitation = Invitation.make(
-            session=(session.scenario.title or "cotouch session")[:_MOST_TITLE],
-            digest=session.digest,
-            host=identity.public,
-            endpoints=(Endpoint(listen, port if port is not None else free_port(listen)),),
-            entropy=os.urandom,
-        )
-        if keep is not None:
-            _keep(keep, identity, invitation)
+    kept = (
+        kept_host(key_file, session) if key_file is not None and key_file.exists() else _new_host(session, listen, port)
+    )
+    if key_file is not None and kept.decision is None:
+        keep_host(key_file, kept)
+    identity, invitation = kept.identity, kept.invitation
     at = invitation.endpoints[0]
     planner = LinkPlanner(session) if session.options.links == "plan" else None
     control = ZenohControl(invitation, identity)
     try:
+        addresses = Addresses(os.urandom)
         mirror = RoutedTransport(
             UdpTransport(host=at.host, port=at.port),
             control,
             session=invitation.id,
             secret=invitation.derive(b"samples", 32),
             entropy=os.urandom,
+            addresses=addresses,
         )
         try:
-            host = Host(session, control, planner=planner, resumed=resumed)
-            yield OpenHost(invitation, host, control, mirror)
+            each = session.options.per_address or -(-session.slots // 2)
+            admission = Admission(session, fingerprint=None, each=each, where=addresses_of(addresses, {at.host}))
+            host = Host(
+                session,
+                control,
+                planner=planner,
+                admission=admission,
+                kept=kept.decision,
+                keep=None
+                if key_file is None
+                else lambda decision: keep_host(key_file, kept._replace(decision=decision)),
+            )
+            with _Built(session) as built:
+                yield OpenHost(invitation, host, control, mirror, built)
         finally:
             mirror.close()
     finally:
@@ -107,8 +124,51 @@ def open_host(
         control.close()
 
 
+def _new_host(session: SessionFile, listen: str, port: int | None) -> KeptHost:
+    identity = Identity.make(os.urandom)
+    invitation = Invitation.make(
+        session=(session.scenario.title or "cotouch session")[:_MOST_TITLE],
+        digest=session.digest,
+        host=identity.public,
+        endpoints=(Endpoint(listen, port if port is not None else free_port(listen)),),
+        entropy=os.urandom,
+    )
+    return KeptHost(identity, invitation, None)
+
+
+@final
+class _Built:
+    """The body's fingerprint, worked out beside: a large mesh takes a while, as it does for those who join."""
+
+    def __init__(self, session: SessionFile) -> None:
+        self._pool = ThreadPoolExecutor(1, thread_name_prefix="cotouch body")
+        self._made = self._pool.submit(_fingerprint, session)
+
+    def __enter__(self) -> "_Built":
+        return self
+
+    def __exit__(self, *args: object) -> None:
+        self._pool.shutdown(wait=False, cancel_futures=True)
+
+    def look(self) -> list[float] | None:
+        """The fingerprint; None before there is one.
+
+        Raises:
+            InputError: the body cannot be built.
+        """
+        return self._made.result() if self._made.done() else None
+
+
+def _fingerprint(session: SessionFile) -> list[float]:
+    """Of what travels, not of what lies on this machine's disk by now."""
+    with TemporaryDirectory(prefix="cotouch-") as folder:
+        return SharedModel.build(
+            SessionFile.from_content(session.content, session.files, folder=Path(folder))
+        ).fingerprint
+
+
 @contextmanager
-def watching(invitation: Invitation, *, listen: str | None = None) -> Generator[Watch]:
+def watching(invitation: Invitation, *, listen: str | None = None) -> Generator[SessionWatch]:
     """Sees a session without taking part.
 
     Args:
@@ -120,31 +180,6 @@ def watching(invitation: Invitation, *, listen: str | None = None) -> Generator[
     """
     control = ZenohControl(invitation, Identity.make(os.urandom), listen=listen or "reachable")
     try:
-        yield Watch(control, host=invitation.host)
+        yield SessionWatch(control, host=invitation.host)
     finally:
         control.close()
-
-
-def _keep(path: Path, identity: Identity, invitation: Invitation) -> None:
-    """Writes the keys for their owner alone, whole or not at all."""
-    text = json.dumps({"identity": identity.secret.hex(), "invitation": invitation.encode()})
-    beside = path.with_name(f".{path.name}.{os.getpid()}.{time.monotonic_ns()}")
-    try:
-        with os.fdopen(os.open(beside, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600), "w") as file:
-            file.write(text)
-        beside.replace(path)
-    except OSError as error:
-        beside.unlink(missing_ok=True)
-        raise TransportError(f"the keys cannot be kept in {path}: {error.strerror}") from error
-
-
-def _kept(path: Path, session: SessionFile) -> tuple[Identity, Invitation]:
-    try:
-        kept = json.loads(path.read_text(encoding="utf-8"))
-        identity = Identity(bytes.fromhex(kept["identity"]))
-        invitation = Invitation.decode(kept["invitation"])
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        raise SessionError(f"{path} does not hold the keys of a session; name a file that is not there yet") from error
-    if invitation.digest != session.digest or invitation.host != identity.public:
-        raise SessionError(f"{path} holds the keys of another session; name a file that is not there yet")
-    return identity, invitation

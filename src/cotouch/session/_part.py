@@ -18,13 +18,16 @@ class Part:
     Attributes:
         name: that others see.
         version: of this software.
-        hand: what moves the copy: what the session's file says for its seat, or nothing.
+        hand: what moves the copy: what the session's file says for its slot, or nothing.
         device: that moves the copy instead, in the words of `cotouch.haptics.DeviceChoice.read`; None: none.
         seconds: how long, from the first step; None: until the end.
         listen: address in numbers to listen on; None: the one by which this machine reaches the host.
         record: file to record into; must not exist.
-        boards: folder of the boards by which this member is shown and told things on this machine; see `_boards`.
+        mailboxes: folder of the mailboxes by which this member is shown and told things on this machine; see
+            `_mailboxes`.
+        identities: folder where this member's key is kept, so that it has its name again after a crash; None: nowhere.
         unsafe: whether it may be told to take less damping than passivity needs.
+        real_time: whether to ask for real-time priority.
     """
 
     name: str
@@ -34,29 +37,33 @@ class Part:
     seconds: float | None = None
     listen: str | None = None
     record: Path | None = None
-    boards: Path | None = None
+    mailboxes: Path | None = None
+    identities: Path | None = None
     unsafe: bool = False
+    real_time: bool = True
 
 
 @final
 @dataclass(frozen=True, kw_only=True)
-class Taken:
+class PartOutcome:
     """How taking part went.
 
     Attributes:
         name: of this member.
-        seat: index of the user; None if it never had one.
+        slot: index of the user; None if it never had one.
         status: the last; None before the first step.
         why: it ended: "time", "ended" (by the host) or "stopped".
         pace: of its steps, as the pacer counted.
         recorded: steps in the recording; None without.
+        trouble: what is wrong with the recording, in words that follow its name; None: nothing.
         device: its name, what was said of it, and how its servo kept pace; None without.
     """
 
     name: str
-    seat: int | None
+    slot: int | None
     status: Status | None
     why: str
     pace: Mapping[str, float]
     recorded: int | None
+    trouble: str | None = None
     device: Mapping[str, Any] | None = None

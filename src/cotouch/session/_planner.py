@@ -1,14 +1,14 @@
 """Choosing the links of those who are there, beside everything else that the host does."""
 
-from concurrent.futures import Future, ThreadPoolExecutor
 from typing import final
 
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.errors import CotouchError, UnsupportedError
+from cotouch.errors import CotouchError, SessionError, UnsupportedError
 from cotouch.network import Network
-from cotouch.planning import Objective, Plan, modes_of, plan
+from cotouch.planning import Objective, Plan, compiles, modes_of, plan
+from cotouch.session._child import ChildCall
 from cotouch.session._file import SessionFile
 from cotouch.session._links import Pair, delays_of
 
@@ -20,7 +20,7 @@ _TIME_UNIT = 0.001
 
 @final
 class LinkPlanner:
-    """A `Planner` that works in a thread: asked again and again, it answers when it has found something."""
+    """A `Planner` that works in another process: asked again and again, it answers when it has found something."""
 
     def __init__(self, session: SessionFile) -> None:
         """Prepares to plan.
@@ -29,41 +29,52 @@ class LinkPlanner:
             session: with its objective and number of links.
         """
         self._session = session
-        self._pool = ThreadPoolExecutor(1, thread_name_prefix="cotouch planner")
-        self._work: tuple[list[int], Future[list[Pair]]] | None = None
+        self._work: tuple[list[int], ChildCall[list[Pair]]] | None = None
 
-    def __call__(self, seats: list[int], paths: dict[Pair, float]) -> list[Pair] | None:
+    def __call__(self, slots: list[int], paths: dict[Pair, float]) -> list[Pair] | None:
         """The links, or None while it is still at work.
 
         Args:
-            seats: who is there.
+            slots: who is there.
             paths: times there and back that were measured [s].
         """
-        if self._work is None or self._work[0] != seats:
-            self._work = (list(seats), self._pool.submit(self._plan, list(seats), dict(paths)))
+        if self._work is None or self._work[0] != slots:
+            self.close()
+            self._work = (list(slots), ChildCall(_planned, self._session, list(slots), dict(paths)))
         work = self._work[1]
-        if not work.done():
+        if not work.done:
             return None
         self._work = None
-        return work.result()
+        try:
+            return work.result()
+        except SessionError:
+            return _given(self._session.scenario.network, slots)
 
     def close(self) -> None:
-        """Lets go of the thread; a search that is going on is not waited for."""
-        self._pool.shutdown(wait=False, cancel_futures=True)
+        """Ends a search that is going on."""
+        if self._work is not None:
+            self._work[1].kill()
+            self._work = None
 
-    def _plan(self, seats: list[int], paths: dict[Pair, float]) -> list[Pair]:
-        whole, options = self._session.scenario.network, self._session.options
-        delay = delays_of(whole, paths)
-        there = np.ix_(seats, seats)
-        network = Network(
-            users=[whole.users[seat] for seat in seats], spring=whole.spring[there], delay=delay[there], links=[]
-        )
-        modes = _modes(self._session) if options.objective == "decay" else {}
-        try:
-            found = _search(network, self._session.link_count(len(seats)), options.objective, modes)
-        except CotouchError:  # springs that cannot join all, say: what is given is kept
-            return [(a, b) for a, b in whole.links if a in seats and b in seats]
-        return sorted((seats[a], seats[b]) for a, b in found.best.links)
+
+def _planned(session: SessionFile, slots: list[int], paths: dict[Pair, float]) -> list[Pair]:
+    whole, options = session.scenario.network, session.options
+    delay = delays_of(whole, paths)
+    there = np.ix_(slots, slots)
+    network = Network(
+        users=[whole.users[slot] for slot in slots], spring=whole.spring[there], delay=delay[there], links=[]
+    )
+    modes = _modes(session) if options.objective == "decay" else {}
+    try:
+        found = _search(network, session.link_count(len(slots)), options.objective, modes)
+    except CotouchError:  # springs that cannot join all, say
+        return _given(whole, slots)
+    return sorted((slots[a], slots[b]) for a, b in found.best.links)
+
+
+def _given(whole: Network, slots: list[int]) -> list[Pair]:
+    """Links of the file among those who are there, which are kept where none can be found."""
+    return [(a, b) for a, b in whole.links if a in slots and b in slots]
 
 
 def notable_links(session: SessionFile) -> dict[str, list[Pair]]:
@@ -73,7 +84,7 @@ def notable_links(session: SessionFile) -> dict[str, list[Pair]]:
         session: with two or more users.
 
     Returns:
-        Pairs of seats, by "start", "best", "worst"; without the last two where nothing was found.
+        Pairs of slots, by "start", "best", "worst"; without the last two where nothing was found.
     """
     network = session.scenario.network
     choices = {"start": sorted((int(a), int(b)) for a, b in network.links)}
@@ -86,6 +97,9 @@ def notable_links(session: SessionFile) -> dict[str, list[Pair]]:
 
 
 def _search(network: Network, links: int, objective: Objective, modes: dict[str, npt.NDArray[np.float64]]) -> Plan:
+    if compiles():  # which is not to use up the time
+        two = Network(users=["1", "2"], spring=[[0.0, 1.0], [1.0, 0.0]], delay=[[0.0, 0.1], [0.1, 0.0]])
+        plan(two, links=1, objective=objective, time_unit=_TIME_UNIT, jobs=1)
     return plan(
         network,
         links=links,

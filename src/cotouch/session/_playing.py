@@ -11,40 +11,50 @@ from cotouch.live import (
     ImpairedTransport,
     Invitation,
     Pacer,
+    Place,
     RoutedTransport,
     UdpTransport,
     ZenohControl,
     prepare_process,
+    towards,
 )
 from cotouch.mechanics import Model
-from cotouch.session._boards import BoardFolder
+from cotouch.recording import NewFile
+from cotouch.session._admission import Admission
+from cotouch.session._commanded_hand import CommandedHand
+from cotouch.session._coordinator import Coordinator
 from cotouch.session._device_hand import DeviceHand
 from cotouch.session._emulate import path_laws
 from cotouch.session._file import SessionFile
-from cotouch.session._hand import Hand, NoHand, ScriptedHand, Seat
+from cotouch.session._hand import Hand, NoHand, ScriptedHand, Slot
 from cotouch.session._held import HeldDevice
+from cotouch.session._mailboxes import MailboxFolder
 from cotouch.session._member import Member
 from cotouch.session._pace import Pace, pace_numbers
-from cotouch.session._part import Part, Taken
-from cotouch.session._replica import Replica
-from cotouch.session._tape import Tape
-from cotouch.session._told import ToldHand
-from cotouch.session._ways import RoutedWays
-from cotouch.session._window import Window
+from cotouch.session._part import Part, PartOutcome
+from cotouch.session._paths import RoutedPaths
+from cotouch.session._session_recorder import SessionRecorder
+from cotouch.session._shared_model import SharedModel
+from cotouch.session._telemetry import TelemetryPublisher
+from cotouch.units import user_number
 
 _SERVICE_EVERY = 0.02
+_PRIORITY = 10
 
 
 def take_part(
     session: SessionFile,
-    replica: Replica,
+    replica: SharedModel,
     control: ZenohControl,
     invitation: Invitation,
     part: Part,
     held: HeldDevice,
     *,
     stopped: Callable[[], bool],
-) -> Taken:
+    warn: Callable[[str], None],
+    say: Callable[[str], None],
+    file: NewFile | None = None,
+) -> PartOutcome:
     """Moves a copy in time until its part is over.
 
     Args:
@@ -55,12 +65,16 @@ def take_part(
         part: how to take part.
         held: the device, or none.
         stopped: whether to stop now.
+        warn: is told in a sentence, once, that nothing is recorded any more.
+        say: is told in a few words what is waited for, and when the copy moves.
+        file: to record into.
 
     Raises:
         SessionError: it may not take part.
         TransportError: the host, the network or this machine refuses.
     """
     clock = time.monotonic
+    session_recorder = None if file is None else SessionRecorder(file, session, replica, name=part.name)
     own = control.endpoint
     udp = UdpTransport(host=part.listen or (own.host if own is not None else "0.0.0.0"), clock=clock)  # noqa: S104
     routed = RoutedTransport(
@@ -70,100 +84,131 @@ def take_part(
         secret=invitation.derive(b"samples", 32),
         entropy=os.urandom,
         mirrors=[Address(*endpoint) for endpoint in invitation.endpoints],
+        here=None if part.listen else lambda: towards(invitation),
     )
-    worse = session.options.emulate or part.boards is not None
+    worse = session.options.emulate or part.mailboxes is not None
     impaired = ImpairedTransport(routed, {}, clock=clock) if worse else None
-    key = control.identity.public
-    tape = None if part.record is None else Tape(part.record, session, replica, name=part.name, key=key)
-    window = None
-    if part.boards is not None:
-        boards = BoardFolder(part.boards)
-        window = Window(boards, part.name, session, replica, key=key, unsafe=part.unsafe, recorder=tape)
+    telemetry = None
+    if part.mailboxes is not None:
+        mailboxes = MailboxFolder(part.mailboxes)
+        telemetry = TelemetryPublisher(
+            mailboxes, part.name, session, replica, unsafe=part.unsafe, recorder=session_recorder
+        )
 
-    def taken(seat: int, model: Model) -> Hand:
-        pacer.restart(session.period(seat))
-        pace.restart(session.period(seat))
+    def taken(slot: int, model: Model) -> Hand:
+        pacer.restart(session.period(slot))
+        pace.restart(session.period(slot))
         if impaired is not None and session.options.emulate:
-            for other, law in path_laws(session.scenario, seat).items():
+            for other, law in path_laws(session.scenario, slot).items():
                 impaired.set(other, law)
-        return hand_of(part, held, Seat.of(session, replica, seat, model), window)
+        return hand_of(part, held, Slot.of(session, replica, slot, model), telemetry)
 
     listening = _Listening(impaired)
+    warned: list[str] = []
 
-    def tend(now: float) -> None:
-        held.tend(tape, now)
-        if tape is not None and tape.begun:  # ways may be found before the first step; they are kept until then
+    said: list[str] = []
+
+    def tell(text: str | None) -> None:
+        if text is not None and said[-1:] != [text]:
+            said.append(text)
+            say(text)
+
+    def every_service(now: float) -> None:
+        if member.replica is not None and member.slot is not None:
+            tell(f"ready: {part.name} is user {user_number(member.slot)} of {session.slots}")
+        elif member.waits_because is not None:
+            tell(f"waiting, because {member.waits_because}")
+        held.service(session_recorder, now)
+        if (
+            session_recorder is not None and session_recorder.begun
+        ):  # ways may be found before the first step; they are kept until then
             for change in routed.events():
-                tape.event("way", change.time, seat=change.neighbour, reason=change.way.name.lower())
-        if window is not None:
-            window.service(now, member.seat, impaired)
-            if member.copy is not None:
-                member.copy.give_damping(window.damping, now)
+                session_recorder.event("way", change.time, slot=change.neighbour, reason=change.path_state.name.lower())
+        if session_recorder is not None and session_recorder.failure is not None and not warned:
+            warned.append(session_recorder.failure)
+            warn(f"nothing is recorded into {part.record} any more: {session_recorder.failure}; the session goes on")
+        if telemetry is not None:
+            telemetry.service(now, member.slot, impaired)
+            if member.replica is not None:
+                member.replica.give_damping(telemetry.damping, now)
 
-    pacer = Pacer(session.period(0), cap=session.options.longest_step, clock=clock, idle=listening)
+    def place() -> Place | None:
+        routed.poll()  # before there is a slot nobody else reads what the host answers
+        return routed.place
+
+    # Whoever decides while the host is gone is told nobody's address: all who come then share one address's slots.
+    each = session.options.per_address or -(-session.slots // 2)
+    admission = Admission(session, fingerprint=replica.fingerprint, each=each)
+    pacer = Pacer(session.period(0), cap=session.options.max_step, clock=clock, idle=listening)
     pace = Pace(session.period(0))
     member = Member(
         session=session,
         replica=replica,
         control=control,
-        ways=RoutedWays(routed, impaired),
+        paths=RoutedPaths(routed, impaired),
         host=invitation.host,
         name=part.name,
         version=part.version,
         hand=taken,
         entropy=os.urandom,
         secret=invitation.derive(b"links", 32),
-        recorder=tape if window is None else window,
+        recorder=session_recorder if telemetry is None else telemetry,
         pace=pace.since,
-        delays=None if window is None else lambda: window.delays,
+        delays=None if telemetry is None else lambda: telemetry.delays,
+        device=held.notice,
+        coordinator=Coordinator(session, admission=admission),
+        place=place,
     )
     listening.member = member
     try:
-        with prepare_process():
-            why = _loop(member, pacer, pace, clock, tend, seconds=part.seconds, stopped=stopped)
+        with prepare_process(real_time=_PRIORITY if part.real_time else None):
+            why = _loop(member, pacer, pace, clock, every_service, seconds=part.seconds, stopped=stopped)
         status = member.status(clock())
         member.leave()
-        return Taken(
+        if session_recorder is not None:
+            session_recorder.close()
+        return PartOutcome(
             name=part.name,
-            seat=member.seat,
+            slot=member.slot,
             status=status,
             why=why,
             pace=pace_numbers(pacer.statistics()),
-            recorded=None if tape is None else tape.close(),
+            recorded=None if session_recorder is None else session_recorder.recorded,
+            trouble=None if session_recorder is None else session_recorder.trouble,
             device=held.summary(),
         )
     finally:
-        if window is not None:
-            window.close()
-        if tape is not None:
-            tape.close()
+        if telemetry is not None:
+            telemetry.close()
+        if session_recorder is not None:
+            session_recorder.close()
         (routed if impaired is None else impaired).close()
 
 
-def hand_of(part: Part, held: HeldDevice, seat: Seat, window: Window | None = None) -> Hand:
+def hand_of(part: Part, held: HeldDevice, slot: Slot, telemetry: TelemetryPublisher | None = None) -> Hand:
     """What moves the copy.
 
     Args:
         part: what is wanted.
         held: the device, or none.
-        seat: the copy.
-        window: shows the hand and passes orders on; None: there is none yet.
+        slot: the copy.
+        telemetry: shows the hand and passes orders on; None: there is none yet.
 
     Raises:
         ScenarioError: a hand, tool or device of the file is wrong.
     """
     if held.wanted:
-        driven = DeviceHand(seat, link=held.link)
-        if window is not None:
-            window.holds(driven, seat.index, told=False)
+        driven = DeviceHand(slot, link=held.link)
+        if telemetry is not None:
+            telemetry.holds(driven, slot.index, commanded=False)
         return driven
-    if part.boards is not None:
-        wishes = (lambda: None) if window is None else window.wishes
-        hand = ToldHand(seat, scripted=part.hand == "scripted", wishes=wishes)
-        if window is not None:
-            window.holds(hand, seat.index, told=True)
+    if part.mailboxes is not None:
+        requests = (lambda: None) if telemetry is None else telemetry.requests
+        hand = CommandedHand(slot, scripted=part.hand == "scripted", requests=requests)
+        if telemetry is not None:
+            telemetry.holds(hand, slot.index, commanded=True)
         return hand
-    return NoHand(seat.model) if part.hand == "none" else ScriptedHand(seat)
+    return NoHand(slot.model) if part.hand == "none" else ScriptedHand(slot)
 
 
 @final
@@ -193,23 +238,23 @@ def _loop(
     pacer: Pacer,
     pace: Pace,
     clock: Callable[[], float],
-    tend: Callable[[float], None],
+    every_service: Callable[[float], None],
     *,
     seconds: float | None,
     stopped: Callable[[], bool],
 ) -> str:
     began: float | None = None
-    service = -float("inf")
+    next_service = -float("inf")
     while True:
         now, T, stood = pacer.wait()
         if member.step(now, T) and began is None:
             began = now
             pacer.restart()  # making the copy took longer than a step; nobody waited for one yet
             pace.restart()
-        if now >= service or member.pending:
-            service = now + _SERVICE_EVERY
+        if now >= next_service or member.pending:
+            next_service = now + _SERVICE_EVERY
             member.service(now)
-            tend(now)
+            every_service(now)
             if stopped():
                 return "stopped"
         pace.stepped(T, stood, clock() - now + pacer.worked)

@@ -9,13 +9,17 @@ from collections.abc import Sequence
 from typing import Any, final
 
 from cotouch.live import Invitation
+from cotouch.processes import start_child
 
 _PATIENCE = 10.0
 
 
 @final
 class MemberProcess:
-    """`cotouch join` in a process of its own; the invitation goes in by its standard input, where nobody sees it."""
+    """`cotouch join` in a process of its own; the invitation goes in by its standard input, where nobody sees it.
+
+    It leaves the session when this process is gone.
+    """
 
     def __init__(self, invitation: Invitation, options: Sequence[str], *, as_json: bool = False) -> None:
         """Starts it.
@@ -30,7 +34,7 @@ class MemberProcess:
         self._out = tempfile.TemporaryFile("w+")  # noqa: SIM115
         self._err = tempfile.TemporaryFile("w+")  # noqa: SIM115
         threads = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
-        self._process = subprocess.Popen(  # noqa: S603
+        self._process = start_child(
             command,
             stdin=subprocess.PIPE,
             stdout=self._out,
@@ -74,6 +78,11 @@ class MemberProcess:
             return json.loads(self._out.read())
         except ValueError:
             return None
+
+    def said(self) -> str:
+        """All that it printed so far."""
+        self._out.seek(0)
+        return self._out.read()
 
     def complaint(self) -> str:
         """The last line that it wrote to standard error."""

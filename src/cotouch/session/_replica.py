@@ -1,94 +1,505 @@
-"""A session's body on this machine: the same for everybody, ready for the kernels, and shown to be the same."""
+"""One member's copy of the object, and all that joins it to its neighbours."""
 
-import math
-from dataclasses import dataclass
-from typing import Any, final
+from collections.abc import Callable
+from typing import Any, Protocol, final
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.body import Body
-from cotouch.errors import SessionError
-from cotouch.live import Layout
-from cotouch.mechanics import Model, model
-from cotouch.scenario import Scenario
+from cotouch.live import ControlPlane, Entropy, IndexedAssembly, SamplePlane
+from cotouch.mechanics import Model
+from cotouch.peer import CopyMemory, Peer, StepReport
+from cotouch.scenario import per_user
+from cotouch.session import _keys
 from cotouch.session._file import SessionFile
+from cotouch.session._hand import AttachedHand, Hand
+from cotouch.session._messages import Entry, LinkStatus, Roster, Status
+from cotouch.session._neighbour import STATES, Neighbour
+from cotouch.session._paths import Paths
+from cotouch.session._shared_model import SharedModel
+from cotouch.session._totals import Totals
 
-Float = npt.NDArray[np.float64]
+BUDGET = "link.budget"
+# A peer waits for its neighbours so long at most: one may have gone, or never mean to go on [s].
+_MOST_WAIT = 0.5
+# A peer that waits for its neighbours says its last sample again after this [s].
+_TELL_AGAIN = 0.1
+# Links that are tended at once, between two steps.
+_AT_ONCE = 8
 
-_PROBES = 6
-_SHAPES = 1e4
-# Machines round differently; other bodies, or modes of another sign, differ by far more.
-_SAME = 1e-6
+
+class StepRecorder(Protocol):
+    """Whatever keeps what a copy does."""
+
+    @property
+    def begun(self) -> bool:
+        """Whether it keeps anything yet."""
+        ...
+
+    @property
+    def failure(self) -> str | None:
+        """Why it keeps nothing any more, in a few words; None as long as it does."""
+        ...
+
+    def setup(self, copy: "Replica", now: float) -> None:
+        """Links, damping or the number of copies changed.
+
+        Args:
+            copy: the replica.
+            now: time [s].
+        """
+        ...
+
+    def step(self, copy: "Replica", report: StepReport, now: float, T: float) -> None:
+        """A step was taken.
+
+        Args:
+            copy: the replica.
+            report: of the step.
+            now: time [s].
+            T: length of the step [s].
+        """
+        ...
+
+    def event(self, kind: str, time: float, **fields: Any) -> None:
+        """Something happened.
+
+        Args:
+            kind: of message or event.
+            time: when [s].
+            fields: what else is to be known of it.
+        """
+        ...
 
 
 @final
-@dataclass(frozen=True, eq=False)
 class Replica:
-    """What every member builds of a session before it takes part.
+    """Follows the roster with its links, and moves.
 
     Attributes:
-        scenario: with its hands at nodes.
-        body: the shared object.
-        layout: of samples on the wire.
-        fingerprint: a few numbers that tell whether another machine built the same.
+        slot: index of this user.
+        peer: None before the first step.
+        neighbours: by slot.
+        totals: what was booked since the start.
+        damping: B_i in force, as coefficients over the weights, (weights,) [Ns/m].
+        extra_damping: B_e likewise.
+        damping_fraction: of what the rule needs; below 1 the copy is not passive, see `give_damping`.
+        stood: time in which it stood still, because it waited for samples longer than a step may last [s].
     """
 
-    scenario: Scenario
-    body: Body
-    layout: Layout
-    fingerprint: list[float]
-
-    @classmethod
-    def build(cls, session: SessionFile) -> "Replica":
-        """Builds the body.
-
-        Raises:
-            InputError: body, weights or hands of the session are wrong.
-        """
-        scenario = session.scenario.placed()
-        body = scenario.build_body()
-        ready = model(body, copies=1, weights=scenario.network.weights, basis=_basis(scenario, body))
-        axes = 1 if ready.full else body.dimension
-        coding, reach = session.options.coding, session.options.reach
-        if coding != "float64" and (scenario.network.weights or body.truncation is not None):
-            raise SessionError(
-                f'session.coding is "{coding}"; with link weights of their own or a truncated body it must be "float64"'
-            )
-        limit = reach if ready.modes is None else _SHAPES  # coordinates of shapes are not displacements
-        layout = Layout(rows=ready.operator_rows, width=ready.width, axes=axes, coding=coding, limit=limit)
-        return cls(scenario, body, layout, _fingerprint(ready))
+    def __init__(
+        self,
+        *,
+        session: SessionFile,
+        replica: SharedModel,
+        slot: int,
+        hand: Callable[[int, Model], Hand],
+        control: ControlPlane,
+        paths: Paths,
+        entropy: Entropy,
+        secret: bytes,
+        recorder: StepRecorder | None,
+    ) -> None:
+        """Prepares a copy that has no links yet; see `Member` for the arguments."""
+        self.slot = slot
+        self.peer: Peer | None = None
+        self.neighbours: dict[int, Neighbour] = {}
+        self.totals = Totals()
+        self._session, self._options, self._replica = session, session.options, replica
+        self._make_hand, self._control, self._paths = hand, control, paths
+        self._hand: Hand | None = None
+        self._entropy, self._secret = entropy, secret
+        self._recorder = recorder
+        self._law = replica.law
+        self._memory: CopyMemory | None = None  # of the law
+        self._plane = SamplePlane(paths.transport, replica.layout, user=slot)
+        self._roster = Roster()
+        self._numbers: dict[int, int] = {}  # that datagrams to this copy bear, by slot
+        self._began = 0.0  # when it began to move
+        self._acts: float | None = None  # since when its hand does what the file says
+        self._last: StepReport | None = None
+        self._mode = replica.scenario.synchronisation.mode
+        self._owed = 0.0  # time since the last step, where steps may have to wait [s]
+        self._first = 0  # index of the first step
+        self.stood = 0.0
+        self._announced = -float("inf")
+        self._stepped = 0.0  # when the last step was taken [s]
+        self._stands = False  # whether a neighbour stands still, and is not waited for
+        self._length = 0.0  # of the last step [s]
+        self._initial_energies = 0.0
+        self._turn = 0
+        self.damping = np.zeros(1 + len(replica.scenario.network.weights))
+        self.extra_damping = np.zeros_like(self.damping)
+        self.damping_fraction = 1.0
 
     @property
-    def rounding(self) -> float:
-        """Bound on the error of a sample by its coding, in the norm of all rows [m]."""
-        layout = self.layout
-        if layout.coding == "float64":
-            return 0.0
-        return layout.rounding(layout.limit) * math.sqrt(layout.rows * layout.axes)
+    def copies(self) -> int:
+        """Members that share the object."""
+        return max(1, len(self._roster.members))
 
-    def model(self, copies: int) -> Model:
-        """The body's model as one of so many copies."""
-        weights = self.scenario.network.weights
-        return model(self.body, copies=copies, weights=weights, basis=_basis(self.scenario, self.body))
+    @property
+    def entry(self) -> Entry | None:
+        """What the roster says of this copy's user; None: it is not there."""
+        return self._roster.by_slot().get(self.slot)
 
+    @property
+    def initial_energies(self) -> float:
+        """Energy that the links were given once, and of the allowance, so far [J]."""
+        return self._initial_energies + self.totals.advanced
 
-def same_body(one: list[float], other: list[float]) -> bool:
-    """Whether two fingerprints are of the same body."""
-    a, b = np.array(one), np.array(other)
-    return a.shape == b.shape and bool(np.allclose(a, b, rtol=_SAME, atol=_SAME * float(np.abs(a).max(initial=0.0))))
+    @property
+    def ports(self) -> list[int]:
+        """Nodes that the hand's ports hold; see `Hand`."""
+        return [] if self._hand is None else self._hand.nodes
 
+    # -- who is there ------------------------------------------------------------------------------------------------
 
-def _basis(scenario: Scenario, body: Body) -> Any:
-    """Modes of different machines may differ in sign, so rows are nodes unless the file says otherwise."""
-    wish = scenario.solver.basis
-    return "nodal" if wish == "auto" and body.truncation is None else wish
+    def follow(self, roster: Roster, now: float) -> None:
+        """Takes up and lets go of links as the roster says, and takes its share of the object.
 
+        Args:
+            roster: the newest.
+            now: [s].
+        """
+        before, self._roster = self._roster.members, roster
+        members = roster.by_slot()
+        wanted = {slot: members[slot] for slot in roster.neighbours(self.slot) if slot in members}
+        for slot in [slot for slot, held in self.neighbours.items() if wanted.get(slot) != held.entry]:
+            self._drop(slot)
+        for slot, entry in wanted.items():
+            if slot not in self.neighbours:
+                self._add(slot, entry, now, newcomer=self.peer is not None and entry not in before)
+        if self.peer is not None:
+            self.peer.rescale(self.copies)
+        self._damp(now)  # of links that are gone, at once
+        self._changed(now)
 
-def _fingerprint(ready: Model) -> list[float]:
-    rng = np.random.default_rng(2010)
-    body, numbers = ready.body, [float(ready.operator_rows), float(ready.operator.mass.sum())]
-    for _ in range(_PROBES):
-        rows = ready.to_rows(rng.standard_normal((body.nodes, body.dimension)))
-        numbers.append(float((rows * rng.standard_normal(rows.shape)).sum()))
-    return numbers
+    def alone(self, now: float) -> None:
+        """Lets go of all links."""
+        for slot in list(self.neighbours):
+            self._drop(slot)
+        self._damp(now)
+        self._changed(now)
+
+    def receive(self, slot: int, topic: str, body: bytes, now: float) -> None:
+        """Takes what a member said about a link.
+
+        Args:
+            slot: of the member.
+            topic: what about.
+            body: what it said.
+            now: [s].
+        """
+        neighbour = self.neighbours.get(slot)
+        if neighbour is None:
+            return
+        if topic == _keys.TOPIC:
+            neighbour.keys.receive(body)
+        elif topic == BUDGET:
+            neighbour.budget.receive(now, body)
+
+    def service(self, now: float) -> None:
+        """Says again what was not answered, and keeps budgets and damping at what is agreed.
+
+        Args:
+            now: [s].
+        """
+        for slot, neighbour in self._turns():
+            key = bytes.fromhex(neighbour.entry.key)
+            neighbour.keys.service(now, asked=neighbour.link.asked)
+            if neighbour.connected and neighbour.guard is not None:
+                neighbour.budget.propose(now, neighbour.link.ages)
+                neighbour.budget.advance(now)
+                body = neighbour.budget.message(now)
+                if body is not None:
+                    self._control.send(BUDGET, body, to=key)
+                beyond = neighbour.budget.beyond
+                if neighbour.beyond != (beyond is not None):
+                    neighbour.beyond = beyond is not None
+                    if beyond is not None and self._recorder is not None:
+                        limit = self._options.age_limit
+                        self._recorder.event("beyond", now, slot=slot, asked=beyond, granted=limit)
+        self._damp(now)
+
+    def _turns(self) -> list[tuple[int, Neighbour]]:
+        """Whose turn it is to be tended: everybody's, or so many one after the other."""
+        held = list(self.neighbours.items())
+        if len(held) <= _AT_ONCE:
+            return held
+        first = self._turn % len(held)
+        self._turn = first + _AT_ONCE
+        return (held + held)[first : first + _AT_ONCE]
+
+    # -- moving ------------------------------------------------------------------------------------------------------
+
+    def step(self, now: float, T: float) -> None:
+        """Hears the neighbours, moves, and tells them; the first one only makes the copy.
+
+        Args:
+            now: end of the step [s].
+            T: its length [s].
+        """
+        if self.peer is None:
+            # It moves from the next step on: beginning may take a second, and a sample of this step were as old.
+            self._start(now)
+            return
+        peer, hand = self.peer, self._hand
+        assert peer is not None
+        assert hand is not None
+        waits = self._mode == "self-paced"
+        self._owed += T
+        if self._owed > self._options.max_step:  # a wait that no step may cover: the copy stands still for the rest
+            self.stood += self._owed - self._options.max_step
+            self._owed = self._options.max_step
+        if waits:
+            self._receive(peer, now)
+        ready = not waits or peer.ready
+        self._stands &= not ready
+        if not ready and not self._stands and now - self._stepped < _MOST_WAIT:
+            if (
+                now - self._announced >= _TELL_AGAIN and self._last is not None
+            ):  # two must not wait for each other for ever
+                self._announced = now
+                self._plane.send(now, self._last.sample, self._length)
+            return
+        self._stands, self._stepped = not ready, now  # who keeps others waiting is not waited for until it goes on
+        if self._last is None:
+            self._began, self._first = now, peer.steps
+        elif self._mode == "constant":
+            # A common index goes on with everybody's clock: steps that were left out are not taken later.
+            passed = round((now - self._began) / self._session.period(self.slot))
+            peer.steps = max(peer.steps, self._first + passed)
+        length, self._owed = self._owed, 0.0
+        self._announced, self._length = now, length
+        hand.before(self._scripted(now), length)
+        if not waits:  # as late as can be: what comes after this waits for the next step
+            self._receive(peer, now)
+        sample = peer.move(now, length)
+        self._plane.stepped(now)
+        self._plane.send(now, sample, length)  # as early as can be: what is only for this copy comes after it
+        hand.after()
+        report = peer.account()
+        self._last = report
+        self.totals.add(report, peer.neighbours)
+        self._notice()
+        if self._recorder is not None:
+            self._recorder.step(self, report, now, length)
+
+    def _scripted(self, now: float) -> float:
+        """Time of what the file says of hands; stands at 0 until everybody is there and coupled, for as long as wanted.
+
+        Copies that hands take apart before they are coupled, and hold there, lack the energy to meet.
+        """
+        if self._acts is None:
+            there = len(self._roster.members) == self._session.slots
+            coupled = all(held.coupled for held in self.neighbours.values())
+            if (there and coupled) or now - self._began >= self._options.wait_for_peers:
+                self._acts = now
+        return 0.0 if self._acts is None else now - self._acts
+
+    def listen(self, now: float) -> None:
+        """Reads what arrived, ahead of the step that will use it.
+
+        Args:
+            now: [s].
+        """
+        self._plane.poll(now)
+
+    def _receive(self, peer: Peer, now: float) -> None:
+        """Reads what arrived; a neighbour that is heard first gets its spring."""
+        self._plane.poll(now)
+        for slot, neighbour in self.neighbours.items():
+            law = neighbour.law
+            if law is not None:
+                law.offset = neighbour.link.ahead
+            if not neighbour.connected and neighbour.received:
+                neighbour.connected = True
+                if law is not None:
+                    law.copies = self.copies
+                self._align(neighbour)
+                peer.connect(slot, neighbour.source, strength=neighbour.strength, weight=neighbour.weight)
+                self._changed(now)
+
+    def _start(self, now: float) -> None:
+        """Begins at rest where the session's file says: what neighbours say might be a lie.
+
+        From there the links' guards bring the copy to where the others are, with the session's allowance.
+        """
+        scenario = self._replica.scenario
+        model = self._replica.model(self.copies)
+        hand = self._hand = self._make_hand(self.slot, model)
+        shape = (self._replica.body.nodes, self._replica.body.dimension)
+        given = scenario.initial.position
+        place = np.zeros(shape) if given is None else np.broadcast_to(np.asarray(given[self.slot]), shape)
+        extra = self.extra_damping
+        extra[0] = per_user(scenario.synchronisation.extra_damping, self._session.slots, "extra_damping")[self.slot]
+        self.peer = Peer(
+            index=self.slot,
+            model=model,
+            links={},
+            strength=[],
+            weight=[],
+            local_damping=self.damping,
+            extra_damping=extra,
+            ports=hand.ports,
+            position=place,
+            velocity=np.zeros(shape),
+            allowance=self._options.allowance if self.copies > 1 else 0.0,
+            surface=hand.surface,
+            tools=hand.tools,
+            contact=hand.contact,
+            tolerance=scenario.solver.tolerance,
+            iterations=scenario.solver.iterations,
+        )
+        if isinstance(hand, AttachedHand):
+            hand.attach(self.peer.state.position)
+        self._began = self._stepped = now
+        self._changed(now)
+
+    def _add(self, slot: int, entry: Entry, now: float, *, newcomer: bool) -> None:
+        """Prepares a link; its spring comes when the neighbour is heard."""
+        number = int.from_bytes(self._entropy(4), "big")
+        while number in self._numbers.values():
+            number = (number + 1) % (1 << 32)
+        self._numbers[slot] = number
+        if self._law is not None and (self._memory is None or not self.neighbours):
+            self._memory = self._law.memory()
+        self.neighbours[slot] = made = Neighbour.make(
+            entry,
+            session=self._session,
+            replica=self._replica,
+            slot=self.slot,
+            control=self._control,
+            number=number,
+            entropy=self._entropy,
+            secret=self._secret,
+            newcomer=newcomer,
+            memory=self._memory,
+            copies=self.copies,
+            now=now,
+        )
+        self._initial_energies += self._options.initial_energy if made.law is None else made.law.seed
+        self._plane.connect(slot, made.link)
+        self._paths.introduce(slot, bytes.fromhex(entry.key))
+
+    def _align(self, neighbour: Neighbour) -> None:
+        """Counts a neighbour's steps from where they are when it is heard first: nobody began at the same time."""
+        assembly, peer = neighbour.link.assembly, self.peer
+        if isinstance(assembly, IndexedAssembly) and peer is not None:
+            assembly.shift = assembly.newest - peer.steps
+
+    def _drop(self, slot: int) -> None:
+        """Lets a link go."""
+        del self.neighbours[slot]
+        del self._numbers[slot]
+        self._plane.disconnect(slot)
+        if self.peer is not None:
+            self.peer.disconnect(slot)
+
+    # -- what is agreed ----------------------------------------------------------------------------------------------
+
+    def give_damping(self, fraction: float, now: float) -> None:
+        """Takes so much of the damping that the rule needs, and trusts every link, to show what becomes of that.
+
+        Args:
+            fraction: 1: the rule and its guards; below, nothing is passive. A law that needs no damping keeps on.
+            now: [s].
+        """
+        if fraction != self.damping_fraction and self._law is None:
+            self.damping_fraction = fraction
+            if self._recorder is not None:
+                self._recorder.event("damping", now, fraction=fraction)
+            self._damp(now)
+
+    def _damp(self, now: float) -> None:
+        """Keeps the damping at what the budgets in force need, by the rule [age rule; Lee & Huang 2010, theorem 1]."""
+        needed = np.zeros_like(self.damping)
+        if self._law is not None:
+            needed[0] = self._law.law.drag
+        for neighbour in self.neighbours.values():
+            guard = neighbour.guard
+            if guard is None:
+                continue
+            needed[neighbour.weight] += 0.5 * neighbour.strength * neighbour.budget.total
+            guard.budget, guard.total = neighbour.budget.budget, neighbour.budget.total
+            guard.bypassed = self.damping_fraction < 1.0
+        needed *= self.damping_fraction
+        if (needed != self.damping).any():
+            self.damping = needed
+            if self.peer is not None:
+                self.peer.set_local_damping(needed)
+            self._changed(now)
+
+    def _changed(self, now: float) -> None:
+        if self._recorder is not None and self.peer is not None:
+            self._recorder.setup(self, now)
+
+    def _notice(self) -> None:
+        """Counts and tells what the guards noted."""
+        for slot, neighbour in self.neighbours.items():
+            if neighbour.guard is None:
+                continue
+            events = neighbour.guard.events
+            while events:
+                event = events.popleft()
+                state = STATES[event.state]
+                neighbour.guarded += state == "guarded"
+                if self._recorder is not None:
+                    self._recorder.event(state, event.time, slot=slot, reason=event.reason)
+
+    # -- what is seen ------------------------------------------------------------------------------------------------
+
+    def status(self, now: float, links: list[LinkStatus] | None = None) -> Status:
+        """What this member says about itself.
+
+        Args:
+            now: [s].
+            links: what it says of its links, if that was worked out before.
+        """
+        if links is None:
+            links = [self.link_status(slot) for slot in self.neighbours]
+        peer, totals, report = self.peer, self.totals, self._last
+        if peer is None or report is None:
+            return Status(slot=self.slot, epoch=self._roster.epoch, links=links)
+        needed = sum(held.strength * held.total for held in self.neighbours.values()) * 0.5
+        model = peer.model
+        return Status(
+            slot=self.slot,
+            epoch=self._roster.epoch,
+            time=now - self._began,
+            steps=peer.steps,
+            period=self._session.period(self.slot),
+            force=self._force(report),
+            position=model.to_nodes(peer.state.position).mean(axis=0).tolist(),
+            supplied=totals.supplied,
+            lost=totals.lost,
+            linked=totals.linked,
+            rescaled=totals.rescaled,
+            energy=totals.energy,
+            initial=totals.initial,
+            initial_energies=self.initial_energies,
+            residual=totals.residual,
+            damping=float(self.damping.max()),
+            law="spring" if self._law is None else self._law.law.name,
+            held=0.0 if self._memory is None else self._memory.held,
+            certificate=float(self.damping.sum() / needed - 1.0) if needed > 0.0 else None,
+            links=links,
+            alarms=totals.alarms,
+        )
+
+    def _force(self, report: StepReport) -> float:
+        """Of the hands on the copy and on the proxies, as a whole [N]."""
+        force = report.force.sum(axis=0)
+        tools = None if self._hand is None else self._hand.tools
+        if tools is not None:
+            force = force + tools.drive_force[tools.first : tools.last].sum(axis=0)[: force.size]
+        return float(np.linalg.norm(force))
+
+    def link_status(self, slot: int) -> LinkStatus:
+        """What is known of a link.
+
+        Args:
+            slot: of a neighbour.
+        """
+        position = None if self.peer is None else self.peer.state.position
+        work = self.totals.link_work.get(slot, 0.0)
+        return self.neighbours[slot].status(position, path_state=self._paths.path_state(slot), work=work)

@@ -1,9 +1,9 @@
-"""What a copy's books add up to."""
+"""What a copy's ledger adds up to."""
 
 from collections.abc import Sequence
 from typing import final
 
-from cotouch.peer import Report
+from cotouch.peer import StepReport
 
 # A residual above this share of the energy in play means that something is broken, not round-off.
 ALARM = 1e-9
@@ -22,6 +22,7 @@ class Totals:
         lost: in all dampers and contacts [J].
         linked: work of all links on the copy [J].
         link_work: of each link by its neighbour [J].
+        advanced: what the links' tanks got of the newcomer's allowance [J].
         rescaled: what the copy's energy changed by as members came and went [J].
         energy: after the last step [J].
         in_play: the most that was stored, supplied, lost or exchanged [J].
@@ -33,7 +34,7 @@ class Totals:
 
     def __init__(self) -> None:
         self.steps = 0
-        self.initial = self.supplied = self.lost = self.linked = self.rescaled = self.energy = 0.0
+        self.initial = self.supplied = self.lost = self.linked = self.rescaled = self.energy = self.advanced = 0.0
         self.in_play = _LEAST
         self.residual = self.total_residual = 0.0
         self.link_work: dict[int, float] = {}
@@ -41,7 +42,7 @@ class Totals:
         self.least = 0.0
         self._exchanged = 0.0
 
-    def add(self, report: Report, neighbours: Sequence[int]) -> None:
+    def add(self, report: StepReport, neighbours: Sequence[int]) -> None:
         """Adds a step.
 
         Args:
@@ -57,15 +58,16 @@ class Totals:
         self.steps += 1
         self.supplied += supplied
         self.lost += lost
-        for seat, work in zip(neighbours, report.link_work.tolist(), strict=True):
-            link_work[seat] = link_work.get(seat, 0.0) + work
+        for slot, work in zip(neighbours, report.link_work.tolist(), strict=True):
+            link_work[slot] = link_work.get(slot, 0.0) + work
             self.linked += work
             self._exchanged += abs(work)
         self.rescaled += report.rescaled
+        self.advanced += report.advanced
         self.energy = energy
         self.in_play = max(self.in_play, self.energy, abs(self.supplied), self.lost, self._exchanged)
         self.total_residual += report.residual
-        share = abs(report.residual) / self.in_play
-        self.residual = max(self.residual, share)
-        self.alarms += share > ALARM
+        fraction = abs(report.residual) / self.in_play
+        self.residual = max(self.residual, fraction)
+        self.alarms += fraction > ALARM
         self.least = min(self.least, self.supplied + self.initial)

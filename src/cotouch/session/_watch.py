@@ -5,9 +5,10 @@ from dataclasses import dataclass
 from typing import NamedTuple, final
 
 from cotouch.live import ControlPlane, Message
-from cotouch.session._coordinator import believed
+from cotouch.network import Network
 from cotouch.session._links import Pair
-from cotouch.session._messages import Entry, Roster, Status, read
+from cotouch.session._messages import Decided, Entry, Roster, Status, read
+from cotouch.session._succession import Belief
 
 # Topic of a status that the host hands on.
 HANDED_ON = "seen"
@@ -18,7 +19,7 @@ _MOST_NAMES = 256
 STALE = 2.0
 
 
-class Event(NamedTuple):
+class SessionEvent(NamedTuple):
     """Something worth a line.
 
     Attributes:
@@ -32,7 +33,7 @@ class Event(NamedTuple):
 
 @final
 @dataclass
-class Seen:
+class MemberState:
     """One member.
 
     Attributes:
@@ -51,27 +52,30 @@ class Seen:
 
 
 @final
-class Watch:
+class SessionWatch:
     """Follows a session.
 
     Attributes:
         roster: the newest.
-        members: by seat; those who left are gone.
+        members: by slot; those who left are gone.
         events: the last ones, oldest first.
         ended: whether the host ended the session.
         last: the last status of who took part, by name; of the 256 names heard of last.
     """
 
-    def __init__(self, control: ControlPlane, *, host: bytes) -> None:
+    def __init__(self, control: ControlPlane, *, host: bytes, network: Network | None = None) -> None:
         """Begins to watch.
 
         Args:
-            control: the control plane; polled by `service`, or by its owner who hands messages to `hear`.
+            control: the control plane; polled by `service`, or by its owner who hands messages to `receive`.
             host: public key of the host.
+            network: of the session, if it is known: nobody is then believed to be beyond it.
         """
         self.roster = Roster()
-        self.members: dict[int, Seen] = {}
-        self.events = deque[Event](maxlen=_MOST_EVENTS)
+        self._belief = Belief(host, network=network)
+        self._complained: str | None = None
+        self.members: dict[int, MemberState] = {}
+        self.events = deque[SessionEvent](maxlen=_MOST_EVENTS)
         self.ended = False
         self.last: dict[str, Status] = {}
         self._control = control
@@ -85,9 +89,11 @@ class Watch:
         """
         present = self._control.present()
         for message in self._control.poll():
-            self.hear(message, present, now)
+            self.receive(message, present, now)
+        if self._belief.settle(self.votes(now), present):
+            self.follow(self._belief.roster, now)
 
-    def hear(self, message: Message, present: frozenset[bytes], now: float) -> None:
+    def receive(self, message: Message, present: frozenset[bytes], now: float) -> None:
         """Takes one message.
 
         Args:
@@ -96,60 +102,101 @@ class Watch:
             now: [s].
         """
         if message.topic == "roster":
-            roster = read(Roster, message.body)
-            if roster is not None and believed(roster, self.roster, message.sender, self._host, present):
-                self.follow(roster, now)
+            decided = read(Decided, message.body)
+            if decided is not None and self._belief.receive(decided, message.sender, present):
+                self.follow(self._belief.roster, now)
+            self._complain(now)
         elif message.topic == "status":
             status, entry = read(Status, message.body), self.roster.of(message.sender)
-            if status is not None and entry is not None and entry.seat == status.seat:
+            if status is not None and entry is not None and entry.slot == status.slot:
                 self._note(entry, status, now)
         elif message.topic == HANDED_ON and message.sender == self._host:
             status = read(Status, message.body)
-            entry = None if status is None else self.roster.by_seat().get(status.seat)
+            entry = None if status is None else self.roster.by_slot().get(status.slot)
             if status is not None and entry is not None and bytes.fromhex(entry.key) not in present:
                 self._note(entry, status, now)
         elif message.topic == "end" and message.sender == self._host:
             self.ended = True
 
     def follow(self, roster: Roster, now: float) -> None:
-        """Takes a roster that is to be believed, if it is newer."""
-        if roster.epoch <= self.roster.epoch:
+        """Takes a roster that is to be believed.
+
+        Args:
+            roster: who takes part.
+            now: time [s].
+        """
+        if roster == self.roster:
             return
-        before, after = self.roster.by_seat(), roster.by_seat()
-        for seat, entry in before.items():
-            if seat not in after or after[seat].key != entry.key:
-                self.events.append(Event(now, f"{entry.name} left"))
-                self.members.pop(seat, None)
-        for seat, entry in after.items():
-            if seat not in self.members:
-                self.events.append(Event(now, f"{entry.name} joined"))
-                self.members[seat] = Seen(entry)
+        before, after = self.roster.by_slot(), roster.by_slot()
+        for slot, entry in before.items():
+            if slot not in after or after[slot].key != entry.key:
+                self.events.append(SessionEvent(now, f"{entry.name} left"))
+                self.members.pop(slot, None)
+        for slot, entry in after.items():
+            if slot not in self.members:
+                self.events.append(SessionEvent(now, f"{entry.name} joined"))
+                self.members[slot] = MemberState(entry)
         gone, come = set(self.roster.links) - set(roster.links), set(roster.links) - set(self.roster.links)
         if (gone or come) and self.roster.links and before.keys() == after.keys():
-            self.events.append(Event(now, f"links changed: {_pairs(come)} for {_pairs(gone)}"))
+            self.events.append(SessionEvent(now, f"links changed: {_pairs(come)} for {_pairs(gone)}"))
         self.roster = roster
+
+    def note(self, now: float, text: str) -> None:
+        """Adds something worth a line [s].
+
+        Args:
+            now: when [s].
+            text: the words.
+        """
+        self.events.append(SessionEvent(now, text))
+
+    def votes(self, now: float) -> dict[bytes, str | None]:
+        """Digest of the roster that members work with, as far as they said so just now, by their keys."""
+        fresh = [seen for seen in self.members.values() if seen.status is not None and not seen.stale(now)]
+        return {bytes.fromhex(seen.entry.key): seen.status.roster for seen in fresh if seen.status is not None}
+
+    def _complain(self, now: float) -> None:
+        """Says once why whoever decides is not believed."""
+        complaint = self._belief.complaint
+        if complaint is not None and complaint != self._complained:
+            self.events.append(SessionEvent(now, f"ALARM: a roster is not believed: {complaint}"))
+        self._complained = complaint
 
     def paths(self) -> dict[Pair, float]:
         """Quickest way there and back of each pair of those who are there, as far as either said one [s]."""
         found: dict[Pair, float] = {}
-        for seat, seen in self.members.items():
+        for slot, seen in self.members.items():
             for other, both in ({} if seen.status is None else seen.status.measured()).items():
-                if other in self.members and other != seat:
-                    pair = (min(seat, other), max(seat, other))
+                if other in self.members and other != slot:
+                    pair = (min(slot, other), max(slot, other))
                     found[pair] = min(both, found.get(pair, both))
         return found
 
     def _note(self, entry: Entry, status: Status, now: float) -> None:
-        seen = self.members.setdefault(entry.seat, Seen(entry))
-        before = {link.seat: link.state for link in seen.status.links} if seen.status is not None else {}
+        seen = self.members.setdefault(entry.slot, MemberState(entry))
+        links = [] if seen.status is None else seen.status.links
+        before = {link.slot: link.state for link in links}
+        beyond = {link.slot for link in links if link.asked is not None}
         for link in status.links:
-            was = before.get(link.seat)
-            other = self.roster.by_seat().get(link.seat)
+            was = before.get(link.slot)
+            other = self.roster.by_slot().get(link.slot)
             if other is not None and was != link.state and "coupled" in (was, link.state):
                 told = "coupled with" if link.state == "coupled" else "guards itself from"
-                self.events.append(Event(now, f"{entry.name} {told} {other.name}"))
+                self.events.append(SessionEvent(now, f"{entry.name} {told} {other.name}"))
+            if other is not None and link.asked is not None and link.slot not in beyond:
+                asked, granted = f"{link.asked:.3g} s", f"{link.budget or 0.0:.3g} s"
+                self.events.append(
+                    SessionEvent(
+                        now, f"{other.name} asks {entry.name} for damping for samples {asked} old; it gets {granted}"
+                    )
+                )
+        if status.device and (seen.status is None or status.device != seen.status.device):
+            self.events.append(SessionEvent(now, f"{entry.name}'s device: {status.device}"))
         if seen.status is not None and status.alarms > seen.status.alarms:
-            self.events.append(Event(now, f"ALARM: the energy books of {entry.name} do not balance"))
+            self.events.append(SessionEvent(now, f"ALARM: the energy ledger of {entry.name} does not balance"))
+        if status.recording == "failed" and (seen.status is None or seen.status.recording != "failed"):
+            why = f": {status.recording_failure}" if status.recording_failure else ""
+            self.events.append(SessionEvent(now, f"ALARM: the recording of {entry.name} stopped{why}"))
         seen.status, seen.time = status, now
         self.last.pop(entry.name, None)
         self.last[entry.name] = status

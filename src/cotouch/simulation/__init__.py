@@ -1,13 +1,17 @@
 """Many virtual peers on a virtual network: scenario in, labelled result out."""
 
-from cotouch.simulation._animation import Animation, GripTracks, ToolTracks, UserSeries
-from cotouch.simulation._figures import figures, save_figures
+from cotouch.simulation._animation import HTML, Animation, PortTracks, ToolTracks, UserSeries
+from cotouch.simulation._batch import Outcome, run_batch
+from cotouch.simulation._body_report import body_report, save_body_figure
+from cotouch.simulation._figures import FIGURES, figures, save_figures
+from cotouch.simulation._law_setup import facts_of, given_law
 from cotouch.simulation._metrics import (
     at_times,
     discrepancy,
     felt,
     force_imbalance,
     hold_window,
+    judge,
     settling_time,
     summary,
 )
@@ -16,26 +20,34 @@ from cotouch.simulation._prepare import Prepared, prepare
 from cotouch.simulation._result import dataset, save, simulate
 from cotouch.simulation._schedule import Schedule, schedule
 from cotouch.simulation._shown import animation, frame_rate
-from cotouch.simulation._understood import save_body_figure, understood
+from cotouch.simulation._tables import tables
 
 __all__ = [
+    "FIGURES",
+    "HTML",
     "Animation",
-    "GripTracks",
+    "Outcome",
     "PeerRun",
+    "PortTracks",
     "Prepared",
     "Schedule",
     "ToolTracks",
     "UserSeries",
     "animation",
     "at_times",
+    "body_report",
     "dataset",
     "discrepancy",
+    "facts_of",
     "felt",
     "figures",
     "force_imbalance",
     "frame_rate",
+    "given_law",
     "hold_window",
+    "judge",
     "prepare",
+    "run_batch",
     "run_peers",
     "save",
     "save_body_figure",
@@ -44,5 +56,5 @@ __all__ = [
     "settling_time",
     "simulate",
     "summary",
-    "understood",
+    "tables",
 ]

@@ -14,7 +14,8 @@ import numpy.typing as npt
 
 from cotouch import drawing
 from cotouch.body import Skin
-from cotouch.errors import BodyError, InputError, NetworkError, ScenarioError
+from cotouch.errors import BodyError, InputError, NetworkError
+from cotouch.files import prepare, write
 from cotouch.simulation._animation_checks import (
     Float,
     Int,
@@ -31,6 +32,7 @@ from cotouch.simulation._animation_checks import (
 from cotouch.simulation._pack import Packer
 
 # In the order in which they share one scope; see `_viewer/index.html`.
+HTML: Final = (".html", ".htm")
 _SCRIPTS: Final = ("data.js", "camera.js", "shapes.js", "scene.js", "chart.js", "app.js")
 
 
@@ -70,7 +72,7 @@ class ToolTracks:
 
 @final
 @dataclass(frozen=True, eq=False, kw_only=True)
-class GripTracks:
+class PortTracks:
     """Hands that hold the object at a point, without a tool.
 
     Args:
@@ -140,7 +142,7 @@ class Animation:
         rest: vertices at rest, (V, 3) [m], from which displacement is measured; those of the first user in the first
             frame if not given.
         tools: spheres that touch the object.
-        grips: hands that hold it.
+        ports: hands that hold it.
         links: pairs of user indices that are joined.
         series: further numbers of every user over time: discrepancy, age, energy residual.
 
@@ -170,7 +172,7 @@ class Animation:
     edges: Int
     rest: Single
     tools: ToolTracks
-    grips: GripTracks
+    ports: PortTracks
     links: tuple[tuple[int, int], ...]
     series: tuple[UserSeries, ...]
 
@@ -187,7 +189,7 @@ class Animation:
         displacement: npt.ArrayLike | None = None,
         rest: npt.ArrayLike | None = None,
         tools: ToolTracks | None = None,
-        grips: GripTracks | None = None,
+        ports: PortTracks | None = None,
         links: Sequence[tuple[int, int]] = (),
         series: Sequence[UserSeries] = (),
     ) -> None:
@@ -227,7 +229,7 @@ class Animation:
             raise BodyError(f"vertices at rest are {size_of(start)}; there are {count} vertices")
         nothing = np.zeros((when.size, 0, 3))
         spheres = tools or ToolTracks(owner=[], centre=nothing, radius=[], force=nothing)
-        hands = grips or GripTracks(owner=[], place=nothing, force=nothing)
+        hands = ports or PortTracks(owner=[], place=nothing, force=nothing)
         for name, owner, tracks in (
             ("tool", spheres.owner, (spheres.centre, spheres.force)),
             ("grip", hands.owner, (hands.place, hands.force)),
@@ -247,7 +249,7 @@ class Animation:
         keep_frozen(
             self, title=title, users=names, time=when, vertices=places, triangles=faces, edges=lines, rest=start
         )
-        keep_frozen(self, tools=spheres, grips=hands, links=_pairs(links, len(names)), series=tuple(series))
+        keep_frozen(self, tools=spheres, ports=hands, links=_pairs(links, len(names)), series=tuple(series))
 
     def write(self, path: str | Path) -> Path:
         """Writes the page: one file that needs nothing else, whole or not at all.
@@ -257,23 +259,17 @@ class Animation:
         2 MB. The same animation gives the same bytes.
 
         Args:
-            path: of the file, by custom ending in ".html".
+            path: of the file, ending in ".html" or ".htm" if it is an ordinary one.
 
         Returns:
             The path.
 
         Raises:
-            ScenarioError: the file cannot be written.
+            OutputError: the file cannot be written, or its name does not end in ".html" or ".htm".
         """
         target = Path(path)
-        partial = target.with_name(target.name + ".part")
-        page = self.page()
-        try:
-            partial.write_text(page, encoding="utf-8", newline="\n")
-            partial.replace(target)  # whole or not at all
-        except OSError as error:
-            partial.unlink(missing_ok=True)
-            raise ScenarioError(f"the animation cannot be written to {path}: {error.strerror or error}") from error
+        prepare(target, HTML)
+        write(target, self.page().encode("utf-8"), "animation")
         return target
 
     def page(self) -> str:
@@ -286,8 +282,8 @@ class Animation:
         packer.add("edges", self.edges, "u4")
         packer.add("tool_centre", self.tools.centre, "f4")
         packer.add("tool_force", self.tools.force, "f4")
-        packer.add("grip_place", self.grips.place, "f4")
-        packer.add("grip_force", self.grips.force, "f4")
+        packer.add("grip_place", self.ports.place, "f4")
+        packer.add("grip_force", self.ports.force, "f4")
         forces = (UserSeries(name="Force", unit="N", values=self.felt()),) if self._touched() else ()
         series = (*forces, *self.series)
         for number, entry in enumerate(series):
@@ -300,7 +296,7 @@ class Animation:
             "step": step.tolist(),
             "arrays": packer.entries,
             "tools": {"owner": self.tools.owner.tolist(), "radius": self.tools.radius.tolist()},
-            "grips": {"owner": self.grips.owner.tolist()},
+            "ports": {"owner": self.ports.owner.tolist()},
             "links": self.links,
             "series": [{"name": entry.name, "unit": entry.unit} for entry in series],
             "peaks": {"displacement": displacement, "difference": difference},
@@ -323,12 +319,12 @@ class Animation:
         total = np.zeros((self.time.size, len(self.users), 3))
         for track, owner in enumerate(self.tools.owner):
             total[:, owner] += self.tools.force[:, track]
-        for track, owner in enumerate(self.grips.owner):
-            total[:, owner] -= self.grips.force[:, track]
+        for track, owner in enumerate(self.ports.owner):
+            total[:, owner] -= self.ports.force[:, track]
         return np.linalg.norm(total, axis=-1)
 
     def _touched(self) -> bool:
-        return bool(self.tools.owner.size or self.grips.owner.size)
+        return bool(self.tools.owner.size or self.ports.owner.size)
 
     def _peaks(self) -> tuple[float, float]:
         """Largest displacement from rest, and largest distance of a copy's vertex from the mean of the copies [m]."""

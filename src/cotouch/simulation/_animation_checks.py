@@ -5,9 +5,9 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.errors import BodyError, InputError
 
-Float = npt.NDArray[np.float64]
 Single = npt.NDArray[np.float32]
 Int = npt.NDArray[np.int32]
 
@@ -23,7 +23,15 @@ def keep_frozen(thing: object, **values: object) -> None:
 def numbers_of(
     name: str, values: npt.ArrayLike | None, error: type[InputError], *, finite: bool = True, kind: type = np.float64
 ) -> npt.NDArray[Any]:
-    """An array of numbers."""
+    """An array of numbers.
+
+    Args:
+        name: what messages call it.
+        values: what was given.
+        error: raised where it is wrong.
+        finite: whether all must be finite.
+        kind: of the numbers.
+    """
     try:
         array = np.array(values, dtype=kind, order="C")
     except (TypeError, ValueError, OverflowError) as reason:
@@ -35,7 +43,14 @@ def numbers_of(
 
 
 def indices_of(name: str, values: npt.ArrayLike, dimensions: int, error: type[InputError]) -> Int:
-    """Whole numbers."""
+    """Whole numbers.
+
+    Args:
+        name: what messages call it.
+        values: what was given.
+        dimensions: of the array.
+        error: raised where it is wrong.
+    """
     numbers = numbers_of(name, values, error)
     if numbers.ndim != dimensions:
         raise error(f"{name} are {size_of(numbers)}; they must have {dimensions} dimensions")
@@ -46,7 +61,14 @@ def indices_of(name: str, values: npt.ArrayLike, dimensions: int, error: type[In
 
 
 def corners_of(name: str, values: npt.ArrayLike | None, width: int, count: int) -> Int:
-    """Rows of indices of vertices, (rows, width)."""
+    """Rows of indices of vertices, (rows, width).
+
+    Args:
+        name: what messages call it.
+        values: what was given.
+        width: entries of a row.
+        count: how many there must be.
+    """
     if values is None or np.size(values) == 0:
         return np.zeros((0, width), dtype=np.int32)
     table = indices_of(f"{name}s", values, 2, BodyError)
@@ -59,7 +81,14 @@ def corners_of(name: str, values: npt.ArrayLike | None, width: int, count: int) 
 
 
 def field_of(name: str, values: npt.ArrayLike | None, frames: int, users: int) -> Single:
-    """(F, U, V, 3) in single precision."""
+    """(F, U, V, 3) in single precision.
+
+    Args:
+        name: what messages call it.
+        values: what was given.
+        frames: F.
+        users: U.
+    """
     array = numbers_of(name, values, BodyError, kind=np.float32)
     if array.ndim != 4 or array.shape[:2] != (frames, users) or not 1 <= array.shape[3] <= 3 or array.shape[2] == 0:
         raise BodyError(f"{name} are {size_of(array)}; they must be {frames} frames x {users} users x vertices x axes")
@@ -67,7 +96,13 @@ def field_of(name: str, values: npt.ArrayLike | None, frames: int, users: int) -
 
 
 def track_of(name: str, values: npt.ArrayLike, count: int) -> Float:
-    """(F, count, 3)."""
+    """(F, count, 3).
+
+    Args:
+        name: what messages call it.
+        values: what was given.
+        count: how many there must be.
+    """
     array = numbers_of(name, values, InputError)
     if array.ndim != 3 or array.shape[1] != count or not 1 <= array.shape[2] <= 3:
         raise InputError(f"{name} are {size_of(array)}; they must be frames x {count} x axes")

@@ -7,14 +7,20 @@ from typing import final
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.mechanics import BOOKS, Grips, workspace
+from cotouch.arrays import Float
+from cotouch.errors import ScenarioError
+from cotouch.interrupt import check, flag
+from cotouch.mechanics import LEDGER_COLUMNS, Ports, workspace
 from cotouch.scenario import ToolRecord, tool_record
+from cotouch.simulation._ends import Ends
 from cotouch.simulation._engine import run
+from cotouch.simulation._law_setup import ends_of
 from cotouch.simulation._layout import (
-    SLOT_BOOKS,
-    TICK_BOOKS,
-    TOOL_BOOKS,
-    USER_BOOKS,
+    CLOSED_BOOKS,
+    SLOT_LEDGER,
+    TICK_LEDGER,
+    TOOL_LEDGER,
+    USER_LEDGER,
     Fields,
     Frames,
     Record,
@@ -22,8 +28,6 @@ from cotouch.simulation._layout import (
     Timing,
 )
 from cotouch.simulation._prepare import Prepared
-
-Float = npt.NDArray[np.float64]
 
 
 @final
@@ -40,6 +44,7 @@ class Outcome:
         tools: what was recorded of tools; None without them.
         frames: whole copies, (frames, users, rows, width) [m].
         frame_time: of the frames that were reached, (frames,) [s].
+        ends: what the ends of the links came to keep; None where all links are springs.
     """
 
     record: Record
@@ -50,10 +55,16 @@ class Outcome:
     tools: ToolRecord | None
     frames: Float
     frame_time: Float
+    ends: Ends | None = None
 
 
 def run_batch(prepared: Prepared) -> Outcome:
-    """Runs all users in one compiled loop."""
+    """Runs all users in one compiled loop.
+
+    Raises:
+        KeyboardInterrupt: it was interrupted; see `cotouch.interrupt.interruptible`.
+        ScenarioError: the links' law asks for what no link can be.
+    """
     ready, timing, hands = prepared.model, prepared.schedule, prepared.hands
     users, rows, width = timing.count.size, ready.operator_rows, ready.width
     every = prepared.scenario.record.every
@@ -65,13 +76,15 @@ def run_batch(prepared: Prepared) -> Outcome:
         velocity=np.stack([ready.to_rows(field) for field in prepared.velocity]),
         momentum=np.zeros((users, rows, width)),
         tension=np.zeros((users, rows, width)),
-        samples=np.zeros((users * timing.ring + users, rows, width)),
+        memory=np.zeros((users, ready.memory)),
+        samples=np.zeros((users * timing.ring + users + (0 if prepared.law is None else slots), rows, width)),
     )
     touching = deepcopy(prepared.touching)
-    more = 0 if touching is None else len(TOOL_BOOKS)
+    more = 0 if touching is None else len(TOOL_LEDGER)
+    more += 0 if ready.force is None else len(CLOSED_BOOKS)
     tools = None if touching is None else tool_record(touching.kind.size, records)
-    wish = prepared.scenario.record.frames
-    moments = np.zeros(0) if wish is None else np.arange(0.0, prepared.scenario.steps.duration, 1.0 / wish)
+    wanted = prepared.scenario.record.frames
+    moments = np.zeros(0) if wanted is None else np.arange(0.0, prepared.scenario.steps.duration, 1.0 / wanted)
     frames = Frames(moments, np.zeros((moments.size, users, rows, width)), np.zeros(1, dtype=np.int32))
     kept = np.concatenate([ready.port_rows(int(node)) for node in prepared.nodes])
     record = Record(
@@ -81,16 +94,18 @@ def run_batch(prepared: Prepared) -> Outcome:
         position=np.empty((users, records, kept.size, width)),
         velocity=np.empty((users, records, kept.size, width)),
         force=np.empty((ports, records, width)),
-        users=np.zeros((len(USER_BOOKS) + more, users, records)),
-        slots=np.empty((len(SLOT_BOOKS), slots, records)),
+        users=np.zeros((len(USER_LEDGER) + more, users, records)),
+        slots=np.empty((len(SLOT_LEDGER), slots, records)),
         links=np.empty((records, len(prepared.scenario.network.links))),
-        ticks=np.empty((len(TICK_BOOKS), records)),
+        ticks=np.empty((len(TICK_LEDGER), records)),
         running=np.zeros((users, 6 + more)),
         lowest=np.zeros(1),
+        refused=np.zeros(1, dtype=np.int32),
+        made=np.zeros(2),
     )
     counter = np.zeros(users, dtype=np.int32)
     scratch = Scratch(
-        grips=Grips(
+        ports=Ports(
             first=0,
             last=ports,
             row=hands.row,
@@ -102,8 +117,8 @@ def run_batch(prepared: Prepared) -> Outcome:
             push=np.zeros((ports, width)),
             force=np.zeros((ports, width)),
         ),
-        work=workspace(ready.operator, width, int(np.diff(hands.first).max(initial=0))),
-        books=np.zeros(BOOKS),
+        work=workspace(ready.operator, width, int(np.diff(hands.first).max(initial=0)), closed=ready.force is not None),
+        ledger=np.zeros(LEDGER_COLUMNS),
         link_work=np.zeros(slots),
         slot=np.zeros(slots, dtype=np.int64),
         counter=counter,
@@ -112,9 +127,12 @@ def run_batch(prepared: Prepared) -> Outcome:
         difference=np.zeros((rows, width)),
         product=np.zeros((rows, width)),
     )
+    law = prepared.law
+    ends = None if law is None else ends_of(law, timing, fields, scratch.work.mean, users)
     solver = prepared.scenario.solver
     events = run(
         ready.operator,
+        ready.force,
         prepared.topology,
         Timing(
             order=timing.order,
@@ -123,6 +141,7 @@ def run_batch(prepared: Prepared) -> Outcome:
             used=timing.used,
             ring=timing.ring,
             reference=timing.reference,
+            stop=flag(),
         ),
         hands,
         prepared.local_damping,
@@ -131,12 +150,21 @@ def run_batch(prepared: Prepared) -> Outcome:
         record,
         scratch,
         touching,
+        None if touching is None else touching.accounts,
+        None if touching is None else touching.contact,
         tools,
         frames,
+        ends,
         solver.tolerance,
         solver.iterations,
         ready.lanes,
     )
+    check()
+    if law is not None and record.refused[0]:
+        raise ScenarioError(
+            f'law "{law.law.name}" gives a link of user {record.refused[0]} a stiffness or damping that is no finite '
+            "number of at least 0"
+        )
     shown = int(frames.done[0])
     return Outcome(
         record=record,
@@ -147,4 +175,5 @@ def run_batch(prepared: Prepared) -> Outcome:
         tools=tools,
         frames=frames.position[:shown],
         frame_time=frames.time[:shown],
+        ends=ends,
     )

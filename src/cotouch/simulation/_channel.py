@@ -1,13 +1,16 @@
 """The virtual network: when every message arrives, drawn from a seed, one stream for each direction of each link."""
 
-from typing import NamedTuple
+from collections.abc import Callable
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.scenario import Channel
+from cotouch.arrays import Float
+from cotouch.scenario import Channel, Trace
 
-Float = npt.NDArray[np.float64]
+# Further delay of some messages of one direction, by their numbers and how long after the others they are sent [s].
+Measured: TypeAlias = Callable[[npt.NDArray[np.int64], float], Float]
 
 # A message that was lost this often in a row is taken to arrive with the next try; beyond any loss rate of use.
 _MOST_TRIES = 1000
@@ -30,23 +33,41 @@ class Draws(NamedTuple):
 def certain(channel: Channel) -> bool:
     """Whether every message arrives once, after the constant delay."""
     chances = (channel.reordering, channel.loss, channel.duplication)
-    return channel.jitter is None and channel.burst is None and not any(chances)
+    return channel.jitter is None and channel.trace is None and channel.burst is None and not any(chances)
 
 
-def draw(channel: Channel, delay: float, messages: int, *, seed: tuple[int, ...]) -> Draws:
+def measured_at(trace: Trace | None, sent: Float, *, seed: tuple[int, ...]) -> Measured | None:
+    """What a trace adds to the delay of one direction, which begins at a place of its own; None without a trace.
+
+    Args:
+        trace: of the channel.
+        sent: when messages are sent, (messages,) [s].
+        seed: of this direction.
+    """
+    if trace is None:
+        return None
+    start = float(np.random.Generator(np.random.PCG64(np.random.SeedSequence((*seed, 2)))).random())
+    return lambda index, later: trace.of(sent + later, start)[index]
+
+
+def draw(
+    channel: Channel, delay: float, messages: int, *, seed: tuple[int, ...], measured: Measured | None = None
+) -> Draws:
     """Draws the fate of every message of one direction.
 
     Args:
         channel: the law.
         delay: constant part of the delay [s].
         messages: how many.
+        measured: of the channel's trace, as `measured_at` has it.
         seed: of this direction; the same seed gives the same fates, whatever other links there are.
     """
     if certain(channel):
         latency = np.broadcast_to(delay, messages)
         return Draws(latency, np.broadcast_to(np.inf, messages), latency)
     rng = np.random.Generator(np.random.PCG64(np.random.SeedSequence(seed)))
-    latency = delay + _jitter(channel, messages, rng)
+    every = np.arange(messages)
+    latency = delay + _jitter(channel, every, rng, measured)
     if channel.reordering > 0.0:
         latency = latency + channel.reordering_delay * (rng.random(messages) < channel.reordering)
     latency[_lost(channel, messages, rng)] = np.inf
@@ -54,11 +75,19 @@ def draw(channel: Channel, delay: float, messages: int, *, seed: tuple[int, ...]
         return Draws(latency, np.broadcast_to(np.inf, messages), latency)
     second = np.full(messages, np.inf)
     twice = rng.random(messages) < channel.duplication
-    second[twice] = delay + _jitter(channel, int(twice.sum()), rng)
+    second[twice] = delay + _jitter(channel, every[twice], rng, measured)
     return Draws(latency, second, np.minimum(latency, second))
 
 
-def resent(channel: Channel, draws: Draws, delay: float, round_trip: float, *, seed: tuple[int, ...]) -> Float:
+def resent(
+    channel: Channel,
+    draws: Draws,
+    delay: float,
+    round_trip: float,
+    *,
+    seed: tuple[int, ...],
+    measured: Measured | None = None,
+) -> Float:
     """Latency of every sample when lost messages are sent again until they arrive, (messages,) [s]; not for writing.
 
     Args:
@@ -67,6 +96,7 @@ def resent(channel: Channel, draws: Draws, delay: float, round_trip: float, *, s
         delay: constant part of the delay [s].
         round_trip: constant part of the round trip, from which the default of `resend` is made [s].
         seed: of the later tries.
+        measured: of the channel's trace, as `measured_at` has it.
     """
     waiting = np.flatnonzero(np.isinf(draws.first))
     if not waiting.size:
@@ -77,6 +107,8 @@ def resent(channel: Channel, draws: Draws, delay: float, round_trip: float, *, s
     if wait is None:
         # An exponential's 99 % point is 4.6 means away; a sender that waits less would repeat what is only late.
         wait = round_trip + 2.0 * 4.6 * (channel.jitter.scale if channel.jitter else 0.0) + channel.reordering_delay
+        if measured is not None:
+            wait += 2.0 * float(np.quantile(measured(np.arange(draws.first.size), 0.0), 0.99))
     probability = _mean_loss(channel)
     sent = np.zeros(latency.size)
     for tries in range(_MOST_TRIES):
@@ -86,12 +118,24 @@ def resent(channel: Channel, draws: Draws, delay: float, round_trip: float, *, s
         arrived = rng.random(waiting.size) >= probability
         if tries == _MOST_TRIES - 1:
             arrived[:] = True
-        latency[waiting[arrived]] = sent[waiting[arrived]] + delay + _jitter(channel, int(arrived.sum()), rng)
+        home = waiting[arrived]
+        if home.size:  # all that still wait were sent again at the same time after their first try
+            latency[home] = sent[home] + delay + _jitter(channel, home, rng, measured, float(sent[home[0]]))
         waiting = waiting[~arrived]
     return latency
 
 
-def _jitter(channel: Channel, count: int, rng: np.random.Generator) -> Float:
+def _jitter(
+    channel: Channel,
+    index: npt.NDArray[np.int64],
+    rng: np.random.Generator,
+    measured: Measured | None,
+    later: float = 0.0,
+) -> Float:
+    """Further delay of messages, by their numbers, sent again so much later."""
+    count = index.size
+    if measured is not None:
+        return measured(index, later)
     if channel.jitter is None:
         return np.zeros(count)
     scale = channel.jitter.scale

@@ -1,4 +1,4 @@
-"""The batch engine: all steps of all users in one compiled loop, with the energy books of the whole network.
+"""The batch engine: all steps of all users in one compiled loop, with the energy ledger of the whole network.
 
 Storage is booked in the order of the steps: when user i moves, its springs are measured against where the neighbours'
 copies are at that moment. With a common index this is V of [Lee & Huang 2010, eq. 7] once all users have taken the
@@ -7,24 +7,35 @@ step; with own rates it stays an exact balance, because every joule is booked by
 # An array indexed by an element of another is a number to numba and an array to numpy's types.
 # pyright: reportArgumentType=false, reportReturnType=false
 
+from cotouch.compiled import raised
 from cotouch.mechanics import (
+    BETA,
     BODY_LOSS,
+    CLOSURE,
+    CLOSURE_ALARM,
     DRIVE,
     ELASTIC,
     EXTRA_LOSS,
     KINETIC,
     LOCAL_LOSS,
     PROXY,
+    SHORTENED,
     SUPPLIED,
     TOUCH_LOSS,
     TOUCH_STORED,
     TOUCHED,
-    Grips,
+    BodyForce,
+    Contact,
     Links,
     Operator,
+    Ports,
     State,
     Tools,
+    TouchWork,
     at,
+    closed_settle,
+    closed_step,
+    contact_step,
     inner,
     kernel,
     load,
@@ -44,13 +55,15 @@ from cotouch.scenario import (
     keep_tools,
     proxy_energy,
 )
-from cotouch.simulation._books import delay_work_of, keep_user, spring_energies
+from cotouch.simulation._ends import Ends, ask, tell
 from cotouch.simulation._layout import Fields, Float, Frames, Record, Scratch, Timing, Topology
+from cotouch.simulation._ledger import delay_work_of, keep_user, spring_energies
 
 
 @kernel
 def run(
     op: Operator,
+    force: BodyForce | None,
     topology: Topology,
     timing: Timing,
     hands: Hands,
@@ -60,15 +73,20 @@ def run(
     record: Record,
     scratch: Scratch,
     touching: Touching | None,
+    accounts: TouchWork | None,
+    contact: Contact | None,
     tool_record: ToolRecord | None,
     frames: Frames,
+    ends: Ends | None,
     tolerance: float,
     cap: int,
     lanes: tuple[int, ...],
 ) -> int:
     """Runs all events; returns how many were run before the motion left the range of floating point.
 
-    Without tools `touching` and `tool_record` are None, and what concerns them is not even compiled.
+    Without tools `touching` and `tool_record` are None; with them one of `accounts` and `contact` is. Of a linear body
+    `force` is None, and so are `ends` where all links are springs: what concerns them is not even compiled. What a
+    law's link holds is its own: then what links did counts as delay work.
     """
     users = fields.position.shape[0]
     supplied = 0.0
@@ -77,13 +95,18 @@ def run(
     energy = 0.0
     initial = 0.0
     lowest = 0.0
+    made = 0.0
+    most_made = 0.0
     tick = 0
     for i in range(users):
-        state = State(fields.position[i], fields.velocity[i], fields.momentum[i], fields.tension[i])
-        settle(op, state, scratch.books, lanes)
-        record.running[i, 4] = scratch.books[KINETIC]
-        record.running[i, 5] = scratch.books[ELASTIC]
-        initial += scratch.books[KINETIC] + scratch.books[ELASTIC]
+        state = _state(fields, i)
+        if force is None:
+            settle(op, state, scratch.ledger, lanes)
+        else:
+            closed_settle(op, force, state, scratch.work, scratch.ledger, lanes)
+        record.running[i, 4] = scratch.ledger[KINETIC]
+        record.running[i, 5] = scratch.ledger[ELASTIC]
+        initial += scratch.ledger[KINETIC] + scratch.ledger[ELASTIC]
         if touching is not None:
             moving = proxy_energy(touching, i)
             put(record.running, (i, 9), moving)
@@ -92,12 +115,16 @@ def run(
         keep_user(record, hands, fields, scratch, topology, i, 0, lanes)
         if touching is not None:
             keep_tools(tool_record, touching, i, 0)
-    initial += spring_energies(op, topology, fields, record, scratch, 0, lanes)
+    if ends is None:
+        initial += spring_energies(op, topology, fields, record, scratch, 0, lanes)
     put(record.ticks, (0, 0), initial)
-    for book in range(1, 5):
+    for book in range(1, 6):
         put(record.ticks, (book, 0), 0.0)
     energy = initial
     for event in range(timing.order.shape[0]):
+        if raised(timing.stop):
+            record.lowest[0] = lowest
+            return event
         i = at(timing.order, event)
         k = at(scratch.counter, i)
         put(scratch.counter, i, k + 1)
@@ -116,9 +143,9 @@ def run(
             kept = peer * timing.ring + (index & (timing.ring - 1))
             put(scratch.slot, s, users * timing.ring + peer if index < 0 else kept)
         for p in range(p0, p1):
-            grip(hands, scratch.grips, scratch.cursor, p, end, T, lanes)
-        held = scratch.grips
-        grips = Grips(
+            grip(hands, scratch.ports, scratch.cursor, p, end, T, lanes)
+        held = scratch.ports
+        ports = Ports(
             p0,
             p1,
             held.row,
@@ -130,9 +157,34 @@ def run(
             held.push,
             held.force,
         )
-        links = Links(s0, s1, topology.strength, topology.weight, scratch.slot, fields.samples)
-        state = State(fields.position[i], fields.velocity[i], fields.momentum[i], fields.tension[i])
-        books = scratch.books
+        if ends is None:
+            links = Links(
+                s0,
+                s1,
+                topology.strength,
+                topology.weight,
+                scratch.slot,
+                fields.samples,
+                topology.brake,
+                topology.push,
+            )
+        else:
+            if not ask(ends, topology, timing, scratch.slot, i, k, T):
+                record.lowest[0] = lowest
+                record.refused[0] = i + 1
+                return event
+            links = Links(
+                s0,
+                s1,
+                ends.stiffness,
+                topology.weight,
+                ends.slot,
+                fields.samples,
+                ends.brake,
+                ends.push_rows,
+            )
+        state = _state(fields, i)
+        ledger = scratch.ledger
         if touching is not None:
             if not before_step(touching, i, end, T):
                 record.lowest[0] = lowest
@@ -146,6 +198,11 @@ def run(
                 have.stiffness,
                 have.loss,
                 have.friction,
+                have.kinetic,
+                have.axis,
+                have.stretch,
+                have.slipping,
+                have.share,
                 have.reserve,
                 have.grip_stiffness,
                 have.grip_damping,
@@ -167,28 +224,52 @@ def run(
                 have.touch_force,
                 have.touching,
             )
-            touch_step(
-                op,
-                state,
-                links,
-                grips,
-                touching.surface,
-                tools,
-                local_damping[i],
-                extra_damping[i],
-                T,
-                i * timing.ring + (k & (timing.ring - 1)),
-                scratch.work,
-                touching.work,
-                books,
-                touching.books,
-                scratch.link_work,
-                tolerance,
-                cap,
-                lanes,
-            )
+            if accounts is not None:
+                touch_step(
+                    op,
+                    force,
+                    state,
+                    links,
+                    ports,
+                    touching.surface,
+                    tools,
+                    local_damping[i],
+                    extra_damping[i],
+                    T,
+                    i * timing.ring + (k & (timing.ring - 1)),
+                    scratch.work,
+                    accounts,
+                    ledger,
+                    touching.ledger,
+                    scratch.link_work,
+                    tolerance,
+                    cap,
+                    lanes,
+                )
+            if contact is not None:
+                contact_step(
+                    contact,
+                    op,
+                    force,
+                    state,
+                    links,
+                    ports,
+                    touching.surface,
+                    tools,
+                    local_damping[i],
+                    extra_damping[i],
+                    T,
+                    i * timing.ring + (k & (timing.ring - 1)),
+                    scratch.work,
+                    ledger,
+                    touching.ledger,
+                    scratch.link_work,
+                    tolerance,
+                    cap,
+                    lanes,
+                )
             after_step(touching, i)
-            own = touching.books
+            own = touching.ledger
             _add(record.running, i, 6, own[DRIVE])
             _add(record.running, i, 7, own[TOUCHED])
             _add(record.running, i, 8, own[TOUCH_LOSS])
@@ -196,39 +277,72 @@ def run(
             put(record.running, (i, 10), own[TOUCH_STORED])
             supplied += own[DRIVE]
             dissipated += own[TOUCH_LOSS]
-        else:
-            step(
+        elif force is not None:
+            closed_step(
                 op,
+                force,
                 state,
                 links,
-                grips,
+                ports,
                 local_damping[i],
                 extra_damping[i],
                 T,
                 i * timing.ring + (k & (timing.ring - 1)),
                 scratch.work,
-                books,
+                ledger,
                 scratch.link_work,
                 tolerance,
                 cap,
                 lanes,
             )
+        else:
+            step(
+                op,
+                state,
+                links,
+                ports,
+                local_damping[i],
+                extra_damping[i],
+                T,
+                i * timing.ring + (k & (timing.ring - 1)),
+                scratch.work,
+                ledger,
+                scratch.link_work,
+                tolerance,
+                cap,
+                lanes,
+            )
+        if ends is not None:
+            tell(ends, topology, timing, scratch.slot, ports, i, k, T)
         for s in range(s0, s1):
-            added = delay_work_of(op, topology, fields, scratch, s, T, lanes)
-            _add(scratch.slot_running, s, 0, at(scratch.link_work, s))
+            added = at(scratch.link_work, s)
+            made += added
+            _add(scratch.slot_running, s, 0, added)
+            if ends is None:
+                added = delay_work_of(op, topology, fields, scratch, s, T, lanes)
             _add(scratch.slot_running, s, 1, added)
             delay_work += added
         running = record.running
-        _add(running, i, 0, books[SUPPLIED])
-        _add(running, i, 1, books[BODY_LOSS])
-        _add(running, i, 2, books[LOCAL_LOSS])
-        _add(running, i, 3, books[EXTRA_LOSS])
-        put(running, (i, 4), books[KINETIC])
-        put(running, (i, 5), books[ELASTIC])
-        supplied += books[SUPPLIED]
-        dissipated += books[BODY_LOSS] + books[LOCAL_LOSS] + books[EXTRA_LOSS]
+        _add(running, i, 0, ledger[SUPPLIED])
+        _add(running, i, 1, ledger[BODY_LOSS])
+        _add(running, i, 2, ledger[LOCAL_LOSS])
+        _add(running, i, 3, ledger[EXTRA_LOSS])
+        put(running, (i, 4), ledger[KINETIC])
+        put(running, (i, 5), ledger[ELASTIC])
+        if force is not None:
+            first = running.shape[1] - 3
+            _add(running, i, first, ledger[CLOSURE])
+            put(running, (i, first + 1), max(at(running, (i, first + 1)), ledger[BETA]))
+            if ledger[BETA] > CLOSURE_ALARM or ledger[SHORTENED] > 0.0:
+                _add(running, i, first + 2, 1.0)
+        supplied += ledger[SUPPLIED]
+        dissipated += ledger[BODY_LOSS] + ledger[LOCAL_LOSS] + ledger[EXTRA_LOSS]
+        made -= ledger[LOCAL_LOSS]
+        most_made = max(most_made, made)
         lowest = min(lowest, supplied)
-        if not books[KINETIC] + books[ELASTIC] < 1e200:
+        record.made[0] = most_made
+        record.made[1] = made
+        if not ledger[KINETIC] + ledger[ELASTIC] < 1e200:
             record.lowest[0] = lowest
             return event
         if (k + 1) % record.every == 0:
@@ -237,8 +351,12 @@ def run(
                 keep_tools(tool_record, touching, i, (k + 1) // record.every)
             if i == timing.reference:
                 tick = (k + 1) // record.every
-                energy = spring_energies(op, topology, fields, record, scratch, tick, lanes)
+                energy = 0.0
+                if ends is None:
+                    energy = spring_energies(op, topology, fields, record, scratch, tick, lanes)
+                slack = -delay_work
                 for user in range(users):
+                    slack += at(running, (user, 2))
                     energy += at(running, (user, 4)) + at(running, (user, 5))
                     if touching is not None:
                         energy += at(running, (user, 9)) + at(running, (user, 10))
@@ -247,8 +365,14 @@ def run(
                 put(record.ticks, (2, tick), dissipated)
                 put(record.ticks, (3, tick), delay_work)
                 put(record.ticks, (4, tick), energy - initial - supplied + dissipated - delay_work)
+                put(record.ticks, (5, tick), slack)
     record.lowest[0] = lowest
     return timing.order.shape[0]
+
+
+@inner
+def _state(fields: Fields, i: int) -> State:
+    return State(fields.position[i], fields.velocity[i], fields.momentum[i], fields.tension[i], fields.memory[i])
 
 
 @inner

@@ -3,11 +3,11 @@
 import json
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.drawing import (
     ALARM,
     DASHES,
@@ -16,6 +16,7 @@ from cotouch.drawing import (
     SHADE,
     USERS,
     decimate,
+    drawn,
     end_labels,
     peak,
     prefix,
@@ -25,6 +26,8 @@ from cotouch.drawing import (
     user_line,
 )
 from cotouch.errors import ScenarioError
+from cotouch.files import folder as make_folder
+from cotouch.files import write
 from cotouch.simulation._metrics import at_times, felt, hold_window
 
 if TYPE_CHECKING:
@@ -32,11 +35,13 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-Float = npt.NDArray[np.float64]
 
 # What grows by more than this from the first half of a run to the second has left a straight axis.
 _GROWTH = 1e4
 _MOST_LABELS = 14
+
+
+FIGURES: Final = ("positions", "forces", "energies", "ages", "tools", "touch")
 
 
 def figures(run: "xr.Dataset") -> "dict[str, Figure]":
@@ -47,44 +52,54 @@ def figures(run: "xr.Dataset") -> "dict[str, Figure]":
 
     Returns:
         "positions" and "forces" of every user (of the node that is held most, if there are several), "energies" (what
-        is stored where, where it came from and went, and what the books miss) and "ages" of the samples. With tools
+        is stored where, where it came from and went, and what the ledger misses) and "ages" of the samples. With tools
         also "tools", where they went, and "touch", what they did and what their users felt.
     """
     with style():
-        drawn = {
+        every = {
             "positions": _positions(run),
             "forces": _forces(run),
             "energies": _energies(run),
             "ages": _ages(run),
         }
         if "tool" in run.sizes:
-            drawn |= {"tools": _tool_places(run), "touch": _touch(run)}
-        return drawn
+            every |= {"tools": _tool_places(run), "touch": _touch(run)}
+        return every
 
 
 def save_figures(run: "xr.Dataset", directory: str | Path, format: str = "png") -> list[Path]:  # noqa: A002
     """Writes the figures of a run into a folder, which is made if need be, and returns their paths.
 
+    Args:
+        run: a result of `simulate`.
+        directory: made if need be.
+        format: one that matplotlib knows.
+
     Raises:
-        ScenarioError: the folder or a file cannot be written, or the format is unknown.
+        OutputError: the folder or a file cannot be written.
+        ScenarioError: the format is unknown.
     """
-    folder = Path(directory)
+    folder = make_folder(Path(directory))
     written: list[Path] = []
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        for name, figure in figures(run).items():
-            path = folder / f"{name}.{format}"
-            figure.savefig(path, format=format, dpi=160)
-            written.append(path)
-    except OSError as error:
-        raise ScenarioError(f"figures cannot be written to {directory}: {error.strerror or error}") from error
-    except ValueError as error:
-        raise ScenarioError(f'figures cannot be written as "{format}": {error}') from error
+    for name, figure in figures(run).items():
+        path = folder / f"{name}.{format}"
+        try:
+            data = drawn(figure, format=format, dpi=160)
+        except ValueError as error:
+            raise ScenarioError(f'figures cannot be written as "{format}": {error}') from error
+        write(path, data, "figure")
+        written.append(path)
     return written
 
 
 def shade_hold(axes: "Axes", run: "xr.Dataset", *, label: bool = True) -> None:
-    """Shades the time in which users hold against each other."""
+    """Shades the time in which users hold against each other.
+
+    Args:
+        axes: drawn on.
+        run: as `simulate` returns it.
+        label: whether the legend names it.
+    """
     tables = json.loads(run.attrs["scenario"])
     if not tables["hands"] and not tables.get("tools"):
         return
@@ -250,7 +265,7 @@ def _user_legend_of(panel: "Axes", run: "xr.Dataset", owners: list[int]) -> None
 def _energies(run: "xr.Dataset") -> "Figure":
     ticks = run["tick_time"].values
     figure = sheet(5.6)
-    stores, flows, books = _panels(figure, 3, [1.25, 1.25, 0.8])
+    stores, flows, ledger = _panels(figure, 3, [1.25, 1.25, 0.8])
     kinetic, elastic = (at_times(run, name, ticks).sum(axis=1) for name in ("kinetic", "elastic"))
     kept = {
         "kinetic": (kinetic, USERS[0]),
@@ -276,16 +291,16 @@ def _energies(run: "xr.Dataset") -> "Figure":
         panel.legend(loc="lower right", bbox_to_anchor=(1.0, 1.02), ncols=len(lines))
     stores.set_title("Stored")
     flows.set_title("Where it came from and went")
-    shade_hold(books, run, label=False)
+    shade_hold(ledger, run, label=False)
     time, line = decimate(ticks, np.abs(run["residual"].values))
     seen = line > 0.0
-    books.plot(time[seen], line[seen], color=ALARM, linewidth=0.8)
+    ledger.plot(time[seen], line[seen], color=ALARM, linewidth=0.8)
     if seen.any():
-        books.set_yscale("log")
-    books.set_ylabel("|Residual| / J")
-    share = float(run.attrs["energy_residual"])
-    books.set_title(f"What the books miss: at most {share:.1e} of the energy in play")
-    _limit([stores, flows, books], run)
+        ledger.set_yscale("log")
+    ledger.set_ylabel("|Residual| / J")
+    fraction = float(run.attrs["energy_residual"])
+    ledger.set_title(f"What the ledger misses: at most {fraction:.1e} of the energy in play")
+    _limit([stores, flows, ledger], run)
     return figure
 
 

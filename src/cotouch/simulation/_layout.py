@@ -5,23 +5,25 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.mechanics import (
-    Grips,
+    Ports,
     Workspace,
 )
 
-Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
 
 # Rows of `Record.users`: cumulative work and losses, energies now [J], iterations of the last solve.
-USER_BOOKS = ("supplied", "body_loss", "local_loss", "extra_loss", "kinetic", "elastic", "iterations")
+USER_LEDGER = ("supplied", "body_loss", "local_loss", "extra_loss", "kinetic", "elastic", "iterations")
 # And of users with tools: cumulative work of what drives the proxies, and of the touch on the body, and losses in the
 # touch; energies of proxies and touch now [J].
-TOOL_BOOKS = ("drive_work", "touch_work", "touch_loss", "proxy", "touch_stored")
+TOOL_LEDGER = ("drive_work", "touch_work", "touch_loss", "proxy", "touch_stored")
+# And of bodies that take closed steps: work of the closure so far [J]; largest |β - 1| so far; steps that told of one.
+CLOSED_BOOKS = ("closure", "closure_factor", "closure_alarms")
 # Rows of `Record.slots`, cumulative [J]: what the link did on its receiver; what delay added to the link.
-SLOT_BOOKS = ("link_work", "delay_work")
+SLOT_LEDGER = ("link_work", "delay_work")
 # Rows of `Record.ticks` [J].
-TICK_BOOKS = ("stored", "supplied", "dissipated", "delay_work", "residual")
+TICK_LEDGER = ("stored", "supplied", "dissipated", "delay_work", "residual", "slack")
 
 
 class Topology(NamedTuple):
@@ -34,6 +36,8 @@ class Topology(NamedTuple):
         weight: index of its weight, (slots,).
         ends: the two users of each link, (links, 2).
         slot: a slot of each link, (links,).
+        brake: (0,), for the links of springs.
+        push: (0, rows, width), likewise.
     """
 
     first: Int
@@ -42,6 +46,8 @@ class Topology(NamedTuple):
     weight: Int
     ends: Int
     slot: Int
+    brake: Float
+    push: Float
 
 
 class Timing(NamedTuple):
@@ -54,6 +60,7 @@ class Timing(NamedTuple):
         used: index of the sample that each slot uses at each step of its user, (slots, steps); -1: the initial one.
         ring: how many samples of a user are kept, a power of two: a mask is ten times quicker than a remainder.
         reference: the user whose steps mark the network-wide records.
+        stop: the run ends once this is raised, (1,); see `cotouch.interrupt`.
     """
 
     order: Int
@@ -62,15 +69,17 @@ class Timing(NamedTuple):
     used: Int
     ring: int
     reference: int
+    stop: npt.NDArray[np.int64]
 
 
 class Fields(NamedTuple):
-    """State of all users, (users, rows, width); samples (users * ring + users, rows, width)."""
+    """State of all users, (users, rows, width); memory (users, numbers); samples (ring and initial, rows, width)."""
 
     position: Float
     velocity: Float
     momentum: Float
     tension: Float
+    memory: Float
     samples: Float
 
 
@@ -84,13 +93,15 @@ class Record(NamedTuple):
         position: (users, records, kept, width) [m].
         velocity: likewise [m/s].
         force: of the ports, (ports, records, width) [N].
-        users: (len(USER_BOOKS), users, records), or with those of TOOL_BOOKS, zeros: what stays 0, such as the losses
-            of dampers that there are not, is never written, so it takes no memory.
+        users: (len(USER_BOOKS), users, records), and those of TOOL_BOOKS and CLOSED_BOOKS where there are any, zeros:
+            what stays 0, such as the losses of dampers that there are not, is never written, so it takes no memory.
         slots: (len(SLOT_BOOKS), slots, records).
         links: spring energy of each link, (ticks, links) [J].
         ticks: (len(TICK_BOOKS), ticks) [J].
-        running: cumulative books of users, (users, 6), or with those of TOOL_BOOKS (users, 11) [J].
+        running: cumulative ledgers of users, (users, 6), then those of TOOL_BOOKS and CLOSED_BOOKS likewise [J].
         lowest: result (1,): smallest energy that the ports had supplied in all, over every step [J].
+        refused: result (1,): number of the user whose law said what no link can be, 0 if none did.
+        made: result (2,): energy that links less the damping B_i had put into all copies, at most and at the end [J].
     """
 
     every: int
@@ -105,6 +116,8 @@ class Record(NamedTuple):
     ticks: Float
     running: Float
     lowest: Float
+    refused: Int
+    made: Float
 
 
 class Frames(NamedTuple):
@@ -124,9 +137,9 @@ class Frames(NamedTuple):
 class Scratch(NamedTuple):
     """Scratch arrays of the engine."""
 
-    grips: Grips
+    ports: Ports
     work: Workspace
-    books: Float
+    ledger: Float
     link_work: Float
     slot: npt.NDArray[np.int64]
     counter: Int

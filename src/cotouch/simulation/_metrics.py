@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.body import Body
 from cotouch.device import PRESETS
 from cotouch.scenario import DEFAULT_RATE
@@ -13,7 +14,6 @@ from cotouch.scenario import DEFAULT_RATE
 if TYPE_CHECKING:
     import xarray as xr
 
-Float = npt.NDArray[np.float64]
 
 _BAND = 0.02
 # A signal that still moves in this last part of the window has not settled, however near its last value it is.
@@ -87,7 +87,13 @@ def settling_time(
 
 
 def at_times(run: "xr.Dataset", variable: str, times: Float) -> Float:
-    """A variable of every user at common times, straight between its own steps, (times, users, ...)."""
+    """A variable of every user at common times, straight between its own steps, (times, users, ...).
+
+    Args:
+        run: a result of `simulate`.
+        variable: of users and steps.
+        times: at which it is wanted [s].
+    """
     columns: list[Float] = []
     for user in range(run.sizes["user"]):
         time = run["time"].values[user]
@@ -121,9 +127,16 @@ def discrepancy(run: "xr.Dataset") -> dict[str, float]:
 def force_imbalance(run: "xr.Dataset", body: Body, time: float) -> float | None:
     """`|Σ_i f_i - K (x̄ - x_d)|` at a time [N]; 0 at rest [Lee & Huang 2010, eq. 6]; None unless all nodes are kept.
 
+    Of a material, whose forces K does not give, it is None too.
+
     With tools, whose forces are spread over the skin, both sides are summed over the nodes.
+
+    Args:
+        run: a result of `simulate`.
+        body: that was run.
+        time: at which it is wanted [s].
     """
-    if run.sizes["node"] != body.nodes or body.truncation is not None:
+    if run.sizes["node"] != body.nodes or body.truncation is not None or body.material is not None:
         return None
     moment = np.array([time])
     mean = at_times(run, "position", moment)[0].mean(axis=0)
@@ -154,7 +167,8 @@ def tool_summary(run: "xr.Dataset") -> list[dict[str, Any]]:
     """What each tool and its device came to, ready for JSON.
 
     Of each: its user's number, what it is, the largest force that the hand felt and the mean while in contact, the most
-    contacts (or nodes held), the time in contact, and for one with a device whether its coupling was passive.
+    contacts (or nodes held), the time in contact; for one with a device whether its coupling was passive, the root of
+    the mean square of the force that its motors held, and what a preset's motors can hold all the time.
     """
     tables: list[dict[str, Any]] = json.loads(run.attrs["scenario"]).get("tools", [])
     if not tables:
@@ -181,6 +195,10 @@ def tool_summary(run: "xr.Dataset") -> list[dict[str, Any]]:
             excess = float(run["coupling_excess"].values[index, last - 1])
             bound = float(run["coupling_bound"].values[index])
             flows = [float(np.abs(run[name].values[index, :last]).max()) for name in ("device_work", "coupling_work")]
+            held_force = np.linalg.norm(np.nan_to_num(run["device_force"].values[index, :last]), axis=-1)
+            length = np.diff(time[:last], prepend=0.0)
+            entry["rms_force_n"] = float(np.sqrt(held_force**2 @ length / length.sum()))
+            entry["continuous_force_n"] = PRESETS[device["preset"]].continuous_force if device["preset"] else None
             entry["coupling"] = {
                 "law": device["coupling"],
                 "excess_j": excess,
@@ -205,27 +223,36 @@ def _device(table: dict[str, Any]) -> str:
 
 
 def summary(run: "xr.Dataset", body: Body) -> dict[str, Any]:
-    """The figures of a run that fit on one screen, ready for JSON."""
+    """The figures of a run that fit on one screen, ready for JSON.
+
+    Args:
+        run: a result of `simulate`.
+        body: that was run.
+    """
     start, stop = hold_window(run)
     end = float(np.nanmax(run["time"].values))
-    books = {name: float(run[name].values[-1]) for name in ("stored", "supplied_total", "dissipated_total")}
+    ledger = {name: float(run[name].values[-1]) for name in ("stored", "supplied_total", "dissipated_total")}
     return {
         "title": run.attrs["title"],
         "mode": run.attrs["mode"],
         "steps": int(run.attrs["steps"]),
         "duration_s": end,
+        "rate_hz": {"asked": plain(run.attrs["rate_asked"]), "taken": plain(run.attrs["rate"])},
+        "behind_s": plain(run.attrs["behind"]),
         "finished": bool(run.attrs["finished"]),
         "energy_residual": float(run.attrs["energy_residual"]),
         "passivity_margin_j": float(run.attrs["passivity_margin"]),
+        "slack_j": {"least": float(run["slack"].values.min()), "at_end": float(run["slack"].values[-1])},
+        "judge": judge(run),
         "settling_time_s": {name: settling_time(run, name) for name in ("position", "force")},
         "settling_window_s": [start, stop],
         "discrepancy_m": discrepancy(run),
         "hold": {**_state(run, stop), "time_s": stop, "force_imbalance": force_imbalance(run, body, stop)},
         "final": _state(run, end),
         "energy_j": {
-            "stored": books["stored"],
-            "supplied": books["supplied_total"],
-            "dissipated": books["dissipated_total"],
+            "stored": ledger["stored"],
+            "supplied": ledger["supplied_total"],
+            "dissipated": ledger["dissipated_total"],
             "delay_work": float(run["delay_work_total"].values[-1]),
             "in_play": float(run.attrs["energy_in_play"]),
         },
@@ -238,6 +265,25 @@ def summary(run: "xr.Dataset", body: Body) -> dict[str, Any]:
         "local_damping": [plain(row) for row in run["local_damping"].values],
         **({"tools": tool_summary(run)} if "tool" in run.sizes else {}),
         **({"device_residual": float(run.attrs["device_residual"])} if "device_residual" in run.attrs else {}),
+    }
+
+
+def judge(run: "xr.Dataset") -> dict[str, Any]:
+    """What the run says about its link law.
+
+    Returns:
+        `law`, its name; `made_j`, the most energy that the links had made; `seed_j`, what they may make; `extracted_j`,
+        the most that users got out beyond what there was; `promised`, whether the law promises under these options that
+        `made_j` is at most `seed_j`; `kept`, whether it is.
+    """
+    made, seed = float(run.attrs["made"]), float(run.attrs["law_seed"])
+    return {
+        "law": run.attrs["law"],
+        "made_j": made,
+        "seed_j": seed,
+        "extracted_j": float(run.attrs["extracted"]),
+        "promised": bool(run.attrs["law_promises"]),
+        "kept": made <= seed + _ROUNDING * float(run.attrs["energy_in_play"]),
     }
 
 

@@ -13,7 +13,8 @@ from typing import Any, Final, final
 import numpy as np
 import numpy.typing as npt
 
-Float = npt.NDArray[np.float64]
+from cotouch.arrays import Float
+
 Single = npt.NDArray[np.float32]
 Levels = npt.NDArray[np.uint16]
 
@@ -33,11 +34,22 @@ class Packer:
         self._size = 0
 
     def add(self, name: str, values: npt.NDArray[Any], kind: str) -> None:
-        """An array as it is: "f4", "f8" or "u4", little-endian."""
+        """An array as it is: "f4", "f8" or "u4", little-endian.
+
+        Args:
+            name: what messages call it.
+            values: what was given.
+            kind: of the numbers.
+        """
         self._put(name, kind, values.shape, np.ascontiguousarray(values, dtype=_KINDS[kind]).tobytes())
 
     def add_quantised(self, name: str, values: Single) -> tuple[Float, Float]:
-        """Places (frames, users, vertices, 3), stored by user and frame; returns the box's corner and step."""
+        """Places (frames, users, vertices, 3), stored by user and frame; returns the box's corner and step.
+
+        Args:
+            name: what messages call it.
+            values: what was given.
+        """
         low, step = box_of(values)
         frames, users, vertices, _ = values.shape
         lows = np.empty((users, frames, vertices, 3), dtype=np.uint8)
@@ -67,9 +79,15 @@ def box_of(values: Single) -> tuple[Float, Float]:
 
 
 def quantised(values: Single, low: Float, step: Float) -> Levels:
-    """Number of the level next to each coordinate."""
-    share = (values - low) / np.where(step > 0.0, step, 1.0)
-    return np.rint(np.clip(share, 0.0, LEVELS)).astype(np.uint16)
+    """Number of the level next to each coordinate.
+
+    Args:
+        values: what was given.
+        low: corner of the box [m].
+        step: between two levels [m].
+    """
+    fraction = (values - low) / np.where(step > 0.0, step, 1.0)
+    return np.rint(np.clip(fraction, 0.0, LEVELS)).astype(np.uint16)
 
 
 def predicted(levels: Levels) -> Levels:

@@ -6,18 +6,17 @@ itself. Both must move alike: this is the batch engine's reference, and where a 
 
 import heapq
 from copy import deepcopy
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import final
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.mechanics import Grips
-from cotouch.peer import ConstantLink, FreshestLink, Link, Peer, Report, Sample
+from cotouch.arrays import Float
+from cotouch.interrupt import check
+from cotouch.mechanics import Ports
+from cotouch.peer import ConstantLink, CopyMemory, FreshestLink, LawLink, Link, Peer, Sample, StepReport
 from cotouch.scenario import Touching, after_step_alone, before_step_alone, grip, tools_of
 from cotouch.simulation._prepare import Prepared
-
-Float = npt.NDArray[np.float64]
 
 
 @final
@@ -34,7 +33,7 @@ class PeerRun:
 
     position: list[Float]
     end: list[Float]
-    reports: list[list[Report]]
+    reports: list[list[StepReport]]
     tools: list[Float]
 
 
@@ -57,13 +56,15 @@ class _World:
         self.places: list[list[Float]] = [[] for _ in range(users)]
         self.position = [[peer.state.position.copy()] for peer in self.peers]
         self.end: list[list[float]] = [[] for _ in range(users)]
-        self.reports: list[list[Report]] = [[] for _ in range(users)]
+        self.reports: list[list[StepReport]] = [[] for _ in range(users)]
 
     def _peer(self, i: int) -> Peer:
         prepared, timing, hands = self.prepared, self.timing, self.prepared.hands
         ready, solver = prepared.model, prepared.scenario.solver
         slots = range(timing.slots.first[i], timing.slots.first[i + 1])
         links: dict[int, Link] = {}
+        law = prepared.law
+        memory = None if law is None else CopyMemory(law.law, ready.operator_rows * ready.width)
         for s in slots:
             j = int(timing.slots.sender[s])
             initial = Sample(sender=j, index=-1, stamp=0.0, position=ready.to_rows(prepared.position[j]))
@@ -71,6 +72,15 @@ class _World:
                 links[j] = FreshestLink(initial)
             else:
                 links[j] = ConstantLink(initial, int(timing.index_delay[i, j]))
+            if law is not None and memory is not None:
+                links[j] = LawLink(
+                    links[j],
+                    law=law.law,
+                    parameters=law.parameters[s],
+                    memory=memory,
+                    side=int(i > j),
+                    copies=timing.count.size,
+                )
         ports, width = hands.row.size, ready.width
         return Peer(
             index=i,
@@ -80,7 +90,7 @@ class _World:
             weight=[int(prepared.topology.weight[s]) for s in slots],
             local_damping=prepared.local_damping[i],
             extra_damping=prepared.extra_damping[i],
-            grips=Grips(
+            ports=Ports(
                 first=int(hands.first[i]),
                 last=int(hands.first[i + 1]),
                 row=hands.row,
@@ -96,6 +106,7 @@ class _World:
             velocity=prepared.velocity[i],
             surface=None if self.touching is None else self.touching.surface,
             tools=None if self.touching is None else tools_of(self.touching, i),
+            contact=None if self.touching is None else self.touching.contact,
             tolerance=solver.tolerance,
             iterations=solver.iterations,
         )
@@ -119,6 +130,7 @@ class _World:
         slack = 1e-9 if timing.mode == "constant" else 0.0
         following = [0] * len(self.peers)
         for now in moments:
+            check()
             self._deliver(now + slack)
             outgoing: list[Sample] = []
             for i, peer in enumerate(self.peers):
@@ -138,6 +150,7 @@ class _World:
         limit = scenario.steps.duration + 1e-9
         now = 0.0
         while now <= limit:
+            check()
             self._deliver(now)
             moved = True
             while moved:  # a step may release a neighbour only through a message, but a peer may owe several steps
@@ -164,6 +177,8 @@ class _World:
     def _send(self, sample: Sample, now: float) -> None:
         slots = self.timing.slots
         for s in np.flatnonzero(slots.sender == sample.sender):
+            receiver = int(slots.receiver[s])
+            told = replace(sample, message=self.peers[sample.sender].message(receiver))
             if self.timing.latency is None:
                 draws = self.timing.draws[s]
                 arrivals = [draws.latency[sample.index], draws.second[sample.index]]
@@ -172,12 +187,12 @@ class _World:
             for latency in arrivals:
                 if np.isfinite(latency):
                     self.sent += 1
-                    heapq.heappush(self.queue, (now + float(latency), self.sent, int(slots.receiver[s]), sample))
+                    heapq.heappush(self.queue, (now + float(latency), self.sent, receiver, told))
 
     def _step(self, peer: Peer, now: float, T: float) -> Sample:
         i, hands = peer.index, self.prepared.hands
         for p in range(hands.first[i], hands.first[i + 1]):
-            grip(hands, peer.grips, self.cursor, p, now, T, peer.model.lanes)
+            grip(hands, peer.ports, self.cursor, p, now, T, peer.model.lanes)
         if self.touching is not None:
             before_step_alone(self.touching, i, now, T)
         report = peer.step(now, T)

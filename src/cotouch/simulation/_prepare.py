@@ -6,15 +6,17 @@ from typing import Any, final
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.body import Body
 from cotouch.errors import ScenarioError
 from cotouch.mechanics import Model, model
 from cotouch.network import damping_for
 from cotouch.scenario import Hands, Scenario, Touching, per_user, ports_of, touching_of
+from cotouch.simulation._law_setup import LawSetup, given_law, law_setup
 from cotouch.simulation._layout import Topology
+from cotouch.simulation._memory import free_memory, needed, refuse_beyond
 from cotouch.simulation._schedule import Schedule, schedule
 
-Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
 
 # Up to this many nodes all of them are recorded unless a scenario says otherwise.
@@ -41,6 +43,7 @@ class Prepared:
         nodes: recorded nodes.
         touching: the tools as they start; an engine works on a copy. None without tools.
         tool: which of those tools is each of the scenario's.
+        law: of the links; None for springs, which the kernels have built in.
     """
 
     scenario: Scenario
@@ -57,6 +60,7 @@ class Prepared:
     nodes: Int
     touching: Touching | None
     tool: list[int]
+    law: LawSetup | None = None
 
 
 def prepare(scenario: Scenario) -> Prepared:
@@ -71,7 +75,13 @@ def prepare(scenario: Scenario) -> Prepared:
     network = scenario.network
     body = scenario.build_body()
     ready = model(body, copies=network.size, weights=network.weights, basis=scenario.solver.basis)
+    nodes = _recorded(scenario, body)
+    refuse_beyond(needed(scenario, body, ready, nodes.size), free_memory())
     timing = schedule(scenario)
+    if scenario.record.every > timing.count.max():
+        raise ScenarioError(
+            f"record.every is {scenario.record.every}, but the run has {timing.count.max()} steps; make it less"
+        )
     slots = timing.slots
     strength = network.spring[slots.receiver, slots.sender]
     weight = network.weight_of[slots.receiver, slots.sender] + 1  # weight 0 of the kernels is the identity
@@ -82,12 +92,21 @@ def prepare(scenario: Scenario) -> Prepared:
         weight=weight.astype(np.int32),
         ends=np.array(network.links, dtype=np.int32).reshape(-1, 2),
         slot=np.array([int(np.flatnonzero(slots.link == k)[0]) for k in range(len(network.links))], dtype=np.int32),
+        brake=np.zeros(0),
+        push=np.zeros((0, ready.operator_rows, ready.width)),
     )
     hands, ports = ports_of(scenario.hands, network.size, body, ready)
     most_ports = int(np.diff(hands.first).max(initial=0))
     position = _initial(scenario.initial.position, "position", network.size, body)
     touching, tool = touching_of(
-        scenario.tools, network.size, body, ready, timing.length, start=position, ports=most_ports
+        scenario.tools,
+        network.size,
+        body,
+        ready,
+        timing.length,
+        start=position,
+        ports=most_ports,
+        contact=scenario.contact,
     )
     extra = np.zeros((network.size, 1 + len(network.weights)))
     extra[:, 0] = per_user(scenario.synchronisation.extra_damping, network.size, "synchronisation.extra_damping")
@@ -103,33 +122,39 @@ def prepare(scenario: Scenario) -> Prepared:
         extra_damping=extra,
         position=position,
         velocity=_initial(scenario.initial.velocity, "velocity", network.size, body),
-        nodes=_recorded(scenario, body),
+        nodes=nodes,
         touching=touching,
         tool=tool,
+        law=law_setup(scenario, ready, timing, topology.weight, position),
     )
 
 
 def _local_damping(scenario: Scenario, timing: Schedule) -> Float:
     """B_i over (identity, *network.weights), (users, 1 + weights)."""
-    network, wish = scenario.network, scenario.synchronisation
-    if not isinstance(wish.damping, str):
+    network, asked = scenario.network, scenario.synchronisation
+    law, _ = given_law(scenario)
+    method = "rule" if asked.damping is None else asked.damping
+    if not isinstance(method, str):
         result = np.zeros((network.size, 1 + len(network.weights)))
         # A plain number is a multiple of the links' own weight where they share one, else of the identity.
         own = 1 if network.weights and all(network.weight_of[a, b] == 0 for a, b in network.links) else 0
-        result[:, own] = per_user(wish.damping, network.size, "synchronisation.damping")
-        return result * wish.scale
-    if wish.damping == "exact" and not (timing.mode == "constant" and _is_constant(timing)):
+        result[:, own] = per_user(method, network.size, "synchronisation.damping")
+        return result * asked.damping_scale
+    if method == "exact" and not (timing.mode == "constant" and _is_constant(timing)):
         raise ScenarioError(
             'synchronisation.damping is "exact", which covers only mode "constant" with one constant step length '
             'for all; use "rule" or "minimax"'
         )
     if timing.index_delay is None:
         coefficients = damping_for(
-            network, wish.damping, ages=timing.budget(1.0 if wish.quantile is None else wish.quantile)
+            network, method, ages=timing.budget(1.0 if asked.quantile is None else asked.quantile)
         )
     else:
-        coefficients = damping_for(network, wish.damping, index_delay=timing.index_delay, periods=timing.longest())
-    return np.ascontiguousarray(coefficients) * wish.scale
+        coefficients = damping_for(network, method, index_delay=timing.index_delay, periods=timing.longest())
+    if asked.damping is None:
+        coefficients = coefficients * law.rule
+        coefficients[:, 0] += law.drag
+    return np.ascontiguousarray(coefficients) * asked.damping_scale
 
 
 def _is_constant(timing: Schedule) -> bool:
@@ -159,10 +184,10 @@ def _initial(given: list[Any] | None, name: str, users: int, body: Body) -> Floa
 
 
 def _recorded(scenario: Scenario, body: Body) -> Int:
-    wish = scenario.record.nodes
-    if wish == "all":
+    asked = scenario.record.nodes
+    if asked == "all":
         return np.arange(body.nodes, dtype=np.int32)
-    if wish is None:
+    if asked is None:
         if body.nodes <= _ALL_NODES:
             return np.arange(body.nodes, dtype=np.int32)
         held = {hand.node for hand in scenario.hands}
@@ -170,7 +195,7 @@ def _recorded(scenario: Scenario, body: Body) -> Int:
             held.add(1 + int(np.argmin(np.linalg.norm(body.rest - np.array(tool.at), axis=1))))
         held = held or {1}
         return np.array(sorted(held), dtype=np.int32) - 1
-    for number in wish:
+    for number in asked:
         if number > body.nodes:
             raise ScenarioError(f"record.nodes names node {number}; the body has nodes 1 to {body.nodes}")
-    return np.array(sorted(set(wish)), dtype=np.int32) - 1
+    return np.array(sorted(set(asked)), dtype=np.int32) - 1

@@ -7,23 +7,27 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.errors import ScenarioError
+from cotouch.files import write_netcdf
+from cotouch.interrupt import interruptible
 from cotouch.scenario import Scenario
 from cotouch.simulation._batch import Outcome, run_batch
-from cotouch.simulation._layout import TOOL_BOOKS, USER_BOOKS
+from cotouch.simulation._law_setup import given_law
+from cotouch.simulation._layout import CLOSED_BOOKS, TOOL_LEDGER, USER_LEDGER
 from cotouch.simulation._prepare import Prepared, prepare
+from cotouch.simulation._schedule import Schedule
+from cotouch.simulation._tool_result import LEAST_ENERGY, tool_attributes, tool_variables
 from cotouch.simulation._tool_result import UNITS as TOOL_UNITS
-from cotouch.simulation._tool_result import tool_attributes, tool_variables
 
 if TYPE_CHECKING:
     import xarray as xr
 
-Float = npt.NDArray[np.float64]
 
 _AXES = ("x", "y", "z")
 _UNITS = {
-    "time": ("s", "end of the step on the common clock"),
-    "period": ("s", "length T of the step"),
+    "time": ("s", "end of the step, on a clock that all users share"),
+    "period": ("s", "length T of the step: the time that the copy simulates in it"),
     "position": ("m", "position x of a node"),
     "velocity": ("m/s", "velocity v of a node"),
     "force": ("N", "sum of the mean forces of a user's hands and tools on the object over the step"),
@@ -35,8 +39,14 @@ _UNITS = {
     "kinetic": ("J", "kinetic energy of the copy"),
     "elastic": ("J", "elastic energy of the copy"),
     "iterations": ("1", "iterations of the solver in the step; 0 where it is a closed form"),
+    "closure": (
+        "J",
+        "work so far of the scale that closes a step's balance, on the copy's velocity; it proves the forces",
+    ),
+    "closure_factor": ("1", "largest change so far of the end velocity by that scale, |beta - 1|"),
+    "closure_alarms": ("1", "steps so far with a change above 0.01, or that had to be shortened"),
     "link_work": ("J", "work of the link on its receiver so far"),
-    "delay_work": ("J", "energy added to the link so far by the age of the samples"),
+    "delay_work": ("J", "energy added to the link so far by the age of the samples; by a law: all that its link did"),
     "age": ("s", "age of the sample used, from the middle of its step to the end of the step that uses it"),
     "link_energy": ("J", "energy of the spring between two copies"),
     "stored": ("J", "energy of all copies and links"),
@@ -44,6 +54,10 @@ _UNITS = {
     "dissipated_total": ("J", "dissipated so far by all dampers"),
     "delay_work_total": ("J", "energy added so far by the age of samples"),
     "residual": ("J", "stored - initial - supplied + dissipated - delay work: zero but for round-off"),
+    "slack": (
+        "J",
+        "lost so far in the damping B_i less what the age of samples added: what inequality (7) has to spare",
+    ),
     "tick_time": ("s", "time of the network-wide records"),
     "local_damping": ("N s/m", "damping B_i of the synchronisation, as multiples of each link weight"),
     "frame_position": ("m", "position x of every node at the time of a frame"),
@@ -51,6 +65,7 @@ _UNITS = {
 }
 
 
+@interruptible
 def simulate(scenario: "Scenario | str | Path | Mapping[str, Any]") -> "xr.Dataset":
     """Runs a scenario.
 
@@ -60,7 +75,9 @@ def simulate(scenario: "Scenario | str | Path | Mapping[str, Any]") -> "xr.Datas
     Returns:
         Dimensions `user`, `step` (a user's own steps; 0 is the initial state; NaN after its last), `node`, `axis`,
         `hand`, `tool`, `direction` (a receiver's view of a neighbour, "1<-2"), `link`, `tick` (network-wide records),
-        `weight`, and `frame` with `node_all` where whole copies are asked for. Every variable has its unit in `attrs`;
+        `weight`, and `frame` with `node_all` where whole copies are asked for. Coordinates beside them: `time` of every
+        user's steps and `tick_time`; the users' names as `receiver` and `sender` of a direction, `one` and `other` of a
+        link, `hand_user` and `tool_user`. `tables` makes data frames of it. Every variable has its unit in `attrs`;
         the dataset's `attrs` hold the scenario as JSON, the energy residual relative to the energy in play, and the
         passivity margin [J].
 
@@ -79,13 +96,20 @@ def simulate(scenario: "Scenario | str | Path | Mapping[str, Any]") -> "xr.Datas
     if isinstance(scenario, str | Path):
         scenario = Scenario.read(scenario)
     elif not isinstance(scenario, Scenario):
-        scenario = Scenario.make(**dict(scenario))
+        if not isinstance(scenario, Mapping):  # pyright: ignore[reportUnnecessaryIsInstance]
+            raise ScenarioError(f"scenario is {scenario!r}; it must be a Scenario, a path or a mapping of tables")
+        scenario = Scenario.make(**{str(name): table for name, table in scenario.items()})
     prepared = prepare(scenario)
     return dataset(prepared, run_batch(prepared))
 
 
 def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
-    """Labels what a run recorded."""
+    """Labels what a run recorded.
+
+    Args:
+        prepared: what was run.
+        outcome: what it recorded.
+    """
     import xarray as xr
 
     scenario, timing, record, body = prepared.scenario, prepared.schedule, outcome.record, prepared.body
@@ -107,10 +131,12 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
     for name, values in (("position", record.position), ("velocity", record.velocity)):
         shaped = values.reshape(users, records, prepared.nodes.size, -1)[..., :axes]
         if name == "position":
-            shaped = shaped + body.rest[prepared.nodes] if np.any(body.rest) else shaped
+            with np.errstate(invalid="ignore"):  # what was not reached was never written
+                shaped = shaped + body.rest[prepared.nodes] if np.any(body.rest) else shaped
         put(name, ("user", "step", "node", "axis"), shaped, everyone)
-    books = USER_BOOKS if outcome.tools is None else USER_BOOKS + TOOL_BOOKS
-    for name, values in zip(books, record.users, strict=True):
+    ledger = USER_LEDGER if outcome.tools is None else USER_LEDGER + TOOL_LEDGER
+    ledger = ledger if prepared.model.force is None else ledger + CLOSED_BOOKS
+    for name, values in zip(ledger, record.users, strict=True):
         put(name, ("user", "step"), values, everyone)
     time, period = np.empty((users, records)), np.empty((users, records))
     time[:, 0], period[:, 0] = 0.0, np.nan
@@ -146,7 +172,7 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
 
     ticks = int(taken[timing.reference]) + 1
     put("link_energy", ("tick", "link"), record.links[:ticks])
-    totals = ("stored", "supplied_total", "dissipated_total", "delay_work_total", "residual")
+    totals = ("stored", "supplied_total", "dissipated_total", "delay_work_total", "residual", "slack")
     for name, values in zip(totals, record.ticks, strict=True):
         put(name, ("tick",), values[:ticks])
     put("tick_time", ("tick",), time[timing.reference, :ticks].copy())
@@ -170,11 +196,17 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
             "link": np.array([f"{a + 1}-{b + 1}" for a, b in network.links], dtype=np.str_),
             "hand": np.arange(1, len(scenario.hands) + 1),
             "weight": np.arange(prepared.local_damping.shape[1]),
+            "receiver": ("direction", [network.users[i] for i in slots.receiver]),
+            "sender": ("direction", [network.users[j] for j in slots.sender]),
+            "one": ("link", [network.users[a] for a, _ in network.links]),
+            "other": ("link", [network.users[b] for _, b in network.links]),
+            "hand_user": ("hand", [network.users[i] for i in holders]),
             **({"tool": np.arange(1, len(scenario.tools) + 1)} if scenario.tools else {}),
+            **({"tool_user": ("tool", [network.users[i] for i in owners])} if scenario.tools else {}),
             **({"frame": outcome.frame_time} if outcome.frame_time.size else {}),
         },
         attrs={**_attributes(prepared, outcome, ticks), **tool_attributes(tools)},
-    )
+    ).set_coords(["time", "tick_time"])
 
 
 def _hand_forces(prepared: Prepared, force: Float, axes: int) -> Float:
@@ -189,10 +221,10 @@ def _hand_forces(prepared: Prepared, force: Float, axes: int) -> Float:
 def _attributes(prepared: Prepared, outcome: Outcome, ticks: int) -> dict[str, Any]:
     from cotouch import __version__
 
-    books = outcome.record.ticks[:, :ticks]
+    ledger = outcome.record.ticks[:, :ticks]
     timing, scenario = prepared.schedule, prepared.scenario
     # The energy in play: the most that was stored, supplied or dissipated at any time of the run.
-    in_play, residual = _largest(books[:4]), _largest(books[4])
+    in_play, residual = _largest(ledger[:4]), _largest(ledger[4])
     finished = outcome.events == timing.order.size
     return {
         "title": scenario.title or "cotouch run",
@@ -204,13 +236,46 @@ def _attributes(prepared: Prepared, outcome: Outcome, ticks: int) -> dict[str, A
         "steps": int(timing.count.max()) if finished else int(outcome.taken.max()),
         "finished": int(finished),
         "energy_in_play": in_play,
-        "energy_residual": residual / in_play if in_play > 0.0 else residual,
-        "passivity_margin": float(outcome.record.lowest[0] + books[0, 0]),
+        "energy_residual": residual / max(in_play, LEAST_ENERGY),
+        "passivity_margin": float(outcome.record.lowest[0] + ledger[0, 0]),
+        **_judged(prepared, outcome),
+        **_paces(timing),
         "underruns": int(timing.underruns.sum()),
         "messages": sum(draws.first.size for draws in timing.draws),
         "messages_lost": sum(int(np.isinf(draws.first).sum()) for draws in timing.draws),
         "index_delay": [] if timing.index_delay is None else [int(n) for n in timing.index_delay.ravel()],
     }
+
+
+def _judged(prepared: Prepared, outcome: Outcome) -> dict[str, Any]:
+    """What the links made of their own, beside what their law promises; all worked out by the kernels [J].
+
+    `made` is the most that links less the damping B_i had put into the copies, `extracted` the most that hands and
+    tools had got out beyond what there was in the beginning.
+    """
+    wish, timing, record = prepared.scenario.synchronisation, prepared.schedule, outcome.record
+    law, _ = given_law(prepared.scenario)
+    covered = (wish.damping is None or isinstance(wish.damping, str)) and wish.damping_scale >= 1.0
+    covered = covered and wish.quantile in {None, 1.0} and not timing.underruns.any()
+    covered = covered or law.rule == 0.0
+    promised = law.passive and covered and (prepared.law is None or prepared.law.holds)
+    seed = prepared.law.seed if prepared.law is not None else float(record.links[0].sum())
+    return {
+        "law": law.name,
+        "law_promises": int(promised),
+        "law_seed": seed,
+        "made": float(record.made[0]),
+        "made_at_end": float(record.made[1]),
+        "extracted": max(-float(record.lowest[0] + record.ticks[0, 0]), 0.0),
+    }
+
+
+def _paces(timing: Schedule) -> dict[str, list[float]]:
+    """How often every user steps, as asked and as it comes to with waiting [Hz], and how late its copy is [s]."""
+    users = range(timing.count.size)
+    asked = [float(n / timing.nominal[i, :n].sum()) for i, n in zip(users, timing.count, strict=True)]
+    taken = [float(n / timing.end[i, n - 1]) for i, n in zip(users, timing.count, strict=True)]
+    return {"rate_asked": asked, "rate": taken, "behind": timing.behind.tolist()}
 
 
 def _largest(values: Float) -> float:
@@ -219,18 +284,13 @@ def _largest(values: Float) -> float:
 
 
 def save(run: "xr.Dataset", path: str | Path) -> None:
-    """Writes a run to a NetCDF 4 file, compressed; the same run gives the same bytes.
+    """Writes a run to a NetCDF 4 file, compressed, whole or not at all; the same run gives the same bytes.
+
+    Args:
+        run: a result of `simulate`.
+        path: ends in ".nc", ".nc4", ".h5" or ".hdf5".
 
     Raises:
-        ScenarioError: the file cannot be written.
+        OutputError: the file cannot be written, or its name does not end in ".nc", ".nc4", ".h5" or ".hdf5".
     """
-    target = Path(path)
-    partial = target.with_name(target.name + ".part")
-    packed = {"zlib": True, "complevel": 1, "shuffle": True}
-    encoding = {name: packed for name, values in run.data_vars.items() if values.dtype.kind == "f"}
-    try:
-        run.to_netcdf(partial, engine="h5netcdf", encoding=encoding)
-        partial.replace(target)  # whole or not at all
-    except OSError as error:
-        partial.unlink(missing_ok=True)
-        raise ScenarioError(f"the result cannot be written to {path}: {error.strerror or error}") from error
+    write_netcdf(run, path, "result")

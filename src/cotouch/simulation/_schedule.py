@@ -7,13 +7,13 @@ from typing import final
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.errors import ScenarioError
 from cotouch.network import Network
 from cotouch.scenario import Mode, Scenario, per_user
-from cotouch.simulation._channel import Draws, certain, draw, resent
+from cotouch.simulation._channel import Draws, Measured, certain, draw, measured_at, resent
 from cotouch.simulation._timing import ages, elapsed, indexed, newest, ring_size, self_paced
 
-Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
 
 _DEFAULT_PERIOD = 1e-3
@@ -54,8 +54,9 @@ class Schedule:
         count: steps of each user, (users,).
         end: when each step is taken, (users, steps) [s]; rows are filled up to `count`.
         length: T of each step, (users, steps) [s].
-        nominal: T as the clocks were set, (users, steps) [s]; waiting makes self-paced steps longer.
+        nominal: T as the clocks were set, (users, steps) [s]; waiting for others makes steps of an index longer.
         bound: on T, (users,) [s].
+        behind: the most by which the time that a copy has simulated was behind its user's clock, (users,) [s].
         order: user of each event, (events,).
         used: index of the sample that each slot uses, (slots, steps); -1: the initial one.
         ring: how many samples of a user are kept so that none is overwritten before its last use; a power of two.
@@ -73,6 +74,7 @@ class Schedule:
     length: Float
     nominal: Float
     bound: Float
+    behind: Float
     order: Int
     used: Int
     ring: int
@@ -124,25 +126,27 @@ def schedule(scenario: Scenario) -> Schedule:
         return _freshest(scenario, network, slots)
     nominal = _lengths(scenario, network.size, common=True)
     steps = nominal.shape[1]
-    draws = _draws(scenario, network, slots, steps)
-    latency = _latencies(scenario, network, slots, draws, steps)
-    delay = _index_delays(scenario, network, slots, latency, nominal)
-    of_slot = delay[slots.receiver, slots.sender].astype(np.int32)
-    used = np.empty((slots.link.size, steps), dtype=np.int32)
-    bound = nominal.max(axis=1)
-    underruns = np.zeros(slots.link.size, dtype=np.int64)
+    clock = nominal if scenario.channel.trace is None else np.cumsum(nominal, axis=1)
+    draws = _draws(scenario, network, slots, clock)
+    latency = _latencies(scenario, network, slots, draws, clock)
     if mode == "constant":
-        clock = _clock(nominal)
-        end, length = np.tile(clock, (network.size, 1)), nominal
-        for s in range(slots.link.size):
-            underruns[s] = indexed(np.ascontiguousarray(latency[s]), clock, int(of_slot[s]), used[s])
-        count = np.full(network.size, steps, dtype=np.int64)
+        end, length = _together(nominal)
     else:
         end, length = np.zeros_like(nominal), np.zeros_like(nominal)
+    delay = _index_delays(scenario, network, slots, latency, nominal, end)
+    of_slot = delay[slots.receiver, slots.sender].astype(np.int32)
+    used = np.empty((slots.link.size, steps), dtype=np.int32)
+    underruns = np.zeros(slots.link.size, dtype=np.int64)
+    behind = np.zeros(network.size)
+    if mode == "constant":
+        bound = _bound_together(scenario, nominal, length)
+        for s in range(slots.link.size):
+            i, j = slots.receiver[s], slots.sender[s]
+            underruns[s] = indexed(np.ascontiguousarray(latency[s]), end[j], end[i], int(of_slot[s]), used[s])
+        count = np.full(network.size, steps, dtype=np.int64)
+    else:
         self_paced(nominal, slots.first, slots.sender, of_slot, np.ascontiguousarray(latency), end)
-        longest = scenario.synchronisation.longest
-        # Twice the mean pace leaves room to make up for a long wait.
-        bound = 2.0 * end[:, -1] / steps if longest is None else longest * nominal.max(axis=1)
+        bound = _bound_apart(scenario, nominal, end)
         elapsed(end, bound, length)
         np.maximum(np.arange(steps, dtype=np.int32)[None, :] - of_slot[:, None], -1, out=used)
         # A step that would be taken after the run has ended is not part of it.
@@ -152,7 +156,9 @@ def schedule(scenario: Scenario) -> Schedule:
                 f"the run lasts {scenario.steps.duration} s, but user {int(count.argmin()) + 1} waits longer than that "
                 "for the first samples; make it longer"
             )
-    return _finish(mode, slots, count, end, length, nominal, bound, used, delay, underruns, draws, latency)
+        late = end - np.cumsum(length, axis=1)
+        behind = np.array([max(float(late[i, :n].max()), 0.0) for i, n in enumerate(count)])
+    return _finish(mode, slots, count, end, length, nominal, bound, behind, used, delay, underruns, draws, latency)
 
 
 def _freshest(scenario: Scenario, network: Network, slots: Slots) -> Schedule:
@@ -164,15 +170,15 @@ def _freshest(scenario: Scenario, network: Network, slots: Slots) -> Schedule:
     count = np.array([np.searchsorted(row, limit, side="right") for row in end])
     steps = int(count.max())
     end, length = np.ascontiguousarray(end[:, :steps]), np.ascontiguousarray(length[:, :steps])
-    draws = _draws(scenario, network, slots, steps)
+    draws = _draws(scenario, network, slots, np.minimum(end, limit))
     used = np.full((slots.link.size, steps), -1, dtype=np.int32)
     for s in range(slots.link.size):
         i, j = slots.receiver[s], slots.sender[s]
         sent = end[j, : count[j]]
         newest(sent, sent + draws[s].first[: count[j]], end[i, : count[i]], used[s, : count[i]])
     none = np.zeros(slots.link.size, dtype=np.int64)
-    bound = length.max(axis=1)
-    return _finish("freshest", slots, count, end, length, length, bound, used, None, none, draws, None)
+    bound, behind = length.max(axis=1), np.zeros(network.size)
+    return _finish("freshest", slots, count, end, length, length, bound, behind, used, None, none, draws, None)
 
 
 def _finish(
@@ -183,6 +189,7 @@ def _finish(
     length: Float,
     nominal: Float,
     bound: Float,
+    behind: Float,
     used: Int,
     delay: npt.NDArray[np.int64] | None,
     underruns: npt.NDArray[np.int64],
@@ -208,6 +215,7 @@ def _finish(
         length=length,
         nominal=nominal,
         bound=bound,
+        behind=behind,
         order=order,
         used=used,
         ring=1 << (int(ring) - 1).bit_length(),
@@ -222,8 +230,8 @@ def _finish(
 def _lengths(scenario: Scenario, users: int, *, common: bool) -> Float:
     """Nominal step lengths, (users, steps); with a common index, as many steps as the slowest has time for."""
     steps = scenario.steps
+    most = most_steps(scenario)
     if steps.random is not None:
-        most = _checked(steps.duration / steps.random.low)
         rows = [
             np.random.Generator(np.random.PCG64(np.random.SeedSequence((scenario.seed, 1, i)))).uniform(
                 steps.random.low, steps.random.high, most
@@ -232,12 +240,7 @@ def _lengths(scenario: Scenario, users: int, *, common: bool) -> Float:
         ]
         lengths = np.array(rows)
     else:
-        if steps.rate is not None:
-            period = 1.0 / per_user(steps.rate, users, "steps.rate")
-        else:
-            period = per_user(_DEFAULT_PERIOD if steps.period is None else steps.period, users, "steps.period")
-        longest = period.max() if common else period.min()
-        lengths = np.broadcast_to(period[:, None], (users, _checked(steps.duration / longest)))
+        lengths = np.broadcast_to(_periods(scenario)[:, None], (users, most))
     if common:
         clock = _clock(lengths)
         count = int(np.searchsorted(clock, steps.duration * (1.0 + 1e-12) + 1e-12, side="right"))
@@ -247,48 +250,152 @@ def _lengths(scenario: Scenario, users: int, *, common: bool) -> Float:
     return np.ascontiguousarray(lengths)
 
 
+def _together(nominal: Float) -> tuple[Float, Float]:
+    """Ends and lengths of the steps of a common index, which nobody takes before all have taken the one before.
+
+    T_i(k) is all the time that passes for user i from its step k - 1 to its step k: its own share, and before that its
+    wait for the slowest. So every copy's time goes on with its user's clock, though T_i(k) differs from user to user.
+    """
+    clock = _clock(nominal)
+    if (nominal == nominal.flat[0]).all():
+        return np.tile(clock, (nominal.shape[0], 1)), nominal
+    before = np.concatenate([[0.0], clock[:-1]])
+    end = before + nominal
+    waited = np.zeros_like(nominal)
+    waited[:, 1:] = before[1:] - end[:, :-1]
+    return end, nominal + waited
+
+
+def _bound_together(scenario: Scenario, nominal: Float, length: Float) -> Float:
+    """Bound on T under a common index, which cannot cut a step off.
+
+    Raises:
+        ScenarioError: a step lasts longer than the scenario allows.
+    """
+    longest = scenario.synchronisation.max_step
+    found = length.max(axis=1)
+    if longest is None:
+        return found
+    bound = longest * nominal.max(axis=1)
+    over = found / bound
+    if over.max() > 1.0 + 1e-9:
+        i = int(over.argmax())
+        raise ScenarioError(
+            f"synchronisation.max_step is {longest:g}; a step of user {i + 1} may last {bound[i]:.4g} s, but waiting "
+            f'for the others makes one last {found[i]:.4g} s; raise it, or use mode "freshest", in which nobody waits'
+        )
+    return bound
+
+
+def _bound_apart(scenario: Scenario, nominal: Float, end: Float) -> Float:
+    """Bound on T of self-paced users.
+
+    Raises:
+        ScenarioError: with it a copy would never make up for its waits.
+    """
+    longest = scenario.synchronisation.max_step
+    pace = end[:, -1] / end.shape[1]
+    if longest is None:
+        return 2.0 * pace  # leaves room to make up for a long wait
+    bound = longest * nominal.max(axis=1)
+    short = pace / bound
+    if short.max() > 1.0 + 1e-9:
+        i = int(short.argmax())
+        raise ScenarioError(
+            f"synchronisation.max_step is {longest:g}; a step of user {i + 1} simulates {bound[i]:.4g} s at most, "
+            f"but it takes one every {pace[i]:.4g} s and its copy would live ever more slowly; make it at least "
+            f'{np.ceil(longest * short[i]):g}, or use mode "freshest", in which nobody waits'
+        )
+    return bound
+
+
 def _clock(lengths: Float) -> Float:
-    """When the common index advances: with the slowest user at every step."""
+    """When all have taken each step of a common index: with the slowest user."""
     slowest = lengths.max(axis=0)
     if slowest.size and (slowest == slowest[0]).all():
         return slowest * np.arange(1, slowest.size + 1)
     return np.cumsum(slowest)
 
 
-def _checked(steps: float) -> int:
-    if steps > _MOST_STEPS:
-        raise ScenarioError(f"the run has {steps:.3g} steps; at most {_MOST_STEPS:.0e} fit, so make it shorter")
-    return int(np.ceil(steps * (1.0 + 1e-12) - 1e-9)) + 1
+def _periods(scenario: Scenario) -> Float:
+    """Length of every user's steps where it is constant, (users,) [s]."""
+    steps, users = scenario.steps, scenario.network.size
+    if steps.rate is not None:
+        return 1.0 / per_user(steps.rate, users, "steps.rate")
+    return per_user(_DEFAULT_PERIOD if steps.period is None else steps.period, users, "steps.period")
+
+
+def most_steps(scenario: Scenario) -> int:
+    """How many steps there is room for: at least as many as any user takes.
+
+    Raises:
+        ScenarioError: they are too many.
+    """
+    steps = scenario.steps
+    if steps.random is not None:
+        shortest = steps.random.low
+    else:
+        # Under a common index the slowest says when all step.
+        period = _periods(scenario)
+        shortest = float(period.min() if scenario.synchronisation.mode == "freshest" else period.max())
+    count = steps.duration / shortest
+    if count > _MOST_STEPS:
+        raise ScenarioError(
+            f"the run lasts {steps.duration:g} s, which is {count:.3g} steps; at most {_MOST_STEPS:.0e} are possible, "
+            "so make steps.duration shorter or its steps longer"
+        )
+    return int(np.ceil(count * (1.0 + 1e-12) - 1e-9)) + 1
 
 
 def _seed(scenario: Scenario, receiver: int, sender: int) -> tuple[int, ...]:
     return (scenario.seed, 2, receiver, sender)
 
 
-def _draws(scenario: Scenario, network: Network, slots: Slots, messages: int) -> list[Draws]:
+def _measured(scenario: Scenario, slots: Slots, clock: Float) -> list[Measured | None]:
+    """What the channel's trace adds to the messages of each slot; they are sent by the users' own clocks."""
+    trace = scenario.trace()
     return [
-        draw(scenario.channel, float(network.delay[i, j]), messages, seed=_seed(scenario, int(i), int(j)))
+        measured_at(trace, clock[j], seed=_seed(scenario, int(i), int(j)))
         for i, j in zip(slots.receiver, slots.sender, strict=True)
     ]
 
 
-def _latencies(scenario: Scenario, network: Network, slots: Slots, draws: list[Draws], steps: int) -> Float:
+def _draws(scenario: Scenario, network: Network, slots: Slots, clock: Float) -> list[Draws]:
+    traced = _measured(scenario, slots, clock)
+    return [
+        draw(
+            scenario.channel,
+            float(network.delay[i, j]),
+            clock.shape[1],
+            seed=_seed(scenario, int(i), int(j)),
+            measured=measured,
+        )
+        for i, j, measured in zip(slots.receiver, slots.sender, traced, strict=True)
+    ]
+
+
+def _latencies(scenario: Scenario, network: Network, slots: Slots, draws: list[Draws], clock: Float) -> Float:
     """Latency of every sample, resends included, (slots, steps) [s]."""
     pairs = list(zip(slots.receiver.tolist(), slots.sender.tolist(), strict=True))
     there = np.array([network.delay[i, j] for i, j in pairs])
     back = np.array([network.delay[j, i] for i, j in pairs])
     if certain(scenario.channel):
-        return np.broadcast_to(there[:, None], (there.size, steps))
-    latency = np.empty((there.size, steps))
-    for s, pair in enumerate(pairs):
-        latency[s] = resent(scenario.channel, draws[s], there[s], there[s] + back[s], seed=_seed(scenario, *pair))
+        return np.broadcast_to(there[:, None], (there.size, clock.shape[1]))
+    latency = np.empty((there.size, clock.shape[1]))
+    for s, (pair, measured) in enumerate(zip(pairs, _measured(scenario, slots, clock), strict=True)):
+        both = there[s] + back[s]
+        seed = _seed(scenario, *pair)
+        latency[s] = resent(scenario.channel, draws[s], there[s], both, seed=seed, measured=measured)
     return latency
 
 
 def _index_delays(
-    scenario: Scenario, network: Network, slots: Slots, latency: Float, nominal: Float
+    scenario: Scenario, network: Network, slots: Slots, latency: Float, nominal: Float, end: Float
 ) -> npt.NDArray[np.int64]:
-    """N_ij as given, or as many of the shortest common steps as the latencies ask for."""
+    """N_ij as given, or as many steps as the latencies ask for: all alike, else as the common index takes them.
+
+    Of self-paced users, whose steps follow from N_ij, the shortest that the slowest may take counts.
+    """
     users = network.size
     given = scenario.synchronisation.index_delay
     result = np.zeros((users, users), dtype=np.int64)
@@ -307,8 +414,19 @@ def _index_delays(
     if quantile is None:
         quantile = _SELF_PACED_QUANTILE if scenario.synchronisation.mode == "self-paced" else 1.0
     shortest = float(nominal.max(axis=0).min())
+    known = scenario.synchronisation.mode == "constant" and not (nominal == nominal.flat[0]).all()
     for s in range(slots.link.size):
+        i, j = slots.receiver[s], slots.sender[s]
+        needed = _steps_until(end[j] + latency[s], end[i]) if known else latency[s] / shortest
         every = quantile == 1.0  # the largest of many needs no sorting
-        needed = float(latency[s].max() if every else np.quantile(latency[s], quantile, method="higher"))
-        result[slots.receiver[s], slots.sender[s]] = max(1, int(np.ceil(needed / shortest - 1e-9)))
+        most = float(needed.max() if every else np.quantile(needed, quantile, method="higher"))
+        result[i, j] = max(1, int(np.ceil(most - 1e-9)))
     return result
+
+
+def _steps_until(arrival: Float, end: Float) -> Float:
+    """How many indices after that of each sample the receiver takes the first step that finds it, (steps,)."""
+    steps = end.size
+    first = np.searchsorted(end, arrival - 1e-9)  # as `indexed` has it
+    beyond = np.maximum(arrival - end[-1], 0.0) * steps / end[-1]  # in mean steps, had the run gone on
+    return np.asarray(first + np.where(first < steps, 0.0, np.ceil(beyond)) - np.arange(steps), dtype=np.float64)

@@ -6,9 +6,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.body import Body
 from cotouch.errors import ScenarioError
-from cotouch.simulation._animation import Animation, GripTracks, ToolTracks, UserSeries
+from cotouch.simulation._animation import Animation, PortTracks, ToolTracks, UserSeries
 from cotouch.simulation._metrics import felt
 
 if TYPE_CHECKING:
@@ -16,7 +17,6 @@ if TYPE_CHECKING:
 
     from cotouch.scenario import Scenario
 
-Float = npt.NDArray[np.float64]
 
 # A browser draws no more pictures a second, and nobody watches more of them; places of all users in all frames that a
 # page and the memory of a small machine hold.
@@ -71,7 +71,7 @@ def animation(run: "xr.Dataset", body: Body) -> Animation:
         users=[str(name) for name in run["user"].values],
         time=when,
         tools=_tools(run, tables, when),
-        grips=_grips(run, tables, when, frames),
+        ports=_ports(run, tables, when, frames),
         links=[(a - 1, b - 1) for a, b in tables["network"]["links"]],
         series=[UserSeries(name="Discrepancy", unit="m", values=apart.max(axis=2))],
         **shape,
@@ -100,12 +100,12 @@ def _tools(run: "xr.Dataset", tables: dict[str, Any], when: Float) -> ToolTracks
     )
 
 
-def _grips(run: "xr.Dataset", tables: dict[str, Any], when: Float, frames: npt.NDArray[Any]) -> GripTracks | None:
+def _ports(run: "xr.Dataset", tables: dict[str, Any], when: Float, frames: npt.NDArray[Any]) -> PortTracks | None:
     hands: list[dict[str, Any]] = tables["hands"]
     if not hands:
         return None
     owner = [hand["user"] - 1 for hand in hands]
-    return GripTracks(
+    return PortTracks(
         owner=owner,
         place=frames[:, owner, [hand["node"] - 1 for hand in hands]],
         force=_at(run, owner, run["hand_force"].values, when),

@@ -5,9 +5,9 @@
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.mechanics import at, kernel, put
 
-Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int32]
 
 
@@ -41,22 +41,23 @@ def newest(sent: Float, arrival: Float, end: Float, used: Int) -> None:
 
 
 @kernel
-def indexed(latency: Float, clock: Float, delay: int, used: Int) -> int:
+def indexed(latency: Float, sent: Float, end: Float, delay: int, used: Int) -> int:
     """For each step k, sample k - delay, or the newest one before it that has arrived; returns how often it had not.
 
     Args:
         latency: of every sample, from the step that sends it, (samples,) [s].
-        clock: when the steps are taken, (steps,) [s].
+        sent: when the sender takes its steps, (steps,) [s].
+        end: when the receiver takes its own, (steps,) [s].
         delay: indexing delay N_ij, >= 1.
         used: result (steps,): index of the sample, or -1 for the initial one.
     """
     short = 0
     oldest = -1
-    for k in range(clock.shape[0]):
+    for k in range(end.shape[0]):
         wanted = k - delay
         index = max(wanted, -1)
         # 1e-9 s is far below any step and far above the round-off of summed steps.
-        while index > oldest and at(clock, index) + at(latency, index) > at(clock, k) + 1e-9:
+        while index > oldest and at(sent, index) + at(latency, index) > at(end, k) + 1e-9:
             index -= 1
         if index < wanted:
             short += 1
@@ -131,7 +132,15 @@ def ages(end: Float, sent: Float, sent_length: Float, used: Int, age: Float) -> 
 
 @kernel
 def ring_size(order: Int, first: Int, peer: Int, used: Int, counter: Int) -> int:
-    """How many samples of a user must be kept so that none is overwritten before its last use; `counter` is zeros."""
+    """How many samples of a user must be kept so that none is overwritten before its last use; `counter` is zeros.
+
+    Args:
+        order: events in the order of time.
+        first: first event of each user.
+        peer: neighbour of each slot.
+        used: sample that each step uses.
+        counter: zeros; room to work in.
+    """
     size = 1
     for event in range(order.shape[0]):
         i = at(order, event)

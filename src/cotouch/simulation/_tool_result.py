@@ -3,13 +3,14 @@
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.device import DEVICE_BOOKS, excess_bound
+from cotouch.arrays import Float
+from cotouch.device import DEVICE_LEDGER, excess_bound
 from cotouch.simulation._batch import Outcome
 from cotouch.simulation._prepare import Prepared
 
-Float = npt.NDArray[np.float64]
+# Below this nobody has done anything: a share of it would be a share of round-off [J].
+LEAST_ENERGY = 1e-15
 
 UNITS = {
     "drive_work": ("J", "work so far of what pulls a user's proxies"),
@@ -43,7 +44,12 @@ _ENERGIES = ("kinetic", "hand_energy", "potential")
 
 
 def tool_variables(prepared: Prepared, outcome: Outcome) -> dict[str, tuple[tuple[str, ...], Float]]:
-    """Variables of tools in the order of the scenario; empty without tools. What a tool has not is NaN."""
+    """Variables of tools in the order of the scenario; empty without tools. What a tool has not is NaN.
+
+    Args:
+        prepared: what was run.
+        outcome: what it recorded.
+    """
     record, touching = outcome.tools, prepared.touching
     if record is None or touching is None:
         return {}
@@ -59,9 +65,10 @@ def tool_variables(prepared: Prepared, outcome: Outcome) -> dict[str, tuple[tupl
 
     def bound(tool: int) -> float:
         device = int(touching.couplings.device[tool])
-        fastest, longest = (float(books[name][tool].max()) for name in ("fastest", "longest"))
+        fastest, longest = (float(ledger[name][tool].max()) for name in ("fastest", "longest"))
         largest = float(np.linalg.norm(record.device_force[tool], axis=-1).max())
-        return excess_bound(touching.devices, device, fastest, longest, largest)
+        unpaid = float(record.coupling[2, tool].max())
+        return excess_bound(touching.devices, device, fastest, longest, largest, unpaid)
 
     put("tool_position", record.place[..., :3])
     put("tool_velocity", record.rate[..., :3])
@@ -70,16 +77,16 @@ def tool_variables(prepared: Prepared, outcome: Outcome) -> dict[str, tuple[tupl
     put("touching", record.touching)
     if not held.any():
         return data
-    books = {name: record.device_books[index] for index, name in enumerate(DEVICE_BOOKS)}
+    ledger = {name: record.device_ledger[index] for index, name in enumerate(DEVICE_LEDGER)}
     put("device_position", record.device_place[..., :3], device=True)
     put("device_force", record.device_force[..., :3], device=True)
-    put("device_work", books["work"], device=True)
-    put("human_work", books["human"], device=True)
-    put("device_loss", np.sum([books[name] for name in _LOSSES], axis=0), device=True)
-    put("device_energy", np.sum([books[name] for name in _ENERGIES], axis=0), device=True)
-    put("device_residual", books["residual"], device=True)
+    put("device_work", ledger["work"], device=True)
+    put("human_work", ledger["human"], device=True)
+    put("device_loss", np.sum([ledger[name] for name in _LOSSES], axis=0), device=True)
+    put("device_energy", np.sum([ledger[name] for name in _ENERGIES], axis=0), device=True)
+    put("device_residual", ledger["residual"], device=True)
     put("coupling_work", record.coupling[0], device=True)
-    put("coupling_energy", books["spring_energy"] + books["tank"], device=True)
+    put("coupling_energy", ledger["spring_energy"] + ledger["tank"], device=True)
     put("coupling_excess", record.coupling[1], device=True)
     limits = [bound(int(tool)) if touching.couplings.device[tool] >= 0 else np.nan for tool in range(order.size)]
     put("coupling_bound", np.array(limits), device=True)
@@ -95,6 +102,6 @@ def tool_attributes(data: dict[str, Any]) -> dict[str, float]:
     in_play = max(float(np.nanmax(np.abs(flow))) for flow in flows)
     residual = float(np.nanmax(np.abs(values["device_residual"])))
     return {
-        "device_residual": residual / in_play if in_play > 0.0 else residual,
+        "device_residual": residual / max(in_play, LEAST_ENERGY),
         "coupling_excess": float(np.nanmax(values["coupling_excess"])),
     }

@@ -10,9 +10,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, final
 
 import numpy as np
-import numpy.typing as npt
 from scipy import linalg
 
+from cotouch.arrays import Float
+from cotouch.body import canonical
 from cotouch.network import Network
 from cotouch.simulation import simulate
 from cotouch.study._data import free
@@ -20,7 +21,6 @@ from cotouch.study._data import free
 if TYPE_CHECKING:
     import xarray as xr
 
-Float = npt.NDArray[np.float64]
 
 # Corners of a polygon and their distance: slow enough to find the worst at low frequency, where the rule is tightest.
 CORNERS = 40
@@ -45,7 +45,7 @@ class Attack:
 
     @property
     def worked(self) -> float:
-        """The same work as the run's own books have it [J]."""
+        """The same work as the run's own ledger has it [J]."""
         return float(self.run["supplied_total"].values[-1])
 
     @property
@@ -61,7 +61,7 @@ def worst_force(network: Network, *, period: float, corners: int = CORNERS, **sy
         network: linked users.
         period: T of all users [s].
         corners: of every user's polygon.
-        synchronisation: options of the scenario's table, such as `damping` and `scale`.
+        synchronisation: options of the scenario's table, such as `damping` and `damping_scale`.
     """
     duration = (corners + 1) * SPACING + _TAIL
     users, shift = network.size, round(SPACING / period)
@@ -85,7 +85,7 @@ def worst_force(network: Network, *, period: float, corners: int = CORNERS, **sy
     beside_by = np.eye(corners, k=1) + np.eye(corners, k=-1)
     size = np.kron(np.eye(users), alone * np.eye(corners) + beside * beside_by)
     least, profile = linalg.eigh((form + form.T) / 2.0, size, subset_by_index=(0, 0))
-    shape = profile[:, 0].reshape(users, corners)
+    shape = canonical(least, profile, size, 0.0)[:, 0].reshape(users, corners)
     hands = [_hand(i, [0.0, *shape[i].tolist(), 0.0]) for i in range(users)]
     return Attack(
         profiles=users * corners,

@@ -12,17 +12,17 @@ from typing import Any, final
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.device import DEVICE_BOOKS
+from cotouch.arrays import Float
+from cotouch.device import DEVICE_LEDGER
 from cotouch.mechanics import modulation_bound
 from cotouch.simulation import Prepared
 from cotouch.simulation._batch import Outcome
-from cotouch.simulation._layout import TOOL_BOOKS, USER_BOOKS
+from cotouch.simulation._layout import TOOL_LEDGER, USER_LEDGER
 
-Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int64]
 
-_BOOK = {name: row for row, name in enumerate(USER_BOOKS + TOOL_BOOKS)}
-_DEVICE = {name: row for row, name in enumerate(DEVICE_BOOKS)}
+_BOOK = {name: row for row, name in enumerate(USER_LEDGER + TOOL_LEDGER)}
+_DEVICE = {name: row for row, name in enumerate(DEVICE_LEDGER)}
 _ENERGIES = ("kinetic", "hand_energy", "potential")
 _LOSSES = ("hand_loss", "viscous_loss", "coulomb_loss")
 
@@ -62,7 +62,7 @@ class TwoPort:
 @final
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Blocks:
-    """What the ports of the blocks say, step by step in the order of the books.
+    """What the ports of the blocks say, step by step in the order of the ledger.
 
     Attributes:
         time: end of every step of every user, in order, (events,) [s].
@@ -75,7 +75,7 @@ class Blocks:
         split: largest imbalance of any user's proxies alone. A step solves proxies and body together; the sum of their
             energies is exact, the share of each as good as the solve [J].
         couplings: of the tools with a device.
-        device_residual: largest imbalance in the books of a device with its hand, of the energy in play there.
+        device_residual: largest imbalance in the ledger of a device with its hand, of the energy in play there.
         energy_residual: of copies, links, proxies and contacts, of the energy in play.
         aged: energy that the age of samples has put into the links by the end [J].
         in_play: largest energy that was stored, supplied or dissipated in them [J].
@@ -140,7 +140,12 @@ class Blocks:
 
 
 def blocks(prepared: Prepared, outcome: Outcome) -> Blocks:
-    """Reads the ports of a run that recorded every step and whose tools come in the order of their users."""
+    """Reads the ports of a run that recorded every step and whose tools come in the order of their users.
+
+    Args:
+        prepared: what was run.
+        outcome: what came of it.
+    """
     touching, record, tools = prepared.touching, outcome.record, outcome.tools
     assert touching is not None
     assert tools is not None
@@ -150,8 +155,8 @@ def blocks(prepared: Prepared, outcome: Outcome) -> Blocks:
     joined = touching.couplings.device >= 0
     drive, touched = record.users[_BOOK["drive_work"]], record.users[_BOOK["touch_work"]]
     ports = record.users[_BOOK["supplied"]]
-    books = tools.device_books
-    motors, will = books[_DEVICE["work"]], books[_DEVICE["human"]]
+    ledger = tools.device_ledger
+    motors, will = ledger[_DEVICE["work"]], ledger[_DEVICE["human"]]
     pulled = tools.coupling[0]
 
     def of_users(values: Float) -> Float:
@@ -172,13 +177,13 @@ def blocks(prepared: Prepared, outcome: Outcome) -> Blocks:
     def in_order(values: Float) -> Float:
         return np.cumsum(values[order, step] - values[order, step - 1])
 
-    ledger = record.ticks[:, : int(outcome.taken[prepared.schedule.reference]) + 1]
-    in_play = float(np.abs(ledger[:4]).max(initial=0.0))
-    energy = sum(books[_DEVICE[name]] for name in _ENERGIES)
-    flows = [motors, will, energy, sum(books[_DEVICE[name]] for name in _LOSSES)]
+    whole = record.ticks[:, : int(outcome.taken[prepared.schedule.reference]) + 1]
+    in_play = float(np.abs(whole[:4]).max(initial=0.0))
+    energy = sum(ledger[_DEVICE[name]] for name in _ENERGIES)
+    flows = [motors, will, energy, sum(ledger[_DEVICE[name]] for name in _LOSSES)]
     with_device = float(max(np.abs(flow).max(initial=0.0) for flow in flows))
-    unclosed = float(np.abs(books[_DEVICE["residual"]]).max(initial=0.0))
-    residual = float(np.abs(ledger[4]).max(initial=0.0))
+    unclosed = float(np.abs(ledger[_DEVICE["residual"]]).max(initial=0.0))
+    residual = float(np.abs(whole[4]).max(initial=0.0))
     return Blocks(
         time=prepared.schedule.end[order, step - 1],
         human=in_order(of_users(will) + direct),
@@ -191,7 +196,7 @@ def blocks(prepared: Prepared, outcome: Outcome) -> Blocks:
         couplings=tuple(_two_port(prepared, outcome, int(t), int(owner[t])) for t in np.flatnonzero(joined)),
         device_residual=unclosed / with_device if with_device > 0.0 else unclosed,
         energy_residual=residual / in_play if in_play > 0.0 else residual,
-        aged=float(ledger[3, -1]),
+        aged=float(whole[3, -1]),
         in_play=in_play,
         finished=outcome.events == prepared.schedule.order.size,
     )
@@ -213,21 +218,22 @@ def _two_port(prepared: Prepared, outcome: Outcome, tool: int, user: int) -> Two
     assert tools is not None
     device = int(touching.couplings.device[tool])
     servos, last = touching.devices.servos, int(outcome.taken[user])
-    books = tools.device_books[:, tool, : last + 1]
-    given = books[_DEVICE["work"]] + tools.coupling[0, tool, : last + 1]
-    saturated = int(books[_DEVICE["saturated"], -1])
+    ledger = tools.device_ledger[:, tool, : last + 1]
+    given = ledger[_DEVICE["work"]] + tools.coupling[0, tool, : last + 1]
+    saturated = int(ledger[_DEVICE["saturated"], -1])
     table = prepared.scenario.tools[prepared.tool.index(tool)].device
     assert table is not None
     if table.coupling == "virtual":
-        given = given - books[_DEVICE["viscous_loss"]] - books[_DEVICE["coulomb_loss"]]
-        return TwoPort(user=user, law="virtual", excess=float(given.max()), bound=0.0, saturated=saturated)
+        given = given - ledger[_DEVICE["viscous_loss"]] - ledger[_DEVICE["coulomb_loss"]]
+        unpaid = float(tools.coupling[2, tool, last])
+        return TwoPort(user=user, law="virtual", excess=float(given.max()), bound=unpaid, saturated=saturated)
     force = float(servos.force[device])
     resolution = float(servos.resolution[device].max())
     bound = modulation_bound(
         stiffness=float(servos.stiffness[device]),
         damping=float(servos.damping[device]),
-        period=float(books[_DEVICE["longest"], -1]),
-        speed=float(books[_DEVICE["fastest"], -1]),
+        period=float(ledger[_DEVICE["longest"], -1]),
+        speed=float(ledger[_DEVICE["fastest"], -1]),
         reserve=float(servos.reserve[device]),
         force=force if resolution > 0.0 else 0.0,
         resolution=resolution,

@@ -3,13 +3,9 @@
 from dataclasses import dataclass
 from typing import Any, final
 
-import numpy as np
-import numpy.typing as npt
-
+from cotouch.arrays import Float
 from cotouch.network import Certificate, Network, certify, rightmost_root
 from cotouch.study._attack import CORNERS, worst_force
-
-Float = npt.NDArray[np.float64]
 
 
 @final
@@ -67,7 +63,13 @@ class Certificates:
 
 
 def certificates(network: Network, *, period: float, corners: int = CORNERS) -> Certificates:
-    """Designs the damping by each method and tries it."""
+    """Designs the damping by each method and tries it.
+
+    Args:
+        network: users and the links in question.
+        period: length of the steps [s].
+        corners: of the worst force; see `worst_force`.
+    """
     found = certify(network, periods=period)
     proofs: list[Proof] = []
     for name in ("rule", "minimax", "exact"):

@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import numpy.typing as npt
 
 from cotouch import drawing
 from cotouch.network import Network
@@ -21,8 +20,6 @@ if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-
-Float = npt.NDArray[np.float64]
 
 # The beginning of the runs below the bound, in which the eye still sees how they start to diverge [s].
 _EARLY = 8.0
@@ -78,9 +75,14 @@ def _network(axes: "Axes", network: Network, *, labelled: bool) -> None:
 
 
 def ranks(found: Topologies, errata: Errata) -> "Figure":
-    """The first-order objective against the closed loop, every graph a dot."""
+    """The first-order objective against the closed loop, every graph a dot.
+
+    Args:
+        found: objectives of all graphs.
+        errata: what is compared.
+    """
     figure = drawing.sheet(2.7)
-    panels = figure.subplots(1, 2, sharey=True)
+    panels = figure.subplots(1, 2, sharex=True, sharey=True)
     decay = -found.rankings["decay"].values
     for panel, convention in zip(panels, ("equation", "matrix"), strict=True):
         ranking = found.rankings[convention]
@@ -90,39 +92,24 @@ def ranks(found: Topologies, errata: Errata) -> "Figure":
         shown = np.where(never, 1.6 * slowest, pace)
         panel.set_xscale("log")
         panel.plot(shown[~never], decay[~never], "o", color=drawing.MUTED, markersize=2.6, alpha=0.75)
-        panel.plot(shown[never], decay[never], "x", color=drawing.ALARM, markersize=4.0)
-        for graph, color, word in ((ranking.best, _GOOD, "best"), (ranking.worst, _BAD, "worst")):
-            if never[graph]:
-                continue
-            panel.plot(shown[graph], decay[graph], "o", color=color, markersize=5.5)
-            panel.annotate(
-                f" its {word}",
-                (shown[graph], decay[graph]),
-                xytext=(-4 if word == "worst" else 4, 5),
-                textcoords="offset points",
-                ha="right" if word == "worst" else "left",
-                color=color,
-                fontsize=7.0,
-            )
         if never.any():
-            panel.annotate(
-                f"{int(never.sum())} never mix",
-                (1.6 * slowest, float(decay[never].max())),
-                xytext=(0, 6),
-                textcoords="offset points",
-                ha="right",
-                color=drawing.ALARM,
-                fontsize=7.0,
-            )
-        panel.margins(x=0.06)
+            style = {"color": drawing.ALARM, "markersize": 4.0, "label": f"never mix: {int(never.sum())}"}
+            panel.plot(shown[never], decay[never], "x", **style)
+        for graph, color, word in ((ranking.best, _GOOD, "its best"), (ranking.worst, _BAD, "its worst")):
+            if not never[graph]:
+                panel.plot(shown[graph], decay[graph], "o", color=color, markersize=5.5, label=word)
         panel.set_title(f"{convention.capitalize()}: rank correlation {errata.spearman[convention]:.2f}")
         panel.set_xlabel("Time constant of the first-order model / s")
+        panel.set_xticks([1, 2, 5, 10, 20, 50, 100, 200], labels=["1", "2", "5", "10", "20", "50", "100", "200"])
+        panel.set_xticks([], minor=True)
+        panel.set_ylim(0.0, 1.3 * float(decay.max()))
+        panel.legend(loc="upper left", ncols=3, fontsize=7.0, columnspacing=1.0, handletextpad=0.2)
     panels[0].set_ylabel("Decay of the closed loop / (1/s)")
     return figure
 
 
 def held_and_released(found: Experiment) -> "Figure":
-    """Positions, forces and their sum, best beside worst: the paper's Figs. 5 and 6."""
+    """Positions, forces and their sum, best beside worst."""
     figure = drawing.sheet(5.2)
     panels = figure.subplots(3, 2, sharex=True, sharey="row", height_ratios=[1.5, 1.5, 1.0])
     for column, (trial, word) in enumerate(((found.best, "Best"), (found.worst, "Worst"))):
@@ -231,11 +218,11 @@ def thresholds(found: Bound) -> "Figure":
     roots.set_xticks(ticks, labels=["0.1", f"{found.critical:.2f}", "0.3", f"{found.exact:.2f}"])
     roots.set_xticks([], minor=True)
     low = float(roots.get_ylim()[0])
-    for share, text in ((found.critical, "unstable\nbelow"), (found.exact, "not passive\nbelow")):
-        roots.axvline(share, color=drawing.MUTED, linewidth=0.7, linestyle=(0, (2.0, 2.0)))
+    for fraction, text in ((found.critical, "unstable\nbelow"), (found.exact, "not passive\nbelow")):
+        roots.axvline(fraction, color=drawing.MUTED, linewidth=0.7, linestyle=(0, (2.0, 2.0)))
         roots.annotate(
             text,
-            (share, low),
+            (fraction, low),
             xytext=(-3, 4),
             textcoords="offset points",
             ha="right",
@@ -244,9 +231,9 @@ def thresholds(found: Bound) -> "Figure":
         )
     lines = (
         ("rule", drawing.INK, "the rule"),
-        ("alone", _FAST, f"{_percent(found.shares['alone'])}, nobody holds"),
-        ("held", _SLOW, f"{_percent(found.shares['held'])}, {len(found.held)} hands hold"),
-        ("below", drawing.ALARM, f"{_percent(found.shares['below'])}, nobody holds"),
+        ("alone", _FAST, f"{_percent(found.fractions['alone'])}, nobody holds"),
+        ("held", _SLOW, f"{_percent(found.fractions['held'])}, {len(found.held)} hands hold"),
+        ("below", drawing.ALARM, f"{_percent(found.fractions['below'])}, nobody holds"),
     )
     for name, color, label in lines:
         run = found.runs[name]
@@ -266,9 +253,9 @@ def below(found: Bound) -> "Figure":
     panels = figure.subplots(2, 2, sharex=True)
     names = (
         ("rule", "The rule"),
-        ("alone", f"{_percent(found.shares['alone'])} of the rule, nobody holds"),
-        ("held", f"{_percent(found.shares['held'])}, users {_and(found.held)} hold still"),
-        ("below", f"{_percent(found.shares['below'])} of the rule, nobody holds"),
+        ("alone", f"{_percent(found.fractions['alone'])} of the rule, nobody holds"),
+        ("held", f"{_percent(found.fractions['held'])}, users {_and(found.held)} hold still"),
+        ("below", f"{_percent(found.fractions['below'])} of the rule, nobody holds"),
     )
     for panel, (name, title) in zip(panels.flat, names, strict=True):
         seen = found.runs[name].isel(step=slice(0, int((found.runs[name]["time"].values[0] <= _EARLY).sum())))
@@ -292,10 +279,10 @@ def attacks(found: Bound) -> "Figure":
     pushes.set(title="Worst forces at half the rule", xlabel="Time / s", ylabel="Force, share of the largest")
     drawing.figure_legend(figure, [str(name) for name in worst["user"].values])
     colors = (drawing.INK, _GOOD, drawing.USERS[4], drawing.ALARM)
-    for ((method, share), attack), color in zip(found.attacks.items(), colors, strict=True):
+    for ((method, fraction), attack), color in zip(found.attacks.items(), colors, strict=True):
         run = attack.run
         got = 100.0 * run["supplied_total"].values / float(run.attrs["energy_in_play"])
-        label = f"{method} damping" if share == 1.0 else f"{share:g} × {method}"
+        label = f"{method} damping" if fraction == 1.0 else f"{fraction:g} × {method}"
         work.plot(*drawing.decimate(run["tick_time"].values, got), color=color, label=label)
     work.axhline(0.0, color=drawing.MUTED, linewidth=0.8)
     work.set(title="Work of the worst hands", xlabel="Time / s", ylabel="Share of the energy in play / %")
@@ -306,7 +293,7 @@ def attacks(found: Bound) -> "Figure":
 def ages(found: Modes) -> "Figure":
     """Ages of one direction over time, and how often samples of any direction are older than that."""
     figure = drawing.sheet(2.7)
-    over, share = figure.subplots(1, 2, width_ratios=[1.25, 1.0])
+    over, fraction = figure.subplots(1, 2, width_ratios=[1.25, 1.0])
     for (name, way), color in zip(found.ways.items(), _WAYS, strict=True):
         run = way.run
         index = [str(direction) for direction in run["direction"].values].index(found.direction)
@@ -320,7 +307,7 @@ def ages(found: Modes) -> "Figure":
         rank = 1.0 - np.arange(old.size) / old.size
         pick = np.unique(np.round(old.size * (1.0 - np.geomspace(1.0, 1.0 / old.size, 500))).astype(np.int64))
         pick = pick[pick < old.size]
-        share.plot(old[pick], rank[pick], color=color, drawstyle="steps-pre")
+        fraction.plot(old[pick], rank[pick], color=color, drawstyle="steps-pre")
     over.set_yscale("log")
     over.set(
         xlabel="Time / s",
@@ -329,10 +316,10 @@ def ages(found: Modes) -> "Figure":
         xlim=(0, DURATION),
     )
     over.set_ylim(0.02, None)
-    share.set_xscale("log")
-    share.set_yscale("log")
-    share.set(xlabel="Age / s", ylabel="Share of samples that are older", title="All directions")
-    share.set_ylim(1e-4, 1.2)
+    fraction.set_xscale("log")
+    fraction.set_yscale("log")
+    fraction.set(xlabel="Age / s", ylabel="Share of samples that are older", title="All directions")
+    fraction.set_ylim(1e-4, 1.2)
     figure.legend(loc="outside upper right", ncols=len(found.ways))
     return figure
 
@@ -404,8 +391,8 @@ def _signed(value: float) -> str:
     return f"{value:.4f}".replace("-", "−")
 
 
-def _percent(share: float) -> str:
-    return f"{100.0 * share:.0f} %"
+def _percent(fraction: float) -> str:
+    return f"{100.0 * fraction:.0f} %"
 
 
 def _and(numbers: Sequence[Any]) -> str:

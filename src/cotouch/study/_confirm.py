@@ -19,7 +19,9 @@ _BEGIN, _END = 12.0, 22.0
 # Samples kept of the window, and how many of them make one column of the fit.
 _SAMPLES, _DEPTH = 400, 80
 # Singular values, and shares of the motion at the middle of the window, below which there is only round-off.
-_ROUND_OFF, _SHARE = 1e-9, 1e-4
+_ROUND_OFF, _FRACTION = 1e-9, 1e-4
+# The window without its beginning, which tells less, must show the same rate to this share of it.
+_ALIKE = 0.1
 
 
 def confirmed(
@@ -42,7 +44,7 @@ def confirmed(
     Raises:
         NetworkError: the rate is not below 0, or the network is not connected.
         UnsupportedError: the delays and springs are so much quicker than the slowest mode that the run would be too
-            long, or the run shows no clear decay.
+            long, or the run shows no clear decay, or modes that decay too much alike.
     """
     if not (math.isfinite(rate) and rate < 0):
         raise NetworkError(f"rate is {rate:g} 1/s; it must be finite and below 0, or there is no decay to confirm")
@@ -61,7 +63,14 @@ def confirmed(
     time = np.asarray(run["time"].values[0], dtype=np.float64)
     kept = (time >= _BEGIN / -rate) & np.isfinite(velocity).all(axis=0)
     levelled = velocity[:, kept] * np.exp(-rate * (time[kept] - time[kept][0]))
-    return rate + _slowest(levelled, every * period)
+    found = _slowest(levelled, every * period)
+    later = _slowest(levelled[:, levelled.shape[1] // 4 :], every * period)
+    if abs(found - later) > _ALIKE * abs(rate + found):
+        raise UnsupportedError(
+            f"modes decay too much alike to tell the slowest: a run shows {rate + found:.4g} 1/s, and less its "
+            f"beginning {rate + later:.4g} 1/s"
+        )
+    return rate + found
 
 
 def _period(network: Network, rate: float, mass: float) -> float:
@@ -103,16 +112,18 @@ def _slowest(signals: npt.NDArray[np.float64], step: float) -> float:
     shift = (left[:, :rank].T @ hankel[:, 1:] @ right[:rank].T) / sizes[:rank]
     values = np.linalg.eigvals(shift).astype(np.complex128)
     values = values[np.abs(values) > 1e-3]
-    # How much of each there is at the middle: a column of the fit has entry 1 there.
-    times = np.arange(signals.shape[1]) - signals.shape[1] // 2
-    with np.errstate(over="ignore", under="ignore"):
-        basis = values[None, :] ** times[:, None]
-    heights = np.abs(basis).max(axis=0)
-    shares, *_ = np.linalg.lstsq(basis / heights, signals.T / scale, rcond=1e-12)
-    present = np.abs(shares).max(axis=1) / heights
+    # Each counts from that end of the window where it is largest, so that no power exceeds 1, whatever the value.
+    count: int = signals.shape[1]
+    logs: npt.NDArray[np.complex128] = np.log(values)
+    largest = np.where(logs.real > 0.0, count - 1, 0)
+    fractions, *_ = np.linalg.lstsq(
+        np.exp(logs * (np.arange(count)[:, None] - largest)), signals.T / scale, rcond=1e-12
+    )
+    # How much of each there is at the middle.
+    present = np.abs(fractions).max(axis=1) * np.exp(logs.real * (count // 2 - largest))
     # Beside the motion there, not beside each other: two that nearly coincide have large shares of opposite signs.
     middle = np.abs(signals[:, columns // 2 :]).max() / scale
-    clear = values[present > _SHARE * middle]
+    clear = values[present > _FRACTION * middle]
     if not len(clear):
         raise UnsupportedError("the simulated run shows no exponential that is clear of round-off")
     return float(np.log(np.abs(clear)).max()) / step

@@ -40,7 +40,14 @@ def names(links: Iterable[Pair]) -> str:
 
 
 def holding(network: Network, *, release: float, duration: float, period: float) -> Scenario:
-    """The file's experiment on another choice of links: everyone pulls to a place of their own, then lets go."""
+    """The file's experiment on another choice of links: everyone pulls to a place of their own, then lets go.
+
+    Args:
+        network: users and the links in question.
+        release: when all let go [s].
+        duration: of the run [s].
+        period: length of the steps [s].
+    """
     base = Scenario.read(five_users())
     hands = [{**hand.model_dump(), "release": release} for hand in base.hands]
     return base.replace(title="", network=network, hands=hands, steps={"duration": duration, "period": period})
@@ -56,7 +63,17 @@ def free(
     start: bool = True,
     **synchronisation: Any,
 ) -> Scenario:
-    """Copies that start apart (or together) on a common step, held by nobody unless `hands` says so."""
+    """Copies that start apart (or together) on a common step, held by nobody unless `hands` says so.
+
+    Args:
+        network: users and the links in question.
+        duration: of the run [s].
+        period: length of the steps [s].
+        body: table of the body; None: the file's.
+        hands: tables of hands; None: nobody.
+        start: whether copies start apart.
+        **synchronisation: options of that table.
+    """
     rule: dict[str, Any] = {"mode": "constant", "damping": "rule", **synchronisation}
     return Scenario.make(
         network=network,

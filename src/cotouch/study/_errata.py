@@ -4,20 +4,18 @@ from dataclasses import dataclass
 from typing import Any, final
 
 import numpy as np
-import numpy.typing as npt
 from scipy import stats
 
+from cotouch.arrays import Float
 from cotouch.network import Network, mixing
 from cotouch.simulation import simulate
 from cotouch.study._data import free, names
 from cotouch.study._topologies import TIME_UNIT, Topologies
 
-Float = npt.NDArray[np.float64]
-
 _CONSENSUS = 30.0  # s of the first-order model
 _START, _END = 100, 400  # its steps in the first second and in the last four
 _PERIODS = (4e-3, 2e-3, 1e-3)
-_SEED = 3
+SEED = 3
 
 
 @final
@@ -92,7 +90,7 @@ def first_order(network: Network) -> Float:
     steps, longest, users = round(_CONSENSUS / TIME_UNIT), int(lags.max()), network.size
     # Before time 0 everyone has its own state, different from step to step: a general start of the lifted system.
     states = np.zeros((longest + steps, users))
-    states[:longest] = np.random.default_rng(_SEED).uniform(-1.0, 1.0, (longest, users))
+    states[:longest] = np.random.default_rng(SEED).uniform(-1.0, 1.0, (longest, users))
     columns = np.arange(users)[None, :]
     for k in range(longest, longest + steps):
         states[k] = (weights * states[k - lags, columns]).sum(axis=1)

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, final
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.network import Network, rightmost_root
 from cotouch.simulation import at_times, settling_time, simulate, summary
 from cotouch.study._data import free, holding, names
@@ -13,7 +13,6 @@ from cotouch.study._data import free, holding, names
 if TYPE_CHECKING:
     import xarray as xr
 
-Float = npt.NDArray[np.float64]
 
 # Long enough for the slowest choice of links: 2 % of a step are left after four of its time constants.
 RELEASE = 20.0
@@ -22,7 +21,8 @@ PERIOD = 1e-3
 # A free decay is read where faster modes have died out and round-off is far: from 8 s to 18 s.
 _WINDOW = (8.0, 18.0)
 _SAMPLING = 0.1
-_ORDER = 4
+# Of the prediction: as many damped exponentials in everybody's motion, of which several decay nearly as slowly.
+_ORDER = 8
 
 
 @final
@@ -79,7 +79,14 @@ class Experiment:
 
 
 def experiment(best: Network, worst: Network, misjudged: Network, *, period: float = PERIOD) -> Experiment:
-    """Holds and releases with each."""
+    """Holds and releases with each.
+
+    Args:
+        best: the best choice of links.
+        worst: the worst choice.
+        misjudged: the worst by the printed matrix, which is not so bad in truth.
+        period: length of the steps [s].
+    """
     return Experiment(best=_trial(best, period), worst=_trial(worst, period), misjudged=_trial(misjudged, period))
 
 
@@ -105,7 +112,12 @@ def _trial(network: Network, period: float) -> Trial:
 
 
 def dominant_root(run: "xr.Dataset", window: tuple[float, float] = _WINDOW) -> complex:
-    """The slowest mode that is seen in how far users are apart, by linear prediction (Prony's method) [1/s]."""
+    """The slowest mode that is seen in how far users are apart, by linear prediction (Prony's method) [1/s].
+
+    Args:
+        run: a result of `simulate`.
+        window: to look at, from and to [s].
+    """
     times = np.arange(*window, _SAMPLING)
     places: Float = at_times(run, "position", times).reshape(times.size, -1)
     apart: Float = places - places.mean(axis=1, keepdims=True)

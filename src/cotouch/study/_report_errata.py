@@ -1,14 +1,19 @@
 """The chapter on the paper's slips."""
 
+from cotouch.pages import Section, figure, num, quantity, table
 from cotouch.study import _charts as charts
 from cotouch.study._data import names
 from cotouch.study._errata import Errata
-from cotouch.study._page import Section, figure, num, quantity, table
 from cotouch.study._topologies import COARSE_UNIT, TIME_UNIT, Topologies
 
 
 def corrections(found: Errata, topologies: Topologies) -> Section:
-    """Errata with their numbers."""
+    """Errata with their numbers.
+
+    Args:
+        found: the errata.
+        topologies: the choice of links.
+    """
     equation, matrix = (topologies.rankings[name] for name in ("equation", "matrix"))
     echo = figure(
         charts.consensus(found),

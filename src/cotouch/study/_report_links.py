@@ -3,15 +3,13 @@
 from html import escape
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.network import Network
+from cotouch.pages import Section, figure, num, quantity, table, verdict
 from cotouch.study import _charts as charts
 from cotouch.study._experiment import PERIOD, RELEASE, Experiment, Trial
-from cotouch.study._page import Section, figure, num, quantity, table, verdict
 from cotouch.study._topologies import LINKS, TIME_UNIT, Topologies
-
-Float = npt.NDArray[np.float64]
 
 
 def choice(found: Topologies) -> Section:
@@ -118,11 +116,12 @@ def trials(found: Experiment) -> Section:
     drawn = figure(
         charts.held_and_released(found),
         "fig-held",
-        "<b>The paper’s Figs. 5 and 6, repeated.</b> Shaded: all five hold. Dashed: settled to 2 % of the "
-        "largest excursion.",
+        "<b>What the paper’s Figs. 5 and 6 show, with hands chosen here:</b> the paper does not print its own, so "
+        "curves cannot be compared, only what they have in common. Shaded: all five hold. Dashed: settled to 2 % of "
+        "the largest excursion.",
         "Positions, forces and sum of forces of five users over forty seconds, with the best and with the worst "
         "links. The "
-        "best settle within three seconds, the worst take about seven.",
+        "best links settle sooner.",
     )
     misjudged = found.misjudged
     body = f"""<p>As in the paper the object has mass only (<var>B</var> = <var>K</var> = 0). Five hands, springs of 60

@@ -4,14 +4,23 @@ from html import escape
 
 import numpy as np
 
+from cotouch.pages import Section, figure, formula, num, quantity, table, verdict
 from cotouch.study import _solid_charts as charts
-from cotouch.study._page import Section, figure, formula, num, quantity, table, verdict
 from cotouch.study._scene import DEVICES, DOES, RELEASE, STEPS
 from cotouch.study._solid import BELOW, Solid
+from cotouch.study._tick import worst_tick
+
+# Of the hand that takes all that one tick can give away [N/m, m/s].
+_WALL, _QUICK = 2000.0, 0.5
 
 
 def solid(found: Solid, links: str) -> Section:
-    """All four blocks of Fig. 2, and their energy."""
+    """All four blocks of Fig. 2, and their energy.
+
+    Args:
+        found: what the run showed.
+        links: the links of that network, as the report names them.
+    """
     constant, freshest = found.runs["constant"], found.runs["freshest"]
     forces = np.linalg.norm(freshest.rest.force, axis=1)
     users = table(
@@ -64,6 +73,8 @@ def solid(found: Solid, links: str) -> Section:
     split = max(run.blocks.split for run in found.runs.values())
     crossed = float(below.time[int(np.argmax((below.object < 0.0) & (below.time > 1.0)))])
     gone = float(below.object[-1])
+    used = max(run.blocks.used for run in found.runs.values())
+    tick = worst_tick(stiffness=_WALL, period=1e-3, speed=_QUICK)
     body = f"""<p>So far the object had one axis, and hands pulled at it directly. Here is everything that the paper’s
 Fig. 2 puts between a hand and the object, five times, around one elastic block in three dimensions:
 {found.places.shape[0]:,} nodes, 1 kg, springs between neighbours, its lower face held softly. Each user has a
@@ -85,7 +96,11 @@ share of each to {quantity(split, "J", 1)} in these runs, the solver’s accurac
 {energies}
 {margins}
 <p>The motors’ sampled force may take a little more out of a PSPM coupling than is in it, at most what one tick does at
-full speed; that is <span class="math">d²</span>. The virtual coupling has no such store: its device must pay with its
+full speed; that is <span class="math">d²</span>. No hand here comes near it: couplings use at most
+{num(100 * used, 2)} % of theirs, so these runs cannot tell a sharp bound from a generous one. It is sharp: a hand that
+goes along with the held force for one tick takes {num(100 * tick.taken / tick.bound, 3)} % of the d² of its speed
+({quantity(1e3 * tick.taken, "mJ", 3)} at {_WALL:g} N/m, 1 kHz and {_QUICK:g} m/s), and the spring is off at the next.
+The virtual coupling has no such store: its device must pay with its
 own damping, so user 4’s has 3&nbsp;Ns/m, which most products have not.</p>
 <h3>With too little damping</h3>
 <p>The same with {100 * BELOW:g} % of the rule’s damping (the rule asks for up to
@@ -94,6 +109,6 @@ The hands do nothing but hold; how firmly decides whether it shows, which no des
 After {quantity(crossed, "s", 2)} the shared object has returned all that it was
 given; at the end it has given {quantity(-gone, "J", 2)} out of nothing. Contacts, couplings and devices stay passive
 throughout: contacts gave at most {quantity(below.given, "J", 2)}, couplings {num(100 * below.used, 2)} % of their d².
-The books balance to {num(below.energy_residual, 2)} there, too, and say where the energy comes from: the age of the
+The ledger balances to {num(below.energy_residual, 2)} there, too, and say where the energy comes from: the age of the
 samples put {quantity(below.aged, "J", 2)} into the links.</p>"""
     return Section(anchor="solid", title="All four blocks, in three dimensions", body=body)

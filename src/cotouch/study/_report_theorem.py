@@ -5,14 +5,19 @@ from html import escape
 
 import numpy as np
 
+from cotouch.pages import Section, figure, formula, num, quantity, table, verdict
 from cotouch.study import _charts as charts
 from cotouch.study._bound import Bound
-from cotouch.study._page import Section, figure, formula, num, quantity, table, verdict
 from cotouch.study._theorem import Theorem
 
 
 def proofs(found: Theorem, links: str) -> Section:
-    """Theorem 1: claim, number, verdict."""
+    """Theorem 1: claim, number, verdict.
+
+    Args:
+        found: what was checked.
+        links: the links of that network, as the report names them.
+    """
     rows = [
         [
             claim.item,
@@ -90,17 +95,22 @@ def edge(found: Bound) -> Section:
     )
     cases = {
         "rule": "the rule, nobody holds",
-        "alone": f"{100 * found.shares['alone']:.1f} % of the rule, nobody holds",
-        "held": f"{100 * found.shares['held']:.1f} % of the rule, users {_list(found.held)} hold still",
-        "below": f"{100 * found.shares['below']:.1f} % of the rule, nobody holds",
+        "alone": f"{100 * found.fractions['alone']:.1f} % of the rule, nobody holds",
+        "held": f"{100 * found.fractions['held']:.1f} % of the rule, users {_list(found.held)} hold still",
+        "below": f"{100 * found.fractions['below']:.1f} % of the rule, nobody holds",
     }
     growth = table(
-        ["Run", "Rate of the amplitude", "Outcome"],
+        ["Run", "Rightmost root", "Rate read from the run", "Outcome"],
         [
-            [cases[name], quantity(rate, "1/s"), "comes to rest" if rate < 0 else "diverges"]
+            [
+                cases[name],
+                quantity(found.roots[name], "1/s", 4) if name in found.roots else "–",
+                quantity(rate, "1/s", 4),
+                "comes to rest" if rate < 0 else "diverges",
+            ]
             for name, rate in found.growth.items()
         ],
-        text=(0, 2),
+        text=(0, 3),
     )
     least = table(
         [
@@ -111,12 +121,12 @@ def edge(found: Bound) -> Section:
         ],
         [
             [
-                escape(method if share == 1.0 else f"{share:g} × {method}"),
-                num(share if method == "rule" else share * found.exact, 3),
+                escape(method if fraction == 1.0 else f"{fraction:g} × {method}"),
+                num(fraction if method == "rule" else fraction * found.exact, 3),
                 quantity(a.least, "J"),
                 f"{num(100 * a.returned, 2)} % of what is in play" if a.returned > 0 else "none",
             ]
-            for (method, share), a in found.attacks.items()
+            for (method, fraction), a in found.attacks.items()
         ],
         text=(0, 3),
     )
@@ -125,17 +135,16 @@ the other as all <span class="math">B<sub>i</sub></span> are scaled down on the 
 <ol><li>Below <b>{num(found.exact, 3)}</b> of the rule the users are no longer passive: some hands can get energy out.
 This is the exact test’s threshold; on networks without cycles of odd length it is 1, and the rule cannot be
 bettered.</li>
-<li>Near <b>{num(found.shares["held"], 2)}</b> the copies still come to rest by themselves, but not in the hands of
+<li>Near <b>{num(found.fractions["held"], 2)}</b> the copies still come to rest by themselves, but not in the hands of
 {len(found.held)} users who do nothing but hold still, with springs of {found.hand:g} N/m.</li>
 <li>Below <b>{num(found.critical, 4)}</b> they diverge without any help, swinging at {num(found.frequency, 3)} rad/s:
 the rightmost root has crossed the axis.</li></ol>
 {thresholds}
 {positions}
 {growth}
-<p>Below the critical scale the rightmost root predicts {quantity(found.predicted, "1/s")}; the run grows by
-{quantity(found.growth["below"], "1/s")}. The second step is why passivity, not stability, is the aim: the designer of
-the network does not know the hands. The passive springs of three users are enough to turn a loop that is stable by a
-good margin into one that is not.</p>
+<p>Roots are of the free loop, so there is none for the run that hands hold. The second step is why passivity, not
+stability, is the aim: the designer of the network does not know the hands. The passive springs of three users are
+enough to turn a loop that is stable by a good margin into one that is not.</p>
 <h3>Hands that get energy out of nothing</h3>
 <p>The search for the worst hands of the <a href="#theorem">previous chapter</a>, at four dampings. It finds nothing
 at the rule and at the exact test’s damping, and finds energy as soon as the damping is 10 % below that: the exact

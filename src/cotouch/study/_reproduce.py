@@ -3,12 +3,18 @@
 import subprocess
 import sys
 import time
+from collections.abc import Callable, Generator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, final
 
-from cotouch.errors import ScenarioError
+from cotouch.files import folder, prepare, write
+from cotouch.interrupt import interruptible
 from cotouch.network import Network
+from cotouch.pages import Section, page
+from cotouch.processes import start_child
+from cotouch.study import _errata, _scene, _theorem
 from cotouch.study import _report as report
 from cotouch.study import _report_channel as of_channel
 from cotouch.study import _report_errata as of_errata
@@ -21,14 +27,13 @@ from cotouch.study._data import Progress, five_users
 from cotouch.study._errata import Errata, errata
 from cotouch.study._experiment import PERIOD, Experiment, experiment
 from cotouch.study._modes import Modes, modes
-from cotouch.study._page import page
 from cotouch.study._solid import Solid, solid
 from cotouch.study._theorem import Theorem, theorem
 from cotouch.study._topologies import Topologies, topologies
 
 REPORT = "report.html"
 
-# The energy books of every run must balance to this share of the energy in play.
+# The energy ledger of every run must balance to this share of the energy in play.
 _RESIDUAL = 1e-10
 # Steps of the runs [s] and corners of the worst hands' polygons: in full, and where a quick look is enough.
 _FULL = {"period": PERIOD, "theorem": 2e-3, "corners": 40}
@@ -50,8 +55,9 @@ class Reproduction:
         certificates: damping by each method.
         solid: all four blocks of Fig. 2 around a solid in three dimensions.
         errata: what the text gets wrong.
-        energy_residual: the most that the books of any run miss, of the energy in play.
-        confirmed: whether reference values, claims, the order of the thresholds and all books came out as they should.
+        energy_residual: the most that the ledger of any run miss, of the energy in play.
+        confirmed: whether reference values, claims, the order of the thresholds and all ledgers came out as they
+            should.
         seconds: how long it took.
     """
 
@@ -96,37 +102,37 @@ def reproduce(out: Path, *, progress: Progress | None = None, quick: bool = Fals
         quick: longer steps and fewer hands, for tests; the claims are the same.
 
     Raises:
-        ScenarioError: the folder or the report cannot be written.
+        OutputError: the folder or the report cannot be written.
     """
     begun = time.perf_counter()
     size = _QUICK if quick else _FULL
     period, corners = float(size["period"]), int(size["corners"])
-    _folder(out)
+    prepare(folder(out) / REPORT)
     total = 9
 
     def tell(done: int, text: str) -> None:
         if progress is not None:
             progress(done, total, text)
 
-    compiling = _compile_aside()
-    tell(0, "looking at every choice of links")
-    links = topologies(Network.read(five_users()))
-    best = links.best
-    tell(1, "five users hold and let go")
-    trials = experiment(best, links.worst, links.misjudged, period=period)
-    tell(2, "Theorem 1, claim by claim")
-    claims = theorem(best, period=float(size["theorem"]), corners=corners)
-    tell(3, "below the damping bound")
-    below = bound(best, links.worst, period=period, corners=corners)
-    tell(4, "freshest against constant delay")
-    channel = modes(best, period=period)
-    tell(5, "certificates")
-    proofs = certificates(best, period=period, corners=corners)
-    tell(6, "all four blocks, in three dimensions")
-    compiling.wait()
-    whole = solid(best, quick=quick)
+    with _compiled_aside() as compiled:
+        tell(0, "looking at every choice of links")
+        links = interruptible(topologies)(Network.read(five_users()))
+        best = links.best
+        tell(1, "five users hold and let go")
+        trials = interruptible(experiment)(best, links.worst, links.misjudged, period=period)
+        tell(2, "Theorem 1, claim by claim")
+        claims = interruptible(theorem)(best, period=float(size["theorem"]), corners=corners)
+        tell(3, "below the damping bound")
+        below = interruptible(bound)(best, links.worst, period=period, corners=corners)
+        tell(4, "freshest against constant delay")
+        channel = interruptible(modes)(best, period=period)
+        tell(5, "certificates")
+        proofs = interruptible(certificates)(best, period=period, corners=corners)
+        tell(6, "all four blocks, in three dimensions")
+        compiled()
+        whole = interruptible(solid)(best, quick=quick)
     tell(7, "errata")
-    slips = errata(links)
+    slips = interruptible(errata)(links)
     tell(8, "drawing and writing the report")
     runs = [
         *(trial.run for trial in (trials.best, trials.worst, trials.misjudged)),
@@ -143,15 +149,29 @@ def reproduce(out: Path, *, progress: Progress | None = None, quick: bool = Fals
         and residual <= _RESIDUAL
     )
     text = _write_up(
-        links, trials, claims, below, channel, proofs, whole, slips, residual=residual, confirmed=confirmed
+        links,
+        trials,
+        claims,
+        below,
+        channel,
+        proofs,
+        whole,
+        slips,
+        residual=residual,
+        confirmed=confirmed,
+        made=report.provenance(
+            channel,
+            seeds={
+                "steps of the theorem’s runs": _theorem.SEED,
+                "steps of the solid": _scene.SEED,
+                "states of the first-order model": _errata.SEED,
+            },
+            steps=(period, float(size["theorem"]), max(period, 5e-3)),
+            seconds=time.perf_counter() - begun,
+        ),
     )
     path = out / REPORT
-    partial = out / f"{REPORT}.part"
-    try:
-        partial.write_text(text, encoding="utf-8")
-        partial.replace(path)  # whole or not at all
-    except OSError as error:
-        raise ScenarioError(f"the report cannot be written to {path}: {error.strerror or error}") from error
+    write(path, text.encode("utf-8"), "report")
     tell(total, "done")
     return Reproduction(
         report=path,
@@ -169,24 +189,25 @@ def reproduce(out: Path, *, progress: Progress | None = None, quick: bool = Fals
     )
 
 
-def _compile_aside() -> "subprocess.Popen[bytes]":
+@contextmanager
+def _compiled_aside() -> Generator[Callable[[], object]]:
     """Has another process compile what only the chapter in three dimensions needs, into the cache that it will read.
 
     The first time that takes a minute, which passes while the chapters before it are worked out; later hardly anything.
+    Gives a function that waits for it; whatever ends the chapters before, ends it too.
     """
-    return subprocess.Popen(
-        [sys.executable, "-c", "from cotouch.study._solid import warm_up; warm_up()"],
+    program = "from cotouch.processes import tie_to_parent; tie_to_parent(); from cotouch.study._solid import warm_up; "
+    process = start_child(
+        [sys.executable, "-c", program + "warm_up()"],
         stdin=subprocess.DEVNULL,
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
     )
-
-
-def _folder(out: Path) -> None:
     try:
-        out.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise ScenarioError(f"the folder {out} cannot be made: {error.strerror or error}") from error
+        yield process.wait
+    finally:
+        process.kill()
+        process.wait()
 
 
 def _write_up(
@@ -201,6 +222,7 @@ def _write_up(
     *,
     residual: float,
     confirmed: bool,
+    made: Section,
 ) -> str:
     from cotouch import __version__, drawing
 
@@ -218,6 +240,7 @@ def _write_up(
                 of_channel.guarantees(proofs),
                 of_solid.solid(whole, trials.best.links),
                 of_errata.corrections(slips, links),
+                made,
             ],
             footer=f"{report.PAPER}. Computed and written by cotouch {__version__}.",
         )

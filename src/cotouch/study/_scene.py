@@ -16,7 +16,7 @@ STEPS = (2e-3, 6e-3)
 # s: how long the hands take to get where they go, when they let go, and the end.
 REACHED, RELEASE, DURATION = 1.0, 8.0, 12.0
 FRAMES = 2.0  # Hz
-_SEED = 3
+SEED = 3
 
 # In words, for the report.
 DEVICES = (
@@ -52,8 +52,8 @@ def scene(network: Network, mode: Mode, *, shape: tuple[int, int, int] = SHAPE, 
             "ground_stiffness": GROUND / (shape[0] * shape[1]),
         },
         steps={"duration": DURATION, "random": {"low": STEPS[0], "high": STEPS[1]}},
-        seed=_SEED,
-        synchronisation={"mode": mode, "damping": "rule", "scale": scale},
+        seed=SEED,
+        synchronisation={"mode": mode, "damping": "rule", "damping_scale": scale},
         tools=tools(shape),
         solver={"tolerance": 1e-9},
         record={"nodes": [1], "frames": FRAMES},

@@ -6,6 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch import drawing
+from cotouch.arrays import Float
 from cotouch.study._blocks import Blocks
 from cotouch.study._scene import DURATION, RELEASE
 from cotouch.study._solid import BELOW, Solid
@@ -14,7 +15,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-Float = npt.NDArray[np.float64]
 Int = npt.NDArray[np.int64]
 
 # The eye: from the front, the left and above [degrees]; user 4 is at the back.

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, final
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.network import Network
 from cotouch.scenario import Scenario
 from cotouch.simulation import at_times, simulate
@@ -15,7 +15,6 @@ from cotouch.study._data import START, free
 if TYPE_CHECKING:
     import xarray as xr
 
-Float = npt.NDArray[np.float64]
 
 _STIFFNESS = 100.0  # N/m: the object's own spring to the ground where it has one
 _REST = 0.02  # m: its rest x_d, off zero so that a lost x_d would show
@@ -24,7 +23,7 @@ _EXTRA = 2.0  # Ns/m
 _BRAKE = 100.0
 _PUSHES = (3.0, 2.0)  # N: of two users together
 _NODES = 4
-_SEED = 7
+SEED = 7
 # Links this many times stiffer, for the consequence that needs "perfect synchronisation".
 _STIFFER = (1.0, 10.0, 100.0)
 
@@ -162,7 +161,7 @@ def theorem(network: Network, *, period: float, corners: int = CORNERS) -> Theor
         ),
         Claim(
             item="Item 1",
-            text="The worst of these mixtures, played: work of the hands by the books of the run",
+            text="The worst of these mixtures, played: work of the hands by the ledger of the run",
             measured=attack.worked,
             unit="J",
             sign="≥",
@@ -179,7 +178,7 @@ def theorem(network: Network, *, period: float, corners: int = CORNERS) -> Theor
         ),
         Claim(
             item="Item 1",
-            text="Books balance in all these runs: residual relative to the energy in play",
+            text="The ledger balances in all these runs: residual relative to the energy in play",
             measured=max(float(run.attrs["energy_residual"]) for run in runs),
             unit="",
             sign="≤",
@@ -274,7 +273,7 @@ def _restless(network: Network, period: float) -> Scenario:
     hands = [{"user": i + 1, "stiffness": 0.0, "damping": _BRAKE} for i in range(network.size)]
     base = free(network, duration=20.0, period=period, hands=hands)
     steps = {"duration": 20.0, "random": {"low": period / 2, "high": 2 * period}}
-    return base.replace(seed=_SEED, steps=steps)
+    return base.replace(seed=SEED, steps=steps)
 
 
 def _released(network: Network, period: float) -> "tuple[dict[str, xr.Dataset], dict[str, Float]]":
@@ -309,7 +308,7 @@ def _imbalance(run: "xr.Dataset") -> float:
 
 def _chain(network: Network, period: float, *, ground: bool) -> Scenario:
     """A chain whose copies start deformed, each in its own way."""
-    rng = np.random.default_rng(_SEED)
+    rng = np.random.default_rng(SEED)
     body = {"kind": "chain", "nodes": _NODES, "stiffness": 500.0, "damping": 2.0, "mass": 1.0}
     if ground:
         body |= {"ground": [1], "ground_stiffness": 500.0}

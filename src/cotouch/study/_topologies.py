@@ -3,14 +3,11 @@
 from dataclasses import dataclass
 from typing import Any, Literal, TypeAlias, final
 
-import numpy as np
-import numpy.typing as npt
-
+from cotouch.arrays import Float
 from cotouch.network import Network, Pair
 from cotouch.planning import survey
 from cotouch.study._data import names
 
-Float = npt.NDArray[np.float64]
 Objective: TypeAlias = Literal["equation", "matrix", "decay"]
 
 LINKS = 6

@@ -49,9 +49,28 @@ class PageAddress:
         """Whether only this machine can reach it."""
         return is_loopback(self.socket.getsockname()[0])
 
+    @property
+    def elsewhere(self) -> str | None:
+        """Of the page as other devices find it, without the token; None if only this machine can reach it."""
+        if self.local:
+            return None
+        everywhere = self.listen.strip("[]") in {"0.0.0.0", "::"}  # noqa: S104 - compared, not bound
+        plain = _outward() if everywhere else self.listen.strip("[]")
+        return None if plain is None else f"http://{f'[{plain}]' if ':' in plain else plain}:{self.port}/"
+
     def close(self) -> None:
         """Gives the port back."""
         self.socket.close()
+
+
+def _outward() -> str | None:
+    """The address by which this machine reaches others; nothing is sent to find it."""
+    try:
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+            probe.connect(("192.0.2.1", 9))  # an address of documentation (RFC 5737)
+            return str(probe.getsockname()[0])
+    except OSError:
+        return None
 
 
 def _bound(listen: str, port: int | None) -> socket.socket:

@@ -10,15 +10,16 @@ from starlette.applications import Starlette
 from starlette.concurrency import run_in_threadpool
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.requests import Request
-from starlette.responses import PlainTextResponse, Response
+from starlette.responses import PlainTextResponse, Response, StreamingResponse
 from starlette.routing import Route, WebSocketRoute
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from cotouch.errors import PageError
 from cotouch.web._access import HEADERS, Access
+from cotouch.web._archive import zipped
 from cotouch.web._hub import MOST_PAGES, Hub
 from cotouch.web._page import Page
-from cotouch.web._protocol import Hello, Taken, read_binary, read_text
+from cotouch.web._protocol import FrameReceipt, Hello, read_binary, read_text
 
 if TYPE_CHECKING:
     from starlette.types import ASGIApp, Message, Receive, Scope, Send
@@ -102,7 +103,7 @@ class _Routes:
         """A file of the page, by its plain name."""
         name = request.path_params.get("name", "index.html")
         path = self._static / name
-        if "/" in name or "\\" in name or name.startswith(".") or path.suffix not in _KINDS or not path.is_file():
+        if not (name[:1] != "." and path.suffix in _KINDS and name in {file.name for file in self._static.iterdir()}):
             return PlainTextResponse("there is no such file\n", 404)
         content = path.read_bytes()
         tag = f'"{hashlib.sha256(content).hexdigest()[:32]}"'
@@ -121,26 +122,33 @@ class _Routes:
         """The last recording."""
         if not self._access.token_right(request.query_params.get("token")):
             return _no_token()
-        archive = await run_in_threadpool(self._hub.stage.recorded)
-        if archive is None:
+        if request.method == "HEAD":  # asked whether it is there, before it is fetched
+            state = (await run_in_threadpool(self._hub.api.overview)).recording.state
+            return Response(status_code=200 if state == "done" else 404, headers={"Cache-Control": "no-store"})
+        try:
+            paths = await run_in_threadpool(self._hub.api.recorded)
+            pieces = await run_in_threadpool(zipped, paths)
+        except OSError as error:
+            return PlainTextResponse(f"the recording cannot be read: {error.strerror or error}\n", 500)
+        if not paths:
             return PlainTextResponse("nothing was recorded yet\n", 404)
         headers = {"Content-Disposition": 'attachment; filename="cotouch-recording.zip"', "Cache-Control": "no-store"}
-        return Response(archive, media_type="application/zip", headers=headers)
+        return StreamingResponse(pieces, media_type="application/zip", headers=headers)
 
     async def qr(self, request: Request) -> Response:
-        """The invitation as a picture."""
+        """The page's address, as a picture that opens it on a phone; whoever scans it may act."""
         if not self._access.token_right(request.query_params.get("token")):
             return _no_token()
-        invitation = self._hub.scene.invitation
-        if invitation is None:
-            return PlainTextResponse("this session gives no invitation away here\n", 404)
+        address, user = self._hub.address, request.query_params.get("user", "1")
+        if address is None:
+            return PlainTextResponse("only this computer can open the page; see --page-listen\n", 404)
+        if user not in {str(number + 1) for number in range(len(self._hub.scene.users))}:
+            return PlainTextResponse("there is no such user\n", 404)
         import segno
 
         picture = io.BytesIO()
-        try:
-            segno.make_qr(invitation, error="l").save(picture, kind="svg", border=4, light="#fff", xmldecl=False)
-        except segno.DataOverflowError:
-            return PlainTextResponse("the invitation is too long for a QR code; copy the line\n", 404)
+        code = segno.make_qr(f"{address}?user={user}#token={self._access.token}", error="l")
+        code.save(picture, kind="svg", border=4, light="#fff", xmldecl=False)
         return Response(picture.getvalue(), media_type="image/svg+xml", headers={"Cache-Control": "no-store"})
 
     async def socket(self, socket: WebSocket) -> None:
@@ -172,6 +180,7 @@ class _Routes:
             message = await (waiting if page.hello is not None else asyncio.wait_for(waiting, _FIRST_WORD))
             if message["type"] != "websocket.receive":
                 return
+            hub.received(page)
             data, text = message.get("bytes"), message.get("text")
             if data is not None:
                 if not page.binary.take(clock()):
@@ -179,7 +188,7 @@ class _Routes:
                 read = read_binary(data)
                 if page.hello is None:
                     raise PageError("the first message must be a hello")
-                if isinstance(read, Taken):
+                if isinstance(read, FrameReceipt):
                     hub.acknowledged(page, read)
                 else:
                     hub.pointed(page, read)

@@ -1,10 +1,10 @@
-"""Who moves which user's pointer: of several pages that act for one seat, one."""
+"""Who moves which user's pointer: of several pages that act for one slot, one."""
 
 from collections import deque
 from dataclasses import replace
 from typing import Final, final
 
-from cotouch.session import CopyView, Pointer, Stage
+from cotouch.session import CopyView, Pointer, SessionApi
 from cotouch.web._page import Page
 from cotouch.web._protocol import PointerMessage
 
@@ -13,26 +13,26 @@ _KEPT: Final = 512  # pointers whose effect is still looked for
 
 @final
 class Control:
-    """Holds seats for pages, and passes pointers on.
+    """Holds slots for pages, and passes pointers on.
 
     The stage is told numbers that rise over all pages; what a page gets back are its own.
     """
 
-    def __init__(self, stage: Stage, nodes: list[int], beside: list[list[float]]) -> None:
+    def __init__(self, api: SessionApi, nodes: list[int], beside: list[list[float]]) -> None:
         """Begins with nobody in control.
 
         Args:
-            stage: that is told.
+            api: that is told.
             nodes: which node each drawn point hangs on most.
             beside: from that node to the point, at rest [m].
         """
-        self._stage, self._nodes, self._beside = stage, nodes, beside
-        self._own = frozenset(stage.scene.own)
+        self._api, self._nodes, self._beside = api, nodes, beside
+        self._own = frozenset(api.scene.own)
         self._holders: dict[int, Page] = {}
         self._waiting: dict[int, list[Page]] = {}
-        self._held: dict[int, Pointer] = {}  # by seat, where a pointer holds or pushes
+        self._held: dict[int, Pointer] = {}  # by slot, where a pointer holds or pushes
         self._number = 0
-        self._passed = {seat: deque[tuple[int, int, float, Page]](maxlen=_KEPT) for seat in self._own}
+        self._passed = {slot: deque[tuple[int, int, float, Page]](maxlen=_KEPT) for slot in self._own}
 
     @property
     def points(self) -> int:
@@ -41,52 +41,57 @@ class Control:
 
     def of(self, page: Page) -> str:
         """How it is for a page: "mine", "other" or "none"."""
-        holder = None if page.seat is None else self._holders.get(page.seat)
+        holder = None if page.slot is None else self._holders.get(page.slot)
         return "none" if holder is None else "mine" if holder is page else "other"
 
-    def free_for(self, page: Page, seat: int) -> bool:
-        """Whether no other page moves the pointer of this seat."""
-        return self._holders.get(seat, page) is page
+    def free_for(self, page: Page, slot: int) -> bool:
+        """Whether no other page moves the pointer of this slot.
+
+        Args:
+            page: whose.
+            slot: of a user.
+        """
+        return self._holders.get(slot, page) is page
 
     def enter(self, page: Page) -> None:
-        """A page begins to act for its seat; it has control if nobody else has."""
-        seat = page.seat
-        if seat is None or seat not in self._own or not page.acts:
+        """A page begins to act for its slot; it has control if nobody else has."""
+        slot = page.slot
+        if slot is None or slot not in self._own or not page.acts:
             return
-        if seat in self._holders:
-            self._waiting.setdefault(seat, []).append(page)
+        if slot in self._holders:
+            self._waiting.setdefault(slot, []).append(page)
         else:
-            self._holders[seat] = page
+            self._holders[slot] = page
 
     def leave(self, page: Page) -> None:
         """A page ends; the one that waits longest has control then."""
         for waiting in self._waiting.values():
             if page in waiting:
                 waiting.remove(page)
-        for seat in [seat for seat, holder in self._holders.items() if holder is page]:
-            self._let_go(seat)
-            del self._holders[seat]
-            if self._waiting.get(seat):
-                self._holders[seat] = self._waiting[seat].pop(0)
+        for slot in [slot for slot, holder in self._holders.items() if holder is page]:
+            self._let_go(slot)
+            del self._holders[slot]
+            if self._waiting.get(slot):
+                self._holders[slot] = self._waiting[slot].pop(0)
 
     def take(self, page: Page) -> bool:
         """A page takes the control over; whether there is anything to take."""
-        seat = page.seat
-        if seat is None or seat not in self._own:
+        slot = page.slot
+        if slot is None or slot not in self._own:
             return False
-        holder = self._holders.get(seat)
+        holder = self._holders.get(slot)
         if holder is not page:
-            self._let_go(seat)
-            waiting = self._waiting.setdefault(seat, [])
+            self._let_go(slot)
+            waiting = self._waiting.setdefault(slot, [])
             if page in waiting:
                 waiting.remove(page)
             if holder is not None:
                 waiting.insert(0, holder)
-            self._holders[seat] = page
+            self._holders[slot] = page
         return True
 
     def point(self, page: Page, message: PointerMessage, now: float) -> None:
-        """Passes a pointer on at once, if this page has control of that seat.
+        """Passes a pointer on at once, if this page has control of that slot.
 
         Args:
             page: that sent it.
@@ -96,8 +101,8 @@ class Control:
         Raises:
             SessionError: the stage does not take it.
         """
-        seat = message.seat
-        if self._holders.get(seat) is not page or page.seat != seat:
+        slot = message.slot
+        if self._holders.get(slot) is not page or page.slot != slot:
             return
         node, target = -1, message.target
         if message.mode == "grab":
@@ -114,42 +119,48 @@ class Control:
             radius=message.radius,
             stiffness=message.stiffness,
         )
-        self._stage.point(seat, pointer)
+        self._api.point(slot, pointer)
         self._number += 1
-        self._passed[seat].append((self._number, message.number, now, page))
-        self._held.pop(seat, None)
+        self._passed[slot].append((self._number, message.number, now, page))
+        self._held.pop(slot, None)
         if message.mode != "free":
-            self._held[seat] = pointer
+            self._held[slot] = pointer
 
     def repeat(self) -> None:
         """Tells the stage again where pointers are that stand still: a hand that hears nothing for long lets go."""
-        for seat, pointer in list(self._held.items()):
+        for slot, pointer in list(self._held.items()):
             self._number += 1
-            self._held[seat] = told = replace(pointer, number=self._number)
-            if self._passed[seat]:
-                _, theirs, came, whose = self._passed[seat][-1]
-                self._passed[seat].append((self._number, theirs, came, whose))
-            self._stage.point(seat, told)
+            self._held[slot] = told = replace(pointer, number=self._number)
+            if self._passed[slot]:
+                _, theirs, came, whose = self._passed[slot][-1]
+                self._passed[slot].append((self._number, theirs, came, whose))
+            self._api.point(slot, told)
 
     def echo(self, page: Page, view: CopyView | None, now: float) -> tuple[int, float]:
-        """Number of the newest pointer of this page that its copy has used, and how long ago it came [s]."""
-        if view is None or view.seat != page.seat or view.seat not in self._passed:
+        """Number of the newest pointer of this page that its copy has used, and how long ago it came [s].
+
+        Args:
+            page: whose.
+            view: what the copy shows; None: nothing yet.
+            now: time [s].
+        """
+        if view is None or view.slot != page.slot or view.slot not in self._passed:
             return 0, 0.0
-        passed = self._passed[view.seat]
+        passed = self._passed[view.slot]
         for k in range(len(passed) - 1, -1, -1):
             number, theirs, came, whose = passed[k]
-            if number <= view.heard and whose is page:
+            if number <= view.received and whose is page:
                 return theirs, now - came
         return 0, 0.0
 
     def release(self) -> None:
         """Lets go of everything that a page holds."""
-        for seat in list(self._held):
-            self._let_go(seat)
+        for slot in list(self._held):
+            self._let_go(slot)
 
-    def _let_go(self, seat: int) -> None:
+    def _let_go(self, slot: int) -> None:
         """So that no hand goes on holding where nobody leads it."""
-        if seat in self._held:
-            del self._held[seat]
+        if slot in self._held:
+            del self._held[slot]
             self._number += 1
-            self._stage.point(seat, Pointer(number=self._number, mode="free", node=-1, target=(0.0, 0.0, 0.0)))
+            self._api.point(slot, Pointer(number=self._number, mode="free", node=-1, target=(0.0, 0.0, 0.0)))

@@ -57,35 +57,35 @@ class FrameEncoder:
         """Works out what is drawn of the wanted copies.
 
         Args:
-            views: newest of every copy, by seat.
-            wanted: seats; of others nothing is kept.
+            views: newest of every copy, by slot.
+            wanted: slots; of others nothing is kept.
         """
-        seats = [seat for seat in sorted(views) if seat in wanted]
+        slots = [slot for slot in sorted(views) if slot in wanted]
         known = self._known
-        self._known = {seat: known[seat] for seat in seats if seat in known}
-        fresh = [seat for seat in seats if seat not in known or known[seat][0] is not views[seat]]
+        self._known = {slot: known[slot] for slot in slots if slot in known}
+        fresh = [slot for slot in slots if slot not in known or known[slot][0] is not views[slot]]
         if not fresh:
             return
-        fields = [views[seat].displacement for seat in fresh]
-        if self._rescaled(max(_size(views[seat].displacement) for seat in seats)):
-            fresh, fields = seats, [views[seat].displacement for seat in seats]
-        for seat, block in zip(fresh, self._drawn(fields), strict=True):
-            self._known[seat] = (views[seat], block)
+        fields = [views[slot].displacement for slot in fresh]
+        if self._rescaled(max(_size(views[slot].displacement) for slot in slots)):
+            fresh, fields = slots, [views[slot].displacement for slot in slots]
+        for slot, block in zip(fresh, self._drawn(fields), strict=True):
+            self._known[slot] = (views[slot], block)
 
     def frame(
-        self, seats: Collection[int], *, number: int, time: float, start: float, echo: int = 0, waited: float = 0.0
+        self, slots: Collection[int], *, number: int, time: float, start: float, echo: int = 0, waited: float = 0.0
     ) -> bytes:
         """One frame.
 
         Args:
-            seats: whose copies to show, of those handed to `update`.
+            slots: whose copies to show, of those handed to `update`.
             number: of the frame.
             time: now, by the clock of the copies [s].
             start: what the frame's time counts from [s].
             echo: number of the newest pointer that the page's copy has used.
             waited: since that pointer came [s].
         """
-        shown = [(view, block) for seat, (view, block) in self._known.items() if seat in seats]
+        shown = [(view, block) for slot, (view, block) in self._known.items() if slot in slots]
         waited_us = min(max(int(1e6 * waited), 0), 0xFFFF_FFFF)
         parts: list[bytes] = [
             HEADER.pack(_FRAME, VERSION, len(shown), number, time - start, self.points, self.scale, echo, waited_us)
@@ -132,10 +132,10 @@ def _about(view: CopyView, time: float) -> bytes:
     hand = view.hands[0] if view.hands else None
     flags = (DIRECT if view.direct else 0) | (HAS_HAND if hand is not None else 0)
     age = max(time - view.time, 0.0)
-    books = (view.energy, view.supplied, view.lost, view.linked)
+    ledger = (view.energy, view.supplied, view.lost, view.linked)
     if hand is None:
         mode = mode_index("free")
-        return COPY.pack(view.seat, mode, flags, 0, age, *_NOWHERE, *_NOWHERE, *_NOWHERE, 0.0, *books, -1)
+        return COPY.pack(view.slot, mode, flags, 0, age, *_NOWHERE, *_NOWHERE, *_NOWHERE, 0.0, *ledger, -1)
     vectors = (*hand.target.tolist(), *hand.place.tolist(), *hand.force.tolist())
     count = min(len(view.hands), 255)
-    return COPY.pack(view.seat, mode_index(hand.mode), flags, count, age, *vectors, hand.radius, *books, hand.node)
+    return COPY.pack(view.slot, mode_index(hand.mode), flags, count, age, *vectors, hand.radius, *ledger, hand.node)

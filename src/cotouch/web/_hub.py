@@ -5,18 +5,18 @@ import contextlib
 import json
 import secrets
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Coroutine, Mapping
 from concurrent.futures import ThreadPoolExecutor
-from typing import Final, final
+from typing import Any, Final, final
 
 from cotouch import __version__
 from cotouch.errors import CotouchError, PageError
-from cotouch.session import CopyView, Stage
+from cotouch.session import CopyView, SessionApi
 from cotouch.web._access import Access
 from cotouch.web._control import Control
 from cotouch.web._frames import FrameEncoder
 from cotouch.web._page import Page
-from cotouch.web._protocol import VERSION, Do, Hello, PointerMessage, Taken
+from cotouch.web._protocol import VERSION, Do, FrameReceipt, Hello, PointerMessage
 from cotouch.web._scene import beside_nodes, nodes_of_points, scene_message, state_message
 
 MOST_PAGES: Final = 16
@@ -26,6 +26,9 @@ _STATE = 0.2  # between two states [s]
 _TOGETHER, _EARLY = 0.003, 0.0005
 _ASKED: Final = 8  # answers that one page may wait for at a time
 _COMPLAIN: Final = 1.0  # between two sentences on pointers that a stage does not take [s]
+# A page that runs acknowledges several frames a second, seen or not. One that says nothing for so long hangs, or its
+# network does: it holds nothing and lowers nothing any more [s].
+_SILENT: Final = 3.0
 _WATCH_ONLY = "this page may only watch: open the address with the token, as cotouch printed it"
 
 
@@ -35,26 +38,33 @@ class Hub:
 
     Attributes:
         scene: of the stage; does not change.
+        address: where other devices find the page, without the token; None: they do not.
         started: names this run of the server.
         frames: made so far.
     """
 
-    def __init__(self, stage: Stage, access: Access, *, clock: Callable[[], float] = time.monotonic) -> None:
+    def __init__(
+        self,
+        api: SessionApi,
+        access: Access,
+        *,
+        address: str | None = None,
+        clock: Callable[[], float] = time.monotonic,
+    ) -> None:
         """Prepares to serve a stage.
 
         Args:
-            stage: what is shown.
+            api: what is shown.
             access: who may act.
+            address: where other devices find the page, without the token; None: they do not.
             clock: that the stage's copies go by [s].
         """
-        self.stage, self.access, self.scene = stage, access, stage.scene
+        self.api, self.access, self.scene, self.address = api, access, api.scene, address
         self.started = secrets.token_hex(8)
         self.frames = 0
         self._clock, self._start = clock, clock()
         self._encoder = FrameEncoder(self.scene.body)
-        self._control = Control(
-            stage, nodes_of_points(self.scene.body).tolist(), beside_nodes(self.scene.body).tolist()
-        )
+        self._control = Control(api, nodes_of_points(self.scene.body).tolist(), beside_nodes(self.scene.body).tolist())
         self._period = 1.0 / (_RATE if self._encoder.points <= _BIG else _RATE_OF_BIG)
         self._pages: list[Page] = []
         self._scenes: dict[bool, str] = {}
@@ -62,8 +72,7 @@ class Hub:
         self._state_timer: asyncio.TimerHandle | None = None
         self._work = ThreadPoolExecutor(1, thread_name_prefix="cotouch-page-asks")
         self._tasks = set[asyncio.Task[None]]()
-        self._was_recording = True  # so that the first state looks for a recording
-        self._recorded = False
+        self._lowering: Page | None = None  # that has the damping lowered
         self._closed = False
 
     def enter(self, page: Page) -> bool:
@@ -77,6 +86,7 @@ class Hub:
         """A page is gone."""
         self._pages.remove(page)
         self._control.leave(page)
+        self._lapse(page)
         if not self._pages:
             for timer in (self._timer, self._state_timer):
                 if timer is not None:
@@ -86,19 +96,23 @@ class Hub:
     def hello(self, page: Page, message: Hello) -> None:
         """A page says what it is.
 
+        Args:
+            page: whose.
+            message: what the page said.
+
         Raises:
-            PageError: it is of another version, or acts for a seat that there is not.
+            PageError: it is of another version, or acts for a slot that there is not.
         """
         scene = self.scene
         if message.version != VERSION:
             raise PageError(
                 f"the page speaks version {message.version}, cotouch {__version__} version {VERSION}; reload"
             )
-        if message.seat is not None and message.seat >= len(scene.users):
-            raise PageError(f"the page's seat is {message.seat}; there are 0 to {len(scene.users) - 1}")
+        if message.slot is not None and message.slot >= len(scene.users):
+            raise PageError(f"the page's slot is {message.slot}; there are 0 to {len(scene.users) - 1}")
         acts = self.access.token_right(message.token)
         first = page.hello is None
-        if first or (message.seat, acts) != (page.seat, page.acts):
+        if first or (message.slot, acts) != (page.slot, page.acts):
             if not first:
                 self._control.leave(page)
             before, page.acts = page.acts, acts
@@ -114,12 +128,25 @@ class Hub:
 
     def _tell_scene(self, page: Page) -> None:
         if page.acts not in self._scenes:
-            told = scene_message(self.scene, version=__version__, started=self.started, acts=page.acts)
+            told = scene_message(
+                self.scene, version=__version__, started=self.started, acts=page.acts, page=self.address
+            )
             self._scenes[page.acts] = json.dumps(told)
         page.scene(self._scenes[page.acts])
 
+    def received(self, page: Page) -> None:
+        """A page said something."""
+        page.received = self._clock()
+        if page.lapsed:
+            page.lapsed = False
+            self._control.enter(page)
+
     def pointed(self, page: Page, message: PointerMessage) -> None:
         """A page moves its pointer.
+
+        Args:
+            page: whose.
+            message: what the page said.
 
         Raises:
             PageError: it points at something that is not drawn.
@@ -130,22 +157,32 @@ class Hub:
         if not page.acts:
             if not page.told_why:
                 page.told_why = True
-                page.tell(type="told", id=0, ok=False, text=_WATCH_ONLY)
+                page.tell(type="answer", id=0, ok=False, text=_WATCH_ONLY)
             return
         try:
             self._control.point(page, message, now)
         except CotouchError as error:
             if now - page.complained >= _COMPLAIN:
                 page.complained = now
-                page.tell(type="told", id=0, ok=False, text=str(error))
+                page.tell(type="answer", id=0, ok=False, text=str(error))
 
-    def acknowledged(self, page: Page, taken: Taken) -> None:
-        """A page has taken a frame."""
+    def acknowledged(self, page: Page, taken: FrameReceipt) -> None:
+        """A page has taken a frame.
+
+        Args:
+            page: whose.
+            taken: what the page said of it.
+        """
         page.acknowledged(taken, self._clock())
         self._schedule()
 
     def asked(self, page: Page, message: Do) -> None:
-        """A page asks for something; it is answered when it is done."""
+        """A page asks for something; it is answered when it is done.
+
+        Args:
+            page: whose.
+            message: what the page said.
+        """
         refused = self._refused(page, message)
         if refused is None and message.what == "control":
             took = self._control.take(page)
@@ -154,15 +191,13 @@ class Hub:
                 if took
                 else "this page acts for nobody here, so there is no control to take"
             )
-            page.tell(type="told", id=message.id, ok=took, text=text)
+            page.tell(type="answer", id=message.id, ok=took, text=text)
             self._show_state()
         elif refused is not None:
-            page.tell(type="told", id=message.id, ok=False, text=refused)
+            page.tell(type="answer", id=message.id, ok=False, text=refused)
         else:
             page.answering += 1
-            task = asyncio.get_running_loop().create_task(self._do(page, message))
-            self._tasks.add(task)
-            task.add_done_callback(self._tasks.discard)
+            self._spawn(self._do(page, message))
 
     async def farewell(self) -> None:
         """Tells every page how things are at the end; returns when all that was handed over is out."""
@@ -173,6 +208,8 @@ class Hub:
         """Lets go of everything; no page is let in any more."""
         self._closed = True
         self._control.release()
+        if self._lowering is not None:
+            self._lapse(self._lowering)
         self._work.shutdown(wait=False, cancel_futures=True)
 
     def _refused(self, page: Page, message: Do) -> str | None:
@@ -184,24 +221,55 @@ class Hub:
             return f'"{message.what}" cannot be done here; {", ".join(sorted(self.scene.may)) or "nothing"} can'
         if self._control.of(page) == "other":
             return "another page has the control; take it over first"
-        seat = message.arguments.get("seat")
-        if message.what == "hand" and isinstance(seat, int) and not self._control.free_for(page, seat):
-            return f"another page moves the hand of user {seat + 1}"
+        slot = message.arguments.get("slot")
+        if message.what == "hand" and isinstance(slot, int) and not self._control.free_for(page, slot):
+            return f"another page moves the hand of user {slot + 1}"
         if page.answering >= _ASKED:
             return f"{_ASKED} things are being done for this page already; wait until one is done"
         return None
 
+    def _lapse(self, page: Page) -> None:
+        """A page is gone, or no better: what it lowered is restored at once."""
+        if self._lowering is not page:
+            return
+        self._lowering = None
+        self.api.hold_damping(False)
+
+    def _watch_pages(self, now: float) -> None:
+        """Takes control from pages that hang, and goes on lowering for one that does not."""
+        for page in self._pages:
+            if page.hello is not None and not page.lapsed and now - page.received > _SILENT:
+                page.lapsed = True
+                self._control.leave(page)
+        page = self._lowering
+        if page is None:
+            return
+        if page.lapsed or not page.acts or self._control.of(page) == "other":
+            self._lapse(page)
+        else:
+            self.api.hold_damping(True)
+
+    def _spawn(self, work: Coroutine[Any, Any, None]) -> None:
+        task = asyncio.get_running_loop().create_task(work)
+        self._tasks.add(task)
+        task.add_done_callback(self._tasks.discard)
+
     async def _do(self, page: Page, message: Do) -> None:
         loop = asyncio.get_running_loop()
         try:
-            text = await loop.run_in_executor(self._work, self.stage.do, message.what, message.arguments)
+            text = await loop.run_in_executor(self._work, self.api.do, message.what, message.arguments)
             ok = True
         except CotouchError as error:
             ok, text = False, str(error)
         except Exception as error:  # noqa: BLE001 - a page must not wait for ever for whatever went wrong
             ok, text = False, f"{message.what} failed inside cotouch: {type(error).__name__}"
+        if ok and message.what == "damping":
+            fraction = message.arguments.get("fraction")
+            self._lowering = page if isinstance(fraction, int | float) and fraction < 1.0 else None
+            if page not in self._pages:  # it left meanwhile
+                self._lapse(page)
         page.answering -= 1
-        page.tell(type="told", id=message.id, ok=ok, text=text)
+        page.tell(type="answer", id=message.id, ok=ok, text=text)
         if self._pages:
             self._show_state()
 
@@ -226,16 +294,16 @@ class Hub:
         if any(page.due <= now + _EARLY for page in takes):
             due = [page for page in takes if page.due <= now + _TOGETHER]
             views = self._views()
-            wanted = {page: _seats(page, views) for page in due}
-            watched = set[int]().union(*(_seats(page, views) for page in self._pages if page.hello is not None))
+            wanted = {page: _slots(page, views) for page in due}
+            watched = set[int]().union(*(_slots(page, views) for page in self._pages if page.hello is not None))
             self._encoder.update(views, watched)
             now = self._clock()
             self.frames += 1
-            for page, seats in wanted.items():
-                view = None if page.seat is None else views.get(page.seat)
+            for page, slots in wanted.items():
+                view = None if page.slot is None else views.get(page.slot)
                 echo, waited = self._control.echo(page, view, now)
                 frame = self._encoder.frame(
-                    seats, number=self.frames, time=now, start=self._start, echo=echo, waited=waited
+                    slots, number=self.frames, time=now, start=self._start, echo=echo, waited=waited
                 )
                 page.offer(self.frames, frame, now)
         self._schedule()
@@ -243,7 +311,7 @@ class Hub:
     def _views(self) -> Mapping[int, CopyView]:
         """The newest copies; none while the session comes or goes."""
         try:
-            return self.stage.views()
+            return self.api.views()
         except (CotouchError, OSError):
             return {}
 
@@ -253,12 +321,10 @@ class Hub:
             self._state_timer.cancel()
         loop = asyncio.get_running_loop()
         self._state_timer = loop.call_later(_STATE, self._show_state)
+        self._watch_pages(self._clock())
         with contextlib.suppress(CotouchError):
             self._control.repeat()
-        overview = self.stage.overview()
-        if self._was_recording and overview.recording is None:
-            self._look_for_recording()
-        self._was_recording = overview.recording is not None
+        overview = self.api.overview()
         common = state_message(
             overview,
             self._views(),
@@ -266,7 +332,6 @@ class Hub:
             start=self._start,
             control="",
             pages=len(self._pages),
-            recorded=self._recorded,
         )
         told: dict[str, str] = {}
         for page in self._pages:
@@ -276,20 +341,10 @@ class Hub:
                     told[control] = json.dumps(common | {"control": control})
                 page.show(told[control])
 
-    def _look_for_recording(self) -> None:
-        async def look() -> None:
-            loop = asyncio.get_running_loop()
-            found = await loop.run_in_executor(self._work, self.stage.recorded)
-            self._recorded = found is not None
 
-        task = asyncio.get_running_loop().create_task(look())
-        self._tasks.add(task)
-        task.add_done_callback(self._tasks.discard)
-
-
-def _seats(page: Page, views: Mapping[int, CopyView]) -> frozenset[int]:
+def _slots(page: Page, views: Mapping[int, CopyView]) -> frozenset[int]:
     """Whose copies a page is sent."""
     hello = page.hello
     if hello is None:
         return frozenset()
-    return frozenset(views) if hello.want == "all" or hello.seat is None else frozenset({hello.seat})
+    return frozenset(views) if hello.want == "all" or hello.slot is None else frozenset({hello.slot})

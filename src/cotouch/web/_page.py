@@ -9,7 +9,7 @@ from typing import Any, Final, final
 from starlette.websockets import WebSocket
 
 from cotouch.web._access import Allowance
-from cotouch.web._protocol import Hello, Taken
+from cotouch.web._protocol import FrameReceipt, Hello
 
 IN_FLIGHT: Final = 2  # frames that were sent and not acknowledged
 _APART: Final = 0.65  # frames stay so far apart, whatever a screen asks for, in periods
@@ -26,6 +26,8 @@ class Page:
         hello: what it said first; None before.
         acts: whether it has the token.
         period: between frames [s].
+        received: when it said anything last [s].
+        lapsed: whether it was silent for so long that it lost control.
         due: when the next frame is [s].
         sent: when the last frame was [s].
         skipped: frames that were replaced by newer ones before they went out.
@@ -38,7 +40,8 @@ class Page:
     def __init__(self, socket: WebSocket) -> None:
         """Prepares a page that said nothing yet."""
         self.hello: Hello | None = None
-        self.acts = False
+        self.acts = self.lapsed = False
+        self.received = -float("inf")
         self.period = 1.0
         self.due = self.sent = 0.0
         self.skipped = 0
@@ -56,19 +59,23 @@ class Page:
         self.idle.set()
 
     @property
-    def seat(self) -> int | None:
+    def slot(self) -> int | None:
         """That it acts for."""
-        return None if self.hello is None else self.hello.seat
+        return None if self.hello is None else self.hello.slot
 
     def takes(self) -> bool:
         """Whether it may be sent another frame."""
         return self.hello is not None and len(self._numbers) < IN_FLIGHT
 
-    def acknowledged(self, taken: Taken, now: float) -> None:
+    def acknowledged(self, taken: FrameReceipt, now: float) -> None:
         """Takes note that frames up to this one arrived, and when the page's screen wants the next.
 
         Two clocks of 60 Hz that do not know of each other let what is shown wait for both. So a page says when a frame
         is just in time for its screen, and the first such time that is not too early counts.
+
+        Args:
+            taken: what the page said of it.
+            now: time [s].
         """
         while self._numbers and self._numbers[0] <= taken.number:
             self._numbers.popleft()
@@ -77,7 +84,13 @@ class Page:
             self.due = now + taken.wait + max(pictures, 0) * taken.every
 
     def offer(self, number: int, frame: bytes, now: float) -> None:
-        """Hands over the newest frame; one that still waits to go out is forgotten."""
+        """Hands over the newest frame; one that still waits to go out is forgotten.
+
+        Args:
+            number: of the frame.
+            frame: as it travels.
+            now: time [s].
+        """
         if self._frame is not None:
             self.skipped += 1
         self._frame = (number, frame)

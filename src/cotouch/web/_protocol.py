@@ -11,13 +11,13 @@ from cotouch.errors import PageError
 from cotouch.scenario import Table
 from cotouch.session import HAND_MODES, HandMode
 
-VERSION: Final = 1
+VERSION: Final = 2
 # kind, version, copies, number, time [s], points, scale [m], echo, since the echoed pointer came [µs]
 HEADER: Final = struct.Struct("<BBHIdIfII")
-# seat, mode, flags, hands, age [s], target, place, force (3 each), radius, energy, supplied, lost, linked, node
+# slot, mode, flags, hands, age [s], target, place, force (3 each), radius, energy, supplied, lost, linked, node
 COPY: Final = struct.Struct("<BBBBf3f3f3ffffffi")
 DIRECT, HAS_HAND = 1, 2
-# kind, seat, action, 0, number, point, target (3), radius, stiffness, client's time [ms]
+# kind, slot, action, 0, number, point, target (3), radius, stiffness, client's time [ms]
 _POINTER: Final = struct.Struct("<BBBBII3fffd")
 # kind, 0, number, until the next frame is to be made, between two pictures [ms]
 _ACK: Final = struct.Struct("<B3xIff")
@@ -29,7 +29,7 @@ _FAR, _STIFF = 1e4, 1e5
 _FASTEST, _SLOWEST = 1.0, 1e3
 MOST_BYTES: Final = 16_384  # of a message from a page: every pair of 32 users, written out, fits
 
-Seat = Annotated[int, Field(ge=0, le=255)]
+Slot = Annotated[int, Field(ge=0, le=255)]
 
 
 @final
@@ -37,7 +37,7 @@ class PointerMessage:
     """Where the pointer of a page is.
 
     Attributes:
-        seat: that it acts for.
+        slot: that it acts for.
         mode: "ball", "grab" or "free".
         number: the page's own, rising.
         point: index of the drawn point.
@@ -47,7 +47,7 @@ class PointerMessage:
         sent: by the page's clock [ms].
     """
 
-    __slots__ = ("mode", "number", "point", "radius", "seat", "sent", "stiffness", "target")
+    __slots__ = ("mode", "number", "point", "radius", "sent", "slot", "stiffness", "target")
 
     def __init__(self, message: bytes) -> None:
         """Reads one.
@@ -55,7 +55,7 @@ class PointerMessage:
         Raises:
             PageError: it is none.
         """
-        _, self.seat, action, zero, self.number, self.point, x, y, z, radius, stiffness, sent = _POINTER.unpack(message)
+        _, self.slot, action, zero, self.number, self.point, x, y, z, radius, stiffness, sent = _POINTER.unpack(message)
         if action >= len(_ACTIONS) or zero:
             raise PageError(f"the pointer's action is {action}; it must be 0, 1 or 2, and the byte after it 0")
         if not (abs(x) <= _FAR and abs(y) <= _FAR and abs(z) <= _FAR):
@@ -69,7 +69,7 @@ class PointerMessage:
         self.sent: float = sent
 
 
-class Taken(NamedTuple):
+class FrameReceipt(NamedTuple):
     """A page took a frame.
 
     Attributes:
@@ -91,27 +91,27 @@ class Hello(Table):
         type: "hello".
         version: of the protocol.
         token: that lets it act; None: it only watches.
-        seat: that it acts for; None: for nobody.
-        want: which copies it is sent: all, or that of its seat.
+        slot: that it acts for; None: for nobody.
+        want: which copies it is sent: all, or that of its slot.
         rate: of frames [1/s].
     """
 
     type: Literal["hello"]
     version: int
     token: Annotated[str, Field(max_length=200)] | None = None
-    seat: Seat | None = None
+    slot: Slot | None = None
     want: Literal["all", "mine"] = "all"
     rate: Annotated[float, Field(gt=0.0, le=240.0)] = 60.0
 
 
 @final
 class Do(Table):
-    """What a page asks for; the rest of the message are arguments of `Stage.do`.
+    """What a page asks for; the rest of the message are arguments of `SessionApi.do`.
 
     Attributes:
         type: "do".
         id: comes back with the answer.
-        what: see `Stage.do`; "control" is the server's own.
+        what: see `SessionApi.do`; "control" is the server's own.
         arguments: all other entries.
     """
 
@@ -124,7 +124,7 @@ class Do(Table):
 _DO_FIELDS = ("type", "id", "what")
 
 
-def read_binary(message: bytes) -> PointerMessage | Taken:
+def read_binary(message: bytes) -> PointerMessage | FrameReceipt:
     """A pointer, or which frame is acknowledged.
 
     Raises:
@@ -139,7 +139,7 @@ def read_binary(message: bytes) -> PointerMessage | Taken:
             raise PageError(
                 f"the next frame is wanted in {wait} ms, a picture every {every} ms; at most {_SLOWEST:.0f}"
             )
-        return Taken(number, 1e-3 * wait, 1e-3 * every)
+        return FrameReceipt(number, 1e-3 * wait, 1e-3 * every)
     raise PageError(f"a binary message of kind {kind} with {len(message)} bytes; pointers are 2, 40, acks 3, 16")
 
 

@@ -14,7 +14,7 @@ _EVENTS = 40  # of the last
 _MOST_EDGES = 60_000
 
 
-def scene_message(scene: Scene, *, version: str, started: str, acts: bool) -> dict[str, Any]:
+def scene_message(scene: Scene, *, version: str, started: str, acts: bool, page: str | None = None) -> dict[str, Any]:
     """The scene, as JSON's values.
 
     Args:
@@ -22,6 +22,7 @@ def scene_message(scene: Scene, *, version: str, started: str, acts: bool) -> di
         version: of cotouch.
         started: names this run of the server.
         acts: whether the page has the token; else it may do nothing and isn't told the invitation.
+        page: where other devices find the page, without the token; None: they do not.
     """
     body = scene.body
     rest = np.zeros((body.nodes, 3), np.float64)
@@ -35,11 +36,12 @@ def scene_message(scene: Scene, *, version: str, started: str, acts: bool) -> di
         "title": scene.title,
         "version": version,
         "dimension": body.dimension,
-        "users": [{"seat": seat, "name": name} for seat, name in enumerate(scene.users)],
+        "users": [{"slot": slot, "name": name} for slot, name in enumerate(scene.users)],
         "own": list(scene.own),
         "may": sorted(scene.may) if acts else [],
         "acts": acts,
         "invitation": scene.invitation if acts else None,
+        "page": page if acts else None,
         "nodes": {"count": body.nodes, "rest": _packed(rest, "<f4")},
         "skin": None
         if skin is None
@@ -82,7 +84,6 @@ def state_message(
     start: float,
     control: str,
     pages: int,
-    recorded: bool,
 ) -> dict[str, Any]:
     """How things are, as JSON's values.
 
@@ -93,36 +94,40 @@ def state_message(
         start: what times count from [s].
         control: "mine", "other" or "none".
         pages: how many watch.
-        recorded: whether a recording can be had.
     """
-    here = {entry.seat for entry in overview.roster.members}
+    here = {entry.slot for entry in overview.roster.members}
     members: dict[str, Any] = {}
     ends: dict[str, Any] = {}
-    for seat in sorted(here | set(overview.statuses) | set(overview.alive)):
-        status = overview.statuses.get(seat)
-        view = views.get(seat)
-        members[str(seat)] = (status or Status(seat=seat)).model_dump() | {
+    for slot in sorted(here | set(overview.statuses) | set(overview.alive)):
+        status = overview.statuses.get(slot)
+        view = views.get(slot)
+        members[str(slot)] = (status or Status(slot=slot)).model_dump() | {
             "known": status is not None,
-            "here": seat in here,
-            "alive": overview.alive.get(seat),
+            "here": slot in here,
+            "alive": overview.alive.get(slot),
             "hand": _told(view),
         }
         for link in () if status is None else status.links:
-            ends[f"{seat}-{link.seat}"] = link.model_dump()
+            ends[f"{slot}-{link.slot}"] = link.model_dump()
     return {
         "type": "state",
         "time": now - start,
+        "age": max(now - overview.time, 0.0),
         "members": members,
         "links": [list(pair) for pair in overview.roster.links],
         "ends": ends,
         "emulated": {
-            f"{to}-{of}": {"delay": way.delay, "jitter": way.jitter, "loss": way.loss, "cut": way.cut}
-            for (to, of), way in overview.emulated.items()
+            f"{to}-{of}": {
+                "delay": path_state.delay,
+                "jitter": path_state.jitter,
+                "loss": path_state.loss,
+                "cut": path_state.cut,
+            }
+            for (to, of), path_state in overview.emulated.items()
         },
         "choices": {name: [list(pair) for pair in pairs] for name, pairs in overview.choices.items()},
         "damping": overview.damping,
-        "recording": overview.recording,
-        "recorded": recorded,
+        "recording": overview.recording._asdict(),
         "events": [{"time": event.time - start, "text": event.text} for event in list(overview.events)[-_EVENTS:]],
         "verdict": judged(overview).as_json(),
         "control": control,

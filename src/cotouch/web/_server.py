@@ -15,11 +15,11 @@ from cotouch.web._address import PageAddress
 if TYPE_CHECKING:
     import uvicorn
 
-    from cotouch.session import Stage
+    from cotouch.session import SessionApi
     from cotouch.web._hub import Hub
 
 _STATIC: Final = Path(__file__).parent / "static"
-_START, _STOP = 10.0, 5.0  # patience [s]
+_START, _STOP = 60.0, 5.0  # patience; on a busy machine what is imported takes its time [s]
 _GRACE: Final = 0.5  # for pages that take no more [s]
 _PING: Final = 5.0  # a page that is gone without a word is noticed after about twice this [s]
 
@@ -41,7 +41,7 @@ class PageServer:
 
     def __init__(
         self,
-        stage: "Stage",
+        api: "SessionApi",
         *,
         at: PageAddress | None = None,
         listen: str = "127.0.0.1",
@@ -52,7 +52,7 @@ class PageServer:
         """Begins to serve; returns when the page can be opened.
 
         Args:
-            stage: what is shown; it is called from the server's thread.
+            api: what is shown; it is called from the server's thread.
             at: an address that was taken already; it is closed with the server. None: one is taken.
             listen: see `PageAddress`.
             port: see `PageAddress`.
@@ -69,7 +69,7 @@ class PageServer:
         self._ready = threading.Event()
         self._closing = threading.Event()
         self._thread = threading.Thread(
-            target=self._run, args=(stage, static or _STATIC), name="cotouch-page", daemon=True
+            target=self._run, args=(api, static or _STATIC), name="cotouch-page", daemon=True
         )
         self._thread.start()
         if not self._ready.wait(_START):
@@ -102,21 +102,22 @@ class PageServer:
     def __exit__(self, *error: object) -> None:
         self.close()
 
-    def _run(self, stage: "Stage", static: Path) -> None:
+    def _run(self, api: "SessionApi", static: Path) -> None:
         import uvicorn
 
         from cotouch.web._app import application
+        from cotouch.web._connection import BoundedConnection
         from cotouch.web._hub import Hub
         from cotouch.web._protocol import MOST_BYTES
 
         # What goes wrong is told to the page that caused it; requests are not logged, because some carry the token.
         for name in ("uvicorn.error", "uvicorn.access"):
             logging.getLogger(name).setLevel(logging.CRITICAL)
-        hub = Hub(stage, self._access)
+        hub = Hub(api, self._access, address=self._at.elsewhere)
         config = uvicorn.Config(
             application(hub, self._access, static),
             loop="asyncio",
-            http="h11",
+            http=BoundedConnection,
             ws="websockets-sansio",
             ws_max_size=MOST_BYTES,
             ws_per_message_deflate=False,
@@ -127,7 +128,6 @@ class PageServer:
             access_log=False,
             proxy_headers=False,
             server_header=False,
-            limit_concurrency=64,
             timeout_graceful_shutdown=1,
         )
         server = uvicorn.Server(config)

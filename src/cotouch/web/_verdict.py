@@ -6,7 +6,7 @@ from typing import Any, Literal, final
 
 from cotouch.session import LinkStatus, Overview, Status
 
-# As in the books of a session: a residual above this share is no round-off; and joules that are.
+# As in the ledger of a session: a residual above this share is no round-off; and joules that are.
 _ALARM = 1e-9
 _ROUND_OFF = 1e-9
 _NARROW = 0.05  # share to spare below which it is worth a warning
@@ -19,7 +19,7 @@ class Verdict:
 
     Attributes:
         level: good: passive, with something to spare; warn: passive, but look; bad: not passive, or not known to be.
-        text: why, in a sentence.
+        text: why, in a few words; "safe" is passive.
     """
 
     level: Literal["good", "warn", "bad"]
@@ -31,13 +31,13 @@ class Verdict:
 
 
 def judged(overview: Overview) -> Verdict:
-    """Judges by what members said last: their books, their damping, and the ages that it covers.
+    """Judges by what members said last: their ledger, their damping, and the ages that it covers.
 
     Args:
         overview: of a stage.
     """
-    names = {entry.seat: entry.name for entry in overview.roster.members}
-    known = [status for seat, status in sorted(overview.statuses.items()) if seat in names and status.steps]
+    names = {entry.slot: entry.name for entry in overview.roster.members}
+    known = [status for slot, status in sorted(overview.statuses.items()) if slot in names and status.steps]
     if overview.ended:
         return Verdict("warn", "the session is over")
     if not known:
@@ -46,61 +46,63 @@ def judged(overview: Overview) -> Verdict:
 
 
 def _broken(known: Sequence[Status], names: dict[int, str]) -> Verdict | None:
-    """Books that do not balance, or energy from nowhere."""
+    """A ledger that does not balance, or energy from nowhere."""
     for status in known:
         if status.alarms or status.residual > _ALARM:
             off = f"{status.residual:.0e} of the energy in play"
-            return Verdict("bad", f"the energy books of {names[status.seat]} are off by {off}: do not trust this copy")
-    margin = sum(status.supplied + status.initial for status in known)
+            return Verdict("bad", f"the energy ledger of {names[status.slot]} is off by {off}: do not trust this copy")
+    margin = sum(status.supplied + status.initial + status.initial_energies for status in known)
     if margin < -_ROUND_OFF:
-        return Verdict("bad", f"not passive: {-margin:.3g} J came out that nobody put in")
+        return Verdict("bad", f"not safe: {-margin:.3g} J came out that nobody put in")
     return None
 
 
-def _short(known: Sequence[Status], names: dict[int, str], share: float) -> Verdict | None:
+def _short(known: Sequence[Status], names: dict[int, str], fraction: float) -> Verdict | None:
     """Damping that does not cover what links may come to."""
-    if share < 1.0:
-        lowered = _percent(share) if share >= 0.01 else f"{100.0 * share:.2g} %"
-        return Verdict("bad", f"not passive: the damping is lowered to {lowered} of what the delays need")
-    lacking = [(status.certificate, status.seat) for status in known if status.certificate is not None]
-    least, seat = min(lacking, default=(0.0, -1))
+    if fraction < 1.0:
+        lowered = _percent(fraction) if fraction >= 0.01 else f"{100.0 * fraction:.2g} %"
+        return Verdict("bad", f"not safe: damping lowered to {lowered}")
+    lacking = [(status.certificate, status.slot) for status in known if status.certificate is not None]
+    least, slot = min(lacking, default=(0.0, -1))
     if least < -_ALARM:
-        return Verdict("bad", f"not passive: {names[seat]} has {_percent(-least)} less damping than the delays need")
+        return Verdict("bad", f"not safe: {names[slot]} has {_percent(-least)} less damping than the delays need")
     return None
 
 
 def _links(known: Sequence[Status]) -> Verdict:
     """The narrowest link."""
-    ends = [(status.seat, link) for status in known for link in status.links]
-    held = [_name(seat, link) for seat, link in ends if link.state == "guarded"]
+    ends = [(status.slot, link) for status in known for link in status.links]
+    held = sorted({_name(slot, link) for slot, link in ends if link.state == "guarded"})
     if held:
-        return Verdict(
-            "warn", f"passive: link {held[0]} is held back until its damping covers how late its samples are"
-        )
+        which = f"link {held[0]}" if len(held) == 1 else f"{len(held)} links"
+        return Verdict("warn", f"safe: {which} paused, network slow")
     spare = [
-        (1.0 - link.ages / link.budget, _name(seat, link))
-        for seat, link in ends
+        (1.0 - link.ages / link.budget, _name(slot, link))
+        for slot, link in ends
         if link.state == "coupled" and link.ages is not None and link.budget
     ]
-    joining = [_name(seat, link) for seat, link in ends if link.state not in {"coupled", "guarded"}]
+    joining = [_name(slot, link) for slot, link in ends if link.state not in {"coupled", "guarded"}]
     if not spare:
         if joining:
-            return Verdict("warn", f"passive: link {joining[0]} is being joined")
-        return Verdict("good", "passive: there are no links yet that could add energy")
+            return Verdict("warn", f"safe: link {joining[0]} is connecting")
+        laws = sorted({link.law for _, link in ends} - {"spring"})
+        if laws:
+            return Verdict("good", f"safe: law {laws[0]} needs no damping")
+        return Verdict("good", "safe: no links yet")
     least, name = min(spare)
     if least < 0.0:
-        return Verdict("warn", f"passive: link {name} is later than its damping covers and will be held back")
-    text = f"passive: {_percent(least)} to spare on link {name}"
+        return Verdict("warn", f"safe: link {name} is late and may pause")
+    text = f"safe: {_percent(least)} to spare on link {name}"
     if joining:
-        return Verdict("warn", f"{text}; link {joining[0]} is being joined")
+        return Verdict("warn", f"{text}; link {joining[0]} is connecting")
     return Verdict("good" if least >= _NARROW else "warn", text)
 
 
-def _name(seat: int, link: LinkStatus) -> str:
-    a, b = sorted((seat, link.seat))
+def _name(slot: int, link: LinkStatus) -> str:
+    a, b = sorted((slot, link.slot))
     return f"{a + 1}–{b + 1}"
 
 
-def _percent(share: float) -> str:
+def _percent(fraction: float) -> str:
     """For people; never 0 % or 100 % by rounding."""
-    return f"{min(max(round(100.0 * share), 1 if share > 0.0 else 0), 99 if share < 1.0 else 100)} %"
+    return f"{min(max(round(100.0 * fraction), 1 if fraction > 0.0 else 0), 99 if fraction < 1.0 else 100)} %"

@@ -14,7 +14,8 @@
 #include <unistd.h>
 
 enum fault {
-  NO_FAULT = 0, UNPLUGGED = 1, NOT_A_NUMBER = 2, FROZEN = 3, SLOW = 4, TAKEN_AWAY = 5, REFUSED = 6, SILENT = 7, SAFETY = 8
+  NO_FAULT = 0, UNPLUGGED = 1, NOT_A_NUMBER = 2, FROZEN = 3, SLOW = 4, TAKEN_AWAY = 5, REFUSED = 6, SILENT = 7, SAFETY = 8,
+  TIME_GUARD = 18
 };
 
 struct board {
@@ -39,6 +40,14 @@ struct board {
   int32_t sets;        /* 172 forces set so far */
   char said[64];       /* 176 the last violation */
   double stamp;        /* 240 of position and velocity [s] */
+  int32_t styles;      /* 248 of calibration, as a mask; 0: by the inkwell */
+  int32_t protect;     /* 252 protections of the library that are on, bit 0 to 2 */
+  int32_t gravity;     /* 256 it is compensated */
+  int32_t asked;       /* 260 how often the status was asked */
+  int32_t pushes;      /* 264 forces set so far that were not zero */
+  int32_t force_button;/* 268 of the force button: odd while it keeps forces away */
+  int32_t emulated;    /* 272 a closed gripper counts as a button */
+  int32_t offset;      /* 276 what drdOpenID returns beyond the index */
 };
 
 static double now(void) {

@@ -8,6 +8,7 @@ int main(int count, char **arguments) {
   int log = open(arguments[2], O_WRONLY | O_CREAT | O_APPEND, 0600);
   if (!b || log < 0) return 2;
   const double mass = 0.8, damping = 6.45, stiffness = 135.0, radius = 0.03, turn = 6.283185307;
+  int pressed = 0, off = 0;
   double x[3] = {0, 0, 0}, v[3] = {0, 0, 0}, begun = now(), then = begun;
   while (!b->stop && now() - begun < 120.0) {
     double t = now();
@@ -16,6 +17,12 @@ int main(int count, char **arguments) {
       if (b->struck == 0.0) b->struck = t;
       b->enabled = 0;
       b->cause = (int32_t)b->value;
+    }
+    /* The force button takes force away at one press and gives it back at the next. */
+    if (b->force_button != pressed) {
+      pressed = b->force_button;
+      if (pressed % 2) { off = b->enabled; b->enabled = 0; b->cause = 1; }
+      else { b->enabled = off; b->cause = 0; }
     }
     if (b->enabled && b->watchdog > 0.0 && t - b->commanded > b->watchdog) { b->enabled = 0; b->cause = 3; }
     double record[4] = {t, 0, 0, 0};

@@ -35,7 +35,7 @@ HHD hdInitDevice(const char *name) {
   if (!b || b->fault == UNPLUGGED || (name && strcmp(name, "Default Device"))) { raise_error(0x0300); return 0xFFFFFFFF; }
   if (taken(b)) { raise_error(0x0301); return 0xFFFFFFFF; }
   b->open = getpid();
-  b->enabled = 0;
+  b->protect = 0; /* forces stay as they were left, which may be on */
   count = framed = 0;
   return 1;
 }
@@ -43,7 +43,9 @@ void hdMakeCurrentDevice(HHD device) { if (device != 1) raise_error(0x0104); }
 const char *hdGetString(HDenum what) { return what == 0x2501 ? "Touch" : ""; }
 
 void hdEnable(HDenum what) {
+  if (what >= 0x4001 && what <= 0x4003) b->protect |= 1 << (what - 0x4001);
   if (what != 0x4000) return;
+  if (b->protect != 7) violated(b, "hdEnable: force without clamping, ramping, limit");
   for (int a = 0; a < 3; a++) b->force[a] = 0.0;
   b->commanded = now();
   b->enabled = 1;
@@ -96,7 +98,7 @@ void hdGetDoublev(HDenum what, double *out) {
 }
 void hdGetIntegerv(HDenum what, int *out) {
   if (what == 0x2000) *out = b->buttons;
-  else if (what == 0x2555) *out = 4;
+  else if (what == 0x2555) *out = b->styles ? b->styles : 4;
   else raise_error(0x0100);
 }
 void hdSetDoublev(HDenum what, const double *in) {
@@ -111,8 +113,11 @@ HDenum hdCheckCalibration(void) {
   return b->initialized == 1 ? 0x5000 : b->initialized == 2 ? 0x5001 : 0x5002;
 }
 void hdUpdateCalibration(HDenum style) {
-  if (b->initialized == 2 && style == 4) b->initialized = 1;
-  else violated(b, "hdUpdateCalibration");
+  int styles = b->styles ? b->styles : 4;
+  if ((style & (style - 1)) || !(style & (HDenum)styles)) violated(b, "hdUpdateCalibration: one style that it has");
+  else if (b->enabled) violated(b, "hdUpdateCalibration: with force");
+  else if (b->initialized == 2 || style == 1) { b->initialized = 1; b->asked++; }
+  else violated(b, "hdUpdateCalibration: not yet");
 }
 
 static void *schedule(void *unused) {
@@ -136,6 +141,7 @@ void hdUnschedule(unsigned long handle) {
 void hdStartScheduler(void) {
   if (running) { violated(b, "hdStartScheduler: runs already"); return; }
   running = 1;
+  b->cause = b->enabled; /* whether its motors were on when its servo began */
   ran = pthread_create(&thread, NULL, schedule, NULL) == 0;
 }
 void hdStopScheduler(void) {

@@ -11,9 +11,9 @@ static double held[3], moving[3];
 
 static volatile struct board *device(void) { return b; }
 
-/* Every call that names a device: -1 if it cannot be reached. */
+/* Every call that names a device must name what drdOpenID returned: -1 if it cannot be reached. */
 static int reach(char ID, const char *name) {
-  if (!device() || ID != 0 || b->open != getpid()) {
+  if (!device() || ID != b->offset || b->open != getpid()) {
     violated(b, name);
     last = "invalid device";
     return -1;
@@ -37,14 +37,13 @@ int drdOpenID(char ID) {
   if (taken(b) && b->open == getpid()) violated(b, "drdOpenID: open already");
   if (taken(b)) { last = "device is already in use by another application"; return -1; }
   b->open = getpid();
-  b->enabled = 0;
-  b->cause = 0;
-  return 0;
+  b->gravity = b->emulated = 0; /* forces stay as they were left, which may be on */
+  b->commanded = now();
+  return b->offset;
 }
 
 int drdClose(char ID) {
-  if (!device() || !b->open) { violated(b, "drdClose"); last = "invalid device"; return -1; }
-  (void)ID;
+  if (!device() || !b->open || ID != b->offset) { violated(b, "drdClose"); last = "invalid device"; return -1; }
   b->open = 0;
   b->enabled = 0;
   for (int a = 0; a < 3; a++) b->force[a] = 0.0;
@@ -57,6 +56,8 @@ int drdAutoInit(char ID) {
   if (reach(ID, "drdAutoInit")) return -1;
   if (b->fault == REFUSED) { last = "cannot find the index of an encoder"; return -1; }
   b->initialized = 1;
+  b->enabled = 1; /* it regulates, and its motors stay on when it ends */
+  b->commanded = now();
   return 0;
 }
 int drdStop(bool force, char ID) {
@@ -90,6 +91,7 @@ int dhdSetVelocityThreshold(unsigned val, char ID) {
 }
 int dhdGetVelocityThreshold(unsigned *val, char ID) {
   if (reach(ID, "dhdGetVelocityThreshold")) return -1;
+  if (!expert) { violated(b, "dhdGetVelocityThreshold: expert mode is off"); last = "expert mode disabled"; return -1; }
   *val = threshold;
   return 0;
 }
@@ -98,7 +100,18 @@ int dhdSetMaxForce(double f, char ID) {
   b->max_force = f;
   return 0;
 }
-int dhdSetGravityCompensation(int val, char ID) { (void)val; return reach(ID, "dhdSetGravityCompensation"); }
+int dhdSetGravityCompensation(int val, char ID) {
+  if (reach(ID, "dhdSetGravityCompensation")) return -1;
+  b->gravity = val;
+  return 0;
+}
+int dhdEmulateButton(unsigned char val, char ID) {
+  if (reach(ID, "dhdEmulateButton")) return -1;
+  int grips = b->system == 35 || b->system == 37 || (b->system >= 102 && b->system <= 105) || b->system == 209;
+  if (!grips) { last = "command not available on this device"; return -1; }
+  b->emulated = val;
+  return 0;
+}
 int dhdEnableForce(unsigned char val, char ID) {
   if (reach(ID, "dhdEnableForce")) return -1;
   if (val) { for (int a = 0; a < 3; a++) b->force[a] = 0.0; b->commanded = now(); b->cause = 0; }
@@ -115,13 +128,13 @@ int dhdGetPosition(double *px, double *py, double *pz, char ID) {
   if (reach(ID, "dhdGetPosition")) return -1;
   if (faulty(b, SLOW)) rest(b->value);
   double *out[3] = {px, py, pz};
-  int frozen = faulty(b, FROZEN);
+  int frozen = faulty(b, FROZEN) || faulty(b, TIME_GUARD);
   for (int a = 0; a < 3; a++) {
     if (!frozen) held[a] = place(b, a);
     *out[a] = held[a];
   }
   if (faulty(b, NOT_A_NUMBER)) *px = NAN;
-  return 0;
+  return faulty(b, TIME_GUARD) ? 1 : 0;
 }
 int dhdGetLinearVelocity(double *vx, double *vy, double *vz, char ID) {
   if (reach(ID, "dhdGetLinearVelocity")) return -1;
@@ -142,6 +155,7 @@ int dhdSetForce(double fx, double fy, double fz, char ID) {
   for (int a = 0; a < 3; a++) b->force[a] = share * f[a];
   b->commanded = now();
   b->sets++;
+  b->pushes += size > 0.0;
   return share < 1.0 ? 2 : 0;
 }
 int dhdGetForce(double *fx, double *fy, double *fz, char ID) {
@@ -153,6 +167,7 @@ unsigned dhdGetButtonMask(char ID) { return reach(ID, "dhdGetButtonMask") ? 0 : 
 int dhdGetStatus(int status[17], char ID) {
   if (reach(ID, "dhdGetStatus")) return -1;
   memset(status, 0, 17 * sizeof(int));
+  b->asked++;
   status[0] = status[1] = status[2] = 1;
   status[5] = b->enabled;
   status[6] = !b->enabled;

@@ -2,7 +2,8 @@
 
     unshare --net python hub.py USERS SEED SECONDS
 
-Each user is a namespace with one TUN device, 10.77.0.USER/24 from 1. A namespace lives as long as a process that does
+Each user is a namespace with one TUN device, 10.77.0.USER/24 from 1; what goes to 100 and 200 more than that is for the
+same user, which may take these addresses instead. A namespace lives as long as a process that does
 nothing but read from this one, so when this one ends, however it ends, all of it is gone. Orders come as lines of JSON,
 `[from, to, {law}]`, users from 0; the end of the input, or of the time, ends it all.
 """
@@ -20,7 +21,7 @@ import time
 
 import numpy as np
 
-from cotouch.live import Path, PathLaw
+from cotouch.live import EmulatedPath, PathLaw
 
 TUNSETIFF, IFF_TUN, IFF_NO_PI = 0x400454CA, 0x0001, 0x1000
 
@@ -50,7 +51,7 @@ def main(users: int, seed: int, seconds: float) -> None:
     opened = [open_user(user) for user in range(users)]
     devices = [device for _, device in opened]
     paths = {
-        (i, j): Path(PathLaw(), np.random.default_rng([seed, i, j]))
+        (i, j): EmulatedPath(PathLaw(), np.random.default_rng([seed, i, j]))
         for i in range(users)
         for j in range(users)
         if i != j
@@ -85,7 +86,7 @@ def main(users: int, seed: int, seconds: float) -> None:
                 # IPv4 within the star; the kernel also tries IPv6 and groups, which nobody here wants.
                 if len(packet) < 20 or packet[0] >> 4 != 4 or packet[16:19] != b"\x0a\x4d\x00":
                     continue
-                j = packet[19] - 1
+                j = packet[19] % 100 - 1
                 if (i, j) in paths:
                     for when in paths[i, j].arrivals(time.monotonic(), len(packet)):
                         count += 1

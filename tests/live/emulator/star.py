@@ -55,13 +55,25 @@ class Star:
         self.hub.stdin.flush()
         assert self.hub.stdout.readline() == "done\n"
 
-    def address(self, user: int) -> str:
-        return f"10.77.0.{user + 1}"
+    def address(self, user: int, *, moved: bool = False) -> str:
+        return f"10.77.0.{user + 1 + 100 * moved}"
+
+    def order(self, user: int, *commands: str) -> None:
+        """`ip` with these arguments in the user's namespace, where its device is called DEV; one after the other."""
+        enter = [ENTER[0], "-t", str(self.holders[user]), *ENTER[1:], "ip"]
+        for command in commands:
+            subprocess.run([*enter, *command.replace("DEV", f"user{user}").split()], check=True, timeout=20)
+
+    def move(self, user: int) -> None:
+        """From now on the user has another address, and not the one that it had."""
+        old, new = self.address(user), self.address(user, moved=True)
+        self.order(user, f"addr del {old}/24 dev DEV", f"addr add {new}/24 dev DEV")
 
     def start(self, user: int, command: Sequence[str]) -> subprocess.Popen[str]:
         """A program as this user, on its own network."""
         enter = [ENTER[0], "-t", str(self.holders[user]), *ENTER[1:]]
-        return subprocess.Popen([*enter, *command], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        pipes = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.PIPE)
+        return subprocess.Popen([*enter, *command], text=True, **pipes)
 
     def close(self) -> None:
         self.hub.stdin.close()

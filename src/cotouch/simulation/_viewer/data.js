@@ -9,7 +9,7 @@
  * @property {number[]} step between levels [m]
  * @property {Record<string, Entry>} arrays
  * @property {{owner: number[], radius: number[]}} tools
- * @property {{owner: number[]}} grips
+ * @property {{owner: number[]}} ports
  * @property {[number, number][]} links
  * @property {{name: string, unit: string}[]} series
  * @property {{displacement: number, difference: number}} peaks [m]
@@ -34,8 +34,8 @@ class Run {
     this.triangles = whole("triangles");
     this.edges = whole("edges");
     this.tools = { ...header.tools, place: single("tool_centre"), force: single("tool_force") };
-    const grips = header.grips.owner.length;
-    this.grips = { ...header.grips, radius: new Array(grips).fill(0), place: single("grip_place"), force: single("grip_force") };
+    const ports = header.ports.owner.length;
+    this.ports = { ...header.ports, radius: new Array(ports).fill(0), place: single("grip_place"), force: single("grip_force") };
     /** @type {Series[]} */
     this.series = header.series.map((entry, k) => ({ ...entry, values: single(`series_${k}`) }));
   }

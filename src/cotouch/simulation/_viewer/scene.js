@@ -1,6 +1,6 @@
 // Draws copies, tools and forces with WebGL2. A tile is a part of the canvas with one solid copy and any ghosts.
 
-/** @typedef {{x: number, y: number, width: number, height: number, solid: number, ghosts: number[], users: number[]}} Tile in pixels of the page; `users`: whose tools and grips are shown */
+/** @typedef {{x: number, y: number, width: number, height: number, solid: number, ghosts: number[], users: number[]}} Tile in pixels of the page; `users`: whose tools and ports are shown */
 /** @typedef {{owner: number[], radius: number[], place: Float32Array, force: Float32Array}} Touch */
 /** @typedef {{places: Float32Array, normals: Float32Array, values: Float32Array, texels: Float32Array, place: WebGLBuffer, normal: WebGLBuffer, value: WebGLBuffer, array: WebGLVertexArrayObject, texture: WebGLTexture}} Copy */
 
@@ -102,7 +102,7 @@ class Scene {
       }
       this.upload(copy);
     });
-    this.touches = [run.tools, run.grips].map((touch) => ({
+    this.touches = [run.tools, run.ports].map((touch) => ({
       ...touch, place: run.row(touch.place, 3 * touch.owner.length, at), force: run.row(touch.force, 3 * touch.owner.length, at),
     }));
   }
@@ -212,7 +212,7 @@ class Scene {
     gl.drawArrays(gl.POINTS, 0, run.vertices);
   }
 
-  /** Tools, grips and their forces; what the object hides shines through it. @param {number[]} users @param {number[][]} colors */
+  /** Tools, ports and their forces; what the object hides shines through it. @param {number[]} users @param {number[][]} colors */
   hands(users, colors) {
     const { gl } = this, { extent, metresPerNewton } = this.sizes;
     gl.useProgram(this.programs.solid.made);
@@ -255,7 +255,7 @@ class Scene {
 
 /** Sizes: the object's box, what is to be seen, arrows, dots, floor. @param {Run} run */
 function measured(run) {
-  const { low, step } = run.header, touches = [run.tools, run.grips];
+  const { low, step } = run.header, touches = [run.tools, run.ports];
   const size = step.map((s) => 65535 * s), middle = low.map((l, d) => l + size[d] / 2);
   const reach = run.tools.radius.reduce((a, b) => Math.max(a, b), 0);
   const extent = Math.hypot(...size) || 8 * reach || 1; // a single point has no size

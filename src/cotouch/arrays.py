@@ -1,0 +1,6 @@
+"""Names of array types."""
+
+import numpy as np
+import numpy.typing as npt
+
+Float = npt.NDArray[np.float64]

@@ -1,0 +1,136 @@
+"""What a body is made of where it does more than follow a linear law: it turns, bends far, or is heavy."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Literal, TypeAlias, final, get_args
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.arrays import Float
+from cotouch.errors import BodyError
+
+Ints = npt.NDArray[np.int64]
+
+MaterialModel: TypeAlias = Literal[
+    "linear", "floating", "spring-network", "cells", "corotated", "st-venant-kirchhoff", "neo-hookean"
+]
+Frame: TypeAlias = Literal["fixed", "floating"]
+
+# Corners of an element of each model; those without elements take the body's own matrices.
+_CORNERS = {"spring-network": 2, "cells": 8, "corotated": 4, "st-venant-kirchhoff": 4, "neo-hookean": 4}
+
+
+@final
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Material:
+    """The law that a body's inner forces follow, in place of `K x`.
+
+    Attributes:
+        model: "linear": K and B as they are. "floating": K and B in one frame that turns with the body.
+            "spring-network": springs `½ k (l - L)²`. "cells": cubes that turn, `⅛ k Σ ‖d - R h n‖²` over the edges.
+            Of tetrahedra: "corotated": `μ ‖F - R‖² + ½ λ (tr RᵀF - 3)²`. "st-venant-kirchhoff": `μ ‖E‖² + ½ λ (tr E)²`.
+            "neo-hookean": stable, `½ μ (‖F‖² - 3) - μ (J - 1) + ½ (λ + μ) (J - 1)²`.
+        elements: nodes of springs (E, 2), cubes (E, 8; corner `4a + 2b + c` lies at (a, b, c)) or tetrahedra (E, 4).
+        stiffness: of each spring, or of the spring along an edge that four such cubes share, (E,) [N/m].
+        young: of tetrahedra [Pa].
+        poisson: of tetrahedra.
+        viscosity: η: dampers of η times the stiffness, which no rotation feels; not of models without elements, whose
+            dampers are the body's [s].
+        gravity: acceleration that the whole body has, (3,) [m/s²].
+    """
+
+    model: MaterialModel
+    elements: Ints = field(default_factory=lambda: np.zeros((0, 0), dtype=np.int64))
+    stiffness: Float = field(default_factory=lambda: np.zeros(0))
+    young: float = 0.0
+    poisson: float = 0.0
+    viscosity: float = 0.0
+    gravity: tuple[float, float, float] = (0.0, 0.0, 0.0)
+
+    def check(self, rest: Float) -> None:
+        """Whether it fits a body.
+
+        Args:
+            rest: shape at rest, (n, d) [m].
+
+        Raises:
+            BodyError: a value is out of its range, an element names a node that there is not, or is turned inside out.
+        """
+        if self.model not in get_args(MaterialModel):
+            raise BodyError(f'model is "{self.model}"; it must be one of {", ".join(get_args(MaterialModel))}')
+        nodes, dimension = rest.shape
+        if not (np.isfinite(self.viscosity) and self.viscosity >= 0.0):
+            raise BodyError(f"viscosity is {self.viscosity}; it must be a finite number of at least 0 s")
+        if len(self.gravity) != 3 or not np.isfinite(self.gravity).all():
+            raise BodyError(f"gravity is {self.gravity}; it must be three finite numbers [m/s²]")
+        if dimension < 2 and self.model != "linear":
+            raise BodyError(f'model is "{self.model}", but the body has one axis; what turns has 2 or 3')
+        corners = _CORNERS.get(self.model)
+        if corners is None:
+            return
+        if corners != 2 and dimension != 3:
+            raise BodyError(f'model is "{self.model}", but the body has {dimension} axes; it must have 3')
+        if self.elements.ndim != 2 or self.elements.shape[1] != corners or not self.elements.shape[0]:
+            extents = " x ".join(map(str, self.elements.shape))
+            raise BodyError(f'elements is {extents}; model "{self.model}" needs rows of {corners} nodes')
+        if self.elements.min() < 0 or self.elements.max() >= nodes:
+            wrong = int(self.elements.min() if self.elements.min() < 0 else self.elements.max())
+            raise BodyError(f"elements names node index {wrong}; this body has nodes 0 to {nodes - 1}")
+        if corners == 4:
+            self._check_solid(rest)
+            return
+        good = np.isfinite(self.stiffness) & (self.stiffness >= 0.0)
+        if self.stiffness.shape != (self.elements.shape[0],) or not good.all():
+            wrong = self.stiffness[~good][:1] if self.stiffness.shape == good.shape else self.stiffness.shape
+            raise BodyError(
+                f'stiffness holds {wrong}; model "{self.model}" needs a finite number >= 0 N/m for each element'
+            )
+
+    def _check_solid(self, rest: Float) -> None:
+        least = 0.0 if self.model == "neo-hookean" else -1.0
+        if not least < self.poisson < 0.5:
+            raise BodyError(
+                f'poisson is {self.poisson}; with model "{self.model}" it must be above {least:g} and below 0.5'
+            )
+        if not (np.isfinite(self.young) and self.young > 0.0):
+            raise BodyError(f"young is {self.young}; it must be more than 0 Pa")
+        edges = rest[self.elements[:, 1:]] - rest[self.elements[:, :1]]
+        volumes = np.linalg.det(edges) / 6.0
+        bad = np.flatnonzero(volumes <= 0.0)
+        if bad.size:
+            number = int(bad[0])
+            raise BodyError(
+                f"tetrahedron {number + 1} is turned inside out (volume {volumes[number]:.3g} m³); swap two nodes"
+            )
+
+
+def weight_of(gravity: Sequence[float] | None) -> tuple[float, float, float]:
+    """An acceleration as given, or none.
+
+    Raises:
+        BodyError: it is not three finite numbers.
+    """
+    if gravity is None:
+        return 0.0, 0.0, 0.0
+    if len(gravity) != 3 or not np.isfinite(np.asarray(gravity, dtype=np.float64)).all():
+        raise BodyError(f"gravity is {list(gravity)}; it must be three finite numbers [m/s²]")
+    return float(gravity[0]), float(gravity[1]), float(gravity[2])
+
+
+def linear_material(frame: str, gravity: Sequence[float] | None) -> Material | None:
+    """The material of a body that keeps its own matrices; None where it follows them as they are, without weight.
+
+    Args:
+        frame: "fixed" or "floating".
+        gravity: three numbers [m/s²]; None: none.
+
+    Raises:
+        BodyError: there is no such frame, or gravity is not three numbers.
+    """
+    if frame not in get_args(Frame):
+        raise BodyError(f'frame is "{frame}"; it must be "fixed" or "floating"')
+    weight = weight_of(gravity)
+    if frame == "fixed" and not any(weight):
+        return None
+    return Material(model="linear" if frame == "fixed" else "floating", gravity=weight)

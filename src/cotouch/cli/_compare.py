@@ -1,0 +1,78 @@
+"""`cotouch compare`."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from cotouch.cli._output import number, print_json
+from cotouch.files import beside, folder
+
+_RESULTS, _REPORT, _CELLS = "results.nc", "report.html", "cells"
+
+
+def run(path: Path, *, out: Path, dask: str | None, jobs: int, as_json: bool) -> None:
+    """Compares the laws of a study, writes results and report, and prints the table.
+
+    Args:
+        path: of the study.
+        out: folder to write into; results of cells in it are not computed again.
+        dask: address of a Dask scheduler; None: this machine computes.
+        jobs: cells at once; -1: one per core.
+        as_json: whether to print one JSON object and nothing else on standard output.
+    """
+    from cotouch.files import write_netcdf
+    from cotouch.laboratory import Study, compare, mean_cost, write_report
+
+    study = Study.read(path)
+    beside(folder(out), [_RESULTS, _REPORT], (path, *study.files()))
+    options: dict[str, Any] = {"store": out / _CELLS, "jobs": jobs, "dask": dask}
+    if as_json:
+        found = compare(study, **options)
+    else:
+        from rich.console import Console
+        from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
+        columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+        with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
+            task = bar.add_task("Compiling the kernels", total=None)
+
+            def progress(done: int, total: int, what: str) -> None:
+                bar.update(task, completed=done, total=total, description=_DOING[what])
+
+            found = compare(study, **options, progress=progress)
+    write_netcdf(found, out / _RESULTS, "result")
+    files = [out / _RESULTS, write_report(found, out / _REPORT)]
+    costs = mean_cost(found)
+    laws, networks = found["law"].values.tolist(), found["network"].values.tolist()
+    if as_json:
+        table = [
+            {"law": law, "network": network, "users": users, "cost": cost, "half_interval": half}
+            for (law, network, users), (cost, half) in costs.items()
+        ]
+        print_json({"title": study.title, "costs": table, "files": [str(file) for file in files]})
+        return
+    from rich.box import SIMPLE_HEAD
+    from rich.console import Console
+    from rich.table import Table
+
+    console = Console()
+    for users in found["users"].values.tolist():
+        shown = Table(box=SIMPLE_HEAD, title=f"J with {users} users", title_justify="left", title_style="bold")
+        shown.add_column("law")
+        for network in networks:
+            shown.add_column(network, justify="right")
+        for law in laws:
+            shown.add_row(law, *(_cell(*costs[law, network, users]) for network in networks))
+        console.print(shown)
+    for file in files:
+        console.print(f"  wrote {file}", highlight=False, soft_wrap=True)
+
+
+_DOING = {"tune": "Tuning the laws", "score": "Running tasks", "map": "Looking for danger"}
+
+
+def _cell(cost: float, half: float) -> str:
+    if np.isnan(cost):
+        return "–"
+    return "[red]dangerous[/red]" if np.isinf(cost) else f"{number(cost, digits=3)} ± {number(half, digits=1)}"

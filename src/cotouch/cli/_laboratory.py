@@ -1,0 +1,128 @@
+"""`cotouch feel` and `cotouch sweep`."""
+
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from cotouch.cli._output import literal, number, print_json, working
+from cotouch.errors import ScenarioError, printable
+from cotouch.files import NETCDF, beside, folder, prepare
+
+_FIGURE = "impedance.png"
+
+
+def feel(
+    path: Path, *, user: int, others: str, law: str | None, figures: Path | None, measure: bool, as_json: bool
+) -> None:
+    """What a hand feels: drag, mass, stiffness, and impedance over frequency."""
+    from cotouch.laboratory import impedance, impedance_figure
+    from cotouch.scenario import Scenario
+
+    scenario = Scenario.read(path)
+    if law is not None:
+        scenario = scenario.replace(synchronisation__law=law)
+    if others not in {"free", "holding"}:
+        raise ScenarioError(f'--others is "{others}"; it must be "free" or "holding"')
+    if figures is not None:
+        beside(folder(figures), [_FIGURE], (path, *scenario.files()))
+    with working("Pushing with one tone after the other ...", quiet=as_json):
+        found = impedance(scenario, user, others="free" if others == "free" else "holding", measured=measure)
+    written = [] if figures is None else [impedance_figure(found, figures / _FIGURE)]
+    columns = {str(name): found[name].values.tolist() for name in found.data_vars}
+    if as_json:
+        attrs = {str(name): value for name, value in found.attrs.items()}
+        frequency = found["frequency"].values.tolist()
+        print_json({**attrs, "frequency_hz": frequency, **columns, "files": [str(file) for file in written]})
+        return
+    from rich.box import SIMPLE_HEAD
+    from rich.console import Console
+    from rich.table import Table
+
+    console = Console()
+    console.print(
+        f"Law {literal(found.attrs['law'])}: what user {user} feels, others {others}", style="bold", highlight=False
+    )
+    table = Table(box=SIMPLE_HEAD)
+    kinds = ["predicted", "measured"] if measure else ["predicted"]
+    for heading in ("", *kinds):
+        table.add_column(heading, justify="right" if heading else "left")
+    for quantity, unit in (("drag", "Ns/m"), ("mass", "kg"), ("stiffness", "N/m")):
+        values = [found.attrs[f"{kind}_{quantity}"] for kind in kinds]
+        table.add_row(f"{quantity} [dim]{unit}[/dim]", *(_known(value) for value in values))
+    console.print(table)
+    table = Table(box=SIMPLE_HEAD)
+    table.add_column("Hz", justify="right")
+    for kind in kinds:
+        table.add_column(f"Z {kind}\nNs/m", justify="right")
+    for index, frequency in enumerate(found["frequency"].values.tolist()):
+        parts = [(columns[f"{kind}_real"][index], columns[f"{kind}_imag"][index]) for kind in kinds]
+        table.add_row(number(frequency, digits=3), *(_complex(*part) for part in parts))
+    console.print(table)
+    for file in written:
+        console.print(f"  wrote {literal(file)}", highlight=False, soft_wrap=True)
+
+
+def _known(value: float) -> str:
+    return number(value, digits=3) if value == value else "–"  # noqa: PLR0124  (not a number)
+
+
+def _complex(real: float, imaginary: float) -> str:
+    return f"{real:.3g} {'-' if imaginary < 0.0 else '+'} {abs(imaginary):.3g}j" if real == real else "–"  # noqa: PLR0124
+
+
+def sweep(path: Path, *, vary: Sequence[str], out: Path | None, as_json: bool) -> None:
+    """A scenario at every combination of options."""
+    from cotouch.files import write_netcdf
+    from cotouch.laboratory import FIGURES, values_of
+    from cotouch.laboratory import sweep as sweep_scenario
+    from cotouch.scenario import Scenario
+
+    scenario = Scenario.read(path)
+    if out is not None:
+        prepare(out, NETCDF, (path, *scenario.files()))
+    options: dict[str, list[Any]] = {}
+    for text in vary:
+        option, equals, values = text.partition("=")
+        if not equals or not option or not values:
+            raise ScenarioError(f'--vary is "{text}"; it must be OPTION=VALUES, as in link.delay=0.01:0.1:10')
+        if option in options:
+            raise ScenarioError(f"--vary names {option} twice; give all its values at once")
+        options[option] = values_of(values)
+    with working("Running every combination ...", quiet=as_json):
+        found = sweep_scenario(scenario, options)
+    if out is not None:
+        write_netcdf(found, out, "result")
+    table = found.to_dataframe().reset_index()
+    rows: list[dict[str, Any]] = table.to_dict("records")
+    if as_json:
+        print_json({"runs": rows, "units": {name: unit for name, (unit, _) in FIGURES.items()}})
+        return
+    from rich.box import SIMPLE_HEAD
+    from rich.console import Console
+    from rich.table import Table
+
+    listed = Table(box=SIMPLE_HEAD)
+    for option in options:
+        listed.add_column(literal(option))
+    for name, (unit, _) in FIGURES.items():
+        if name != "finished":
+            listed.add_column(f"{name}\n{unit}", justify="right")
+    for row in rows:
+        cells = [_cell(row[option]) for option in options]
+        if row["problem"]:
+            listed.add_row(*cells, "–")
+            continue
+        numbers = [number(float(row[name]), digits=3) for name in FIGURES if name != "finished"]
+        active = row["made"] > row["seed"] + 1e-9 or not row["finished"]
+        listed.add_row(*cells, *numbers, style="red" if active else None)
+    Console().print(listed)
+    problems = sorted({row["problem"] for row in rows} - {""})
+    for problem in problems:
+        sys.stdout.write(f"  – {printable(problem)}\n")
+    if out is not None:
+        sys.stdout.write(f"  wrote {printable(str(out))}\n")
+
+
+def _cell(value: Any) -> str:
+    return number(value) if isinstance(value, float) else literal(value)

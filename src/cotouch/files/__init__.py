@@ -1,0 +1,22 @@
+"""Files that people name: looked at before they are opened, written whole or not at all."""
+
+from cotouch.files._netcdf import NETCDF, write_netcdf
+from cotouch.files._read import MOST_TEXT, look, read_bytes, read_text, read_toml, toml
+from cotouch.files._toml import toml_text
+from cotouch.files._write import beside, folder, prepare, write
+
+__all__ = [
+    "MOST_TEXT",
+    "NETCDF",
+    "beside",
+    "folder",
+    "look",
+    "prepare",
+    "read_bytes",
+    "read_text",
+    "read_toml",
+    "toml",
+    "toml_text",
+    "write",
+    "write_netcdf",
+]

@@ -1,0 +1,51 @@
+"""Tables as TOML text; the standard library only reads it."""
+
+from collections.abc import Mapping
+from typing import Any, cast
+
+
+def toml_text(tables: Mapping[str, Any]) -> str:
+    """TOML of tables, which reading makes the same of; None is left out.
+
+    Args:
+        tables: numbers, strings, truth values, lists and mappings of them, by name.
+    """
+    lines: list[str] = []
+    headed: list[str] = []
+    for name, value in tables.items():
+        if isinstance(value, Mapping):
+            headed += ["", f"[{name}]", *_entries(cast("Mapping[str, Any]", value))]
+        elif (
+            isinstance(value, list) and value and all(isinstance(entry, Mapping) for entry in cast("list[Any]", value))
+        ):
+            for entry in cast("list[Mapping[str, Any]]", value):
+                headed += ["", f"[[{name}]]", *_entries(entry)]
+        elif value is not None:
+            lines.append(f"{name} = {_value(value)}")
+    return "\n".join([*lines, *headed]).lstrip("\n") + "\n"
+
+
+def _entries(table: Mapping[str, Any]) -> list[str]:
+    return [f"{name} = {_value(value)}" for name, value in table.items() if value is not None]
+
+
+def _value(value: Any) -> str:
+    match value:
+        case bool():
+            return "true" if value else "false"
+        case str():
+            return '"' + "".join(map(_letter, value)) + '"'
+        case int() | float():
+            return repr(value)
+        case Mapping():
+            return "{" + ", ".join(_entries(cast("Mapping[str, Any]", value))) + "}"
+        case list() | tuple():
+            return "[" + ", ".join(map(_value, cast("list[Any]", value))) + "]"
+        case _:
+            raise TypeError(f"{value!r} is nothing that TOML has")
+
+
+def _letter(letter: str) -> str:
+    if letter in '"\\':
+        return "\\" + letter
+    return letter if letter >= " " and letter != "\x7f" else f"\\u{ord(letter):04x}"

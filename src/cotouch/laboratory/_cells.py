@@ -1,0 +1,135 @@
+"""The engine of the laboratory: the same for many, on all cores or a Dask cluster, resumed where it was interrupted."""
+
+import hashlib
+import json
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+from typing import Any, TypeAlias, TypeVar, final
+
+from cotouch.errors import OutputError
+from cotouch.files import folder, read_text, write
+from cotouch.interrupt import check, flag, heeding
+from cotouch.planning import workers
+
+A = TypeVar("A")
+R = TypeVar("R")
+
+# How much is done, of how much, and what.
+Progress: TypeAlias = Callable[[int, int, str], None]
+
+# A cluster is given so many cells at once for each of its threads; what they bring is kept before it gets more.
+_AHEAD = 4
+
+
+@final
+class Store:
+    """Results of cells in a folder, a file each, so that an interrupted study goes on where it was.
+
+    A file is named by all that its result follows from, so another study, or a changed one, finds nothing of it.
+    """
+
+    def __init__(self, place: Path, version: str) -> None:
+        """Takes up a folder.
+
+        Args:
+            place: of the files; made if need be.
+            version: of what computes; another one computes anew.
+
+        Raises:
+            OutputError: it cannot be made.
+        """
+        self._place = folder(place)
+        self._version = version
+
+    def name(self, what: str, cell: object) -> str:
+        """Of the file of a cell, for all that its result follows from."""
+        text = json.dumps([self._version, what, cell], sort_keys=True, allow_nan=True)
+        return f"{what}-{hashlib.sha256(text.encode()).hexdigest()[:24]}.json"
+
+    def find(self, name: str) -> dict[str, Any] | None:
+        """A result that is there; None where there is none, or none that can be read."""
+        path = self._place / name
+        if not path.is_file():
+            return None
+        try:
+            result = json.loads(read_text(path, "cell", OutputError))
+        except (OutputError, ValueError):
+            return None
+        return result if isinstance(result, dict) else None
+
+    def keep(self, name: str, result: dict[str, Any]) -> None:
+        """Writes a result, whole or not at all."""
+        write(self._place / name, json.dumps(result).encode(), "cell")
+
+
+def many(function: Callable[[A], R], items: Sequence[A], jobs: int = -1, dask: str | None = None) -> list[R]:
+    """What a function makes of each item, in their order.
+
+    Args:
+        function: of an item.
+        items: any number.
+        jobs: how many at once; -1: one per core.
+        dask: address of a Dask scheduler whose workers do it instead.
+    """
+    found = dict(_done(function, items, jobs, dask))
+    return [found[at] for at in range(len(items))]
+
+
+def cells(
+    what: str,
+    function: Callable[[dict[str, Any]], dict[str, Any]],
+    items: Sequence[dict[str, Any]],
+    *,
+    jobs: int = -1,
+    dask: str | None = None,
+    store: Store | None = None,
+    progress: Progress | None = None,
+) -> list[dict[str, Any]]:
+    """The same with plain results, which are kept one by one as they come and not computed again.
+
+    Args:
+        what: names the cells, in files and in progress.
+        function: of a cell; whatever it makes is JSON.
+        items: the cells, JSON too: all that their results follow from.
+        jobs: how many at once; -1: one per core.
+        dask: address of a Dask scheduler whose workers do it instead.
+        store: of results; None: none are kept.
+        progress: told after each.
+    """
+    names = ["" if store is None else store.name(what, item) for item in items]
+    kept = {at: found for at, name in enumerate(names) if store is not None and (found := store.find(name)) is not None}
+    left = [at for at in range(len(items)) if at not in kept]
+    done = len(kept)
+    if progress is not None:
+        progress(done, len(items), what)
+    for which, result in _done(function, [items[at] for at in left], jobs, dask):
+        at = left[which]
+        kept[at] = result
+        if store is not None:
+            store.keep(names[at], result)
+        done += 1
+        if progress is not None:
+            progress(done, len(items), what)
+    return [kept[at] for at in range(len(items))]
+
+
+def _done(function: Callable[[A], R], items: Sequence[A], jobs: int, dask: str | None) -> Iterator[tuple[int, R]]:
+    """Results as they come, with their numbers."""
+    import joblib
+
+    if dask is not None:
+        with workers(jobs, dask) as hands:
+            size = _AHEAD * max(hands.jobs, 1)
+            for start in range(0, len(items), size):
+                calls: Any = [joblib.delayed(function)(item) for item in items[start : start + size]]
+                yield from enumerate(hands.parallel(calls), start)
+        return
+    stop = flag()
+
+    def each(at: int, item: A) -> tuple[int, R]:
+        with heeding(stop):  # threads, because kernels hold no lock
+            check()
+            return at, function(item)
+
+    parallel: Any = joblib.Parallel(n_jobs=jobs, backend="threading", return_as="generator_unordered")
+    yield from parallel(joblib.delayed(each)(at, item) for at, item in enumerate(items))

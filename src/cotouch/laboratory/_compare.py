@@ -1,0 +1,322 @@
+"""Link laws compared: tuned alike, run on the same networks and tasks, judged by the same measures."""
+
+import json
+from collections.abc import Mapping
+from hashlib import sha256
+from pathlib import Path
+from time import perf_counter
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from cotouch.errors import CotouchError, ScenarioError
+from cotouch.interrupt import check, interruptible
+from cotouch.laboratory._cells import Progress, Store, cells
+from cotouch.laboratory._impedance import impedance
+from cotouch.laboratory._score import MEASURES, dangerous, ideal, measured, sizes
+from cotouch.laboratory._study import HandKind, LawTable, NetworkTable, Study
+from cotouch.laboratory._tune import tune
+from cotouch.laws import law_named
+from cotouch.simulation import prepare, run_batch
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+# A stiffer hand is asked in so many draws; felt impedance at these tones [Hz]; a law's time in so many runs [s].
+_STIFF_DRAWS, _TONES, _REPEATS, _TIMED = 5, (0.3, 0.6, 1.2), 7, 2.0
+FELT = {
+    "drag": ("N s/m", "drag that a hand feels which moves the object freely"),
+    "mass": ("kg", "mass that it feels"),
+    "stiffness": ("N/m", "stiffness that it feels while the others hold"),
+}
+_MOST_CELLS = 100_000
+
+
+@interruptible
+def compare(
+    study: Study,
+    *,
+    store: Path | None = None,
+    jobs: int = -1,
+    dask: str | None = None,
+    progress: Progress | None = None,
+) -> "xr.Dataset":
+    """Tunes the laws of a study, runs them, and gathers what came of it.
+
+    Args:
+        study: what is compared.
+        store: folder of results, one file for each cell; those that are there are not computed again.
+        jobs: how many cells at once; -1: one per core.
+        dask: address of a Dask scheduler whose workers compute instead.
+        progress: told after each cell.
+
+    Returns:
+        The measures over law, tuning, network, users, hand, task and draw; settings, what is felt, danger and costs
+        over fewer. NaN where nothing was asked, infinite where the motion left floating point.
+
+    Raises:
+        ScenarioError: there are more than 100,000 cells, or nothing of the study can be run.
+        OutputError: results cannot be kept.
+    """
+    from cotouch import __version__
+
+    kept = None if store is None else Store(store, __version__)
+    named: dict[str, Any] = {"jobs": jobs, "dask": dask, "store": kept, "progress": progress}
+    tunings = ["published"] if not study.tunes else ["published", "tuned", *["safe"] * bool(study.tuning.safe)]
+    count = len(study.laws) * len(study.networks) * len(study.users) * len(tunings)
+    if count > _MOST_CELLS:
+        raise ScenarioError(f"the study has {count} cells; at most {_MOST_CELLS} fit")
+    found = _tuned(study, named)
+    jobs_of: dict[str, dict[str, Any]] = {}
+    asked: dict[tuple[str, str, str, int], str] = {}
+    for law in study.laws:
+        for network in study.networks:
+            settings = found[law.label, network.tuned_on or network.name]["settings"]
+            for tuning in tunings:
+                if (setting := settings.get(tuning)) is None:
+                    continue
+                for users in study.users:
+                    cell = {"study": _part(study, law, network, users), "setting": setting, "code": _code(law)}
+                    key = json.dumps(cell, sort_keys=True)
+                    jobs_of[key] = cell
+                    asked[law.label, tuning, network.name, users] = key
+    scored = dict(zip(jobs_of, cells("score", score, list(jobs_of.values()), **named), strict=True))
+    problems = sorted({result["problem"] for result in [*scored.values(), *found.values()]} - {""})
+    if not any(result["runs"] for result in scored.values()):
+        raise ScenarioError(problems[0] if problems else "the study has no run that is stable")
+    maps = _mapped(study, found, named)
+    results = {place: scored[key] for place, key in asked.items()}
+    data = _gathered(study, tunings, results, found, maps)
+    data.attrs["problems"] = json.dumps(problems)
+    data.attrs["study"] = study.model_dump_json()
+    data.attrs["version"] = __version__
+    return data
+
+
+def _tuned(study: Study, named: Mapping[str, Any]) -> dict[tuple[str, str], dict[str, Any]]:
+    """What tuning found for each law, on each network that somebody is tuned on."""
+    places = list(dict.fromkeys(network.tuned_on or network.name for network in study.networks))
+    pairs = [(law, study.network(place)) for law in study.laws for place in places]
+    if not study.tunes:
+        nothing: dict[str, Any] = {"settings": {"published": {}}, "cost": {}, "tried": 0, "problem": ""}
+        return {(law.label, network.name): nothing for law, network in pairs}
+    items = [
+        {"study": _part(study, law, network, study.tuning.users, tuning=True), "code": _code(law)}
+        for law, network in pairs
+    ]
+    results = cells("tune", tune, items, **named)
+    return {(law.label, network.name): result for (law, network), result in zip(pairs, results, strict=True)}
+
+
+def _mapped(study: Study, found: Mapping[tuple[str, str], Any], named: Mapping[str, Any]) -> dict[str, list[Any]]:
+    """Danger and cost over delay and stiffness, a cell for each law and stiffness, with the first network's setting."""
+    if study.map is None:
+        return {}
+    first = study.networks[0].tuned_on or study.networks[0].name
+    items: list[dict[str, Any]] = []
+    for law in study.laws:
+        settings = found[law.label, first]["settings"]
+        setting = settings.get("tuned") or settings.get("published") or {}
+        for stiffness in study.map.stiffness:
+            part = _part(study, law, NetworkTable(name="map", delay=0.0), 2)
+            part["hands"] = [{**part["hands"][0], "stiffness": stiffness}]
+            items.append({"study": part, "setting": setting, "delay": list(study.map.delay), "code": _code(law)})
+    results = cells("map", danger, items, **named)
+    rows = len(study.map.stiffness)
+    return {law.label: results[k * rows : (k + 1) * rows] for k, law in enumerate(study.laws)}
+
+
+def _part(study: Study, law: LawTable, network: NetworkTable, users: int, *, tuning: bool = False) -> dict[str, Any]:
+    """All of a study that a cell follows from, and nothing else, so that a change elsewhere costs nothing."""
+    whole = study.model_dump(mode="json", exclude={"title", "ours", "map"})
+    whole["laws"] = [law.model_dump(mode="json")]
+    whole["networks"] = [network.model_dump(mode="json", exclude={"tuned_on"})]
+    whole["users"] = [users]
+    if tuning:
+        whole["draws"] = 2
+    else:
+        whole["tuning"] = {"search": 0, "local": 0}
+    return whole
+
+
+def _code(law: LawTable) -> str:
+    """Of a law's file, so that another version of it is computed anew."""
+    try:
+        text = Path(law_named(law.kind).before.__code__.co_filename).read_bytes()
+    except (OSError, AttributeError):
+        text = b""
+    return sha256(text).hexdigest()[:16]
+
+
+def score(cell: dict[str, Any]) -> dict[str, Any]:
+    """Every task, hand and draw of one law with one setting, one network and one number of users.
+
+    Args:
+        cell: `study`, and the `setting`.
+
+    Returns:
+        `runs`, of each measure [hand][task][draw]; `felt`; `dangerous`, for each hand; `loose`, whether
+        copies that nobody holds drive each other apart; `problem`, why there is nothing.
+    """
+    study, setting = Study.make(**cell["study"]), cell["setting"]
+    law, network, users = study.laws[0], study.networks[0], study.users[0]
+    runs: dict[str, list[Any]] = {name: [] for name in MEASURES}
+    hands = _hands(study)
+    risky: list[bool] = []
+    try:
+        for number, hand in enumerate(hands):
+            draws = study.draws if number < len(study.hands) else min(study.draws, _STIFF_DRAWS)
+            rows = [[_one(study, hand, task, draw, setting) for draw in range(draws)] for task in study.tasks]
+            for name, values in runs.items():
+                values.append([[one[name] for one in row] for row in rows])
+            risky.append(dangerous(study, law, network, users, hand, setting))
+        loose = dangerous(study, law, network, users, hands[0], setting, let_go=True)
+        felt = _felt(study, setting, loose=loose)
+    except CotouchError as error:
+        return {
+            "runs": {},
+            "felt": {},
+            "dangerous": [],
+            "loose": False,
+            "problem": f"{law.label}, {network.name}: {error}",
+        }
+    return {"runs": runs, "felt": felt, "dangerous": risky, "loose": loose, "problem": ""}
+
+
+def _one(study: Study, hand: HandKind, task: str, draw: int, setting: Mapping[str, float]) -> dict[str, float]:
+    check()
+    law, network, users = study.laws[0], study.networks[0], study.users[0]
+    hands = study.task(task, users, hand, draw)
+    scenario = study.scenario(law, network, users, hands, seed=study.channel_seed(network, draw), setting=setting)
+    return measured(scenario, ideal(study, hands))
+
+
+def _hands(study: Study) -> list[HandKind]:
+    """The study's, and the first made stiffer."""
+    first = study.hands[0]
+    return [*study.hands, HandKind(stiffness=study.stiffer * first.stiffness, damping=first.damping)]
+
+
+def _felt(study: Study, setting: Mapping[str, float], *, loose: bool) -> dict[str, float]:
+    law, network, users, hand = study.laws[0], study.networks[0], study.users[0], study.hands[0]
+    holding = [{"user": i + 1, "stiffness": hand.stiffness, "damping": hand.damping} for i in range(users)]
+    seed = study.channel_seed(network, 0)
+    scenario = study.scenario(law, network, users, study.placed(holding, users), seed=seed, setting=setting)
+    held = impedance(scenario, 1, others="holding", frequencies=_TONES, jobs=1)
+    free = None if loose else impedance(scenario, 1, frequencies=_TONES, jobs=1)
+    return {
+        "drag": float("nan") if free is None else float(free.attrs["measured_drag"]),
+        "mass": float("nan") if free is None else float(free.attrs["measured_mass"]),
+        "stiffness": float(held.attrs["measured_stiffness"]),
+    }
+
+
+def danger(cell: dict[str, Any]) -> dict[str, Any]:
+    """Whether a law is dangerous at each delay with one kind of hand, and what it costs there.
+
+    Args:
+        cell: `study`, `setting`, and the delays.
+    """
+    study, setting = Study.make(**cell["study"]), cell["setting"]
+    risky: list[bool] = []
+    costs: list[float] = []
+    for delay in cell["delay"]:
+        network = NetworkTable(name="map", delay=delay)
+        here = study.model_copy(update={"networks": [network]})
+        try:
+            risky.append(dangerous(here, here.laws[0], network, 2, here.hands[0], setting))
+            values = [_one(here, here.hands[0], task, 0, setting)["cost"] for task in here.tasks]
+            costs.append(float(np.mean(values)))
+        except CotouchError:
+            risky.append(True)
+            costs.append(float("inf"))
+    return {"dangerous": risky, "cost": costs}
+
+
+def law_time(study: Study, law: LawTable) -> float:
+    """What a law takes at one end of a link and in one step, beyond what springs take [s].
+
+    Args:
+        study: whose body it moves.
+        law: of the study.
+    """
+    network = NetworkTable(name="timed", delay=0.025)
+    steps = 2 * _TIMED / study.period
+    best: list[float] = []
+    for entry in (law, LawTable(law="spring")):
+        prepared = prepare(study.scenario(entry, network, 2, [], duration=_TIMED))
+        taken = np.inf
+        for _ in range(_REPEATS):
+            check()
+            begun = perf_counter()
+            run_batch(prepared)
+            taken = min(taken, perf_counter() - begun)
+        best.append(taken)
+    return (best[0] - best[1]) / steps
+
+
+def _gathered(
+    study: Study,
+    tunings: list[str],
+    results: Mapping[tuple[str, str, str, int], dict[str, Any]],
+    found: Mapping[tuple[str, str], dict[str, Any]],
+    maps: Mapping[str, list[Any]],
+) -> "xr.Dataset":
+    import xarray as xr
+
+    laws, nets = [law.label for law in study.laws], [network.name for network in study.networks]
+    kinds = [hand.label for hand in study.hands] + [f"{_hands(study)[-1].label}, stiffer"]
+    whole = (len(laws), len(tunings), len(nets), len(study.users))
+    shape = (*whole, len(kinds), len(study.tasks), study.draws)
+    values = {name: np.full(shape, np.nan) for name in MEASURES}
+    felt = {name: np.full(whole, np.nan) for name in FELT}
+    risky, untied = np.full((*whole, len(kinds)), np.nan), np.full(whole, np.nan)
+    for (law, tuning, net, users), result in results.items():
+        at = (laws.index(law), tunings.index(tuning), nets.index(net), study.users.index(users))
+        for name, rows in result["runs"].items():
+            for h, hand in enumerate(rows):
+                for t, draws in enumerate(hand):
+                    values[name][(*at, h, t, slice(len(draws)))] = draws
+        for name, value in result["felt"].items():
+            felt[name][at] = value
+        untied[at] = result["loose"]
+        risky[(*at, slice(len(result["dangerous"])))] = result["dangerous"]
+    axes = ("law", "tuning", "network", "users")
+    data: dict[str, Any] = {
+        name: ((*axes, "hand", "task", "draw"), values[name], {"units": unit, "long_name": meaning})
+        for name, (unit, meaning) in MEASURES.items()
+    }
+    for name, (unit, meaning) in FELT.items():
+        data[f"felt_{name}"] = (axes, felt[name], {"units": unit, "long_name": meaning})
+    data["dangerous"] = ((*axes, "hand"), risky, {"long_name": "1 where a push doesn't die away"})
+    data["loose"] = (axes, untied, {"long_name": "1 where copies that nobody holds drive each other apart"})
+    settings = [
+        [
+            [json.dumps(found[law, n.tuned_on or n.name]["settings"].get(tuning)) for n in study.networks]
+            for tuning in tunings
+        ]
+        for law in laws
+    ]
+    data["setting"] = (axes[:3], np.array(settings, dtype=np.str_))
+    facts = [sizes(study, law) for law in study.laws]
+    data["bytes"] = ("law", np.array([float(fact["bytes"]) for fact in facts]), {"units": "B"})
+    data["promises"] = ("law", np.array([float(fact["promises"]) for fact in facts]))
+    data["sends"] = ("law", np.array([", ".join(["x̂", *fact["sends"]]) for fact in facts], dtype=np.str_))
+    data["source"] = ("law", np.array([fact["source"] for fact in facts], dtype=np.str_))
+    taken = [law_time(study, law) for law in study.laws]
+    data["time"] = ("law", np.array(taken), {"units": "s", "long_name": "of an end and step, beyond a spring's"})
+    coordinates: dict[str, Any] = {
+        "law": laws,
+        "tuning": tunings,
+        "network": nets,
+        "users": study.users,
+        "hand": kinds,
+        "task": list(study.tasks),
+        "draw": np.arange(study.draws),
+    }
+    if study.map is not None:
+        for name in ("dangerous", "cost"):
+            table = np.array([[row[name] for row in maps[law]] for law in laws], dtype=np.float64)
+            data[f"map_{name}"] = (("law", "stiffness", "delay"), table)
+        coordinates |= {"stiffness": study.map.stiffness, "delay": study.map.delay}
+    return xr.Dataset(data, coords=coordinates)

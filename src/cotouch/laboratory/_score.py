@@ -1,0 +1,198 @@
+"""What a run costs: how far copies and forces are from those of one copy that all hold without any delay."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, final
+
+import numpy as np
+
+from cotouch.arrays import Float
+from cotouch.laboratory._study import HandKind, LawTable, NetworkTable, Study
+from cotouch.laboratory._tasks import Task
+from cotouch.laws import law_named
+from cotouch.network import Network
+from cotouch.scenario import Scenario
+from cotouch.simulation import Outcome, Prepared, prepare, run_batch
+
+# Errors of place count in units of this [m].
+PLACE = 0.01
+# How long a push is watched to die away [s], how hard it is [m/s], and from which mean speed on it matters [m/s].
+_WATCH, _PUSH, _MOVES = 6.0, 0.1, 2e-3
+# It must have lost this share of its speed from the second quarter to the last.
+_CALMS = 0.9
+
+# Of each run: name, unit, meaning.
+MEASURES = {
+    "cost": ("1", "J: error of place in 10 mm, and error of force as share of the ideal force"),
+    "place": ("m", "distance of a copy from the ideal, root mean square"),
+    "force": ("1", "difference of the hands' forces from the ideal ones, as share of those"),
+    "apart": ("m", "distance of a copy from the mean of all, root mean square"),
+    "rough": ("N", "largest step of a hand's force from one step to the next"),
+    "made": ("J", "most energy that the links had made beyond what the law declares"),
+    "extracted": ("J", "most that users got out beyond what there was"),
+}
+
+
+@final
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Ideal:
+    """All hands on one copy, without delay.
+
+    Attributes:
+        place: of the nodes, (steps + 1, n, d) [m].
+        force: of each hand, (hands, steps, d) [N].
+        size: of the forces, root mean square over hands and time [N].
+    """
+
+    place: Float
+    force: Float
+    size: float
+
+
+def ideal(study: Study, hands: Task) -> Ideal:
+    """What one copy without delay does.
+
+    Args:
+        study: of the run.
+        hands: of the task.
+    """
+    alone = Scenario.make(
+        network=Network(users=["all"], spring=[[0.0]], delay=[[0.0]]),
+        body=study.build_body(),
+        steps={"duration": study.duration, "period": study.period},
+        hands=[hand | {"user": 1} for hand in hands],
+    )
+    prepared = prepare(alone)
+    outcome = run_batch(prepared)
+    force = _forces(prepared, outcome)
+    return Ideal(place=_places(outcome)[0], force=force, size=max(float(np.sqrt((force**2).mean())), 1e-9))
+
+
+def measured(scenario: Scenario, wanted: Ideal) -> dict[str, float]:
+    """The measures of a run; infinite where the motion left floating point.
+
+    Args:
+        scenario: with the hands of the ideal.
+        wanted: the ideal.
+    """
+    prepared = prepare(scenario)
+    outcome = run_batch(prepared)
+    users = prepared.schedule.count.size
+    if outcome.events < prepared.schedule.order.size or not np.isfinite(outcome.position).all():
+        return dict.fromkeys(MEASURES, float("inf"))
+    place, force = _places(outcome), _forces(prepared, outcome)
+    steps = min(place.shape[1], wanted.place.shape[0])
+    error = np.sqrt(((place[:, :steps] - wanted.place[:steps]) ** 2).sum(axis=-1).mean())
+    gap = np.sqrt(((place - place.mean(axis=0)) ** 2).sum(axis=-1).mean()) if users > 1 else 0.0
+    wrong = np.sqrt(((force[:, : steps - 1] - wanted.force[:, : steps - 1]) ** 2).mean()) / wanted.size
+    jumps = np.abs(np.diff(force, axis=1))
+    made = float(outcome.record.made[0])
+    seed = float(outcome.record.links[0].sum()) if prepared.law is None else prepared.law.seed
+    return {
+        "cost": float(error / PLACE + wrong),
+        "place": float(error),
+        "force": float(wrong),
+        "apart": float(gap),
+        "rough": float(jumps.max(initial=0.0)),
+        "made": max(made - seed, 0.0) if made - seed > 1e-9 * _play(outcome) else 0.0,
+        "extracted": max(0.0, -float(outcome.record.lowest[0] + outcome.record.ticks[0, 0])),
+    }
+
+
+def dangerous(
+    study: Study,
+    law: LawTable,
+    network: NetworkTable,
+    users: int,
+    hand: HandKind,
+    setting: Mapping[str, float],
+    *,
+    draws: Sequence[int] = (-1,),
+    let_go: bool = False,
+) -> bool:
+    """Whether a push doesn't die away, with all hands holding or with one.
+
+    Args:
+        study: of the run.
+        law: of its links.
+        network: that it meets.
+        users: how many.
+        hand: what hands are like.
+        setting: of the law.
+        draws: of the channel.
+        let_go: nobody holds, and it is the motion of copies against each other that must die away.
+    """
+    still = [{"user": i + 1, "stiffness": hand.stiffness, "damping": hand.damping} for i in range(users)]
+    body = study.build_body()
+    for holding in [[]] if let_go else [still, still[:1]]:
+        for draw in draws:
+            velocity = np.zeros((users, body.nodes, body.dimension))
+            velocity[0, :, 0] = _PUSH
+            scenario = study.scenario(
+                law,
+                network,
+                users,
+                study.placed([dict(entry) for entry in holding], users),
+                seed=study.channel_seed(network, draw),
+                setting=setting,
+                duration=_WATCH,
+                initial={"velocity": velocity.tolist()},
+            )
+            prepared = prepare(scenario)
+            outcome = run_batch(prepared)
+            if outcome.events < prepared.schedule.order.size or not np.isfinite(outcome.position).all():
+                return True
+            steps = int(prepared.schedule.count.min())
+            moving = outcome.record.velocity[:, : steps + 1]
+            if let_go:
+                moving = moving - moving.mean(axis=0)
+            speed = np.sqrt((moving**2).sum(axis=-1).mean(axis=2))
+            second, last = (np.sqrt((speed[:, q * steps // 4 : (q + 1) * steps // 4] ** 2).mean()) for q in (1, 3))
+            if not np.isfinite(last) or (last > _MOVES and last > _CALMS * second):
+                return True
+    return False
+
+
+def promises(law: LawTable) -> bool:
+    """Whether a law of a study promises to make no energy beyond its seed."""
+    return law_named(law.kind).passive and law.damping is None
+
+
+def _places(outcome: Outcome) -> Float:
+    """Of all users at common steps, (users, steps + 1, n, width) [m]."""
+    steps = int(outcome.taken.min())
+    return outcome.record.position[:, : steps + 1]
+
+
+def _forces(prepared: Prepared, outcome: Outcome) -> Float:
+    """Of each hand, (hands, steps, axes) [N]."""
+    steps = int(outcome.taken.min())
+    result = np.zeros((prepared.ports.shape[0], steps, outcome.record.force.shape[-1]))
+    for hand, ports in enumerate(prepared.ports):
+        for axis, port in enumerate(ports):
+            if ports.size == 1:
+                result[hand] = outcome.record.force[port, 1 : steps + 1]
+            else:
+                result[hand, :, axis if axis < result.shape[2] else 0] = outcome.record.force[port, 1 : steps + 1, 0]
+    return result
+
+
+def _play(outcome: Outcome) -> float:
+    return float(np.nanmax(np.abs(outcome.record.ticks[:4]), initial=0.0))
+
+
+def sizes(study: Study, law: LawTable) -> dict[str, Any]:
+    """What a law sends, as plain numbers, for one neighbour and step.
+
+    Args:
+        study: whose body it is.
+        law: of the study.
+    """
+    body, kind = study.build_body(), law_named(law.kind)
+    field = body.nodes * body.dimension
+    return {
+        "bytes": 8 * (field * (1 + len(kind.sends)) + len(kind.sends_scalars)),
+        "sends": [*kind.sends, *kind.sends_scalars],
+        "source": kind.source,
+        "promises": promises(law),
+    }

@@ -1,0 +1,411 @@
+"""What is compared: a study's file, and the scenario of each of its runs."""
+
+from collections.abc import Mapping, Sequence
+from itertools import chain
+from pathlib import Path
+from typing import Annotated, Any, Literal, Self, final
+from zlib import crc32
+
+import numpy as np
+from pydantic import Field, PrivateAttr, ValidationError, model_validator
+
+from cotouch.arrays import Float
+from cotouch.body import Body
+from cotouch.errors import NetworkError, ScenarioError
+from cotouch.files import read_text, toml
+from cotouch.laboratory._tasks import TASKS, Task
+from cotouch.laws import FORCE, Law, law_named
+from cotouch.network import Network, complete, path, ring, star
+from cotouch.scenario import Mode, NonNegative, Positive, Scenario, Table, sentence
+
+_MOST_USERS, _MOST_DRAWS = 64, 1000
+_GRAPHS = {"complete": complete, "path": path, "ring": ring, "star": star}
+Users = Annotated[int, Field(ge=2, le=_MOST_USERS)]
+Name = Annotated[str, Field(min_length=1, max_length=60)]
+
+
+@final
+class LawTable(Table):
+    """A law that takes part.
+
+    Attributes:
+        name: in the report; by default the law's.
+        law: as in `[synchronisation]`.
+        damping: B_i instead of what the law needs [Ns/m].
+    """
+
+    name: Name | None = None
+    law: str | dict[str, Any]
+    damping: NonNegative | None = None
+
+    @property
+    def label(self) -> str:
+        """What it is called."""
+        return self.name or (self.law if isinstance(self.law, str) else str(self.law.get("kind", "")))
+
+    @property
+    def kind(self) -> str:
+        """Name of the law."""
+        return self.law if isinstance(self.law, str) else str(self.law.get("kind", ""))
+
+    @property
+    def given(self) -> dict[str, Any]:
+        """Parameters that it is given."""
+        return {} if isinstance(self.law, str) else {key: value for key, value in self.law.items() if key != "kind"}
+
+
+@final
+class NetworkTable(Table):
+    """A network that laws meet.
+
+    Attributes:
+        name: in the report.
+        delay: of every link, one way [s].
+        delays: instead, a table of round trips as `Network.from_delays` takes it.
+        pick: users of it, in order; as many as there are users in a run, from the first.
+        channel: as in a scenario.
+        mode: as in a scenario.
+        tuned_on: name of the network that laws were tuned on; by default this one. Another one makes it held out.
+    """
+
+    name: Name
+    delay: NonNegative | None = None
+    delays: str | None = None
+    pick: list[str] = Field(default_factory=list[str])
+    channel: dict[str, Any] = Field(default_factory=dict[str, Any])
+    mode: Mode = "freshest"
+    tuned_on: str | None = None
+
+    @model_validator(mode="after")
+    def _one(self) -> Self:
+        if (self.delay is None) == (self.delays is None):
+            raise ValueError(f'network "{self.name}" needs one of delay and delays')
+        return self
+
+
+@final
+class HandKind(Table):
+    """What hands are like.
+
+    Attributes:
+        stiffness: [N/m].
+        damping: [Ns/m].
+    """
+
+    stiffness: Positive = 300.0
+    damping: NonNegative = 6.5
+
+    @property
+    def label(self) -> str:
+        """What it is called."""
+        return f"{self.stiffness:g} N/m"
+
+
+@final
+class Tuning(Table):
+    """How laws are tuned, all alike: springs and every parameter but seeds, as multiples of what they would be.
+
+    Attributes:
+        search: settings tried that fill the space evenly.
+        local: settings tried near the best so far.
+        draws: of each task, other ones than those that count.
+        users: in the runs.
+        range: each multiple is between 1/range and range.
+        safe: random runs in which a setting may make no energy beyond the law's seed, to be called safe; 0: not asked.
+    """
+
+    search: Annotated[int, Field(ge=0, le=4096)] = 64
+    local: Annotated[int, Field(ge=0, le=4096)] = 64
+    draws: Annotated[int, Field(ge=1, le=100)] = 2
+    users: Users = 2
+    range: Annotated[float, Field(gt=1.0, le=1000.0)] = 10.0
+    safe: Annotated[int, Field(ge=0, le=10_000)] = 0
+
+
+@final
+class MapTable(Table):
+    """Where laws become dangerous: runs of two users over delay and stiffness of hands.
+
+    Attributes:
+        delay: one way [s].
+        stiffness: of hands [N/m].
+    """
+
+    delay: Annotated[list[NonNegative], Field(min_length=1, max_length=60)]
+    stiffness: Annotated[list[Positive], Field(min_length=1, max_length=60)]
+
+
+@final
+class Study(Table):
+    """A comparison of link laws: every law on every network, with every number of users, task, hand and draw.
+
+    Attributes:
+        title: of the report.
+        seed: of all draws.
+        draws: of each task and channel; intervals are over them.
+        laws: that take part.
+        ours: name of the one whose losing cases are shown first; by default the passive one that costs least.
+        users: numbers of them.
+        graph: who is linked to whom, where a network says only a delay.
+        spring: of every link, before tuning [N/m].
+        networks: that laws meet.
+        tasks: by name.
+        hands: kinds of them; laws are tuned with the first.
+        stiffer: laws must also be stable with hands so many times stiffer.
+        body: as in a scenario.
+        period: of the steps [s].
+        duration: of a run [s].
+        tuning: how laws are tuned; with nothing to try, settings are the published ones.
+        map: where they become dangerous; None: not asked.
+    """
+
+    title: str = "Link laws compared"
+    seed: Annotated[int, Field(ge=0)] = 0
+    draws: Annotated[int, Field(ge=2, le=_MOST_DRAWS)] = 20
+    laws: Annotated[list[LawTable], Field(min_length=1, max_length=100)]
+    ours: str | None = None
+    users: Annotated[list[Users], Field(min_length=1, max_length=20)] = Field(default_factory=lambda: [2])
+    graph: Literal["complete", "path", "ring", "star"] = "complete"
+    spring: Positive = 50.0
+    networks: Annotated[list[NetworkTable], Field(min_length=1, max_length=100)]
+    tasks: Annotated[list[str], Field(min_length=1)] = Field(default_factory=lambda: list(TASKS))
+    hands: Annotated[list[HandKind], Field(min_length=1, max_length=20)] = Field(default_factory=lambda: [HandKind()])
+    stiffer: Annotated[float, Field(ge=1.0, le=100.0)] = 6.0
+    body: dict[str, Any] = Field(default_factory=lambda: {"kind": "point", "mass": 1.0})
+    period: Positive = 1e-3
+    duration: Annotated[float, Field(ge=4.0, le=600.0)] = 5.0
+    tuning: Tuning = Tuning()
+    map: MapTable | None = None
+    _built: Body | None = PrivateAttr(default=None)
+
+    @model_validator(mode="before")
+    @classmethod
+    def _short_laws(cls, value: Any) -> Any:
+        """A law may be just its name, or a table as in `[synchronisation]`."""
+        if isinstance(value, dict) and isinstance(value.get("laws"), list):
+            laws = [law if isinstance(law, dict) and "law" in law else {"law": law} for law in value["laws"]]
+            return {**value, "laws": laws}
+        return value
+
+    @model_validator(mode="after")
+    def _known(self) -> Self:
+        for name in self.tasks:
+            if name not in TASKS:
+                raise ValueError(f'tasks holds "{name}"; it must be one of {", ".join(TASKS)}')
+        for what, names in (
+            ("laws", [law.label for law in self.laws]),
+            ("networks", [network.name for network in self.networks]),
+            ("users", self.users),
+            ("tasks", self.tasks),
+            ("hands", [hand.label for hand in self.hands]),
+        ):
+            said = [str(name) for name in names]
+            for name in said:
+                if said.count(name) > 1:
+                    raise ValueError(f'{what} holds "{name}" twice; give each a name of its own')
+        known = [network.name for network in self.networks]
+        for network in self.networks:
+            if network.tuned_on is not None and network.tuned_on not in known:
+                raise ValueError(
+                    f'network "{network.name}" is tuned_on "{network.tuned_on}", which is none of the networks'
+                )
+        if self.ours is not None and self.ours not in [law.label for law in self.laws]:
+            raise ValueError(f'ours is "{self.ours}", which is none of the laws')
+        for law in self.laws:
+            try:
+                law_named(law.kind).check(law.given)
+            except NetworkError as error:
+                raise ValueError(str(error)) from None
+        return self
+
+    @classmethod
+    def make(cls, *, source: str = "the study", **tables: Any) -> "Study":
+        """Makes a study from tables; errors are one sentence each.
+
+        Raises:
+            ScenarioError: something in it is wrong.
+        """
+        try:
+            return cls(**tables)
+        except ValidationError as error:
+            raise ScenarioError(sentence(error, source)) from None
+
+    @classmethod
+    def read(cls, file: str | Path) -> "Study":
+        """Reads a study from a TOML file; files that it names are relative to its folder.
+
+        Raises:
+            ScenarioError: the file is missing, is not TOML, or something in it is wrong.
+        """
+        place = Path(file)
+        tables = toml(read_text(place, "study", ScenarioError), str(place), ScenarioError)
+        networks = tables.get("networks")
+        entries = [entry for entry in networks if isinstance(entry, dict)] if isinstance(networks, list) else []
+        _root(tables, "body", "file", place.parent)
+        for entry in entries:
+            _root(entry.get("channel"), "trace", "file", place.parent)
+            if isinstance(entry.get("delays"), str):
+                entry["delays"] = str(place.parent / entry["delays"])
+        return cls.make(source=str(place), **tables)
+
+    def files(self) -> tuple[Path, ...]:
+        """What it reads besides its own file."""
+        traces = [network.channel.get("trace") for network in self.networks]
+        named = chain(
+            [self.body.get("file")],
+            (trace.get("file") for trace in traces if isinstance(trace, dict)),
+            (network.delays for network in self.networks),
+        )
+        return tuple(Path(file) for file in named if isinstance(file, str))
+
+    @property
+    def tunes(self) -> bool:
+        """Whether laws are tuned at all."""
+        return self.tuning.search + self.tuning.local > 0
+
+    def law(self, label: str) -> LawTable:
+        """A law of the study by its name in it."""
+        return next(law for law in self.laws if law.label == label)
+
+    def network(self, name: str) -> NetworkTable:
+        """A network of the study by its name."""
+        return next(network for network in self.networks if network.name == name)
+
+    def joined(self, network: NetworkTable, users: int, factor: float) -> Network:
+        """The network of a run.
+
+        Args:
+            network: of the study.
+            users: how many.
+            factor: of the springs.
+
+        Raises:
+            ScenarioError: it has not as many users.
+            NetworkError: its table of round trips is wrong.
+        """
+        if network.delays is not None:
+            whole = Network.from_delays(network.delays, pick=network.pick, spring=self.spring * factor)
+            if users > whole.size:
+                raise ScenarioError(f'network "{network.name}" has {whole.size} users; {users} are asked for')
+            return Network.from_delays(network.delays, pick=whole.users[:users], spring=self.spring * factor)
+        delay = np.full((users, users), network.delay)
+        spring = np.zeros((users, users))
+        for a, b in _GRAPHS[self.graph](users):
+            spring[a, b] = spring[b, a] = self.spring * factor
+        np.fill_diagonal(delay, 0.0)
+        return Network(users=[f"user {i + 1}" for i in range(users)], spring=spring, delay=delay)
+
+    def scenario(
+        self,
+        law: LawTable,
+        network: NetworkTable,
+        users: int,
+        hands: Sequence[Mapping[str, Any]],
+        *,
+        seed: int = 0,
+        setting: Mapping[str, float] | None = None,
+        duration: float | None = None,
+        initial: Mapping[str, Any] | None = None,
+    ) -> Scenario:
+        """A run.
+
+        Args:
+            law: of its links.
+            network: that it meets.
+            users: how many.
+            hands: of the task.
+            seed: of the channel.
+            setting: multiples of parameters' defaults, and of the springs as "spring".
+            duration: by default the study's [s].
+            initial: state.
+
+        Raises:
+            ScenarioError: it cannot be.
+        """
+        factors = dict(setting or {})
+        joined = self.joined(network, users, factors.pop("spring", 1.0))
+        given = {**{name: f"{factor!r}x" for name, factor in factors.items()}, **law.given}
+        synchronisation: dict[str, Any] = {"mode": network.mode, "law": {"kind": law.kind, **given}}
+        if law.damping is not None:
+            synchronisation["damping"] = law.damping
+        return Scenario.make(
+            network=joined,
+            seed=seed,
+            body=self.build_body(),
+            steps={"duration": self.duration if duration is None else duration, "period": self.period},
+            synchronisation=synchronisation,
+            channel=network.channel,
+            hands=list(hands),
+            initial=dict(initial or {}),
+        )
+
+    def task(self, name: str, users: int, hand: HandKind, draw: int) -> Task:
+        """What hands do in a draw; negative draws are those that laws are tuned with.
+
+        Args:
+            name: of the task.
+            users: how many.
+            hand: what they are like.
+            draw: number of the draw.
+        """
+        rng = np.random.default_rng((self.seed, crc32(name.encode()), draw + 1_000_000))
+        return self.placed(TASKS[name](users, hand.stiffness, hand.damping, rng), users)
+
+    def placed(self, hands: Task, users: int) -> Task:
+        """Hands with nodes, which users share evenly, and with as many axes as the body has."""
+        body = self.build_body()
+        more = [0.0] * (body.dimension - 1)
+
+        def wide(value: Any) -> Any:
+            return [[*row, *more] for row in value] if isinstance(value, list) else [value, *more]
+
+        return [
+            hand
+            | {"node": 1 + (hand["user"] - 1) * (body.nodes - 1) // max(users - 1, 1)}
+            | {name: wide(hand[name]) for name in ("path", "amplitude") if name in hand}
+            for hand in hands
+        ]
+
+    def build_body(self) -> Body:
+        """The object; built once.
+
+        Raises:
+            ScenarioError: its table is wrong.
+        """
+        if self._built is None:
+            alone = Network(users=["one"], spring=[[0.0]], delay=[[0.0]])
+            self._built = Scenario.make(source="the study", network=alone, body=self.body).build_body()
+        return self._built
+
+    def channel_seed(self, network: NetworkTable, draw: int) -> int:
+        """The same for all laws, so that they meet the same network."""
+        return int(
+            np.random.SeedSequence((self.seed, crc32(network.name.encode()), draw + 1_000_000)).generate_state(1)[0]
+        )
+
+
+def tunable(law: Law, given: Mapping[str, Any]) -> list[str]:
+    """Parameters that tuning may change: not those that say what a law, or a neighbour, may do."""
+    return ["spring", *(p.name for p in law.parameters if p.name not in {law.seed, FORCE, *given})]
+
+
+def spread(draws: Float) -> tuple[float, float]:
+    """Mean of draws, and half of its 95 % interval by Student's t; infinite where a draw is.
+
+    Args:
+        draws: one number each.
+    """
+    from scipy import stats
+
+    if not np.isfinite(draws).all():
+        return float("inf"), float("inf")
+    if draws.size < 2:
+        return float(draws.mean()), float("inf")
+    return float(draws.mean()), float(stats.t.ppf(0.975, draws.size - 1) * draws.std(ddof=1) / np.sqrt(draws.size))
+
+
+def _root(holder: Any, name: str, key: str, folder: Path) -> None:
+    """Makes the file that a table names relative to a folder."""
+    named = holder.get(name) if isinstance(holder, dict) else None
+    if isinstance(named, dict) and isinstance(named.get(key), str):
+        holder[name] = {**named, key: str(folder / named[key])}

@@ -1,0 +1,165 @@
+"""One scenario with options varied: every combination is run and judged."""
+
+from collections.abc import Mapping, Sequence
+from itertools import product
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from cotouch.errors import CotouchError, ScenarioError
+from cotouch.interrupt import interruptible
+from cotouch.laboratory._cells import many
+from cotouch.network import Network
+from cotouch.scenario import Scenario
+from cotouch.simulation import discrepancy, judge, simulate
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+# Of each run: name, unit, meaning.
+FIGURES = {
+    "made": ("J", "most energy that the links had made"),
+    "seed": ("J", "what the law says that they may make"),
+    "extracted": ("J", "most that users got out beyond what there was"),
+    "rms": ("m", "distance of a user's copy from the mean of all, root mean square"),
+    "largest": ("m", "likewise, at most"),
+    "force": ("N", "root mean square of the users' forces"),
+    "damping": ("N s/m", "largest local damping of a user, for the identity weight"),
+    "finished": ("1", "1 if the motion stayed within floating point"),
+}
+_MOST_RUNS = 100_000
+
+
+def values_of(text: str) -> list[Any]:
+    """Reads `a:b:n` (n numbers from a to b), `a:b:n:log`, or a list with commas; what is no number stays text.
+
+    Raises:
+        ScenarioError: it is neither.
+    """
+    parts = text.split(":")
+    if len(parts) == 1:
+        return [_number(part.strip()) for part in text.split(",")]
+    log = len(parts) == 4 and parts[3] == "log"
+    try:
+        low, high, count = float(parts[0]), float(parts[1]), int(parts[2])
+    except (ValueError, IndexError):
+        low, high, count = np.nan, np.nan, 0
+    fits = np.isfinite([low, high]).all() and 1 <= count <= _MOST_RUNS and (not log or min(low, high) > 0.0)
+    if not fits or len(parts) > 3 + log:
+        raise ScenarioError(
+            f'"{text}" is no range; write low:high:count, low:high:count:log with both above 0, or values with commas'
+        )
+    return (np.geomspace if log else np.linspace)(low, high, count).tolist()
+
+
+def _number(text: str) -> Any:
+    try:
+        return int(text)
+    except ValueError:
+        pass
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
+def varied(scenario: Scenario, option: str, value: Any) -> Scenario:
+    """The scenario with one option at another value.
+
+    Args:
+        scenario: to start from.
+        option: `link.delay` or `link.spring` of all links, `hands.OPTION` of all hands, `TABLE.OPTION`, or `seed`.
+        value: of it.
+
+    Raises:
+        ScenarioError: there is no such option, or it cannot have the value.
+        NetworkError: likewise, of links.
+    """
+    table, _, name = option.partition(".")
+    if option == "seed":
+        return scenario.replace(seed=value)
+    if table == "link" and name in {"delay", "spring"}:
+        network = scenario.network
+        if network.weights:
+            raise ScenarioError(f"{option} cannot be varied where links have weights")
+        if not isinstance(value, int | float):
+            raise ScenarioError(f'{option} is "{value}"; it must be a number')
+        spring, delay = network.spring.copy(), network.delay.copy()
+        for a, b in network.links:
+            (spring if name == "spring" else delay)[[a, b], [b, a]] = value
+        links = [[a + 1, b + 1] for a, b in network.links]
+        changed = Network.from_table(
+            {"users": list(network.users), "spring": spring.tolist(), "delay": delay.tolist(), "links": links}
+        )
+        return scenario.replace(network=changed)
+    if table == "hands" and name:
+        return scenario.replace(hands=[{**hand.model_dump(exclude_unset=True), name: value} for hand in scenario.hands])
+    if not name or table not in Scenario.model_fields or table in {"network", "tools"}:
+        raise ScenarioError(
+            f'"{option}" cannot be varied; it must be seed, link.delay, link.spring, hands.OPTION, or an option of '
+            "body, steps, synchronisation, channel, initial or solver, as synchronisation.law"
+        )
+    return scenario.replace(**{f"{table}__{name}": value})
+
+
+@interruptible
+def sweep(scenario: Scenario, vary: Mapping[str, Sequence[Any]], *, jobs: int = -1) -> "xr.Dataset":
+    """Runs a scenario at every combination of options.
+
+    Args:
+        scenario: what stays the same.
+        vary: for each option, as `varied` names them, its values.
+        jobs: how many runs are done at once; -1: one per core.
+
+    Returns:
+        A dimension for each option, and for each of `FIGURES` a variable; NaN, and the reason in `problem`, where a
+        scenario cannot be.
+
+    Raises:
+        ScenarioError: nothing is varied, there are more than 100,000 runs, or none of them can be.
+    """
+    import xarray as xr
+
+    count = int(np.prod([len(values) for values in vary.values()], dtype=float)) if vary else 0
+    if not 1 <= count <= _MOST_RUNS:
+        raise ScenarioError(f"there are {count} combinations to run; there must be 1 to {_MOST_RUNS}")
+    scenario.build_body()
+    combinations = [dict(zip(vary, values, strict=True)) for values in product(*vary.values())]
+    results = many(lambda each: _run(scenario, each), combinations, jobs)
+    if all(problem for _, problem in results):
+        raise ScenarioError(results[0][1])
+    shape, dims = tuple(len(values) for values in vary.values()), tuple(vary)
+    data: dict[str, Any] = {
+        name: (dims, np.reshape([figures.get(name, np.nan) for figures, _ in results], shape), {"units": unit})
+        for name, (unit, _) in FIGURES.items()
+    }
+    for name, (_, meaning) in FIGURES.items():
+        data[name][2]["long_name"] = meaning
+    data["problem"] = (dims, np.reshape(np.array([problem for _, problem in results], dtype=np.str_), shape))
+    coordinates = {
+        name: np.array(values if all(isinstance(v, int | float) for v in values) else [str(v) for v in values])
+        for name, values in vary.items()
+    }
+    return xr.Dataset(data, coords=coordinates, attrs={"scenario": scenario.as_json()})
+
+
+def _run(scenario: Scenario, options: Mapping[str, Any]) -> tuple[dict[str, float], str]:
+    """The figures of one run, or why there is none."""
+    try:
+        for option, value in options.items():
+            scenario = varied(scenario, option, value)
+        run = simulate(scenario)
+    except CotouchError as error:
+        return {}, str(error)
+    apart, judged = discrepancy(run), judge(run)
+    force = run["force"].values
+    return {
+        "made": judged["made_j"],
+        "seed": judged["seed_j"],
+        "extracted": judged["extracted_j"],
+        "rms": apart["rms"],
+        "largest": apart["max"],
+        "force": float(np.sqrt(np.nanmean((force**2).sum(axis=-1)))),
+        "damping": float(run["local_damping"].values[:, 0].max()),
+        "finished": float(run.attrs["finished"]),
+    }, ""

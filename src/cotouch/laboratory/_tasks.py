@@ -1,0 +1,73 @@
+"""What hands do in a comparison: five tasks, each with draws of its own."""
+
+from collections.abc import Callable
+from typing import Any, TypeAlias
+
+import numpy as np
+
+Task: TypeAlias = list[dict[str, Any]]
+# A task, of users, stiffness and damping of hands [N/m, Ns/m], and randomness.
+Make: TypeAlias = Callable[[int, float, float, np.random.Generator], Task]
+
+_POINTS = 12
+
+
+def _reach(begin: float, end: float, start: float, goal: float) -> list[list[float]]:
+    """Waypoints of a reach as people make it: least jerk [Flash & Hogan 1985]."""
+    share = np.linspace(0.0, 1.0, _POINTS)
+    smooth = share**3 * (10.0 - 15.0 * share + 6.0 * share**2)
+    return [
+        [float(begin + (end - begin) * s), float(start + (goal - start) * m)]
+        for s, m in zip(share, smooth, strict=True)
+    ]
+
+
+def _hand(user: int, stiffness: float, damping: float, **more: Any) -> dict[str, Any]:
+    return {"user": user, "stiffness": stiffness, "damping": damping, **more}
+
+
+def carry(_users: int, stiffness: float, damping: float, rng: np.random.Generator) -> Task:
+    """The first user takes the object there and back, the others look on."""
+    there, late = 0.1 * rng.uniform(0.8, 1.2), rng.uniform(0.1, 0.4)
+    route = _reach(late, late + 1.0, 0.0, there) + _reach(late + 2.0, late + 3.0, there, 0.0)
+    return [_hand(1, stiffness, damping, path=route)]
+
+
+def tug(users: int, stiffness: float, damping: float, rng: np.random.Generator) -> Task:
+    """All pull, every second one the other way."""
+    pull, rate = 0.05 * rng.uniform(0.8, 1.2), rng.uniform(0.4, 0.8)
+    phase = rng.uniform(0.0, 2.0 * np.pi)
+    return [
+        _hand(i + 1, stiffness, damping, path=pull * (-1) ** i, amplitude=0.03, frequency=rate, phase=phase * (i + 1))
+        for i in range(users)
+    ]
+
+
+def both(users: int, stiffness: float, damping: float, rng: np.random.Generator) -> Task:
+    """All move it together, to and fro."""
+    swing, rate, late = 0.08 * rng.uniform(0.8, 1.2), rng.uniform(0.4, 0.8), rng.uniform(0.0, 0.05, users)
+    return [
+        _hand(i + 1, stiffness, damping, amplitude=swing, frequency=rate, phase=-2.0 * np.pi * rate * late[i])
+        for i in range(users)
+    ]
+
+
+def handover(_users: int, stiffness: float, damping: float, rng: np.random.Generator) -> Task:
+    """The first brings it to the second, who takes it on."""
+    place, late = 0.15 * rng.uniform(0.8, 1.2), rng.uniform(0.1, 0.3)
+    taken, left = late + 1.4, late + 2.0
+    return [
+        _hand(1, stiffness, damping, path=_reach(late, late + 1.2, 0.0, place), release=left),
+        _hand(2, stiffness, damping, path=_reach(left, left + 1.0, place, 2.0 * place), begin=taken),
+    ]
+
+
+def press(users: int, stiffness: float, damping: float, rng: np.random.Generator) -> Task:
+    """The first presses against all others, who hold still, and lets up."""
+    deep, late = 0.06 * rng.uniform(0.8, 1.2), rng.uniform(0.1, 0.3)
+    route = _reach(late, late + 0.4, 0.0, deep) + _reach(late + 2.2, late + 2.6, deep, 0.0)
+    still = [_hand(i + 1, stiffness, damping) for i in range(1, users)]
+    return [_hand(1, stiffness, damping, path=route), *still]
+
+
+TASKS: dict[str, Make] = {"carry": carry, "tug": tug, "both": both, "handover": handover, "press": press}

@@ -1,0 +1,164 @@
+"""Tuning: the same search for every law, on draws that do not count afterwards."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from cotouch.arrays import Float
+from cotouch.errors import CotouchError
+from cotouch.interrupt import check
+from cotouch.laboratory._score import Ideal, dangerous, ideal, measured, promises
+from cotouch.laboratory._study import HandKind, Study, tunable
+from cotouch.laws import law_named
+from cotouch.network import Network
+from cotouch.scenario import Scenario
+from cotouch.simulation import prepare, run_batch
+
+# First step of the local search, of the width of the space; how a step changes where it helps and where it doesn't.
+_STEP, _LONGER, _SHORTER = 0.15, 1.5, 0.9
+# So many of the best settings are asked whether they are safe.
+_CANDIDATES = 8
+
+
+def tune(cell: dict[str, Any]) -> dict[str, Any]:
+    """The best setting of one law on one network, as multiples of what its parameters would be.
+
+    A setting counts only if pushes die away, with the hands and with stiffer ones. What costs more than the best so far
+    is given up as soon as that is certain.
+
+    Args:
+        cell: a `study` with one law, one network and one number of users.
+
+    Returns:
+        `settings`: of "published" (all multiples 1), "tuned" and, where asked for, "safe"; None where there is none.
+        `cost` of each on the draws of the tuning, `tried`, how many settings were; `problem`, why there is nothing.
+    """
+    study = Study.make(**cell["study"])
+    law, network, tuning = study.laws[0], study.networks[0], study.tuning
+    names, users, hand = tunable(law_named(law.kind), law.given), study.users[0], study.hands[0]
+    stiffer = HandKind(stiffness=study.stiffer * hand.stiffness, damping=hand.damping)
+    wanted: list[tuple[Any, int, Ideal]] = []
+    for name in study.tasks:
+        for draw in range(-tuning.draws, 0):
+            hands = study.task(name, users, hand, draw)
+            wanted.append((hands, study.channel_seed(network, draw), ideal(study, hands)))
+
+    def cost(setting: Mapping[str, float], most: float) -> float:
+        """On the draws of the tuning; infinite where it is more, where pushes grow, or where a promise is given up."""
+        setup = prepare(study.scenario(law, network, users, wanted[0][0], setting=setting)).law
+        if promises(law) and setup is not None and not setup.holds:
+            return float("inf")
+        total = 0.0
+        for hands, seed, perfect in wanted:
+            check()
+            scenario = study.scenario(law, network, users, hands, seed=seed, setting=setting)
+            total += measured(scenario, perfect)["cost"] / len(wanted)
+            if not total < most:
+                return float("inf")
+        kinds = (hand, stiffer)
+        return float("inf") if any(dangerous(study, law, network, users, k, setting) for k in kinds) else total
+
+    published = dict.fromkeys(names, 1.0)
+    try:
+        found = [(cost(published, float("inf")), published)]
+    except CotouchError as error:
+        return {"settings": {}, "cost": {}, "tried": 0, "problem": str(error)}
+    width = np.log(tuning.range)
+    rng = np.random.default_rng((study.seed, 18))
+    best, here = found[0][0], np.zeros(len(names))
+    step = _STEP
+    for number in range(tuning.search + tuning.local):
+        if number < tuning.search:
+            place = width * (2.0 * _filling(number, len(names)) - 1.0)
+        else:
+            place = np.clip(here + step * width * rng.standard_normal(len(names)), -width, width)
+        setting = {name: float(np.exp(x)) for name, x in zip(names, place, strict=True)}
+        value = cost(setting, best)
+        better = value < best
+        if better:
+            best, here = value, place
+            found.append((value, setting))
+        if number >= tuning.search:
+            step *= _LONGER if better else _SHORTER
+    ranked = sorted((entry for entry in found if np.isfinite(entry[0])), key=lambda entry: entry[0])
+    settings: dict[str, Any] = {"published": published, "tuned": ranked[0][1] if ranked else None}
+    costs = {"published": found[0][0], "tuned": ranked[0][0] if ranked else float("inf")}
+    if tuning.safe:
+        safe = next((entry for entry in ranked[:_CANDIDATES] if harmless(study, entry[1], tuning.safe)), None)
+        settings["safe"], costs["safe"] = (safe[1], safe[0]) if safe else (None, float("inf"))
+    tried = 1 + tuning.search + tuning.local
+    return {"settings": settings, "cost": costs, "tried": tried, "problem": ""}
+
+
+def harmless(study: Study, setting: Mapping[str, float], runs: int) -> bool:
+    """Whether random runs make no energy beyond what the law declares.
+
+    Args:
+        study: with one law.
+        setting: of it.
+        runs: how many.
+    """
+    law, sources = study.laws[0], study.networks[0]
+    for number in range(runs):
+        check()
+        rng = np.random.default_rng((study.seed, 19, number))
+        users = int(rng.integers(2, 5))
+        scenario = study.scenario(law, sources, users, [], seed=number, setting=setting)
+        spring = scenario.network.spring * _symmetric(10.0 ** rng.uniform(-0.5, 0.5, (users, users)))
+        delay = rng.uniform(0.0, 0.15, (users, users)) * (1.0 - np.eye(users))
+        channel = {
+            "jitter": {"kind": "exponential", "scale": float(rng.choice([0.0, 0.01, 0.05]))},
+            "loss": float(rng.choice([0.0, 0.1, 0.7])),
+            "burst": {"enter": float(rng.choice([0.0, 0.01])), "leave": 0.05},
+            "duplication": 0.2,
+            "reordering": 0.2,
+            "reordering_delay": 0.04,
+        }
+        hands = [
+            {
+                "user": i + 1,
+                "stiffness": float(10.0 ** rng.uniform(1.0, 3.5)),
+                "damping": float(rng.choice([0.0, 6.5])),
+                "path": float(rng.uniform(-0.1, 0.1)),
+                "amplitude": float(rng.choice([0.0, 0.05])),
+                "frequency": float(10.0 ** rng.uniform(-0.5, 1.0)),
+                "release": float(rng.uniform(1.5, 3.0)),
+            }
+            for i in range(users)
+        ]
+        names = scenario.network.users
+        anything = scenario.replace(
+            network=Network(users=names, spring=spring, delay=delay),
+            channel=channel,
+            hands=study.placed(hands, users),
+            steps={"duration": 3.0, "random": {"low": 0.001, "high": float(rng.choice([0.001, 0.005, 0.03]))}},
+        )
+        if made_too_much(anything):
+            return False
+    return True
+
+
+def made_too_much(scenario: Scenario) -> bool:
+    """Whether links made more than their law declares, or the motion left floating point."""
+    prepared = prepare(scenario)
+    record = run_batch(prepared).record
+    seed = float(record.links[0].sum()) if prepared.law is None else prepared.law.seed
+    play = float(np.nanmax(np.abs(record.ticks[:4]), initial=0.0))
+    return not record.made[0] <= seed + 1e-12 * play
+
+
+def _symmetric(values: Float) -> Float:
+    return np.sqrt(values * values.T)
+
+
+_SOBOL: dict[int, Float] = {}
+
+
+def _filling(number: int, dimensions: int) -> Float:
+    """A point of a sequence that fills the unit cube evenly [Sobol' 1967]."""
+    from scipy.stats import qmc
+
+    if dimensions not in _SOBOL:
+        _SOBOL[dimensions] = qmc.Sobol(dimensions, scramble=False).random_base2(13)[1:]
+    return _SOBOL[dimensions][number]

@@ -1,0 +1,40 @@
+"""Link laws: what one end of a link does in a step. One file for each; a new one needs a file and `register`."""
+
+from cotouch.laws._end import End, Part, brake, call, copy, feel, given_power, square
+from cotouch.laws._law import FORCE, Facts, Law, Linear, Parameter, Tone, law_named, laws, register
+from cotouch.laws._once import ONCE
+from cotouch.laws._paid import PAID
+from cotouch.laws._pd import PD
+from cotouch.laws._pspm import PSPM
+from cotouch.laws._spring import SPRING
+from cotouch.laws._tank import TANK
+from cotouch.laws._tdpa import TDPA
+from cotouch.laws._wave import WAVE
+
+__all__ = [
+    "FORCE",
+    "ONCE",
+    "PAID",
+    "PD",
+    "PSPM",
+    "SPRING",
+    "TANK",
+    "TDPA",
+    "WAVE",
+    "End",
+    "Facts",
+    "Law",
+    "Linear",
+    "Parameter",
+    "Part",
+    "Tone",
+    "brake",
+    "call",
+    "copy",
+    "feel",
+    "given_power",
+    "law_named",
+    "laws",
+    "register",
+    "square",
+]

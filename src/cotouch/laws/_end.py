@@ -1,0 +1,233 @@
+"""What a link law sees of one end of a link, and how its two functions become machine code.
+
+Copy i with share σ of the body moves by `σ [M a + B v̂ + K(x̂ - x_d)] = f_i + Σ_j F_ij - B_i v̂`. A law says F_ij::
+
+    F_ij = W [ k (y - x̂) + c - b v̂ ]          k, b ≥ 0; k, b, y, c chosen before the step
+    A   += (b + ½ T k) W ;   rhs += W [ k (y - x) + c ]
+
+so that the link's work on the copy, `T v̂ᵀ F_ij`, is exact whatever a law chooses. The step books it; laws book
+nothing.
+"""
+
+from collections.abc import Callable
+from math import sqrt
+from pathlib import Path
+from typing import Any, NamedTuple, TypeAlias, final
+
+import numba
+import numpy as np
+import numpy.typing as npt
+from numba.core import types
+from numba.core.types.function_type import CompileResultWAP
+
+from cotouch.compiled import stamped
+from cotouch.mechanics import Ports, at, inner, kernel, put
+
+Float: TypeAlias = npt.NDArray[np.float64]
+
+
+class End(NamedTuple):
+    """One end of a link in one step: this copy i, and what it knows of its neighbour j.
+
+    A field is flat, (size,): all rows of the model and all axes one after the other; entries that only pad are zero.
+    What a law declares comes in its order. Before the first sample has arrived, what was received is zero.
+
+    Attributes:
+        T: length of the step [s].
+        age: of the sample, from the middle of the neighbour's step to the end of this one [s].
+        sample_index: number of the neighbour's step that the sample is of; -1: none has arrived.
+        new: whether the sample was not used before.
+        step: how many steps this end has taken.
+        side: 0 at the user with the lower number, 1 at the other.
+        first: whether this is the first of the copy's links; they are asked in order.
+        last: whether it is the last.
+        copies: N.
+        spring: K of the link [N/m for the identity weight].
+        parameters: of the law.
+        weight: diagonal of W, (size,).
+        position: x; before the step where the copy is, after it where it came to, (size,) [m].
+        velocity: v, likewise [m/s].
+        mean: v̂ of the step, (size,), only after it [m/s].
+        sample: x̃, the neighbour's x̂, (size,) [m].
+        hand: force of the hands on this copy in the step before, (size,), where the law asks for it [N].
+        received: fields of the neighbour's message, (fields, size).
+        received_scalars: (scalars,).
+        memory: fields that this end keeps, (fields, size).
+        scalars: numbers that this end keeps, (scalars,).
+        shared: fields that all ends of the copy share, (fields, size).
+        shared_scalars: (scalars,).
+        target: result, before the step: y, (size,) [m].
+        push: result, before the step: c, (size,) [N for the identity weight].
+        gains: result, before the step: k and b, (2,) [N/m, Ns/m].
+        sent: result, after the step: fields of the message to the neighbour, (fields, size).
+        sent_scalars: (scalars,).
+    """
+
+    T: float
+    age: float
+    sample_index: int
+    new: bool
+    step: int
+    side: int
+    first: bool
+    last: bool
+    copies: int
+    spring: float
+    parameters: Float
+    weight: Float
+    position: Float
+    velocity: Float
+    mean: Float
+    sample: Float
+    hand: Float
+    received: Float
+    received_scalars: Float
+    memory: Float
+    scalars: Float
+    shared: Float
+    shared_scalars: Float
+    target: Float
+    push: Float
+    gains: Float
+    sent: Float
+    sent_scalars: Float
+
+
+_ROW, _TABLE = types.Array(types.float64, 1, "C"), types.Array(types.float64, 2, "C")
+_TABLES = {"received", "memory", "shared", "sent"}
+_SCALARS: dict[Any, Any] = {float: types.float64, int: types.intp, bool: types.boolean}
+_SIGNATURE: Any = types.void(
+    types.NamedTuple(
+        [_SCALARS.get(kind, _TABLE if name in _TABLES else _ROW) for name, kind in End.__annotations__.items()], End
+    )
+)
+
+
+@final
+class Part(types.WrapperAddressProtocol):
+    """A compiled half of a law. Engines call it by its address, so one engine, compiled once, serves all laws."""
+
+    def __init__(self, function: Callable[[End], None]) -> None:
+        self._function = function
+        self._address = 0
+
+    def __call__(self, end: End) -> None:
+        """The function as it was written, not compiled."""
+        self._function(end)
+
+    def __wrapper_address__(self) -> int:
+        if not self._address:
+            compiled = _compiled(self._function)
+            compiled.compile(_SIGNATURE)
+            made: Any = CompileResultWAP(compiled.overloads[_SIGNATURE.args])
+            self._address = int(made.__wrapper_address__())
+        return self._address
+
+    def signature(self) -> Any:
+        """Of the function, as numba writes it."""
+        return _SIGNATURE
+
+
+def _compiled(function: Callable[[End], None]) -> Any:
+    njit: Any = numba.njit
+    options = {"nogil": True, "fastmath": {"contract"}, "error_model": "numpy", "_nrt": False}
+    source = Path(function.__code__.co_filename)
+    compiled = njit(**options)(function)
+    # Without a file there is nothing beside which the machine code could be kept.
+    return stamped(compiled) if source.is_file() else compiled
+
+
+@kernel
+def call(part: Part, end: End) -> None:
+    """Calls a half of a law from Python.
+
+    Args:
+        part: of a law, or None.
+        end: of a link.
+    """
+    part(end)
+
+
+@inner
+def square(weight: Float, field: Float) -> float:
+    """`‖field‖²_W`.
+
+    Args:
+        weight: of each entry.
+        field: the values.
+    """
+    result = 0.0
+    for i in range(field.shape[0]):
+        result += at(weight, i) * at(field, i) * at(field, i)
+    return result
+
+
+@inner
+def copy(target: Float, source: Float) -> None:
+    """`target = source`.
+
+    Args:
+        target: written.
+        source: read.
+    """
+    for i in range(target.shape[0]):
+        put(target, i, at(source, i))
+
+
+@inner
+def given_power(end: End) -> float:
+    """Power of the link's push and damper on the copy, `⟨c, v̂⟩_W - b‖v̂‖²_W`; after the step [W]."""
+    result, b = 0.0, end.gains[1]
+    for i in range(end.mean.shape[0]):
+        v = at(end.mean, i)
+        result += at(end.weight, i) * v * (at(end.push, i) - b * v)
+    return result
+
+
+@inner
+def brake(end: End, energy: float, least: float, most: float) -> None:
+    """Writes a damper b beside the push c, so that both can do no more than an energy in the coming step.
+
+    For every v̂ is `T (⟨c, v̂⟩ - b‖v̂‖²) ≤ T‖c‖²/(4b)`. Where that would take more than the greatest damper, c is
+    reduced.
+
+    Args:
+        end: its `push` is there.
+        energy: >= 0 [J].
+        least: b at least [Ns/m].
+        most: b at most, >= least [Ns/m].
+    """
+    price = 0.25 * end.T * square(end.weight, end.push)
+    b = least
+    if price > b * energy:
+        if price > most * energy:
+            fraction = sqrt(most * energy / price)
+            b = most
+            for i in range(end.push.shape[0]):
+                put(end.push, i, fraction * at(end.push, i))
+        else:
+            b = price / energy
+    end.gains[1] = b
+
+
+@kernel
+def feel(hand: Float, ports: Ports) -> None:
+    """The force of the hands on every row and axis, from those of the ports that they have.
+
+    Args:
+        hand: result, flat, (size,) [N].
+        ports: after the step.
+    """
+    dense, width = ports.shape.shape[0] > 0, ports.force.shape[1]
+    for place in range(hand.shape[0]):
+        put(hand, place, 0.0)
+    for p in range(ports.first, ports.last):
+        for axis in range(width):
+            force = at(ports.force, (p, axis))
+            if dense:
+                for row in range(ports.shape.shape[1]):
+                    place = row * width + axis
+                    put(hand, place, at(hand, place) + at(ports.shape, (p, row)) * force)
+            else:
+                place = at(ports.row, p) * width + axis
+                put(hand, place, at(hand, place) + force)

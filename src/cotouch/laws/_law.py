@@ -1,0 +1,255 @@
+"""What a link law declares: its two functions, its parameters, what it sends and keeps, and what it may give out."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from hashlib import sha256
+from math import inf, isfinite, nan
+from typing import TypeAlias, final
+
+from cotouch.errors import NetworkError
+from cotouch.laws._end import End, Part
+
+# Parameter of laws that can go live: most that a neighbour may push with [N].
+FORCE = "force"
+
+Half: TypeAlias = Callable[[End], None]
+
+
+@final
+@dataclass(frozen=True, kw_only=True)
+class Tone:
+    """One end of a link at one frequency.
+
+    Attributes:
+        s: complex frequency, not 0 [1/s].
+        spring: K [N/m].
+        parameters: of the law.
+        there: `e^(-s T_ij)`, what a signal from the neighbour is multiplied by on its way.
+        back: `e^(-s T_ji)`.
+    """
+
+    s: complex
+    spring: float
+    parameters: Sequence[float]
+    there: complex
+    back: complex
+
+
+# Of one end: Z_ii and Z_ij of `F_ij = Z_ij v_j - Z_ii v_i` [Ns/m].
+Linear: TypeAlias = Callable[[Tone], tuple[complex, complex]]
+
+
+@final
+@dataclass(frozen=True, kw_only=True)
+class Facts:
+    """What is known of one end of a link before a run.
+
+    Attributes:
+        spring: K of the link [N/m for the identity weight].
+        age: greatest age of a sample at this end, at the end of the step that uses it [s].
+        age_back: likewise at the other end [s].
+        spread: greatest less least age at this end, the initial state left out [s].
+        period: longest step of this end [s].
+        mass: of a row of the whole body, in the mean, for the identity weight [kg].
+        degree: links of this end's copy.
+        degree_back: of the copy at the other end.
+    """
+
+    spring: float
+    age: float
+    age_back: float
+    spread: float = 0.0
+    period: float = 1e-3
+    mass: float = 1.0
+    degree: int = 1
+    degree_back: int = 1
+
+    @property
+    def delay(self) -> float:
+        """Half of what there and back take together, the same number at both ends [s]."""
+        return 0.5 * (self.age + self.age_back)
+
+
+@final
+@dataclass(frozen=True, kw_only=True)
+class Parameter:
+    """A number that a law can be given.
+
+    Attributes:
+        name: in `[synchronisation] law`.
+        meaning: one sentence, with the unit.
+        default: the number, or how it follows from what is known of the link.
+        least: smallest that is taken.
+        most: largest that is taken.
+    """
+
+    name: str
+    meaning: str
+    default: float | Callable[[Facts], float]
+    least: float = 0.0
+    most: float = inf
+
+
+@final
+@dataclass(frozen=True, kw_only=True)
+class Law:
+    """A link law; see `cotouch.laws.End` for what its functions read and write.
+
+    Attributes:
+        name: in `[synchronisation] law`.
+        before: called before a step; writes `target`, `push` and `gains`. It is called for every link of the copy, in
+            their order, before any of them moves.
+        after: called after it; writes `sent` and `sent_scalars`.
+        source: where it is published.
+        parameters: in the order of `End.parameters`.
+        sends: names of the fields in a message.
+        sends_scalars: names of the numbers in a message.
+        keeps: names of the fields that an end keeps.
+        keeps_scalars: names of the numbers that an end keeps.
+        fractions: names of the fields that the ends of a copy share.
+        shares_scalars: names of the numbers that the ends of a copy share.
+        feels: whether it reads `End.hand`.
+        passive: whether it promises that all ends together make no more energy than their seeds.
+        seed: name of the parameter that says what an end may make; None: nothing.
+        springs: whether its links hold `½‖x_i - x_j‖²_K` at the start, which they may give back.
+        rule: multiple of the rule's local damping B_i that a copy gets with it, if the scenario says nothing else.
+        drag: local damping on top of it [Ns/m].
+        linear: what it is at one frequency and constant delay, if it is linear; `cotouch.impedance` predicts with it.
+        holds: whether its promise holds with these parameters at an end; None: it does with all in their ranges.
+        constant_delay: whether its promise needs samples of a constant age.
+        energies: of the numbers in a message, those by which the neighbour pays for what this end does: sums that only
+            grow. Whoever believes them only up to a power bounds what a neighbour that lies can do.
+        store: of the numbers that the ends of a copy share, the energy that they hold and what they should hold; None:
+            they share none.
+    """
+
+    name: str
+    before: Half
+    after: Half
+    source: str = ""
+    parameters: tuple[Parameter, ...] = ()
+    sends: tuple[str, ...] = ()
+    sends_scalars: tuple[str, ...] = ()
+    keeps: tuple[str, ...] = ()
+    keeps_scalars: tuple[str, ...] = ()
+    fractions: tuple[str, ...] = ()
+    shares_scalars: tuple[str, ...] = ()
+    feels: bool = False
+    passive: bool = True
+    seed: str | None = None
+    springs: bool = False
+    rule: float = 0.0
+    drag: float = 0.0
+    linear: Linear | None = None
+    holds: Callable[[Facts, Sequence[float]], bool] | None = None
+    constant_delay: bool = False
+    energies: tuple[str, ...] = ()
+    store: tuple[str, str] | None = None
+    _parts: list[Part] = field(default_factory=list[Part], repr=False, compare=False)
+
+    @property
+    def parts(self) -> tuple[Part, Part]:
+        """Its two functions as machine code, made on first use."""
+        if not self._parts:
+            self._parts.extend((Part(self.before), Part(self.after)))
+        return self._parts[0], self._parts[1]
+
+    @property
+    def live(self) -> bool:
+        """Whether it can run between people who need not trust each other.
+
+        It is passive by itself, says by which numbers a neighbour pays, and bounds a neighbour's `force`.
+        """
+        itself = self.passive and self.rule == 0.0 and not self.constant_delay
+        return itself and bool(self.energies) and any(known.name == FORCE for known in self.parameters)
+
+    @property
+    def signature(self) -> str:
+        """Tells it from another law of the same name: what messages hold, what parameters it takes."""
+        said = (self.sends, self.sends_scalars, self.energies, [known.name for known in self.parameters])
+        return f"{self.name} {sha256(repr(said).encode()).hexdigest()[:16]}"
+
+    def check(self, given: Mapping[str, object]) -> None:
+        """Whether parameters are its own, and in range.
+
+        Raises:
+            NetworkError: one is not.
+        """
+        known = {parameter.name: parameter for parameter in self.parameters}
+        for name, value in given.items():
+            if name not in known:
+                may = ", ".join(known) or "none"
+                raise NetworkError(f'law.{name} is no parameter of law "{self.name}", which has: {may}')
+            own = known[name]
+            if isinstance(value, str):
+                if _factor(value) is None:
+                    raise NetworkError(
+                        f'law.{name} is "{value}"; it must be a number, or a multiple of the default such as "2x"'
+                    )
+                continue
+            number = float(value) if isinstance(value, int | float) and not isinstance(value, bool) else nan
+            if not (isfinite(number) and own.least <= number <= own.most):
+                bounds = f"at least {own.least:g}" if own.most == inf else f"from {own.least:g} to {own.most:g}"
+                raise NetworkError(f"law.{name} is {value!r}; it must be a number {bounds}")
+
+    def values(self, facts: Facts, given: Mapping[str, float | str]) -> list[float]:
+        """All parameters of one end: what was given, or as many times the default as "2x" says, else the default.
+
+        Args:
+            facts: what is known of the end.
+            given: parameters by name.
+        """
+        result: list[float] = []
+        for parameter in self.parameters:
+            default = parameter.default
+            usual = float(default(facts) if callable(default) else default)
+            value = given.get(parameter.name, usual)
+            if isinstance(value, str):
+                value = min(max((_factor(value) or 0.0) * usual, parameter.least), parameter.most)
+            result.append(float(value))
+        return result
+
+    def seed_of(self, values: list[float]) -> float:
+        """What an end with these parameters may make [J]."""
+        names = [parameter.name for parameter in self.parameters]
+        return 0.0 if self.seed is None else values[names.index(self.seed)]
+
+
+def _factor(text: str) -> float | None:
+    """2 of "2x"; None: it is no multiple."""
+    try:
+        factor = float(text.removesuffix("x")) if text.endswith("x") else nan
+    except ValueError:
+        factor = nan
+    return factor if isfinite(factor) and factor >= 0.0 else None
+
+
+_KNOWN: dict[str, Law] = {}
+
+
+def register(law: Law) -> Law:
+    """Makes a law known by its name, instead of one of the same name.
+
+    Raises:
+        NetworkError: its seed is none of its parameters.
+    """
+    if law.seed is not None and law.seed not in {parameter.name for parameter in law.parameters}:
+        raise NetworkError(f'law "{law.name}" declares the seed "{law.seed}", which is none of its parameters')
+    _KNOWN[law.name] = law
+    return law
+
+
+def laws() -> dict[str, Law]:
+    """All laws that are known, by name."""
+    return dict(_KNOWN)
+
+
+def law_named(name: str) -> Law:
+    """The law of a name.
+
+    Raises:
+        NetworkError: there is none.
+    """
+    if name not in _KNOWN:
+        raise NetworkError(f'law is "{name}"; it must be one of {", ".join(_KNOWN)}')
+    return _KNOWN[name]

@@ -1,0 +1,308 @@
+"""`paid`: hands' forces are exchanged and predicted as boldly as one likes; an account makes it passive.
+
+With share 1/N of the body, a copy that felt all hands would move as the whole body does, so copy i wishes the force
+`(1/N) Σ_j (F_j - f_i)`, F_j what hand j would do here and now: a spring and damper that its own end identifies, to a
+place whose integrals travel. Samples of the copies draw what is left of their differences together, compared with where
+this copy was at the same time, so common motion has no drag.
+
+The wish is paid from an account H. For every v̂, `T v̂ᵀ(wish + b*v - b*v̂) ≤ T‖wish + b*v‖²/(4b*) = H` by choice of b*:
+whatever body, hand or contact do, H stays above zero, and all copies together make no more than their seeds. A weak
+wave line, passive by itself, lies beside it, or copies whose accounts are dry could stay apart for ever.
+"""
+
+from collections.abc import Callable
+from math import inf, sqrt
+from typing import Any, TypeVar
+
+import numba
+
+from cotouch.laws._end import End, copy
+from cotouch.laws._law import FORCE, Facts, Law, Parameter, register
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+
+def _helper(function: F) -> F:
+    """Compiled with the law and not kept alone, because only the law's machine code is bound to this file."""
+    njit: Any = numba.njit
+    return njit(nogil=True, fastmath={"contract"}, error_model="numpy", _nrt=False, forceinline=True)(function)
+
+
+# Fields of a copy, and numbers; the past of x̂ and v̂ follows the fields, its times the numbers.
+_W, _P, _Q, _WISH, _FORCE, _X, _V, _X_BEFORE, _V_BEFORE = range(9)
+_PAST, _KEPT, _EVERY = 9, 128, 0.004
+_ACCOUNT, _TIME, _K, _LEVEL, _EPOCH, _XX, _XV, _VV, _XF, _VF, _HELD, _COUNT, _BRAKE, _OWN_B, _NEW_K, _NEW_B = range(16)
+_TIMES = 16
+# Fields of an end, and numbers.
+_IN, _OUT, _WAVE, _A, _AA, _WISHED = range(6)
+_E_IN, _E_OUT, _AGE, _CREDITED, _GIVEN, _KNOWN, _HORIZON = range(7)
+# A message.
+_M_WAVE, _M_W, _M_P, _M_Q, _M_V = range(5)
+_M_E, _M_K, _M_B, _M_EPOCH, _M_GIVEN, _M_T = range(6)
+_SEED, _FLOOR, _BETA, _GK, _GD, _LINE, _MASS, _FORCE_LIMIT = range(8)
+# Of ∫w; beyond, a new epoch begins, or small errors of an age would count for much [Ns].
+_MOST_P = 100.0
+
+
+@_helper
+def _past(end: End, when: float, i: int, which: int) -> float:
+    """x̂ (0) or v̂ (1) of this copy at a time, straight between what is kept."""
+    shared, numbers = end.shared, end.shared_scalars
+    count = int(numbers[_COUNT])
+    base = _PAST + which * _KEPT
+    later, late = shared[_X + which, i], numbers[_TIME]
+    for back in range(1, min(count, _KEPT) + 1):
+        slot = (count - back) % _KEPT
+        time, value = numbers[_TIMES + slot], shared[base + slot, i]
+        if time <= when:
+            return value + (later - value) * ((when - time) / (late - time) if late > time else 0.0)
+        later, late = value, time
+    return later
+
+
+def _before(end: End) -> None:
+    T, x, v, own, numbers = end.T, end.position, end.velocity, end.shared, end.shared_scalars
+    kept, got, told, p = end.scalars, end.received, end.received_scalars, end.parameters
+    size, heard = x.shape[0], end.sample_index >= 0
+    if end.first:
+        if end.step == 0:
+            copy(own[_X], x)
+            copy(own[_X_BEFORE], x)
+        for i in range(size):
+            own[_WISH, i] = 0.0
+        numbers[_LEVEL] = 0.0
+    if end.step == 0:
+        numbers[_ACCOUNT] += p[_SEED]
+    numbers[_LEVEL] += p[_SEED]
+    # The wave line.
+    root, span = sqrt(2.0 * p[_LINE]), max(0.02, T)
+    if end.step == 0:
+        for i in range(size):
+            end.memory[_IN, i] = end.memory[_OUT, i] = 0.5 * root * x[i]
+    power = 0.0
+    for i in range(size):
+        wave = (got[_M_WAVE, i] - end.memory[_IN, i]) / span if heard else 0.0
+        end.memory[_WAVE, i] = wave
+        power += 0.5 * end.weight[i] * wave * wave
+    most = max(told[_M_E] - kept[_E_IN], 0.0)
+    fraction = sqrt(most / (power * T)) if power * T > most else 1.0
+    push = root * sqrt(2.0 * power)
+    if fraction * push > p[_FORCE_LIMIT]:
+        fraction = p[_FORCE_LIMIT] / push
+    left = p[_FORCE_LIMIT] - fraction * push
+    kept[_E_IN] += fraction * fraction * power * T
+    for i in range(size):
+        end.memory[_WAVE, i] *= fraction
+        end.memory[_IN, i] += end.memory[_WAVE, i] * T
+        end.push[i] = root * end.memory[_WAVE, i]
+    end.gains[0], end.gains[1] = 0.0, p[_LINE]
+    # What the neighbour's hand would do here, and where the neighbour is.
+    numbers[_ACCOUNT] += max(told[_M_GIVEN] - kept[_CREDITED], 0.0)
+    kept[_CREDITED] = max(kept[_CREDITED], told[_M_GIVEN])
+    if heard:
+        kept[_AGE] += (end.age - kept[_AGE]) * (min(T / 0.3, 1.0) if kept[_AGE] > 0.0 else 1.0)
+        mean = max(kept[_AGE], p[_FLOOR], 2.0 * T)
+        stale = 3.0 * mean + 0.05
+        trust = min(max((1.6 - end.age / stale) / 0.6, 0.0), 1.0)
+        ahead = max(end.age - 0.25 * kept[_AGE] - 0.5 * told[_M_T], 0.0)
+        lag = max(0.005, 0.5 * mean)
+        fresh = kept[_KNOWN] != told[_M_EPOCH]
+        kept[_KNOWN] = told[_M_EPOCH]
+        when = numbers[_TIME] + T - end.age
+        # A is of this time after the start of the step. Where that changes, A must, or T and age would seem forces.
+        horizon = T - 0.25 * kept[_AGE]
+        shift = 0.0 if fresh else horizon - kept[_HORIZON]
+        kept[_HORIZON] = horizon
+        gain, square = p[_MASS] / end.copies, 0.0
+        for i in range(size):
+            w = got[_M_W, i]
+            first = got[_M_P, i] + ahead * w
+            second = got[_M_Q, i] + ahead * got[_M_P, i] + 0.5 * ahead * ahead * w
+            if fresh:
+                end.memory[_A, i], end.memory[_AA, i] = first, second
+            a = end.memory[_A, i] + shift * w
+            aa = end.memory[_AA, i] + shift * end.memory[_A, i] + 0.5 * shift * shift * w
+            tracked = w + 2.0 / lag * (first - a) + (second - aa) / (lag * lag)
+            end.memory[_AA, i] = aa + T * a + 0.5 * T * T * tracked
+            end.memory[_A, i] = a + T * tracked
+            hand = tracked - told[_M_K] * x[i] - told[_M_B] * v[i]
+            wish = (hand - own[_FORCE, i]) / end.copies / end.weight[i]
+            away = end.sample[i] - _past(end, when, i, 0)
+            slip = got[_M_V, i] - _past(end, when, i, 1)
+            wish += gain * (p[_GK] * away / (mean * mean) + p[_GD] * slip / mean)
+            wish *= trust
+            end.memory[_WISHED, i] = wish
+            square += end.weight[i] * wish * wish
+        force = sqrt(square)
+        capped = max(left, 0.0) / force if force > left else 1.0
+        for i in range(size):
+            own[_WISH, i] += capped * end.memory[_WISHED, i]
+    if not end.last:
+        return
+    # The payment, on the last of the copy's links.
+    along = wished = speed = 0.0
+    for i in range(size):
+        along += end.weight[i] * own[_WISH, i] * v[i]
+        wished += end.weight[i] * own[_WISH, i] * own[_WISH, i]
+        speed += end.weight[i] * v[i] * v[i]
+    H = max(numbers[_ACCOUNT], 0.0)
+    fraction = 1.0
+    price = T * (along + sqrt(wished * speed))
+    if price > 2.0 * H:
+        fraction = 2.0 * H / price
+    along, wished = fraction * along, fraction * fraction * wished
+    root = sqrt(max((2.0 * H - T * along) ** 2 - T * T * wished * speed, 0.0))
+    room = 2.0 * H - T * along + root
+    b = T * wished / room if room > 0.0 and wished > 0.0 else 0.0
+    if b > 1e4:
+        fraction = b = 0.0
+    for i in range(size):
+        own[_WISH, i] = fraction * own[_WISH, i] + b * v[i]
+        end.push[i] += own[_WISH, i]
+    floor = 0.5 * numbers[_LEVEL]
+    b += p[_BETA] * max(1.0 - H / floor, 0.0) if floor > 0.0 else p[_BETA]
+    numbers[_BRAKE] = b
+    end.gains[1] += b
+
+
+def _after(end: End) -> None:
+    T, own, numbers, kept, p = end.T, end.shared, end.shared_scalars, end.scalars, end.parameters
+    size = end.mean.shape[0]
+    root, power = sqrt(2.0 * p[_LINE]), 0.0
+    for i in range(size):
+        back = root * end.mean[i] - end.memory[_WAVE, i]
+        end.memory[_OUT, i] += back * T
+        power += 0.5 * end.weight[i] * back * back
+        end.sent[_M_WAVE, i] = end.memory[_OUT, i]
+    kept[_E_OUT] += power * T
+    end.sent_scalars[_M_E] = kept[_E_OUT]
+    if end.first:
+        _book(end)
+    spare = max(numbers[_ACCOUNT] - numbers[_LEVEL], 0.0)
+    given = spare if end.last else 0.5 * spare
+    numbers[_ACCOUNT] -= given
+    kept[_GIVEN] += given
+    for i in range(size):
+        end.sent[_M_W, i], end.sent[_M_P, i], end.sent[_M_Q, i] = own[_W, i], own[_P, i], own[_Q, i]
+        end.sent[_M_V, i] = end.mean[i]
+    end.sent_scalars[_M_K], end.sent_scalars[_M_B] = numbers[_K], numbers[_OWN_B]
+    end.sent_scalars[_M_EPOCH], end.sent_scalars[_M_GIVEN] = numbers[_EPOCH], kept[_GIVEN]
+    end.sent_scalars[_M_T] = T
+
+
+@_helper
+def _book(end: End) -> None:
+    """Once in a step: pays for it, looks at the own hand, and keeps the past."""
+    T, own, numbers = end.T, end.shared, end.shared_scalars
+    size, cost, b = end.mean.shape[0], 0.0, numbers[_BRAKE]
+    numbers[_TIME] += T
+    now = numbers[_TIME] - 0.5 * T
+    count = int(numbers[_COUNT])
+    if count == 0 or now - numbers[_TIMES + (count - 1) % _KEPT] >= _EVERY:
+        slot = count % _KEPT
+        numbers[_TIMES + slot] = now
+        for i in range(size):
+            own[_PAST + slot, i] = end.position[i] - 0.5 * T * end.mean[i]
+            own[_PAST + _KEPT + slot, i] = end.mean[i]
+        numbers[_COUNT] += 1.0
+    for name in range(_XX, _VF + 1):
+        numbers[name] *= 0.95
+    held = 0.0
+    for i in range(size):
+        v = end.mean[i]
+        middle = end.position[i] - 0.5 * T * v
+        force = end.hand[i]
+        cost += end.weight[i] * v * (own[_WISH, i] - b * v)
+        if force != 0.0:
+            held += 1.0
+            # The force is of the step before; so must be what it is compared with, or a hand seems to change with T.
+            dx, dv = own[_X, i] - own[_X_BEFORE, i], own[_V, i] - own[_V_BEFORE, i]
+            df = force - own[_FORCE, i]
+            numbers[_XX] += dx * dx
+            numbers[_XV] += dx * dv
+            numbers[_VV] += dv * dv
+            numbers[_XF] -= dx * df
+            numbers[_VF] -= dv * df
+        own[_X_BEFORE, i], own[_V_BEFORE, i] = own[_X, i], own[_V, i]
+        own[_X, i], own[_V, i], own[_FORCE, i] = middle, v, force
+    numbers[_ACCOUNT] -= T * cost
+    changed, most = held != numbers[_HELD], 0.0
+    for i in range(size):
+        most = max(most, abs(own[_P, i]))
+    if changed:
+        for name in range(_XX, _VF + 1):
+            numbers[name] = 0.0
+        numbers[_NEW_K] = numbers[_NEW_B] = 0.0
+    elif held > 0.0:
+        xx, xv, vv = numbers[_XX], numbers[_XV], numbers[_VV]
+        det = xx * vv - xv * xv
+        if det > 1e-6 * xx * vv and det > 0.0:
+            k = (vv * numbers[_XF] - xv * numbers[_VF]) / det
+            damping = (xx * numbers[_VF] - xv * numbers[_XF]) / det
+            if 0.0 <= k <= 5000.0 and 0.0 <= damping <= 100.0:
+                numbers[_NEW_K], numbers[_NEW_B] = k, damping
+    numbers[_HELD] = held
+    k, damping = numbers[_NEW_K], numbers[_NEW_B]
+    jump = abs(k - numbers[_K]) > 0.1 * (k + numbers[_K]) + 1.0 or abs(damping - numbers[_OWN_B]) > 0.2 * damping + 1.0
+    renewed = changed or jump or most > _MOST_P
+    if renewed:
+        numbers[_EPOCH] += 1.0
+        numbers[_K], numbers[_OWN_B] = k, damping
+    for i in range(size):
+        w = own[_FORCE, i]
+        if w != 0.0:
+            w += numbers[_K] * own[_X_BEFORE, i] + numbers[_OWN_B] * own[_V_BEFORE, i]
+        own[_W, i] = w
+        if renewed:
+            own[_P, i] = own[_Q, i] = 0.0
+        own[_P, i] += T * w
+        own[_Q, i] += T * own[_P, i] - 0.5 * T * T * w
+
+
+def _share(facts: Facts) -> float:
+    return 0.02 / facts.degree
+
+
+def _mass(facts: Facts) -> float:
+    return facts.mass / (facts.degree + 1)
+
+
+def _line(facts: Facts) -> float:
+    return 0.2 / max(facts.degree, facts.degree_back)  # the same at both ends, or copies rest apart
+
+
+PAID = register(
+    Law(
+        name="paid",
+        before=_before,
+        after=_after,
+        source="docs/laws.md",
+        parameters=(
+            Parameter(name="seed", meaning="what an end brings to its copy's account [J]", default=_share),
+            Parameter(name="floor", meaning="least age that copies are drawn together over [s]", default=0.005),
+            Parameter(name="brake", meaning="damper that fills an empty account [Ns/m]", default=10.0),
+            Parameter(name="pull", meaning="g_k, how strongly copies are drawn together", default=0.04),
+            Parameter(name="damp", meaning="g_d, how strongly their speeds are", default=0.35),
+            Parameter(name="line", meaning="impedance of the wave line beside it [Ns/m]", default=_line),
+            Parameter(name="mass", meaning="that copies are drawn together with [kg]", default=_mass),
+            Parameter(name=FORCE, meaning="most that a neighbour may push with [N]", default=inf),
+        ),
+        sends=("U_out", "w", "P", "Q", "v"),
+        sends_scalars=("E_out", "k", "b", "epoch", "given", "T"),
+        keeps=("U_in", "U_out", "s", "A", "A2", "wish"),
+        keeps_scalars=("E_in", "E_out", "age", "credited", "given", "epoch", "horizon"),
+        fractions=(
+            *("w", "P", "Q", "wish", "f", "x", "v", "x before", "v before"),
+            *(f"{name}{k}" for name in ("x", "v") for k in range(_KEPT)),
+        ),
+        shares_scalars=(
+            *("account", "time", "k", "level", "epoch", "xx", "xv", "vv"),
+            *("xf", "vf", "held", "count", "brake", "b", "new k", "new b"),
+            *(f"t{k}" for k in range(_KEPT)),
+        ),
+        energies=("E_out", "given"),
+        store=("account", "level"),
+        feels=True,
+        seed="seed",
+    )
+)

@@ -1,0 +1,63 @@
+"""`pspm`: passive set-position modulation; each end follows as far as its own tank pays [Lee & Huang 2010].
+
+It is what a guarded link does that never couples: see `cotouch.peer.LinkGuard`.
+"""
+
+from math import sqrt
+
+from cotouch.laws._end import End, copy, square
+from cotouch.laws._law import Facts, Law, Parameter, register
+
+_TANK, _GIVEN, _CREDITED = range(3)
+
+
+def _before(end: End) -> None:
+    x, hold, tank, half = end.position, end.memory[0], end.scalars, 0.5 * end.spring
+    if end.step == 0:
+        copy(hold, x)
+        tank[_TANK] = end.parameters[0]
+    tank[_TANK] += max(end.received_scalars[0] - tank[_CREDITED], 0.0)
+    tank[_CREDITED] = max(tank[_CREDITED], end.received_scalars[0])
+    held = desired = 0.0
+    for i in range(x.shape[0]):
+        held += half * end.weight[i] * (x[i] - hold[i]) ** 2
+        desired += half * end.weight[i] * (x[i] - end.sample[i]) ** 2
+    if end.sample_index >= 0:
+        there = held + max(tank[_TANK], 0.0)
+        fraction = sqrt(there / desired) if desired > there else 1.0
+        for i in range(x.shape[0]):
+            hold[i] = x[i] + fraction * (end.sample[i] - x[i])
+        tank[_TANK] = there - fraction * fraction * desired
+    copy(end.target, hold)
+    end.gains[0], end.gains[1] = end.spring, end.parameters[1]
+
+
+def _after(end: End) -> None:
+    tank = end.scalars
+    tank[_TANK] += end.T * end.parameters[1] * square(end.weight, end.mean)
+    more = max(tank[_TANK] - end.parameters[0], 0.0)
+    tank[_TANK] -= more
+    tank[_GIVEN] += more
+    end.sent_scalars[0] = tank[_GIVEN]
+
+
+def _damping(facts: Facts) -> float:
+    return facts.spring * facts.delay
+
+
+PSPM = register(
+    Law(
+        name="pspm",
+        before=_before,
+        after=_after,
+        source="Lee & Huang 2010, passive set-position modulation",
+        parameters=(
+            Parameter(name="seed", meaning="what the tank begins with, and keeps at most [J]", default=0.05),
+            Parameter(name="damping", meaning="damper that fills the tank [Ns/m]", default=_damping),
+        ),
+        sends_scalars=("given",),
+        keeps=("set",),
+        keeps_scalars=("tank", "given", "credited"),
+        seed="seed",
+    )
+)

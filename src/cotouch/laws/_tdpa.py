@@ -1,0 +1,70 @@
+"""`tdpa`: position to one end, force to the other, each port as far as the other's energy pays.
+
+The end of the user with the lower number has the spring; a step of its set position may give no more energy than the
+other end has taken in. The other end gets the spring's force, with a damper that bounds its work in the coming step by
+what the spring's end has taken in: instead of an observer that finds out a step too late.
+[Hannaford & Ryu 2002; Ryu, Artigas & Preusche 2010]
+"""
+
+from math import sqrt
+
+from cotouch.laws._end import End, brake, copy, given_power
+from cotouch.laws._law import Law, Parameter, register
+
+
+def _before(end: End) -> None:
+    energy, hold = end.scalars, end.memory[0]  # E_in, E_out; the set position
+    most = max(end.received_scalars[0] + end.parameters[0] - energy[1], 0.0)
+    if end.side == 1:
+        for i in range(end.push.shape[0]):
+            end.push[i] = -end.received[0, i]
+        brake(end, most, end.parameters[1], end.parameters[2])
+        return
+    if end.step == 0:
+        copy(hold, end.position)
+    x, half = end.position, 0.5 * end.spring
+    held = wish = 0.0
+    for i in range(x.shape[0]):
+        held += half * end.weight[i] * (x[i] - hold[i]) ** 2
+        wish += half * end.weight[i] * (x[i] - end.sample[i]) ** 2
+    if end.sample_index >= 0:
+        fraction = sqrt((held + most) / wish) if wish > held + most else 1.0
+        for i in range(x.shape[0]):
+            hold[i] = x[i] + fraction * (end.sample[i] - x[i])
+        step = fraction * fraction * wish - held
+        energy[0] += max(-step, 0.0)
+        energy[1] += max(step, 0.0)
+    copy(end.target, hold)
+    end.gains[0] = end.spring
+
+
+def _after(end: End) -> None:
+    energy = end.scalars
+    if end.side == 1:
+        work = end.T * given_power(end)
+        energy[0] += max(-work, 0.0)
+        energy[1] += max(work, 0.0)
+    for i in range(end.mean.shape[0]):
+        middle = end.position[i] - 0.5 * end.T * end.mean[i]
+        end.sent[0, i] = end.spring * (end.memory[0, i] - middle) if end.side == 0 else 0.0
+    end.sent_scalars[0] = energy[0]
+
+
+TDPA = register(
+    Law(
+        name="tdpa",
+        before=_before,
+        after=_after,
+        source="Hannaford & Ryu 2002; Ryu, Artigas & Preusche 2010",
+        parameters=(
+            Parameter(name="seed", meaning="energy that an end may give before it has got any [J]", default=0.05),
+            Parameter(name="damping", meaning="β₀, always at the end that gets the force [Ns/m]", default=1.0),
+            Parameter(name="most", meaning="greatest damper there [Ns/m]", default=100.0),
+        ),
+        sends=("F",),
+        sends_scalars=("E_in",),
+        keeps=("set",),
+        keeps_scalars=("E_in", "E_out"),
+        seed="seed",
+    )
+)

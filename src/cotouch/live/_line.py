@@ -1,0 +1,83 @@
+"""What a member opens at one address: Zenoh's session, its gate, and who introduces. Another address, another line."""
+
+import threading
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, final
+
+from cotouch.live._certificates import make_certificates
+from cotouch.live._gate import Gate, inner_endpoint
+from cotouch.live._introducer import Introducer
+from cotouch.live._invitation import Endpoint, Invitation
+from cotouch.live._keys import Entropy
+from cotouch.live._listening import advertised
+from cotouch.live._zenoh import Mode, close_session, configuration, open_session
+
+if TYPE_CHECKING:
+    import zenoh
+
+
+@final
+class Line:
+    """One way of a member into its session.
+
+    Attributes:
+        own: where others find this member; None behind routers.
+        session: of Zenoh.
+        introducer: None behind routers.
+    """
+
+    def __init__(
+        self,
+        invitation: Invitation,
+        at: Sequence[Endpoint],
+        *,
+        mode: Mode,
+        connect: Sequence[Endpoint],
+        lease: float,
+        multicast: bool,
+        entropy: Entropy,
+        clock: Callable[[], float],
+    ) -> None:
+        """Opens it.
+
+        Args:
+            invitation: to the session.
+            at: where it listens.
+            mode: a peer, or behind routers a client.
+            connect: whom it dials.
+            lease: after which a silent member is gone [s].
+            multicast: whether members are also looked for on the local network.
+            entropy: gives so many bytes that nobody can guess.
+            clock: [s].
+
+        Raises:
+            TransportError: the address is taken or not this machine's, or no router answers.
+        """
+        certificates = make_certificates(invitation, entropy=entropy)
+        inner = inner_endpoint(entropy)
+        self.own = advertised(at[0], invitation) if at else None
+        self.session = open_session(
+            configuration(mode, certificates, listen=at, inner=inner, connect=connect, lease=lease, multicast=multicast)
+        )
+        self._gate = None if inner is None or not at else Gate(at, inner, certificates)
+        self.introducer: Introducer | None = None
+        if self.own is not None:
+
+            def beside(endpoints: Sequence[Endpoint]) -> "zenoh.Session":
+                return open_session(configuration("peer", certificates, connect=endpoints, lease=lease, dial=False))
+
+            self.introducer = Introducer(self.own, beside, clock)
+
+    def close(self, users: Sequence[threading.Thread] = ()) -> None:
+        """Leaves; waits a few seconds at most.
+
+        Args:
+            users: threads that may be in Zenoh still and end soon.
+        """
+        users = list(users)
+        if self.introducer is not None:
+            self.introducer.close()
+            users.append(self.introducer.thread)
+        close_session(self.session, [user for user in users if user.is_alive()])
+        if self._gate is not None:
+            self._gate.close()

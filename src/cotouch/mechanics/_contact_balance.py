@@ -1,0 +1,221 @@
+"""One scale over the motion of body and tools makes the energy of a step with contacts exact.
+
+Of a body with a material the true energy is weighed with that of the contact, where the same motion led, and its end
+velocity closes what little is left: one balance for both.
+"""
+# pyright: reportArgumentType=false, reportReturnType=false
+
+from typing import Any
+
+from cotouch.arrays import Float
+from cotouch.mechanics._closed import (
+    HAVE,
+    LAST_ATTEMPT,
+    LEAST,
+    MOST,
+    NOISE,
+    TARGET,
+    close,
+    go_back,
+    keep_place,
+    square_of,
+    weigh,
+)
+from cotouch.mechanics._contact_press import press_tool, rub
+from cotouch.mechanics._contact_sweep import first_crossing
+from cotouch.mechanics._contact_work import ContactWork
+from cotouch.mechanics._force import BodyForce
+from cotouch.mechanics._kernel import part
+from cotouch.mechanics._operator import Operator
+from cotouch.mechanics._state import SHORTENED, SUPPLIED, Links, Ports, State, Workspace
+from cotouch.mechanics._step import book_energies, move, port_work
+from cotouch.mechanics._surface import Surface
+from cotouch.mechanics._tools import TOUCH, TOUCH_LOSS, TOUCHED, Tools
+from cotouch.mechanics._vector import at, load, splat, store, total
+
+# A difference below this share of what made it is rounding.
+_ROUNDING = 8e-16
+# What the end velocity may make up for, as a share of its energy, where tools touch: a scale does the rest.
+_EASY = 0.015
+# How often a scale near 1 is sought that makes up for what the looks missed; how often the way is shortened then, by
+# the rounding of the scale first and by half at last.
+_TRIES = 12
+_HALVES = 60
+# A tool that would pass the skin goes so much of the way to it.
+_SHORT = 0.9
+
+
+@part
+def dot_rows(first: Float, second: Float, lanes: tuple[int, ...]) -> float:
+    """`Σ firstᵀ second` over all rows."""
+    result = splat(0.0, lanes)
+    for i in range(first.shape[0]):
+        result = result + load(first, i, lanes) * load(second, i, lanes)
+    return total(result)
+
+
+@part
+def balanced(
+    law: Any,
+    op: Operator,
+    force: BodyForce | None,
+    state: State,
+    links: Links,
+    ports: Ports,
+    surface: Surface,
+    tools: Tools,
+    local_damping: Float,
+    extra_damping: Float,
+    T: float,
+    sample: int,
+    work: Workspace,
+    touch: ContactWork,
+    ledger: Float,
+    touch_ledger: Float,
+    link_work: Float,
+    free: float,
+    contact: float,
+    look: bool,
+    lanes: tuple[int, ...],
+) -> float:
+    """Moves the copy as far as the energies of body and contact allow, and books it.
+
+    What comes in less what is stored and lost is above 0 for small scales and falls: somewhere near 1 it is 0. If it
+    is not near 1, what is left over counts as lost; if there is too little, the way is shortened until there is not.
+
+    Args:
+        law: of the contact.
+        op: the body's matrices.
+        force: what resists inside the body beside them; None: nothing.
+        state: of the copy; changed in place.
+        links: the neighbours' samples.
+        ports: what else holds the copy.
+        surface: the skin.
+        tools: the proxies.
+        local_damping: B_i as coefficients over the weights, (weights,).
+        extra_damping: B_e likewise.
+        T: length of the step [s].
+        sample: slot of `links.samples` that receives x̂; negative: none.
+        work: scratch; `mean` holds the motion that the last solve found, and gets what comes of it.
+        touch: what the last look found, with rates and motions of the last solve.
+        ledger: result (BOOKS,), as of `step`.
+        touch_ledger: result: TOUCHED, and TOUCH_LOSS is added to.
+        link_work: result (links,).
+        free: `v̂ᵀ b`, b the right-hand side without contacts [W].
+        contact: `v̂ᵀ (A v̂ - b)`, what contacts do on the body [W].
+        look: whether any tool touches.
+        lanes: fixes the width of a row.
+
+    Returns:
+        The scale, in [0, 1.25].
+    """
+    most, held_back, touches = 1.0, False, False
+    inflow, slope = abs(free) + abs(contact), -T * (free + contact)
+    for t in range(tools.first, tools.last):
+        p = t - tools.first
+        held_back = held_back or touch.caught[p, 0] != 0.0
+        if tools.mode[t] == TOUCH and tools.inside[t] == 0:
+            most = min(most, _SHORT * first_crossing(surface, touch, tools, t, T))
+        for a in range(3):
+            inflow += abs(touch.mean[p, a] * touch.drive[p, a])
+            slope -= T * touch.inertia[p] * touch.mean[p, a] * touch.mean[p, a]
+        touches = touches or touch.total[p] > 0.0
+    if force is not None:
+        keep_place(state, work, lanes)
+    least, greatest = (1.0 - _EASY, 1.0 + _EASY) if touches else (LEAST, MOST)
+    held_back = held_back or most < 1.0
+    seeks = not held_back
+    scale, have, last, last_over, tries, halves, shrinks = most, 1.0, 0.0, 0.0, 0, 0, _ROUNDING
+    while True:
+        over, noise, lost = _over(law, surface, touch, tools, T, free, contact, inflow, force is None, scale)
+        if force is None:
+            fine = not look or abs(over) <= noise
+        else:
+            for i in range(work.mean.shape[0]):
+                store(work.mean, i, (scale / have) * load(work.mean, i, lanes), lanes)
+            have, touch_ledger[TOUCHED] = scale, over
+            ledger[SUPPLIED] = port_work(op, state, ports, T, work.mean, lanes)
+            move(op, state, links, T, sample, work, link_work, lanes)
+            gain = ledger[SUPPLIED] + over
+            for link in range(links.first, links.last):
+                gain += at(link_work, link)
+            weigh(op, force, state, local_damping, extra_damping, T, gain, work, ledger, lanes)
+            weighed = work.weighed
+            weighed[NOISE] += noise / op.copy_scale
+            over, noise = op.copy_scale * (weighed[TARGET] - weighed[HAVE]), op.copy_scale * weighed[NOISE]
+            square, _ = square_of(weighed, False)
+            fine = abs(over) <= noise or (least <= square <= greatest and (seeks or over < 0.0))
+        if fine and not (scale > 1.0 and _passes(surface, touch, tools, scale * T)):
+            break
+        begins_anew = False
+        if seeks:
+            if tries > 0:
+                slope = (over - last_over) / (scale - last)
+            tries, last, last_over = tries + 1, scale, over
+            following = min(max(scale - over / slope, LEAST), MOST) if slope < 0.0 else scale
+            seeks = not fine and tries <= _TRIES and following != scale
+            begins_anew = not seeks and scale != 1.0 and (fine or (over > 0.0 and scale == MOST))
+            scale = following if seeks else 1.0 if begins_anew else scale
+        if not (seeks or begins_anew):
+            if not over < -noise or halves == _HALVES:
+                break
+            halves += 1
+            shrinks = min(16.0 * shrinks, 0.5)
+            scale = (1.0 - shrinks) * scale if halves < _HALVES else 0.0
+        if force is not None:
+            go_back(state, work, lanes)
+    touch_ledger[TOUCH_LOSS] += lost if fine or not over > noise else lost + over
+    if force is None:
+        for i in range(work.mean.shape[0]):
+            store(work.mean, i, scale * load(work.mean, i, lanes), lanes)
+        touch_ledger[TOUCHED] = T * scale * (scale * contact - (1.0 - scale) * free)
+        ledger[SUPPLIED] = port_work(op, state, ports, T, work.mean, lanes)
+        move(op, state, links, T, sample, work, link_work, lanes)
+        book_energies(op, state, local_damping, extra_damping, T, work, ledger, lanes)
+    else:
+        if not fine and over > noise:
+            work.weighed[TARGET] = work.weighed[HAVE]
+            touch_ledger[TOUCHED] -= over
+        close(op, state, LAST_ATTEMPT, work, ledger, lanes)
+        ledger[SHORTENED] = 0.0 if held_back else max(LEAST - scale, 0.0)
+    return scale
+
+
+@part
+def _passes(surface: Surface, touch: ContactWork, tools: Tools, time: float) -> bool:
+    """Whether any tool passes the skin within some time."""
+    for t in range(tools.first, tools.last):
+        if tools.mode[t] == TOUCH and tools.inside[t] == 0 and first_crossing(surface, touch, tools, t, time) <= 1.0:
+            return True
+    return False
+
+
+@part
+def _over(
+    law: Any,
+    surface: Surface,
+    touch: ContactWork,
+    tools: Tools,
+    T: float,
+    free: float,
+    contact: float,
+    inflow: float,
+    body: bool,
+    scale: float,
+) -> tuple[float, float, float]:
+    """What a scaled motion leaves over, of tools and, if so, a linear body; its rounding; what the tools lose [J]."""
+    over = T * scale * ((1.0 - scale) * free - scale * contact) if body else 0.0
+    lost, stored = 0.0, 0.0
+    for t in range(tools.first, tools.last):
+        p = t - tools.first
+        for a in range(3):
+            rate = scale * touch.mean[p, a]
+            over += T * rate * (touch.drive[p, a] - touch.inertia[p] * rate)
+        if tools.mode[t] == TOUCH and tools.inside[t] == 0:
+            pressed = press_tool(law, surface, touch, tools, t, scale * T, 0.0)
+            rubbed, gone, _ = rub(touch, tools, t, scale * T, T)
+            touch.stored[p] = pressed + rubbed
+            over -= pressed + rubbed - tools.account[t] + gone
+            lost += gone
+            stored += abs(pressed) + rubbed + abs(tools.account[t])
+    return over, _ROUNDING * (T * inflow + stored), lost

@@ -1,0 +1,30 @@
+"""Elastic foundation: `ψ = ½ κ w²`, each point of the skin a spring of its own [Johnson 1985, section 4.3].
+
+On a flat it pushes with `κ π z (R² - z²)² / (4 R²)`, z the height of the middle: with `κ π R h²` where it is shallow.
+Beyond a depth of 0.55 R it gives way.
+"""
+
+from math import pi
+from typing import NamedTuple
+
+from cotouch.mechanics._kernel import inner
+
+# κ π R² / k so that a flat pushes with k R / 10 at a depth of R / 10.
+_SHARE = 0.1 / (0.25 * 0.9 * (1.0 - 0.9**2) ** 2)
+
+
+class Foundation(NamedTuple):
+    """Parameters of the law.
+
+    Attributes:
+        hardness: factor on κ.
+    """
+
+    hardness: float = 1.0
+
+
+@inner
+def press(law: Foundation, stiffness: float, radius: float, depth: float) -> tuple[float, float, float]:
+    """Energy, pressure and slope; see `cotouch.mechanics.CONTACT_LAWS`."""
+    modulus = law.hardness * _SHARE * stiffness / (pi * radius * radius)
+    return 0.5 * modulus * depth * depth, modulus * depth, modulus

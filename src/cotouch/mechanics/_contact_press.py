@@ -1,0 +1,202 @@
+"""What a tool and the skin do to each other: pressure by the law's energy, friction and damping where it presses.
+
+Friction is a spring between tool and skin, spread over the skin as the pressure is. Its stretch is a state of the
+tool; what is beyond the cone slips, and what slips is lost [return mapping, Simo & Hughes 1998].
+"""
+# pyright: reportArgumentType=false, reportReturnType=false
+
+import math
+from typing import Any
+
+from cotouch.mechanics._contact_patch import press_triangle
+from cotouch.mechanics._contact_sweep import bead_place, beads
+from cotouch.mechanics._contact_work import ContactWork
+from cotouch.mechanics._kernel import part
+from cotouch.mechanics._surface import Surface
+from cotouch.mechanics._tools import Tools
+
+# A stretch of friction that lies this much across the skin, of its length, has no direction along it.
+_ACROSS = 1e-3
+
+
+@part
+def press_tool(law: Any, surface: Surface, work: ContactWork, tools: Tools, t: int, time: float, share: float) -> float:
+    """Energy between a tool and the skin after both moved for some time [J].
+
+    Args:
+        law: of the contact.
+        surface: the skin.
+        work: `near`, `rate` and `mean` say what moves; with a share, forces are added to what it gathers.
+        tools: the proxies.
+        t: which of them.
+        time: how long they moved [s].
+        share: of the forces there that acts in the step; 0: none, and nothing is written.
+    """
+    p, corner, soft = t - tools.first, surface.corner, surface.soft
+    near, place, rate, spot, out, mean = work.near, work.fit.place, work.rate, work.spot, work.out, work.mean
+    faces, energy, stiffness, radius = near.shape[1], 0.0, tools.stiffness[t], tools.radius[t]
+    for bead in range(beads(tools, t)):
+        along = bead_place(tools, t, bead)
+        for a in range(3):
+            spot[3, a] = tools.place[t, a] + along * tools.axis[t, a] + time * mean[p, a]
+        for c in range(work.number[p]):
+            f = near[p, c]
+            apart = 0.0
+            for a in range(3):
+                low, high = math.inf, -math.inf
+                for q in range(3):
+                    v = corner[f, q]
+                    spot[q, a] = place[v, a] + time * rate[v, a]
+                    low, high = min(low, spot[q, a]), max(high, spot[q, a])
+                gap = max(low - spot[3, a], spot[3, a] - high, 0.0)
+                apart += gap * gap
+            if apart >= radius * radius:
+                continue
+            for a in range(4):
+                for b in range(4):
+                    out[a, b] = 0.0
+            area = tools.share[t] * _area(surface, f)
+            if soft.shape[0] > 0:  # in series with what the shapes of a truncated body leave out
+                area /= 1.0 + (soft[f, 1] + (soft[f, 0] - soft[f, 1]) / 3.0) * stiffness
+            if not press_triangle(law, stiffness, radius, area, spot, out):
+                continue
+            energy += out[3, 3]
+            if share == 0.0:
+                continue
+            for q in range(3):
+                v = corner[f, q]
+                for a in range(3):
+                    work.force[v, a] += share * out[q, a]
+                    work.pull[p, a] -= share * out[q, a]
+                firm = share * time * out[3, q]
+                work.firm[v] += firm
+                work.grip[p, 0] += firm
+                work.load[p * faces + c, q] += share * out[q, 3]
+                work.total[p] += share * out[q, 3]
+    return energy
+
+
+@part
+def _area(surface: Surface, f: int) -> float:
+    """Of a triangle at rest [m²]."""
+    rest, ia, ib, ic = surface.rest, surface.corner[f, 0], surface.corner[f, 1], surface.corner[f, 2]
+    ux, uy, uz = rest[ib, 0] - rest[ia, 0], rest[ib, 1] - rest[ia, 1], rest[ib, 2] - rest[ia, 2]
+    vx, vy, vz = rest[ic, 0] - rest[ia, 0], rest[ic, 1] - rest[ia, 1], rest[ic, 2] - rest[ia, 2]
+    nx, ny, nz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
+    return 0.5 * math.sqrt(nx * nx + ny * ny + nz * nz)
+
+
+@part
+def read_skin(surface: Surface, work: ContactWork, p: int) -> None:
+    """Works out how fast the skin moves where a tool presses."""
+    corner, near, load, rate, faces = surface.corner, work.near, work.load, work.rate, work.near.shape[1]
+    for a in range(3):
+        work.skin[p, a] = 0.0
+    if work.total[p] <= 0.0:
+        return
+    for c in range(work.number[p]):
+        for q in range(3):
+            share = load[p * faces + c, q] / work.total[p]
+            if share != 0.0:
+                for a in range(3):
+                    work.skin[p, a] += share * rate[corner[near[p, c], q], a]
+
+
+@part
+def rub(work: ContactWork, tools: Tools, t: int, time: float, T: float) -> tuple[float, float, float]:
+    """Friction and damping of a tool that moved for some time, of a step's length T, against the skin.
+
+    `rubbed` gets the stretch at the end and `slips` whether it slips.
+
+    Returns:
+        The energy in the spring; what was lost [J]; how much of the spring's stiffness resists more of it.
+    """
+    p, way, mean, skin = t - tools.first, work.way, work.mean, work.skin
+    k, normal, stretch, rubbed = tools.stiffness[t], work.way[p, 3], tools.stretch, work.rubbed
+    size, across, approach = 0.0, 0.0, 0.0
+    for a in range(3):
+        size += stretch[t, a] * stretch[t, a]
+        across += stretch[t, a] * way[p, a]
+        approach -= way[p, a] * (mean[p, a] - skin[p, a])
+        rubbed[p, a] = 0.0
+    work.slips[p] = 0
+    if normal <= 0.0 or tools.friction[t] <= 0.0:
+        lost = 0.5 * k * size
+        share = approach * time / T
+        if normal > 0.0:
+            lost += normal * max(tools.loss[t] * share, -1.0) * share * T
+        return 0.0, lost, 0.0
+    length, flat = math.sqrt(size), math.sqrt(max(size - across * across, 0.0))
+    turned = length / flat if flat > _ACROSS * length else 0.0
+    lost = 0.5 * k * size if turned == 0.0 else 0.0
+    trial, begun, done = 0.0, 0.0, 0.0
+    for a in range(3):
+        start = turned * (stretch[t, a] - across * way[p, a])
+        rubbed[p, a] = start + time * (mean[p, a] - skin[p, a] + approach * way[p, a])
+        trial += rubbed[p, a] * rubbed[p, a]
+    trial = math.sqrt(trial)
+    cone = (tools.kinetic[t] if tools.slipping[t] != 0 else tools.friction[t]) * normal / k
+    share = 1.0
+    if trial > cone:
+        share = tools.kinetic[t] * normal / (k * trial)
+        work.slips[p] = 1
+    for a in range(3):
+        start = turned * (stretch[t, a] - across * way[p, a])
+        end = share * rubbed[p, a]
+        done += end * (rubbed[p, a] - end) + 0.5 * (end - start) * (end - start)
+        begun += end * end
+        rubbed[p, a] = end
+    speed = approach * time / T
+    lost += k * done + normal * max(tools.loss[t] * speed, -1.0) * speed * T
+    return 0.5 * k * begun, lost, share
+
+
+@part
+def feel_tool(law: Any, surface: Surface, work: ContactWork, tools: Tools, t: int, T: float) -> None:
+    """Gathers the mean force of a step's contact, on tool and skin, as it would be by the present guess of the motion.
+
+    Energy along a straight way changes by the mean of its slope, which two points of Gauss's rule give to fourth order.
+    """
+    p, faces = t - tools.first, work.near.shape[1]
+    for c in range(work.number[p]):
+        for q in range(3):
+            work.load[p * faces + c, q] = 0.0
+    work.total[p], work.grip[p, 0], work.grip[p, 1] = 0.0, 0.0, 0.0
+    for a in range(4):
+        work.pull[p, a] = 0.0
+        work.way[p, a] = 0.0
+    half = 0.5 / math.sqrt(3.0)
+    press_tool(law, surface, work, tools, t, (0.5 - half) * T, 0.5)
+    press_tool(law, surface, work, tools, t, (0.5 + half) * T, 0.5)
+    read_skin(surface, work, p)
+    size = 0.0
+    for a in range(3):
+        size += work.pull[p, a] * work.pull[p, a]
+    size = math.sqrt(size)
+    if size <= 0.0 or work.total[p] <= 0.0:
+        return
+    work.way[p, 3] = size
+    approach = 0.0
+    for a in range(3):
+        work.way[p, a] = work.pull[p, a] / size
+        approach -= work.way[p, a] * (work.mean[p, a] - work.skin[p, a])
+    if tools.friction[t] <= 0.0 and tools.loss[t] <= 0.0:
+        return
+    _, _, share = rub(work, tools, t, T, T)
+    k, damper = tools.stiffness[t], size * tools.loss[t]
+    damping = size * max(tools.loss[t] * approach, -1.0)
+    grip = k * T * share if tools.friction[t] > 0.0 else 0.0
+    work.grip[p, 0] += damper
+    work.grip[p, 1] += grip
+    extra = damper + grip
+    corner, near = surface.corner, work.near
+    for c in range(work.number[p]):
+        for q in range(3):
+            part_of = work.load[p * faces + c, q] / work.total[p]
+            if part_of != 0.0:
+                v = corner[near[p, c], q]
+                work.firm[v] += part_of * extra
+                for a in range(3):
+                    work.force[v, a] -= part_of * (damping * work.way[p, a] - k * work.rubbed[p, a])
+    for a in range(3):
+        work.pull[p, a] += damping * work.way[p, a] - k * work.rubbed[p, a]

@@ -1,0 +1,126 @@
+"""How a tool reads and loads the skin: which triangles are near, how fast vertices are, and what they carry."""
+# pyright: reportArgumentType=false, reportReturnType=false
+
+import math
+
+from cotouch.arrays import Float
+from cotouch.mechanics._contact_work import ContactWork
+from cotouch.mechanics._kernel import part
+from cotouch.mechanics._surface import FOUR, Surface, box_distance, place_vertex
+from cotouch.mechanics._tools import Tools
+from cotouch.mechanics._vector import load, splat, store
+
+
+@part
+def fastest(surface: Surface, velocity: Float) -> float:
+    """A bound on the speed of every vertex [m/s]."""
+    rows, width = velocity.shape[0], velocity.shape[1]
+    square = 0.0
+    if surface.shape.shape[0] > 0:  # of the whole tree's box: its mean shape and what shapes differ from it
+        for a in range(3):
+            most = 0.0
+            for i in range(rows):
+                rate = abs(velocity[i, a if width > 1 else 0])
+                most += rate * (abs(surface.lean[i, a]) + surface.spread[i, a])
+            square += most * most
+        return math.sqrt(square)
+    if width > 1:
+        for i in range(rows):
+            own = 0.0
+            for a in range(width):
+                own += velocity[i, a] * velocity[i, a]
+            square = max(square, own)
+        return math.sqrt(square)
+    for i in range(rows):
+        square = max(square, 3.0 * velocity[i, 0] * velocity[i, 0])
+    return math.sqrt(square)
+
+
+@part
+def look_around(
+    surface: Surface, work: ContactWork, tools: Tools, t: int, reach: float, position: Float, lanes: tuple[int, ...]
+) -> None:
+    """Notes every triangle that is no farther from the middle of a tool."""
+    p, fit, stack, near = t - tools.first, work.fit, work.stack, work.near
+    place, corner, child, leaf = fit.place, surface.corner, surface.child, surface.leaf
+    x, y, z = tools.place[t, 0], tools.place[t, 1], tools.place[t, 2]
+    count, waiting = 0, 1
+    stack[0] = 0
+    while waiting > 0:
+        waiting -= 1
+        box = stack[waiting]
+        if not box_distance(surface, fit, box, x, y, z, position, lanes) <= reach * reach:
+            continue
+        left, right = child[box, 0], child[box, 1]
+        if left >= 0:
+            stack[waiting], stack[waiting + 1] = left, right
+            waiting += 2
+            continue
+        for member in range(-1 - left, -1 - left + right):
+            f = leaf[member]
+            for c in range(3):
+                place_vertex(surface, fit, corner[f, c], position, lanes)
+            gap = 0.0
+            for a in range(3):
+                own = tools.place[t, a]
+                p0, p1, p2 = place[corner[f, 0], a], place[corner[f, 1], a], place[corner[f, 2], a]
+                apart = max(min(p0, p1, p2) - own, own - max(p0, p1, p2), 0.0)
+                gap += apart * apart
+            if gap <= reach * reach:
+                near[p, count] = f
+                count += 1
+    work.number[p] = count
+
+
+@part
+def read_rates(surface: Surface, work: ContactWork, p: int, mean: Float, lanes: tuple[int, ...]) -> None:
+    """Works out how fast the vertices near a tool move."""
+    row, weight, shape, corner = surface.row, surface.weight, surface.shape, surface.corner
+    rate, near, modal, rows = work.rate, work.near, surface.shape.shape[0] > 0, mean.shape[0]
+    for c in range(work.number[p]):
+        for q in range(3):
+            v = corner[near[p, c], q]
+            total = splat(0.0, FOUR)
+            if modal:
+                for i in range(rows):
+                    total = total + load(mean, i, lanes) * load(shape, v * rows + i, FOUR)
+                store(rate, v, total, FOUR)
+                continue
+            for a in range(3):
+                value = 0.0
+                for k in range(row.shape[1]):
+                    if row.shape[2] == 1:
+                        value += weight[v, k] * mean[row[v, k, 0], a]
+                    else:
+                        value += weight[v, k] * mean[row[v, k, a], 0]
+                rate[v, a] = value
+
+
+@part
+def load_rows(surface: Surface, work: ContactWork, p: int) -> None:
+    """Hands on to the body's rows what the vertices near a tool carry, and takes it off them."""
+    row, weight, shape, corner = surface.row, surface.weight, surface.shape, surface.corner
+    near, force, firm, push, hold = work.near, work.force, work.firm, work.push, work.hold
+    modal, rows, wide = shape.shape[0] > 0, push.shape[0], push.shape[1] > 1
+    for c in range(work.number[p]):
+        for q in range(3):
+            v = corner[near[p, c], q]
+            if firm[v] == 0.0 and force[v, 0] == 0.0 and force[v, 1] == 0.0 and force[v, 2] == 0.0:
+                continue
+            for a in range(3):
+                value = force[v, a]
+                force[v, a] = 0.0
+                if modal:
+                    for i in range(rows):
+                        push[i, a if wide else 0] += value * shape[v * rows + i, a]
+                    continue
+                for k in range(row.shape[1]):
+                    share = weight[v, k]
+                    if row.shape[2] == 1:
+                        push[row[v, k, 0], a] += share * value
+                        if a == 0:
+                            hold[row[v, k, 0]] += share * firm[v]
+                    else:
+                        push[row[v, k, a], 0] += share * value
+                        hold[row[v, k, a]] += share * firm[v]
+            firm[v] = 0.0

@@ -1,0 +1,341 @@
+"""One step of a copy with tools whose contact is an energy of the state.
+
+A few looks find where body and tools go: each solves the body with the forces that the last one led to, and with what
+resists there on its diagonal. Whatever they miss, one scale over the motion of body and tools makes the energy of the
+contact, and of the step, exact [after DESIGN.md, "One scale keeps the energy identity"]. Nothing is re-based, because
+the energy before the step is a number that is known.
+"""
+# pyright: reportArgumentType=false, reportReturnType=false
+
+import math
+from typing import Any
+
+from cotouch.arrays import Float
+from cotouch.mechanics._closed import predict
+from cotouch.mechanics._contact_balance import balanced, dot_rows
+from cotouch.mechanics._contact_catch import begin_catch, catch
+from cotouch.mechanics._contact_press import feel_tool, press_tool
+from cotouch.mechanics._contact_skin import fastest, load_rows, look_around, read_rates
+from cotouch.mechanics._contact_sweep import NEVER, first_crossing
+from cotouch.mechanics._contact_work import Contact, ContactWork
+from cotouch.mechanics._force import BodyForce
+from cotouch.mechanics._kernel import block, part
+from cotouch.mechanics._operator import Operator, row_product
+from cotouch.mechanics._proxy import book_drive, move_proxy, proxy_drive, proxy_inertia
+from cotouch.mechanics._state import ITERATIONS, Links, Ports, State, Workspace
+from cotouch.mechanics._step import assemble, solve_step
+from cotouch.mechanics._surface import Surface, refit
+from cotouch.mechanics._tools import TOUCH, TOUCH_LOSS, TOUCH_STORED, Tools
+from cotouch.mechanics._vector import load, splat, store
+
+# Looks at most, the change of forces from one to the next at which they end, and how much of what the last look missed
+# the next may leave.
+_LOOKS = 12
+_SETTLED = 1e-6
+_COARSE = 0.03
+# Energy below which a tool is out of the skin, of that in a depth of its radius.
+_NOTHING = 1e-17
+# How far beyond its radius a tool looks around, in radii, and in ways that it and the skin go in a step.
+_MARGIN, _WAYS = 0.5, 3.0
+
+
+@block
+def contact_step(
+    by: Contact,
+    op: Operator,
+    force: BodyForce | None,
+    state: State,
+    links: Links,
+    ports: Ports,
+    surface: Surface,
+    tools: Tools,
+    local_damping: Float,
+    extra_damping: Float,
+    T: float,
+    sample: int,
+    work: Workspace,
+    ledger: Float,
+    touch_ledger: Float,
+    link_work: Float,
+    tolerance: float,
+    cap: int,
+    lanes: tuple[int, ...],
+) -> None:
+    """Advances one copy and its tools by T; see `touch_step`, whose arguments these are.
+
+    Args:
+        by: the law of the contact, and scratch.
+        op: the body's matrices.
+        force: what resists inside the body beside them; None: nothing.
+        state: of the copy; changed in place.
+        links: the neighbours' samples.
+        ports: what else holds the copy.
+        surface: the body's skin.
+        tools: the proxies; changed in place.
+        local_damping: B_i as coefficients over the weights, (weights,).
+        extra_damping: B_e likewise.
+        T: length of the step, > 0 [s].
+        sample: slot of `links.samples` that receives x̂; negative: none.
+        work: scratch.
+        ledger: result (BOOKS,), as of `step`.
+        touch_ledger: result (TOUCH_BOOKS,): see `cotouch.mechanics.TOUCH_LEDGER`.
+        link_work: result (links,).
+        tolerance: of the solver.
+        cap: on its iterations.
+        lanes: fixes the width of a row.
+    """
+    for book in range(touch_ledger.shape[0]):
+        touch_ledger[book] = 0.0
+    law, touch = by.law, by.work
+    mean, rhs, push, hold = work.mean, work.rhs, touch.push, touch.hold
+    _drive(tools, touch, T)
+    look = _begin(law, surface, touch, tools, T, state, touch_ledger, lanes)
+    for i in range(mean.shape[0]):
+        store(mean, i, load(state.velocity, i, lanes), lanes)
+    ledger[ITERATIONS] = 0.0
+    looks = 1 if force is None else force.directions
+    for number in range(_LOOKS + looks):
+        for i in range(mean.shape[0]):
+            store(push, i, splat(0.0, lanes), lanes)
+            hold[i] = 0.0
+        settled = True
+        for t in range(tools.first, tools.last):
+            if look and tools.mode[t] == TOUCH and tools.inside[t] == 0:
+                settled = _look(law, surface, touch, tools, t, T, state, mean, lanes) and settled
+        if number >= looks and settled:
+            break
+        for i in range(mean.shape[0]):
+            store(push, i, load(push, i, lanes) + hold[i] * load(mean, i, lanes), lanes)
+        if number < looks:  # what the body asks for; later looks only tell contacts apart
+            if force is not None:
+                predict(op, force, state, T, mean, work, lanes)
+            assemble(op, state, links, ports, local_damping, extra_damping, T, work, lanes)
+            for i in range(mean.shape[0]):
+                touch.own[i] = work.diagonal[i]
+                store(touch.asked, i, load(rhs, i, lanes), lanes)
+        for i in range(mean.shape[0]):
+            work.diagonal[i] = touch.own[i] + hold[i]
+            store(rhs, i, load(touch.asked, i, lanes) + load(push, i, lanes), lanes)
+        if number == 0 or op.entries.shape[0] == 0:
+            ledger[ITERATIONS] += solve_step(op, ports, work, tolerance, cap, lanes)
+        else:
+            _miss(op, work.diagonal, rhs, work, rhs, lanes)
+            for i in range(mean.shape[0]):
+                store(touch.found, i, load(mean, i, lanes), lanes)
+            ledger[ITERATIONS] += solve_step(op, ports, work, max(tolerance, _COARSE), cap, lanes)
+            for i in range(mean.shape[0]):
+                store(mean, i, load(mean, i, lanes) + load(touch.found, i, lanes), lanes)
+        for i in range(mean.shape[0]):  # what contacts do at this rate
+            store(push, i, load(push, i, lanes) - hold[i] * load(mean, i, lanes), lanes)
+        for t in range(tools.first, tools.last):
+            _move_tool(tools, touch, t)
+    for t in range(tools.first, tools.last):
+        if look and tools.mode[t] == TOUCH:
+            _follow(surface, touch, tools, t, T, state, mean, lanes)
+    contact = 0.0
+    if look:  # contacts do what the body asks for and nothing else gives
+        if op.entries.shape[0] > 0:
+            _miss(op, touch.own, touch.asked, work, push, lanes)
+            for i in range(mean.shape[0]):
+                store(push, i, -1.0 * load(push, i, lanes), lanes)
+        contact = dot_rows(mean, push, lanes)
+    sigma = balanced(
+        law,
+        op,
+        force,
+        state,
+        links,
+        ports,
+        surface,
+        tools,
+        local_damping,
+        extra_damping,
+        T,
+        sample,
+        work,
+        touch,
+        ledger,
+        touch_ledger,
+        link_work,
+        dot_rows(mean, touch.asked, lanes),
+        contact,
+        look,
+        lanes,
+    )
+    _settle(touch, tools, T, sigma, touch_ledger)
+
+
+@part
+def _miss(op: Operator, diagonal: Float, rhs: Float, work: Workspace, out: Float, lanes: tuple[int, ...]) -> None:
+    """What `A v̂` lacks of a right-hand side; `out` may be it."""
+    for i in range(diagonal.shape[0]):
+        left = load(rhs, i, lanes) - diagonal[i] * load(work.mean, i, lanes)
+        for family in range(op.entries.shape[0]):
+            left = left - work.scale[family] * row_product(op, family, i, work.mean, lanes)
+        store(out, i, left, lanes)
+
+
+@part
+def _drive(tools: Tools, touch: ContactWork, T: float) -> None:
+    """What each proxy does without contacts, and the guess that it goes on."""
+    for t in range(tools.first, tools.last):
+        p = t - tools.first
+        touch.inertia[p] = proxy_inertia(tools, t, T)
+        touch.caught[p, 0], touch.grip[p, 0], touch.grip[p, 1] = 0.0, 0.0, 0.0
+        touch.stored[p], touch.total[p], touch.way[p, 3] = 0.0, 0.0, 0.0
+        for a in range(3):
+            touch.drive[p, a] = proxy_drive(tools, t, a, T)
+            touch.mean[p, a] = tools.rate[t, a]
+            touch.pull[p, a] = 0.0
+
+
+@part
+def _begin(
+    law: Any,
+    surface: Surface,
+    touch: ContactWork,
+    tools: Tools,
+    T: float,
+    state: State,
+    touch_ledger: Float,
+    lanes: tuple[int, ...],
+) -> bool:
+    """Looks around and lets go; returns whether any tool touches.
+
+    A tool that comes into being within the skin begins to touch once it is out of it.
+    """
+    touching = False
+    for t in range(tools.first, tools.last):
+        p = t - tools.first
+        touch.number[p], tools.touching[t] = 0, 0
+        touching = touching or tools.mode[t] == TOUCH
+        if tools.mode[t] != TOUCH:
+            touch_ledger[TOUCH_LOSS] += tools.account[t]
+            tools.account[t], tools.inside[t], tools.slipping[t] = 0.0, 1, 0
+            for a in range(3):
+                tools.stretch[t, a] = 0.0
+    if not touching:
+        return False
+    refit(surface, touch.fit, state.position, lanes)
+    quick = fastest(surface, state.velocity)
+    for t in range(tools.first, tools.last):
+        p = t - tools.first
+        if tools.mode[t] == TOUCH:
+            touch.reach[p] = tools.radius[t] * (1.0 + _MARGIN) + _length(tools.axis, t)
+            touch.reach[p] += _WAYS * T * (quick + _length(tools.rate, t))
+            look_around(surface, touch, tools, t, touch.reach[p], state.position, lanes)
+            _begin_tool(law, surface, touch, tools, t)
+    return True
+
+
+@part
+def _begin_tool(law: Any, surface: Surface, touch: ContactWork, tools: Tools, t: int) -> None:
+    """Lets a tool touch that is out of the skin; makes one softer whose energy was changed from outside.
+
+    A radius that grew, or a body that takes another share, must not cost more than the contact holds.
+    """
+    pressed = press_tool(law, surface, touch, tools, t, 0.0, 0.0)
+    if pressed <= _NOTHING * tools.stiffness[t] * tools.radius[t] * tools.radius[t]:
+        tools.inside[t], tools.share[t] = 0, 1.0
+    elif tools.inside[t] == 0:
+        square = 0.0
+        for a in range(3):
+            square += tools.stretch[t, a] * tools.stretch[t, a]
+        have = max(tools.account[t] - 0.5 * tools.stiffness[t] * square, 0.0)
+        if pressed > have:
+            tools.share[t] *= have / pressed
+
+
+@part
+def _length(rows: Float, row: int) -> float:
+    return math.sqrt(rows[row, 0] ** 2 + rows[row, 1] ** 2 + rows[row, 2] ** 2)
+
+
+@part
+def _follow(
+    surface: Surface,
+    touch: ContactWork,
+    tools: Tools,
+    t: int,
+    T: float,
+    state: State,
+    mean: Float,
+    lanes: tuple[int, ...],
+) -> None:
+    """Reads how fast the skin near one tool moves by the present guess; what it may come to is near, too."""
+    p = t - tools.first
+    travel = tools.radius[t] + _length(tools.axis, t) + 1.25 * T * (fastest(surface, mean) + _length(touch.mean, p))
+    if travel > touch.reach[p]:  # faster than it was thought to be
+        touch.reach[p] = 1.5 * travel
+        look_around(surface, touch, tools, t, touch.reach[p], state.position, lanes)
+    read_rates(surface, touch, p, mean, lanes)
+
+
+@part
+def _look(
+    law: Any,
+    surface: Surface,
+    touch: ContactWork,
+    tools: Tools,
+    t: int,
+    T: float,
+    state: State,
+    mean: Float,
+    lanes: tuple[int, ...],
+) -> bool:
+    """Gathers what one tool does by the present guess; returns whether that is what it did by the guess before."""
+    p = t - tools.first
+    _follow(surface, touch, tools, t, T, state, mean, lanes)
+    for a in range(3):
+        touch.before[p, a] = touch.pull[p, a]
+    if touch.caught[p, 0] == 0.0 and first_crossing(surface, touch, tools, t, T) < NEVER:
+        begin_catch(surface, touch, tools, t)
+    if touch.caught[p, 0] != 0.0:
+        settled = catch(surface, touch, tools, t, T)
+        load_rows(surface, touch, p)
+        return settled
+    feel_tool(law, surface, touch, tools, t, T)
+    load_rows(surface, touch, p)
+    change, size = 0.0, 0.0
+    for a in range(3):
+        change += (touch.pull[p, a] - touch.before[p, a]) ** 2
+        size += touch.pull[p, a] ** 2
+    return change <= _SETTLED * _SETTLED * size
+
+
+@part
+def _move_tool(tools: Tools, touch: ContactWork, t: int) -> None:
+    """Solves for the motion of one proxy, with the forces that the last look gathered."""
+    p = t - tools.first
+    along, across = touch.inertia[p] + touch.grip[p, 0], touch.inertia[p] + touch.grip[p, 1]
+    wanted, own = 0.0, 0.0
+    for a in range(3):
+        wanted += touch.way[p, a] * (touch.drive[p, a] + touch.pull[p, a])
+        own += touch.way[p, a] * touch.mean[p, a]
+    if touch.way[p, 3] == 0.0:
+        wanted, own, along = 0.0, 0.0, across
+    wanted += touch.grip[p, 0] * own
+    for a in range(3):
+        way = touch.way[p, a]
+        beside = touch.drive[p, a] + touch.pull[p, a] + touch.grip[p, 1] * (touch.mean[p, a] - own * way)
+        beside -= (wanted - touch.grip[p, 0] * own) * way
+        touch.mean[p, a] = beside / across + wanted * way / along
+
+
+@part
+def _settle(touch: ContactWork, tools: Tools, T: float, sigma: float, touch_ledger: Float) -> None:
+    """New places, velocities and energies of the proxies, and the forces on them."""
+    for t in range(tools.first, tools.last):
+        p = t - tools.first
+        for a in range(3):
+            w = sigma * touch.mean[p, a]
+            tools.touch_force[t, a] = touch.inertia[p] * w - touch.drive[p, a]
+            if touch.total[p] == 0.0 and touch.caught[p, 0] == 0.0 and sigma == 1.0:
+                tools.touch_force[t, a] = 0.0
+            book_drive(tools, t, a, T, w, touch_ledger)
+            move_proxy(tools, t, a, T, w, touch_ledger)
+            tools.stretch[t, a] = touch.rubbed[p, a] if tools.mode[t] == TOUCH else 0.0
+        tools.slipping[t] = touch.slips[p]
+        tools.touching[t] = 1 if touch.total[p] > 0.0 or touch.caught[p, 0] != 0.0 else 0
+        tools.account[t] = touch.stored[p]
+        touch_ledger[TOUCH_STORED] += touch.stored[p] + tools.grip_energy[t]

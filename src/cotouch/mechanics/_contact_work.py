@@ -1,0 +1,141 @@
+"""What a step with a contact law works on."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.arrays import Float
+from cotouch.mechanics._model import Model
+from cotouch.mechanics._surface import Fit, Surface, fit_of
+
+Int = npt.NDArray[np.int32]
+
+_STACK = 64
+
+
+class ContactWork(NamedTuple):
+    """Scratch of one step; the tools of a copy are counted from 0.
+
+    Attributes:
+        fit: where the skin is at the start of the step.
+        stack: boxes still to be looked at, (_STACK,).
+        number: triangles near each tool, (tools,).
+        near: which, (tools, F).
+        load: share of the corners of each in the tool's pressure, (tools * F, 4) [N].
+        total: their sum, (tools,) [N].
+        rate: velocity of the vertices, (V, 4) [m/s].
+        force: on the vertices, (V, 4) [N].
+        firm: what resists motion of the vertices, (V,) [Ns/m].
+        push: on the rows, (rows, width) [N].
+        hold: what resists motion of the rows, (rows,) [Ns/m].
+        own: diagonal of the body's system without contacts, (rows,) [Ns/m].
+        asked: its right-hand side, (rows, width) [N].
+        found: where the last look led, (rows, width) [m/s].
+        spot: corners and middle, (4, 4) [m].
+        out: of one triangle, (4, 4).
+        mean: mean velocity of the tools, (tools, 4) [m/s].
+        drive: of the tools without contact, (tools, 4) [N].
+        inertia: likewise, (tools,) [Ns/m].
+        pull: force of the contact on the tools, (tools, 4) [N].
+        before: the same a look earlier, (tools, 4) [N].
+        way: unit vector of the pressure on the tools, and its size [N], (tools, 4).
+        grip: what resists motion of the tools along it and across, (tools, 2) [Ns/m].
+        skin: how fast the skin moves under the tools, on the mean over their pressure, (tools, 4) [m/s].
+        caught: of a tool that would pass the skin: 1, the triangle, the push a look before and the gap that it led to,
+            the push, the gap wanted, the shares of the corners, and the ball's place on the axis, (tools, 10).
+        aside: unit vector that a caught tool is held along, (tools, 4).
+        rubbed: stretch of friction at the end, (tools, 4) [m].
+        slips: whether it slips then, (tools,).
+        stored: energy in contact and friction then, (tools,) [J].
+        reach: how far each tool looked around, (tools,) [m].
+    """
+
+    fit: Fit
+    stack: Int
+    number: Int
+    near: Int
+    load: Float
+    total: Float
+    rate: Float
+    force: Float
+    firm: Float
+    push: Float
+    hold: Float
+    own: Float
+    asked: Float
+    found: Float
+    spot: Float
+    out: Float
+    mean: Float
+    drive: Float
+    inertia: Float
+    pull: Float
+    before: Float
+    way: Float
+    grip: Float
+    skin: Float
+    caught: Float
+    aside: Float
+    rubbed: Float
+    slips: Int
+    stored: Float
+    reach: Float
+
+
+class Contact(NamedTuple):
+    """How tools touch by a law.
+
+    Attributes:
+        law: one of `CONTACT_LAWS`.
+        work: scratch.
+    """
+
+    law: Any
+    work: ContactWork
+
+
+def contact_by(law: Any, model: Model, surface: Surface, *, tools: int) -> Contact:
+    """A law and scratch for steps with at most so many tools of one user.
+
+    Args:
+        law: of the contact.
+        model: the body.
+        surface: its skin.
+        tools: of one user.
+    """
+    faces, vertices, rows = surface.corner.shape[0], surface.rest.shape[0], model.operator_rows
+    row = lambda: np.zeros((tools, 4))  # noqa: E731
+    work = ContactWork(
+        fit=fit_of(surface, model),
+        stack=np.zeros(_STACK, dtype=np.int32),
+        number=np.zeros(tools, dtype=np.int32),
+        near=np.zeros((tools, faces), dtype=np.int32),
+        load=np.zeros((tools * faces, 4)),
+        total=np.zeros(tools),
+        rate=np.zeros((vertices, 4)),
+        force=np.zeros((vertices, 4)),
+        firm=np.zeros(vertices),
+        push=np.zeros((rows, model.width)),
+        hold=np.zeros(rows),
+        own=np.zeros(rows),
+        asked=np.zeros((rows, model.width)),
+        found=np.zeros((rows, model.width)),
+        spot=np.zeros((4, 4)),
+        out=np.zeros((4, 4)),
+        mean=row(),
+        drive=row(),
+        inertia=np.zeros(tools),
+        pull=row(),
+        before=row(),
+        way=row(),
+        grip=np.zeros((tools, 2)),
+        skin=row(),
+        caught=np.zeros((tools, 10)),
+        aside=row(),
+        rubbed=row(),
+        slips=np.zeros(tools, dtype=np.int32),
+        stored=np.zeros(tools),
+        reach=np.zeros(tools),
+    )
+    return Contact(law, work)

@@ -1,0 +1,84 @@
+"""What a body force is: energy, mean force and damping of a body that turns or bends far, one file for each law."""
+# An overload's parameters only name those of its stub, and it returns a function whose names are the same.
+# ruff: noqa: ARG001, PLW0108
+# pyright: reportMissingParameterType=false, reportAttributeAccessIssue=false, reportUnusedFunction=false
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+from numba.core import types
+from numba.extending import overload
+
+from cotouch.arrays import Float
+from cotouch.mechanics import _force_cells as cells
+from cotouch.mechanics import _force_frame as frame
+from cotouch.mechanics import _force_springs as springs
+from cotouch.mechanics import _force_tetrahedra as tetrahedra
+
+
+class BodyForce(NamedTuple):
+    """The forces inside a body, and its weight.
+
+    A *law* is a NamedTuple of numbers and arrays that all copies share, and two compiled functions. Positions are
+    displacements from rest, (rows, 4). What a law remembers of a copy (rotations) is in the copy's `memory`.
+
+    * `resist(law, memory, x, ahead, rate, out, lanes)` adds to `out` the mean force between two places,
+      `F̄ · (ahead - x) = U(ahead) - U(x)` exactly or to third order, and the damping `B* rate`. With `ahead = x` and no
+      rate that is the gradient of U.
+    * `evaluate(law, memory, x, ahead, rate, sweeps, lanes)` returns U(ahead), whatever rotations it finds in so many
+      sweeps and keeps, and the power `rateᵀ B* rate >= 0`.
+
+    The direction of a step comes from the stiffness of the `Operator`, a constant that bounds the law's Hessian.
+
+    Attributes:
+        law: one of `LAWS`.
+        gravity: acceleration, (1, 4) [m/s²].
+        directions: how often a step looks where its force leads before it moves, >= 1.
+    """
+
+    law: Any
+    gravity: Float
+    directions: int
+
+
+# The registry: a law, what adds its forces, and what evaluates it.
+LAWS: dict[type, tuple[Callable[..., Any], Callable[..., Any]]] = {
+    springs.SpringNetwork: (springs.resist, springs.evaluate),
+    cells.CorotatedCells: (cells.resist, cells.evaluate),
+    frame.Frame: (frame.resist, frame.evaluate),
+    **dict.fromkeys(tetrahedra.TETRAHEDRA, (tetrahedra.resist, tetrahedra.evaluate)),
+}
+
+
+def resist(law: Any, memory: Float, x: Float, ahead: Float, rate: Float, out: Float, lanes: tuple[int, ...]) -> None:
+    """Adds mean force and damping of any law; see `BodyForce`. Kernels only."""
+    del law, memory, x, ahead, rate, out, lanes
+    raise NotImplementedError
+
+
+def evaluate(
+    law: Any, memory: Float, x: Float, ahead: Float, rate: Float, sweeps: int, lanes: tuple[int, ...]
+) -> tuple[float, float]:
+    """Energy and dissipated power of any law; see `BodyForce`. Kernels only."""
+    del law, memory, x, ahead, rate, sweeps, lanes
+    raise NotImplementedError
+
+
+def _law(kind: Any) -> tuple[Any, Any]:
+    return LAWS.get(kind.instance_class, (None, None)) if isinstance(kind, types.BaseNamedTuple) else (None, None)
+
+
+@overload(resist)
+def _resist(law, memory, x, ahead, rate, out, lanes):  # numba compares the names with the stub's
+    found, _ = _law(law)
+    if found is None:
+        return None
+    return lambda law, memory, x, ahead, rate, out, lanes: found(law, memory, x, ahead, rate, out, lanes)
+
+
+@overload(evaluate)
+def _evaluate(law, memory, x, ahead, rate, sweeps, lanes):
+    _, found = _law(law)
+    if found is None:
+        return None
+    return lambda law, memory, x, ahead, rate, sweeps, lanes: found(law, memory, x, ahead, rate, sweeps, lanes)

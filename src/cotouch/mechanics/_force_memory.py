@@ -1,0 +1,62 @@
+"""What a body force remembers of a copy from step to step: its energy, and rotations as three rows of four each."""
+
+from cotouch.arrays import Float
+from cotouch.mechanics._kernel import inner
+from cotouch.mechanics._matrix3 import IDENTITY, Matrix
+from cotouch.mechanics._vector import at, put
+
+# Rows of a memory, of four numbers: the first holds the energy, rotations begin here, and behind them is scratch.
+FIRST = 1
+_SCRATCH = 3
+
+
+def memory_size(rotations: int) -> int:
+    """Numbers in a memory with so many rotations."""
+    return 4 * (FIRST + 3 * rotations + _SCRATCH)
+
+
+@inner
+def scratch_row(rotations: int) -> int:
+    """The first of three rows behind so many rotations."""
+    return FIRST + 3 * rotations
+
+
+@inner
+def columns(memory: Float, row: int) -> Matrix:
+    """The matrix whose columns are three rows of the memory."""
+    k = 4 * row
+    return (
+        at(memory, k),
+        at(memory, k + 4),
+        at(memory, k + 8),
+        at(memory, k + 1),
+        at(memory, k + 5),
+        at(memory, k + 9),
+        at(memory, k + 2),
+        at(memory, k + 6),
+        at(memory, k + 10),
+    )
+
+
+@inner
+def keep(memory: Float, row: int, matrix: Matrix) -> None:
+    """Writes what `columns` reads."""
+    k = 4 * row
+    put(memory, k, matrix[0])
+    put(memory, k + 4, matrix[1])
+    put(memory, k + 8, matrix[2])
+    put(memory, k + 1, matrix[3])
+    put(memory, k + 5, matrix[4])
+    put(memory, k + 9, matrix[5])
+    put(memory, k + 2, matrix[6])
+    put(memory, k + 6, matrix[7])
+    put(memory, k + 10, matrix[8])
+
+
+@inner
+def forget(memory: Float) -> None:
+    """Sets all rotations to none."""
+    for place in range(memory.shape[0]):
+        put(memory, place, 0.0)
+    for r in range((memory.shape[0] // 4 - FIRST - _SCRATCH) // 3):
+        keep(memory, FIRST + 3 * r, IDENTITY)

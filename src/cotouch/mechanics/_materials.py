@@ -1,0 +1,209 @@
+"""From a body's material to the arrays that its law works on."""
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+import scipy.sparse as sp
+
+from cotouch.arrays import Float
+from cotouch.body import Body, Material, SumOfSquares
+from cotouch.errors import UnsupportedError
+from cotouch.mechanics._force import BodyForce
+from cotouch.mechanics._force_cells import CorotatedCells
+from cotouch.mechanics._force_frame import Frame
+from cotouch.mechanics._force_memory import memory_size
+from cotouch.mechanics._force_springs import SpringNetwork
+from cotouch.mechanics._force_tetrahedra import CorotatedTetrahedra, NeoHookean, StVenantKirchhoff
+
+Int = npt.NDArray[np.int32]
+
+_SOLIDS = {"corotated": CorotatedTetrahedra, "st-venant-kirchhoff": StVenantKirchhoff, "neo-hookean": NeoHookean}
+
+
+def outline_of(body: Body, material: Material) -> Body:
+    """The linear body, in the node form, that gives a step's direction: masses, outer springs, a scalar bound on K.
+
+    Raises:
+        UnsupportedError: masses or what holds the body differ between axes.
+    """
+    if body.form == "node":
+        inner, dampers = body.stiffness_int, body.damping_int
+        if material.elements.size:
+            dampers = inner * material.viscosity
+        mass, held, dragged = body.mass, body.stiffness_ext, body.damping_ext
+        if mass.nnz != body.nodes:
+            raise UnsupportedError(f'model is "{material.model}", but masses are coupled; M must be diagonal')
+    else:
+        inner = scalar_bound(body.stiffness_int, body.dimension)
+        dampers = (
+            inner * material.viscosity if material.elements.size else scalar_bound(body.damping_int, body.dimension)
+        )
+        mass, held, dragged = (_one_axis(name, getattr(body, name), body) for name in _OUTER)
+    return Body(
+        mass=mass,
+        rest=body.rest,
+        damping_int=SumOfSquares(dampers),
+        damping_ext=dragged,
+        stiffness_int=SumOfSquares(inner),
+        stiffness_ext=held,
+    )
+
+
+# How often a step looks ahead. Each look leaves a fifth of the last one's error at ω T = 1; the nearer the constant
+# matrix is to the law's own, the fewer are enough for |β - 1| <= 1e-3.
+DIRECTIONS = {
+    "linear": 1,
+    "floating": 2,
+    "cells": 2,
+    "spring-network": 3,
+    "corotated": 3,
+    "st-venant-kirchhoff": 3,
+    "neo-hookean": 3,
+}
+_OUTER = ("mass", "stiffness_ext", "damping_ext")
+
+
+def _one_axis(name: str, matrix: sp.csr_array, body: Body) -> sp.csr_array:
+    """A diagonal matrix that is the same along every axis, in the node form."""
+    own = matrix.diagonal().reshape(body.nodes, body.dimension)
+    alone = matrix.nnz == np.count_nonzero(own)
+    if not (alone and np.all(own == own[:, :1])):
+        raise UnsupportedError(f"{name} differs between axes, or couples them; a material needs one number a node")
+    return sp.csr_array(sp.diags_array(own[:, 0].copy()))
+
+
+def scalar_bound(matrix: sp.csr_array, dimension: int) -> sp.csr_array:
+    """A Laplacian L, n x n, so that `L ⊗ I - matrix` is positive semidefinite, for a matrix that feels no translation.
+
+    `xᵀ K x = -½ Σ (x_i - x_j)ᵀ K_ij (x_i - x_j)`, so the largest eigenvalue of each block `-sym K_ij` is a spring that
+    bounds it.
+    """
+    blocks = sp.bsr_array(matrix, blocksize=(dimension, dimension))
+    nodes = matrix.shape[0] // dimension
+    i = np.repeat(np.arange(nodes), np.diff(blocks.indptr))
+    j = blocks.indices
+    off = i != j
+    values = blocks.data[off]
+    springs = np.maximum(np.linalg.eigvalsh(-0.5 * (values + values.transpose(0, 2, 1)))[:, -1], 0.0)
+    laplacian = sp.csr_array((-springs, (i[off], j[off])), shape=(nodes, nodes))
+    laplacian = 0.5 * (laplacian + laplacian.T)
+    return sp.csr_array(laplacian - sp.diags_array(np.asarray(laplacian.sum(axis=1)).ravel()))
+
+
+def force_of(body: Body, material: Material, order: Int | None) -> tuple[BodyForce, int]:
+    """The law for the kernels, and how many numbers it remembers of a copy.
+
+    Args:
+        body: whose it is.
+        material: its material.
+        order: row k of the kernels is node `order[k]`; None: node k.
+    """
+    nodes = body.nodes
+    row = np.arange(nodes, dtype=np.int32)
+    if order is not None:
+        row = np.empty(nodes, dtype=np.int32)
+        row[order] = np.arange(nodes, dtype=np.int32)
+    rest = np.zeros((nodes, 4))
+    rest[:, : body.dimension] = body.rest - body.rest.mean(axis=0)
+    law, rotations = _law(body, material, row, rest)
+    gravity = np.zeros((1, 4))
+    gravity[0, : body.dimension] = material.gravity[: body.dimension]
+    return BodyForce(law=law, gravity=gravity, directions=_directions(body, material)), memory_size(rotations)
+
+
+def _directions(body: Body, material: Material) -> int:
+    return DIRECTIONS["corotated" if material.model == "floating" and body.form == "full" else material.model]
+
+
+def _law(body: Body, material: Material, row: Int, rest: Float) -> tuple[Any, int]:
+    elements: Int = np.ascontiguousarray(row[material.elements], dtype=np.int32)
+    if material.model in {"linear", "floating"}:
+        return _frame(body, material, row, rest), 1
+    if material.model == "spring-network":
+        edge = rest[material.elements[:, 1]] - rest[material.elements[:, 0]]
+        return SpringNetwork(
+            viscosity=material.viscosity,
+            start=np.ascontiguousarray(elements[:, 0]),
+            end=np.ascontiguousarray(elements[:, 1]),
+            stiffness=np.ascontiguousarray(material.stiffness),
+            edge=np.ascontiguousarray(edge),
+            length=np.linalg.norm(edge, axis=1),
+        ), 0
+    if material.model == "cells":
+        corner = rest[material.elements[0]]
+        spacing = float(np.linalg.norm(corner[4] - corner[0]))
+        edge = np.zeros((3, 4))
+        edge[[0, 1, 2], [0, 1, 2]] = spacing
+        return CorotatedCells(
+            viscosity=material.viscosity,
+            corner=elements,
+            stiffness=np.ascontiguousarray(material.stiffness),
+            edge=edge,
+            spacing=spacing,
+        ), elements.shape[0]
+    edges = rest[material.elements[:, 1:], :3] - rest[material.elements[:, :1], :3]
+    gradient = np.zeros((3 * elements.shape[0], 4))
+    gradient[:, :3] = np.linalg.inv(edges).transpose(0, 2, 1).reshape(-1, 3)
+    lam = material.young * material.poisson / ((1.0 + material.poisson) * (1.0 - 2.0 * material.poisson))
+    mu = material.young / (2.0 * (1.0 + material.poisson))
+    law = _SOLIDS[material.model](
+        viscosity=material.viscosity,
+        corner=elements,
+        gradient=gradient,
+        volume=np.linalg.det(edges) / 6.0,
+        lame=np.tile([lam, mu], (elements.shape[0], 1)),
+    )
+    return law, elements.shape[0] if material.model == "corotated" else 0
+
+
+def _frame(body: Body, material: Material, row: Int, rest: Float) -> Frame:
+    """The body's own matrices, off the diagonal and in the kernels' order."""
+    nodes, dimension = rest.shape[0], body.dimension
+    order = np.argsort(row)
+    if body.form == "node":
+        pattern = sp.csr_array(abs(body.stiffness_int) + abs(body.damping_int))[order][:, order]
+        pattern = sp.csr_array(pattern - sp.diags_array(pattern.diagonal()))
+        pattern.eliminate_zeros()
+        place = pattern.nonzero()
+        stiffness, damping = (
+            np.asarray(sp.csr_array(m[order][:, order])[place]).reshape(-1, 1)
+            for m in (body.stiffness_int, body.damping_int)
+        )
+        lever = body.stiffness_int @ rest
+    else:
+        k, b = (sp.bsr_array(m, blocksize=(dimension, dimension)) for m in (body.stiffness_int, body.damping_int))
+        pattern = sp.csr_array((np.ones(k.indices.size), k.indices, k.indptr), shape=(nodes, nodes))
+        pattern = pattern + sp.csr_array((np.ones(b.indices.size), b.indices, b.indptr), shape=(nodes, nodes))
+        pattern = sp.csr_array(pattern)[order][:, order]
+        pattern = sp.csr_array(pattern - sp.diags_array(pattern.diagonal()))
+        pattern.eliminate_zeros()
+        place = pattern.nonzero()
+        stiffness, damping = (_blocks(m, order[place[0]], order[place[1]], dimension) for m in (k, b))
+        mass = body.mass.diagonal().reshape(nodes, dimension)[:, 0]
+        lever = mass[:, None] * (rest - np.average(rest, axis=0, weights=mass))
+    pointer = np.concatenate([[0], np.cumsum(np.bincount(place[0], minlength=nodes))]).astype(np.int32)
+    return Frame(
+        turning=int(material.model == "floating"),
+        damped=int(bool(np.any(damping))),
+        pointer=pointer,
+        column=place[1].astype(np.int32),
+        stiffness=np.ascontiguousarray(stiffness, dtype=np.float64),
+        damping=np.ascontiguousarray(damping, dtype=np.float64),
+        rest=np.ascontiguousarray(rest[order]),
+        lever=np.ascontiguousarray(np.asarray(lever)[order]),
+        local=np.zeros((nodes, 4)),
+        image=np.zeros((nodes, 4)),
+    )
+
+
+def _blocks(matrix: sp.bsr_array, rows: Any, columns: Any, dimension: int) -> Float:
+    """Blocks at these places as rows of nine; zero where there is none."""
+    result = np.zeros((rows.size, 3, 3))
+    where = {(int(i), int(j)): n for n, (i, j) in enumerate(zip(rows, columns, strict=True))}
+    i = np.repeat(np.arange(matrix.indptr.size - 1), np.diff(matrix.indptr))
+    for n in range(matrix.indices.size):
+        found = where.get((int(i[n]), int(matrix.indices[n])))
+        if found is not None:
+            result[found, :dimension, :dimension] = matrix.data[n]
+    return result.reshape(-1, 9)

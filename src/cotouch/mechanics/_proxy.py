@@ -1,0 +1,39 @@
+"""A proxy by itself: NPMI with the drive that pulls it, `inertia ŵ = drive + contact` [Lee & Huang 2010, proxy]."""
+# pyright: reportArgumentType=false, reportReturnType=false
+
+from cotouch.arrays import Float
+from cotouch.mechanics._kernel import part
+from cotouch.mechanics._tools import DRIVE, PROXY, Tools
+
+
+@part
+def proxy_inertia(tools: Tools, t: int, T: float) -> float:
+    """What resists the mean velocity of a tool in a step [Ns/m]."""
+    return 2.0 * tools.mass[t] / T + 0.5 * T * tools.drive_stiffness[t] + tools.drive_damping[t]
+
+
+@part
+def proxy_drive(tools: Tools, t: int, a: int, T: float) -> float:
+    """What its drive and its own motion ask for along an axis [N]."""
+    k, b = tools.drive_stiffness[t], tools.drive_damping[t]
+    start, end = tools.drive_start[t, a], tools.drive_end[t, a]
+    desired = 0.5 * k * (start + end) + (b / T) * (end - start) + tools.push[t, a]
+    return (2.0 * tools.mass[t] / T) * tools.rate[t, a] + desired - k * tools.place[t, a]
+
+
+@part
+def book_drive(tools: Tools, t: int, a: int, T: float, w: float, touch_ledger: Float) -> None:
+    """Force and work of the drive along an axis, with the mean velocity that came of the step."""
+    k, b = tools.drive_stiffness[t], tools.drive_damping[t]
+    start, end = tools.drive_start[t, a], tools.drive_end[t, a]
+    force = k * (0.5 * (start + end) - tools.place[t, a] - 0.5 * T * w) + b * ((end - start) / T - w) + tools.push[t, a]
+    tools.drive_force[t, a] = force
+    touch_ledger[DRIVE] += T * force * w
+
+
+@part
+def move_proxy(tools: Tools, t: int, a: int, T: float, w: float, touch_ledger: Float) -> None:
+    """New place and velocity along an axis, and what it holds then."""
+    tools.place[t, a] += T * w
+    tools.rate[t, a] = 2.0 * w - tools.rate[t, a]
+    touch_ledger[PROXY] += 0.5 * tools.mass[t] * tools.rate[t, a] * tools.rate[t, a]

@@ -1,0 +1,5 @@
+"""HTML reports in one file, nothing loaded from elsewhere."""
+
+from cotouch.pages._page import Section, figure, formula, num, page, quantity, svg, table, verdict
+
+__all__ = ["Section", "figure", "formula", "num", "page", "quantity", "svg", "table", "verdict"]

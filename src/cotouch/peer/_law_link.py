@@ -1,0 +1,262 @@
+"""One end of a link whose law says what it does, in a single peer."""
+
+from dataclasses import dataclass, field
+from math import inf
+from typing import final
+
+import numpy as np
+
+from cotouch.arrays import Float
+from cotouch.errors import NetworkError
+from cotouch.laws import End, Law, call
+from cotouch.peer._links import Link, Message, Sample
+
+_NONE = np.zeros(0)
+_BURST = 0.1  # [s] of the power that may come at once
+_STEADY = 3.0  # over so long an offset of clocks is evened out [s]
+_JUMP = 0.02  # unless it differs by more, as it does when it is found first [s]
+_LONGEST = 10.0  # age that a law is told at most [s]
+
+
+@final
+@dataclass(eq=False)
+class CopyMemory:
+    """What the ends of one copy share: memory of the law, and the force of the hands in the step before."""
+
+    law: Law
+    size: int
+    hand: Float = field(init=False)
+    shared: Float = field(init=False)
+    scalars: Float = field(init=False)
+
+    @property
+    def lacking(self) -> float:
+        """What the copy's ends hold less than they should, >= 0; 0 for a law without a store [J]."""
+        if self.law.store is None:
+            return 0.0
+        held, level = (float(self.scalars[at]) for at in self._store)
+        return max(level - held, 0.0)
+
+    @property
+    def held(self) -> float:
+        """Energy that the copy's ends hold together; 0 for a law without a store [J]."""
+        return 0.0 if self.law.store is None else float(self.scalars[self._store[0]])
+
+    def help(self, energy: float) -> None:
+        """Adds to what they hold.
+
+        Args:
+            energy: >= 0 [J].
+        """
+        self.scalars[self._store[0]] += energy
+
+    @property
+    def _store(self) -> tuple[int, int]:
+        assert self.law.store is not None
+        names = self.law.shares_scalars
+        return names.index(self.law.store[0]), names.index(self.law.store[1])
+
+    def __post_init__(self) -> None:
+        self.hand = np.zeros(self.size if self.law.feels else 0)
+        self.shared = np.zeros((len(self.law.fractions), self.size))
+        self.scalars = np.zeros(len(self.law.shares_scalars))
+
+
+@final
+class LawLink:
+    """A link's source of samples with its law; a `Link` of the peer, which needs no guard.
+
+    Attributes:
+        source: of the samples.
+        law: of the link.
+        memory: what the ends of this copy share.
+        message: fields and numbers for the neighbour, of the step taken last.
+        copies: N.
+        offset: what ages are too great by, because clocks differ [s].
+        received: energy that the neighbour says it gave, as far as it was believed, so far [J].
+        apart: greatest distance of any node from the neighbour's when that was heard first; 0 before [m].
+    """
+
+    def __init__(
+        self,
+        source: Link,
+        *,
+        law: Law,
+        parameters: Float,
+        memory: CopyMemory,
+        side: int,
+        copies: int,
+        power: float = inf,
+        burst: float | None = None,
+    ) -> None:
+        """Starts with nothing heard.
+
+        Args:
+            source: which sample a step uses.
+            law: the link's.
+            parameters: of the law, all of them.
+            memory: one for all links of this copy.
+            side: 0 at the user with the lower number, 1 at the other.
+            copies: N.
+            power: what the neighbour may be believed to give, for long, > 0; below infinity, what it gave before it was
+                heard first does not count, and ages are kept from 0 to 10 s [W].
+            burst: and at once, > 0; None: what the power gives in 0.1 s [J].
+        """
+        size = memory.size
+        self.source, self.law, self.memory = source, law, memory
+        self._parameters, self._side = np.ascontiguousarray(parameters, dtype=np.float64), side
+        self.copies, self.offset, self._steady, self.received = copies, 0.0, 0.0, 0.0
+        self._power, self._burst = power, _BURST * power if burst is None else burst
+        self._bucket, self._told = self._burst, np.zeros(len(law.sends_scalars))
+        self._energies = [law.sends_scalars.index(name) for name in law.energies]
+        self._known: list[float] | None = None  # of its energies, as heard first
+        self._admitted: list[float] = []
+        self._fields = np.zeros((len(law.keeps), size))
+        self._scalars = np.zeros(len(law.keeps_scalars))
+        self._empty: Message = np.zeros((len(law.sends), size)), np.zeros(len(law.sends_scalars))
+        self.message: Message = self._empty[0].copy(), self._empty[1].copy()
+        self._gains = np.zeros(2)
+        self._spring, self._place = 0.0, (0, 0)
+        self._weight = self._target = self._push = _NONE
+        self._used, self._steps = -1, 0
+        self.apart, self._heard = 0.0, False
+        self._end: End | None = None
+
+    def offer(self, sample: Sample) -> bool:
+        """Hands a sample to the source."""
+        return self.source.offer(sample)
+
+    def ready(self, k: int) -> bool:
+        """Whether the source has what step k needs."""
+        return self.source.ready(k)
+
+    def choose(self, k: int) -> Sample:
+        """The sample that step k uses."""
+        return self.source.choose(k)
+
+    def attach(self, *, spring: float, place: tuple[int, int], weight: Float, target: Float, push: Float) -> None:
+        """Learns of the copy's links; the peer calls it.
+
+        Args:
+            spring: K [N/m for the identity weight].
+            place: number of the link among the copy's, and how many those are.
+            weight: diagonal of W, (rows,).
+            target: where y belongs, (rows, width).
+            push: where c belongs, (rows, width).
+        """
+        self._spring, self._place = spring, place
+        self._weight = np.repeat(weight, target.shape[1])
+        self._target, self._push = target.reshape(-1), push.reshape(-1)
+
+    def before(self, sample: Sample, age: float, T: float, position: Float, velocity: Float) -> tuple[float, float]:
+        """Lets the law say what the link does in the coming step; y and c go where they belong.
+
+        Args:
+            sample: that the step uses.
+            age: of it, at the end of the step [s].
+            T: length of the step [s].
+            position: of the copy, (rows, width) [m].
+            velocity: likewise [m/s].
+
+        Returns:
+            k and b [N/m, Ns/m].
+
+        Raises:
+            NetworkError: the law gives one that is not a finite number of at least 0.
+        """
+        fields, scalars = self._empty if sample.message is None else sample.message
+        if self._power < inf:
+            off = self.offset - self._steady
+            self._steady += off if abs(off) > _JUMP else off * min(T / _STEADY, 1.0)
+            age = min(max(age - self._steady, 0.0), _LONGEST)
+            if sample.message is not None:
+                scalars = self._believed(scalars, T)
+        if not self._heard and sample.message is not None:
+            self._heard = True
+            self.apart = float(np.abs(sample.position - position).max())
+        link, links = self._place
+        end = End(
+            T=T,
+            age=age,
+            sample_index=sample.index,
+            new=sample.index > self._used,
+            step=self._steps,
+            side=self._side,
+            first=link == 0,
+            last=link + 1 == links,
+            copies=self.copies,
+            spring=self._spring,
+            parameters=self._parameters,
+            weight=self._weight,
+            position=position.reshape(-1),
+            velocity=velocity.reshape(-1),
+            mean=_NONE,
+            sample=sample.position.reshape(-1),
+            hand=self.memory.hand,
+            received=fields,
+            received_scalars=scalars,
+            memory=self._fields,
+            scalars=self._scalars,
+            shared=self.memory.shared,
+            shared_scalars=self.memory.scalars,
+            target=self._target,
+            push=self._push,
+            gains=self._gains,
+            sent=self.message[0],
+            sent_scalars=self.message[1],
+        )
+        call(self.law.parts[0], end)
+        self._end, self._used = end, sample.index
+        k, b = self._gains.tolist()
+        if not (0.0 <= k < np.inf and 0.0 <= b < np.inf):
+            raise NetworkError(
+                f'law "{self.law.name}" gives a link stiffness {k:g} and damping {b:g}; both must be finite and >= 0'
+            )
+        return k, b
+
+    @property
+    def seed(self) -> float:
+        """What this end may make [J]."""
+        return self.law.seed_of(self._parameters.tolist())
+
+    @property
+    def sent(self) -> float:
+        """Energy that this end says it gave to the neighbour, so far [J]."""
+        return sum(float(self.message[1][at]) for at in self._energies)
+
+    @property
+    def force(self) -> float:
+        """Of the link's push and spring on the copy where it stands, as chosen last [N]."""
+        if self._end is None:
+            return 0.0
+        pull = float(self._gains[0]) * (self._target - self._end.position) + self._push
+        return float(np.sqrt(self._weight @ pull**2))
+
+    def _believed(self, scalars: Float, T: float) -> Float:
+        """The neighbour's numbers, with no more energy than the power limit lets in; the rest may come later."""
+        told = self._told
+        told[:], said = scalars, [float(scalars[at]) for at in self._energies]
+        if self._known is None:
+            self._known = said
+            self._admitted = [0.0] * len(said)
+        self._bucket = min(self._bucket + self._power * T, self._burst)
+        for nth, at in enumerate(self._energies):
+            due = said[nth] - self._known[nth] - self._admitted[nth]
+            taken = min(max(due, 0.0), self._bucket)
+            self._bucket -= taken
+            self._admitted[nth] += taken
+            self.received += taken
+            told[at] = self._admitted[nth]
+        return told
+
+    def after(self, mean: Float) -> None:
+        """Lets the law say what the neighbour is told; the copy has moved.
+
+        Args:
+            mean: v̂ of the step, (rows, width) [m/s].
+        """
+        assert self._end is not None
+        self.message = self._empty[0].copy(), self._empty[1].copy()
+        end = self._end._replace(mean=mean.reshape(-1), sent=self.message[0], sent_scalars=self.message[1])
+        call(self.law.parts[1], end)
+        self._steps += 1

@@ -1,0 +1,107 @@
+"""Where walks begin: networks about hubs, and random ones."""
+
+import numpy as np
+
+from cotouch.planning._hubs import hubs
+from cotouch.planning._levels import level_of
+from cotouch.planning._task import CONSENSUS, DAMPING, NOTHING, FloatArray, IntArray, Task, admissible
+
+# Walks side by side, whatever the machine, so that a seed means the same everywhere; and fewer of more users.
+WALKS = 8
+_SIDE_BY_SIDE = ((60, WALKS), (200, 4))
+_FEWEST = 2
+# Few users: every second start swaps from chance.
+SMALL = 12
+# Random starts tried before a start that is known to be admissible is taken; fewer of more users.
+_TRIES, _MANY, _FEW = 100, 100, 5
+# Networks about hubs tried for one start: so many over the cube of the number of users, at least and at most; the most
+# hubs; and which starts of so many are random instead.
+_TRIED_HUBS, _LEAST_TRIED, _MOST_TRIED = 2e8, 30, 400
+_MOST_HUBS = 6
+_RANDOM_EVERY = 4
+
+
+def side_by_side(users: int) -> int:
+    """How many walks go on at once."""
+    return next((count for most, count in _SIDE_BY_SIDE if users <= most), _FEWEST)
+
+
+def start_of(task: Task, start: int, seed: int, fallback: IntArray) -> tuple[IntArray, float]:
+    """Links that a walk begins with, and the level that a flood may begin below, 1/s; 0 for none.
+
+    Args:
+        task: the search.
+        start: number of the start.
+        seed: of all random numbers.
+        fallback: an admissible choice.
+    """
+    rng = np.random.default_rng((seed, start))
+    few = task.size <= SMALL or task.objective == CONSENSUS
+    if task.objective != DAMPING and not (few and start % 2):
+        if (start // (2 if few else 1)) % _RANDOM_EVERY != _RANDOM_EVERY - 1:
+            chosen = np.zeros(len(task.require) + task.pick, dtype=np.int64)
+            tries = int(np.clip(_TRIED_HUBS / task.size**3, _LEAST_TRIED, _MOST_TRIED))
+            level = float(hubs(task, _MOST_HUBS, rng.random((tries, 1 + _MOST_HUBS)), chosen))
+            if level > 0.0:
+                return chosen, level
+        chosen = _random(task, rng, fallback)
+        return chosen, float(level_of(task, chosen))
+    return _random(task, rng, fallback), 0.0
+
+
+def _random(task: Task, rng: np.random.Generator, fallback: IntArray) -> IntArray:
+    chosen = random_choice(task, rng)
+    return fallback.copy() if chosen is None else chosen
+
+
+def random_choice(task: Task, rng: np.random.Generator) -> IntArray | None:
+    """A random spanning tree with random links on top; None if the limits leave none after some tries."""
+    users = range(task.size)
+    needed = set(task.require.tolist())
+    pairs = {(int(task.first[e]), int(task.second[e])): int(e) for e in task.free} if task.lost != NOTHING else {}
+    for attempt in range(_TRIES if task.size <= _MANY else _FEW):
+        group, degree, chosen = list(users), [0] * task.size, []
+        damping = np.zeros(task.size)
+        spare: list[int] = []
+
+        def fits(e: int, degree: list[int] = degree, damping: FloatArray = damping) -> bool:
+            i, j = int(task.first[e]), int(task.second[e])
+            return max(degree[i], degree[j]) < task.most and max(damping[i], damping[j]) + task.load[e] <= task.limit
+
+        def take(e: int, chosen: list[int] = chosen, degree: list[int] = degree, damping: FloatArray = damping) -> None:
+            chosen.append(e)
+            for user in (task.first[e], task.second[e]):
+                degree[user] += 1
+                damping[user] += task.load[e]
+
+        # Where a limit is tight, light links go first, more and more.
+        order = rng.permutation(task.free)
+        if attempt % 2:
+            order = task.free[np.argsort(task.load[task.free] * rng.random(task.free.size) ** (3.0 / attempt))]
+        around: list[int] = []
+        if task.lost != NOTHING:  # a ring stays connected whatever is lost
+            ring = rng.permutation(task.size).tolist()
+            ends = [tuple(sorted(pair)) for pair in zip(ring, [*ring[1:], ring[0]], strict=True)]
+            around = [pairs[pair] for pair in dict.fromkeys(ends) if pair in pairs]
+        for e in [*needed, *(e for e in around if e not in needed)]:
+            i, j = int(task.first[e]), int(task.second[e])
+            if e in needed or (fits(e) and len(chosen) < len(needed) + task.pick):
+                take(e)
+                group = [group[j] if g == group[i] else g for g in group]
+        taken = set(chosen)
+        for e in order.tolist():
+            i, j = int(task.first[e]), int(task.second[e])
+            if e in taken:
+                continue
+            if group[i] != group[j] and fits(e):
+                take(e)
+                group = [group[j] if g == group[i] else g for g in group]
+            else:
+                spare.append(e)
+        for e in spare:
+            if len(chosen) < len(needed) + task.pick and fits(e):
+                take(e)
+        result = np.array(sorted(chosen), dtype=np.int64)
+        if len(result) == len(needed) + task.pick and admissible(task, result):
+            return result
+    return None

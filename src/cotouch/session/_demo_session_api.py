@@ -1,0 +1,433 @@
+"""A whole session on this machine as a stage: its host in this process, and a process for each user."""
+
+import math
+import os
+import time
+from collections import deque
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any, final
+
+import numpy as np
+
+from cotouch.errors import NetworkError, SessionError
+from cotouch.session import _requests
+from cotouch.session._child import ChildCall
+from cotouch.session._command_client import CommandClient
+from cotouch.session._commanded_hand import usual_stiffness
+from cotouch.session._file import SessionFile
+from cotouch.session._jobs import Jobs
+from cotouch.session._links import Pair
+from cotouch.session._mailboxes import MailboxFolder
+from cotouch.session._messages import Roster
+from cotouch.session._moment import LastMoment
+from cotouch.session._open import OpenHost
+from cotouch.session._planner import notable_links
+from cotouch.session._process import MemberProcess
+from cotouch.session._recording import RecordingClient
+from cotouch.session._session_api import CopyView, Overview, Pointer, Scene
+from cotouch.session._shared_model import SharedModel
+from cotouch.session._watch import SessionEvent
+
+_MOST_EVENTS = 200
+# Where no hand exerts more than this, and nobody acts for so long, hands begin to wander [N, s].
+_AT_REST, _QUIET = 0.01, 20.0
+
+
+def cores() -> int:
+    """Processors that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+# Lowered damping holds so long after it was last asked for [s].
+LEASE = 2.0
+# Choices of links that were looked for and not found.
+_NONE_FOUND: dict[str, list[Pair]] = {"best": [], "worst": []}
+
+
+@final
+class DemoSessionApi:
+    """Implements `SessionApi`.
+
+    `start`, `tick` and `close` belong to the loop that moves the session.
+
+    Attributes:
+        opened: the host.
+        members: a process for each user, by name; of one that was revived, the last.
+        acted: whether somebody changed how the session goes, so that its end says little.
+        lowered: whether somebody lowered the damping.
+    """
+
+    def __init__(
+        self,
+        session: SessionFile,
+        opened: OpenHost,
+        replica: SharedModel,
+        mailboxes: MailboxFolder,
+        *,
+        record: Path | None = None,
+        rouse: bool = False,
+    ) -> None:
+        """Prepares the session; nobody takes part yet.
+
+        Args:
+            session: with scripted hands.
+            opened: its host.
+            replica: the body as built here.
+            mailboxes: where members are shown and told things.
+            record: an existing folder for a recording of each user's whole part.
+            rouse: whether hands wander where somebody looks, nobody acts and everything rests.
+
+        Raises:
+            InputError: a mailbox cannot be made.
+        """
+        self.opened = opened
+        self.members: dict[str, MemberProcess] = {}
+        self.acted = self.lowered = False
+        self._session, self._mailboxes, self._record = session, mailboxes, record
+        self._names = list(session.scenario.network.users)
+        self._commands = CommandClient(mailboxes, session, self._names)
+        self._recording = RecordingClient(mailboxes, self._commands, self._names, self._say)
+        self._jobs = Jobs()
+        own = tuple(range(len(self._names)))
+        self._scene = Scene(
+            title=session.scenario.title or "cotouch",
+            users=tuple(self._names),
+            body=replica.body,
+            own=own,
+            may=frozenset({"hand", "impair", "cut", "kill", "revive", "expel", "links", "damping", "record"}),
+            invitation=opened.invitation.encode(),
+            stiffness=usual_stiffness(replica.scenario, 0),
+        )
+        self._events = deque[SessionEvent](maxlen=_MOST_EVENTS)
+        self._rouses, self._roused = rouse, set[str]()  # hands that wander by themselves
+        self._stirred = self._acted = -math.inf  # when something moved, and when somebody acted last [s]
+        self._killed = set[str]()
+        self._keys: dict[str, str] = {}  # by which members that were started here are known
+        self._loosened = set[str]()  # hands that let go while damping is lowered
+        self._share, self._ordered = 1.0, 0  # of the damping, and the number of that order
+        self._lease = 0.0  # until when less than all of it holds [s]
+        self._moment = LastMoment()
+        self._lives = dict.fromkeys(self._names, 0)
+        self._planned: ChildCall[dict[str, list[Pair]]] | None = None
+        self._choosing = self._seen = False  # whether choices are to be looked for, and whether anybody sees them
+        self._choices: dict[str, list[Pair]] = {"start": sorted(session.scenario.network.links)}
+        self._overview = self._looked(time.monotonic())
+
+    # -- the loop ----------------------------------------------------------------------------------------------------
+
+    def start(self) -> None:
+        """Starts a process for every user."""
+        for name in self._names:
+            self._begin(name)
+
+    def tick(self, now: float) -> None:
+        """Moves the session on; to be called some fifty times a second.
+
+        Args:
+            now: on the monotonic clock [s].
+        """
+        self.opened.service(now)
+        self._jobs.turn()
+        ended = self.opened.host.watch.ended
+        running = [name for name, member in self.members.items() if name not in self._killed and member.running]
+        self._recording.turn(now, running, ended=ended)
+        for name, member in self.members.items():
+            if name not in self._killed and not member.running:
+                self._killed.add(name)
+                if not ended:  # else all leave, and what they showed last is the session's last moment
+                    self._commands.forget(name)
+                    self._say(now, f"{name}'s process ended: {member.complaint() or 'without a word'}")
+        self._catch(now)
+        self._hold(now)
+        if self._rouses and self._seen:
+            self._rouse(now)
+        self._choose()
+        self._overview = self._looked(now)
+
+    def choose_links(self) -> None:
+        """Begins to look for the best and the worst links once anybody looks: they are among the choices when found."""
+        if len(self._names) > 1 and self._session.scenario.network.links:
+            self._choosing = True
+        else:
+            self._choices |= _NONE_FOUND
+
+    def recording_left(self) -> tuple[list[str], str | None]:
+        """What went wrong with recordings that were ordered here, and where the last is kept that nobody fetched."""
+        kept = self._recording.close(time.monotonic())
+        return self._recording.troubles, kept
+
+    def close(self) -> None:
+        """Ends every process and lets go of everything."""
+        self._jobs.close()
+        if self._planned is not None:
+            self._planned.kill()
+        for member in self.members.values():
+            member.close()
+        self._commands.close()
+
+    def _choose(self) -> None:
+        if self._choosing and self._seen:
+            self._choosing, self._planned = False, ChildCall(notable_links, self._session)
+        if self._planned is not None and self._planned.done:
+            try:
+                found = self._planned.result()
+            except SessionError:
+                found = {}
+            self._choices |= _NONE_FOUND | found
+            self._planned = None
+
+    def _begin(self, name: str) -> None:
+        options = ["--name", name, "--headless", "--mailboxes", str(self._mailboxes.path), "--unsafe"]
+        if len(self._names) >= cores():
+            options.append("--ordinary")  # else they leave nothing to the page and to whoever looks at it
+        if self._record is not None:
+            life = self._lives[name]
+            path = self._record / (f"{name}.mcap" if not life else f"{name} {life + 1}.mcap")
+            options += ["--record", str(path)]
+        self._lives[name] += 1
+        before = self.members.get(name)
+        if before is not None:
+            before.close()
+        self.members[name] = MemberProcess(self.opened.invitation, options, as_json=True)
+        self._killed.discard(name)
+
+    def _catch(self, now: float) -> None:
+        """Gives everybody their damping back where a copy ran away."""
+        if self._share >= 1.0:
+            return
+        for name in self._names:
+            # Others may have been caught by an earlier order a moment after the first was.
+            if self._commands.number(name, "caught") == self._ordered:
+                self._say(now, f"ALARM: {name}'s copy ran away; everybody's damping is back")
+                self._damp(1.0)
+                return
+
+    def _hold(self, now: float) -> None:
+        """Passes on that whoever lowered the damping is still there, or gives it back."""
+        if self._share >= 1.0:
+            return
+        if now <= self._lease:
+            self._commands.hold_damping(self._lease)
+            return
+        self._damp(1.0)
+        self._say(now, "whoever lowered the damping is gone: it is what passivity needs again")
+
+    def _rouse(self, now: float) -> None:
+        """Lets hands that do nothing wander once all has come to rest, until somebody acts."""
+        if self._roused:
+            if self._acted < self._stirred:
+                return
+            for name in self._roused:
+                if self._commands.mode(name) == "wander":
+                    self._commands.hand(name, "script")
+            self._roused.clear()
+            self._stirred = now
+        forces = [np.linalg.norm(hand.force) for view in self.views().values() for hand in view.hands]
+        quiet = self._share >= 1.0 and bool(forces) and max(forces) <= _AT_REST
+        if not quiet or self._stirred == -math.inf:
+            self._stirred = now
+        if now - max(self._stirred, self._acted) < _QUIET:
+            return
+        self._roused = {name for name in self._names if self._commands.mode(name) in {"script", "free"}}
+        for name in self._roused:
+            self._commands.hand(name, "wander")
+        self._stirred = now
+
+    def _looked(self, now: float) -> Overview:
+        watch = self.opened.host.watch
+        events = sorted([*watch.events, *self._events], key=lambda event: event.time)
+        return self._moment.seen(
+            Overview(
+                time=now,
+                roster=watch.roster,
+                statuses={slot: seen.status for slot, seen in watch.members.items() if seen.status is not None},
+                alive=self._alive(watch.roster),
+                emulated=self._commands.emulated(),
+                choices=dict(self._choices),
+                damping=self._share,
+                recording=self._recording.look(now),
+                events=events[-_MOST_EVENTS:],
+                ended=watch.ended,
+            )
+        )
+
+    def _alive(self, roster: Roster) -> dict[int, bool]:
+        """Whether each user's process runs here; without those whose slots somebody elsewhere has."""
+        keys = {entry.name: entry.key for entry in roster.members}
+        alive: dict[int, bool] = {}
+        for slot, name in enumerate(self._names):
+            runs = name in self.members and name not in self._killed
+            if runs and name in keys:
+                self._keys[name] = keys[name]
+            if runs or keys.get(name) in {None, self._keys.get(name)}:
+                alive[slot] = runs
+        return alive
+
+    def _say(self, now: float, text: str) -> None:
+        self._events.append(SessionEvent(now, text))
+
+    # -- any thread --------------------------------------------------------------------------------------------------
+
+    @property
+    def scene(self) -> Scene:
+        """What does not change."""
+        return self._scene
+
+    def views(self) -> Mapping[int, CopyView]:
+        """The newest of every copy that can be seen, by slot."""
+        return self._commands.views()
+
+    def overview(self) -> Overview:
+        """How things were at the last `tick`."""
+        self._seen = True
+        return self._overview
+
+    def point(self, slot: int, pointer: Pointer) -> None:
+        """Moves a user's pointer; see `SessionApi.point`.
+
+        Args:
+            slot: of the user.
+            pointer: where the hand is to be.
+
+        Raises:
+            SessionError: no such slot, or a number is wrong.
+        """
+        name = self._names[_requests.slot_of({"slot": slot}, self._scene.own)]
+        self._acted = time.monotonic()
+        self._commands.point(name, _requests.checked(pointer, self._scene.body))
+
+    def do(self, what: str, arguments: Mapping[str, Any]) -> str:
+        """See `SessionApi.do`; waits for the loop where it has to do it.
+
+        Args:
+            what: name of the request.
+            arguments: of the request.
+
+        Raises:
+            SessionError: it cannot be done.
+        """
+        doing: dict[str, Callable[[Mapping[str, Any]], str]] = {
+            "hand": self._do_hand,
+            "impair": self._do_impair,
+            "cut": self._do_cut,
+            "kill": lambda given: self._jobs.ask(lambda: self._do_kill(given)),
+            "revive": lambda given: self._jobs.ask(lambda: self._do_revive(given)),
+            "expel": lambda given: self._jobs.ask(lambda: self._do_expel(given)),
+            "links": lambda given: self._jobs.ask(lambda: self._do_links(given)),
+            "damping": lambda given: self._jobs.ask(lambda: self._do_damping(given)),
+            "record": lambda given: self._jobs.ask(lambda: self._do_record(given)),
+        }
+        if what not in doing:
+            raise SessionError(f'"{what}" is nothing that can be done here; it must be one of {", ".join(doing)}')
+        self._acted = time.monotonic()
+        return doing[what](arguments)
+
+    def hold_damping(self, on: bool) -> None:
+        """Says whether whoever lowered the damping is still there; see `SessionApi.hold_damping`."""
+        self._lease = time.monotonic() + LEASE if on else 0.0
+
+    def recorded(self) -> tuple[Path, ...]:
+        """Files of the last recording that came to its end; empty before there is one."""
+        return self._recording.hand_out()
+
+    def _do_hand(self, given: Mapping[str, Any]) -> str:
+        name = self._names[_requests.slot_of(given, self._scene.own)]
+        mode, node, to = _requests.hand_of(given, self._scene.body)
+        self._commands.hand(name, mode, node=node, to=to)
+        return f"{name} {_requests.WORDS[mode]}"
+
+    def _do_impair(self, given: Mapping[str, Any]) -> str:
+        a, b = _requests.pair_of(given, len(self._names))
+        law = _requests.law_of(given)
+        for to, of in ((a, b), (b, a)):
+            self._commands.impair(to, of, **law)
+        units = {"delay": ("ms", 1e3), "jitter": ("ms", 1e3), "loss": ("%", 1e2)}
+        told = ", ".join(f"{name} {units[name][1] * value:g} {units[name][0]}" for name, value in law.items())
+        self.acted = True
+        return f"{self._names[a]} - {self._names[b]}: {told}, each way"
+
+    def _do_cut(self, given: Mapping[str, Any]) -> str:
+        a, b = _requests.pair_of(given, len(self._names))
+        on = _requests.flag_of(given)
+        for to, of in ((a, b), (b, a)):
+            self._commands.impair(to, of, cut=float(on))
+        self.acted = True
+        said = f"the path {self._names[a]} - {self._names[b]} is {'cut' if on else 'there again'}"
+        self._say(time.monotonic(), said)
+        return said
+
+    def _do_kill(self, given: Mapping[str, Any]) -> str:
+        name = self._names[_requests.slot_of(given, self._scene.own)]
+        if name not in self.members or name in self._killed:
+            raise SessionError(f"{name} does not run on this machine")
+        self._kill(name)
+        said = f"{name}'s process was killed; its place is kept for it"
+        self._say(time.monotonic(), said)
+        return said
+
+    def _kill(self, name: str) -> None:
+        self._killed.add(name)
+        self.members[name].kill()
+        self._commands.forget(name)
+        self.acted = True
+
+    def _do_expel(self, given: Mapping[str, Any]) -> str:
+        """Of whoever was started here only the place is freed, so that it can come back; others are sent away."""
+        slot = _requests.slot_of(given, self._scene.own)
+        name = self._names[slot]
+        elsewhere = slot not in self._alive(self.opened.host.roster)
+        self.opened.host.expel(name, ban=elsewhere)
+        if name in self.members and name not in self._killed:
+            self._kill(name)
+        self.acted = True
+        said = f"{name} was sent away for the rest of the session" if elsewhere else f"the place of {name} is free"
+        self._say(time.monotonic(), said)
+        return said
+
+    def _do_revive(self, given: Mapping[str, Any]) -> str:
+        name = self._names[_requests.slot_of(given, self._scene.own)]
+        if name in self.members and name not in self._killed:
+            raise SessionError(f"{name} runs already")
+        self._begin(name)
+        return f"{name} joins again"
+
+    def _do_links(self, given: Mapping[str, Any]) -> str:
+        links = _requests.links_of(given, self._choices, len(self._names))
+        try:
+            self.opened.host.choose(links)
+        except NetworkError as error:
+            raise SessionError(str(error)) from error
+        self.acted = True
+        pairs = ", ".join(f"{a + 1}-{b + 1}" for a, b in self.opened.host.roster.links)
+        return f"linked are {pairs or 'none'}"
+
+    def _do_damping(self, given: Mapping[str, Any]) -> str:
+        fraction = _requests.fraction_of(given)
+        self._damp(fraction)
+        now = time.monotonic()
+        if fraction < 1.0:
+            self.acted = self.lowered = True
+            self._say(now, f"ALARM: damping is {100.0 * fraction:.2g} % of what passivity needs; this is not passive")
+            return f"damping is {100.0 * fraction:.2g} % of what passivity needs, and no link is guarded"
+        self._say(now, "damping is what passivity needs, and links are guarded")
+        return "damping is what passivity needs, and links are guarded"
+
+    def _damp(self, fraction: float) -> None:
+        """Hands of the file let go meanwhile: holding damps, and would hide what is to be seen."""
+        self._share = fraction
+        self._lease = time.monotonic() + LEASE
+        if fraction < 1.0:
+            scripted = [name for name in self._names if self._commands.mode(name) == "script"]
+            self._loosened.update(scripted)
+            for name in scripted:
+                self._commands.hand(name, "free")
+        else:
+            for name in self._loosened:
+                if self._commands.mode(name) == "free":
+                    self._commands.hand(name, "script")
+            self._loosened.clear()
+        self._ordered = self._commands.damping(fraction, until=self._lease)
+
+    def _do_record(self, given: Mapping[str, Any]) -> str:
+        return self._recording.switch(_requests.flag_of(given), time.monotonic())

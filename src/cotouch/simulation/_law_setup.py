@@ -1,0 +1,178 @@
+"""What a scenario's link law needs before a run: its parameters at every end, and the arrays of its ends."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import final
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.arrays import Float
+from cotouch.errors import ScenarioError
+from cotouch.laws import Facts, Law, law_named
+from cotouch.mechanics import WEIGHTS, Model
+from cotouch.scenario import Scenario
+from cotouch.simulation._channel import certain
+from cotouch.simulation._ends import Ends
+from cotouch.simulation._layout import Fields
+from cotouch.simulation._schedule import Schedule
+
+
+@final
+@dataclass(frozen=True, kw_only=True, eq=False)
+class LawSetup:
+    """A law, and its numbers at every end.
+
+    Attributes:
+        law: of all links.
+        parameters: of every slot, (slots, parameters).
+        weight: diagonal of every slot's weight, flat, (slots, size).
+        holds: whether the law's promise holds with its parameters at every end.
+        seed: what all ends together may make, with what springs hold at the start [J].
+    """
+
+    law: Law
+    parameters: Float
+    weight: Float
+    holds: bool
+    seed: float
+
+
+def given_law(scenario: Scenario) -> tuple[Law, Mapping[str, float | str]]:
+    """The scenario's law, and the parameters that it gives.
+
+    Raises:
+        NetworkError: there is no such law, or it has no such parameter.
+    """
+    name, given = scenario.synchronisation.law_given
+    law = law_named(name)
+    law.check(given)
+    return law, given
+
+
+def facts_of(scenario: Scenario, ready: Model, timing: Schedule, weight: npt.NDArray[np.int32]) -> list[Facts]:
+    """What is known of the end of every slot.
+
+    Args:
+        scenario: what is asked for.
+        ready: the model that is stepped.
+        timing: the schedule.
+        weight: of each slot's link.
+    """
+    operator = ready.operator
+    quantile = scenario.synchronisation.quantile
+    budget, longest, slots = timing.budget(1.0 if quantile is None else quantile), timing.longest(), timing.slots
+    result: list[Facts] = []
+    for s, (i, j) in enumerate(zip(slots.receiver, slots.sender, strict=True)):
+        n = timing.count[i]
+        heard = timing.age[s, :n][timing.used[s, :n] >= 0]
+        result.append(
+            Facts(
+                spring=float(scenario.network.spring[i, j]),
+                age=float(budget[i, j]),
+                age_back=float(budget[j, i]),
+                spread=float(np.ptp(heard)) if heard.size else 0.0,
+                period=float(longest[i]),
+                mass=float((operator.mass / operator.weight[weight[s]]).mean()),
+                degree=int(slots.first[i + 1] - slots.first[i]),
+                degree_back=int(slots.first[j + 1] - slots.first[j]),
+            )
+        )
+    return result
+
+
+def law_setup(
+    scenario: Scenario, ready: Model, timing: Schedule, weight: npt.NDArray[np.int32], start: Float
+) -> LawSetup | None:
+    """The law of a scenario's links; None for springs, which the kernels have built in.
+
+    Args:
+        scenario: what was asked for.
+        ready: the body.
+        timing: of the run.
+        weight: of every slot, (slots,).
+        start: initial displacements, (users, n, d) [m].
+
+    Raises:
+        ScenarioError: the law cannot have this channel, or these weights.
+        NetworkError: there is no such law, or a parameter is out of range.
+    """
+    law, given = given_law(scenario)
+    if law.name == "spring":
+        return None
+    if law.constant_delay and not (certain(scenario.channel) and timing.mode != "self-paced"):
+        raise ScenarioError(
+            f'synchronisation.law is "{law.name}", which needs a constant delay, but the channel\'s varies; take '
+            'jitter and losses out, or use mode "constant" with an index delay that covers them'
+        )
+    operator = ready.operator
+    if any(np.any(operator.mix[WEIGHTS + w]) for w in weight):
+        raise ScenarioError(
+            f'synchronisation.law is "{law.name}", but a link\'s weight couples nodes or axes, which only law "spring" '
+            "can do"
+        )
+    ends = facts_of(scenario, ready, timing, weight)
+    parameters = [law.values(facts, given) for facts in ends]
+    diagonal = np.repeat(operator.weight[weight], ready.width, axis=1)
+    held = 0.0
+    if law.springs:
+        fields = np.array([ready.to_rows(field).ravel() for field in start])
+        apart = fields[timing.slots.receiver] - fields[timing.slots.sender]
+        springs = np.array([facts.spring for facts in ends])
+        held = 0.25 * float(springs @ (diagonal * apart**2).sum(axis=1))  # each link has two slots
+    return LawSetup(
+        law=law,
+        parameters=np.array(parameters, dtype=np.float64).reshape(weight.size, len(law.parameters)),
+        weight=diagonal,
+        holds=law.holds is None or all(law.holds(*end) for end in zip(ends, parameters, strict=True)),
+        seed=held + sum(law.seed_of(values) for values in parameters),
+    )
+
+
+def ends_of(setup: LawSetup, timing: Schedule, fields: Fields, mean: Float, copies: int) -> Ends:
+    """Ends for the batch engine; y of the slots is the last part of the samples.
+
+    Args:
+        setup: the law and its parameters.
+        timing: the schedule.
+        fields: state of all copies.
+        mean: weights' mean.
+        copies: how many.
+    """
+    law, slots = setup.law, timing.slots
+    count, (users, rows, width) = slots.link.size, fields.position.shape
+    size = rows * width
+    pairs = list(zip(slots.receiver.tolist(), slots.sender.tolist(), strict=True))
+    first = fields.samples.shape[0] - count
+    before, after = law.parts
+    push = np.zeros((count, rows, width))
+    letters = timing.ring + 1
+    return Ends(
+        before=before,
+        after=after,
+        copies=copies,
+        feels=law.feels,
+        reverse=np.array([pairs.index((j, i)) for i, j in pairs], dtype=np.int32),
+        parameters=setup.parameters,
+        weight=setup.weight,
+        used=np.full(count, -1, dtype=np.int32),
+        steps=np.zeros(users, dtype=np.int32),
+        position=fields.position.reshape(users, size),
+        velocity=fields.velocity.reshape(users, size),
+        mean=mean.reshape(size),
+        samples=fields.samples.reshape(-1, size),
+        hand=np.zeros((users, size if law.feels else 0)),
+        mail=np.zeros((count, letters, len(law.sends), size)),
+        mail_scalars=np.zeros((count, letters, len(law.sends_scalars))),
+        memory=np.zeros((count, len(law.keeps), size)),
+        scalars=np.zeros((count, len(law.keeps_scalars))),
+        shared=np.zeros((users, len(law.fractions), size)),
+        shared_scalars=np.zeros((users, len(law.shares_scalars))),
+        first=first,
+        slot=np.arange(first, first + count),
+        push=push.reshape(count, size),
+        push_rows=push,
+        gains=np.zeros((count, 2)),
+        stiffness=np.zeros(count),
+        brake=np.zeros(count),
+    )

@@ -1,0 +1,38 @@
+"""Docstrings keep what CONTRIBUTING promises: who calls a function learns what each of its parameters is."""
+
+import ast
+from collections.abc import Iterator
+
+import pytest
+from tests.architecture.modules import NAMES, parsed
+
+# Rooms that keep it throughout; the others follow.
+ROOMS = ("drawing", "drivers", "files", "haptics", "meshfile", "pacing", "peer", "processes", "recording", "study")
+
+
+def functions(body: list[ast.stmt], prefix: str = "", *, method: bool = False) -> Iterator[tuple[str, ast.FunctionDef]]:
+    """Public functions with two parameters or more, and those of public classes."""
+    for node in body:
+        if isinstance(node, ast.ClassDef) and not node.name.startswith("_"):
+            yield from functions(node.body, f"{node.name}.", method=True)
+        elif isinstance(node, ast.FunctionDef) and not node.name.startswith("_"):
+            taken = node.args
+            names = [entry.arg for entry in (*taken.posonlyargs, *taken.args, *taken.kwonlyargs)]
+            if len(names[1:] if method and names[:1] in (["self"], ["cls"]) else names) >= 2:
+                yield prefix + node.name, node
+
+
+def without_args(tree: ast.Module) -> list[str]:
+    """Names of those whose docstring does not say what their parameters are."""
+    found = [(name, ast.get_docstring(node)) for name, node in functions(tree.body)]
+    return [name for name, text in found if text and "Args:" not in text]
+
+
+@pytest.mark.parametrize("name", [name for name in NAMES if name.split(".")[1:2] and name.split(".")[1] in ROOMS])
+def test_parameters_are_described(name: str):
+    assert without_args(parsed(name)) == []
+
+
+def test_a_parameter_that_is_not_described_is_found():
+    source = 'class A:\n    def b(self, c, d):\n        """Does."""\ndef e(f, g):\n    """Args: f, g."""\n'
+    assert without_args(ast.parse(source)) == ["A.b"]

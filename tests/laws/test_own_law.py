@@ -1,0 +1,128 @@
+"""A researcher's own law, in this one file; laws that lie; what is wrong with a law's options."""
+
+import re
+import runpy
+from dataclasses import replace
+from math import nan
+from pathlib import Path
+
+import pytest
+from tests.laws.scenes import OTHERS, two
+
+from cotouch.errors import ScenarioError
+from cotouch.laws import WAVE, End, Law, Parameter, copy, register
+from cotouch.scenario import Scenario
+from cotouch.simulation import judge, prepare, simulate
+
+
+# --- a law: a spring to where the neighbour will be, if it goes on as it goes ----------------------------------------
+def _before(end: End) -> None:
+    for i in range(end.target.shape[0]):
+        end.target[i] = end.sample[i] + end.parameters[0] * end.age * end.received[0, i]
+    end.gains[0] = end.spring
+
+
+def _after(end: End) -> None:
+    copy(end.sent[0], end.mean)
+
+
+AHEAD = register(
+    Law(
+        name="foresight",
+        before=_before,
+        after=_after,
+        parameters=(Parameter(name="fraction", meaning="of the age that it looks ahead", default=1.0, most=2.0),),
+        sends=("v",),
+        passive=False,
+    )
+)
+# ---------------------------------------------------------------------------------------------------------------------
+
+
+def scenario(law: object, *, delay: float = 0.1, **tables: object) -> Scenario:
+    return Scenario.make(
+        network=two(delay),
+        **{"steps": {"duration": 4.0}, **tables},
+        synchronisation={"law": law},
+        hands=[{"user": 1, "stiffness": 300, "path": 0.1}, {"user": 2, "stiffness": 300, "path": 0.0}],
+    )
+
+
+def test_a_law_of_ones_own_runs() -> None:
+    run = simulate(scenario({"kind": "foresight", "fraction": 0.5}, delay=0.01))
+    assert run.attrs["law"] == "foresight"
+    assert run.attrs["energy_residual"] < 1e-12
+    assert run["position"].values[1, -1, 0, 0] > 0.001
+    other = simulate(scenario({"kind": "foresight", "fraction": 1.0}, delay=0.01))
+    assert abs(run["position"].values - other["position"].values).max() > 1e-4
+
+
+def test_the_law_in_the_documents_is_one_file_and_runs(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = (Path(__file__).parents[2] / "docs" / "laws.md").read_text(encoding="utf-8")
+    code = re.search(r"```python\n(.*?)```", text, re.DOTALL)
+    assert code is not None
+    path = tmp_path / "ahead.py"
+    path.write_text(code[1], encoding="utf-8")
+    assert len(code[1].splitlines()) < 60
+    assert runpy.run_path(str(path))["run"].attrs["energy_residual"] < 1e-12
+    assert capsys.readouterr().out.startswith("ahead ")
+
+
+def test_the_documents_name_every_law() -> None:
+    text = (Path(__file__).parents[2] / "docs" / "laws.md").read_text(encoding="utf-8")
+    for name in OTHERS:
+        assert f"| `{name}`" in text
+
+
+def test_a_law_that_lies_about_its_energy_is_caught() -> None:
+    register(replace(AHEAD, name="liar", passive=True, _parts=[]))
+    judged = judge(simulate(scenario("liar")))
+    assert judged["promised"]
+    assert judged["made_j"] > judged["seed_j"] == 0.0
+    assert not judged["kept"]
+    assert judged["law"] == "liar"
+
+
+def _negative(end: End) -> None:
+    end.gains[1] = -1.0 if end.step > 10 else 0.0
+
+
+def _infinite(end: End) -> None:
+    end.gains[0] = nan if end.step > 10 else 0.0
+
+
+def _silent(end: End) -> None:
+    pass
+
+
+@pytest.mark.parametrize("before", [_negative, _infinite])
+def test_gains_that_no_link_can_have_are_refused_by_name(before: object) -> None:
+    register(Law(name="mad", before=before, after=_silent))  # pyright: ignore[reportArgumentType]
+    with pytest.raises(
+        ScenarioError, match='law "mad" gives a link of user 1 a stiffness or damping that is no finite'
+    ):
+        simulate(scenario("mad"))
+
+
+def test_a_law_for_constant_delays_refuses_a_channel_that_varies() -> None:
+    register(replace(WAVE, name="strict", constant_delay=True, _parts=[]))
+    simulate(scenario("strict", steps={"duration": 0.1}))
+    with pytest.raises(ScenarioError, match='"strict", which needs a constant delay, but the channel\'s varies'):
+        prepare(scenario("strict", channel={"loss": 0.1}))
+
+
+@pytest.mark.parametrize(
+    ("law", "message"),
+    [
+        ("wvae", 'synchronisation.law is "wvae"; it must be one of '),
+        ({"impedance": 1.0}, "synchronisation.law is .*give a law's name, or a table with it as kind"),
+        ({"kind": "wave", "impedance": -1.0}, "synchronisation.law.impedance is -1.0; it must be a number at least 0"),
+        ({"kind": "foresight", "fraction": 3}, "synchronisation.law.fraction is 3; it must be a number from 0 to 2"),
+        ({"kind": "wave", "filter": nan}, "synchronisation.law.filter is nan; it must be a number at least 0"),
+        ({"kind": "wave", "width": 1.0}, 'law.width is no parameter of law "wave", which has: impedance, filter, seed'),
+    ],
+)
+def test_wrong_options_are_one_sentence(law: object, message: str) -> None:
+    with pytest.raises(ScenarioError, match=message) as caught:
+        scenario(law)
+    assert "\n" not in str(caught.value)

@@ -1,0 +1,150 @@
+"""What every contact law must do: conformance over the registry, and what the sum over a skin must come to."""
+
+from math import pi, sqrt
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+import pytest
+from tests.mechanics.pressing import areas, flat
+
+from cotouch.mechanics import CONTACT_LAWS, Foundation, Stiffening, inner, kernel, press_skin
+from cotouch.mechanics import press as press_point
+
+Float = npt.NDArray[np.float64]
+R, K = 0.01, 1000.0
+EVERY = [kind() for kind in CONTACT_LAWS]
+
+
+def press(
+    law: Any, place: Float, corner: npt.NDArray[np.int32], middle: npt.ArrayLike, area: Float | None = None
+) -> tuple[float, Float]:
+    """Energy of the ball, and the forces on the skin's vertices, (V, 3)."""
+    return press_skin(law, place, corner, np.array(middle, dtype=np.float64), stiffness=K, radius=R, area=area)
+
+
+@kernel
+def at_depth(law: Any, stiffness: float, radius: float, depth: float) -> tuple[float, float, float]:
+    """A law for tests."""
+    return press_point(law, stiffness, radius, depth)
+
+
+def findings(law: Any) -> list[str]:
+    """What a law breaks of the interface."""
+    found = []
+    for depth in np.array([1e-4, 0.01, 0.1, 0.3]) * R:
+        energy, pressure, slope = at_depth(law, K, R, depth)
+        h = 1e-4 * depth
+        below, above = at_depth(law, K, R, depth - h), at_depth(law, K, R, depth + h)
+        if abs((above[0] - below[0]) / (2.0 * h) - pressure) > 1e-5 * pressure:
+            found.append("pressure is not the derivative of energy")
+        if (above[1] - below[1]) / (2.0 * h) > (1.0 + 1e-5) * slope:
+            found.append("slope is below the derivative of pressure")
+        if min(energy, pressure, slope) < 0.0:
+            found.append("a value is negative")
+    if max(at_depth(law, K, R, 0.0)[:2]) != 0.0:
+        found.append("energy or pressure do not vanish at the tool's surface")
+    return found
+
+
+@pytest.mark.parametrize("law", EVERY)
+def test_every_law_keeps_the_interface(law: Any) -> None:
+    assert findings(law) == []
+
+
+class Cubic(NamedTuple):
+    """A new law in a few lines: `ψ = k w³ / R³`, and one that says another pressure than its energy's."""
+
+    lie: float = 1.0
+
+
+@inner
+def cubic(law: Cubic, stiffness: float, radius: float, depth: float) -> tuple[float, float, float]:
+    share = stiffness / radius**3
+    return share * depth**3, 3.0 * law.lie * share * depth**2, 6.0 * share * depth
+
+
+@pytest.mark.parametrize("lie", [1.0, 1.1])
+def test_a_new_law_is_one_file_and_a_wrong_one_is_told(lie: float, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(CONTACT_LAWS, Cubic, cubic)
+    assert bool(findings(Cubic(lie))) == (lie != 1.0)
+    energies = [press(Cubic(lie), *flat(cells, seed=cells), (0.001, 0.002, 0.008))[0] for cells in (2, 5, 13)]
+    np.testing.assert_allclose(energies, energies[0], rtol=1e-12)  # exact for polynomials of the third degree
+
+
+def on_a_flat(law: Any, height: float) -> float:
+    """Force of the whole plane in closed form [N]."""
+    share = 1.0 - (height / R) ** 2
+    if isinstance(law, Foundation):
+        modulus = 0.1 * K / (pi * R * R) / (0.25 * 0.9 * (1.0 - 0.81) ** 2)
+        return modulus * pi * height * R * R * share**2 / 4.0
+    return 2.0 * pi * height * at_depth(law, K, R, 0.5 * R * share)[0]
+
+
+@pytest.mark.parametrize("law", [Foundation(), Stiffening()])
+@pytest.mark.parametrize(("height", "within"), [(0.0099, 1e-12), (0.009, 1e-8), (0.005, 1e-4)])
+def test_a_flat_pushes_as_the_closed_form_says(law: Any, height: float, within: float) -> None:
+    for cells in (1, 4, 23):
+        _, force = press(law, *flat(cells, seed=cells), (0.0013, -0.002, height))
+        assert -force[:, 2].sum() == pytest.approx(on_a_flat(law, height), rel=within)
+    assert on_a_flat(law, 0.9 * R) == pytest.approx(0.1 * K * R)  # what `stiffness` means
+
+
+@pytest.mark.parametrize("law", EVERY)
+def test_sliding_over_rows_of_vertices_is_not_felt(law: Any) -> None:
+    """Where a contact at each local minimum of distance jumps by 44 %: the same force at every place."""
+    place, corner = flat(9)
+    forces = [press(law, place, corner, (x, 0.3 * x, 0.0075))[1].sum(axis=0) for x in np.linspace(-0.01, 0.01, 101)]
+    size = -forces[0][2]
+    np.testing.assert_allclose(forces, np.broadcast_to([0.0, 0.0, -size], (101, 3)), atol=1e-12 * size)
+
+
+@pytest.mark.parametrize(("law", "within"), [(Foundation(), 1e-9), (Stiffening(), 1e-5)])
+def test_the_force_is_the_gradient(law: Any, within: float) -> None:
+    rng = np.random.default_rng(3)
+    place, corner = flat(8, size=0.04)
+    place[:, 2] = 1e-3 * rng.normal(size=place.shape[0])
+    middle, area = np.array([0.001, 0.002, 0.0085]), 1.1 * areas(place, corner)
+    way, aside = rng.normal(size=place.shape), rng.normal(size=3)
+    _, force = press(law, place, corner, middle, area)
+
+    def energy(h: float) -> float:
+        return press(law, place + h * way, corner, middle + h * aside, area)[0]
+
+    h = 1e-6
+    slope = (8.0 * (energy(h) - energy(-h)) - (energy(2.0 * h) - energy(-2.0 * h))) / (12.0 * h)
+    exact = float(force.sum(axis=0) @ aside - (force * way).sum())
+    assert abs(slope - exact) <= within * float(np.abs(force * way).sum())
+
+
+@pytest.mark.parametrize("law", EVERY)
+def test_a_bump_is_felt_alike_on_ever_finer_meshes(law: Any) -> None:
+    def pressed(cells: int) -> Float:
+        place, corner = flat(cells, size=0.04, uneven=0.2, seed=cells)
+        place[:, 2] = -((place[:, 0] - 0.003) ** 2 + place[:, 1] ** 2) / (2.0 * 0.03)
+        return -press(law, place, corner, (0.002, 0.001, 0.0086))[1].sum(axis=0)
+
+    finest = pressed(96)
+    apart = [np.linalg.norm(pressed(cells) - finest) / np.linalg.norm(finest) for cells in (6, 12, 24)]
+    assert apart[2] < 0.03
+    assert apart[0] > 3.5 * apart[1] > 3.5**2 * apart[2]  # to second order, as flat triangles are
+
+
+@pytest.mark.parametrize("law", EVERY)
+def test_forces_are_those_of_a_smooth_ball(law: Any) -> None:
+    """They turn the skin about the ball's middle as little as a ball without friction can."""
+    rng = np.random.default_rng(5)
+    place, corner = flat(7, size=0.03)
+    place[:, 2] = 5e-4 * rng.normal(size=place.shape[0])
+    middle = np.array([0.002, -0.001, 0.008])
+    _, force = press(law, place, corner, middle)
+    torque = np.cross(place - middle, force).sum(axis=0)
+    assert np.linalg.norm(torque) <= 1e-12 * R * np.abs(force).sum()
+    assert sqrt(float((force.sum(axis=0) ** 2).sum())) > 0.1
+
+
+def test_a_stiffening_flat_pushes_more_than_any_device() -> None:
+    place, corner = flat(4)
+    forces = [-press(Stiffening(), place, corner, (0.0, 0.0, h * R))[1][:, 2].sum() for h in (0.8, 0.6, 0.4, 0.25)]
+    assert sorted(forces) == forces
+    assert forces[-1] > 4.0 * K * R

@@ -1,0 +1,152 @@
+"""Contact by a law on bodies that turn, bend far and are heavy: one balance of both, and what it must feel like."""
+
+import numpy as np
+import pytest
+from tests.mechanics.materials import EVERY, SPACING, made, rotation
+from tests.mechanics.pressing import Pressed, plate, slab
+
+from cotouch.mechanics import BETA, KINETIC, TOUCH_LOSS, Stiffening
+from cotouch.mechanics._contact_stiffening import press
+
+STEPS = 120
+
+
+def surrounded(name: str, seed: int) -> tuple[Pressed, np.ndarray]:
+    """A body among four tools, at random: heavy and on the ground, or turned and free; and the way in for each."""
+    rng = np.random.default_rng(seed)
+    free = seed % 2 == 1
+    body = made(
+        name,
+        viscosity=2e-3,
+        ground="none" if free else "z-",
+        hold=0.0 if free else 300.0,
+        gravity=None if free else (0.5, 0.3, -9.81),
+    )
+    middle = body.rest.mean(axis=0)
+    turn = rotation(rng.normal(size=3), 2.0) if free else np.eye(3)
+    copy = Pressed(body, count=4, moved=(body.rest - middle) @ turn.T + middle - body.rest)
+    tools = copy.tools
+    tools.radius[:] = rng.uniform(0.004, 0.009, 4)
+    tools.stiffness[:] = 10.0 ** rng.uniform(2.0, 3.5, 4)
+    tools.friction[:], tools.kinetic[:] = [0.0, 0.5, 0.8, 0.3], [0.0, 0.3, 0.7, 0.3]
+    tools.loss[:] = [0.0, 1.0, 0.0, 3.0]
+    tools.axis[2, :3] = turn @ [0.005, 0.003, 0.0]
+    ways = np.array([[0.0, 0.0, 1.0], [0.0, 1.0, 0.3], [0.0, -0.3, 1.0], [0.0, -1.0, 0.4]]) @ turn.T
+    tools.place[:, :3] = middle + (2.2 * SPACING + tools.radius)[:, None] * ways
+    tools.place[2, :3] += turn @ [-0.01, 0.0, 0.0]
+    tools.drive_stiffness[:], tools.drive_damping[:] = 200.0, 2.0
+    copy.begin()
+    return copy, ways
+
+
+@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("name", EVERY)
+def test_one_balance_for_contact_and_material(name: str, seed: int) -> None:
+    """Energy to round-off with steps of random length, early solvers, friction, damping, weight; some tools pass."""
+    copy, ways = surrounded(name, seed)
+    rng, tools, cap = np.random.default_rng(seed), copy.tools, (1, 3, 200)[seed % 3]
+    goal, start = tools.place[:, :3].copy(), tools.place[:, :3].copy()
+    touched = 0
+    for _ in range(STEPS):
+        T = float(rng.uniform(5e-4, 4e-3))
+        tools.drive_start[:, :3] = goal
+        goal = goal + T * rng.normal(scale=0.1, size=goal.shape)
+        goal += 0.05 * (start - (0.008 + 0.01 * rng.uniform()) * ways - goal)
+        tools.drive_end[:, :3] = goal
+        copy.step(T, cap)
+        assert copy.touch_ledger[TOUCH_LOSS] >= 0.0
+        touched += int(tools.touching.sum())
+    assert touched > STEPS / 5
+    assert copy.residual <= 5e-15 * copy.in_play
+
+
+def test_what_is_pressed_at_rest_closes() -> None:
+    """Where nothing moves, no velocity can make up for what a force missed, and nothing is made either."""
+    copy = Pressed(made("cells", viscosity=2e-3, ground="z-", hold=300.0, gravity=(0.0, 0.0, -9.81)))
+    copy.tools.radius[:] = 0.008
+    top = 2.0 * SPACING
+    place = [0.013, 0.009, top + 0.0035]
+    copy.tools.place[0, :3] = [0.013, 0.009, top + 0.0085]
+    copy.begin()
+    for n in range(500):
+        copy.lead([0.013, 0.009, max(place[2], top + 0.0085 - 2e-5 * n)], place)
+        copy.step(2e-3)
+    force, depth, lost = copy.force[2], copy.tools.place[0, 2], copy.lost
+    assert force > 0.1
+    for _ in range(10_000):
+        copy.lead(place, place)
+        copy.step(2e-3)
+    assert abs(copy.force[2] - force) <= 1e-3 * force
+    assert abs(copy.tools.place[0, 2] - depth) <= 1e-3 * 0.005
+    assert copy.lost - lost <= 1e-3 * copy.energy
+    assert copy.residual <= 5e-15 * copy.in_play
+
+
+@pytest.mark.parametrize("name", ["floating", "cells"])
+def test_sliding_over_rows_of_vertices(name: str) -> None:
+    kind = {"frame": "floating"} if name == "floating" else {"model": "cells"}
+    copy = plate(**kind)
+    copy.tools.friction[:], copy.tools.kinetic[:] = 0.6, 0.4
+    forces, factors = [], []
+    for n in range(1300):
+        start, end = ([0.02 + 4e-5 * max(0, n + k - 300), 0.021, 0.016] for k in (0, 1))
+        copy.lead(start, end)
+        copy.step(1e-3)
+        forces.append(copy.force)
+        factors.append(copy.ledger[BETA])
+    slid = np.array(forces)[700:]  # 24 mm, over two rows
+    assert slid[:, 2].mean() > 1.0
+    assert np.ptp(slid[:, 2]) <= 0.01 * slid[:, 2].mean()
+    assert np.abs(np.diff(slid[:, 2])).max() <= 1e-3 * slid[:, 2].mean()
+    assert np.quantile(factors[700:], 0.99) <= 1e-3
+    assert copy.residual <= 5e-15 * copy.in_play
+
+
+@pytest.mark.parametrize("turned", [0.0, 0.5 * np.pi, 2.5])
+def test_a_turned_floating_flat_pushes_as_the_closed_form_says(turned: float) -> None:
+    """Two tools hold a free slab between them: `F = 2 π z ψ`, z the height of a tool's middle, ψ at its foot."""
+    body = slab(frame="floating", ground="none")
+    middle, turn = body.rest.mean(axis=0), rotation((1.0, 0.4, 0.2), turned)
+    copy = Pressed(body, count=2, moved=(body.rest - middle) @ turn.T + middle - body.rest)
+    copy.tools.radius[:] = 0.01
+    normal = turn @ [0.0, 0.0, 1.0]
+    sides = np.array([1.0, -1.0])[:, None] * normal
+    copy.tools.place[:, :3] = middle + 0.0151 * sides
+    copy.begin()
+    goal = middle + 0.0125 * sides
+    copy.tools.drive_stiffness[:], copy.tools.drive_damping[:] = 5000.0, 60.0
+    for n in range(800):
+        copy.tools.drive_start[:, :3] = copy.tools.drive_end[:, :3] = goal + max(0.0, 0.0026 - 2e-5 * n) * sides
+        copy.step(1e-3)
+    skin = (copy.skin_place() - middle) @ normal
+    radius, beside = 0.01, np.linalg.norm((copy.body.rest - middle)[:, :2], axis=1)
+    top = (copy.copy.position + body.rest - middle) @ normal
+    level = top[(beside < 0.012) & (body.rest[:, 2] > middle[2])].mean()
+    assert skin.max() < 0.006
+    z = float((copy.tools.place[0, :3] - middle) @ normal) - level
+    psi = press.py_func(Stiffening(), 1000.0, radius, (radius**2 - z**2) / (2.0 * radius))[0]
+    assert copy.force @ normal == pytest.approx(2.0 * np.pi * z * psi, rel=2e-3)
+    assert copy.ledger[KINETIC] <= 1e-6 * copy.energy
+    assert copy.residual <= 5e-15 * copy.in_play
+
+
+def test_what_grows_between_steps_gives_no_energy() -> None:
+    """A radius that is changed from outside: the contact holds what it held, until it lets go."""
+    copy = Pressed(made("cells", viscosity=2e-3, ground="z-", hold=300.0))
+    copy.tools.radius[:] = 0.006
+    top = 2.0 * SPACING
+    copy.tools.place[0, :3] = [0.013, 0.009, top + 0.0061]
+    copy.begin()
+    for _ in range(100):
+        copy.lead([0.013, 0.009, top + 0.004], [0.013, 0.009, top + 0.004])
+        copy.step(2e-3)
+    for _ in range(30):
+        copy.tools.radius[:] += 5e-5
+        copy.step(2e-3)
+        assert copy.touch_ledger[TOUCH_LOSS] >= 0.0
+    assert 0.0 < copy.tools.share[0] < 1.0
+    assert copy.residual <= 5e-15 * copy.in_play
+    for _ in range(100):
+        copy.lead([0.013, 0.009, top + 0.03], [0.013, 0.009, top + 0.03])
+        copy.step(2e-3)
+    assert copy.tools.share[0] == 1.0

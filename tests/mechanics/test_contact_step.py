@@ -1,0 +1,207 @@
+"""A step with tools that touch by a law: its energy, and what contact must feel like."""
+
+import numpy as np
+import pytest
+from tests.mechanics.pressing import SPACING, Pressed, block, plate
+
+from cotouch.mechanics import AWAY, TOUCH, TOUCH_LOSS
+
+TOP = 2 * SPACING
+
+
+def above(place: float, **numbers: float) -> Pressed:
+    """One tool over the middle of the block."""
+    copy = Pressed(block(damping=numbers.pop("damping", 0.2)))
+    copy.tools.radius[:] = numbers.pop("radius", 0.01)
+    copy.tools.place[0, :3] = [0.025, 0.031, TOP + place]
+    copy.tools.rate[0, 2] = -numbers.pop("speed", 0.0)
+    copy.begin()
+    return copy
+
+
+def test_a_bounce_returns_what_it_took() -> None:
+    copy = above(0.0101, speed=0.3, damping=0.0)
+    start, pressed = copy.energy, 0.0
+    for _ in range(60):
+        copy.step(1e-3)
+        pressed = max(pressed, float(copy.tools.account[0]))
+    assert pressed > 0.2 * start
+    assert copy.tools.touching[0] == 0
+    assert copy.tools.rate[0, 2] > 0.0
+    assert copy.energy == pytest.approx(start, rel=1e-12)
+    assert copy.lost <= 1e-13 * start
+    assert copy.residual <= 1e-14 * copy.in_play
+
+
+@pytest.mark.parametrize("cap", [1, 2, 3, 200])
+def test_the_balance_is_exact_however_early_the_solver_stops(cap: int) -> None:
+    """Five tools at random, driven, with friction and damping, steps of random length."""
+    rng = np.random.default_rng(cap)
+    copy = Pressed(block(), count=5)
+    tools = copy.tools
+    tools.radius[:] = rng.uniform(0.004, 0.012, 5)
+    tools.stiffness[:] = 10.0 ** rng.uniform(2.5, 4.5, 5)
+    tools.friction[:], tools.kinetic[:] = [0.0, 0.5, 0.5, 0.2, 1.0], [0.0, 0.5, 0.3, 0.1, 0.9]
+    tools.loss[:] = [0.0, 0.0, 1.0, 3.0, 0.0]
+    tools.axis[4, :3] = [0.008, 0.0, 0.004]
+    tools.place[:, :2] = rng.uniform(0.3, 2.7, (5, 2)) * SPACING
+    tools.place[:, 2] = TOP + 0.016
+    tools.drive_stiffness[:], tools.drive_damping[:] = 300.0, 2.0
+    copy.begin()
+    goal = tools.place.copy()
+    touched = 0
+    for _ in range(250):
+        T = float(rng.uniform(5e-4, 4e-3))
+        tools.drive_start[:] = goal
+        goal[:, :2] += T * rng.normal(scale=0.1, size=(5, 2))
+        goal[:, 2] = TOP + 0.004 + 0.008 * rng.uniform()
+        tools.drive_end[:] = goal
+        copy.step(T, cap)
+        assert copy.touch_ledger[TOUCH_LOSS] >= 0.0
+        touched += int(tools.touching.sum())
+    assert touched > 250
+    assert copy.residual <= 1e-14 * copy.in_play
+
+
+def test_without_drive_energy_only_falls() -> None:
+    copy = above(0.0101, speed=1.0)
+    copy.tools.friction[:] = copy.tools.kinetic[:] = 0.6
+    copy.tools.rate[0, 0] = 0.7
+    copy.begin()
+    before = copy.energy
+    for _ in range(200):
+        copy.step(2e-3)
+        assert copy.energy <= before * (1.0 + 1e-14)
+        before = copy.energy
+
+
+def test_a_tool_at_rest_stays_for_a_minute() -> None:
+    copy = above(0.0101)
+    place = [0.025, 0.031, TOP + 0.005]
+    copy.lead([0.025, 0.031, TOP + 0.0101], place)
+    copy.step(0.01)
+    for _ in range(300):
+        copy.lead(place, place)
+        copy.step(0.01)
+    depth, force = copy.tools.place[0, 2], copy.force[2]
+    assert force > 0.5
+    for _ in range(6000):
+        copy.step(0.01)
+        assert abs(copy.force[2] - force) <= 1e-3 * force
+    assert abs(copy.tools.place[0, 2] - depth) <= 1e-3 * (TOP + 0.01 - depth)
+
+
+@pytest.mark.parametrize(("friction", "kinetic"), [(0.0, 0.0), (0.6, 0.4)])
+def test_sliding_over_rows_of_vertices(friction: float, kinetic: float) -> None:
+    """The force stays, and friction is on its cone; a contact at each local minimum jumps by 44 % here."""
+    copy = plate()
+    copy.tools.friction[:], copy.tools.kinetic[:] = friction, kinetic
+    forces = []
+    for n in range(1500):
+        start, end = ([0.02 + 4e-5 * max(0, n + k - 500), 0.021, 0.016] for k in (0, 1))
+        copy.lead(start, end)
+        copy.step(1e-3)
+        forces.append(copy.force)
+    slid = np.array(forces)[900:]  # 24 mm, over two rows
+    assert np.ptp(slid[:, 2]) <= 0.01 * slid[:, 2].mean()
+    aside = np.linalg.norm(slid[:, :2], axis=1)
+    np.testing.assert_allclose(aside, kinetic * slid[:, 2], atol=1e-3 * slid[:, 2].mean())
+    assert bool(copy.tools.slipping[0]) == (friction > 0.0)
+    assert copy.residual <= 1e-14 * copy.in_play
+
+
+def test_friction_holds_below_its_cone() -> None:
+    copy = plate()
+    copy.tools.friction[:], copy.tools.kinetic[:] = 0.6, 0.3
+    down = [0.02, 0.021, 0.016]
+    for _ in range(500):
+        copy.lead(down, down)
+        copy.step(1e-3)
+    normal = copy.force[2]
+    beside = [0.02 + 0.5 * normal / 500.0, 0.021, 0.016]  # pulls with 5/6 of the cone, but for what it yields
+    for _ in range(1000):
+        copy.lead(beside, beside)
+        copy.step(1e-3)
+    held = copy.tools.place[0, 0]
+    for _ in range(2000):
+        copy.step(1e-3)
+    assert abs(copy.tools.place[0, 0] - held) <= 1e-9
+    assert copy.tools.slipping[0] == 0
+    assert copy.force[0] < -0.2 * copy.force[2]
+
+
+@pytest.mark.parametrize("speed", [0.3, 1.0, 3.0, 10.0])
+@pytest.mark.parametrize("who", ["tool", "body"])
+def test_nothing_passes(speed: float, who: str) -> None:
+    """A tool of 0.5 mm, or a body that meets it, as fast as 20 radii in a step."""
+    copy = Pressed(block())
+    copy.tools.radius[:] = 0.0005
+    copy.tools.place[0, :3] = [0.025, 0.031, TOP + 0.0012]
+    if who == "tool":
+        copy.tools.rate[0, 2] = -speed
+    else:
+        copy.state.velocity[:, 2] = speed
+    copy.begin()
+    start, touched = copy.energy, 0
+    for _ in range(60):
+        copy.step(1e-3)
+        touched += int(copy.tools.touching[0])
+        assert abs(windings(copy)) < 0.5
+        assert copy.energy <= start * (1.0 + 1e-12)
+    assert touched > 0
+    assert copy.residual <= 1e-14 * copy.in_play
+
+
+def windings(copy: Pressed) -> float:
+    """How often the skin winds around the first tool's middle: 1 inside, 0 outside [van Oosterom & Strackee 1983]."""
+    away = copy.skin_place() - copy.tools.place[0, :3]
+    a, b, c = (away[copy.surface.corner[:, q]] for q in range(3))
+    x, y, z = (np.linalg.norm(side, axis=1) for side in (a, b, c))
+    volume = (a * np.cross(b, c)).sum(axis=1)
+    beside = x * y * z + (a * b).sum(axis=1) * z + (b * c).sum(axis=1) * x + (c * a).sum(axis=1) * y
+    return float(np.arctan2(volume, beside).sum() / (2.0 * np.pi))
+
+
+def test_a_stylus_pushes_with_its_tip_and_lies_on_its_side() -> None:
+    def pressed(axis: list[float], height: float) -> float:
+        copy = plate()
+        copy.tools.axis[0, :3] = axis
+        copy.tools.place[0, 2] = 0.01 + 0.0101 + height
+        place = [0.02, 0.021, 0.0195 + height]
+        for _ in range(400):
+            copy.lead(place, place, stiffness=1e4, damping=20.0)
+            copy.step(1e-3)
+        return float(copy.force[2])
+
+    ball = pressed([0.0, 0.0, 0.0], 0.0)
+    assert pressed([0.0, 0.0, -0.02], 0.02) == pytest.approx(ball, rel=0.02)
+    assert pressed([0.01, 0.0, 0.0], 0.0) > 1.3 * ball
+
+
+def test_a_tool_that_begins_inside_does_not_push_until_it_was_out() -> None:
+    copy = above(0.002)
+    for _ in range(10):
+        copy.step(1e-3)
+    assert copy.tools.touching[0] == 0
+    assert copy.energy == 0.0
+    copy.tools.place[0, 2] = TOP + 0.0101
+    copy.tools.rate[0, 2] = -0.1
+    copy.begin()
+    for _ in range(10):
+        copy.step(1e-3)
+    assert copy.tools.touching[0] == 1
+
+
+def test_what_is_let_go_of_is_booked_as_lost() -> None:
+    copy = above(0.0101, speed=0.3)
+    for _ in range(6):
+        copy.step(1e-3)
+    held = float(copy.tools.account[0])
+    assert held > 0.0
+    copy.tools.mode[:] = AWAY
+    copy.step(1e-3)
+    assert copy.touch_ledger[TOUCH_LOSS] == pytest.approx(held)
+    assert copy.residual <= 1e-14 * copy.in_play
+    copy.tools.mode[:] = TOUCH
+    copy.step(1e-3)
+    assert copy.residual <= 1e-14 * copy.in_play

@@ -1,0 +1,58 @@
+"""The local search beside every choice there is, and what turns its swaps down beside exact roots."""
+
+import numpy as np
+import pytest
+
+from cotouch.network import Network
+from cotouch.planning import plan
+from cotouch.planning._levels import holds
+from cotouch.planning._problem import make_problem
+from cotouch.planning._starts import random_choice
+from cotouch.planning._task import rate
+
+
+def full_network(users: int, seed: int, *, even: bool = False) -> Network:
+    """Users who may all be linked, with delays that differ both ways unless they are even."""
+    rng = np.random.default_rng(seed)
+    spring = np.triu(rng.uniform(20.0, 100.0, (users, users)), 1)
+    delay = 0.01 * rng.integers(2, 41, (users, users)) * (1 - np.eye(users))
+    if even:
+        delay = np.triu(delay) + np.triu(delay).T
+    return Network(users=[f"u{i}" for i in range(users)], spring=spring + spring.T, delay=delay)
+
+
+@pytest.mark.parametrize("even", [False, True])
+def test_few_starts_find_the_best_of_all_choices(even: bool) -> None:
+    for seed in range(5):
+        network = full_network(6, seed, even=even)
+        every = plan(network, links=8, objective="decay")
+        found = plan(network, links=8, objective="decay", method="local", starts=2, seed=seed)
+        assert every.status == "proved"
+        assert found.best.value == pytest.approx(every.best.value, rel=1e-9)
+
+
+def test_a_walk_keeps_to_what_is_asked() -> None:
+    network = full_network(7, 3)
+    required, barred = [(0, 6), (2, 5)], [(0, 1), (3, 4)]
+    found = plan(
+        network, links=10, objective="decay", method="local", starts=2, require=required, forbid=barred, max_degree=4
+    )
+    assert {tuple(sorted(pair)) for pair in required} <= set(found.best.links)
+    assert not {tuple(sorted(pair)) for pair in barred} & set(found.best.links)
+    degree = np.bincount(np.ravel(found.best.links), minlength=7)
+    assert degree.max() <= 4
+
+
+def test_links_that_do_not_hold_are_no_faster() -> None:
+    rng, refused = np.random.default_rng(5), 0
+    for seed in range(4):
+        task = make_problem(full_network(7, seed, even=True), links=9, objective="decay").task
+        for _ in range(25):
+            chosen = random_choice(task, rng)
+            assert chosen is not None
+            value, sure = rate(task, chosen, np.full(1, complex(-np.inf, 0.0)))
+            level = -value * rng.uniform(0.7, 1.3)
+            if sure and not holds(task, chosen, level):
+                refused += 1
+                assert value > -level
+    assert refused > 20

@@ -1,0 +1,248 @@
+"""What a page holds ends with it: control, what its pointer holds, damping that it lowered. On a clock of its own."""
+
+import asyncio
+from collections.abc import Awaitable, Callable
+
+from tests.web.fake_session_api import FakeSessionApi
+from tests.web.reader import pointer
+
+from cotouch.web._access import Access
+from cotouch.web._hub import Hub
+from cotouch.web._page import Page
+from cotouch.web._protocol import VERSION, Do, Hello, PointerMessage
+
+GRAB, FREE = 1, 2
+LONG, SHORT = 3.1, 0.2  # a page that is silent for so long hangs, or not [s]
+
+
+class Room:
+    """A hub whose pages have no sockets; what they are told lies where nobody fetches it."""
+
+    def __init__(self) -> None:
+        self.now = 0.0
+        self.api = FakeSessionApi("1d", clock=lambda: self.now)
+        self.hub = Hub(self.api, Access(listen="127.0.0.1", token="a token"), clock=lambda: self.now)
+        self.number = 0
+
+    def come(self, slot: int = 0) -> Page:
+        page = Page(None)  # pyright: ignore[reportArgumentType]
+        assert self.hub.enter(page)
+        self.hub.received(page)
+        token = self.hub.access.token
+        self.hub.hello(page, Hello(type="hello", version=VERSION, token=token, slot=slot))
+        return page
+
+    def wait(self, seconds: float, *talking: Page) -> None:
+        """Time passes; these go on talking, and the others are silent."""
+        for _ in range(round(seconds / 0.1)):
+            self.now += 0.1
+            for page in talking:
+                self.hub.received(page)
+            self.hub._show_state()
+
+    def point(self, page: Page, action: int) -> None:
+        self.number += 1
+        self.hub.received(page)
+        self.hub.pointed(page, PointerMessage(pointer(self.number, slot=page.slot or 0, action=action)))
+
+    def held(self) -> bool:
+        """Whether a pointer holds the body now, as the stage was told last."""
+        return bool(self.api.pointers) and self.api.pointers[-1][1].mode != "free"
+
+    async def ask(self, page: Page, what: str, **arguments: object) -> None:
+        self.hub.received(page)
+        self.hub.asked(page, Do(type="do", id=1, what=what, arguments=arguments))
+        await asyncio.gather(*self.hub._tasks)
+
+    async def lower(self, page: Page, fraction: float = 0.5) -> None:
+        await self.ask(page, "damping", fraction=fraction)
+        assert self.api.overview().damping == fraction
+
+    @property
+    def damping(self) -> float:
+        return self.api.overview().damping
+
+    def control(self, page: Page) -> str:
+        return self.hub._control.of(page)
+
+
+def play(story: Callable[[Room], Awaitable[None]]) -> None:
+    async def run() -> None:
+        room = Room()
+        try:
+            await story(room)
+        finally:
+            for page in list(room.hub._pages):
+                room.hub.leave(page)
+            room.hub.close()
+
+    asyncio.run(run())
+
+
+def test_damping_comes_back_with_the_end_of_the_page_that_lowered_it() -> None:
+    async def story(room: Room) -> None:
+        ann, ben = room.come(0), room.come(1)
+        await room.lower(ann)
+        room.hub.leave(ben)  # another's end is nothing to it
+        assert room.damping == 0.5
+        room.hub.leave(ann)
+        assert room.damping == 1.0
+        assert room.api.held[-1] is False
+
+    play(story)
+
+
+def test_damping_comes_back_from_a_page_that_hangs_and_stays_while_it_talks() -> None:
+    async def story(room: Room) -> None:
+        ann, ben = room.come(0), room.come(1)
+        await room.lower(ann)
+        room.wait(3.0 * LONG, ann, ben)
+        assert room.damping == 0.5
+        assert room.api.held[-5:] == [True] * 5  # said again and again: the stage's own lease would end
+        room.wait(SHORT, ben)
+        assert room.damping == 0.5
+        room.wait(LONG, ben)
+        assert room.damping == 1.0
+        room.api.held.clear()
+        room.wait(LONG, ann, ben)  # it comes back, and what it lowered does not
+        assert room.damping == 1.0
+        assert room.api.held == []
+
+    play(story)
+
+
+def test_damping_that_a_page_put_back_is_nobodys_to_hold() -> None:
+    async def story(room: Room) -> None:
+        ann = room.come(0)
+        await room.lower(ann)
+        await room.lower(ann, 1.0)
+        room.api.held.clear()
+        room.wait(1.0, ann)
+        room.hub.leave(ann)
+        assert room.api.held == []
+
+    play(story)
+
+
+def test_damping_that_is_lowered_for_a_page_that_left_meanwhile_comes_back() -> None:
+    async def story(room: Room) -> None:
+        ann = room.come(0)
+        room.come(1)
+        room.hub.asked(ann, Do(type="do", id=1, what="damping", arguments={"fraction": 0.5}))
+        room.hub.leave(ann)
+        await asyncio.gather(*room.hub._tasks)
+        assert room.damping == 1.0
+
+    play(story)
+
+
+def test_damping_comes_back_when_another_takes_control_and_when_the_hub_closes() -> None:
+    async def story(room: Room) -> None:
+        ann, other = room.come(0), room.come(0)
+        await room.lower(ann)
+        await room.ask(other, "control")
+        room.wait(SHORT, ann, other)
+        assert room.damping == 1.0
+        await room.lower(other)
+        room.hub.close()
+        assert room.damping == 1.0
+
+    play(story)
+
+
+def test_control_goes_to_who_waits_when_a_page_ends_or_hangs() -> None:
+    async def story(room: Room) -> None:
+        ann, other, third = room.come(), room.come(), room.come()
+        assert [room.control(page) for page in (ann, other, third)] == ["mine", "other", "other"]
+        room.point(ann, GRAB)
+        assert room.held()
+        room.hub.leave(ann)
+        assert not room.held()
+        assert [room.control(page) for page in (other, third)] == ["mine", "other"]
+        room.point(other, GRAB)
+        room.wait(SHORT, third)
+        assert room.control(other) == "mine"
+        room.wait(LONG, third)
+        assert not room.held()
+        assert [room.control(page) for page in (other, third)] == ["other", "mine"]
+        room.wait(SHORT, other, third)  # it talks again: it waits, and has control when it is free
+        room.hub.leave(third)
+        assert room.control(other) == "mine"
+        room.point(other, GRAB)
+        assert room.held()
+
+    play(story)
+
+
+def test_a_page_that_hung_alone_has_control_again_when_it_talks() -> None:
+    async def story(room: Room) -> None:
+        ann = room.come()
+        room.point(ann, GRAB)
+        room.wait(LONG)
+        assert room.control(ann) == "none"
+        assert not room.held()
+        room.point(ann, GRAB)
+        assert room.control(ann) == "mine"
+        assert room.held()
+        room.point(ann, FREE)
+        assert not room.held()
+        room.point(ann, GRAB)
+        room.wait(LONG)  # and it may hang once more
+        assert room.control(ann) == "none"
+        assert not room.held()
+
+    play(story)
+
+
+def test_a_page_that_acts_for_another_slot_lets_go_of_the_one_before() -> None:
+    async def story(room: Room) -> None:
+        ann = room.come(0)
+        room.point(ann, GRAB)
+        room.hub.hello(ann, Hello(type="hello", version=VERSION, token=room.hub.access.token, slot=2))
+        assert not room.held()
+        assert room.control(room.come(0)) == "mine"
+        assert room.control(ann) == "mine"
+
+    play(story)
+
+
+def test_one_page_that_is_left_is_sent_states_and_none_costs_nothing() -> None:
+    async def story(room: Room) -> None:
+        ann, ben = room.come(0), room.come(1)
+        room.hub.leave(ann)
+        assert room.hub._state_timer is not None
+        room.hub.leave(ben)
+        assert room.hub._state_timer is None
+        assert room.hub._timer is None
+
+    play(story)
+
+
+def test_who_waited_and_left_gets_nothing_and_who_takes_over_finds_nothing_held() -> None:
+    async def story(room: Room) -> None:
+        ann, other, third = room.come(), room.come(), room.come()
+        room.hub.leave(other)
+        room.point(ann, GRAB)
+        await room.ask(third, "control")
+        assert not room.held()
+        assert [room.control(page) for page in (ann, third)] == ["other", "mine"]
+        room.hub.leave(third)
+        assert room.control(ann) == "mine"
+        room.hub.leave(ann)
+        last = room.come()
+        assert room.control(last) == "mine"
+        room.point(last, GRAB)
+        room.hub.close()
+        assert not room.held()
+
+    play(story)
+
+
+def test_a_page_that_waits_and_leaves_is_not_next() -> None:
+    async def story(room: Room) -> None:
+        ann, other, third = room.come(), room.come(), room.come()
+        room.hub.leave(other)
+        room.hub.leave(ann)
+        assert room.control(third) == "mine"
+
+    play(story)
