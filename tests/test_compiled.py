@@ -229,6 +229,39 @@ def test_a_cache_that_was_cut_off_heals(tmp_path: Path, kept: Callable[[], bool]
     assert kept()
 
 
+TWICE = """
+import sys
+from cotouch.compiled import routine
+
+@routine
+def twice(x):
+    return x + x
+
+print(len(twice(tuple(range(int(sys.argv[1]))))))
+"""
+
+
+def test_two_processes_that_number_their_files_alike_are_told_apart(tmp_path: Path):
+    """Both saw no file yet and took number 1; the index is of one of them and the machine code of the other."""
+
+    script = tmp_path / "twice.py"
+    script.write_text(TWICE)
+
+    def ran(folder: str, count: int) -> int:
+        (tmp_path / folder).mkdir(exist_ok=True)
+        environment = {**os.environ, "NUMBA_CACHE_DIR": str(tmp_path / folder), "PYTHONDONTWRITEBYTECODE": "1"}
+        command = [sys.executable, str(script), str(count)]
+        return int(subprocess.run(command, env=environment, capture_output=True, text=True, check=True).stdout)
+
+    assert ran("one", 1) == 2
+    assert ran("other", 4) == 8
+    (mine,), (theirs,) = (list((tmp_path / folder).rglob("*.nbc")) for folder in ("one", "other"))
+    assert mine.name == theirs.name
+    mine.write_bytes(theirs.read_bytes())
+    for count in (1, 4, 1, 4):
+        assert ran("one", count) == 2 * count
+
+
 CALLER = """
 from cotouch.compiled import routine
 from cotouch.probe_callee import large

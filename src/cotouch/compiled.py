@@ -13,7 +13,7 @@ from typing import Any, TypeVar, final
 import numba
 from llvmlite import binding
 from numba.core import types
-from numba.core.caching import CompileResultCacheImpl, FunctionCache, NullCache
+from numba.core.caching import CompileResultCacheImpl, FunctionCache, IndexDataCacheFile, NullCache
 from numba.core.compiler import Compiler
 from numba.extending import intrinsic as numba_intrinsic
 
@@ -194,10 +194,31 @@ def _set_apart(cres: Any) -> None:
 
 
 @final
+class _Files(IndexDataCacheFile):
+    """Numba's files of one function, each with what it was compiled for.
+
+    Numba's own only numbers them: two processes that keep two overloads at once may give both one number, and the next
+    one would call machine code with arguments of other types.
+    """
+
+    def save(self, key: Any, data: Any) -> None:
+        super().save(key, (self._source_stamp, key, data))
+
+    def load(self, key: Any) -> Any:
+        stamp, held, data = super().load(key) or (None, None, None)
+        return data if (stamp, held) == (self._source_stamp, key) else None
+
+
+@final
 class _Cache(FunctionCache):
     """Numba's cache of one function, without which everything works as well: only the start takes longer."""
 
     _impl_class = _Kept
+
+    def __init__(self, function: Any) -> None:
+        super().__init__(function)
+        impl: Any = self._impl
+        self._cache_file = _Files(self.cache_path, impl.filename_base, impl.locator.get_source_stamp())
 
     def _load_overload(self, sig: Any, target_context: Any) -> Any:
         try:
