@@ -1,9 +1,10 @@
 # Two commands matter: `make demo` and `make test`. Both set everything up first.
 PYTHON ?= python3.11
 BIN := .venv/bin
+SIZE :=
 STAMP := .venv/.stamp
 
-.PHONY: setup demo test browser nats protocol check page-types format bench docs clean
+.PHONY: setup demo test test-all browser nats protocol check page-types format bench docs clean
 
 setup: $(STAMP)
 
@@ -49,8 +50,12 @@ nats:
 # Many tests start processes of their own; each would compile our Python anew where PYTHONDONTWRITEBYTECODE is set.
 test: check browser nats
 	$(BIN)/python -m compileall -q src
-	$(BIN)/pytest -n 2 --dist worksteal -m "not timed"; all=$$?; \
-	$(BIN)/pytest -m timed && exit $$all
+	$(BIN)/pytest $(SIZE) -n 2 --dist worksteal -m "not timed"; all=$$?; \
+	$(BIN)/pytest $(SIZE) -m timed && exit $$all
+
+# The same on many more bodies, networks, devices and seeds: see tests/thorough.py.
+test-all:
+	$(MAKE) test SIZE=--thorough
 
 # Proves what docs/protocol.md says of the agreement, and finds an attack on each lesser one. ProVerif comes with opam.
 protocol: $(STAMP)

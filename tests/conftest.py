@@ -20,18 +20,26 @@ IMPORTS = os.pathsep.join((ROOT, str(Path(ROOT, "src"))))
 if ROOT not in sys.path:
     sys.path.insert(0, ROOT)
 
-settings.register_profile(
-    "cotouch",
-    derandomize=True,
-    deadline=None,  # the first example of a kernel includes its compilation
-    max_examples=30,
-    suppress_health_check=[HealthCheck.too_slow],
-)
-settings.load_profile("cotouch")
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """Two sizes of the suite; see `tests/thorough.py`."""
+    parser.addoption("--thorough", action="store_true", help="more cases of everything: what `make test-all` runs")
 
 
 def pytest_configure(config: pytest.Config) -> None:
     """Compiles the kernels once, one process for each width, before several workers compile the same."""
+    from tests import thorough
+
+    if config.getoption("--thorough"):
+        os.environ[thorough.VARIABLE] = "1"
+    settings.register_profile(
+        "cotouch",
+        derandomize=True,
+        deadline=None,  # the first example of a kernel includes its compilation
+        max_examples=thorough.examples(30),
+        suppress_health_check=[HealthCheck.too_slow],
+    )
+    settings.load_profile("cotouch")
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
         # A shell starts what runs in its background so, and every process below inherits it: Ctrl-C would do nothing.
         signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -39,6 +47,7 @@ def pytest_configure(config: pytest.Config) -> None:
 
     config.pluginmanager.register(leftovers)
     config.pluginmanager.register(turns)
+    config.pluginmanager.register(thorough)
     if getattr(config.option, "numprocesses", None) and not hasattr(config, "workerinput"):
         script = Path(__file__).parent / "warm_up.py"
         running = [subprocess.Popen([sys.executable, str(script), axes]) for axes in ("1", "3")]

@@ -14,6 +14,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from tests.body.shapes import block, box, sphere, volume
 from tests.meshfile.here import parsed_here
+from tests.thorough import examples
 
 from cotouch.body import MOST_ELEMENTS, MOST_TRIANGLES, NodeSet, body_from_surface, body_from_tetrahedra
 from cotouch.errors import BodyError
@@ -177,7 +178,7 @@ def test_not_a_mesh(tmp_path: Path, suffix: str, content: bytes, capfd: pytest.C
     assert capfd.readouterr() == ("", "")
 
 
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=200)
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=examples(200))
 @given(suffix=st.sampled_from(SURFACES + VOLUMES), cut=st.floats(0.0, 1.0), seed=st.integers(0, 10_000))
 def test_damaged_files_never_raise_anything_else(tmp_path: Path, suffix: str, cut: float, seed: int):
     """A file cut off, with a few bytes changed."""

@@ -5,6 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.device.support import BOOK, Proxy, driven
+from tests.thorough import examples
 
 from cotouch.device import (
     CartesianPlant,
@@ -25,7 +26,7 @@ def setup(resolution: float = 0.0, window: float = 0.0, force: float = np.inf, *
     return assemble([DeviceModel(servo=servo, coupling=Coupling(law="pspm", **coupling))])
 
 
-@settings(max_examples=150)
+@settings(max_examples=examples(150))
 @given(
     seed=st.integers(0, 2**32 - 1),
     stiffness=st.floats(0.0, 7.0).map(lambda e: 10.0**e),

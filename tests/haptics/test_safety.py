@@ -7,6 +7,7 @@ from math import inf, nan
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.thorough import examples
 
 from cotouch.device import PRESETS
 from cotouch.errors import DeviceError
@@ -30,7 +31,7 @@ cycle = st.tuples(
 )
 
 
-@settings(max_examples=200)
+@settings(max_examples=examples(200))
 @given(st.lists(cycle, min_size=1, max_size=40))
 def test_whatever_comes_in_what_comes_out_keeps_every_limit(cycles):
     chain = SafetyChain(LIMITS)

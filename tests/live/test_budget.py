@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.thorough import examples
 
 from cotouch.errors import SessionError
 from cotouch.live import MOST_AGE, BudgetAgreement, LinkAges
@@ -80,7 +81,7 @@ change = st.one_of(
 )
 
 
-@settings(max_examples=150)
+@settings(max_examples=examples(150))
 @given(st.lists(st.tuples(change, fate, fate), max_size=80), st.sampled_from([0.0, 5.0, -1e4]))
 def test_damping_covers_what_is_in_force(story, offset: float):
     pair = Pair(offset)
@@ -182,7 +183,7 @@ def test_an_old_grant_is_not_taken_for_the_answer_to_a_new_wish():
 asked = st.one_of(st.floats(-2.1e10, 2.1e10), st.sampled_from([np.nan, np.inf, -np.inf, 0.0, 2.1e10, -2.1e10]))
 
 
-@settings(max_examples=200)
+@settings(max_examples=examples(200))
 @given(st.lists(st.tuples(asked, asked, st.integers(0, 3), st.floats(-1e9, 1e9)), max_size=30), st.floats(0.1, 5.0))
 def test_whatever_is_asked_and_measured_the_limit_holds(story, limit: float):
     end = BudgetAgreement(life=5, limit=limit, patience=0.0)

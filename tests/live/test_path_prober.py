@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.live.internet import Internet, Nat, VirtualSocket
+from tests.thorough import examples
 
 from cotouch.live import Address, Candidate, CandidateKind, PairKeys, PathProber, PathState, pair_keys
 from cotouch.live._probe import ping, pong
@@ -145,7 +146,7 @@ def test_a_straighter_way_is_taken_when_it_comes_later():
 
 
 @given(loss=st.floats(0.0, 0.5), delay=st.floats(0.001, 0.5), seed=st.integers(0, 1000))
-@settings(max_examples=25)
+@settings(max_examples=examples(25))
 def test_lossy_and_long_ways_are_found_too(loss: float, delay: float, seed: int):
     Two(Nat("198.51.100.1"), Nat("198.51.100.2"), loss=loss, delay=delay, seed=seed).run(60.0, PathState.DIRECT)
 

@@ -5,6 +5,7 @@ import pytest
 import trimesh
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.thorough import examples
 
 from cotouch.body import Body, Skin, lattice
 from cotouch.mechanics import MOST_CONTACTS, TouchWork, model, surface_of, touch_work
@@ -178,7 +179,7 @@ def turned(rng: np.random.Generator) -> Array:
 
 class TestBox:
     @given(st.integers(0, 10**6), st.integers(0, 8), st.integers(0, 8), st.booleans())
-    @settings(max_examples=150)
+    @settings(max_examples=examples(150))
     def test_a_flat_of_many_triangles_is_one_contact(self, seed: int, i: int, j: int, turn: bool):
         """Also just over a corner, an edge or a diagonal of its triangles, and however the box is turned."""
         rng = np.random.default_rng(seed)
@@ -265,7 +266,7 @@ class TestOthers:
 
 class TestNearestPoint:
     @given(st.integers(0, 10**6), st.sampled_from(["any", "thin", "line", "point", "pair"]))
-    @settings(max_examples=200)
+    @settings(max_examples=examples(200))
     def test_is_nearest(self, seed: int, kind: str):
         rng = np.random.default_rng(seed)
         corners = rng.normal(size=(3, 3))

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from scipy.optimize import minimize
+from tests.thorough import examples
 
 from cotouch.mechanics._contact import SWEEPS, resist, sweep
 
@@ -35,7 +36,7 @@ def pushed(k: float, e: float, d: Fraction, a: float) -> Fraction:
 
 class TestLaw:
     @given(stiffnesses, signed, signed, yields, dampings)
-    @settings(max_examples=800)
+    @settings(max_examples=examples(800))
     @example(1e8, -1.0, 1.0 + 1e-9, 1e2, 0.0)
     @example(1e8, 1e-12, -1.0, 1e-10, 1e6)
     @example(1.0, 0.0, 1.0, 1.0, 1.0)
@@ -51,7 +52,7 @@ class TestLaw:
         assert high - Fraction(free) + Fraction(r) * pushed(k, e, high, a) >= 0
 
     @given(stiffnesses, signed, signed, yields)
-    @settings(max_examples=800)
+    @settings(max_examples=examples(800))
     @example(1e6, 0.0, 1e-6, 1e2)
     @example(1e8, -1.0, 1.0 + 1e-12, 1e2)
     def test_without_damping_does_the_work_of_its_spring(self, k: float, e: float, free: float, r: float):
@@ -67,7 +68,7 @@ class TestLaw:
         assert abs(float(work - gained)) <= 1e-14 * size * (1.0 + r * k) ** 0.5 + 1e-300
 
     @given(stiffnesses, signed, signed, yields, dampings)
-    @settings(max_examples=400)
+    @settings(max_examples=examples(400))
     def test_damping_takes_energy(self, k: float, e: float, free: float, r: float, a: float):
         force = Fraction(resist(k, e, free, r, a))
         d = Fraction(free) - Fraction(r) * force
@@ -76,13 +77,13 @@ class TestLaw:
         assert float(force * d - gained) >= -1e-14 * size * (1.0 + r * k) ** 0.5 - 1e-300
 
     @given(stiffnesses, signed, signed, signed, yields, dampings)
-    @settings(max_examples=400)
+    @settings(max_examples=examples(400))
     def test_rises_with_the_motion(self, k: float, e: float, free: float, more: float, r: float, a: float):
         less, most = sorted((free, free + more))
         assert resist(k, e, less, r, a) <= resist(k, e, most, r, a) * (1.0 + 1e-11) + 1e-13 * k * abs(e)
 
     @given(stiffnesses, signed.filter(bool), yields, dampings)
-    @settings(max_examples=300)
+    @settings(max_examples=examples(300))
     def test_is_continuous_where_one_formula_follows_another(self, k: float, e: float, r: float, a: float):
         s = r * k
         borders = [-e, 0.0, 0.5 * s * e * max(1.0 - a * e, 0.0) - e, s * e]

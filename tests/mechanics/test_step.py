@@ -8,6 +8,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from tests.mechanics.reference import dense_step, energies, held_energy, matrices
 from tests.mechanics.support import Copy, Port, Scene, Spring, periods, random_scene, scenes
+from tests.thorough import examples
 
 from cotouch.body import Body, chain, point
 from cotouch.mechanics import (
@@ -37,7 +38,7 @@ def residual(copy: Copy, before: float, held: float) -> float:
 
 class TestEnergyIdentity:
     @given(scenes(), st.lists(periods, min_size=1, max_size=4), st.sampled_from([1, 2, 10_000]))
-    @settings(max_examples=80)
+    @settings(max_examples=examples(80))
     def test_holds_to_round_off_for_every_body_and_step_length(self, scene: Scene, Ts: list[float], cap: int):
         copy = Copy(scene)
         for T in Ts:
@@ -74,7 +75,7 @@ class TestEnergyIdentity:
 
 class TestDenseSolve:
     @given(scenes(), periods)
-    @settings(max_examples=80)
+    @settings(max_examples=examples(80))
     def test_every_body(self, scene: Scene, T: float):
         agrees(scene, T)
 

@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.network.support import GRAPHS, five_users, mixings, pairs, random_network, uniform
+from tests.thorough import examples
 
 from cotouch.errors import NetworkError
 from cotouch.network import complete, mixing, ring, second_eigenvalue
@@ -31,7 +32,7 @@ def moduli(matrix):
     return np.sort(np.abs(np.linalg.eigvals(matrix)))[::-1]
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 @given(st.integers(0, 10**6), st.sampled_from(["equation", "matrix"]), st.sampled_from([0.04, 0.07, 0.3]))
 def test_agrees_with_dense_eigenvalues(seed, convention, unit):
     network = random_network(np.random.default_rng(seed), delays=(0.01, 1.0))
@@ -73,7 +74,7 @@ def test_two_users_and_bipartite_graphs_never_mix():
     assert mixing(uniform(ring(5), 5, delay=0.03), time_unit=0.01).period == 3
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 @given(st.integers(0, 10**6))
 def test_period_is_the_gcd_of_all_cycles(seed):
     rng = np.random.default_rng(seed)

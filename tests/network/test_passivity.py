@@ -6,6 +6,7 @@ import scipy.optimize
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.network.support import five_users, pairs, random_network, uniform
+from tests.thorough import examples
 
 from cotouch.errors import NetworkError, UnsupportedError
 from cotouch.network import (
@@ -68,7 +69,7 @@ def test_age_rule_takes_only_the_sum_of_both_ages():
     np.testing.assert_allclose(rule_damping(network)[:, 0], expected, err_msg="delays count as ages")
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=examples(40), deadline=None)
 @given(st.integers(0, 10**6))
 def test_minimax_is_the_perron_eigenvalue_and_no_weights_do_better(seed):
     rng = np.random.default_rng(seed)
@@ -323,7 +324,7 @@ def test_complete_graph_of_eight():
     assert exact[0] < exact[1] < exact[2]
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=examples(30), deadline=None)
 @given(st.integers(0, 10**6), st.sampled_from([3, 30, 2000]))
 def test_scaling_and_margin_against_brute_force(seed, longest):
     rng = np.random.default_rng(seed)
@@ -439,7 +440,7 @@ def test_designed_damping_stands_on_its_bound(declared):
         assert (certificates["exact"].damping < certificates["rule"].damping).all()
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=examples(25), deadline=None)
 @given(st.integers(0, 10**6))
 def test_margins_say_how_much_can_go(seed):
     rng = np.random.default_rng(seed)

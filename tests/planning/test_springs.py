@@ -5,6 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.network.support import five_users, pairs, random_network, uniform
+from tests.thorough import examples
 
 from cotouch.errors import NetworkError, UnsupportedError
 from cotouch.network import Network, path, rightmost_root, rule_damping
@@ -66,7 +67,7 @@ def test_a_pair_that_meets_moves_smoothly_in_mean_and_square():
             assert (other.rates - one.rates)[-1] / h == pytest.approx(one.slopes[-1, e], rel=1e-3, abs=1e-4)
 
 
-@settings(max_examples=12)
+@settings(max_examples=examples(12))
 @given(seed=st.integers(0, 10_000), fraction=st.floats(0.2, 3.0), thing=st.sampled_from(OBJECTS))
 def test_never_worse_and_within_the_limits(seed, fraction, thing):
     rng = np.random.default_rng(seed)

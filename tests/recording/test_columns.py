@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.thorough import examples
 
 from cotouch.errors import RecordingError
 from cotouch.recording._columns import SCALARS, STATES, VECTORS, Batch, description, pack, unpack
@@ -33,7 +34,7 @@ def test_there_and_back(steps: int, links: int, data: st.DataObject) -> None:
         assert again.columns[name].dtype == values.dtype
 
 
-@settings(max_examples=300)
+@settings(max_examples=examples(300))
 @given(st.data())
 def test_broken_bytes_are_refused_or_are_a_batch(data: st.DataObject) -> None:
     good = bytearray(pack(batch(6, 2, 3)))

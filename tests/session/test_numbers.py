@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from pydantic import TypeAdapter
 from rich.console import Console
 from tests.session.world import World
+from tests.thorough import examples
 
 from cotouch.cli._table import view
 from cotouch.session import Roster, Status
@@ -99,7 +100,7 @@ def world() -> World:
     return made
 
 
-@settings(max_examples=60, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
+@settings(max_examples=examples(60), suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
 @given(said=st.lists(SAID, min_size=1, max_size=6), late=st.booleans())
 def test_nothing_that_a_member_says_is_an_error(world: World, said: list[tuple[str, Any]], late: bool) -> None:
     mallory = world.people[2]

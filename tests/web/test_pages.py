@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.thorough import examples
 from tests.web.fake_session_api import FakeSessionApi
 from tests.web.reader import ack, pointer
 from tests.web.visitor import Visitor, visit
@@ -373,7 +374,7 @@ def still() -> Iterator[PageServer]:
 
 
 class TestMalformed:
-    @settings(max_examples=40)
+    @settings(max_examples=examples(40))
     @given(
         st.one_of(
             st.binary(max_size=80).filter(lambda b: not (len(b) in {8, 40} and b[:1] in {b"\2", b"\3"})),

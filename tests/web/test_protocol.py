@@ -7,6 +7,7 @@ import math
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.thorough import examples
 from tests.web.reader import ack, pointer
 
 from cotouch.errors import PageError
@@ -15,7 +16,7 @@ from cotouch.web._protocol import Do, FrameReceipt, Hello, PointerMessage, read_
 single = st.floats(width=32, allow_nan=True, allow_infinity=True)
 
 
-@settings(max_examples=200)
+@settings(max_examples=examples(200))
 @given(
     number=st.integers(0, 2**32 - 1),
     slot=st.integers(0, 255),
@@ -48,7 +49,7 @@ def test_a_pointer_is_what_was_sent_or_refused(number, slot, action, point, targ
     assert (read.target, read.radius, read.stiffness, read.sent) == (target, radius, stiffness, sent)
 
 
-@settings(max_examples=200)
+@settings(max_examples=examples(200))
 @given(st.integers(0, 2**32 - 1), single | st.floats(0.0, 1e3, width=32), st.just(0.0) | single)
 def test_an_ack_is_what_was_sent_or_refused(number: int, wait: float, every: float):
     data = ack(number, wait, every)
@@ -59,7 +60,7 @@ def test_an_ack_is_what_was_sent_or_refused(number: int, wait: float, every: flo
         read_binary(data)
 
 
-@settings(max_examples=300)
+@settings(max_examples=examples(300))
 @given(st.one_of(st.binary(max_size=60), st.binary(min_size=40, max_size=40).map(lambda b: b"\2" + b[1:])))
 def test_bytes_never_do_anything_else(data: bytes):
     with contextlib.suppress(PageError):
@@ -75,7 +76,7 @@ names = st.sampled_from(["type", "version", "token", "slot", "want", "rate", "id
 hellos = st.dictionaries(names, values | st.sampled_from(["hello", "do", "all"]), max_size=8)
 
 
-@settings(max_examples=300)
+@settings(max_examples=examples(300))
 @given(st.one_of(st.text(max_size=80), hellos.map(json.dumps), values.map(json.dumps)))
 def test_texts_never_do_anything_else(text: str):
     with contextlib.suppress(PageError):

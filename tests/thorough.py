@@ -1,0 +1,137 @@
+"""Two sizes of one suite: `make test` in some minutes, and `make test-all`, which tries the same on far more cases.
+
+What is named here repeats a property on more bodies, networks, seeds or devices, or costs more than it tells; `make
+test` runs the cases in brackets. Random examples are fewer there as well.
+"""
+
+import os
+from collections.abc import Iterable, Mapping
+
+import pytest
+
+# Set by `conftest.py` from `--thorough`; processes that share the tests inherit it.
+VARIABLE = "COTOUCH_TESTS_THOROUGH"
+
+# Cases of a test that always run, as `-k` would find them in its brackets; none: the test is thorough as a whole.
+QUICK: Mapping[str, tuple[str, ...]] = {
+    "body/test_eigenspaces.py::test_members_on_other_processors_build_the_same_shapes": ("Sandybridge",),
+    "body/test_meshes.py::test_turning_the_mesh_turns_the_elastic_body": (),
+    "cli/test_cli.py::test_simulate_says_what_tools_felt_and_writes_an_animation": (),
+    "cli/test_full_disk.py::test_a_recording_that_cannot_be_is_refused_before_anything_else": ("nowhere",),
+    "cli/test_full_disk.py::test_the_table_shows_whose_recording_stopped": (),
+    "cli/test_interrupted.py::test_a_command_at_work_ends": ("0.2-arguments0", "4.0-arguments1"),
+    "cli/test_interrupted.py::test_a_command_that_compiles_ends": ("arguments1",),
+    "cli/test_laboratory_commands.py::test_simulate_says_what_the_law_made": (),
+    "cli/test_outputs.py::test_a_full_disk": ("x.nc---out",),
+    "cli/test_outputs.py::test_a_full_disk_and_smaller_outputs": (),
+    "cli/test_outputs.py::test_a_pipe_in_place_of_a_file_is_a_sentence": ("command0",),
+    "drivers/test_processes.py::test_a_guardian_that_is_stopped_or_killed_leaves_no_force": ("haply", "touch"),
+    "drivers/test_processes.py::test_a_peer_that_is_killed_leaves_no_force_and_no_process": ("force_dimension",),
+    "drivers/test_processes.py::test_a_peer_that_is_stopped_leaves_no_force_and_with_its_servo_neither": ("haply",),
+    "drivers/test_processes.py::test_a_servo_that_is_killed_leaves_no_force": ("haply", "touch"),
+    "drivers/test_processes.py::test_a_servo_that_is_stopped_leaves_no_force": ("force_dimension",),
+    "drivers/test_processes.py::test_peer_and_servo_that_are_killed_at_once_leave_no_force": ("force_dimension",),
+    "haptics/test_ends.py::test_two_ports_are_passive_whatever_the_rates_and_boards": (
+        "3",
+        "6",
+        "11",
+        "18",
+        "22",
+        "23",
+    ),
+    "laws/test_worlds.py::test_spring_as_a_law_is_the_spring_to_the_bit": ("constant-False", "freshest-False"),
+    "live/test_control_fuzz.py::test_a_million_messages": (),
+    "live/test_fuzz.py::test_a_million_datagrams": (),
+    "live/test_rate.py::test_a_narrow_path_is_filled_but_not_flooded": ("0.02-100.0", "0.5-500.0", "5.0-850.0"),
+    "live/test_rate.py::test_a_path_that_is_merely_bad_is_used_in_full": ("law0-0", "law1-1", "law2-2"),
+    "live/test_routed.py::test_a_machine_that_gets_another_address_is_reached_straight_again": (
+        "0.0-nats0",
+        "1.0-nats3",
+        "4.0-nats1",
+        "12.0-nats2",
+    ),
+    "mechanics/test_contact.py::TestSweep::test_agrees_with_a_convex_minimum": ("0", "3", "7"),
+    "mechanics/test_contact_material.py::test_one_balance_for_contact_and_material": ("floating-0", "floating-3"),
+    "mechanics/test_force.py::test_the_balance_is_exact_however_early_the_solver_stops": (
+        "cells-2",
+        "corotated-3",
+        "elastic floating-1",
+        "floating-1",
+        "neo-hookean-2",
+        "spring-network-1",
+        "st-venant-kirchhoff-200",
+    ),
+    "planning/test_counts.py::test_springs_decide_which_links_are_best": (),
+    "planning/test_local.py::test_few_starts_find_the_best_of_all_choices": ("True",),
+    "planning/test_plan.py::test_three_ways_agree_on_random_networks": ("1", "22", "33", "52", "59", "74"),
+    "planning/test_springs.py::test_never_worse_and_within_the_limits": (),
+    "planning/test_workers.py::test_processes_of_a_dask_cluster_find_the_same_whoever_is_lost": ("2-1",),
+    "session/test_live_law.py::test_nothing_is_made_whatever_becomes_of_the_network_and_its_members": ("0", "1"),
+    "session/test_recording.py::test_a_session_that_touches_by_a_law_keeps_an_exact_ledger": (),
+    "session/test_recovery.py::test_all_is_as_if_nothing_had_been": ("all at once",),
+    "session/test_replan.py::test_who_moved_away_is_joined_where_it_is_now": ("false",),
+    "session/test_short_faults.py::test_a_process_that_stood_still_and_other_addresses": (),
+    "simulation/test_contact.py::test_both_engines_touch_alike_and_balance_it": ("linear",),
+    "simulation/test_materials.py::test_a_tool_touches_a_body_that_turns": (),
+    "study/test_touch_record.py::test_findings_are_kept_and_taken_up_again": (),
+    "test_leftovers.py::test_nothing_is_left": ("SIGKILL", "Ctrl-C"),
+    "web/test_picture_kinds.py::test_a_body_without_a_skin_is_seen_and_held": ("bare",),
+    "web/test_picture_kinds.py::test_a_gamepad_moves_the_hand_and_its_motors_tell_the_force": ("3d",),
+    "web/test_picture_kinds.py::test_every_window_has_a_picture": ("360-640", "844-390"),
+    "web/test_picture_kinds.py::test_nodes_and_the_edges_between_them_are_drawn": ("2d",),
+    "web/test_screen.py::test_frames_come_just_before_a_picture": (
+        "False-16.666666666666668",
+        "True-6.944444444444445",
+    ),
+}
+
+
+def examples(count: int) -> int:
+    """Of so many examples: an eighth, 8 at least, unless all are wanted."""
+    return count if os.environ.get(VARIABLE) else min(count, max(8, count // 8))
+
+
+def split(nodeid: str) -> tuple[str, str]:
+    """A test's name without its file's room, as above, and what stands in its brackets.
+
+    Args:
+        nodeid: its name, as pytest says it.
+    """
+    name, _, case = nodeid.removeprefix("tests/").partition("[")
+    return name, case.removesuffix("]")
+
+
+def unknown(nodeids: Iterable[str]) -> list[str]:
+    """Cases named above that are not among those of a test that is there, so that nothing is left out by a typo.
+
+    Args:
+        nodeids: of everything that was found in the files in question.
+    """
+    found: dict[str, set[str]] = {}
+    for name, case in map(split, nodeids):
+        found.setdefault(name, set()).add(case)
+    files = {name.partition("::")[0] for name in found}
+    wanted = [
+        (name, case) for name, cases in QUICK.items() if name.partition("::")[0] in files for case in cases or ("",)
+    ]
+    return [f"{name}[{case}]" for name, case in wanted if case not in found.get(name, ())]
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Marks them, and leaves them out unless all are wanted or somebody names one."""
+    for item in items:
+        name, case = split(item.nodeid)
+        if name in QUICK and case not in QUICK[name]:
+            item.add_marker("thorough")
+    if any("::" in name for name in config.args):
+        return
+    if wrong := unknown(item.nodeid for item in items):
+        message = f"tests/thorough.py names what is not there: {', '.join(wrong)}"
+        raise pytest.UsageError(message)
+    if config.getoption("--thorough"):
+        return
+    left = [item for item in items if item.get_closest_marker("thorough")]
+    if left:
+        config.hook.pytest_deselected(items=left)
+        items[:] = [item for item in items if not item.get_closest_marker("thorough")]
