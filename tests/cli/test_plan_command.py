@@ -158,7 +158,7 @@ def test_a_body_that_is_not_modal_is_one_sentence(tmp_path: Path) -> None:
 def test_a_first_run_says_that_it_compiles_and_has_a_first_answer(
     cold: bool, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr("cotouch.planning.compiles", lambda method: cold)
+    monkeypatch.setattr("cotouch.planning.compiles", lambda *_: cold)
     none = {"mass": None, "damping": None, "stiffness": None}
     run(
         Path(FIVE_USERS),

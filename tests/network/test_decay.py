@@ -83,6 +83,21 @@ def test_mode_solves_the_equations_and_only_one_zero_is_left_out():
             assert count_right(loop, s.real - gap, starts)[0] == still + (2 if s.imag > 0 else 1)
 
 
+def test_a_guess_that_leads_nowhere_costs_no_certainty():
+    """Roots of other links may be no help at all; then the search begins as without them."""
+    rng = np.random.default_rng(12)
+    for size in (3, 12):
+        network = uniform(path(size), size, spring=30.0, delay=0.1)
+        network = network.replace(delay=network.delay * rng.uniform(0.5, 2.0, network.delay.shape))
+        loop, _ = closed_loop(network)
+        root, certain, _ = rightmost(loop, True, np.zeros(0, np.complex128))
+        assert certain
+        for guess in (1e-12 + 0j, 1e9 + 0j, -1e9 + 1e9j, complex(np.inf, 0.0)):
+            other, sure, _ = rightmost(loop, True, np.array([guess]))
+            assert sure
+            assert other == pytest.approx(root, rel=1e-9)
+
+
 def test_small_root_beside_the_translation_is_kept():
     """A hardly damped object whose users hardly spring back: a genuine root of 1e-4 sits beside the one at 0."""
     network = uniform(path(3), 3, spring=1.0, delay=0.1)

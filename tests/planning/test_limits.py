@@ -106,7 +106,7 @@ def test_springs_that_overflow_are_one_sentence():
     huge = 1e308 * (1 - np.eye(3))
     network = Network(users=list("abc"), spring=huge, delay=0.01 * (1 - np.eye(3)))
     for objective in ("consensus", "decay", "damping"):
-        with pytest.raises(NetworkError, match=r"the spring 1-2 is 1e\+308 N/m"):
+        with pytest.raises(NetworkError, match=r"the spring a-b is 1e\+308 N/m"):
             plan(network, links=2, objective=objective)
 
 

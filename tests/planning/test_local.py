@@ -1,10 +1,12 @@
 """The local search beside every choice there is, and what turns its swaps down beside exact roots."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
-from cotouch.network import Network
-from cotouch.planning import plan
+from cotouch.network import Network, rightmost_root
+from cotouch.planning import _local, plan
 from cotouch.planning._levels import holds
 from cotouch.planning._problem import make_problem
 from cotouch.planning._starts import random_choice
@@ -56,3 +58,20 @@ def test_links_that_do_not_hold_are_no_faster() -> None:
                 refused += 1
                 assert value > -level
     assert refused > 20
+
+
+def test_what_the_count_leaves_uncertain_is_referred(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whatever the number of users, unless the search is stopped; what nothing settles is counted."""
+    network = full_network(12, 1)
+    problem = make_problem(network, links=20, objective="decay")
+    chosen = random_choice(problem.task, np.random.default_rng(0))
+    assert chosen is not None
+    monkeypatch.setattr(_local, "rate", lambda *_: (0.0, False))
+    exact = rightmost_root(network.with_links(problem.pairs(chosen))).rate
+    assert _local.worked_out(problem, problem.task, chosen, np.zeros(1, np.complex128)) == pytest.approx(exact)
+    monkeypatch.setattr(type(problem), "reference", lambda *_: None)
+    left = _local._settled(problem, problem.task, _local.Walk(1, chosen=chosen))
+    assert (left.over, left.seen, left.unsure) == (True, (), 1)
+    stopped = replace(problem, task=problem.task._replace(stop=np.ones(1, np.int64)))
+    assert _local.referred(stopped, chosen) is None
+    assert _local._settled(stopped, stopped.task, _local.Walk(1, chosen=chosen)).unsure == 0

@@ -88,7 +88,7 @@ def test_three_ways_agree_on_random_networks(seed: int):
     assert every.worst.value == pytest.approx(max(rule.values()), rel=1e-12)
     for method, status in (("enumerate", "proved"), ("bound", "proved"), ("local", "best found")):
         found = plan(network, links=links, objective="damping", top=3, method=method, starts=24, seed=seed)
-        assert found.status == status
+        assert found.status == ("proved" if found.bound == found.best.value else status)
         values = [choice.value for choice in found.top]
         expected = sorted(rule.values())[: len(values)]
         np.testing.assert_allclose(

@@ -233,7 +233,7 @@ def plan(
     objective: Annotated[
         str | None,
         typer.Option(
-            help="What to minimise: consensus, decay or damping; decay where delays are no whole time units.",
+            help="What to minimise: consensus, decay, damping, drag or feel; decay if delays are no whole time units.",
             show_default="consensus",
         ),
     ] = None,

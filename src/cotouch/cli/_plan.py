@@ -1,5 +1,6 @@
 """`cotouch plan`."""
 
+import csv
 import re
 import sys
 from collections.abc import Callable, Generator, Sequence
@@ -54,7 +55,7 @@ def run(
         figures: folder for figures; None: none.
         as_json: whether to print one JSON object and nothing else on standard output.
         delays: tables of round trips that stand in for the file.
-        pick: names of the users to take from them, separated by commas; None: all.
+        pick: names of the users to take from them, separated by commas (in quotes where a name has one); None: all.
         spring: stiffness of every link of such a network [N/m].
         quantile: of the round trips that counts, in (0, 1].
         **options: of the library call, as named there.
@@ -70,7 +71,7 @@ def run(
     limits = {"require": _pairs(network, "--require", require), "forbid": _pairs(network, "--forbid", forbid)}
     if figures is not None:
         beside(folder(figures), [f"{name}.png" for name in _DRAWN], (*delays, *([] if path is None else [path])))
-    if compiles(options["method"]):
+    if compiles(options["method"], options["objective"]):
         _first(network, counts, limits | options)
     every: LinkCounts | None = None
     with _progress(quiet=as_json) as progress:
@@ -136,7 +137,11 @@ def _network(path: Path | None, delays: Sequence[Path], pick: str | None, spring
     if delays:
         if path is not None:
             raise ScenarioError(f"{path} and --delays each name users and delays; give one of them")
-        names = [] if pick is None else [name.strip() for name in pick.split(",") if name.strip()]
+        names = (
+            []
+            if pick is None
+            else [name for part in csv.reader([pick], skipinitialspace=True) for name in map(str.strip, part) if name]
+        )
         return Network.from_delays(delays, pick=names, spring=spring, quantile=quantile)
     if path is None:
         raise ScenarioError("no network is given; name a TOML file, or a table of round trips by --delays")
@@ -234,6 +239,7 @@ def _tuned(
             seen = confirmed(tuned.network, tuned.after, mass=mass, damping=damping, stiffness=stiffness)
     return {
         "links": [[user_number(a), user_number(b)] for a, b in tuned.network.links],
+        "link_names": [list(names_of(network, a, b)) for a, b in tuned.network.links],
         "rank": rank,
         "spring": [float(tuned.network.spring[a, b]) for a, b in tuned.network.links],
         "damping": tuned.sync_damping.tolist(),

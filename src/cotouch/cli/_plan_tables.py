@@ -9,13 +9,15 @@ if TYPE_CHECKING:
     from cotouch.network import Network
     from cotouch.planning import Choice, LinkCounts, Plan
 
-UNITS = {"consensus": "", "decay": "1/s", "damping": "Ns/m"}
+UNITS = {"consensus": "", "decay": "1/s", "damping": "Ns/m", "drag": "Ns/m", "feel": "Ns/m"}
 # More links than this are listed below the table, of the best alone.
 _MOST_LISTED = 12
 _TITLES = {
     "consensus": "second largest |eigenvalue| of the consensus",
     "decay": "rightmost root of the closed loop",
     "damping": "largest damping",
+    "drag": "drag of all users together",
+    "feel": "what a hand feels beyond the object",
 }
 
 

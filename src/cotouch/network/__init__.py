@@ -14,6 +14,7 @@ from cotouch.network._damping import (
     weighted_damping,
 )
 from cotouch.network._decay import Decay, closed_loop, rightmost_root
+from cotouch.network._elimination import invert
 from cotouch.network._exact import exact_margin, exact_scaling, sync_hermitian
 from cotouch.network._gains import coefficients, damping_matrices
 from cotouch.network._lags import Convention, Rounding, consensus_lags, cycle_period
@@ -56,6 +57,7 @@ __all__ = [
     "exact_margin",
     "exact_scaling",
     "generator_eigenvalues",
+    "invert",
     "minimax_damping",
     "mixing",
     "none_beyond",

@@ -22,6 +22,8 @@ _FIRST_ORDER = 10
 _DOUBLINGS = 5
 # So many of the rightmost collocation eigenvalues are polished.
 _STARTS = 8
+# Larger matrices of a collocation are not tried: their eigenvalues take minutes.
+_MOST_ROWS = 4000
 
 
 @final
@@ -111,6 +113,8 @@ def _guesses(loop: Loop) -> Iterator[ComplexArray]:
     delay[loop.first, loop.second], delay[loop.second, loop.first] = loop.to_first, loop.to_second
     for doubling in range(_DOUBLINGS):
         order = _FIRST_ORDER * 2**doubling
+        if doubling and len(loop.mass) * order > _MOST_ROWS:
+            return
         starts = generator_eigenvalues(loop.mass, loop.drag, loop.rigid, coupling, delay, order=order)
         yield starts[starts.imag >= 0][:_STARTS]
 

@@ -185,7 +185,7 @@ def _fill(loop: Loop, parts: Cut, s: complex, matrix: ComplexArray, slope: Compl
 
 
 @subroutine
-def _invert(matrix: ComplexArray, inverse: ComplexArray) -> complex:
+def invert(matrix: ComplexArray, inverse: ComplexArray) -> complex:
     """Inverts (Gauss-Jordan, pivots by rows); the phase of the determinant, 0 where it is singular.
 
     Real and imaginary parts lie apart, so that the loops become vector instructions.
@@ -276,7 +276,7 @@ def evaluate(loop: Loop, parts: Cut, s: complex, room: Scratch) -> tuple[complex
         for b in range(kept):
             i, j = parts.order[parts.gone + a], parts.order[parts.gone + b]
             room.left[a, b], room.moved[a, b] = matrix[i, j], slope[i, j]
-    turn = _invert(room.left, room.inverse)
+    turn = invert(room.left, room.inverse)
     for a in range(kept):
         for b in range(kept):
             speed += room.inverse[a, b] * room.moved[b, a]

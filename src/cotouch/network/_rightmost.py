@@ -20,6 +20,9 @@ _NEAREST = 1e-3
 _SOON, _NEARER = 0.01, 0.8
 # With more users, real roots are looked at first; this is the nearest to the rightmost root that the line then goes.
 _MANY, _NARROW = 24, 2e-3
+# Where delays differ both ways such a gap may be none. A count through it that takes more steps is given up for lines
+# further left.
+_PATIENCE = 600
 # With more roots than this missed, what is known is far from the rightmost one.
 _CROWD = 6
 # The axis is looked at as far as links carry e to this, and to so many rates of the loop.
@@ -116,7 +119,9 @@ def definite_from(loop: Loop, line: float, high: float, near: float) -> float:
 
 
 @routine
-def count_right(loop: Loop, line: float, starts: ComplexArray, whole: bool = True) -> tuple[int, int, int]:
+def count_right(
+    loop: Loop, line: float, starts: ComplexArray, whole: bool = True, most: int = _MOST_STEPS
+) -> tuple[int, int, int]:
     """Number of roots right of a line, by the argument principle.
 
     What turns is the determinant over the product of its diagonal, whose own roots are those of quadratics. Beyond a
@@ -128,13 +133,14 @@ def count_right(loop: Loop, line: float, starts: ComplexArray, whole: bool = Tru
         line: real part.
         starts: filled with Newton's next points.
         whole: whether to walk all along the line, or only where the phase is not known by itself.
+        most: steps after which it is unclear.
 
     Returns:
         The number (-1 if unclear), the number of steps, the number of starts for Newton along the line.
     """
     high = _free_beyond(loop, line)
     far = high if whole else definite_from(loop, line, high, _AT_ONCE * np.abs(line))
-    turn, steps, count = walk(loop, line, 0.0, far, _MOST_STEPS, starts)
+    turn, steps, count = walk(loop, line, 0.0, far, most, starts)
     if far < high:
         turn += standing(loop, complex(line, high), False) - standing(loop, complex(line, far), False)
     own, own_turn = _own_roots(loop, line, high)
@@ -217,19 +223,23 @@ def rightmost(loop: Loop, resting: bool, guesses: ComplexArray) -> tuple[complex
     trivial = found
     starts = np.empty(_MOST_STARTS, np.complex128)
     effort = 0
-    if len(guesses) == 0:
-        real = on_axis(loop, resting)
-        # Roots leave the axis where delays differ both ways; Newton by itself never does.
-        guesses = np.array([complex(real, 0.0), complex(1.03 * real, 0.03 * real), complex(real, 0.1 * real)])
-    many = len(loop.mass) > _MANY
-    first = guesses[0].real if len(guesses) > 0 else np.nan
-    for g in range(len(guesses)):
-        # A root where it was guessed needs no other guess.
-        if np.isfinite(guesses[g].real) and not (many and found > trivial and known[trivial].real > 1.005 * first):
-            root, arrived = polish(loop, guesses[g], scale, known, copies, found)
-            if arrived:
-                found = keep(loop, root, scale, known, copies, found)
-    left, nearer, whole = _LEFT, 1.0, not many
+    many, afresh = len(loop.mass) > _MANY, len(guesses) == 0
+    while True:
+        if afresh:
+            real = on_axis(loop, resting)
+            # Roots leave the axis where delays differ both ways; Newton by itself never does.
+            guesses = np.array([complex(real, 0.0), complex(1.03 * real, 0.03 * real), complex(real, 0.1 * real)])
+        first = guesses[0].real
+        for g in range(len(guesses)):
+            # A root where it was guessed needs no other guess.
+            if np.isfinite(guesses[g].real) and not (many and found > trivial and known[trivial].real > 1.005 * first):
+                root, arrived = polish(loop, guesses[g], scale, known, copies, found)
+                if arrived:
+                    found = keep(loop, root, scale, known, copies, found)
+        if afresh or found > trivial:
+            break
+        afresh = True  # Newton lost its way from the guesses: roots of other links may be far from any of these.
+    left, nearer, whole, gaps = _LEFT, 1.0, not many, many
     best, around = complex(-np.inf, 0.0), complex(np.inf, 0.0)
     for _ in range(_ROUNDS):
         if raised(loop.stop):
@@ -239,7 +249,7 @@ def rightmost(loop: Loop, resting: bool, guesses: ComplexArray) -> tuple[complex
                 best, nearer = known[f], 1.0
         line = -0.01 * scale
         if found > trivial:
-            if many:  # Their roots lie close together, and a line through a gap takes fewer steps.
+            if gaps:  # Their roots lie close together, and a line through a gap takes fewer steps.
                 left = _gap(loop, best.real, left, trivial)
             width = left * max(np.abs(best.real), 0.001 * scale)
             line = best.real - width
@@ -247,8 +257,11 @@ def rightmost(loop: Loop, resting: bool, guesses: ComplexArray) -> tuple[complex
                 if np.abs(known[f].real - line) < 0.1 * width:
                     line = known[f].real - 0.25 * width
             line *= nearer
-        right, steps, count = count_right(loop, line, starts, whole)
+        right, steps, count = count_right(loop, line, starts, whole, _PATIENCE if gaps else _MOST_STEPS)
         effort += steps
+        if right < 0 and gaps and not raised(loop.stop):
+            gaps, left = False, _LEFT
+            continue
         expected = 1 if resting and line < 0.0 else 0
         for f in range(trivial, found):
             if known[f].real > line:

@@ -5,8 +5,9 @@ from cotouch.planning._counts import LinkCounts, plan_counts
 from cotouch.planning._early import FirstChoice, first_choice
 from cotouch.planning._figures import knee, networks, ranks
 from cotouch.planning._joint import Joint, plan_springs
-from cotouch.planning._plan import PlanInterrupted, Progress, compiles, plan
+from cotouch.planning._plan import PlanInterrupted, Progress, plan
 from cotouch.planning._problem import Lost, Objective
+from cotouch.planning._ready import compiles
 from cotouch.planning._result import Choice, Method, Plan, Status, WorstStatus
 from cotouch.planning._springs import Tuned, tune_springs
 from cotouch.planning._survey import Survey, survey

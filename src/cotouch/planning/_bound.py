@@ -1,13 +1,15 @@
-"""Branch and bound for the smallest largest damping.
+"""Branch and bound for the smallest largest damping, and for the smallest drag.
 
 `B_i` is a sum over the links of user i of terms that are not negative, so a further link never lowers any of them: the
 largest `B_i` of some links bounds that of every choice that holds them. Nor can the largest lie below the average, to
-which the cheapest links left add least. Consensus and decay have no such bound: a link more may speed the slowest root
-up or slow it down, so a partial choice says nothing about those that complete it.
+which the cheapest links left add least; and the drag is a sum over all links. Consensus, decay and feel have no such
+bound: a link more may speed the slowest root up or slow it down, so a partial choice says nothing about those that
+complete it.
 
 The same search, asked to stop at its first choice, tells whether there is any choice at all.
 """
 
+import math
 from collections.abc import Generator
 from typing import NamedTuple
 
@@ -16,12 +18,17 @@ import numpy as np
 from cotouch.compiled import routine, subroutine
 from cotouch.interrupt import check
 from cotouch.planning._problem import Problem
-from cotouch.planning._task import BoolArray, FloatArray, IntArray, Task, admissible, drag_of, largest_damping
+from cotouch.planning._starts import random_choice
+from cotouch.planning._task import DRAG, NOTHING, BoolArray, FloatArray, IntArray, Task, admissible, drag_of, weight_of
 
 # Decisions between looks at the clock: about a tenth of a second.
 _SLICE = 100_000
 # Improvements smaller than this, beside the value, are round-off.
 ROUND_OFF = 1e-12
+# Decisions after which the search for any choice within tight limits gives up.
+_DECISIONS = 3_000_000
+# Users times pairs up to which there is branch and bound: 270 users, 240 MB.
+_ROOM = 10_000_000
 
 
 class Dive(NamedTuple):
@@ -31,7 +38,7 @@ class Dive(NamedTuple):
         order: the free pairs, cheapest first, (F,).
         cheapest: sum of the loads before each, (F + 1,).
         taken: whether each is taken, as far as decided, (F,).
-        values: smallest largest dampings found, ascending, inf where there is none yet, (top,).
+        values: smallest objectives found, ascending, inf where there is none yet, (top,).
         choices: what they link, (top, links).
         counts: number of pairs decided, of choices reached, of decisions made; (3,).
     """
@@ -115,7 +122,7 @@ def _record(task: Task, dive: Dive, depth: int) -> None:
     if not admissible(task, chosen):
         return
     dive.counts[1] += 1
-    value = largest_damping(task, chosen)
+    value = weight_of(task, chosen)
     place = len(dive.values)
     while place > 0 and value < dive.values[place - 1]:
         place -= 1
@@ -163,11 +170,11 @@ def descend(task: Task, dive: Dive, ceiling: float, most: int, first: bool) -> b
         need = task.pick - int(picked[depth])
         open_ = depth + need <= pairs
         if open_:
-            average = (np.sum(damping[depth]) + 2.0 * (dive.cheapest[depth + need] - dive.cheapest[depth])) / n
-            least = max(np.max(damping[depth]), average)
-            limit = min(dive.values[-1], ceiling)
+            total = 0.5 * np.sum(damping[depth]) + dive.cheapest[depth + need] - dive.cheapest[depth]
+            largest, drag = max(np.max(damping[depth]), 2.0 * total / n), drag_of(task, total)
+            least, limit = drag if task.objective == DRAG else largest, min(dive.values[-1], ceiling)
             open_ = least < limit * (1.0 - ROUND_OFF) or limit == np.inf
-            open_ = open_ and least <= task.limit * (1.0 + ROUND_OFF) and drag_of(task, 0.5 * n * average) <= task.drag
+            open_ = open_ and largest <= task.limit * (1.0 + ROUND_OFF) and drag <= task.drag
         open_ = open_ and _joins(task, dive, depth, group[depth], degree[depth], need)
         if open_ and need == 0:
             _record(task, dive, depth)
@@ -199,6 +206,20 @@ def any_choice(problem: Problem, most: float = np.inf) -> IntArray | None:
     while not descend(problem.task, dive, np.inf, _SLICE, True) and dive.counts[2] < most:
         check()
     return dive.choices[0] if dive.counts[1] else None
+
+
+def some_choice(problem: Problem) -> IntArray | None:
+    """Numbers of the pairs of some admissible choice; None if there is none, or none is found within tight limits."""
+    chosen = random_choice(problem.task, np.random.default_rng(0))
+    if chosen is not None or not has_room(problem):
+        return chosen
+    free = problem.task.lost == NOTHING and not math.isfinite(problem.task.limit)
+    return any_choice(problem) if free else any_choice(problem, _DECISIONS)
+
+
+def has_room(problem: Problem) -> bool:
+    """Whether branch and bound has room: it keeps what every user has after every decision."""
+    return problem.task.size * len(problem.task.free) <= _ROOM
 
 
 def bounded(problem: Problem, dive: Dive, ceiling: float = np.inf) -> Generator[bool]:

@@ -10,7 +10,19 @@ from scipy.sparse.csgraph import connected_components
 
 from cotouch.network import Network, Pair, generator_eigenvalues
 from cotouch.planning._problem import Problem, make_problem
-from cotouch.planning._task import CONSENSUS, DAMPING, DECAY, LOST_LINK, LOST_USER, NOTHING, FloatArray, IntArray, Task
+from cotouch.planning._task import (
+    CONSENSUS,
+    DAMPING,
+    DECAY,
+    DRAG,
+    FEEL,
+    LOST_LINK,
+    LOST_USER,
+    NOTHING,
+    FloatArray,
+    IntArray,
+    Task,
+)
 
 # Choices up to which every one is tried; else so many networks about hubs, fewer beyond so many users.
 _ALL = 300
@@ -132,10 +144,9 @@ def _admissible(task: Task, chosen: IntArray) -> bool:
     """`_task.admissible` without a kernel."""
     ends = np.stack([task.first[chosen], task.second[chosen]])
     damping = np.bincount(ends.ravel(), np.tile(task.load[chosen], 2), task.size)
-    own = task.sync.sum() if task.sync.size else damping.sum()
     if np.bincount(ends.ravel(), minlength=task.size).max() > task.most or damping.max() > task.limit:
         return False
-    if own + 2.0 * task.load[chosen].sum() > task.drag or not _joined(ends, task.size):
+    if _drag(task, chosen) > task.drag or not _joined(ends, task.size):
         return False
     if task.lost == LOST_LINK:
         return all(_joined(np.delete(ends, gone, axis=1), task.size) for gone in range(len(chosen)))
@@ -143,6 +154,13 @@ def _admissible(task: Task, chosen: IntArray) -> bool:
         # A user who is lost is one group more.
         return all(_joined(ends[:, (ends != user).all(axis=0)], task.size, 2) for user in range(task.size))
     return True
+
+
+def _drag(task: Task, chosen: IntArray) -> float:
+    """`_task.drag_of` without a kernel."""
+    load, modes = float(task.load[chosen].sum()), task.modes
+    free = modes[modes[:, 2] == 0.0] if (modes[:, 2] == 0.0).any() else modes
+    return (float(task.sync.sum()) if task.sync.size else 2.0 * load) + 2.0 * load + float(free[:, 1].max())
 
 
 def _joined(ends: IntArray, size: int, groups: int = 1) -> bool:
@@ -153,7 +171,7 @@ def _joined(ends: IntArray, size: int, groups: int = 1) -> bool:
 
 def _above(task: Task, chosen: IntArray, level: float) -> bool:
     """Whether a choice holds above a level (of `_level`)."""
-    if task.objective == DAMPING:
+    if task.objective in (DAMPING, DRAG, FEEL):
         return _level(task, chosen) > level
     for mode in task.modes:
         matrix = np.zeros((task.size, task.size))
@@ -173,7 +191,12 @@ def _above(task: Task, chosen: IntArray, level: float) -> bool:
 
 
 def _level(task: Task, chosen: IntArray) -> float:
-    """How good a choice is, the larger the better: the rate of its slowest real root at mean delays, or -damping."""
+    """How good a choice is, the larger the better: the rate of its slowest real root at mean delays, or -damping.
+
+    What a hand feels is mostly drag, which stands for it.
+    """
+    if task.objective in (DRAG, FEEL):
+        return -_drag(task, chosen)
     if task.objective == DAMPING:
         ends = np.concatenate([task.first[chosen], task.second[chosen]])
         return -float(np.bincount(ends, np.tile(task.load[chosen], 2), task.size).max())
@@ -186,9 +209,9 @@ def _level(task: Task, chosen: IntArray) -> float:
 
 
 def _value(task: Task, chosen: IntArray) -> float | None:
-    if task.objective == DAMPING:
+    if task.objective in (DAMPING, DRAG):
         return -_level(task, chosen)
-    if task.objective == CONSENSUS or task.lost != NOTHING or task.size * (_ORDER + 1) > _ROWS:
+    if task.objective != DECAY or task.lost != NOTHING or task.size * (_ORDER + 1) > _ROWS:
         return None
     i, j = task.first[chosen], task.second[chosen]
     spring, delay = np.zeros((2, task.size, task.size))

@@ -235,7 +235,7 @@ def enumerated(problem: Problem, top: int, parallel: Any, jobs: int) -> Generato
     """
     from joblib import delayed
 
-    quick = _QUICK if problem.objective == "damping" else 1
+    quick = _QUICK if problem.objective in ("damping", "drag") else 1
     length = min(max(problem.choices // _STRETCHES, _SHORTEST * quick), _LONGEST * quick)
     starts = iter(range(0, problem.choices, length))
     found = Found((), (), 0, 0, 0, 0)

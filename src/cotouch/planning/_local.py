@@ -5,6 +5,7 @@ hand, reaches a root that is no better; only what passes that is worked out in f
 it certain.
 """
 
+import threading
 from collections.abc import Callable, Generator
 from dataclasses import dataclass, field, replace
 from typing import Any, final
@@ -35,8 +36,6 @@ from cotouch.planning._task import (
 # Swaps of a walk between looks at the clock: so many over the cube of the number of users, and at least; and how many
 # that are turned down by real roots take as long as one that is not.
 _SLICE, _SHORTEST, _CHEAP = 200_000, 10, 50
-# Users up to whom what is uncertain is worth a slow answer; beyond, it is turned down.
-_MOST_REFERRED = 8
 # So few swaps are tried in random order.
 _FEW = 200
 # Roots at hand to turn swaps down by.
@@ -55,6 +54,8 @@ _KICK, _KICKS, _FEWEST_KICKS = (2, 4), ((SMALL, 12), (60, 10)), 2
 # Random exchanges tried for one that keeps to the limits and is worked out for certain.
 _TRIES = 100
 
+# How soon one who waits for eigenvalues hears that the search is stopped [s].
+_POLL = 0.02
 # What real roots say of links whose delays differ both ways is believed this far: they are those of the mean delays.
 _SIGHT = 0.9
 
@@ -75,6 +76,7 @@ class Walk:
         turn: swaps accepted so far.
         position: swaps tried since.
         looked: swaps and starts looked at.
+        unsure: those that looked better, but that nothing could tell for certain.
         level: of its flood, 1/s; 0 once that is over, or if there is none.
         idle: swaps that the flood tried in vain since its level rose.
         slices: of the flood.
@@ -94,6 +96,7 @@ class Walk:
     turn: int = 0
     position: int = 0
     looked: int = 0
+    unsure: int = 0
     level: float = 0.0
     idle: int = 0
     slices: int = 0
@@ -200,7 +203,9 @@ def _swapped(problem: Problem, task: Task, walk: Walk, seed: int, most: int) -> 
     )
     looked += walk.looked
     if outcome == _UNSURE:
-        settled = problem.reference(chosen) if task.size <= _MOST_REFERRED else None
+        settled = referred(problem, chosen)
+        if settled is None:
+            walk = replace(walk, unsure=walk.unsure + (not task.stop[0]))
         if settled is None or settled >= walk.value:
             outcome = _DONE
         else:
@@ -235,6 +240,7 @@ def _kicked(problem: Problem, task: Task, walk: Walk, seed: int) -> Walk:
             kicked = _settled(problem, task, replace(walk, chosen=chosen))
             if not kicked.over:
                 return kicked
+            walk = replace(walk, looked=kicked.looked, unsure=kicked.unsure)
     return replace(walk, over=True)
 
 
@@ -283,18 +289,34 @@ def _settled(problem: Problem, task: Task, walk: Walk) -> Walk:
     guesses = np.full(len(task.modes), complex(-np.inf, 0.0))
     value = worked_out(problem, task, walk.chosen, guesses)
     if value is None:
-        return replace(walk, over=True, looked=walk.looked + 1)
+        return replace(walk, over=True, looked=walk.looked + 1, unsure=walk.unsure + (not task.stop[0]))
     nothing = np.full((len(guesses), _POOL), complex(-np.inf, 0.0))
     seen = (*walk.seen, (value, tuple(walk.chosen.tolist())))
     return replace(walk, value=value, guesses=guesses, pool=_pool(guesses, nothing), looked=walk.looked + 1, seen=seen)
 
 
 def worked_out(problem: Problem, task: Task, chosen: IntArray, guesses: ComplexArray) -> float | None:
-    """The objective of one choice as `rate` gives it; None if it cannot be told for certain, or only slowly."""
+    """The objective of one choice as `rate` gives it; None if it cannot be told for certain, or not in time."""
     value, sure = rate(task, chosen, guesses)
-    if sure:
-        return float(value)
-    return problem.reference(chosen) if task.size <= _MOST_REFERRED and not task.stop[0] else None
+    return float(value) if sure else referred(replace(problem, task=task), chosen)
+
+
+def referred(problem: Problem, chosen: IntArray) -> float | None:
+    """What `Problem.reference` says, unless the search is stopped: eigenvalues of a large matrix hear no flag."""
+    found: list[float | None] = []
+    stop, done = problem.task.stop, threading.Event()
+
+    def work() -> None:
+        try:
+            found.append(problem.reference(chosen))
+        finally:
+            done.set()
+
+    if not stop[0]:
+        threading.Thread(target=work, name="cotouch referred", daemon=True).start()
+    while not stop[0] and not done.wait(_POLL):
+        pass
+    return found[0] if found and not stop[0] else None
 
 
 def closed(problem: Problem, walk: Walk) -> Walk:

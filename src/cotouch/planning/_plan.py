@@ -10,18 +10,18 @@ from typing import Literal, TypeAlias, final, get_args
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.compiled import cold
-from cotouch.errors import NetworkError
-from cotouch.interrupt import Flag, finishing, flag, heeding, interruptible
+from cotouch.errors import NetworkError, UnsupportedError
+from cotouch.interrupt import Flag, check, finishing, flag, heeding, interruptible
 from cotouch.network import Convention, Network, Rounding
-from cotouch.planning._bound import any_choice, bounded, descend, dive_into
-from cotouch.planning._enumerate import Found, chosen_at, enumerated, sweep
-from cotouch.planning._local import swaps, walked, worked_out
+from cotouch.planning._bound import bounded, dive_into, has_room, some_choice
+from cotouch.planning._enumerate import Found, chosen_at, enumerated
+from cotouch.planning._local import walked, worked_out
 from cotouch.planning._problem import Lost, Objective, Problem, impossible, make_problem, questions
+from cotouch.planning._ready import compiles, warm
 from cotouch.planning._relaxation import bound_of
-from cotouch.planning._result import Method, Plan, choice_of, shown
-from cotouch.planning._starts import WALKS, random_choice
-from cotouch.planning._task import NOTHING, IntArray, pulls
+from cotouch.planning._result import Choice, Method, Plan, choice_of, shown
+from cotouch.planning._starts import WALKS
+from cotouch.planning._task import IntArray
 from cotouch.planning._workers import Workers, workers
 
 Progress: TypeAlias = Callable[[int, int, float], None]
@@ -35,20 +35,12 @@ _MOST_SHOWN = 1000
 _RANKS = 2**62
 # Of the time budget, what is left for the floods under way; how often the clock is looked at beside the kernels [s].
 _RESERVE, _LOOK = 0.05, 0.02
-# Decisions after which the search for any choice within tight limits gives up.
-_DECISIONS = 3_000_000
-# Users times pairs up to which there is branch and bound: 270 users, 240 MB.
-_ROOM = 10_000_000
-
-
-def compiles(method: Literal["auto"] | Method = "auto") -> bool:
-    """Whether `plan` is going to compile its kernels first, once on this machine, which takes about two minutes.
-
-    Args:
-        method: as `plan` takes it; "auto" counts as "enumerate".
-    """
-    needed = {"bound": (descend, swaps), "local": (descend, swaps)}.get(method, (sweep,))
-    return any(cold(kernel) for kernel in needed)
+# What was found is still told for so long after Ctrl-C [s].
+_TOLD = 0.3
+# What has branch and bound.
+_BOUNDED = ("damping", "drag")
+# So near to a bound is at the bound.
+_REACHED = 3e-9
 
 
 @final
@@ -136,7 +128,9 @@ def plan(
         links: how many links.
         objective: "consensus": second largest |eigenvalue| of the consensus model (`network.mixing`); "decay": real
             part of the rightmost root of the closed loop [1/s] (`network.rightmost_root`), of the slowest body mode;
-            "damping": largest `B_i` [Ns/m] of the rule with the delays as ages. Smaller is better.
+            "damping": largest `B_i` [Ns/m] of the rule with the delays as ages; "drag": what all users together feel
+            per speed of a steady common motion [Ns/m], `Choice.drag`; "feel": the largest that any user's hand feels
+            beyond the object itself, `|Z_i - Z|` from 0.2 to 2 Hz [Ns/m]. Smaller is better.
         convention: of the consensus, see `network.mixing`.
         time_unit: s, of the consensus.
         rounding: of delays to time units, see `network.mixing`.
@@ -146,12 +140,12 @@ def plan(
         mass: kg, of the body or of each of its modes.
         damping: Ns/m, likewise.
         stiffness: N/m, likewise.
-        sync_damping: (N,) `B_i` in Ns/m of every choice for "decay"; None takes the rule.
+        sync_damping: (N,) `B_i` in Ns/m of every choice for "decay", "drag" and "feel"; None takes the rule.
         top: how many of the best choices to return.
         damping_limit: Ns/m that no `B_i` of the rule may exceed.
         drag_limit: Ns/m that the drag of all users together may not exceed, `Choice.drag`.
         lost: "link" or "user" makes the objective that of the worst case, with any one of them lost or none.
-        method: "enumerate" looks at every choice; "bound" leaves out what cannot be best (damping alone); "local"
+        method: "enumerate" looks at every choice; "bound" leaves out what cannot be best (damping and drag); "local"
             swaps links from many random starts and proves nothing; "auto" enumerates up to `limit` choices, beyond
             that bounds the damping and searches locally for the others.
         limit: of choices for "auto".
@@ -166,7 +160,8 @@ def plan(
 
     Raises:
         NetworkError: no choice of links can be as asked for, or an argument is out of its range.
-        UnsupportedError: decay with springs that have weights, or no Dask.
+        UnsupportedError: decay or feel with springs that have weights, or no Dask; or nothing could be told for certain
+            in the time given.
         PlanInterrupted: a `KeyboardInterrupt` that holds what was found by then.
     """
     begun = clock()
@@ -200,9 +195,9 @@ def plan(
         raise NetworkError(f"jobs is {jobs}; it must be at least 1, or -1 for one per core")
     if seconds is not None and not seconds > 0:
         raise NetworkError(f"seconds is {seconds:g}; it must be above 0")
-    if seconds is not None:
+    if seconds is not None and compiles(chosen_method, objective):
         before = clock()
-        _warm(objective, chosen_method)
+        warm(objective, chosen_method, plan)
         begun += clock() - before
 
     def late(fraction: float = 1.0) -> bool:
@@ -215,6 +210,7 @@ def plan(
 
     stop: Flag = np.zeros(1, dtype=np.int64)
     ending: Flag = np.zeros(1, dtype=np.int64)
+    telling: Flag = np.zeros(1, dtype=np.int64)
     problem = replace(problem, task=problem.task._replace(stop=stop))
     closing = 1.0 - _RESERVE if chosen_method == "local" else 1.0
     search = _Search(problem, tick)
@@ -224,63 +220,61 @@ def plan(
 
     def watch(asked: Flag) -> None:
         # A kernel may last longer than the budget; what it was at is worth little.
+        heard = math.inf
         while not over.wait(_LOOK):
             timed = clock is time.monotonic
             if search.kept:
                 finishing(asked)
+            if asked[0]:
+                heard = min(heard, time.monotonic())
             if asked[0] or (timed and late(closing)):
                 stop[0] = 1
             if asked[0] or (timed and late(1.0 + 0.5 * _RESERVE)):
                 ending[0] = 1
+            if time.monotonic() - heard > _TOLD or (timed and late(1.0 + _RESERVE)):
+                telling[0] = 1
 
     threading.Thread(target=watch, args=(flag(),), name="cotouch deadline", daemon=True).start()
     try:
-        if problem.choices > limit or chosen_method != "enumerate":
-            fallback = some_choice(problem)
-            if fallback is None:
-                raise impossible(problem)
-        with workers(jobs, dask) as hands:
-            if chosen_method == "enumerate":
-                covered = proved = _enumerate(search, top, hands)
-            elif fallback is not None:
-                floods = WALKS if chosen_method == "bound" else starts
-                walked_all = _walk(search, floods, seed, fallback, hands, lambda: late(closing), ending)
-                proved = chosen_method == "bound" and walked_all and _small(problem) and _bound(search, top)
-            notes += hands.notes
-    except KeyboardInterrupt:
+        try:
+            if problem.choices > limit or chosen_method != "enumerate":
+                fallback = some_choice(problem)
+                if fallback is None:
+                    raise impossible(problem)
+            with workers(jobs, dask) as hands:
+                if chosen_method == "enumerate":
+                    covered = proved = _enumerate(search, top, hands)
+                elif fallback is not None:
+                    floods = WALKS if chosen_method == "bound" else starts
+                    walked_all = _walk(search, floods, seed, fallback, hands, lambda: late(closing), ending)
+                    proved = chosen_method == "bound" and walked_all and has_room(problem) and _bound(search, top)
+                notes += hands.notes
+        except KeyboardInterrupt:
+            if not search.kept:
+                raise
+            interrupted = True
+        lowered: Flag = np.zeros(1, dtype=np.int64) if interrupted else flag()
         if not search.kept:
-            raise
-        interrupted = True
+            search.keep(*_at_least(problem, fallback, lowered))
+        with heeding(telling):
+            choices = _choices(replace(problem, task=problem.task._replace(stop=telling)), search.kept, top)
     finally:
         over.set()
-    lowered: Flag = np.zeros(1, dtype=np.int64) if interrupted else flag()
-    # What was found is still to be worked out, whatever ended the search; one choice at least.
-    problem = replace(problem, task=problem.task._replace(stop=lowered))
-    if not search.kept:
-        fallback = some_choice(problem) if fallback is None else fallback
-        if fallback is None:
-            raise impossible(problem)
-        nothing = np.full(len(problem.task.modes), complex(-np.inf, 0.0))
-        value = worked_out(problem, problem.task, fallback, nothing)
-        value = problem.reference(fallback) if value is None else value
-        if value is None:
-            raise impossible(problem)
-        search.keep(fallback, value)
+    covered, proved = covered and not search.unsure, proved and not search.unsure
     if search.periodic and search.periodic == search.graphs:
         proved = False
         notes += (
             f"On a grid of {time_unit:g} s all {search.graphs} graphs are periodic and never mix: none is better than "
             "another. Choose another time unit or the objective decay.",
         )
-    ranked = sorted((value, chosen) for chosen, value in search.kept.items())
-    worst = next(entry for entry in ranked if entry[0] == ranked[-1][0])
-    with heeding(lowered):
-        choices = [choice_of(problem, np.array(chosen), value) for value, chosen in [*ranked[:top], worst]]
     bound, bound_by = (choices[0].value, "every choice is covered") if proved else bound_of(problem)
+    if not proved and bound is not None and choices[0].value <= bound + _REACHED * abs(bound):
+        proved, bound = True, choices[0].value
+        notes += ("Those after the first are the best found, not proved.",) * (len(choices) > 2)
     found = Plan(
         objective=objective,
-        status="proved" if proved and not search.unsure else "best found",
-        worst_status="proved" if covered and not search.unsure else "worst found",
+        status="proved" if proved else "best found",
+        worst_status="proved" if covered else "worst found",
         method=chosen_method,
         best=choices[0],
         worst=choices[-1],
@@ -301,14 +295,37 @@ def plan(
     return found
 
 
+def _at_least(problem: Problem, fallback: IntArray | None, asked: Flag) -> tuple[IntArray, float]:
+    """One choice and its objective, where the search was stopped before it had any; that takes what it takes."""
+    problem = replace(problem, task=problem.task._replace(stop=asked))
+    fallback = some_choice(problem) if fallback is None else fallback
+    if fallback is None:
+        raise impossible(problem)
+    value = worked_out(problem, problem.task, fallback, np.full(len(problem.task.modes), complex(-np.inf, 0.0)))
+    check()
+    if value is None:
+        raise UnsupportedError(
+            f"the {problem.objective} of no choice of {problem.links} links could be told for certain; give the search "
+            "more time"
+        )
+    return fallback, value
+
+
+def _choices(problem: Problem, kept: dict[tuple[int, ...], float], top: int) -> list[Choice]:
+    """Everything about the best and the worst."""
+    ranked = sorted((value, chosen) for chosen, value in kept.items())
+    worst = next(entry for entry in ranked if entry[0] == ranked[-1][0])
+    return [choice_of(problem, np.array(chosen), value) for value, chosen in [*ranked[:top], worst]]
+
+
 def _method(problem: Problem, method: str, limit: int) -> Method:
     if method == "auto":
         if problem.choices <= limit:
             return "enumerate"
-        return "bound" if problem.objective == "damping" else "local"
+        return "bound" if problem.objective in _BOUNDED else "local"
     for known in get_args(Method):
         if method == known:
-            if known == "bound" and problem.objective != "damping":
+            if known == "bound" and problem.objective not in _BOUNDED:
                 raise NetworkError(
                     f'method is "bound" but objective is "{problem.objective}", which has no bound; '
                     'choose "enumerate" or "local"'
@@ -317,30 +334,6 @@ def _method(problem: Problem, method: str, limit: int) -> Method:
                 raise NetworkError(f'method is "enumerate" but there are {problem.choices} choices; choose "local"')
             return known
     raise NetworkError(f'method is "{method}"; it must be "auto", "enumerate", "bound" or "local"')
-
-
-def _warm(objective: Objective, method: Method) -> None:
-    """Compiles, or reads from the disk, what the search is going to run."""
-    delay = 0.01 * (1.0 - np.eye(3))
-    tiny = Network(users=["a", "b", "c"], spring=100.0 * delay, delay=delay)
-    plan(tiny, links=2, objective=objective, method=method, starts=2, jobs=1)
-    if method != "enumerate" and objective != "damping":
-        task = make_problem(tiny, links=2, objective=objective).task
-        pulls(task, np.arange(2), np.array([-1.0 + 0.0j]), np.empty(3))
-
-
-def some_choice(problem: Problem) -> IntArray | None:
-    """Numbers of the pairs of some admissible choice; None if there is none, or none is found within tight limits."""
-    chosen = random_choice(problem.task, np.random.default_rng(0))
-    if chosen is not None or not _small(problem):
-        return chosen
-    free = problem.task.lost == NOTHING and not math.isfinite(problem.task.limit)
-    return any_choice(problem) if free else any_choice(problem, _DECISIONS)
-
-
-def _small(problem: Problem) -> bool:
-    """Whether branch and bound has room: it keeps what every user has after every decision."""
-    return problem.task.size * len(problem.task.free) <= _ROOM
 
 
 def _enumerate(search: _Search, top: int, hands: Workers) -> bool:
@@ -369,13 +362,15 @@ def _walk(
 ) -> bool:
     """Local search; answers whether every walk came to its end."""
     looked: dict[int, int] = {}
+    unsure: dict[int, int] = {}
     over = 0
 
     for walk in walked(search.problem, starts, seed, fallback, hands.parallel, closing, ending):
         for value, chosen in walk.seen:
             search.keep(np.array(chosen), value)
-        looked[walk.start] = walk.looked
+        looked[walk.start], unsure[walk.start] = walk.looked, walk.unsure
         search.graphs = search.looked = sum(looked.values())
+        search.unsure = sum(unsure.values())
         over += walk.over
         if search.enough(over, starts) and over < starts:
             return False

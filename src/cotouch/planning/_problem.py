@@ -11,10 +11,22 @@ import numpy.typing as npt
 from cotouch.errors import NetworkError, UnsupportedError
 from cotouch.interrupt import flag, heeding
 from cotouch.network import Convention, Network, Pair, Rounding, consensus_lags, mixing, one_user, rightmost_root
-from cotouch.planning._task import CONSENSUS, DAMPING, DECAY, LOST_LINK, LOST_USER, NOTHING, FloatArray, IntArray, Task
+from cotouch.planning._task import (
+    CONSENSUS,
+    DAMPING,
+    DECAY,
+    DRAG,
+    FEEL,
+    LOST_LINK,
+    LOST_USER,
+    NOTHING,
+    FloatArray,
+    IntArray,
+    Task,
+)
 from cotouch.units import user_number
 
-Objective: TypeAlias = Literal["consensus", "decay", "damping"]
+Objective: TypeAlias = Literal["consensus", "decay", "damping", "drag", "feel"]
 
 Lost: TypeAlias = Literal["nothing", "link", "user"]
 
@@ -24,7 +36,9 @@ _ROUND_OFF = 1e-12
 _STIFFEST = 1e30
 # Delays longer than this are questioned [s].
 _LONG = 5.0
-_CODE = {"consensus": CONSENSUS, "decay": DECAY, "damping": DAMPING}
+_CODE = {"consensus": CONSENSUS, "decay": DECAY, "damping": DAMPING, "drag": DRAG, "feel": FEEL}
+# Tones at which a hand feels the object [Hz]: what hands do, and what drag, mass and stiffness are read from.
+_TONES = np.geomspace(0.2, 2.0, 6)
 _LOST = {"nothing": NOTHING, "link": LOST_LINK, "user": LOST_USER}
 
 
@@ -63,7 +77,7 @@ class Problem:
         return tuple(self.network.links[int(e)] for e in chosen)
 
     def reference(self, chosen: IntArray) -> float | None:
-        """The objective of one choice as `rate` gives it, slowly; None if it cannot be told for certain either."""
+        """Consensus or decay of one choice as `rate` gives it, slowly; None if it cannot be told for certain either."""
         network, task = self.network.with_links(self.pairs(chosen)), self.task
         try:
             with heeding(task.stop):
@@ -125,17 +139,17 @@ def make_problem(
 
     Raises:
         NetworkError: something asked for is impossible or contradicts another.
-        UnsupportedError: decay with springs that have weights.
+        UnsupportedError: decay or feel with springs that have weights.
     """
     if objective not in get_args(Objective):
-        raise NetworkError(f'objective is "{objective}"; it must be "consensus", "decay" or "damping"')
+        raise NetworkError(f'objective is "{objective}"; it must be "consensus", "decay", "damping", "drag" or "feel"')
     if network.size < 2:
         raise NetworkError("the network has 1 user; a plan needs at least 2")
     every = network.with_links(None)
     if lost not in get_args(Lost):
         raise NetworkError(f'lost is "{lost}"; it must be "nothing", "link" or "user"')
     if lost != "nothing" and objective == "consensus":
-        raise NetworkError(f'lost is "{lost}" but objective is "consensus"; choose the objective "decay" or "damping"')
+        raise NetworkError(f'lost is "{lost}" but objective is "consensus"; choose another objective')
     least = {"nothing": 2, "link": 3, "user": 4}[lost]
     if network.size < least:
         raise NetworkError(f'lost is "{lost}" but the network has {network.size} users; it takes at least {least}')
@@ -153,18 +167,20 @@ def make_problem(
         for name, pairs, spring in (("require", require, True), ("forbid", forbid, False))
     )
     for a, b in sorted(needed & barred):
-        raise NetworkError(f"the link {_name(a, b)} is both in require and in forbid; it can be in one of them")
+        raise NetworkError(
+            f"the link {_name(network, a, b)} is both in require and in forbid; it can be in one of them"
+        )
     allowed = every.with_links([link for link in every.links if link not in barred])
     most = _most_degree(max_degree, allowed.size)
     _check_counts(allowed, links, needed, most, bool(barred))
-    if objective == "decay" and any(network.weight_of[i, j] >= 0 for i, j in allowed.links):
+    if objective in ("decay", "feel") and any(network.weight_of[i, j] >= 0 for i, j in allowed.links):
         raise UnsupportedError(
-            "springs have weights; the decay of one body mode needs scalar springs: use the mode's own"
+            f"springs have weights; the {objective} of one body mode needs scalar springs: use the mode's own"
         )
     heaviest = max(allowed.links, key=lambda link: allowed.spring[link])
     if allowed.spring[heaviest] > _STIFFEST:
         raise NetworkError(
-            f"the spring {_name(*heaviest)} is {allowed.spring[heaviest]:g} N/m, with which the planner's numbers "
+            f"the spring {_name(network, *heaviest)} is {allowed.spring[heaviest]:g} N/m, with which the planner's numbers "
             f"overflow; it must be at most {_STIFFEST:g} N/m"
         )
     lags, stride = np.zeros((network.size, network.size), dtype=np.int64), 1
@@ -239,6 +255,7 @@ def _task(
         drag=drag,
         lost=lost,
         top=math.pi / time_unit if objective == "consensus" else math.inf,
+        tones=2.0 * np.pi * _TONES,
         stop=flag(),
     )
 
@@ -274,8 +291,8 @@ def impossible(problem: Problem) -> NetworkError:
     )
 
 
-def _name(a: int, b: int) -> str:
-    return f"{user_number(a)}-{user_number(b)}"
+def _name(network: Network, a: int, b: int) -> str:
+    return f"{network.users[a]}-{network.users[b]}"
 
 
 def _pairs(network: Network, option: str, pairs: Iterable[Sequence[int]], spring: bool) -> set[Pair]:
@@ -288,7 +305,9 @@ def _pairs(network: Network, option: str, pairs: Iterable[Sequence[int]], spring
                 f"{option} holds {shown}; a link is a pair of different users, numbered 1 to {network.size}"
             )
         if spring and network.spring[a, b] <= 0:
-            raise NetworkError(f"{option} holds {_name(a, b)}, whose spring is 0 N/m; give the pair a spring above 0")
+            raise NetworkError(
+                f"{option} holds {_name(network, a, b)}, whose spring is 0 N/m; give the pair a spring above 0"
+            )
         result.add((a, b))
     return result
 
@@ -320,7 +339,7 @@ def _check_counts(network: Network, links: int, needed: set[Pair], most: int, ba
         degree[[a, b]] += 1
     for i in map(int, np.flatnonzero(degree > most)):
         raise NetworkError(
-            f"require gives user {user_number(i)} {degree[i]} links but max_degree is {most}; it must be at least "
+            f"require gives {one_user(network.users, i)} {degree[i]} links but max_degree is {most}; it must be at least "
             f"{degree[i]}"
         )
     if 2 * links > network.size * most:

@@ -4,6 +4,9 @@
 lightest other links; were it shared equally, every user would have the mean. And nobody has less than the lightest link
 brings.
 
+*Drag* is a sum over links, so the lightest spanning tree and the lightest other links have the least of all [Kruskal
+1956]: where limits allow them, that is the best itself.
+
 *Decay*, where delays are equal both ways (or could be, were clocks set otherwise): then G is symmetric on the real
 axis. At -λ a user whose quickest link takes longer than about 1/λ has a negative diagonal term whatever is linked. Two
 such users without a link between them are two negative eigenvalues [Cauchy interlacing], one more than the resting
@@ -18,7 +21,7 @@ import scipy.sparse
 from scipy.sparse.csgraph import minimum_spanning_tree
 
 from cotouch.planning._problem import Problem
-from cotouch.planning._task import DAMPING, DECAY, FloatArray, IntArray, Task
+from cotouch.planning._task import DAMPING, DECAY, DRAG, FloatArray, IntArray, Task, drag_of
 
 # The λ tried, per decade, and how often the step to the first is halved.
 _PER_DECADE, _HALVINGS = 20, 8
@@ -45,8 +48,12 @@ def bound_of(problem: Problem) -> tuple[float | None, str]:
             "shares the damping of the lightest links that connect all users equally, and gives every user the "
             "lightest link"
         )
+    if task.objective == DRAG:
+        return float(drag_of(task, _least_load(problem))) * (1.0 - _SAFE), (
+            "takes the lightest links that connect all users, whatever other limits say"
+        )
     if task.objective != DECAY:
-        return None, "no relaxation is known for consensus"
+        return None, f"no relaxation is known for {problem.objective}"
     delay = _both_ways(task)
     if delay is None:
         return None, "no relaxation is known where delays differ both ways"
@@ -57,9 +64,10 @@ def bound_of(problem: Problem) -> tuple[float | None, str]:
     return max(-rate * (1.0 + _SAFE) for rate in known), "gives every user the quickest link, whatever the others have"
 
 
-def _least_damping(problem: Problem) -> float:
+def _least_load(problem: Problem) -> float:
+    """Sum of the loads of the lightest links that connect all users, Ns/m."""
     task, n = problem.task, problem.task.size
-    load = task.load.copy()
+    load = task.load
     # Zero is no link to a sparse matrix.
     graph = scipy.sparse.csr_array((load + 1.0, (task.first, task.second)), shape=(n, n))
     graph[task.first[task.require], task.second[task.require]] = 1e-300
@@ -68,7 +76,12 @@ def _least_damping(problem: Problem) -> float:
     taken = {number[min(i, j), max(i, j)] for i, j in zip(tree.row.tolist(), tree.col.tolist(), strict=True)}
     taken |= set(task.require.tolist())
     others = np.sort(load[[e for e in range(len(load)) if e not in taken]])
-    total = load[sorted(taken)].sum() + others[: max(problem.links - len(taken), 0)].sum()
+    return float(load[sorted(taken)].sum() + others[: max(problem.links - len(taken), 0)].sum())
+
+
+def _least_damping(problem: Problem) -> float:
+    task, n, load = problem.task, problem.task.size, problem.task.load
+    total = _least_load(problem)
     least = np.full(n, math.inf)
     for end in (task.first, task.second):
         np.minimum.at(least, end, load)

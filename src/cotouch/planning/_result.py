@@ -28,11 +28,12 @@ class Choice:
     Attributes:
         links: pairs of user indices, from 0; hand them to `Network.with_links`.
         value: the objective, of which smaller is better: second largest |eigenvalue|, real part of the rightmost root
-            [1/s], or largest damping [Ns/m].
+            [1/s], largest damping, drag or felt impedance [Ns/m].
         time_constant_s: seconds in which what is left falls by e, of the consensus or else of the closed loop; inf if
             it never does; NaN where springs have weights, which the closed loop does not take.
         damping: `B_i` in Ns/m, (N,): the rule with the delays as ages, or what was given.
-        drag: Ns/m that all users together feel as they move the object steadily: the sum of `B_i + sum_j K_ij d_ij`.
+        drag: Ns/m that all users together feel as they move the object steadily: the object's own damping and the sum
+            of `B_i + sum_j K_ij d_ij`.
         worst_path_s: longest of the quickest ways from any user to any other along the links, s.
         period: of the consensus, in time units; above 1 it never settles. 1 for the other objectives.
     """
@@ -138,7 +139,7 @@ def choice_of(problem: Problem, chosen: IntArray, value: float) -> Choice:
     damping = np.zeros(task.size)
     for end in (task.first, task.second):
         np.add.at(damping, end[chosen], task.load[chosen])
-    slowest = value if problem.objective != "damping" else _decay(problem, chosen)
+    slowest = value if problem.objective in ("consensus", "decay") else _decay(problem, chosen)
     return Choice(
         links=network.links,
         value=shown(problem, value),

@@ -4,7 +4,7 @@ import numpy as np
 
 from cotouch.planning._hubs import hubs
 from cotouch.planning._levels import level_of
-from cotouch.planning._task import CONSENSUS, DAMPING, NOTHING, FloatArray, IntArray, Task, admissible
+from cotouch.planning._task import CONSENSUS, DECAY, DRAG, FEEL, NOTHING, FloatArray, IntArray, Task, admissible
 
 # Walks side by side, whatever the machine, so that a seed means the same everywhere; and fewer of more users.
 WALKS = 8
@@ -37,7 +37,7 @@ def start_of(task: Task, start: int, seed: int, fallback: IntArray) -> tuple[Int
     """
     rng = np.random.default_rng((seed, start))
     few = task.size <= SMALL or task.objective == CONSENSUS
-    if task.objective != DAMPING and not (few and start % 2):
+    if task.objective in (CONSENSUS, DECAY) and not (few and start % 2):
         if (start // (2 if few else 1)) % _RANDOM_EVERY != _RANDOM_EVERY - 1:
             chosen = np.zeros(len(task.require) + task.pick, dtype=np.int64)
             tries = int(np.clip(_TRIED_HUBS / task.size**3, _LEAST_TRIED, _MOST_TRIED))
@@ -46,7 +46,26 @@ def start_of(task: Task, start: int, seed: int, fallback: IntArray) -> tuple[Int
                 return chosen, level
         chosen = _random(task, rng, fallback)
         return chosen, float(level_of(task, chosen))
+    if start == 0 and task.objective in (DRAG, FEEL):
+        chosen = lightest(task)
+        if admissible(task, chosen):
+            return chosen, 0.0
     return _random(task, rng, fallback), 0.0
+
+
+def lightest(task: Task) -> IntArray:
+    """Links with the least load of all that connect the users: a spanning tree, then the others [Kruskal 1956]."""
+    group, chosen, spare = list(range(task.size)), task.require.tolist(), []
+    order = task.free[np.argsort(task.load[task.free], kind="stable")].tolist()
+    for e in [*chosen, *order]:
+        a, b = group[task.first[e]], group[task.second[e]]
+        if a != b:
+            group = [a if g == b else g for g in group]
+            if e not in task.require:
+                chosen.append(e)
+        elif e not in task.require:
+            spare.append(e)
+    return np.sort(np.array((chosen + spare)[: len(task.require) + task.pick], dtype=np.int64))
 
 
 def _random(task: Task, rng: np.random.Generator, fallback: IntArray) -> IntArray:

@@ -5,15 +5,27 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.compiled import routine, subroutine
-from cotouch.network import Loop, arrive, chain_of, none_beyond, on_line, polish, rate_of, rightmost, slowest, value
+from cotouch.compiled import raised, routine, subroutine
+from cotouch.network import (
+    Loop,
+    arrive,
+    chain_of,
+    none_beyond,
+    on_line,
+    polish,
+    rate_of,
+    rightmost,
+    slowest,
+    value,
+)
+from cotouch.planning._feel import felt
 
 FloatArray: TypeAlias = npt.NDArray[np.float64]
 IntArray: TypeAlias = npt.NDArray[np.int64]
 ComplexArray: TypeAlias = npt.NDArray[np.complex128]
 BoolArray: TypeAlias = npt.NDArray[np.bool_]
 
-CONSENSUS, DECAY, DAMPING = 0, 1, 2
+CONSENSUS, DECAY, DAMPING, DRAG, FEEL = range(5)
 NOTHING, LOST_LINK, LOST_USER = 0, 1, 2
 
 
@@ -22,7 +34,7 @@ class Task(NamedTuple):
 
     Attributes:
         size: number of users, N.
-        objective: `CONSENSUS`, `DECAY` or `DAMPING`.
+        objective: `CONSENSUS`, `DECAY`, `DAMPING`, `DRAG` or `FEEL`.
         first: smaller user of each pair, (M,).
         second: larger user, (M,).
         spring: N/m, (M,).
@@ -41,6 +53,7 @@ class Task(NamedTuple):
         drag: Ns/m that the drag of all users together may not exceed; inf for none.
         lost: `LOST_LINK` or `LOST_USER` where the objective is the worst with any one of them lost, or `NOTHING`.
         top: π over the time unit of consensus, 1/s.
+        tones: 1/s, angular frequencies at which a hand feels the object.
         stop: the search ends, with whatever it has, once this is raised, (1,); see `cotouch.interrupt`.
     """
 
@@ -64,6 +77,7 @@ class Task(NamedTuple):
     drag: float
     lost: int
     top: float
+    tones: FloatArray
     stop: IntArray
 
 
@@ -126,12 +140,44 @@ def admissible(task: Task, chosen: IntArray) -> bool:
 def drag_of(task: Task, total: float) -> float:
     """What all users together feel per speed of a steady common motion, Ns/m: the sum of `B_i + sum_j K_ij d_ij`.
 
+    The object's own damping comes on top, that of the modes which move freely if there are any.
+
     Args:
         task: the search.
         total: sum of the loads of the links.
     """
     own = np.sum(task.sync) if len(task.sync) > 0 else 2.0 * total
-    return own + 2.0 * total
+    free = np.min(task.modes[:, 2])
+    thing = 0.0
+    for mode in range(len(task.modes)):
+        if task.modes[mode, 2] == 0.0 or free > 0.0:
+            thing = max(thing, task.modes[mode, 1])
+    return own + 2.0 * total + thing
+
+
+@routine
+def weight_of(task: Task, chosen: IntArray) -> float:
+    """What follows from the loads alone: the largest damping, or for `DRAG` the drag of all together, Ns/m."""
+    if task.objective == DAMPING:
+        return largest_damping(task, chosen)
+    total = 0.0
+    for e in chosen:
+        total += task.load[e]
+    return drag_of(task, float(total))
+
+
+@subroutine
+def _slowest_of(task: Task, loop: Loop, mode: int, guesses: ComplexArray, enough: float) -> tuple[complex, bool]:
+    """The objective of one mode's loop, as a root that has it as real part; and whether it is certain."""
+    if task.objective == FEEL:
+        worst = felt(loop, task.modes[mode], task.tones, enough)
+        return complex(worst, 0.0), not raised(task.stop)
+    if task.objective == CONSENSUS:
+        root, certain, _ = slowest(loop, task.top, guesses, enough)
+    else:
+        root, certain, _ = rightmost(loop, task.modes[mode, 2] == 0.0, guesses)
+    # No root at all is rare enough to be looked at again.
+    return root, certain and root.real > -np.inf
 
 
 @routine
@@ -222,27 +268,24 @@ def rate(task: Task, chosen: IntArray, guesses: ComplexArray, enough: float = np
         chosen: numbers of the pairs linked, ascending.
         guesses: of each mode where its root may be, real part -inf where nothing is known; the roots found replace
             them.
-        enough: for consensus and with losses, a value that the objective need not be known beyond.
+        enough: for consensus, feel and with losses, a value that the objective need not be known beyond.
 
     Returns:
-        Real part of the slowest root in 1/s (0 for a periodic graph, -inf if there is no root), or the largest damping
-        in Ns/m; and whether it is certain.
+        Real part of the slowest root in 1/s (0 for a periodic graph, -inf if there is no root), or the damping, drag or
+        felt impedance in Ns/m; and whether it is certain.
     """
-    if task.objective == DAMPING:
-        return largest_damping(task, chosen), True
+    if task.objective in (DAMPING, DRAG):
+        return weight_of(task, chosen), True
     if task.objective == CONSENSUS and period_of(task, chosen) > 1:
         return 0.0, True
     worst, sure = -np.inf, True
     for mode in range(len(task.modes)):
         loop = loop_of(task, chosen, mode)
         start = guesses[mode : mode + 1] if np.isfinite(guesses[mode].real) else guesses[:0]
-        if task.objective == CONSENSUS:
-            root, certain, _ = slowest(loop, task.top, start, enough)
-        else:
-            root, certain, _ = rightmost(loop, task.modes[mode, 2] == 0.0, start)
-        guesses[mode] = root
-        # No root at all is rare enough to be looked at again.
-        sure = sure and certain and root.real > -np.inf
+        root, certain = _slowest_of(task, loop, mode, start, enough)
+        if task.objective != FEEL:
+            guesses[mode] = root
+        sure = sure and certain
         worst = max(worst, root.real)
         if task.lost == NOTHING or not sure or worst > enough:
             continue
@@ -251,8 +294,8 @@ def rate(task: Task, chosen: IntArray, guesses: ComplexArray, enough: float = np
                 loop = loop_of(task, np.concatenate((chosen[:gone], chosen[gone + 1 :])), mode)
             else:
                 loop = loop_of(task, chosen, mode, gone)
-            root, certain, _ = rightmost(loop, task.modes[mode, 2] == 0.0, guesses[:0])
-            sure = sure and certain and root.real > -np.inf
+            root, certain = _slowest_of(task, loop, mode, guesses[:0], enough)
+            sure = sure and certain
             worst = max(worst, root.real)
             if not sure or worst > enough:
                 break
@@ -288,8 +331,10 @@ def hopeless(task: Task, chosen: IntArray, best: float, pool: ComplexArray) -> b
         pool: guesses of each mode, tried in turn, real part -inf where there is none, (modes, any number); the one that
             settles it goes first the next time.
     """
-    if task.objective == DAMPING:
-        return largest_damping(task, chosen) >= best
+    if task.objective in (DAMPING, DRAG):
+        return weight_of(task, chosen) >= best
+    if task.objective == FEEL:
+        return False
     known = np.zeros(1, np.complex128)
     for mode in range(len(task.modes)):
         loop = loop_of(task, chosen, mode)
