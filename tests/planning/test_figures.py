@@ -3,6 +3,7 @@ import pytest
 from matplotlib.figure import Figure
 from scipy.stats import spearmanr
 
+from cotouch.drawing import drawn
 from cotouch.errors import NetworkError
 from cotouch.network import Network, complete, path
 from cotouch.planning._figures import knee, networks, ranks
@@ -55,6 +56,14 @@ def test_beyond_ten_users_a_link_has_one_label_and_is_thin():
     assert set(said) - set(ring.users) <= trips
     lines = [line for line in figure.axes[0].get_lines() if len(line.get_xydata()) == 2]
     assert max(line.get_linewidth() for line in lines) < 1.5
+
+
+def test_a_name_that_the_font_cannot_write_gives_way_to_the_number(recwarn):
+    three = Network(users=["Zürich", "東京", "Rīga"], spring=9.0 * (1 - np.eye(3)), delay=0.1 * (1 - np.eye(3)))
+    figure = networks([("", three)])
+    assert {"Zürich", "user 2", "Rīga"} <= set(texts(figure))
+    drawn(figure, dpi=50)
+    assert not [warning for warning in recwarn if "Glyph" in str(warning.message)]
 
 
 def test_beyond_forty_links_colour_says_it_alone():

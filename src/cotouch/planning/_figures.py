@@ -9,6 +9,7 @@ import numpy.typing as npt
 from cotouch import drawing
 from cotouch.errors import NetworkError
 from cotouch.network import Network
+from cotouch.units import user_number
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -69,7 +70,7 @@ def networks(cases: Sequence[tuple[str, Network]]) -> "Figure":
         for panel, (title, network) in zip(panels, cases, strict=False):
             drawing.network(
                 panel,
-                network.users,
+                [_legible(name, user) for user, name in enumerate(network.users)],
                 network.links,
                 network.spring,
                 network.delay,
@@ -100,6 +101,14 @@ def networks(cases: Sequence[tuple[str, Network]]) -> "Figure":
             bar.set_label(f"Round trip / {letter}", fontsize=7.5)
         figure.supxlabel(words, fontsize=7.0, color=drawing.MUTED)
     return figure
+
+
+def _legible(name: str, index: int) -> str:
+    """A user's name, or the number where the figure's font lacks a letter of it."""
+    from matplotlib.font_manager import FontProperties, findfont, get_font
+
+    font: Any = get_font(findfont(FontProperties()))
+    return name if all(font.get_char_index(ord(letter)) for letter in name) else f"user {user_number(index)}"
 
 
 def ranks(first: tuple[str, npt.ArrayLike], second: tuple[str, npt.ArrayLike]) -> "Figure":

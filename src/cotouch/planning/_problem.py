@@ -180,8 +180,8 @@ def make_problem(
     heaviest = max(allowed.links, key=lambda link: allowed.spring[link])
     if allowed.spring[heaviest] > _STIFFEST:
         raise NetworkError(
-            f"the spring {_name(network, *heaviest)} is {allowed.spring[heaviest]:g} N/m, with which the planner's numbers "
-            f"overflow; it must be at most {_STIFFEST:g} N/m"
+            f"the spring {_name(network, *heaviest)} is {allowed.spring[heaviest]:g} N/m, with which the planner's "
+            f"numbers overflow; it must be at most {_STIFFEST:g} N/m"
         )
     lags, stride = np.zeros((network.size, network.size), dtype=np.int64), 1
     if objective == "consensus":
@@ -339,8 +339,8 @@ def _check_counts(network: Network, links: int, needed: set[Pair], most: int, ba
         degree[[a, b]] += 1
     for i in map(int, np.flatnonzero(degree > most)):
         raise NetworkError(
-            f"require gives {one_user(network.users, i)} {degree[i]} links but max_degree is {most}; it must be at least "
-            f"{degree[i]}"
+            f"require gives {one_user(network.users, i)} {degree[i]} links but max_degree is {most}; it must be at "
+            f"least {degree[i]}"
         )
     if 2 * links > network.size * most:
         raise NetworkError(
