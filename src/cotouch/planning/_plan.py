@@ -315,7 +315,8 @@ def _choices(problem: Problem, kept: dict[tuple[int, ...], float], top: int) -> 
     """Everything about the best and the worst."""
     ranked = sorted((value, chosen) for chosen, value in kept.items())
     worst = next(entry for entry in ranked if entry[0] == ranked[-1][0])
-    return [choice_of(problem, np.array(chosen), value) for value, chosen in [*ranked[:top], worst]]
+    told = {chosen: choice_of(problem, np.array(chosen), value) for value, chosen in {*ranked[:top], worst}}
+    return [told[chosen] for _, chosen in [*ranked[:top], worst]]
 
 
 def _method(problem: Problem, method: str, limit: int) -> Method:
