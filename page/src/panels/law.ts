@@ -14,6 +14,7 @@ const LAWS: Record<string, string> = {
 /** How a drag stands beside what people notice. */
 export function beside(drag: number, noticed: number): string {
   const times = drag / noticed;
+  if (times < -1) return "for now links give back what they held";
   if (times < 1) return "less than people notice";
   return `${number(times, times < 9.95 ? 1 : 0)} times what people notice`;
 }

@@ -14,8 +14,8 @@ from cotouch.session._live_law import LiveLaw
 from cotouch.session._messages import Status
 from cotouch.session._neighbour import Neighbour
 
-# Below 5 mm/s over the five seconds that copies remember, nothing is measured [m²/s].
-_LEAST = 5.0 * 0.005**2
+# Below 5 mm/s over the ten seconds that copies remember, nothing is measured [m²/s].
+_LEAST = 10.0 * 0.005**2
 
 
 @final

@@ -10,7 +10,7 @@ ALARM = 1e-9
 # Round-off of less than this is not worth an alarm, whatever the share of a copy at rest [J].
 _LEAST = 1e-9
 # What the law takes of the motion is forgotten over so long [s].
-_FORGET = 5.0
+_FORGET = 10.0
 
 
 @final
