@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
 from benchmarks._report import Row, command
 from cotouch.errors import CotouchError
@@ -154,14 +155,13 @@ def _judge(
     said: tuple[float | None, float | None],
     status: dict[str, Any],
 ) -> Felt:
-    columns, rows = ann.columns, ann.states["state_row"]
-    place = np.interp(np.arange(ann.steps), rows, ann.states["x"][:, 0, 0])
-    begun = float(columns["end"][np.flatnonzero(place > SPEED * SETTLING)[0]])
-    window = (columns["end"] >= begun) & (columns["end"] < begun + seconds)
-    T, force = columns["T"][window], columns["force"][window, 0, 0]
+    place = np.interp(np.arange(ann.steps), ann.states["state_row"], ann.states["x"][:, 0, 0])
+    begun = float(ann.time[np.flatnonzero(place > SPEED * SETTLING)[0]])
+    window = _window(ann, begun, seconds)
+    T, force = ann.columns["T"][window], ann.columns["force"][window, 0, 0]
     way = place[window][-1] - place[window][0]
     others = np.interp(ann.time[window], ben.time[ben.states["state_row"]], ben.states["x"][:, 0, 0])
-    damping = [float(one.setups[-1].local_damping[0]) for one in (ann, ben)]
+    damping = [_damping(one, _window(one, begun, seconds)) for one in (ann, ben)]
     return Felt(
         law=law,
         felt=float((T * force)[1:].sum() / way),
@@ -172,8 +172,21 @@ def _judge(
     )
 
 
+def _window(recording: Recording, begun: float, seconds: float) -> npt.NDArray[np.bool_]:
+    """Steps that count."""
+    return (recording.time >= begun) & (recording.time < begun + seconds)
+
+
+def _damping(recording: Recording, window: npt.NDArray[np.bool_]) -> float:
+    """B_i in force, on the average of the steps that count [Ns/m]."""
+    damping = np.zeros(recording.steps)
+    for setup, span in recording.setup_rows():
+        damping[span] = setup.local_damping[0]
+    return float(np.average(damping[window], weights=recording.columns["T"][window]))
+
+
 def _predicted(law: str, damping: list[float]) -> float:
-    """What the linear prediction says for the emulated network, and the damping that was in force at the end."""
+    """What the linear prediction says for the emulated network, and the damping that was in force."""
     if law_named(law).dragless:
         return OWN + sum(damping)
     scenario = SessionFile.from_toml(TWO).scenario.replace(synchronisation={"damping": damping}, hands=[])
