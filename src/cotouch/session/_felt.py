@@ -65,14 +65,19 @@ def felt(known: Sequence[Status]) -> Felt | None:
 
 
 def predicted_drag(
-    damping: Float, neighbours: Mapping[int, Neighbour], link_age: Mapping[int, float], law: LiveLaw | None
+    damping: Float,
+    neighbours: Mapping[int, Neighbour],
+    link_age: Mapping[int, float],
+    period: float,
+    law: LiveLaw | None,
 ) -> float | None:
     """One copy's part of the drag; None where nobody can say [Ns/m].
 
     Args:
         damping: B_i, over the weights.
         neighbours: by slot.
-        link_age: of their samples at mid-step, by the clocks as they are [s].
+        link_age: of their samples at the end of a step, by the clocks as they are [s].
+        period: of the steps; forces act at mid-step in the mean [s].
         law: of the links; None: springs.
     """
     if law is not None:
@@ -81,7 +86,7 @@ def predicted_drag(
         return None
     # Each end counts the clocks' difference the other way round, so that of the sum nothing is left of it.
     return float(damping[0]) + sum(
-        neighbour.strength * (link_age[slot] - neighbour.link.ahead)
+        neighbour.strength * (link_age[slot] - 0.5 * period - neighbour.link.ahead)
         for slot, neighbour in neighbours.items()
         if neighbour.coupled and slot in link_age
     )

@@ -483,7 +483,9 @@ class Replica:
             damping=float(self.damping.max()),
             law="spring" if self._law is None else self._law.law.name,
             held=0.0 if self._memory is None else self._memory.held,
-            drag=predicted_drag(self.damping, self.neighbours, totals.link_age, self._law),
+            drag=predicted_drag(
+                self.damping, self.neighbours, totals.link_age, self._session.period(self.slot), self._law
+            ),
             braked=totals.braked,
             moved=totals.moved,
             certificate=float(self.damping.sum() / needed - 1.0) if needed > 0.0 else None,

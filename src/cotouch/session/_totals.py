@@ -33,7 +33,7 @@ class Totals:
         alarms: steps whose residual is too large to be round-off.
         braked: what the law took of the motion in the last seconds, by B_i and links, less what these gave [J].
         moved: ∫‖v̂‖² over them, in the identity weight [m²/s].
-        link_age: of the samples of each neighbour at mid-step, by the clocks as they are, in the mean of them [s].
+        link_age: of the samples of each neighbour, by the clocks as they are, in the mean of them [s].
         least: least of `supplied + initial` so far; negative: the hands got out what nobody put in [J].
     """
 
@@ -62,19 +62,20 @@ class Totals:
         energy = report.kinetic + report.elastic + report.proxy + report.touch_stored
         if not self.steps:
             self.initial = energy - (supplied - lost + float(report.link_work.sum()) + report.rescaled)
-        link_work, keep, braked = self.link_work, max(1.0 - T / _FORGET, 0.0), report.local_loss
+        link_work, link_age, linked, exchanged = self.link_work, self.link_age, 0.0, 0.0
+        keep = 1.0 - T / _FORGET  # steps are far shorter
         self.steps += 1
         self.supplied += supplied
         self.lost += lost
-        for slot, work in zip(neighbours, report.link_work.tolist(), strict=True):
+        for slot, work, age in zip(neighbours, report.link_work.tolist(), report.age.tolist(), strict=True):
             link_work[slot] = link_work.get(slot, 0.0) + work
-            self.linked += work
-            self._exchanged += abs(work)
-            braked -= work
-        self.braked, self.moved = keep * self.braked + braked, keep * self.moved + T * report.speed
-        for slot, age in zip(neighbours, report.age.tolist(), strict=True):
-            age -= 0.5 * T  # noqa: PLW2901
-            self.link_age[slot] = age + keep * (self.link_age.get(slot, age) - age)
+            link_age[slot] = age + keep * (link_age.get(slot, age) - age)
+            linked += work
+            exchanged += abs(work)
+        self.linked += linked
+        self._exchanged += exchanged
+        self.braked = keep * self.braked + report.local_loss - linked
+        self.moved = keep * self.moved + T * report.speed
         self.rescaled += report.rescaled
         self.advanced += report.advanced
         self.energy = energy
