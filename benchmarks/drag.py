@@ -69,7 +69,7 @@ class Felt(NamedTuple):
         predicted: likewise [Ns/m].
         said: what members said at their end of the law's part, measured and predicted; None: nothing [Ns/m].
         apart: most that the copies were apart from each other while it counted [m].
-        late: share of Ann's steps that came late.
+        late: Ann's late steps for each that she took.
     """
 
     law: str
@@ -210,7 +210,7 @@ def rows(found: list[Felt]) -> list[Row]:
         note = (
             f"predicted {one.predicted:.2f} Ns/m; {OWN:g} of both is the body's own; off by {100 * one.off:+.1f} %; "
             f"members say of the law alone: {said or 'nothing'}; copies {1e3 * one.apart:.1f} mm apart at most; "
-            f"{100 * one.late:.1f} % of steps late"
+            f"{100 * one.late:.1f} late steps for 100 taken"
         )
         result.append(
             Row("laws live", f"drag that a hand feels, law {one.law}", f"{one.felt:.2f} Ns/m", "within 15 %", note)
