@@ -24,6 +24,7 @@ SECTIONS = (
     "planner",
     "laws",
     "live",
+    "laws live",
     "members",
     "drivers",
     "servo",

@@ -25,6 +25,7 @@ TIMED = (
     "live/test_pacing.py",
     "session/test_demo_session_api.py",
     "session/test_device_hand.py",
+    "session/test_felt_live.py",
     "session/test_nats.py",
     "session/test_networks.py",
     "web/test_real_demo.py",

@@ -98,6 +98,19 @@ export interface Emulated {
   cut: boolean;
 }
 
+/** Which law the links have, and what is felt of it. */
+export interface LawState {
+  law: string;
+  /** Given by ends, and not taken by the others yet; null: the law exchanges none [J]. */
+  on_the_way: number | null;
+  /** Drag of the last seconds; null: the copies hardly moved [N·s/m]. */
+  measured: number | null;
+  /** Drag of copies that move evenly together; null: nobody can say [N·s/m]. */
+  predicted: number | null;
+  /** Least drag that people notice [N·s/m]. */
+  noticed: number;
+}
+
 /** A recording that was asked for by a page. */
 export interface Taping {
   state: "off" | "on" | "ending" | "done" | "failed";
@@ -127,6 +140,8 @@ export interface State {
   damping: number;
   recording: Taping;
   events: { time: number; text: string }[];
+  /** What is felt of the links' law; null before anybody moves. */
+  law: LawState | null;
   verdict: { level: "good" | "warn" | "bad"; text: string };
   control: "mine" | "other" | "none";
   pages: number;

@@ -103,13 +103,15 @@ def interrupted(process: "subprocess.Popen[bytes]") -> int:
 
 def test_a_session_from_invitation_to_audit(running: Running, tmp_path: Path) -> None:
     (tmp_path / "two.toml").write_text(TWO)
-    host_of = ("host", tmp_path / "two.toml", "--key-file", tmp_path / "keys")
+    host_of = ("host", tmp_path / "two.toml", "--key-file", tmp_path / "keys", "--law", "paid")
     host = running.start("host", *host_of)
     running.until(lambda: running.out("host").endswith("\n"), "the invitation")
     line = running.out("host").strip()
     assert Invitation.decode(line).session == "Two"
     assert "cotouch join -" in running.err("host")
-    running.until(lambda: "cotouch: ready; nobody is here yet\n" in running.err("host"), "the host is ready")
+    running.until(
+        lambda: "cotouch: ready, links by law paid; nobody is here yet\n" in running.err("host"), "the host is ready"
+    )
     assert (tmp_path / "keys").stat().st_mode & 0o077 == 0
 
     ann_of = ("join", "-", "--name", "Ann", "--headless", "--record", tmp_path / "a.mcap")
@@ -150,7 +152,7 @@ def test_a_session_from_invitation_to_audit(running: Running, tmp_path: Path) ->
     assert running.out("Ann").startswith("Ann took ")
     told = [line.removeprefix("cotouch: ") for line in running.err("Ann").splitlines()]
     assert told[0] == "joining ..."
-    assert "ready: Ann is user 1 of 2" in told
+    assert "ready: Ann is user 1 of 2, links by law paid" in told
     assert "are recorded" in running.out("Ann")
     assert [path.stat().st_mode & 0o777 for path in recorded] == [0o600, 0o600]
     assert interrupted(host) == 0
@@ -164,6 +166,8 @@ def test_a_session_from_invitation_to_audit(running: Running, tmp_path: Path) ->
     report = json.loads(running.out("audit"))
     assert report["holds"], report["findings"]
     assert code == 0, running.err("audit")
+    assert report["law"]["name"] == "paid"
+    assert report["law"]["on_the_way_j"] > 0.0
 
 
 def test_who_was_killed_comes_back_as_itself_and_so_does_the_host(running: Running, tmp_path: Path) -> None:
@@ -289,6 +293,8 @@ def test_a_demo_that_is_killed_leaves_neither_members_nor_boards(
         (("host", "{missing}.toml"), "cannot be read"),
         (("host", "{file}", "--listen", "my.machine"), "my.machine"),
         (("host", "{file}", "--key-file", "{file}"), "does not hold the keys"),
+        (("host", "{file}", "--law", "once"), '--law is "once"; live it is "spring", or one of those that are passive'),
+        (("host", "{file}", "--law", "nought"), 'law is "nought"; it must be one of'),
         (("demo", "--users", "0"), "--users is 0; it must be from 1 to 32"),
         (("demo", "--users", "33"), "--users is 33"),
         (("demo", "--body", "ball"), '--body is "ball"; it must be point or block'),

@@ -41,6 +41,7 @@ def report(k: int, links: int = 1, value: float = 0.0) -> StepReport:
         touch_loss=8.0,
         proxy=9.0,
         touch_stored=10.0,
+        speed=0.0,
         residual=11.0,
         age=np.full(links, 0.01),
         iterations=12,

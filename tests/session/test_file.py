@@ -95,10 +95,10 @@ def test_a_missing_mesh_is_named(tmp_path: Path) -> None:
         b"[]",
         b"{}",
         json.dumps({"format": "cotouch session 3", "text": "", "files": {}}).encode(),
-        json.dumps({"format": "cotouch session 2", "text": "", "files": {"../x": "00" * 32}}).encode(),
-        json.dumps({"format": "cotouch session 2", "text": "", "files": {"x": "00"}}).encode(),
-        json.dumps({"format": "cotouch session 2", "text": "", "files": {"..": "00" * 32}}).encode(),
-        json.dumps({"format": "cotouch session 2", "text": 3, "files": {}}).encode(),
+        json.dumps({"format": "cotouch session 3", "law": None, "text": "", "files": {"../x": "00" * 32}}).encode(),
+        json.dumps({"format": "cotouch session 3", "law": None, "text": "", "files": {"x": "00"}}).encode(),
+        json.dumps({"format": "cotouch session 3", "law": None, "text": "", "files": {"..": "00" * 32}}).encode(),
+        json.dumps({"format": "cotouch session 3", "law": None, "text": 3, "files": {}}).encode(),
     ],
 )
 def test_what_travelled_is_checked(content: bytes) -> None:

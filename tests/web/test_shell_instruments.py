@@ -157,6 +157,7 @@ def test_damping_is_lowered_behind_a_warning_and_restored_with_one_click(here: W
     other = here.open(here.server.address)
     page = here.open()
     page.click("#tab-margin")
+    words(page, "#margin .law", "felt drag11.00\u202fN·s/m measured, predicted 10.0013 times what people notice")
     page.click("#lower")
     dialog = page.get_by_role("dialog", name="Lower the damping")
     assert "nothing keeps energy from growing" in (dialog.text_content() or "")

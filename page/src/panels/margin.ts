@@ -2,6 +2,7 @@
 import { agesChart } from "./ages";
 import { type Context, can, keyOf, nameOf, pairOf, samePair } from "./context";
 import { attribute, button, h, icon, panel, shown, text } from "./dom";
+import { lawLine } from "./law";
 import { NONE, linkName, ms, number, percent } from "./format";
 import { dialog } from "./dialog";
 import { CONDITIONS, condition, spare, worse } from "./words";
@@ -10,7 +11,7 @@ const EXPLANATION =
   "Safe, or passive, means: whatever the users do, the session as a whole never gives out more energy than hands put in, so nothing can " +
   "start to swing by itself. It holds as long as each copy’s damping is at least what the ages on its links ask for. Damping is " +
   "made for a budget of ages on each link; what ages leave of it is to spare. A link that goes over its budget is guarded: it then " +
-  "spends only what it has saved.";
+  "spends only what it has saved. Other laws than springs need no such damping, and no budget: they pay for what they do.";
 
 // In per cent, by powers of ten, because what matters lies near the lower end.
 const [LEAST, MOST] = [0.1, 100];
@@ -74,7 +75,9 @@ export function marginPanel(context: Context): HTMLElement {
   const { element, body } = panel("margin", "Margin", EXPLANATION, lower, restore);
   const links = h("tbody");
   const users = h("tbody");
+  const law = lawLine();
   body.append(
+    law.element,
     h(
       "table",
       { class: "numbers" },
@@ -106,6 +109,7 @@ export function marginPanel(context: Context): HTMLElement {
     shown(restore, lowered);
     lower.disabled = restore.disabled = !can(context, "damping");
     if (!state || body.offsetParent === null) return;
+    law.show(state.law, (store.scene?.nodes.count ?? 1) > 1);
     const pairs = state.links.map(([a, b]) => pairOf(a, b));
     const key = JSON.stringify([pairs, store.scene?.started]);
     if (links.dataset.key !== key) {

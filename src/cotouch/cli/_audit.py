@@ -49,6 +49,7 @@ def _print(result: "Audit", written: Sequence[Path]) -> None:
     _users(console, result)
     if result.links:
         _links(console, result)
+    console.print(_law(result), highlight=False)
     for note in result.notes:
         console.print(f"  [yellow]•[/yellow] {literal(note)}", highlight=False, soft_wrap=True)
     for finding in result.findings:
@@ -60,6 +61,13 @@ def _print(result: "Audit", written: Sequence[Path]) -> None:
     console.print(result.verdict, style="bold green" if result.holds else "bold red", highlight=False, markup=False)
     for file in written:
         console.print(f"  wrote {literal(file)}", highlight=False, soft_wrap=True)
+
+
+def _law(result: "Audit") -> str:
+    law = result.law
+    said = [] if law.on_the_way is None else [f"{number(law.on_the_way, 'J')} given and not taken"]
+    said.append("felt drag not known" if law.drag is None else f"felt drag {number(law.drag, 'Ns/m')}")
+    return f"  Law {literal(law.name)}: {', '.join(said)}"
 
 
 def _users(console: "Console", result: "Audit") -> None:

@@ -121,7 +121,7 @@ def _print(outcome: "DemoOutcome") -> None:
     from rich.table import Table
     from rich.text import Text
 
-    from cotouch.cli._table import balance, verdict
+    from cotouch.cli._table import balance, felt_words, verdict
     from cotouch.session import Status
 
     table = Table(title=f"\nAfter {outcome.seconds:.0f} s", title_justify="left", title_style="bold", box=None)
@@ -152,6 +152,7 @@ def _print(outcome: "DemoOutcome") -> None:
         f"held back {_times(outcome.guarded)} after they had coupled.",
         highlight=False,
     )
+    console.print(felt_words(known), highlight=False, markup=False)
     if outcome.complaints:
         for complaint in outcome.complaints:
             console.print(f"[red]{literal(complaint)}[/red]", highlight=False)

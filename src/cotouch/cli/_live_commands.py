@@ -31,13 +31,29 @@ def host(
             help="File for the session's keys, so that a restarted host keeps its invitation.", show_default=False
         ),
     ] = None,
+    law: Annotated[
+        str | None,
+        typer.Option(
+            help="Law of the links, instead of the session's: spring, paid, wave, tank, tdpa or pspm.",
+            show_default=False,
+        ),
+    ] = None,
     headless: Annotated[bool, typer.Option("--headless", help="Show no table.")] = False,
     as_json: AsJson = False,
 ) -> None:
     """Host a session: print its invitation and keep it open."""
     from cotouch.cli._session import host as run
 
-    run(session, listen=listen, port=port, seconds=seconds, key_file=key_file, headless=headless, as_json=as_json)
+    run(
+        session,
+        listen=listen,
+        port=port,
+        seconds=seconds,
+        key_file=key_file,
+        law=law,
+        headless=headless,
+        as_json=as_json,
+    )
 
 
 def join(
@@ -129,7 +145,8 @@ def demo(
         ),
     ] = None,
     law: Annotated[
-        str, typer.Option(help="Law of the links: spring (the paper's, with its damping), paid, wave or tank.")
+        str,
+        typer.Option(help="Law of the links: spring (the paper's, with its damping), paid, wave, tank, tdpa or pspm."),
     ] = "spring",
     record: Annotated[Path | None, typer.Option(help="Record every user into this folder.", show_default=False)] = None,
     page: Annotated[

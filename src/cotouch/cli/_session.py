@@ -30,6 +30,7 @@ def host(
     port: int | None,
     seconds: float | None,
     key_file: Path | None,
+    law: str | None,
     headless: bool,
     as_json: bool,
 ) -> None:
@@ -41,6 +42,7 @@ def host(
         port: to listen at; None: the next that is free.
         seconds: ends after so long [s]; None: does not.
         key_file: file that keeps the host's keys and roster; None: none.
+        law: of the links, instead of the file's; None: the file's.
         headless: whether to show no table.
         as_json: whether to print one JSON object and nothing else on standard output.
     """
@@ -50,13 +52,13 @@ def host(
         if not as_json:
             _say(text)
 
-    session = SessionFile.read(file)
+    session = SessionFile.read(file, law=law)
     if sys.stderr.isatty():
         say("opening the session ...")
     with stop_signals() as stopped, open_host(session, listen=listen, port=port, key_file=key_file) as opened:
         line = opened.invitation.encode()
         if as_json:
-            print_json({"invitation": line, "session": session.digest.hex()})
+            print_json({"invitation": line, "session": session.digest.hex(), "law": session.law})
             sys.stdout.flush()
         else:
             sys.stdout.write(f"{line}\n")
@@ -73,7 +75,7 @@ def host(
                 console.service(time.monotonic())
                 if not ready and opened.host.admission.fingerprint is not None:
                     ready = True
-                    say("ready; nobody is here yet")
+                    say(f"ready, links by law {session.law}; nobody is here yet")
                 redraw()
                 time.sleep(_POLL)
         opened.host.end()
@@ -190,7 +192,7 @@ def sentence(taken: "PartOutcome") -> str:
         return f"{why}{taken.name} did not come to take part"
     return (
         f"{why}{taken.name} took {status.steps} steps in {status.time:.1f} s, {status.missed} of them late; the ledger "
-        f"balances to {status.residual:.1e} of the energy in play"
+        f"balances to {status.residual:.1e} of the energy in play; links by law {status.law}"
         + ("" if taken.recorded is None else f"; {taken.recorded} steps are recorded")
     )
 

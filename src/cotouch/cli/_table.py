@@ -102,6 +102,21 @@ def verdict(known: "Sequence[Status]") -> str:
     return f"NOT PASSIVE: {-margin:.3g} J came out that nobody put in."
 
 
+def felt_words(known: "Sequence[Status]") -> str:
+    """Which law the links have, what energy of it is on its way, and what drag hands feel of it, in a sentence."""
+    from cotouch.device import NOTICED_DRAG
+    from cotouch.session import felt
+
+    found = felt(known)
+    if found is None:
+        return ""
+    said = [] if found.on_the_way is None else [f"{1e3 * found.on_the_way:.3g} mJ on the way"]
+    values = (("measured", found.measured), ("predicted", found.predicted))
+    drags = [f"{value:.2f} Ns/m {name}" for name, value in values if value is not None]
+    said.append(f"felt drag {' and '.join(drags)}" if drags else "felt drag not known until the object moves")
+    return f"Law {found.law}: {'; '.join(said)} (people notice {NOTICED_DRAG:.1f})."
+
+
 def _legend(known: "Sequence[Status]") -> "Text":
     """What the marks mean, of those that can be seen now, and the rest of the headings."""
     from rich.text import Text
@@ -115,12 +130,7 @@ def _legend(known: "Sequence[Status]") -> "Text":
             legend.append(mark, style=colour).append(f" {meaning}   ", style="dim")
     if any(link.path_state == "relayed" for status in known for link in status.links):
         legend.append("~ by the relay   ", style="dim")
-    laws = {status.law for status in known} - {"spring"}
-    if laws:
-        links = [link for status in known for link in status.links]
-        given, taken = (sum(getattr(link, name) for link in links) for name in ("given", "taken"))
-        on_the_way = f"{1e3 * max(given - taken, 0.0):.3g} mJ on the way"
-        legend.append(f"\nlaw {', '.join(sorted(laws))}: needs no damping; {on_the_way}", style="dim")
+    legend.append(f"\n{felt_words(known)}")
     legend.append("\nages: how old the samples of both ends are; budget: what the damping covers", style="dim")
     return legend
 

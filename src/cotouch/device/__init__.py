@@ -5,12 +5,16 @@ from cotouch.device._assemble import assemble
 from cotouch.device._couple import Couplings, command_device, couplings, excess_bound, pull_proxy, sure_force
 from cotouch.device._critical import critical_stiffness, rings
 from cotouch.device._models import CartesianPlant, Coupling, DeviceModel, PhantomPlant, ServoModel, SimulatedHand
+from cotouch.device._noticed import HAND_DAMPING, NOTICED, NOTICED_DRAG
 from cotouch.device._simulated import DeviceSample, SimulatedDevice
 from cotouch.device._spec import PRESETS, DeviceSpec, preset
 from cotouch.device._tables import DEVICE_LEDGER, Devices, DeviceState, Grasps, Plants, Servos
 
 __all__ = [
     "DEVICE_LEDGER",
+    "HAND_DAMPING",
+    "NOTICED",
+    "NOTICED_DRAG",
     "PRESETS",
     "CartesianPlant",
     "Coupling",

@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from cotouch.device import NOTICED
 from cotouch.drawing import style
 from cotouch.files import write
 from cotouch.laboratory._compare_figures import fronts, maps
-from cotouch.laboratory._noticed import NOTICED, chosen, is_dangerous, losing, mean_cost, multiples, ours
+from cotouch.laboratory._noticed import chosen, is_dangerous, losing, mean_cost, multiples, ours
 from cotouch.laboratory._study import Study
 from cotouch.pages import Section, figure, num, page, table, verdict
 

@@ -5,13 +5,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from cotouch.arrays import Float
+from cotouch.device import NOTICED
 from cotouch.laboratory._study import Study, spread
 
 if TYPE_CHECKING:
     import xarray as xr
-
-# The least that people were found to notice: places [m], the others as shares [Rank et al. 2010; Jay et al. 2007].
-NOTICED = {"place": 1e-3, "force": 0.07, "drag": 0.13, "mass": 0.21, "stiffness": 0.08}
 
 
 def chosen(data: "xr.Dataset") -> str:

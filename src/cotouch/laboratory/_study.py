@@ -11,6 +11,7 @@ from pydantic import Field, PrivateAttr, ValidationError, model_validator
 
 from cotouch.arrays import Float
 from cotouch.body import Body
+from cotouch.device import HAND_DAMPING
 from cotouch.errors import NetworkError, ScenarioError
 from cotouch.files import read_text, toml
 from cotouch.laboratory._tasks import TASKS, Task
@@ -93,7 +94,7 @@ class HandKind(Table):
     """
 
     stiffness: Positive = 300.0
-    damping: NonNegative = 6.5
+    damping: NonNegative = HAND_DAMPING
 
     @property
     def label(self) -> str:

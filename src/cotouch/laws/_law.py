@@ -114,6 +114,7 @@ class Law:
         springs: whether its links hold `½‖x_i - x_j‖²_K` at the start, which they may give back.
         rule: multiple of the rule's local damping B_i that a copy gets with it, if the scenario says nothing else.
         drag: local damping on top of it [Ns/m].
+        dragless: whether copies that move evenly together feel nothing of its links, however old samples are.
         linear: what it is at one frequency and constant delay, if it is linear; `cotouch.impedance` predicts with it.
         holds: whether its promise holds with these parameters at an end; None: it does with all in their ranges.
         constant_delay: whether its promise needs samples of a constant age.
@@ -140,6 +141,7 @@ class Law:
     springs: bool = False
     rule: float = 0.0
     drag: float = 0.0
+    dragless: bool = False
     linear: Linear | None = None
     holds: Callable[[Facts, Sequence[float]], bool] | None = None
     constant_delay: bool = False

@@ -304,5 +304,6 @@ PAID = register(
         store=("account", "level"),
         feels=True,
         seed="seed",
+        dragless=True,
     )
 )

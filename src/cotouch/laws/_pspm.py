@@ -3,10 +3,10 @@
 It is what a guarded link does that never couples: see `cotouch.peer.LinkGuard`.
 """
 
-from math import sqrt
+from math import inf, sqrt
 
 from cotouch.laws._end import End, copy, square
-from cotouch.laws._law import Facts, Law, Parameter, register
+from cotouch.laws._law import FORCE, Facts, Law, Parameter, register
 
 _TANK, _GIVEN, _CREDITED = range(3)
 
@@ -25,6 +25,9 @@ def _before(end: End) -> None:
     if end.sample_index >= 0:
         there = held + max(tank[_TANK], 0.0)
         fraction = sqrt(there / desired) if desired > there else 1.0
+        pull = sqrt(2.0 * end.spring * desired)
+        if fraction * pull > end.parameters[2]:  # what it would hold beyond stays in the tank
+            fraction = end.parameters[2] / pull
         for i in range(x.shape[0]):
             hold[i] = x[i] + fraction * (end.sample[i] - x[i])
         tank[_TANK] = there - fraction * fraction * desired
@@ -54,10 +57,12 @@ PSPM = register(
         parameters=(
             Parameter(name="seed", meaning="what the tank begins with, and keeps at most [J]", default=0.05),
             Parameter(name="damping", meaning="damper that fills the tank [Ns/m]", default=_damping),
+            Parameter(name=FORCE, meaning="most that a neighbour may pull with [N]", default=inf),
         ),
         sends_scalars=("given",),
         keeps=("set",),
         keeps_scalars=("tank", "given", "credited"),
         seed="seed",
+        energies=("given",),
     )
 )

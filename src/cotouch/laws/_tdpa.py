@@ -6,18 +6,23 @@ what the spring's end has taken in: instead of an observer that finds out a step
 [Hannaford & Ryu 2002; Ryu, Artigas & Preusche 2010]
 """
 
-from math import sqrt
+from math import inf, sqrt
 
-from cotouch.laws._end import End, brake, copy, given_power
-from cotouch.laws._law import Law, Parameter, register
+from cotouch.laws._end import End, brake, copy, given_power, square
+from cotouch.laws._law import FORCE, Law, Parameter, register
 
 
 def _before(end: End) -> None:
     energy, hold = end.scalars, end.memory[0]  # E_in, E_out; the set position
     most = max(end.received_scalars[0] + end.parameters[0] - energy[1], 0.0)
+    force = end.parameters[3]
     if end.side == 1:
         for i in range(end.push.shape[0]):
             end.push[i] = -end.received[0, i]
+        size = sqrt(square(end.weight, end.push))
+        if size > force:
+            for i in range(end.push.shape[0]):
+                end.push[i] *= force / size
         brake(end, most, end.parameters[1], end.parameters[2])
         return
     if end.step == 0:
@@ -29,6 +34,9 @@ def _before(end: End) -> None:
         wish += half * end.weight[i] * (x[i] - end.sample[i]) ** 2
     if end.sample_index >= 0:
         fraction = sqrt((held + most) / wish) if wish > held + most else 1.0
+        pull = sqrt(2.0 * end.spring * wish)
+        if fraction * pull > force:
+            fraction = force / pull
         for i in range(x.shape[0]):
             hold[i] = x[i] + fraction * (end.sample[i] - x[i])
         step = fraction * fraction * wish - held
@@ -60,11 +68,13 @@ TDPA = register(
             Parameter(name="seed", meaning="energy that an end may give before it has got any [J]", default=0.05),
             Parameter(name="damping", meaning="β₀, always at the end that gets the force [Ns/m]", default=1.0),
             Parameter(name="most", meaning="greatest damper there [Ns/m]", default=100.0),
+            Parameter(name=FORCE, meaning="most that a neighbour may push or pull with [N]", default=inf),
         ),
         sends=("F",),
         sends_scalars=("E_in",),
         keeps=("set",),
         keeps_scalars=("E_in", "E_out"),
         seed="seed",
+        energies=("E_in",),
     )
 )

@@ -81,5 +81,6 @@ WAVE = register(
         energies=("E_out",),
         linear=_linear,
         drag=0.5,
+        dragless=True,
     )
 )

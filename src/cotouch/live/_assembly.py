@@ -47,7 +47,7 @@ class Assembly:
         self._fields: Float | None = None  # the same, with rows
         if layout.fields or layout.scalars:
             self._fields = np.zeros((layout.fields, layout.rows, layout.width))
-            self.message = self._fields.reshape(layout.fields, -1), np.zeros(layout.scalars)
+            self.message = self._fields.reshape(layout.fields, layout.rows * layout.width), np.zeros(layout.scalars)
         self._whole = False
         # Where each chunk goes; none with a basis, which spreads every number over all rows.
         spans = [] if layout.basis is not None else [layout.span(chunk) for chunk in range(layout.chunks)]

@@ -274,10 +274,10 @@ class Codec:
         if not self._says:
             return Chunk(heading, chunk, values)
         scalars = np.frombuffer(payload, "<f8", self.layout.scalars, HEAD_BYTES)
-        fields = np.frombuffer(payload, "<f8", -1, self._head + count * self._item)
+        fields = np.frombuffer(payload[self._head + count * self._item :], "<f8")
         if not (_usable(scalars) and _usable(fields)):
             return Refusal.LAW
-        return Chunk(heading, chunk, values, scalars, fields.reshape(-1, count, self._axes))
+        return Chunk(heading, chunk, values, scalars, fields.reshape(self.layout.fields, count, self._axes))
 
     def _within(self, values: npt.NDArray[np.floating]) -> bool:
         """Whether all numbers are finite and within the limit."""

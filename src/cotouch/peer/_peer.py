@@ -355,6 +355,7 @@ class Peer:
             touch_loss=touch[TOUCH_LOSS],
             proxy=touch[PROXY],
             touch_stored=touch[TOUCH_STORED],
+            speed=square[0],
             residual=energy - self._energy - supplied + lost - sum(self._link_work.tolist()),
             age=np.array(age),
             iterations=int(did[ITERATIONS]),

@@ -28,6 +28,7 @@ class StepReport:
         touch_loss: dissipated in contacts and grasps [J].
         proxy: kinetic energy of the proxies after the step [J].
         touch_stored: energy in contacts and grasps after the step [J].
+        speed: ‖v̂‖² in the identity weight [m²/s²].
         residual: what the ledger of this step does not explain [J]; round-off, or something is broken.
         age: of each link's sample at the end of the step, by the clocks as they are [s].
         iterations: of the solver.
@@ -53,6 +54,7 @@ class StepReport:
     touch_loss: float
     proxy: float
     touch_stored: float
+    speed: float
     residual: float
     age: Float
     iterations: int

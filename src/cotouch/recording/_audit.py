@@ -20,6 +20,7 @@ from cotouch.errors import RecordingError
 from cotouch.recording._columns import GUARDS
 from cotouch.recording._findings import AuditFinding, exchanged, findings_of, missing_words
 from cotouch.recording._guards import started
+from cotouch.recording._law import LawLedger, law_ledger
 from cotouch.recording._links import LinkLedger, ages, align, grid_of, link_ledger, linked, so_far, too_young
 from cotouch.recording._motion import LOSSES, Motion, motions
 from cotouch.recording._recording import Recording
@@ -77,6 +78,7 @@ class Audit:
     Attributes:
         users: their ledger.
         links: of those that both ends are recorded of.
+        law: of all links, and what hands felt of it.
         findings: energy that is not accounted for, largest first; empty if all is well.
         complete: whether every step of everybody is recorded with its state.
         notes: what could not be judged, or is worth knowing; one sentence each.
@@ -93,6 +95,7 @@ class Audit:
 
     users: tuple[UserLedger, ...]
     links: tuple[LinkLedger, ...]
+    law: LawLedger
     findings: tuple[AuditFinding, ...]
     complete: bool
     notes: tuple[str, ...]
@@ -132,6 +135,7 @@ class Audit:
             "tolerance_j": self.tolerance,
             "energy_in_play_j": self.in_play,
             "initial_j": self.initial,
+            "law": self.law.numbers(),
             "passivity_margin_j": self.margin,
             "passivity_margin_time_s": self.margin_time,
             "users": [{**vars(ledger), "user": user_number(ledger.user)} for ledger in self.users],
@@ -231,6 +235,7 @@ def audit(recordings: Sequence[Recording], *, tolerance: float = TOLERANCE) -> A
     return Audit(
         users=tuple(_user(m, sum(need.values())) for m, need in zip(moved, asked, strict=True)),
         links=tuple(links),
+        law=law_ledger(moved),
         findings=tuple(sorted(found, key=lambda finding: -abs(finding.energy))),
         complete=complete,
         notes=tuple(notes),

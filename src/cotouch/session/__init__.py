@@ -5,6 +5,7 @@ from cotouch.session._coordinator import ABSENT_AFTER, Coordinator, Planner
 from cotouch.session._demo import DemoOutcome, demo_file, demo_session, play
 from cotouch.session._demo_session_api import DemoSessionApi
 from cotouch.session._device_table import DeviceTable
+from cotouch.session._felt import Felt, felt
 from cotouch.session._file import DEFAULT_RATE, MOST_USERS, SessionFile, SessionTable
 from cotouch.session._hand import Hand, NoHand, ScriptedHand, Slot
 from cotouch.session._held import choices as device_choices
@@ -51,6 +52,7 @@ __all__ = [
     "DeviceTable",
     "Emulated",
     "Entry",
+    "Felt",
     "Hand",
     "HandKind",
     "HandMode",
@@ -91,6 +93,7 @@ __all__ = [
     "demo_file",
     "demo_session",
     "device_choices",
+    "felt",
     "fetch_session",
     "identity_folder",
     "join",

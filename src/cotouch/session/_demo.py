@@ -106,7 +106,7 @@ def demo_session(
         seconds: how long; the hands let go after two thirds of it. None: they never do, and go on moving.
         impair: what the network does besides, each such as "loss=0.1", "jitter=0.02" (s), "duplication=0.05",
             "reordering=0.1".
-        law: of all links: "spring" (the paper's), "paid", "wave" or "tank".
+        law: of all links: "spring" (the paper's), or one that can go live.
 
     Raises:
         SessionError: one of these cannot be.

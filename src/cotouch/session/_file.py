@@ -15,7 +15,7 @@ from cotouch.live import MOST_AGE, Encoding
 from cotouch.network import Network
 from cotouch.scenario import NonNegative, Positive, Probability, Scenario, Table, per_user, sentence
 from cotouch.session._device_table import DeviceTable
-from cotouch.session._law_check import check_law
+from cotouch.session._law_check import check_law, check_live
 
 # Slots of a session without names: more than this many people at one object nobody has tried.
 MOST_USERS = 32
@@ -25,7 +25,7 @@ DEFAULT_RATE = 500.0
 MOST_BYTES = 256 << 20
 _DEFAULT_SPRING = 60.0
 _DEFAULT_DELAY = 0.02
-_FORMAT = "cotouch session 2"
+_FORMAT = "cotouch session 3"
 
 
 @final
@@ -120,8 +120,12 @@ class SessionFile:
     files: dict[str, bytes]
 
     @classmethod
-    def read(cls, path: str | Path) -> "SessionFile":
+    def read(cls, path: str | Path, *, law: str | None = None) -> "SessionFile":
         """Reads a session from a TOML file, and the mesh that it names.
+
+        Args:
+            path: of the file.
+            law: of the links, instead of the file's; None: the file's.
 
         Raises:
             SessionError: the file is missing or not TOML, or an option is wrong.
@@ -129,18 +133,24 @@ class SessionFile:
         """
         path = Path(path)
         text = read_text(path, "session", SessionError)
-        return cls.from_toml(text, source=str(path), folder=path.parent)
+        return cls.from_toml(text, source=str(path), folder=path.parent, law=law)
 
     @classmethod
-    def from_toml(cls, text: str, *, source: str = "the session", folder: Path | None = None) -> "SessionFile":
+    def from_toml(
+        cls, text: str, *, source: str = "the session", folder: Path | None = None, law: str | None = None
+    ) -> "SessionFile":
         """Reads a session from TOML text; a mesh is looked for in `folder`.
 
         Args:
             text: the words.
             source: what messages call it.
             folder: where meshes are looked for; None: none is read.
+            law: of the links, instead of the text's; None: the text's.
         """
         tables = _parsed(text, source)
+        if law is not None:
+            check_live(law, "--law")
+            _take_law(tables, law)
         name = _mesh(tables)
         files: dict[str, bytes] = {}
         if name is not None:
@@ -150,6 +160,7 @@ class SessionFile:
         described = {
             "format": _FORMAT,
             "text": text,
+            "law": law,
             "files": {name: hashlib.sha256(data).hexdigest() for name, data in files.items()},
         }
         content = json.dumps(described, sort_keys=True).encode()
@@ -180,6 +191,8 @@ class SessionFile:
         for name in described["files"]:
             (folder / name).write_bytes(files[name])
         tables = _parsed(described["text"], "the session")
+        if described["law"] is not None:
+            _take_law(tables, described["law"])
         name = _mesh(tables)
         if name is not None:
             tables["body"]["file"] = PurePosixPath(name).name
@@ -195,6 +208,11 @@ class SessionFile:
     def slots(self) -> int:
         """How many can take part at once."""
         return self.scenario.network.size
+
+    @property
+    def law(self) -> str:
+        """Name of the links' law."""
+        return self.scenario.synchronisation.law_given[0]
 
     @property
     def named(self) -> bool:
@@ -224,6 +242,7 @@ def _described(content: bytes) -> dict[str, Any]:
         assert isinstance(described, dict)
         files = described["files"]
         fine = described["format"] == _FORMAT and isinstance(described["text"], str) and isinstance(files, dict)
+        fine = fine and isinstance(described["law"], str | None)
         fine = fine and all(
             isinstance(digest, str) and len(bytes.fromhex(digest)) == 32 and name == PurePosixPath(name).name
             and name not in {"", ".", ".."} and "\\" not in name
@@ -239,6 +258,12 @@ def _described(content: bytes) -> dict[str, Any]:
 
 def _parsed(text: str, source: str) -> dict[str, Any]:
     return toml(text, source, SessionError)
+
+
+def _take_law(tables: dict[str, Any], law: str) -> None:
+    """Gives the links another law, by its name, with the parameters that it has by itself."""
+    given = tables.get("synchronisation", {})
+    tables["synchronisation"] = {**given, "law": law} if isinstance(given, dict) else given
 
 
 def _mesh(tables: dict[str, Any]) -> str | None:

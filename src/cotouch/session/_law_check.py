@@ -14,6 +14,26 @@ def signature_of(scenario: Scenario) -> str:
     return law_named(scenario.synchronisation.law_given[0]).signature
 
 
+def check_live(name: str, what: str) -> None:
+    """Refuses a law that is not for people who need not trust each other.
+
+    Args:
+        name: of the law.
+        what: where it was given, for messages.
+
+    Raises:
+        ScenarioError: it is none that can go live.
+        NetworkError: there is no such law.
+    """
+    if name == "spring" or law_named(name).live:
+        return
+    fit = ", ".join(f'"{known}"' for known, law in laws().items() if law.live)
+    raise ScenarioError(
+        f'{what} is "{name}"; live it is "spring", or one of those that are passive by themselves and bound what a '
+        f"neighbour may do: {fit}"
+    )
+
+
 def check_law(scenario: Scenario, encoding: str, source: str) -> None:
     """Refuses what a law cannot do live.
 
@@ -29,12 +49,7 @@ def check_law(scenario: Scenario, encoding: str, source: str) -> None:
     name, given = sync.law_given
     if name == "spring":
         return
-    if not law_named(name).live:
-        fit = ", ".join(f'"{known}"' for known, law in laws().items() if law.live)
-        raise ScenarioError(
-            f'{source}: synchronisation.law is "{name}"; live it is "spring", or one of those that are passive by '
-            f"themselves and bound what a neighbour may do: {fit}"
-        )
+    check_live(name, f"{source}: synchronisation.law")
     for option, value, wanted, why in (
         ("synchronisation.mode", sync.mode, "freshest", "messages of laws go with the newest sample"),
         ("session.encoding", encoding, "float64", "sums that only grow need all their digits"),

@@ -222,7 +222,7 @@ class LinkStatus(Table):
 
     slot: Slot
     state: Text
-    law: Text = "spring"
+    law: Reason = "spring"
     given: Number = 0.0
     taken: Number = 0.0
     path_state: Text = "direct"
@@ -268,6 +268,10 @@ class Status(Table):
         damping: B_i, as the largest coefficient [Ns/m].
         law: of its links.
         held: energy that the law's account holds, for who gave and was not given back [J].
+        drag: this copy's part of the drag that the law is predicted to put on whoever moves all copies evenly together;
+            null: none is predicted [Ns/m for the identity weight].
+        braked: what the law took of this copy's motion in the last seconds [J].
+        moved: ∫‖v̂‖² over them, in the identity weight [m²/s].
         certificate: what the damping exceeds what the budgets in force need by, as a share.
         links: to each neighbour.
         alarms: of the ledger, so far.
@@ -300,8 +304,11 @@ class Status(Table):
     initial_energies: Number = 0.0
     residual: Number = 0.0
     damping: Number = 0.0
-    law: Text = "spring"
+    law: Reason = "spring"
     held: Number = 0.0
+    drag: Number | None = None
+    braked: Number = 0.0
+    moved: Number = 0.0
     certificate: Number | None = None
     links: Annotated[list[LinkStatus], Field(max_length=MOST_USERS)] = Field(default_factory=list[LinkStatus])
     alarms: Count = 0

@@ -115,7 +115,9 @@ def take_part(
 
     def every_service(now: float) -> None:
         if member.replica is not None and member.slot is not None:
-            tell(f"ready: {part.name} is user {user_number(member.slot)} of {session.slots}")
+            tell(
+                f"ready: {part.name} is user {user_number(member.slot)} of {session.slots}, links by law {session.law}"
+            )
         elif member.waits_because is not None:
             tell(f"waiting, because {member.waits_because}")
         held.service(session_recorder, now)

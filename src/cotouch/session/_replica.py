@@ -10,6 +10,7 @@ from cotouch.mechanics import Model
 from cotouch.peer import CopyMemory, Peer, StepReport
 from cotouch.scenario import per_user
 from cotouch.session import _keys
+from cotouch.session._felt import predicted_drag
 from cotouch.session._file import SessionFile
 from cotouch.session._hand import AttachedHand, Hand
 from cotouch.session._messages import Entry, LinkStatus, Roster, Status
@@ -279,7 +280,7 @@ class Replica:
         hand.after()
         report = peer.account()
         self._last = report
-        self.totals.add(report, peer.neighbours)
+        self.totals.add(report, peer.neighbours, length)
         self._notice()
         if self._recorder is not None:
             self._recorder.step(self, report, now, length)
@@ -391,6 +392,7 @@ class Replica:
         """Lets a link go."""
         del self.neighbours[slot]
         del self._numbers[slot]
+        self.totals.link_age.pop(slot, None)
         self._plane.disconnect(slot)
         if self.peer is not None:
             self.peer.disconnect(slot)
@@ -481,6 +483,11 @@ class Replica:
             damping=float(self.damping.max()),
             law="spring" if self._law is None else self._law.law.name,
             held=0.0 if self._memory is None else self._memory.held,
+            drag=predicted_drag(
+                self.damping, self.neighbours, totals.link_age, self._session.period(self.slot), self._law
+            ),
+            braked=totals.braked,
+            moved=totals.moved,
             certificate=float(self.damping.sum() / needed - 1.0) if needed > 0.0 else None,
             links=links,
             alarms=totals.alarms,

@@ -9,6 +9,8 @@ from cotouch.peer import StepReport
 ALARM = 1e-9
 # Round-off of less than this is not worth an alarm, whatever the share of a copy at rest [J].
 _LEAST = 1e-9
+# What the law takes of the motion is forgotten over so long [s].
+_FORGET = 10.0
 
 
 @final
@@ -29,6 +31,9 @@ class Totals:
         residual: greatest of any step, of the energy in play then.
         total_residual: sum of all steps' residuals [J].
         alarms: steps whose residual is too large to be round-off.
+        braked: what the law took of the motion in the last seconds, by B_i and links, less what these gave [J].
+        moved: ∫‖v̂‖² over them, in the identity weight [m²/s].
+        link_age: of the samples of each neighbour, by the clocks as they are, in the mean of them [s].
         least: least of `supplied + initial` so far; negative: the hands got out what nobody put in [J].
     """
 
@@ -40,28 +45,37 @@ class Totals:
         self.link_work: dict[int, float] = {}
         self.alarms = 0
         self.least = 0.0
+        self.braked = self.moved = 0.0
+        self.link_age: dict[int, float] = {}
         self._exchanged = 0.0
 
-    def add(self, report: StepReport, neighbours: Sequence[int]) -> None:
+    def add(self, report: StepReport, neighbours: Sequence[int], T: float) -> None:
         """Adds a step.
 
         Args:
             report: of the step.
             neighbours: as `Peer.neighbours`.
+            T: length of the step [s].
         """
         supplied = report.supplied + report.drive_work
         lost = report.body_loss + report.local_loss + report.extra_loss + report.touch_loss
         energy = report.kinetic + report.elastic + report.proxy + report.touch_stored
         if not self.steps:
             self.initial = energy - (supplied - lost + float(report.link_work.sum()) + report.rescaled)
-        link_work = self.link_work
+        link_work, link_age, linked, exchanged = self.link_work, self.link_age, 0.0, 0.0
+        keep = 1.0 - T / _FORGET  # steps are far shorter
         self.steps += 1
         self.supplied += supplied
         self.lost += lost
-        for slot, work in zip(neighbours, report.link_work.tolist(), strict=True):
+        for slot, work, age in zip(neighbours, report.link_work.tolist(), report.age.tolist(), strict=True):
             link_work[slot] = link_work.get(slot, 0.0) + work
-            self.linked += work
-            self._exchanged += abs(work)
+            link_age[slot] = age + keep * (link_age.get(slot, age) - age)
+            linked += work
+            exchanged += abs(work)
+        self.linked += linked
+        self._exchanged += exchanged
+        self.braked = keep * self.braked + report.local_loss - linked
+        self.moved = keep * self.moved + T * report.speed
         self.rescaled += report.rescaled
         self.advanced += report.advanced
         self.energy = energy

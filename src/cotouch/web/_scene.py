@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 
 from cotouch.body import Body
-from cotouch.session import CopyView, Overview, Scene, Status
+from cotouch.device import NOTICED_DRAG
+from cotouch.session import CopyView, Overview, Scene, Status, felt
 from cotouch.web._verdict import judged
 
 _EVENTS = 40  # of the last
@@ -127,6 +128,7 @@ def state_message(
         },
         "choices": {name: [list(pair) for pair in pairs] for name, pairs in overview.choices.items()},
         "damping": overview.damping,
+        "law": _law(overview),
         "recording": overview.recording._asdict(),
         "events": [{"time": event.time - start, "text": event.text} for event in list(overview.events)[-_EVENTS:]],
         "verdict": judged(overview).as_json(),
@@ -134,6 +136,13 @@ def state_message(
         "pages": pages,
         "ended": overview.ended,
     }
+
+
+def _law(overview: Overview) -> dict[str, Any] | None:
+    """Which law the links have, and what is felt of it; None before anybody moves."""
+    here = {entry.slot for entry in overview.roster.members}
+    found = felt([status for slot, status in sorted(overview.statuses.items()) if slot in here])
+    return None if found is None else vars(found) | {"noticed": NOTICED_DRAG}
 
 
 def _told(view: CopyView | None) -> str | None:

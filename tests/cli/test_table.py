@@ -1,0 +1,20 @@
+"""What the terminal says of a session's law."""
+
+from cotouch.cli._table import felt_words
+from cotouch.session import LinkStatus, Status
+
+
+def said(slot: int, **entries: object) -> Status:
+    links = [LinkStatus(slot=1 - slot, state="coupled", given=0.002, taken=0.0015)]
+    return Status.model_validate({"slot": slot, "steps": 1, "law": "paid", "links": links} | entries)
+
+
+def test_the_law_its_energy_on_the_way_and_its_drag() -> None:
+    both = [said(slot, drag=0.5, braked=0.03, moved=0.04) for slot in (0, 1)]
+    assert felt_words(both) == (
+        "Law paid: 1 mJ on the way; felt drag 1.50 Ns/m measured and 1.00 Ns/m predicted (people notice 0.8)."
+    )
+    still = [said(slot, law="spring", drag=2.0) for slot in (0, 1)]
+    assert felt_words(still) == "Law spring: felt drag 4.00 Ns/m predicted (people notice 0.8)."
+    assert "felt drag not known until the object moves" in felt_words([said(0)])
+    assert felt_words([]) == ""
