@@ -17,9 +17,9 @@ def taken(measured: np.ndarray, stiffness: float = 500.0, step: float = STEP) ->
 def test_what_flickers_between_two_steps_hardly_moves_the_force() -> None:
     measured = STEP * (7 + (np.arange(2000) // 37) % 2)
     places = taken(measured)
-    np.testing.assert_array_equal(places[:190], measured[:190])
-    assert np.ptp(500.0 * places[1000:]) <= 0.0041
-    assert np.abs(places[1000:] - 7.5 * STEP).max() < 0.3 * STEP  # where it is, on average
+    np.testing.assert_array_equal(places[:490], measured[:490])
+    assert np.ptp(500.0 * places[1600:]) <= 0.0041
+    assert np.abs(places[1600:] - 7.5 * STEP).max() < 0.3 * STEP  # where it is, on average
 
 
 def test_the_force_of_a_step_is_the_same_at_any_stiffness_and_resolution() -> None:
@@ -28,19 +28,19 @@ def test_the_force_of_a_step_is_the_same_at_any_stiffness_and_resolution() -> No
         assert stiffness * step * rest_fraction(stiffness, step) == pytest.approx(0.004)
 
 
-@pytest.mark.parametrize("speed", [1e-3, 0.01, 1.0])
+@pytest.mark.parametrize("speed", [2e-4, 0.01, 1.0])
 def test_who_moves_on_is_followed_to_the_step(speed: float) -> None:
     measured = STEP * np.round(speed * T * np.arange(1, 1000) / STEP)
     np.testing.assert_array_equal(taken(measured), measured)
 
 
 def test_who_leaves_is_followed_without_a_jump() -> None:
-    still, away = np.zeros(400), STEP * np.arange(1, 41)
+    still, away = np.zeros(700), STEP * np.arange(1, 41)
     measured = np.concatenate([still, np.repeat(away, 3), np.full(2000, away[-1])])
     places = taken(measured)
-    # While it moves and while what it is off by fades, a tick moves it by no more than the encoder did, and little more.
+    # While it moves, and while what it is off by fades, a tick moves it by little more than the encoder does.
     assert np.abs(np.diff(places)).max() < 1.1 * STEP
-    assert np.abs(places - measured).max() < 9 * STEP
+    assert np.abs(places - measured).max() < 13 * STEP
     assert abs(places[-1] - measured[-1]) < 0.1 * STEP
 
 
@@ -50,7 +50,7 @@ def test_it_is_never_far_off_and_not_much_faster_whatever_comes(seed: int) -> No
     pace = np.repeat(rng.choice([0.0, 0.2, 1.0, 40.0], 40), rng.integers(5, 400))
     measured = STEP * np.round(np.cumsum(rng.normal(0.0, 1.0, pace.size) * pace) * 0.5)
     places = taken(measured)
-    assert np.abs(places - measured).max() <= 11.1 * STEP
+    assert np.abs(places - measured).max() <= 15.1 * STEP
     for window in (10, 30):
         fastest = np.abs(np.diff(measured)).max() / T
         mean = np.abs(places[window:] - places[:-window]) / (window * T)

@@ -59,6 +59,7 @@ from cotouch.mechanics._tools import (
     touch_work,
 )
 from cotouch.mechanics._touch import touch_step
+from cotouch.mechanics._touch_parts import touch_parts
 from cotouch.mechanics._vector import at, load, put, splat, store, total
 
 __all__ = [
@@ -139,6 +140,7 @@ __all__ = [
     "surface_of",
     "tools",
     "total",
+    "touch_parts",
     "touch_step",
     "touch_work",
     "unseen_place",

@@ -22,7 +22,7 @@ REST_FIELDS = 8
 """Numbers that `place_at_rest` keeps for each coordinate."""
 _LOW, _HIGH, _SUM, _AGE, _ANCHOR, _BASE, _OFFSET, _RESTS = range(REST_FIELDS)
 # At rest is what stays within so many steps for so long [s], until it is so many steps away.
-_WITHIN, _FOR, _BEYOND = 1.5, 0.2, 8.0
+_WITHIN, _FOR, _BEYOND = 1.5, 0.5, 12.0
 # How fast the place comes back to what is measured [s].
 _FADE = 0.15
 # A step moves the force at rest by no more [N].
