@@ -6,8 +6,6 @@ import time
 from types import TracebackType
 from typing import Self, final
 
-from cotouch.compiled import compiled_so_far
-
 # A line in place is drawn so often, and one for a log is written so often [s].
 _DRAW, _LOG = 0.25, 1.5
 
@@ -62,7 +60,9 @@ class Progress:
         while not self._over.wait(_DRAW if self._terminal else _LOG):
             with self._lock:
                 text, seconds = self._text, time.monotonic() - self._since
-            made = compiled_so_far() if "compiling" in text else 0
+            # Not imported here: that takes seconds, of which somebody is to be told as well.
+            kernels = sys.modules.get("cotouch.compiled")
+            made = kernels.compiled_so_far() if kernels is not None and "compiling" in text else 0
             line = f"cotouch: {text} ({seconds:.0f} s{f', {made} functions' if made else ''})"
             sys.stderr.write(f"\r{line}\x1b[K" if self._terminal else f"{line}\n")
             sys.stderr.flush()
