@@ -46,7 +46,8 @@ def _kind(text: str) -> str:
     try:
         return "toml" if tomllib.loads(text) else "text"
     except tomllib.TOMLDecodeError:
-        return "text"
+        # One that begins as a table is meant as one, and whoever runs it finds out what is wrong.
+        return "toml" if re.match(r"\[{1,2}[\w.-]+\]{1,2}\s*$", text, re.MULTILINE) else "text"
 
 
 def commands_of(text: str) -> list[list[str]]:

@@ -5,8 +5,10 @@ import importlib
 import os
 import pkgutil
 import resource
+import signal
 import subprocess
 import sys
+import time
 from collections.abc import Callable, Generator
 from pathlib import Path
 from shutil import copytree, ignore_patterns
@@ -231,6 +233,7 @@ def test_a_cache_that_was_cut_off_heals(tmp_path: Path, kept: Callable[[], bool]
 
 TWICE = """
 import sys
+import time
 from cotouch.compiled import routine
 
 @routine
@@ -333,3 +336,39 @@ def test_who_calls_what_has_another_symbol_now_is_compiled_anew(
     caller.write_bytes(kept.replace(b"5large", b"5lArge", 1))
     assert pair() == (value, 0, 1)
     assert pair() == (value, 1, 1)
+
+
+def test_a_function_that_another_process_compiles_is_waited_for(tmp_path: Path):
+    """Until that process has kept it, or has died."""
+    for dies in (False, True):
+        told, tell = os.pipe()
+        child = os.fork()
+        if child == 0:
+            turns = machine._Turns()
+            turns.take(str(tmp_path), ("step", (1,)))
+            os.write(tell, b"1")
+            time.sleep(0.2)
+            os.write(tell, b"2")
+            if dies:
+                os._exit(1)
+            turns.give(str(tmp_path), ("step", (1,)))
+            time.sleep(60.0)
+        try:
+            assert os.read(told, 1) == b"1"
+            turns = machine._Turns()
+            turns.take(str(tmp_path), ("step", (2,)))  # another function is nobody's
+            os.set_blocking(told, False)
+            with pytest.raises(BlockingIOError):
+                os.read(told, 1)
+            turns.take(str(tmp_path), ("step", (1,)))
+            assert os.read(told, 1) == b"2"
+            turns.give(str(tmp_path), ("step", (1,)))
+        finally:
+            os.kill(child, signal.SIGKILL)
+            os.waitpid(child, 0)
+            os.close(told)
+            os.close(tell)
+
+
+def test_where_nothing_can_be_kept_nobody_is_waited_for(tmp_path: Path):
+    machine._Turns().take(str(tmp_path / "gone"), "step")

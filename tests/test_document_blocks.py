@@ -187,6 +187,12 @@ def test_no_page_hides_code_in_a_block_of_another_kind():
                 assert not re.search(r"^(?:cotouch (?!join ──)|import |from \S+ import)", block.text, re.MULTILINE)
 
 
+def test_a_table_with_a_slip_in_it_is_still_taken_for_one(tmp_path: Path):
+    page = tmp_path / "page.md"
+    page.write_text("As follows:\n\n    [[session.devices]]\n    scale = fit\n\nand so on\n", encoding="utf-8")
+    assert [block.kind for block in blocks_of(page)] == ["toml"]
+
+
 def test_the_device_of_the_page_is_one_that_the_command_line_finds(desk: Path):
     for block in blocks_of(ROOT / "docs" / "extending.md")[:1]:
         run_block(block, {"__name__": "x"})

@@ -1,12 +1,15 @@
 """How a function becomes machine code, and how its cache on disk stays true."""
 
 import contextlib
+import errno
 import functools
 import hashlib
 import importlib
+import os
 import re
+import time
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, TypeVar, final
 
@@ -16,6 +19,11 @@ from numba.core import types
 from numba.core.caching import CompileResultCacheImpl, FunctionCache, IndexDataCacheFile, NullCache
 from numba.core.compiler import Compiler
 from numba.extending import intrinsic as numba_intrinsic
+
+try:
+    import fcntl
+except ImportError:  # no Unix: each process compiles for itself
+    fcntl = None
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -210,6 +218,78 @@ class _Files(IndexDataCacheFile):
 
 
 @final
+class _Turns:
+    """Who compiles a function for the cache, of all processes: the others wait for it, and find it there.
+
+    A lock is a byte of a file beside the machine code. The system takes it from a process that ends.
+    """
+
+    def __init__(self) -> None:
+        self._files: dict[str, int] = {}
+
+    def take(self, folder: str, key: Any) -> None:
+        """Waits for one's turn to compile a function.
+
+        Args:
+            folder: of its cache.
+            key: the function and its arguments' types.
+        """
+        if fcntl is None:
+            return
+        try:
+            if folder not in self._files:
+                self._files[folder] = os.open(Path(folder, _LOCKS), os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
+        except OSError:  # where nothing can be kept, each compiles for itself
+            return
+        end = time.monotonic() + _TURN
+        while time.monotonic() < end:
+            try:
+                fcntl.lockf(self._files[folder], fcntl.LOCK_EX | fcntl.LOCK_NB, 1, _byte(key))
+            except OSError as error:
+                if error.errno in {errno.EACCES, errno.EAGAIN}:
+                    time.sleep(_LOOK)
+                    continue
+            return
+
+    def give(self, folder: str, key: Any) -> None:
+        """Lets the others go on.
+
+        Args:
+            folder: of the cache.
+            key: as it was taken.
+        """
+        if fcntl is not None and folder in self._files:
+            with contextlib.suppress(OSError):
+                fcntl.lockf(self._files[folder], fcntl.LOCK_UN, 1, _byte(key))
+
+
+def _byte(key: Any) -> int:
+    return int.from_bytes(hashlib.blake2b(repr(key).encode(), digest_size=7).digest(), "little")
+
+
+# For one function another process is waited for so long, and looked for so often [s].
+_TURN, _LOOK = 120.0, 0.02
+_LOCKS = "kernels.lock"
+_turns = _Turns()
+_made = [0]
+
+
+def compiled_so_far() -> int:
+    """How many functions this process has compiled, for whoever tells what takes so long."""
+    return _made[0]
+
+
+def compile_for(dispatcher: Any, arguments: Sequence[object]) -> None:
+    """Compiles a function for arguments of such types, without calling it.
+
+    Args:
+        dispatcher: what a decorator here has made.
+        arguments: such as it is called with.
+    """
+    dispatcher.compile(tuple(numba.typeof(argument) for argument in arguments))
+
+
+@final
 class _Cache(FunctionCache):
     """Numba's cache of one function, without which everything works as well: only the start takes longer."""
 
@@ -221,6 +301,19 @@ class _Cache(FunctionCache):
         self._cache_file = _Files(self.cache_path, impl.filename_base, impl.locator.get_source_stamp())
 
     def _load_overload(self, sig: Any, target_context: Any) -> Any:
+        found = self._loaded(sig, target_context)
+        if found is None:
+            _turns.take(self.cache_path, self._key(sig))
+            found = self._loaded(sig, target_context)  # another process may have compiled it meanwhile
+            if found is not None:
+                _turns.give(self.cache_path, self._key(sig))
+        return found
+
+    def _key(self, sig: Any) -> Any:
+        impl: Any = self._impl
+        return impl.filename_base, sig
+
+    def _loaded(self, sig: Any, target_context: Any) -> Any:
         try:
             return super()._load_overload(sig, target_context)
         except Exception:  # noqa: BLE001  (a file that was cut off can raise anything)
@@ -233,6 +326,9 @@ class _Cache(FunctionCache):
             super()._save_overload(sig, data)
         except OSError as error:
             _not_kept(f"{self.cache_path}: {error.strerror or error}")
+        finally:
+            _turns.give(self.cache_path, self._key(sig))
+            _made[0] += 1
 
     def bind(self, stamp: tuple[str, int]) -> None:
         """What is kept is valid as long as the sources have this stamp."""

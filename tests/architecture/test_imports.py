@@ -23,6 +23,7 @@ WORLDS = tuple(
         "recording",
         "mailbox",
         "interrupt",
+        "compiled",  # waits for other processes that compile the same, which nothing that is computed depends on
         "pacing",
         "processes",
         "files",

@@ -181,7 +181,9 @@ def test_a_device_that_cannot_be_opened_is_a_sentence(tmp_path: Path, monkeypatc
         ServoLink(DeviceChoice("simulated", {"variant": "phantom"}), limits={"force": 9.0})
 
 
-@pytest.mark.parametrize("text", ["simulated:cartesian", "simulated:touch,viscous=4,coupling=virtual,friction=4"])
+@pytest.mark.parametrize(
+    "text", ["simulated:cartesian", "simulated:touch,viscous=4,coupling=virtual,friction=4,coulomb=0.2"]
+)
 def test_the_simulated_device_is_felt_and_closed(text: str):
     link = ServoLink(DeviceChoice.read(text), real_time=None)
     end, first = proxy_end(link.options), None

@@ -42,8 +42,9 @@ def virtual(options: EndOptions, friction: float, *, seconds: float = 1.0, peer:
 def passive(**wanted: float) -> EndOptions:
     """A spring that is as stiff as it may be, or so much of that as `of` says."""
     of = wanted.pop("of", 1.0)
-    options = EndOptions(law="virtual", most=SafetyLimits.of(SPEC).force, **({"damping": 0.0} | wanted))
-    return options._replace(stiffness=min(of * virtual_limit(options, period=1e-3), SPEC.stiffness))
+    options = EndOptions(law="virtual", most=SafetyLimits.of(SPEC).force, **({"damping": 0.0, "coulomb": 2.0} | wanted))
+    limit = virtual_limit(options, period=1e-3, resolution=SPEC.resolution)
+    return options._replace(stiffness=min(of * limit, SPEC.stiffness))
 
 
 @pytest.mark.parametrize("seed", range(12))
@@ -152,6 +153,11 @@ def test_a_word_that_is_no_number_is_not_believed(message: EnergyMessage):
             "coupling=virtual,friction=1,stiffness=500",
             "stiffness is 500 N/m; .* friction of 1 Ns/m, ticks of 1 ms and places 10 ms old is passive up to 153.8",
         ),
+        ("coupling=virtual,friction=9", "knows its place to 0.03 mm and .* friction of 0 N is passive with none"),
+        (
+            "coupling=virtual,friction=9,coulomb=0.01,stiffness=400",
+            r"is 400 N/m; PHANToM 1\.5 knows .* 0.01 N is passive up to 384\.9 N/m, so lower it, say what dry friction",
+        ),
     ],
 )
 def test_what_cannot_be_passive_is_refused_in_a_sentence(text: str, said: str):
@@ -161,8 +167,14 @@ def test_what_cannot_be_passive_is_refused_in_a_sentence(text: str, said: str):
 
 
 def test_without_a_stiffness_it_takes_what_is_passive():
-    assert core_of("coupling=virtual,friction=1").end.options.stiffness == pytest.approx(153.846, rel=1e-4)
-    assert core_of("coupling=virtual,friction=9").end.options.stiffness == 500.0
+    virtual = "coupling=virtual,coulomb"
+    assert core_of(f"{virtual}=1,friction=1").end.options.stiffness == pytest.approx(153.846, rel=1e-4)
+    assert core_of(f"{virtual}=1,friction=9").end.options.stiffness == 500.0
+    # As the simulated one: half a step on each of three axes, and what a velocity over 10 ms makes of it.
+    coarse = 0.01 / (0.5 * 3.0**0.5 * SPEC.resolution)
+    assert core_of(f"{virtual}=0.01,friction=9").end.options.stiffness == pytest.approx(coarse)
+    damped = core_of(f"{virtual}=0.01,friction=9,damping=0.5").end.options
+    assert damped.stiffness == pytest.approx(coarse - 2.0 * 0.5 / 0.01)
     assert core_of("stiffness=300").end.options.stiffness == 300.0
 
 

@@ -8,7 +8,7 @@ import pytest
 import xarray as xr
 
 from cotouch.body import chain
-from cotouch.errors import OutputError
+from cotouch.errors import OutputError, ScenarioError
 from cotouch.network import Network
 from cotouch.scenario import Scenario
 from cotouch.simulation import dataset, prepare, save, simulate, tables
@@ -112,7 +112,7 @@ def test_same_seed_same_bytes_other_seed_others(tmp_path: Path) -> None:
 def test_netcdf_round_trip(run: xr.Dataset, tmp_path: Path) -> None:
     save(run, tmp_path / "run.nc")
     again = xr.load_dataset(tmp_path / "run.nc", engine="h5netcdf")
-    xr.testing.assert_identical(again.drop_attrs(), run.drop_attrs())
+    xr.testing.assert_identical(again.drop_attrs(), xr.Dataset(run.drop_attrs()))
     assert json.loads(again.attrs["scenario"])["network"]["users"] == ["Ann", "Ben"]
     assert again["force"].attrs["units"] == "N"
     assert [path.name for path in tmp_path.iterdir()] == ["run.nc"]
@@ -195,6 +195,15 @@ def test_names_and_times_are_coordinates(run: xr.Dataset) -> None:
     assert (run["one"].values.tolist(), run["other"].values.tolist()) == (["Ann"], ["Ben"])
     assert run["hand_user"].values.tolist() == ["Ann", "Ann"]
     assert run["supplied"].coords["time"].dims == ("user", "step")
+
+
+def test_a_data_frame_of_the_whole_run_is_refused_in_a_sentence_that_names_the_tables(run: xr.Dataset) -> None:
+    with pytest.raises(ScenarioError, match=r"would cross user with .* rows; take cotouch\.tables\(run\)") as caught:
+        run.to_dataframe()
+    assert "\n" not in str(caught.value)
+    few = run[["kinetic", "elastic"]].to_dataframe()
+    assert len(few) == run["kinetic"].size
+    assert run["link_work"].to_dataframe().shape[0] == run["link_work"].size
 
 
 def test_tables_have_a_row_for_each_step_that_was_taken(run: xr.Dataset) -> None:

@@ -3,11 +3,12 @@
 import sys
 import time
 from collections.abc import Callable, Sequence
-from contextlib import AbstractContextManager, nullcontext
+from contextlib import AbstractContextManager, ExitStack, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from cotouch.cli._output import literal, print_json
+from cotouch.cli._progress import Progress
 from cotouch.cli._session import shown, stop_signals
 from cotouch.files import folder
 
@@ -53,32 +54,44 @@ def run(
         as_json: whether to print numbers.
         beside: what goes on with the stage as long as there is one; a page's server, say.
     """
-    from cotouch.session import demo_session, play
-
     body = body or ("point" if beside is None else "soft")
-    session = demo_session(users=users, body=body, seconds=seconds, impair=impair, law=law)
-    if record is not None:
-        folder(record)
-    apis: list[DemoSessionApi] = []
     told = [-float("inf")]
     quiet = headless or as_json
-    if not quiet:
-        sys.stderr.write(f"cotouch: {users} users join, each a process of its own; the first time kernels compile\n")
-    with (
-        stop_signals() as stopped,
-        shown(lambda: apis[0].opened.host.watch, title=session.scenario.title, quiet=quiet) as redraw,
-    ):
+    draws: list[Callable[[], None]] = []
+    with Progress(quiet=quiet) as progress:
+        progress.say("starting")
+        from cotouch.session import all_move, demo_session, play
+
+        session = demo_session(users=users, body=body, seconds=seconds, impair=impair, law=law)
+        if record is not None:
+            folder(record)
+        if not quiet:
+            sys.stderr.write(f"cotouch: {users} users join, each a process of its own; kernels compile once\n")
 
         def each(api: "DemoSessionApi", now: float) -> None:
-            apis[:] = [api]
-            redraw()
+            if not (draws or quiet or sys.stderr.isatty() or api.acted or all_move(api)):
+                here = len(api.opened.host.watch.members)
+                progress.say(f"starting the members, {here} of {users} are here")
+                return
+            if not draws:
+                progress.end()
+                table = shown(lambda: api.opened.host.watch, title=session.scenario.title, quiet=quiet)
+                draws.append(display.enter_context(table))
+            draws[0]()
             if not quiet and not sys.stderr.isatty() and now - told[0] > _LINE_EVERY:
                 told[0] = now
                 _line(api)
 
-        outcome = play(
-            session, seconds=seconds, each=each, stopped=stopped, record=record, beside=beside or nullcontext
-        )
+        with stop_signals() as stopped, ExitStack() as display:
+            outcome = play(
+                session,
+                seconds=seconds,
+                each=each,
+                stopped=stopped,
+                record=record,
+                beside=beside or nullcontext,
+                say=progress.say,
+            )
     for note in outcome.notes:
         sys.stderr.write(f"cotouch: {note}\n")
     if as_json:

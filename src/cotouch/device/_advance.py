@@ -2,7 +2,7 @@
 
 What whoever steps the proxy does with it, in each step from t to t + T:
 
-* *PSPM, or a sampled spring.* `advance` to any time up to now; pull the proxy towards `sample`; after the step write
+* *PSPM, or a sampled spring.* `advance` to any time up to now; pull the proxy towards `place`; after the step write
   the proxy's place to `desired`. With PSPM both ends here draw on one account, the device's spring and tank in `ledger`
   (`_couple.py`). With a proxy in another process each end has its own, and they tell each other totals, late or never
   as the channel likes: `sent` and `received` (`SimulatedDevice`).

@@ -21,6 +21,7 @@ from cotouch.device._tables import (
     Plants,
     Servos,
 )
+from cotouch.mechanics import REST_FIELDS, rest_fraction
 
 
 def assemble(models: Sequence[DeviceModel]) -> tuple[Devices, DeviceState]:
@@ -82,7 +83,16 @@ def _servos(models: Sequence[DeviceModel]) -> Servos:
         cap=_column([coupling.cap for coupling in couplings]),
         reserve=_column([coupling.reserve for coupling in couplings]),
         declared=_rows([[coupling.assumed_damping] * 3 for coupling in couplings]),
+        rest=_rows([[_rest(model)] * 3 for model in models]),
     )
+
+
+def _rest(model: DeviceModel) -> float:
+    """Of all coordinates; a joint moves the tip by no more than its angle times the arms."""
+    if model.coupling.law != "pspm":
+        return 1.0
+    arm = sum(model.plant.lengths()) if isinstance(model.plant, PhantomPlant) else 1.0
+    return rest_fraction(model.coupling.stiffness, arm * model.servo.resolution)
 
 
 def _grasps(models: Sequence[DeviceModel]) -> Grasps:
@@ -135,6 +145,7 @@ def _start(models: Sequence[DeviceModel], devices: Devices) -> DeviceState:
         host_force=vectors(),
         received=numbers(),
         sample=place.copy(),
+        place=place.copy(),
         sample_velocity=vectors(),
         sample_time=numbers(),
         sent=numbers(),
@@ -151,6 +162,7 @@ def _start(models: Sequence[DeviceModel], devices: Devices) -> DeviceState:
         measured=coordinate.copy(),
         seen=numbers(),
         set_position=place.copy(),
+        resting=np.zeros((4 * count, REST_FIELDS)),
         history=np.zeros((count, length, 4)),
         history_time=np.zeros((count, length)),
         oldest=integers(),

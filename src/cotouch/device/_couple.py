@@ -152,7 +152,7 @@ def pull_proxy(
     finite = advance(devices, state, d, end)
     k, b = at(couplings.stiffness, t), at(couplings.damping, t)
     place = load(tools.place, t, LANES)
-    gap = load(state.sample, d, LANES) + load(couplings.origin, t, LANES) - place
+    gap = load(state.place, d, LANES) + load(couplings.origin, t, LANES) - place
     store(couplings.before, t, place, LANES)
     rate = load(state.sample_velocity, d, LANES)
     if at(devices.servos.law, d) == HOST_FORCE:

@@ -10,6 +10,7 @@ from math import inf
 
 import numpy as np
 
+from cotouch.arrays import Float
 from cotouch.device._hand import LANES, add_to_ledger
 from cotouch.device._phantom import joint_torques, phantom_tip
 from cotouch.device._tables import (
@@ -29,7 +30,7 @@ from cotouch.device._tables import (
     Devices,
     DeviceState,
 )
-from cotouch.mechanics import at, credit, inner, load, modulate, part, put, splat, store, total
+from cotouch.mechanics import at, credit, inner, load, modulate, part, place_at_rest, put, splat, store, total
 
 
 @part
@@ -43,7 +44,7 @@ def tick(devices: Devices, state: DeviceState, d: int) -> None:
     """
     servos = devices.servos
     paid = _measure(devices, state, d)
-    place, rate = load(state.sample, d, LANES), load(state.sample_velocity, d, LANES)
+    place, rate = load(state.place, d, LANES), load(state.sample_velocity, d, LANES)
     desired = load(state.desired, d, LANES)
     stiffness, damping = at(servos.stiffness, d), at(servos.damping, d)
     law = at(servos.law, d)
@@ -151,17 +152,12 @@ def _measure(devices: Devices, state: DeviceState, d: int) -> float:
             sure = max(abs(moved) - fine, 0.0)
             declared += at(servos.declared, (d, axis)) * sure * sure / span
     store(state.effort_before, d, load(state.effort, d, LANES), LANES)  # charged, also if it stays
-    before = load(state.sample, d, LANES)
-    if at(devices.plants.kind, d) == PHANTOM:
-        x, y, z = phantom_tip(
-            devices.plants, d, at(state.measured, (d, 0)), at(state.measured, (d, 1)), at(state.measured, (d, 2))
-        )
-        put(state.sample, (d, 0), x)
-        put(state.sample, (d, 1), y)
-        put(state.sample, (d, 2), z)
-    else:
-        store(state.sample, d, load(state.measured, d, LANES), LANES)
-    place = load(state.sample, d, LANES)
+    before, last = load(state.sample, d, LANES), load(state.place, d, LANES)
+    q1, q2, q3 = at(state.measured, (d, 0)), at(state.measured, (d, 1)), at(state.measured, (d, 2))
+    _see(devices, state.sample, d, q1, q2, q3)
+    p1, p2, p3 = _rest(devices, state, d, 0, span), _rest(devices, state, d, 1, span), _rest(devices, state, d, 2, span)
+    _see(devices, state.place, d, p1, p2, p3)
+    place = load(state.place, d, LANES)
     store(state.history, _slot(state, d, index), place, LANES)
     put(state.history_time, _slot(state, d, index), now)
     put(state.sample_time, d, now)
@@ -169,13 +165,31 @@ def _measure(devices: Devices, state: DeviceState, d: int) -> float:
     if index == 0 or span <= 0.0:
         return 0.0
     _differentiate(devices, state, d, index)
-    step = place - before
-    put(state.ledger, (d, FASTEST), max(at(state.ledger, (d, FASTEST)), total(step * step) ** 0.5 / span))
+    moved, step = load(state.sample, d, LANES) - before, place - last
+    fastest = max(total(moved * moved), total(step * step)) ** 0.5 / span
+    put(state.ledger, (d, FASTEST), max(at(state.ledger, (d, FASTEST)), fastest))
     put(state.ledger, (d, LONGEST), max(at(state.ledger, (d, LONGEST)), span))
     add_to_ledger(state, d, MEASURED_WORK, work)
     add_to_ledger(state, d, CHARGED, charged)
     add_to_ledger(state, d, DECLARED, declared)
     return declared - work - charged
+
+
+@inner
+def _see(devices: Devices, places: Float, d: int, q1: float, q2: float, q3: float) -> None:
+    """Writes where the tip is at these coordinates."""
+    if at(devices.plants.kind, d) == PHANTOM:
+        q1, q2, q3 = phantom_tip(devices.plants, d, q1, q2, q3)
+    put(places, (d, 0), q1)
+    put(places, (d, 1), q2)
+    put(places, (d, 2), q3)
+
+
+@inner
+def _rest(devices: Devices, state: DeviceState, d: int, axis: int, span: float) -> float:
+    """A coordinate as the law takes it."""
+    fraction, fine = at(devices.servos.rest, (d, axis)), at(devices.servos.resolution, (d, axis))
+    return place_at_rest(state.resting, 4 * d + axis, at(state.measured, (d, axis)), fine, fraction, span)
 
 
 @inner
@@ -192,7 +206,7 @@ def _differentiate(devices: Devices, state: DeviceState, d: int, index: int) -> 
         oldest += 1
     put(state.oldest, d, oldest)
     slot = _slot(state, d, oldest)
-    rate = (load(state.sample, d, LANES) - load(state.history, slot, LANES)) * (
+    rate = (load(state.place, d, LANES) - load(state.history, slot, LANES)) * (
         1.0 / (now - at(state.history_time, slot))
     )
     store(state.sample_velocity, d, rate, LANES)

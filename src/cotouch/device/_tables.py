@@ -106,6 +106,7 @@ class Servos(NamedTuple):
         cap: Ē, (devices,) [J].
         reserve: debt up to which damping stays on, (devices,) [J].
         declared: damping credited to the law PSPM, (devices, 4) [Ns/m or Nm s/rad].
+        rest: with which fraction of a coordinate's motion the law PSPM goes on at rest, (devices, 4).
     """
 
     period: Float
@@ -120,6 +121,7 @@ class Servos(NamedTuple):
     cap: Float
     reserve: Float
     declared: Float
+    rest: Float
 
 
 class Grasps(NamedTuple):
@@ -176,7 +178,8 @@ class DeviceState(NamedTuple):
         host_force: in: force that the law TOLD holds, (devices, 4) [N].
         received: in: energy that the proxy's side has sent since the start, (devices,) [J].
         sample: out: the tip's place as last measured, (devices, 4) [m].
-        sample_velocity: out: its velocity as measured, (devices, 4) [m/s].
+        place: out: the same as the law takes it: PSPM with less of its flicker at rest, (devices, 4) [m].
+        sample_velocity: out: the velocity of that place, (devices, 4) [m/s].
         sample_time: out: when, (devices,) [s].
         sent: out: energy sent to the proxy's side since the start, (devices,) [J].
         force: out: force at the tip that the motors hold, (devices, 4) [N].
@@ -192,7 +195,8 @@ class DeviceState(NamedTuple):
         measured: coordinate as last measured, (devices, 4).
         seen: received energy that has been credited, (devices,) [J].
         set_position: ȳ, (devices, 4) [m].
-        history: last samples, (devices, length, 4) [m].
+        resting: what `place_at_rest` keeps for each coordinate, (4 devices, REST_FIELDS).
+        history: last places, (devices, length, 4) [m].
         history_time: (devices, length) [s].
         oldest: tick of the oldest sample in the window, (devices,).
         holding: whether the hand holds, (devices,).
@@ -210,6 +214,7 @@ class DeviceState(NamedTuple):
     host_force: Float
     received: Float
     sample: Float
+    place: Float
     sample_velocity: Float
     sample_time: Float
     sent: Float
@@ -226,6 +231,7 @@ class DeviceState(NamedTuple):
     measured: Float
     seen: Float
     set_position: Float
+    resting: Float
     history: Float
     history_time: Float
     oldest: Int

@@ -12,6 +12,7 @@ from cotouch.device import DeviceSpec
 from cotouch.haptics._device import DeviceReading, Flag
 from cotouch.haptics._ends import DeviceEnd, EndOptions, EnergyMessage, checked
 from cotouch.haptics._limits import SafetyLimits
+from cotouch.haptics._port import less
 from cotouch.haptics._safety import ZERO, Cause, Observation, SafetyChain, Vector, scaled, size
 from cotouch.haptics._virtual import WINDOW, VirtualDeviceEnd, checked_virtual, device_end
 
@@ -80,7 +81,7 @@ class ServoReport(NamedTuple):
     Attributes:
         time: of the reading [s].
         tick: so many so far.
-        place: of the tip [m].
+        place: of the tip, as the coupling takes it [m].
         rate: its velocity, over 10 ms [m/s].
         force: for the motors from the next exchange on [N].
         wanted: by the coupling and the wall, before the safety chain [N].
@@ -143,7 +144,7 @@ class ServoCore:
         self._last = self._fresh = self._measured = 0.0
         self._rate = ZERO
         self._tick = 0
-        self._path = deque[tuple[float, Vector]]()
+        self._path = deque[tuple[float, Vector, Vector]]()
         self._place: Vector | None = None
         self._farthest = self._longest = self._bound = 0.0
         self._out = 0.0  # work of the motors by the observer's own ledger [J]
@@ -211,7 +212,8 @@ class ServoCore:
         since = max(T, reading.time - self._measured)  # a place that stood still has moved for longer
         self.end.measure(place, self._force, said if isfinite(size(said)) else None, since)
         self._place, self._measured = place, max(reading.time, self._measured)
-        rate, quick = self._rates(reading.time, place)
+        taken = self.end.place or place
+        rate, quick = self._rates(reading.time, taken, place)
         if first or not reading.flags & Flag.STALE:
             self._fresh = now
         self._buttons(reading.buttons, size(rate), now)
@@ -242,7 +244,7 @@ class ServoCore:
         return ServoReport(
             time=reading.time,
             tick=self._tick,
-            place=place,
+            place=taken,
             rate=rate,
             force=self._force,
             wanted=wanted if isfinite(size(wanted)) else ZERO,
@@ -259,7 +261,7 @@ class ServoCore:
         """The observer's ledger: nothing but forces that were told and measured places."""
         if self._place is not None:
             before = self._place
-            moved = (place[0] - before[0], place[1] - before[1], place[2] - before[2])
+            moved = less(place, before)
             self._out += sum(f * m for f, m in zip(self._acted, moved, strict=True))
             far = size(moved)
             if T > 0.0 and (far > self._farthest or self._longest < T):
@@ -272,26 +274,25 @@ class ServoCore:
         tank = self.end.tank
         return self._out - (tank.received - tank.given + self.end.start + self._bound + _SLACK)
 
-    def _rates(self, time: float, place: Vector) -> tuple[Vector, float]:
-        """Velocity over the window, and the quickest of the last moments [m/s].
+    def _rates(self, time: float, taken: Vector, place: Vector) -> tuple[Vector, float]:
+        """Velocity over the window as the law takes it, and the quickest of the last moments as measured [m/s].
 
         Times are those of the measurements: a loop that is late takes nothing for quick.
         """
         path = self._path
         if path and time <= path[-1][0]:
             return self._rate, 0.0
-        path.append((time, place))
+        path.append((time, taken, place))
         while len(path) > 2 and path[1][0] <= time - WINDOW:
             path.popleft()
         if len(path) < 2:
             return ZERO, 0.0
-        then, start = path[0]
-        self._rate = scaled(1.0 / (time - then), (place[0] - start[0], place[1] - start[1], place[2] - start[2]))
+        then, start, _ = path[0]
+        self._rate = scaled(1.0 / (time - then), less(taken, start))
         quick = 0.0
-        for recent, there in reversed(path):
+        for recent, _, there in reversed(path):
             if time - recent >= _QUICK:
-                moved = (place[0] - there[0], place[1] - there[1], place[2] - there[2])
-                quick = size(moved) / (time - recent)
+                quick = size(less(place, there)) / (time - recent)
                 break
         return self._rate, quick
 

@@ -20,13 +20,14 @@ COUPLING: Mapping[str, str] = {
     "stiffness": "of the coupling [N/m]",
     "damping": "of the coupling [Ns/m]",
     "friction": "viscous, that the device itself has for certain; with coupling=virtual [Ns/m]",
+    "coulomb": "dry friction that the device itself has for certain; with coupling=virtual [N]",
     "ages": "of the places that both ends know of each other, together; with coupling=virtual, 0.01 [s]",
     "weight": "more lets the device pay for old places, less the proxy; with coupling=virtual, 1",
     "scale": "the body moves so many times as far as the device, which feels so many times the force; or fit",
     "tool": "of the user that it moves, from 1",
 }
 _LAWS: Mapping[str, Law] = {"pspm": "pspm", "virtual": "virtual"}
-_OF_VIRTUAL = ("friction", "ages", "weight")
+_OF_VIRTUAL = ("friction", "coulomb", "ages", "weight")
 
 
 @final
@@ -39,6 +40,7 @@ class CouplingChoice:
         stiffness: 500 N/m, or what the device renders well, or is passive with a virtual coupling, if that is less.
         damping: 2 Ns/m, or what the device renders well if that is less; none with a virtual coupling.
         friction: of the device itself, for a virtual coupling; 0 Ns/m.
+        coulomb: its dry friction, likewise; 0 N.
         ages: of places, likewise; 0.01 s.
         weight: of the age rule, likewise; 1.
         scale: metres of the body per metre of the device, 0.01 to 100; the device then feels so many times the force,
@@ -50,6 +52,7 @@ class CouplingChoice:
     stiffness: float | None = None
     damping: float | None = None
     friction: float | None = None
+    coulomb: float | None = None
     ages: float | None = None
     weight: float | None = None
     scale: Scale | None = None
@@ -113,7 +116,7 @@ class CouplingChoice:
             **{name: value for name, value in said.items() if value is not None},
         )
         if self.stiffness is None:
-            limit = virtual_limit(options, period=period)
+            limit = virtual_limit(options, period=period, resolution=spec.resolution)
             options = options._replace(stiffness=min(stiffness, limit) if limit > 0.0 else stiffness)
         else:
             options = options._replace(stiffness=self.stiffness)

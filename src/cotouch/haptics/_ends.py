@@ -34,7 +34,7 @@ from typing import Literal, NamedTuple, final
 
 from cotouch.device import DeviceSpec
 from cotouch.errors import DeviceError
-from cotouch.haptics._port import MotorPort, Wall, less, plus
+from cotouch.haptics._port import MotorPort, Rest, Wall, less, plus
 from cotouch.haptics._safety import ZERO, Vector, dot, scaled, size
 from cotouch.mechanics import credit, modulate, modulation_bound
 
@@ -55,6 +55,7 @@ class EndOptions(NamedTuple):
         initial_energy: what each tank starts with; counts once in d² [J]. 5 mJ: a stretch of 4.5 mm at 500 N/m.
         law: "pspm", or "virtual" for a spring that is not shortened (`_virtual.py`); the following are its own.
         friction: viscous, that the device itself has for certain [Ns/m].
+        coulomb: dry friction that it has for certain [N].
         ages: largest age of the proxy's place at the device plus that of the device's at the proxy, each when it is
             used for the last time [s]. 10 ms: a peer at 500 Hz or more on the same machine.
         weight: d of the age rule, > 0: more lets the device pay for old places, less the proxy.
@@ -68,6 +69,7 @@ class EndOptions(NamedTuple):
     initial_energy: float = 5e-3
     law: Law = "pspm"
     friction: float = 0.0
+    coulomb: float = 0.0
     ages: float = 0.01
     weight: float = 1.0
     most: float = inf
@@ -179,6 +181,7 @@ class DeviceEnd:
     Attributes:
         tank: its energy.
         fraction: how far the set position followed the desired position in the last tick.
+        place: of the tip as the law takes it: with less of its flicker at rest; None: never measured [m].
     """
 
     def __init__(
@@ -196,7 +199,9 @@ class DeviceEnd:
         self.options = options
         self.tank = EnergyTank(options.initial_energy)
         self.fraction = 0.0
+        self.place: Vector | None = None
         self._port, self._wall = MotorPort(resolution=resolution, lever=lever), Wall(radius, wall)
+        self._rest = Rest(resolution, max(options.stiffness, wall))
         self._acting = self._coming = 0.0  # energy of the springs behind the force that acts, and behind the next
 
     @property
@@ -212,9 +217,9 @@ class DeviceEnd:
             commanded: force that acts from here on: what the last `decide` led to, as far as the chain left it [N].
             said: what the device says that its motors do; None: nothing. Where the two differ, the one that costs more
                 energy is booked [N].
-            T: since the last time; this law counts on no friction [s].
+            T: since the last time [s].
         """
-        del T
+        self.place = self._rest.place(place, T)
         did = self._port.measure(place, commanded, said)
         if did is not None:
             self.tank.book(did.work, did.charge)
@@ -225,14 +230,14 @@ class DeviceEnd:
 
         Args:
             desired: the proxy's place, as known [m]; None: nothing is known, or it is no longer to be followed.
-            rate: of the tip [m/s].
+            rate: of the tip as the law takes it [m/s].
             message: of the other end.
             T: length of a tick [s].
 
         Returns:
             On the hand [N]; to be applied from the next `measure` on, whole or shortened.
         """
-        place = self._port.place
+        place = self.place
         assert place is not None, "measure first"
         options, tank = self.options, self.tank
         tank.receive(message, max(0.0, tank.energy - self._acting), T)
@@ -268,7 +273,7 @@ class DeviceEnd:
             stiffness=options.stiffness + self._wall.stiffness,
             damping=options.damping,
             period=period,
-            speed=speed,
+            speed=speed + self._rest.drift,
             reserve=options.reserve,
             force=force,
             resolution=self._port.resolution,

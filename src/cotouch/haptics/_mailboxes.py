@@ -19,7 +19,7 @@ Array = npt.NDArray[Any]
 REPORT: Final = "report"
 ORDER: Final = "order"
 GUARD: Final = "guard"
-_OF_COUPLING: Final = ("stiffness", "damping", "friction", "ages", "weight", "most")
+_OF_COUPLING: Final = ("stiffness", "damping", "friction", "coulomb", "ages", "weight", "most")
 _GUARD_FIELDS: Final = {"looks": ((), "i8")}
 _REPORT_FIELDS: Final = {
     "time": ((), "f8"),

@@ -3,8 +3,10 @@
 from math import inf
 from typing import NamedTuple, final
 
+import numpy as np
+
 from cotouch.haptics._safety import ZERO, Vector, dot, scaled, size
-from cotouch.mechanics import modulate
+from cotouch.mechanics import REST_DRIFT, REST_FIELDS, modulate, place_at_rest, rest_fraction
 
 
 class Did(NamedTuple):
@@ -62,6 +64,39 @@ class MotorPort:
         self.place, self._commanded = place, commanded
         self._said = commanded if said is None else said
         return did
+
+
+@final
+class Rest:
+    """The tip's place as a law takes it; see `cotouch.mechanics.place_at_rest`.
+
+    Attributes:
+        drift: how much faster that place may move than the measured one [m/s].
+    """
+
+    def __init__(self, resolution: float, stiffness: float) -> None:
+        """Moves.
+
+        Args:
+            resolution: of the tip's place [m].
+            stiffness: of what pulls at it [N/m].
+        """
+        self._resolution, self._fraction = resolution, rest_fraction(stiffness, resolution)
+        self.drift = REST_DRIFT * resolution * 3.0**0.5 if self._fraction < 1.0 else 0.0
+        self._memory = np.zeros((3, REST_FIELDS))
+
+    def place(self, measured: Vector, T: float) -> Vector:
+        """The next.
+
+        Args:
+            measured: place of the tip [m].
+            T: since the last one [s].
+        """
+        x, y, z = (
+            place_at_rest(self._memory, row, one, self._resolution, self._fraction, T)
+            for row, one in enumerate(measured)
+        )
+        return x, y, z
 
 
 @final

@@ -12,9 +12,10 @@ its slope never exceeds k, and its force never what the servo may hold.
 T a tick of the servo: a force is decided on while the one before acts, so it is used until two ticks after its place
 was measured, and what that makes is three halves of k T. The velocity is a mean over the window, so a place counts in
 it at most `spread = 1 + T / window` times. `ages` is how old the proxy's place may be when the device stops using it,
-plus the device's at the proxy; the proxy pays its share with `drag = ½ k ages / weight`, which is felt. A stiffness
-beyond that is refused. What friction a device has nobody but its owner can say; the default is none, so that none is
-assumed.
+plus the device's at the proxy; the proxy pays its share with `drag = ½ k ages / weight`, which is felt. Encoders put
+the tip up to `unseen` beside its place and falsify the force by `(k + 2b / window) unseen`; dry friction has to be no
+less. A stiffness beyond either is refused. What friction a device has nobody but its owner can say; the default is
+none, so that none is assumed.
 
 **What if it is not so**: ages beyond those declared, ticks that are late, a chain that shortens the force of one end
 only, less friction than was said. Then a period may make energy; how much is known, because both ends book their ports'
@@ -42,7 +43,7 @@ from cotouch.errors import DeviceError
 from cotouch.haptics._ends import DeviceEnd, EndOptions, EnergyMessage, ProxyEnd, Pull
 from cotouch.haptics._port import MotorPort, Wall, less, plus
 from cotouch.haptics._safety import ZERO, Vector, dot, scaled, size
-from cotouch.mechanics import modulate, virtual_coupling_limit
+from cotouch.mechanics import modulate, unseen_place, virtual_coupling_limit
 
 # Over which a servo measures the tip's velocity [s]: an encoder of 0.05 mm then tells 5 mm/s apart.
 WINDOW = 0.01
@@ -57,12 +58,13 @@ def drag_of(options: EndOptions) -> float:
     return 0.5 * options.stiffness * options.ages / options.weight
 
 
-def virtual_limit(options: EndOptions, *, period: float) -> float:
+def virtual_limit(options: EndOptions, *, period: float, resolution: float) -> float:
     """The stiffest spring that a device's own friction pays for [N/m]; 0 or negative: none.
 
     Args:
         options: of the coupling, whose stiffness does not matter.
         period: of the servo, > 0 [s].
+        resolution: of the tip's place, >= 0 [m].
 
     Raises:
         DeviceError: a number is out of range.
@@ -74,6 +76,9 @@ def virtual_limit(options: EndOptions, *, period: float) -> float:
         ages=options.ages,
         weight=options.weight,
         spread=1.0 + period / WINDOW,
+        unseen=unseen_place(resolution),
+        dry=options.coulomb,
+        shortest=WINDOW,
     )
 
 
@@ -88,7 +93,8 @@ def checked_virtual(options: EndOptions, spec: DeviceSpec, *, period: float) -> 
     Raises:
         DeviceError: the device's own friction cannot pay for it.
     """
-    limit = virtual_limit(options, period=period)
+    limit = virtual_limit(options, period=period, resolution=0.0)
+    coarse = virtual_limit(options, period=period, resolution=spec.resolution)
     if options.friction == 0.0:
         raise DeviceError(
             f"the friction of {spec.name} is 0 Ns/m, and a virtual coupling lives on it; say what it really has, as "
@@ -105,6 +111,13 @@ def checked_virtual(options: EndOptions, spec: DeviceSpec, *, period: float) -> 
             f"the virtual coupling's stiffness is {options.stiffness:g} N/m; {spec.name} with a friction of "
             f"{options.friction:g} Ns/m, ticks of {1e3 * period:g} ms and places {1e3 * options.ages:g} ms old is "
             f"passive up to {limit:.4g} N/m, so lower it or use coupling=pspm"
+        )
+    if options.stiffness > coarse:
+        upto = f"up to {coarse:.4g} N/m" if coarse > 0.0 else "with none"
+        raise DeviceError(
+            f"the virtual coupling's stiffness is {options.stiffness:g} N/m; {spec.name} knows its place to "
+            f"{1e3 * spec.resolution:g} mm and with a dry friction of {options.coulomb:g} N is passive {upto}, so "
+            "lower it, say what dry friction it really has, as coulomb=0.1, or use coupling=pspm"
         )
     return options
 
@@ -172,6 +185,7 @@ class VirtualDeviceEnd:
         options: of the coupling.
         tank: its account.
         fraction: how far the set position followed the desired position in the last tick.
+        place: of the tip; None: never measured [m].
     """
 
     def __init__(
@@ -196,6 +210,10 @@ class VirtualDeviceEnd:
         self.tank = Account(options.initial_energy)
         self.fraction = 0.0
         self._port, self._wall = MotorPort(resolution=resolution, lever=lever), Wall(radius, wall)
+
+    @property
+    def place(self) -> Vector | None:
+        return self._port.place
 
     @property
     def start(self) -> float:

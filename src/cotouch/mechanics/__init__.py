@@ -12,12 +12,14 @@ from cotouch.mechanics._coupling import (
     credit,
     modulate,
     modulation_bound,
+    unseen_place,
     virtual_coupling_limit,
 )
 from cotouch.mechanics._force import LAWS, BodyForce, evaluate, resist
 from cotouch.mechanics._kernel import block, inner, kernel, part
 from cotouch.mechanics._model import Basis, Model, model
 from cotouch.mechanics._operator import WEIGHTS, Operator, mixed, multiply, rescaled
+from cotouch.mechanics._rest import REST_DRIFT, REST_FIELDS, place_at_rest, rest_fraction
 from cotouch.mechanics._state import (
     BETA,
     BODY_LOSS,
@@ -57,6 +59,7 @@ from cotouch.mechanics._tools import (
     touch_work,
 )
 from cotouch.mechanics._touch import touch_step
+from cotouch.mechanics._touch_parts import touch_parts
 from cotouch.mechanics._vector import at, load, put, splat, store, total
 
 __all__ = [
@@ -78,6 +81,8 @@ __all__ = [
     "MOST_CONTACTS",
     "MOST_HELD",
     "PROXY",
+    "REST_DRIFT",
+    "REST_FIELDS",
     "SHORTENED",
     "SUPPLIED",
     "TOUCH",
@@ -120,11 +125,13 @@ __all__ = [
     "modulation_bound",
     "multiply",
     "part",
+    "place_at_rest",
     "press",
     "press_skin",
     "put",
     "rescaled",
     "resist",
+    "rest_fraction",
     "settle",
     "splat",
     "step",
@@ -133,8 +140,10 @@ __all__ = [
     "surface_of",
     "tools",
     "total",
+    "touch_parts",
     "touch_step",
     "touch_work",
+    "unseen_place",
     "virtual_coupling_limit",
     "workspace",
 ]

@@ -92,6 +92,15 @@ def modulation_bound(
     return max(spring, reserve) + damping * speed**2 * period + 1.5 * resolution * force * axes**0.5
 
 
+def unseen_place(resolution: float) -> float:
+    """Farthest that a tip may be from where the encoders of its three axes have it: half a step on each [m].
+
+    Args:
+        resolution: of each axis, >= 0 [m].
+    """
+    return 0.5 * 3.0**0.5 * resolution
+
+
 def virtual_coupling_limit(
     *,
     device_damping: float,

@@ -144,10 +144,9 @@ def _quiet(path: Path) -> Generator[None]:
             reason = f"it has no {reason}"
         if isinstance(error, RecursionError):
             reason = "it is nested too deeply"
-        if isinstance(
-            error, NameError | AttributeError | TypeError | ImportError
-        ):  # of the library; it says nothing of the file
-            reason = "it is not as the format asks for"
+        # Of the library or of numpy; it says nothing of the file.
+        if isinstance(error, NameError | AttributeError | TypeError | ImportError) or "array element" in reason:
+            reason = "it is not as the format asks for, or was cut off"
         if isinstance(error, SystemExit) or not reason:
             reason = next((line.strip() for line in said.getvalue().splitlines() if line.strip()), type(error).__name__)
         raise BodyError(f"cannot be read as {path.suffix[1:].upper()}: {reason[:160]}") from error

@@ -1,7 +1,7 @@
 """One user's replica: samples in, sample and a ledger out; time is handed to it, and it opens nothing."""
 
 from collections.abc import Mapping, Sequence
-from typing import final
+from typing import Any, final
 
 import numpy as np
 
@@ -40,6 +40,7 @@ from cotouch.mechanics import (
     settle,
     step,
     stretches,
+    touch_parts,
     touch_step,
     touch_work,
     workspace,
@@ -253,6 +254,13 @@ class Peer:
         for law in self._laws:
             law.copies = copies
         self._settle()
+
+    def touch_parts(self) -> list[tuple[Any, tuple[Any, ...]]]:
+        """What its steps with tools consist of, for whoever compiles that ahead; nothing without them."""
+        if self.tools is None or self._surface is None or self._touch is None:
+            return []
+        what = self._links, self.ports, self._surface, self.tools, self._local, self._work, self._touch, self._lanes
+        return touch_parts(self._scale.operator, self.state, *what)
 
     @property
     def stiffness_scale(self) -> float:

@@ -30,6 +30,7 @@ from cotouch.mechanics import (
     surface_of,
     tools,
     touch_work,
+    unseen_place,
 )
 from cotouch.scenario._hands import Hands
 from cotouch.scenario._penetration import resolve_penetration
@@ -231,7 +232,7 @@ def _unseen(plant: CartesianPlant | PhantomPlant, servo: ServoModel) -> float:
     """Farthest that a tip may be from where its encoders have it: half a step on each axis or joint [m]."""
     if isinstance(plant, PhantomPlant):
         return servo.resolution * sum(plant.lengths())  # joint 1 turns both arms, the others their own
-    return 0.5 * 3.0**0.5 * servo.resolution
+    return unseen_place(servo.resolution)
 
 
 def _unsure(device: DeviceModel, lengths: Float) -> float:

@@ -22,7 +22,7 @@ from cotouch.session._mailboxes import mailbox_folder
 from cotouch.session._open import open_host
 from cotouch.session._shared_model import SharedModel
 from cotouch.session._totals import ALARM
-from cotouch.session._warm import compiles, warm_up
+from cotouch.session._warm import compiles, shared_with_another_process, warm_up
 from cotouch.units import user_number
 
 _FILE = "live.toml"
@@ -199,6 +199,7 @@ def play(
     stopped: Callable[[], bool] = lambda: False,
     record: Path | None = None,
     beside: Callable[[DemoSessionApi], AbstractContextManager[object]] = nullcontext,
+    say: Callable[[str], None] = lambda _: None,
 ) -> DemoOutcome:
     """Plays a session with one process for each of its users.
 
@@ -209,6 +210,7 @@ def play(
         stopped: whether to end now.
         record: an existing folder for a recording of each user.
         beside: entered with the stage before anybody is there, and left before it closes; a page's server, say.
+        say: is told in a few words what takes time.
 
     Raises:
         TransportError: this machine refuses a port.
@@ -218,7 +220,7 @@ def play(
     with TemporaryDirectory(prefix="cotouch-") as folder:
         if session.files:  # a mesh is read again from where it lies
             session = SessionFile.from_content(session.content, session.files, folder=Path(folder))
-        return _played(session, seconds, each, stopped, record, beside)
+        return _played(session, seconds, each, stopped, record, beside, say)
 
 
 def _played(
@@ -228,11 +230,18 @@ def _played(
     stopped: Callable[[], bool],
     record: Path | None,
     beside: Callable[[DemoSessionApi], AbstractContextManager[object]],
+    say: Callable[[str], None],
 ) -> DemoOutcome:
+    say("building the object")
     replica = interruptible(SharedModel.build)(session)
-    if compiles(session, touched=replica.body.skin is not None):
-        # Here, once, rather than in every process at the same time.
-        interruptible(warm_up)(replica, lambda model: CommandedHand(Slot.of(session, replica, 0, model)))
+    touched = replica.body.skin is not None
+    cold = compiles(session, touched=touched)
+    if cold:
+        # Here, as somebody waits who wants to know of it. Members would compile once, too: one, while the others wait.
+        say("compiling, once on this machine")
+        with shared_with_another_process(session) if touched else nullcontext():
+            interruptible(warm_up)(replica, lambda model: CommandedHand(Slot.of(session, replica, 0, model)))
+    say("starting the members")
     with open_host(session) as opened, mailbox_folder() as mailboxes:
         api = DemoSessionApi(session, opened, replica, mailboxes, record=record, rouse=seconds is None)
         try:
@@ -254,6 +263,16 @@ def _played(
             api.close()
 
 
+def all_move(api: DemoSessionApi) -> bool:
+    """Whether all members are there and their copies move.
+
+    Args:
+        api: of the session.
+    """
+    seen = api.opened.host.watch.members.values()
+    return len(seen) == len(api.members) and all(s.status is not None and s.status.steps for s in seen)
+
+
 def _gather(
     api: DemoSessionApi, each: Callable[[DemoSessionApi, float], None] | None, stopped: Callable[[], bool]
 ) -> float:
@@ -270,14 +289,14 @@ def _gather(
         _turn(api, each)
         if api.acted:  # somebody killed one of them meanwhile, say
             break
-        seen = api.opened.host.watch.members.values()
-        if len(seen) == len(members) and all(s.status is not None and s.status.steps for s in seen):
+        if all_move(api):
             break
         for name, member in members.items():
             if not member.running:
                 raise SessionError(f"{name} could not take part: {member.complaint() or 'it ended without a word'}")
         if time.monotonic() > patience:
-            raise SessionError(f"{len(seen)} of {len(members)} users came within {_PATIENCE:.0f} s; try fewer")
+            here = len(api.opened.host.watch.members)
+            raise SessionError(f"{here} of {len(members)} users came within {_PATIENCE:.0f} s; try fewer")
     return time.monotonic()
 
 

@@ -24,6 +24,7 @@ class DeviceTable(Table):
         stiffness: of the spring [N/m].
         damping: [Ns/m].
         friction: viscous, that the device has for certain; with "virtual" only [Ns/m].
+        coulomb: dry friction that it has for certain; with "virtual" only [N].
         ages: of the places that both ends know of each other, together; with "virtual" only [s].
         weight: more lets the device pay for old places, less the proxy; with "virtual" only.
         scale: metres of the body for each metre of the device, which feels so many times the force; "fit": as much as
@@ -36,6 +37,7 @@ class DeviceTable(Table):
     stiffness: Positive | None = None
     damping: NonNegative | None = None
     friction: NonNegative | None = None
+    coulomb: NonNegative | None = None
     ages: NonNegative | None = None
     weight: Positive | None = None
     scale: Annotated[float, Field(ge=LEAST_SCALE, le=MOST_SCALE)] | Literal["fit"] | None = None
@@ -58,6 +60,7 @@ class DeviceTable(Table):
             stiffness=self.stiffness,
             damping=self.damping,
             friction=self.friction,
+            coulomb=self.coulomb,
             ages=self.ages,
             weight=self.weight,
             scale=self.scale,

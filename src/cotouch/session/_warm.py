@@ -1,14 +1,22 @@
 """Compiling before anybody waits: what a copy's steps need, once on this machine for each kind of body."""
 
-from collections.abc import Callable
+import pickle
+import subprocess
+import sys
+from collections.abc import Callable, Generator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import numpy as np
 
-from cotouch.compiled import cold
+from cotouch.compiled import cold, compile_for
 from cotouch.mechanics import Model, contact_step, step, touch_step
 from cotouch.peer import FreshestLink, Link, LinkGuard, Peer, Sample
+from cotouch.processes import start_child
+from cotouch.session._commanded_hand import CommandedHand
 from cotouch.session._file import SessionFile
-from cotouch.session._hand import Hand
+from cotouch.session._hand import Hand, Slot
 from cotouch.session._shared_model import SharedModel
 
 _T = 1e-3
@@ -32,6 +40,51 @@ def warm_up(replica: SharedModel, make: Callable[[Model], Hand]) -> None:
         replica: of the session.
         make: makes the hand, given the model.
     """
+    hand, peer = _copy(replica, make)
+    for k in (1, 2):
+        hand.before(k * _T, _T)
+        peer.step(k * _T, _T)
+        hand.after()
+        peer.rescale(1 + k)
+
+
+@contextmanager
+def shared_with_another_process(session: SessionFile) -> Generator[None]:
+    """Has another process compile a part of what `warm_up` needs with a pointer in hand; nothing waits for it.
+
+    Args:
+        session: that is taken part in.
+    """
+    program = "from cotouch.processes import tie_to_parent; tie_to_parent(); from cotouch.session._warm import parts; "
+    process = start_child(
+        [sys.executable, "-c", program + "parts()"],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    )
+    try:
+        assert process.stdin is not None
+        with suppress(OSError), process.stdin as file:
+            pickle.dump((session.content, session.files), file)
+        yield
+    finally:
+        process.kill()
+        process.wait()
+
+
+def parts() -> None:
+    """Compiles what `touch_parts` lists, for the session on standard input: that other process."""
+    content, files = pickle.load(sys.stdin.buffer)  # noqa: S301  from who started this process
+    with TemporaryDirectory(prefix="cotouch-") as folder:
+        session = SessionFile.from_content(content, files, folder=Path(folder))
+        replica = SharedModel.build(session)
+    _, peer = _copy(replica, lambda model: CommandedHand(Slot.of(session, replica, 0, model)))
+    for part, arguments in peer.touch_parts():
+        compile_for(part, arguments)
+
+
+def _copy(replica: SharedModel, make: Callable[[Model], Hand]) -> tuple[Hand, Peer]:
+    """A copy with two links, as a member has it."""
     model = replica.model(2)
     hand = make(model)
     rows, width = model.operator_rows, model.width
@@ -65,8 +118,4 @@ def warm_up(replica: SharedModel, make: Callable[[Model], Hand]) -> None:
         tools=hand.tools,
         contact=hand.contact,
     )
-    for k in (1, 2):
-        hand.before(k * _T, _T)
-        peer.step(k * _T, _T)
-        hand.after()
-        peer.rescale(1 + k)
+    return hand, peer

@@ -110,7 +110,7 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
         prepared: what was run.
         outcome: what it recorded.
     """
-    import xarray as xr
+    from cotouch.simulation._run import Run  # which imports xarray
 
     scenario, timing, record, body = prepared.scenario, prepared.schedule, outcome.record, prepared.body
     network, every = scenario.network, record.every
@@ -186,7 +186,7 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
         data[name] = (dims, values, {"units": unit, "long_name": meaning})  # pyright: ignore[reportArgumentType]
 
     names = [f"{i + 1}<-{j + 1}" for i, j in zip(slots.receiver, slots.sender, strict=True)]
-    return xr.Dataset(
+    return Run(
         data,
         coords={
             "user": list(network.users),

@@ -1,0 +1,36 @@
+"""A run as xarray has it, but for one method that would cross dimensions which have nothing to do with each other."""
+
+from math import prod
+from typing import TYPE_CHECKING, Any, final
+
+import xarray as xr
+
+from cotouch.errors import ScenarioError
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+
+@final
+class Run(xr.Dataset):
+    """A dataset whose `to_dataframe` refuses to make a row for every user beside every link and every node."""
+
+    __slots__ = ()
+
+    def to_dataframe(self, *args: Any, **options: Any) -> "pd.DataFrame":
+        """As xarray's, of variables that have their dimensions in common, such as `run[["kinetic", "elastic"]]`.
+
+        Args:
+            args: as for `xarray.Dataset.to_dataframe`.
+            options: likewise.
+
+        Raises:
+            ScenarioError: no variable has all dimensions.
+        """
+        rows = prod(self.sizes.values())
+        if rows > max((variable.size for variable in self.variables.values()), default=0):
+            raise ScenarioError(
+                f"a table of this run would cross {' with '.join(map(str, self.sizes))}, which is {rows:.2g} rows; "
+                "take cotouch.tables(run), a table for each set of dimensions, or choose variables that share them"
+            )
+        return super().to_dataframe(*args, **options)

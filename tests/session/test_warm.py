@@ -1,0 +1,36 @@
+"""What is compiled before anybody waits, and by whom."""
+
+import numba
+
+from cotouch.mechanics import touch_step
+from cotouch.session._commanded_hand import CommandedHand
+from cotouch.session._file import SessionFile
+from cotouch.session._hand import Slot
+from cotouch.session._shared_model import SharedModel
+from cotouch.session._warm import _copy
+
+BLOCK = """
+[session]
+users = 2
+[body]
+kind = "lattice"
+shape = [3, 3, 2]
+spacing = 0.02
+ground = "z-"
+ground_stiffness = 50.0
+"""
+
+
+def test_what_another_process_compiles_ahead_is_what_a_step_with_tools_calls() -> None:
+    session = SessionFile.from_toml(BLOCK)
+    replica = SharedModel.build(session)
+    hand, peer = _copy(replica, lambda model: CommandedHand(Slot.of(session, replica, 0, model)))
+    assert hand.tools is not None
+    hand.before(1e-3, 1e-3)
+    peer.step(1e-3, 1e-3)
+    assert touch_step.signatures
+    parts = peer.touch_parts()
+    assert len(parts) > 5
+    for part, arguments in parts:
+        wanted = tuple(numba.typeof(argument) for argument in arguments)
+        assert wanted in {key[0] for key in part._cache.mend()}, part.py_func.__name__
