@@ -121,6 +121,12 @@ def _legend(known: "Sequence[Status]") -> "Text":
         given, taken = (sum(getattr(link, name) for link in links) for name in ("given", "taken"))
         on_the_way = f"{1e3 * max(given - taken, 0.0):.3g} mJ on the way"
         legend.append(f"\nlaw {', '.join(sorted(laws))}: needs no damping; {on_the_way}", style="dim")
+    for status in known:
+        if status.closure_alarms:
+            off = f"{status.closure_alarms:,} of {status.steps:,} steps, by up to {100.0 * status.closure_factor:.2g} %"
+            legend.append(
+                f"\nuser {status.slot + 1}: forces and energy disagree at {off}; shorter steps help", "yellow"
+            )
     legend.append("\nages: how old the samples of both ends are; budget: what the damping covers", style="dim")
     return legend
 

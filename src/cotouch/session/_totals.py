@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from typing import final
 
+from cotouch.mechanics import CLOSURE_ALARM
 from cotouch.peer import StepReport
 
 # A residual above this share of the energy in play means that something is broken, not round-off.
@@ -29,6 +30,9 @@ class Totals:
         residual: greatest of any step, of the energy in play then.
         total_residual: sum of all steps' residuals [J].
         alarms: steps whose residual is too large to be round-off.
+        closure: work on the velocities that closed steps of a body with a material; in no other sum [J].
+        closure_factor: greatest |β - 1| of any step.
+        closure_alarms: steps in which that was too large for their forces and energy to agree, or that were shortened.
         least: least of `supplied + initial` so far; negative: the hands got out what nobody put in [J].
     """
 
@@ -38,7 +42,8 @@ class Totals:
         self.in_play = _LEAST
         self.residual = self.total_residual = 0.0
         self.link_work: dict[int, float] = {}
-        self.alarms = 0
+        self.alarms = self.closure_alarms = 0
+        self.closure = self.closure_factor = 0.0
         self.least = 0.0
         self._exchanged = 0.0
 
@@ -70,4 +75,7 @@ class Totals:
         fraction = abs(report.residual) / self.in_play
         self.residual = max(self.residual, fraction)
         self.alarms += fraction > ALARM
+        self.closure += report.closure
+        self.closure_factor = max(self.closure_factor, report.closure_factor)
+        self.closure_alarms += report.closure_factor > CLOSURE_ALARM or report.shortened > 0.0
         self.least = min(self.least, self.supplied + self.initial)
