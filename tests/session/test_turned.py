@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from tests.session.attack import play
+from tests.session.attack import SPRING, play
 from tests.session.lie import Lie
 from tests.session.turned import session, turning, volumes
 from tests.session.world import World
@@ -29,7 +29,7 @@ def turned(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFact
     world.until(world.all_coupled, 12.0)
     world.run(0.6)
     world.leave(cleo)
-    world.run(1.9)
+    world.run(1.8)
     world.check()
     for person in world.people:
         assert person.session_recorder is not None
@@ -136,6 +136,7 @@ def test_a_liar_gains_nothing_more_than_with_a_linear_body(what: str) -> None:
         "age_limit = 1.0\nwindow = 1.0"
     )
     text = session(FLOATING, users=4, hands=turning(0.4, 1.0), more=limits)
-    outcome = play(LIES[what], text=text.replace("rate = 250", "rate = 50"), seconds=2.5)
+    text = text.replace("rate = 250", "rate = 50").replace("spring = 20.0", f"spring = {SPRING}")
+    outcome = play(LIES[what], text=text, seconds=2.5)
     assert outcome.held, outcome.broken
     assert max(outcome.gain, outcome.work, outcome.received, outcome.damping) <= 1.0

@@ -28,7 +28,7 @@ def session(model: str, *, users: int = 3, hands: str = "", more: str = "") -> s
     return f"""
 [session]
 users = {users}
-spring = 60.0
+spring = 20.0
 wait_for_peers = 20.0
 {more}
 [body]
