@@ -227,6 +227,7 @@ def run(
             if accounts is not None:
                 touch_step(
                     op,
+                    force,
                     state,
                     links,
                     ports,
