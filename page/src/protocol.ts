@@ -82,6 +82,8 @@ export interface MemberStatus {
   /** Slot of another, linked or not, and the quickest way there and back [s]. */
   round_trips: [number, number][];
   alarms: number;
+  /** Of bodies that turn or bend far: the most that balancing a step changed a velocity by, as a share. */
+  closure_factor: number;
   /** Of its whole part, into a file of its own. */
   recording: "off" | "on" | "failed";
   recording_failure: string;

@@ -7,7 +7,19 @@ import numpy.typing as npt
 import pytest
 from tests.mechanics.materials import EVERY, Alone, bent, energy_at, force_between, made, rotation
 
-from cotouch.mechanics import BETA, BODY_LOSS, CLOSURE, CLOSURE_ALARM, LAWS, LOCAL_LOSS, SHORTENED, load, part, store
+from cotouch.mechanics import (
+    BETA,
+    BODY_LOSS,
+    CLOSURE,
+    CLOSURE_ALARM,
+    KINETIC,
+    LAWS,
+    LOCAL_LOSS,
+    SHORTENED,
+    load,
+    part,
+    store,
+)
 from cotouch.mechanics import total as sum_of
 
 Float = npt.NDArray[np.float64]
@@ -161,6 +173,21 @@ def test_a_bent_body_hardly_needs_its_closure(name: str) -> None:
     factors = [float(copy.step(1e-3)[BETA]) for _ in range(600)]
     assert np.quantile(factors, 0.99) <= 1e-3
     assert copy.ledger[SHORTENED] == 0.0
+
+
+@pytest.mark.parametrize("name", ["floating", "cells"])
+def test_what_is_held_at_rest_raises_no_alarm(name: str) -> None:
+    """Where nothing moves any more, rounding is all that energies differ by; no step is shortened for it."""
+    body = made(name, viscosity=2e-3, ground="z-", hold=300.0, gravity=(0.0, 0.0, -9.81))
+    copy = Alone(body)
+    for _ in range(1500):
+        before = copy.energy
+        ledger = copy.step(2e-3, damping=0.5)
+        lost = ledger[BODY_LOSS] + ledger[LOCAL_LOSS]
+        assert abs(copy.energy - before + lost) <= 5e-19  # of 5e-6 J
+        assert ledger[SHORTENED] == 0.0
+        assert ledger[BETA] <= CLOSURE_ALARM
+    assert ledger[KINETIC] < 1e-15 * abs(copy.energy)
 
 
 @pytest.mark.parametrize("name", EVERY)

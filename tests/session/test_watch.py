@@ -5,6 +5,7 @@ from tests.session.world import World, entropy
 
 from cotouch.live import Identity, Message
 from cotouch.session import Status
+from cotouch.session._messages import Entry
 from cotouch.session._watch import HANDED_ON, SessionWatch
 
 THREE = """
@@ -89,6 +90,16 @@ def test_names_are_remembered_only_so_many() -> None:
     assert len(watch.last) == 256
     assert "guest 399" in watch.last
     assert "guest 143" not in watch.last
+
+
+def test_it_is_said_once_that_forces_and_energy_disagree() -> None:
+    world = World(THREE)
+    watch, _ = watched(world)
+    entry = Entry(slot=0, name="Ann", key="0" * 64)
+    for alarms in (0, 0, 2, 2, 5):
+        watch._note(entry, Status(slot=0, steps=9, closure_alarms=alarms), 0.0)
+    texts = [event.text for event in watch.events]
+    assert texts == ["ALARM: forces and energy of Ann's copy disagree; its steps are too long"]
 
 
 def test_what_there_is_to_say_of_a_device_reaches_who_watches() -> None:

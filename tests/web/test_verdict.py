@@ -55,6 +55,12 @@ CALM = (status(1, link(3, ages=0.088)), status(3, link(1, ages=0.04), link(2, ag
         (seen(*CALM, status(4, certificate=-0.25)), "bad", "not safe: Eve has 25 % less damping"),
         (seen(*CALM, status(4, certificate=-1e-12)), "good", "safe"),
         (seen(*CALM, status(4, alarms=1)), "bad", "ledger of Eve is off"),
+        (seen(*CALM, status(4, steps=900, closure_alarms=9, closure_factor=0.03)), "good", "safe: 12 %"),
+        (
+            seen(*CALM, status(4, steps=900, closure_alarms=10, closure_factor=0.03)),
+            "warn",
+            "safe: forces and energy of Eve's copy disagree by up to 3 %",
+        ),
         (seen(*CALM, status(4, residual=1e-3), damping=0.4), "bad", "off by 1e-03 of the energy in play"),
         (seen(status(0, supplied=-2.0, initial=0.5)), "bad", "not safe: 1.5 J came out"),
         (seen(status(0, supplied=-2.0), status(1, supplied=2.0)), "good", "safe"),

@@ -158,9 +158,12 @@ export function energyPanel(context: Context): HTMLElement {
     text(cameSum, si(in_, "J", 1e-12));
     text(wentSum, si(out, "J", 1e-12));
     const left = in_ - out;
-    const worst = Math.max(0, ...Object.values(store.state?.members ?? {}).map((member) => member.residual ?? 0));
+    const members = Object.values(store.state?.members ?? {});
+    const worst = Math.max(0, ...members.map((member) => member.residual ?? 0));
+    const closure = Math.max(0, ...members.map((member) => member.closure_factor ?? 0));
+    const told = closure > 0 ? ` Balancing steps changed velocities by ${percent(closure)} at most.` : "";
     attribute(closing, "data-left", total > 0 ? String(Math.abs(left) / total) : null);
-    text(closing, total > 0 ? `Left over: ${exponent(left / total)} of what came in. Worst single step: off by ${exponent(worst)} of the energy in play.` : "");
+    text(closing, total > 0 ? `Left over: ${exponent(left / total)} of what came in. Worst single step: off by ${exponent(worst)} of the energy in play.${told}` : "");
     // One unit for all: that of the greatest.
     const largest = Math.max(1e-9, ...all.flatMap((row) => COLUMNS.map((column) => Math.abs(row[column.key]))));
     const [scale, words] = UNITS.find(([one]) => largest >= one) ?? UNITS[UNITS.length - 1]!;

@@ -80,8 +80,10 @@ def _users(console: "Console", result: "Audit") -> None:
         ("lost in contacts and grasps", lambda ledger: 0.0 - ledger.touch_loss),
         ("came with joining and leaving", lambda ledger: ledger.members),
         ("stored, more than at the start", lambda ledger: ledger.stored),
+        ("done by closing steps, in no sum", lambda ledger: ledger.closure),
     ]
-    rows = [(label, value) for label, value in rows if any(map(value, result.users)) or "joining" not in label]
+    seldom = ("joining", "closing")
+    rows = [row for row in rows if any(map(row[1], result.users)) or not any(word in row[0] for word in seldom)]
     columns = [
         (ledger.name, [*(number(value(ledger)) for _, value in rows), number(ledger.residual, digits=2)])
         for ledger in result.users

@@ -131,6 +131,11 @@ def _legend(known: "Sequence[Status]") -> "Text":
     if any(link.path_state == "relayed" for status in known for link in status.links):
         legend.append("~ by the relay   ", style="dim")
     legend.append(f"\n{felt_words(known)}")
+    for status in known:
+        if status.closure_alarms:
+            worst = f"{100.0 * status.closure_factor:.2g} %"
+            off = f"forces and energy disagree at {status.closure_alarms:,} of {status.steps:,} steps, by up to {worst}"
+            legend.append(f"\nuser {status.slot + 1}: {off}; shorter steps help", style="yellow")
     legend.append("\nages: how old the samples of both ends are; budget: what the damping covers", style="dim")
     return legend
 

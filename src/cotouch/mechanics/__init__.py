@@ -1,6 +1,6 @@
 """How a body moves, passively: the compiled step and what it needs."""
 
-from cotouch.mechanics._closed import CLOSURE_ALARM, closed_settle, closed_step
+from cotouch.mechanics._closed import CLOSURE_ALARM, closed_settle, closed_step, inner_energy, slowed
 from cotouch.mechanics._contact_foundation import Foundation
 from cotouch.mechanics._contact_law import CONTACT_LAWS, press
 from cotouch.mechanics._contact_patch import press_skin
@@ -116,6 +116,7 @@ __all__ = [
     "credit",
     "evaluate",
     "inner",
+    "inner_energy",
     "kernel",
     "load",
     "mixed",
@@ -133,6 +134,7 @@ __all__ = [
     "resist",
     "rest_fraction",
     "settle",
+    "slowed",
     "splat",
     "step",
     "store",

@@ -34,7 +34,7 @@ from cotouch.mechanics._vector import at, load, splat, store, total
 # Places in a memory: energy of the law, half of vᵀMv, and what rounding left unbalanced, all for the whole body [J].
 _ENERGY, _MOTION, _LEFT = 0, 1, 2
 # Places in what `weigh` finds.
-TARGET, HAVE, ABOUT, NOISE, LAW = range(5)
+TARGET, HAVE, ABOUT, NOISE, LAW, ROUGH = range(6)
 # β² outside of this asks for another direction, then for a shorter step.
 LEAST, MOST = 0.8, 1.25
 # The first attempt after a step is told apart by its direction, the others by halves of its length; this is the last.
@@ -112,7 +112,9 @@ def closed_step(
             for i in range(op.mass.shape[0]):
                 store(work.mean, i, 0.5 * load(work.mean, i, lanes), lanes)
         attempt += 1
-    ledger[SHORTENED] = 1.0 - length
+    weighed = work.weighed
+    rounded = abs(weighed[TARGET] - weighed[HAVE]) <= max(weighed[NOISE], weighed[ROUGH])
+    ledger[SHORTENED] = 0.0 if rounded else 1.0 - length
 
 
 @part
@@ -212,8 +214,8 @@ def weigh(
         T: length of the step [s].
         gain: work done on the copy by all but its own damping [J].
         work: `ahead` holds where the copy was, `mean` how it moved; `weighed` gets the kinetic energy that balances the
-            step, that there is, what of it is about the centre of mass, the rounding of these, and the energy of the
-            law, all for the whole body [J].
+            step, that there is, what of it is about the centre of mass, the rounding of these, the energy of the law,
+            and what the rounding of places does to that, all for the whole body [J].
         ledger: result: all but KINETIC and the closure's.
         lanes: fixes the width.
     """
@@ -260,6 +262,8 @@ def weigh(
     weighed[NOISE] = _ROUNDING * (
         op.firmness * (abs(energy) + abs(before)) + total(held) + abs(given) + lost + kinetic + memory[_MOTION]
     )
+    # What rounding of places does to the energy of a strained body: too little to tell motion from rest by.
+    weighed[ROUGH] = op.firmness * (force.grain + 2.0 * math.sqrt(force.grain * (abs(energy) + abs(before))))
     ledger[ELASTIC] = op.copy_scale * (op.firmness * energy + 0.5 * total(held) - total(gravity * weight))
     ledger[BODY_LOSS] = op.copy_scale * lost
     ledger[LOCAL_LOSS], ledger[EXTRA_LOSS] = local, extra
@@ -303,7 +307,9 @@ def close(op: Operator, state: State, attempt: int, work: Workspace, ledger: Flo
     good = LEAST <= square <= MOST
     if not good and abs(target - kinetic) <= noise:
         good, square = True, 1.0
-    if not good and attempt < LAST_ATTEMPT:
+    # No step would be better, and force and energy do not disagree.
+    rounded = abs(target - kinetic) <= max(noise, weighed[ROUGH])
+    if not good and attempt < LAST_ATTEMPT and not (rounded and target >= 0.0):
         return False
     if not good and square < 0.0:  # nothing else is left to take it from
         square, central = (max(target, 0.0) / kinetic if kinetic > 0.0 else 1.0), False
@@ -326,7 +332,7 @@ def close(op: Operator, state: State, attempt: int, work: Workspace, ledger: Flo
     memory[_LEFT] = left if abs(left) <= noise else 0.0
     ledger[KINETIC] = op.copy_scale * closed
     ledger[CLOSURE] = op.copy_scale * (closed - kinetic)
-    ledger[BETA] = abs(beta - 1.0)
+    ledger[BETA] = 0.0 if rounded else abs(beta - 1.0)
     ledger[SHORTENED] = 0.0
     return True
 
@@ -351,3 +357,33 @@ def closed_settle(
     memory[_ENERGY], memory[_MOTION], memory[_LEFT] = energy, 0.5 * total(moving), 0.0
     ledger[KINETIC] = 0.5 * op.copy_scale * total(moving)
     ledger[ELASTIC] = op.copy_scale * (op.firmness * energy + 0.5 * total(held) - total(gravity * weight))
+
+
+def slowed(state: State, factor: float) -> None:
+    """What a copy with a material remembers of its motion, after its velocity was scaled from outside.
+
+    Args:
+        state: of the copy; its memory is changed in place.
+        factor: of the velocity.
+    """
+    state.memory[_MOTION] *= factor * factor
+
+
+@block
+def inner_energy(
+    force: BodyForce, memory: Float, x: Float, ahead: Float, rate: Float, lanes: tuple[int, ...]
+) -> tuple[float, float]:
+    """Energy of a body's inner forces at a place, and the power of its dampers, for whoever checks a ledger.
+
+    Args:
+        force: what resists inside.
+        memory: rotations to begin with, (numbers,); gets those that were found.
+        x: where the step began, displacements from rest, (rows, width) [m].
+        ahead: the place, likewise.
+        rate: mean velocity from the one to the other, likewise [m/s].
+        lanes: fixes the width.
+
+    Returns:
+        Energy at `ahead` [J] and power over the step [W], of the whole body.
+    """
+    return evaluate(force.law, memory, x, ahead, rate, _MANY, lanes)

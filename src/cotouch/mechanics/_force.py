@@ -34,11 +34,13 @@ class BodyForce(NamedTuple):
         law: one of `LAWS`.
         gravity: acceleration, (1, 4) [m/s²].
         directions: how often a step looks where its force leads before it moves, >= 1.
+        grain: energy that the rounding of places alone makes, of the whole body [J].
     """
 
     law: Any
     gravity: Float
     directions: int
+    grain: float
 
 
 # The registry: a law, what adds its forces, and what evaluates it.

@@ -1,5 +1,7 @@
 """What a body force remembers of a copy from step to step: its energy, and rotations as three rows of four each."""
 
+import numpy as np
+
 from cotouch.arrays import Float
 from cotouch.mechanics._kernel import inner
 from cotouch.mechanics._matrix3 import IDENTITY, Matrix
@@ -13,6 +15,14 @@ _SCRATCH = 3
 def memory_size(rotations: int) -> int:
     """Numbers in a memory with so many rotations."""
     return 4 * (FIRST + 3 * rotations + _SCRATCH)
+
+
+def fresh_memory(size: int) -> Float:
+    """A memory of so many numbers in which nothing has turned."""
+    rows = np.zeros((size // 4, 4))
+    turns = rows[FIRST : max(rows.shape[0] - _SCRATCH, FIRST)].reshape(-1, 3, 4)
+    turns[:, [0, 1, 2], [0, 1, 2]] = 1.0
+    return rows.ravel()
 
 
 @inner

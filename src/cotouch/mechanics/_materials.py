@@ -61,6 +61,7 @@ DIRECTIONS = {
     "st-venant-kirchhoff": 3,
     "neo-hookean": 3,
 }
+_FAR = 10.0
 _OUTER = ("mass", "stiffness_ext", "damping_ext")
 
 
@@ -109,7 +110,11 @@ def force_of(body: Body, material: Material, order: Int | None) -> tuple[BodyFor
     law, rotations = _law(body, material, row, rest)
     gravity = np.zeros((1, 4))
     gravity[0, : body.dimension] = material.gravity[: body.dimension]
-    return BodyForce(law=law, gravity=gravity, directions=_directions(body, material)), memory_size(rotations)
+    # Places are as large as the body, or some times that where it has travelled.
+    away = _FAR * np.finfo(np.float64).eps * float(np.abs(rest).max())
+    grain = away * away * float(abs(body.stiffness_int).sum())
+    made = BodyForce(law=law, gravity=gravity, directions=_directions(body, material), grain=grain)
+    return made, memory_size(rotations)
 
 
 def _directions(body: Body, material: Material) -> int:

@@ -14,6 +14,7 @@ from cotouch.arrays import Float
 from cotouch.body import Body, Material, Matrix, Truncation, canonical
 from cotouch.errors import BodyError, UnsupportedError
 from cotouch.mechanics._force import BodyForce
+from cotouch.mechanics._force_memory import fresh_memory
 from cotouch.mechanics._materials import force_of, outline_of
 from cotouch.mechanics._operator import DAMPING, MASS, STIFFNESS, WEIGHTS, Operator, mixed
 from cotouch.mechanics._vector import WIDTHS
@@ -106,6 +107,10 @@ class Model:
         if self.modes is not None:
             columns = self.modes @ columns
         return np.array(columns).reshape(self.body.nodes, self.body.dimension)
+
+    def unturned(self) -> Float:
+        """What a body force remembers of a copy that it has not seen, (memory,)."""
+        return fresh_memory(self.memory)
 
     def port_rows(self, node: int) -> Int:
         """Rows that hold a node, in the body's own basis: one, or one for each axis in the full form."""

@@ -147,5 +147,5 @@ def workspace(op: Operator, width: int, ports: int, *, closed: bool = False) -> 
         small_rhs=_aligned(ports, width),
         ahead=_aligned(rows if closed else 0, width),
         pull=_aligned(rows if closed else 0, width),
-        weighed=_aligned(5),
+        weighed=_aligned(6),
     )

@@ -116,7 +116,7 @@ class Peer:
             allowance: energy that its links may get once, to come to where the others are, >= 0 [J].
             surface: the body's skin (`cotouch.mechanics.surface_of`); with tools.
             tools: the user's proxies.
-            contact: the law by which they touch; None: springs with accounts.
+            contact: the law by which they touch; None: springs with accounts, which no body with a material takes.
             tolerance: of the solver.
             iterations: cap of the solver.
         """
@@ -156,6 +156,8 @@ class Peer:
         if tools is not None:
             if surface is None:
                 raise ValueError("tools are given without a surface; make one of the model with surface_of")
+            if contact is None and model.force is not None:
+                raise ValueError("a body with a material is touched by a contact law; give contact")
             if contact is None:
                 port_count = ports.last - ports.first
                 self._touch = touch_work(model, surface, tools=tools.last - tools.first, port_count=port_count)
@@ -249,11 +251,18 @@ class Peer:
         Args:
             copies: N, >= 1.
         """
-        kinetic, elastic = float(self._ledger[KINETIC]), float(self._ledger[ELASTIC])
-        self._changed(self._scale.rescale(copies, self.state, kinetic, elastic))
+        ledger, scale = self._ledger, self._scale
+        kinetic, elastic = float(ledger[KINETIC]), float(ledger[ELASTIC])
+        mass, stiffness = scale.operator.copy_scale, scale.stiffness
+        self._changed(scale.rescale(copies, self.state, kinetic, elastic))
         for law in self._laws:
             law.copies = copies
-        self._settle()
+        if self.model.force is None:
+            self._settle()
+        else:  # from nowhere it might find other rotations
+            lighter = scale.operator.copy_scale / mass
+            ledger[KINETIC] = kinetic * min(lighter, 1.0 / lighter)
+            ledger[ELASTIC] = elastic * (scale.stiffness / stiffness)
 
     def touch_parts(self) -> list[tuple[Any, tuple[Any, ...]]]:
         """What its steps with tools consist of, for whoever compiles that ahead; nothing without them."""

@@ -3,7 +3,7 @@
 from typing import final
 
 from cotouch.errors import NetworkError
-from cotouch.mechanics import Operator, State, rescaled
+from cotouch.mechanics import Operator, State, rescaled, slowed
 
 
 @final
@@ -56,6 +56,8 @@ class CopyScale:
             slower = before / copy_scale
             state.velocity[:] *= slower
             state.momentum[:] *= slower
+            if state.memory.size:
+                slowed(state, slower)
             change = kinetic * (slower - 1.0)
             self.tank -= change
             self._set(copy_scale, self.stiffness, state)

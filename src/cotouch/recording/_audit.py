@@ -18,7 +18,7 @@ import numpy as np
 from cotouch.arrays import Float
 from cotouch.errors import RecordingError
 from cotouch.recording._columns import GUARDS
-from cotouch.recording._findings import AuditFinding, exchanged, findings_of, missing_words
+from cotouch.recording._findings import AuditFinding, closing_words, exchanged, findings_of, missing_words
 from cotouch.recording._guards import started
 from cotouch.recording._law import LawLedger, law_ledger
 from cotouch.recording._links import LinkLedger, ages, align, grid_of, link_ledger, linked, so_far, too_young
@@ -49,6 +49,8 @@ class UserLedger:
         members: came with others' joining and leaving.
         stored: at the end less at the start.
         residual: what nothing explains.
+        closure: work on the velocity that closed the steps of a body with a material; in no other book.
+        closure_factor: greatest change of the velocity by that, |β - 1|.
         damping: least B_i there was, over the identity [Ns/m].
         asked: what the age rule asks for, for the ages that there were [Ns/m].
     """
@@ -66,6 +68,8 @@ class UserLedger:
     members: float
     stored: float
     residual: float
+    closure: float
+    closure_factor: float
     damping: float
     asked: float
 
@@ -195,7 +199,7 @@ def audit(recordings: Sequence[Recording], *, tolerance: float = TOLERANCE) -> A
         notes.append(
             "the machines' Unix times cannot both be right; clocks are laid side by side by the ages of samples"
         )
-    notes += too_young(recordings, offsets)
+    notes += too_young(recordings, offsets) + closing_words(recordings)
     moved = motions(recordings, offsets)
     grid = grid_of(moved)
     start = float(grid[0])
@@ -262,7 +266,11 @@ def _belong(recordings: Sequence[Recording]) -> None:
                 "recordings of one session"
             )
         same = other.header.body, first.header.body
-        if any(not np.array_equal(*(getattr(body, part).data for body in same)) for part in ("mass", "stiffness")):
+        own, others = (body.material for body in same)
+        alike = own is None if others is None else others.same(own)
+        if not alike or any(
+            not np.array_equal(*(getattr(body, part).data for body in same)) for part in ("mass", "stiffness")
+        ):
             raise RecordingError(f"{other.path} is of another body than {first.path}; give recordings of one session")
     for one, two in pairwise(recordings):
         again = one.header.key and two.header.key and one.header.key != two.header.key
@@ -397,6 +405,8 @@ def _user(motion: Motion, asked: float) -> UserLedger:
         members=float(motion.carried[motion.members].sum()),
         stored=float(motion.stored[-1] - motion.start[0]),
         residual=float(motion.residual.sum()),
+        closure=float(recording.columns["closure"].sum()),
+        closure_factor=float(recording.columns["closure_factor"].max()),
         damping=_least_damping(recording),
         asked=asked,
     )

@@ -12,21 +12,34 @@ import numpy.typing as npt
 import scipy.sparse as sp
 
 from cotouch.arrays import Float
-from cotouch.body import Matrix
-from cotouch.errors import RecordingError
+from cotouch.body import Body, Matrix
+from cotouch.errors import BodyError, RecordingError
+from cotouch.recording._material import RecordedMaterial
 
 if TYPE_CHECKING:  # reading a recording needs no kernels
     from cotouch.mechanics import Model
 
 
 _MATRICES = ("mass", "damping", "stiffness")
-_UNREADABLE = (OSError, ValueError, KeyError, EOFError, IndexError, TypeError, zipfile.BadZipFile, zlib.error)
+_UNREADABLE = (
+    OSError,
+    ValueError,
+    KeyError,
+    EOFError,
+    IndexError,
+    TypeError,
+    zipfile.BadZipFile,
+    zlib.error,
+    BodyError,
+)
 
 
 @final
 @dataclass(frozen=True, kw_only=True, eq=False)
 class RecordedBody:
     """M, B, K and the link weights in the body's own rows, and how the recorded rows become nodes.
+
+    With a material its rows are the nodes, and B and K are of the ground only.
 
     Attributes:
         rest: shape at rest, (n, d) [m].
@@ -36,6 +49,7 @@ class RecordedBody:
         weights: link weights W_0, W_1, ...; W_0 is the identity, of a truncated body M over the mean mass of a row.
         modes: columns are the shapes that the recorded rows are coordinates of, in the body's rows; None: none.
         order: recorded row k is row `order[k]` of the body; None where they are in the same order.
+        material: what the inner forces follow; None where they are in B and K.
     """
 
     rest: Float
@@ -45,6 +59,7 @@ class RecordedBody:
     weights: tuple[sp.csr_array, ...]
     modes: Float | None
     order: npt.NDArray[np.int32] | None
+    material: RecordedMaterial | None = None
 
     @property
     def full(self) -> bool:
@@ -70,6 +85,8 @@ class RecordedBody:
             weights: those that the model was made with, besides the identity.
         """
         body = model.body
+        if body.material is not None:
+            return _of_material(model, body, weights)
         rows = body.mass.shape[0]
         first = sp.eye_array(rows, format="csr")
         if body.truncation is not None:
@@ -125,6 +142,8 @@ class RecordedBody:
             arrays["modes"] = self.modes
         if self.order is not None:
             arrays["order"] = self.order
+        if self.material is not None:
+            arrays |= self.material.arrays()
         file = io.BytesIO()
         np.savez_compressed(file, **arrays)
         return file.getvalue()
@@ -153,6 +172,7 @@ class RecordedBody:
                     weights=tuple(matrix(f"weight{w}") for w in range(count)),
                     modes=arrays["modes"] if "modes" in arrays.files else None,
                     order=arrays["order"] if "order" in arrays.files else None,
+                    material=RecordedMaterial.of_arrays(arrays, arrays["rest"]),
                 )
         except _UNREADABLE as error:
             raise RecordingError(f"the recording's body cannot be read: {error}") from None
@@ -162,11 +182,34 @@ class RecordedBody:
             raise RecordingError(f"the recording's shapes are {result.modes.shape}; its body has {size} rows")
         if result.order is not None and not np.array_equal(np.sort(result.order), np.arange(size)):
             raise RecordingError(f"the recording's order of rows is none of its body's {size} rows")
+        if result.material is not None and (result.modes is not None or size != result.rest.shape[0]):
+            raise RecordingError(f"the recording's body has a material, but {size} rows, or modes")
         return result
 
     def _named(self) -> dict[str, sp.csr_array]:
         own = {name: getattr(self, name) for name in _MATRICES}
         return own | {f"weight{w}": weight for w, weight in enumerate(self.weights)}
+
+
+def _of_material(model: "Model", body: Body, weights: Sequence[Matrix]) -> RecordedBody:
+    """Masses and what the ground does of its nodes, and the material."""
+    order = np.arange(body.nodes) if model.order is None else model.order
+    back = np.argsort(order)
+    mass, drag, ground = (
+        sp.csr_array(sp.diags_array(diagonal[back]))
+        for diagonal in (model.operator.mass, model.operator.drag, model.operator.ground)
+    )
+    rows = body.nodes
+    return RecordedBody(
+        rest=body.rest,
+        mass=mass,
+        damping=drag,
+        stiffness=ground,
+        weights=(sp.eye_array(rows, format="csr"), *(_fit(weight, rows, rows) for weight in weights)),
+        modes=None,
+        order=model.order,
+        material=RecordedMaterial(body),
+    )
 
 
 def _fit(weight: Matrix, nodes: int, rows: int) -> sp.csr_array:

@@ -136,6 +136,9 @@ class Buffer:
             report.touch_stored,
             report.residual,
             report.iterations,
+            report.closure,
+            report.closure_factor,
+            report.shortened,
         )
         if k == 0:
             self.first, self.first_end = index, end

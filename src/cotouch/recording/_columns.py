@@ -36,6 +36,9 @@ SCALARS: dict[str, tuple[str, str]] = {
     "touch_stored": ("J", "energy in contacts and grasps after the step"),
     "residual": ("J", "what the ledger of the step does not explain"),
     "iterations": ("1", "of the solver"),
+    "closure": ("J", "work on the velocity that closed the step of a body with a material; in no other column"),
+    "closure_factor": ("1", "by how much that changed the velocity, |beta - 1|"),
+    "shortened": ("1", "share of the step that was given up to close it"),
 }
 # More than one number for each step: unit, meaning, extents after the first.
 VECTORS: dict[str, tuple[str, str, str]] = {

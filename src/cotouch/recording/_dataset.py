@@ -41,6 +41,12 @@ _PLAIN = {
     "touch_stored": ("J", "energy in contacts and grasps"),
     "iterations": ("1", "iterations of the solver in the step; 0 where it is a closed form"),
 }
+# Of bodies with a material.
+_CLOSED = {
+    "closure": ("J", "work on the velocity that closed the step; in no other book"),
+    "closure_factor": ("1", "by how much that changed the velocity, |beta - 1|"),
+    "shortened": ("1", "share of the step that was given up to close it"),
+}
 # By the recorded name: the one in a run, unit, meaning.
 _TOOLS = {
     "tool_place": ("tool_position", "m", "position y of a proxy"),
@@ -115,7 +121,8 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
     for name, text in _SUMS.items():
         sums = [np.concatenate([[0.0], np.cumsum(recording.columns[name])]) for recording in recordings]
         put(name, ("user", "step"), list(enumerate(sums)), "J", text)
-    for name, (unit, text) in _PLAIN.items():
+    closed = any(recording.header.body.material is not None for recording in recordings)
+    for name, (unit, text) in (_PLAIN | (_CLOSED if closed else {})).items():
         column(name, ("user", "step"), unit, text)
     forces = [_shifted(_force(recording)) for recording in recordings]
     put("force", ("user", "step", "axis"), list(enumerate(forces)), "N", "sum of the mean forces at a user's ports")
@@ -144,7 +151,7 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
                 parts.append((k, first if name == "link_work" else _shifted(values)))
             put(name, ("direction", "step"), parts, unit, text)
     _states(recordings, times, put)
-    known = {*data, *_TOOLS, "index", "end", "T"}
+    known = {*data, *_TOOLS, *_CLOSED, "index", "end", "T"}
     extra = [name for recording in recordings for name in recording.columns if name not in known and name not in ledger]
     for name in dict.fromkeys(extra):
         unit, text = next(

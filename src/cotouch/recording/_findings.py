@@ -12,6 +12,8 @@ from cotouch.recording._motion import LOSSES, Motion
 from cotouch.recording._recording import Recording
 from cotouch.units import user_number
 
+# `cotouch.mechanics.CLOSURE_ALARM`, which reading a recording must not load kernels for.
+_CLOSURE_ALARM = 1e-2
 _NAMES = {
     "supplied": ("hands", "the work of the forces at the ports"),
     "drive_work": ("hands", "the work of what pulls the proxies"),
@@ -19,6 +21,7 @@ _NAMES = {
     "local_loss": ("damping", "what the damping B_i of the synchronisation took"),
     "extra_loss": ("damping", "what the extra damping B_e took"),
     "stored": ("state", "the energy of position and velocity"),
+    "closure": ("state", "the work on the velocity that closed steps"),
     "proxies": ("proxies", "the motion of the proxies under the forces on them"),
     "contacts": ("contacts", "what contacts and grasps hold and lose"),
 }
@@ -175,6 +178,25 @@ def missing_words(recordings: Sequence[Recording], names: dict[int, str]) -> lis
     if absent:
         who = ", ".join(f"user {user_number(user)}" for user in absent)
         notes.append(f"there is no recording of {who}; links to them are known from one end only")
+    return notes
+
+
+def closing_words(recordings: Sequence[Recording]) -> list[str]:
+    """Whose forces and energy disagree, though the ledger balances, one sentence each.
+
+    Args:
+        recordings: of all users.
+    """
+    notes: list[str] = []
+    for recording in recordings:
+        factor, shortened = recording.columns["closure_factor"], recording.columns["shortened"]
+        count = int(((factor > _CLOSURE_ALARM) | (shortened > 0.0)).sum())
+        if count:
+            notes.append(
+                f"at {count} of {recording.steps} steps of {recording.name} forces and energy disagree: closing them "
+                f"changed the velocity by up to {100.0 * float(factor.max()):.3g} %, or shortened them; take shorter "
+                "steps, or more damping"
+            )
     return notes
 
 

@@ -98,6 +98,7 @@ def _motion(recording: Recording, others: Sequence[Recording], offset: float) ->
     speed = np.full(steps, np.nan)
     rounding = 0.0
     copies = np.ones(steps)
+    closure = np.array(columns["closure"]) if body.material is not None else np.zeros(steps)
     for setup, span in recording.setup_rows():
         copies[span] = setup.copies
         chosen = np.flatnonzero((rows >= span.start) & (rows < span.stop))
@@ -109,6 +110,7 @@ def _motion(recording: Recording, others: Sequence[Recording], offset: float) ->
         for name, values in zip(LOSSES, step.losses(), strict=True):
             known[name][at] = values
         stored[at], start[at], size = step.energies()
+        closure[at] = step.closure
         speed[at] = body.form(body.weights[0], step.mean)
         rounding = max(rounding, size)
         for entry, neighbour in enumerate(setup.neighbours):
@@ -121,6 +123,8 @@ def _motion(recording: Recording, others: Sequence[Recording], offset: float) ->
     extra, drive, tool_difference = _tools(recording)
     known["drive_work"] = drive
     difference = {name: known[name] - columns[name] for name in known}
+    if body.material is not None:
+        difference["closure"] = closure - columns["closure"]
     difference["stored"] = np.where(kept, stored - booked, 0.0)
     difference |= tool_difference
     for column, neighbour in enumerate(recording.neighbours):
@@ -128,6 +132,7 @@ def _motion(recording: Recording, others: Sequence[Recording], offset: float) ->
     touch = columns["touch_work"]
     lost = sum((known[name] for name in LOSSES), start=np.zeros(steps))
     gained = known["supplied"] + touch - lost + link.sum(axis=1)
+    kept &= ~np.isnan(start)  # a step that was stopped to close it does not say how it began
     residual = np.where(kept, stored - start - gained, 0.0)
     start = np.where(kept, start, stored - gained)
     carried, members = _carried(recording, kept, stored, start, gained)
@@ -168,11 +173,36 @@ class _Steps:
         self.stiff = (
             np.full(T.size, self.copy_scale) if fractions is None else np.asarray(fractions[at], dtype=np.float64)
         )
+        self.start, self.unclosed, self.closure = 2.0 * self.middle - x, self.v, np.zeros(T.size)
+        material = body.material
+        self.inner = None if material is None else material.energies(self.start, x, self.mean)
+        if material is not None:
+            self._reopen(*(recording.columns[name][at] for name in ("closure", "closure_factor")))
+
+    def _reopen(self, work: Float, factor: Float) -> None:
+        """Takes back what closed the steps: `v⁺ = c + β (v' - c)`, c the centre's velocity or none.
+
+        Which it was is told by the work that goes with β; where nothing is left of v', nothing can be said.
+        """
+        masses = self.body.mass.diagonal()
+        centre = np.einsum("r,sra->sa", masses, self.v)[:, None] / masses.sum()
+        beta = (1.0 + np.copysign(factor, work))[:, None, None]
+        beta[beta <= 0.0] = np.nan
+        kinetic = self.body.form(self.body.mass, self.v)
+        tried: list[tuple[Float, Float]] = []
+        for about in (centre, 0.0 * centre):
+            unclosed = about + (self.v - about) / beta
+            did = 0.5 * self.copy_scale * (kinetic - self.body.form(self.body.mass, unclosed))
+            tried.append((unclosed, did))
+        (central, one), (whole, other) = tried
+        as_whole = np.abs(other - work) < np.abs(one - work)
+        self.unclosed = np.where(as_whole[:, None, None], whole, central)
+        self.closure = np.where(np.isnan(one), work, np.where(as_whole, other, one))
 
     def energies(self) -> tuple[Float, Float, float]:
         """After each step, before it, and what rounding may make of them."""
         body = self.body
-        start, speed = 2.0 * self.middle - self.x, 2.0 * self.mean - self.v
+        start, speed = self.start, 2.0 * self.mean - self.unclosed
         after = self.copy_scale * body.form(body.mass, self.v) + self.stiff * body.form(body.stiffness, self.x)
         before = self.copy_scale * body.form(body.mass, speed) + self.stiff * body.form(body.stiffness, start)
         # The stretch of a body that has travelled is a small difference of large places; so is its mean velocity.
@@ -181,6 +211,14 @@ class _Steps:
         heavy = float(np.abs(body.mass).sum())
         fast = np.abs(self.v).max(axis=(1, 2), initial=0.0)
         size = stiff * places**2 + heavy * places * fast / self.T
+        if self.inner is not None and body.material is not None:
+            held, came, _ = self.inner
+            mass = body.mass.diagonal()
+            after += 2.0 * (self.stiff * came + self.copy_scale * body.material.weight(self.x, mass))
+            before += 2.0 * (self.stiff * held + self.copy_scale * body.material.weight(start, mass))
+            # A place is as large as the body; what its rounding does grows with the force.
+            inner = float(np.abs(body.material.body.stiffness).sum())
+            size = size + np.sqrt(2.0 * np.maximum(came, held) * inner) * (places + np.abs(body.rest).max())
         return 0.5 * after, 0.5 * before, _EPS * self.copy_scale * float(size.max(initial=0.0))
 
     def losses(self) -> tuple[Float, Float, Float]:
@@ -189,7 +227,10 @@ class _Steps:
         square = [body.form(weight, self.mean) for weight in body.weights]
         local = sum((b * s for b, s in zip(self.setup.local_damping, square, strict=False)), np.zeros(T.size))
         extra = sum((b * s for b, s in zip(self.setup.extra_damping, square, strict=False)), np.zeros(T.size))
-        return T * self.copy_scale * body.form(body.damping, self.mean), T * local, T * extra
+        own = self.copy_scale * body.form(body.damping, self.mean)
+        if self.inner is not None:
+            own += self.stiff * self.inner[2]
+        return T * own, T * local, T * extra
 
     def supplied(self, force: Float, booked: Float) -> Float:
         """Work of the recorded forces at the nodes they act on."""

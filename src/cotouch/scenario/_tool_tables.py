@@ -5,6 +5,7 @@ from typing import Annotated, Any, Literal, Self, final
 
 from pydantic import Discriminator, Field, FiniteFloat, Tag, model_validator
 
+from cotouch.body import Material
 from cotouch.device import PRESETS
 from cotouch.errors import ScenarioError
 from cotouch.mechanics import CONTACT_LAWS
@@ -152,32 +153,40 @@ class ContactTable(Table):
 
     Attributes:
         law: "springs" (one at each local minimum of distance, with an account of energy for each tool), or the name of
-            a contact law, whose energy is a function of where body and tools are: "stiffening" or "foundation".
+            a contact law, whose energy is a function of where body and tools are: "stiffening" or "foundation". By
+            default springs, but "stiffening" on a body with a material.
         parameters: of the law, by name.
     """
 
-    law: str = "springs"
+    law: str | None = None
     parameters: dict[str, FiniteFloat] = Field(default_factory=dict[str, float])
 
-    def made(self) -> Any:
+    def made(self, material: Material | None) -> Any:
         """The law for the kernels; None: springs.
 
+        Args:
+            material: of the body that is touched.
+
         Raises:
-            ScenarioError: there is no such law, or it has no such parameter.
+            ScenarioError: there is no such law, or it has no such parameter; springs touch a material.
         """
         kinds = {kind.__name__.lower(): kind for kind in CONTACT_LAWS}
         known: tuple[str, ...] = ()
-        if self.law != "springs":
-            if self.law not in kinds:
-                raise ScenarioError(
-                    f'contact.law is "{self.law}"; it must be one of springs, {", ".join(sorted(kinds))}'
-                )
-            known = kinds[self.law]._fields  # pyright: ignore[reportAttributeAccessIssue]
+        law = self.law or ("springs" if material is None else "stiffening")
+        if law == "springs" and material is not None:
+            raise ScenarioError(
+                f'contact.law is "springs", but body.model is "{material.model}", whose balance they do not keep; take '
+                '"stiffening" or "foundation"'
+            )
+        if law != "springs":
+            if law not in kinds:
+                raise ScenarioError(f'contact.law is "{law}"; it must be one of springs, {", ".join(sorted(kinds))}')
+            known = kinds[law]._fields  # pyright: ignore[reportAttributeAccessIssue]
         for name, value in self.parameters.items():
             if name not in known or not value > 0.0:
                 has = f"has {', '.join(known)}, each above 0" if known else "has none"
-                raise ScenarioError(f'contact.parameters.{name} is {value:g}; law "{self.law}" {has}')
-        return None if self.law == "springs" else kinds[self.law](**self.parameters)
+                raise ScenarioError(f'contact.parameters.{name} is {value:g}; law "{law}" {has}')
+        return None if law == "springs" else kinds[law](**self.parameters)
 
 
 @final

@@ -59,7 +59,7 @@ def touching_of(
         lengths: of the body's steps, which a virtual coupling must be passive at, (users, steps); 0: none [s].
         start: displacements of all copies at the start, (users, n, d) [m].
         ports: most hands of one user that hold the body directly.
-        contact: how they touch; by default by springs.
+        contact: how they touch; None: as by default.
 
     Raises:
         ScenarioError: a tool names a user that is not there or starts inside the body, or a device or hand is wrong.
@@ -69,9 +69,10 @@ def touching_of(
         return None, []
     if body.dimension != 3:
         raise BodyError(f"tools touch bodies of 3 axes, but this one has {body.dimension}{_remedy(body.dimension)}")
-    law = None if contact is None else contact.made()
+    law = (contact or ContactTable()).made(body.material)
     if law is not None and (body.skin is None or not body.skin.triangles.size):
-        raise BodyError("tools touch by a contact law, which needs a skin, but the body has none; leave contact out")
+        instead = "leave contact out" if body.material is None else "hold it with hands"
+        raise BodyError(f"tools touch by a contact law, which needs a skin, but the body has none; {instead}")
     for number, table in enumerate(tables, start=1):
         _fits(number, table, law)
         if table.user > users:
@@ -159,8 +160,8 @@ def _fits(number: int, table: ToolTable, law: Any) -> None:
                 )
     elif table.kind == "grasp":
         raise ScenarioError(
-            f'tools[{number}].kind is "grasp", which only contact by springs has; leave contact out, or hold the body '
-            "with hands"
+            f'tools[{number}].kind is "grasp", which only contact by springs has, and that only linear bodies; '
+            "hold the body with hands"
         )
 
 

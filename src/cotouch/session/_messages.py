@@ -275,6 +275,10 @@ class Status(Table):
         certificate: what the damping exceeds what the budgets in force need by, as a share.
         links: to each neighbour.
         alarms: of the ledger, so far.
+        closure: work on the velocities that closed the steps of a body with a material, so far [J].
+        closure_factor: greatest change of a velocity by that, |β - 1|.
+        closure_alarms: steps so far whose forces and energy disagree, by more than 0.01 of a velocity, or that were
+            shortened for it.
         roster: digest of the roster it works with.
         paths: slot of another member, linked or not, and the quickest way there and back as pings find it [s]; with
             what is emulated.
@@ -312,6 +316,9 @@ class Status(Table):
     certificate: Number | None = None
     links: Annotated[list[LinkStatus], Field(max_length=MOST_USERS)] = Field(default_factory=list[LinkStatus])
     alarms: Count = 0
+    closure: Number = 0.0
+    closure_factor: Number = 0.0
+    closure_alarms: Count = 0
     roster: Key | None = None
     round_trips: Annotated[list[tuple[Slot, Path]], Field(max_length=MOST_USERS)] = Field(
         default_factory=list[tuple[Slot, float]]

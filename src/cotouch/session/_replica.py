@@ -491,6 +491,9 @@ class Replica:
             certificate=float(self.damping.sum() / needed - 1.0) if needed > 0.0 else None,
             links=links,
             alarms=totals.alarms,
+            closure=totals.closure,
+            closure_factor=totals.closure_factor,
+            closure_alarms=totals.closure_alarms,
         )
 
     def _force(self, report: StepReport) -> float:

@@ -1,5 +1,6 @@
 """A session's body on this machine: the same for everybody, ready for the kernels, and shown to be the same."""
 
+import hashlib
 import math
 from dataclasses import dataclass
 from typing import Any, final
@@ -15,6 +16,7 @@ from cotouch.session._file import SessionFile
 from cotouch.session._live_law import LiveLaw
 
 _PROBES = 6
+_LAW_PROBES = 4
 _SHAPES = 1e4
 # Machines round differently; other bodies, or modes of another sign, differ by far more.
 _SAME = 1e-6
@@ -50,10 +52,10 @@ class SharedModel:
         body = scenario.build_body()
         ready = model(body, copies=1, weights=scenario.network.weights, basis=_basis(scenario, body))
         axes = 1 if ready.full else body.dimension
-        if body.material is not None:
+        if body.material is not None and any(body.material.gravity):
             raise SessionError(
-                f'body.model is "{body.material.model}"; a session takes linear bodies in a fixed frame without '
-                "weight: leave out frame and gravity, and take another model"
+                f"body.gravity is {list(body.material.gravity)}; in a session nothing has weight, because who comes or "
+                "leaves would change its potential energy: leave it out"
             )
         encoding, reach = session.options.encoding, session.options.max_displacement
         if encoding != "float64" and (scenario.network.weights or body.truncation is not None):
@@ -114,4 +116,23 @@ def _fingerprint(ready: Model) -> list[float]:
     for _ in range(_PROBES):
         rows = ready.to_rows(rng.standard_normal((body.nodes, body.dimension)))
         numbers.append(float((rows * rng.standard_normal(rows.shape)).sum()))
+    if ready.force is not None:
+        numbers += _law_numbers(ready.force.law, rng, numbers[0])
     return numbers
+
+
+def _law_numbers(law: Any, rng: np.random.Generator, rows: float) -> list[float]:
+    """Of a material's law: its name and extents, the size of its arrays, and their directions.
+
+    Each is on the scale of the number of rows, so that none is lost beside the others in `same_body`.
+    """
+    said = f"{type(law).__name__} {[np.shape(values) for values in law]}".encode()
+    sizes, ways = 0.0, np.zeros(_LAW_PROBES)
+    for values in law:
+        array = np.asarray(values, dtype=np.float64).ravel()
+        size = float(np.linalg.norm(array))
+        weight, probes = rng.uniform(1.0, 2.0), rng.standard_normal((_LAW_PROBES, array.size))
+        if size > 0.0:
+            sizes += weight * math.log(size)
+            ways += probes @ (array / size)
+    return [rows * value for value in (hashlib.sha256(said).digest()[0] / 255.0, sizes, *ways.tolist())]

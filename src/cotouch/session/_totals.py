@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from typing import final
 
+from cotouch.mechanics import CLOSURE_ALARM
 from cotouch.peer import StepReport
 
 # A residual above this share of the energy in play means that something is broken, not round-off.
@@ -34,6 +35,9 @@ class Totals:
         braked: what the law took of the motion in the last seconds, by B_i and links, less what these gave [J].
         moved: ∫‖v̂‖² over them, in the identity weight [m²/s].
         link_age: of the samples of each neighbour, by the clocks as they are, in the mean of them [s].
+        closure: work on the velocities that closed steps of a body with a material; in no other sum [J].
+        closure_factor: greatest |β - 1| of any step.
+        closure_alarms: steps in which that was too large for their forces and energy to agree, or that were shortened.
         least: least of `supplied + initial` so far; negative: the hands got out what nobody put in [J].
     """
 
@@ -43,7 +47,8 @@ class Totals:
         self.in_play = _LEAST
         self.residual = self.total_residual = 0.0
         self.link_work: dict[int, float] = {}
-        self.alarms = 0
+        self.alarms = self.closure_alarms = 0
+        self.closure = self.closure_factor = 0.0
         self.least = 0.0
         self.braked = self.moved = 0.0
         self.link_age: dict[int, float] = {}
@@ -84,4 +89,7 @@ class Totals:
         fraction = abs(report.residual) / self.in_play
         self.residual = max(self.residual, fraction)
         self.alarms += fraction > ALARM
+        self.closure += report.closure
+        self.closure_factor = max(self.closure_factor, report.closure_factor)
+        self.closure_alarms += report.closure_factor > CLOSURE_ALARM or report.shortened > 0.0
         self.least = min(self.least, self.supplied + self.initial)

@@ -11,7 +11,7 @@ from tempfile import TemporaryDirectory
 import numpy as np
 
 from cotouch.compiled import cold, compile_for
-from cotouch.mechanics import Model, contact_step, step, touch_step
+from cotouch.mechanics import Model, closed_step, contact_step, step, touch_step
 from cotouch.peer import FreshestLink, Link, LinkGuard, Peer, Sample
 from cotouch.processes import start_child
 from cotouch.session._commanded_hand import CommandedHand
@@ -29,8 +29,11 @@ def compiles(session: SessionFile, *, touched: bool = False) -> bool:
         session: that is taken part in.
         touched: whether its object may be touched besides what the file says.
     """
-    touches = touch_step if session.scenario.contact.law == "springs" else contact_step
-    return cold(touches if session.scenario.tools or touched else step)
+    scenario = session.scenario
+    material = scenario.build_body().material
+    if scenario.tools or touched:
+        return cold(touch_step if scenario.contact.made(material) is None else contact_step)
+    return cold(step if material is None else closed_step)
 
 
 def warm_up(replica: SharedModel, make: Callable[[Model], Hand]) -> None:

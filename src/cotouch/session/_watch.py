@@ -194,6 +194,10 @@ class SessionWatch:
             self.events.append(SessionEvent(now, f"{entry.name}'s device: {status.device}"))
         if seen.status is not None and status.alarms > seen.status.alarms:
             self.events.append(SessionEvent(now, f"ALARM: the energy ledger of {entry.name} does not balance"))
+        if status.closure_alarms and not (seen.status is not None and seen.status.closure_alarms):
+            self.events.append(
+                SessionEvent(now, f"ALARM: forces and energy of {entry.name}'s copy disagree; its steps are too long")
+            )
         if status.recording == "failed" and (seen.status is None or seen.status.recording != "failed"):
             why = f": {status.recording_failure}" if status.recording_failure else ""
             self.events.append(SessionEvent(now, f"ALARM: the recording of {entry.name} stopped{why}"))

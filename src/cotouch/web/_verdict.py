@@ -9,6 +9,7 @@ from cotouch.session import LinkStatus, Overview, Status
 # As in the ledger of a session: a residual above this share is no round-off; and joules that are.
 _ALARM = 1e-9
 _ROUND_OFF = 1e-9
+_OFTEN = 0.01  # share of steps whose forces and energy disagree from which it is worth one
 _NARROW = 0.05  # share to spare below which it is worth a warning
 
 
@@ -42,7 +43,7 @@ def judged(overview: Overview) -> Verdict:
         return Verdict("warn", "the session is over")
     if not known:
         return Verdict("warn", "nobody moves yet")
-    return _broken(known, names) or _short(known, names, overview.damping) or _links(known)
+    return _broken(known, names) or _short(known, names, overview.damping) or _apart(known, names) or _links(known)
 
 
 def _broken(known: Sequence[Status], names: dict[int, str]) -> Verdict | None:
@@ -66,6 +67,15 @@ def _short(known: Sequence[Status], names: dict[int, str], fraction: float) -> V
     least, slot = min(lacking, default=(0.0, -1))
     if least < -_ALARM:
         return Verdict("bad", f"not safe: {names[slot]} has {_percent(-least)} less damping than the delays need")
+    return None
+
+
+def _apart(known: Sequence[Status], names: dict[int, str]) -> Verdict | None:
+    """Steps that were too long for a body that turns or bends: balanced, but not by their forces."""
+    for status in known:
+        if status.closure_alarms > _OFTEN * status.steps:
+            off = f"by up to {100.0 * status.closure_factor:.2g} %; shorter steps help"
+            return Verdict("warn", f"safe: forces and energy of {names[status.slot]}'s copy disagree {off}")
     return None
 
 
