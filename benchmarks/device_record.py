@@ -45,6 +45,8 @@ from cotouch.haptics import (
     size,
     virtual_limit,
 )
+from cotouch.haptics._virtual import WINDOW
+from cotouch.mechanics import unseen_place
 from cotouch.peer import FreshestLink, Peer, Sample
 from cotouch.session import SessionFile, Slot
 from cotouch.session._device_hand import DeviceHand
@@ -197,14 +199,18 @@ def device_of(rng: np.random.Generator) -> tuple[DeviceModel, DeviceSpec, Coupli
         ages=float(rng.uniform(0.0, 0.03)),
         weight=_log(rng, 0.1, 10.0),
     )
-    limit = virtual_limit(usual, period=1e-3)
+    stiffness = min(spec.stiffness, virtual_limit(usual, period=1e-3, resolution=0.0)) * float(rng.uniform(0.2, 1.0))
+    # What the encoders falsify dry friction must pay for: just enough of it, or twice as much.
+    coulomb = 1.01 * (stiffness + 2.0 * usual.damping / WINDOW) * unseen_place(spec.resolution)
+    model = replace(model, plant=replace(plant, coulomb=coulomb * float(rng.uniform(1.0, 2.0))))
     coupling = CouplingChoice(
         law="virtual",
         friction=usual.friction,
+        coulomb=coulomb,
         damping=usual.damping,
         ages=usual.ages,
         weight=usual.weight,
-        stiffness=min(spec.stiffness, limit) * float(rng.uniform(0.2, 1.0)),
+        stiffness=stiffness,
         scale=scale,
     )
     return model, spec, coupling

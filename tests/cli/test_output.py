@@ -34,7 +34,17 @@ def test_no_number_is_cut_however_many_columns_there_are(capsys: pytest.CaptureF
 
 def test_an_audit_can_be_read_at_eighty_columns(capsys: pytest.CaptureFixture[str]) -> None:
     console = Console(width=80)
-    fields = ("supplied", "link_work", "body_loss", "local_loss", "extra_loss", "touch_loss", "members", "stored")
+    fields = (
+        "supplied",
+        "link_work",
+        "body_loss",
+        "local_loss",
+        "extra_loss",
+        "touch_loss",
+        "members",
+        "stored",
+        "closure",
+    )
     users = [
         SimpleNamespace(user=n, name=name, residual=-1.2e-17, **dict.fromkeys(fields, -5.974e-05))
         for n, name in enumerate(("Ann", "Benedikta", "Cleo [x]", "Dan", "Eve"))
@@ -58,7 +68,7 @@ def test_an_audit_can_be_read_at_eighty_columns(capsys: pytest.CaptureFixture[st
     text = printed(capsys)
     assert max(map(len, text.splitlines())) <= 80
     assert "…" not in text
-    assert text.count("5.974e-05") == 8 * 5 + 2 * 4
+    assert text.count("5.974e-05") == 9 * 5 + 2 * 4
     assert text.count("-1.234e-11") == 4 * 4
     assert "Cleo [x]" in text
 

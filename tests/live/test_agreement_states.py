@@ -12,14 +12,13 @@ from hypothesis import HealthCheck, Phase, settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, precondition, rule, run_state_machine_as_test
 from tests.live.support import entropy, identities
-from tests.thorough import examples
 
 from cotouch.live import Agreement, Identity, LinkKeys, _agreement
 
 ALICE, BOB, MALLORY = sorted(identities(3), key=lambda who: who.public)
 FIXED = X25519PrivateKey.from_private_bytes(bytes(range(32)))
 QUIET = settings(
-    max_examples=examples(100),
+    max_examples=100,
     stateful_step_count=40,
     derandomize=True,
     deadline=None,

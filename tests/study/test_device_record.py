@@ -8,12 +8,13 @@ from cotouch.haptics import EnergyTank
 
 
 def test_numbers_are_scenarios_without_violations():
-    found = record.examine(3)
-    assert found == record.examine(3)
-    assert found.ticks > 1000
-    assert 0.0 < max(found.used) <= 1.0
-    assert not record.broken(found)
-    assert not record.unbalanced(found)
+    every = [record.examine(number) for number in (1, 2, 3)]
+    assert every[2] == record.examine(3)
+    assert 0.0 < max(share for found in every for share in found.used) <= 1.0
+    for found in every:
+        assert found.ticks > 1000
+        assert not record.broken(found)
+        assert not record.unbalanced(found)
 
 
 def test_scenarios_vary():

@@ -213,6 +213,7 @@ class VirtualDeviceEnd:
 
     @property
     def place(self) -> Vector | None:
+        """Of the tip, as measured; None: never [m]."""
         return self._port.place
 
     @property
