@@ -104,7 +104,7 @@ def measure_drag(law: str, seconds: float, folder: Path) -> Felt:
 
         def start(*arguments: str) -> "subprocess.Popen[str]":
             process = subprocess.Popen([*_COMMAND, *arguments], stdout=subprocess.PIPE, text=True)
-            stack.callback(process.wait)
+            stack.enter_context(process)
             stack.callback(process.kill)
             return process
 

@@ -153,6 +153,10 @@ def test_a_word_that_is_no_number_is_not_believed(message: EnergyMessage):
             "coupling=virtual,friction=1,stiffness=500",
             "stiffness is 500 N/m; .* friction of 1 Ns/m, ticks of 1 ms and places 10 ms old is passive up to 153.8",
         ),
+        (
+            "coupling=virtual,friction=1",
+            "is 153.846 N/m; PHANToM .* knows its place to 0.03 mm and .* passive with none",
+        ),
         ("coupling=virtual,friction=9", "knows its place to 0.03 mm and .* friction of 0 N is passive with none"),
         (
             "coupling=virtual,friction=9,coulomb=0.01,stiffness=400",

@@ -245,6 +245,7 @@ scale = 2.0
 user = 1
 coupling = "virtual"
 friction = 3.0
+coulomb = 0.1
 [[session.devices]]
 user = 1
 tool = 1
@@ -254,7 +255,7 @@ user = 2
 stiffness = 100.0
 """
     *_, link, _ = led(TOOL + tables, [0.0, 0.0, 0.0])
-    assert link.below == CouplingChoice(law="virtual", friction=3.0, scale="fit")
+    assert link.below == CouplingChoice(law="virtual", friction=3.0, coulomb=0.1, scale="fit")
     # Another law takes none of the numbers that were meant for that one, but the scale.
     _, _, link, _ = led(TOOL + tables, [0.0, 0.0, 0.0], Led(said=CouplingChoice(law="pspm", stiffness=300.0)))
     assert link.below is not None

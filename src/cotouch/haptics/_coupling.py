@@ -116,8 +116,10 @@ class CouplingChoice:
             **{name: value for name, value in said.items() if value is not None},
         )
         if self.stiffness is None:
-            limit = virtual_limit(options, period=period, resolution=spec.resolution)
-            options = options._replace(stiffness=min(stiffness, limit) if limit > 0.0 else stiffness)
+            # Where encoders leave nothing, the sentence is about them, not about a stiffness that nobody gave.
+            limits = [virtual_limit(options, period=period, resolution=fine) for fine in (spec.resolution, 0.0)]
+            limit = next((limit for limit in limits if limit > 0.0), stiffness)
+            options = options._replace(stiffness=min(stiffness, limit))
         else:
             options = options._replace(stiffness=self.stiffness)
         return checked_virtual(checked(options, spec), spec, period=period)
