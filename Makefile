@@ -12,10 +12,12 @@ setup: $(STAMP)
 # Unlike pip, uv leaves Python to be compiled at first import, and a first start takes three times as long.
 $(STAMP): pyproject.toml uv.lock
 	@command -v $(PYTHON) >/dev/null || { echo "cotouch needs Python 3.11: '$(PYTHON)' was not found; set PYTHON=/path/to/python3.11"; exit 2; }
-	test -x $(BIN)/python || $(PYTHON) -m venv .venv
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check "uv>=0.7,<1"
-	$(BIN)/uv sync --quiet --frozen --compile-bytecode
-	@touch $@
+	@printf 'setting up, once, for about half a minute '; \
+	(while sleep 1; do printf .; done) & dots=$$!; trap 'kill $$dots; echo' EXIT; set -e; \
+	test -x $(BIN)/python || $(PYTHON) -m venv .venv; \
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check "uv>=0.7,<1"; \
+	$(BIN)/uv sync --quiet --frozen --compile-bytecode; \
+	touch $@
 
 demo: $(STAMP)
 	$(BIN)/cotouch demo --duration 30
