@@ -27,7 +27,9 @@ def compiles(method: Literal["auto"] | Method = "auto", objective: Objective = "
         method: as `plan` takes it; "auto" counts as "enumerate".
         objective: likewise.
     """
-    needed: list[Any] = [sweep] if method in ("auto", "enumerate") else [descend, swaps, admissible, rate]
+    needed: list[Any] = [sweep] if method in ("auto", "enumerate") else [swaps, admissible, rate]
+    if method == "bound":  # a local search takes it only where limits are so tight that no walk begins
+        needed.append(descend)
     if method == "local" and objective in _MOVING:
         needed += [hubs, level_of, flood, pulls]
     return any(cold(kernel) for kernel in needed)
