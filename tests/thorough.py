@@ -1,4 +1,4 @@
-"""Two sizes of one suite: `make test` in some minutes, and `make test-all`, which tries the same on far more cases.
+"""Two sizes of one suite: `make test`, and `make test-all`, which tries the same on far more cases.
 
 What is named here repeats a property on more bodies, networks, seeds or devices, or costs more than it tells; `make
 test` runs the cases in brackets. Random examples are fewer there as well.

@@ -158,15 +158,15 @@ class _Kept(CompileResultCacheImpl):
     apart = False
 
     def reduce(self, cres: Any) -> Any:
-        library = cres.library
-        made = library._final_module
+        code = _code_of(cres)
+        made = code._final_module
         needs = {
             value.name: _apart[value.name] for value in made.functions if value.is_declaration and value.name in _apart
         }
         defined: set[str] = set()
         if self.apart and _large(cres):
             defined = {value.name for value in (*made.functions, *made.global_variables) if not value.is_declaration}
-            library._shared_module = binding.parse_assembly("")
+            code._shared_module = binding.parse_assembly("")
             _set_apart(cres)
         return needs, defined, super().reduce(cres)
 
@@ -187,12 +187,17 @@ class _Kept(CompileResultCacheImpl):
         return cres
 
 
+def _code_of(cres: Any) -> Any:
+    """What LLVM has of a compiled function."""
+    return cres._asdict()["library"]
+
+
 def _large(cres: Any) -> bool:
     """Whether a function stays apart: by size, and if another process can find it and gives it the same symbol."""
     description = cres.fndesc
     if description.inline or description.uid != 0:
         return False
-    function = cres.library.get_function(description.llvm_func_name)
+    function = _code_of(cres).get_function(description.llvm_func_name)
     return sum(1 for block in function.blocks for _ in block.instructions) >= _LARGE
 
 
