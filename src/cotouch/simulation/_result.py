@@ -103,6 +103,8 @@ def simulate(scenario: "Scenario | str | Path | Mapping[str, Any]") -> "xr.Datas
     return dataset(prepared, run_batch(prepared))
 
 
+# What was not reached was never written, and a run that diverges overflows: neither is worth a warning here.
+@np.errstate(over="ignore", invalid="ignore")
 def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
     """Labels what a run recorded.
 
@@ -179,8 +181,7 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
     put("local_damping", ("user", "weight"), prepared.local_damping)
     if outcome.frame_time.size:
         shown = np.array([[prepared.model.to_nodes(copy) for copy in frame] for frame in outcome.frames])
-        with np.errstate(over="ignore"):  # of a run that diverges
-            put("frame_position", ("frame", "user", "node_all", "axis"), (shown + body.rest).astype(np.float32))
+        put("frame_position", ("frame", "user", "node_all", "axis"), (shown + body.rest).astype(np.float32))
     for name, (dims, values) in data.items():
         unit, meaning = _UNITS[name]
         data[name] = (dims, values, {"units": unit, "long_name": meaning})  # pyright: ignore[reportArgumentType]
