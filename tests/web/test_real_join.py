@@ -36,15 +36,13 @@ def test_people_meet_by_an_invitation_feel_each_other_and_part(tmp_path: Path) -
         addresses = {
             "Ann": here.join("Ann", invitation),
             "Ben": here.join("Ben", invitation),
-            "Cleo": here.join("Cleo", invitation, device="simulated:touch"),
         }
-        ann, ben, cleo = (opened(running, address, said) for address in addresses.values())
-        for page in (ann, ben, cleo):
+        ann, ben = (opened(running, address, said) for address in addresses.values())
+        for page in (ann, ben):
             until(page, COUPLED)
         # Each page acts for its own user alone, and knows of the others what came over the network.
         until(ben, "store.slot === 1 && store.frame.copies.every((copy) => copy.direct === (copy.slot === 1))")
         words(ben, '.user[data-slot="0"]', "on another computer")
-        until(cleo, "store.state.members[2].hand !== null && connection.mayAct")
 
         x, y, _ = spot(ann)
         ann.mouse.move(x, y)
@@ -67,7 +65,7 @@ def test_people_meet_by_an_invitation_feel_each_other_and_part(tmp_path: Path) -
         until(ann, "!store.state.members[1]?.here")
         shown = str(ann.evaluate("() => window.cotouch.store.scene.invitation"))
         guest = opened(running, here.join("guest", shown), said)
-        until(guest, f"store.slot !== 0 && store.slot !== 2 && connection.mayAct && {COUPLED}")
+        until(guest, f"store.slot !== 0 && connection.mayAct && {COUPLED}")
         x, y, _ = spot(guest)
         guest.mouse.move(x, y)
         guest.mouse.down()
@@ -78,6 +76,15 @@ def test_people_meet_by_an_invitation_feel_each_other_and_part(tmp_path: Path) -
         assert here.end("host") == 0
         for page in (ann, guest):
             words(page, "#banner-ended", "The session has ended")
-        for page in (ann, ben, cleo, guest):
+        for page in (ann, ben, guest):
             page.context.close()
+    assert said == []
+
+
+def test_who_joins_with_a_device_holds_the_object_from_the_first_moment(tmp_path: Path) -> None:
+    said: list[str] = []
+    with party(tmp_path) as here, browser(FLAT) as running:
+        page = opened(running, here.join("Cleo", here.host(), device="simulated:touch"), said)
+        until(page, "connection.mayAct && store.state.members[store.slot].hand !== null")
+        page.context.close()
     assert said == []
