@@ -3,11 +3,13 @@
 import asyncio
 from collections.abc import Awaitable, Callable
 
+import pytest
 from tests.web.fake_session_api import FakeSessionApi
 from tests.web.reader import pointer
 
+from cotouch.errors import PageError
 from cotouch.web._access import Access
-from cotouch.web._hub import Hub
+from cotouch.web._hub import MOST_PAGES, Hub
 from cotouch.web._page import Page
 from cotouch.web._protocol import VERSION, Do, Hello, PointerMessage
 
@@ -30,6 +32,16 @@ class Room:
         self.hub.received(page)
         token = self.hub.access.token
         self.hub.hello(page, Hello(type="hello", version=VERSION, token=token, slot=slot))
+        return page
+
+    def watch(self) -> Page:
+        page = Page(None)  # pyright: ignore[reportArgumentType]
+        assert self.hub.enter(page)
+        try:
+            self.hub.hello(page, Hello(type="hello", version=VERSION))
+        except PageError:
+            self.hub.leave(page)  # as the server does
+            raise
         return page
 
     def wait(self, seconds: float, *talking: Page) -> None:
@@ -244,5 +256,28 @@ def test_a_page_that_waits_and_leaves_is_not_next() -> None:
         room.hub.leave(other)
         room.hub.leave(ann)
         assert room.control(third) == "mine"
+
+    play(story)
+
+
+def test_who_may_only_watch_keeps_nobody_out_who_may_act() -> None:
+    async def story(room: Room) -> None:
+        watching = [room.watch() for _ in range(MOST_PAGES)]
+        with pytest.raises(PageError, match="16 pages without the token are open"):
+            room.watch()
+        acting = [room.come() for _ in range(MOST_PAGES)]
+        with pytest.raises(PageError, match="16 pages with the token are open"):
+            room.come()
+        assert all(page.hello is not None for page in watching + acting)
+
+    play(story)
+
+
+def test_too_many_that_say_nothing_are_not_taken() -> None:
+    async def story(room: Room) -> None:
+        silent = [Page(None) for _ in range(MOST_PAGES + 1)]  # pyright: ignore[reportArgumentType]
+        assert [room.hub.enter(page) for page in silent] == [True] * MOST_PAGES + [False]
+        room.hub.leave(silent[0])
+        room.come()
 
     play(story)

@@ -19,9 +19,9 @@ from cotouch.live._keys import Entropy
 
 # A session's authority lives as long as its invitation: whoever has that can make any certificate anyway.
 _FROM, _UNTIL = datetime(2000, 1, 1, tzinfo=UTC), datetime(2100, 1, 1, tzinfo=UTC)
-# A member's certificate is good for a day from its start, so that a key that leaks is soon of no use. From before that
-# it is good, too, for those whose clocks are behind, by up to a day; where one is ahead, the day is shorter.
-_BEHIND, _DAY = timedelta(days=1), timedelta(days=1)
+# A member's certificate is good for as long as a session may last, and from before its start for those whose clocks are
+# behind. Zenoh takes no other while it runs. A key that leaks gives no more than the invitation, which lasts as long.
+_BEHIND, _SESSION = timedelta(days=1), timedelta(days=31)
 
 
 class TlsCertificates(NamedTuple):
@@ -47,7 +47,7 @@ def make_certificates(invitation: Invitation, *, entropy: Entropy, now: float | 
     Args:
         invitation: of the session.
         entropy: gives so many bytes that nobody can guess, such as `os.urandom`.
-        now: unix time from which the member's certificate is good for a day; None: the system's [s].
+        now: unix time from which the member's certificate is good for 31 days; None: the system's [s].
     """
     begins = datetime.fromtimestamp(time.time() if now is None else now, UTC)
     authority = Ed25519PrivateKey.from_private_bytes(invitation.derive(b"authority", 32))
@@ -65,7 +65,7 @@ def make_certificates(invitation: Invitation, *, entropy: Entropy, now: float | 
             x509.Name([x509.NameAttribute(NameOID.COMMON_NAME, "member")]),
             issuer,
             _serial(entropy),
-            (begins - _BEHIND, begins + _DAY),
+            (begins - _BEHIND, begins + _SESSION),
         )
         .public_key(own.public_key())
         .add_extension(x509.BasicConstraints(ca=False, path_length=None), critical=True)

@@ -17,7 +17,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 from cotouch.errors import PageError
 from cotouch.web._access import HEADERS, Access
 from cotouch.web._archive import zipped
-from cotouch.web._hub import MOST_PAGES, Hub
+from cotouch.web._hub import Hub
 from cotouch.web._page import Page
 from cotouch.web._protocol import FrameReceipt, Hello, read_binary, read_text
 
@@ -156,7 +156,7 @@ class _Routes:
         hub, page = self._hub, Page(socket)
         await socket.accept()
         if not hub.enter(page):
-            await socket.close(_LATER, f"{MOST_PAGES} pages watch already; close one")
+            await socket.close(_LATER, "too many pages have yet to say what they are")
             return
         sender = asyncio.create_task(page.send_all())
         refusal: str | None = None

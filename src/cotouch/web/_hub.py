@@ -19,6 +19,8 @@ from cotouch.web._page import Page
 from cotouch.web._protocol import VERSION, Do, FrameReceipt, Hello, PointerMessage
 from cotouch.web._scene import beside_nodes, nodes_of_points, scene_message, state_message
 
+# Pages with the token, without it, and that have not said yet what they are: each kind has places of its own, so that
+# whoever may only watch keeps nobody out who may act.
 MOST_PAGES: Final = 16
 _RATE, _RATE_OF_BIG, _BIG = 60.0, 30.0, 10_000  # frames a second; above so many points
 _STATE = 0.2  # between two states [s]
@@ -76,8 +78,8 @@ class Hub:
         self._closed = False
 
     def enter(self, page: Page) -> bool:
-        """A page connects; False if there are too many."""
-        if len(self._pages) >= MOST_PAGES or self._closed:
+        """A page connects; False if too many have yet to say what they are."""
+        if sum(other.hello is None for other in self._pages) >= MOST_PAGES or self._closed:
             return False
         self._pages.append(page)
         return True
@@ -101,7 +103,7 @@ class Hub:
             message: what the page said.
 
         Raises:
-            PageError: it is of another version, or acts for a slot that there is not.
+            PageError: it is of another version, acts for a slot that there is not, or there are too many of its kind.
         """
         scene = self.scene
         if message.version != VERSION:
@@ -113,6 +115,9 @@ class Hub:
         acts = self.access.token_right(message.token)
         first = page.hello is None
         if first or (message.slot, acts) != (page.slot, page.acts):
+            like = sum(other.hello is not None and other.acts == acts for other in self._pages if other is not page)
+            if like >= MOST_PAGES:
+                raise PageError(f"{MOST_PAGES} pages {'with' if acts else 'without'} the token are open; close one")
             if not first:
                 self._control.leave(page)
             before, page.acts = page.acts, acts
