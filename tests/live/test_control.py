@@ -120,23 +120,23 @@ def over_zenoh(*, routed: bool) -> Iterator[Bed]:
 
         # As urgent as what is said, so that it keeps its place among it.
         urgent = {"priority": zenoh.Priority.INTERACTIVE_HIGH, "congestion_control": zenoh.CongestionControl.BLOCK}
-        plane._session.put(f"{plane._prefix}/said/{plane._me}/*", raw, **urgent)
+        plane._session.put(plane._keys.to("said"), raw, **urgent)
 
     def tap(member: int) -> list[bytes]:
         received, plane = list[bytes](), planes[member]
         plane._session.declare_subscriber(
-            f"{plane._prefix}/beat/**", lambda sample: received.append(sample.payload.to_bytes())
+            f"{plane._keys.prefix}/beat/**", lambda sample: received.append(sample.payload.to_bytes())
         )
         return received
 
     def beat(member: int, key: bytes, raw: bytes) -> None:
         plane = planes[member]
-        plane._session.put(f"{plane._prefix}/beat/{key.hex()}/*", raw)
+        plane._session.put(f"{plane._keys.prefix}/beat/{key.hex()}/*", raw)
 
     def pretend(member: int, key: bytes, here: bool) -> None:
         plane = planes[member]
-        for start in {"0" * 16, *(start for starts in plane._alive.values() for start in starts)}:
-            token = plane._session.liveliness().declare_token(f"{plane._prefix}/alive/{key.hex()}/{start}/-")
+        for start in {"0" * 16, *(start for starts in plane._starts._members.values() for start in starts)}:
+            token = plane._session.liveliness().declare_token(f"{plane._keys.prefix}/alive/{key.hex()}/{start}/-")
             tokens.append(token)
             if not here:
                 token.undeclare()

@@ -28,11 +28,14 @@ from cotouch.live import (
     ZenohControl,
     _control_zenoh,
     _forward,
+    _held,
     _line,
+    _relays,
     free_port,
     make_certificates,
 )
 from cotouch.live._zenoh import open_session
+from cotouch.live._zenoh_keys import sender_of, start_of
 
 WHO = identities(4)
 
@@ -231,9 +234,9 @@ def test_the_end_of_an_earlier_start_does_not_hide_a_later_one(stack: ExitStack)
     (host, earlier) = joined(stack, made, 2)
     later = ZenohControl(made, WHO[1])
     stack.callback(later.close)
-    until(lambda: len(host._alive[WHO[1].public]) == 2)
+    until(lambda: host._starts.count(WHO[1].public) == 2)
     earlier.close()
-    until(lambda: len(host._alive[WHO[1].public]) == 1)
+    until(lambda: host._starts.count(WHO[1].public) == 1)
     until(lambda: host.present() == {WHO[1].public})
     later.send("hello", b"")
     until(host.poll)
@@ -255,7 +258,7 @@ def test_a_liar_serves_a_file(stack: ExitStack):
 
 def test_what_nobody_polls_is_bounded(stack: ExitStack, monkeypatch: pytest.MonkeyPatch):
     one, two = joined(stack, invitation(), 2)
-    monkeypatch.setattr(_control_zenoh, "_MOST_HELD", 5000)
+    monkeypatch.setattr(_held, "_MOST_BYTES", 5000)
     for _ in range(10):
         one.send("long", bytes(1000))
         time.sleep(0.01)
@@ -268,7 +271,7 @@ def test_what_nobody_polls_is_bounded(stack: ExitStack, monkeypatch: pytest.Monk
 def test_what_cannot_be_sent_yet_is_bounded(stack: ExitStack, monkeypatch: pytest.MonkeyPatch):
     one, two = joined(stack, invitation(), 2)
     monkeypatch.setattr(_control_zenoh, "_BURST", 1.0)
-    monkeypatch.setattr(_control_zenoh, "_MOST_MESSAGES", 50)
+    monkeypatch.setattr(_held, "_MOST_ITEMS", 50)
     for _ in range(2000):
         one.send("much", b"")
     assert one.dropped["not sent yet"] > 1000
@@ -278,10 +281,10 @@ def test_what_cannot_be_sent_yet_is_bounded(stack: ExitStack, monkeypatch: pytes
 def test_relays_are_counted_against_their_sender(stack: ExitStack, monkeypatch: pytest.MonkeyPatch):
     import zenoh
 
-    monkeypatch.setattr(_control_zenoh, "_RELAY_RATE", 100.0)
+    monkeypatch.setattr(_relays, "_RATE", 100.0)
     one, two = joined(stack, invitation(), 2)
-    key, waiting = f"{one._prefix}/relay/{one._me}/{two._me}", zenoh.CongestionControl.BLOCK
-    flood = one._tagged(b"flood", two.identity.public)
+    key, waiting = one._keys.to("relay", two.identity.public), zenoh.CongestionControl.BLOCK
+    flood = one._relays.tagged(b"flood", two.identity.public)
     for _ in range(3000):
         one._session.put(key, flood, congestion_control=waiting)
     until(lambda: two.dropped["relayed"] > 0)
@@ -293,19 +296,18 @@ def test_nobody_spends_anothers_limits(stack: ExitStack):
     import zenoh
 
     host, one, two, third = joined(stack, invitation(), 4)
-    told = f"{one._me}/{two._me}"
     for kind in ("relay", "pass", "via"):
         for _ in range(2000):
             third._session.put(
-                f"{one._prefix}/{kind}/{told}",
-                third._tagged(third._tagged(b"flood", two.identity.public), host.identity.public),
+                one._keys.to(kind, two.identity.public),
+                third._relays.tagged(third._relays.tagged(b"flood", two.identity.public), host.identity.public),
                 congestion_control=zenoh.CongestionControl.BLOCK,
             )
     until(lambda: two.dropped["relayed, forged"] >= 2000)
     assert two.dropped["relayed"] == 0
     assert one.relay(two.identity.public, b"seen")
     until(lambda: [relayed for relayed in two.relayed() if relayed.payload == b"seen"])
-    one._present = frozenset({host.identity.public})  # as behind a NAT of its own
+    one._near = frozenset({host.identity.public})  # as behind a NAT of its own
     assert one.relay(two.identity.public, b"not seen")
     until(lambda: [relayed for relayed in two.relayed() if relayed.payload == b"not seen"])
     one.send("nonces", b"by the host", to=two.identity.public)
@@ -329,7 +331,7 @@ def test_the_host_hands_on_datagrams_of_who_is_not_seen(stack: ExitStack):
     """Two of three do not see each other, as behind two NATs."""
     host, one, two = joined(stack, invitation(), 3)
     one._near = two._near = frozenset({host.identity.public})
-    two._relay_limit.unknow(one.identity.public)
+    two._relays.unknow(one.identity.public)
     got: list[Relayed] = []
 
     def come(count: int) -> bool:
@@ -368,7 +370,7 @@ def test_a_flood_of_messages_is_not_read(stack: ExitStack):
     writer = MessageWriter(WHO[0], b"of another session".ljust(32), started=1)
     noise = writer.write("noise", b"")
     for _ in range(3000):
-        one._session.put(f"{one._prefix}/said/{one._me}/*", noise, congestion_control=zenoh.CongestionControl.BLOCK)
+        one._session.put(one._keys.to("said"), noise, congestion_control=zenoh.CongestionControl.BLOCK)
     until(lambda: sum(two.refused.values()) >= 3000)
     counts = {reason.name: count for reason, count in two.refused.items()}
     assert counts["RATE"] > 2500
@@ -376,10 +378,10 @@ def test_a_flood_of_messages_is_not_read(stack: ExitStack):
 
 @given(st.text(max_size=500) | st.binary(max_size=300).map(bytes.hex))
 def test_what_stands_in_a_key_may_be_anything(text: str):
-    assert _control_zenoh._endpoint(text) is None or isinstance(_control_zenoh._endpoint(text), Endpoint)
-    member = _control_zenoh._member([text])
-    assert member is None or len(member) == 32
-    assert _control_zenoh._member([]) is None
+    sender, start = sender_of(f"cotouch/1/said/{text}/x"), start_of(f"cotouch/1/alive/{bytes(32).hex()}/2/{text}")
+    assert sender is None or len(sender) == 32
+    assert start is None or start.at is None or isinstance(start.at, Endpoint)
+    assert start_of(text) is sender_of("cotouch/1/said") is None
 
 
 def test_of_who_left_little_is_kept_and_memory_is_given_back(stack: ExitStack, monkeypatch: pytest.MonkeyPatch):

@@ -1,57 +1,46 @@
 """The control plane over Eclipse Zenoh with mutual TLS; see `ControlPlane`."""
 
-import base64
 import os
 import threading
 import time
-from collections import Counter, deque
+from collections import Counter
 from collections.abc import Callable, Sequence
-from queue import Empty, SimpleQueue
+from queue import Empty
 from typing import TYPE_CHECKING, NamedTuple, final
 
 from cotouch.errors import SessionError, TransportError
 from cotouch.live._control import Message, Relayed
 from cotouch.live._files import Files
 from cotouch.live._forward import Forwarder
+from cotouch.live._held import HeldQueue
 from cotouch.live._invitation import Endpoint, Invitation, checked
 from cotouch.live._keys import Entropy, Identity
-from cotouch.live._limit import Bucket, SourceLimit
+from cotouch.live._limit import Bucket
 from cotouch.live._line import Line
-from cotouch.live._listening import is_ours, listening, towards
+from cotouch.live._listening import Whereabouts, listening
 from cotouch.live._pairs import TAG_BYTES, PairTags
 from cotouch.live._presence import MOST_BEAT, Presence
+from cotouch.live._relays import Relays
 from cotouch.live._sign import MOST_MESSAGE, MessageReader, MessageRefusal, MessageWriter, cost_of
 from cotouch.live._sockets import tend_links
+from cotouch.live._starts import Starts
 from cotouch.live._transport import MOST_BYTES
+from cotouch.live._zenoh import put
+from cotouch.live._zenoh_keys import Kind, SessionKeys, sender_of, start_of
 from cotouch.pacing import give_back_memory
 
 if TYPE_CHECKING:
     import zenoh
 
-# What is said, or heard and not polled, beyond this is dropped and counted [B].
-_MOST_HELD = 64 << 20
-_MOST_MESSAGES = 8192
-_MOST_RELAYED = 4096
-# Members that ever lived at a time, and a few restarts of each; who is invited can make up no more of them.
-_MOST_ALIVE = 4096
 # Below what others take of one sender, so that nothing said in a hurry is refused there.
 _RATE, _BURST = 400.0, 900.0
-# Datagrams of whom this member does not see come through the host, at a relay's rate and twice that.
-_RELAY_RATE, _RELAY_BURST = 4000.0, 1024.0
-_UNSEEN_RATE, _UNSEEN_BURST = 200.0, 64.0
 # What links that came and went leave in pieces is given back so long after the first of them did [s].
 _CALM = 5.0
 # Who is silent for this much longer than a connection takes to notice is gone: a return of 1.5 s and a lost beat [s].
 _PATIENCE = 1.5
 _SHORTEST = 0.02
-# This machine's address towards the host is looked at this often, and connections so long after somebody came [s].
-_LOOK = 0.5
+# Connections are looked at so long after somebody came [s].
 _SETTLED = 1.0
-_NOWHERE = "-"
-# In place of a member's name in a key: everybody. Keys that are subscribed to have their subscriber's name, so that no
-# two members subscribe to the same: Zenoh keeps what it knows of a member for ever if that had subscribed to a key that
-# lives on here (5 kB for each that ever came; upstream issue 2393).
-_EVERYBODY = "*"
 
 
 class _Said(NamedTuple):
@@ -107,22 +96,13 @@ class ZenohControl:
         self.dropped = Counter[str]()
         self._identity = identity
         self._clock = clock
-        self._me = identity.public.hex()
-        self._prefix = f"cotouch/{invitation.id[:16].hex()}"
+        self._keys = SessionKeys(invitation, identity.public)
         self._writer = MessageWriter(identity, invitation.id, started=started or time.time_ns())
         self._reader = MessageReader(identity.public, invitation.id)
         self._lock = threading.Lock()  # among Zenoh's threads only
-        self._inbox, self._received_bytes, self._polled_bytes = deque[Message](), 0, 0
-        self._outbox, self._said_bytes, self._sent_bytes = SimpleQueue[_Said | None](), 0, 0
-        self._relays = deque[Relayed](maxlen=_MOST_RELAYED)
-        self._relay_limit = SourceLimit(
-            rate=_RELAY_RATE, burst=_RELAY_BURST, stranger_rate=_UNSEEN_RATE, stranger_burst=_UNSEEN_BURST
-        )
-        self._tags = PairTags(identity, invitation.id)
-        self._tags_lock = threading.Lock()
-        # Whoever is said to send and was not heard before costs a key agreement, so only so many a second.
-        self._new_limit = SourceLimit(rate=1.0, burst=1.0, stranger_rate=20.0, stranger_burst=20.0)
-        self._alive: dict[bytes, dict[str, Endpoint | None]] = {}
+        self._inbox, self._outbox = HeldQueue[Message](), HeldQueue[_Said]()
+        self._relays = Relays(identity, invitation.id, self.dropped)
+        self._starts = Starts()
         self._near = frozenset[bytes]()  # who is said to be connected: by anybody, so it only helps to choose a way
         self._shunned = frozenset[bytes]()
         self._presence = Presence(identity, invitation.id, entropy, window=lease + _PATIENCE)
@@ -135,7 +115,7 @@ class ZenohControl:
         host = identity.public == invitation.host
         # Who listens where this machine reaches the host goes where that goes.
         self._roams = listen == "reachable" and not routers and not host
-        self._here, self._looked, self._serviced = None if host else towards(invitation), 0.0, 0.0
+        self._whereabouts, self._serviced = Whereabouts(None if host else invitation), 0.0
 
         def opened(at: Sequence[Endpoint]) -> Line:
             return Line(
@@ -147,9 +127,9 @@ class ZenohControl:
         self._opened, self._entropy = opened, entropy
         self._mover: threading.Thread | None = None
         self._line = opened(() if routers else listening(invitation, listen, host=host))
-        self._files = Files(self._session, self._prefix, self._me)
+        self._files = Files(self._session, self._keys.prefix, self._keys.me)
         self._forwarder = (
-            Forwarder(self._session, self._prefix, PairTags(identity, invitation.id), clock) if host else None
+            Forwarder(self._session, self._keys.prefix, PairTags(identity, invitation.id), clock) if host else None
         )
         self._declare(self._line)
         self._speaker = threading.Thread(target=self._speak, name="cotouch speaker", daemon=True)
@@ -191,20 +171,12 @@ class ZenohControl:
         self._writer.check(topic, body, to)
         if self._closed:
             self.dropped["closed"] += 1
-        elif self._outbox.qsize() >= _MOST_MESSAGES or self._said_bytes - self._sent_bytes > _MOST_HELD:
+        elif not self._outbox.put(_Said(topic, body, to), len(body)):
             self.dropped["not sent yet"] += 1
-        else:
-            self._said_bytes += len(body)
-            self._outbox.put(_Said(topic, body, to))
 
     def poll(self) -> list[Message]:
         """What was said since the last call."""
-        out = list[Message]()
-        while self._inbox:
-            message = self._inbox.popleft()
-            self._polled_bytes += len(message.body)
-            out.append(message)
-        return out
+        return self._inbox.drain()
 
     def present(self) -> frozenset[bytes]:
         """Public keys of all others who show that they are there."""
@@ -239,30 +211,20 @@ class ZenohControl:
             to: public key of the receiver.
             payload: the datagram.
         """
-        import zenoh
-
         near = to in self._near
         if self._closed or len(payload) > MOST_BYTES or not (near or self._host in self._near):
             return False
-        payload = self._tagged(payload, to)
-        try:
-            self._session.put(
-                f"{self._prefix}/{'relay' if near else 'pass'}/{self._me}/{to.hex()}",
-                payload if near else self._tagged(payload, self._host),
-                congestion_control=zenoh.CongestionControl.DROP,
-                priority=zenoh.Priority.DATA_HIGH,
-                express=True,
-            )
-        except zenoh.ZError:
-            return False
-        return True
+        tagged = self._relays.tagged(payload, to)
+        return put(
+            self._session,
+            self._keys.to("relay" if near else "pass", to),
+            tagged if near else self._relays.tagged(tagged, self._host),
+            priority="DATA_HIGH",
+        )
 
     def relayed(self) -> list[Relayed]:
         """Datagrams that came this way since the last call, oldest first; of too many, the newest."""
-        out = list[Relayed]()
-        while self._relays:
-            out.append(self._relays.popleft())
-        return out
+        return self._relays.poll()
 
     def close(self) -> None:
         """Says what is still to be said, and leaves; waits a few seconds at most."""
@@ -270,7 +232,7 @@ class ZenohControl:
             if self._closed:
                 return
             self._closed = True
-        self._outbox.put(None)
+        self._outbox.end()
         self._speaker.join(1.0)
         self._beating.set()
         self._heart.join(1.0)
@@ -278,8 +240,8 @@ class ZenohControl:
             self._mover.join(1.0)
         self._files.close()
         self._line.close([self._speaker, self._heart, *self._files.threads])
-        self._inbox.clear()
-        self._relays.clear()
+        self._inbox.drain()
+        self._relays.poll()
 
     def _declare(self, line: Line) -> None:
         """Listens first and then says that it is there: who sees a member can be heard by it."""
@@ -292,28 +254,21 @@ class ZenohControl:
             self._lives(sample, line)
 
         # In Zenoh's own threads: the order of a sender's messages is kept, and a flood holds up its sender.
-        for kind, receive in (("said", self._received), ("relay", self._handed), ("beat", self._beaten)):
-            key = f"{self._prefix}/{kind}/*/{self._me}"
-            line.session.declare_subscriber(key, Callback(receive, indirect=False), allowed_origin=others)
-        line.session.liveliness().declare_subscriber(
-            f"{self._prefix}/alive/*/*/*",
-            Callback(lives, indirect=False),
-            history=True,
-        )
-        at = _NOWHERE if line.own is None else base64.urlsafe_b64encode(str(line.own).encode()).decode().rstrip("=")
+        keys = self._keys
+        received: dict[Kind, Callable[[zenoh.Sample], None]]
+        received = {"said": self._received, "relay": self._handed, "beat": self._beaten}
+        for kind, receive in received.items():
+            line.session.declare_subscriber(keys.mine(kind), Callback(receive, indirect=False), allowed_origin=others)
+        line.session.liveliness().declare_subscriber(keys.starts, Callback(lives, indirect=False), history=True)
         # A name of its own for every start: the end of an earlier one must not hide this one.
-        self._token = line.session.liveliness().declare_token(
-            f"{self._prefix}/alive/{self._me}/{self._entropy(8).hex()}/{at}"
-        )
+        self._token = line.session.liveliness().declare_token(keys.start(self._entropy(8).hex(), line.own))
 
     def _speak(self) -> None:
-        import zenoh
-
         limit = Bucket(_RATE, _BURST)
         while True:
             self._tidy()
             try:
-                said = self._outbox.get(timeout=_CALM)
+                said = self._outbox.take(_CALM)
             except Empty:
                 continue
             if said is None:
@@ -321,40 +276,25 @@ class ZenohControl:
             cost = cost_of(len(said.body) + 256)
             while not limit.take(time.monotonic(), cost):
                 time.sleep(0.5 / _RATE)
-            to = _EVERYBODY if said.to is None else said.to.hex()
             far = said.to is not None and said.to not in self._near and self._host in self._near
             written = self._writer.write(*said)
-            try:
-                self._session.put(
-                    f"{self._prefix}/{'via' if far else 'said'}/{self._me}/{to}",
-                    self._tagged(written, self._host) if far else written,
-                    congestion_control=zenoh.CongestionControl.BLOCK,
-                    priority=zenoh.Priority.INTERACTIVE_HIGH,
-                    express=True,
-                )
-            except zenoh.ZError:
+            if not put(
+                self._session,
+                self._keys.to("via" if far else "said", said.to),
+                self._relays.tagged(written, self._host) if far else written,
+                priority="INTERACTIVE_HIGH",
+                wait=True,
+            ):
                 self.dropped["closed"] += 1
-            self._sent_bytes += len(said.body)
 
     def _beat(self) -> None:
-        import zenoh
-
         while True:
             with self._lock:
                 leaving = self._closed
                 beat = self._presence.beat(self._clock(), leaving=leaving)
                 wait = self._presence.wait(self._clock())
-            if beat is not None:
-                try:
-                    self._session.put(
-                        f"{self._prefix}/beat/{self._me}/{_EVERYBODY}",
-                        beat,
-                        congestion_control=zenoh.CongestionControl.DROP,
-                        priority=zenoh.Priority.INTERACTIVE_LOW,
-                        express=True,
-                    )
-                except zenoh.ZError:
-                    self.dropped["closed"] += 1
+            if beat is not None and not put(self._session, self._keys.to("beat"), beat, priority="INTERACTIVE_LOW"):
+                self.dropped["closed"] += 1
             if leaving:
                 return
             self._look_around()
@@ -367,17 +307,17 @@ class ZenohControl:
         if self._serviced and now >= self._serviced:
             self._serviced = 0.0
             tend_links()
-        if now < self._looked + _LOOK or (self._mover is not None and self._mover.is_alive()):
+        if self._mover is not None and self._mover.is_alive():
             return
-        self._looked, before = now, self._here
-        here = None if before is None else towards(self._invitation)
-        if before is None or here is None or here == before or is_ours(before):
+        here = self._whereabouts.look(now)
+        if here is None:
             return
+        before = self._whereabouts.here
         if self._roams:
             self._mover = threading.Thread(target=self._move, args=(here,), name="cotouch mover")
             self._mover.start()
         else:
-            self._here = here
+            self._whereabouts.here = here
         tend_links(before)
 
     def _move(self, host: str) -> None:
@@ -389,10 +329,10 @@ class ZenohControl:
         with self._lock:
             closed, before = self._closed, self._line
             if not closed:
-                self._here, self._line = host, line
-                for member in self._alive:
-                    self._relay_limit.unknow(member)
-                self._alive, self._near = {}, frozenset()
+                self._whereabouts.here, self._line = host, line
+                for member in self._starts.members:
+                    self._relays.unknow(member)
+                self._starts, self._near = Starts(), frozenset()
         if not closed:
             self._declare(line)
             self._files.move(line.session)
@@ -424,90 +364,37 @@ class ZenohControl:
             message = self._reader.read(raw, self._clock())
             if isinstance(message, MessageRefusal):
                 return
-            if len(self._inbox) >= _MOST_MESSAGES or self._received_bytes - self._polled_bytes > _MOST_HELD:
+            if not self._inbox.put(message, len(message.body)):
                 self.dropped["not polled"] += 1
-                return
-            self._received_bytes += len(message.body)
-            self._inbox.append(message)
-
-    def _tagged(self, said: bytes, to: bytes) -> bytes:
-        with self._tags_lock:
-            return said + (self._tags.tag(to, said) or bytes(TAG_BYTES))
-
-    def _came(self, sender: bytes, raw: bytes, now: float) -> bool:
-        """Whether that member sent this; looked at before anything counts against its limit."""
-        with self._tags_lock:
-            if not self._tags.known(sender) and not self._new_limit.take(now, sender, sender):
-                return False
-            return self._tags.true(sender, raw[:-TAG_BYTES], raw[-TAG_BYTES:])
 
     def _handed(self, sample: "zenoh.Sample") -> None:
-        now = self._clock()
-        sender = _member(str(sample.key_expr).split("/")[3:4])
-        size = len(sample.payload)
-        raw = sample.payload.to_bytes() if TAG_BYTES <= size <= MOST_BYTES + TAG_BYTES else b""
-        true = sender is not None and raw != b"" and self._came(sender, raw, now)
-        with self._lock:
-            if sender is None or sender in self._shunned or not true:
-                self.dropped["relayed, forged"] += 1
-                return
-            if not self._relay_limit.take(now, sender, sender):
-                self.dropped["relayed"] += 1
-                return
-        self._relays.append(Relayed(raw[:-TAG_BYTES], sender, now))
+        sender = sender_of(str(sample.key_expr))
+        raw = sample.payload.to_bytes() if len(sample.payload) <= MOST_BYTES + TAG_BYTES else b""
+        self._relays.take(None if sender in self._shunned else sender, raw, self._clock())
 
     def _lives(self, sample: "zenoh.Sample", line: Line) -> None:
         import zenoh
 
-        parts = str(sample.key_expr).split("/")
-        member = _member(parts[3:4])
-        if member is None or member == self._identity.public or len(parts) != 6:
+        start = start_of(str(sample.key_expr))
+        if start is None or start.member == self._identity.public:
             return
         with self._lock:
             if line is not self._line:  # as seen from where this member was
                 return
-            starts = self._alive.setdefault(member, {})
-            if sample.kind == zenoh.SampleKind.PUT:
-                if sum(map(len, self._alive.values())) < _MOST_ALIVE:
-                    starts[parts[4]] = _endpoint(parts[5])
-            else:
-                starts.pop(parts[4], None)
-            if not starts:
-                del self._alive[member]
-            self._near = frozenset(self._alive)
-            self._follow(member, _endpoint(parts[5]))
+            self._starts.take(start, alive=sample.kind == zenoh.SampleKind.PUT)
+            self._near = self._starts.members
+            self._follow(start.member, start.at)
 
     def _follow(self, member: bytes, at: Endpoint | None) -> None:
         """Tells those who care that a member came or went."""
         now = time.monotonic()
         self._changed = self._changed or now
         self._serviced = self._serviced or now + _SETTLED
-        introducer = self._line.introducer
         if member in self._near:
-            self._relay_limit.know(member)
-            if introducer is not None:
-                introducer.back(member)
+            self._relays.know(member)
+            self._line.back(member)
         else:
-            self._relay_limit.unknow(member)
+            self._relays.unknow(member)
             self._reader.forget(member)
-            # One of two introduces: the one with the greater key.
-            if introducer is not None and at is not None and self._identity.public > member:
-                introducer.gone(member, at)
-
-
-def _member(parts: list[str]) -> bytes | None:
-    try:
-        out = bytes.fromhex(parts[0])
-    except (ValueError, IndexError):
-        return None
-    return out if len(out) == 32 else None
-
-
-def _endpoint(text: str) -> Endpoint | None:
-    """Where a member says it listens; anybody invited can write anything there."""
-    if text == _NOWHERE or len(text) > 400:
-        return None
-    try:
-        return checked(Endpoint.parse(base64.urlsafe_b64decode(text + "=" * (-len(text) % 4)).decode()))
-    except ValueError:  # of base64, of UTF-8, or of the endpoint
-        return None
+            if self._identity.public > member:  # one of two introduces
+                self._line.gone(member, at)

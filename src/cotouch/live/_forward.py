@@ -12,6 +12,7 @@ from cotouch.live._limit import SourceLimit
 from cotouch.live._pairs import TAG_BYTES, PairTags
 from cotouch.live._sign import MOST_MESSAGE, cost_of
 from cotouch.live._transport import MOST_BYTES
+from cotouch.live._zenoh import put
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -58,35 +59,19 @@ class Forwarder:
             )
 
     def _forward(self, sample: "zenoh.Sample") -> None:
-        import zenoh
-
         sender, to, said = self._checked(sample, MOST_MESSAGE)
         name = sender.encode()
         if said is None or not self._limit.take(self._clock(), name, name, cost_of(len(said))):
             return
         # Dropped rather than waited for: this thread also hears everybody else.
-        self._session.put(
-            f"{self._prefix}/said/{sender}/{to}",
-            said,
-            congestion_control=zenoh.CongestionControl.DROP,
-            priority=zenoh.Priority.INTERACTIVE_HIGH,
-            express=True,
-        )
+        put(self._session, f"{self._prefix}/said/{sender}/{to}", said, priority="INTERACTIVE_HIGH")
 
     def _pass(self, sample: "zenoh.Sample") -> None:
-        import zenoh
-
         sender, to, said = self._checked(sample, MOST_BYTES + TAG_BYTES)
         name = sender.encode()
         if said is None or not self._pass_limit.take(self._clock(), name, name):
             return
-        self._session.put(
-            f"{self._prefix}/relay/{sender}/{to}",
-            said,
-            congestion_control=zenoh.CongestionControl.DROP,
-            priority=zenoh.Priority.DATA_HIGH,
-            express=True,
-        )
+        put(self._session, f"{self._prefix}/relay/{sender}/{to}", said, priority="DATA_HIGH")
 
     def _checked(self, sample: "zenoh.Sample", most: int) -> tuple[str, str, bytes | None]:
         """Sender, recipient, and what is for the recipient; None if the sender did not send it, or too much."""

@@ -23,7 +23,6 @@ class Line:
     Attributes:
         own: where others find this member; None behind routers.
         session: of Zenoh.
-        introducer: None behind routers.
     """
 
     def __init__(
@@ -60,13 +59,28 @@ class Line:
             configuration(mode, certificates, listen=at, inner=inner, connect=connect, lease=lease, multicast=multicast)
         )
         self._gate = None if inner is None or not at else Gate(at, inner, certificates)
-        self.introducer: Introducer | None = None
+        self._introducer: Introducer | None = None  # behind routers, the routers introduce
         if self.own is not None:
 
             def beside(endpoints: Sequence[Endpoint]) -> "zenoh.Session":
                 return open_session(configuration("peer", certificates, connect=endpoints, lease=lease, dial=False))
 
-            self.introducer = Introducer(self.own, beside, clock)
+            self._introducer = Introducer(self.own, beside, clock)
+
+    def back(self, member: bytes) -> None:
+        """This member is connected again."""
+        if self._introducer is not None:
+            self._introducer.back(member)
+
+    def gone(self, member: bytes, at: Endpoint | None) -> None:
+        """This member is no longer connected; it is looked for where it listened.
+
+        Args:
+            member: public key.
+            at: where it listened.
+        """
+        if self._introducer is not None and at is not None:
+            self._introducer.gone(member, at)
 
     def close(self, users: Sequence[threading.Thread] = ()) -> None:
         """Leaves; waits a few seconds at most.
@@ -75,9 +89,9 @@ class Line:
             users: threads that may be in Zenoh still and end soon.
         """
         users = list(users)
-        if self.introducer is not None:
-            self.introducer.close()
-            users.append(self.introducer.thread)
+        if self._introducer is not None:
+            self._introducer.close()
+            users.append(self._introducer.thread)
         close_session(self.session, [user for user in users if user.is_alive()])
         if self._gate is not None:
             self._gate.close()

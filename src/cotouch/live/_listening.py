@@ -2,9 +2,44 @@
 
 import ipaddress
 import socket
+from typing import final
 
 from cotouch.errors import SessionError, TransportError
 from cotouch.live._invitation import Endpoint, Invitation, checked
+
+# This machine's address towards the host is looked at this often [s].
+_LOOK = 0.5
+
+
+@final
+class Whereabouts:
+    """The address by which this machine reaches the host, looked at now and then.
+
+    Attributes:
+        here: that it had when its owner went there; None: it has none, or nobody asks.
+    """
+
+    def __init__(self, invitation: Invitation | None) -> None:
+        """Looks for the first time.
+
+        Args:
+            invitation: names the host; None: this is the host's machine.
+        """
+        self._invitation = invitation
+        self._looked = 0.0
+        self.here = None if invitation is None else towards(invitation)
+
+    def look(self, now: float) -> str | None:
+        """Where this machine is now, if it no longer has the address that it had; None: it has, or is nowhere.
+
+        Args:
+            now: asked more often than twice a second, the answer is None [s].
+        """
+        if self._invitation is None or self.here is None or now < self._looked + _LOOK:
+            return None
+        self._looked = now
+        found = towards(self._invitation)
+        return None if found == self.here or is_ours(self.here) else found
 
 
 def free_port(host: str = "127.0.0.1") -> int:

@@ -140,8 +140,7 @@ class MemoryTransport:
             self._traffic.unsent["no address"] += 1
         else:
             self._network.carry(self._address, self._neighbours[neighbour], payload)
-            self._traffic.sent += 1
-            self._traffic.sent_bytes += len(payload)
+            self._traffic.count_sent(payload)
             return True
         return False
 

@@ -4,32 +4,25 @@ from collections import deque
 from collections.abc import Callable, Hashable, Sequence
 from typing import final
 
-from cotouch.errors import SessionError, TransportError
-from cotouch.live._address import Address, numeric, origin, plain
+from cotouch.errors import SessionError
+from cotouch.live._address import Address, origin, plain
 from cotouch.live._addresses import Addresses, Place
-from cotouch.live._candidates import TOPIC, Candidate, CandidateKind, local_candidates, read_offer, write_offer
+from cotouch.live._candidates import TOPIC, Candidate, read_offer, write_offer
 from cotouch.live._control import ControlPlane, Message
 from cotouch.live._interfaces import interface_hosts
 from cotouch.live._keys import Entropy
 from cotouch.live._limit import SourceLimit
+from cotouch.live._own_candidates import OwnCandidates
 from cotouch.live._path_prober import PathProber, PathState
 from cotouch.live._paths import ByRelay, Known, PathChanged
 from cotouch.live._probe import MEMBER_BYTES, PAIR_NONCE_BYTES, PROBE, Kind, label_of, member_key, pair_keys
 from cotouch.live._reflexive import Lookup, Mirror
 from cotouch.live._transport import MOST_BYTES, Arrival, Ground, Traffic
 
-# Candidates are said again this often: messages are lost while a member is cut off.
-_TELL = 5.0
-_TELL_DIRECT = 60.0
+# Candidates are said at most this often [s].
 _TELL_LEAST = 0.5
-# As often in the time after this machine got another address, while the control plane finds its own way back [s].
-_TELL_MOVED, _MOVED_FOR = 1.0, 20.0
 # A neighbour that was sent nothing for this long is idle.
 _ACTIVE = 1.0
-# The machine is asked for its interfaces at most this often.
-_LOOK_AROUND = 5.0
-# And for the address by which it reaches the others, which costs some system calls, this often [s].
-_WATCH = 1.0
 _MOST_EVENTS = 256
 # Ways are tended at most this often, however often arrivals are looked for.
 _SERVICE = 0.002
@@ -88,20 +81,16 @@ class RoutedTransport:
         self._control = control
         self._session, self._secret, self._entropy = session, secret, entropy
         self._relay_rate = relay_rate
-        self._interfaces = interfaces
-        self._address_now = here
         key = member_key(secret, session)
         self._mirror = Mirror(key, addresses)
         self._lookup = Lookup(key, entropy, control.identity.public)
+        self._own = OwnCandidates(ground, self._lookup, interfaces, here)
         self._neighbours: dict[int, Known] = {}
         self._labels: dict[int, int] = {}
         self._by_relay: dict[int, bytes] = {}  # neighbours that were not introduced
         self._probe_limit = SourceLimit(rate=200.0, burst=100.0, stranger_rate=200.0, stranger_burst=100.0)
         self._relay_limit = SourceLimit(rate=4096.0, burst=4096.0, stranger_rate=200.0, stranger_burst=64.0)
         self._events: deque[PathChanged] = deque(maxlen=_MOST_EVENTS)
-        self._listening = ground.address
-        self._here, self._own = list[Candidate](), list[Candidate]()
-        self._looked = self._watched = self._moved = -float("inf")
         self._last, self._serviced = ground.now(), -float("inf")
         self._open = True
         self.look(mirrors)
@@ -110,20 +99,15 @@ class RoutedTransport:
     @property
     def traffic(self) -> Traffic:
         """What went through so far, by all ways; probes are not in it."""
-        below, direct, relayed = self._ground.traffic, self.direct, self.relayed
-        return Traffic(
-            sent=direct.sent + relayed.sent,
-            sent_bytes=direct.sent_bytes + relayed.sent_bytes,
-            received=direct.received + relayed.received,
-            received_bytes=direct.received_bytes + relayed.received_bytes,
-            unsent=below.unsent + direct.unsent + relayed.unsent,
-            dropped=below.dropped + relayed.dropped + self.probes.dropped,
-        )
+        below, both = self._ground.traffic, self.direct + self.relayed
+        both.unsent += below.unsent
+        both.dropped += below.dropped + self.probes.dropped
+        return both
 
     @property
     def candidates(self) -> tuple[Candidate, ...]:
         """Where this member may be reached, as neighbours are told."""
-        return tuple(self._own)
+        return tuple(self._own.told)
 
     @property
     def mapped(self) -> tuple[Address, ...]:
@@ -198,7 +182,7 @@ class RoutedTransport:
                 known.theirs = offer.nonce
                 known.tell = now  # it may not have ours
                 self._rekey(neighbour, known)
-            known.prober.offer([candidate for candidate in offer.candidates if self._usable(candidate)])
+            known.prober.offer([candidate for candidate in offer.candidates if self._own.reaches(candidate)])
         return True
 
     def send(self, neighbour: int, payload: bytes) -> bool:
@@ -226,8 +210,7 @@ class RoutedTransport:
             done = self._control.relay(member, payload)
             by.unsent.update(() if done else ("relay",))
         if done:
-            by.sent += 1
-            by.sent_bytes += len(payload)
+            by.count_sent(payload)
         return done
 
     def capacity(self, neighbour: int) -> float:
@@ -246,8 +229,7 @@ class RoutedTransport:
             if arrival.payload[0] == PROBE:
                 self._probe(arrival)
             else:
-                self.direct.received += 1
-                self.direct.received_bytes += len(arrival.payload)
+                self.direct.count_received(arrival.payload)
                 out.append(arrival)
         now = self._ground.now()
         if came := self._relayed(now):
@@ -336,8 +318,7 @@ class RoutedTransport:
                 dropped["probe: refused"] += 1
                 return
             answer = (source, announced)
-        self.probes.received += 1
-        self.probes.received_bytes += len(datagram)
+        self.probes.count_received(datagram)
         if answer is not None:
             self._out(*answer)
 
@@ -351,15 +332,16 @@ class RoutedTransport:
                 self.relayed.dropped["size" if payload[:1] != bytes((PROBE,)) else "probe"] += 1
             else:
                 out.append(Arrival(payload, source, min(max(time, self._last), now)))
-                self.relayed.received += 1
-                self.relayed.received_bytes += len(payload)
+                self.relayed.count_received(payload)
         return out
 
     def _service(self, now: float) -> None:
         """Sends what is due: questions, pings, candidates."""
-        if self._address_now is not None and now >= self._watched + _WATCH:
-            self._watched = now
-            self._move(now, self._address_now())
+        if self._own.follow(now):
+            for known in self._neighbours.values():
+                known.prober.moved()
+                known.tell = now
+            self._look_around(now)
         for to, question in self._lookup.due(now):
             self._out(to, question)
         for neighbour, known in self._neighbours.items():
@@ -368,32 +350,11 @@ class RoutedTransport:
             self._note(now, neighbour)
             if now >= max(known.tell, known.announced + _TELL_LEAST):
                 known.announced = now
-                known.tell = now + self._telling(now, known)
-                self._control.send(TOPIC, write_offer(known.nonce, self._own), to=known.member)
-
-    def _telling(self, now: float, known: Known) -> float:
-        """Until candidates are said again [s]."""
-        if now < self._moved + _MOVED_FOR:
-            return _TELL_MOVED
-        return _TELL_DIRECT if known.path_state is PathState.DIRECT else _TELL
-
-    def _move(self, now: float, host: str | None) -> None:
-        """Goes where this machine is now: a socket at an address that is gone neither sends nor hears."""
-        if host is None or host == self._listening.host:
-            return
-        try:
-            self._ground.rebind(host)
-        except TransportError:  # it is gone again, or not quite there; the next look tells
-            return
-        self._listening, self._looked, self._moved = self._ground.address, -float("inf"), now
-        self._lookup.hurry(now)
-        for known in self._neighbours.values():
-            known.prober.moved()
-            known.tell = now
-        self._look_around(now)
+                known.tell = now + self._own.telling(now, direct=known.path_state is PathState.DIRECT)
+                self._control.send(TOPIC, write_offer(known.nonce, self._own.told), to=known.member)
 
     def _note(self, now: float, neighbour: int) -> None:
-        """Takes over which way the puncher has come to."""
+        """Takes over which way the prober has come to."""
         known = self._neighbours[neighbour]
         prober = known.prober
         if known.path_state is prober.path_state and known.address == prober.address:
@@ -423,30 +384,12 @@ class RoutedTransport:
 
     def _look_around(self, now: float) -> None:
         """Finds out where this member may be reached; neighbours are told if that has changed."""
-        if now >= self._looked + _LOOK_AROUND:
-            self._looked = now
-            every = numeric(self._listening.host).is_unspecified
-            self._here = local_candidates(self._listening, self._interfaces() if every else ())
-        own = list(self._here)
-        here = {candidate.address for candidate in own}
-        own += [
-            Candidate(CandidateKind.REFLEXIVE, address) for address in self._lookup.addresses if address not in here
-        ]
-        if own != self._own:
-            self._own = own
+        if self._own.look(now):
             for known in self._neighbours.values():
                 known.tell = now
 
-    def _usable(self, candidate: Candidate) -> bool:
-        """Whether this socket can reach an address, and may: services of this machine only if it is all there is."""
-        own, other = numeric(self._listening.host), numeric(candidate.address.host)
-        if other.version == 6 and own.version == 4:
-            return False
-        return not other.is_loopback or own.is_loopback or own.is_unspecified
-
     def _out(self, to: Address, payload: bytes) -> None:
         if self._ground.reach(to, payload):
-            self.probes.sent += 1
-            self.probes.sent_bytes += len(payload)
+            self.probes.count_sent(payload)
         else:
             self.probes.unsent["system"] += 1

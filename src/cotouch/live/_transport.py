@@ -46,6 +46,27 @@ class Traffic:
     unsent: Counter[str] = field(default_factory=Counter[str])
     dropped: Counter[str] = field(default_factory=Counter[str])
 
+    def __add__(self, other: "Traffic") -> "Traffic":
+        """Of both together."""
+        return Traffic(
+            self.sent + other.sent,
+            self.sent_bytes + other.sent_bytes,
+            self.received + other.received,
+            self.received_bytes + other.received_bytes,
+            self.unsent + other.unsent,
+            self.dropped + other.dropped,
+        )
+
+    def count_sent(self, datagram: bytes) -> None:
+        """Counts one that was handed to the network."""
+        self.sent += 1
+        self.sent_bytes += len(datagram)
+
+    def count_received(self, datagram: bytes) -> None:
+        """Counts one that `poll` returns."""
+        self.received += 1
+        self.received_bytes += len(datagram)
+
 
 class Transport(Protocol):
     """Carries datagrams of at most `MOST_BYTES`; any of them may be lost, late, doubled, overtaken or forged.

@@ -129,8 +129,7 @@ class UdpTransport:
             except OSError as error:  # buffer full, no route, a firewall: all of them may pass
                 self._traffic.unsent[_why(error)] += 1
                 return False
-            self._traffic.sent += 1
-            self._traffic.sent_bytes += len(payload)
+            self._traffic.count_sent(payload)
             return True
         return False
 

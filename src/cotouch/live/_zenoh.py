@@ -25,6 +25,7 @@ _CLOSING = 2.0
 _LAST = 12.0
 
 Mode = Literal["peer", "client", "router"]
+Priority = Literal["INTERACTIVE_HIGH", "INTERACTIVE_LOW", "DATA_HIGH"]
 
 
 def configuration(
@@ -127,6 +128,27 @@ def open_session(configured: str) -> "zenoh.Session":
         }
         why = next((said for sign, said in known.items() if sign in text), f"the control plane cannot open: {text}")
         raise TransportError(why) from error
+
+
+def put(session: "zenoh.Session", key: str, said: bytes, *, priority: Priority, wait: bool = False) -> bool:
+    """Says something at once; whether the session took it, which one that closes does not.
+
+    Args:
+        session: that carries it.
+        key: under which it is said.
+        said: what is said.
+        priority: among all that this session says.
+        wait: for room on the way to who reads slowly; otherwise it is dropped for these.
+    """
+    import zenoh
+
+    control = zenoh.CongestionControl.BLOCK if wait else zenoh.CongestionControl.DROP
+    urgency = getattr(zenoh.Priority, priority)
+    try:
+        session.put(key, said, congestion_control=control, priority=urgency, express=True)
+    except zenoh.ZError:
+        return False
+    return True
 
 
 def close_session(session: "zenoh.Session", users: Sequence[threading.Thread] = ()) -> None:
