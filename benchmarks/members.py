@@ -120,7 +120,7 @@ def member() -> None:
         if window["from"] <= done < window["until"]:
             if not counted[0]:
                 counted[:] = done, time.process_time()
-            used = [_newest(source) for source in peer._sources]
+            used = [_newest(source) for source in peer._joined.sources]
             arrived = [came.get(other, (-1, 0.0)) for other in peer.neighbours]
             stamps = [time if index == at else 0.0 for at, (index, time) in zip(used, arrived, strict=True)]
             links[:] = peer.neighbours
@@ -129,7 +129,9 @@ def member() -> None:
             ages.extend(peer._moved[1])
             counted[2:] = done, time.process_time()
         elif not there and len(peer.neighbours) == asked["links"]:
-            there = all(source.state == LinkState.COUPLED for source in peer._sources if isinstance(source, LinkGuard))
+            there = all(
+                source.state == LinkState.COUPLED for source in peer._joined.sources if isinstance(source, LinkGuard)
+            )
             if there:
                 print("there", flush=True)
         return sample

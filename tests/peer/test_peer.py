@@ -258,7 +258,7 @@ def test_members_come_and_go_and_the_books_stay_balanced():
         for at, (guard, ledger) in enumerate(zip(guards.values(), report.guards, strict=True)):
             assert ledger == guard.ledger
             # What the spring holds after the step, by the guard's ledger and by the copy's.
-            stretch = one.state.position - one._ends[at].place
+            stretch = one.state.position - one._joined.ends[at].place
             held = 0.5 * 30.0 * float((ready.operator.weight[0][:, None] * stretch**2).sum())
             assert held == pytest.approx(ledger.potential - report.link_work[at], abs=1e-12)
     assert any(guard.state == LinkState.COUPLED for guard in guards.values())
@@ -321,10 +321,10 @@ def test_a_new_link_is_relaxed_where_the_copy_is():
 
 
 @pytest.mark.parametrize("change", [
-    lambda one: one.connect(0, one._sources[0], strength=1.0),
-    lambda one: one.connect(1, one._sources[0], strength=1.0),
-    lambda one: one.connect(2, one._sources[0], strength=-1.0),
-    lambda one: one.connect(2, one._sources[0], strength=1.0, weight=1),
+    lambda one: one.connect(0, one._joined.sources[0], strength=1.0),
+    lambda one: one.connect(1, one._joined.sources[0], strength=1.0),
+    lambda one: one.connect(2, one._joined.sources[0], strength=-1.0),
+    lambda one: one.connect(2, one._joined.sources[0], strength=1.0, weight=1),
     lambda one: one.set_local_damping(np.array([-1.0])),
     lambda one: one.set_local_damping(np.array([np.nan])),
     lambda one: one.set_local_damping(np.zeros(2)),
@@ -364,7 +364,7 @@ def test_norms_in_a_weight_that_couples_rows_are_the_dense_ones():
     )  # fmt: skip
     W = np.asarray(laplacian + 0.5 * np.eye(body.nodes))
     for k in range(3):
-        x, held = ready.to_nodes(one.state.position), ready.to_nodes(one._ends[0].place)
+        x, held = ready.to_nodes(one.state.position), ready.to_nodes(one._joined.ends[0].place)
         one.step(0.01 * (k + 1), 0.01)
         away, before = x - ready.to_nodes(y), x - held
         assert seen[k][0] == pytest.approx(np.einsum("ia,ij,ja", away, W, away), rel=1e-12)

@@ -159,7 +159,7 @@ class Driven:
                 self.hands[user](peer, now, self.periods[user])
             if self.disturb is not None:
                 self.disturb(peer, now)
-            used = [link.choose(peer.steps).index for link in peer._sources]  # type: ignore[attr-defined]
+            used = [link.choose(peer.steps).index for link in peer._joined.sources]  # type: ignore[attr-defined]
             report = peer.step(own, self.periods[user])
             self.reports[user].append(report)
             self.states[user].append((peer.state.position.copy(), peer.state.velocity.copy()))

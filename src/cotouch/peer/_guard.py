@@ -55,6 +55,7 @@ from math import inf, sqrt
 from typing import final
 
 from cotouch.errors import NetworkError
+from cotouch.peer._catch_up import CatchUp
 from cotouch.peer._guard_ledger import GuardEvent, GuardLedger
 from cotouch.peer._links import Link, LinkHeader, LinkState, Sample
 
@@ -155,11 +156,8 @@ class LinkGuard:
         self._known_epoch = 0
         self._partner = 0  # the other's epoch that this end is coupled with
         self._potential = 0.0
-        self._caught = 0.0  # for how long ȳ = y with an age within the budget
-        self._catching = False  # in this step
+        self._catch_up, self._catching = CatchUp(), False  # the latter in this step
         self._short = 0.0  # of so much energy, in this step
-        self._recent = self._older = inf  # least tank, of two stretches of time since then
-        self._stretch = 0.0  # how long the recent one is
         self._surplus = 0.0  # of the budget, in this step
         self._given_before: float | None = None  # by the other, as heard first
         self._given = self._received = self._shared = self._taken = 0.0
@@ -255,24 +253,24 @@ class LinkGuard:
             self._waited += T
         potential = self._affordable(goal, held, available)
         caught = fresh and potential == desired
-        if self.state == LinkState.READY and not (caught and self._caught >= self.total):
-            self._fall(now, "left behind" if fresh else "too old", self._least)
+        if self.state == LinkState.READY and not (caught and self._catch_up.time >= self.total):
+            self._fall(now, "left behind" if fresh else "too old", self._catch_up.least)
             available = self.tank
             potential = self._affordable(goal, held, available)
             caught = fresh and potential == desired
         self._short = goal - potential if fresh and potential < goal and available <= potential else 0.0
         if not caught:
-            self._forget()
+            self._catch_up.begin()
         self._paid += self.tank - (available - potential)
         self.tank = available - potential
         self._move(potential, held)
         self._catching = caught
         if caught:
-            self._remember(header, T)
+            self._catch_up.note(self.tank, self.total, T, guarded=header.state == LinkState.GUARDED)
             self._rise(header, now)
             if header.starved and header.state == LinkState.GUARDED and self.state != LinkState.COUPLED:
                 self._give()
-            self._caught += T
+            self._catch_up.time += T
             return 1.0
         return sqrt(potential / desired) if potential > 0.0 else 0.0
 
@@ -334,33 +332,12 @@ class LinkGuard:
             self._received += taken
             self.help(taken)
 
-    @property
-    def _least(self) -> float:
-        """Of the tank, over the time in which the other end may have coupled."""
-        return min(self._recent, self._older)
-
-    def _remember(self, header: LinkHeader, T: float) -> None:
-        """Notes the tank of an end that has caught up.
-
-        Until the sample that says GUARDED was sent, the other end had not coupled; so long ago as both budgets it was.
-        """
-        if header.state == LinkState.GUARDED and self._stretch >= self.total:
-            self._older, self._recent, self._stretch = self._recent, inf, 0.0
-        self._stretch += T
-        self._recent = min(self._recent, self.tank)
-
-    def _forget(self) -> None:
-        """Begins anew to catch up."""
-        self._caught = self._stretch = 0.0
-        self._recent = self._older = inf
-
     def _give(self) -> None:
         """Gives the other end, which lacks it, what this one has for certain."""
-        spare = min(self.tank, self._least) - 2.0 * self._charge  # what coupling will cost, and more
+        spare = min(self.tank, self._catch_up.least) - 2.0 * self._charge  # what coupling will cost, and more
         if spare > 0.0:
             self.tank -= spare
-            self._recent -= spare
-            self._older -= spare
+            self._catch_up.give(spare)
             self._given += spare
 
     def _why_guard(self, header: LinkHeader, fresh: bool, rise: float) -> str:
@@ -400,17 +377,17 @@ class LinkGuard:
         self.tank = tank
         self.state = LinkState.GUARDED
         self.epoch = self.epoch % _LAST_EPOCH + 1
-        self._forget()
+        self._catch_up.begin()
         self.events.append(GuardEvent(now, LinkState.GUARDED, reason))
 
     def _rise(self, header: LinkHeader, now: float) -> None:
         """An end that has caught up becomes ready, and then couples."""
-        if self._caught < self.total or header.known_epoch != self.epoch:
+        if self._catch_up.time < self.total or header.known_epoch != self.epoch:
             return
-        if header.state != LinkState.GUARDED and self._least >= self._charge:
-            self._lost += self.tank - self._least
+        if header.state != LinkState.GUARDED and self._catch_up.least >= self._charge:
+            self._lost += self.tank - self._catch_up.least
             self._paid += self._charge
-            self.tank = self._least - self._charge
+            self.tank = self._catch_up.least - self._charge
             self.state, self._partner = LinkState.COUPLED, header.epoch
             self.events.append(GuardEvent(now, LinkState.COUPLED, "both have caught up"))
         elif self.state == LinkState.GUARDED:

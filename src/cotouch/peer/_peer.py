@@ -45,17 +45,13 @@ from cotouch.mechanics import (
     touch_work,
     workspace,
 )
+from cotouch.peer._allowance import Allowance
 from cotouch.peer._guard import LinkGuard
-from cotouch.peer._joined import LinkEnd, joined
+from cotouch.peer._joined import JoinedLinks, LinkEnd
 from cotouch.peer._law_link import LawLink
-from cotouch.peer._links import Link, LinkState, Message, Sample
+from cotouch.peer._links import Link, Message, Sample
 from cotouch.peer._report import StepReport
 from cotouch.peer._scale import CopyScale
-
-# So long an allowance lasts at least: a hand that comes into a session is not torn along [s].
-APPROACH = 2.0
-# Links with a law get of it only where copies are farther apart when they first hear of each other [m].
-_APART = 1e-3
 
 
 @final
@@ -67,12 +63,11 @@ class Peer:
 
     Links come and go between steps, and so does the share that the copy has of the body. A newcomer starts at rest with
     guarded links, at a place that nobody tells it. What it takes to come to where the others are, its links get of an
-    allowance, as they need it and evenly over `APPROACH` seconds at the fastest, until all of them are coupled.
+    `Allowance`, as they need it and evenly over two seconds at the fastest, until all of them are coupled.
 
     Attributes:
         index: of the user.
         model: the body.
-        neighbours: users it is linked to, in the order of their links.
         state: position and velocity.
         ports: what holds the copy; written by the owner before each step.
         tools: the proxies, likewise; None without.
@@ -125,8 +120,7 @@ class Peer:
         self.model = model
         self.steps = 0
         self.integrated = 0.0
-        self._allowance, self._advance = allowance, allowance / APPROACH
-        self._approached = 0.0  # for so long links with a law have had of it [s]
+        self._allowance = Allowance(allowance)
         self.ports = ports
         self.state = State(
             model.to_rows(position),
@@ -137,7 +131,7 @@ class Peer:
         )
         self._lanes = model.lanes
         self._scale = CopyScale(model.operator)
-        self._hold(tuple(links), tuple(links.values()), strength, weight, {})
+        self._joined = JoinedLinks(model, self.state.position, links, strength, weight)
         self._local = np.ascontiguousarray(local_damping, dtype=np.float64)
         self._extra = np.ascontiguousarray(extra_damping, dtype=np.float64)
         self._work = workspace(model.operator, width, ports.last - ports.first, closed=model.force is not None)
@@ -166,21 +160,26 @@ class Peer:
             self._energy += float(tools.account[own].sum() + tools.grip_energy[own].sum())
 
     @property
+    def neighbours(self) -> tuple[int, ...]:
+        """Users it is linked to, in the order of their links."""
+        return self._joined.neighbours
+
+    @property
     def ready(self) -> bool:
         """Whether every link has what the next step needs."""
-        return all(source.ready(self.steps) for source in self._sources)
+        return all(source.ready(self.steps) for source in self._joined.sources)
 
     def receive(self, sample: Sample) -> bool:
         """Takes a sample that arrived; False if it was of no use, or not from a neighbour."""
         try:
-            source = self._sources[self.neighbours.index(sample.sender)]
+            source = self._joined.sources[self.neighbours.index(sample.sender)]
         except ValueError:
             return False
         return source.offer(sample)
 
     def message(self, neighbour: int) -> Message | None:
         """What the link's law tells a neighbour with the sample of the step taken last; None without a law."""
-        source = self._sources[self.neighbours.index(neighbour)]
+        source = self._joined.sources[self.neighbours.index(neighbour)]
         return source.message if isinstance(source, LawLink) else None
 
     def connect(self, neighbour: int, link: Link, *, strength: float, weight: int = 0) -> None:
@@ -197,34 +196,11 @@ class Peer:
         """
         if neighbour in self.neighbours or neighbour == self.index:
             raise NetworkError(f"user index {neighbour} is linked to user index {self.index} already; disconnect it")
-        weights = self.model.operator.weight.shape[0]
-        if not (0 <= weight < weights and 0.0 <= strength < np.inf):
-            raise NetworkError(
-                f"a link has strength {strength:g} and weight {weight}; it takes a finite strength >= 0 and a weight "
-                f"from 0 to {weights - 1}"
-            )
-        held, links = self._held(), self._links
-        self._hold(
-            (*self.neighbours, neighbour),
-            (*self._sources, link),
-            (*(end.spring for end in self._ends), strength),
-            (*links.weight, weight),
-            held,
-        )
+        self._joined.connect(self.state.position, neighbour, link, strength=strength, weight=weight)
 
     def disconnect(self, neighbour: int) -> None:
         """Lets a link go, and what its spring holds; nothing, where there is none."""
-        if neighbour not in self.neighbours:
-            return
-        held, links = self._held(), self._links
-        kept = [at for at, other in enumerate(self.neighbours) if other != neighbour]
-        self._hold(
-            tuple(self.neighbours[at] for at in kept),
-            tuple(self._sources[at] for at in kept),
-            [self._ends[at].spring for at in kept],
-            [int(links.weight[at]) for at in kept],
-            held,
-        )
+        self._joined.disconnect(self.state.position, neighbour)
 
     def set_local_damping(self, coefficients: Float) -> None:
         """Changes B_i.
@@ -255,7 +231,7 @@ class Peer:
         kinetic, elastic = float(ledger[KINETIC]), float(ledger[ELASTIC])
         mass, stiffness = scale.operator.copy_scale, scale.stiffness
         self._changed(scale.rescale(copies, self.state, kinetic, elastic))
-        for law in self._laws:
+        for law in self._joined.laws:
             law.copies = copies
         if self.model.force is None:
             self._settle()
@@ -268,8 +244,9 @@ class Peer:
         """What its steps with tools consist of, for whoever compiles that ahead; nothing without them."""
         if self.tools is None or self._surface is None or self._touch is None:
             return []
-        what = self._links, self.ports, self._surface, self.tools, self._local, self._work, self._touch, self._lanes
-        return touch_parts(self._scale.operator, self.state, *what)
+        work = self._local, self._work, self._touch, self._lanes
+        links, ports = self._joined.kernel, self.ports
+        return touch_parts(self._scale.operator, self.state, links, ports, self._surface, self.tools, *work)
 
     @property
     def stiffness_scale(self) -> float:
@@ -296,11 +273,12 @@ class Peer:
         Returns:
             What the neighbours should be told, with the words that the links' guards have now.
         """
-        links, ledger, lanes, scale, x = self._links, self._ledger, self._lanes, self._scale, self.state.position
+        joined, ledger, lanes, scale, x = self._joined, self._ledger, self._lanes, self._scale, self.state.position
+        links = joined.kernel
         if scale.rising:
             self._changed(scale.rise(self.state, float(ledger[ELASTIC])))
         age: list[float] = []
-        for end in self._ends:
+        for end in joined.ends:
             guard, place, sample = end.guard, end.place, end.source.choose(self.steps)
             age.append(now - sample.stamp)
             if end.law is not None:
@@ -314,11 +292,11 @@ class Peer:
                 place[...] = x
             else:
                 approach(x, sample.position, fraction, place, lanes)
-        own = len(self._ends)
+        own = len(joined.ends)
         op, force, state, ports, work = scale.operator, self.model.force, self.state, self.ports, self._work
         surface, tools, touched = self._surface, self.tools, self._touch_ledger
         contact, touch = self._contact, self._touch
-        damping, rest = (self._local, self._extra), (self._link_work, *self._solver, lanes)
+        damping, rest = (self._local, self._extra), (joined.work, *self._solver, lanes)
         if tools is not None and surface is not None:
             what = surface, tools, *damping, T, own, work
             if contact is not None:
@@ -329,10 +307,10 @@ class Peer:
             closed_step(op, force, state, links, ports, *damping, T, own, work, ledger, *rest)
         else:
             step(op, state, links, ports, *damping, T, own, work, ledger, *rest)
-        for law in self._laws:
+        for law in joined.laws:
             law.after(work.mean)
-        if self._laws and self._laws[0].law.feels:
-            feel(self._laws[0].memory.hand, ports)
+        if joined.laws and joined.laws[0].law.feels:
+            feel(joined.laws[0].memory.hand, ports)
         self.steps += 1
         self.integrated += T
         sample = Sample(
@@ -344,16 +322,17 @@ class Peer:
     def account(self) -> StepReport:
         """Books the step that was just moved through; guards get what it left over."""
         assert self._moved is not None
-        ledger, touched, scale, (sample, age, T) = self._ledger, self._touch_ledger, self._scale, self._moved
+        joined, ledger, touched, scale = self._joined, self._ledger, self._touch_ledger, self._scale
+        sample, age, T = self._moved
         # As Python's own numbers from here on: one by one out of an array they take longer than the step of a point.
         square, did, touch = self._work.quadratic.tolist(), ledger.tolist(), touched.tolist()
-        for guard, end in self._guarded:
+        for guard, end in joined.guarded:
             guard.settle(square[end.weight], T)
         if scale.rising:
             scale.tank += did[BODY_LOSS] + did[EXTRA_LOSS]
         else:
-            self._share(did[BODY_LOSS] + did[EXTRA_LOSS])
-        advanced = self._approach(T) if self._allowance > 0.0 else 0.0
+            joined.share(did[BODY_LOSS] + did[EXTRA_LOSS])
+        advanced = self._allowance.spend(joined, T) if self._allowance.left > 0.0 else 0.0
         energy = did[KINETIC] + did[ELASTIC] + touch[PROXY] + touch[TOUCH_STORED]
         lost = did[BODY_LOSS] + did[LOCAL_LOSS] + did[EXTRA_LOSS] + touch[TOUCH_LOSS]
         supplied = did[SUPPLIED] + touch[DRIVE]
@@ -364,7 +343,7 @@ class Peer:
             body_loss=did[BODY_LOSS],
             local_loss=did[LOCAL_LOSS],
             extra_loss=did[EXTRA_LOSS],
-            link_work=self._link_work.copy(),
+            link_work=joined.work.copy(),
             kinetic=did[KINETIC],
             elastic=did[ELASTIC],
             drive_work=touch[DRIVE],
@@ -373,7 +352,7 @@ class Peer:
             proxy=touch[PROXY],
             touch_stored=touch[TOUCH_STORED],
             speed=square[0],
-            residual=energy - self._energy - supplied + lost - sum(self._link_work.tolist()),
+            residual=energy - self._energy - supplied + lost - sum(joined.work.tolist()),
             age=np.array(age),
             iterations=int(did[ITERATIONS]),
             closure=did[CLOSURE],
@@ -381,7 +360,7 @@ class Peer:
             shortened=did[SHORTENED],
             rescaled=self._rescaled,
             advanced=advanced,
-            guards=tuple(None if end.guard is None else end.guard.ledger for end in self._ends),
+            guards=tuple(None if end.guard is None else end.guard.ledger for end in joined.ends),
         )
         self._energy, self._rescaled = energy, 0.0
         return report
@@ -406,56 +385,9 @@ class Peer:
             desired, held = stretches(diagonal, x, sample.position, place, lanes)
         return guard.decide(sample, desired, held, now, T)
 
-    def _share(self, spare: float) -> None:
-        """Lets links that cannot follow have what other links, and the copy's own damping, can spare [J]."""
-        starved = [guard for guard, _ in self._guarded if guard.starved]
-        if starved:
-            spare += sum(guard.donate() for guard, _ in self._guarded)
-            for guard in starved:
-                guard.help(spare / len(starved))
-
-    def _approach(self, T: float) -> float:
-        """Lets links have what they lack to come to where the others are, as far as the allowance goes [J]."""
-        starved = [guard for guard, _ in self._guarded if guard.starved]
-        most, before = min(self._allowance, self._advance * T), self._allowance
-        if self._laws:
-            memory, self._approached = self._laws[0].memory, self._approached + T
-            energy = min(memory.lacking, most)
-            # Those who begin together have nowhere to come to: their hands would get what nobody put in.
-            if energy > 0.0 and any(link.apart > _APART for link in self._laws):
-                memory.help(energy)
-                self._allowance -= energy
-        for guard in starved:
-            energy = min(guard.lacking, most / len(starved))
-            guard.help(energy)
-            self._allowance -= energy
-        advanced = before - self._allowance
-        together = self._guarded and all(guard.state == LinkState.COUPLED for guard, _ in self._guarded)
-        if together or self._approached > 2.0 * APPROACH:  # a law has no state that says that it has arrived
-            self._allowance = 0.0
-        return advanced
-
     def _changed(self, energy: float) -> None:
         """Books what the copy's energy changed by between steps."""
         self._energy += energy
         self._rescaled += energy
         if self._surface is not None and self._surface.soft.size and self._soft is not None:
             self._surface = self._surface._replace(soft=self._soft * self._scale.softness)
-
-    def _held(self) -> dict[int, Float]:
-        """Set positions of the links, by neighbour."""
-        return {other: end.place.copy() for other, end in zip(self.neighbours, self._ends, strict=True)}
-
-    def _hold(
-        self,
-        neighbours: tuple[int, ...],
-        sources: tuple[Link, ...],
-        strength: Sequence[float],
-        weight: Sequence[int],
-        held: Mapping[int, Float],
-    ) -> None:
-        """Takes these links."""
-        self._links, self._ends = joined(self.model, self.state.position, neighbours, sources, strength, weight, held)
-        self.neighbours, self._sources, self._link_work = neighbours, sources, np.zeros(len(sources))
-        self._guarded = [(end.guard, end) for end in self._ends if end.guard is not None]
-        self._laws = [end.law for end in self._ends if end.law is not None]
