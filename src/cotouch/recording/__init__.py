@@ -1,6 +1,7 @@
 """What live peers did, on disk: recorded off the loop, read back, played, exported, audited."""
 
-from cotouch.recording._audit import Audit, UserLedger, audit
+from cotouch.recording._audit import audit
+from cotouch.recording._audited import Audit, UserLedger
 from cotouch.recording._body import RecordedBody
 from cotouch.recording._columns import ADVANCED, EXCHANGE, GUARDS
 from cotouch.recording._dataset import recordings_dataset, save_dataset

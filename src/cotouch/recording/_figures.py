@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from cotouch import drawing
 from cotouch.files import write
-from cotouch.recording._audit import Audit
+from cotouch.recording._audited import Audit
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
