@@ -4,10 +4,11 @@ from cotouch.body._body import Body
 from cotouch.body._builders import MOST_NODES, GridModel, Ground, chain, lattice, point
 from cotouch.body._checks import Matrix, SumOfSquares
 from cotouch.body._eigenspaces import canonical
+from cotouch.body._from_surface import MOST_TRIANGLES, body_from_surface
+from cotouch.body._from_tetrahedra import MOST_ELEMENTS, body_from_tetrahedra
 from cotouch.body._ground import Box, Held, NodeSet, Plane
 from cotouch.body._material import Frame, Material, MaterialModel
 from cotouch.body._mesh_material import SolidModel, SurfaceModel
-from cotouch.body._meshes import MOST_ELEMENTS, MOST_TRIANGLES, body_from_surface, body_from_tetrahedra
 from cotouch.body._origin import Origin
 from cotouch.body._reading import UNITS
 from cotouch.body._skin import Skin
