@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from cotouch.network import Network, characteristic, closed_loop, generator_eigenvalues, rightmost
-from cotouch.network._elimination import cut, definite, evaluate, negatives, scratch
+from cotouch.network._definite import definite, negatives
+from cotouch.network._elimination import cut, evaluate, scratch
 from cotouch.network._rightmost import count_right
 from cotouch.network._types import FloatArray
 

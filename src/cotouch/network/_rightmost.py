@@ -3,7 +3,8 @@
 import numpy as np
 
 from cotouch.compiled import raised, routine, subroutine
-from cotouch.network._elimination import cut, definite, negatives
+from cotouch.network._definite import definite, negatives
+from cotouch.network._elimination import cut
 from cotouch.network._loop import Loop
 from cotouch.network._types import ComplexArray, IntArray
 from cotouch.network._walk import keep, polish, standing, walk
