@@ -1,0 +1,48 @@
+"""What every figure of this package is made with: one restrained style, and the drawing of a network.
+
+Nothing here knows what is drawn: numbers, names and colours come in, lines and texts go out.
+"""
+
+from cotouch.drawing._lines import decimate, end_labels, peak, prefix
+from cotouch.drawing._network import MANY_USERS, network
+from cotouch.drawing._style import (
+    ALARM,
+    DASHES,
+    GRID,
+    INK,
+    MUTED,
+    SHADE,
+    SURFACE,
+    USERS,
+    WIDTH,
+    drawn,
+    figure_legend,
+    sheet,
+    style,
+    user_legend,
+    user_line,
+)
+
+__all__ = [
+    "ALARM",
+    "DASHES",
+    "GRID",
+    "INK",
+    "MANY_USERS",
+    "MUTED",
+    "SHADE",
+    "SURFACE",
+    "USERS",
+    "WIDTH",
+    "decimate",
+    "drawn",
+    "end_labels",
+    "figure_legend",
+    "network",
+    "peak",
+    "prefix",
+    "sheet",
+    "style",
+    "user_legend",
+    "user_line",
+]
