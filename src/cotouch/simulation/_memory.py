@@ -7,8 +7,8 @@ from cotouch.errors import ScenarioError
 from cotouch.mechanics import Model
 from cotouch.scenario import Scenario
 from cotouch.simulation._channel import certain
+from cotouch.simulation._clocks import most_steps
 from cotouch.simulation._layout import CLOSED_BOOKS, SLOT_LEDGER, TICK_LEDGER, TOOL_LEDGER, USER_LEDGER
-from cotouch.simulation._schedule import most_steps
 
 _NUMBER = 8  # bytes
 # What remains of a record, and the copy of it that goes into the result.
