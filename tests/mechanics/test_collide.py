@@ -9,8 +9,9 @@ from tests.thorough import examples
 
 from cotouch.body import Body, Skin, lattice
 from cotouch.mechanics import MOST_CONTACTS, TouchWork, model, surface_of, touch_work
-from cotouch.mechanics._collide import MOST_HITS, nearest_point, touching
+from cotouch.mechanics._collide import MOST_HITS, touching
 from cotouch.mechanics._surface import refit
+from cotouch.mechanics._triangle import nearest_point
 
 Array = np.ndarray
 
