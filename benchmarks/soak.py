@@ -35,7 +35,7 @@ from benchmarks._report import Row, add_write, finish
 from benchmarks._trend import Trend, trend
 from cotouch.recording import audit, read_recording
 from cotouch.session import MemberProcess, OpenHost, SessionFile, open_host
-from cotouch.session._demo import _toml, demo_file
+from cotouch.session._demo_session import demo_file, to_toml
 
 MINUTES = 10.0
 RATE = 100
@@ -65,7 +65,7 @@ def session() -> SessionFile:
         reach = hand["path"][-1][1]
         hand["path"] = [point for k in range(400) for point in ([6 * k, reach * (k % 2)], [6 * k + 4, reach * (k % 2)])]
         hand.pop("release", None)
-    return SessionFile.from_toml(_toml(tables))
+    return SessionFile.from_toml(to_toml(tables))
 
 
 class Soak:

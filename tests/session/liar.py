@@ -15,7 +15,7 @@ from cotouch.live import Heading, Identity, SampleLink
 from cotouch.live._budget import _MESSAGE
 from cotouch.peer import Message, Sample
 from cotouch.session._messages import LAST_EPOCH, Decided, Decision, Join, Status, write
-from cotouch.session._replica import BUDGET
+from cotouch.session._neighbours import BUDGET
 from cotouch.session._succession import _CONTEXT
 
 

@@ -485,7 +485,8 @@ def test_who_has_another_law_of_that_name_is_told_so() -> None:
     world = World(text(), tick=2.5e-3)
     world.join("Ann")
     ben = world.join("Ben")
-    ben.member._request = ben.member._request.model_copy(update={"law": "paid 0123456789abcdef"})
+    asking = ben.member._asking
+    asking.request = asking.request.model_copy(update={"law": "paid 0123456789abcdef"})
     with pytest.raises(SessionError, match='links of this session run law "paid", and this machine has another'):
         world.run(3.0)
 

@@ -473,8 +473,8 @@ def test_samples_are_read_between_steps_and_used_in_the_next() -> None:
 def test_links_are_tended_in_turns_where_they_are_many() -> None:
     copy = three().people[0].copy
     one = next(iter(copy.neighbours.values()))
-    copy.neighbours = {slot: replace(one, guarded=slot) for slot in range(1, 21)}
-    seen = [neighbour.guarded for _ in range(5) for _, neighbour in copy._turns()]
+    copy._links.by_slot = {slot: replace(one, guarded=slot) for slot in range(1, 21)}
+    seen = [neighbour.guarded for _ in range(5) for _, neighbour in copy._links._turns()]
     assert len(seen) == 40
     assert sorted(seen) == sorted([*range(1, 21)] * 2)
 

@@ -2,7 +2,8 @@
 
 from cotouch.session._admission import Admission
 from cotouch.session._coordinator import ABSENT_AFTER, Coordinator, Planner
-from cotouch.session._demo import DemoOutcome, all_move, demo_file, demo_session, play
+from cotouch.session._demo import DemoOutcome, all_move, play
+from cotouch.session._demo_session import demo_file, demo_session
 from cotouch.session._demo_session_api import DemoSessionApi
 from cotouch.session._device_table import DeviceTable
 from cotouch.session._felt import Felt, felt

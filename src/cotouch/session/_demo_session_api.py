@@ -18,6 +18,7 @@ from cotouch.session._commanded_hand import usual_stiffness
 from cotouch.session._file import SessionFile
 from cotouch.session._jobs import Jobs
 from cotouch.session._links import Pair
+from cotouch.session._lowered import LoweredDamping
 from cotouch.session._mailboxes import MailboxFolder
 from cotouch.session._messages import Roster
 from cotouch.session._moment import LastMoment
@@ -39,8 +40,6 @@ def cores() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-# Lowered damping holds so long after it was last asked for [s].
-LEASE = 2.0
 # Choices of links that were looked for and not found.
 _NONE_FOUND: dict[str, list[Pair]] = {"best": [], "worst": []}
 
@@ -104,9 +103,7 @@ class DemoSessionApi:
         self._stirred = self._acted = -math.inf  # when something moved, and when somebody acted last [s]
         self._killed = set[str]()
         self._keys: dict[str, str] = {}  # by which members that were started here are known
-        self._loosened = set[str]()  # hands that let go while damping is lowered
-        self._share, self._ordered = 1.0, 0  # of the damping, and the number of that order
-        self._lease = 0.0  # until when less than all of it holds [s]
+        self._damping = LoweredDamping(self._commands, self._names, self._say)
         self._moment = LastMoment()
         self._lives = dict.fromkeys(self._names, 0)
         self._planned: ChildCall[dict[str, list[Pair]]] | None = None
@@ -138,8 +135,7 @@ class DemoSessionApi:
                 if not ended:  # else all leave, and what they showed last is the session's last moment
                     self._commands.forget(name)
                     self._say(now, f"{name}'s process ended: {member.complaint() or 'without a word'}")
-        self._catch(now)
-        self._hold(now)
+        self._damping.turn(now)
         if self._rouses and self._seen:
             self._rouse(now)
         self._choose()
@@ -192,27 +188,6 @@ class DemoSessionApi:
         self.members[name] = MemberProcess(self.opened.invitation, options, as_json=True)
         self._killed.discard(name)
 
-    def _catch(self, now: float) -> None:
-        """Gives everybody their damping back where a copy ran away."""
-        if self._share >= 1.0:
-            return
-        for name in self._names:
-            # Others may have been caught by an earlier order a moment after the first was.
-            if self._commands.number(name, "caught") == self._ordered:
-                self._say(now, f"ALARM: {name}'s copy ran away; everybody's damping is back")
-                self._damp(1.0)
-                return
-
-    def _hold(self, now: float) -> None:
-        """Passes on that whoever lowered the damping is still there, or gives it back."""
-        if self._share >= 1.0:
-            return
-        if now <= self._lease:
-            self._commands.hold_damping(self._lease)
-            return
-        self._damp(1.0)
-        self._say(now, "whoever lowered the damping is gone: it is what passivity needs again")
-
     def _rouse(self, now: float) -> None:
         """Lets hands that do nothing wander once all has come to rest, until somebody acts."""
         if self._roused:
@@ -224,7 +199,7 @@ class DemoSessionApi:
             self._roused.clear()
             self._stirred = now
         forces = [np.linalg.norm(hand.force) for view in self.views().values() for hand in view.hands]
-        quiet = self._share >= 1.0 and bool(forces) and max(forces) <= _AT_REST
+        quiet = self._damping.fraction >= 1.0 and bool(forces) and max(forces) <= _AT_REST
         if not quiet or self._stirred == -math.inf:
             self._stirred = now
         if now - max(self._stirred, self._acted) < _QUIET:
@@ -245,7 +220,7 @@ class DemoSessionApi:
                 alive=self._alive(watch.roster),
                 emulated=self._commands.emulated(),
                 choices=dict(self._choices),
-                damping=self._share,
+                damping=self._damping.fraction,
                 recording=self._recording.look(now),
                 events=events[-_MOST_EVENTS:],
                 ended=watch.ended,
@@ -325,7 +300,7 @@ class DemoSessionApi:
 
     def hold_damping(self, on: bool) -> None:
         """Says whether whoever lowered the damping is still there; see `SessionApi.hold_damping`."""
-        self._lease = time.monotonic() + LEASE if on else 0.0
+        self._damping.hold(on)
 
     def recorded(self) -> tuple[Path, ...]:
         """Files of the last recording that came to its end; empty before there is one."""
@@ -404,7 +379,7 @@ class DemoSessionApi:
 
     def _do_damping(self, given: Mapping[str, Any]) -> str:
         fraction = _requests.fraction_of(given)
-        self._damp(fraction)
+        self._damping.give(fraction)
         now = time.monotonic()
         if fraction < 1.0:
             self.acted = self.lowered = True
@@ -412,22 +387,6 @@ class DemoSessionApi:
             return f"damping is {100.0 * fraction:.2g} % of what passivity needs, and no link is guarded"
         self._say(now, "damping is what passivity needs, and links are guarded")
         return "damping is what passivity needs, and links are guarded"
-
-    def _damp(self, fraction: float) -> None:
-        """Hands of the file let go meanwhile: holding damps, and would hide what is to be seen."""
-        self._share = fraction
-        self._lease = time.monotonic() + LEASE
-        if fraction < 1.0:
-            scripted = [name for name in self._names if self._commands.mode(name) == "script"]
-            self._loosened.update(scripted)
-            for name in scripted:
-                self._commands.hand(name, "free")
-        else:
-            for name in self._loosened:
-                if self._commands.mode(name) == "free":
-                    self._commands.hand(name, "script")
-            self._loosened.clear()
-        self._ordered = self._commands.damping(fraction, until=self._lease)
 
     def _do_record(self, given: Mapping[str, Any]) -> str:
         return self._recording.switch(_requests.flag_of(given), time.monotonic())

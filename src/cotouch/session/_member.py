@@ -11,12 +11,12 @@ from cotouch.errors import SessionError
 from cotouch.live import ControlPlane, Entropy, Message, Place
 from cotouch.mechanics import Model
 from cotouch.session import _keys
+from cotouch.session._asking import Asking
 from cotouch.session._coordinator import Coordinator
 from cotouch.session._file import MOST_USERS, SessionFile
 from cotouch.session._hand import Hand
 from cotouch.session._law_check import signature_of
 from cotouch.session._messages import (
-    AddressProof,
     Decided,
     Join,
     LinkStatus,
@@ -27,21 +27,17 @@ from cotouch.session._messages import (
     read,
     write,
 )
-from cotouch.session._paths import Paths
-from cotouch.session._replica import Replica, StepRecorder
+from cotouch.session._paths import Met, Paths
+from cotouch.session._replica import Replica
 from cotouch.session._shared_model import SharedModel
+from cotouch.session._step_recorder import StepRecorder
 from cotouch.session._succession import Belief
 
-_ASK_EVERY = 0.5
 _STATUS_EVERY = 0.5
 # Whoever decides and says another roster than the one believed is told that one, this often [s].
 _TELL_EVERY = 1.0
-# A member that cannot show where it is asks without that after so long [s].
-_SHOW = 3.0
 # What members say they work with counts for so long [s].
 _VOTE = 2.0
-# Slots may still be held by what crashed a moment ago: so long one is asked for again [s].
-_PATIENCE = 12.0
 # A turn of `service` stands between two steps, so what it takes up is bounded; signatures and rosters count for more.
 _EFFORT = 12
 _HEAVY = {"roster": 6, _keys.TOPIC: 6, "status": 4}
@@ -110,20 +106,13 @@ class Member:
         self._control = control
         self._paths = paths
         self._host = host
-        self._request = Join(
-            name=name,
-            fingerprint=replica.fingerprint,
-            version=version,
-            law=signature_of(session.scenario),
-            start=start,
-        )
-        self._place = place
+        law = signature_of(session.scenario)
+        request = Join(name=name, fingerprint=replica.fingerprint, version=version, law=law, start=start)
+        self._asking = Asking(request, place)
         self._make_hand = hand
-        self._entropy = entropy
-        self._secret = secret
+        self._entropy, self._secret = entropy, secret
         self._coordinator = coordinator or Coordinator(session, fingerprint=replica.fingerprint)
-        self._recorder = recorder
-        self._pace, self._device = pace, device
+        self._recorder, self._pace, self._device = recorder, pace, device
         given = session.scenario.network.delay if session.options.emulate else np.zeros((MOST_USERS, MOST_USERS))
         self._delays = delays or (lambda: given)
         self._decides = False
@@ -134,19 +123,15 @@ class Member:
         self._digest = ("", "")
         self._banned = frozenset[bytes]()
         self._announced_to_them = -float("inf")
-        self._asked = -float("inf")
-        self._first_asked: float | None = None
-        self._refusal: str | None = None
-        self._final = False
         self._announced = -float("inf")
-        self._met = set[int]()
+        self._met = Met(paths)
         self._waiting = deque[Message]()
         self._telling: Iterator[None] | None = None
 
     @property
     def waits_because(self) -> str | None:
         """Why it was not let in so far; None: it was, or nobody said anything."""
-        return self._refusal if self.slot is None else None
+        return self._asking.refusal if self.slot is None else None
 
     @property
     def pending(self) -> bool:
@@ -162,7 +147,7 @@ class Member:
     def slot(self) -> int | None:
         """Index of this user; None before the roster has it."""
         entry = self.roster.of(self._control.identity.public)
-        return None if entry is None or entry.start != self._request.start else entry.slot
+        return None if entry is None or entry.start != self._asking.request.start else entry.slot
 
     def service(self, now: float) -> None:
         """Hears, decides, says; not everything at once, so that no turn keeps the next step waiting for long.
@@ -254,7 +239,8 @@ class Member:
         known = dict(self._pace())
         if self.replica is not None:
             known["stood"] = known.get("stood", 0.0) + self.replica.stood
-        said = {"round_trips": self._round_trips(), "device": self._device(), "roster": self._working_with()}
+        met = self._met.round_trips(self.slot, self._delays())
+        said = {"round_trips": met, "device": self._device(), "roster": self._working_with()}
         return status.model_copy(update={**known, **said, **self._recording()})
 
     def _recording(self) -> dict[str, str]:
@@ -265,16 +251,6 @@ class Member:
             return {"recording": "failed", "recording_failure": plain(recorder.failure)}
         return {"recording": "on" if recorder.begun else "off"}
 
-    def _round_trips(self) -> list[tuple[int, float]]:
-        """Times there and back to all others; pings do not go through what is emulated, so its delays are added."""
-        own, delay = self.slot, self._delays()
-        found: list[tuple[int, float]] = []
-        for slot in self._met:
-            path = self._paths.round_trip(slot)
-            if own is not None and path is not None:
-                found.append((slot, path + float(delay[own, slot] + delay[slot, own])))
-        return found
-
     def _receive(self, message: Message, decider: bytes | None, present: frozenset[bytes], now: float) -> None:
         match message.topic:
             case "roster":
@@ -282,7 +258,7 @@ class Member:
             case "refused":
                 said = read(Refused, message.body)
                 if said is not None and message.sender in (decider, self._host) and message.direct:
-                    self._refusal, self._final = said.reason, said.final
+                    self._asking.refuse(said)
             case "end":
                 self.ended |= message.sender == self._host
             case topic if topic.startswith("link."):
@@ -322,7 +298,7 @@ class Member:
         elif message.sender == decider and self._belief.chain and decided.chain[-1] != self._belief.chain[-1]:
             # Whoever decides took this member for gone; the others may see that it is not.
             said = decided.chain[-1].roster.of(self._control.identity.public)
-            self._left_out = self.slot is not None and (said is None or said.start != self._request.start)
+            self._left_out = self.slot is not None and (said is None or said.start != self._asking.request.start)
         if self._belief.complaint is not None and self._belief.complaint != before:
             self.complaints.append(self._belief.complaint)
             if self._recorder is not None:
@@ -370,24 +346,12 @@ class Member:
             self._control.send("roster", write(Decided(chain=list(self._belief.chain))))
 
     def _ask(self, now: float) -> None:
-        if self._first_asked is None:
-            self._first_asked = now
-        waited = now - self._first_asked > _PATIENCE
-        if self.slot is None and self._refusal is not None and (self._final or waited):
-            raise SessionError(f"the host does not let {self._request.name} in: {self._refusal}")
-        if now - self._asked >= _ASK_EVERY:
-            place = None if self._place is None else self._place()
-            if self._place is not None and place is None and now - self._first_asked < _SHOW:
-                return
-            self._asked = now
-            request = self._request
-            if place is not None:
-                shown = AddressProof(nonce=place.nonce.hex(), host=place.host, cookie=place.cookie.hex())
-                request = request.model_copy(update={"place": shown})
-            body = write(request)
-            self._control.send("join", body)
-            if self._decides:
-                self._coordinator.receive(Message(self._control.identity.public, "join", body, direct=True), now)
+        body = self._asking.due(now, inside=self.slot is not None)
+        if body is None:
+            return
+        self._control.send("join", body)
+        if self._decides:
+            self._coordinator.receive(Message(self._control.identity.public, "join", body, direct=True), now)
 
     def _follow(self, now: float) -> None:
         roster = self.roster
@@ -399,7 +363,7 @@ class Member:
             self._coordinator.adopt(roster, now)
         own = self._control.identity.public.hex()
         if own in roster.banned:
-            raise SessionError(f"the host sent {self._request.name} away from this session")
+            raise SessionError(f"the host sent {self._asking.request.name} away from this session")
         banned = frozenset(map(bytes.fromhex, roster.banned))
         if banned != self._banned:
             self._banned = banned
@@ -410,8 +374,8 @@ class Member:
         if slot is None:
             if self.replica is not None:  # it was cut off for so long that it was taken for gone: it asks anew
                 self.replica.alone(now)
-                self._meet({})
-                self._first_asked, self._refusal = None, None
+                self._met.meet({})
+                self._asking.begin()
             return
         if self.replica is not None and self.replica.slot != slot:
             self.replica.alone(now)
@@ -429,12 +393,4 @@ class Member:
                 recorder=self._recorder,
             )
         self.replica.follow(roster, now)
-        self._meet({entry.slot: bytes.fromhex(entry.key) for entry in roster.members if entry.slot != slot})
-
-    def _meet(self, others: Mapping[int, bytes]) -> None:
-        """Looks for ways to all others, linked or not: how far they are decides who should be linked."""
-        for gone in self._met - others.keys():
-            self._paths.transport.forget(gone)
-        for slot, key in others.items():
-            self._paths.introduce(slot, key)
-        self._met = set(others)
+        self._met.meet({entry.slot: bytes.fromhex(entry.key) for entry in roster.members if entry.slot != slot})

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Mapping
 from typing import Protocol, final
 
+from cotouch.arrays import Float
 from cotouch.live import Message, RoutedTransport, Transport
 
 
@@ -34,6 +35,38 @@ class Paths(Protocol):
     def path_state(self, slot: int) -> str:
         """How a neighbour is reached now: "direct", "relayed" or "trying"."""
         ...
+
+
+@final
+class Met:
+    """To whom one member looks for ways: to all others, linked or not, as how far they are decides who is linked."""
+
+    def __init__(self, paths: Paths) -> None:
+        """Begins with nobody, on these paths."""
+        self._paths = paths
+        self._slots = set[int]()
+
+    def meet(self, others: Mapping[int, bytes]) -> None:
+        """Looks for ways to these and no others, by slot and public key."""
+        for gone in self._slots - others.keys():
+            self._paths.transport.forget(gone)
+        for slot, key in others.items():
+            self._paths.introduce(slot, key)
+        self._slots = set(others)
+
+    def round_trips(self, own: int | None, delay: Float) -> list[tuple[int, float]]:
+        """Times there and back, by slot; pings do not go through what is emulated, so its delays are added [s].
+
+        Args:
+            own: slot of this member; None: it has none, and knows of no times.
+            delay: that is emulated, [to, from] [s].
+        """
+        found: list[tuple[int, float]] = []
+        for slot in self._slots:
+            path = self._paths.round_trip(slot)
+            if own is not None and path is not None:
+                found.append((slot, path + float(delay[own, slot] + delay[slot, own])))
+        return found
 
 
 @final

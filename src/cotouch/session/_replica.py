@@ -1,75 +1,29 @@
 """One member's copy of the object, and all that joins it to its neighbours."""
 
 from collections.abc import Callable
-from typing import Any, Protocol, final
+from typing import final
 
 import numpy as np
 
 from cotouch.live import ControlPlane, Entropy, IndexedAssembly, SamplePlane
 from cotouch.mechanics import Model
-from cotouch.peer import CopyMemory, Peer, StepReport
+from cotouch.peer import Peer, StepReport
 from cotouch.scenario import per_user
-from cotouch.session import _keys
 from cotouch.session._felt import predicted_drag
 from cotouch.session._file import SessionFile
 from cotouch.session._hand import AttachedHand, Hand
 from cotouch.session._messages import Entry, LinkStatus, Roster, Status
-from cotouch.session._neighbour import STATES, Neighbour
+from cotouch.session._neighbour import Neighbour
+from cotouch.session._neighbours import Neighbours
 from cotouch.session._paths import Paths
 from cotouch.session._shared_model import SharedModel
+from cotouch.session._step_recorder import StepRecorder
 from cotouch.session._totals import Totals
 
-BUDGET = "link.budget"
 # A peer waits for its neighbours so long at most: one may have gone, or never mean to go on [s].
 _MOST_WAIT = 0.5
 # A peer that waits for its neighbours says its last sample again after this [s].
 _TELL_AGAIN = 0.1
-# Links that are tended at once, between two steps.
-_AT_ONCE = 8
-
-
-class StepRecorder(Protocol):
-    """Whatever keeps what a copy does."""
-
-    @property
-    def begun(self) -> bool:
-        """Whether it keeps anything yet."""
-        ...
-
-    @property
-    def failure(self) -> str | None:
-        """Why it keeps nothing any more, in a few words; None as long as it does."""
-        ...
-
-    def setup(self, copy: "Replica", now: float) -> None:
-        """Links, damping or the number of copies changed.
-
-        Args:
-            copy: the replica.
-            now: time [s].
-        """
-        ...
-
-    def step(self, copy: "Replica", report: StepReport, now: float, T: float) -> None:
-        """A step was taken.
-
-        Args:
-            copy: the replica.
-            report: of the step.
-            now: time [s].
-            T: length of the step [s].
-        """
-        ...
-
-    def event(self, kind: str, time: float, **fields: Any) -> None:
-        """Something happened.
-
-        Args:
-            kind: of message or event.
-            time: when [s].
-            fields: what else is to be known of it.
-        """
-        ...
 
 
 @final
@@ -79,7 +33,6 @@ class Replica:
     Attributes:
         slot: index of this user.
         peer: None before the first step.
-        neighbours: by slot.
         totals: what was booked since the start.
         damping: B_i in force, as coefficients over the weights, (weights,) [Ns/m].
         extra_damping: B_e likewise.
@@ -103,18 +56,25 @@ class Replica:
         """Prepares a copy that has no links yet; see `Member` for the arguments."""
         self.slot = slot
         self.peer: Peer | None = None
-        self.neighbours: dict[int, Neighbour] = {}
         self.totals = Totals()
         self._session, self._options, self._replica = session, session.options, replica
-        self._make_hand, self._control, self._paths = hand, control, paths
+        self._make_hand = hand
         self._hand: Hand | None = None
-        self._entropy, self._secret = entropy, secret
         self._recorder = recorder
         self._law = replica.law
-        self._memory: CopyMemory | None = None  # of the law
         self._plane = SamplePlane(paths.transport, replica.layout, user=slot)
+        self._links = Neighbours(
+            session=session,
+            replica=replica,
+            slot=slot,
+            control=control,
+            paths=paths,
+            plane=self._plane,
+            entropy=entropy,
+            secret=secret,
+            recorder=recorder,
+        )
         self._roster = Roster()
-        self._numbers: dict[int, int] = {}  # that datagrams to this copy bear, by slot
         self._began = 0.0  # when it began to move
         self._acts: float | None = None  # since when its hand does what the file says
         self._last: StepReport | None = None
@@ -126,11 +86,14 @@ class Replica:
         self._stepped = 0.0  # when the last step was taken [s]
         self._stands = False  # whether a neighbour stands still, and is not waited for
         self._length = 0.0  # of the last step [s]
-        self._initial_energies = 0.0
-        self._turn = 0
         self.damping = np.zeros(1 + len(replica.scenario.network.weights))
         self.extra_damping = np.zeros_like(self.damping)
         self.damping_fraction = 1.0
+
+    @property
+    def neighbours(self) -> dict[int, Neighbour]:
+        """Ends of the links, by slot."""
+        return self._links.by_slot
 
     @property
     def copies(self) -> int:
@@ -145,7 +108,7 @@ class Replica:
     @property
     def initial_energies(self) -> float:
         """Energy that the links were given once, and of the allowance, so far [J]."""
-        return self._initial_energies + self.totals.advanced
+        return self._links.given + self.totals.advanced
 
     @property
     def ports(self) -> list[int]:
@@ -168,7 +131,8 @@ class Replica:
             self._drop(slot)
         for slot, entry in wanted.items():
             if slot not in self.neighbours:
-                self._add(slot, entry, now, newcomer=self.peer is not None and entry not in before)
+                newcomer = self.peer is not None and entry not in before
+                self._links.add(entry, now, newcomer=newcomer, copies=self.copies)
         if self.peer is not None:
             self.peer.rescale(self.copies)
         self._damp(now)  # of links that are gone, at once
@@ -190,13 +154,7 @@ class Replica:
             body: what it said.
             now: [s].
         """
-        neighbour = self.neighbours.get(slot)
-        if neighbour is None:
-            return
-        if topic == _keys.TOPIC:
-            neighbour.keys.receive(body)
-        elif topic == BUDGET:
-            neighbour.budget.receive(now, body)
+        self._links.receive(slot, topic, body, now)
 
     def service(self, now: float) -> None:
         """Says again what was not answered, and keeps budgets and damping at what is agreed.
@@ -204,31 +162,8 @@ class Replica:
         Args:
             now: [s].
         """
-        for slot, neighbour in self._turns():
-            key = bytes.fromhex(neighbour.entry.key)
-            neighbour.keys.service(now, asked=neighbour.link.asked)
-            if neighbour.connected and neighbour.guard is not None:
-                neighbour.budget.propose(now, neighbour.link.ages)
-                neighbour.budget.advance(now)
-                body = neighbour.budget.message(now)
-                if body is not None:
-                    self._control.send(BUDGET, body, to=key)
-                beyond = neighbour.budget.beyond
-                if neighbour.beyond != (beyond is not None):
-                    neighbour.beyond = beyond is not None
-                    if beyond is not None and self._recorder is not None:
-                        limit = self._options.age_limit
-                        self._recorder.event("beyond", now, slot=slot, asked=beyond, granted=limit)
+        self._links.service(now)
         self._damp(now)
-
-    def _turns(self) -> list[tuple[int, Neighbour]]:
-        """Whose turn it is to be tended: everybody's, or so many one after the other."""
-        held = list(self.neighbours.items())
-        if len(held) <= _AT_ONCE:
-            return held
-        first = self._turn % len(held)
-        self._turn = first + _AT_ONCE
-        return (held + held)[first : first + _AT_ONCE]
 
     # -- moving ------------------------------------------------------------------------------------------------------
 
@@ -281,7 +216,7 @@ class Replica:
         report = peer.account()
         self._last = report
         self.totals.add(report, peer.neighbours, length)
-        self._notice()
+        self._links.notice()
         if self._recorder is not None:
             self._recorder.step(self, report, now, length)
 
@@ -356,32 +291,6 @@ class Replica:
         self._began = self._stepped = now
         self._changed(now)
 
-    def _add(self, slot: int, entry: Entry, now: float, *, newcomer: bool) -> None:
-        """Prepares a link; its spring comes when the neighbour is heard."""
-        number = int.from_bytes(self._entropy(4), "big")
-        while number in self._numbers.values():
-            number = (number + 1) % (1 << 32)
-        self._numbers[slot] = number
-        if self._law is not None and (self._memory is None or not self.neighbours):
-            self._memory = self._law.memory()
-        self.neighbours[slot] = made = Neighbour.make(
-            entry,
-            session=self._session,
-            replica=self._replica,
-            slot=self.slot,
-            control=self._control,
-            number=number,
-            entropy=self._entropy,
-            secret=self._secret,
-            newcomer=newcomer,
-            memory=self._memory,
-            copies=self.copies,
-            now=now,
-        )
-        self._initial_energies += self._options.initial_energy if made.law is None else made.law.seed
-        self._plane.connect(slot, made.link)
-        self._paths.introduce(slot, bytes.fromhex(entry.key))
-
     def _align(self, neighbour: Neighbour) -> None:
         """Counts a neighbour's steps from where they are when it is heard first: nobody began at the same time."""
         assembly, peer = neighbour.link.assembly, self.peer
@@ -390,10 +299,8 @@ class Replica:
 
     def _drop(self, slot: int) -> None:
         """Lets a link go."""
-        del self.neighbours[slot]
-        del self._numbers[slot]
+        self._links.drop(slot)
         self.totals.link_age.pop(slot, None)
-        self._plane.disconnect(slot)
         if self.peer is not None:
             self.peer.disconnect(slot)
 
@@ -413,18 +320,8 @@ class Replica:
             self._damp(now)
 
     def _damp(self, now: float) -> None:
-        """Keeps the damping at what the budgets in force need, by the rule [age rule; Lee & Huang 2010, theorem 1]."""
-        needed = np.zeros_like(self.damping)
-        if self._law is not None:
-            needed[0] = self._law.law.drag
-        for neighbour in self.neighbours.values():
-            guard = neighbour.guard
-            if guard is None:
-                continue
-            needed[neighbour.weight] += 0.5 * neighbour.strength * neighbour.budget.total
-            guard.budget, guard.total = neighbour.budget.budget, neighbour.budget.total
-            guard.bypassed = self.damping_fraction < 1.0
-        needed *= self.damping_fraction
+        """Keeps the damping at what the budgets in force need, by the rule."""
+        needed = self._links.damp(self.damping_fraction)
         if (needed != self.damping).any():
             self.damping = needed
             if self.peer is not None:
@@ -434,19 +331,6 @@ class Replica:
     def _changed(self, now: float) -> None:
         if self._recorder is not None and self.peer is not None:
             self._recorder.setup(self, now)
-
-    def _notice(self) -> None:
-        """Counts and tells what the guards noted."""
-        for slot, neighbour in self.neighbours.items():
-            if neighbour.guard is None:
-                continue
-            events = neighbour.guard.events
-            while events:
-                event = events.popleft()
-                state = STATES[event.state]
-                neighbour.guarded += state == "guarded"
-                if self._recorder is not None:
-                    self._recorder.event(state, event.time, slot=slot, reason=event.reason)
 
     # -- what is seen ------------------------------------------------------------------------------------------------
 
@@ -482,7 +366,7 @@ class Replica:
             residual=totals.residual,
             damping=float(self.damping.max()),
             law="spring" if self._law is None else self._law.law.name,
-            held=0.0 if self._memory is None else self._memory.held,
+            held=0.0 if self._links.memory is None else self._links.memory.held,
             drag=predicted_drag(
                 self.damping, self.neighbours, totals.link_age, self._session.period(self.slot), self._law
             ),
@@ -511,5 +395,4 @@ class Replica:
             slot: of a neighbour.
         """
         position = None if self.peer is None else self.peer.state.position
-        work = self.totals.link_work.get(slot, 0.0)
-        return self.neighbours[slot].status(position, path_state=self._paths.path_state(slot), work=work)
+        return self._links.status(slot, position, self.totals.link_work.get(slot, 0.0))

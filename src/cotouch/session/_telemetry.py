@@ -26,9 +26,10 @@ from cotouch.session._mailboxes import (
     size_of,
     view_fields,
 )
-from cotouch.session._replica import Replica, StepRecorder
+from cotouch.session._replica import Replica
 from cotouch.session._session_recorder import SessionRecorder
 from cotouch.session._shared_model import SharedModel
+from cotouch.session._step_recorder import StepRecorder
 from cotouch.session._takes import Takes
 
 # Of larger bodies so many views are written in a second, of smaller ones one after every step.

@@ -1,0 +1,223 @@
+"""The session that plays itself: the paper's five users or others, a body, hands that move it, and a network."""
+
+import json
+import tomllib
+from collections.abc import Sequence
+from importlib.resources import files
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+from cotouch.errors import SessionError
+from cotouch.session._cushion import HALF, cushion, stl
+from cotouch.session._file import MOST_USERS, SessionFile
+
+_FILE = "live.toml"
+_NUMBERS = ("No", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight")
+_BODIES = ("point", "block", "soft")
+# Springs and delays of users beyond the paper's five.
+_SPRING, _DELAY = 60.0, 0.05
+_REACH = (0.10, -0.05, 0.06, -0.08, 0.02)
+_BLOCK = {
+    "kind": "lattice",
+    "shape": [8, 4, 4],
+    "mass": 1.0,
+    "stiffness": 60.0,
+    "damping": 0.1,
+    "spacing": 0.02,
+    "ground": "x-",
+    "ground_stiffness": 60.0,
+}
+# The cushion in its lowest modes; its links are a part of the paper's springs at every node, and none of its paths of
+# 0.8 s, which would take so much damping that it moved like one in honey.
+_SOFT_FILE = "cushion.stl"
+_SOFT = {
+    "file": _SOFT_FILE,
+    "unit": "m",
+    "resolution": 10,
+    "model": "elastic",
+    "young": 1e4,
+    "poisson": 0.35,
+    "density": 250.0,
+    "rayleigh_mass": 1.0,
+    "rayleigh_stiffness": 0.01,
+    "ground": {"box": {"low": [-1.0, -1.0, -1.0], "high": [1.0, 1.0, -0.02]}},
+    "ground_stiffness": 10.0,
+    "modes": 60,
+}
+_SOFT_FRACTION, _BLOCK_FRACTION = 1.0 / 40.0, 1.0 / 8.0
+_SLOW = 0.5
+# Five members of 500 Hz leave too little of two cores to a page and its browser [Hz].
+_SOFT_RATE = 250
+# How fast hands go around, until they let go [Hz].
+_ROUND = (0.11, 0.17, 0.13, 0.19, 0.15)
+# What `--impair` takes, and where it stands in a session's file.
+_IMPAIRMENTS = ("loss", "jitter", "duplication", "reordering")
+_HOLD = 0.05
+# Hands wait for everybody to be there and coupled, so long and for such a share of the time at most [s].
+_GATHER, _GATHER_FRACTION = 15.0, 1.0 / 6.0
+
+
+def demo_file() -> Path:
+    """The session of the paper's five users: beside this package where it is installed, else in `examples/`.
+
+    Raises:
+        SessionError: it is in neither place.
+    """
+    installed = Path(str(files("cotouch.session").joinpath(_FILE)))
+    source = Path(__file__).resolve().parents[3] / "examples" / _FILE
+    for path in (installed, source):
+        if path.is_file():
+            return path
+    raise SessionError(
+        f"{_FILE} is neither beside cotouch.session nor in the examples of the sources; reinstall cotouch"
+    )
+
+
+def demo_session(
+    *,
+    users: int = 5,
+    body: str = "point",
+    seconds: float | None = 30.0,
+    impair: Sequence[str] = (),
+    law: str = "spring",
+) -> SessionFile:
+    """The session of a demonstration.
+
+    Args:
+        users: how many; of more than five, all joined to all by equal springs over equal delays.
+        body: "point" (the paper's), "block" (a lattice in three dimensions) or "soft" (a cushion).
+        seconds: how long; the hands let go after two thirds of it. None: they never do, and go on moving.
+        impair: what the network does besides, each such as "loss=0.1", "jitter=0.02" (s), "duplication=0.05",
+            "reordering=0.1".
+        law: of all links: "spring" (the paper's), or one that can go live.
+
+    Raises:
+        SessionError: one of these cannot be.
+        ScenarioError: the law cannot be, or not live.
+    """
+    tables = tomllib.loads(demo_file().read_text(encoding="utf-8"))
+    if not 1 <= users <= MOST_USERS:
+        raise SessionError(f"--users is {users}; it must be from 1 to {MOST_USERS}")
+    network = tables["network"]
+    if users != len(network["users"]):
+        tables["title"] = (
+            f"{_NUMBERS[users] if users < len(_NUMBERS) else users} user{'s' if users > 1 else ''}, one object"
+        )
+    if users <= len(network["users"]):
+        network["users"] = network["users"][:users]
+        for name in ("spring", "delay"):
+            network[name] = [row[:users] for row in network[name][:users]]
+        network["links"] = [link for link in network["links"] if max(link) <= users]
+    else:
+        network["users"] = [f"user {number + 1}" for number in range(users)]
+        for name, value in (("spring", _SPRING), ("delay", _DELAY)):
+            network[name] = [[value * (i != j) for j in range(users)] for i in range(users)]
+        del network["links"]
+    hands: list[dict[str, Any]] = [
+        {"user": n + 1, "path": [[0, 0], [2, _REACH[n % 5]]], "stiffness": 60.0, "damping": 2.0} for n in range(users)
+    ]
+    tables["hands"] = hands
+    _embody(tables, body)
+    for n, hand in enumerate(hands):
+        last = hand["path"][-1][1:]
+        hand["amplitude"] = last if len(last) > 1 else last[0]
+        hand["frequency"] = _ROUND[n % 5]
+        if seconds is not None:
+            hand["release"] = round(2.0 * seconds / 3.0, 3)
+    tables["session"]["wait_for_peers"] = (
+        _GATHER if seconds is None else min(_GATHER, round(_GATHER_FRACTION * seconds, 3))
+    )
+    _impair(tables, impair)
+    if law != "spring":
+        tables["synchronisation"] = {"law": law}
+    with TemporaryDirectory(prefix="cotouch-") as folder:
+        if body == "soft":
+            Path(folder, _SOFT_FILE).write_bytes(stl(*cushion()))
+        return SessionFile.from_toml(to_toml(tables), source="the demonstration", folder=Path(folder))
+
+
+def _embody(tables: dict[str, Any], body: str) -> None:
+    """Puts a body in, and hands where they can hold it."""
+    if body == "point":
+        return
+    if body == "block":
+        tables["body"] = dict(_BLOCK)
+        _soften(tables, _BLOCK_FRACTION)
+        places = [[0.14, 0.02 * (n % 4), 0.02 * (n // 4 % 4)] for n in range(len(tables["hands"]))]
+    elif body == "soft":
+        _cushion(tables)
+        return
+    else:
+        raise SessionError(f'--body is "{body}"; it must be {" or ".join(_BODIES)}')
+    ways = ((0.0, 0.3, 0.0), (0.0, -0.3, 0.1), (0.2, 0.0, 0.3), (0.0, 0.2, -0.3), (-0.2, 0.0, 0.2))
+    for n, (hand, place) in enumerate(zip(tables["hands"], places, strict=True)):
+        reach = [0.06 * fraction for fraction in ways[n % 5]]  # so far that a hand feels the others
+        hand |= {"at": place, "path": [[0, 0, 0, 0], [2, *reach]], "stiffness": 200.0}
+
+
+def _cushion(tables: dict[str, Any]) -> None:
+    """The cushion: held at its corners and in the middle, at shares of its half width."""
+    tables["body"] = dict(_SOFT)
+    tables["steps"] = {"rate": _SOFT_RATE}
+    _soften(tables, _SOFT_FRACTION)
+    places = ((0.85, 0.85, 0.0), (-0.85, 0.85, 0.0), (-0.85, -0.85, 0.0), (0.85, -0.85, 0.0), (0.0, 0.0, 0.3))
+    ways = ((0.3, 0.3, 0.3), (-0.3, 0.2, 0.4), (-0.2, -0.3, -0.2), (0.3, -0.2, 0.4), (0.0, 0.0, 0.5))
+    for n, hand in enumerate(tables["hands"]):
+        hand |= {
+            "at": [HALF * fraction for fraction in places[n % 5]],
+            "path": [[0, 0, 0, 0], [2, *(HALF * fraction for fraction in ways[n % 5])]],
+            "stiffness": 150.0,
+            "damping": 3.0,
+        }
+
+
+def _soften(tables: dict[str, Any], fraction: float) -> None:
+    """Gives every node a share of the paper's springs, and leaves out its slowest path."""
+    network = tables["network"]
+    network["spring"] = [[fraction * spring for spring in row] for row in network["spring"]]
+    if "links" in network:
+        network["links"] = [[a, b] for a, b in network["links"] if network["delay"][a - 1][b - 1] < _SLOW]
+
+
+def _impair(tables: dict[str, Any], impair: Sequence[str]) -> None:
+    channel: dict[str, Any] = {}
+    for one in impair:
+        name, _, text = one.partition("=")
+        try:
+            value = float(text)
+        except ValueError:
+            value = -1.0
+        if name not in _IMPAIRMENTS or not 0.0 <= value <= 1.0:
+            raise SessionError(
+                f'--impair is "{one}"; it must be {", ".join(_IMPAIRMENTS)}, "=", and a number from 0 to 1 (jitter: s)'
+            )
+        channel[name] = {"scale": value} if name == "jitter" else value
+        if name == "reordering":
+            channel["reordering_delay"] = _HOLD
+    if channel:
+        tables["channel"] = channel
+
+
+def to_toml(tables: dict[str, Any]) -> str:
+    """Tables of numbers, texts, lists and one level of tables; JSON's values are TOML's, but for tables in tables."""
+    lines: list[str] = []
+
+    def value(entry: Any) -> str:
+        if isinstance(entry, dict):
+            return "{" + ", ".join(f"{name} = {value(inner)}" for name, inner in entry.items()) + "}"
+        return json.dumps(entry)
+
+    def table(header: str, entries: dict[str, Any]) -> None:
+        lines.extend(["", header, *(f"{name} = {value(entry)}" for name, entry in entries.items())])
+
+    for name, entry in tables.items():
+        if not isinstance(entry, dict | list):
+            lines.append(f"{name} = {value(entry)}")
+    for name, entry in tables.items():
+        if isinstance(entry, dict):
+            table(f"[{name}]", entry)
+        elif isinstance(entry, list):
+            for one in entry:
+                table(f"[[{name}]]", one)
+    return "\n".join(lines) + "\n"
