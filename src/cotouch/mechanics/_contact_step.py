@@ -27,6 +27,7 @@ from cotouch.mechanics._step import assemble, solve_step
 from cotouch.mechanics._surface import Surface, refit
 from cotouch.mechanics._tools import TOUCH, TOUCH_LOSS, TOUCH_STORED, Tools
 from cotouch.mechanics._vector import load, splat, store
+from cotouch.mechanics._world_force import lean_world, looks_of, take_up
 
 # Looks at most, the change of forces from one to the next at which they end, and how much of what the last look missed
 # the next may leave.
@@ -93,7 +94,10 @@ def contact_step(
     for i in range(mean.shape[0]):
         store(mean, i, load(state.velocity, i, lanes), lanes)
     ledger[ITERATIONS] = 0.0
-    looks = 1 if force is None else force.directions
+    looks = 1
+    if force is not None:
+        take_up(force.world, state.memory)
+        looks = looks_of(force.world, force.directions)
     for number in range(_LOOKS + looks):
         for i in range(mean.shape[0]):
             store(push, i, splat(0.0, lanes), lanes)
@@ -107,9 +111,14 @@ def contact_step(
         for i in range(mean.shape[0]):
             store(push, i, load(push, i, lanes) + hold[i] * load(mean, i, lanes), lanes)
         if number < looks:  # what the body asks for; later looks only tell contacts apart
+            same = True
             if force is not None:
-                predict(op, force, state, T, mean, work, lanes)
+                same = predict(op, force, state, T, mean, work, lanes)
+                if same and number >= force.directions:
+                    looks = number  # obstacles are told as well
             assemble(op, state, links, ports, local_damping, extra_damping, T, work, lanes)
+            if force is not None:
+                lean_world(force.world, op.copy_scale, mean, work, lanes)
             for i in range(mean.shape[0]):
                 touch.own[i] = work.diagonal[i]
                 store(touch.asked, i, load(rhs, i, lanes), lanes)

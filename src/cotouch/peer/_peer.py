@@ -324,7 +324,7 @@ class Peer:
             if contact is not None:
                 contact_step(contact, op, force, state, links, ports, *what, ledger, touched, *rest)
             elif touch is not None:
-                touch_step(op, force, state, links, ports, *what, touch, ledger, touched, *rest)
+                touch_step(op, state, links, ports, *what, touch, ledger, touched, *rest)
         elif force is not None:
             closed_step(op, force, state, links, ports, *damping, T, own, work, ledger, *rest)
         else:

@@ -227,7 +227,6 @@ def run(
             if accounts is not None:
                 touch_step(
                     op,
-                    force,
                     state,
                     links,
                     ports,

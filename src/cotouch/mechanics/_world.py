@@ -1,0 +1,200 @@
+"""What stands still around a body: obstacles that it rests on and bumps into, as the kernels want them."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple, final
+
+import numpy as np
+import numpy.typing as npt
+import scipy.sparse as sp
+
+from cotouch.arrays import Float
+from cotouch.body import Body
+from cotouch.errors import BodyError, UnsupportedError
+from cotouch.mechanics._shape import NUMBERS, Shape, packed
+
+Int = npt.NDArray[np.int32]
+
+# Points of a skin are no farther apart than this share of the thinnest obstacle, and no more than so many.
+_APART, MOST_POINTS = 0.5, 100_000
+# A body may begin as deep in an obstacle as this share of its own extent.
+_DEEP = 0.1
+# How many units of rounding a place is uncertain by.
+_ROUNDING = 10.0
+
+
+@final
+@dataclass(frozen=True, kw_only=True)
+class Obstacle:
+    """Something that does not move, on a foundation of springs: `½ κ depth²` for each unit of a body's skin.
+
+    Attributes:
+        shape: where it is.
+        stiffness: κ, > 0 [N/m³].
+        loss: λ: pressure grows by 1 + λ times the speed of approach, >= 0 [s/m].
+        friction: Coulomb's coefficient of what does not slip, >= 0.
+        kinetic: of what slips, 0 to `friction`; None: the same.
+    """
+
+    shape: Shape
+    stiffness: float = 1e7
+    loss: float = 0.0
+    friction: float = 0.0
+    kinetic: float | None = None
+
+    def __post_init__(self) -> None:
+        for name, least in (("stiffness", "above"), ("loss", "at least"), ("friction", "at least")):
+            value = getattr(self, name)
+            if not (math.isfinite(value) and (value > 0.0 or (value == 0.0 and least == "at least"))):
+                raise BodyError(f"{name} is {value:g}; it must be a finite number {least} 0")
+        if self.kinetic is not None and not 0.0 <= self.kinetic <= self.friction:
+            raise BodyError(
+                f"kinetic friction is {self.kinetic:g}; it must be between 0 and friction, {self.friction:g}"
+            )
+        packed(self.shape, (0.0, 0.0, 0.0))
+
+
+class World(NamedTuple):
+    """Obstacles, and the points of a body's skin that meet them.
+
+    Attributes:
+        first: where in a copy's memory the stretches of friction begin: one row of four (the stretch [m], and whether it
+            slips) for each obstacle and point, as the last step left them, then the same as this step would.
+        pointer: CSR row pointer of the points, (P + 1,).
+        row: rows of the body that carry each point, (entries,).
+        share: how much of each, (entries,).
+        rest: places of the points at rest, less `origin`, (P, 4) [m].
+        area: of the skin that each stands for, (P,) [m²].
+        kind: of each obstacle, (S,).
+        numbers: of its shape, (S, NUMBERS).
+        stiffness: κ, (S,) [N/m³].
+        loss: λ, (S,) [s/m].
+        friction: (S,).
+        kinetic: (S,).
+        grain: energy that the rounding of places alone makes [J].
+        hold: scratch: what resists motion of the rows, (rows,) [Ns/m].
+        told: scratch: force on each point by the last look, (S * P, 4) [N].
+        force: result: mean force of each obstacle on the whole body in the step, (S, 4) [N].
+    """
+
+    first: int
+    pointer: Int
+    row: Int
+    share: Float
+    rest: Float
+    area: Float
+    kind: Int
+    numbers: Float
+    stiffness: Float
+    loss: Float
+    friction: Float
+    kinetic: Float
+    grain: float
+    hold: Float
+    told: Float
+    force: Float
+
+
+def world_of(body: Body, obstacles: Sequence[Obstacle], order: Int | None, first: int) -> tuple[World, int]:
+    """Obstacles for the kernels, and how many more numbers a copy remembers.
+
+    Args:
+        body: whose skin meets them.
+        obstacles: at least one.
+        order: row k of the kernels is node `order[k]`; None: node k.
+        first: numbers that a copy remembers without them.
+
+    Raises:
+        UnsupportedError: the body has no skin.
+        BodyError: an obstacle is too thin for the skin.
+    """
+    if body.dimension != 3 or body.skin is None or not body.skin.triangles.size:
+        what = f"has {body.dimension} axes" if body.dimension != 3 else "has no skin"
+        raise UnsupportedError(f"the body {what}; obstacles are met by a skin, so take a body from a mesh or a lattice")
+    origin = body.rest.mean(axis=0)
+    places, area, carry = _points(body, min(one.shape.thickness() for one in obstacles))
+    if order is not None:
+        carry = sp.csr_array(carry[:, order])
+    carry.sort_indices()
+    rest = np.zeros((places.shape[0], 4))
+    rest[:, :3] = places - origin
+    shapes = [packed(one.shape, (float(origin[0]), float(origin[1]), float(origin[2]))) for one in obstacles]
+    numbers = np.zeros((len(shapes), NUMBERS))
+    for s, (_, own) in enumerate(shapes):
+        numbers[s, : len(own)] = own
+    stiffness = np.array([one.stiffness for one in obstacles])
+    away = _ROUNDING * np.finfo(np.float64).eps * float(np.abs(rest).max())
+    count = len(shapes) * places.shape[0]
+    world = World(
+        first=first,
+        pointer=carry.indptr.astype(np.int32),
+        row=carry.indices.astype(np.int32),
+        share=np.ascontiguousarray(carry.data, dtype=np.float64),
+        rest=rest,
+        area=area,
+        kind=np.array([kind for kind, _ in shapes], dtype=np.int32),
+        numbers=numbers,
+        stiffness=stiffness,
+        loss=np.array([one.loss for one in obstacles]),
+        friction=np.array([one.friction for one in obstacles]),
+        kinetic=np.array([one.friction if one.kinetic is None else one.kinetic for one in obstacles]),
+        grain=away * away * float(stiffness.sum() * area.sum()),
+        hold=np.zeros(body.nodes),
+        told=np.zeros((count, 4)),
+        force=np.zeros((len(shapes), 4)),
+    )
+    return world, 8 * count
+
+
+def _points(body: Body, thinnest: float) -> tuple[Float, Float, sp.csr_array]:
+    """Vertices of the skin, its triangles halved until no obstacle fits between: places, areas, and what carries them.
+
+    Raises:
+        BodyError: there would be too many.
+    """
+    skin = body.skin
+    assert skin is not None
+    corners, count = np.asarray(skin.triangles, dtype=np.int64), skin.vertices.shape[0]
+    carry = sp.csr_array(
+        (
+            np.asarray(skin.weights, dtype=np.float64).ravel(),
+            np.asarray(skin.nodes).ravel(),
+            np.arange(0, skin.nodes.size + 1, skin.nodes.shape[1]),
+        ),
+        shape=(count, body.nodes),
+    )
+    places = np.asarray(skin.vertices, dtype=np.float64)[:, :3]
+    longest = float(np.linalg.norm(places[corners] - places[np.roll(corners, -1, axis=1)], axis=2).max())
+    while longest > _APART * thinnest:
+        if 4 * places.shape[0] > MOST_POINTS:
+            raise BodyError(
+                f"an obstacle is {thinnest:g} m thin, but the triangles of the skin are up to {longest:.3g} m long; "
+                "make it thicker, or the mesh finer"
+            )
+        places, corners, carry = _halved(places, corners, carry)
+        longest *= 0.5
+    edges = places[corners[:, 1:]] - places[corners[:, :1]]
+    each = np.linalg.norm(np.cross(edges[:, 0], edges[:, 1]), axis=1) / 6.0
+    area = np.bincount(corners.ravel(), weights=np.repeat(each, 3), minlength=places.shape[0])
+    used = np.flatnonzero(area > 0.0)
+    carry = sp.csr_array(carry[used])
+    carry.sum_duplicates()
+    carry.eliminate_zeros()
+    return places[used], area[used], carry
+
+
+def _halved(places: Float, corners: npt.NDArray[np.int64], carry: sp.csr_array) -> tuple[Float, Any, sp.csr_array]:
+    """Every triangle as four."""
+    ends = np.sort(np.stack([corners, np.roll(corners, -1, axis=1)], axis=-1).reshape(-1, 2), axis=1)
+    sides, number = np.unique(ends, axis=0, return_inverse=True)
+    middle = places.shape[0] + number.reshape(-1, 3)
+    a, b, c = corners.T
+    ab, bc, ca = middle.T
+    finer = np.concatenate([np.stack(t, axis=1) for t in ((a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca))])
+    between = sp.csr_array(0.5 * (carry[sides[:, 0]] + carry[sides[:, 1]]))
+    return (
+        np.concatenate([places, 0.5 * (places[sides[:, 0]] + places[sides[:, 1]])]),
+        finer,
+        sp.csr_array(sp.vstack([carry, between])),
+    )
