@@ -66,6 +66,7 @@ from cotouch.mechanics._touch import touch_step
 from cotouch.mechanics._touch_parts import touch_parts
 from cotouch.mechanics._vector import at, load, put, splat, store, total
 from cotouch.mechanics._world import Obstacle
+from cotouch.mechanics._world_force import deepest_point
 
 __all__ = [
     "AWAY",
@@ -126,6 +127,7 @@ __all__ = [
     "contact_by",
     "contact_step",
     "credit",
+    "deepest_point",
     "evaluate",
     "inner",
     "inner_energy",

@@ -89,7 +89,7 @@ def weigh(
     rows = op.mass.shape[0]
     memory, mean, weighed = state.memory, work.mean, work.weighed
     energy, power = evaluate(force.law, memory, work.ahead, state.position, mean, _SWEEPS, lanes)
-    outside, rubbed, passed = weigh_world(force.world, memory, work.ahead, state.position, T, lanes)
+    outside, rubbed, passed = weigh_world(force.world, memory, work.ahead, state.position, T)
     before, was_outside = memory[ENERGY], memory[AT_WORLD]
     gravity = load(force.gravity, 0, lanes)
     zero = splat(0.0, lanes)
@@ -146,7 +146,7 @@ def weigh(
     ledger[ELASTIC] = op.copy_scale * (op.firmness * energy + 0.5 * total(held) - total(gravity * weight) + outside)
     ledger[WORLD_LOSS], ledger[WORLD_STORED] = op.copy_scale * rubbed, op.copy_scale * outside
     tell_world(force.world, op.copy_scale, ledger)
-    ledger[BODY_LOSS] = op.copy_scale * lost
+    ledger[BODY_LOSS] = op.copy_scale * (lost + rubbed)
     ledger[LOCAL_LOSS], ledger[EXTRA_LOSS] = local, extra
 
 

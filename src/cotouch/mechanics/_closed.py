@@ -199,7 +199,7 @@ def predict(
                 slip = slip + at(op.entries, (family, e)) * (load(rate, at(op.column, e), lanes) - own)
             tension = tension - scale * slip
         store(state.tension, i, tension, lanes)
-    return press_world(force.world, state.memory, state.position, work.ahead, T, state.tension, lanes)
+    return press_world(force.world, state.memory, state.position, work.ahead, T, state.tension)
 
 
 @block

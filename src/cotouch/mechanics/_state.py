@@ -14,7 +14,7 @@ Int = npt.NDArray[np.int32]
 # What a step books, in order. The first four are work during the step [J], the next two energies after it [J]. Then
 # three are of a closed step: work of the closure on the end velocity [J], |β - 1|, and the share of the step given up.
 SUPPLIED, BODY_LOSS, LOCAL_LOSS, EXTRA_LOSS, KINETIC, ELASTIC, ITERATIONS, CLOSURE, BETA, SHORTENED = range(10)
-# And of obstacles: what was lost at them in the step, what of ELASTIC they hold [J], and their mean force, along three
+# And of obstacles: what of BODY_LOSS was lost at them, what of ELASTIC they hold [J], and their mean force, along three
 # axes [N].
 WORLD_LOSS, WORLD_STORED, WORLD_FORCE = 10, 11, 12
 LEDGER_COLUMNS = 15

@@ -18,8 +18,9 @@ Int = npt.NDArray[np.int32]
 
 # Points of a skin are no farther apart than this share of the thinnest obstacle, and no more than so many.
 _APART, MOST_POINTS = 0.5, 100_000
-# A body may begin as deep in an obstacle as this share of its own extent.
-_DEEP = 0.1
+# Points lie so far within the triangles that they stand for, as a share of each: what stands on its edge is not felt by
+# the walls above it. Triangles whose normals differ by less than this cosine are one side.
+_WITHIN, _ALIKE = 0.025, 0.8
 # How many units of rounding a place is uncertain by.
 _ROUNDING = 10.0
 
@@ -59,8 +60,8 @@ class World(NamedTuple):
     """Obstacles, and the points of a body's skin that meet them.
 
     Attributes:
-        first: where in a copy's memory the stretches of friction begin: one row of four (the stretch [m], and whether it
-            slips) for each obstacle and point, as the last step left them, then the same as this step would.
+        first: where in a copy's memory the stretches of friction begin: one row of four (the stretch [m], and whether
+            it slips) for each obstacle and point, as the last step left them, then the same as this step would.
         pointer: CSR row pointer of the points, (P + 1,).
         row: rows of the body that carry each point, (entries,).
         share: how much of each, (entries,).
@@ -75,6 +76,7 @@ class World(NamedTuple):
         grain: energy that the rounding of places alone makes [J].
         hold: scratch: what resists motion of the rows, (rows,) [Ns/m].
         told: scratch: force on each point by the last look, (S * P, 4) [N].
+        tried: scratch: velocity of the rows at the last look, (rows, 4) [m/s].
         force: result: mean force of each obstacle on the whole body in the step, (S, 4) [N].
     """
 
@@ -93,6 +95,7 @@ class World(NamedTuple):
     grain: float
     hold: Float
     told: Float
+    tried: Float
     force: Float
 
 
@@ -142,6 +145,7 @@ def world_of(body: Body, obstacles: Sequence[Obstacle], order: Int | None, first
         grain=away * away * float(stiffness.sum() * area.sum()),
         hold=np.zeros(body.nodes),
         told=np.zeros((count, 4)),
+        tried=np.zeros((body.nodes, 4)),
         force=np.zeros((len(shapes), 4)),
     )
     return world, 8 * count
@@ -175,13 +179,42 @@ def _points(body: Body, thinnest: float) -> tuple[Float, Float, sp.csr_array]:
         places, corners, carry = _halved(places, corners, carry)
         longest *= 0.5
     edges = places[corners[:, 1:]] - places[corners[:, :1]]
-    each = np.linalg.norm(np.cross(edges[:, 0], edges[:, 1]), axis=1) / 6.0
-    area = np.bincount(corners.ravel(), weights=np.repeat(each, 3), minlength=places.shape[0])
-    used = np.flatnonzero(area > 0.0)
-    carry = sp.csr_array(carry[used])
+    normal = 0.5 * np.cross(edges[:, 0], edges[:, 1])
+    area = np.linalg.norm(normal, axis=1)
+    corners, normal, area = corners[area > 0.0], normal[area > 0.0], area[area > 0.0]
+    side = _sides(corners, normal / area[:, None])
+    # Each corner of each triangle, a little within it, for a third of its area; those of one side are one point.
+    share = np.full((3, 3), _WITHIN) + (1.0 - 3.0 * _WITHIN) * np.eye(3)
+    mean = sp.csr_array(
+        (
+            (np.repeat(area, 9) / 3.0 * np.tile(share.ravel(), area.size)),
+            (np.repeat(side.ravel(), 3), np.repeat(corners, 3, axis=0).ravel()),
+        ),
+        shape=(int(side.max()) + 1, places.shape[0]),
+    )
+    own = np.bincount(side.ravel(), weights=np.repeat(area / 3.0, 3))
+    mean = sp.csr_array(sp.diags_array(1.0 / own) @ mean)
+    carry = sp.csr_array(mean @ carry)
     carry.sum_duplicates()
     carry.eliminate_zeros()
-    return places[used], area[used], carry
+    return mean @ places, own, carry
+
+
+def _sides(corners: npt.NDArray[np.int64], normal: Float) -> npt.NDArray[np.int64]:
+    """Numbers the sides of every vertex: triangles that meet there and look the same way belong to one; (F, 3)."""
+    result, count = np.zeros(corners.shape, dtype=np.int64), 0
+    place = np.argsort(corners.ravel(), kind="stable")
+    ends = np.flatnonzero(np.diff(corners.ravel()[place], append=-1)) + 1
+    for begin, end in zip(np.concatenate([[0], ends[:-1]]), ends, strict=True):
+        found: list[Float] = []
+        for entry in place[begin:end]:
+            own = normal[entry // 3]
+            alike = [number for number, other in enumerate(found) if float(own @ other) >= _ALIKE]
+            if not alike:
+                found.append(own)
+            result.flat[entry] = count + (alike[0] if alike else len(found) - 1)
+        count += len(found)
+    return result
 
 
 def _halved(places: Float, corners: npt.NDArray[np.int64], carry: sp.csr_array) -> tuple[Float, Any, sp.csr_array]:

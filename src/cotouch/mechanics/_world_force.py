@@ -10,7 +10,7 @@ is beyond the cone slips [return mapping, Simo & Hughes 1998]. Both lose at leas
 import math
 
 from cotouch.arrays import Float
-from cotouch.mechanics._kernel import inner, part
+from cotouch.mechanics._kernel import block, inner, part
 from cotouch.mechanics._shape import depth, passes
 from cotouch.mechanics._state import WORLD_FORCE, Workspace
 from cotouch.mechanics._vector import at, load, put, splat, store
@@ -18,7 +18,7 @@ from cotouch.mechanics._world import World
 
 # Looks at most that a step with obstacles takes, and the change of forces from one to the next at which they end.
 _LOOKS = 16
-_SETTLED = 1e-9
+_SETTLED = 1e-8
 # Result of one point: force on the body, energy held, energy lost, what resists motion, stretch at the end, whether it
 # slips, and whether it passed through.
 _Point = tuple[float, float, float, float, float, float, float, float, float, float, bool]
@@ -117,9 +117,7 @@ def take_up(world: World | None, memory: Float) -> None:
 
 
 @part
-def press_world(
-    world: World | None, memory: Float, x: Float, ahead: Float, T: float, out: Float, lanes: tuple[int, ...]
-) -> bool:
+def press_world(world: World | None, memory: Float, x: Float, ahead: Float, T: float, out: Float) -> bool:
     """Takes off `out` the mean force of all obstacles between two places; `hold` gets what resists there.
 
     Args:
@@ -129,15 +127,19 @@ def press_world(
         ahead: where they come to, likewise.
         T: within which time [s].
         out: result (rows, width) [N].
-        lanes: fixes the width.
 
     Returns:
-        Whether forces are those of the call before.
+        Whether forces, and what was leaned on, are those of the call before.
     """
     if world is None:
         return True
     points, change, size = world.area.shape[0], 0.0, 0.0
-    for i in range(world.hold.shape[0]):
+    for i in range(world.hold.shape[0]):  # what the last look leaned on has moved since
+        hold = at(world.hold, i)
+        if hold != 0.0:
+            for a in range(3):
+                missed = hold * ((at(ahead, (i, a)) - at(x, (i, a))) / T - at(world.tried, (i, a)))
+                change += missed * missed
         put(world.hold, i, 0.0)
     for p in range(points):
         ux, uy, uz = _place(world, p, x)
@@ -169,6 +171,7 @@ def lean_world(world: World | None, copy_scale: float, rate: Float, work: Worksp
     """Puts what resists at the touched rows into the linear system, about the rate at which forces were worked out."""
     if world is not None:
         for i in range(world.hold.shape[0]):
+            store(world.tried, i, load(rate, i, lanes), lanes)
             hold = copy_scale * at(world.hold, i)
             if hold != 0.0:
                 put(work.diagonal, i, at(work.diagonal, i) + hold)
@@ -176,9 +179,7 @@ def lean_world(world: World | None, copy_scale: float, rate: Float, work: Worksp
 
 
 @part
-def weigh_world(
-    world: World | None, memory: Float, x: Float, ahead: Float, T: float, lanes: tuple[int, ...]
-) -> tuple[float, float, bool]:
+def weigh_world(world: World | None, memory: Float, x: Float, ahead: Float, T: float) -> tuple[float, float, bool]:
     """What obstacles hold after a motion and lost in it; stretches at its end go to the second half of the memory.
 
     Args:
@@ -187,7 +188,6 @@ def weigh_world(
         x: displacements of the rows before, (rows, width) [m].
         ahead: and after, likewise.
         T: how long it took [s].
-        lanes: fixes the width.
 
     Returns:
         Energy held [J], energy lost [J], and whether a point passed through an obstacle.
@@ -235,6 +235,20 @@ def tell_world(world: World | None, copy_scale: float, ledger: Float) -> None:
             ledger[WORLD_FORCE + a] = 0.0
             for s in range(world.kind.shape[0]):
                 ledger[WORLD_FORCE + a] += copy_scale * at(world.force, (s, a))
+
+
+@block
+def deepest_point(world: World, x: Float) -> tuple[float, int]:
+    """How deep the deepest point is in any obstacle, less than 0 outside [m], and in which."""
+    most, where = -math.inf, 0
+    for p in range(world.area.shape[0]):
+        ux, uy, uz = _place(world, p, x)
+        rx, ry, rz = at(world.rest, (p, 0)) + ux, at(world.rest, (p, 1)) + uy, at(world.rest, (p, 2)) + uz
+        for s in range(world.kind.shape[0]):
+            deep, _, _, _, _ = depth(at(world.kind, s), world.numbers, s, rx, ry, rz)
+            if deep > most:
+                most, where = deep, s
+    return most, where
 
 
 @part
