@@ -21,13 +21,13 @@ from cotouch.mechanics._state import (
     Workspace,
 )
 from cotouch.mechanics._vector import at, load, splat, store, total
-from cotouch.mechanics._world_force import grain_of, tell_world, weigh_world
+from cotouch.mechanics._world_force import grain_of, tell_world, unsettled, weigh_world
 
-# Places in a memory: energy of the law, half of vᵀMv, what rounding left unbalanced, and energy at obstacles, all for the
-# whole body [J].
+# Places in a memory: energy of the law, half of vᵀMv, what rounding left unbalanced, and energy at obstacles, all for
+# the whole body [J].
 ENERGY, MOTION, LEFT, AT_WORLD = 0, 1, 2, 3
 # Places in what `weigh` finds.
-TARGET, HAVE, ABOUT, NOISE, LAW, ROUGH, OUTSIDE, PASSED = range(8)
+TARGET, HAVE, ABOUT, NOISE, LAW, ROUGH, OUTSIDE, PASSED, GRAIN = range(9)
 # β² outside of this asks for another direction, then for a shorter step.
 LEAST, MOST = 0.8, 1.25
 # The first attempt after a step is told apart by its direction, the others by halves of its length; this is the last.
@@ -81,8 +81,8 @@ def weigh(
         gain: work done on the copy by all but its own damping [J].
         work: `ahead` holds where the copy was, `mean` how it moved; `weighed` gets the kinetic energy that balances the
             step, that there is, what of it is about the centre of mass, the rounding of these, the energy of the law,
-            what the rounding of places does to that, and the energy at obstacles, all for the whole body [J]; and
-            whether it passed through one.
+            what the rounding of places does to that, the energy at obstacles and what rounding does to it, all for
+            the whole body [J]; and whether it passed through one.
         ledger: result: all but KINETIC and the closure's.
         lanes: fixes the width.
     """
@@ -141,7 +141,8 @@ def weigh(
     )
     # What rounding of places does to the energy of a strained body: too little to tell motion from rest by.
     weighed[ROUGH] = op.firmness * (force.grain + 2.0 * math.sqrt(force.grain * (abs(energy) + abs(before))))
-    weighed[ROUGH] += grain_of(force.world, outside + was_outside)
+    weighed[GRAIN] = grain_of(force.world, outside + was_outside)
+    weighed[ROUGH] += weighed[GRAIN] + unsettled(force.world, rubbed + T * abs(total(gravity * fallen)))
     weighed[OUTSIDE], weighed[PASSED] = outside, 1.0 if passed else 0.0
     ledger[ELASTIC] = op.copy_scale * (op.firmness * energy + 0.5 * total(held) - total(gravity * weight) + outside)
     ledger[WORLD_LOSS], ledger[WORLD_STORED] = op.copy_scale * rubbed, op.copy_scale * outside
@@ -210,7 +211,7 @@ def close(op: Operator, state: State, attempt: int, work: Workspace, ledger: Flo
         closed = 0.5 * total(moving)
     memory[ENERGY], memory[MOTION], memory[AT_WORLD] = weighed[LAW], closed, weighed[OUTSIDE]
     left = target - closed
-    memory[LEFT] = left if abs(left) <= noise else 0.0
+    memory[LEFT] = left if abs(left) <= noise + weighed[GRAIN] else 0.0
     ledger[KINETIC] = op.copy_scale * closed
     ledger[CLOSURE] = op.copy_scale * (closed - kinetic)
     ledger[BETA] = 0.0 if rounded else abs(beta - 1.0)

@@ -25,7 +25,7 @@ from cotouch.mechanics._balance import (
 from cotouch.mechanics._force import BodyForce, evaluate, resist
 from cotouch.mechanics._force_memory import forget
 from cotouch.mechanics._kernel import block, part
-from cotouch.mechanics._operator import DAMPING, STIFFNESS, Operator
+from cotouch.mechanics._operator import DAMPING, STIFFNESS, Operator, row_product
 from cotouch.mechanics._state import (
     ELASTIC,
     ITERATIONS,
@@ -40,10 +40,12 @@ from cotouch.mechanics._state import (
 )
 from cotouch.mechanics._step import assemble, move, port_work, solve_step
 from cotouch.mechanics._vector import at, load, splat, store, total
-from cotouch.mechanics._world_force import lean_world, looks_of, press_world, settle_world, take_up
+from cotouch.mechanics._world_force import corrects, lean_world, looks_of, press_world, settle_world, take_up
 
 # Sweeps of the rotations from nowhere.
 _MANY = 60
+# How much of what the last look missed the next may leave.
+COARSE = 0.03
 # A step whose end velocity is changed by more than this is told: its forces and its energy disagree.
 CLOSURE_ALARM = 1e-2
 
@@ -93,7 +95,21 @@ def closed_step(
         if number >= force.directions and settled:
             break
         direct(
-            op, force, state, links, ports, local_damping, extra_damping, T, rate, work, ledger, tolerance, cap, lanes
+            op,
+            force,
+            state,
+            links,
+            ports,
+            local_damping,
+            extra_damping,
+            T,
+            rate,
+            number > 0 and corrects(force.world),
+            work,
+            ledger,
+            tolerance,
+            cap,
+            lanes,
         )
         rate = work.mean
     attempt, length = 0, 1.0
@@ -111,7 +127,6 @@ def closed_step(
         go_back(state, work, lanes)
         if attempt == 0 and not passed:
             predict(op, force, state, T, work.mean, work, lanes)
-            mean = work.mean
             direct(
                 op,
                 force,
@@ -121,7 +136,8 @@ def closed_step(
                 local_damping,
                 extra_damping,
                 T,
-                mean,
+                work.mean,
+                False,
                 work,
                 ledger,
                 tolerance,
@@ -151,16 +167,35 @@ def direct(
     extra_damping: Float,
     T: float,
     rate: Float,
+    correct: bool,
     work: Workspace,
     ledger: Float,
     tolerance: float,
     cap: int,
     lanes: tuple[int, ...],
 ) -> None:
-    """Finds a direction that knows where this rate led, by `predict`."""
+    """Finds a direction that knows where this rate led, by `predict`; or corrects it, which a coarse solve can."""
     assemble(op, state, links, ports, local_damping, extra_damping, T, work, lanes)
     lean_world(force.world, op.copy_scale, rate, work, lanes)
-    ledger[ITERATIONS] += solve_step(op, ports, work, tolerance, cap, lanes)
+    if not correct or op.entries.shape[0] == 0:
+        ledger[ITERATIONS] += solve_step(op, ports, work, tolerance, cap, lanes)
+        return
+    miss(op, work.diagonal, work.rhs, work, work.rhs, lanes)
+    for i in range(op.mass.shape[0]):
+        store(work.pull, i, load(work.mean, i, lanes), lanes)
+    ledger[ITERATIONS] += solve_step(op, ports, work, max(tolerance, COARSE), cap, lanes)
+    for i in range(op.mass.shape[0]):
+        store(work.mean, i, load(work.mean, i, lanes) + load(work.pull, i, lanes), lanes)
+
+
+@part
+def miss(op: Operator, diagonal: Float, rhs: Float, work: Workspace, out: Float, lanes: tuple[int, ...]) -> None:
+    """What `A v̂` lacks of a right-hand side; `out` may be it."""
+    for i in range(diagonal.shape[0]):
+        left = load(rhs, i, lanes) - diagonal[i] * load(work.mean, i, lanes)
+        for family in range(op.entries.shape[0]):
+            left = left - work.scale[family] * row_product(op, family, i, work.mean, lanes)
+        store(out, i, left, lanes)
 
 
 @part

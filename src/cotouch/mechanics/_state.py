@@ -150,5 +150,5 @@ def workspace(op: Operator, width: int, ports: int, *, closed: bool = False) -> 
         small_rhs=_aligned(ports, width),
         ahead=_aligned(rows if closed else 0, width),
         pull=_aligned(rows if closed else 0, width),
-        weighed=_aligned(8),
+        weighed=_aligned(9),
     )

@@ -18,7 +18,7 @@ from cotouch.mechanics._world import World
 
 # Looks at most that a step with obstacles takes, and the change of forces from one to the next at which they end.
 _LOOKS = 16
-_SETTLED = 1e-8
+_SETTLED = 1e-7
 # Result of one point: force on the body, energy held, energy lost, what resists motion, stretch at the end, whether it
 # slips, and whether it passed through.
 _Point = tuple[float, float, float, float, float, float, float, float, float, float, bool]
@@ -30,6 +30,12 @@ def looks_of(world: World | None, directions: int) -> int:
     if world is None:
         return directions
     return _LOOKS
+
+
+@inner
+def corrects(world: World | None) -> bool:
+    """Whether a look after the first only corrects what the one before missed, with a coarse solve."""
+    return world is not None
 
 
 @inner
@@ -45,7 +51,9 @@ def _meet(
     k = at(world.stiffness, s) * at(world.area, p)
     here = world.first + 4 * (s * world.area.shape[0] + p)
     sx, sy, sz = at(memory, here), at(memory, here + 1), at(memory, here + 2)
-    held = 0.5 * k * (sx * sx + sy * sy + sz * sz)
+    # Half as stiff along a face as across it: within a step, both then resist alike.
+    grip = 0.5 * k
+    held = 0.5 * grip * (sx * sx + sy * sy + sz * sz)
     if before <= 0.0 and after <= 0.0:
         return 0.0, 0.0, 0.0, 0.0, held, 0.0, 0.0, 0.0, 0.0, 0.0, passed
     deeper = after - before
@@ -79,22 +87,22 @@ def _meet(
         return fx, fy, fz, stored, lost, firm, 0.0, 0.0, 0.0, 0.0, passed
     across = sx * nx + sy * ny + sz * nz
     sx, sy, sz = sx - across * nx, sy - across * ny, sz - across * nz
-    lost += held - 0.5 * k * (sx * sx + sy * sy + sz * sz)
+    lost += max(held - 0.5 * grip * (sx * sx + sy * sy + sz * sz), 0.0)
     along = mx * nx + my * ny + mz * nz
     tx, ty, tz = sx + mx - along * nx, sy + my - along * ny, sz + mz - along * nz
     trial = math.sqrt(tx * tx + ty * ty + tz * tz)
     was = at(memory, here + 3)
-    cone = (at(world.kinetic, s) if was != 0.0 else at(world.friction, s)) * total / k
+    cone = (at(world.kinetic, s) if was != 0.0 else at(world.friction, s)) * total / grip
     share = 1.0
     if trial > cone:
-        share, slips = at(world.kinetic, s) * total / (k * trial), 1.0
+        share, slips = at(world.kinetic, s) * total / (grip * trial), 1.0
     ex, ey, ez = share * tx, share * ty, share * tz
-    stored += 0.5 * k * (ex * ex + ey * ey + ez * ez)
-    lost += k * (ex * (tx - ex) + ey * (ty - ey) + ez * (tz - ez))
-    lost += 0.5 * k * ((ex - sx) ** 2 + (ey - sy) ** 2 + (ez - sz) ** 2)
-    return (
-        fx - k * ex, fy - k * ey, fz - k * ez, stored, lost, max(firm, share * k * T), ex, ey, ez, slips, passed,
-    )  # fmt: skip
+    stored += 0.5 * grip * (ex * ex + ey * ey + ez * ez)
+    lost += grip * (ex * (tx - ex) + ey * (ty - ey) + ez * (tz - ez))
+    lost += 0.5 * grip * ((ex - sx) ** 2 + (ey - sy) ** 2 + (ez - sz) ** 2)
+    firm = max(firm, share * grip * T)
+    fx, fy, fz = fx - grip * ex, fy - grip * ey, fz - grip * ez
+    return fx, fy, fz, stored, lost, firm, ex, ey, ez, slips, passed
 
 
 @inner
@@ -225,6 +233,14 @@ def grain_of(world: World | None, energy: float) -> float:
     if world is None:
         return 0.0
     return world.grain + 2.0 * math.sqrt(world.grain * energy)
+
+
+@inner
+def unsettled(world: World | None, flow: float) -> float:
+    """What looks that end once forces have settled leave of an energy that flows in the step [J]."""
+    if world is None:
+        return 0.0
+    return _SETTLED * flow
 
 
 @inner

@@ -384,7 +384,7 @@ class Peer:
             shortened=did[SHORTENED],
             world_loss=did[WORLD_LOSS],
             world_stored=did[WORLD_STORED],
-            world_force=ledger[WORLD_FORCE : WORLD_FORCE + 3].copy(),
+            world_force=tuple(did[WORLD_FORCE:]),
             rescaled=self._rescaled,
             advanced=advanced,
             guards=tuple(None if end.guard is None else end.guard.ledger for end in self._ends),

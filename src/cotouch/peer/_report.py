@@ -66,7 +66,7 @@ class StepReport:
     shortened: float
     world_loss: float
     world_stored: float
-    world_force: Float
+    world_force: tuple[float, ...]
     rescaled: float
     advanced: float
     guards: tuple[GuardLedger | None, ...]

@@ -46,7 +46,8 @@ class _ObstacleTable(Table):
     def _after(self) -> Self:
         if self.kinetic_friction is not None and self.kinetic_friction > self.friction:
             raise ValueError(
-                f"kinetic_friction is {self.kinetic_friction:g}, but friction is {self.friction:g}; it must be at most that"
+                f"kinetic_friction is {self.kinetic_friction:g}, but friction is {self.friction:g}; it must be at "
+                "most that"
             )
         try:
             self.made()

@@ -96,7 +96,7 @@ class Record(NamedTuple):
         position: (users, records, kept, width) [m].
         velocity: likewise [m/s].
         force: of the ports, (ports, records, width) [N].
-        users: (len(USER_BOOKS), users, records), and those of TOOL_BOOKS, CLOSED_BOOKS and WORLD_BOOKS where there are any, zeros:
+        users: (len(USER_BOOKS), users, records), and those of the other books where there are any, zeros:
             what stays 0, such as the losses of dampers that there are not, is never written, so it takes no memory.
         slots: (len(SLOT_BOOKS), slots, records).
         links: spring energy of each link, (ticks, links) [J].
