@@ -5,7 +5,7 @@ import numpy.typing as npt
 import pytest
 from tests.mechanics.materials import Alone
 
-from cotouch.body import Body, lattice
+from cotouch.body import Body, GridModel, lattice
 from cotouch.errors import BodyError, UnsupportedError
 from cotouch.mechanics import (
     BETA,
@@ -32,7 +32,7 @@ SLICK = Obstacle(shape=Plane(), stiffness=1e7)
 
 
 def cube(
-    nodes: int = 3, *, stiffness: float = 1e4, damping: float = 5.0, kind: str = "springs", pull: float = G
+    nodes: int = 3, *, stiffness: float = 1e4, damping: float = 5.0, kind: GridModel = "springs", pull: float = G
 ) -> Body:
     """A cube of 1 kg and 0.1 m, from z = 0 upwards."""
     return lattice(
@@ -158,7 +158,7 @@ def test_falls_and_bounces_as_closed_forms_say() -> None:
 
 @pytest.mark.parametrize("kind", ["springs", "cells"])
 @pytest.mark.parametrize("shape", [Plane(), Box((0.5, 0.5, 0.03), (0.05, 0.05, -0.0151), (0.0, 0.1, 0.2))])
-def test_nothing_passes_at_ten_metres_a_second(kind: str, shape: Plane | Box) -> None:
+def test_nothing_passes_at_ten_metres_a_second(kind: GridModel, shape: Plane | Box) -> None:
     soft = Obstacle(shape=shape, stiffness=1e5 if isinstance(shape, Box) else 1e7, friction=0.3)
     block = Standing(cube(kind=kind), soft, lift=0.02, speed=(1.0, 0.0, -10.0))
     for _ in range(40):
@@ -185,7 +185,8 @@ def test_depth_in_a_turned_box() -> None:
     ready = model(
         cube(2, pull=0.0), obstacles=[Obstacle(shape=Box((0.2, 0.3, 0.4), (1.0, 2.0, 3.0), (0.0, 0.0, np.pi / 2)))]
     )
-    world = ready.force.world  # pyright: ignore[reportOptionalMemberAccess]
+    world = None if ready.force is None else ready.force.world
+    assert world is not None
     size = 0.3 / 2  # along x: the box is turned, so its second side lies there
     for x, deep in ((1.0, 0.1), (1.0 + size - 0.02, 0.02), (1.0 - size - 0.05 - SIDE, -0.05)):
         # Points lie a little within the sides that they stand for: look along x, at the middle of a face.

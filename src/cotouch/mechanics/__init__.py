@@ -20,7 +20,7 @@ from cotouch.mechanics._kernel import block, inner, kernel, part
 from cotouch.mechanics._model import Basis, Model, model
 from cotouch.mechanics._operator import WEIGHTS, Operator, mixed, multiply, rescaled
 from cotouch.mechanics._rest import REST_DRIFT, REST_FIELDS, place_at_rest, rest_fraction
-from cotouch.mechanics._shape import SHAPES, Box, Plane
+from cotouch.mechanics._shape import SHAPES, Box, Plane, Shape
 from cotouch.mechanics._state import (
     BETA,
     BODY_LOSS,
@@ -112,6 +112,7 @@ __all__ = [
     "Operator",
     "Plane",
     "Ports",
+    "Shape",
     "State",
     "Stiffening",
     "Surface",

@@ -18,7 +18,8 @@ from cotouch.mechanics._force_memory import fresh_memory
 from cotouch.mechanics._materials import force_of, outline_of
 from cotouch.mechanics._operator import DAMPING, MASS, STIFFNESS, WEIGHTS, Operator, mixed
 from cotouch.mechanics._vector import WIDTHS
-from cotouch.mechanics._world import Obstacle, world_of
+from cotouch.mechanics._world import Obstacle
+from cotouch.mechanics._world_points import world_of
 
 Int = npt.NDArray[np.int32]
 Basis = Literal["auto", "nodal", "modal"]

@@ -6,8 +6,7 @@ from typing import Annotated, Self, final
 from pydantic import Field, model_validator
 
 from cotouch.errors import BodyError
-from cotouch.mechanics import Box, Obstacle, Plane
-from cotouch.mechanics._shape import Shape
+from cotouch.mechanics import Box, Obstacle, Plane, Shape
 from cotouch.scenario._tables import NonNegative, Place, Positive, Table
 
 _MOST = 16

@@ -141,8 +141,10 @@ def prepare(scenario: Scenario) -> Prepared:
 def _refuse_overlap(scenario: Scenario, ready: Model, position: Float) -> None:
     """Refuses copies that begin in an obstacle."""
     world = None if ready.force is None else ready.force.world
+    if world is None:
+        return
     size = float(np.ptp(ready.body.rest, axis=0).max())
-    for i, field in enumerate(position if world is not None else ()):
+    for i, field in enumerate(position):
         deep, s = deepest_point(world, ready.to_rows(field))
         if deep > _DEEP * size:
             raise ScenarioError(
