@@ -59,7 +59,7 @@ def test_peers_come_to_the_same_bits() -> None:
         ({"boxes": [{"centre": [0, 0, 0]}]}, "world.boxes[1].size is missing"),
         ({"planes": [{}] * 17}, "it must have at most 16 entries"),
         ({"floor": 0}, "world.floor is not an option that cotouch knows"),
-        ({"boxes": [{"size": [1, 1, 1]}]}, "world.boxes[1]: the copy of user 1 begins 0.46 m deep in it, more than"),
+        ({"boxes": [{"size": [1, 1, 1]}]}, "world.boxes[1]: the copy of user 1 begins 0.499 m deep in it, more than"),
         ({"boxes": [{"size": [1, 1, 1e-6], "centre": [0, 0, -1]}]}, "an obstacle is 1e-06 m thin"),
     ],
 )
@@ -82,6 +82,14 @@ def test_what_a_world_does_not_take_is_told(body: dict[str, Any], said: str) -> 
     with pytest.raises(CotouchError) as caught:
         prepare(Scenario.make(body=body, network=PAIR, world=world, steps={"duration": 0.1}))
     assert said in str(caught.value)
+
+
+def test_tools_touch_what_meets_a_plane_by_a_contact_law() -> None:
+    tool = {"user": 1, "at": [-0.02, 0.02, 0.02], "radius": 0.01, "stiffness": 500}
+    ready = prepare(Scenario.make(body=BLOCK, network=PAIR, world=PLANE, tools=[tool], steps={"duration": 0.1}))
+    assert ready.touching is not None
+    assert ready.touching.accounts is None
+    assert ready.touching.contact is not None
 
 
 def test_the_world_is_in_the_file_and_in_the_result(lift: Any) -> None:

@@ -206,10 +206,11 @@ class Scenario(Table):
         return self._built
 
     def _weighing(self, body: Body) -> Body:
-        """A body with the weight that the world gives it."""
+        """A body with the weight that the world gives it; one that meets obstacles has a material."""
         pull = self.world.gravity
         if pull is None:
-            return body
+            bare = body.material is None and self.world.obstacles()
+            return body.with_gravity((0.0, 0.0, 0.0)) if bare else body
         if body.material is not None and any(body.material.gravity):
             raise ScenarioError(
                 f"world.gravity is {pull}, but the body has a gravity of its own, {list(body.material.gravity)}; give "
