@@ -208,9 +208,13 @@ class Body:
             UnsupportedError: damping that the modes do not make diagonal; a material, which has no modes.
         """
         if self.material is not None:
-            what = f'model is "{self.material.model}"' if self.material.model != "linear" else "the body has weight"
+            if self.material.model == "linear":
+                raise UnsupportedError(
+                    f"modes is {modes}, but the body has weight or meets obstacles, for which it takes closed steps, "
+                    "without modes: leave one out"
+                )
             raise UnsupportedError(
-                f"modes is {modes}, but {what}; only a linear body without weight has modes: leave one out"
+                f'modes is {modes}, but model is "{self.material.model}"; only a linear body has modes: leave one out'
             )
         return Body(
             mass=self.mass,
