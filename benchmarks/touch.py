@@ -124,7 +124,7 @@ def _run(
         _clock(_MONOTONIC, now.ctypes.data)
         begin = now[0] * 1_000_000_000 + now[1]
         touch_step(
-            op, None, state, links, ports, surface, own, local, extra, lengths[k], links.last, work, touch, ledger,
+            op, state, links, ports, surface, own, local, extra, lengths[k], links.last, work, touch, ledger,
             touch_ledger, link_work, TOLERANCE, CAP, lanes,
         )  # fmt: skip
         _clock(_MONOTONIC, now.ctypes.data)

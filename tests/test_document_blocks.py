@@ -115,8 +115,9 @@ def read_toml(block: Block) -> None:
         SessionFile.from_toml((ROOT / "examples/live.toml").read_text(encoding="utf-8") + block.text)
     elif "entry-points" in block.text:
         assert f'[project.entry-points."{GROUP}"]' in block.text
-    elif block.text.startswith("[contact]"):
-        assert Scenario.make(network=TWO, **tomllib.loads(block.text)).contact is not None
+    elif block.text.startswith(("[contact]", "[world]")):
+        tables = tomllib.loads(block.text)
+        assert Scenario.make(network=TWO, **tables).model_fields_set == {"network", *tables}
     elif "law = {" in block.text:  # two ways of saying it
         for line in block.text.splitlines()[1:]:
             table = tomllib.loads(line.split("#")[0])

@@ -1,6 +1,7 @@
 """Small bodies of every material, and a copy of one that moves alone."""
 
 import itertools
+from collections.abc import Sequence
 
 import numpy as np
 import numpy.typing as npt
@@ -12,6 +13,7 @@ from cotouch.mechanics import (
     LEDGER_COLUMNS,
     BodyForce,
     Links,
+    Obstacle,
     Ports,
     State,
     closed_settle,
@@ -97,8 +99,9 @@ class Alone:
         tolerance: float = 1e-13,
         cap: int = 500,
         directions: int | None = None,
+        obstacles: Sequence[Obstacle] = (),
     ) -> None:
-        self.body, self.model = body, model(body, copies=copies)
+        self.body, self.model = body, model(body, copies=copies, obstacles=obstacles)
         assert self.model.force is not None
         self.force = self.model.force if directions is None else self.model.force._replace(directions=directions)
         rows, still = self.model.operator_rows, np.zeros((body.nodes, 3))

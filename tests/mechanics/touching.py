@@ -120,7 +120,6 @@ class TouchedCopy(ToolCopy):
         before, copy = self.energy, self.copy
         touch_step(
             self.model.operator,
-            self.model.force,
             self.state,
             copy.links,
             copy.ports,

@@ -1,7 +1,7 @@
 """The shared object: masses, dampers and springs between its nodes and to the ground, and its shape at rest."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import final
 
@@ -11,7 +11,7 @@ import scipy.sparse as sp
 
 from cotouch.arrays import Float
 from cotouch.body._checks import Form, Matrix, SumOfSquares, diagonal, plausible, positive, square
-from cotouch.body._material import Material
+from cotouch.body._material import Material, weight_of
 from cotouch.body._origin import Origin
 from cotouch.body._skin import Skin
 from cotouch.body._statics import factorise
@@ -164,6 +164,30 @@ class Body:
             material=self.material,
         )
 
+    def with_gravity(self, gravity: tuple[float, float, float]) -> "Body":
+        """The same body with weight.
+
+        Args:
+            gravity: acceleration, (3,) [m/s²].
+
+        Raises:
+            BodyError: gravity is not three finite numbers.
+            UnsupportedError: the body is truncated.
+        """
+        if self.truncation is not None:
+            raise UnsupportedError("the body is confined to a few shapes, which have no weight; leave one of them out")
+        return Body(
+            mass=self.mass,
+            rest=self.rest,
+            damping_int=SumOfSquares(self.damping_int),
+            damping_ext=self.damping_ext,
+            stiffness_int=SumOfSquares(self.stiffness_int),
+            stiffness_ext=self.stiffness_ext,
+            skin=self.skin,
+            origin=self.origin,
+            material=replace(self.material or Material(model="linear"), gravity=weight_of(gravity)),
+        )
+
     def truncated(self, *, modes: int, contacts: Sequence[int] = ()) -> "Body":
         """The same body, confined to its lowest modes and to how it yields where it is touched.
 
@@ -184,6 +208,11 @@ class Body:
             UnsupportedError: damping that the modes do not make diagonal; a material, which has no modes.
         """
         if self.material is not None:
+            if self.material.model == "linear":
+                raise UnsupportedError(
+                    f"modes is {modes}, but the body has weight or meets obstacles, for which it takes closed steps, "
+                    "without modes: leave one out"
+                )
             raise UnsupportedError(
                 f'modes is {modes}, but model is "{self.material.model}"; only a linear body has modes: leave one out'
             )

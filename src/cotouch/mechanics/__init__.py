@@ -20,6 +20,7 @@ from cotouch.mechanics._kernel import block, inner, kernel, part
 from cotouch.mechanics._model import Basis, Model, model
 from cotouch.mechanics._operator import WEIGHTS, Operator, mixed, multiply, rescaled
 from cotouch.mechanics._rest import REST_DRIFT, REST_FIELDS, place_at_rest, rest_fraction
+from cotouch.mechanics._shape import SHAPES, Box, Plane, Shape
 from cotouch.mechanics._state import (
     BETA,
     BODY_LOSS,
@@ -32,6 +33,9 @@ from cotouch.mechanics._state import (
     LOCAL_LOSS,
     SHORTENED,
     SUPPLIED,
+    WORLD_FORCE,
+    WORLD_LOSS,
+    WORLD_STORED,
     Links,
     Ports,
     State,
@@ -61,6 +65,8 @@ from cotouch.mechanics._tools import (
 from cotouch.mechanics._touch import touch_step
 from cotouch.mechanics._touch_parts import touch_parts
 from cotouch.mechanics._vector import at, load, put, splat, store, total
+from cotouch.mechanics._world import Obstacle
+from cotouch.mechanics._world_force import deepest_point
 
 __all__ = [
     "AWAY",
@@ -83,6 +89,7 @@ __all__ = [
     "PROXY",
     "REST_DRIFT",
     "REST_FIELDS",
+    "SHAPES",
     "SHORTENED",
     "SUPPLIED",
     "TOUCH",
@@ -91,14 +98,21 @@ __all__ = [
     "TOUCH_LOSS",
     "TOUCH_STORED",
     "WEIGHTS",
+    "WORLD_FORCE",
+    "WORLD_LOSS",
+    "WORLD_STORED",
     "Basis",
     "BodyForce",
+    "Box",
     "Contact",
     "Foundation",
     "Links",
     "Model",
+    "Obstacle",
     "Operator",
+    "Plane",
     "Ports",
+    "Shape",
     "State",
     "Stiffening",
     "Surface",
@@ -114,6 +128,7 @@ __all__ = [
     "contact_by",
     "contact_step",
     "credit",
+    "deepest_point",
     "evaluate",
     "inner",
     "inner_energy",

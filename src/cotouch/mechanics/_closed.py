@@ -5,24 +5,34 @@ energy is worked out once, and what the ledger then lack is put into the end vel
 of the centre of mass. Only v̂ meets ports and links, so everything that is proved for the linear step holds here.
 """
 
-import math
-
 from cotouch.arrays import Float
+from cotouch.mechanics._balance import (
+    AT_WORLD,
+    ENERGY,
+    HAVE,
+    LAST_ATTEMPT,
+    LEFT,
+    MOTION,
+    NOISE,
+    PASSED,
+    ROUGH,
+    TARGET,
+    close,
+    go_back,
+    keep_place,
+    weigh,
+)
 from cotouch.mechanics._force import BodyForce, evaluate, resist
 from cotouch.mechanics._force_memory import forget
-from cotouch.mechanics._kernel import block, inner, part
-from cotouch.mechanics._operator import DAMPING, STIFFNESS, Operator
+from cotouch.mechanics._kernel import block, part
+from cotouch.mechanics._operator import DAMPING, STIFFNESS, Operator, row_product
 from cotouch.mechanics._state import (
-    BETA,
-    BODY_LOSS,
-    CLOSURE,
     ELASTIC,
-    EXTRA_LOSS,
     ITERATIONS,
     KINETIC,
-    LOCAL_LOSS,
     SHORTENED,
     SUPPLIED,
+    WORLD_STORED,
     Links,
     Ports,
     State,
@@ -30,23 +40,14 @@ from cotouch.mechanics._state import (
 )
 from cotouch.mechanics._step import assemble, move, port_work, solve_step
 from cotouch.mechanics._vector import at, load, splat, store, total
+from cotouch.mechanics._world_force import corrects, lean_world, looks_of, press_world, settle_world, take_up
 
-# Places in a memory: energy of the law, half of vᵀMv, and what rounding left unbalanced, all for the whole body [J].
-_ENERGY, _MOTION, _LEFT = 0, 1, 2
-# Places in what `weigh` finds.
-TARGET, HAVE, ABOUT, NOISE, LAW, ROUGH = range(6)
-# β² outside of this asks for another direction, then for a shorter step.
-LEAST, MOST = 0.8, 1.25
-# The first attempt after a step is told apart by its direction, the others by halves of its length; this is the last.
-LAST_ATTEMPT = 14
-# Sweeps of the rotations in a step, and from nowhere.
-_SWEEPS, _MANY = 2, 60
-# A difference below this share of the energies that made it is their rounding.
-_ROUNDING = 4e-15
+# Sweeps of the rotations from nowhere.
+_MANY = 60
+# How much of what the last look missed the next may leave.
+COARSE = 0.03
 # A step whose end velocity is changed by more than this is told: its forces and its energy disagree.
 CLOSURE_ALARM = 1e-2
-# Below this share of the kinetic energy, motion about the centre of mass is too little to balance anything with.
-_RIGID = 1e-9
 
 
 @block
@@ -86,11 +87,31 @@ def closed_step(
         cap: on its iterations.
         lanes: fixes the width of a row.
     """
-    predict(op, force, state, T, state.velocity, work, lanes)
-    assemble(op, state, links, ports, local_damping, extra_damping, T, work, lanes)
-    ledger[ITERATIONS] = solve_step(op, ports, work, tolerance, cap, lanes)
-    for _ in range(force.directions - 1):
-        _redirect(op, force, state, links, ports, local_damping, extra_damping, T, work, ledger, tolerance, cap, lanes)
+    take_up(force.world, state.memory)
+    ledger[ITERATIONS] = 0.0
+    rate = state.velocity
+    for number in range(looks_of(force.world, force.directions)):
+        settled = predict(op, force, state, T, rate, work, lanes)
+        if number >= force.directions and settled:
+            break
+        direct(
+            op,
+            force,
+            state,
+            links,
+            ports,
+            local_damping,
+            extra_damping,
+            T,
+            rate,
+            number > 0 and corrects(force.world),
+            work,
+            ledger,
+            tolerance,
+            cap,
+            lanes,
+        )
+        rate = work.mean
     attempt, length = 0, 1.0
     while True:
         keep_place(state, work, lanes)
@@ -100,17 +121,35 @@ def closed_step(
         for link in range(links.first, links.last):
             gain += at(link_work, link)
         weigh(op, force, state, local_damping, extra_damping, T, gain, work, ledger, lanes)
-        if close(op, state, attempt, work, ledger, lanes):
+        passed = work.weighed[PASSED] != 0.0
+        if not passed and close(op, state, attempt, work, ledger, lanes):
             break
         go_back(state, work, lanes)
-        if attempt == 0:
-            _redirect(
-                op, force, state, links, ports, local_damping, extra_damping, T, work, ledger, tolerance, cap, lanes
+        if attempt == 0 and not passed:
+            predict(op, force, state, T, work.mean, work, lanes)
+            direct(
+                op,
+                force,
+                state,
+                links,
+                ports,
+                local_damping,
+                extra_damping,
+                T,
+                work.mean,
+                False,
+                work,
+                ledger,
+                tolerance,
+                cap,
+                lanes,
             )
         else:
-            length *= 0.5
+            # What would still pass an obstacle at the last attempt stays where it is.
+            shorter = 0.0 if passed and attempt >= LAST_ATTEMPT - 1 else 0.5
+            length *= shorter
             for i in range(op.mass.shape[0]):
-                store(work.mean, i, 0.5 * load(work.mean, i, lanes), lanes)
+                store(work.mean, i, shorter * load(work.mean, i, lanes), lanes)
         attempt += 1
     weighed = work.weighed
     rounded = abs(weighed[TARGET] - weighed[HAVE]) <= max(weighed[NOISE], weighed[ROUGH])
@@ -118,7 +157,7 @@ def closed_step(
 
 
 @part
-def _redirect(
+def direct(
     op: Operator,
     force: BodyForce,
     state: State,
@@ -127,22 +166,42 @@ def _redirect(
     local_damping: Float,
     extra_damping: Float,
     T: float,
+    rate: Float,
+    correct: bool,
     work: Workspace,
     ledger: Float,
     tolerance: float,
     cap: int,
     lanes: tuple[int, ...],
 ) -> None:
-    """Finds a direction that knows where the last one led."""
-    predict(op, force, state, T, work.mean, work, lanes)
+    """Finds a direction that knows where this rate led, by `predict`; or corrects it, which a coarse solve can."""
     assemble(op, state, links, ports, local_damping, extra_damping, T, work, lanes)
-    ledger[ITERATIONS] += solve_step(op, ports, work, tolerance, cap, lanes)
+    lean_world(force.world, op.copy_scale, rate, work, lanes)
+    if not correct or op.entries.shape[0] == 0:
+        ledger[ITERATIONS] += solve_step(op, ports, work, tolerance, cap, lanes)
+        return
+    miss(op, work.diagonal, work.rhs, work, work.rhs, lanes)
+    for i in range(op.mass.shape[0]):
+        store(work.pull, i, load(work.mean, i, lanes), lanes)
+    ledger[ITERATIONS] += solve_step(op, ports, work, max(tolerance, COARSE), cap, lanes)
+    for i in range(op.mass.shape[0]):
+        store(work.mean, i, load(work.mean, i, lanes) + load(work.pull, i, lanes), lanes)
+
+
+@part
+def miss(op: Operator, diagonal: Float, rhs: Float, work: Workspace, out: Float, lanes: tuple[int, ...]) -> None:
+    """What `A v̂` lacks of a right-hand side; `out` may be it."""
+    for i in range(diagonal.shape[0]):
+        left = load(rhs, i, lanes) - diagonal[i] * load(work.mean, i, lanes)
+        for family in range(op.entries.shape[0]):
+            left = left - work.scale[family] * row_product(op, family, i, work.mean, lanes)
+        store(out, i, left, lanes)
 
 
 @part
 def predict(
     op: Operator, force: BodyForce, state: State, T: float, rate: Float, work: Workspace, lanes: tuple[int, ...]
-) -> None:
+) -> bool:
     """Writes into `tension` what makes the linear system of a step ask for the body's true mean force at this rate.
 
     Args:
@@ -153,6 +212,9 @@ def predict(
         rate: guess of v̂, (rows, width).
         work: scratch.
         lanes: fixes the width.
+
+    Returns:
+        Whether obstacles do what they did by the rate before.
     """
     rows, families = op.mass.shape[0], op.entries.shape[0]
     zero = splat(0.0, lanes)
@@ -172,169 +234,7 @@ def predict(
                 slip = slip + at(op.entries, (family, e)) * (load(rate, at(op.column, e), lanes) - own)
             tension = tension - scale * slip
         store(state.tension, i, tension, lanes)
-
-
-@part
-def keep_place(state: State, work: Workspace, lanes: tuple[int, ...]) -> None:
-    """Keeps where the copy is, and how fast, before it moves."""
-    for i in range(state.position.shape[0]):
-        store(work.ahead, i, load(state.position, i, lanes), lanes)
-        store(work.pull, i, load(state.velocity, i, lanes), lanes)
-
-
-@part
-def go_back(state: State, work: Workspace, lanes: tuple[int, ...]) -> None:
-    """Takes the copy back to where it was kept."""
-    for i in range(state.position.shape[0]):
-        store(state.position, i, load(work.ahead, i, lanes), lanes)
-        store(state.velocity, i, load(work.pull, i, lanes), lanes)
-
-
-@part
-def weigh(
-    op: Operator,
-    force: BodyForce,
-    state: State,
-    local_damping: Float,
-    extra_damping: Float,
-    T: float,
-    gain: float,
-    work: Workspace,
-    ledger: Float,
-    lanes: tuple[int, ...],
-) -> None:
-    """Works out what the copy that was just moved holds and lost, and what its velocity should hold.
-
-    Args:
-        op: the body.
-        force: what resists inside.
-        state: where the copy came to.
-        local_damping: B_i, (weights,).
-        extra_damping: B_e, (weights,).
-        T: length of the step [s].
-        gain: work done on the copy by all but its own damping [J].
-        work: `ahead` holds where the copy was, `mean` how it moved; `weighed` gets the kinetic energy that balances the
-            step, that there is, what of it is about the centre of mass, the rounding of these, the energy of the law,
-            and what the rounding of places does to that, all for the whole body [J].
-        ledger: result: all but KINETIC and the closure's.
-        lanes: fixes the width.
-    """
-    rows = op.mass.shape[0]
-    memory, mean, weighed = state.memory, work.mean, work.weighed
-    energy, power = evaluate(force.law, memory, work.ahead, state.position, mean, _SWEEPS, lanes)
-    before = memory[_ENERGY]
-    gravity = load(force.gravity, 0, lanes)
-    zero = splat(0.0, lanes)
-    held, was_held, dragged, weight, fallen = zero, zero, zero, zero, zero
-    momentum, moving = zero, zero
-    mass = 0.0
-    for i in range(rows):
-        m, hold = at(op.mass, i), at(op.ground, i)
-        x, x0, rate, v = (
-            load(state.position, i, lanes),
-            load(work.ahead, i, lanes),
-            load(mean, i, lanes),
-            load(state.velocity, i, lanes),
-        )
-        held = held + hold * (x * x)
-        was_held = was_held + hold * (x0 * x0)
-        dragged = dragged + at(op.drag, i) * (rate * rate)
-        weight = weight + m * x
-        fallen = fallen + m * rate
-        momentum = momentum + m * v
-        moving = moving + m * (v * v)
-        mass += m
-    local, extra = 0.0, 0.0
-    for w in range(op.weight.shape[0]):
-        local += T * local_damping[w] * work.quadratic[w]
-        extra += T * extra_damping[w] * work.quadratic[w]
-    lost = T * (op.firmness * power + total(dragged))
-    risen = op.firmness * (energy - before) + 0.5 * (total(held) - total(was_held)) - T * total(gravity * fallen)
-    given = (gain - local - extra) / op.copy_scale
-    kinetic = 0.5 * total(moving)
-    centre = (1.0 / mass) * momentum
-    own = zero
-    for i in range(rows):
-        beside = load(state.velocity, i, lanes) - centre
-        own = own + at(op.mass, i) * (beside * beside)
-    weighed[TARGET] = memory[_MOTION] + memory[_LEFT] + given - lost - risen
-    weighed[HAVE], weighed[ABOUT], weighed[LAW] = kinetic, 0.5 * total(own), energy
-    weighed[NOISE] = _ROUNDING * (
-        op.firmness * (abs(energy) + abs(before)) + total(held) + abs(given) + lost + kinetic + memory[_MOTION]
-    )
-    # What rounding of places does to the energy of a strained body: too little to tell motion from rest by.
-    weighed[ROUGH] = op.firmness * (force.grain + 2.0 * math.sqrt(force.grain * (abs(energy) + abs(before))))
-    ledger[ELASTIC] = op.copy_scale * (op.firmness * energy + 0.5 * total(held) - total(gravity * weight))
-    ledger[BODY_LOSS] = op.copy_scale * lost
-    ledger[LOCAL_LOSS], ledger[EXTRA_LOSS] = local, extra
-
-
-@inner
-def square_of(weighed: Float, rest: bool) -> tuple[float, bool]:
-    """β² that closes the step that was weighed, and whether it acts about the centre of mass.
-
-    It acts about rest where nothing moves about the centre, and, if it may, where it would not do about the centre.
-    """
-    target, kinetic, about = weighed[TARGET], weighed[HAVE], weighed[ABOUT]
-    square, still = -1.0, about <= _RIGID * kinetic
-    if not still:
-        square = 1.0 + (target - kinetic) / about
-    if kinetic > 0.0 and (still or (rest and not LEAST <= square <= MOST)):
-        whole = target / kinetic
-        if still or LEAST <= whole <= MOST:
-            return whole, False
-    return square, True
-
-
-@part
-def close(op: Operator, state: State, attempt: int, work: Workspace, ledger: Float, lanes: tuple[int, ...]) -> bool:
-    """Balances the step that was just weighed.
-
-    Args:
-        op: the body.
-        state: where the copy came to; its velocity is changed in place.
-        attempt: how often this step was tried before; after `LAST_ATTEMPT` it is closed as far as it can be.
-        work: see `weigh`.
-        ledger: result: KINETIC and the closure's.
-        lanes: fixes the width.
-
-    Returns:
-        Whether the step is good; else nothing is changed.
-    """
-    rows, memory, weighed, zero = op.mass.shape[0], state.memory, work.weighed, splat(0.0, lanes)
-    target, kinetic, noise = weighed[TARGET], weighed[HAVE], weighed[NOISE]
-    square, central = square_of(weighed, attempt > 0)
-    good = LEAST <= square <= MOST
-    if not good and abs(target - kinetic) <= noise:
-        good, square = True, 1.0
-    # No step would be better, and force and energy do not disagree.
-    rounded = abs(target - kinetic) <= max(noise, weighed[ROUGH])
-    if not good and attempt < LAST_ATTEMPT and not (rounded and target >= 0.0):
-        return False
-    if not good and square < 0.0:  # nothing else is left to take it from
-        square, central = (max(target, 0.0) / kinetic if kinetic > 0.0 else 1.0), False
-    beta, closed = math.sqrt(square), kinetic
-    if beta != 1.0:
-        momentum, moving = zero, zero
-        mass = 0.0
-        for i in range(rows):
-            momentum = momentum + at(op.mass, i) * load(state.velocity, i, lanes)
-            mass += at(op.mass, i)
-        centre = (1.0 / mass if central else 0.0) * momentum
-        for i in range(rows):
-            v = load(state.velocity, i, lanes)
-            v = centre + beta * (v - centre)
-            store(state.velocity, i, v, lanes)
-            moving = moving + at(op.mass, i) * (v * v)
-        closed = 0.5 * total(moving)
-    memory[_ENERGY], memory[_MOTION] = weighed[LAW], closed
-    left = target - closed
-    memory[_LEFT] = left if abs(left) <= noise else 0.0
-    ledger[KINETIC] = op.copy_scale * closed
-    ledger[CLOSURE] = op.copy_scale * (closed - kinetic)
-    ledger[BETA] = 0.0 if rounded else abs(beta - 1.0)
-    ledger[SHORTENED] = 0.0
-    return True
+    return press_world(force.world, state.memory, state.position, work.ahead, T, state.tension)
 
 
 @block
@@ -354,9 +254,11 @@ def closed_settle(
         moving = moving + m * (v * v)
         store(work.pull, i, zero, lanes)
     energy, _ = evaluate(force.law, memory, state.position, state.position, work.pull, _MANY, lanes)
-    memory[_ENERGY], memory[_MOTION], memory[_LEFT] = energy, 0.5 * total(moving), 0.0
+    outside = settle_world(force.world, memory, state.position)
+    memory[ENERGY], memory[MOTION], memory[LEFT], memory[AT_WORLD] = energy, 0.5 * total(moving), 0.0, outside
     ledger[KINETIC] = 0.5 * op.copy_scale * total(moving)
-    ledger[ELASTIC] = op.copy_scale * (op.firmness * energy + 0.5 * total(held) - total(gravity * weight))
+    ledger[ELASTIC] = op.copy_scale * (op.firmness * energy + 0.5 * total(held) - total(gravity * weight) + outside)
+    ledger[WORLD_STORED] = op.copy_scale * outside
 
 
 def slowed(state: State, factor: float) -> None:
@@ -366,7 +268,7 @@ def slowed(state: State, factor: float) -> None:
         state: of the copy; its memory is changed in place.
         factor: of the velocity.
     """
-    state.memory[_MOTION] *= factor * factor
+    state.memory[MOTION] *= factor * factor
 
 
 @block

@@ -8,12 +8,13 @@ velocity closes what little is left: one balance for both.
 from typing import Any
 
 from cotouch.arrays import Float
-from cotouch.mechanics._closed import (
+from cotouch.mechanics._balance import (
     HAVE,
     LAST_ATTEMPT,
     LEAST,
     MOST,
     NOISE,
+    PASSED,
     TARGET,
     close,
     go_back,
@@ -109,7 +110,7 @@ def balanced(
     Returns:
         The scale, in [0, 1.25].
     """
-    most, held_back, touches = 1.0, False, False
+    most, held_back, touches, passed = 1.0, False, False, False
     inflow, slope = abs(free) + abs(contact), -T * (free + contact)
     for t in range(tools.first, tools.last):
         p = t - tools.first
@@ -144,7 +145,10 @@ def balanced(
             weighed[NOISE] += noise / op.copy_scale
             over, noise = op.copy_scale * (weighed[TARGET] - weighed[HAVE]), op.copy_scale * weighed[NOISE]
             square, _ = square_of(weighed, False)
+            passed = weighed[PASSED] != 0.0
             fine = abs(over) <= noise or (least <= square <= greatest and (seeks or over < 0.0))
+            fine = fine and not passed
+            seeks = seeks and not passed
         if fine and not (scale > 1.0 and _passes(surface, touch, tools, scale * T)):
             break
         begins_anew = False
@@ -157,7 +161,7 @@ def balanced(
             begins_anew = not seeks and scale != 1.0 and (fine or (over > 0.0 and scale == MOST))
             scale = following if seeks else 1.0 if begins_anew else scale
         if not (seeks or begins_anew):
-            if not over < -noise or halves == _HALVES:
+            if not (over < -noise or passed) or halves == _HALVES:
                 break
             halves += 1
             shrinks = min(16.0 * shrinks, 0.5)

@@ -11,7 +11,7 @@ import math
 from typing import Any
 
 from cotouch.arrays import Float
-from cotouch.mechanics._closed import predict
+from cotouch.mechanics._closed import COARSE, miss, predict
 from cotouch.mechanics._contact_balance import balanced, dot_rows
 from cotouch.mechanics._contact_catch import begin_catch, catch
 from cotouch.mechanics._contact_press import feel_tool, press_tool
@@ -20,19 +20,18 @@ from cotouch.mechanics._contact_sweep import NEVER, first_crossing
 from cotouch.mechanics._contact_work import Contact, ContactWork
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._kernel import block, part
-from cotouch.mechanics._operator import Operator, row_product
+from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._proxy import book_drive, move_proxy, proxy_drive, proxy_inertia
 from cotouch.mechanics._state import ITERATIONS, Links, Ports, State, Workspace
 from cotouch.mechanics._step import assemble, solve_step
 from cotouch.mechanics._surface import Surface, refit
 from cotouch.mechanics._tools import TOUCH, TOUCH_LOSS, TOUCH_STORED, Tools
 from cotouch.mechanics._vector import load, splat, store
+from cotouch.mechanics._world_force import lean_world, looks_of, take_up
 
-# Looks at most, the change of forces from one to the next at which they end, and how much of what the last look missed
-# the next may leave.
+# Looks at most, and the change of forces from one to the next at which they end.
 _LOOKS = 12
 _SETTLED = 1e-6
-_COARSE = 0.03
 # Energy below which a tool is out of the skin, of that in a depth of its radius.
 _NOTHING = 1e-17
 # How far beyond its radius a tool looks around, in radii, and in ways that it and the skin go in a step.
@@ -93,7 +92,10 @@ def contact_step(
     for i in range(mean.shape[0]):
         store(mean, i, load(state.velocity, i, lanes), lanes)
     ledger[ITERATIONS] = 0.0
-    looks = 1 if force is None else force.directions
+    looks = 1
+    if force is not None:
+        take_up(force.world, state.memory)
+        looks = looks_of(force.world, force.directions)
     for number in range(_LOOKS + looks):
         for i in range(mean.shape[0]):
             store(push, i, splat(0.0, lanes), lanes)
@@ -107,9 +109,14 @@ def contact_step(
         for i in range(mean.shape[0]):
             store(push, i, load(push, i, lanes) + hold[i] * load(mean, i, lanes), lanes)
         if number < looks:  # what the body asks for; later looks only tell contacts apart
+            same = True
             if force is not None:
-                predict(op, force, state, T, mean, work, lanes)
+                same = predict(op, force, state, T, mean, work, lanes)
+                if same and number >= force.directions:
+                    looks = number  # obstacles are told as well
             assemble(op, state, links, ports, local_damping, extra_damping, T, work, lanes)
+            if force is not None:
+                lean_world(force.world, op.copy_scale, mean, work, lanes)
             for i in range(mean.shape[0]):
                 touch.own[i] = work.diagonal[i]
                 store(touch.asked, i, load(rhs, i, lanes), lanes)
@@ -119,10 +126,10 @@ def contact_step(
         if number == 0 or op.entries.shape[0] == 0:
             ledger[ITERATIONS] += solve_step(op, ports, work, tolerance, cap, lanes)
         else:
-            _miss(op, work.diagonal, rhs, work, rhs, lanes)
+            miss(op, work.diagonal, rhs, work, rhs, lanes)
             for i in range(mean.shape[0]):
                 store(touch.found, i, load(mean, i, lanes), lanes)
-            ledger[ITERATIONS] += solve_step(op, ports, work, max(tolerance, _COARSE), cap, lanes)
+            ledger[ITERATIONS] += solve_step(op, ports, work, max(tolerance, COARSE), cap, lanes)
             for i in range(mean.shape[0]):
                 store(mean, i, load(mean, i, lanes) + load(touch.found, i, lanes), lanes)
         for i in range(mean.shape[0]):  # what contacts do at this rate
@@ -135,7 +142,7 @@ def contact_step(
     contact = 0.0
     if look:  # contacts do what the body asks for and nothing else gives
         if op.entries.shape[0] > 0:
-            _miss(op, touch.own, touch.asked, work, push, lanes)
+            miss(op, touch.own, touch.asked, work, push, lanes)
             for i in range(mean.shape[0]):
                 store(push, i, -1.0 * load(push, i, lanes), lanes)
         contact = dot_rows(mean, push, lanes)
@@ -163,16 +170,6 @@ def contact_step(
         lanes,
     )
     _settle(touch, tools, T, sigma, touch_ledger)
-
-
-@part
-def _miss(op: Operator, diagonal: Float, rhs: Float, work: Workspace, out: Float, lanes: tuple[int, ...]) -> None:
-    """What `A v̂` lacks of a right-hand side; `out` may be it."""
-    for i in range(diagonal.shape[0]):
-        left = load(rhs, i, lanes) - diagonal[i] * load(work.mean, i, lanes)
-        for family in range(op.entries.shape[0]):
-            left = left - work.scale[family] * row_product(op, family, i, work.mean, lanes)
-        store(out, i, left, lanes)
 
 
 @part

@@ -17,12 +17,12 @@ def memory_size(rotations: int) -> int:
     return 4 * (FIRST + 3 * rotations + _SCRATCH)
 
 
-def fresh_memory(size: int) -> Float:
-    """A memory of so many numbers in which nothing has turned."""
+def fresh_memory(size: int, more: int = 0) -> Float:
+    """A memory of so many numbers in which nothing has turned, and so many more, which are 0."""
     rows = np.zeros((size // 4, 4))
     turns = rows[FIRST : max(rows.shape[0] - _SCRATCH, FIRST)].reshape(-1, 3, 4)
     turns[:, [0, 1, 2], [0, 1, 2]] = 1.0
-    return rows.ravel()
+    return np.concatenate([rows.ravel(), np.zeros(more)])
 
 
 @inner

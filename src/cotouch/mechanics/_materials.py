@@ -172,7 +172,8 @@ def _frame(body: Body, material: Material, row: Int, rest: Float) -> Frame:
         pattern.eliminate_zeros()
         place = pattern.nonzero()
         stiffness, damping = (
-            np.asarray(sp.csr_array(m[order][:, order])[place]).reshape(-1, 1)
+            # A body of one node has no entries, and of none scipy makes another type.
+            np.asarray(sp.csr_array(m[order][:, order])[place] if place[0].size else []).reshape(-1, 1)
             for m in (body.stiffness_int, body.damping_int)
         )
         lever = body.stiffness_int @ rest

@@ -18,6 +18,8 @@ from cotouch.mechanics._force_memory import fresh_memory
 from cotouch.mechanics._materials import force_of, outline_of
 from cotouch.mechanics._operator import DAMPING, MASS, STIFFNESS, WEIGHTS, Operator, mixed
 from cotouch.mechanics._vector import WIDTHS
+from cotouch.mechanics._world import Obstacle
+from cotouch.mechanics._world_points import world_of
 
 Int = npt.NDArray[np.int32]
 Basis = Literal["auto", "nodal", "modal"]
@@ -48,7 +50,7 @@ class Model:
         inverse: the inverse of `modes`, or `modesᵀ M`, which projects on them; None in the nodal basis.
         order: row k of the kernels is row `order[k]` of the body; None where they are in the same order.
         force: what resists inside a body of some material; None where K and B of the operator do.
-        memory: numbers that it remembers of a copy.
+        memory: numbers that it remembers of a copy, with those of the world.
     """
 
     body: Body
@@ -110,7 +112,8 @@ class Model:
 
     def unturned(self) -> Float:
         """What a body force remembers of a copy that it has not seen, (memory,)."""
-        return fresh_memory(self.memory)
+        world = None if self.force is None else self.force.world
+        return fresh_memory(self.memory) if world is None else fresh_memory(world.first, self.memory - world.first)
 
     def port_rows(self, node: int) -> Int:
         """Rows that hold a node, in the body's own basis: one, or one for each axis in the full form."""
@@ -125,7 +128,14 @@ class Model:
         return np.ascontiguousarray(self.modes[rows])
 
 
-def model(body: Body, *, copies: int = 1, weights: Sequence[Matrix] = (), basis: Basis = "auto") -> Model:
+def model(
+    body: Body,
+    *,
+    copies: int = 1,
+    weights: Sequence[Matrix] = (),
+    basis: Basis = "auto",
+    obstacles: Sequence[Obstacle] = (),
+) -> Model:
     """Makes a body ready for the kernels.
 
     Args:
@@ -136,23 +146,28 @@ def model(body: Body, *, copies: int = 1, weights: Sequence[Matrix] = (), basis:
         basis: "nodal" solves by iteration; "modal" needs M, B, K and all weights to be diagonal in one
             basis, where the solve is a division; "auto" takes the modal one where it exists and pays. A truncated body
             is always in its shapes.
+        obstacles: what stands still around the body; each copy meets 1/N of them. A body without a material is then
+            one whose material is linear.
 
     Raises:
-        BodyError: a weight does not fit the body.
-        UnsupportedError: basis "modal" where the matrices do not commute; a truncated body with basis "nodal" or with
-            link weights of its own; a material with basis "modal", with weights that couple axes, or on one axis.
+        BodyError: a weight does not fit the body; an obstacle is too thin for its skin.
+        UnsupportedError: basis "modal" where the matrices do not commute; a truncated body with basis "nodal", with
+            link weights of its own or with obstacles; a material with basis "modal", with weights that couple axes, or
+            on one axis; obstacles for a body without a skin.
     """
     if copies < 1:
         raise BodyError(f"copies is {copies}; there must be at least 1 user")
     if body.truncation is not None:
-        if basis == "nodal" or weights:
+        if basis == "nodal" or weights or obstacles:
             what = 'basis is "nodal"' if basis == "nodal" else "the links have weights of their own"
+            what = "there are obstacles" if obstacles else what
             raise UnsupportedError(
                 f"{what}, but the body is truncated to a few shapes; leave that out, or the truncation"
             )
         return _truncated(body, body.truncation, copies)
-    if body.material is not None:
-        return _of_material(body, body.material, copies, weights, basis)
+    material = Material(model="linear") if body.material is None and obstacles else body.material
+    if material is not None:
+        return _of_material(body, material, copies, weights, basis, obstacles)
     fitted = [_fit(body, index, weight) for index, weight in enumerate(weights, start=1)]
     if body.form == "node" and any(full for _, full in fitted):
         body = body.as_full()
@@ -172,7 +187,14 @@ def model(body: Body, *, copies: int = 1, weights: Sequence[Matrix] = (), basis:
     return plain
 
 
-def _of_material(body: Body, material: Material, copies: int, weights: Sequence[Matrix], basis: Basis) -> Model:
+def _of_material(
+    body: Body,
+    material: Material,
+    copies: int,
+    weights: Sequence[Matrix],
+    basis: Basis,
+    obstacles: Sequence[Obstacle],
+) -> Model:
     """The model of a body whose inner forces are not linear: its matrices give the direction of a step."""
     if basis == "modal":
         raise UnsupportedError(f'basis is "modal", but model is "{material.model}", which has no modes; use "auto"')
@@ -189,6 +211,9 @@ def _of_material(body: Body, material: Material, copies: int, weights: Sequence[
     order, split = _halves(matrices)
     ordered = matrices if order is None else [sp.csr_array(matrix[order][:, order]) for matrix in matrices]
     force, memory = force_of(body, material, order)
+    if obstacles:
+        world, more = world_of(body, obstacles, order, memory)
+        force, memory = force._replace(world=world), memory + more
     return Model(
         body=body,
         operator=_operator(ordered, copies, split),

@@ -11,10 +11,13 @@ from cotouch.mechanics._operator import WEIGHTS, Operator
 
 Int = npt.NDArray[np.int32]
 
-# What a step books, in order. The first four are work during the step [J], the next two energies after it [J]. The last
+# What a step books, in order. The first four are work during the step [J], the next two energies after it [J]. Then
 # three are of a closed step: work of the closure on the end velocity [J], |β - 1|, and the share of the step given up.
 SUPPLIED, BODY_LOSS, LOCAL_LOSS, EXTRA_LOSS, KINETIC, ELASTIC, ITERATIONS, CLOSURE, BETA, SHORTENED = range(10)
-LEDGER_COLUMNS = 10
+# And of obstacles: what of BODY_LOSS was lost at them, what of ELASTIC they hold [J], and their mean force, along three
+# axes [N].
+WORLD_LOSS, WORLD_STORED, WORLD_FORCE = 10, 11, 12
+LEDGER_COLUMNS = 15
 
 _NO_BRAKE, _NO_PUSH = np.zeros(0), np.zeros((0, 0, 0))
 
@@ -147,5 +150,5 @@ def workspace(op: Operator, width: int, ports: int, *, closed: bool = False) -> 
         small_rhs=_aligned(ports, width),
         ahead=_aligned(rows if closed else 0, width),
         pull=_aligned(rows if closed else 0, width),
-        weighed=_aligned(6),
+        weighed=_aligned(9),
     )

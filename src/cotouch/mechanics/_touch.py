@@ -10,12 +10,10 @@ do in the step that comes out of it goes to the account of each tool.
 import math
 
 from cotouch.arrays import Float
-from cotouch.mechanics._closed import LAST_ATTEMPT, close, keep_place, predict, weigh
 from cotouch.mechanics._collide import Contacts, Hits, touching
 from cotouch.mechanics._columns import Columns, solve_columns
 from cotouch.mechanics._contact import sweep
 from cotouch.mechanics._elements import elements, gather, hold, modal_columns
-from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._grasp import take
 from cotouch.mechanics._kernel import block, part
 from cotouch.mechanics._modal_ports import correct
@@ -28,7 +26,7 @@ from cotouch.mechanics._solve import divide
 from cotouch.mechanics._state import ITERATIONS, SUPPLIED, Links, Ports, State, Workspace
 from cotouch.mechanics._step import assemble, book_energies, move, port_work, solve_step
 from cotouch.mechanics._surface import Fit, Surface, refit
-from cotouch.mechanics._tools import AWAY, DRIVE, GRASP, PROXY, TOUCH, TOUCH_LOSS, TOUCH_STORED, Tools, TouchWork
+from cotouch.mechanics._tools import AWAY, GRASP, TOUCH, TOUCH_LOSS, Tools, TouchWork
 
 # Gaps count as contacts up to this share of a radius, and as far as two steps of the proxy carry it.
 _MARGIN = 0.05
@@ -40,7 +38,6 @@ _COLUMN_TOLERANCE = 1e-9
 @block
 def touch_step(
     op: Operator,
-    force: BodyForce | None,
     state: State,
     links: Links,
     ports: Ports,
@@ -63,7 +60,6 @@ def touch_step(
 
     Args:
         op: the body's matrices.
-        force: what resists inside the body beside them; None: nothing.
         state: of the copy; changed in place.
         links: the neighbours' samples.
         ports: what else holds the copy.
@@ -87,12 +83,9 @@ def touch_step(
     fit, found, columns, small, modal_ports = touch.fit, touch.found, touch.columns, touch.small, touch.modal_ports
     position, rhs, mean, diagonal = state.position, work.rhs, work.mean, work.diagonal
     first, last, pushes = tools.first, tools.last, small.force
-    before = 0.0 if force is None else _tool_energy(tools)
     wide, modal = len(lanes) > 1, surface.shape.shape[0] > 0
     axes = _meet(surface, fit, touch.hits, found, tools, T, position, touch_ledger, lanes)
     _charge(surface.soft, found, small, tools, T, touch_ledger)
-    if force is not None:
-        predict(op, force, state, T, state.velocity, work, lanes)
     assemble(op, state, links, ports, local_damping, extra_damping, T, work, lanes)
     _drive(tools, small, T)
     held = hold(surface, fit, tools, small, T, position, rhs, diagonal, lanes)
@@ -173,30 +166,8 @@ def touch_step(
         settle_contacts(tools, small, T, contacts, axes, touch_ledger)
     settle_tools(surface, fit, tools, small.mean, T, position, mean, touch_ledger)
     ledger[SUPPLIED] = port_work(op, state, ports, T, mean, lanes)
-    if force is None:
-        move(op, state, links, T, sample, work, link_work, lanes)
-        book_energies(op, state, local_damping, extra_damping, T, work, ledger, lanes)
-    else:
-        keep_place(state, work, lanes)
-        move(op, state, links, T, sample, work, link_work, lanes)
-        gain = ledger[SUPPLIED] + touch_ledger[DRIVE] - touch_ledger[TOUCH_LOSS]
-        gain -= touch_ledger[PROXY] + touch_ledger[TOUCH_STORED] - before
-        for link in range(links.first, links.last):
-            gain += link_work[link]
-        weigh(op, force, state, local_damping, extra_damping, T, gain, work, ledger, lanes)
-        close(op, state, LAST_ATTEMPT, work, ledger, lanes)
-
-
-@part
-def _tool_energy(tools: Tools) -> float:
-    """What the proxies, their contacts and grasps hold [J]."""
-    mass, rate, account, grip_energy = tools.mass, tools.rate, tools.account, tools.grip_energy
-    energy = 0.0
-    for t in range(tools.first, tools.last):
-        energy += account[t] + grip_energy[t]
-        for a in range(3):
-            energy += 0.5 * mass[t] * rate[t, a] * rate[t, a]
-    return energy
+    move(op, state, links, T, sample, work, link_work, lanes)
+    book_energies(op, state, local_damping, extra_damping, T, work, ledger, lanes)
 
 
 @part

@@ -26,6 +26,9 @@ from cotouch.mechanics import (
     TOUCH_LOSS,
     TOUCH_STORED,
     TOUCHED,
+    WORLD_FORCE,
+    WORLD_LOSS,
+    WORLD_STORED,
     Contact,
     Model,
     Ports,
@@ -302,7 +305,7 @@ class Peer:
             if contact is not None:
                 contact_step(contact, op, force, state, links, ports, *what, ledger, touched, *rest)
             elif touch is not None:
-                touch_step(op, force, state, links, ports, *what, touch, ledger, touched, *rest)
+                touch_step(op, state, links, ports, *what, touch, ledger, touched, *rest)
         elif force is not None:
             closed_step(op, force, state, links, ports, *damping, T, own, work, ledger, *rest)
         else:
@@ -358,6 +361,9 @@ class Peer:
             closure=did[CLOSURE],
             closure_factor=did[BETA],
             shortened=did[SHORTENED],
+            world_loss=did[WORLD_LOSS],
+            world_stored=did[WORLD_STORED],
+            world_force=tuple(did[WORLD_FORCE:]),
             rescaled=self._rescaled,
             advanced=advanced,
             guards=tuple(None if end.guard is None else end.guard.ledger for end in joined.ends),

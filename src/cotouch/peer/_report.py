@@ -17,12 +17,12 @@ class StepReport:
         sample: what the neighbours should be told.
         force: mean force of the step at every port, (ports, width) [N].
         supplied: work done at the ports [J].
-        body_loss: dissipated by the body's own dampers [J].
+        body_loss: dissipated by the body's own dampers, and at planes and boxes [J].
         local_loss: by the damping B_i of the synchronisation [J].
         extra_loss: by the extra damping B_e [J].
         link_work: work that each link did on the copy, in the order of `Peer.neighbours` [J].
         kinetic: energy after the step [J].
-        elastic: energy after the step [J].
+        elastic: energy after the step, of strain, weight and planes and boxes [J].
         drive_work: work done on the proxies by what pulls them [J].
         touch_work: work done on the body by contacts and grasps [J].
         touch_loss: dissipated in contacts and grasps [J].
@@ -35,6 +35,9 @@ class StepReport:
         closure: work on the velocity that closed the step's balance, in no other book; 0 of a linear body [J].
         closure_factor: |β - 1|, by how much that changed the velocity; above CLOSURE_ALARM forces and energy disagree.
         shortened: which share of the step was given up, because its energy could not be balanced; mostly 0.
+        world_loss: of body_loss: lost in friction and damping at planes and boxes [J].
+        world_stored: of elastic: held by them after the step [J].
+        world_force: their mean force on the copy, (3,) [N].
         rescaled: what kinetic and elastic energy changed by since the step before, as the number of copies did [J].
         advanced: what the links' tanks got of the newcomer's allowance after the step [J].
         guards: ledger of each link's guard, in the order of `Peer.neighbours`; None for a link without.
@@ -61,6 +64,9 @@ class StepReport:
     closure: float
     closure_factor: float
     shortened: float
+    world_loss: float
+    world_stored: float
+    world_force: tuple[float, ...]
     rescaled: float
     advanced: float
     guards: tuple[GuardLedger | None, ...]

@@ -5,7 +5,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from cotouch.scenario import _body_tables, _channel, _tables, _tool_tables, _traces
+from cotouch.scenario import _body_tables, _channel, _tables, _tool_tables, _traces, _world_table
 
 
 def sentence(error: ValidationError, source: str) -> str:
@@ -70,7 +70,9 @@ def _place(parts: tuple[int | str, ...]) -> str:
 
 def _options() -> frozenset[str]:
     known = [
-        value for module in (_tables, _body_tables, _channel, _tool_tables, _traces) for value in vars(module).values()
+        value
+        for module in (_tables, _body_tables, _channel, _tool_tables, _traces, _world_table)
+        for value in vars(module).values()
     ]
     tables = [table for table in known if isinstance(table, type) and issubclass(table, _tables.Table)]
     return frozenset(name for table in tables for name in table.model_fields)

@@ -28,6 +28,7 @@ from cotouch.scenario._tables import (
 )
 from cotouch.scenario._tool_tables import ContactTable, ToolTable
 from cotouch.scenario._traces import Trace
+from cotouch.scenario._world_table import WorldTable
 
 # Nodes of a truncated body next to a tool's start that keep their local stiffness.
 _NEAR = 4
@@ -58,6 +59,7 @@ class Scenario(Table):
     hands: list[HandTable] = Field(default_factory=list[HandTable])
     tools: list[ToolTable] = Field(default_factory=list[ToolTable])
     contact: ContactTable = ContactTable()
+    world: WorldTable = WorldTable()
     initial: Initial = Initial()
     solver: Solver = Solver()
     record: RecordTable = RecordTable()
@@ -157,7 +159,7 @@ class Scenario(Table):
                 raise ScenarioError(f'"{table}" is no part of a scenario; there are {", ".join(tables)}')
             tables[table] = {**self._options_of(table, tables[table]), option: value} if option else value
         result = type(self).make(**tables)
-        if not {name.partition("__")[0] for name in changes} & {"body", "hands", "tools"}:
+        if not {name.partition("__")[0] for name in changes} & {"body", "hands", "tools", "world"}:
             result._built = self._built
         if "channel" not in {name.partition("__")[0] for name in changes}:
             result._trace = self._trace
@@ -193,7 +195,7 @@ class Scenario(Table):
     def build_body(self) -> Body:
         """The shared object; read and built once."""
         if self._built is None:
-            body = self.body if isinstance(self.body, Body) else self.body.build()
+            body = self._weighing(self.body if isinstance(self.body, Body) else self.body.build())
             if isinstance(self.body, FileTable) and self.body.modes is not None:
                 held = {self._node(index, body) - 1 for index in range(len(self.hands))}
                 for tool in self.tools:  # what a tool meets first yields as the whole body does
@@ -202,6 +204,19 @@ class Scenario(Table):
                 body = body.truncated(modes=self.body.modes, contacts=sorted(held))
             self._built = body
         return self._built
+
+    def _weighing(self, body: Body) -> Body:
+        """A body with the weight that the world gives it; one that meets obstacles has a material."""
+        pull = self.world.gravity
+        if pull is None:
+            bare = body.material is None and self.world.obstacles()
+            return body.with_gravity((0.0, 0.0, 0.0)) if bare else body
+        if body.material is not None and any(body.material.gravity):
+            raise ScenarioError(
+                f"world.gravity is {pull}, but the body has a gravity of its own, {list(body.material.gravity)}; give "
+                "one of them"
+            )
+        return body.with_gravity((pull[0], pull[1], pull[2]))
 
     def placed(self) -> "Scenario":
         """The same with every hand at a node; what was given as a place has become the nearest one.
@@ -277,6 +292,8 @@ class Scenario(Table):
         if self.tools:
             tables["tools"] = [tool.model_dump() for tool in self.tools]
             tables["contact"] = self.contact.model_dump()
+        if self.world != WorldTable():
+            tables["world"] = self.world.model_dump()
         return json.dumps(tables)
 
 

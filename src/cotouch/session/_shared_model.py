@@ -54,8 +54,13 @@ class SharedModel:
         axes = 1 if ready.full else body.dimension
         if body.material is not None and any(body.material.gravity):
             raise SessionError(
-                f"body.gravity is {list(body.material.gravity)}; in a session nothing has weight, because who comes or "
+                f"gravity is {list(body.material.gravity)}; in a session nothing has weight, because who comes or "
                 "leaves would change its potential energy: leave it out"
+            )
+        if scenario.world.obstacles():
+            raise SessionError(
+                f"{scenario.world.name(0)} is given; in a session nothing stands around the body, because who comes or "
+                "leaves would change what it presses with: leave it out"
             )
         encoding, reach = session.options.encoding, session.options.max_displacement
         if encoding != "float64" and (scenario.network.weights or body.truncation is not None):

@@ -21,6 +21,7 @@ from cotouch.simulation._layout import (
     TICK_LEDGER,
     TOOL_LEDGER,
     USER_LEDGER,
+    WORLD_BOOKS,
     Fields,
     Frames,
     Record,
@@ -82,6 +83,7 @@ def run_batch(prepared: Prepared) -> Outcome:
     touching = deepcopy(prepared.touching)
     more = 0 if touching is None else len(TOOL_LEDGER)
     more += 0 if ready.force is None else len(CLOSED_BOOKS)
+    more += 0 if ready.force is None or ready.force.world is None else len(WORLD_BOOKS)
     tools = None if touching is None else tool_record(touching.kind.size, records)
     wanted = prepared.scenario.record.frames
     moments = np.zeros(0) if wanted is None else np.arange(0.0, prepared.scenario.steps.duration, 1.0 / wanted)

@@ -24,6 +24,9 @@ from cotouch.mechanics import (
     TOUCH_LOSS,
     TOUCH_STORED,
     TOUCHED,
+    WORLD_FORCE,
+    WORLD_LOSS,
+    WORLD_STORED,
     BodyForce,
     Contact,
     Links,
@@ -227,7 +230,6 @@ def run(
             if accounts is not None:
                 touch_step(
                     op,
-                    force,
                     state,
                     links,
                     ports,
@@ -330,11 +332,16 @@ def run(
         put(running, (i, 4), ledger[KINETIC])
         put(running, (i, 5), ledger[ELASTIC])
         if force is not None:
-            first = running.shape[1] - 3
+            first = 6 if touching is None else 11
             _add(running, i, first, ledger[CLOSURE])
             put(running, (i, first + 1), max(at(running, (i, first + 1)), ledger[BETA]))
             if ledger[BETA] > CLOSURE_ALARM or ledger[SHORTENED] > 0.0:
                 _add(running, i, first + 2, 1.0)
+            if running.shape[1] > first + 3:  # there are obstacles
+                _add(running, i, first + 3, ledger[WORLD_LOSS])
+                put(running, (i, first + 4), ledger[WORLD_STORED])
+                for axis in range(3):
+                    put(running, (i, first + 5 + axis), ledger[WORLD_FORCE + axis])
         supplied += ledger[SUPPLIED]
         dissipated += ledger[BODY_LOSS] + ledger[LOCAL_LOSS] + ledger[EXTRA_LOSS]
         made -= ledger[LOCAL_LOSS]

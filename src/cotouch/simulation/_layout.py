@@ -20,6 +20,9 @@ USER_LEDGER = ("supplied", "body_loss", "local_loss", "extra_loss", "kinetic", "
 TOOL_LEDGER = ("drive_work", "touch_work", "touch_loss", "proxy", "touch_stored")
 # And of bodies that take closed steps: work of the closure so far [J]; largest |β - 1| so far; steps that told of one.
 CLOSED_BOOKS = ("closure", "closure_factor", "closure_alarms")
+# And where there are obstacles: what of the body's losses was lost there, and of its energy is held there [J]; the mean
+# force of all of them on the copy [N].
+WORLD_BOOKS = ("world_loss", "world_stored", "world_x", "world_y", "world_z")
 # Rows of `Record.slots`, cumulative [J]: what the link did on its receiver; what delay added to the link.
 SLOT_LEDGER = ("link_work", "delay_work")
 # Rows of `Record.ticks` [J].
@@ -93,12 +96,12 @@ class Record(NamedTuple):
         position: (users, records, kept, width) [m].
         velocity: likewise [m/s].
         force: of the ports, (ports, records, width) [N].
-        users: (len(USER_BOOKS), users, records), and those of TOOL_BOOKS and CLOSED_BOOKS where there are any, zeros:
+        users: (len(USER_BOOKS), users, records), and those of the other books where there are any, zeros:
             what stays 0, such as the losses of dampers that there are not, is never written, so it takes no memory.
         slots: (len(SLOT_BOOKS), slots, records).
         links: spring energy of each link, (ticks, links) [J].
         ticks: (len(TICK_BOOKS), ticks) [J].
-        running: cumulative ledgers of users, (users, 6), then those of TOOL_BOOKS and CLOSED_BOOKS likewise [J].
+        running: cumulative ledgers of users, (users, 6), then those of the other books likewise [J].
         lowest: result (1,): smallest energy that the ports had supplied in all, over every step [J].
         refused: result (1,): number of the user whose law said what no link can be, 0 if none did.
         made: result (2,): energy that links less the damping B_i had put into all copies, at most and at the end [J].

@@ -9,7 +9,7 @@ import numpy.typing as npt
 from cotouch.arrays import Float
 from cotouch.body import Body
 from cotouch.errors import ScenarioError
-from cotouch.mechanics import Model, model
+from cotouch.mechanics import Model, deepest_point, model
 from cotouch.network import damping_for
 from cotouch.scenario import Hands, Scenario, Touching, per_user, ports_of, touching_of
 from cotouch.simulation._law_setup import LawSetup, given_law, law_setup
@@ -19,6 +19,8 @@ from cotouch.simulation._schedule import Schedule, schedule
 
 Int = npt.NDArray[np.int32]
 
+# A copy may begin as deep in an obstacle as this share of its size.
+_DEEP = 0.1
 # Up to this many nodes all of them are recorded unless a scenario says otherwise.
 _ALL_NODES = 64
 
@@ -74,7 +76,13 @@ def prepare(scenario: Scenario) -> Prepared:
     scenario = scenario.placed()
     network = scenario.network
     body = scenario.build_body()
-    ready = model(body, copies=network.size, weights=network.weights, basis=scenario.solver.basis)
+    ready = model(
+        body,
+        copies=network.size,
+        weights=network.weights,
+        basis=scenario.solver.basis,
+        obstacles=scenario.world.obstacles(),
+    )
     nodes = _recorded(scenario, body)
     refuse_beyond(needed(scenario, body, ready, nodes.size), free_memory())
     timing = schedule(scenario)
@@ -98,6 +106,7 @@ def prepare(scenario: Scenario) -> Prepared:
     hands, ports = ports_of(scenario.hands, network.size, body, ready)
     most_ports = int(np.diff(hands.first).max(initial=0))
     position = _initial(scenario.initial.position, "position", network.size, body)
+    _refuse_overlap(scenario, ready, position)
     touching, tool = touching_of(
         scenario.tools,
         network.size,
@@ -127,6 +136,21 @@ def prepare(scenario: Scenario) -> Prepared:
         tool=tool,
         law=law_setup(scenario, ready, timing, topology.weight, position),
     )
+
+
+def _refuse_overlap(scenario: Scenario, ready: Model, position: Float) -> None:
+    """Refuses copies that begin in an obstacle."""
+    world = None if ready.force is None else ready.force.world
+    if world is None:
+        return
+    size = float(np.ptp(ready.body.rest, axis=0).max())
+    for i, field in enumerate(position):
+        deep, s = deepest_point(world, ready.to_rows(field))
+        if deep > _DEEP * size:
+            raise ScenarioError(
+                f"{scenario.world.name(s)}: the copy of user {i + 1} begins {deep:.3g} m deep in it, more than a tenth "
+                "of its own size; move one of them"
+            )
 
 
 def _local_damping(scenario: Scenario, timing: Schedule) -> Float:

@@ -14,7 +14,7 @@ from cotouch.interrupt import interruptible
 from cotouch.scenario import Scenario
 from cotouch.simulation._batch import Outcome, run_batch
 from cotouch.simulation._law_setup import given_law
-from cotouch.simulation._layout import CLOSED_BOOKS, TOOL_LEDGER, USER_LEDGER
+from cotouch.simulation._layout import CLOSED_BOOKS, TOOL_LEDGER, USER_LEDGER, WORLD_BOOKS
 from cotouch.simulation._prepare import Prepared, prepare
 from cotouch.simulation._schedule import Schedule
 from cotouch.simulation._tool_result import LEAST_ENERGY, tool_attributes, tool_variables
@@ -33,11 +33,11 @@ _UNITS = {
     "force": ("N", "sum of the mean forces of a user's hands and tools on the object over the step"),
     "hand_force": ("N", "mean force of a hand over the step"),
     "supplied": ("J", "work of a user's hands so far"),
-    "body_loss": ("J", "dissipated so far by the body's own dampers"),
+    "body_loss": ("J", "dissipated so far by the body's own dampers, and at planes and boxes"),
     "local_loss": ("J", "dissipated so far by the damping B_i of the synchronisation"),
     "extra_loss": ("J", "dissipated so far by the extra damping B_e"),
     "kinetic": ("J", "kinetic energy of the copy"),
-    "elastic": ("J", "elastic energy of the copy"),
+    "elastic": ("J", "elastic energy of the copy, of its weight and at planes and boxes"),
     "iterations": ("1", "iterations of the solver in the step; 0 where it is a closed form"),
     "closure": (
         "J",
@@ -45,6 +45,9 @@ _UNITS = {
     ),
     "closure_factor": ("1", "largest change so far of the end velocity by that scale, |beta - 1|"),
     "closure_alarms": ("1", "steps so far with a change above 0.01, or that had to be shortened"),
+    "world_loss": ("J", "of body_loss: lost so far in friction and damping at planes and boxes"),
+    "world_stored": ("J", "of elastic: held by planes and boxes"),
+    "world_force": ("N", "mean force of planes and boxes on the copy over the step"),
     "link_work": ("J", "work of the link on its receiver so far"),
     "delay_work": ("J", "energy added to the link so far by the age of the samples; by a law: all that its link did"),
     "age": ("s", "age of the sample used, from the middle of its step to the end of the step that uses it"),
@@ -138,7 +141,12 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
         put(name, ("user", "step", "node", "axis"), shaped, everyone)
     ledger = USER_LEDGER if outcome.tools is None else USER_LEDGER + TOOL_LEDGER
     ledger = ledger if prepared.model.force is None else ledger + CLOSED_BOOKS
-    for name, values in zip(ledger, record.users, strict=True):
+    if prepared.model.force is not None and prepared.model.force.world is not None:
+        own = record.users[len(ledger) :]
+        for name, values in zip(WORLD_BOOKS[:2], own, strict=False):
+            put(name, ("user", "step"), values, everyone)
+        put("world_force", ("user", "step", "axis"), np.moveaxis(own[2:], 0, -1), everyone)
+    for name, values in zip(ledger, record.users, strict=False):
         put(name, ("user", "step"), values, everyone)
     time, period = np.empty((users, records)), np.empty((users, records))
     time[:, 0], period[:, 0] = 0.0, np.nan

@@ -1,0 +1,219 @@
+"""What a closed step holds, lost and still lacks, and the factor on its end velocity that makes up for it."""
+
+import math
+
+from cotouch.arrays import Float
+from cotouch.mechanics._force import BodyForce, evaluate
+from cotouch.mechanics._kernel import inner, part
+from cotouch.mechanics._operator import Operator
+from cotouch.mechanics._state import (
+    BETA,
+    BODY_LOSS,
+    CLOSURE,
+    ELASTIC,
+    EXTRA_LOSS,
+    KINETIC,
+    LOCAL_LOSS,
+    SHORTENED,
+    WORLD_LOSS,
+    WORLD_STORED,
+    State,
+    Workspace,
+)
+from cotouch.mechanics._vector import at, load, splat, store, total
+from cotouch.mechanics._world_force import grain_of, tell_world, unsettled, weigh_world
+
+# Places in a memory: energy of the law, half of vᵀMv, what rounding left unbalanced, and energy at obstacles, all for
+# the whole body [J].
+ENERGY, MOTION, LEFT, AT_WORLD = 0, 1, 2, 3
+# Places in what `weigh` finds.
+TARGET, HAVE, ABOUT, NOISE, LAW, ROUGH, OUTSIDE, PASSED, GRAIN = range(9)
+# β² outside of this asks for another direction, then for a shorter step.
+LEAST, MOST = 0.8, 1.25
+# The first attempt after a step is told apart by its direction, the others by halves of its length; this is the last.
+LAST_ATTEMPT = 14
+# Sweeps of the rotations in a step.
+_SWEEPS = 2
+# A difference below this share of the energies that made it is their rounding.
+_ROUNDING = 4e-15
+# Below this share of the kinetic energy, motion about the centre of mass is too little to balance anything with.
+_RIGID = 1e-9
+
+
+@part
+def keep_place(state: State, work: Workspace, lanes: tuple[int, ...]) -> None:
+    """Keeps where the copy is, and how fast, before it moves."""
+    for i in range(state.position.shape[0]):
+        store(work.ahead, i, load(state.position, i, lanes), lanes)
+        store(work.pull, i, load(state.velocity, i, lanes), lanes)
+
+
+@part
+def go_back(state: State, work: Workspace, lanes: tuple[int, ...]) -> None:
+    """Takes the copy back to where it was kept."""
+    for i in range(state.position.shape[0]):
+        store(state.position, i, load(work.ahead, i, lanes), lanes)
+        store(state.velocity, i, load(work.pull, i, lanes), lanes)
+
+
+@part
+def weigh(
+    op: Operator,
+    force: BodyForce,
+    state: State,
+    local_damping: Float,
+    extra_damping: Float,
+    T: float,
+    gain: float,
+    work: Workspace,
+    ledger: Float,
+    lanes: tuple[int, ...],
+) -> None:
+    """Works out what the copy that was just moved holds and lost, and what its velocity should hold.
+
+    Args:
+        op: the body.
+        force: what resists inside.
+        state: where the copy came to.
+        local_damping: B_i, (weights,).
+        extra_damping: B_e, (weights,).
+        T: length of the step [s].
+        gain: work done on the copy by all but its own damping [J].
+        work: `ahead` holds where the copy was, `mean` how it moved; `weighed` gets the kinetic energy that balances the
+            step, that there is, what of it is about the centre of mass, the rounding of these, the energy of the law,
+            what the rounding of places does to that, the energy at obstacles and what rounding does to it, all for
+            the whole body [J]; and whether it passed through one.
+        ledger: result: all but KINETIC and the closure's.
+        lanes: fixes the width.
+    """
+    rows = op.mass.shape[0]
+    memory, mean, weighed = state.memory, work.mean, work.weighed
+    energy, power = evaluate(force.law, memory, work.ahead, state.position, mean, _SWEEPS, lanes)
+    outside, rubbed, passed = weigh_world(force.world, memory, work.ahead, state.position, T)
+    before, was_outside = memory[ENERGY], memory[AT_WORLD]
+    gravity = load(force.gravity, 0, lanes)
+    zero = splat(0.0, lanes)
+    held, was_held, dragged, weight, fallen = zero, zero, zero, zero, zero
+    momentum, moving = zero, zero
+    mass = 0.0
+    for i in range(rows):
+        m, hold = at(op.mass, i), at(op.ground, i)
+        x, x0, rate, v = (
+            load(state.position, i, lanes),
+            load(work.ahead, i, lanes),
+            load(mean, i, lanes),
+            load(state.velocity, i, lanes),
+        )
+        held = held + hold * (x * x)
+        was_held = was_held + hold * (x0 * x0)
+        dragged = dragged + at(op.drag, i) * (rate * rate)
+        weight = weight + m * x
+        fallen = fallen + m * rate
+        momentum = momentum + m * v
+        moving = moving + m * (v * v)
+        mass += m
+    local, extra = 0.0, 0.0
+    for w in range(op.weight.shape[0]):
+        local += T * local_damping[w] * work.quadratic[w]
+        extra += T * extra_damping[w] * work.quadratic[w]
+    lost = T * (op.firmness * power + total(dragged))
+    risen = op.firmness * (energy - before) + 0.5 * (total(held) - total(was_held)) - T * total(gravity * fallen)
+    risen += outside - was_outside + rubbed
+    given = (gain - local - extra) / op.copy_scale
+    kinetic = 0.5 * total(moving)
+    centre = (1.0 / mass) * momentum
+    own = zero
+    for i in range(rows):
+        beside = load(state.velocity, i, lanes) - centre
+        own = own + at(op.mass, i) * (beside * beside)
+    weighed[TARGET] = memory[MOTION] + memory[LEFT] + given - lost - risen
+    weighed[HAVE], weighed[ABOUT], weighed[LAW] = kinetic, 0.5 * total(own), energy
+    weighed[NOISE] = _ROUNDING * (
+        op.firmness * (abs(energy) + abs(before))
+        + total(held)
+        + abs(given)
+        + lost
+        + kinetic
+        + memory[MOTION]
+        + outside
+        + was_outside
+        + rubbed
+    )
+    # What rounding of places does to the energy of a strained body: too little to tell motion from rest by.
+    weighed[ROUGH] = op.firmness * (force.grain + 2.0 * math.sqrt(force.grain * (abs(energy) + abs(before))))
+    weighed[GRAIN] = grain_of(force.world, outside + was_outside)
+    weighed[ROUGH] += weighed[GRAIN] + unsettled(force.world, rubbed + T * abs(total(gravity * fallen)))
+    weighed[OUTSIDE], weighed[PASSED] = outside, 1.0 if passed else 0.0
+    ledger[ELASTIC] = op.copy_scale * (op.firmness * energy + 0.5 * total(held) - total(gravity * weight) + outside)
+    ledger[WORLD_LOSS], ledger[WORLD_STORED] = op.copy_scale * rubbed, op.copy_scale * outside
+    tell_world(force.world, op.copy_scale, ledger)
+    ledger[BODY_LOSS] = op.copy_scale * (lost + rubbed)
+    ledger[LOCAL_LOSS], ledger[EXTRA_LOSS] = local, extra
+
+
+@inner
+def square_of(weighed: Float, rest: bool) -> tuple[float, bool]:
+    """β² that closes the step that was weighed, and whether it acts about the centre of mass.
+
+    It acts about rest where nothing moves about the centre, and, if it may, where it would not do about the centre.
+    """
+    target, kinetic, about = weighed[TARGET], weighed[HAVE], weighed[ABOUT]
+    square, still = -1.0, about <= _RIGID * kinetic
+    if not still:
+        square = 1.0 + (target - kinetic) / about
+    if kinetic > 0.0 and (still or (rest and not LEAST <= square <= MOST)):
+        whole = target / kinetic
+        if still or LEAST <= whole <= MOST:
+            return whole, False
+    return square, True
+
+
+@part
+def close(op: Operator, state: State, attempt: int, work: Workspace, ledger: Float, lanes: tuple[int, ...]) -> bool:
+    """Balances the step that was just weighed.
+
+    Args:
+        op: the body.
+        state: where the copy came to; its velocity is changed in place.
+        attempt: how often this step was tried before; after `LAST_ATTEMPT` it is closed as far as it can be.
+        work: see `weigh`.
+        ledger: result: KINETIC and the closure's.
+        lanes: fixes the width.
+
+    Returns:
+        Whether the step is good; else nothing is changed.
+    """
+    rows, memory, weighed, zero = op.mass.shape[0], state.memory, work.weighed, splat(0.0, lanes)
+    target, kinetic, noise = weighed[TARGET], weighed[HAVE], weighed[NOISE]
+    square, central = square_of(weighed, attempt > 0)
+    good = LEAST <= square <= MOST
+    if not good and abs(target - kinetic) <= noise:
+        good, square = True, 1.0
+    # No step would be better, and force and energy do not disagree.
+    rounded = abs(target - kinetic) <= max(noise, weighed[ROUGH])
+    if not good and attempt < LAST_ATTEMPT and not (rounded and target >= 0.0):
+        return False
+    if not good and square < 0.0:  # nothing else is left to take it from
+        square, central = (max(target, 0.0) / kinetic if kinetic > 0.0 else 1.0), False
+    beta, closed = math.sqrt(square), kinetic
+    if beta != 1.0:
+        momentum, moving = zero, zero
+        mass = 0.0
+        for i in range(rows):
+            momentum = momentum + at(op.mass, i) * load(state.velocity, i, lanes)
+            mass += at(op.mass, i)
+        centre = (1.0 / mass if central else 0.0) * momentum
+        for i in range(rows):
+            v = load(state.velocity, i, lanes)
+            v = centre + beta * (v - centre)
+            store(state.velocity, i, v, lanes)
+            moving = moving + at(op.mass, i) * (v * v)
+        closed = 0.5 * total(moving)
+    memory[ENERGY], memory[MOTION], memory[AT_WORLD] = weighed[LAW], closed, weighed[OUTSIDE]
+    left = target - closed
+    memory[LEFT] = left if abs(left) <= noise + weighed[GRAIN] else 0.0
+    ledger[KINETIC] = op.copy_scale * closed
+    ledger[CLOSURE] = op.copy_scale * (closed - kinetic)
+    ledger[BETA] = 0.0 if rounded else abs(beta - 1.0)
+    ledger[SHORTENED] = 0.0
+    return True

@@ -1,0 +1,79 @@
+"""Static shapes: how deep a point is in them, one file for each shape."""
+
+from cotouch.arrays import Float
+from cotouch.mechanics import _shape_box as box
+from cotouch.mechanics import _shape_plane as plane
+from cotouch.mechanics._kernel import inner
+from cotouch.mechanics._shape_box import Box
+from cotouch.mechanics._shape_plane import Plane, Vector3
+
+Shape = Plane | Box
+# The registry: a shape's place here is its number in kernels. A *shape* is a NamedTuple with `packed` (the numbers that
+# its kernel reads, at most `NUMBERS`) and `thickness`, and one compiled function, `depth`, which `depth` below calls.
+SHAPES: tuple[type, ...] = (Plane, Box)
+NUMBERS = 16
+_PLANE = 0
+
+
+@inner
+def depth(kind: int, numbers: Float, s: int, x: float, y: float, z: float) -> tuple[float, float, float, float, int]:
+    """How deep a point is in a shape.
+
+    Args:
+        kind: of the shape, its place in `SHAPES`.
+        numbers: of all shapes, (shapes, NUMBERS).
+        s: which of them.
+        x: of the point [m].
+        y: likewise.
+        z: likewise.
+
+    Returns:
+        Depth, less than 0 outside [m]; the unit normal out of the shape where that is shortest; and which flat face
+        that is, -1 where it is none: on one face depth is a linear function.
+    """
+    if kind == _PLANE:
+        return plane.depth(numbers, s, x, y, z)
+    return box.depth(numbers, s, x, y, z)
+
+
+@inner
+def passes(
+    kind: int, numbers: Float, s: int, x: float, y: float, z: float, mx: float, my: float, mz: float,
+    before: float, face: int, after: float, other: int,
+) -> bool:  # fmt: skip
+    """Whether a point that moves by m comes out of a shape, or is pushed out, on the side opposite to where it came in.
+
+    Args:
+        kind: as for `depth`, like all up to z.
+        numbers: likewise.
+        s: likewise.
+        x: where the point starts [m].
+        y: likewise.
+        z: likewise.
+        mx: how far it moves [m].
+        my: likewise.
+        mz: likewise.
+        before: its depth at the start [m].
+        face: the nearest there.
+        after: its depth at the end [m].
+        other: the nearest face there.
+    """
+    if kind == _PLANE:
+        return False
+    if before <= 0.0 and -before > abs(mx) + abs(my) + abs(mz):
+        return False
+    enters, leaves = box.crosses(numbers, s, x, y, z, mx, my, mz)
+    if enters == -2:
+        return False
+    enters = face if before > 0.0 else enters
+    leaves = other if after > 0.0 else leaves
+    return enters >= 0 and leaves >= 0 and enters // 2 == leaves // 2 and enters != leaves
+
+
+def packed(shape: Shape, origin: Vector3) -> tuple[int, list[float]]:
+    """The number of a shape, and what kernels read of it.
+
+    Raises:
+        BodyError: the shape has no extent.
+    """
+    return SHAPES.index(type(shape)), shape.packed(origin)

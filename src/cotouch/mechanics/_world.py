@@ -1,0 +1,88 @@
+"""What stands still around a body: obstacles that it rests on and bumps into, as the kernels want them."""
+
+import math
+from dataclasses import dataclass
+from typing import NamedTuple, final
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.arrays import Float
+from cotouch.errors import BodyError
+from cotouch.mechanics._shape import Shape, packed
+
+Int = npt.NDArray[np.int32]
+
+
+@final
+@dataclass(frozen=True, kw_only=True)
+class Obstacle:
+    """Something that does not move, on a foundation of springs: `½ κ depth²` for each unit of a body's skin.
+
+    Attributes:
+        shape: where it is.
+        stiffness: κ, > 0 [N/m³].
+        loss: λ: pressure grows by 1 + λ times the speed of approach, >= 0 [s/m].
+        friction: Coulomb's coefficient of what does not slip, >= 0.
+        kinetic: of what slips, 0 to `friction`; None: the same.
+    """
+
+    shape: Shape
+    stiffness: float = 1e7
+    loss: float = 0.0
+    friction: float = 0.0
+    kinetic: float | None = None
+
+    def __post_init__(self) -> None:
+        for name, least in (("stiffness", "above"), ("loss", "at least"), ("friction", "at least")):
+            value = getattr(self, name)
+            if not (math.isfinite(value) and (value > 0.0 or (value == 0.0 and least == "at least"))):
+                raise BodyError(f"{name} is {value:g}; it must be a finite number {least} 0")
+        if self.kinetic is not None and not 0.0 <= self.kinetic <= self.friction:
+            raise BodyError(
+                f"kinetic friction is {self.kinetic:g}; it must be between 0 and friction, {self.friction:g}"
+            )
+        packed(self.shape, (0.0, 0.0, 0.0))
+
+
+class World(NamedTuple):
+    """Obstacles, and the points of a body's skin that meet them.
+
+    Attributes:
+        first: where in a copy's memory the stretches of friction begin: one row of four (the stretch [m], and whether
+            it slips) for each obstacle and point, as the last step left them, then the same as this step would.
+        pointer: CSR row pointer of the points, (P + 1,).
+        row: rows of the body that carry each point, (entries,).
+        share: how much of each, (entries,).
+        rest: places of the points at rest, less `origin`, (P, 4) [m].
+        area: of the skin that each stands for, (P,) [m²].
+        kind: of each obstacle, (S,).
+        numbers: of its shape, (S, NUMBERS).
+        stiffness: κ, (S,) [N/m³].
+        loss: λ, (S,) [s/m].
+        friction: (S,).
+        kinetic: (S,).
+        grain: energy that the rounding of places alone makes [J].
+        hold: scratch: what resists motion of the rows, (rows,) [Ns/m].
+        told: scratch: force on each point by the last look, (S * P, 4) [N].
+        tried: scratch: velocity of the rows at the last look, (rows, 4) [m/s].
+        force: result: mean force of each obstacle on the whole body in the step, (S, 4) [N].
+    """
+
+    first: int
+    pointer: Int
+    row: Int
+    share: Float
+    rest: Float
+    area: Float
+    kind: Int
+    numbers: Float
+    stiffness: Float
+    loss: Float
+    friction: Float
+    kinetic: Float
+    grain: float
+    hold: Float
+    told: Float
+    tried: Float
+    force: Float

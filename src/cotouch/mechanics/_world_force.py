@@ -1,0 +1,291 @@
+"""What obstacles do to a body: pressure by the depth of every point of its skin, damping, and friction.
+
+All of it is a function of where the points were and where they are. Pressure is the discrete gradient of its energy, so
+it does just the work by which that changes; friction is a spring along the face whose stretch is remembered, and what
+is beyond the cone slips [return mapping, Simo & Hughes 1998]. Both lose at least 0 for any motion.
+"""
+# An array indexed by an element of another is a number to numba and an array to numpy's types.
+# pyright: reportArgumentType=false, reportReturnType=false
+
+import math
+
+from cotouch.arrays import Float
+from cotouch.mechanics._kernel import block, inner, part
+from cotouch.mechanics._shape import depth, passes
+from cotouch.mechanics._state import WORLD_FORCE, Workspace
+from cotouch.mechanics._vector import at, load, put, splat, store
+from cotouch.mechanics._world import World
+
+# Looks at most that a step with obstacles takes, and the change of forces from one to the next at which they end.
+_LOOKS = 16
+_SETTLED = 1e-7
+# Result of one point: force on the body, energy held, energy lost, what resists motion, stretch at the end, whether it
+# slips, and whether it passed through.
+_Point = tuple[float, float, float, float, float, float, float, float, float, float, bool]
+
+
+@inner
+def looks_of(world: World | None, directions: int) -> int:
+    """How often a step looks where its forces lead, at most."""
+    if world is None:
+        return directions
+    return _LOOKS
+
+
+@inner
+def corrects(world: World | None) -> bool:
+    """Whether a look after the first only corrects what the one before missed, with a coarse solve."""
+    return world is not None
+
+
+@inner
+def _meet(
+    world: World, memory: Float, s: int, p: int, x: float, y: float, z: float, mx: float, my: float, mz: float,
+    T: float,
+) -> _Point:  # fmt: skip
+    """One obstacle and one point that is here, and moves by m within T."""
+    kind = at(world.kind, s)
+    before, ax, ay, az, face = depth(kind, world.numbers, s, x, y, z)
+    after, nx, ny, nz, other = depth(kind, world.numbers, s, x + mx, y + my, z + mz)
+    passed = passes(kind, world.numbers, s, x, y, z, mx, my, mz, before, face, after, other)
+    k = at(world.stiffness, s) * at(world.area, p)
+    here = world.first + 4 * (s * world.area.shape[0] + p)
+    sx, sy, sz = at(memory, here), at(memory, here + 1), at(memory, here + 2)
+    # Half as stiff along a face as across it: within a step, both then resist alike.
+    grip = 0.5 * k
+    held = 0.5 * grip * (sx * sx + sy * sy + sz * sz)
+    if before <= 0.0 and after <= 0.0:
+        return 0.0, 0.0, 0.0, 0.0, held, 0.0, 0.0, 0.0, 0.0, 0.0, passed
+    deeper = after - before
+    # Mean pressure: the difference of ½ k depth² over that of depth.
+    if before > 0.0 and after > 0.0:
+        push = 0.5 * k * (before + after)
+    elif after > 0.0:
+        push = 0.5 * k * after * (after / deeper)
+    else:
+        push = -0.5 * k * before * (before / deeper)
+    if after <= 0.0:
+        nx, ny, nz = ax, ay, az
+    gx, gy, gz = nx, ny, nz
+    if face != other or face < 0:
+        if before > 0.0 and after > 0.0:  # between two faces
+            size = math.sqrt((nx + ax) ** 2 + (ny + ay) ** 2 + (nz + az) ** 2)
+            if size > 0.0:
+                nx, ny, nz = (nx + ax) / size, (ny + ay) / size, (nz + az) / size
+        square = mx * mx + my * my + mz * mz
+        short = (deeper + nx * mx + ny * my + nz * mz) / square if square > 0.0 else 0.0
+        gx, gy, gz = nx - short * mx, ny - short * my, nz - short * mz
+    change = max(at(world.loss, s) * deeper / T, -1.0)
+    stored, lost = 0.0, push * change * deeper
+    if after > 0.0:
+        stored = 0.5 * k * after * after
+    total = push * (1.0 + change)
+    fx, fy, fz = total * gx, total * gy, total * gz
+    firm = (0.5 * k * T if after > 0.0 else 0.0) + push * at(world.loss, s)
+    slips = 0.0
+    if at(world.friction, s) <= 0.0:
+        return fx, fy, fz, stored, lost, firm, 0.0, 0.0, 0.0, 0.0, passed
+    across = sx * nx + sy * ny + sz * nz
+    sx, sy, sz = sx - across * nx, sy - across * ny, sz - across * nz
+    lost += max(held - 0.5 * grip * (sx * sx + sy * sy + sz * sz), 0.0)
+    along = mx * nx + my * ny + mz * nz
+    tx, ty, tz = sx + mx - along * nx, sy + my - along * ny, sz + mz - along * nz
+    trial = math.sqrt(tx * tx + ty * ty + tz * tz)
+    was = at(memory, here + 3)
+    cone = (at(world.kinetic, s) if was != 0.0 else at(world.friction, s)) * total / grip
+    share = 1.0
+    if trial > cone:
+        share, slips = at(world.kinetic, s) * total / (grip * trial), 1.0
+    ex, ey, ez = share * tx, share * ty, share * tz
+    stored += 0.5 * grip * (ex * ex + ey * ey + ez * ez)
+    lost += grip * (ex * (tx - ex) + ey * (ty - ey) + ez * (tz - ez))
+    lost += 0.5 * grip * ((ex - sx) ** 2 + (ey - sy) ** 2 + (ez - sz) ** 2)
+    firm = max(firm, share * grip * T)
+    fx, fy, fz = fx - grip * ex, fy - grip * ey, fz - grip * ez
+    return fx, fy, fz, stored, lost, firm, ex, ey, ez, slips, passed
+
+
+@inner
+def _place(world: World, p: int, x: Float) -> tuple[float, float, float]:
+    """How far a point is from its rest place."""
+    a = b = c = 0.0
+    for e in range(at(world.pointer, p), at(world.pointer, p + 1)):
+        i, share = at(world.row, e), at(world.share, e)
+        a, b, c = a + share * at(x, (i, 0)), b + share * at(x, (i, 1)), c + share * at(x, (i, 2))
+    return a, b, c
+
+
+@part
+def take_up(world: World | None, memory: Float) -> None:
+    """Takes the stretches that the last step came to as those that the next begins with."""
+    if world is not None:
+        count = 4 * world.told.shape[0]
+        for n in range(count):
+            put(memory, world.first + n, at(memory, world.first + count + n))
+
+
+@part
+def press_world(world: World | None, memory: Float, x: Float, ahead: Float, T: float, out: Float) -> bool:
+    """Takes off `out` the mean force of all obstacles between two places; `hold` gets what resists there.
+
+    Args:
+        world: obstacles and points; None: none.
+        memory: of the copy.
+        x: displacements of the rows, (rows, width) [m].
+        ahead: where they come to, likewise.
+        T: within which time [s].
+        out: result (rows, width) [N].
+
+    Returns:
+        Whether forces, and what was leaned on, are those of the call before.
+    """
+    if world is None:
+        return True
+    points, change, size = world.area.shape[0], 0.0, 0.0
+    for i in range(world.hold.shape[0]):  # what the last look leaned on has moved since
+        hold = at(world.hold, i)
+        if hold != 0.0:
+            for a in range(3):
+                missed = hold * ((at(ahead, (i, a)) - at(x, (i, a))) / T - at(world.tried, (i, a)))
+                change += missed * missed
+        put(world.hold, i, 0.0)
+    for p in range(points):
+        ux, uy, uz = _place(world, p, x)
+        vx, vy, vz = _place(world, p, ahead)
+        rx, ry, rz = at(world.rest, (p, 0)) + ux, at(world.rest, (p, 1)) + uy, at(world.rest, (p, 2)) + uz
+        fx = fy = fz = firm = 0.0
+        for s in range(world.kind.shape[0]):
+            a, b, c, _, _, resists, _, _, _, _, _ = _meet(world, memory, s, p, rx, ry, rz, vx - ux, vy - uy, vz - uz, T)
+            fx, fy, fz, firm = fx + a, fy + b, fz + c, firm + resists
+        change += (fx - at(world.told, (p, 0))) ** 2
+        change += (fy - at(world.told, (p, 1))) ** 2 + (fz - at(world.told, (p, 2))) ** 2
+        size += fx * fx + fy * fy + fz * fz
+        put(world.told, (p, 0), fx)
+        put(world.told, (p, 1), fy)
+        put(world.told, (p, 2), fz)
+        if firm == 0.0 and fx == 0.0 and fy == 0.0 and fz == 0.0:
+            continue
+        for e in range(at(world.pointer, p), at(world.pointer, p + 1)):
+            i, share = at(world.row, e), at(world.share, e)
+            put(out, (i, 0), at(out, (i, 0)) - share * fx)
+            put(out, (i, 1), at(out, (i, 1)) - share * fy)
+            put(out, (i, 2), at(out, (i, 2)) - share * fz)
+            put(world.hold, i, at(world.hold, i) + share * firm)
+    return change <= _SETTLED * _SETTLED * size
+
+
+@part
+def lean_world(world: World | None, copy_scale: float, rate: Float, work: Workspace, lanes: tuple[int, ...]) -> None:
+    """Puts what resists at the touched rows into the linear system, about the rate at which forces were worked out."""
+    if world is not None:
+        for i in range(world.hold.shape[0]):
+            store(world.tried, i, load(rate, i, lanes), lanes)
+            hold = copy_scale * at(world.hold, i)
+            if hold != 0.0:
+                put(work.diagonal, i, at(work.diagonal, i) + hold)
+                store(work.rhs, i, load(work.rhs, i, lanes) + hold * load(rate, i, lanes), lanes)
+
+
+@part
+def weigh_world(world: World | None, memory: Float, x: Float, ahead: Float, T: float) -> tuple[float, float, bool]:
+    """What obstacles hold after a motion and lost in it; stretches at its end go to the second half of the memory.
+
+    Args:
+        world: obstacles and points; None: none.
+        memory: of the copy.
+        x: displacements of the rows before, (rows, width) [m].
+        ahead: and after, likewise.
+        T: how long it took [s].
+
+    Returns:
+        Energy held [J], energy lost [J], and whether a point passed through an obstacle.
+    """
+    if world is None:
+        return 0.0, 0.0, False
+    points, energy, lost, passed = world.area.shape[0], 0.0, 0.0, False
+    kept = world.first + 4 * world.told.shape[0]
+    zero = splat(0.0, (0, 0, 0, 0))
+    for s in range(world.kind.shape[0]):
+        store(world.force, s, zero, (0, 0, 0, 0))
+    for p in range(points):
+        ux, uy, uz = _place(world, p, x)
+        vx, vy, vz = _place(world, p, ahead)
+        rx, ry, rz = at(world.rest, (p, 0)) + ux, at(world.rest, (p, 1)) + uy, at(world.rest, (p, 2)) + uz
+        for s in range(world.kind.shape[0]):
+            a, b, c, stored, gone, _, ex, ey, ez, slips, through = _meet(
+                world, memory, s, p, rx, ry, rz, vx - ux, vy - uy, vz - uz, T
+            )
+            energy, lost, passed = energy + stored, lost + gone, passed or through
+            here = kept + 4 * (s * points + p)
+            put(memory, here, ex)
+            put(memory, here + 1, ey)
+            put(memory, here + 2, ez)
+            put(memory, here + 3, slips)
+            put(world.force, (s, 0), at(world.force, (s, 0)) + a)
+            put(world.force, (s, 1), at(world.force, (s, 1)) + b)
+            put(world.force, (s, 2), at(world.force, (s, 2)) + c)
+    return energy, lost, passed
+
+
+@inner
+def grain_of(world: World | None, energy: float) -> float:
+    """What the rounding of places does to an energy at obstacles [J]."""
+    if world is None:
+        return 0.0
+    return world.grain + 2.0 * math.sqrt(world.grain * energy)
+
+
+@inner
+def unsettled(world: World | None, flow: float) -> float:
+    """What looks that end once forces have settled leave of an energy that flows in the step [J]."""
+    if world is None:
+        return 0.0
+    return _SETTLED * flow
+
+
+@inner
+def tell_world(world: World | None, copy_scale: float, ledger: Float) -> None:
+    """Writes into a ledger the mean force of all obstacles on the copy."""
+    if world is not None:
+        for a in range(3):
+            ledger[WORLD_FORCE + a] = 0.0
+            for s in range(world.kind.shape[0]):
+                ledger[WORLD_FORCE + a] += copy_scale * at(world.force, (s, a))
+
+
+@block
+def deepest_point(world: World, x: Float) -> tuple[float, int]:
+    """How deep the deepest point is in any obstacle, less than 0 outside [m], and in which."""
+    most, where = -math.inf, 0
+    for p in range(world.area.shape[0]):
+        ux, uy, uz = _place(world, p, x)
+        rx, ry, rz = at(world.rest, (p, 0)) + ux, at(world.rest, (p, 1)) + uy, at(world.rest, (p, 2)) + uz
+        for s in range(world.kind.shape[0]):
+            deep, _, _, _, _ = depth(at(world.kind, s), world.numbers, s, rx, ry, rz)
+            if deep > most:
+                most, where = deep, s
+    return most, where
+
+
+@part
+def settle_world(world: World | None, memory: Float, x: Float) -> float:
+    """Forgets all friction; returns what obstacles hold where the copy is [J]."""
+    if world is None:
+        return 0.0
+    energy = 0.0
+    for n in range(world.first, memory.shape[0]):
+        put(memory, n, 0.0)
+    for p in range(world.area.shape[0]):
+        ux, uy, uz = _place(world, p, x)
+        for s in range(world.kind.shape[0]):
+            deep, _, _, _, _ = depth(
+                at(world.kind, s),
+                world.numbers,
+                s,
+                at(world.rest, (p, 0)) + ux,
+                at(world.rest, (p, 1)) + uy,
+                at(world.rest, (p, 2)) + uz,
+            )
+            if deep > 0.0:
+                energy += 0.5 * at(world.stiffness, s) * at(world.area, p) * deep * deep
+    return energy

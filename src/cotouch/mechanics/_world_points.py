@@ -1,0 +1,161 @@
+"""Where a body's skin meets what stands still around it: points, the area of each, and the rows that carry them."""
+
+from collections.abc import Sequence
+from typing import TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+import scipy.sparse as sp
+
+from cotouch.arrays import Float
+from cotouch.body import Body
+from cotouch.errors import BodyError, UnsupportedError
+from cotouch.mechanics._shape import NUMBERS, packed
+from cotouch.mechanics._world import Obstacle, World
+
+Int = npt.NDArray[np.int32]
+Corners: TypeAlias = npt.NDArray[np.int64]
+
+# Points of a skin are no farther apart than this share of the thinnest obstacle, and no more than so many.
+_APART, MOST_POINTS = 0.5, 100_000
+# Points lie so far within the triangles that they stand for, as a share of each: what stands on its edge is not felt by
+# the walls above it. Triangles whose normals differ by less than this cosine are one side.
+_WITHIN, _ALIKE = 0.025, 0.8
+# How many units of rounding a place is uncertain by.
+_ROUNDING = 10.0
+
+
+def world_of(body: Body, obstacles: Sequence[Obstacle], order: Int | None, first: int) -> tuple[World, int]:
+    """Obstacles for the kernels, and how many more numbers a copy remembers.
+
+    Args:
+        body: whose skin meets them.
+        obstacles: at least one.
+        order: row k of the kernels is node `order[k]`; None: node k.
+        first: numbers that a copy remembers without them.
+
+    Raises:
+        UnsupportedError: the body has no skin.
+        BodyError: an obstacle is too thin for the skin.
+    """
+    if body.dimension != 3 or body.skin is None or not body.skin.triangles.size:
+        what = f"has {body.dimension} axes" if body.dimension != 3 else "has no skin"
+        raise UnsupportedError(f"the body {what}; obstacles are met by a skin, so take a body from a mesh or a lattice")
+    origin = body.rest.mean(axis=0)
+    places, area, carry = _points(body, min(one.shape.thickness() for one in obstacles))
+    if order is not None:
+        carry = sp.csr_array(carry[:, order])
+    carry.sort_indices()
+    rest = np.zeros((places.shape[0], 4))
+    rest[:, :3] = places - origin
+    shapes = [packed(one.shape, (float(origin[0]), float(origin[1]), float(origin[2]))) for one in obstacles]
+    numbers = np.zeros((len(shapes), NUMBERS))
+    for s, (_, own) in enumerate(shapes):
+        numbers[s, : len(own)] = own
+    stiffness = np.array([one.stiffness for one in obstacles])
+    away = _ROUNDING * np.finfo(np.float64).eps * float(np.abs(rest).max())
+    count = len(shapes) * places.shape[0]
+    world = World(
+        first=first,
+        pointer=carry.indptr.astype(np.int32),
+        row=carry.indices.astype(np.int32),
+        share=np.ascontiguousarray(carry.data, dtype=np.float64),
+        rest=rest,
+        area=area,
+        kind=np.array([kind for kind, _ in shapes], dtype=np.int32),
+        numbers=numbers,
+        stiffness=stiffness,
+        loss=np.array([one.loss for one in obstacles]),
+        friction=np.array([one.friction for one in obstacles]),
+        kinetic=np.array([one.friction if one.kinetic is None else one.kinetic for one in obstacles]),
+        grain=away * away * float(stiffness.sum() * area.sum()),
+        hold=np.zeros(body.nodes),
+        told=np.zeros((count, 4)),
+        tried=np.zeros((body.nodes, 4)),
+        force=np.zeros((len(shapes), 4)),
+    )
+    return world, 8 * count
+
+
+def _points(body: Body, thinnest: float) -> tuple[Float, Float, sp.csr_array]:
+    """Vertices of the skin, its triangles halved until no obstacle fits between: places, areas, and what carries them.
+
+    Raises:
+        BodyError: there would be too many.
+    """
+    skin = body.skin
+    assert skin is not None
+    corners, count = np.asarray(skin.triangles, dtype=np.int64), skin.vertices.shape[0]
+    carry = sp.csr_array(
+        (
+            np.asarray(skin.weights, dtype=np.float64).ravel(),
+            np.asarray(skin.nodes).ravel(),
+            np.arange(0, skin.nodes.size + 1, skin.nodes.shape[1]),
+        ),
+        shape=(count, body.nodes),
+    )
+    places = np.asarray(skin.vertices, dtype=np.float64)[:, :3]
+    longest = float(np.linalg.norm(places[corners] - places[np.roll(corners, -1, axis=1)], axis=2).max())
+    while longest > _APART * thinnest:
+        if 4 * places.shape[0] > MOST_POINTS:
+            raise BodyError(
+                f"an obstacle is {thinnest:g} m thin, but the triangles of the skin are up to {longest:.3g} m long; "
+                "make it thicker, or the mesh finer"
+            )
+        places, corners, carry = _halved(places, corners, carry)
+        longest *= 0.5
+    edges = places[corners[:, 1:]] - places[corners[:, :1]]
+    normal = 0.5 * np.cross(edges[:, 0], edges[:, 1])
+    area = np.linalg.norm(normal, axis=1)
+    corners, normal, area = corners[area > 0.0], normal[area > 0.0], area[area > 0.0]
+    side = _sides(corners, normal / area[:, None])
+    # Each corner of each triangle, a little within it, for a third of its area; those of one side are one point.
+    share = np.full((3, 3), _WITHIN) + (1.0 - 3.0 * _WITHIN) * np.eye(3)
+    mean = sp.csr_array(
+        (
+            (np.repeat(area, 9) / 3.0 * np.tile(share.ravel(), area.size)),
+            (np.repeat(side.ravel(), 3), np.repeat(corners, 3, axis=0).ravel()),
+        ),
+        shape=(int(side.max()) + 1, places.shape[0]),
+    )
+    own: Float = np.bincount(side.ravel(), weights=np.repeat(area / 3.0, 3)).astype(np.float64)
+    mean = sp.csr_array(sp.diags_array(1.0 / own) @ mean)
+    carry = sp.csr_array(mean @ carry)
+    carry.sum_duplicates()
+    carry.eliminate_zeros()
+    return mean @ places, own, carry
+
+
+def _sides(corners: Corners, normal: Float) -> Corners:
+    """Numbers the sides of every vertex: triangles that meet there and look the same way belong to one; (F, 3)."""
+    result, count = np.zeros(corners.shape, dtype=np.int64), 0
+    place = np.argsort(corners.ravel(), kind="stable")
+    ends = np.flatnonzero(np.diff(corners.ravel()[place], append=-1)) + 1
+    for begin, end in zip(np.concatenate([[0], ends[:-1]]), ends, strict=True):
+        found: list[Float] = []
+        for entry in place[begin:end]:
+            own = normal[entry // 3]
+            alike = [number for number, other in enumerate(found) if float(own @ other) >= _ALIKE]
+            if not alike:
+                found.append(own)
+            result.flat[entry] = count + (alike[0] if alike else len(found) - 1)
+        count += len(found)
+    return result
+
+
+def _halved(places: Float, corners: Corners, carry: sp.csr_array) -> tuple[Float, Corners, sp.csr_array]:
+    """Every triangle as four."""
+    ends = np.sort(np.stack([corners, np.roll(corners, -1, axis=1)], axis=-1).reshape(-1, 2), axis=1)
+    sides, number = np.unique(ends, axis=0, return_inverse=True)
+    middle = places.shape[0] + number.reshape(-1, 3)
+    a, b, c = corners.T
+    ab, bc, ca = middle.T
+    finer: Corners = np.concatenate(
+        [np.stack(t, axis=1) for t in ((a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca))]
+    )
+    between = sp.csr_array(0.5 * (carry[sides[:, 0]] + carry[sides[:, 1]]))
+    return (
+        np.concatenate([places, 0.5 * (places[sides[:, 0]] + places[sides[:, 1]])]),
+        finer,
+        sp.csr_array(sp.vstack([carry, between])),
+    )

@@ -1,0 +1,121 @@
+"""The table of a scenario for what is around the body: gravity, a plane, boxes."""
+
+from collections.abc import Sequence
+from typing import Annotated, Self, final
+
+from pydantic import Field, model_validator
+
+from cotouch.errors import BodyError
+from cotouch.mechanics import Box, Obstacle, Plane, Shape
+from cotouch.scenario._tables import NonNegative, Place, Positive, Table
+
+_MOST = 16
+_ORIGIN = [0.0, 0.0, 0.0]
+
+
+class _ObstacleTable(Table):
+    """What all obstacles have.
+
+    Attributes:
+        stiffness: κ: pressure for each metre of depth [N/m³].
+        damping: λ: pressure grows by 1 + λ times the speed of approach [s/m].
+        friction: Coulomb's coefficient of what does not slip.
+        kinetic_friction: of what slips, at most `friction`; by default the same.
+    """
+
+    stiffness: Positive = 1e7
+    damping: NonNegative = 0.0
+    friction: NonNegative = 0.0
+    kinetic_friction: NonNegative | None = None
+
+    def _shape(self) -> Shape:
+        raise NotImplementedError
+
+    def made(self) -> Obstacle:
+        """The obstacle for the kernels."""
+        return Obstacle(
+            shape=self._shape(),
+            stiffness=self.stiffness,
+            loss=self.damping,
+            friction=self.friction,
+            kinetic=self.kinetic_friction,
+        )
+
+    @model_validator(mode="after")
+    def _after(self) -> Self:
+        if self.kinetic_friction is not None and self.kinetic_friction > self.friction:
+            raise ValueError(
+                f"kinetic_friction is {self.kinetic_friction:g}, but friction is {self.friction:g}; it must be at "
+                "most that"
+            )
+        try:
+            self.made()
+        except BodyError as error:
+            raise ValueError(str(error)) from None
+        return self
+
+
+@final
+class PlaneTable(_ObstacleTable):
+    """Everything below a plane is solid.
+
+    Attributes:
+        point: of the plane [m].
+        normal: out of it, of any length.
+    """
+
+    point: Place = Field(default_factory=lambda: [*_ORIGIN])
+    normal: Place = Field(default_factory=lambda: [0.0, 0.0, 1.0])
+
+    def _shape(self) -> Shape:
+        return Plane(_three(self.point), _three(self.normal))
+
+
+@final
+class BoxTable(_ObstacleTable):
+    """A solid box.
+
+    Attributes:
+        size: lengths of its sides [m].
+        centre: of it [m].
+        turn: how it is turned about its centre: along the axis of turning, as long as the angle [rad].
+    """
+
+    size: Annotated[list[Positive], Field(min_length=3, max_length=3)]
+    centre: Place = Field(default_factory=lambda: [*_ORIGIN])
+    turn: Place = Field(default_factory=lambda: [*_ORIGIN])
+
+    def _shape(self) -> Shape:
+        return Box(_three(self.size), _three(self.centre), _three(self.turn))
+
+
+@final
+class WorldTable(Table):
+    """What is around the body and does not move.
+
+    Attributes:
+        gravity: acceleration along x, y, z [m/s²].
+        planes: half-spaces that the body's skin meets.
+        boxes: boxes that it meets.
+    """
+
+    gravity: Place | None = None
+    planes: Annotated[list[PlaneTable], Field(max_length=_MOST)] = Field(default_factory=list[PlaneTable])
+    boxes: Annotated[list[BoxTable], Field(max_length=_MOST)] = Field(default_factory=list[BoxTable])
+
+    def obstacles(self) -> list[Obstacle]:
+        """All of them, planes first."""
+        return [table.made() for table in (*self.planes, *self.boxes)]
+
+    def name(self, number: int) -> str:
+        """How the file names one of `obstacles`.
+
+        Args:
+            number: from 0.
+        """
+        planes = len(self.planes)
+        return f"world.planes[{number + 1}]" if number < planes else f"world.boxes[{number - planes + 1}]"
+
+
+def _three(values: Sequence[float]) -> tuple[float, float, float]:
+    return values[0], values[1], values[2]
