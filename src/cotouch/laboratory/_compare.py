@@ -12,12 +12,13 @@ import numpy as np
 from cotouch.errors import CotouchError, ScenarioError
 from cotouch.interrupt import check, interruptible
 from cotouch.laboratory._cells import Progress, Store, cells
+from cotouch.laboratory._ideal import ideal
 from cotouch.laboratory._impedance import impedance
-from cotouch.laboratory._score import MEASURES, dangerous, ideal, measured, sizes
+from cotouch.laboratory._score import MEASURES, dangerous, measured, sizes
 from cotouch.laboratory._study import HandKind, LawTable, NetworkTable, Study
 from cotouch.laboratory._tune import tune
 from cotouch.laws import law_named
-from cotouch.simulation import prepare, run_batch
+from cotouch.simulation import Prepared, prepare, run_batch, with_hands
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -160,16 +161,18 @@ def score(cell: dict[str, Any]) -> dict[str, Any]:
     """
     study, setting = Study.make(**cell["study"]), cell["setting"]
     law, network, users = study.laws[0], study.networks[0], study.users[0]
-    runs: dict[str, list[Any]] = {name: [] for name in MEASURES}
     hands = _hands(study)
-    risky: list[bool] = []
+    counts = [study.draws if kind < len(study.hands) else min(study.draws, _STIFF_DRAWS) for kind in range(len(hands))]
+    runs: dict[str, list[Any]] = {name: [[[] for _ in study.tasks] for _ in hands] for name in MEASURES}
     try:
-        for number, hand in enumerate(hands):
-            draws = study.draws if number < len(study.hands) else min(study.draws, _STIFF_DRAWS)
-            rows = [[_one(study, hand, task, draw, setting) for draw in range(draws)] for task in study.tasks]
-            for name, values in runs.items():
-                values.append([[one[name] for one in row] for row in rows])
-            risky.append(dangerous(study, law, network, users, hand, setting))
+        for draw in range(max(counts)):
+            prepared = _drawn(study, draw, setting)
+            for kind, hand in enumerate(hands):
+                for number, task in enumerate(study.tasks if draw < counts[kind] else []):
+                    one = _one(study, prepared, hand, task, draw)
+                    for name, values in runs.items():
+                        values[kind][number].append(one[name])
+        risky = [dangerous(study, law, network, users, hand, setting) for hand in hands]
         loose = dangerous(study, law, network, users, hands[0], setting, let_go=True)
         felt = _felt(study, setting, loose=loose)
     except CotouchError as error:
@@ -183,12 +186,16 @@ def score(cell: dict[str, Any]) -> dict[str, Any]:
     return {"runs": runs, "felt": felt, "dangerous": risky, "loose": loose, "problem": ""}
 
 
-def _one(study: Study, hand: HandKind, task: str, draw: int, setting: Mapping[str, float]) -> dict[str, float]:
-    check()
+def _drawn(study: Study, draw: int, setting: Mapping[str, float]) -> Prepared:
+    """All that the runs of a draw have in common, whatever hands do."""
     law, network, users = study.laws[0], study.networks[0], study.users[0]
-    hands = study.task(task, users, hand, draw)
-    scenario = study.scenario(law, network, users, hands, seed=study.channel_seed(network, draw), setting=setting)
-    return measured(scenario, ideal(study, hands))
+    return prepare(study.scenario(law, network, users, [], seed=study.channel_seed(network, draw), setting=setting))
+
+
+def _one(study: Study, prepared: Prepared, hand: HandKind, task: str, draw: int) -> dict[str, float]:
+    check()
+    hands = study.task(task, study.users[0], hand, draw)
+    return measured(with_hands(prepared, hands), ideal(study, hands))
 
 
 def _hands(study: Study) -> list[HandKind]:
@@ -225,7 +232,8 @@ def danger(cell: dict[str, Any]) -> dict[str, Any]:
         here = study.model_copy(update={"networks": [network]})
         try:
             risky.append(dangerous(here, here.laws[0], network, 2, here.hands[0], setting))
-            values = [_one(here, here.hands[0], task, 0, setting)["cost"] for task in here.tasks]
+            prepared = _drawn(here, 0, setting)
+            values = [_one(here, prepared, here.hands[0], task, 0)["cost"] for task in here.tasks]
             costs.append(float(np.mean(values)))
         except CotouchError:
             risky.append(True)

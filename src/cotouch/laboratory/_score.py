@@ -1,18 +1,14 @@
 """What a run costs: how far copies and forces are from those of one copy that all hold without any delay."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from typing import Any, final
+from typing import Any
 
 import numpy as np
 
-from cotouch.arrays import Float
+from cotouch.laboratory._ideal import Ideal, forces, places
 from cotouch.laboratory._study import HandKind, LawTable, NetworkTable, Study
-from cotouch.laboratory._tasks import Task
 from cotouch.laws import law_named
-from cotouch.network import Network
-from cotouch.scenario import Scenario
-from cotouch.simulation import Outcome, Prepared, prepare, run_batch
+from cotouch.simulation import Outcome, Prepared, prepare, run_batch, with_hands
 
 # Errors of place count in units of this [m].
 PLACE = 0.01
@@ -33,54 +29,18 @@ MEASURES = {
 }
 
 
-@final
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Ideal:
-    """All hands on one copy, without delay.
-
-    Attributes:
-        place: of the nodes, (steps + 1, n, d) [m].
-        force: of each hand, (hands, steps, d) [N].
-        size: of the forces, root mean square over hands and time [N].
-    """
-
-    place: Float
-    force: Float
-    size: float
-
-
-def ideal(study: Study, hands: Task) -> Ideal:
-    """What one copy without delay does.
-
-    Args:
-        study: of the run.
-        hands: of the task.
-    """
-    alone = Scenario.make(
-        network=Network(users=["all"], spring=[[0.0]], delay=[[0.0]]),
-        body=study.build_body(),
-        steps={"duration": study.duration, "period": study.period},
-        hands=[hand | {"user": 1} for hand in hands],
-    )
-    prepared = prepare(alone)
-    outcome = run_batch(prepared)
-    force = _forces(prepared, outcome)
-    return Ideal(place=_places(outcome)[0], force=force, size=max(float(np.sqrt((force**2).mean())), 1e-9))
-
-
-def measured(scenario: Scenario, wanted: Ideal) -> dict[str, float]:
+def measured(prepared: Prepared, wanted: Ideal) -> dict[str, float]:
     """The measures of a run; infinite where the motion left floating point.
 
     Args:
-        scenario: with the hands of the ideal.
+        prepared: with the hands of the ideal.
         wanted: the ideal.
     """
-    prepared = prepare(scenario)
     outcome = run_batch(prepared)
     users = prepared.schedule.count.size
     if outcome.events < prepared.schedule.order.size or not np.isfinite(outcome.position).all():
         return dict.fromkeys(MEASURES, float("inf"))
-    place, force = _places(outcome), _forces(prepared, outcome)
+    place, force = places(outcome), forces(prepared, outcome)
     steps = min(place.shape[1], wanted.place.shape[0])
     error = np.sqrt(((place[:, :steps] - wanted.place[:steps]) ** 2).sum(axis=-1).mean())
     gap = np.sqrt(((place - place.mean(axis=0)) ** 2).sum(axis=-1).mean()) if users > 1 else 0.0
@@ -124,21 +84,22 @@ def dangerous(
     """
     still = [{"user": i + 1, "stiffness": hand.stiffness, "damping": hand.damping} for i in range(users)]
     body = study.build_body()
-    for holding in [[]] if let_go else [still, still[:1]]:
-        for draw in draws:
-            velocity = np.zeros((users, body.nodes, body.dimension))
-            velocity[0, :, 0] = _PUSH
-            scenario = study.scenario(
-                law,
-                network,
-                users,
-                study.placed([dict(entry) for entry in holding], users),
-                seed=study.channel_seed(network, draw),
-                setting=setting,
-                duration=_WATCH,
-                initial={"velocity": velocity.tolist()},
-            )
-            prepared = prepare(scenario)
+    velocity = np.zeros((users, body.nodes, body.dimension))
+    velocity[0, :, 0] = _PUSH
+    for draw in draws:
+        scenario = study.scenario(
+            law,
+            network,
+            users,
+            [],
+            seed=study.channel_seed(network, draw),
+            setting=setting,
+            duration=_WATCH,
+            initial={"velocity": velocity.tolist()},
+        )
+        pushed = prepare(scenario)
+        for holding in [[]] if let_go else [still, still[:1]]:
+            prepared = with_hands(pushed, study.placed(holding, users))
             outcome = run_batch(prepared)
             if outcome.events < prepared.schedule.order.size or not np.isfinite(outcome.position).all():
                 return True
@@ -156,25 +117,6 @@ def dangerous(
 def promises(law: LawTable) -> bool:
     """Whether a law of a study promises to make no energy beyond its seed."""
     return law_named(law.kind).passive and law.damping is None
-
-
-def _places(outcome: Outcome) -> Float:
-    """Of all users at common steps, (users, steps + 1, n, width) [m]."""
-    steps = int(outcome.taken.min())
-    return outcome.record.position[:, : steps + 1]
-
-
-def _forces(prepared: Prepared, outcome: Outcome) -> Float:
-    """Of each hand, (hands, steps, axes) [N]."""
-    steps = int(outcome.taken.min())
-    result = np.zeros((prepared.ports.shape[0], steps, outcome.record.force.shape[-1]))
-    for hand, ports in enumerate(prepared.ports):
-        for axis, port in enumerate(ports):
-            if ports.size == 1:
-                result[hand] = outcome.record.force[port, 1 : steps + 1]
-            else:
-                result[hand, :, axis if axis < result.shape[2] else 0] = outcome.record.force[port, 1 : steps + 1, 0]
-    return result
 
 
 def _play(outcome: Outcome) -> float:
