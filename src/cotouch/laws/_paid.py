@@ -31,7 +31,9 @@ def _helper(function: F) -> F:
 # Fields of a copy, and numbers; the past of x̂ and v̂ follows the fields, its times the numbers.
 _W, _P, _Q, _WISH, _FORCE, _X, _V, _X_BEFORE, _V_BEFORE, _X_RATE, _V_RATE, _F_RATE = range(12)
 _PAST, _KEPT, _EVERY = 12, 128, 0.004
-_ACCOUNT, _TIME, _K, _LEVEL, _EPOCH, _XX, _XV, _VV, _XF, _VF, _HELD, _COUNT, _BRAKE, _OWN_B, _NEW_K, _NEW_B, _STEADY = range(17)
+_ACCOUNT, _TIME, _K, _LEVEL, _EPOCH, _XX, _XV, _VV, _XF, _VF, _HELD, _COUNT, _BRAKE, _OWN_B, _NEW_K, _NEW_B, _STEADY = (
+    range(17)
+)
 _TIMES = 17
 # Fields of an end, and numbers.
 _IN, _OUT, _WAVE, _A, _AA, _WISHED, _W_BEFORE, _SLOPE = range(8)
@@ -278,7 +280,9 @@ def _book(end: End) -> None:
                 numbers[_STEADY] += T
     numbers[_HELD] = held
     k, damping = numbers[_NEW_K], numbers[_NEW_B]
-    jump = numbers[_STEADY] >= (_FIRST if numbers[_K] == 0.0 else _HOLD) and _other(numbers[_K], numbers[_OWN_B], k, damping)
+    jump = numbers[_STEADY] >= (_FIRST if numbers[_K] == 0.0 else _HOLD) and _other(
+        numbers[_K], numbers[_OWN_B], k, damping
+    )
     renewed = changed or jump or most > _MOST_P
     if renewed:
         numbers[_EPOCH] += 1.0
