@@ -14,6 +14,7 @@ from cotouch.interrupt import check, interruptible
 from cotouch.laboratory._cells import Progress, Store, cells
 from cotouch.laboratory._ideal import ideal
 from cotouch.laboratory._impedance import impedance
+from cotouch.laboratory._replicas import REPLICAS
 from cotouch.laboratory._score import MEASURES, dangerous, measured, sizes
 from cotouch.laboratory._study import HandKind, LawTable, NetworkTable, Study
 from cotouch.laboratory._tune import tune
@@ -130,7 +131,7 @@ def _mapped(study: Study, found: Mapping[tuple[str, str], Any], named: Mapping[s
 def _part(study: Study, law: LawTable, network: NetworkTable, users: int, *, tuning: bool = False) -> dict[str, Any]:
     """All of a study that a cell follows from, and nothing else, so that a change elsewhere costs nothing."""
     whole = study.model_dump(mode="json", exclude={"title", "ours", "map"})
-    whole["laws"] = [law.model_dump(mode="json")]
+    whole["laws"] = [law.model_dump(mode="json", exclude=None if law.replica else {"replica"})]
     whole["networks"] = [network.model_dump(mode="json", exclude={"tuned_on"})]
     whole["users"] = [users]
     if tuning:
@@ -142,8 +143,9 @@ def _part(study: Study, law: LawTable, network: NetworkTable, users: int, *, tun
 
 def _code(law: LawTable) -> str:
     """Of a law's file, so that another version of it is computed anew."""
+    made: Any = law_named(law.kind).before if law.replica is None else REPLICAS[law.replica].move.py_func
     try:
-        text = Path(law_named(law.kind).before.__code__.co_filename).read_bytes()
+        text = Path(made.__code__.co_filename).read_bytes()
     except (OSError, AttributeError):
         text = b""
     return sha256(text).hexdigest()[:16]
@@ -174,7 +176,7 @@ def score(cell: dict[str, Any]) -> dict[str, Any]:
                         values[kind][number].append(one[name])
         risky = [dangerous(study, law, network, users, hand, setting) for hand in hands]
         loose = dangerous(study, law, network, users, hands[0], setting, let_go=True)
-        felt = _felt(study, setting, loose=loose)
+        felt = {} if law.replica is not None else _felt(study, setting, loose=loose)
     except CotouchError as error:
         return {
             "runs": {},
@@ -195,7 +197,7 @@ def _drawn(study: Study, draw: int, setting: Mapping[str, float]) -> Prepared:
 def _one(study: Study, prepared: Prepared, hand: HandKind, task: str, draw: int) -> dict[str, float]:
     check()
     hands = study.task(task, study.users[0], hand, draw)
-    return measured(with_hands(prepared, hands), ideal(study, hands))
+    return measured(study.laws[0], with_hands(prepared, hands), ideal(study, hands))
 
 
 def _hands(study: Study) -> list[HandKind]:
@@ -242,12 +244,14 @@ def danger(cell: dict[str, Any]) -> dict[str, Any]:
 
 
 def law_time(study: Study, law: LawTable) -> float:
-    """What a law takes at one end of a link and in one step, beyond what springs take [s].
+    """What a law takes at one end of a link and in one step, beyond what springs take [s]; NaN of replicas.
 
     Args:
         study: whose body it moves.
         law: of the study.
     """
+    if law.replica is not None:
+        return float("nan")
     network = NetworkTable(name="timed", delay=0.025)
     steps = 2 * _TIMED / study.period
     best: list[float] = []
@@ -309,7 +313,7 @@ def _gathered(
     facts = [sizes(study, law) for law in study.laws]
     data["bytes"] = ("law", np.array([float(fact["bytes"]) for fact in facts]), {"units": "B"})
     data["promises"] = ("law", np.array([float(fact["promises"]) for fact in facts]))
-    data["sends"] = ("law", np.array([", ".join(["x̂", *fact["sends"]]) for fact in facts], dtype=np.str_))
+    data["sends"] = ("law", np.array([", ".join(fact["sends"]) for fact in facts], dtype=np.str_))
     data["source"] = ("law", np.array([fact["source"] for fact in facts], dtype=np.str_))
     taken = [law_time(study, law) for law in study.laws]
     data["time"] = ("law", np.array(taken), {"units": "s", "long_name": "of an end and step, beyond a spring's"})

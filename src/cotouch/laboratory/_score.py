@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from cotouch.laboratory._ideal import Ideal, forces, places
+from cotouch.laboratory._replicas import REPLICAS, Moved, replicate
 from cotouch.laboratory._study import HandKind, LawTable, NetworkTable, Study
 from cotouch.laws import law_named
 from cotouch.simulation import Outcome, Prepared, prepare, run_batch, with_hands
@@ -26,36 +27,59 @@ MEASURES = {
     "rough": ("N", "largest step of a hand's force from one step to the next"),
     "made": ("J", "most energy that the links had made beyond what the law declares"),
     "extracted": ("J", "most that users got out beyond what there was"),
+    "corrected": ("J", "energy of the states that a replica overwrote"),
 }
 
 
-def measured(prepared: Prepared, wanted: Ideal) -> dict[str, float]:
+def moved(law: LawTable, prepared: Prepared) -> Moved:
+    """What a law, or the replicas that are none, does in a run.
+
+    Args:
+        law: of a study.
+        prepared: the run, with its hands.
+    """
+    if law.replica is not None:
+        return replicate(REPLICAS[law.replica], prepared)
+    outcome = run_batch(prepared)
+    steps, finite = int(outcome.taken.min()), outcome.events == prepared.schedule.order.size
+    seed = float(outcome.record.links[0].sum()) if prepared.law is None else prepared.law.seed
+    made = float(outcome.record.made[0]) - seed
+    return Moved(
+        place=places(outcome),
+        velocity=outcome.record.velocity[:, : steps + 1],
+        force=forces(prepared, outcome),
+        made=max(made, 0.0) if made > 1e-9 * _play(outcome) else 0.0,
+        extracted=max(0.0, -float(outcome.record.lowest[0] + outcome.record.ticks[0, 0])),
+        corrected=0.0,
+        finite=bool(finite and np.isfinite(outcome.position).all()),
+    )
+
+
+def measured(law: LawTable, prepared: Prepared, wanted: Ideal) -> dict[str, float]:
     """The measures of a run; infinite where the motion left floating point.
 
     Args:
+        law: of a study.
         prepared: with the hands of the ideal.
         wanted: the ideal.
     """
-    outcome = run_batch(prepared)
-    users = prepared.schedule.count.size
-    if outcome.events < prepared.schedule.order.size or not np.isfinite(outcome.position).all():
+    run = moved(law, prepared)
+    if not run.finite:
         return dict.fromkeys(MEASURES, float("inf"))
-    place, force = places(outcome), forces(prepared, outcome)
+    place, force = run.place, run.force
     steps = min(place.shape[1], wanted.place.shape[0])
     error = np.sqrt(((place[:, :steps] - wanted.place[:steps]) ** 2).sum(axis=-1).mean())
-    gap = np.sqrt(((place - place.mean(axis=0)) ** 2).sum(axis=-1).mean()) if users > 1 else 0.0
+    gap = np.sqrt(((place - place.mean(axis=0)) ** 2).sum(axis=-1).mean()) if len(place) > 1 else 0.0
     wrong = np.sqrt(((force[:, : steps - 1] - wanted.force[:, : steps - 1]) ** 2).mean()) / wanted.size
-    jumps = np.abs(np.diff(force, axis=1))
-    made = float(outcome.record.made[0])
-    seed = float(outcome.record.links[0].sum()) if prepared.law is None else prepared.law.seed
     return {
         "cost": float(error / PLACE + wrong),
         "place": float(error),
         "force": float(wrong),
         "apart": float(gap),
-        "rough": float(jumps.max(initial=0.0)),
-        "made": max(made - seed, 0.0) if made - seed > 1e-9 * _play(outcome) else 0.0,
-        "extracted": max(0.0, -float(outcome.record.lowest[0] + outcome.record.ticks[0, 0])),
+        "rough": float(np.abs(np.diff(force, axis=1)).max(initial=0.0)),
+        "made": run.made,
+        "extracted": run.extracted,
+        "corrected": run.corrected,
     }
 
 
@@ -100,11 +124,11 @@ def dangerous(
         pushed = prepare(scenario)
         for holding in [[]] if let_go else [still, still[:1]]:
             prepared = with_hands(pushed, study.placed(holding, users))
-            outcome = run_batch(prepared)
-            if outcome.events < prepared.schedule.order.size or not np.isfinite(outcome.position).all():
+            run = moved(law, prepared)
+            if not run.finite:
                 return True
             steps = int(prepared.schedule.count.min())
-            moving = outcome.record.velocity[:, : steps + 1]
+            moving = run.velocity
             if let_go:
                 moving = moving - moving.mean(axis=0)
             speed = np.sqrt((moving**2).sum(axis=-1).mean(axis=2))
@@ -116,7 +140,7 @@ def dangerous(
 
 def promises(law: LawTable) -> bool:
     """Whether a law of a study promises to make no energy beyond its seed."""
-    return law_named(law.kind).passive and law.damping is None
+    return law.replica is None and law_named(law.kind).passive and law.damping is None
 
 
 def _play(outcome: Outcome) -> float:
@@ -130,11 +154,20 @@ def sizes(study: Study, law: LawTable) -> dict[str, Any]:
         study: whose body it is.
         law: of the study.
     """
-    body, kind = study.build_body(), law_named(law.kind)
+    body = study.build_body()
     field = body.nodes * body.dimension
+    if law.replica is not None:
+        replica = REPLICAS[law.replica]
+        return {
+            "bytes": 8 * field * replica.numbers,
+            "sends": [*replica.sends],
+            "source": replica.source,
+            "promises": False,
+        }
+    kind = law_named(law.kind)
     return {
         "bytes": 8 * (field * (1 + len(kind.sends)) + len(kind.sends_scalars)),
-        "sends": [*kind.sends, *kind.sends_scalars],
+        "sends": ["x̂", *kind.sends, *kind.sends_scalars],
         "source": kind.source,
         "promises": promises(law),
     }

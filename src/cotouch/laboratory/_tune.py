@@ -12,7 +12,6 @@ from cotouch.laboratory._ideal import Ideal, ideal
 from cotouch.laboratory._score import dangerous, measured, promises
 from cotouch.laboratory._study import HandKind, Study, tunable
 from cotouch.laboratory._tasks import Task
-from cotouch.laws import law_named
 from cotouch.network import Network
 from cotouch.scenario import Scenario
 from cotouch.simulation import prepare, run_batch, with_hands
@@ -38,7 +37,7 @@ def tune(cell: dict[str, Any]) -> dict[str, Any]:
     """
     study = Study.make(**cell["study"])
     law, network, tuning = study.laws[0], study.networks[0], study.tuning
-    names, users, hand = tunable(law_named(law.kind), law.given), study.users[0], study.hands[0]
+    names, users, hand = tunable(law), study.users[0], study.hands[0]
     stiffer = HandKind(stiffness=study.stiffer * hand.stiffness, damping=hand.damping)
     count = len(study.tasks) * tuning.draws
     wanted: dict[int, list[tuple[Task, Ideal]]] = {}
@@ -56,7 +55,7 @@ def tune(cell: dict[str, Any]) -> dict[str, Any]:
                 return float("inf")
             for hands, perfect in tasks:
                 check()
-                total += measured(with_hands(prepared, hands), perfect)["cost"] / count
+                total += measured(law, with_hands(prepared, hands), perfect)["cost"] / count
                 if not total < most:
                     return float("inf")
         kinds = (hand, stiffer)
@@ -71,7 +70,8 @@ def tune(cell: dict[str, Any]) -> dict[str, Any]:
     rng = np.random.default_rng((study.seed, 18))
     best, here = found[0][0], np.zeros(len(names))
     step = _STEP
-    for number in range(tuning.search + tuning.local):
+    tries = tuning.search + tuning.local if names else 0
+    for number in range(tries):
         if number < tuning.search:
             place = width * (2.0 * _filling(number, len(names)) - 1.0)
         else:
@@ -90,12 +90,11 @@ def tune(cell: dict[str, Any]) -> dict[str, Any]:
     if tuning.safe:
         safe = next((entry for entry in ranked[:_CANDIDATES] if harmless(study, entry[1], tuning.safe)), None)
         settings["safe"], costs["safe"] = (safe[1], safe[0]) if safe else (None, float("inf"))
-    tried = 1 + tuning.search + tuning.local
-    return {"settings": settings, "cost": costs, "tried": tried, "problem": ""}
+    return {"settings": settings, "cost": costs, "tried": 1 + tries, "problem": ""}
 
 
 def harmless(study: Study, setting: Mapping[str, float], runs: int) -> bool:
-    """Whether random runs make no energy beyond what the law declares.
+    """Whether random runs make no energy beyond what the law declares; replicas declare nothing, so they don't pass.
 
     Args:
         study: with one law.
@@ -103,6 +102,8 @@ def harmless(study: Study, setting: Mapping[str, float], runs: int) -> bool:
         runs: how many.
     """
     law, sources = study.laws[0], study.networks[0]
+    if law.replica is not None:
+        return False
     for number in range(runs):
         check()
         rng = np.random.default_rng((study.seed, 19, number))
