@@ -82,7 +82,7 @@ def rows(found: "xr.Dataset") -> list[Row]:
 
 
 def _challenge(found: "xr.Dataset") -> list[Row]:
-    """Our law beside the best passive rival and the rule, with hands and with stiff ones; single tasks that it loses."""
+    """Our law beside the best passive rival and the rule, with hands and stiff ones; which single tasks it loses."""
     ours, result = json.loads(found.attrs["study"])["ours"], []
     passive = [law for law in found["law"].values.tolist() if bool(found["promises"].sel(law=law)) and law != ours]
     mean = found["cost"].sel(tuning="tuned").mean("draw")

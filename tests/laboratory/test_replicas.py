@@ -7,7 +7,7 @@ import pytest
 
 from cotouch.errors import ScenarioError
 from cotouch.laboratory import Study
-from cotouch.laboratory._compare import _drawn, score
+from cotouch.laboratory._compare import drawn, score
 from cotouch.laboratory._ideal import ideal
 from cotouch.laboratory._replicas import REPLICAS, Moved, replicate
 from cotouch.laboratory._score import dangerous, measured
@@ -33,7 +33,7 @@ def study(**tables: Any) -> Study:
 def costs(name: str, delay: float, *, period: float = 1e-3, **tables: Any) -> dict[str, float]:
     whole = study(laws=[{"replica": name}], networks=[{"name": "there", "delay": delay}], period=period, **tables)
     hands = whole.task("tug", 2, whole.hands[0], 0)
-    return measured(whole.laws[0], with_hands(_drawn(whole, 0, {}), hands), ideal(whole, hands))
+    return measured(whole.laws[0], with_hands(drawn(whole, 0, {}), hands), ideal(whole, hands))
 
 
 @pytest.mark.parametrize("name", ["rollback", "owner", "lockstep", "broadcast"])
@@ -125,7 +125,7 @@ def test_replicas_take_part_in_a_study() -> None:
 def test_what_replicas_cannot_do_is_one_sentence(tables: dict[str, Any], words: str) -> None:
     whole = study(users=[3], **tables)
     with pytest.raises(ScenarioError, match=words):
-        replicate(REPLICAS["owner"], _drawn(whole, 0, {}))
+        replicate(REPLICAS["owner"], drawn(whole, 0, {}))
 
 
 @pytest.mark.parametrize(

@@ -143,9 +143,9 @@ def _part(study: Study, law: LawTable, network: NetworkTable, users: int, *, tun
 
 def _code(law: LawTable) -> str:
     """Of a law's file, so that another version of it is computed anew."""
-    made: Any = law_named(law.kind).before if law.replica is None else REPLICAS[law.replica].move.py_func
+    made: Any = law_named(law.kind).before if law.replica is None else REPLICAS[law.replica].move
     try:
-        text = Path(made.__code__.co_filename).read_bytes()
+        text = Path(getattr(made, "py_func", made).__code__.co_filename).read_bytes()
     except (OSError, AttributeError):
         text = b""
     return sha256(text).hexdigest()[:16]
@@ -168,7 +168,7 @@ def score(cell: dict[str, Any]) -> dict[str, Any]:
     runs: dict[str, list[Any]] = {name: [[[] for _ in study.tasks] for _ in hands] for name in MEASURES}
     try:
         for draw in range(max(counts)):
-            prepared = _drawn(study, draw, setting)
+            prepared = drawn(study, draw, setting)
             for kind, hand in enumerate(hands):
                 for number, task in enumerate(study.tasks if draw < counts[kind] else []):
                     one = _one(study, prepared, hand, task, draw)
@@ -188,7 +188,7 @@ def score(cell: dict[str, Any]) -> dict[str, Any]:
     return {"runs": runs, "felt": felt, "dangerous": risky, "loose": loose, "problem": ""}
 
 
-def _drawn(study: Study, draw: int, setting: Mapping[str, float]) -> Prepared:
+def drawn(study: Study, draw: int, setting: Mapping[str, float]) -> Prepared:
     """All that the runs of a draw have in common, whatever hands do."""
     law, network, users = study.laws[0], study.networks[0], study.users[0]
     return prepare(study.scenario(law, network, users, [], seed=study.channel_seed(network, draw), setting=setting))
@@ -234,7 +234,7 @@ def danger(cell: dict[str, Any]) -> dict[str, Any]:
         here = study.model_copy(update={"networks": [network]})
         try:
             risky.append(dangerous(here, here.laws[0], network, 2, here.hands[0], setting))
-            prepared = _drawn(here, 0, setting)
+            prepared = drawn(here, 0, setting)
             values = [_one(here, prepared, here.hands[0], task, 0)["cost"] for task in here.tasks]
             costs.append(float(np.mean(values)))
         except CotouchError:
