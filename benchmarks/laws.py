@@ -72,11 +72,43 @@ def rows(found: "xr.Dataset") -> list[Row]:
             known = PROTOTYPE.get(law) if users == 2 else None
             beside = "" if known is None else f"prototype: {' / '.join(known)}"
             result.append(Row("laws", f"{users} users: {law}", cells, "", beside))
+    result += _challenge(found)
     for law in found["law"].values.tolist():
         made = float(found["made"].sel(law=law).max())
         goal = "0 J" if bool(found["promises"].sel(law=law)) else ""
         what = f"{law}: energy made beyond its seed, at most"
         result.append(Row("laws", what, f"{made:.2g} J", goal, "published, tuned and stiff hands"))
+    return result
+
+
+def _challenge(found: "xr.Dataset") -> list[Row]:
+    """Our law beside the best passive rival and the rule, with hands and stiff ones; which single tasks it loses."""
+    ours, result = json.loads(found.attrs["study"])["ours"], []
+    passive = [law for law in found["law"].values.tolist() if bool(found["promises"].sel(law=law)) and law != ours]
+    mean = found["cost"].sel(tuning="tuned").mean("draw")
+    for users in found["users"].values.tolist():
+        for hand, name in ((0, "hands"), (found.sizes["hand"] - 1, "stiff hands")):
+            tasks = mean.sel(users=users).isel(hand=hand)
+            cells, own = tasks.sel(law=passive).mean("task"), tasks.sel(law=ours).mean("task")
+            won = int((own <= cells.min("law")).sum())
+            half = int((own <= 0.5 * cells.sel(law="rule")).sum())
+            lost = [
+                f"{task} on {network} {float(tasks.sel(law=ours, task=task, network=network)):.2f} ({best:.2f})"
+                for network in found["network"].values.tolist()
+                for task in found["task"].values.tolist()
+                if float(tasks.sel(law=ours, task=task, network=network))
+                > (best := float(tasks.sel(law=passive, task=task, network=network).min()))
+            ]
+            tasks_lost = ", ".join(lost) or "none"
+            beside = f"at most half of the rule's on {half}; of single tasks it loses (best rival): {tasks_lost}"
+            what = f"{users} users, {name}: networks on which {ours} costs least of all passive laws"
+            result.append(Row("laws", what, f"{won} of {own.size}", "all", beside))
+        felt = found["felt_drag"].sel(tuning="published", users=users, network="25 ms")
+        own, rule = float(felt.sel(law=ours)), float(felt.sel(law="rule"))
+        what = f"{users} users, 25 ms, 50 N/m: drag felt with {ours}, defaults"
+        result.append(
+            Row("laws", what, f"{own:.3f} Ns/m", "≤ 10 % of the rule's", f"{100 * own / rule:.1f} % of {rule:.2f}")
+        )
     return result
 
 

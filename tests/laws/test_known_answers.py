@@ -318,6 +318,32 @@ def test_searched_users_find_what_an_active_law_makes() -> None:
     assert Searched("spring", damping=0.0).best(40) > 1e-3
 
 
+def test_to_paid_a_hand_whose_aim_moves_is_one_hand() -> None:
+    """Two that sway together: x follows the aim and says little of a hand, but it does not change all the time."""
+    prepared = prepare(
+        Scenario.make(
+            network=two(DELAY, SPRING),
+            steps={"duration": 3.0},
+            synchronisation={"law": "paid"},
+            hands=[
+                {
+                    "user": i + 1,
+                    "stiffness": 300.0,
+                    "damping": 6.5,
+                    "amplitude": 0.08,
+                    "frequency": 0.6,
+                    "phase": -0.1 * i,
+                }
+                for i in range(2)
+            ],
+        )
+    )
+    ends = run_batch(prepared).ends
+    assert ends is not None
+    names = PAID.shares_scalars
+    assert np.all(ends.shared_scalars[:, names.index("epoch")] < 60.0)
+
+
 def test_the_wave_line_of_paid_is_the_same_at_both_ends_of_a_star() -> None:
     """Else copies at rest would agree on places of another scale each."""
     hub, leaf = (Facts(spring=50.0, age=0.02, age_back=0.02, degree=n, degree_back=m) for n, m in ((3, 1), (1, 3)))

@@ -12,12 +12,14 @@ import numpy as np
 from cotouch.errors import CotouchError, ScenarioError
 from cotouch.interrupt import check, interruptible
 from cotouch.laboratory._cells import Progress, Store, cells
+from cotouch.laboratory._ideal import ideal
 from cotouch.laboratory._impedance import impedance
-from cotouch.laboratory._score import MEASURES, dangerous, ideal, measured, sizes
+from cotouch.laboratory._replicas import REPLICAS
+from cotouch.laboratory._score import MEASURES, dangerous, measured, sizes
 from cotouch.laboratory._study import HandKind, LawTable, NetworkTable, Study
 from cotouch.laboratory._tune import tune
 from cotouch.laws import law_named
-from cotouch.simulation import prepare, run_batch
+from cotouch.simulation import Prepared, prepare, run_batch, with_hands
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -129,7 +131,7 @@ def _mapped(study: Study, found: Mapping[tuple[str, str], Any], named: Mapping[s
 def _part(study: Study, law: LawTable, network: NetworkTable, users: int, *, tuning: bool = False) -> dict[str, Any]:
     """All of a study that a cell follows from, and nothing else, so that a change elsewhere costs nothing."""
     whole = study.model_dump(mode="json", exclude={"title", "ours", "map"})
-    whole["laws"] = [law.model_dump(mode="json")]
+    whole["laws"] = [law.model_dump(mode="json", exclude=None if law.replica else {"replica"})]
     whole["networks"] = [network.model_dump(mode="json", exclude={"tuned_on"})]
     whole["users"] = [users]
     if tuning:
@@ -141,8 +143,9 @@ def _part(study: Study, law: LawTable, network: NetworkTable, users: int, *, tun
 
 def _code(law: LawTable) -> str:
     """Of a law's file, so that another version of it is computed anew."""
+    made: Any = law_named(law.kind).before if law.replica is None else REPLICAS[law.replica].move
     try:
-        text = Path(law_named(law.kind).before.__code__.co_filename).read_bytes()
+        text = Path(getattr(made, "py_func", made).__code__.co_filename).read_bytes()
     except (OSError, AttributeError):
         text = b""
     return sha256(text).hexdigest()[:16]
@@ -160,18 +163,20 @@ def score(cell: dict[str, Any]) -> dict[str, Any]:
     """
     study, setting = Study.make(**cell["study"]), cell["setting"]
     law, network, users = study.laws[0], study.networks[0], study.users[0]
-    runs: dict[str, list[Any]] = {name: [] for name in MEASURES}
     hands = _hands(study)
-    risky: list[bool] = []
+    counts = [study.draws if kind < len(study.hands) else min(study.draws, _STIFF_DRAWS) for kind in range(len(hands))]
+    runs: dict[str, list[Any]] = {name: [[[] for _ in study.tasks] for _ in hands] for name in MEASURES}
     try:
-        for number, hand in enumerate(hands):
-            draws = study.draws if number < len(study.hands) else min(study.draws, _STIFF_DRAWS)
-            rows = [[_one(study, hand, task, draw, setting) for draw in range(draws)] for task in study.tasks]
-            for name, values in runs.items():
-                values.append([[one[name] for one in row] for row in rows])
-            risky.append(dangerous(study, law, network, users, hand, setting))
+        for draw in range(max(counts)):
+            prepared = drawn(study, draw, setting)
+            for kind, hand in enumerate(hands):
+                for number, task in enumerate(study.tasks if draw < counts[kind] else []):
+                    one = _one(study, prepared, hand, task, draw)
+                    for name, values in runs.items():
+                        values[kind][number].append(one[name])
+        risky = [dangerous(study, law, network, users, hand, setting) for hand in hands]
         loose = dangerous(study, law, network, users, hands[0], setting, let_go=True)
-        felt = _felt(study, setting, loose=loose)
+        felt = {} if law.replica is not None else _felt(study, setting, loose=loose)
     except CotouchError as error:
         return {
             "runs": {},
@@ -183,12 +188,16 @@ def score(cell: dict[str, Any]) -> dict[str, Any]:
     return {"runs": runs, "felt": felt, "dangerous": risky, "loose": loose, "problem": ""}
 
 
-def _one(study: Study, hand: HandKind, task: str, draw: int, setting: Mapping[str, float]) -> dict[str, float]:
-    check()
+def drawn(study: Study, draw: int, setting: Mapping[str, float]) -> Prepared:
+    """All that the runs of a draw have in common, whatever hands do."""
     law, network, users = study.laws[0], study.networks[0], study.users[0]
-    hands = study.task(task, users, hand, draw)
-    scenario = study.scenario(law, network, users, hands, seed=study.channel_seed(network, draw), setting=setting)
-    return measured(scenario, ideal(study, hands))
+    return prepare(study.scenario(law, network, users, [], seed=study.channel_seed(network, draw), setting=setting))
+
+
+def _one(study: Study, prepared: Prepared, hand: HandKind, task: str, draw: int) -> dict[str, float]:
+    check()
+    hands = study.task(task, study.users[0], hand, draw)
+    return measured(study.laws[0], with_hands(prepared, hands), ideal(study, hands))
 
 
 def _hands(study: Study) -> list[HandKind]:
@@ -225,7 +234,8 @@ def danger(cell: dict[str, Any]) -> dict[str, Any]:
         here = study.model_copy(update={"networks": [network]})
         try:
             risky.append(dangerous(here, here.laws[0], network, 2, here.hands[0], setting))
-            values = [_one(here, here.hands[0], task, 0, setting)["cost"] for task in here.tasks]
+            prepared = drawn(here, 0, setting)
+            values = [_one(here, prepared, here.hands[0], task, 0)["cost"] for task in here.tasks]
             costs.append(float(np.mean(values)))
         except CotouchError:
             risky.append(True)
@@ -234,12 +244,14 @@ def danger(cell: dict[str, Any]) -> dict[str, Any]:
 
 
 def law_time(study: Study, law: LawTable) -> float:
-    """What a law takes at one end of a link and in one step, beyond what springs take [s].
+    """What a law takes at one end of a link and in one step, beyond what springs take [s]; NaN of replicas.
 
     Args:
         study: whose body it moves.
         law: of the study.
     """
+    if law.replica is not None:
+        return float("nan")
     network = NetworkTable(name="timed", delay=0.025)
     steps = 2 * _TIMED / study.period
     best: list[float] = []
@@ -301,7 +313,7 @@ def _gathered(
     facts = [sizes(study, law) for law in study.laws]
     data["bytes"] = ("law", np.array([float(fact["bytes"]) for fact in facts]), {"units": "B"})
     data["promises"] = ("law", np.array([float(fact["promises"]) for fact in facts]))
-    data["sends"] = ("law", np.array([", ".join(["x̂", *fact["sends"]]) for fact in facts], dtype=np.str_))
+    data["sends"] = ("law", np.array([", ".join(fact["sends"]) for fact in facts], dtype=np.str_))
     data["source"] = ("law", np.array([fact["source"] for fact in facts], dtype=np.str_))
     taken = [law_time(study, law) for law in study.laws]
     data["time"] = ("law", np.array(taken), {"units": "s", "long_name": "of an end and step, beyond a spring's"})

@@ -1,18 +1,15 @@
 """What a run costs: how far copies and forces are from those of one copy that all hold without any delay."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from typing import Any, final
+from typing import Any
 
 import numpy as np
 
-from cotouch.arrays import Float
+from cotouch.laboratory._ideal import Ideal, forces, places
+from cotouch.laboratory._replicas import REPLICAS, Moved, replicate
 from cotouch.laboratory._study import HandKind, LawTable, NetworkTable, Study
-from cotouch.laboratory._tasks import Task
 from cotouch.laws import law_named
-from cotouch.network import Network
-from cotouch.scenario import Scenario
-from cotouch.simulation import Outcome, Prepared, prepare, run_batch
+from cotouch.simulation import Outcome, Prepared, prepare, run_batch, with_hands
 
 # Errors of place count in units of this [m].
 PLACE = 0.01
@@ -30,72 +27,59 @@ MEASURES = {
     "rough": ("N", "largest step of a hand's force from one step to the next"),
     "made": ("J", "most energy that the links had made beyond what the law declares"),
     "extracted": ("J", "most that users got out beyond what there was"),
+    "corrected": ("J", "energy of the states that a replica overwrote"),
 }
 
 
-@final
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Ideal:
-    """All hands on one copy, without delay.
-
-    Attributes:
-        place: of the nodes, (steps + 1, n, d) [m].
-        force: of each hand, (hands, steps, d) [N].
-        size: of the forces, root mean square over hands and time [N].
-    """
-
-    place: Float
-    force: Float
-    size: float
-
-
-def ideal(study: Study, hands: Task) -> Ideal:
-    """What one copy without delay does.
+def moved(law: LawTable, prepared: Prepared) -> Moved:
+    """What a law, or the replicas that are none, does in a run.
 
     Args:
-        study: of the run.
-        hands: of the task.
+        law: of a study.
+        prepared: the run, with its hands.
     """
-    alone = Scenario.make(
-        network=Network(users=["all"], spring=[[0.0]], delay=[[0.0]]),
-        body=study.build_body(),
-        steps={"duration": study.duration, "period": study.period},
-        hands=[hand | {"user": 1} for hand in hands],
-    )
-    prepared = prepare(alone)
+    if law.replica is not None:
+        return replicate(REPLICAS[law.replica], prepared)
     outcome = run_batch(prepared)
-    force = _forces(prepared, outcome)
-    return Ideal(place=_places(outcome)[0], force=force, size=max(float(np.sqrt((force**2).mean())), 1e-9))
+    steps, finite = int(outcome.taken.min()), outcome.events == prepared.schedule.order.size
+    seed = float(outcome.record.links[0].sum()) if prepared.law is None else prepared.law.seed
+    made = float(outcome.record.made[0]) - seed
+    return Moved(
+        place=places(outcome),
+        velocity=outcome.record.velocity[:, : steps + 1],
+        force=forces(prepared, outcome),
+        made=max(made, 0.0) if made > 1e-9 * _play(outcome) else 0.0,
+        extracted=max(0.0, -float(outcome.record.lowest[0] + outcome.record.ticks[0, 0])),
+        corrected=0.0,
+        finite=bool(finite and np.isfinite(outcome.position).all()),
+    )
 
 
-def measured(scenario: Scenario, wanted: Ideal) -> dict[str, float]:
+def measured(law: LawTable, prepared: Prepared, wanted: Ideal) -> dict[str, float]:
     """The measures of a run; infinite where the motion left floating point.
 
     Args:
-        scenario: with the hands of the ideal.
+        law: of a study.
+        prepared: with the hands of the ideal.
         wanted: the ideal.
     """
-    prepared = prepare(scenario)
-    outcome = run_batch(prepared)
-    users = prepared.schedule.count.size
-    if outcome.events < prepared.schedule.order.size or not np.isfinite(outcome.position).all():
+    run = moved(law, prepared)
+    if not run.finite:
         return dict.fromkeys(MEASURES, float("inf"))
-    place, force = _places(outcome), _forces(prepared, outcome)
+    place, force = run.place, run.force
     steps = min(place.shape[1], wanted.place.shape[0])
     error = np.sqrt(((place[:, :steps] - wanted.place[:steps]) ** 2).sum(axis=-1).mean())
-    gap = np.sqrt(((place - place.mean(axis=0)) ** 2).sum(axis=-1).mean()) if users > 1 else 0.0
+    gap = np.sqrt(((place - place.mean(axis=0)) ** 2).sum(axis=-1).mean()) if len(place) > 1 else 0.0
     wrong = np.sqrt(((force[:, : steps - 1] - wanted.force[:, : steps - 1]) ** 2).mean()) / wanted.size
-    jumps = np.abs(np.diff(force, axis=1))
-    made = float(outcome.record.made[0])
-    seed = float(outcome.record.links[0].sum()) if prepared.law is None else prepared.law.seed
     return {
         "cost": float(error / PLACE + wrong),
         "place": float(error),
         "force": float(wrong),
         "apart": float(gap),
-        "rough": float(jumps.max(initial=0.0)),
-        "made": max(made - seed, 0.0) if made - seed > 1e-9 * _play(outcome) else 0.0,
-        "extracted": max(0.0, -float(outcome.record.lowest[0] + outcome.record.ticks[0, 0])),
+        "rough": float(np.abs(np.diff(force, axis=1)).max(initial=0.0)),
+        "made": run.made,
+        "extracted": run.extracted,
+        "corrected": run.corrected,
     }
 
 
@@ -124,26 +108,27 @@ def dangerous(
     """
     still = [{"user": i + 1, "stiffness": hand.stiffness, "damping": hand.damping} for i in range(users)]
     body = study.build_body()
-    for holding in [[]] if let_go else [still, still[:1]]:
-        for draw in draws:
-            velocity = np.zeros((users, body.nodes, body.dimension))
-            velocity[0, :, 0] = _PUSH
-            scenario = study.scenario(
-                law,
-                network,
-                users,
-                study.placed([dict(entry) for entry in holding], users),
-                seed=study.channel_seed(network, draw),
-                setting=setting,
-                duration=_WATCH,
-                initial={"velocity": velocity.tolist()},
-            )
-            prepared = prepare(scenario)
-            outcome = run_batch(prepared)
-            if outcome.events < prepared.schedule.order.size or not np.isfinite(outcome.position).all():
+    velocity = np.zeros((users, body.nodes, body.dimension))
+    velocity[0, :, 0] = _PUSH
+    for draw in draws:
+        scenario = study.scenario(
+            law,
+            network,
+            users,
+            [],
+            seed=study.channel_seed(network, draw),
+            setting=setting,
+            duration=_WATCH,
+            initial={"velocity": velocity.tolist()},
+        )
+        pushed = prepare(scenario)
+        for holding in [[]] if let_go else [still, still[:1]]:
+            prepared = with_hands(pushed, study.placed(holding, users))
+            run = moved(law, prepared)
+            if not run.finite:
                 return True
             steps = int(prepared.schedule.count.min())
-            moving = outcome.record.velocity[:, : steps + 1]
+            moving = run.velocity
             if let_go:
                 moving = moving - moving.mean(axis=0)
             speed = np.sqrt((moving**2).sum(axis=-1).mean(axis=2))
@@ -155,26 +140,7 @@ def dangerous(
 
 def promises(law: LawTable) -> bool:
     """Whether a law of a study promises to make no energy beyond its seed."""
-    return law_named(law.kind).passive and law.damping is None
-
-
-def _places(outcome: Outcome) -> Float:
-    """Of all users at common steps, (users, steps + 1, n, width) [m]."""
-    steps = int(outcome.taken.min())
-    return outcome.record.position[:, : steps + 1]
-
-
-def _forces(prepared: Prepared, outcome: Outcome) -> Float:
-    """Of each hand, (hands, steps, axes) [N]."""
-    steps = int(outcome.taken.min())
-    result = np.zeros((prepared.ports.shape[0], steps, outcome.record.force.shape[-1]))
-    for hand, ports in enumerate(prepared.ports):
-        for axis, port in enumerate(ports):
-            if ports.size == 1:
-                result[hand] = outcome.record.force[port, 1 : steps + 1]
-            else:
-                result[hand, :, axis if axis < result.shape[2] else 0] = outcome.record.force[port, 1 : steps + 1, 0]
-    return result
+    return law.replica is None and law_named(law.kind).passive and law.damping is None
 
 
 def _play(outcome: Outcome) -> float:
@@ -188,11 +154,20 @@ def sizes(study: Study, law: LawTable) -> dict[str, Any]:
         study: whose body it is.
         law: of the study.
     """
-    body, kind = study.build_body(), law_named(law.kind)
+    body = study.build_body()
     field = body.nodes * body.dimension
+    if law.replica is not None:
+        replica = REPLICAS[law.replica]
+        return {
+            "bytes": 8 * field * replica.numbers,
+            "sends": [*replica.sends],
+            "source": replica.source,
+            "promises": False,
+        }
+    kind = law_named(law.kind)
     return {
         "bytes": 8 * (field * (1 + len(kind.sends)) + len(kind.sends_scalars)),
-        "sends": [*kind.sends, *kind.sends_scalars],
+        "sends": ["x̂", *kind.sends, *kind.sends_scalars],
         "source": kind.source,
         "promises": promises(law),
     }

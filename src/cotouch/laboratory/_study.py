@@ -11,129 +11,17 @@ from pydantic import Field, PrivateAttr, ValidationError, model_validator
 
 from cotouch.arrays import Float
 from cotouch.body import Body
-from cotouch.device import HAND_DAMPING
 from cotouch.errors import NetworkError, ScenarioError
 from cotouch.files import read_text, toml
+from cotouch.laboratory._replicas import REPLICAS
+from cotouch.laboratory._study_tables import HandKind, LawTable, MapTable, NetworkTable, Tuning, Users
 from cotouch.laboratory._tasks import TASKS, Task
-from cotouch.laws import FORCE, Law, law_named
+from cotouch.laws import FORCE, law_named
 from cotouch.network import Network, complete, path, ring, star
-from cotouch.scenario import Mode, NonNegative, Positive, Scenario, Table, sentence
+from cotouch.scenario import Positive, Scenario, Table, sentence
 
-_MOST_USERS, _MOST_DRAWS = 64, 1000
+_MOST_DRAWS = 1000
 _GRAPHS = {"complete": complete, "path": path, "ring": ring, "star": star}
-Users = Annotated[int, Field(ge=2, le=_MOST_USERS)]
-Name = Annotated[str, Field(min_length=1, max_length=60)]
-
-
-@final
-class LawTable(Table):
-    """A law that takes part.
-
-    Attributes:
-        name: in the report; by default the law's.
-        law: as in `[synchronisation]`.
-        damping: B_i instead of what the law needs [Ns/m].
-    """
-
-    name: Name | None = None
-    law: str | dict[str, Any]
-    damping: NonNegative | None = None
-
-    @property
-    def label(self) -> str:
-        """What it is called."""
-        return self.name or (self.law if isinstance(self.law, str) else str(self.law.get("kind", "")))
-
-    @property
-    def kind(self) -> str:
-        """Name of the law."""
-        return self.law if isinstance(self.law, str) else str(self.law.get("kind", ""))
-
-    @property
-    def given(self) -> dict[str, Any]:
-        """Parameters that it is given."""
-        return {} if isinstance(self.law, str) else {key: value for key, value in self.law.items() if key != "kind"}
-
-
-@final
-class NetworkTable(Table):
-    """A network that laws meet.
-
-    Attributes:
-        name: in the report.
-        delay: of every link, one way [s].
-        delays: instead, a table of round trips as `Network.from_delays` takes it.
-        pick: users of it, in order; as many as there are users in a run, from the first.
-        channel: as in a scenario.
-        mode: as in a scenario.
-        tuned_on: name of the network that laws were tuned on; by default this one. Another one makes it held out.
-    """
-
-    name: Name
-    delay: NonNegative | None = None
-    delays: str | None = None
-    pick: list[str] = Field(default_factory=list[str])
-    channel: dict[str, Any] = Field(default_factory=dict[str, Any])
-    mode: Mode = "freshest"
-    tuned_on: str | None = None
-
-    @model_validator(mode="after")
-    def _one(self) -> Self:
-        if (self.delay is None) == (self.delays is None):
-            raise ValueError(f'network "{self.name}" needs one of delay and delays')
-        return self
-
-
-@final
-class HandKind(Table):
-    """What hands are like.
-
-    Attributes:
-        stiffness: [N/m].
-        damping: [Ns/m].
-    """
-
-    stiffness: Positive = 300.0
-    damping: NonNegative = HAND_DAMPING
-
-    @property
-    def label(self) -> str:
-        """What it is called."""
-        return f"{self.stiffness:g} N/m"
-
-
-@final
-class Tuning(Table):
-    """How laws are tuned, all alike: springs and every parameter but seeds, as multiples of what they would be.
-
-    Attributes:
-        search: settings tried that fill the space evenly.
-        local: settings tried near the best so far.
-        draws: of each task, other ones than those that count.
-        users: in the runs.
-        range: each multiple is between 1/range and range.
-        safe: random runs in which a setting may make no energy beyond the law's seed, to be called safe; 0: not asked.
-    """
-
-    search: Annotated[int, Field(ge=0, le=4096)] = 64
-    local: Annotated[int, Field(ge=0, le=4096)] = 64
-    draws: Annotated[int, Field(ge=1, le=100)] = 2
-    users: Users = 2
-    range: Annotated[float, Field(gt=1.0, le=1000.0)] = 10.0
-    safe: Annotated[int, Field(ge=0, le=10_000)] = 0
-
-
-@final
-class MapTable(Table):
-    """Where laws become dangerous: runs of two users over delay and stiffness of hands.
-
-    Attributes:
-        delay: one way [s].
-        stiffness: of hands [N/m].
-    """
-
-    delay: Annotated[list[NonNegative], Field(min_length=1, max_length=60)]
-    stiffness: Annotated[list[Positive], Field(min_length=1, max_length=60)]
 
 
 @final
@@ -184,7 +72,10 @@ class Study(Table):
     def _short_laws(cls, value: Any) -> Any:
         """A law may be just its name, or a table as in `[synchronisation]`."""
         if isinstance(value, dict) and isinstance(value.get("laws"), list):
-            laws = [law if isinstance(law, dict) and "law" in law else {"law": law} for law in value["laws"]]
+            laws = [
+                law if isinstance(law, dict) and {"law", "replica"} & set(law) else {"law": law}
+                for law in value["laws"]
+            ]
             return {**value, "laws": laws}
         return value
 
@@ -327,8 +218,8 @@ class Study(Table):
         joined = self.joined(network, users, factors.pop("spring", 1.0))
         given = {**{name: f"{factor!r}x" for name, factor in factors.items()}, **law.given}
         synchronisation: dict[str, Any] = {"mode": network.mode, "law": {"kind": law.kind, **given}}
-        if law.damping is not None:
-            synchronisation["damping"] = law.damping
+        if law.damping is not None or law.replica is not None:
+            synchronisation["damping"] = law.damping or 0.0
         return Scenario.make(
             network=joined,
             seed=seed,
@@ -385,9 +276,12 @@ class Study(Table):
         )
 
 
-def tunable(law: Law, given: Mapping[str, Any]) -> list[str]:
+def tunable(law: LawTable) -> list[str]:
     """Parameters that tuning may change: not those that say what a law, or a neighbour, may do."""
-    return ["spring", *(p.name for p in law.parameters if p.name not in {law.seed, FORCE, *given})]
+    if law.replica is not None:
+        return ["spring"] if REPLICAS[law.replica].springs else []
+    kind = law_named(law.kind)
+    return ["spring", *(p.name for p in kind.parameters if p.name not in {kind.seed, FORCE, *law.given})]
 
 
 def spread(draws: Float) -> tuple[float, float]:

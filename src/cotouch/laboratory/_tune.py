@@ -8,12 +8,13 @@ import numpy as np
 from cotouch.arrays import Float
 from cotouch.errors import CotouchError
 from cotouch.interrupt import check
-from cotouch.laboratory._score import Ideal, dangerous, ideal, measured, promises
+from cotouch.laboratory._ideal import Ideal, ideal
+from cotouch.laboratory._score import dangerous, measured, promises
 from cotouch.laboratory._study import HandKind, Study, tunable
-from cotouch.laws import law_named
+from cotouch.laboratory._tasks import Task
 from cotouch.network import Network
 from cotouch.scenario import Scenario
-from cotouch.simulation import prepare, run_batch
+from cotouch.simulation import prepare, run_batch, with_hands
 
 # First step of the local search, of the width of the space; how a step changes where it helps and where it doesn't.
 _STEP, _LONGER, _SHORTER = 0.15, 1.5, 0.9
@@ -36,26 +37,27 @@ def tune(cell: dict[str, Any]) -> dict[str, Any]:
     """
     study = Study.make(**cell["study"])
     law, network, tuning = study.laws[0], study.networks[0], study.tuning
-    names, users, hand = tunable(law_named(law.kind), law.given), study.users[0], study.hands[0]
+    names, users, hand = tunable(law), study.users[0], study.hands[0]
     stiffer = HandKind(stiffness=study.stiffer * hand.stiffness, damping=hand.damping)
-    wanted: list[tuple[Any, int, Ideal]] = []
-    for name in study.tasks:
-        for draw in range(-tuning.draws, 0):
-            hands = study.task(name, users, hand, draw)
-            wanted.append((hands, study.channel_seed(network, draw), ideal(study, hands)))
+    count = len(study.tasks) * tuning.draws
+    wanted: dict[int, list[tuple[Task, Ideal]]] = {}
+    for draw in range(-tuning.draws, 0):
+        tasks = [study.task(name, users, hand, draw) for name in study.tasks]
+        wanted[draw] = [(hands, ideal(study, hands)) for hands in tasks]
 
     def cost(setting: Mapping[str, float], most: float) -> float:
         """On the draws of the tuning; infinite where it is more, where pushes grow, or where a promise is given up."""
-        setup = prepare(study.scenario(law, network, users, wanted[0][0], setting=setting)).law
-        if promises(law) and setup is not None and not setup.holds:
-            return float("inf")
         total = 0.0
-        for hands, seed, perfect in wanted:
-            check()
-            scenario = study.scenario(law, network, users, hands, seed=seed, setting=setting)
-            total += measured(scenario, perfect)["cost"] / len(wanted)
-            if not total < most:
+        for draw, tasks in wanted.items():
+            seed = study.channel_seed(network, draw)
+            prepared = prepare(study.scenario(law, network, users, [], seed=seed, setting=setting))
+            if promises(law) and prepared.law is not None and not prepared.law.holds:
                 return float("inf")
+            for hands, perfect in tasks:
+                check()
+                total += measured(law, with_hands(prepared, hands), perfect)["cost"] / count
+                if not total < most:
+                    return float("inf")
         kinds = (hand, stiffer)
         return float("inf") if any(dangerous(study, law, network, users, k, setting) for k in kinds) else total
 
@@ -68,7 +70,8 @@ def tune(cell: dict[str, Any]) -> dict[str, Any]:
     rng = np.random.default_rng((study.seed, 18))
     best, here = found[0][0], np.zeros(len(names))
     step = _STEP
-    for number in range(tuning.search + tuning.local):
+    tries = tuning.search + tuning.local if names else 0
+    for number in range(tries):
         if number < tuning.search:
             place = width * (2.0 * _filling(number, len(names)) - 1.0)
         else:
@@ -87,12 +90,11 @@ def tune(cell: dict[str, Any]) -> dict[str, Any]:
     if tuning.safe:
         safe = next((entry for entry in ranked[:_CANDIDATES] if harmless(study, entry[1], tuning.safe)), None)
         settings["safe"], costs["safe"] = (safe[1], safe[0]) if safe else (None, float("inf"))
-    tried = 1 + tuning.search + tuning.local
-    return {"settings": settings, "cost": costs, "tried": tried, "problem": ""}
+    return {"settings": settings, "cost": costs, "tried": 1 + tries, "problem": ""}
 
 
 def harmless(study: Study, setting: Mapping[str, float], runs: int) -> bool:
-    """Whether random runs make no energy beyond what the law declares.
+    """Whether random runs make no energy beyond what the law declares; replicas declare nothing, so they don't pass.
 
     Args:
         study: with one law.
@@ -100,6 +102,8 @@ def harmless(study: Study, setting: Mapping[str, float], runs: int) -> bool:
         runs: how many.
     """
     law, sources = study.laws[0], study.networks[0]
+    if law.replica is not None:
+        return False
     for number in range(runs):
         check()
         rng = np.random.default_rng((study.seed, 19, number))

@@ -1,6 +1,6 @@
 """Link laws: what one end of a link does in a step. One file for each; a new one needs a file and `register`."""
 
-from cotouch.laws._end import End, Part, brake, call, copy, feel, given_power, square
+from cotouch.laws._end import END_WORDS, End, Part, brake, call, copy, feel, given_power, hand, handed, square
 from cotouch.laws._law import FORCE, Facts, Law, Linear, Parameter, Tone, law_named, laws, register
 from cotouch.laws._once import ONCE
 from cotouch.laws._paid import PAID
@@ -12,6 +12,7 @@ from cotouch.laws._tdpa import TDPA
 from cotouch.laws._wave import WAVE
 
 __all__ = [
+    "END_WORDS",
     "FORCE",
     "ONCE",
     "PAID",
@@ -33,6 +34,8 @@ __all__ = [
     "copy",
     "feel",
     "given_power",
+    "hand",
+    "handed",
     "law_named",
     "laws",
     "register",

@@ -29,19 +29,24 @@ def _helper(function: F) -> F:
 
 
 # Fields of a copy, and numbers; the past of x̂ and v̂ follows the fields, its times the numbers.
-_W, _P, _Q, _WISH, _FORCE, _X, _V, _X_BEFORE, _V_BEFORE = range(9)
-_PAST, _KEPT, _EVERY = 9, 128, 0.004
-_ACCOUNT, _TIME, _K, _LEVEL, _EPOCH, _XX, _XV, _VV, _XF, _VF, _HELD, _COUNT, _BRAKE, _OWN_B, _NEW_K, _NEW_B = range(16)
-_TIMES = 16
+_W, _P, _Q, _WISH, _FORCE, _X, _V, _X_BEFORE, _V_BEFORE, _X_RATE, _V_RATE, _F_RATE = range(12)
+_PAST, _KEPT, _EVERY = 12, 128, 0.004
+_ACCOUNT, _TIME, _K, _LEVEL, _EPOCH, _XX, _XV, _VV, _XF, _VF, _HELD, _COUNT, _BRAKE, _OWN_B, _NEW_K, _NEW_B, _STEADY = (
+    range(17)
+)
+_TIMES = 17
 # Fields of an end, and numbers.
-_IN, _OUT, _WAVE, _A, _AA, _WISHED = range(6)
-_E_IN, _E_OUT, _AGE, _CREDITED, _GIVEN, _KNOWN, _HORIZON = range(7)
+_IN, _OUT, _WAVE, _A, _AA, _WISHED, _W_BEFORE, _SLOPE = range(8)
+_E_IN, _E_OUT, _AGE, _CREDITED, _GIVEN, _KNOWN, _HORIZON, _STAMP, _SPAN = range(9)
 # A message.
 _M_WAVE, _M_W, _M_P, _M_Q, _M_V = range(5)
 _M_E, _M_K, _M_B, _M_EPOCH, _M_GIVEN, _M_T = range(6)
-_SEED, _FLOOR, _BETA, _GK, _GD, _LINE, _MASS, _FORCE_LIMIT = range(8)
+_SEED, _FLOOR, _BETA, _GK, _GD, _LINE, _MASS, _AHEAD, _FORCE_LIMIT = range(9)
 # Of ∫w; beyond, a new epoch begins, or small errors of an age would count for much [Ns].
 _MOST_P = 100.0
+# A hand is looked at over so long, without what its force and place do evenly over that time, for its own aim moves. It
+# must seem the same for so long to be believed, at first and later; so long is seen how its force changes [s].
+_LOOK, _FIRST, _HOLD, _SMOOTH = 0.02, 0.005, 0.02, 0.03
 
 
 @_helper
@@ -114,10 +119,26 @@ def _before(end: End) -> None:
         shift = 0.0 if fresh else horizon - kept[_HORIZON]
         kept[_HORIZON] = horizon
         gain, square = p[_MASS] / end.copies, 0.0
+        # How fast the hand's force changes, so that it is not held where it was.
+        if fresh:
+            kept[_STAMP], kept[_SPAN] = when, 0.0
+        passed = when - kept[_STAMP]
+        if fresh or passed > 0.25 * told[_M_T]:
+            kept[_STAMP] = when
+            kept[_SPAN] += passed
+            share = min(passed / min(kept[_SPAN], _SMOOTH), 1.0) if passed > 0.0 else 0.0
+            for i in range(size):
+                if fresh:
+                    end.memory[_SLOPE, i] = 0.0
+                else:
+                    rate = (got[_M_W, i] - end.memory[_W_BEFORE, i]) / passed
+                    end.memory[_SLOPE, i] += share * (rate - end.memory[_SLOPE, i])
+                end.memory[_W_BEFORE, i] = got[_M_W, i]
         for i in range(size):
-            w = got[_M_W, i]
-            first = got[_M_P, i] + ahead * w
-            second = got[_M_Q, i] + ahead * got[_M_P, i] + 0.5 * ahead * ahead * w
+            then, slope = got[_M_W, i], p[_AHEAD] * end.memory[_SLOPE, i]
+            w = then + ahead * slope
+            first = got[_M_P, i] + ahead * (then + 0.5 * ahead * slope)
+            second = got[_M_Q, i] + ahead * (got[_M_P, i] + 0.5 * ahead * (then + ahead * slope / 3.0))
             if fresh:
                 end.memory[_A, i], end.memory[_AA, i] = first, second
             a = end.memory[_A, i] + shift * w
@@ -191,6 +212,11 @@ def _after(end: End) -> None:
 
 
 @_helper
+def _other(old_k: float, old_b: float, k: float, damping: float) -> bool:
+    return abs(k - old_k) > 0.1 * (k + old_k) + 1.0 or abs(damping - old_b) > 0.2 * damping + 1.0
+
+
+@_helper
 def _book(end: End) -> None:
     """Once in a step: pays for it, looks at the own hand, and keeps the past."""
     T, own, numbers = end.T, end.shared, end.shared_scalars
@@ -205,8 +231,9 @@ def _book(end: End) -> None:
             own[_PAST + slot, i] = end.position[i] - 0.5 * T * end.mean[i]
             own[_PAST + _KEPT + slot, i] = end.mean[i]
         numbers[_COUNT] += 1.0
+    forget = 1.0 - T / _LOOK
     for name in range(_XX, _VF + 1):
-        numbers[name] *= 0.95
+        numbers[name] *= max(forget, 0.0)
     held = 0.0
     for i in range(size):
         v = end.mean[i]
@@ -218,6 +245,12 @@ def _book(end: End) -> None:
             # The force is of the step before; so must be what it is compared with, or a hand seems to change with T.
             dx, dv = own[_X, i] - own[_X_BEFORE, i], own[_V, i] - own[_V_BEFORE, i]
             df = force - own[_FORCE, i]
+            part = min(T / _LOOK, 1.0)
+            mx, mv, mf = own[_X_RATE, i], own[_V_RATE, i], own[_F_RATE, i]
+            own[_X_RATE, i] += part * (dx / T - mx)
+            own[_V_RATE, i] += part * (dv / T - mv)
+            own[_F_RATE, i] += part * (df / T - mf)
+            dx, dv, df = dx - T * mx, dv - T * mv, df - T * mf
             numbers[_XX] += dx * dx
             numbers[_XV] += dx * dv
             numbers[_VV] += dv * dv
@@ -239,11 +272,17 @@ def _book(end: End) -> None:
         if det > 1e-6 * xx * vv and det > 0.0:
             k = (vv * numbers[_XF] - xv * numbers[_VF]) / det
             damping = (xx * numbers[_VF] - xv * numbers[_XF]) / det
-            if 0.0 <= k <= 5000.0 and 0.0 <= damping <= 100.0:
-                numbers[_NEW_K], numbers[_NEW_B] = k, damping
+            if not (0.0 <= k <= 5000.0 and 0.0 <= damping <= 100.0):
+                numbers[_STEADY] = 0.0
+            elif _other(numbers[_NEW_K], numbers[_NEW_B], k, damping):
+                numbers[_NEW_K], numbers[_NEW_B], numbers[_STEADY] = k, damping, 0.0
+            else:
+                numbers[_STEADY] += T
     numbers[_HELD] = held
     k, damping = numbers[_NEW_K], numbers[_NEW_B]
-    jump = abs(k - numbers[_K]) > 0.1 * (k + numbers[_K]) + 1.0 or abs(damping - numbers[_OWN_B]) > 0.2 * damping + 1.0
+    jump = numbers[_STEADY] >= (_FIRST if numbers[_K] == 0.0 else _HOLD) and _other(
+        numbers[_K], numbers[_OWN_B], k, damping
+    )
     renewed = changed or jump or most > _MOST_P
     if renewed:
         numbers[_EPOCH] += 1.0
@@ -285,19 +324,21 @@ PAID = register(
             Parameter(name="damp", meaning="g_d, how strongly their speeds are", default=0.35),
             Parameter(name="line", meaning="impedance of the wave line beside it [Ns/m]", default=_line),
             Parameter(name="mass", meaning="that copies are drawn together with [kg]", default=_mass),
+            Parameter(name="ahead", meaning="share of a hand's change of force that is expected to go on", default=0.5),
             Parameter(name=FORCE, meaning="most that a neighbour may push with [N]", default=inf),
         ),
         sends=("U_out", "w", "P", "Q", "v"),
         sends_scalars=("E_out", "k", "b", "epoch", "given", "T"),
-        keeps=("U_in", "U_out", "s", "A", "A2", "wish"),
-        keeps_scalars=("E_in", "E_out", "age", "credited", "given", "epoch", "horizon"),
+        keeps=("U_in", "U_out", "s", "A", "A2", "wish", "w before", "slope"),
+        keeps_scalars=("E_in", "E_out", "age", "credited", "given", "epoch", "horizon", "stamp", "span"),
         fractions=(
             *("w", "P", "Q", "wish", "f", "x", "v", "x before", "v before"),
+            *("x rate", "v rate", "f rate"),
             *(f"{name}{k}" for name in ("x", "v") for k in range(_KEPT)),
         ),
         shares_scalars=(
             *("account", "time", "k", "level", "epoch", "xx", "xv", "vv"),
-            *("xf", "vf", "held", "count", "brake", "b", "new k", "new b"),
+            *("xf", "vf", "held", "count", "brake", "b", "new k", "new b", "steady"),
             *(f"t{k}" for k in range(_KEPT)),
         ),
         energies=("E_out", "given"),

@@ -6,6 +6,7 @@ from cotouch.scenario._hands import Hands, grip, ports_of
 from cotouch.scenario._messages import sentence
 from cotouch.scenario._scenario import Scenario, per_user
 from cotouch.scenario._tables import (
+    HandTable,
     Mode,
     NonNegative,
     Positive,
@@ -32,6 +33,7 @@ __all__ = [
     "DEFAULT_RATE",
     "Channel",
     "FileTable",
+    "HandTable",
     "Hands",
     "Mode",
     "NonNegative",

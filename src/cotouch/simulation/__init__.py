@@ -16,7 +16,7 @@ from cotouch.simulation._metrics import (
     summary,
 )
 from cotouch.simulation._peers import PeerRun, run_peers
-from cotouch.simulation._prepare import Prepared, prepare
+from cotouch.simulation._prepare import Prepared, prepare, with_hands
 from cotouch.simulation._result import dataset, save, simulate
 from cotouch.simulation._schedule import Schedule, schedule
 from cotouch.simulation._shown import animation, frame_rate
@@ -57,4 +57,5 @@ __all__ = [
     "simulate",
     "summary",
     "tables",
+    "with_hands",
 ]

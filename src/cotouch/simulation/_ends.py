@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.laws import End, Part, feel
+from cotouch.laws import End, Part, feel, hand, handed
 from cotouch.mechanics import Ports, at, inner, put
 from cotouch.simulation._layout import Float, Int, Timing, Topology
 
@@ -43,6 +43,7 @@ class Ends(NamedTuple):
         gains: k and b as the law said, (slots, 2).
         stiffness: k, (slots,) [N/m].
         brake: b, (slots,) [Ns/m].
+        words: every slot's end in the step being taken, as the law reads it, (slots, words).
     """
 
     before: Part
@@ -72,6 +73,7 @@ class Ends(NamedTuple):
     gains: Float
     stiffness: Float
     brake: Float
+    words: npt.NDArray[np.int64]
 
 
 @inner
@@ -90,7 +92,8 @@ def ask(ends: Ends, topology: Topology, timing: Timing, where: npt.NDArray[np.in
     for s in range(at(topology.first, i), at(topology.first, i + 1)):
         index = at(timing.used, (s, k))
         new = index > at(ends.used, s)
-        ends.before(_end(ends, topology, timing, where, s, i, k, T, new))
+        hand(_end(ends, topology, timing, where, s, i, k, T, new), ends.words[s])
+        ends.before(handed(ends.words[s]))
         stiffness, brake = at(ends.gains, (s, 0)), at(ends.gains, (s, 1))
         if not (0.0 <= stiffness < np.inf and 0.0 <= brake < np.inf):
             return False
@@ -100,25 +103,20 @@ def ask(ends: Ends, topology: Topology, timing: Timing, where: npt.NDArray[np.in
 
 
 @inner
-def tell(
-    ends: Ends, topology: Topology, timing: Timing, where: npt.NDArray[np.int64], ports: Ports, i: int, k: int, T: float
-) -> None:
+def tell(ends: Ends, topology: Topology, timing: Timing, ports: Ports, i: int, k: int) -> None:
     """Lets the law say what the neighbours of user i are told after its step k.
 
     Args:
         ends: of all links.
         topology: who is linked to whom.
         timing: the schedule.
-        where: slot of each link's end.
         ports: where forces act.
         i: the user.
         k: the step.
-        T: length of the step [s].
     """
     for s in range(at(topology.first, i), at(topology.first, i + 1)):
-        index = at(timing.used, (s, k))
-        ends.after(_end(ends, topology, timing, where, s, i, k, T, index > at(ends.used, s)))
-        put(ends.used, s, index)
+        ends.after(handed(ends.words[s]))
+        put(ends.used, s, at(timing.used, (s, k)))
     put(ends.steps, i, at(ends.steps, i) + 1)
     if ends.feels:
         feel(ends.hand[i], ports)

@@ -315,7 +315,7 @@ def run(
                 lanes,
             )
         if ends is not None:
-            tell(ends, topology, timing, scratch.slot, ports, i, k, T)
+            tell(ends, topology, timing, ports, i, k)
         for s in range(s0, s1):
             added = at(scratch.link_work, s)
             made += added

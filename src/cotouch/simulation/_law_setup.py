@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from cotouch.arrays import Float
 from cotouch.errors import ScenarioError
-from cotouch.laws import Facts, Law, law_named
+from cotouch.laws import END_WORDS, Facts, Law, law_named
 from cotouch.mechanics import WEIGHTS, Model
 from cotouch.scenario import Scenario
 from cotouch.simulation._channel import certain
@@ -175,4 +175,5 @@ def ends_of(setup: LawSetup, timing: Schedule, fields: Fields, mean: Float, copi
         gains=np.zeros((count, 2)),
         stiffness=np.zeros(count),
         brake=np.zeros(count),
+        words=np.zeros((count, END_WORDS), dtype=np.int64),
     )

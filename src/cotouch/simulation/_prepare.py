@@ -1,17 +1,19 @@
 """From a scenario to the arrays that the engines work on."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Any, final
 
 import numpy as np
 import numpy.typing as npt
+from pydantic import ValidationError
 
 from cotouch.arrays import Float
 from cotouch.body import Body
 from cotouch.errors import ScenarioError
 from cotouch.mechanics import Model, deepest_point, model
 from cotouch.network import damping_for
-from cotouch.scenario import Hands, Scenario, Touching, per_user, ports_of, touching_of
+from cotouch.scenario import Hands, HandTable, Scenario, Touching, per_user, ports_of, sentence, touching_of
 from cotouch.simulation._law_setup import LawSetup, given_law, law_setup
 from cotouch.simulation._layout import Topology
 from cotouch.simulation._memory import free_memory, needed, refuse_beyond
@@ -151,6 +153,28 @@ def _refuse_overlap(scenario: Scenario, ready: Model, position: Float) -> None:
                 f"{scenario.world.name(s)}: the copy of user {i + 1} begins {deep:.3g} m deep in it, more than a tenth "
                 "of its own size; move one of them"
             )
+
+
+def with_hands(prepared: Prepared, hands: Sequence[Mapping[str, Any]]) -> Prepared:
+    """The same run with other hands: body, schedule and channel are not worked out again.
+
+    Args:
+        prepared: without tools, whose room for hands is their own.
+        hands: tables, each with a node.
+
+    Raises:
+        ScenarioError: a hand does not fit network or body, or there are tools.
+    """
+    if prepared.touching is not None:
+        raise ScenarioError("there are tools; hands of a prepared run can be changed only without them")
+    try:
+        tables = [HandTable.model_validate(table) for table in hands]
+    except ValidationError as error:
+        raise ScenarioError(sentence(error, "the hands")) from None
+    scenario = prepared.scenario.model_copy(update={"hands": tables})
+    body = prepared.body
+    ports, of_hand = ports_of(scenario.hands, scenario.network.size, body, prepared.model)
+    return replace(prepared, scenario=scenario, hands=ports, ports=of_hand, nodes=_recorded(scenario, body))
 
 
 def _local_damping(scenario: Scenario, timing: Schedule) -> Float:
