@@ -424,8 +424,10 @@ class Space implements View {
       const force = hand.force > 0.005 * this.full ? newtons(hand.force) : "";
       if (this.side && !force) continue;
       const who = this.side ? "" : slot === me && this.hold.holds ? "You" : named(slot);
-      at.x = Math.max(Math.min(at.x, cell.x + cell.width - Labels.wide(who, force)), cell.x);
-      at.y = Math.max(at.y, cell.y + 34);
+      const wide = Labels.wide(who, force);
+      at.x = Math.max(Math.min(at.x, cell.x + cell.width - wide), cell.x);
+      const covered = this.side ? 0 : this.furniture.covered(at.x, at.x + wide, cell.width);
+      at.y = Math.max(Math.min(at.y, cell.y + cell.height + 9 - covered), cell.y + 34);
       this.labels.put(`hand${slot}`, "hand", slot, who, force, at.x, at.y);
     }
   }

@@ -41,6 +41,7 @@ from cotouch.mechanics._state import (
 from cotouch.mechanics._step import settle, step
 from cotouch.mechanics._stretch import approach, mixed_stretch, stretches
 from cotouch.mechanics._surface import Surface, surface_of
+from cotouch.mechanics._toll import MOST_TOLL, encoder_toll, opening_energy
 from cotouch.mechanics._tools import (
     AWAY,
     DRIVE,
@@ -80,6 +81,7 @@ __all__ = [
     "LOCAL_LOSS",
     "MOST_CONTACTS",
     "MOST_HELD",
+    "MOST_TOLL",
     "PROXY",
     "REST_DRIFT",
     "REST_FIELDS",
@@ -114,6 +116,7 @@ __all__ = [
     "contact_by",
     "contact_step",
     "credit",
+    "encoder_toll",
     "evaluate",
     "inner",
     "inner_energy",
@@ -125,6 +128,7 @@ __all__ = [
     "modulate",
     "modulation_bound",
     "multiply",
+    "opening_energy",
     "part",
     "place_at_rest",
     "press",
