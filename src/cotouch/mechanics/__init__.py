@@ -41,7 +41,7 @@ from cotouch.mechanics._state import (
 from cotouch.mechanics._step import settle, step
 from cotouch.mechanics._stretch import approach, mixed_stretch, stretches
 from cotouch.mechanics._surface import Surface, surface_of
-from cotouch.mechanics._toll import MOST_TOLL, encoder_toll, opening_energy
+from cotouch.mechanics._toll import encoder_toll, most_toll, opening_energy
 from cotouch.mechanics._tools import (
     AWAY,
     DRIVE,
@@ -81,7 +81,6 @@ __all__ = [
     "LOCAL_LOSS",
     "MOST_CONTACTS",
     "MOST_HELD",
-    "MOST_TOLL",
     "PROXY",
     "REST_DRIFT",
     "REST_FIELDS",
@@ -127,6 +126,7 @@ __all__ = [
     "model",
     "modulate",
     "modulation_bound",
+    "most_toll",
     "multiply",
     "opening_energy",
     "part",

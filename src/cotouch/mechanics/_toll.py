@@ -6,10 +6,10 @@ pays a toll for the way, however slowly it is gone, while its damper earns littl
 has no more than what the last steps brought: it slips, and the force jumps with every step.
 """
 
-MOST_TOLL = 0.15
-"""Above this toll a hand that moves slowly empties an account faster than the damper fills it [N]."""
-FREE_PATH = 0.15
-"""So much way is paid from what an account begins with [m]."""
+# So much way on all axes together is paid from what an account begins with [m].
+_FREE_PATH = 0.3
+# A damper pays for the rest of a way at this speed [m/s], but for what it can leave [N]; and the most of all [N].
+_SPEED, _LEFT, _MOST = 0.02, 0.02, 0.135
 
 
 def encoder_toll(*, stiffness: float, damping: float, window: float, resolution: float) -> float:
@@ -24,6 +24,15 @@ def encoder_toll(*, stiffness: float, damping: float, window: float, resolution:
     return (stiffness + damping / window) * resolution
 
 
+def most_toll(damping: float) -> float:
+    """Above this toll a hand that moves slowly empties an account sooner than the damper fills it [N].
+
+    Args:
+        damping: b, >= 0 [Ns/m].
+    """
+    return min(_MOST, _SPEED * damping + _LEFT)
+
+
 def opening_energy(toll: float, cap: float) -> float:
     """What an account begins with; counts once in the bound of passivity [J].
 
@@ -31,4 +40,4 @@ def opening_energy(toll: float, cap: float) -> float:
         toll: see `encoder_toll` [N].
         cap: most that the account keeps [J].
     """
-    return min(cap, toll * FREE_PATH)
+    return min(cap, toll * _FREE_PATH)

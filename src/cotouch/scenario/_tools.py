@@ -22,13 +22,13 @@ from cotouch.device import (
 from cotouch.errors import BodyError, DeviceError, ScenarioError
 from cotouch.mechanics import (
     GRASP,
-    MOST_TOLL,
     TOUCH,
     TOUCH_LEDGER,
     Model,
     checked_virtual_coupling,
     contact_by,
     encoder_toll,
+    most_toll,
     opening_energy,
     surface_of,
     tools,
@@ -249,9 +249,10 @@ def _slow_enough(table: SimulatedDeviceTable, window: float, step: float) -> flo
     Raises:
         DeviceError: it cannot.
     """
-    if encoder_toll(stiffness=table.stiffness, damping=table.damping, window=window, resolution=step) <= MOST_TOLL:
+    most = most_toll(table.damping)
+    if encoder_toll(stiffness=table.stiffness, damping=table.damping, window=window, resolution=step) <= most:
         return table.stiffness
-    limit = MOST_TOLL / step - table.damping / window
+    limit = most / step - table.damping / window
     if limit > 0.0 and table.clip_stiffness:
         return limit
     if limit > 0.0:
@@ -259,7 +260,7 @@ def _slow_enough(table: SimulatedDeviceTable, window: float, step: float) -> flo
         remedy = f"at {table.damping:g} Ns/m above {limit:g} N/m; lower it, or set clip_stiffness"
     else:
         given = f"damping is {table.damping:g} Ns/m over {window:g} s"
-        remedy = f"above {MOST_TOLL * window / step:.3g} Ns/m; lower it"
+        remedy = "with any stiffness; lower it, or measure velocity over a longer window"
     raise DeviceError(f"the coupling's {given}, but encoders with steps of {step:.3g} m empty PSPM's tank {remedy}")
 
 
