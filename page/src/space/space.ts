@@ -236,6 +236,8 @@ class Space implements View {
     this.renderer.setPixelRatio(this.quality.ratio);
     this.renderer.setSize(this.width, this.height);
     this.arrange();
+    // A new size empties the picture, and the screen may show it before the next one.
+    if (this.shown) this.render(performance.now());
     this.draw();
   }
 
