@@ -191,7 +191,7 @@ def _hand(rng: np.random.Generator, inwards: Float, size: float, duration: float
 
 
 def _device(rng: np.random.Generator) -> Table:
-    table: Table = {"damping": float(rng.uniform(0.0, 5.0)), "stiffness": _log(rng, 50.0, 5e3)}
+    table: Table = {"damping": float(rng.uniform(0.0, 5.0)), "stiffness": _log(rng, 50.0, 5e3), "clip_stiffness": True}
     kind = rng.integers(3)
     if kind == 0:
         table |= {"kind": "phantom", "preset": "phantom"}
@@ -201,7 +201,6 @@ def _device(rng: np.random.Generator) -> Table:
         own = _log(rng, 0.5, 10.0)
         table |= {
             "coupling": "virtual",
-            "clip_stiffness": True,
             "viscous": own,
             # Steps beside each other differ by up to thirty times in length; what is left must pay for the spring.
             "damping": own * float(rng.uniform(0.0, 0.01)),

@@ -37,6 +37,7 @@ def main(axes: int) -> None:
         )
         simulate(with_tools)
         run_peers(prepare(with_tools))
+        simulate(with_tools.replace(contact={"law": "stiffening"}))
         # Devices belong to the tools above, and the search for links to the other process: both then take equally long.
         SimulatedDevice(DeviceModel()).advance(0.0)
         critical_stiffness(CartesianPlant(), precision=0.5)

@@ -11,6 +11,9 @@ interface Box {
 
 const NAMES = { displacement: "displacement", stress: "stretch", plain: "" } as const;
 
+// About how wide the hint and the legend are [pixels].
+const [HINT, LEGEND] = [440, 220];
+
 export class Furniture {
   private readonly root = document.createElement("div");
   private readonly key = document.createElement("figure");
@@ -51,6 +54,13 @@ export class Furniture {
     this.key.hidden = !NAMES[colour];
     if (this.what.textContent !== NAMES[colour]) this.what.textContent = NAMES[colour];
     if (this.most.textContent !== top) this.most.textContent = top;
+  }
+
+  /** How far up from the bottom something lies over a picture of some width, between two places on it [pixels]. */
+  covered(from: number, to: number, width: number): number {
+    const half = Math.min(HINT / 2, 0.44 * width);
+    if (!this.hint.hidden && from < width / 2 + half && to > width / 2 - half) return 94;
+    return !this.key.hidden && to > width - LEGEND ? 44 : 0;
   }
 
   /** Frames around the parts of a picture. */

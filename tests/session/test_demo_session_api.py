@@ -397,3 +397,13 @@ def children() -> list[int]:
     for task in Path("/proc/self/task").iterdir():
         found += [int(pid) for pid in (task / "children").read_text(encoding="utf-8").split()]
     return found
+
+
+@pytest.mark.parametrize(("law", "lowered"), [("spring", True), ("paid", False)])
+def test_damping_is_offered_only_where_it_keeps_links_safe(law: str, lowered: bool) -> None:
+    session = demo_session(users=3, law=law)
+    opened: Any = QuietHost()
+    with mailbox_folder() as mailboxes:
+        api = DemoSessionApi(session, opened, SharedModel.build(session), mailboxes)
+        assert ("damping" in api.scene.may) == lowered
+        api.close()

@@ -8,6 +8,7 @@ import pytest
 import xarray as xr
 
 from cotouch.body import lattice, point
+from cotouch.device import PRESETS
 from cotouch.errors import BodyError, CotouchError, ScenarioError
 from cotouch.mechanics import virtual_coupling_limit
 from cotouch.scenario import Scenario
@@ -99,8 +100,14 @@ WRONG: list[tuple[str, str]] = [
     ("AT\n[tools.device]\nkind='phantom'\nmass=1", "tools[2].device.mass is 1.0 kg; a PHANToM has its own"),
     ("AT\n[tools.device]\nkind='phantom'\npreset='omega'", 'tools[2].device.kind is "phantom" but preset is "omega"'),
     (
-        "AT\n[tools.device]\nclip_stiffness=true",
-        'tools[2].device.clip_stiffness is given, but with coupling "pspm" it has no effect',
+        "AT\n[tools.device]\npreset='falcon'\nstiffness=3000",
+        "the coupling's stiffness is 3000 N/m, but encoders with steps of 6e-05 m empty PSPM's tank at 2 Ns/m above "
+        "900 N/m; lower it, or set clip_stiffness",
+    ),
+    (
+        "AT\n[tools.device]\nresolution=0.001\ndamping=4",
+        "the coupling's damping is 4 Ns/m over 0.02 s, but encoders with steps of 0.001 m empty PSPM's tank with any "
+        "stiffness; lower it, or measure velocity over a longer window",
     ),
     ("AT\n[tools.device]\ncoupling='virtual'\nrate=9", 'tools[2].device.rate is given, but with coupling "virtual"'),
     ("AT\n[tools.device]\ncoupling='virtual'", "tools[2].device: the virtual coupling's damping is 2 Ns/m"),
@@ -296,11 +303,41 @@ def test_at_rest_a_force_stands_still_though_nothing_rubs(monkeypatch: pytest.Mo
         assert np.linalg.norm(force, axis=1).min() > 1.0
         return float(np.ptp(force, axis=0).max())
 
-    worst = [(500.0, 6e-5), (2000.0, 3e-5), (5000.0, 1e-5)]
+    worst = [(500.0, 6e-5), (1800.0, 3e-5), (5000.0, 1e-5)]
     for stiffness, step in worst:
         assert hum(stiffness=stiffness, resolution=step) < 0.02
     monkeypatch.setattr("cotouch.device._assemble.rest_fraction", lambda *_: 1.0)
     assert max(hum(stiffness=stiffness, resolution=step) for stiffness, step in worst) > 0.05
+
+
+@pytest.mark.parametrize(("preset", "spring"), [("delta", (5000.0, 30.0)), ("falcon", (3000.0, 20.0))])
+def test_a_weak_grip_is_still_because_a_tank_begins_with_what_encoders_cost(
+    preset: str, spring: tuple[float, float], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Else the account is empty before there is anything in it: the spring slips, and force jumps with every step."""
+    hand = {"path": [[0.0, 0.0, 0.0, 0.0], [0.5, 0.02, 0.001, 0.002]], "grip": 0.25}
+    stiffness, damping = spring
+    made = {"preset": preset, "stiffness": stiffness, "damping": damping, "coulomb": 0.0, "clip_stiffness": True}
+
+    def last(**device: float) -> tuple[float, float, xr.Dataset]:
+        tool = {**LEFT, "hand": hand, "device": {**made, **device}}
+        run = run_of(tool, steps={"duration": 12.0, "period": 0.002})
+        check(run)
+        force = run["device_force"].values[0, -500:]
+        apart = (run["device_position"] - run["tool_position"]).values[0, -1]
+        return float(np.ptp(force, axis=0).max()), float(np.linalg.norm(apart)), run
+
+    hum, apart, run = last()
+    fine = PRESETS[preset].resolution
+    clipped = min(stiffness, 0.135 / fine - damping / 0.02)
+    assert hum < 0.02
+    assert apart < np.linalg.norm(run["device_force"].values[0, -1]) / clipped + 12 * fine
+    begun = 0.3 * (clipped + damping / 0.02) * fine
+    assert run["coupling_energy"].values[0, 0] == pytest.approx(begun)
+    assert run["coupling_bound"].values[0] > begun
+    monkeypatch.setattr("cotouch.scenario._tools.opening_energy", lambda *_: 0.0)
+    without, slipped, _ = last()
+    assert without > 0.1 or slipped > apart + 1e-3
 
 
 @pytest.mark.parametrize("kind", ["touch", "grasp"])

@@ -17,6 +17,7 @@ from tests.web.pictures import PATIENCE, READY
 from cotouch.web import PageServer
 
 SIZES = {"1440": (1440, 900), "1024": (1024, 768), "390": (390, 844)}
+LIVE = "!document.documentElement.hasAttribute('data-lost')"
 SCHEMES = ("light", "dark")
 
 
@@ -48,6 +49,8 @@ def main(folder: Path) -> None:
                     elif moment == "after":
                         page.keyboard.press("Escape")
                     page.wait_for_timeout(1500)
+                    # A machine with much else to do may lose the connection for a moment.
+                    page.wait_for_function(LIVE)
                     taken(page, folder / f"first-{moment}-{name}-{scheme}.webp")
                 context.close()
 

@@ -105,7 +105,7 @@ export function marginPanel(context: Context): HTMLElement {
   const update = (): void => {
     const state = store.state;
     const lowered = !!state && state.damping < 1;
-    shown(lower, !lowered);
+    shown(lower, !lowered && !!store.scene?.may.includes("damping"));
     shown(restore, lowered);
     lower.disabled = restore.disabled = !can(context, "damping");
     if (!state || body.offsetParent === null) return;

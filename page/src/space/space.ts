@@ -236,6 +236,8 @@ class Space implements View {
     this.renderer.setPixelRatio(this.quality.ratio);
     this.renderer.setSize(this.width, this.height);
     this.arrange();
+    // A new size empties the picture, and the screen may show it before the next one.
+    if (this.shown) this.render(performance.now());
     this.draw();
   }
 
@@ -424,8 +426,10 @@ class Space implements View {
       const force = hand.force > 0.005 * this.full ? newtons(hand.force) : "";
       if (this.side && !force) continue;
       const who = this.side ? "" : slot === me && this.hold.holds ? "You" : named(slot);
-      at.x = Math.max(Math.min(at.x, cell.x + cell.width - Labels.wide(who, force)), cell.x);
-      at.y = Math.max(at.y, cell.y + 34);
+      const wide = Labels.wide(who, force);
+      at.x = Math.max(Math.min(at.x, cell.x + cell.width - wide), cell.x);
+      const covered = this.side ? 0 : this.furniture.covered(at.x, at.x + wide, cell.width);
+      at.y = Math.max(Math.min(at.y, cell.y + cell.height + 9 - covered), cell.y + 34);
       this.labels.put(`hand${slot}`, "hand", slot, who, force, at.x, at.y);
     }
   }

@@ -14,6 +14,7 @@ from cotouch.device._tables import (
     PHANTOM,
     POTENTIAL,
     RECALL,
+    TANK,
     Devices,
     DeviceState,
     Float,
@@ -92,7 +93,8 @@ def _rest(model: DeviceModel) -> float:
     if model.coupling.law != "pspm":
         return 1.0
     arm = sum(model.plant.lengths()) if isinstance(model.plant, PhantomPlant) else 1.0
-    return rest_fraction(model.coupling.stiffness, arm * model.servo.resolution)
+    slope = model.coupling.stiffness + model.coupling.damping / model.servo.span()
+    return rest_fraction(slope, arm * model.servo.resolution)
 
 
 def _grasps(models: Sequence[DeviceModel]) -> Grasps:
@@ -127,6 +129,7 @@ def _start(models: Sequence[DeviceModel], devices: Devices) -> DeviceState:
     lag = int(devices.servos.lag.max(initial=0))
     length = max(int(np.ceil(ratio.max(initial=0.0))), lag) + 3
     ledger = np.zeros((count, len(DEVICE_LEDGER)))
+    ledger[:, TANK] = [model.coupling.initial_energy for model in models]
     for d, kind in enumerate(devices.plants.kind):
         if kind == PHANTOM:
             ledger[d, INITIAL] = ledger[d, POTENTIAL] = phantom_potential(devices.plants, d, *coordinate[d, 1:3])

@@ -221,6 +221,10 @@ class ServoModel:
         """All of them [s]."""
         return self.period if isinstance(self.period, tuple) else (self.period,)
 
+    def span(self) -> float:
+        """Shortest time over which velocity is measured [s]."""
+        return max(self.window, min(self.periods()))
+
 
 @final
 @dataclass(frozen=True, kw_only=True)
@@ -237,6 +241,7 @@ class Coupling:
         damping: b, >= 0 [Ns/m].
         cap: most energy that the tank keeps, >= 0 [J].
         reserve: debt up to which damping stays on, >= 0 [J].
+        initial_energy: what the tank begins with, >= 0; counts once in the bound of passivity [J].
         declared: damping of the device itself that PSPM may count on, >= 0 [Ns/m or Nm s/rad]. It makes device and
             coupling passive together, instead of the coupling alone.
         lag: ticks by which the law `spring` sees the tip late, 0 to 8.
@@ -250,6 +255,7 @@ class Coupling:
     damping: float = 2.0
     cap: float = 0.1
     reserve: float = 1e-3
+    initial_energy: float = 0.0
     assumed_damping: float = 0.0
     lag: int = 0
 
@@ -260,6 +266,7 @@ class Coupling:
         need("damping", self.damping, unit="Ns/m")
         need("cap", self.cap, unit="J")
         need("reserve", self.reserve, unit="J")
+        need("initial energy", self.initial_energy, unit="J")
         need("assumed damping", self.assumed_damping)
         need("lag", self.lag, most=8)
 

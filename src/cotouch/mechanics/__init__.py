@@ -45,6 +45,7 @@ from cotouch.mechanics._state import (
 from cotouch.mechanics._step import settle, step
 from cotouch.mechanics._stretch import approach, mixed_stretch, stretches
 from cotouch.mechanics._surface import Surface, surface_of
+from cotouch.mechanics._toll import encoder_toll, most_toll, opening_energy
 from cotouch.mechanics._tools import (
     AWAY,
     DRIVE,
@@ -129,6 +130,7 @@ __all__ = [
     "contact_step",
     "credit",
     "deepest_point",
+    "encoder_toll",
     "evaluate",
     "inner",
     "inner_energy",
@@ -139,7 +141,9 @@ __all__ = [
     "model",
     "modulate",
     "modulation_bound",
+    "most_toll",
     "multiply",
+    "opening_energy",
     "part",
     "place_at_rest",
     "press",

@@ -16,7 +16,6 @@ DEFAULT_RATE = 1000.0
 # Options of a hand that only one on a device has, and of a device that only one law of the coupling has.
 _OF_DEVICES = ("mass", "reaction", "correction", "reach", "blend")
 _OF_PSPM = ("rate", "periods", "window", "cap", "reserve", "assumed_damping")
-_OF_VIRTUAL = ("clip_stiffness",)
 
 
 def _path_form(value: object) -> str:
@@ -105,7 +104,7 @@ class SimulatedDeviceTable(Table):
         cap: most energy that the tank keeps [J].
         reserve: debt up to which PSPM's damping stays on [J].
         declared: damping of the device itself that PSPM may count on [Ns/m].
-        lower: with "virtual", lower a stiffness that is too much instead of refusing it.
+        clip_stiffness: lower a stiffness that is too much instead of refusing it.
     """
 
     preset: str | None = None
@@ -136,9 +135,8 @@ class SimulatedDeviceTable(Table):
             raise ValueError(f'kind is "phantom" but preset is "{self.preset}"; leave one of them out')
         if self.sort() == "phantom" and self.mass is not None:
             raise ValueError(f"mass is {self.mass} kg; a PHANToM has its own, leave it out")
-        others = _OF_PSPM if self.coupling == "virtual" else _OF_VIRTUAL
-        for name in others:
-            if name in self.model_fields_set:
+        for name in _OF_PSPM:
+            if self.coupling == "virtual" and name in self.model_fields_set:
                 raise ValueError(f'{name} is given, but with coupling "{self.coupling}" it has no effect; leave it out')
         return self
 

@@ -27,6 +27,9 @@ from cotouch.mechanics import (
     Model,
     checked_virtual_coupling,
     contact_by,
+    encoder_toll,
+    most_toll,
+    opening_energy,
     surface_of,
     tools,
     touch_work,
@@ -214,6 +217,11 @@ def device_model(table: SimulatedDeviceTable, hand: ToolHand | None, lengths: Fl
             shortest=float(known.min()),
             lower=table.clip_stiffness,
         )
+    toll = 0.0
+    if table.coupling == "pspm":
+        step = lever * servo.resolution
+        stiffness = _slow_enough(table, servo.span(), step)
+        toll = encoder_toll(stiffness=stiffness, damping=table.damping, window=servo.span(), resolution=step)
     return DeviceModel(
         plant=plant,
         servo=servo,
@@ -223,10 +231,37 @@ def device_model(table: SimulatedDeviceTable, hand: ToolHand | None, lengths: Fl
             damping=table.damping,
             cap=table.cap,
             reserve=table.reserve,
+            initial_energy=opening_energy(toll, table.cap),
             assumed_damping=table.assumed_damping,
         ),
         hand=None if hand is None else SimulatedHand(**hand.model_dump()),
     )
+
+
+def _slow_enough(table: SimulatedDeviceTable, window: float, step: float) -> float:
+    """A stiffness that PSPM's account can pay for with these encoders: the given one, or less if that is allowed [N/m].
+
+    Args:
+        table: the device.
+        window: over which velocity is measured [s].
+        step: of the encoders at the tip [m].
+
+    Raises:
+        DeviceError: it cannot.
+    """
+    most = most_toll(table.damping)
+    if encoder_toll(stiffness=table.stiffness, damping=table.damping, window=window, resolution=step) <= most:
+        return table.stiffness
+    limit = most / step - table.damping / window
+    if limit > 0.0 and table.clip_stiffness:
+        return limit
+    if limit > 0.0:
+        given = f"stiffness is {table.stiffness:g} N/m"
+        remedy = f"at {table.damping:g} Ns/m above {limit:g} N/m; lower it, or set clip_stiffness"
+    else:
+        given = f"damping is {table.damping:g} Ns/m over {window:g} s"
+        remedy = "with any stiffness; lower it, or measure velocity over a longer window"
+    raise DeviceError(f"the coupling's {given}, but encoders with steps of {step:.3g} m empty PSPM's tank {remedy}")
 
 
 def _unseen(plant: CartesianPlant | PhantomPlant, servo: ServoModel) -> float:

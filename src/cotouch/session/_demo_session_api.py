@@ -89,12 +89,14 @@ class DemoSessionApi:
         self._recording = RecordingClient(mailboxes, self._commands, self._names, self._say)
         self._jobs = Jobs()
         own = tuple(range(len(self._names)))
+        # Other laws pay for what they do, and take no damping that could be lowered.
+        damped = {"damping"} if session.scenario.synchronisation.law_given[0] == "spring" else set[str]()
         self._scene = Scene(
             title=session.scenario.title or "cotouch",
             users=tuple(self._names),
             body=replica.body,
             own=own,
-            may=frozenset({"hand", "impair", "cut", "kill", "revive", "expel", "links", "damping", "record"}),
+            may=frozenset({"hand", "impair", "cut", "kill", "revive", "expel", "links", "record"} | damped),
             invitation=opened.invitation.encode(),
             stiffness=usual_stiffness(replica.scenario, 0),
         )

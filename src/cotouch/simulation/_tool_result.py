@@ -68,7 +68,8 @@ def tool_variables(prepared: Prepared, outcome: Outcome) -> dict[str, tuple[tupl
         fastest, longest = (float(ledger[name][tool].max()) for name in ("fastest", "longest"))
         largest = float(np.linalg.norm(record.device_force[tool], axis=-1).max())
         unpaid = float(record.coupling[2, tool].max())
-        return excess_bound(touching.devices, device, fastest, longest, largest, unpaid)
+        begun = float(ledger["tank"][tool].flat[0])
+        return begun + excess_bound(touching.devices, device, fastest, longest, largest, unpaid)
 
     put("tool_position", record.place[..., :3])
     put("tool_velocity", record.rate[..., :3])

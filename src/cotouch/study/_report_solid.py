@@ -96,9 +96,10 @@ share of each to {quantity(split, "J", 1)} in these runs, the solver’s accurac
 {energies}
 {margins}
 <p>The motors’ sampled force may take a little more out of a PSPM coupling than is in it, at most what one tick does at
-full speed; that is <span class="math">d²</span>. No hand here comes near it: couplings use at most
-{num(100 * used, 2)} % of theirs, so these runs cannot tell a sharp bound from a generous one. It is sharp: a hand that
-goes along with the held force for one tick takes {num(100 * tick.taken / tick.bound, 3)} % of the d² of its speed
+full speed; that, and what its tank begins with for the steps of its encoders, is <span class="math">d²</span>.
+Couplings here use at most {num(100 * used, 2)} % of theirs. That a tick can take so much shows with exact encoders,
+whose tanks begin empty: a hand that goes along with the held force for one tick takes
+{num(100 * tick.taken / tick.bound, 3)} % of the d² of its speed
 ({quantity(1e3 * tick.taken, "mJ", 3)} at {_WALL:g} N/m, 1 kHz and {_QUICK:g} m/s), and the spring is off at the next.
 The virtual coupling has no such store: its device must pay with its
 own damping, so user 4’s has 3&nbsp;Ns/m, which most products have not.</p>
