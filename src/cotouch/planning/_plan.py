@@ -15,7 +15,7 @@ from cotouch.interrupt import Flag, check, finishing, flag, heeding, interruptib
 from cotouch.network import Convention, Network, Rounding
 from cotouch.planning._bound import bounded, dive_into, has_room, some_choice
 from cotouch.planning._enumerate import Found, chosen_at, enumerated
-from cotouch.planning._local import walked, worked_out
+from cotouch.planning._local import Begin, begun_at, walked, worked_out
 from cotouch.planning._problem import Lost, Objective, Problem, impossible, make_problem, questions
 from cotouch.planning._ready import compiles, warm
 from cotouch.planning._relaxation import bound_of
@@ -43,7 +43,6 @@ _BOUNDED = ("damping", "drag")
 _REACHED = 3e-9
 
 
-@final
 class PlanInterrupted(KeyboardInterrupt):
     """A plan was interrupted from the keyboard after it had found something.
 
@@ -108,6 +107,7 @@ def plan(
     damping: npt.ArrayLike = 0.0,
     stiffness: npt.ArrayLike = 0.0,
     sync_damping: npt.ArrayLike | None = None,
+    begin: Iterable[Sequence[int]] = (),
     top: int = 5,
     method: Literal["auto"] | Method = "auto",
     limit: int = _ENUMERABLE,
@@ -141,6 +141,8 @@ def plan(
         damping: Ns/m, likewise.
         stiffness: N/m, likewise.
         sync_damping: (N,) `B_i` in Ns/m of every choice for "decay", "drag" and "feel"; None takes the rule.
+        begin: links that the local search also begins at, as far as they are allowed, with the lightest others added or
+            the heaviest left out; those of a plan with one link less, say.
         top: how many of the best choices to return.
         damping_limit: Ns/m that no `B_i` of the rule may exceed.
         drag_limit: Ns/m that the drag of all users together may not exceed, `Choice.drag`.
@@ -246,7 +248,8 @@ def plan(
                     covered = proved = _enumerate(search, top, hands)
                 elif fallback is not None:
                     floods = WALKS if chosen_method == "bound" else starts
-                    walked_all = _walk(search, floods, seed, fallback, hands, lambda: late(closing), ending)
+                    at = (begun_at(problem, begin), fallback)
+                    walked_all = _walk(search, floods, seed, at, hands, lambda: late(closing), ending)
                     proved = chosen_method == "bound" and walked_all and has_room(problem) and _bound(search, top)
                 notes += hands.notes
         except KeyboardInterrupt:
@@ -272,6 +275,7 @@ def plan(
         proved, bound = True, choices[0].value
         notes += ("Those after the first are the best found, not proved.",) * (len(choices) > 2)
     found = Plan(
+        users=problem.network.users,
         objective=objective,
         status="proved" if proved else "best found",
         worst_status="proved" if covered else "worst found",
@@ -356,7 +360,7 @@ def _walk(
     search: _Search,
     starts: int,
     seed: int,
-    fallback: IntArray,
+    begin: Begin,
     hands: Workers,
     closing: Callable[[], bool],
     ending: Flag,
@@ -366,7 +370,7 @@ def _walk(
     unsure: dict[int, int] = {}
     over = 0
 
-    for walk in walked(search.problem, starts, seed, fallback, hands.parallel, closing, ending):
+    for walk in walked(search.problem, starts, seed, begin, hands.parallel, closing, ending):
         for value, chosen in walk.seen:
             search.keep(np.array(chosen), value)
         looked[walk.start], unsure[walk.start] = walk.looked, walk.unsure

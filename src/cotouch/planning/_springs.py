@@ -8,7 +8,8 @@ of half their distance go on smoothly; a second program moves with these, and ke
 
 import itertools
 import math
-from collections.abc import Iterator, Sequence
+import time
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, final
 
@@ -17,7 +18,7 @@ import numpy.typing as npt
 import scipy.optimize
 
 from cotouch.errors import NetworkError, UnsupportedError
-from cotouch.interrupt import interruptible
+from cotouch.interrupt import flag, interruptible
 from cotouch.network import (
     Decay,
     Loop,
@@ -30,6 +31,7 @@ from cotouch.network import (
     rate_of,
     rightmost_root,
 )
+from cotouch.planning._deadline import aside, until
 from cotouch.planning._problem import modes_table
 from cotouch.planning._task import ComplexArray, FloatArray
 
@@ -76,6 +78,19 @@ class Tuned:
     mode: FloatArray
 
 
+@final
+class TuningInterrupted(KeyboardInterrupt):
+    """A tuning was interrupted from the keyboard after it had begun.
+
+    Attributes:
+        tuned: with the best springs found so far.
+    """
+
+    def __init__(self, tuned: Tuned) -> None:
+        super().__init__("the tuning was interrupted")
+        self.tuned = tuned
+
+
 @interruptible
 def tune_springs(
     network: Network,
@@ -86,8 +101,11 @@ def tune_springs(
     stiffness: npt.ArrayLike = 0.0,
     lowest: float | None = None,
     highest: float | None = None,
+    drag_limit: float | None = None,
     rounds: int = 200,
     spread: bool = True,
+    seconds: float | None = None,
+    clock: Callable[[], float] = time.monotonic,
 ) -> Tuned:
     """Springs on the links in use that lower the rate of the slowest mode, within a limit on every user's damping.
 
@@ -105,44 +123,61 @@ def tune_springs(
         stiffness: N/m, likewise, at least 0.
         lowest: N/m, the softest spring allowed; None takes a tenth of the softest at the (feasible) start.
         highest: N/m, the stiffest spring allowed; None takes ten times the stiffest at the start.
+        drag_limit: Ns/m above the object's own damping, what all users together may feel as they move the object
+            steadily (`Choice.drag`); treated like the limit on damping.
         rounds: most linear programs in a row from any start; 0 only makes the start feasible.
         spread: whether to try other starts than the present springs.
+        seconds: time budget, after which the best found so far is returned; None for none.
+        clock: seconds that only grow.
 
     Raises:
         NetworkError: not connected, a parameter out of its range, or a limit that the start cannot be scaled into
             within the bounds.
         UnsupportedError: springs with weights, or roots too crowded to count.
+        TuningInterrupted: a `KeyboardInterrupt` that holds the best found by then.
     """
+    begun, asked = clock(), flag()
     if rounds < 0:
         raise NetworkError(f"rounds is {rounds}; it must be a whole number, at least 0")
+    if seconds is not None and not seconds > 0:
+        raise NetworkError(f"seconds is {seconds:g}; it must be above 0")
     limit = _limits(network, damping_limit)
     modes = modes_table(mass, damping, stiffness)
     first = modes[0]
     closed_loop(network, float(first[0]), float(first[1]), float(first[2]), None)  # checks the network
-    search = _Search(network, limit, modes)
+    search = _Search(network, limit, modes, drag_limit)
     given = search.springs_of(network)
     factor = min(1.0, float(search.room(given)))
     start = given * factor if factor < 1.0 else given
     low, high = _bounds(network, start, lowest, highest, factor)
     search.low, search.high = low, high
-    best, count = (search.at(start), start), 0
-    before = best[0].rate
-    if rounds and _can_move(best[0], network):
-        for begin in [best, *(search.spread() if spread else [])]:
-            found, used = search.improve(begin, rounds)
-            count += used
-            if found[0].rate < best[0].rate:
-                best = found
-    decay, springs = best
-    return Tuned(
+    first_decay = search.at(start)
+    if rounds and _can_move(first_decay, network):
+        try:
+            with until(lambda: seconds is not None and clock() - begun >= seconds):
+                for begin in [(first_decay, start), *(search.spread() if spread else [])]:
+                    search.improve(begin, rounds)
+        except KeyboardInterrupt:  # also where only the time is up
+            pass
+    decay, springs, mode = search.best
+    tuned = Tuned(
         network=search.network_of(springs),
-        before=before,
+        before=first_decay.rate,
         after=decay.rate,
         sync_damping=decay.sync_damping,
         start_factor=factor,
-        rounds=count,
-        mode=search.slowest(springs)[1],
+        rounds=search.rounds,
+        mode=mode,
     )
+    if asked[0]:
+        raise TuningInterrupted(tuned)
+    return tuned
+
+
+def _own_drag(modes: FloatArray) -> float:
+    """Damping of the modes that move freely, or of all if none does, Ns/m: what the object adds to `Choice.drag`."""
+    free = modes[:, 2] == 0.0
+    return float(modes[free if free.any() else slice(None), 1].max())
 
 
 def _can_move(decay: Decay, network: Network) -> bool:
@@ -195,7 +230,7 @@ def _bounds(
 class _Search:
     """What stays the same while the springs change."""
 
-    def __init__(self, network: Network, limit: FloatArray, modes: FloatArray) -> None:
+    def __init__(self, network: Network, limit: FloatArray, modes: FloatArray, drag_limit: float | None = None) -> None:
         self.network = network
         self.modes = modes
         pairs = np.array(network.links, dtype=np.int64).reshape(-1, 2)
@@ -203,13 +238,22 @@ class _Search:
         self.to_first = network.delay[self.first, self.second]
         self.to_second = network.delay[self.second, self.first]
         self.age = (self.to_first + self.to_second) / 2
-        # Rows: what each N/m of each spring takes of a user's limit.
+        # Rows: what each N/m of each spring takes of a user's limit, and of that on the drag of all.
         self.takes = np.zeros((network.size, len(pairs)))
         links = np.arange(len(pairs))
         self.takes[self.first, links] += self.age
         self.takes[self.second, links] += self.age
         self.takes /= limit[:, None]
+        if drag_limit is not None:
+            own = _own_drag(modes)
+            if not drag_limit > own:
+                raise NetworkError(
+                    f"drag_limit is {drag_limit:g} Ns/m; it must be above the object's own damping, {own:g} Ns/m"
+                )
+            self.takes = np.vstack([self.takes, 4.0 * self.age / (drag_limit - own)])
         self.low, self.high = 0.0, math.inf
+        self.rounds = 0
+        self.found: list[tuple[Decay, FloatArray, FloatArray]] = []
 
     def springs_of(self, network: Network) -> FloatArray:
         return network.spring[self.first, self.second]
@@ -225,7 +269,16 @@ class _Search:
         return 1.0 / most * (1.0 - 1e-15) if most > 0 else math.inf
 
     def at(self, springs: FloatArray) -> Decay:
-        return self.slowest(springs)[0]
+        """The decay with springs within the limits; the best of all that were asked for is kept."""
+        decay, mode = self.slowest(springs)
+        if not self.found or decay.rate < self.found[0][0].rate:
+            self.found[:] = [(decay, springs, mode)]
+        return decay
+
+    @property
+    def best(self) -> tuple[Decay, FloatArray, FloatArray]:
+        """The best decay so far, its springs, and the mode that is slowest then."""
+        return self.found[0]
 
     def slowest(self, springs: FloatArray) -> tuple[Decay, FloatArray]:
         """The decay of the object's slowest mode, and which that is."""
@@ -257,7 +310,8 @@ class _Search:
                 continue
         return sorted(found, key=lambda one: one[0].rate)[:_FOLLOWED]
 
-    def improve(self, best: tuple[Decay, FloatArray], rounds: int) -> tuple[tuple[Decay, FloatArray], int]:
+    def improve(self, best: tuple[Decay, FloatArray], rounds: int) -> None:
+        """Linear programs in a row, as long as they help."""
         region, count = _REGION, 0
         model: list[_Program] = []
         while count < rounds and region > _NARROWEST:
@@ -265,6 +319,7 @@ class _Search:
             if not model:
                 model = self.programs(decay, springs)
             count += 1
+            self.rounds += 1
             here, promised = best, 0.0
             for program in model:
                 step = self.solve(program, springs, region)
@@ -287,7 +342,6 @@ class _Search:
                 region = min(2.0 * region, _WIDEST)
             elif gain < 0.1 * promised:
                 region *= 0.5
-        return best, count
 
     def inside(self, springs: FloatArray) -> FloatArray:
         """Round-off of the linear program taken back."""
@@ -338,9 +392,10 @@ class _Search:
         resting = rigid == 0
         coupling = np.zeros((len(loop.mass),) * 2)
         coupling[loop.first, loop.second] = coupling[loop.second, loop.first] = loop.spring
-        starts = generator_eigenvalues(loop.mass, loop.drag, loop.rigid, coupling, self.network.delay, order=_ORDER)
+        delay = self.network.delay
+        starts = aside(lambda: generator_eigenvalues(loop.mass, loop.drag, loop.rigid, coupling, delay, order=_ORDER))
         none = np.zeros(1, np.complex128), np.ones(1, np.int64), 0
-        roots, longest = list(known), float(self.network.delay.max())
+        roots, longest = list(known), float(delay.max())
         for start in starts[starts.imag >= 0][: 2 * _FRONT]:
             root, arrived = polish(loop, complex(start), scale, *none)
             if not arrived or (resting and abs(root) < near) or root.real > decay.rate + near:
