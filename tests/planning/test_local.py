@@ -94,3 +94,19 @@ def test_of_all_losses_only_the_uncertain_are_worked_out_slowly(lost: Any, monke
     monkeypatch.setattr(_referral, "rightmost", lambda *a: count(*a) if len(slow) > 1 else (uncertain, False, 0))
     assert _local.referred(problem, chosen) == pytest.approx(exact, rel=1e-9)
     assert len(slow) == 2
+
+
+def test_a_search_also_begins_where_it_is_told() -> None:
+    network = full_network(12, 4)
+    one = plan(network, links=18, objective="decay", method="local", starts=1)
+    problem = make_problem(network, links=19, objective="decay")
+    near = _local.begun_at(problem, one.best.links)
+    assert near is not None
+    assert set(one.best.links) < set(problem.pairs(near))
+    less = _local.begun_at(make_problem(network, links=17, objective="decay"), one.best.links)
+    assert less is not None
+    assert set(problem.pairs(less)) < set(one.best.links)
+    assert _local.begun_at(problem, ()) is None
+    assert _local.begun_at(make_problem(network, links=19, objective="decay", forbid=[(0, 1)]), [(0, 1)]) is None
+    again = plan(network, links=18, objective="decay", method="local", starts=1, begin=one.best.links, seed=5)
+    assert again.best.value <= one.best.value

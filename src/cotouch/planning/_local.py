@@ -317,10 +317,23 @@ def _settled(problem: Problem, task: Task, walk: Walk) -> Walk:
     return replace(walk, value=value, guesses=guesses, pool=_pool(guesses, nothing), looked=walk.looked + 1, seen=seen)
 
 
-def worked_out(problem: Problem, task: Task, chosen: IntArray, guesses: ComplexArray) -> float | None:
-    """The objective of one choice as `rate` gives it; None if it cannot be told for certain, or not in time."""
+def worked_out(
+    problem: Problem, task: Task, chosen: IntArray, guesses: ComplexArray | None = None, *, slowly: bool = True
+) -> float | None:
+    """The objective of one choice as `rate` gives it; None if it cannot be told for certain, or not in time.
+
+    Args:
+        problem: the search.
+        task: that of the problem, with arrays of its own.
+        chosen: numbers of the pairs linked.
+        guesses: of roots, as `rate` takes them.
+        slowly: whether what `rate` leaves uncertain is referred.
+    """
+    guesses = np.full(len(task.modes), complex(-np.inf, 0.0)) if guesses is None else guesses
     value, sure = rate(task, chosen, guesses)
-    return float(value) if sure else referred(replace(problem, task=task), chosen)
+    if sure:
+        return float(value)
+    return referred(replace(problem, task=task), chosen) if slowly else None
 
 
 def closed(problem: Problem, walk: Walk) -> Walk:
