@@ -110,3 +110,17 @@ def test_a_search_also_begins_where_it_is_told() -> None:
     assert _local.begun_at(make_problem(network, links=19, objective="decay", forbid=[(0, 1)]), [(0, 1)]) is None
     again = plan(network, links=18, objective="decay", method="local", starts=1, begin=one.best.links, seed=5)
     assert again.best.value <= one.best.value
+
+
+def test_a_start_that_is_uncertain_is_not_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It goes on with its flood: among 100 measured hosts one such start kept the others waiting for minutes."""
+    problem = make_problem(full_network(12, 1), links=20, objective="decay")
+    chosen = random_choice(problem.task, np.random.default_rng(0))
+    assert chosen is not None
+    monkeypatch.setattr(_local, "rate", lambda *_: (0.0, False))
+    monkeypatch.setattr(_local, "referred", lambda *_: pytest.fail("it waits for eigenvalues"))
+    walk = _local._begin(problem, problem.task, _local.Walk(0), 0, (None, chosen))
+    assert (walk.over, walk.seen, walk.unsure) == (False, (), 1)
+    assert walk.level > 0.0
+    last = _local.closed(problem, walk)
+    assert (last.over, last.seen, last.unsure) == (True, (), 2)

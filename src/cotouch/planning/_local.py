@@ -288,10 +288,10 @@ def _begin(problem: Problem, task: Task, walk: Walk, seed: int, begin: Begin) ->
         return _settled(problem, task, replace(walk, chosen=given))
     chosen, level = start_of(task, walk.start, seed, fallback)
     walk = replace(walk, chosen=chosen)
-    if walk.start and level > 0.0:
+    if walk.start >= side_by_side(task.size) and level > 0.0:
         return replace(walk, level=_BELOW * level)
-    # The first start is worked out before it goes on, so that there is an answer early.
-    walk = _settled(problem, task, walk)
+    # The first starts are worked out before they go on, so that there is an answer early: what takes long is left out.
+    walk = _settled(problem, task, walk, slowly=level <= 0.0)
     return replace(walk, level=_BELOW * level, over=False) if level > 0.0 else walk
 
 
@@ -306,10 +306,10 @@ def _flooded(problem: Problem, task: Task, walk: Walk, seed: int) -> Walk:
     return _settled(problem, task, replace(walk, level=0.0)) if front.over and not task.stop[0] else walk
 
 
-def _settled(problem: Problem, task: Task, walk: Walk) -> Walk:
-    """The walk with its links worked out exactly."""
+def _settled(problem: Problem, task: Task, walk: Walk, *, slowly: bool = True) -> Walk:
+    """The walk with its links worked out exactly; what is uncertain is referred if that may be slow."""
     guesses = np.full(len(task.modes), complex(-np.inf, 0.0))
-    value = worked_out(problem, task, walk.chosen, guesses)
+    value = worked_out(problem, task, walk.chosen, guesses, slowly=slowly)
     if value is None:
         return replace(walk, over=True, looked=walk.looked + 1, unsure=walk.unsure + (not task.stop[0]))
     nothing = np.full((len(guesses), _POOL), complex(-np.inf, 0.0))
@@ -337,8 +337,8 @@ def worked_out(
 
 
 def closed(problem: Problem, walk: Walk) -> Walk:
-    """A walk in the middle of its flood, at its end all the same."""
-    return replace(_settled(problem, thawed(problem.task), replace(walk, level=0.0)), over=True)
+    """A walk in the middle of its flood, at its end all the same; the time left is for others if it is uncertain."""
+    return replace(_settled(problem, thawed(problem.task), replace(walk, level=0.0), slowly=False), over=True)
 
 
 def walked(
