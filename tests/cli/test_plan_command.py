@@ -1,13 +1,16 @@
 """`cotouch plan` as a user runs it."""
 
+import csv
 import json
 import re
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from tests.cli.commands import FIVE_USERS, cotouch, here
 
+from cotouch import planning
 from cotouch.cli._plan import run
 from cotouch.network import Network
 from cotouch.session import Measured
@@ -18,7 +21,7 @@ def test_plan_prints_one_json_object() -> None:
     assert done.returncode == 0, done.stderr
     found = json.loads(done.stdout)
     assert (found["objective"], found["status"], found["graphs"], found["choices"]) == ("decay", "proved", 205, 210)
-    assert found["best"]["links"] == [[1, 2], [1, 4], [2, 3], [2, 4], [3, 4], [4, 5]]
+    assert found["best"]["links"] == [list(pair) for pair in ("12", "14", "23", "24", "34", "45")]
     assert found["best"]["value"] == pytest.approx(-1.428553, abs=1e-6)
     assert found["best"]["time_constant_s"] == pytest.approx(1 / 1.428553, abs=1e-6)
     assert len(found["best"]["damping"]) == 5
@@ -207,11 +210,72 @@ def test_users_go_by_their_names(tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr
     found = json.loads(done.stdout)
     assert found["users"] == ["Ann", "Jo-Ann", "Cleo", "Dora"]
-    assert ["Jo-Ann", "Cleo"] in found["link_names"]
+    for choice in (found["best"], found["worst"], *found["top"]):
+        assert ["Jo-Ann", "Cleo"] in choice["links"]
+        assert {name for link in choice["links"] for name in link} == set(found["users"])
     assert "Jo-Ann-Cleo" in here("plan", *options).stdout
     picked = here("plan", "--delays", str(path), "--pick", "Dora,Ann,Cleo", "--links", "2", "--objective", "damping")
     assert "Proved for 3 users" in picked.stdout
     assert "Dora-Ann" in picked.stdout
+
+
+def test_names_with_commas_and_brackets_are_quoted_as_they_are_shown(tmp_path: Path) -> None:
+    names = ["New York, NY", "São Paulo [BR]", "[red]Oslo", 'St. John\'s "NL"', "Aix-en-Provence"]
+    path = tmp_path / "trips.csv"
+    with path.open("w", newline="", encoding="utf-8") as file:
+        rows = csv.writer(file)
+        rows.writerow(["", *names])
+        rows.writerows([name, *(0 if i == j else 40 + 7 * i + 7 * j for j in range(5))] for i, name in enumerate(names))
+    options = ("plan", "--delays", str(path), "--links", "3", "--objective", "damping")
+    picked = '"New York, NY", [red]Oslo, "St. John\'s ""NL""", Aix-en-Provence'
+    whole = here(*options, "--pick", picked, "--require", "New York, NY-Aix-en-Provence")
+    assert whole.returncode == 0, whole.stderr
+    assert "Proved for 4 users" in whole.stdout
+    shown = '"New York, NY-Aix-en-Provence"'
+    assert shown in " ".join(whole.stdout.split())
+    again = here(*options, "--pick", picked, "--require", f"{shown}, [red]Oslo-Aix-en-Provence", "--json")
+    assert again.returncode == 0, again.stderr
+    links = json.loads(again.stdout)["best"]["links"]
+    assert {("New York, NY", "Aix-en-Provence"), ("[red]Oslo", "Aix-en-Provence")} <= set(map(tuple, links))
+
+
+def test_the_knee_figure_shows_what_the_plan_says(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The objective asked for, with the plan's own numbers; around a single number of links as many on either side."""
+    seen: list[tuple[tuple[Any, ...], dict[str, Any]]] = []
+    real = planning.knee
+    monkeypatch.setattr("cotouch.planning.knee", lambda *a, **more: seen.append((a, more)) or real(*a, **more))
+    options = ("plan", FIVE_USERS, "--json", "--figures", str(tmp_path / "drawn"))
+    found = json.loads(here(*options, "--links", "4-7", "--objective", "drag").stdout)
+    ((counts, (label, values), _), more) = seen.pop()
+    assert label == "Drag / (Ns/m)"
+    assert dict(zip(counts, values, strict=True)) == {one["links"]: one["value"] for one in found["counts"]}
+    assert (more["bend"], more["chosen"]) == (found["knee"], len(found["best"]["links"]))
+    found = json.loads(here(*options, "--links", "6", "--objective", "decay").stdout)
+    ((counts, (label, values), _), more) = seen.pop()
+    assert (label, counts) == ("Decay / (1/s)", [4, 5, 6, 7, 8, 9, 10])
+    assert values[2] == -found["best"]["value"]
+    assert values[1] == pytest.approx(5.1, abs=0.05)
+
+
+def test_an_interrupted_tuning_still_tells_the_plan(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """And the springs found so far; a plan of several numbers of links tells those there are."""
+    tuned = planning.tune_springs(Network.read(FIVE_USERS), damping_limit=42.0, rounds=0)
+
+    def interrupt(*_: object, ranked: planning.Plan, **__: object) -> None:
+        raise planning.JointInterrupted(planning.Joint(tuned, 1, 1, ranked))
+
+    monkeypatch.setattr("cotouch.planning.plan_springs", interrupt)
+    options = {"require": [], "forbid": [], "figures": None, "as_json": True, "objective": "decay", "method": "auto"}
+    none = dict.fromkeys(("mass", "damping", "stiffness", "damping_limit", "drag_limit", "max_degree"))
+    grid = {"time_unit": 0.01, "rounding": "exact", "convention": "equation", "lost": "nothing", "seed": 0}
+    with pytest.raises(KeyboardInterrupt):
+        run(Path(FIVE_USERS), links="6", tune=42.0, **options, **none, **grid)
+    said = json.loads(capsys.readouterr().out)
+    assert said["best"]["value"] == pytest.approx(-1.428553, abs=1e-6)
+    assert said["tuned"]["after"] == tuned.after
+    assert len(said["top"]) == 5
 
 
 def test_a_long_delay_is_questioned(tmp_path: Path) -> None:

@@ -76,15 +76,39 @@ def test_beyond_forty_links_colour_says_it_alone():
 
 
 def test_the_knee_shows_every_point_whole_and_its_label_covers_none():
-    figure = knee([4, 5, 6, 7], [-1.0, -5.0, -4.0, -4.9], [30.0, 90.0, 80.0, 85.0], chosen=6)
+    rates, costs = ("Decay / (1/s)", [1.0, 5.0, 4.0, 4.9]), ("Largest damping / (Ns/m)", [30.0, 90.0, 80.0, 85.0])
+    figure = knee([4, 5, 6, 7], rates, costs, chosen=6)
     for panel, values in zip(figure.axes, ([1.0, 5.0, 4.0, 4.9], [30.0, 90.0, 80.0, 85.0]), strict=True):
         low, high = panel.get_ylim()
         assert low == 0.0
         assert high >= 1.1 * max(values)
         (label,) = panel.texts
         assert label.get_position()[1] > 0.0, "above its point"
-    rising = knee([4, 5], [0.5, -1.0], [3.0, 4.0])
+    rising = knee([4, 5], ("Decay / (1/s)", [-0.5, 1.0]), ("Drag / (Ns/m)", [3.0, 4.0]))
     assert rising.axes[0].get_ylim()[0] < -0.5, "a choice that rises is seen"
+
+
+def test_the_knee_shows_the_objective_and_what_is_proved():
+    """A share near 1 has room of its own; what has a unit begins at 0."""
+    shares, costs = [0.991, 0.97, 0.972], [30.0, 90.0, 80.0]
+    figure = knee(
+        [4, 5, 6],
+        ("Second largest |eigenvalue|", shares),
+        ("Largest damping / (Ns/m)", costs),
+        chosen=5,
+        bend=5,
+        proved=[True, False, True],
+    )
+    first, second = figure.axes[:2]
+    assert [panel.get_ylabel() for panel in (first, second)] == [
+        "Second largest |eigenvalue|",
+        "Largest damping / (Ns/m)",
+    ]
+    assert first.get_ylim()[0] > 0.9
+    assert second.get_ylim()[0] == 0.0
+    open_marks = [line for line in first.get_lines() if line.get_markerfacecolor() == "#ffffff"]
+    assert [line.get_xdata().tolist() for line in open_marks] == [[5.0]]
+    assert figure.get_supxlabel() == "The line is at the knee, 5 links. Open marks: best found, not proved."
 
 
 def test_springs_that_are_all_alike_are_said_once():
@@ -103,7 +127,8 @@ def test_ranks_say_spearmans_rho():
 
 
 def test_knee_marks_the_chosen_number():
-    figure = knee([5, 4, 6], [-2.0, -1.0, -2.1], [20.0, 10.0, 40.0], chosen=5)
+    rates, costs = ("Decay / (1/s)", [2.0, 1.0, 2.1]), ("Largest damping / (Ns/m)", [20.0, 10.0, 40.0])
+    figure = knee([5, 4, 6], rates, costs, chosen=5)
     assert [figure.axes[k].texts[0].get_text() for k in (0, 1)] == ["2 1/s", "20 Ns/m"]
     np.testing.assert_array_equal(figure.axes[0].get_lines()[0].get_ydata(), [1.0, 2.0, 2.1])
 
@@ -113,7 +138,9 @@ def test_what_cannot_be_drawn_is_said():
         networks([])
     with pytest.raises(NetworkError, match="One has 2 values and Two has 3"):
         ranks(("One", [1, 2]), ("Two", [1, 2, 3]))
-    with pytest.raises(NetworkError, match="2, 1 and 2 entries"):
-        knee([1, 2], [-1.0], [1.0, 2.0])
-    with pytest.raises(NetworkError, match="chosen is 9"):
-        knee([1, 2], [-1.0, -2.0], [1.0, 2.0], chosen=9)
+    one, two = ("Decay / (1/s)", [1.0]), ("Drag / (Ns/m)", [1.0, 2.0])
+    with pytest.raises(NetworkError, match="2, 1, 2 and 2 entries"):
+        knee([1, 2], one, two)
+    for name in ("chosen", "bend"):
+        with pytest.raises(NetworkError, match=f"{name} is 9"):
+            knee([1, 2], two, two, **{name: 9})

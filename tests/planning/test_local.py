@@ -1,12 +1,13 @@
 """The local search beside every choice there is, and what turns its swaps down beside exact roots."""
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
 
 from cotouch.network import Network, rightmost_root
-from cotouch.planning import _local, plan
+from cotouch.planning import _local, _referral, plan
 from cotouch.planning._levels import holds
 from cotouch.planning._problem import make_problem
 from cotouch.planning._starts import random_choice
@@ -75,3 +76,51 @@ def test_what_the_count_leaves_uncertain_is_referred(monkeypatch: pytest.MonkeyP
     stopped = replace(problem, task=problem.task._replace(stop=np.ones(1, np.int64)))
     assert _local.referred(stopped, chosen) is None
     assert _local._settled(stopped, stopped.task, _local.Walk(1, chosen=chosen)).unsure == 0
+
+
+@pytest.mark.parametrize("lost", ["link", "user"])
+def test_of_all_losses_only_the_uncertain_are_worked_out_slowly(lost: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    problem = make_problem(full_network(5, 2), links=8, objective="decay", lost=lost)
+    chosen = random_choice(problem.task, np.random.default_rng(1))
+    assert chosen is not None
+    exact, sure = rate(problem.task, chosen, np.full(1, complex(-np.inf, 0.0)))
+    assert sure
+    slow: list[Network] = []
+    count, slowly = _referral.rightmost, _referral.rightmost_root
+    monkeypatch.setattr(_referral, "rightmost_root", lambda left, **more: slow.append(left) or slowly(left, **more))
+    assert _local.referred(problem, chosen) == pytest.approx(exact, rel=1e-9)
+    assert not slow
+    uncertain = complex(5.0, 0.0)  # what the count leaves uncertain is not believed
+    monkeypatch.setattr(_referral, "rightmost", lambda *a: count(*a) if len(slow) > 1 else (uncertain, False, 0))
+    assert _local.referred(problem, chosen) == pytest.approx(exact, rel=1e-9)
+    assert len(slow) == 2
+
+
+def test_a_search_also_begins_where_it_is_told() -> None:
+    network = full_network(12, 4)
+    one = plan(network, links=18, objective="decay", method="local", starts=1)
+    problem = make_problem(network, links=19, objective="decay")
+    near = _local.begun_at(problem, one.best.links)
+    assert near is not None
+    assert set(one.best.links) < set(problem.pairs(near))
+    less = _local.begun_at(make_problem(network, links=17, objective="decay"), one.best.links)
+    assert less is not None
+    assert set(problem.pairs(less)) < set(one.best.links)
+    assert _local.begun_at(problem, ()) is None
+    assert _local.begun_at(make_problem(network, links=19, objective="decay", forbid=[(0, 1)]), [(0, 1)]) is None
+    again = plan(network, links=18, objective="decay", method="local", starts=1, begin=one.best.links, seed=5)
+    assert again.best.value <= one.best.value
+
+
+def test_a_start_that_is_uncertain_is_not_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It goes on with its flood: among 100 measured hosts one such start kept the others waiting for minutes."""
+    problem = make_problem(full_network(12, 1), links=20, objective="decay")
+    chosen = random_choice(problem.task, np.random.default_rng(0))
+    assert chosen is not None
+    monkeypatch.setattr(_local, "rate", lambda *_: (0.0, False))
+    monkeypatch.setattr(_local, "referred", lambda *_: pytest.fail("it waits for eigenvalues"))
+    walk = _local._begin(problem, problem.task, _local.Walk(0), 0, (None, chosen))
+    assert (walk.over, walk.seen, walk.unsure) == (False, (), 1)
+    assert walk.level > 0.0
+    last = _local.closed(problem, walk)
+    assert (last.over, last.seen, last.unsure) == (True, (), 2)

@@ -10,7 +10,7 @@ from tests.thorough import examples
 from cotouch.errors import NetworkError, UnsupportedError
 from cotouch.network import Network, path, rightmost_root, rule_damping
 from cotouch.planning import tune_springs
-from cotouch.planning._springs import _Search
+from cotouch.planning._spring_search import Search
 
 OBJECTS = [
     {"mass": 1.0, "damping": 0.0, "stiffness": 0.0},
@@ -22,8 +22,8 @@ def ages(network: Network) -> np.ndarray:
     return rule_damping(network, ages=network.delay)[:, 0]
 
 
-def search_of(network: Network, thing: dict[str, float]) -> _Search:
-    return _Search(
+def search_of(network: Network, thing: dict[str, float]) -> Search:
+    return Search(
         network, np.full(network.size, 1e9), np.array([[thing[name] for name in ("mass", "damping", "stiffness")]])
     )
 

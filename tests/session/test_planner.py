@@ -1,5 +1,7 @@
 import time
 
+import pytest
+
 from cotouch.session import LinkPlanner, SessionFile, demo_session
 from cotouch.session._planner import notable_links
 
@@ -20,8 +22,10 @@ def planned(text: str, slots: list[int], paths: dict[tuple[int, int], float]) ->
         planner.close()
 
 
-def test_the_one_at_the_end_of_a_slow_line_is_joined_where_it_is_nearest() -> None:
-    links = planned('[session]\nusers = 4\nlinks = "plan"\nlink_count = 3\nobjective = "damping"\n', [0, 1, 2, 3], SLOW)
+@pytest.mark.parametrize("objective", ["damping", "drag", "feel"])
+def test_the_one_at_the_end_of_a_slow_line_is_joined_where_it_is_nearest(objective: str) -> None:
+    text = f'[session]\nusers = 4\nlinks = "plan"\nlink_count = 3\nobjective = "{objective}"\n'
+    links = planned(text, [0, 1, 2, 3], SLOW)
     assert (1, 3) in links
     assert len(links) == 3
 

@@ -3,28 +3,28 @@
 import csv
 import re
 import sys
+import time
 from collections.abc import Callable, Generator, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from cotouch.cli._output import number, print_json, working
-from cotouch.cli._plan_tables import UNITS, names_of, print_counts, print_plan, print_tuned
-from cotouch.errors import NetworkError, ScenarioError, UnsupportedError
-from cotouch.files import beside, folder, read_toml, write
-from cotouch.units import user_index, user_number
+from cotouch.cli._plan_extras import DRAWN, draw, tuned
+from cotouch.cli._plan_tables import UNITS, print_counts, print_plan, print_tuned, said_links
+from cotouch.errors import NetworkError, ScenarioError
+from cotouch.files import beside, folder, read_toml
+from cotouch.units import user_index
 
 if TYPE_CHECKING:
     from cotouch.network import Network
     from cotouch.planning import LinkCounts, Plan
 
-# Up to so many choices every one of them is ranked by both objectives.
-_MOST_RANKED = 20_000
-# For each number of links in the figure of the knee [s].
-_KNEE_SECONDS = 5.0
+# What a part of the work has where the limit of time is used up [s].
+_LEAST_SECONDS = 0.1
 # Of the paper's consensus model [s].
 _TIME_UNIT = 0.01
-_DRAWN = ("networks", "ranks", "knee")
 # The object where neither the file nor the options say otherwise.
 _OBJECT = {"mass": 1.0, "damping": 0.0, "stiffness": 0.0}
 
@@ -60,7 +60,7 @@ def run(
         quantile: of the round trips that counts, in (0, 1].
         **options: of the library call, as named there.
     """
-    from cotouch.planning import LinkCounts, PlanInterrupted, compiles, plan, plan_counts
+    from cotouch.planning import FIRST, CountsInterrupted, LinkCounts, PlanInterrupted, compiles, plan, plan_counts
 
     network = _network(path, delays, pick, spring, quantile)
     options["objective"] = options["objective"] or _objective(network, options["time_unit"], options["rounding"])
@@ -69,30 +69,52 @@ def run(
     body = _object(path, {name: options[name] for name in _OBJECT}, read=moving)
     options |= body
     limits = {"require": _pairs(network, "--require", require), "forbid": _pairs(network, "--forbid", forbid)}
+    if tune is not None and not tune > 0:
+        raise NetworkError(f"damping_limit is {tune:g} Ns/m; it must be finite and above 0")
     if figures is not None:
-        beside(folder(figures), [f"{name}.png" for name in _DRAWN], (*delays, *([] if path is None else [path])))
+        beside(folder(figures), [f"{name}.png" for name in DRAWN], (*delays, *([] if path is None else [path])))
     if compiles(options["method"], options["objective"]):
         _first(network, counts, limits | options)
+    # A limit of time is shared by all that searches.
+    seconds, parts = options.pop("seconds", None), 1 + (tune is not None) + (figures is not None)
+    top = int(options.pop("top", 5))
+    options["top"] = top if tune is None else max(top, FIRST)
     every: LinkCounts | None = None
+    result: dict[str, Any] = {}
     with _progress(quiet=as_json) as progress:
+        more: dict[str, Any] = (
+            {"seconds": None if seconds is None else seconds / parts, "progress": progress} | limits | options
+        )
         try:
             if len(counts) > 1:
-                every = plan_counts(network, links=counts, progress=progress, **limits, **options)
+                every = plan_counts(network, links=counts, **more)
                 found = every.best
             else:
-                found = plan(network, links=counts[0], progress=progress, **limits, **options)
+                found = plan(network, links=counts[0], **more)
         except PlanInterrupted as interrupted:
-            found = interrupted.plan
-            _tell(network, found, None, _result(network, found, None), as_json=as_json)
+            every = interrupted.counts if isinstance(interrupted, CountsInterrupted) else None
+            _tell(interrupted.plan, every, result, top, as_json=as_json)
             raise
-    result = _result(network, found, every)
-    if tune is not None:
-        with working("Tuning springs ...", quiet=as_json):
-            result["tuned"] = _tuned(network, found, tune, body, limits | options)
-    if figures is not None:
-        with working("Drawing ...", quiet=as_json):
-            result["files"] = _draw(figures, network, found, every, limits | options)
-    _tell(network, found, every, result, as_json=as_json)
+    left = None if seconds is None else seconds - sum(one.seconds for one in (every.plans if every else (found,)))
+    try:
+        if tune is not None:
+            begun, share = time.monotonic(), _share(left, parts - 1)
+            with working("Tuning springs ...", quiet=as_json):
+                tuned(result, network, found, tune, body, limits | options | {"seconds": share})
+            left = None if left is None else left - time.monotonic() + begun
+        if figures is not None:
+            with working("Drawing ...", quiet=as_json):
+                given = limits | options | {"seconds": _share(left, 1), "top": 1}
+                result["files"] = draw(figures, network, found, every, given)
+    except KeyboardInterrupt:
+        _tell(found, every, result, top, as_json=as_json)
+        raise
+    _tell(found, every, result, top, as_json=as_json)
+
+
+def _share(left: float | None, parts: int) -> float | None:
+    """Of the time that is left, for one of so many parts [s]."""
+    return None if left is None else max(left / parts, _LEAST_SECONDS)
 
 
 def _objective(network: "Network", time_unit: float, rounding: str) -> str:
@@ -124,7 +146,7 @@ def _first(network: "Network", counts: Sequence[int], options: dict[str, Any]) -
         return
     unit = UNITS[options["objective"]]
     value = "" if found.value is None else f", about {number(found.value)} {unit}".rstrip()
-    pairs = " ".join("-".join(names_of(network, a, b)) for a, b in found.links)
+    pairs = said_links(network.users, found.links)
     print(  # noqa: T201
         f"Meanwhile the best of {found.tried} with {counts[0]} links, not certified{value}: {pairs}", file=sys.stderr
     )
@@ -137,11 +159,7 @@ def _network(path: Path | None, delays: Sequence[Path], pick: str | None, spring
     if delays:
         if path is not None:
             raise ScenarioError(f"{path} and --delays each name users and delays; give one of them")
-        names = (
-            []
-            if pick is None
-            else [name for part in csv.reader([pick], skipinitialspace=True) for name in map(str.strip, part) if name]
-        )
+        names = [] if pick is None else _names(pick)
         return Network.from_delays(delays, pick=names, spring=spring, quantile=quantile)
     if path is None:
         raise ScenarioError("no network is given; name a TOML file, or a table of round trips by --delays")
@@ -174,23 +192,24 @@ def _counts(text: str, size: int, possible: int) -> list[int]:
     raise ScenarioError(f'--links is "{said}"; it must be a number such as 6, a range such as 4-8, or "at most 8"')
 
 
-def _result(network: "Network", found: "Plan", every: "LinkCounts | None") -> dict[str, Any]:
-    """For JSON: the plan with the users' names."""
-    names = {"users": list(network.users), "link_names": [list(names_of(network, a, b)) for a, b in found.best.links]}
-    return (found if every is None else every).numbers() | names
-
-
 def _tell(
-    network: "Network", found: "Plan", every: "LinkCounts | None", result: dict[str, Any], *, as_json: bool
+    found: "Plan",
+    every: "LinkCounts | None",
+    result: dict[str, Any],
+    top: int,
+    *,
+    as_json: bool,
 ) -> None:
+    """Prints the plan with the `top` best choices, and whatever else there is."""
+    found = replace(found, top=found.top[:top])
     if as_json:
-        print_json(result)
+        print_json((found if every is None else replace(every, best=found)).numbers() | result)
         return
-    print_plan(network, found)
+    print_plan(found)
     if every is not None:
         print_counts(every)
     if "tuned" in result:
-        print_tuned(network, result["tuned"])
+        print_tuned(result["tuned"])
     for name in result.get("files", ()):
         print(name)  # noqa: T201
 
@@ -209,122 +228,18 @@ def _object(path: Path | None, given: dict[str, float | None], *, read: bool) ->
     return result | said
 
 
-def _tuned(
-    network: "Network", found: "Plan", limit: float, body: dict[str, Any], options: dict[str, Any]
-) -> dict[str, Any]:
-    """Springs within a limit on damping, and the rate that a free decay in the simulator shows with them.
-
-    With the objective decay, links are chosen anew with the springs.
-    """
-    from cotouch.planning import plan_springs, tune_springs
-    from cotouch.study import confirmed
-
-    rank = 1
-    if found.objective == "decay" and options["lost"] == "nothing":
-        kept = ("require", "forbid", "max_degree", "drag_limit", "seconds", "seed", "method")
-        joint = plan_springs(
-            network,
-            links=len(found.best.links),
-            damping_limit=limit,
-            **body,
-            **{name: options[name] for name in kept},
-        )
-        tuned, rank = joint.tuned, joint.rank
-    else:
-        tuned = tune_springs(network.with_links(found.best.links), damping_limit=limit, **body)
-    mass, damping, stiffness = tuned.mode.tolist()
-    seen = None
-    if tuned.after < 0:
-        with suppress(UnsupportedError):  # tuning makes modes decay alike, and a run may not show which is the slowest
-            seen = confirmed(tuned.network, tuned.after, mass=mass, damping=damping, stiffness=stiffness)
-    return {
-        "links": [[user_number(a), user_number(b)] for a, b in tuned.network.links],
-        "link_names": [list(names_of(network, a, b)) for a, b in tuned.network.links],
-        "rank": rank,
-        "spring": [float(tuned.network.spring[a, b]) for a, b in tuned.network.links],
-        "damping": tuned.sync_damping.tolist(),
-        "damping_limit": limit,
-        "start_factor": tuned.start_factor,
-        "before": tuned.before,
-        "after": tuned.after,
-        "simulated": seen,
-    }
-
-
-def _draw(
-    path: Path, network: "Network", found: "Plan", every: "LinkCounts | None", options: dict[str, Any]
-) -> list[str]:
-    """The best choice beside the worst; one objective against the other; what more links bring and cost."""
-    from cotouch.drawing import drawn
-    from cotouch.planning import knee, networks, ranks, survey
-
-    unit = UNITS[found.objective]
-    cases = [
-        (f"{word}: {number(choice.value)} {unit}", network.with_links(choice.links))
-        for word, choice in (
-            ("Best" if found.status == "proved" else "Best found", found.best),
-            ("Worst" if found.worst_status == "proved" else "Worst found", found.worst),
-        )
-    ]
-    figures = {"networks": networks(cases)}
-    kept = ("require", "forbid", "max_degree", "damping_limit", "drag_limit", "mass", "damping", "stiffness")
-    limits = {name: options[name] for name in kept}
-    grid = {name: options[name] for name in ("convention", "time_unit", "rounding")}
-    if found.choices <= _MOST_RANKED and options["lost"] == "nothing":
-        sides = {"consensus": grid | {"objective": "consensus"}, "decay": {"objective": "decay"}}
-        values = survey(network, links=len(found.best.links), objectives=sides, **limits).values
-        figures["ranks"] = ranks(("Consensus", values["consensus"]), ("Decay / (1/s)", values["decay"]))
-    steps = _knee(
-        network, found, every, options["seconds"], limits | {"lost": options["lost"], "seed": options["seed"]}
-    )
-    if steps:
-        figures["knee"] = knee(*zip(*steps, strict=True), chosen=len(found.best.links))
-    names: list[str] = []
-    for name, figure in figures.items():
-        write(path / f"{name}.png", drawn(figure, dpi=200), "figure")
-        names.append(str(path / f"{name}.png"))
-    return names
-
-
-def _knee(
-    network: "Network", found: "Plan", every: "LinkCounts | None", seconds: float | None, limits: dict[str, Any]
-) -> list[tuple[int, float, float]]:
-    """Links, decay and largest damping of the fastest choice with each number of links around the one found.
-
-    What the plan itself found is shown as it is, so that figure and plan agree.
-    """
-    from cotouch.errors import NetworkError
-    from cotouch.planning import plan
-
-    plans = (found,) if every is None else every.plans
-    known = {len(one.best.links): one.best for one in plans if one.objective == "decay"}
-    asked = len(found.best.links)
-    # All of them together take half the time limit at most.
-    each = _KNEE_SECONDS if seconds is None else min(_KNEE_SECONDS, seconds / 16)
-    result: list[tuple[int, float, float]] = []
-    for links in sorted({*range(max(network.size - 1, asked - 4), asked + 5), *known}):
-        try:
-            best = (
-                known.get(links)
-                or plan(network, links=links, objective="decay", top=1, limit=_MOST_RANKED, seconds=each, **limits).best
-            )
-        except NetworkError:
-            continue
-        result.append((links, best.value, float(best.damping.max())))
-    return result if any(links == asked for links, _, _ in result) else []
-
-
 def _pairs(network: "Network", option: str, texts: Sequence[str]) -> list[tuple[int, int]]:
-    """Links such as 1-2 or Ann-Ben; several may stand in one text."""
+    """Links such as 1-2 or Ann-Ben; several may stand in one text, in quotes where a name has a comma."""
     result: list[tuple[int, int]] = []
     for text in texts:
-        for part in text.split(",") if "," in text or any(" " in user for user in network.users) else text.split():
-            said = part.strip()
+        parts = [text.strip()]
+        if not _readings(network, parts[0]):
+            spaced = "," in text or any(" " in user for user in network.users)
+            parts = _names(text) if spaced else text.split()
+        for said in parts:
             if not said:
                 continue
-            cuts = [(said[:at], said[at + 1 :]) for at, letter in enumerate(said) if letter == "-"]
-            users = [(_user(network, a.strip()), _user(network, b.strip())) for a, b in cuts]
-            pairs = [(a, b) for a, b in users if a is not None and b is not None]
+            pairs = _readings(network, said)
             if len(pairs) != 1:
                 many = "can be read in several ways" if pairs else "is no link"
                 raise ScenarioError(
@@ -332,6 +247,18 @@ def _pairs(network: "Network", option: str, texts: Sequence[str]) -> list[tuple[
                 )
             result.append(pairs[0])
     return result
+
+
+def _readings(network: "Network", said: str) -> list[tuple[int, int]]:
+    """The links that a text may stand for: names may have dashes."""
+    cuts = [(said[:at], said[at + 1 :]) for at, letter in enumerate(said) if letter == "-"]
+    users = [(_user(network, a.strip()), _user(network, b.strip())) for a, b in cuts]
+    return [(a, b) for a, b in users if a is not None and b is not None]
+
+
+def _names(text: str) -> list[str]:
+    """What stands between commas; a part that has one is in quotes."""
+    return [name for part in csv.reader([text], skipinitialspace=True) for name in map(str.strip, part) if name]
 
 
 def _user(network: "Network", said: str) -> int | None:

@@ -4,14 +4,23 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from cotouch.cli._output import literal, number
+from cotouch.errors import printable
 
 if TYPE_CHECKING:
-    from cotouch.network import Network
-    from cotouch.planning import Choice, LinkCounts, Plan
+    from cotouch.network import Pair
+    from cotouch.planning import LinkCounts, Plan
 
 UNITS = {"consensus": "", "decay": "1/s", "damping": "Ns/m", "drag": "Ns/m", "feel": "Ns/m"}
-# More links than this are listed below the table, of the best alone.
-_MOST_LISTED = 12
+# Names of links that take more letters than this do not fit into the table and are listed below it.
+_MOST_LETTERS = 48
+# The objective and what it costs, as axes of a figure.
+LABELS = {
+    "consensus": ("Second largest |eigenvalue|", "Largest damping / (Ns/m)"),
+    "decay": ("Decay / (1/s)", "Largest damping / (Ns/m)"),
+    "damping": ("Largest damping / (Ns/m)", "Drag / (Ns/m)"),
+    "drag": ("Drag / (Ns/m)", "Largest damping / (Ns/m)"),
+    "feel": ("Felt beyond the object / (Ns/m)", "Largest damping / (Ns/m)"),
+}
 _TITLES = {
     "consensus": "second largest |eigenvalue| of the consensus",
     "decay": "rightmost root of the closed loop",
@@ -21,7 +30,7 @@ _TITLES = {
 }
 
 
-def print_plan(network: "Network", found: "Plan") -> None:
+def print_plan(found: "Plan") -> None:
     from rich.box import SIMPLE_HEAD
     from rich.console import Console
     from rich.table import Table
@@ -31,17 +40,20 @@ def print_plan(network: "Network", found: "Plan") -> None:
     table = Table(
         box=SIMPLE_HEAD, title=f"Links by {_TITLES[found.objective]}", title_justify="left", title_style="bold"
     )
-    for heading in ("", "links", f"value{', ' + unit if unit else ''}", "time constant, s", "worst path, s"):
-        table.add_column(heading, justify="left" if heading in ("", "links") else "right")
-    table.add_column("largest B, Ns/m", justify="right")
-    long = len(found.best.links) > _MOST_LISTED
+    texts = {choice.links: said_links(found.users, choice.links) for choice in (*found.top, found.worst)}
+    long = max(map(len, texts.values())) > _MOST_LETTERS
+    table.add_column("")
+    if not long:
+        table.add_column("links")
+    for heading in (f"value{', ' + unit if unit else ''}", "time constant, s", "worst path, s", "largest B, Ns/m"):
+        table.add_column(heading, justify="right")
     rows = [(str(place), choice) for place, choice in enumerate(found.top, start=1)]
     for place, (title, choice) in enumerate(
         [*rows, (found.worst_status.replace("proved", "worst"), found.worst)], start=1
     ):
         table.add_row(
             title,
-            literal(_links(network, choice)),
+            *([] if long else [literal(texts[choice.links])]),
             number(choice.value, digits=7),
             "never settles" if choice.period > 1 else number(choice.time_constant_s),
             number(choice.worst_path_s),
@@ -50,13 +62,13 @@ def print_plan(network: "Network", found: "Plan") -> None:
         )
     console.print(table)
     if long:
-        console.print(f"Links of the best: {_links(network, found.best)}", highlight=False, markup=False)
-    console.print(_verdict(network.users, found), highlight=False)
+        console.print(f"Links of the best (of all: --json): {texts[found.best.links]}", highlight=False, markup=False)
+    console.print(_verdict(found), highlight=False)
     for note in found.notes:
         console.print(note, highlight=False, markup=False)
 
 
-def _verdict(users: Sequence[str], found: "Plan") -> str:
+def _verdict(found: "Plan") -> str:
     lines = {
         "enumerate": f"{found.graphs} connected graphs among {found.looked_at} of {found.choices} choices looked at",
         "bound": f"{found.choices} choices covered by bounds, {found.graphs} graphs worked out",
@@ -64,7 +76,7 @@ def _verdict(users: Sequence[str], found: "Plan") -> str:
     }
     if found.status != "proved" and found.method == "bound":
         lines["bound"] = f"{found.graphs} graphs of {found.choices} choices worked out, seed {found.seed}"
-    text = f"{found.status.capitalize()} for {len(users)} users: {lines[found.method]}, {found.seconds:.2g} s."
+    text = f"{found.status.capitalize()} for {len(found.users)} users: {lines[found.method]}, {found.seconds:.2g} s."
     text += _gap(found)
     if found.worst_status != "proved":
         text += " The worst shown is the worst worked out, not proved."
@@ -115,12 +127,12 @@ def print_counts(every: "LinkCounts") -> None:
     )
 
 
-def print_tuned(network: "Network", tuned: dict[str, Any]) -> None:
+def print_tuned(tuned: dict[str, Any]) -> None:
     from rich.console import Console
 
     console = Console()
     springs = ", ".join(
-        f"{_link(network, a - 1, b - 1)} {number(k)}" for (a, b), k in zip(tuned["links"], tuned["spring"], strict=True)
+        f"{said_link(*link)} {number(k)}" for link, k in zip(tuned["links"], tuned["spring"], strict=True)
     )
     whose = "" if tuned["rank"] == 1 else " of other links, which are better once tuned,"
     console.print(
@@ -138,13 +150,13 @@ def print_tuned(network: "Network", tuned: dict[str, Any]) -> None:
     )
 
 
-def _links(network: "Network", choice: "Choice") -> str:
-    return " ".join(_link(network, a, b) for a, b in choice.links)
+def said_links(users: Sequence[str], links: "Sequence[Pair]") -> str:
+    """Links by the names of their users, with commas where a name has a space."""
+    texts = [said_link(users[a], users[b]) for a, b in links]
+    return (", " if any(" " in text for text in texts) else " ").join(texts)
 
 
-def _link(network: "Network", a: int, b: int) -> str:
-    return "-".join(names_of(network, a, b))
-
-
-def names_of(network: "Network", a: int, b: int) -> tuple[str, str]:
-    return network.users[a], network.users[b]
+def said_link(first: str, second: str) -> str:
+    """A link as `--require` takes it: in quotes where a name has a comma."""
+    text = printable(f"{first}-{second}")
+    return '"' + text.replace('"', '""') + '"' if "," in text or text.startswith('"') else text

@@ -59,7 +59,8 @@ def network(
     if inside:
         axes.set(xlim=(-span, span), ylim=(float(places[:, 1].min()) - 0.17, 1.17))
     else:
-        axes.set(xlim=(-span, span), ylim=(float(places[:, 1].min()) - 0.26, 1.26))
+        around = span - 1.0 if size > MANY_USERS else 0.26
+        axes.set(xlim=(-span, span), ylim=(float(places[:, 1].min()) - around, 1.0 + around))
     mark = (15.0 if labelled else 10.0) * min(1.0, 22.0 / size) if inside else 5.0
     for a, b in links:
         fraction = spring[a, b] / strongest
@@ -78,8 +79,21 @@ def network(
             axes.plot(x, y, "o", color=INK, markeredgecolor=SURFACE, markersize=mark, zorder=3)
             side = "center" if abs(x) < 0.2 else "left" if x > 0 else "right"
             level = "center" if abs(x) >= 0.2 else "bottom" if y > 0 else "top"
+            turn = 0.0
+            if size > MANY_USERS:  # names side by side would cover each other: they stand outwards
+                side, level = "left" if x >= 0.0 else "right", "center"
+                turn = float(np.degrees(np.arctan2(y, x))) + (0.0 if x >= 0.0 else 180.0)
             axes.annotate(
-                name, (x, y), (5.0 * x, 5.0 * y), textcoords="offset points", ha=side, va=level, fontsize=7.5, zorder=4
+                name,
+                (x, y),
+                (5.0 * x, 5.0 * y),
+                textcoords="offset points",
+                ha=side,
+                va=level,
+                rotation=turn,
+                rotation_mode="anchor",
+                fontsize=7.5 if size <= MANY_USERS else 6.5,
+                zorder=4,
             )
     if labelled:
         points = 72.0 * width / (2.0 * span)

@@ -1,22 +1,26 @@
 """Which links to use, and how stiff to make them: every choice, a proof by bounds, or the best found in time."""
 
 from cotouch.planning._body import modes_of
-from cotouch.planning._counts import LinkCounts, plan_counts
+from cotouch.planning._counts import CountsInterrupted, LinkCounts, plan_counts
+from cotouch.planning._deadline import until
 from cotouch.planning._early import FirstChoice, first_choice
 from cotouch.planning._figures import knee, networks, ranks
-from cotouch.planning._joint import Joint, plan_springs
+from cotouch.planning._joint import FIRST, Joint, JointInterrupted, plan_springs
 from cotouch.planning._plan import PlanInterrupted, Progress, plan
 from cotouch.planning._problem import Lost, Objective
 from cotouch.planning._ready import compiles
 from cotouch.planning._result import Choice, Method, Plan, Status, WorstStatus
-from cotouch.planning._springs import Tuned, tune_springs
+from cotouch.planning._springs import Tuned, TuningInterrupted, tune_springs
 from cotouch.planning._survey import Survey, survey
 from cotouch.planning._workers import workers
 
 __all__ = [
+    "FIRST",
     "Choice",
+    "CountsInterrupted",
     "FirstChoice",
     "Joint",
+    "JointInterrupted",
     "LinkCounts",
     "Lost",
     "Method",
@@ -27,6 +31,7 @@ __all__ = [
     "Status",
     "Survey",
     "Tuned",
+    "TuningInterrupted",
     "WorstStatus",
     "compiles",
     "first_choice",
@@ -39,5 +44,6 @@ __all__ = [
     "ranks",
     "survey",
     "tune_springs",
+    "until",
     "workers",
 ]

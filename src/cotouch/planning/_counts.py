@@ -50,6 +50,18 @@ class LinkCounts:
         }
 
 
+class CountsInterrupted(PlanInterrupted):
+    """Plans for several numbers of links were interrupted from the keyboard after something was found.
+
+    Attributes:
+        counts: what there is; of the number under way the best found so far.
+    """
+
+    def __init__(self, counts: LinkCounts) -> None:
+        super().__init__(counts.best)
+        self.counts = counts
+
+
 @interruptible
 def plan_counts(
     network: Network,
@@ -75,7 +87,7 @@ def plan_counts(
 
     Raises:
         NetworkError: none of the numbers can be, or as `plan` raises it.
-        PlanInterrupted: with the best of what was found by then.
+        CountsInterrupted: with what was found by then.
     """
     counts = sorted(set(links))
     if not counts:
@@ -86,17 +98,23 @@ def plan_counts(
     for place, count in enumerate(counts):
         left = None if seconds is None else max((seconds - clock() + begun) / (len(counts) - place), 1e-3)
         try:
-            plans.append(plan(network, links=count, seconds=left, clock=clock, progress=progress, **options))
+            begin = plans[-1].best.links if plans else ()
+            more: dict[str, Any] = {"begin": begin, "clock": clock, "progress": progress} | options
+            plans.append(plan(network, links=count, seconds=left, **more))
         except NetworkError as error:
             refused = refused or error
         except PlanInterrupted as interrupted:
-            raise PlanInterrupted(_best([*plans, interrupted.plan])) from None
+            raise CountsInterrupted(_counts([*plans, interrupted.plan])) from None
         except KeyboardInterrupt:
             if not plans:
                 raise
-            raise PlanInterrupted(_best(plans)) from None
+            raise CountsInterrupted(_counts(plans)) from None
     if not plans:
         raise refused or NetworkError("no number of links can be")
+    return _counts(plans)
+
+
+def _counts(plans: list[Plan]) -> LinkCounts:
     best = _best(plans)
     return LinkCounts(plans=tuple(plans), best=best, knee=next(one for one in plans if _near(one, best)))
 

@@ -9,6 +9,7 @@ import numpy.typing as npt
 from cotouch import drawing
 from cotouch.errors import NetworkError
 from cotouch.network import Network
+from cotouch.planning._task import BoolArray, FloatArray
 from cotouch.units import user_number
 
 if TYPE_CHECKING:
@@ -176,61 +177,96 @@ def ranks(first: tuple[str, npt.ArrayLike], second: tuple[str, npt.ArrayLike]) -
 
 
 def knee(
-    links: npt.ArrayLike, decay: npt.ArrayLike, largest_damping: npt.ArrayLike, chosen: int | None = None
+    links: npt.ArrayLike,
+    objective: tuple[str, npt.ArrayLike],
+    cost: tuple[str, npt.ArrayLike],
+    *,
+    chosen: int | None = None,
+    bend: int | None = None,
+    proved: Sequence[bool] = (),
 ) -> "Figure":
-    """Draws what more links bring, and the damping that they cost.
+    """Draws what more links bring, and what they cost.
 
     Args:
         links: numbers of links.
-        decay: 1/s, real part of the rightmost root of the best choice with so many; drawn with the other sign, so that
-            higher is faster.
-        largest_damping: Ns/m, largest `B_i` of that choice.
+        objective: name with its unit, as "Decay / (1/s)", and its value for the best choice with so many links.
+        cost: likewise, of that choice.
         chosen: number of links to mark.
+        bend: number of links at which more stop paying, if that is known.
+        proved: whether each best is proved; those that are not have open marks. None given: all are.
 
     Raises:
-        NetworkError: the lengths differ, nothing is given, or `chosen` is not among the numbers of links.
+        NetworkError: the lengths differ, nothing is given, or `chosen` or `bend` is not among the numbers of links.
     """
     from matplotlib.ticker import MaxNLocator
 
-    count, rate, cost = (np.asarray(entry, dtype=np.float64).ravel() for entry in (links, decay, largest_damping))
-    if not count.size or not count.size == rate.size == cost.size:
+    names = [name for name, _ in (objective, cost)]
+    count, *values = (np.asarray(entry, dtype=np.float64).ravel() for entry in (links, objective[1], cost[1]))
+    sure = np.array(proved if len(proved) else [True] * count.size, dtype=np.bool_)
+    if not count.size or not count.size == values[0].size == values[1].size == sure.size:
         raise NetworkError(
-            f"links, decay and largest_damping have {count.size}, {rate.size} and {cost.size} entries; "
-            "there must be equally many, at least one"
+            f"links, objective, cost and proved have {count.size}, {values[0].size}, {values[1].size} and {sure.size} "
+            "entries; there must be equally many, at least one"
         )
-    if chosen is not None and chosen not in count:
-        raise NetworkError(f"chosen is {chosen}; it must be one of the numbers of links")
+    for name, number in (("chosen", chosen), ("bend", bend)):
+        if number is not None and number not in count:
+            raise NetworkError(f"{name} is {number}; it must be one of the numbers of links")
     order = np.argsort(count)
-    count, rate, cost = count[order], -rate[order], cost[order]
+    count, sure = count[order], sure[order]
     with drawing.style():
         figure = drawing.sheet(3.8, 4.8)
         panels: list[Axes] = list(figure.subplots(2, 1, sharex=True))
-        lines = ((panels[0], rate, _OTHER, "1/s"), (panels[1], cost, _BAD, "Ns/m"))
-        for panel, values, color, unit in lines:
-            panel.plot(count, values, "o-", color=color, markersize=4.0)
-            if chosen is not None:
-                at = int(np.flatnonzero(count == chosen)[0])
-                panel.axvline(chosen, color=drawing.MUTED, linewidth=0.7, linestyle=(0, (2.0, 2.0)), zorder=0)
-                panel.plot(chosen, values[at], "o", color=drawing.SURFACE, markeredgecolor=color, markersize=8.0)
-                side = "left" if at == 0 else "right" if at == count.size - 1 else "center"
-                panel.annotate(
-                    f"{values[at]:.3g} {unit}",
-                    (chosen, values[at]),
-                    xytext=(0, 7),
-                    textcoords="offset points",
-                    ha=side,
-                    va="bottom",
-                    color=color,
-                    bbox={"boxstyle": "square,pad=0.1", "facecolor": drawing.SURFACE, "edgecolor": "none"},
-                )
-            panel.margins(x=0.05)
-            least, most = min(0.0, float(values.min())), max(0.0, float(values.max()))
-            panel.set_ylim(least, most + _HEADROOM * (most - least or 1.0))
-        if rate.min() < 0:
-            panels[0].axhline(0.0, color=drawing.ALARM, linewidth=0.8)
-            panels[0].set_ylim(bottom=1.1 * float(rate.min()))
+        for panel, name, entry, color in zip(panels, names, values, (_OTHER, _BAD), strict=True):
+            _course(panel, name, count, entry[order], sure, color, chosen)
         panels[1].xaxis.set_major_locator(MaxNLocator(integer=True))
-        panels[0].set(ylabel="Decay / (1/s)", title="What more links bring")
-        panels[1].set(ylabel="Largest damping / (Ns/m)", xlabel="Number of links", title="What they cost")
+        panels[0].set_title("What more links bring")
+        panels[1].set_title("What they cost")
+        panels[1].set_xlabel("Number of links")
+        words = ["Open marks: best found, not proved."] * (not sure.all())
+        if bend is not None:
+            for panel in panels:
+                panel.axvline(bend, color=drawing.MUTED, linewidth=1.0, zorder=0)
+            words.insert(0, f"The line is at the knee, {bend} links.")
+        if words:
+            figure.supxlabel(" ".join(words), fontsize=7.0, color=drawing.MUTED)
         figure.align_ylabels(panels)
     return figure
+
+
+def _course(
+    panel: "Axes", name: str, count: FloatArray, values: FloatArray, sure: BoolArray, color: Any, chosen: int | None
+) -> None:
+    """One quantity over the numbers of links."""
+    panel.plot(count, values, "-", color=color)
+    for known, face in ((True, color), (False, drawing.SURFACE)):
+        these = sure == known
+        if these.any():
+            panel.plot(
+                count[these], values[these], "o", markersize=4.0, markerfacecolor=face, markeredgecolor=color, zorder=3
+            )
+    if chosen is not None:
+        at = int(np.flatnonzero(count == chosen)[0])
+        panel.axvline(chosen, color=drawing.MUTED, linewidth=0.7, linestyle=(0, (2.0, 2.0)), zorder=0)
+        panel.plot(chosen, values[at], "o", markerfacecolor="none", markeredgecolor=color, markersize=9.0)
+        side = "left" if at == 0 else "right" if at == count.size - 1 else "center"
+        unit = name.partition(" / ")[2].strip("()")
+        panel.annotate(
+            f"{values[at]:.3g} {unit}".strip(),
+            (chosen, values[at]),
+            xytext=(0, 7),
+            textcoords="offset points",
+            ha=side,
+            va="bottom",
+            color=color,
+            bbox={"boxstyle": "square,pad=0.1", "facecolor": drawing.SURFACE, "edgecolor": "none"},
+        )
+    panel.margins(x=0.05)
+    panel.set_ylabel(name)
+    # What has no unit is a share near 1, which a scale from 0 would flatten.
+    bottom, top = float(values.min()), float(values.max())
+    if " / " in name:
+        bottom, top = min(0.0, bottom), max(0.0, top)
+    room = _HEADROOM * (top - bottom or 1e-3 * abs(top) or 1.0)
+    panel.set_ylim(bottom - (room / 2 if bottom != 0.0 else 0.0), top + room)
+    if bottom < 0.0 and " / " in name:
+        panel.axhline(0.0, color=drawing.ALARM, linewidth=0.8)

@@ -5,10 +5,9 @@ hand, reaches a root that is no better; only what passes that is worked out in f
 it certain.
 """
 
-import threading
-from collections.abc import Callable, Generator
+from collections.abc import Callable, Generator, Iterable, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, final
+from typing import Any, TypeAlias, final
 
 import numpy as np
 
@@ -19,6 +18,7 @@ from cotouch.planning._enumerate import thawed
 from cotouch.planning._flood import Front, flood
 from cotouch.planning._levels import holds, uneven
 from cotouch.planning._problem import Problem
+from cotouch.planning._referral import referred
 from cotouch.planning._starts import SMALL, side_by_side, start_of
 from cotouch.planning._task import (
     DAMPING,
@@ -54,12 +54,14 @@ _KICK, _KICKS, _FEWEST_KICKS = (2, 4), ((SMALL, 12), (60, 10)), 2
 # Random exchanges tried for one that keeps to the limits and is worked out for certain.
 _TRIES = 100
 
-# How soon one who waits for eigenvalues hears that the search is stopped [s].
-_POLL = 0.02
 # What real roots say of links whose delays differ both ways is believed this far: they are those of the mean delays.
 _SIGHT = 0.9
 
 _DONE, _BETTER, _UNSURE = 0, 1, 2
+# Number of the walk that begins where it is told, beyond all others.
+_GIVEN = 2**31
+
+Begin: TypeAlias = tuple[IntArray | None, IntArray]
 
 
 @final
@@ -177,12 +179,12 @@ def swaps(
     return _DONE, len(order), value, looked, work + 1
 
 
-def step(problem: Problem, walk: Walk, seed: int, fallback: IntArray) -> Walk:
+def step(problem: Problem, walk: Walk, seed: int, begin: Begin) -> Walk:
     """Goes on with a walk for a while."""
     task = thawed(problem.task)
     walk = replace(walk, seen=())
     if not walk.chosen.size:
-        walk = _begin(problem, task, walk, seed, fallback)
+        walk = _begin(problem, task, walk, seed, begin)
     if walk.level > 0.0:
         return _flooded(problem, task, walk, seed)
     left = max(_SLICE // task.size**3, _SHORTEST)
@@ -263,13 +265,33 @@ def _order(task: Task, walk: Walk, seed: int, inside: IntArray, outside: IntArra
     return np.argsort((pull[outside][None, :] - pull[inside][:, None]).ravel(), kind="stable")
 
 
-def _begin(problem: Problem, task: Task, walk: Walk, seed: int, fallback: IntArray) -> Walk:
+def begun_at(problem: Problem, links: Iterable[Sequence[int]]) -> IntArray | None:
+    """A choice near some links: the lightest others are added, or the heaviest left out; None if that cannot be."""
+    task, count = problem.task, problem.links
+    place = {pair: e for e, pair in enumerate(problem.network.links)}
+    given = [place[pair] for a, b in links if (pair := (min(a, b), max(a, b))) in place]
+    chosen = np.union1d(np.array(given, dtype=np.int64), task.require)
+    adding = len(chosen) < count
+    others = np.setdiff1d(task.free, chosen) if adding else np.setdiff1d(chosen, task.require)
+    order = others[np.argsort(task.load[others] * (1.0 if adding else -1.0), kind="stable")]
+    for e in order[:_TRIES] if given else ():
+        if len(chosen) == count:
+            break
+        trial = np.union1d(chosen, e) if adding else np.setdiff1d(chosen, e)
+        chosen = trial if admissible(task, trial) else chosen
+    return chosen if len(chosen) == count and admissible(task, chosen) else None
+
+
+def _begin(problem: Problem, task: Task, walk: Walk, seed: int, begin: Begin) -> Walk:
+    given, fallback = begin
+    if walk.start == _GIVEN and given is not None:
+        return _settled(problem, task, replace(walk, chosen=given))
     chosen, level = start_of(task, walk.start, seed, fallback)
     walk = replace(walk, chosen=chosen)
-    if walk.start and level > 0.0:
+    if walk.start >= side_by_side(task.size) and level > 0.0:
         return replace(walk, level=_BELOW * level)
-    # The first start is worked out before it goes on, so that there is an answer early.
-    walk = _settled(problem, task, walk)
+    # The first starts are worked out before they go on, so that there is an answer early: what takes long is left out.
+    walk = _settled(problem, task, walk, slowly=level <= 0.0)
     return replace(walk, level=_BELOW * level, over=False) if level > 0.0 else walk
 
 
@@ -284,10 +306,10 @@ def _flooded(problem: Problem, task: Task, walk: Walk, seed: int) -> Walk:
     return _settled(problem, task, replace(walk, level=0.0)) if front.over and not task.stop[0] else walk
 
 
-def _settled(problem: Problem, task: Task, walk: Walk) -> Walk:
-    """The walk with its links worked out exactly."""
+def _settled(problem: Problem, task: Task, walk: Walk, *, slowly: bool = True) -> Walk:
+    """The walk with its links worked out exactly; what is uncertain is referred if that may be slow."""
     guesses = np.full(len(task.modes), complex(-np.inf, 0.0))
-    value = worked_out(problem, task, walk.chosen, guesses)
+    value = worked_out(problem, task, walk.chosen, guesses, slowly=slowly)
     if value is None:
         return replace(walk, over=True, looked=walk.looked + 1, unsure=walk.unsure + (not task.stop[0]))
     nothing = np.full((len(guesses), _POOL), complex(-np.inf, 0.0))
@@ -295,40 +317,35 @@ def _settled(problem: Problem, task: Task, walk: Walk) -> Walk:
     return replace(walk, value=value, guesses=guesses, pool=_pool(guesses, nothing), looked=walk.looked + 1, seen=seen)
 
 
-def worked_out(problem: Problem, task: Task, chosen: IntArray, guesses: ComplexArray) -> float | None:
-    """The objective of one choice as `rate` gives it; None if it cannot be told for certain, or not in time."""
+def worked_out(
+    problem: Problem, task: Task, chosen: IntArray, guesses: ComplexArray | None = None, *, slowly: bool = True
+) -> float | None:
+    """The objective of one choice as `rate` gives it; None if it cannot be told for certain, or not in time.
+
+    Args:
+        problem: the search.
+        task: that of the problem, with arrays of its own.
+        chosen: numbers of the pairs linked.
+        guesses: of roots, as `rate` takes them.
+        slowly: whether what `rate` leaves uncertain is referred.
+    """
+    guesses = np.full(len(task.modes), complex(-np.inf, 0.0)) if guesses is None else guesses
     value, sure = rate(task, chosen, guesses)
-    return float(value) if sure else referred(replace(problem, task=task), chosen)
-
-
-def referred(problem: Problem, chosen: IntArray) -> float | None:
-    """What `Problem.reference` says, unless the search is stopped: eigenvalues of a large matrix hear no flag."""
-    found: list[float | None] = []
-    stop, done = problem.task.stop, threading.Event()
-
-    def work() -> None:
-        try:
-            found.append(problem.reference(chosen))
-        finally:
-            done.set()
-
-    if not stop[0]:
-        threading.Thread(target=work, name="cotouch referred", daemon=True).start()
-    while not stop[0] and not done.wait(_POLL):
-        pass
-    return found[0] if found and not stop[0] else None
+    if sure:
+        return float(value)
+    return referred(replace(problem, task=task), chosen) if slowly else None
 
 
 def closed(problem: Problem, walk: Walk) -> Walk:
-    """A walk in the middle of its flood, at its end all the same."""
-    return replace(_settled(problem, thawed(problem.task), replace(walk, level=0.0)), over=True)
+    """A walk in the middle of its flood, at its end all the same; the time left is for others if it is uncertain."""
+    return replace(_settled(problem, thawed(problem.task), replace(walk, level=0.0), slowly=False), over=True)
 
 
 def walked(
     problem: Problem,
     starts: int,
     seed: int,
-    fallback: IntArray,
+    begin: Begin,
     parallel: Any,
     closing: Callable[[], bool] = lambda: False,
     ending: Flag | None = None,
@@ -339,7 +356,7 @@ def walked(
         problem: the search.
         starts: number of starts.
         seed: of all random numbers.
-        fallback: an admissible choice.
+        begin: where one more walk begins, or None; and an admissible choice for where random ones fail.
         parallel: a `joblib.Parallel`.
         closing: whether it is time to end: what floods hold then is worked out, the highest first.
         ending: raised once there is no time for that either.
@@ -348,9 +365,10 @@ def walked(
 
     walks = [Walk(start) for start in range(min(side_by_side(problem.task.size), starts))]
     following, best = len(walks), np.inf
+    walks = [*([] if begin[0] is None else [Walk(_GIVEN)]), *walks]
     many = problem.task.size > SMALL
     while walks:
-        walks = parallel(delayed(step)(problem, walk, seed, fallback) for walk in walks)
+        walks = parallel(delayed(step)(problem, walk, seed, begin) for walk in walks)
         check()
         best = min(best, *(walk.reached for walk in walks))
         walks = [

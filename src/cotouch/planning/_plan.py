@@ -15,13 +15,13 @@ from cotouch.interrupt import Flag, check, finishing, flag, heeding, interruptib
 from cotouch.network import Convention, Network, Rounding
 from cotouch.planning._bound import bounded, dive_into, has_room, some_choice
 from cotouch.planning._enumerate import Found, chosen_at, enumerated
-from cotouch.planning._local import walked, worked_out
+from cotouch.planning._local import Begin, begun_at, walked, worked_out
 from cotouch.planning._problem import Lost, Objective, Problem, impossible, make_problem, questions
 from cotouch.planning._ready import compiles, warm
 from cotouch.planning._relaxation import bound_of
 from cotouch.planning._result import Choice, Method, Plan, choice_of, shown
 from cotouch.planning._starts import WALKS
-from cotouch.planning._task import IntArray
+from cotouch.planning._task import NOTHING, IntArray
 from cotouch.planning._workers import Workers, workers
 
 Progress: TypeAlias = Callable[[int, int, float], None]
@@ -37,13 +37,10 @@ _RANKS = 2**62
 _RESERVE, _LOOK = 0.05, 0.02
 # What was found is still told for so long after Ctrl-C [s].
 _TOLD = 0.3
-# What has branch and bound.
-_BOUNDED = ("damping", "drag")
-# So near to a bound is at the bound.
-_REACHED = 3e-9
+_BOUNDED = ("damping", "drag")  # have branch and bound
+_REACHED = 3e-9  # so near to a bound, as a share, is at the bound
 
 
-@final
 class PlanInterrupted(KeyboardInterrupt):
     """A plan was interrupted from the keyboard after it had found something.
 
@@ -108,6 +105,7 @@ def plan(
     damping: npt.ArrayLike = 0.0,
     stiffness: npt.ArrayLike = 0.0,
     sync_damping: npt.ArrayLike | None = None,
+    begin: Iterable[Sequence[int]] = (),
     top: int = 5,
     method: Literal["auto"] | Method = "auto",
     limit: int = _ENUMERABLE,
@@ -141,6 +139,7 @@ def plan(
         damping: Ns/m, likewise.
         stiffness: N/m, likewise.
         sync_damping: (N,) `B_i` in Ns/m of every choice for "decay", "drag" and "feel"; None takes the rule.
+        begin: links that the local search also begins at, such as those of a plan with one link less.
         top: how many of the best choices to return.
         damping_limit: Ns/m that no `B_i` of the rule may exceed.
         drag_limit: Ns/m that the drag of all users together may not exceed, `Choice.drag`.
@@ -246,7 +245,8 @@ def plan(
                     covered = proved = _enumerate(search, top, hands)
                 elif fallback is not None:
                     floods = WALKS if chosen_method == "bound" else starts
-                    walked_all = _walk(search, floods, seed, fallback, hands, lambda: late(closing), ending)
+                    at = (begun_at(problem, begin), fallback)
+                    walked_all = _walk(search, floods, seed, at, hands, lambda: late(closing), ending)
                     proved = chosen_method == "bound" and walked_all and has_room(problem) and _bound(search, top)
                 notes += hands.notes
         except KeyboardInterrupt:
@@ -272,6 +272,7 @@ def plan(
         proved, bound = True, choices[0].value
         notes += ("Those after the first are the best found, not proved.",) * (len(choices) > 2)
     found = Plan(
+        users=problem.network.users,
         objective=objective,
         status="proved" if proved else "best found",
         worst_status="proved" if covered else "worst found",
@@ -301,7 +302,7 @@ def _at_least(problem: Problem, fallback: IntArray | None, asked: Flag) -> tuple
     fallback = some_choice(problem) if fallback is None else fallback
     if fallback is None:
         raise impossible(problem)
-    value = worked_out(problem, problem.task, fallback, np.full(len(problem.task.modes), complex(-np.inf, 0.0)))
+    value = worked_out(problem, problem.task, fallback)
     check()
     if value is None:
         raise UnsupportedError(
@@ -356,7 +357,7 @@ def _walk(
     search: _Search,
     starts: int,
     seed: int,
-    fallback: IntArray,
+    begin: Begin,
     hands: Workers,
     closing: Callable[[], bool],
     ending: Flag,
@@ -364,9 +365,12 @@ def _walk(
     """Local search; answers whether every walk came to its end."""
     looked: dict[int, int] = {}
     unsure: dict[int, int] = {}
-    over = 0
-
-    for walk in walked(search.problem, starts, seed, fallback, hands.parallel, closing, ending):
+    over, problem = 0, search.problem
+    if problem.task.lost != NOTHING:  # every loss takes its time: there is an answer before the first walk has one
+        value = worked_out(problem, problem.task, begin[1], slowly=False)
+        if value is not None:
+            search.keep(begin[1], value)
+    for walk in walked(problem, starts, seed, begin, hands.parallel, closing, ending):
         for value, chosen in walk.seen:
             search.keep(np.array(chosen), value)
         looked[walk.start], unsure[walk.start] = walk.looked, walk.unsure

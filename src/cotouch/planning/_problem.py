@@ -87,13 +87,13 @@ class Problem:
                     return math.log(found) / grid if found > 0 else -math.inf
                 return max(
                     rightmost_root(left, mass=m, damping=b, stiffness=k, sync_damping=sync).rate
-                    for left, sync in self._left_by(network)
+                    for left, sync in self.left_by(network)
                     for m, b, k in task.modes.tolist()
                 )
         except (UnsupportedError, KeyboardInterrupt):  # the latter would end one thread of many; who shares work looks
             return None
 
-    def _left_by(self, network: Network) -> Iterator[tuple[Network, FloatArray | None]]:
+    def left_by(self, network: Network) -> Iterator[tuple[Network, FloatArray | None]]:
         """The network, and what any loss leaves of it, with the synchronisation damping given."""
         sync = self.task.sync if self.task.sync.size else None
         yield network, sync

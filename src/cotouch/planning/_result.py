@@ -1,6 +1,7 @@
 """What a plan says."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal, TypeAlias, final
 
@@ -10,7 +11,6 @@ import scipy.sparse
 from cotouch.network import Network, Pair
 from cotouch.planning._problem import Objective, Problem
 from cotouch.planning._task import DECAY, NOTHING, FloatArray, IntArray, drag_of, period_of, rate
-from cotouch.units import user_number
 
 # Users up to whom a decay that is uncertain is worked out slowly.
 _SLOW = 40
@@ -46,10 +46,10 @@ class Choice:
     worst_path_s: float
     period: int
 
-    def numbers(self) -> dict[str, Any]:
-        """For JSON; users are numbered from 1."""
+    def numbers(self, users: Sequence[str]) -> dict[str, Any]:
+        """For JSON, with links between these names."""
         return {
-            "links": [[user_number(a), user_number(b)] for a, b in self.links],
+            "links": [[users[a], users[b]] for a, b in self.links],
             "value": self.value,
             "time_constant_s": self.time_constant_s,
             "damping": self.damping.tolist(),
@@ -66,6 +66,7 @@ class Plan:
     """The best choice of links, and how sure that is.
 
     Attributes:
+        users: their names.
         objective: what was to be small.
         status: "proved": enumeration or a bound covers every choice; "best found": nothing is claimed of the rest.
         method: how it was found.
@@ -86,6 +87,7 @@ class Plan:
         bound_by: which relaxation, or why there is none.
     """
 
+    users: tuple[str, ...]
     objective: Objective
     status: Status
     method: Method
@@ -105,8 +107,9 @@ class Plan:
     bound_by: str = ""
 
     def numbers(self) -> dict[str, Any]:
-        """For JSON; users are numbered from 1."""
+        """For JSON; users go by their names."""
         return {
+            "users": list(self.users),
             "objective": self.objective,
             "status": self.status,
             "method": self.method,
@@ -120,10 +123,10 @@ class Plan:
             "notes": list(self.notes),
             "bound": self.bound,
             "bound_by": self.bound_by,
-            "best": self.best.numbers(),
-            "worst": self.worst.numbers(),
+            "best": self.best.numbers(self.users),
+            "worst": self.worst.numbers(self.users),
             "worst_status": self.worst_status,
-            "top": [choice.numbers() for choice in self.top],
+            "top": [choice.numbers(self.users) for choice in self.top],
         }
 
 

@@ -13,6 +13,7 @@ from cotouch.errors import ScenarioError, SessionError
 from cotouch.files import read_bytes, read_text, toml
 from cotouch.live import MOST_AGE, Encoding
 from cotouch.network import Network
+from cotouch.planning import Objective
 from cotouch.scenario import NonNegative, Positive, Probability, Scenario, Table, per_user, sentence
 from cotouch.session._device_table import DeviceTable
 from cotouch.session._law_check import check_law, check_live
@@ -65,7 +66,7 @@ class SessionTable(Table):
     spring: Positive = _DEFAULT_SPRING
     links: Literal["given", "plan"] = "given"
     link_count: Annotated[int, Field(ge=1)] | None = None
-    objective: Literal["decay", "consensus", "damping"] = "decay"
+    objective: Objective = "decay"
     replan: bool = False
     quantile: Probability = 1.0
     margin: NonNegative = 0.25

@@ -64,7 +64,7 @@ def _planned(session: SessionFile, slots: list[int], paths: dict[Pair, float]) -
     network = Network(
         users=[whole.users[slot] for slot in slots], spring=whole.spring[there], delay=delay[there], links=[]
     )
-    modes = _modes(session) if options.objective == "decay" else {}
+    modes = _modes(session) if options.objective in ("decay", "drag", "feel") else {}
     try:
         found = _search(network, session.link_count(len(slots)), options.objective, modes)
     except CotouchError:  # springs that cannot join all, say

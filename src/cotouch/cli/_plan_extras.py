@@ -1,0 +1,215 @@
+"""What `cotouch plan` does with the links that it found: springs, and figures."""
+
+from collections.abc import Callable
+from contextlib import suppress
+from pathlib import Path
+from time import monotonic
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from cotouch.cli._output import number
+from cotouch.cli._plan_tables import LABELS, UNITS
+from cotouch.errors import NetworkError, UnsupportedError
+from cotouch.files import write
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from cotouch.network import Network
+    from cotouch.planning import LinkCounts, Plan, Tuned
+
+T = TypeVar("T")
+
+DRAWN = ("networks", "ranks", "knee")
+# Up to so many choices every one of them is ranked by both objectives.
+_MOST_RANKED = 20_000
+# For each number of links in the figure of the knee, at most [s]; and how many there are on either side.
+_KNEE_SECONDS, _AROUND = 5.0, 4
+
+
+def tuned(
+    result: dict[str, Any],
+    network: "Network",
+    found: "Plan",
+    limit: float,
+    body: dict[str, Any],
+    options: dict[str, Any],
+) -> None:
+    """Springs within a limit on damping, and the rate that a free decay in the simulator shows with them.
+
+    With the objective decay, links are chosen anew with the springs.
+
+    Args:
+        result: gets an entry "tuned", also where the work is interrupted.
+        network: whose springs are where tuning starts.
+        found: the links.
+        limit: on damping [Ns/m].
+        body: mass, damping and stiffness of the object.
+        options: of the plan.
+    """
+    from cotouch.planning import JointInterrupted, TuningInterrupted, plan_springs, tune_springs
+    from cotouch.study import confirmed
+
+    begun, seconds = monotonic(), options["seconds"]
+    limit = limit if options["damping_limit"] is None else min(limit, options["damping_limit"])
+    drag = options["drag_limit"]
+
+    def kept(one: "Tuned", rank: int | None = 1) -> None:
+        users = network.users
+        result["tuned"] = {
+            "links": [[users[a], users[b]] for a, b in one.network.links],
+            "rank": rank,
+            "spring": [float(one.network.spring[a, b]) for a, b in one.network.links],
+            "damping": one.sync_damping.tolist(),
+            "damping_limit": limit,
+            "start_factor": one.start_factor,
+            "before": one.before,
+            "after": one.after,
+            "simulated": None,
+        }
+
+    try:
+        if found.objective == "decay" and options["lost"] == "nothing":
+            named = ("require", "forbid", "max_degree", "drag_limit", "seconds", "seed", "method")
+            joint = plan_springs(
+                network,
+                links=len(found.best.links),
+                damping_limit=limit,
+                ranked=found,
+                **body,
+                **{name: options[name] for name in named},
+            )
+            best = joint.tuned
+            kept(best, joint.rank)
+        else:
+            linked = network.with_links(found.best.links)
+            best = tune_springs(linked, damping_limit=limit, drag_limit=drag, seconds=seconds, **body)
+            kept(best)
+    except JointInterrupted as interrupted:
+        kept(interrupted.joint.tuned, interrupted.joint.rank)
+        raise
+    except TuningInterrupted as interrupted:
+        kept(interrupted.tuned)
+        raise
+    mass, damping, stiffness = best.mode.tolist()
+    if best.after < 0:
+        with suppress(UnsupportedError):  # tuning makes modes decay alike, and a run may not show which is the slowest
+            result["tuned"]["simulated"] = _within(
+                None if seconds is None else begun + seconds,
+                lambda: confirmed(best.network, best.after, mass=mass, damping=damping, stiffness=stiffness),
+            )
+
+
+def _within(deadline: float | None, work: Callable[[], T]) -> T | None:
+    """What a function gives, or None if that lasts beyond a time of `monotonic`."""
+    from cotouch.interrupt import check, interruptible
+    from cotouch.planning import until
+
+    def limited() -> T | None:
+        try:
+            with until(lambda: deadline is not None and monotonic() >= deadline):
+                return work()
+        except KeyboardInterrupt:
+            check()
+            return None
+
+    return interruptible(limited)()
+
+
+def draw(
+    path: Path, network: "Network", found: "Plan", every: "LinkCounts | None", options: dict[str, Any]
+) -> list[str]:
+    """The best choice beside the worst; one objective against the other; what more links bring and cost.
+
+    Args:
+        path: of a folder.
+        network: which was planned for.
+        found: the plan.
+        every: plans for several numbers of links, if there are.
+        options: of the plan.
+
+    Returns:
+        Names of the files.
+    """
+    from cotouch.drawing import drawn
+    from cotouch.planning import networks
+
+    unit, seconds = UNITS[found.objective], options["seconds"]
+    deadline = None if seconds is None else monotonic() + seconds
+    cases = [
+        (f"{word}: {number(choice.value)} {unit}", network.with_links(choice.links))
+        for word, choice in (
+            ("Best" if found.status == "proved" else "Best found", found.best),
+            ("Worst" if found.worst_status == "proved" else "Worst found", found.worst),
+        )
+    ]
+    figures = {
+        "networks": networks(cases),
+        "ranks": _within(deadline, lambda: _ranks(network, found, options)),
+        "knee": _knee(network, found, every, deadline, options),
+    }
+    names: list[str] = []
+    for name, figure in figures.items():
+        if figure is not None:
+            write(path / f"{name}.png", drawn(figure, dpi=200), "figure")
+            names.append(str(path / f"{name}.png"))
+    return names
+
+
+def _ranks(network: "Network", found: "Plan", options: dict[str, Any]) -> "Figure | None":
+    """Consensus against decay; None where there are too many choices, or the delays are on no grid."""
+    from cotouch.planning import ranks, survey
+
+    if found.choices > _MOST_RANKED or options["lost"] != "nothing":
+        return None
+    named = ("require", "forbid", "max_degree", "damping_limit", "drag_limit", "mass", "damping", "stiffness")
+    grid = {name: options[name] for name in ("convention", "time_unit", "rounding")}
+    sides = {"consensus": grid | {"objective": "consensus"}, "decay": {"objective": "decay"}}
+    try:
+        limits = {name: options[name] for name in named}
+        values = survey(network, links=len(found.best.links), objectives=sides, **limits).values
+    except NetworkError:
+        return None
+    return ranks(("Consensus", values["consensus"]), ("Decay / (1/s)", values["decay"]))
+
+
+def _knee(
+    network: "Network",
+    found: "Plan",
+    every: "LinkCounts | None",
+    deadline: float | None,
+    options: dict[str, Any],
+) -> "Figure":
+    """The objective and its cost with each number of links that was asked for, or of some around the only one.
+
+    What the plan itself found is shown as it is, so that figure and plan agree. The numbers around begin from it, so
+    that none looks worse for the time it was given.
+    """
+    from cotouch.planning import knee, plan
+
+    plans = {len(one.best.links): one for one in ((found,) if every is None else every.plans)}
+    asked = len(found.best.links)
+    possible = len(network.with_links(None).links) - len(options["forbid"])
+    around = [] if every else [links for step in range(1, _AROUND + 1) for links in (asked - step, asked + step)]
+    for place, links in enumerate(around):
+        if not network.size - 1 <= links <= possible:
+            continue
+        each = _KNEE_SECONDS
+        if deadline is not None:
+            each = min(each, (deadline - monotonic()) / (len(around) - place))
+        if each <= 0.0:
+            break
+        begin = plans.get(links + (1 if links < asked else -1), found).best.links
+        with suppress(NetworkError, UnsupportedError):
+            given: dict[str, Any] = options | {"begin": begin, "seconds": each, "limit": _MOST_RANKED}
+            plans[links] = plan(network, links=links, **given)
+    shown = [plans[links] for links in sorted(plans)]
+    label, cost = LABELS[found.objective]
+    sign = -1.0 if found.objective == "decay" else 1.0
+    return knee(
+        [len(one.best.links) for one in shown],
+        (label, [sign * one.best.value for one in shown]),
+        (cost, [one.best.drag if found.objective == "damping" else float(one.best.damping.max()) for one in shown]),
+        chosen=asked,
+        bend=None if every is None else len(every.knee.best.links),
+        proved=[one.status == "proved" for one in shown],
+    )
