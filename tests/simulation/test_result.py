@@ -202,6 +202,8 @@ def test_a_data_frame_of_the_whole_run_is_refused_in_a_sentence_that_names_the_t
     with pytest.raises(ScenarioError, match=r"would cross user with .* rows; take cotouch\.tables\(run\)") as caught:
         run.to_dataframe()
     assert "\n" not in str(caught.value)
+    with pytest.raises(ScenarioError, match=r"would cross"):
+        run.isel(hand=slice(0)).to_dataframe()  # of nobody's hands, which would leave no row at all
     few = run[["kinetic", "elastic"]].to_dataframe()
     assert len(few) == run["kinetic"].size
     assert run["link_work"].to_dataframe().shape[0] == run["link_work"].size
