@@ -97,6 +97,7 @@ class End(NamedTuple):
     sent_scalars: Float
 
 
+@final
 class Handed(types.Type):
     """An end as machine code gets it: an address, from which a law reads only what it asks for.
 
@@ -122,6 +123,7 @@ END_WORDS = sum(_SIZES)
 
 
 @infer_getattr
+@final
 class _Attributes(AttributeTemplate):
     key = Handed
 
