@@ -6,8 +6,8 @@ from collections.abc import Iterator
 import pytest
 from tests.architecture.modules import NAMES, parsed
 
-# Rooms that keep it throughout; the others follow.
-ROOMS = ("drawing", "drivers", "files", "haptics", "meshfile", "pacing", "peer", "processes", "recording", "study")
+# Rooms that do not keep it throughout yet. No other may join them: a new room keeps it from its first day.
+LATER = {"cli", "compiled", "laboratory", "mechanics", "planning", "simulation"}
 
 
 def functions(body: list[ast.stmt], prefix: str = "", *, method: bool = False) -> Iterator[tuple[str, ast.FunctionDef]]:
@@ -28,7 +28,7 @@ def without_args(tree: ast.Module) -> list[str]:
     return [name for name, text in found if text and "Args:" not in text]
 
 
-@pytest.mark.parametrize("name", [name for name in NAMES if name.split(".")[1:2] and name.split(".")[1] in ROOMS])
+@pytest.mark.parametrize("name", [name for name in NAMES if not LATER & set(name.split(".")[1:2])])
 def test_parameters_are_described(name: str):
     assert without_args(parsed(name)) == []
 

@@ -83,7 +83,12 @@ def age_sums_of(
 
 
 def check_periods(network: Network, periods: npt.ArrayLike) -> FloatArray:
-    """Periods (N,) in s from one number for all or one for each; finite and above 0."""
+    """Periods (N,) in s from one number for all or one for each; finite and above 0.
+
+    Args:
+        network: of the users.
+        periods: one number or (N,) [s].
+    """
     values = numbers("periods", periods)
     if values.shape not in ((), (network.size,)):
         raise NetworkError(
@@ -98,7 +103,13 @@ def check_periods(network: Network, periods: npt.ArrayLike) -> FloatArray:
 
 
 def index_delays_of(network: Network, index_delay: npt.ArrayLike | None, periods: FloatArray) -> IntArray:
-    """Index delays (N, N), 0 off the links: those given, or those that the common period makes of the delays."""
+    """Index delays (N, N), 0 off the links: those given, or those that the common period makes of the delays.
+
+    Args:
+        network: of the users.
+        index_delay: (N, N) in steps; None: what the delays come to.
+        periods: of the users, (N,) [s].
+    """
     if index_delay is None:
         if np.ptp(periods) > 0:
             raise NetworkError(

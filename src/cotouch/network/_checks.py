@@ -23,13 +23,24 @@ class Springs(NamedTuple):
 
 
 def one_user(users: Sequence[str], i: int) -> str:
-    """A user as messages say it: `user 2 ("Ann")`, or `user 2` where the name is the number."""
+    """A user as messages say it: `user 2 ("Ann")`, or `user 2` where the name is the number.
+
+    Args:
+        users: names.
+        i: index.
+    """
     number = str(user_number(i))
     return f"user {number}" if users[i] == number else f'user {number} ("{users[i]}")'
 
 
 def two_users(users: Sequence[str], i: int, j: int) -> str:
-    """A pair as messages say it."""
+    """A pair as messages say it.
+
+    Args:
+        users: names.
+        i: index of one.
+        j: of the other.
+    """
     return f"{one_user(users, i)} and {one_user(users, j)}"
 
 
@@ -61,7 +72,12 @@ def check_users(users: Iterable[str]) -> tuple[str, ...]:
 
 
 def check_delay(users: tuple[str, ...], delay: npt.ArrayLike) -> FloatArray:
-    """Delays in seconds, (N, N), entry [i][j] from j to i: finite, at least 0, and 0 on the diagonal."""
+    """Delays in seconds, (N, N), entry [i][j] from j to i: finite, at least 0, and 0 on the diagonal.
+
+    Args:
+        users: names.
+        delay: what was given.
+    """
     matrix = numbers("delay", delay)
     size = len(users)
     if matrix.shape != (size, size):
@@ -79,7 +95,13 @@ def check_delay(users: tuple[str, ...], delay: npt.ArrayLike) -> FloatArray:
 
 
 def check_springs(users: tuple[str, ...], spring: npt.ArrayLike, weight: npt.ArrayLike | None) -> Springs:
-    """Springs in N/m as (N, N) strengths with at most one common `weight`, or as (N, N, r, r) matrices."""
+    """Springs in N/m as (N, N) strengths with at most one common `weight`, or as (N, N, r, r) matrices.
+
+    Args:
+        users: names.
+        spring: what was given.
+        weight: common to all springs; None: the identity.
+    """
     matrix = numbers("spring", spring)
     size = len(users)
     if matrix.shape == (size, size):
@@ -108,7 +130,13 @@ def check_springs(users: tuple[str, ...], spring: npt.ArrayLike, weight: npt.Arr
 def check_links(
     users: tuple[str, ...], strength: FloatArray, links: Iterable[Sequence[int]] | None
 ) -> tuple[Pair, ...]:
-    """Links as sorted pairs of indices; None means every pair with a spring."""
+    """Links as sorted pairs of indices; None means every pair with a spring.
+
+    Args:
+        users: names.
+        strength: of the springs, (N, N) [N/m].
+        links: what was given, pairs of indices.
+    """
     if links is None:
         return tuple((int(i), int(j)) for i, j in np.argwhere(np.triu(strength) > 0))
     chosen: set[Pair] = set()

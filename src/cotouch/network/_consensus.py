@@ -72,7 +72,14 @@ def mixing(
 def second_eigenvalue(
     network: Network, *, time_unit: float, convention: Convention = "equation", rounding: Rounding = "exact"
 ) -> float:
-    """Second largest |eigenvalue| of the lifted J: the `value` of `mixing`, which explains the arguments and errors."""
+    """Second largest |eigenvalue| of the lifted J: the `value` of `mixing`, which explains the arguments and errors.
+
+    Args:
+        network: of the users.
+        time_unit: of the lags [s].
+        convention: how users weigh each other.
+        rounding: of delays to lags.
+    """
     return mixing(network, time_unit=time_unit, convention=convention, rounding=rounding).value
 
 
@@ -116,7 +123,13 @@ def _second_modulus(network: Network, lags: IntArray, time_unit: float) -> float
 
 
 def consensus_loop(network: Network, lags: IntArray, time_unit: float) -> Loop:
-    """The consensus model as a loop without masses, whose delays are the lags times the time unit."""
+    """The consensus model as a loop without masses, whose delays are the lags times the time unit.
+
+    Args:
+        network: of the users.
+        lags: (N, N) in time units.
+        time_unit: [s].
+    """
     nothing = np.zeros(network.size)
     loop = loop_of(network, mass=nothing, drag=nothing, ground=nothing)
     return loop._replace(

@@ -70,7 +70,14 @@ def damping_for(
 def method_fractions(
     network: Network, age_sums: AgeSums, method: Method, *, costs: npt.ArrayLike | None = None
 ) -> FloatArray:
-    """Weights d (N,) of a method that is not "exact"."""
+    """Weights d (N,) of a method that is not "exact".
+
+    Args:
+        network: of the users.
+        age_sums: of both ends' ages on the links.
+        method: any but "exact".
+        costs: of the users' damping, (N,) > 0; None: the same.
+    """
     if method == "rule":
         return age_sums.fractions
     if method == "minimax":
@@ -88,6 +95,12 @@ def rule_damping(
     """The plain rule [Lee & Huang 2010, Theorem 1], and the age rule in its likeness; arguments as for `damping_for`.
 
     Index delays: `B_i = sum_j (N_ij + N_ji)/2 T_j K_ij`; ages: `B_i = sum_j (age_ij + age_ji)/2 K_ij`.
+
+    Args:
+        network: of the users.
+        ages: (N, N) [s].
+        index_delay: (N, N) in steps.
+        periods: of the users, with index delays [s].
     """
     return damping_for(network, "rule", ages=ages, index_delay=index_delay, periods=periods)
 
@@ -134,6 +147,12 @@ def minimax_damping(
     `c_ij c_ji >= reach_ij^2`, `sum_i d_i^2 B_i >= sum over links of 2 G_ij d_i d_j = lambda sum_i d_i^2`. (For weights
     d alone this is the Collatz-Wielandt formula.) With weighted springs the sum of a user's coefficients is what is
     levelled.
+
+    Args:
+        network: of the users.
+        ages: (N, N) [s].
+        index_delay: (N, N) in steps.
+        periods: of the users, with index delays [s].
     """
     return damping_for(network, "minimax", ages=ages, index_delay=index_delay, periods=periods)
 
@@ -163,7 +182,13 @@ def sum_damping(
 
 
 def shared(network: Network, age_sums: AgeSums, d: FloatArray) -> FloatArray:
-    """Coefficients of `B_i = sum_j reach_ij K_ij d_j/d_i`."""
+    """Coefficients of `B_i = sum_j reach_ij K_ij d_j/d_i`.
+
+    Args:
+        network: of the users.
+        age_sums: of both ends' ages on the links.
+        d: weights of the users, (N,) > 0.
+    """
     fractions = age_sums.seconds * network.linked_spring() * d / d[:, None]
     beta = np.zeros((network.size, 1 + len(network.weights)))
     for w in range(beta.shape[1]):
@@ -172,7 +197,12 @@ def shared(network: Network, age_sums: AgeSums, d: FloatArray) -> FloatArray:
 
 
 def minimax_fractions(network: Network, age_sums: AgeSums) -> FloatArray:
-    """Perron vector of `reach_ij K_ij` in every connected component."""
+    """Perron vector of `reach_ij K_ij` in every connected component.
+
+    Args:
+        network: of the users.
+        age_sums: of both ends' ages on the links.
+    """
     load = age_sums.seconds * network.linked_spring()
     d = np.ones(network.size)
     # Links with an age sum of 0 carry nothing and must not join two components into one.

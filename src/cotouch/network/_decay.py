@@ -126,7 +126,15 @@ def closed_loop(
     stiffness: float = 0.0,
     sync_damping: npt.ArrayLike | None = None,
 ) -> tuple[Loop, FloatArray]:
-    """The loop whose roots `rightmost_root` looks for, and the (N,) `B_i` in it; arguments and errors are the same."""
+    """The loop whose roots `rightmost_root` looks for, and the (N,) `B_i` in it; arguments and errors are the same.
+
+    Args:
+        network: of the users.
+        mass: of each copy, > 0 [kg].
+        damping: of each copy to the ground, >= 0 [Ns/m].
+        stiffness: likewise, >= 0 [N/m].
+        sync_damping: `B_i`, (N,) [Ns/m]; None: by the rule.
+    """
     if not (math.isfinite(mass) and mass > 0):
         raise NetworkError(f"mass is {mass:g} kg; it must be finite and above 0")
     for name, value, unit in (("damping", damping, "Ns/m"), ("stiffness", stiffness, "N/m")):

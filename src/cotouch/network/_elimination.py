@@ -146,7 +146,12 @@ def cut(loop: Loop, line: float, regular: float = _REGULAR) -> Cut:
 
 @routine
 def scratch(size: int, kept: int) -> Scratch:
-    """Room for `size` users of whom `kept` are kept."""
+    """Room for `size` users of whom `kept` are kept.
+
+    Args:
+        size: users.
+        kept: of these.
+    """
     return Scratch(
         np.zeros((size, size), np.complex128),
         np.zeros((size, size), np.complex128),
@@ -187,6 +192,10 @@ def invert(matrix: ComplexArray, inverse: ComplexArray) -> complex:
     """Inverts (Gauss-Jordan, pivots by rows); the phase of the determinant, 0 where it is singular.
 
     Real and imaginary parts lie apart, so that the loops become vector instructions.
+
+    Args:
+        matrix: (n, n).
+        inverse: filled, (n, n).
     """
     n = len(matrix)
     re, im = matrix.real.copy(), matrix.imag.copy()

@@ -145,6 +145,12 @@ def exact_margin(
 
     Arguments and errors as for `exact_scaling`. Never too large, and at most 1e-9 of the largest damping or of the
     reach of the springs too small.
+
+    Args:
+        network: of the users.
+        index_delay: (N, N) in steps; None: what the delays come to.
+        period: of all users [s].
+        damping: of the users [Ns/m].
     """
     beta = coefficients(network, damping)
     family = _family(network, index_delay, period, beta, scaled=False)
@@ -168,6 +174,13 @@ def sync_hermitian(
     """H(theta) at the given angles: (len(theta), N r, N r) Ns/m; other arguments and errors as for `exact_scaling`.
 
     Where one weight serves all links and all damping, r = 1 and the matrices are to be multiplied by that weight.
+
+    Args:
+        network: of the users.
+        theta: angles, from 0 to pi.
+        index_delay: (N, N) in steps; None: what the delays come to.
+        period: of all users [s].
+        damping: of the users [Ns/m].
     """
     family = _family(network, index_delay, period, damping, scaled=False)
     return family.matrices(np.atleast_1d(np.array(theta, dtype=np.float64)))

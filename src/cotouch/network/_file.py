@@ -26,6 +26,10 @@ def read_table(path: Path) -> Mapping[str, object]:
 def arguments(table: Mapping[str, object], source: str) -> dict[str, object]:
     """Arguments of the constructor from a table, with links counted from 0.
 
+    Args:
+        table: as read.
+        source: what messages call the file.
+
     Raises:
         NetworkError: a key is unknown or missing, or `links` is not a list of pairs of whole numbers.
     """

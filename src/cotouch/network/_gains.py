@@ -17,6 +17,10 @@ from cotouch.network._types import FloatArray
 def coefficients(network: Network, damping: npt.ArrayLike) -> FloatArray:
     """Damping as (N, 1 + number of weights), from that form or from (N,) where one weight (or none) serves all links.
 
+    Args:
+        network: of the users.
+        damping: of the users, in either form [Ns/m].
+
     Raises:
         NetworkError: another shape, an entry that is negative or not finite, or (N,) where links have different
             weights.
@@ -45,7 +49,13 @@ def coefficients(network: Network, damping: npt.ArrayLike) -> FloatArray:
 
 
 def damping_matrices(network: Network, damping: npt.ArrayLike, *, rows: int | None = None) -> FloatArray:
-    """`B_i` as matrices (N, rows, rows) in Ns/m; `rows` is that of the weights, or 1, unless given."""
+    """`B_i` as matrices (N, rows, rows) in Ns/m; `rows` is that of the weights, or 1, unless given.
+
+    Args:
+        network: of the users.
+        damping: of the users, (N,) or by weights [Ns/m].
+        rows: of the matrices.
+    """
     beta = coefficients(network, damping)
     rows = rows if rows is not None else (network.weight_rows or 1)
     if network.weight_rows not in (None, rows):
@@ -64,7 +74,12 @@ def link_matrices(network: Network) -> FloatArray:
 
 
 def single_weight(network: Network, beta: FloatArray) -> int | None:
-    """The one column of `beta` that all links and damping use, so that the problem is scalar; None if there is none."""
+    """The one column of `beta` that all links and damping use, so that the problem is scalar; None if there is none.
+
+    Args:
+        network: of the users.
+        beta: damping, (N, 1 + number of weights) [Ns/m].
+    """
     used = {int(network.weight_of[i, j]) + 1 for i, j in network.links}
     used |= {int(w) for w in np.flatnonzero(beta.any(axis=0))}
     return (used.pop() if used else 0) if len(used) <= 1 else None

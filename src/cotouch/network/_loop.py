@@ -64,7 +64,12 @@ def loop_of(network: Network, *, mass: FloatArray, drag: FloatArray, ground: Flo
 
 
 def characteristic(loop: Loop, s: complex) -> ComplexArray:
-    """G(s), (N, N)."""
+    """G(s), (N, N).
+
+    Args:
+        loop: the loop.
+        s: where, 1/s.
+    """
     matrix = np.diag((loop.mass * s + loop.drag) * s + loop.rigid).astype(np.complex128)
     matrix[loop.first, loop.second] = -loop.spring * np.exp(-s * loop.to_first)
     matrix[loop.second, loop.first] = -loop.spring * np.exp(-s * loop.to_second)

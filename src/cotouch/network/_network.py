@@ -263,7 +263,12 @@ class Network:
         return np.diag(spring.sum(axis=1)) - spring
 
     def link_matrix(self, i: int, j: int) -> float | FloatArray:
-        """`K_ij` in N/m: a scalar where its weight is the identity, else an (r, r) matrix; 0 where there is no link."""
+        """`K_ij` in N/m: a scalar where its weight is the identity, else an (r, r) matrix; 0 where there is no link.
+
+        Args:
+            i: index of one end.
+            j: of the other.
+        """
         if (min(i, j), max(i, j)) not in self.links:
             return 0.0
         index = int(self.weight_of[i, j])

@@ -9,17 +9,7 @@ import numpy as np
 
 from cotouch.compiled import raised, routine, subroutine
 from cotouch.network._loop import Loop
-from cotouch.network._returns import (
-    Chain,
-    arrive,
-    bend_of,
-    chain_of,
-    excluded,
-    on_line,
-    simple,
-    turn_of,
-    value,
-)
+from cotouch.network._returns import Chain, arrive, bend_of, chain_of, excluded, on_line, simple, turn_of, value
 from cotouch.network._types import ComplexArray, IntArray
 from cotouch.network._walk import keep, polish, reciprocal, standing, walk
 from cotouch.network._windows import windows
@@ -207,7 +197,13 @@ def _swift(loop: Loop, top: float, guesses: ComplexArray, enough: float) -> tupl
 
 @routine
 def none_beyond(loop: Loop, top: float, line: float) -> bool:
-    """Whether surely no root but s = 0 lies right of a line left of it; False says nothing."""
+    """Whether surely no root but s = 0 lies right of a line left of it; False says nothing.
+
+    Args:
+        loop: the loop.
+        top: frequency beyond which no root lies, 1/s.
+        line: real part, < 0, 1/s.
+    """
     chain = chain_of(loop)
     lows, highs, out = np.empty(_MOST_WINDOWS), np.empty(_MOST_WINDOWS), np.empty((2, _MOST_WINDOWS))
     bend = bend_of(chain, line)

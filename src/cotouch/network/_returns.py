@@ -102,7 +102,12 @@ def chain_of(loop: Loop) -> Chain:
 
 @routine
 def on_line(chain: Chain, line: float) -> None:
-    """Makes a line of constant real part the present one."""
+    """Makes a line of constant real part the present one.
+
+    Args:
+        chain: the loop, returned to one user.
+        line: real part, 1/s.
+    """
     links = len(chain.loop.first)
     chain.line[0] = line
     for e in range(2 * links):
@@ -143,7 +148,12 @@ def _wave(delay: FloatArray, size: FloatArray, frequency: float, real: FloatArra
 
 @routine
 def value(chain: Chain, frequency: float) -> tuple[complex, complex]:
-    """Of f the value and the derivative by s on the present line."""
+    """Of f the value and the derivative by s on the present line.
+
+    Args:
+        chain: the loop, returned to one user.
+        frequency: imaginary part, 1/s.
+    """
     loop, matrix, x, z = chain.loop, chain.matrix, chain.right, chain.left
     n, links = len(loop.rigid), len(loop.first)
     _wave(chain.delay, chain.size, frequency, chain.real, chain.imag)
@@ -187,7 +197,12 @@ def value(chain: Chain, frequency: float) -> tuple[complex, complex]:
 
 @routine
 def bend_of(chain: Chain, line: float) -> float:
-    """Largest |f''| on a line, which becomes the present one; NaN where nothing is known of it."""
+    """Largest |f''| on a line, which becomes the present one; NaN where nothing is known of it.
+
+    Args:
+        chain: the loop, returned to one user.
+        line: real part, 1/s.
+    """
     if not _anchored(chain, line):
         return np.nan
     value(chain, 0.0)
@@ -294,7 +309,13 @@ def arrive(
 
 @subroutine
 def simple(chain: Chain, root: complex, scale: float) -> bool:
-    """Whether just one root is at or beside a place, by f'/f around it; the present line changes."""
+    """Whether just one root is at or beside a place, by f'/f around it; the present line changes.
+
+    Args:
+        chain: the loop, returned to one user.
+        root: the place, 1/s.
+        scale: rate of the loop, 1/s.
+    """
     radius = _CLUSTER * (np.abs(root) + scale)
     counted = 0.0 + 0.0j
     for side in (-1.0, 1.0):
@@ -307,7 +328,14 @@ def simple(chain: Chain, root: complex, scale: float) -> bool:
 
 @routine
 def excluded(f: complex, slope: complex, bend: float, half: float) -> bool:
-    """Whether f is not 0 within `half` on either side of a place on a line where |f''| is at most `bend`."""
+    """Whether f is not 0 within `half` on either side of a place on a line where |f''| is at most `bend`.
+
+    Args:
+        f: value in the middle.
+        slope: derivative there.
+        bend: bound on |f''|.
+        half: length to either side, 1/s.
+    """
     return np.abs(f) * _SAFE > half * (np.abs(slope) + 0.5 * bend * half)
 
 
@@ -317,6 +345,13 @@ def turn_of(chain: Chain, bend: float, low: float, high: float, most: int) -> tu
 
     Between two points f is what its value and slope say but for `bend τ²/2`; a step ends before that could close the
     gap to 0, so f turns as its tangent does and then by less than half a turn.
+
+    Args:
+        chain: the loop, returned to one user.
+        bend: bound on |f''| on the line.
+        low: where to begin, imaginary part, 1/s.
+        high: where to end.
+        most: steps, before it gives up.
 
     Returns:
         The turn in radians (NaN if given up), the number of steps, and where f is smallest less Newton's step there.

@@ -154,7 +154,12 @@ def count_right(
 
 @routine
 def on_axis(loop: Loop, resting: bool) -> float:
-    """About where the rightmost real root is, the resting translation aside; NaN if there is none near."""
+    """About where the rightmost real root is, the resting translation aside; NaN if there is none near.
+
+    Args:
+        loop: the loop.
+        resting: whether s = 0 is a root, of all copies moving as one.
+    """
     n = len(loop.mass)
     if len(loop.first) == 0:
         return np.nan

@@ -257,6 +257,14 @@ def keep(loop: Loop, root: complex, scale: float, known: ComplexArray, copies: I
     """Adds a root to those that are known, with the number of roots that coincide there; returns how many are known.
 
     The logarithmic derivative of the determinant around a point counts the roots in a small circle.
+
+    Args:
+        loop: the loop.
+        root: to be added, 1/s.
+        scale: rate of the loop, 1/s.
+        known: roots; filled.
+        copies: how many coincide at each; filled.
+        found: how many are known.
     """
     radius = _CLUSTER * (np.abs(root) + scale)
     if found == len(known):
@@ -289,6 +297,11 @@ def standing(loop: Loop, s: complex, normalised: bool) -> float:
     right half plane and the sum is continuous all over such a region; the same holds where that is so of `e^(-iθ) G`
     for some θ in [0, π/2], which turns the half plane, and for G over its diagonal (`normalised`) where the diagonal
     dominates.
+
+    Args:
+        loop: the loop.
+        s: where, 1/s.
+        normalised: whether G is taken over its diagonal.
     """
     n = len(loop.mass)
     parts = cut(loop, s.real)

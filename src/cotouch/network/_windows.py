@@ -178,7 +178,16 @@ def _comb(lows: FloatArray, highs: FloatArray, count: int, around: float, tolera
 def windows(
     loop: Loop, line: float, top: float, lows: FloatArray, highs: FloatArray, out: FloatArray
 ) -> tuple[int, int]:
-    """Intervals of frequency outside which no root lies right of the line; their number, and that of the tests."""
+    """Intervals of frequency outside which no root lies right of the line; their number, and that of the tests.
+
+    Args:
+        loop: the loop.
+        line: real part, 1/s.
+        top: largest frequency, 1/s.
+        lows: begins of the intervals, filled.
+        highs: their ends, filled.
+        out: scratch, (2, as many).
+    """
     n, links = len(loop.mass), len(loop.first)
     around, sizes, cross = np.empty(links), np.empty(links), np.empty(links)
     tolerance, fraction, entry = np.empty(links), np.empty(links), np.empty(links)
