@@ -53,3 +53,17 @@ def test_links_that_are_forbidden_are_not_swapped_in():
     assert plan_springs(network, **options).tuned.network.links == ((0, 1), (1, 2))
     barred = plan_springs(network, forbid=[(1, 2)], **options).tuned.network
     assert barred.links == ((0, 1), (0, 2))
+
+
+def test_all_numbers_of_links_share_the_time_and_begin_at_the_one_before(monkeypatch: pytest.MonkeyPatch):
+    seconds, begins = [], []
+
+    def planned(network, *, begin, **more):
+        seconds.append(more.pop("seconds"))
+        begins.append(begin)
+        return plan(network, **more)
+
+    monkeypatch.setattr("cotouch.planning._counts.plan", planned)
+    found = plan_counts(five_users(), links=[4, 5, 6], objective="damping", seconds=9.0, clock=lambda: sum(seconds))
+    assert seconds == [3.0, 3.0, 3.0]
+    assert begins == [(), *(one.best.links for one in found.plans[:2])]

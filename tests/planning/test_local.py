@@ -108,8 +108,8 @@ def test_a_search_also_begins_where_it_is_told() -> None:
     assert set(problem.pairs(less)) < set(one.best.links)
     assert _local.begun_at(problem, ()) is None
     assert _local.begun_at(make_problem(network, links=19, objective="decay", forbid=[(0, 1)]), [(0, 1)]) is None
-    again = plan(network, links=18, objective="decay", method="local", starts=1, begin=one.best.links, seed=5)
-    assert again.best.value <= one.best.value
+    walks = _local.walked(problem, 1, 0, (near, near), lambda calls: [call(*given) for call, given, _ in calls])
+    assert tuple(near.tolist()) in [chosen for _, chosen in next(walks).seen]
 
 
 def test_a_start_that_is_uncertain_is_not_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -124,3 +124,25 @@ def test_a_start_that_is_uncertain_is_not_waited_for(monkeypatch: pytest.MonkeyP
     assert walk.level > 0.0
     last = _local.closed(problem, walk)
     assert (last.over, last.seen, last.unsure) == (True, (), 2)
+
+
+@pytest.mark.parametrize(("told", "taken"), [(None, False), (-0.5, False), (-9.0, True)])
+def test_a_swap_that_looks_better_counts_as_what_it_is_referred_to(
+    told: float | None, taken: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    problem = make_problem(full_network(6, 1), links=8, objective="decay")
+    task, chosen = problem.task, random_choice(problem.task, np.random.default_rng(0))
+    assert chosen is not None
+    walk = _local._settled(problem, task, _local.Walk(1, chosen=chosen))
+    other = np.sort(np.append(chosen[1:], np.setdiff1d(task.free, chosen)[0]))
+
+    def swap(_: object, links: np.ndarray, *__: object) -> tuple[int, int, float, int, int]:
+        links[:] = other
+        return _local._UNSURE, 1, -99.0, 1, 1
+
+    monkeypatch.setattr(_local, "swaps", swap)
+    monkeypatch.setattr(_local, "referred", lambda *_: told)
+    after, _ = _local._swapped(problem, task, replace(walk, value=-1.0), 0, 1)
+    assert after.value == (told if taken else -1.0)
+    assert after.chosen.tolist() == (other if taken else chosen).tolist()
+    assert after.unsure == (told is None)
