@@ -70,7 +70,7 @@ def state(tmp_path_factory: pytest.TempPathFactory) -> None:
     os.environ["XDG_STATE_HOME"] = str(tmp_path_factory.mktemp("state"))
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def stalls(tmp_path_factory: pytest.TempPathFactory) -> Generator[object]:
     """Tells times when force was late from times when the machine stood still: `tests.stalls.Stalls`."""
     from tests.stalls import Stalls
