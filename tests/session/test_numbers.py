@@ -89,15 +89,15 @@ def world() -> World:
     for name in ("Ann", "Ben", "Cleo"):
         made.join(name, moves=False)
     made.until(lambda: all(person.member.slot is not None for person in made.people), 8.0)
-    mallory: Any = made.people[2].member
-    ask = mallory._ask
+    asking: Any = made.people[2].member._asking
+    due = asking.due
 
-    def stubborn(now: float) -> None:
+    def stubborn(now: float, *, inside: bool) -> bytes | None:
         """Whoever is refused for what it said itself goes on all the same."""
-        mallory._refusal = None
-        ask(now)
+        asking.refusal = None
+        return due(now, inside=inside)
 
-    mallory._ask = stubborn
+    asking.due = stubborn
     return made
 
 

@@ -38,6 +38,7 @@ def run() -> xr.Dataset:
 
 # Only bodies with a closed step have these.
 _CLOSED = ("closure", "closure_factor", "closure_alarms")
+_WORLD = ("world_force", "world_loss", "world_stored")
 
 
 def test_dimensions_and_units(run: xr.Dataset) -> None:
@@ -47,7 +48,13 @@ def test_dimensions_and_units(run: xr.Dataset) -> None:
     assert run["axis"].values.tolist() == ["x", "y"]
     assert run["direction"].values.tolist() == ["1<-2", "2<-1"]
     assert run["link"].values.tolist() == ["1-2"]
-    assert set(run.data_vars) == set(_UNITS) - set(TOOL_UNITS) - {"frame_position", *_CLOSED, "time", "tick_time"}
+    assert set(run.data_vars) == set(_UNITS) - set(TOOL_UNITS) - {
+        "frame_position",
+        *_CLOSED,
+        *_WORLD,
+        "time",
+        "tick_time",
+    }
     for name in run.data_vars:
         assert run[name].attrs["units"] == _UNITS[str(name)][0]
         assert run[name].attrs["long_name"]

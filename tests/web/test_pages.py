@@ -435,9 +435,9 @@ class TestMalformed:
             pages = [other.__enter__() for other in others]
             try:
                 pages[-1].frame()
-                with visit(still, hello=False) as late:
+                with visit(still) as late:
                     code, reason = late.closed()
-                assert (code, "16 pages" in reason) == (1013, True)
+                assert (code, "16 pages" in reason) == (1008, True)
             finally:
                 for other in others:
                     other.__exit__(None, None, None)

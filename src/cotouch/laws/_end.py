@@ -194,7 +194,12 @@ def hand(typingctx: Any, end: Any, words: Any) -> Any:
 
 @intrinsic
 def handed(typingctx: Any, words: Any) -> Any:
-    """The end that `hand` has written, for both halves of a law."""
+    """The end that `hand` has written, for both halves of a law.
+
+    Args:
+        typingctx: numba's.
+        words: that `hand` has written it to.
+    """
     del typingctx
 
     def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:

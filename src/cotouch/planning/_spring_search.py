@@ -77,9 +77,11 @@ class Search:
         self.found: list[tuple[Decay, FloatArray, FloatArray]] = []
 
     def springs_of(self, network: Network) -> FloatArray:
+        """The springs of the links chosen [N/m]."""
         return network.spring[self.first, self.second]
 
     def network_of(self, springs: FloatArray) -> Network:
+        """The network with these springs [N/m]."""
         matrix = self.network.spring.copy()
         matrix[self.first, self.second] = matrix[self.second, self.first] = springs
         return self.network.replace(spring=matrix)
