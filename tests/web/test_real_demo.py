@@ -19,8 +19,8 @@ USERS = 3
 # Longer than a session takes on a busy machine; nothing waits longer than it must.
 PATIENCE = 120_000
 # Ann's links to Ben and Dan take 50 ms; a picture may show two moments as one. The last copy comes to about 9 mm once
-# all links are coupled, and to 6 mm where a busy machine keeps the second link guarded.
-MOVED = 0.005
+# all links are coupled, and to 6 mm or less where a busy machine keeps links guarded.
+MOVED = 0.0035
 
 # When the held point of each copy had first moved so far from where it was, on the server's clock; how far it is now.
 WATCH = """([point, far]) => {
