@@ -55,6 +55,14 @@ def test_what_was_measured_can_be_planned_as_the_documents_say(tmp_path: Path) -
     assert (named.returncode, "choose a time unit" in named.stderr) == (2, True)
 
 
+def test_a_number_of_choices_that_nobody_would_read_is_told_by_its_size() -> None:
+    trips = Path(__file__).parents[2] / "examples" / "round-trips.csv"
+    options = ("--objective", "damping", "--method", "local", "--time-limit", "1")
+    done = here("plan", "--delays", trips, "--links", "16", *options)
+    assert done.returncode == 0, done.stderr
+    assert re.search(r"\d+ graphs? of about 10\^14 choices\s+looked\s+at", done.stdout), done.stdout
+
+
 def test_a_graph_that_never_mixes_has_no_time_constant() -> None:
     done = here("plan", FIVE_USERS, "--links", "6", "--json")
     worst = json.loads(done.stdout)["worst"]

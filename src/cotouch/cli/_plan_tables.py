@@ -69,22 +69,32 @@ def print_plan(found: "Plan") -> None:
 
 
 def _verdict(found: "Plan") -> str:
+    graphs, choices = _many(found.graphs, "graph"), _many(found.choices, "choice")
+    connected = graphs.replace("graph", "connected graph")
     lines = {
-        "enumerate": f"{found.graphs} connected graphs among {found.looked_at} of {found.choices} choices looked at",
-        "bound": f"{found.choices} choices covered by bounds, {found.graphs} graphs worked out",
-        "local": f"{found.graphs} graphs of {found.choices} choices looked at, seed {found.seed}",
+        "enumerate": f"{connected} among {found.looked_at} of {choices} looked at",
+        "bound": f"{choices} covered by bounds, {graphs} worked out",
+        "local": f"{graphs} of {choices} looked at, seed {found.seed}",
     }
     if found.status != "proved" and found.method == "bound":
-        lines["bound"] = f"{found.graphs} graphs of {found.choices} choices worked out, seed {found.seed}"
+        lines["bound"] = f"{graphs} of {choices} worked out, seed {found.seed}"
     text = f"{found.status.capitalize()} for {len(found.users)} users: {lines[found.method]}, {found.seconds:.2g} s."
     text += _gap(found)
     if found.worst_status != "proved":
         text += " The worst shown is the worst worked out, not proved."
     if found.periodic:
-        text += f" {found.periodic} graphs are periodic and never mix."
+        mixes = "is periodic and never mixes" if found.periodic == 1 else "are periodic and never mix"
+        text += f" {_many(found.periodic, 'graph')} {mixes}."
     if found.unsure:
-        text += f" {found.unsure} graphs could not be told for certain and are left out."
+        left = "is" if found.unsure == 1 else "are"
+        text += f" {_many(found.unsure, 'graph')} could not be told for certain and {left} left out."
     return text
+
+
+def _many(count: int, what: str) -> str:
+    """A count in full, or about how large it is where nobody would read it."""
+    size = f"{count}" if count < 10**12 else f"about 10^{len(str(count)) - 1}"
+    return f"{size} {what}{'s' * (count != 1)}"
 
 
 def _gap(found: "Plan") -> str:
