@@ -67,3 +67,29 @@ def test_a_proof_is_its_own_bound():
     assert local.bound is not None
     assert local.bound <= local.best.value
     assert local.numbers()["bound"] == local.bound
+
+
+def test_where_all_users_are_alike_the_bound_on_damping_is_reached():
+    size = 6
+    alike = np.ones((size, size)) - np.eye(size)
+    network = Network(users=[str(i) for i in range(size)], spring=50.0 * alike, delay=0.1 * alike)
+    bound, _ = bound_of(make_problem(network, links=size, objective="damping"))
+    ring = [(i, i + 1) for i in range(size - 1)] + [(0, size - 1)]
+    least = rule_damping(network.with_links(ring), ages=network.delay).max()
+    assert bound == pytest.approx(least, rel=1e-8)
+    assert bound <= least
+
+
+def test_users_who_are_far_from_all_but_each_other_may_all_be_linked():
+    """Here two whose quickest links are slow are linked to each other, and no more roots are slow than one."""
+    rng = np.random.default_rng(33)
+    size, links = int(rng.integers(3, 6)), 7
+    spring = np.triu(rng.uniform(20, 100, (size, size)), 1)
+    far = rng.uniform(0, 0.5, size) * (rng.random(size) < 0.5) + 0.02
+    delay = (far[:, None] + far[None, :]) * (1 - np.eye(size))
+    network = Network(users=[str(i) for i in range(size)], spring=spring + spring.T, delay=delay)
+    bound, _ = bound_of(make_problem(network, links=links, objective="decay", mass=0.01))
+    assert bound is not None
+    assert bound <= min(
+        rightmost_root(network.with_links(g), mass=0.01).rate for g in connected_graphs(network, links=links)
+    )
