@@ -15,6 +15,8 @@ from cotouch.drawing._style import INK, MUTED, SURFACE
 # Letters of a name that fit into its circle, and users up to which every label is drawn.
 _SHORT_NAME = 3
 MANY_USERS: Final = 10
+# Size of names that stand outwards, pt; a letter is about 0.6 of it wide.
+_OUTWARDS = 6.5
 
 
 def network(
@@ -54,6 +56,9 @@ def network(
     axes.set_aspect("equal")
     inside = max(map(len, users)) <= _SHORT_NAME
     span = 1.22 if inside else 1.5
+    if not inside and size > MANY_USERS:  # room for the longest name, which stands outwards
+        room = 36.0 * width
+        span = max(span, room / (room - min(5.0 + 0.6 * _OUTWARDS * max(map(len, users)), 0.5 * room)))
     angles = np.pi / 2 - 2 * np.pi * np.arange(size) / size
     places = np.column_stack([np.cos(angles), np.sin(angles)])
     if inside:
@@ -92,7 +97,7 @@ def network(
                 va=level,
                 rotation=turn,
                 rotation_mode="anchor",
-                fontsize=7.5 if size <= MANY_USERS else 6.5,
+                fontsize=7.5 if size <= MANY_USERS else _OUTWARDS,
                 zorder=4,
             )
     if labelled:
