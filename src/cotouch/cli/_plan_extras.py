@@ -24,6 +24,10 @@ DRAWN = ("networks", "ranks", "knee")
 _MOST_RANKED = 20_000
 # For each number of links in the figure of the knee, at most [s]; and how many there are on either side.
 _KNEE_SECONDS, _AROUND = 5.0, 4
+# Of the time for tuning, what the search gets; the rest is for a run beside its prediction. And the least of it.
+_OF_TUNING, _LEAST_TUNING = 0.85, 0.3
+# Loading the simulator's kernels takes about so long, and hears no flag [s].
+_LOADING = 2.0
 
 
 def tuned(
@@ -46,10 +50,12 @@ def tuned(
         body: mass, damping and stiffness of the object.
         options: of the plan.
     """
+    begun, seconds = monotonic(), options["seconds"]
     from cotouch.planning import JointInterrupted, TuningInterrupted, plan_springs, tune_springs
     from cotouch.study import confirmed
 
-    begun, seconds = monotonic(), options["seconds"]
+    if seconds is not None:  # loading took its share, and a run beside the prediction takes one
+        options |= {"seconds": _OF_TUNING * max(seconds - monotonic() + begun, _LEAST_TUNING * seconds)}
     limit = limit if options["damping_limit"] is None else min(limit, options["damping_limit"])
     drag = options["drag_limit"]
 
@@ -82,7 +88,7 @@ def tuned(
             kept(best, joint.rank)
         else:
             linked = network.with_links(found.best.links)
-            best = tune_springs(linked, damping_limit=limit, drag_limit=drag, seconds=seconds, **body)
+            best = tune_springs(linked, damping_limit=limit, drag_limit=drag, seconds=options["seconds"], **body)
             kept(best)
     except JointInterrupted as interrupted:
         kept(interrupted.joint.tuned, interrupted.joint.rank)
@@ -100,7 +106,9 @@ def tuned(
 
 
 def _within(deadline: float | None, work: Callable[[], T]) -> T | None:
-    """What a function gives, or None if that lasts beyond a time of `monotonic`."""
+    """What a function gives, or None if that lasts beyond a time of `monotonic`, or can hardly do otherwise."""
+    if deadline is not None and deadline - monotonic() < _LOADING:
+        return None
     from cotouch.interrupt import check, interruptible
     from cotouch.planning import until
 
