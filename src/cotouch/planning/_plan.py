@@ -264,8 +264,8 @@ def plan(
     if search.periodic and search.periodic == search.graphs:
         proved = False
         notes += (
-            f"On a grid of {problem.stride * time_unit:g} s all {search.graphs} graphs are periodic and never mix: none "
-            "is better than another. Choose another time unit or the objective decay.",
+            f"On a grid of {problem.stride * time_unit:g} s all {search.graphs} graphs are periodic and never mix: "
+            "none is better than another. Choose another time unit or the objective decay.",
         )
     bound, bound_by = (choices[0].value, "every choice is covered") if proved else bound_of(problem)
     if not proved and bound is not None and choices[0].value <= bound + _REACHED * abs(bound):
