@@ -254,3 +254,11 @@ def test_the_slack_of_inequality_7() -> None:
     assert run["slack"].values[-1] > 1e-3
     loose = simulate({**asked, "synchronisation": {"damping_scale": 0.0}})
     assert loose["slack"].values[-1] < -1e-3, "without damping the delays put in energy"
+
+
+def test_forces_that_overflowed_or_were_never_written_are_labelled_without_a_warning() -> None:
+    hands = [{"user": 1, "path": 0.1}, {"user": 1, "path": 0.2}]
+    ready = prepare(Scenario.make(network=PAIR, body={}, steps={"duration": 0.1, "rate": 100}, hands=hands))
+    outcome = run_batch(ready)
+    outcome.record.force[0], outcome.record.force[1] = np.inf, -np.inf
+    assert np.isnan(dataset(ready, outcome)["force"].sel(user="Ann").values).any()

@@ -1,6 +1,7 @@
 """`cotouch plan`."""
 
 import csv
+import math
 import re
 import sys
 import time
@@ -69,8 +70,8 @@ def run(
     body = _object(path, {name: options[name] for name in _OBJECT}, read=moving)
     options |= body
     limits = {"require": _pairs(network, "--require", require), "forbid": _pairs(network, "--forbid", forbid)}
-    if tune is not None and not tune > 0:
-        raise NetworkError(f"damping_limit is {tune:g} Ns/m; it must be finite and above 0")
+    if tune is not None and not 0 < tune < math.inf:
+        raise NetworkError(f"--tune-springs is {tune:g} Ns/m; it must be finite and above 0")
     if figures is not None:
         beside(folder(figures), [f"{name}.png" for name in DRAWN], (*delays, *([] if path is None else [path])))
     if compiles(options["method"], options["objective"]):

@@ -55,7 +55,7 @@ def tuned(
     from cotouch.study import confirmed
 
     if seconds is not None:  # loading took its share, and a run beside the prediction takes one
-        options |= {"seconds": _OF_TUNING * max(seconds - monotonic() + begun, _LEAST_TUNING * seconds)}
+        options = options | {"seconds": _OF_TUNING * max(seconds - monotonic() + begun, _LEAST_TUNING * seconds)}
     limit = limit if options["damping_limit"] is None else min(limit, options["damping_limit"])
     drag = options["drag_limit"]
 
