@@ -50,10 +50,10 @@ nats:
 		|| echo "no iptables here and no way to install it: tests of NATs will be skipped"
 
 # Many tests start processes of their own; each would compile our Python anew where PYTHONDONTWRITEBYTECODE is set.
-test: check browser nats
+# The script begins with `check`.
+test: $(STAMP) browser nats
 	$(BIN)/python -m compileall -q src
-	$(BIN)/pytest $(SIZE) -n 2 --dist worksteal -m "not timed"; all=$$?; \
-	$(BIN)/pytest $(SIZE) -m timed && exit $$all
+	$(BIN)/python tests/run.py $(SIZE)
 
 # The same on many more bodies, networks, devices and seeds: see tests/thorough.py.
 test-all:
@@ -62,7 +62,7 @@ test-all:
 # Proves what docs/protocol.md says of the agreement, and finds an attack on each lesser one. ProVerif comes with opam.
 protocol: $(STAMP)
 	@command -v proverif >/dev/null || { echo "no proverif here: opam install proverif brings it"; exit 2; }
-	$(BIN)/pytest tests/live/test_protocol.py
+	$(BIN)/pytest tests/samples/test_protocol.py
 
 format: $(STAMP)
 	$(BIN)/ruff format .

@@ -11,7 +11,8 @@ import os
 import sys
 import time
 
-from cotouch.live import Identity, Invitation, ZenohControl
+from cotouch.control import Invitation, ZenohControl
+from cotouch.samples import Identity
 
 # Who was found by gossip is dialled once; a visit does not wait for a connection that does not come [s].
 _PATIENCE = 1.0

@@ -28,12 +28,12 @@ from cotouch.device import (
     ServoModel,
     SimulatedHand,
 )
+from cotouch.hands._device_hand import DeviceHand
 from cotouch.haptics import (
     Cause,
     CouplingChoice,
     DeviceChoice,
     EndOptions,
-    EnergyMessage,
     Order,
     SafetyLimits,
     ServoCore,
@@ -41,16 +41,14 @@ from cotouch.haptics import (
     ServoSettings,
     SimulatedOnClock,
     Vector,
-    VirtualDeviceEnd,
     size,
     virtual_limit,
 )
-from cotouch.haptics._virtual import WINDOW
-from cotouch.mechanics import unseen_place
+from cotouch.haptics._ends import WINDOW
+from cotouch.mechanics import EnergyMessage, unseen_place
+from cotouch.members import SessionFile, Slot
+from cotouch.members._shared_model import SharedModel
 from cotouch.peer import FreshestLink, Peer, Sample
-from cotouch.session import SessionFile, Slot
-from cotouch.session._device_hand import DeviceHand
-from cotouch.session._shared_model import SharedModel
 
 SEED = 2012
 COUNT, SHORT = 600, 24
@@ -122,7 +120,13 @@ class _Wire:
     def couple(self, below: CouplingChoice) -> EndOptions:
         """As a `ServoLink` does."""
         chosen = replace(self._settings, coupling=self.said.over(below))
-        self.options = chosen.end_options(self.spec)
+        said = chosen.coupling
+        if said.law is None:  # passive also where it would hum or slip, which is refused to people
+            assert said.stiffness is not None
+            assert said.damping is not None
+            self.options = EndOptions(stiffness=said.stiffness, damping=said.damping)
+        else:
+            self.options = chosen.end_options(self.spec)
         return self.options
 
     def say(self, report: ServoReport) -> None:
@@ -306,7 +310,7 @@ class _Slot:
         self.force = np.array(report.force)
         self.wire.say(report)
         self.ticks += 1
-        self.short += self.core.end.tank.starved
+        self.short += self.core.end.message.starved
         self.watched = max(self.watched, report.excess)
         self.causes |= report.causes & (Cause.FAULT | Cause.ACTIVE)
         self.strongest = max(self.strongest, size(report.force) / self.limits.force)
@@ -338,17 +342,14 @@ class _Slot:
         """What both ports of the coupling gave so far, by true forces and motion."""
         assert self.device.device is not None
         end = self.core.end
-        paid = end.tank.paid if isinstance(end, VirtualDeviceEnd) else 0.0
-        self.excess = max(self.excess, self.device.device.ledger["work"] + self.proxy_work - paid)
+        self.excess = max(self.excess, self.device.device.ledger["work"] + self.proxy_work - end.paid)
 
     @property
     def overpaid(self) -> float:
         """Friction that was counted beyond what there was [J]."""
         end = self.core.end
         assert self.device.device is not None
-        if not isinstance(end, VirtualDeviceEnd):
-            return 0.0
-        return end.tank.paid - self.device.device.ledger["viscous_loss"]
+        return end.paid - self.device.device.ledger["viscous_loss"]
 
     @property
     def used(self) -> float:

@@ -24,8 +24,8 @@ from benchmarks._report import Row, command
 from cotouch.errors import CotouchError
 from cotouch.laboratory import impedance
 from cotouch.laws import law_named
+from cotouch.members import SessionFile
 from cotouch.recording import Recording, read_recording
-from cotouch.session import SessionFile
 
 SPEED = 0.05  # of the hand [m/s]
 OWN = 1.0  # damping of the body [Ns/m]
@@ -96,7 +96,7 @@ def measure_drag(law: str, seconds: float, folder: Path) -> Felt:
     Raises:
         RuntimeError: a process ended early, or nobody moved for minutes.
     """
-    from cotouch.session import Status, felt
+    from cotouch.members import Status, felt
 
     (folder / "two.toml").write_text(TWO, encoding="utf-8")
     recordings = [folder / "ann.mcap", folder / "ben.mcap"]
@@ -189,7 +189,9 @@ def _predicted(law: str, damping: list[float]) -> float:
     """What the linear prediction says for the emulated network, and the damping that was in force."""
     if law_named(law).dragless:
         return OWN + sum(damping)
-    scenario = SessionFile.from_toml(TWO).scenario.replace(synchronisation={"damping": damping}, hands=[])
+    scenario = SessionFile.from_toml(TWO).scenario.replace(
+        synchronisation={"law": "spring", "damping": damping}, hands=[]
+    )
     return float(impedance(scenario, 1, frequencies=[0.05], measured=False).attrs["predicted_drag"])
 
 

@@ -17,7 +17,8 @@ from time import perf_counter_ns
 import numpy as np
 
 from benchmarks._report import Row, command, interleave
-from cotouch.live import (
+from cotouch.peer import Sample
+from cotouch.samples import (
     OVERHEAD,
     Agreement,
     Assembly,
@@ -32,7 +33,6 @@ from cotouch.live import (
     SendRate,
     UdpTransport,
 )
-from cotouch.peer import Sample
 
 LAYOUT = Layout(rows=44, width=4, axes=3)  # one datagram of 1,180 bytes; one node more takes two
 STATE = np.pad(np.random.default_rng(0).normal(0.0, 0.1, (LAYOUT.rows, 3)), ((0, 0), (0, 1)))

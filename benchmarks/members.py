@@ -20,9 +20,11 @@ import numpy as np
 import numpy.typing as npt
 
 from benchmarks._report import Row, command
-from cotouch.live import Assembly, Chunk, EmulatedPath, Invitation, PathLaw, SampleLink, SamplePlane
+from cotouch.control import Invitation
+from cotouch.members import Part, SessionFile
 from cotouch.peer import LinkGuard, LinkState, Peer, Sample
-from cotouch.session import Part, SessionFile, join, open_host
+from cotouch.samples import Assembly, Chunk, EmulatedPath, PathLaw, SampleLink, SamplePlane
+from cotouch.session import join, open_host
 
 # 44 nodes in three dimensions: one datagram of 1,180 bytes.
 BLOCK = """
@@ -95,7 +97,8 @@ def session(
     )
     return SessionFile.from_toml(
         f"[network]\nusers = {names}\nspring = {springs}\ndelay = {delays}\nlinks = {[list(pair) for pair in links]}\n"
-        f"[body]\n{body}[steps]\nrate = {rate}\n{more}\n{hands}"
+        f"[body]\n{body}[steps]\nrate = {rate}\n{more}\n{hands}",
+        law="spring",
     )
 
 

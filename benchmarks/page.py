@@ -24,7 +24,7 @@ import numpy as np
 import psutil
 
 from benchmarks._report import Row, command
-from cotouch.session import CopyView, Overview, Pointer, Scene
+from cotouch.observers import CopyView, Overview, Pointer, Scene
 from cotouch.web import PageServer
 
 SECONDS = 8.0

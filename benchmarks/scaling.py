@@ -61,6 +61,7 @@ def _community(users: int) -> Scenario:
         },
         "steps": {"period": (1e-3 * rng.uniform(0.8, 1.2, users)).tolist(), "duration": max(0.2, 20.0 / users)},
         "hands": [{"user": i + 1, "path": float(rng.normal() * 0.05)} for i in range(min(users, 10))],
+        "synchronisation": {"law": "spring"},
         "record": {"every": 100},
     }
     return Scenario.make(**table)

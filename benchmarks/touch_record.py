@@ -200,7 +200,7 @@ def _device(rng: np.random.Generator) -> Table:
     if kind == 2:
         own = _log(rng, 0.5, 10.0)
         table |= {
-            "coupling": "virtual",
+            "coupling": "host_force",
             "viscous": own,
             # Steps beside each other differ by up to thirty times in length; what is left must pay for the spring.
             "damping": own * float(rng.uniform(0.0, 0.01)),
@@ -302,7 +302,7 @@ def examine(number: int) -> Finding | str:
     tools = outcome.tools
     assert tools is not None
     play = found.in_play or 1.0
-    springs = [port for port in found.couplings if port.law == "virtual"]
+    springs = [port for port in found.couplings if port.law == "host_force"]
     outside = [port for port in springs if port.saturated]
     return Finding(
         number=number,

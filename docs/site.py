@@ -12,8 +12,9 @@ from mkdocs.structure.pages import Page
 
 PACKAGE = Path(__file__).parents[1] / "src" / "cotouch"
 # What a user calls comes first; kernels come last.
-ORDER = ("scenario", "simulation", "network", "planning", "body", "peer", "session", "live", "recording", "haptics",
-         "device", "drivers", "web", "study", "pacing", "files", "mechanics")  # fmt: skip
+ORDER = ("scenario", "simulation", "network", "planning", "body", "peer", "session", "members", "hands", "observers",
+         "samples", "control", "traversal", "recording", "haptics", "device", "drivers", "web", "study", "pacing",
+         "files", "mechanics")  # fmt: skip
 INTERNAL = {"cli", "meshfile"}
 RESULTS = "benchmarks/RESULTS.md"
 FORMULA = re.compile(r"^```math\n(.*?)^```|\$`(.+?)`\$", re.MULTILINE | re.DOTALL)

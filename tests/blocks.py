@@ -7,10 +7,14 @@ from pathlib import Path
 from typing import NamedTuple
 
 ROOT = Path(__file__).parent.parent
-PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+PAGES = [
+    *(ROOT / name for name in ("README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "page/README.md")),
+    *sorted((ROOT / "docs").glob("*.md")),
+    *sorted((ROOT / "src" / "cotouch").rglob("DESIGN.md")),
+]
 _FENCE = re.compile(r'^```(\w*)(?: title="([^"]*)")?\n(.*?)^```', re.MULTILINE | re.DOTALL)
 _INDENTED = re.compile(r"(?<=\n\n)(?:    .*\n(?:\n(?=    ))?)+", re.MULTILINE)
-_COMMAND = re.compile(r"(?:[A-Z_]+=\S+ )*(?:cotouch|make|source) ")
+_COMMAND = re.compile(r"(?:[A-Z_]+=\S+ )*(?:cotouch|make|npm|source) ")
 
 
 class Block(NamedTuple):

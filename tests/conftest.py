@@ -2,7 +2,6 @@
 
 import os
 import signal
-import subprocess
 import sys
 from collections.abc import Generator
 from pathlib import Path
@@ -22,8 +21,9 @@ if ROOT not in sys.path:
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """Two sizes of the suite; see `tests/thorough.py`."""
+    """Two sizes of the suite, see `tests/thorough.py`; and what `tests/run.py` says."""
     parser.addoption("--thorough", action="store_true", help="more cases of everything: what `make test-all` runs")
+    parser.addoption("--warm", action="store_true", help="the kernels are compiled already")
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -48,11 +48,11 @@ def pytest_configure(config: pytest.Config) -> None:
     config.pluginmanager.register(leftovers)
     config.pluginmanager.register(turns)
     config.pluginmanager.register(thorough)
-    if getattr(config.option, "numprocesses", None) and not hasattr(config, "workerinput"):
-        script = Path(__file__).parent / "warm_up.py"
-        running = [subprocess.Popen([sys.executable, str(script), axes]) for axes in ("1", "3")]
-        for process in running:
-            process.wait()
+    alone = not getattr(config.option, "numprocesses", None) or hasattr(config, "workerinput")
+    if not alone and not config.getoption("--warm"):
+        from tests.warm_up import warm_up
+
+        warm_up()
 
 
 @pytest.hookimpl(trylast=True)

@@ -11,29 +11,41 @@ import os
 import secrets
 import subprocess
 import sys
+from collections.abc import Generator
+from contextlib import AbstractContextManager
 from pathlib import Path
 
 import pytest
 
 MARK = "COTOUCH_TEST_RUN"
-_KEEPER = pytest.StashKey["subprocess.Popen[bytes]"]()
+_KEPT = pytest.StashKey[AbstractContextManager[None]]()
+
+
+@contextlib.contextmanager
+def none_left() -> Generator[None]:
+    """What this process starts in here is ended after it, however this process ends."""
+    mark, before = secrets.token_hex(8), os.environ.get(MARK, "")
+    command = [sys.executable, "-S", str(Path(__file__).with_name("keeper.py")), mark]
+    keeper = subprocess.Popen(command, stdin=subprocess.PIPE, start_new_session=True)
+    os.environ[MARK] = f"{before} {mark}"
+    try:
+        yield
+    finally:
+        assert keeper.stdin is not None
+        keeper.stdin.close()
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            keeper.wait(20)
+        os.environ[MARK] = os.environ[MARK].rpartition(" ")[0]
 
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_configure(config: pytest.Config) -> None:
     """Starts the process beside this one, and marks what is started from now on."""
-    mark, before = secrets.token_hex(8), os.environ.get(MARK, "")
-    command = [sys.executable, "-S", str(Path(__file__).with_name("keeper.py")), mark]
-    config.stash[_KEEPER] = subprocess.Popen(command, stdin=subprocess.PIPE, start_new_session=True)
-    os.environ[MARK] = f"{before} {mark}"
+    config.stash[_KEPT] = none_left()
+    config.stash[_KEPT].__enter__()
 
 
 @pytest.hookimpl(trylast=True)
 def pytest_unconfigure(config: pytest.Config) -> None:
     """Has what is left ended before this process is."""
-    keeper = config.stash[_KEEPER]
-    assert keeper.stdin is not None
-    keeper.stdin.close()
-    with contextlib.suppress(subprocess.TimeoutExpired):
-        keeper.wait(20)
-    os.environ[MARK] = os.environ[MARK].rpartition(" ")[0]
+    config.stash[_KEPT].__exit__(None, None, None)

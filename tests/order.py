@@ -8,29 +8,43 @@ is left for the end. Modules stay whole: their fixtures are made once.
 from collections.abc import Sequence
 from typing import Protocol, TypeVar
 
-# Real sessions, networks and devices: `make test` runs them alone, after everything else.
-TIMED = (
-    "cli/test_session_commands.py",
+# What must come within milliseconds or needs both processors: `make test` runs it with nothing beside it.
+ALONE = (
+    "control/test_control_zenoh.py",
+    "drivers/test_coming_back.py",
+    "drivers/test_conforming.py",
+    "drivers/test_critical.py",
     "drivers/test_failing.py",
+    "drivers/test_inverse3.py",
     "drivers/test_processes.py",
     "drivers/test_session.py",
+    "drivers/test_touch.py",
+    "hands/test_device_hand.py",
+    "haptics/test_conformance.py",
     "haptics/test_processes.py",
     "haptics/test_servo.py",
-    "live/test_control_processes.py",
-    "live/test_control_zenoh.py",
-    "live/test_gate.py",
-    "live/test_gatekeeper.py",
+    "live/test_transports.py",
+    "pacing/test_pacing.py",
+    "session/test_felt_live.py",
+    "session/test_short_faults.py",
+    "web/test_real_demo.py",
+)
+# Real sessions and networks that mostly wait, with patience for many seconds: one after the other, beside the rest.
+PATIENT = (
+    "cli/test_documented_commands.py",
+    "cli/test_session_commands.py",
+    "control/test_control_processes.py",
+    "control/test_gate.py",
+    "control/test_gatekeeper.py",
+    "live/test_moving.py",
     "live/test_nats.py",
     "live/test_networks.py",
-    "live/test_pacing.py",
     "session/test_demo_session_api.py",
-    "session/test_device_hand.py",
-    "session/test_felt_live.py",
     "session/test_nats.py",
     "session/test_networks.py",
-    "web/test_real_demo.py",
     "web/test_real_join.py",
 )
+TIMED = (*ALONE, *PATIENT)
 # Browsers, and runs of tests that are interrupted, the longest first.
 WAITING = (
     "web/test_picture.py",
@@ -45,25 +59,32 @@ WAITING = (
 )
 # What computes for long or compiles much, the longest first.
 COMPUTING = (
-    "test_processors.py",
+    "mechanics/test_force.py",
+    "simulation/test_world.py",
+    "members/test_member.py",
     "study/test_study.py",
-    "planning/test_plan.py",
-    "study/test_solid.py",
-    "study/test_touch_record.py",
-    "live/test_control_fuzz.py",
-    "session/test_parity.py",
-    "session/test_member.py",
-    "planning/test_springs.py",
+    "cli/test_outputs.py",
+    "hands/test_commanded_hand.py",
+    "mechanics/test_contact_material.py",
+    "test_processors.py",
     "cli/test_plan_command.py",
     "cli/test_cli.py",
-    "cli/test_recording_commands.py",
-    "device/test_servo.py",
+    "session/test_planner.py",
+    "members/test_live_law.py",
+    "members/test_succession.py",
+    "test_document_blocks.py",
+    "test_compiled.py",
     "device/test_modulation.py",
+    "cli/test_laboratory_commands.py",
+    "planning/test_springs.py",
+    "planning/test_plan.py",
+    "simulation/test_figures.py",
+    "session/test_recovery.py",
     "body/test_meshes.py",
-    "mechanics/test_contact.py",
-    "mechanics/test_collide.py",
-    "session/test_recording.py",
-    "live/test_fuzz.py",
+    "mechanics/test_world.py",
+    "simulation/test_contact.py",
+    "simulation/test_materials.py",
+    "study/test_solid.py",
 )
 
 

@@ -372,3 +372,18 @@ def test_a_function_that_another_process_compiles_is_waited_for(tmp_path: Path):
 
 def test_where_nothing_can_be_kept_nobody_is_waited_for(tmp_path: Path):
     machine._Turns().take(str(tmp_path / "gone"), "step")
+
+
+def test_a_constant_in_a_call_compiles_nothing_once_more():
+    """Nor does one that is told by its name."""
+
+    @machine.routine
+    def doubled(value: int, more: bool) -> int:
+        return 2 * value + (1 if more else 0)
+
+    @machine.routine
+    def summed(value: int) -> int:
+        return doubled(value, value > 0) + doubled(3, True) + doubled(4, more=False)
+
+    assert summed(1) == 3 + 7 + 8
+    assert len(doubled.signatures) == 1  # type: ignore[attr-defined]

@@ -1,5 +1,6 @@
-"""Every block of Python, TOML and console in README and docs runs, or is at least one that could be run."""
+"""Every block of Python, TOML and console in the documents runs, or is at least one that could be run."""
 
+import json
 import re
 import socket
 import tomllib
@@ -22,19 +23,20 @@ from tests.web.fake_session_api import FakeSessionApi
 from cotouch.cli._app import app
 from cotouch.haptics import GROUP, Driver, driver
 from cotouch.laboratory import Study
+from cotouch.members import SessionFile
 from cotouch.scenario import Scenario
-from cotouch.session import SessionFile
 
 matplotlib.use("Agg")
 # Commands that run here as they stand.
-RUN = {"simulate", "certify", "plan", "--version", "audit", "export", "devices list"}
+RUN = {"simulate", "certify", "plan", "--version", "replay", "audit", "export", "devices list"}
+# And those that read three users' recordings.
+READ_BACK = {"replay", "audit", "export"}
 # Commands that are read as the command line reads them, to the last option, and why they do not run here.
 READ = {
-    "demo": "opens a session and a page, and stays",
-    "host": "opens a session and waits for people",
-    "join": "needs a session of somebody else's",
+    "demo": "opens a session and a page, and stays; cli/test_session_commands.py runs it",
+    "host": "opens a session and waits for people; cli/test_documented_commands.py runs it",
+    "join": "needs a session of somebody else's; likewise",
     "measure": "likewise",
-    "replay": "opens a page, and stays",
     "devices check": "moves a device that is plugged in",
 }
 SHELL = {"source"}
@@ -115,7 +117,7 @@ def read_toml(block: Block) -> None:
         SessionFile.from_toml((ROOT / "examples/live.toml").read_text(encoding="utf-8") + block.text)
     elif "entry-points" in block.text:
         assert f'[project.entry-points."{GROUP}"]' in block.text
-    elif block.text.startswith(("[contact]", "[world]")):
+    elif block.text.startswith(("[channel]", "[contact]", "[world]")):
         tables = tomllib.loads(block.text)
         assert Scenario.make(network=TWO, **tables).model_fields_set == {"network", *tables}
     elif "law = {" in block.text:  # two ways of saying it
@@ -149,12 +151,15 @@ def run_block(block: Block, names: Names) -> None:
     elif block.kind == "toml" and not block.title:
         read_toml(block)
     for words in commands_of(block.text) if block.kind == "console" else []:
-        if words[0] == "make":
+        if words[0] == "npm":
+            scripts = json.loads((ROOT / "page" / "package.json").read_text(encoding="utf-8"))["scripts"]
+            assert words[1:] == ["ci"] or (words[1] == "run" and words[2] in scripts), " ".join(words)
+        elif words[0] == "make":
             assert re.search(rf"^{words[1]}:", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE)
         elif words[0] not in SHELL and "--animation" in words:  # it draws for long, on purpose
             read_command(words)
         elif words[0] not in SHELL and command_of(words) in RUN:
-            with recorded(Path.cwd()) if words[1] in {"audit", "export"} else nullcontext():
+            with recorded(Path.cwd()) if words[1] in READ_BACK else nullcontext():
                 done = here(*sooner(words[1:]))
             assert done.returncode == 0, done.stderr
         elif words[0] not in SHELL:
@@ -171,7 +176,9 @@ def desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
-@pytest.mark.parametrize("page", [page for page in PAGES if blocks_of(page)], ids=lambda page: page.name)
+@pytest.mark.parametrize(
+    "page", [page for page in PAGES if blocks_of(page)], ids=lambda page: str(page.relative_to(ROOT))
+)
 def test_every_block_runs(page: Path, desk: Path):
     """In the order of the page, all with the same names; so a block may use what an earlier one made."""
     names: Names = {"__name__": page.stem, **GIVEN.get(page.name, lambda folder: {})(desk)}
@@ -213,6 +220,8 @@ def test_the_device_of_the_page_is_one_that_the_command_line_finds(desk: Path):
         Block("console", "", "cotouch body gone.stl\n"),
         Block("toml", "", 'title = "Laws"\nlaws = ["wafe"]\nnetworks = [{name = "n", delay = 0.1}]\n'),
         Block("console", "", "make nothing\n"),
+        Block("console", "", "npm run nothing\n"),
+        Block("console", "", "cotouch replay gone.mcap\n"),
     ],
     ids=lambda block: block.text.split("\n")[0],
 )

@@ -15,13 +15,14 @@ ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "src" / "cotouch"
 NOTES = sorted(PACKAGE.rglob("DESIGN.md"))
 PAGES = [
-    *(ROOT / name for name in ("ARCHITECTURE.md", "CONTRIBUTING.md", "README.md")),
+    *(ROOT / name for name in ("ARCHITECTURE.md", "CONTRIBUTING.md", "README.md", "page/README.md")),
     *sorted((ROOT / "docs").rglob("*.md")),
     *NOTES,
 ]
 ENDINGS = "py|md|toml|ts|css|pv|yml|cff|json|lock"
 FILE = re.compile(rf"`([\w./-]+\.(?:{ENDINGS}))((?:::\w+)*)`")
 LINK = re.compile(r"\]\(([^)\s]+)\)")
+MENTIONED = re.compile(r"`((?:cotouch|make|python) [^`\n]*)`")
 
 
 def name(path: Path) -> str:
@@ -150,6 +151,53 @@ def test_every_option_of_the_command_line_is_in_a_document():
         if not re.search(rf"{option}(?![\w-])", text) and not (command == "cotouch body" and option in keys)
     ]
     assert not missing
+
+
+def wrong_command(text: str) -> str | None:
+    """What is not there of a command that a text names in passing, with `|` or `\\|` between choices; None: nothing."""
+    from cotouch.cli._app import app
+
+    first, name, *words = text.replace("\\|", "|").split()
+    if first == "make":
+        return None if re.search(rf"^{name}:", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE) else name
+    if first == "python":
+        path = words[0].replace(".", "/") if name == "-m" else name.removesuffix(".py")
+        places = (ROOT / f"{path}.py", ROOT / path / "__main__.py")
+        return None if any(place.is_file() for place in places) else path
+    command: Any = typer.main.get_command(app)
+    for choice in name.split("|"):
+        if choice not in command.commands:
+            return choice
+    command = command.commands[name]
+    if hasattr(command, "commands") and words:
+        missing = [choice for choice in words[0].split("|") if choice not in command.commands]
+        if missing:
+            return missing[0]
+        command = command.commands[words[0].split("|")[0]]
+    known = {option for parameter in command.params for option in (*parameter.opts, *parameter.secondary_opts)}
+    return next((option for option in re.findall(r"(?<![\w-])--[a-z][\w-]*", text) if option not in known), None)
+
+
+@pytest.mark.parametrize("page", PAGES, ids=name)
+def test_commands_that_are_named_in_passing_exist(page: Path):
+    found = MENTIONED.findall(page.read_text(encoding="utf-8"))
+    assert [(text, wrong) for text in found if (wrong := wrong_command(text)) is not None] == []
+
+
+@pytest.mark.parametrize(
+    ("text", "wrong"),
+    [
+        ("make shapes", "shapes"),
+        ("python examples/gone.py", "examples/gone"),
+        ("python -m tests.web.gone FOLDER", "tests/web/gone"),
+        ("cotouch fell SCENARIO", "fell"),
+        ("cotouch devices list|chek", "chek"),
+        ("cotouch plan NETWORK --links E [--goal decay\\|feel]", "--goal"),
+        ("cotouch replay FILE --impair loss=0.3", "--impair"),
+    ],
+)
+def test_a_command_that_does_not_exist_is_found(text: str, wrong: str):
+    assert wrong_command(text) == wrong
 
 
 def test_the_readme_activates_the_environment_before_it_names_what_is_in_it():

@@ -4,7 +4,7 @@ import itertools
 from dataclasses import dataclass
 from pathlib import Path
 
-from tests.order import COMPUTING, WAITING, ordered
+from tests.order import COMPUTING, TIMED, WAITING, ordered
 
 
 @dataclass(frozen=True)
@@ -13,7 +13,7 @@ class Named:
 
 
 def test_what_is_named_is_there_and_named_once():
-    named = [*WAITING, *COMPUTING]
+    named = [*TIMED, *WAITING, *COMPUTING]
     assert len(set(named)) == len(named)
     assert not [name for name in named if not (Path(__file__).parent / name).is_file()]
 

@@ -24,6 +24,18 @@ ALGEBRA = (
 )
 # Kernels of the simulator and of the search for roots; compiled once for the plain processor, kept apart.
 KERNELS = ("study/test_confirm.py",)
+# Of both, what costs little and went wrong, or would be the first to.
+FEW = (
+    "body/test_eigenspaces.py::test_any_mixture_of_equals_gives_the_same",
+    "network/test_consensus.py::test_agrees_with_dense_eigenvalues",
+    "network/test_passivity.py::test_minimax_is_the_perron_eigenvalue_and_no_weights_do_better",
+    "study/test_confirm.py::test_the_slowest_of_several_exponentials",
+    "study/test_confirm.py::test_powers_that_leave_the_range_of_floating_point",
+)
+FEW_KERNELS = (
+    "mechanics/test_step.py::TestPoint::test_scalar_formula",
+    "network/test_returns.py::test_what_is_excluded_is_empty_and_no_turn_is_lost[0]",
+)
 KEPT = Path(ROOT, ".pytest_cache", "numba-generic")
 
 
@@ -32,12 +44,13 @@ def without(*features: str) -> str:
     return " ".join(name for name in features if name in __cpu_dispatch__ and __cpu_features__.get(name))
 
 
-# What each needs of the processor, what is set, and which tests run.
+# What each needs of the processor, what is set, which tests run, and which of them always do.
 SETTINGS = {
     "AVX2": (
         ("X86_V4",),  # without AVX-512 this is how all other tests run
         {"OPENBLAS_CORETYPE": "Haswell", "NPY_DISABLE_CPU_FEATURES": without("X86_V4", "AVX512_ICL", "AVX512_SPR")},
         ALGEBRA,
+        FEW,
     ),
     "SSE4": (
         ("SSE42",),
@@ -46,15 +59,25 @@ SETTINGS = {
             "NPY_DISABLE_CPU_FEATURES": without("X86_V3", "X86_V4", "AVX512_ICL", "AVX512_SPR"),
         },
         ALGEBRA,
+        FEW,
     ),
-    "plain": ((), {"NUMBA_CPU_NAME": "generic", "NUMBA_CACHE_DIR": str(KEPT)}, KERNELS),
+    "plain": ((), {"NUMBA_CPU_NAME": "generic", "NUMBA_CACHE_DIR": str(KEPT)}, KERNELS, FEW_KERNELS),
 }
+
+
+@pytest.mark.parametrize("name", SETTINGS)
+def test_numbers_do_not_depend_on_the_processor(name: str):
+    run(name, SETTINGS[name][3])
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", SETTINGS)
-def test_numbers_do_not_depend_on_the_processor(name: str):
-    needed, setting, tests = SETTINGS[name]
+def test_nor_do_all_the_others(name: str):
+    run(name, SETTINGS[name][2])
+
+
+def run(name: str, tests: tuple[str, ...]) -> None:
+    needed, setting = SETTINGS[name][:2]
     if not all(__cpu_features__.get(feature) for feature in needed):
         pytest.skip(f"this processor has no {' and '.join(needed)}")
     paths = [str(Path(ROOT, "tests", test)) for test in tests]

@@ -1,8 +1,8 @@
 """What waits in real time is marked `timed` and takes turns.
 
-`make test` runs it after everything else, with the machine to itself. Whoever runs tests otherwise has one such test at
-a time on two cores: a turn is a locked file that all who test on this machine share. The system unlocks it for whoever
-is killed.
+`make test` runs some of it with nothing beside it, and everything else gives way to the rest (`run.py`). Whoever runs
+tests otherwise has one such test at a time on two cores: a turn is a locked file that all who test on this machine
+share. The system unlocks it for whoever is killed.
 """
 
 import contextlib

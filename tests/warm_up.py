@@ -1,30 +1,39 @@
-"""Compiles kernels into the cache on disk, a width in each process; run by `conftest.py` before workers would do so."""
+"""Compiles kernels into the cache on disk, a width in each process, before several processes would do so."""
 
+import subprocess
 import sys
 from pathlib import Path
 
-import numpy as np
 
-from cotouch.body import lattice
-from cotouch.device import CartesianPlant, DeviceModel, SimulatedDevice, critical_stiffness
-from cotouch.network import Network
-from cotouch.planning import plan
-from cotouch.scenario import Scenario
-from cotouch.simulation import prepare, run_peers, simulate
-
-sys.path.insert(0, str(Path(__file__).parent.parent))
+def warm_up() -> None:
+    """Compiles for both widths at once."""
+    running = [subprocess.Popen([sys.executable, __file__, axes]) for axes in ("1", "3")]
+    for process in running:
+        process.wait()
 
 
 def main(axes: int) -> None:
     """Runs a body of that many axes in every way that compiles something of its own."""
+    import numpy as np
+
+    from cotouch.body import lattice
+    from cotouch.device import CartesianPlant, DeviceModel, SimulatedDevice, critical_stiffness
+    from cotouch.network import Network
+    from cotouch.planning import plan
+    from cotouch.scenario import Scenario
+    from cotouch.simulation import prepare, run_peers, simulate
+
     scenario = Scenario.make(
         network={"users": ["a", "b"], "spring": [[0, 1], [1, 0]], "delay": [[0, 0.01], [0.01, 0]]},
         body={"kind": "chain", "nodes": 2, "dimension": axes},
         steps={"duration": 0.05, "period": 0.01},
         hands=[{"user": 1, "path": [0.1] * axes}],
     )
-    simulate(scenario)
-    run_peers(prepare(scenario))
+    for law in ("spring", "paid"):  # the engine is another where links are not springs
+        chosen = scenario.replace(synchronisation={"law": law})
+        simulate(chosen)
+        run_peers(prepare(chosen))
+    sys.path.insert(0, str(Path(__file__).parent.parent))
     from tests.mechanics.touching import TouchedCopy
 
     block = lattice((2, 2, 2), ground="all", ground_stiffness=1.0)
@@ -49,4 +58,7 @@ def main(axes: int) -> None:
 
 
 if __name__ == "__main__":
-    main(int(sys.argv[1]))
+    if sys.argv[1:]:
+        main(int(sys.argv[1]))
+    else:
+        warm_up()

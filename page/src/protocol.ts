@@ -11,6 +11,12 @@ export interface User {
   name: string;
 }
 
+/** What stands still around the object; lengths in m. */
+export type Obstacle =
+  | { kind: "plane"; point: Vec; normal: Vec }
+  /** `turn`: along the axis of turning, as long as the angle [rad]. */
+  | { kind: "box"; size: Vec; centre: Vec; turn: Vec };
+
 /** What a server run shows; does not change while it runs. Lengths in m. */
 export interface Scene {
   title: string;
@@ -30,6 +36,7 @@ export interface Scene {
   skin: { vertices: number; rest: Float32Array; triangles: Uint32Array; node: Uint32Array } | null;
   /** Pairs of nodes, for bodies without a skin. */
   edges: Uint32Array | null;
+  obstacles: Obstacle[];
   radius: number;
   centre: Vec;
   /** Usual stiffness of a hand [N/m]. */

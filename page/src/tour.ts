@@ -5,6 +5,7 @@ import { type Box, placed } from "./placing";
 import { condition, isCut } from "./panels/words";
 
 const KEY = "cotouch.tour";
+const AROUND = "#energy, #plots, #network";
 const LOOK = 200; // ms between two looks at whether it is done
 
 /** What a step may remember while it lasts. */
@@ -18,7 +19,7 @@ interface Step {
   done: (context: Context, memory: Memory) => boolean;
   /** What is shown, the first of these that is seen; may depend on what was done. */
   where: string | ((memory: Memory) => string);
-  /** What is to be seen besides. */
+  /** What is to be seen besides; where nothing is said, all that moves with a hand. */
   sees?: string;
   tab?: Tab;
   /** What has to be so for it to be done at all; in words where it is not. */
@@ -243,7 +244,7 @@ export function tour(context: Context, root: HTMLElement): { open: () => void; i
     const room: Box = { left: 8, top: 8, width: innerWidth - 16, height: innerHeight - 16 };
     const { width, height } = card.getBoundingClientRect();
     // The line on top says how things stand, and is low: it stays free.
-    const at_ = placed({ width, height }, [box, ...seen(step.sees ?? ""), ...seen(".bar")], room);
+    const at_ = placed({ width, height }, [box, ...seen(step.sees ?? AROUND), ...seen(".bar")], room);
     card.style.left = `${at_.left}px`;
     card.style.top = `${at_.top}px`;
   };

@@ -376,6 +376,9 @@ def stamped(compiled: Any, *, apart: bool = False) -> Any:
         apart: whether it is called by its symbol if it is large, which costs a device's kernels half their speed.
     """
     compiled._compiler.pipeline_class = _Compiler
+    # As it is, this would compile it once more for each constant that another calls it with.
+    find, plain = compiled.get_call_template, types.unliteral
+    compiled.get_call_template = lambda args, kws: find(tuple(map(plain, args)), {k: plain(kws[k]) for k in kws})
     try:
         cache: Any = _Cache(compiled.py_func)
     except (OSError, RuntimeError) as error:

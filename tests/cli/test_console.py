@@ -6,7 +6,7 @@ import pytest
 from tests.session.world import World
 
 from cotouch.cli._console import Console
-from cotouch.session import Host
+from cotouch.members import Host
 
 TEXT = "[session]\nusers = 3\n[body]\nmass = 0.5\n[steps]\nrate = 50\n"
 

@@ -31,6 +31,8 @@ def test_list(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatc
     code, out, _ = told(capsys, monkeypatch, "list")
     assert code == 0
     assert "simulated" in out
+    options = [option for row in found.values() for option in row["options"]]
+    assert [option for option in options if f"{option}=" not in out] == []  # on 80 columns
 
 
 def test_check_calibrate_and_monitor(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch):

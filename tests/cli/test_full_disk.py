@@ -14,8 +14,8 @@ from tests.session.world import World
 
 from cotouch.cli._session import numbers, sentence
 from cotouch.cli._table import view
+from cotouch.members import PartOutcome
 from cotouch.recording import read_recording
-from cotouch.session import PartOutcome
 
 TWO = """
 [session]

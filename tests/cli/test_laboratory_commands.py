@@ -44,8 +44,15 @@ def test_simulate_says_what_the_law_made(scenario: Path) -> None:
     assert judged["promised"]
 
 
+def test_simulate_takes_the_default_law_and_another_by_name(scenario: Path) -> None:
+    scenario.write_text(SCENARIO.replace("LAW", ""), encoding="utf-8")
+    for options, law in (([], "paid"), (["--law", "spring"], "spring")):
+        judged = json.loads(here("simulate", scenario, *options, "--json").stdout)["judge"]
+        assert (judged["law"], judged["kept"]) == (law, True)
+
+
 def test_simulate_says_that_springs_without_damping_promise_nothing(scenario: Path) -> None:
-    scenario.write_text(SCENARIO.replace("LAW", "damping = 0.0"), encoding="utf-8")
+    scenario.write_text(SCENARIO.replace("LAW", 'law = "spring"\ndamping = 0.0'), encoding="utf-8")
     shown = " ".join(here("simulate", scenario).stdout.split())
     assert "of its own, promises nothing; its seed is 0 J" in shown
     assert "spring: made 0 J" not in shown
@@ -60,13 +67,20 @@ def test_feel_predicts_and_draws(scenario: Path, tmp_path: Path) -> None:
 
 
 def test_sweep_lists_every_run(scenario: Path, tmp_path: Path) -> None:
-    out = tmp_path / "all.nc"
+    out = tmp_path / "out"
     done = here("sweep", scenario, "--vary", "link.delay=0.01,0.1", "--vary", "synchronisation.law=spring,wave",
                 "--out", out, "--json")  # fmt: skip
     runs = json.loads(done.stdout)["runs"]
     assert len(runs) == 4
     assert all(run["made"] <= run["seed"] + 1e-12 for run in runs)
-    assert out.stat().st_size > 0
+    cells = {file.name: file.stat().st_mtime_ns for file in (out / "cells").iterdir()}
+    assert len(cells) == 4
+    again = here("sweep", scenario, "--vary", "link.delay=0.01,0.1", "--vary", "synchronisation.law=spring,wave",
+                 "--out", out, "--jobs", "1", "--json")  # fmt: skip
+    assert json.loads(again.stdout)["runs"] == runs
+    assert {file.name: file.stat().st_mtime_ns for file in (out / "cells").iterdir()} == cells
+    with xr.open_dataset(out / "results.nc", engine="h5netcdf") as found:
+        assert found.sizes == {"link.delay": 2, "synchronisation.law": 2}
     assert "link.delay" in here("sweep", scenario, "--vary", "link.delay=0.01,0.1").stdout
 
 

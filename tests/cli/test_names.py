@@ -89,7 +89,9 @@ def test_a_terminal_that_has_not_all_letters(odd: Path, encoding: str) -> None:
 
 def test_a_motion_that_diverges_ends_with_1(tmp_path: Path) -> None:
     path = tmp_path / "diverges.toml"
-    path.write_text(ODD.replace("50", "5e5") + "[synchronisation]\ndamping = 0.0\n[[hands]]\nuser = 1\npath = 0.1\n")
+    path.write_text(
+        ODD.replace("50", "5e5") + '[synchronisation]\nlaw = "spring"\ndamping = 0.0\n[[hands]]\nuser = 1\npath = 0.1\n'
+    )
     path.write_text(path.read_text().replace("duration = 0.5", "duration = 20.0"))
     out = tmp_path / "run.nc"
     done = here("simulate", path, "--json", "--out", out)

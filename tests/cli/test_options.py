@@ -3,7 +3,6 @@
 import inspect
 from pathlib import Path
 
-import pytest
 from tests.cli.commands import here
 
 from cotouch.cli._app import body
@@ -24,12 +23,3 @@ def test_the_body_command_takes_every_option_of_a_scenarios_body() -> None:
     together = {"most_triangles", "most_elements"}  # --most: a file has one of them
     assert set(FileTable.model_fields) - {"kind"} - together <= own
     assert "most" in own
-
-
-@pytest.mark.parametrize("text", ["down", "0,0", "1,2,3,4"])
-def test_a_gravity_that_is_none_is_a_sentence(text: str) -> None:
-    done = here("body", "x.stl", "--gravity", text)
-    assert (done.returncode, done.stderr) == (
-        2,
-        f'cotouch: --gravity is "{text}"; it must be three numbers, as 0,0,-9.81\n',
-    )

@@ -1,15 +1,18 @@
 """Tables on terminals that are narrow."""
 
+import io
 import re
 from types import SimpleNamespace
 from typing import Any
 
+import numpy as np
 import pytest
 from rich.console import Console
 
+from cotouch.cli import _plan_tables
 from cotouch.cli._audit import _links, _users
 from cotouch.cli._demo import _print
-from cotouch.cli._output import print_columns
+from cotouch.cli._output import number, print_columns, print_note
 from cotouch.session import DemoOutcome
 
 NUMBERS = [-5.974e-05, -1.234e-11, 12.34, -0.001234, 633.1]
@@ -85,3 +88,36 @@ def test_after_lowered_damping_nothing_is_called_passive(capsys: pytest.CaptureF
     assert text.endswith("Nothing was guaranteed while the damping was lowered; links added 633 J in all.")
     _print(outcome())
     assert "Passive: nobody got out" in printed(capsys)
+
+
+def test_a_plan_sets_the_worst_apart_and_nothing_else(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(_plan_tables, "_verdict", lambda found: "Proved.")
+    choice = SimpleNamespace(
+        links=((0, 1),), value=-1.0, period=1, time_constant_s=1.0, worst_path_s=0.1, damping=np.array([4.0, 4.0])
+    )
+    found: Any = SimpleNamespace(
+        objective="decay", users=("Ann", "Ben"), top=[choice] * 3, best=choice, worst=choice, worst_status="proved",
+        notes=(),
+    )  # fmt: skip
+    _plan_tables.print_plan(found)
+    text = [line.split()[:1] for line in printed(capsys).splitlines()]
+    rows = text[text.index(["1"]) :]
+    assert rows[:5] == [["1"], ["2"], ["3"], [], ["worst"]]
+
+
+def test_a_note_ends_its_lines_between_words_at_a_terminal_and_stays_one_line_in_a_file() -> None:
+    text = "Its moments of inertia are up to 25 % above the solid's; a higher resolution is nearer."
+    for terminal, lines in ((True, 3), (False, 1)):
+        written = io.StringIO()
+        print_note(Console(file=written, width=40, force_terminal=terminal, color_system=None), "yellow", text)
+        found = written.getvalue().splitlines()
+        assert len(found) == lines
+        assert found[0].startswith("  • Its moments")
+        assert all(line.startswith("    ") for line in found[1:])
+        assert " ".join(" ".join(found).split()) == f"• {text}"
+
+
+def test_nothing_is_less_than_zero_by_its_sign_alone() -> None:
+    assert (number(-0.0), number(0.0, "J"), number(-1e-20)) == ("0", "0 J", "-1e-20")

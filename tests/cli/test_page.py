@@ -14,19 +14,21 @@ from websockets.sync.client import connect
 
 from cotouch.cli import _page
 from cotouch.cli._app import app
+from cotouch.cli._output import say
 from cotouch.errors import SessionError, TransportError
-from cotouch.session import Part, demo_session, open_host
+from cotouch.members import Part
+from cotouch.session import demo_session, open_host
 from cotouch.web import PageAddress
 
 
 def test_nothing_is_served_unless_wanted():
-    with _page.page(wanted=False, port=70_000, listen="nonsense.") as beside:
+    with _page.page(wanted=False, port=70_000, listen="nonsense.", tell=say) as beside:
         assert beside is None
 
 
 def test_a_stage_is_served_and_the_address_said(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setattr(_page, "desktop", lambda: False)
-    with _page.page(wanted=True, port=0, listen="127.0.0.1") as beside:
+    with _page.page(wanted=True, port=0, listen="127.0.0.1", tell=say) as beside:
         assert beside is not None
         with beside(FakeSessionApi("1d")):
             said = capsys.readouterr().err
@@ -42,7 +44,7 @@ def test_a_stage_is_served_and_the_address_said(capsys: pytest.CaptureFixture[st
 
 def test_who_can_reach_it_from_elsewhere_is_said(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setattr(PageAddress, "local", False)  # without opening a port to others here
-    with _page.page(wanted=True, port=0, listen="127.0.0.1") as beside:
+    with _page.page(wanted=True, port=0, listen="127.0.0.1", tell=say) as beside:
         assert beside is not None
         with beside(FakeSessionApi("1d")):
             assert "others can reach 127.0.0.1" in capsys.readouterr().err
@@ -57,7 +59,7 @@ def test_a_browser_gets_a_ticket_and_only_one_with_a_window(
     browser = kind("made-up")
     monkeypatch.setattr(browser, "open", calls.append)
     monkeypatch.setattr(webbrowser, "get", lambda: browser)
-    with _page.page(wanted=True, port=0, listen="127.0.0.1") as beside:
+    with _page.page(wanted=True, port=0, listen="127.0.0.1", tell=say) as beside:
         assert beside is not None
         with beside(FakeSessionApi("1d")):
             for thread in threading.enumerate():

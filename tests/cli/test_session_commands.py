@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import secrets
 import signal
 import subprocess
@@ -17,10 +18,11 @@ import pytest
 from tests.keeper import marked
 
 from cotouch.cli import main
+from cotouch.control import Endpoint, Invitation, free_port
 from cotouch.errors import CotouchError
-from cotouch.live import Endpoint, Identity, Invitation, free_port
 from cotouch.peer import LinkState
 from cotouch.recording import read_recording
+from cotouch.samples import Identity
 
 # What any wait is bounded by; alone on a machine what is waited for takes seconds [s].
 PATIENCE = 300.0
@@ -181,7 +183,7 @@ def test_who_was_killed_comes_back_as_itself_and_so_does_the_host(running: Runni
 
     def kept() -> list[str]:
         decided = json.loads((tmp_path / "keys").read_text())["decided"]
-        return sorted(entry["name"] for entry in decided["roster"]["members"])
+        return [] if decided is None else sorted(entry["name"] for entry in decided["roster"]["members"])
 
     running.until(lambda: kept() == ["Ann", "Ben"], "the host keeps its roster")
     for process in (ben, host):
@@ -233,7 +235,9 @@ def test_demo(running: Running, options: tuple[str, ...]) -> None:
     assert done.returncode == bool(shown["complaints"])
     assert not [said for said in shown["complaints"] if "coupled" not in said]  # a busy machine guards its links
     explained = shown["supplied_J"] + shown["delays_added_J"] - shown["damped_J"] - shown["in_copies_J"]
-    assert abs(explained) < 0.01 * shown["damped_J"]  # what remains is from sharing the object among more
+    # The rest is from sharing the object among more, as they come.
+    shared = sum(one["status"][name] for one in shown["members"].values() for name in ("initial", "rescaled"))
+    assert abs(explained + shared) < 1e-9 * shown["damped_J"]
 
 
 def invitation(host: str = "127.0.0.1") -> str:
@@ -245,16 +249,20 @@ def invitation(host: str = "127.0.0.1") -> str:
 
 
 def said(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], *arguments: str | Path) -> str:
-    """What the command says on standard error, which must be one sentence, and ends with 2."""
+    """What the command says on standard error, which must be one sentence, and ends with 2.
+
+    Where a busy machine takes seconds to load it, lines before say so.
+    """
     monkeypatch.setattr(sys, "argv", ["cotouch", *map(str, arguments)])
     with pytest.raises(SystemExit) as caught:
         main()
     out, err = capsys.readouterr()
     assert caught.value.code == 2
     assert out == ""
-    assert err.startswith("cotouch: ")
-    assert err.count("\n") == 1
-    return err
+    lines = [line for line in err.splitlines() if not re.fullmatch(r"cotouch: starting \(\d+ s\)", line)]
+    assert len(lines) == 1
+    assert lines[0].startswith("cotouch: ")
+    return lines[0]
 
 
 def test_a_demo_that_is_killed_leaves_neither_members_nor_boards(

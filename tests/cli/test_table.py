@@ -1,7 +1,7 @@
 """What the terminal says of a session's law."""
 
-from cotouch.cli._table import felt_words
-from cotouch.session import LinkStatus, Status
+from cotouch.cli._table import felt_words, verdict
+from cotouch.members import LinkStatus, Status
 
 
 def said(slot: int, **entries: object) -> Status:
@@ -18,3 +18,10 @@ def test_the_law_its_energy_on_the_way_and_its_drag() -> None:
     assert felt_words(still) == "Law spring: felt drag 4.00 Ns/m predicted (people notice 0.8)."
     assert "felt drag not known until the object moves" in felt_words([said(0)])
     assert felt_words([]) == ""
+
+
+def test_nobody_is_accused_of_energy_whose_ledger_went_with_who_left() -> None:
+    took = [said(0, supplied=-0.062, initial=0.0)]
+    assert verdict(took, left=False) == "NOT PASSIVE: 0.062 J came out that nobody put in."
+    assert "cannot be set against" in verdict(took, left=True)
+    assert verdict([said(0, supplied=0.062)], left=True).startswith("Passive")

@@ -7,9 +7,10 @@ import numpy as np
 
 from cotouch.device import DEVICE_LEDGER, Devices, DeviceState, advance
 from cotouch.device._servo import tick
-from cotouch.mechanics import credit, modulate
+from cotouch.mechanics import END, PSPM, EnergyMessage, book_end, end_row, hear, message_of
 
 Array = np.ndarray
+CHARGED = DEVICE_LEDGER.index("charged")
 BOOK = {name: index for index, name in enumerate(DEVICE_LEDGER)}
 
 
@@ -18,7 +19,7 @@ def drive(devices, state, times, places, pulled, wishes, totals, motion, efforts
     """Servo ticks of device 0 at given times and places, whatever its own dynamics.
 
     The place at each tick is the last one plus `places[k]` plus `pulled[k]` along the force that is held, which is the
-    worst that a hand can do. Motion (true places), efforts, energy sent and credited after each tick are results.
+    worst that a hand can do. Results are true places, efforts, energy given away or dropped, and energy received.
     """
     place = np.zeros(4)
     for k in range(times.size):
@@ -30,12 +31,12 @@ def drive(devices, state, times, places, pulled, wishes, totals, motion, efforts
         state.coordinate[0] = place
         state.time[0] = times[k]
         state.desired[0, :3] = wishes[k]
-        state.received[0] = totals[k]
+        state.ends[0, END.heard_given] = totals[k]
         tick(devices, state, 0)
         motion[k] = place
         efforts[k] = state.effort[0]
-        sent[k] = state.sent[0]
-        credited[k] = state.seen[0]
+        sent[k] = state.ends[0, END.given] + state.ends[0, END.lost] - state.ledger[0, CHARGED]
+        credited[k] = state.ends[0, END.received]
 
 
 @dataclass
@@ -63,37 +64,32 @@ def driven(
     return Driven(*out)
 
 
-@dataclass
 class Proxy:
-    """A free mass that a spring holds to the set position; NPMI with the spring implicit."""
+    """A free mass at the proxy's end of PSPM, spring and damper implicit."""
 
-    mass: float
-    stiffness: float
-    damping: float
-    cap: float
-    place: Array
-    speed: Array
-    set_position: Array
-    tank: float = 0.0
-    sent: float = 0.0
-    seen: float = 0.0
-    work: float = 0.0
+    def __init__(self, mass: float, stiffness: float, damping: float, cap: float, place: Array) -> None:
+        self.mass, self.place, self.speed, self.work = mass, place, np.zeros(3), 0.0
+        self.rows = end_row(stiffness=stiffness, damping=damping, cap=cap)[None, :]
+        self._law = PSPM.half(proxy=True)
 
-    def step(self, T: float, push: Array, desired: Array, total: float) -> None:
-        """One body step, then the modulation of the spring."""
-        k, b, m = self.stiffness, self.damping, self.mass
-        mean = (2 * m / T * self.speed + k * (self.set_position - self.place) + push) / (2 * m / T + b + k * T / 2)
-        force = k * (self.set_position - self.place - T / 2 * mean) - b * mean
-        self.work += T * float(force @ mean)
+    @property
+    def message(self) -> EnergyMessage:
+        return message_of(self.rows[0])
+
+    def step(self, T: float, push: Array, desired: Array, message: EnergyMessage) -> None:
+        """One body step towards a place of the device that is known, and the message with it."""
+        row = self.rows[0]
+        hear(row, message)
+        row[END.T], row[END.known], row[END.gap : END.rate] = T, 1.0, desired - self.place
+        self._law(row)
+        k, b, m, stretch = row[END.spring], row[END.brake], self.mass, row[END.stretch : END.push]
+        mean = (2 * m / T * self.speed + k * stretch + push) / (2 * m / T + b + k * T / 2)
+        force = k * (stretch - T / 2 * mean) - b * mean
+        done = T * float(force @ mean)
+        self.work += done
+        book_end(self.rows, 0, done, 0.0, 0.0)
         self.place = self.place + T * mean
         self.speed = 2 * mean - self.speed
-        stretch, gap = self.set_position - self.place, desired - self.place
-        gift = credit(total, self.seen)
-        self.seen += gift
-        available = 0.5 * k * float(stretch @ stretch) + self.tank + b * T * float(mean @ mean) + gift
-        fraction, self.tank, out = modulate(0.5 * k * float(gap @ gap), available, self.cap)
-        self.set_position = self.place + fraction * gap
-        self.sent += out
 
 
 def in_play(ledger: Array) -> float:

@@ -62,7 +62,7 @@ def test_no_devices_are_a_table_too():
         (lambda: ServoModel(window=float("inf")), "window is inf s"),
         (lambda: ServoModel(force=0.0), "force is 0 N; it must be above 0"),
         (lambda: ServoModel(substep=-1.0), "substep is -1 s"),
-        (lambda: Coupling(law="magic"), 'law is "magic"; it must be one of pspm, spring, host_force'),  # type: ignore[arg-type]
+        (lambda: Coupling(law="magic"), 'law is "magic"; it must be one of pspm, virtual, spring, host_force'),  # type: ignore[arg-type]
         (lambda: Coupling(lag=9), "lag is 9; it must be finite, at least 0 and at most 8"),
         (lambda: Coupling(cap=-1.0), "cap is -1 J"),
         (lambda: SimulatedHand(grip=5.0), r"hand's grip is 5; it must be finite, at least 0\.25 and at most 4"),

@@ -18,7 +18,7 @@ from cotouch.device import (
     advance,
     assemble,
 )
-from cotouch.mechanics import modulation_bound
+from cotouch.mechanics import END, EnergyMessage, hear, message_of, modulation_bound
 
 
 def setup(resolution: float = 0.0, window: float = 0.0, force: float = np.inf, **coupling: float):
@@ -108,7 +108,7 @@ def test_motion_that_the_encoder_does_not_see_is_paid_for():
 
 def test_debt_switches_the_spring_off_and_damping_repays_it():
     devices, state = setup(stiffness=1e4, damping=5.0, cap=1.0, reserve=1.0)
-    state.ledger[0, BOOK["tank"]] = -1e-4
+    state.ends[0, END.energy] = -1e-4
     ticks = 400
     times = 1e-3 * np.arange(ticks)
     steps = np.zeros((ticks, 3))
@@ -222,21 +222,22 @@ def test_two_ports_with_a_proxy_are_passive(plant, servo, body):
         )
         devices, state = assemble([model])
         place = state.tip[0, :3].copy()
-        proxy = Proxy(0.1, 10.0 ** rng.uniform(2.0, 4.5), 1.0, 0.01, place, np.zeros(3), place.copy())
-        time, commanded, worst = 0.0, [(place, 0.0)], 0.0
-        heard = [(place, 0.0)]
+        proxy = Proxy(0.1, 10.0 ** rng.uniform(2.0, 4.5), 1.0, 0.01, place)
+        time, commanded, worst = 0.0, [(place, EnergyMessage())], 0.0
+        heard = [(place, EnergyMessage())]
         while time < 2.0:
             T = body * rng.uniform(0.3, 1.0)
             time += T
             assert advance(devices, state, 0, time)
-            heard.append((state.sample[0, :3].copy(), state.sent[0]))
-            desired, total = heard[-1 - min(int(rng.integers(0, 4)), len(heard) - 1)]
+            heard.append((state.sample[0, :3].copy(), message_of(state.ends[0])))
+            desired, message = heard[-1 - min(int(rng.integers(0, 4)), len(heard) - 1)]
             push = rng.normal(0.0, 3.0, 3)
-            proxy.step(T, push, desired, total)
-            commanded.append((proxy.place, proxy.sent))
+            proxy.step(T, push, desired, message)
+            commanded.append((proxy.place, proxy.message))
             if rng.uniform() < 0.7:  # else lost
-                desired, total = commanded[-1 - min(int(rng.integers(0, 4)), len(commanded) - 1)]
-                state.desired[0, :3], state.received[0] = desired, total
+                desired, message = commanded[-1 - min(int(rng.integers(0, 4)), len(commanded) - 1)]
+                state.desired[0, :3] = desired
+                hear(state.ends[0], message)
             worst = max(worst, state.ledger[0, BOOK["work"]] + proxy.work)
         ledger = state.ledger[0]
         bound = modulation_bound(
@@ -261,21 +262,22 @@ def test_between_hand_and_proxy_every_joule_is_somewhere(plant):
     hand = SimulatedHand(amplitude=(0.02, 0.01, -0.01), frequency=3.0, release=0.8)
     coupling = Coupling(stiffness=2000.0, damping=2.0, cap=2e-3)
     devices, state = assemble([DeviceModel(plant=plant, hand=hand, coupling=coupling, servo=ServoModel(force=8.0))])
-    proxy = Proxy(0.1, 1500.0, 1.0, 2e-3, np.zeros(3), np.zeros(3), np.zeros(3))
+    proxy = Proxy(0.1, 1500.0, 1.0, 2e-3, np.zeros(3))
     went = 0.0
     for n in range(1, 1201):
         T = 1e-3 * rng.integers(1, 4)
         assert advance(devices, state, 0, float(state.time[0]) + T)
-        proxy.step(T, rng.normal(0.0, 3.0, 3), state.sample[0, :3], state.sent[0])
+        proxy.step(T, rng.normal(0.0, 3.0, 3), state.sample[0, :3], message_of(state.ends[0]))
         ledger = state.ledger[0]
-        stretch = proxy.set_position - proxy.place
-        held = ledger[BOOK["tank"]] + ledger[BOOK["spring_energy"]] + state.sent[0] - proxy.seen
-        held += proxy.tank + 0.5 * proxy.stiffness * float(stretch @ stretch) + proxy.sent - state.seen[0]
+        here, there = state.ends[0], proxy.rows[0]
+        held = here[END.energy] + here[END.lost] + here[END.given] - there[END.received]
+        held += there[END.energy] + there[END.lost] + there[END.given] - here[END.received]
         went += abs(ledger[BOOK["work"]] + proxy.work)
         assert abs(ledger[BOOK["work"]] + proxy.work + held) < 1e-11, n
         if rng.uniform() < 0.7:
-            state.desired[0, :3], state.received[0] = proxy.place, proxy.sent
-    assert min(state.sent[0], proxy.sent) > 1e-3
+            state.desired[0, :3] = proxy.place
+            hear(state.ends[0], proxy.message)
+    assert min(state.ends[0, END.given], proxy.message.given) > 1e-4
     assert went > 1.0
 
 
@@ -306,16 +308,16 @@ def test_messages_of_energy_may_be_lost_repeated_and_overtaken():
     best = 0.0
     for n, total in enumerate([*messages, totals[-1]], start=1):
         best = max(best, total)
-        device.command(energy=total)
+        device.command(message=EnergyMessage(given=total))
         sample = device.advance(1e-3 * n)
         assert device.ledger["tank"] == pytest.approx(best, rel=1e-12)
-        assert sample.energy == 0.0
+        assert sample.message.given == 0.0
     assert device.ledger["tank"] == pytest.approx(totals[-1], rel=1e-12)
 
 
-def test_what_the_tank_cannot_keep_goes_out_as_a_total():
+def test_what_the_tank_cannot_keep_is_lost():
     device = SimulatedDevice(DeviceModel(coupling=Coupling(cap=0.01)))
-    device.command(energy=0.05)
+    device.command(message=EnergyMessage(given=0.05))
     sample = device.advance(0.01)
-    assert sample.energy == pytest.approx(0.04, rel=1e-12)
+    assert sample.message == EnergyMessage(received=0.05, tank=pytest.approx(0.01, rel=1e-12))
     assert device.ledger["tank"] == pytest.approx(0.01, rel=1e-12)

@@ -49,7 +49,10 @@ def fails(device: Device, board: Board, fault: Fault, value: float = 0.0) -> tup
     """Injects a fault while the motors push; returns the reason, and how long after it the force was gone [s]."""
     device.close()
     ready(device, 30)
-    assert any(board.get("motor"))
+    late = time.monotonic() + 5.0
+    while not any(board.get("motor")):  # a library has a thread of its own, which may not have had its turn
+        assert time.monotonic() < late
+        push(device, 1)
     board.inject(fault, value)
     end = time.monotonic() + 2.0
     why = ""

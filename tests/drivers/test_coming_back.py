@@ -15,7 +15,6 @@ from cotouch.haptics import (
     Cause,
     Device,
     DeviceChoice,
-    EnergyMessage,
     Flag,
     Order,
     Servo,
@@ -24,6 +23,7 @@ from cotouch.haptics import (
     size,
 )
 from cotouch.haptics._mailboxes import OrderWriter
+from cotouch.mechanics import EnergyMessage
 
 # Shorter than the 40 ms after which whoever watches takes a servo for dead, longer than any watchdog here [s].
 PAUSE = 0.025

@@ -26,7 +26,8 @@ from cotouch.haptics._mailboxes import ReportReader
 # A peer of its own; it says who is around the device, then pulls, with energy that never ends.
 PEER = """
 import json, sys, time
-from cotouch.haptics import Cause, DeviceChoice, ServoLink, EnergyMessage
+from cotouch.haptics import Cause, DeviceChoice, ServoLink
+from cotouch.mechanics import EnergyMessage
 link = ServoLink(DeviceChoice(sys.argv[1], json.loads(sys.argv[2])), real_time=None)
 print(link.servo, link.guardian, link._folder.path, flush=True)
 given = 1.0
@@ -74,7 +75,7 @@ class Held:
                 if report.causes & Cause.FAST:
                     self.link.rearm()
                 self.end.pull((0.03, 0.0, 0.0), None, (0.0, 0.0, 0.0), report.message, 0.002)
-            self.link.order((0.03, 0.0, 0.0), self.end.tank.message)
+            self.link.order((0.03, 0.0, 0.0), self.end.message)
             self.said += self.link.warning_log()
             time.sleep(0.002)
 

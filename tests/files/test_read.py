@@ -8,10 +8,10 @@ import pytest
 from cotouch.body import body_from_surface, body_from_tetrahedra
 from cotouch.errors import NetworkError, RecordingError, ScenarioError, SessionError
 from cotouch.files import MOST_TEXT, read_bytes, read_text, toml
+from cotouch.members import SessionFile
 from cotouch.network import Network
 from cotouch.recording import read_recording
 from cotouch.scenario import Scenario
-from cotouch.session import SessionFile
 
 READERS = (
     (Scenario.read, "scenario"),

@@ -97,6 +97,6 @@ def test_a_device_that_is_missing_is_a_sentence():
             raise DeviceError("no such device is plugged in; plug it in")
 
     found = conform(lambda: Missing(""), cycles=10)
-    assert found[-1].check == "no error"
+    assert found[-1].check == "it works"
     assert not found[-1].passed
     assert found[-1].detail == "no such device is plugged in; plug it in"

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cotouch.device import PRESETS
+from cotouch.device import PRESETS, DeviceSpec
 from cotouch.errors import DeviceError
 from cotouch.haptics import (
     Cause,
@@ -11,7 +11,6 @@ from cotouch.haptics import (
     DeviceChoice,
     DeviceReading,
     EndOptions,
-    EnergyMessage,
     Flag,
     Order,
     ProxyEnd,
@@ -20,6 +19,7 @@ from cotouch.haptics import (
     ServoReport,
     coupling_of,
 )
+from cotouch.mechanics import EnergyMessage, encoder_toll, opening_energy
 
 SPEC = PRESETS["phantom"]
 
@@ -50,6 +50,33 @@ def test_what_is_said_of_the_coupling_is_not_the_drivers():
     assert CouplingChoice(**said.plain()) == said
 
 
+def test_what_would_hum_or_slip_is_refused_or_lowered():
+    """With what coarse encoders cost a tank, and old places without damping."""
+    falcon, omega = PRESETS["falcon"], PRESETS["omega"]
+
+    def made(spec: DeviceSpec, **said: float) -> EndOptions:
+        return CouplingChoice(**said).options(spec, period=1e-3, force=1.0)
+
+    with pytest.raises(
+        DeviceError, match=r"stiffness is 850 N/m, but .* damping of 2 Ns/m and places 10 ms old it swing"
+    ):
+        made(falcon, stiffness=850.0, damping=2.0)
+    with pytest.raises(DeviceError, match=r"stiffness is 300 N/m, but encoders .* at 20 Ns/m above 250 N/m; lower it"):
+        made(falcon, stiffness=300.0, damping=20.0)
+    assert made(falcon, damping=20.0).stiffness == pytest.approx(250.0)
+    assert made(falcon, damping=0.5).stiffness == pytest.approx(200.0)
+    assert made(omega, stiffness=5000.0, damping=30.0).stiffness == 5000.0
+    usual = made(falcon)
+    assert (usual.stiffness, usual.damping) == (500.0, 2.0)
+    assert usual.initial_energy == pytest.approx(0.5 * 5.0**2 / 500.0)
+    coarse = made(falcon, damping=20.0)
+    assert coarse.initial_energy == opening_energy(
+        toll=encoder_toll(stiffness=coarse.stiffness, damping=20.0, window=0.01, resolution=falcon.resolution),
+        stiffness=coarse.stiffness,
+        cap=coarse.cap,
+    )
+
+
 def _cycle(core: ServoCore, k: int, place: float, order: Order) -> ServoReport:
     core.receive(order._replace(time=1e-3 * k, enable=True))
     reading = DeviceReading(
@@ -78,7 +105,7 @@ def test_another_coupling_begins_relaxed_with_books_of_its_own():
     report = _cycle(core, 800, -0.016, again)
     assert report.coupling == 1
     assert report.force == (0.0, 0.0, 0.0)
-    assert report.message == EnergyMessage(0.0, 0.0, EndOptions().initial_energy, True)
+    assert report.message == EnergyMessage(tank=EndOptions().initial_energy, starved=True)
     assert report.work == 0.0
     assert report.causes & Cause.RAMP
     for k in range(801, 1400):
@@ -88,7 +115,7 @@ def test_another_coupling_begins_relaxed_with_books_of_its_own():
     assert report.message.given == 0.0
     end = ProxyEnd(core.end.options)
     end.pull((0.0, 0.0, 0.0), None, (0.0, 0.0, 0.0), report.message, 1e-3)
-    assert end.tank.received == 0.0
+    assert end.message.received == 0.0
     # An order that is older has no say any more, and one that fits no device is a fault.
     assert _cycle(core, 1400, -0.016, order).coupling == 1
     with pytest.raises(DeviceError, match="renders at most"):

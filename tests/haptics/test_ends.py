@@ -10,8 +10,6 @@ from cotouch.haptics import (
     DeviceEnd,
     DeviceReading,
     EndOptions,
-    EnergyMessage,
-    EnergyTank,
     Flag,
     Order,
     ProxyEnd,
@@ -21,6 +19,7 @@ from cotouch.haptics import (
     simulated_model,
     size,
 )
+from cotouch.mechanics import EnergyMessage
 
 SPECS = {"phantom": PRESETS["phantom"], "cartesian": PRESETS["phantom"], "touch": PRESETS["touch"]}
 
@@ -62,41 +61,6 @@ def test_two_ports_are_passive_whatever_the_rates_and_boards(seed: int):
     assert max(report.excess for report in ran.reports) <= 0.0  # the observer has nothing to say
     assert not any(report.causes & (Cause.FAULT | Cause.ACTIVE) for report in ran.reports)
     assert max(size(report.force) for report in ran.reports) <= SafetyLimits.of(spec).force * (1 + 1e-12)
-
-
-def test_the_account_keeps_what_is_given():
-    """Tanks, what they gave and what is on its way add up to the initial energies less the ports' work."""
-    rng = np.random.default_rng(1)
-    a, b = EnergyTank(0.02), EnergyTank(0.01)
-    for _ in range(2000):
-        for one, other in ((a, b), (b, a)):
-            if rng.random() < 0.5:
-                one.starved = bool(rng.random() < 0.5)
-                one.receive(other.message, max(0.0, one.energy), 0.005)
-                one.book(float(rng.normal(0.0, 1e-3)), 1e-6)
-                one.discard(max(0.0, one.energy - 0.05))
-        on_its_way = (a.given - b.received) + (b.given - a.received)
-        there = a.energy + b.energy + a.lost + b.lost + on_its_way
-        assert there == pytest.approx(0.03 - a.work - b.work, abs=1e-12)
-        assert a.received <= b.given + 1e-15
-        assert b.received <= a.given + 1e-15
-
-
-@pytest.mark.parametrize(
-    "message",
-    [
-        EnergyMessage(given=np.nan),
-        EnergyMessage(given=-1.0),
-        EnergyMessage(given=np.inf),
-        EnergyMessage(given=1.0, tank=np.nan),
-    ],
-)
-def test_a_word_that_is_no_number_or_goes_back_is_worth_nothing(message: EnergyMessage):
-    tank = EnergyTank(0.01)
-    tank.receive(EnergyMessage(given=0.5), 0.0, 1e-3)
-    tank.receive(message, 0.0, 1e-3)
-    assert tank.energy == pytest.approx(0.51)
-    assert tank.received == 0.5
 
 
 def test_a_hand_that_follows_the_force_gets_no_more_than_the_bound():
@@ -257,4 +221,4 @@ def test_the_proxy_end_never_owes():
         done = k * (np.array(pull.target) - place - T / 2 * mean) - b * mean + np.array(pull.push)
         place = place + T * mean
         end.settle(tuple(done), tuple(T * mean))
-        assert end.tank.energy >= -1e-12
+        assert end.energy >= -1e-12

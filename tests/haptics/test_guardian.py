@@ -7,9 +7,10 @@ from typing import Any
 import pytest
 from tests.haptics.plant import PLANT, PLANT_ALONE
 
-from cotouch.haptics import Cause, DeviceChoice, Driver, EnergyMessage, Flag, ServoReport, ServoSettings
+from cotouch.haptics import Cause, DeviceChoice, Driver, Flag, ServoReport, ServoSettings
 from cotouch.haptics._guardian import ServoWatch
 from cotouch.haptics._mailboxes import ReportWriter, Watched
+from cotouch.mechanics import EnergyMessage
 
 
 class Servo:

@@ -16,12 +16,13 @@ from tests.haptics.plant import GOOD, THROW, Plant
 from tests.stalls import Stalls
 
 from cotouch.errors import DeviceError
-from cotouch.haptics import Cause, DeviceChoice, ProxyEnd, ServoLink, proxy_end
+from cotouch.haptics import Cause, DeviceChoice, ProxyEnd, ServoLink
 
 PEER = """
 import sys, time
 sys.path.insert(0, sys.argv[1])
-from cotouch.haptics import DeviceChoice, ServoLink, EnergyMessage
+from cotouch.haptics import DeviceChoice, ServoLink
+from cotouch.mechanics import EnergyMessage
 link = ServoLink(DeviceChoice("tests.haptics.plant/PLANT", {"folder": sys.argv[2]}), real_time=None)
 print(link.servo, link.guardian, link._folder.path, flush=True)
 while True:
@@ -71,7 +72,7 @@ class Held:
             report = self.link.read()
             if orders:
                 self.end.pull((0.02, 0.0, 0.0), None, (0.0, 0.0, 0.0), report.message, 0.002) if report else None
-                self.link.order((0.02, 0.0, 0.0), self.end.tank.message)
+                self.link.order((0.02, 0.0, 0.0), self.end.message)
             self.said += self.link.warning_log()
             time.sleep(0.002)
 
@@ -186,7 +187,7 @@ def test_a_device_that_cannot_be_opened_is_a_sentence(tmp_path: Path, monkeypatc
 )
 def test_the_simulated_device_is_felt_and_closed(text: str):
     link = ServoLink(DeviceChoice.read(text), real_time=None)
-    end, first = proxy_end(link.options), None
+    end, first = ProxyEnd(link.options), None
     assert link.options.law == ("virtual" if "virtual" in text else "pspm")
     try:
         felt = 0.0
@@ -196,7 +197,7 @@ def test_the_simulated_device_is_felt_and_closed(text: str):
             if report is not None:
                 first = report.place if first is None else first
                 end.pull(first, report.place, report.rate, report.message, 0.002)  # a proxy that does not move
-                link.order(first, end.tank.message)
+                link.order(first, end.message)
                 felt = max(abs(value) for value in report.force)
             time.sleep(0.002)
         assert felt >= 0.5

@@ -10,9 +10,10 @@ import pytest
 from tests.haptics.plant import DEAF, FROZEN, NAN, SLOW, THROW, Plant, PlantDevice
 from tests.stalls import Stalls
 
-from cotouch.haptics import Cause, DeviceChoice, EnergyMessage, Order, Servo, ServoReport, ServoSettings
+from cotouch.haptics import Cause, DeviceChoice, Order, Servo, ServoReport, ServoSettings
 from cotouch.haptics._mailboxes import OrderWriter, ReportReader
 from cotouch.haptics._servo import _hung_up
+from cotouch.mechanics import EnergyMessage
 
 
 class Loop:

@@ -7,22 +7,22 @@ from tests.haptics.two_ports import Body, Ran, run
 from cotouch.device import PRESETS
 from cotouch.errors import DeviceError
 from cotouch.haptics import (
-    Account,
     Cause,
     DeviceChoice,
     EndOptions,
-    EnergyMessage,
+    ProxyEnd,
     SafetyLimits,
     ServoCore,
     ServoSettings,
     SimulatedOnClock,
-    VirtualProxyEnd,
     checked_virtual,
     coupling_of,
     simulated_model,
     size,
     virtual_limit,
 )
+from cotouch.haptics._ends import _End
+from cotouch.mechanics import END, EnergyMessage
 
 SPEC = PRESETS["phantom"]
 
@@ -108,35 +108,30 @@ def test_beyond_its_limit_it_would_make_energy_and_the_account_stops_it(monkeypa
     assert min(ran.fractions) < 0.5
     assert ran.excess <= ran.bound
     # Without the account it gives more than that bound: the scenario is one that counts.
-    monkeypatch.setattr(Account, "energy", property(lambda _: 1e3))
-    monkeypatch.setattr(VirtualProxyEnd, "_acknowledge", lambda end, _: setattr(end.tank, "initial_energy", 1e3))
+    honest = _End.run
+
+    def rich(end: _End, *given) -> object:
+        end.row[[END.energy, END.initial]] += 1e3
+        acts = honest(end, *given)
+        end.row[[END.energy, END.initial]] -= 1e3
+        return acts
+
+    monkeypatch.setattr(_End, "run", rich)
     ran = rung()
     assert ran.excess > ran.bound
     assert any(report.causes & Cause.ACTIVE for report in ran.reports)  # the observer then ends it
 
 
 def test_the_proxy_takes_no_more_than_the_seed_beyond_what_the_device_has_heard():
-    end = VirtualProxyEnd(EndOptions(law="virtual", damping=0.0, ages=0.0, initial_energy=1e-3))
-    rich = EnergyMessage(given=1.0)  # the device put in much, and has heard of nothing
+    end = ProxyEnd(EndOptions(law="virtual", damping=0.0, ages=0.0, initial_energy=1e-3))
+    rich = EnergyMessage(put=1.0)  # the device put in much, and has heard of nothing
     for k in range(1000):
         pull = end.pull((0.0, 0.0, 0.0), (0.05, 0.0, 0.0), (0.0, 0.0, 0.0), rich, 1e-3)
         end.settle((500.0 * pull.target[0], 0.0, 0.0), (0.25 * pull.target[0], 0.0, 0.0))
-        assert end.tank.work <= 1e-3 + 1e-12, k
-    assert end.tank.work > 0.9e-3
-    end.pull((0.0, 0.0, 0.0), (0.05, 0.0, 0.0), (0.0, 0.0, 0.0), rich._replace(received=end.tank.message.given), 1e-3)
+        assert end.message.taken <= 1e-3 + 1e-12, k
+    assert end.message.taken > 0.9e-3
+    end.pull((0.0, 0.0, 0.0), (0.05, 0.0, 0.0), (0.0, 0.0, 0.0), rich._replace(known=end.message.taken), 1e-3)
     assert end.fraction > 0.03  # it has heard: there is as much again
-
-
-@pytest.mark.parametrize(
-    "message",
-    [EnergyMessage(given=np.nan), EnergyMessage(given=np.inf), EnergyMessage(given=1.0, received=np.nan)],
-    ids=["nan", "inf", "received"],
-)
-def test_a_word_that_is_no_number_is_not_believed(message: EnergyMessage):
-    account = Account(0.01)
-    account.receive(EnergyMessage(given=0.5))
-    account.receive(message)
-    assert account.energy == pytest.approx(0.51)
 
 
 @pytest.mark.parametrize(

@@ -8,14 +8,12 @@ import numpy as np
 from cotouch.device import DeviceSpec
 from cotouch.haptics import (
     EndOptions,
-    EnergyMessage,
     Order,
+    ProxyEnd,
     SafetyLimits,
     ServoCore,
     ServoReport,
     SimulatedOnClock,
-    VirtualDeviceEnd,
-    proxy_end,
 )
 
 Array = np.ndarray
@@ -72,7 +70,7 @@ def run(
     rng = np.random.default_rng(seed)
     options = EndOptions() if options is None else options
     servo = core or ServoCore(spec, limits or SafetyLimits.of(spec), options)
-    proxy, body, ran = proxy_end(options), body or Body(), Ran()
+    proxy, body, ran = ProxyEnd(options), body or Body(), Ran()
     device.open()
     device.calibrate(allow_motion=False)
     device.enable_force()
@@ -121,16 +119,13 @@ def run(
                 step += 1
                 if not silent[0] <= now < silent[1]:
                     there = tuple(body.place - origin)
-                    order = Order(time=now, step=step, place=there, message=proxy.tank.message, enable=True)
+                    order = Order(time=now, step=step, place=there, message=proxy.message, enable=True)
                     to_servo.append((now + late * rng.random(), order))
             ran.proxies.append(body.place.copy())
             next_peer += wobble(1.0 / peer)
         assert device.device is not None
         ran.device_work = device.device.ledger["work"]
-        if isinstance(
-            servo.end, VirtualDeviceEnd
-        ):  # what its own friction took, which must be no more than it really did
-            ran.paid = servo.end.tank.paid
+        ran.paid = servo.end.paid  # what its own friction took, which must be no more than it really did
         ran.excess = max(ran.excess, ran.device_work + ran.proxy_work - ran.paid)
     ran.bound = 2.0 * options.initial_energy + servo.observed_bound + 1e-9
     return ran
@@ -155,6 +150,3 @@ def _step(body: Body, pull: Any, now: float, T: float) -> tuple[Array, Array]:
     body.place = body.place + moved
     body.speed = 2 * mean - body.speed
     return done, moved
-
-
-NOTHING = EnergyMessage()

@@ -132,7 +132,7 @@ def test_results_intervals_danger_and_the_report(tmp_path: Path) -> None:
     register(
         replace(law_of("spring"), name="pushing", before=_pushing, passive=True, rule=0.0, springs=False, _parts=[])
     )
-    whole = study(laws=[{"name": "rule", "law": "spring"}, "wave", "pushing"], tasks=["tug"], ours="rule")
+    whole = study(laws=[{"name": "rule", "law": "spring"}, "wave", "pushing"], tasks=["tug", "carry"], ours="rule")
     told: list[str] = []
     found = compare(whole, store=tmp_path / "cells", jobs=2, progress=lambda _n, _of, what: told.append(what))
     assert set(told) == {"score"}

@@ -1,9 +1,11 @@
 """Replicas that are no link law: what is known of each, and what their books say."""
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
+from tests.laws.scenes import PASSIVE, law_of
 
 from cotouch.errors import ScenarioError
 from cotouch.laboratory import Study
@@ -11,8 +13,10 @@ from cotouch.laboratory._compare import drawn, score
 from cotouch.laboratory._ideal import ideal
 from cotouch.laboratory._replicas import REPLICAS, Moved, replicate
 from cotouch.laboratory._score import dangerous, measured
+from cotouch.laboratory._study import tunable
 from cotouch.laboratory._study_tables import HandKind, LawTable, NetworkTable
 from cotouch.laboratory._tune import tune
+from cotouch.laws import register
 from cotouch.simulation import prepare, run_batch, with_hands
 
 
@@ -84,6 +88,51 @@ def test_a_server_makes_no_energy_and_an_owner_does() -> None:
     assert run_of("owner", hands, delay=0.005).made > 1e-3
 
 
+def served(law: Any, hands: list[dict[str, Any]], *, delay: float = 0.2, loss: float = 0.0) -> Moved:
+    """What a server with a law on its spokes does."""
+    channel = {"loss": loss, "jitter": {"kind": "exponential", "scale": 0.1 * loss}}
+    whole = study(
+        laws=[{"replica": "server", "law": law}], networks=[{"name": "t", "delay": delay, "channel": channel}]
+    )
+    scenario = whole.scenario(whole.laws[0], whole.networks[0], 2, whole.placed(hands, 2))
+    return replicate(REPLICAS["server"], prepare(scenario))
+
+
+@pytest.mark.parametrize("law", ["spring", *PASSIVE])
+def test_a_server_with_a_passive_law_on_its_spokes_makes_no_energy(law: str) -> None:
+    hands = [{"user": i + 1, "stiffness": 1500.0, "path": 0.05 * (-1) ** i, "release": 3.0} for i in range(2)]
+    run = served(law, hands, loss=0.1)
+    assert run.finite
+    assert run.made < 1e-12
+
+
+def test_a_server_with_bare_springs_on_its_spokes_makes_energy() -> None:
+    register(replace(law_of("spring"), name="bare", rule=0.0, passive=False, _parts=[]))
+    hands = [{"user": i + 1, "stiffness": 300.0, "path": 0.05 * (-1) ** i} for i in range(2)]
+    assert served("bare", hands).made > 0.1
+    assert served("spring", hands).made < 1e-12
+
+
+@pytest.mark.parametrize(
+    ("law", "stiffness", "nearer"),
+    [("spring", 50.0, 50.0), ({"kind": "wave", "impedance": 2.0, "seed": 0.01}, 2.0 / 0.025, 2.0 / 1.5e-3)],
+)
+def test_two_who_pull_at_a_server_feel_its_spokes_one_after_the_other(
+    law: Any, stiffness: float, nearer: float
+) -> None:
+    """The nearer spoke has nearly no delay, so a wave line there is nearly rigid."""
+    hands = [{"user": i + 1, "kind": "force", "path": 0.1 * (-1) ** i} for i in range(2)]
+    run = served(law, hands, delay=0.025)
+    apart = float(run.place[0, -1, 0, 0] - run.place[1, -1, 0, 0])
+    assert apart == pytest.approx(0.1 / stiffness + 0.1 / nearer, rel=0.05)
+
+
+def test_a_servers_law_is_tuned_with_its_spokes() -> None:
+    whole = study(laws=[{"replica": "server", "law": "wave"}, {"replica": "server"}, {"replica": "owner"}])
+    assert [law.label for law in whole.laws] == ["server, wave", "server", "owner"]
+    assert [tunable(law) for law in whole.laws] == [["spring", "impedance", "filter"], ["spring"], []]
+
+
 def test_the_owner_alone_moves_the_body_as_if_there_were_nobody_else() -> None:
     """Its books close to round-off, and its motion is that of one copy in the batch engine."""
     whole = study()
@@ -134,7 +183,9 @@ def test_what_replicas_cannot_do_is_one_sentence(tables: dict[str, Any], words: 
     ("law", "words"),
     [
         ({"replica": "oner"}, "it must be one of server, owner, lockstep, rollback, broadcast"),
-        ({"replica": "owner", "law": "wave"}, "one of law and replica"),
+        ({"replica": "owner", "law": "wave"}, 'has no links, so it takes no law; "server" does'),
+        ({"replica": "server", "law": "wvae"}, 'law is "wvae"; it must be one of'),
+        ({"replica": "server", "law": {"kind": "wave", "width": 1.0}}, "law.width is no parameter"),
         ({"replica": "owner", "damping": 1.0}, "no damping"),
     ],
 )

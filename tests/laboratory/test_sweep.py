@@ -17,6 +17,13 @@ BASE = Scenario.make(
 )
 
 
+def test_all_runs_have_one_law_but_where_it_is_varied() -> None:
+    """From 0.6 s there and back on another one would be chosen."""
+    found = sweep(BASE.replace(synchronisation={}), {"link.delay": [0.01, 0.5]}, jobs=1)
+    assert '"law": "paid"' in found.attrs["scenario"]
+    assert float(found["damping"].max()) == 0.0
+
+
 def test_every_combination_is_what_that_scenario_gives() -> None:
     found = sweep(
         BASE, {"link.delay": [0.01, 0.05], "synchronisation.law": ["spring", "wave"], "hands.stiffness": [100]}

@@ -4,9 +4,9 @@ import heapq
 import random
 from collections.abc import Callable, Hashable
 
+from cotouch.control._control import Message, Relayed
 from cotouch.errors import TransportError
-from cotouch.live import MOST_BYTES, Address, Arrival, Identity, Traffic
-from cotouch.live._control import Message, Relayed
+from cotouch.samples import MOST_BYTES, Address, Arrival, Identity, Traffic
 
 
 class Nat:

@@ -9,7 +9,8 @@ import sys
 import time
 from pathlib import Path
 
-from cotouch.live import Endpoint, Identity, Invitation, ZenohControl
+from cotouch.control import Endpoint, Invitation, ZenohControl
+from cotouch.samples import Identity
 
 
 def main(path: str) -> None:

@@ -12,17 +12,8 @@ from pathlib import Path
 
 import numpy as np
 
-from cotouch.live import (
-    Assembly,
-    DirectionKeys,
-    Layout,
-    LinkKeys,
-    SampleLink,
-    SamplePlane,
-    SendRate,
-    UdpTransport,
-)
 from cotouch.peer import Sample
+from cotouch.samples import Assembly, DirectionKeys, Layout, LinkKeys, SampleLink, SamplePlane, SendRate, UdpTransport
 
 
 def state_at(step: int, user: int, rows: int) -> np.ndarray:

@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from cotouch.live import (
+from cotouch.samples import (
     Agreement,
     Assembly,
     Codec,

@@ -5,9 +5,9 @@ import pytest
 from tests.live.support import layout, planes
 
 from cotouch.body import lattice
-from cotouch.live import PathLaw
 from cotouch.mechanics import Ports, model
 from cotouch.peer import LinkGuard, LinkState, Peer, StepReport
+from cotouch.samples import PathLaw
 
 T = 0.004
 STRENGTH = 40.0

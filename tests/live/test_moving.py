@@ -11,7 +11,8 @@ from tests.live.emulator.star import Star, obstacle
 from tests.live.support import entropy, identities
 from tests.session.session_api import everywhere
 
-from cotouch.live import Endpoint, Invitation, PathLaw
+from cotouch.control import Endpoint, Invitation
+from cotouch.samples import PathLaw
 
 no_star = obstacle()
 pytestmark = pytest.mark.skipif(no_star is not None, reason=f"no emulated network: {no_star}")

@@ -16,8 +16,8 @@ from tests.live.emulator.star import Star, obstacle
 from tests.live.node import keys_as_text
 from tests.live.support import agree, agreements, identities, layout, state_of
 
-from cotouch.live import Assembly, PathLaw, SampleLink, SamplePlane, UdpTransport
 from cotouch.peer import Sample
+from cotouch.samples import Assembly, PathLaw, SampleLink, SamplePlane, UdpTransport
 
 NODE = Path(__file__).with_name("node.py")
 # The paper's network [Lee & Huang 2010, section IV]: row i, column j is the delay from j to i [s]; its fastest links.

@@ -9,7 +9,8 @@ from tests.live.internet import Exchange
 from tests.live.support import entropy, identities
 
 from cotouch.errors import SessionError, TransportError
-from cotouch.live import MOST_BYTES, Address, Arrival, ByRelay, MemoryNetwork, RoutedTransport, Transport, UdpTransport
+from cotouch.samples import MOST_BYTES, Address, Arrival, MemoryNetwork, Transport, UdpTransport
+from cotouch.traversal import ByRelay, RoutedTransport
 
 
 class Pair(NamedTuple):

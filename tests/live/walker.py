@@ -14,8 +14,9 @@ import numpy as np
 from tests.live.emulator.exchange import TcpControl
 from tests.live.node import keys_from_text
 
-from cotouch.live import Address, Assembly, Identity, Layout, RoutedTransport, SampleLink, SamplePlane, UdpTransport
 from cotouch.peer import Sample
+from cotouch.samples import Address, Assembly, Identity, Layout, SampleLink, SamplePlane, UdpTransport
+from cotouch.traversal import RoutedTransport
 
 T = 0.01
 

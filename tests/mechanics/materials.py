@@ -2,6 +2,7 @@
 
 import itertools
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -57,7 +58,11 @@ def made(
     gravity: tuple[float, float, float] | None = None,
 ) -> Body:
     """A box of a material."""
-    common = {"ground": ground, "ground_stiffness": hold, "gravity": gravity}
+    body = _made(name, viscosity, shape, {"ground": ground, "ground_stiffness": hold})
+    return body if gravity is None else body.with_gravity(gravity)
+
+
+def _made(name: str, viscosity: float, shape: tuple[int, ...], common: dict[str, Any]) -> Body:
     if name in GRIDS:
         network = name == "spring-network"
         k = YOUNG * SPACING * (0.4 if network else 1.0)

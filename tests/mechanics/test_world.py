@@ -42,8 +42,7 @@ def cube(
         damping=damping,
         spacing=SIDE / (nodes - 1),
         model=kind,
-        gravity=(0.0, 0.0, -pull),
-    )
+    ).with_gravity((0.0, 0.0, -pull))
 
 
 class Standing(Alone):

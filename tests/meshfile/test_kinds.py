@@ -111,6 +111,20 @@ def test_surfaces_of_vtk(name: str) -> None:
         read_tetrahedra(path, MOST)
 
 
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("a.ply", "ply\nformat ascii 1.0\nelement vertex 4\nprop"),
+        ("a.vtu", "<?xml version='1.0'?><VTKFile type='Unstruct"),
+    ],
+)
+def test_what_ends_in_its_first_lines_is_blamed_on_the_file(tmp_path: Path, name: str, text: str) -> None:
+    path = tmp_path / name
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(BodyError, match="it is not as the format asks for, or was cut off"):
+        (read_surface if is_surface(path) else read_tetrahedra)(path, MOST)
+
+
 @pytest.mark.parametrize("cut", [200, 700, 1100])
 @pytest.mark.parametrize("name", ["quads_ascii_42", "quads_binary_51", "strips_ascii_51", "strips_binary_42"])
 def test_surfaces_of_vtk_that_were_cut_off(tmp_path: Path, name: str, cut: int) -> None:

@@ -5,7 +5,7 @@ import pytest
 
 from cotouch.network import Network, characteristic, closed_loop, generator_eigenvalues, rightmost
 from cotouch.network._definite import definite, negatives
-from cotouch.network._elimination import cut, evaluate, scratch
+from cotouch.network._elimination import REGULAR, cut, evaluate, scratch
 from cotouch.network._rightmost import count_right
 from cotouch.network._types import FloatArray
 
@@ -28,7 +28,7 @@ def test_eliminated_or_not_the_determinant_is_the_same(seed):
     network = sparse(25, 40, seed)
     loop, _ = closed_loop(network, damping=1.0)
     line = -0.3
-    parts = cut(loop, line)
+    parts = cut(loop, line, REGULAR)
     assert 5 < parts.gone < 25
     room = scratch(25, 25 - parts.gone)
     rng = np.random.default_rng(seed)

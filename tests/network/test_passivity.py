@@ -19,6 +19,7 @@ from cotouch.network import (
     damping_matrices,
     exact_margin,
     exact_scaling,
+    link_damping,
     minimax_damping,
     path,
     ring,
@@ -67,6 +68,8 @@ def test_age_rule_takes_only_the_sum_of_both_ages():
     np.testing.assert_allclose(rule_damping(network, ages=ages)[:, 0], expected)
     np.testing.assert_allclose(rule_damping(network, ages=skewed)[:, 0], expected)
     np.testing.assert_allclose(rule_damping(network)[:, 0], expected, err_msg="delays count as ages")
+    of_links = link_damping(network.linked_spring(), ages + ages.T)
+    np.testing.assert_allclose(of_links.sum(axis=1), expected, err_msg="of each link")
 
 
 @settings(max_examples=examples(40), deadline=None)

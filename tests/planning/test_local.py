@@ -10,7 +10,7 @@ from cotouch.network import Network, rightmost_root
 from cotouch.planning import _local, _referral, plan
 from cotouch.planning._levels import holds
 from cotouch.planning._problem import make_problem
-from cotouch.planning._starts import random_choice
+from cotouch.planning._starts import begun_at, random_choice
 from cotouch.planning._task import rate
 
 
@@ -53,7 +53,7 @@ def test_links_that_do_not_hold_are_no_faster() -> None:
         for _ in range(25):
             chosen = random_choice(task, rng)
             assert chosen is not None
-            value, sure = rate(task, chosen, np.full(1, complex(-np.inf, 0.0)))
+            value, sure = rate(task, chosen, np.full(1, complex(-np.inf, 0.0)), np.inf)
             level = -value * rng.uniform(0.7, 1.3)
             if sure and not holds(task, chosen, level):
                 refused += 1
@@ -83,7 +83,7 @@ def test_of_all_losses_only_the_uncertain_are_worked_out_slowly(lost: Any, monke
     problem = make_problem(full_network(5, 2), links=8, objective="decay", lost=lost)
     chosen = random_choice(problem.task, np.random.default_rng(1))
     assert chosen is not None
-    exact, sure = rate(problem.task, chosen, np.full(1, complex(-np.inf, 0.0)))
+    exact, sure = rate(problem.task, chosen, np.full(1, complex(-np.inf, 0.0)), np.inf)
     assert sure
     slow: list[Network] = []
     count, slowly = _referral.rightmost, _referral.rightmost_root
@@ -100,14 +100,14 @@ def test_a_search_also_begins_where_it_is_told() -> None:
     network = full_network(12, 4)
     one = plan(network, links=18, objective="decay", method="local", starts=1)
     problem = make_problem(network, links=19, objective="decay")
-    near = _local.begun_at(problem, one.best.links)
+    near = begun_at(problem, one.best.links)
     assert near is not None
     assert set(one.best.links) < set(problem.pairs(near))
-    less = _local.begun_at(make_problem(network, links=17, objective="decay"), one.best.links)
+    less = begun_at(make_problem(network, links=17, objective="decay"), one.best.links)
     assert less is not None
     assert set(problem.pairs(less)) < set(one.best.links)
-    assert _local.begun_at(problem, ()) is None
-    assert _local.begun_at(make_problem(network, links=19, objective="decay", forbid=[(0, 1)]), [(0, 1)]) is None
+    assert begun_at(problem, ()) is None
+    assert begun_at(make_problem(network, links=19, objective="decay", forbid=[(0, 1)]), [(0, 1)]) is None
     walks = _local.walked(problem, 1, 0, (near, near), lambda calls: [call(*given) for call, given, _ in calls])
     assert tuple(near.tolist()) in [chosen for _, chosen in next(walks).seen]
 

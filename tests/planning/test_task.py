@@ -8,8 +8,9 @@ from tests.planning.support import GRID, small_network
 
 from cotouch.network import consensus_lags, cycle_period
 from cotouch.planning._enumerate import unrank
+from cotouch.planning._judge import between, hopeless, pulls
 from cotouch.planning._problem import make_problem
-from cotouch.planning._task import admissible, between, hopeless, period_of, pulls, rate
+from cotouch.planning._task import admissible, period_of, rate
 
 COMMON = {"time_unit": GRID}
 
@@ -35,7 +36,7 @@ def test_kernels_against_the_network_room(seed: int, objective):
         if objective == "consensus":
             lags = consensus_lags(graph, time_unit=GRID, convention="equation", rounding="exact")
             assert period_of(task, chosen) == cycle_period(lags)
-        value, sure = rate(task, chosen, guesses)
+        value, sure = rate(task, chosen, guesses, np.inf)
         assert sure
         assert value == pytest.approx(problem.reference(chosen), rel=1e-7, abs=1e-9)
         # A quick rejection is never wrong.
@@ -57,7 +58,7 @@ def test_pulls_are_the_slopes_of_the_root(seed, objective):
     task = problem.task
     chosen = next(c for c in map(np.array, combinations(range(len(network.links)), links)) if admissible(task, c))
     guesses = np.full(1, complex(-np.inf, 0.0))
-    value, _ = rate(task, chosen, guesses)
+    value, _ = rate(task, chosen, guesses, np.inf)
     if objective == "consensus" and period_of(task, chosen) > 1:
         return
     pull = np.empty(len(network.links))
@@ -66,5 +67,5 @@ def test_pulls_are_the_slopes_of_the_root(seed, objective):
         change = np.zeros(len(network.links))
         change[e] = 1e-6
         moved = task._replace(spring=task.spring * (1 + change), load=task.load * (1 + change))
-        there, _ = rate(moved, chosen, guesses.copy())
+        there, _ = rate(moved, chosen, guesses.copy(), np.inf)
         assert (there - value) / 1e-6 == pytest.approx(pull[e], rel=1e-3, abs=1e-3 * np.abs(pull).max() + 1e-6)

@@ -252,6 +252,17 @@ def test_one_recording_alone_is_audited_for_itself(tmp_path: Path) -> None:
     assert any("no recording of user 2" in note for note in result.notes)
 
 
+def test_what_one_user_got_out_is_held_against_nobody_where_another_is_not_recorded(tmp_path: Path) -> None:
+    """A hand that brakes takes out what the other put in; only both recordings together can say that."""
+    held = {0: pulled(amplitude=0.2, stiffness=200.0), 1: pulled(amplitude=0.0, stiffness=0.0, damping=40.0)}
+    both = [read_recording(path) for path in Driven(tmp_path, hands=held).run()]
+    assert audit(both).holds
+    alone = audit(both[1:])
+    assert alone.margin < -1e-3
+    assert alone.holds, alone.verdict
+    assert any("is not known" in note for note in alone.notes)
+
+
 def test_phases_of_a_link_share_what_it_made(tmp_path: Path) -> None:
     """While it is guarded, the spring is not held against it; sums over phases are the whole all the same."""
     plain = audited(Driven(tmp_path, hands=STRONG))

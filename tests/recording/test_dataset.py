@@ -21,6 +21,7 @@ def test_it_is_the_dataset_of_the_same_run_in_the_simulator(tmp_path: Path) -> N
         network={"users": ["Ann", "Ben"], "spring": [[0, 60], [60, 0]], "delay": [[0, 0.02], [0.03, 0]]},
         body={"kind": "chain", "nodes": 3, "dimension": 2},
         steps={"duration": 0.5, "period": [0.004, 0.01]},
+        synchronisation={"law": "spring"},
         hands=[{"user": 1, "node": 2, "path": [0.1, -0.05]}],
         record={"nodes": "all"},
     )

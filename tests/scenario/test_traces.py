@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from cotouch.errors import ScenarioError
+from cotouch.members._emulate import path_laws
 from cotouch.scenario import Scenario
-from cotouch.session._emulate import path_laws
 from cotouch.simulation import prepare, simulate
 
 EXAMPLES = Path(__file__).parents[2] / "examples" / "networks"

@@ -90,7 +90,7 @@ def play(lie: Lie, *, text: str = SESSION, seconds: float = SECONDS) -> Outcome:
     """Ann moves, Ben follows, and somebody lies to both."""
     modes = {0: "constant", 1: "self-paced"}
     if lie.seed % 6 in modes:
-        text += f'[synchronisation]\nmode = "{modes[lie.seed % 6]}"\n'
+        text += f'[synchronisation]\nlaw = "spring"\nmode = "{modes[lie.seed % 6]}"\n'
     world = World(text, seed=3, tick=5e-3)
     broken: list[str] = []
     seen = dict.fromkeys(GOALS, 0.0)

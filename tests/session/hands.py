@@ -4,12 +4,13 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from cotouch.hands._commanded_hand import CommandedHand
 from cotouch.mechanics import model
+from cotouch.members import Slot
+from cotouch.observers import HandMode
+from cotouch.observers._mailboxes import HandCommand
 from cotouch.peer import Peer, StepReport
 from cotouch.scenario import Scenario
-from cotouch.session import HandMode, Slot
-from cotouch.session._commanded_hand import CommandedHand
-from cotouch.session._mailboxes import HandCommand
 
 T = 0.002
 BODIES: dict[str, str] = {

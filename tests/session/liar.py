@@ -10,13 +10,13 @@ from tests.session.lie import LIMIT, MOST, Lie
 from tests.session.world import Person, entropy
 
 from cotouch.errors import SessionError
-from cotouch.laws import SPRING
-from cotouch.live import Heading, Identity, SampleLink
-from cotouch.live._budget import _MESSAGE
+from cotouch.members._law_check import signature_of
+from cotouch.members._messages import LAST_EPOCH, Decided, Decision, Join, Status, write
+from cotouch.members._neighbours import BUDGET
+from cotouch.members._succession import _CONTEXT
 from cotouch.peer import Message, Sample
-from cotouch.session._messages import LAST_EPOCH, Decided, Decision, Join, Status, write
-from cotouch.session._neighbours import BUDGET
-from cotouch.session._succession import _CONTEXT
+from cotouch.samples import Heading, Identity, SampleLink
+from cotouch.samples._budget import _MESSAGE
 
 
 class Liar:
@@ -224,7 +224,14 @@ class Liar:
             name = ("Ann", "Ben", "nobody", f"crowd {at}")[at % 4]
             control.send(
                 "join",
-                write(Join(name=name, fingerprint=world.replica.fingerprint, version="lie", law=SPRING.signature)),
+                write(
+                    Join(
+                        name=name,
+                        fingerprint=world.replica.fingerprint,
+                        version="lie",
+                        law=signature_of(world.session.scenario),
+                    )
+                ),
             )
             control.poll()
 

@@ -12,9 +12,9 @@ from typing import Protocol
 import numpy as np
 from tests.live.emulator.star import ENTER
 
-from cotouch.live import PathLaw
 from cotouch.peer import LinkState
 from cotouch.recording import Audit, Recording, audit, read_recording
+from cotouch.samples import PathLaw
 
 SPECTATOR = Path(__file__).with_name("spectator.py")
 # What any wait is bounded by [s]; what is waited for takes a twentieth of it, and longer on a busy machine. Networks,

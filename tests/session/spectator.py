@@ -8,7 +8,7 @@ import sys
 import time
 from pathlib import Path
 
-from cotouch.live import Invitation
+from cotouch.control import Invitation
 from cotouch.session import watching
 
 

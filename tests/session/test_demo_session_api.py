@@ -11,13 +11,15 @@ from typing import Any
 import numpy as np
 import pytest
 
+from cotouch.control import Invitation
 from cotouch.errors import SessionError
-from cotouch.live import Invitation
+from cotouch.members import SharedModel
+from cotouch.members._messages import Entry, Roster
+from cotouch.observers import Pointer
+from cotouch.observers._mailboxes import mailbox_folder
+from cotouch.observers._session_api import HandView
 from cotouch.recording import audit, read_recording
-from cotouch.session import DemoSessionApi, Pointer, SharedModel, demo_session, member_session_api, play
-from cotouch.session._mailboxes import mailbox_folder
-from cotouch.session._messages import Entry, Roster
-from cotouch.session._session_api import HandView
+from cotouch.session import DemoSessionApi, demo_session, member_session_api, play
 
 # What any wait is bounded by; what is waited for takes a tenth of it [s].
 _PATIENCE = 60.0
@@ -233,7 +235,9 @@ class Visitor:
 
 def test_what_a_page_can_do(tmp_path: Path) -> None:
     script = Script(tmp_path)
-    outcome = play(demo_session(users=3, seconds=None), seconds=None, each=script, stopped=lambda: script.done)
+    outcome = play(
+        demo_session(users=3, seconds=None, law="spring"), seconds=None, each=script, stopped=lambda: script.done
+    )
     recordings = [read_recording(path) for path in sorted(tmp_path.glob("*.mcap"))]
     assert {recording.name for recording in recordings} == {"Ann", "Ben", "Cleo"}
     result = audit(recordings)
@@ -249,7 +253,7 @@ class QuietHost:
     def __init__(self) -> None:
         self.expelled: list[tuple[str, bool]] = []
         self.host = SimpleNamespace(
-            watch=SimpleNamespace(events=[], roster=Roster(), members={}, ended=False),
+            watch=SimpleNamespace(events=[], roster=Roster(), members={}, left=False, ended=False),
             roster=Roster(),
             choose=lambda links: None,
             expel=lambda name, ban: self.expelled.append((name, ban)),
@@ -397,6 +401,22 @@ def children() -> list[int]:
     for task in Path("/proc/self/task").iterdir():
         found += [int(pid) for pid in (task / "children").read_text(encoding="utf-8").split()]
     return found
+
+
+@pytest.mark.parametrize(
+    ("body", "law", "has", "links"),
+    [
+        ("point", None, "paid", 10),
+        ("block", None, "spring", 5),
+        ("point", "spring", "spring", 6),
+        ("point", "wave", "wave", 6),
+    ],
+)
+def test_it_has_the_default_law_where_all_are_linked_over_paths_that_are_short_enough(
+    body: str, law: str | None, has: str, links: int
+) -> None:
+    session = demo_session(body=body, law=law)
+    assert (session.law, len(session.scenario.network.links)) == (has, links)
 
 
 @pytest.mark.parametrize(("law", "lowered"), [("spring", True), ("paid", False)])

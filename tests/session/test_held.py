@@ -4,8 +4,8 @@ from types import SimpleNamespace
 from typing import Any, cast
 
 from cotouch.haptics import ServoLink
+from cotouch.members._messages import MOST_NOTICE, Status
 from cotouch.session._held import HeldDevice
-from cotouch.session._messages import MOST_NOTICE, Status
 
 
 def device(sentences: list[list[str]]) -> ServoLink:

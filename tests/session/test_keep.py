@@ -6,15 +6,15 @@ import stat
 from pathlib import Path
 
 import pytest
-from tests.session.test_succession import BEN, HOST, MEMBERS, ROOT
+from tests.members.test_succession import BEN, HOST, MEMBERS, ROOT
 from tests.session.world import entropy
 
+from cotouch.control import Endpoint, Invitation
 from cotouch.errors import OutputError, SessionError, TransportError
-from cotouch.live import Endpoint, Invitation
-from cotouch.session import Part, SessionFile
+from cotouch.members import Part, SessionFile
+from cotouch.members._succession import signed
 from cotouch.session._join import _identity
 from cotouch.session._keep import KeptHost, KeptIdentity, keep_host, kept_host
-from cotouch.session._succession import signed
 
 SESSION = SessionFile.from_toml("[session]\nusers = 3\n[body]\nmass = 0.5\n")
 INVITATION = Invitation.make(

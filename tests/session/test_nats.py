@@ -26,6 +26,8 @@ delay = [[0, 0.01], [0.01, 0]]
 mass = 1.0
 [steps]
 rate = 200
+[synchronisation]
+law = "spring"
 """ + hand(2.0)
 CYCLE = 5.0  # the hand goes, and rests, and comes back, and rests [s]
 MOVED = 0.09  # of 100 mm that the hand goes [m]

@@ -14,9 +14,9 @@ from tests.live.emulator.star import Star, obstacle
 from tests.live.test_networks import DELAY, LINKS
 from tests.session.session_api import LIFE, PATIENCE, Stage, apart, api, calmest, everywhere, judged
 
-from cotouch.live import PathLaw
 from cotouch.peer import LinkState
 from cotouch.recording import Recording
+from cotouch.samples import PathLaw
 
 no_star = obstacle()
 pytestmark = [

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 from tests.session.world import World
 
-from cotouch.live import PathLaw
 from cotouch.peer import LinkState
 from cotouch.recording import ADVANCED, EXCHANGE, GUARDS, Recording, audit, read_recording
+from cotouch.samples import PathLaw
 
 SESSION = """
 [session]
@@ -27,6 +27,8 @@ ground = [1]
 ground_stiffness = 30.0
 [steps]
 rate = 250
+[synchronisation]
+law = "spring"
 [[hands]]
 user = 1
 at = [1.0]
@@ -124,6 +126,8 @@ mass = 0.5
 damping = 0.2
 [steps]
 rate = 250
+[synchronisation]
+law = "spring"
 [[hands]]
 user = 1
 path = [[0, 0], [2, 0.0], [3, 0.1]]

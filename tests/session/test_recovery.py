@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from tests.session.world import Person, World
 
-from cotouch.live import PathLaw
+from cotouch.samples import PathLaw
 
 DELAY, RATE = 0.03, 200.0
 WINDOW = 2.0
@@ -25,6 +25,8 @@ window = {WINDOW}
 mass = 0.5
 [steps]
 rate = {RATE}
+[synchronisation]
+law = "LAW"
 [[hands]]
 user = 1
 path = [{PATH}]
@@ -48,7 +50,7 @@ FAULTS = {
 
 
 class Run(NamedTuple):
-    """Of all copies, at equal times: where they are, the largest sum of budgets, the lowest rate of samples."""
+    """Of all copies, at equal times: where they are, the largest sum of springs' budgets, the lowest rate."""
 
     times: np.ndarray
     places: np.ndarray
@@ -68,9 +70,9 @@ class Run(NamedTuple):
 
 
 @cache
-def run(fault: str = "") -> Run:
-    law = PathLaw(delay=DELAY)
-    world = World(THREE, law=law, tick=1e-3)
+def run(fault: str = "", law: str = "spring") -> Run:
+    calm = PathLaw(delay=DELAY)
+    world = World(THREE.replace("LAW", law), law=calm, tick=1e-3)
     people = [world.join(name, moves=name == "Ann") for name in ("Ann", "Ben", "Cleo")]
 
     def everywhere(law: PathLaw) -> None:
@@ -86,14 +88,14 @@ def run(fault: str = "") -> Run:
         if fault and abs(world.now - BEGIN) < 0.5 * EVERY:
             everywhere(PathLaw(delay=DELAY, **FAULTS[fault]))
         if fault and abs(world.now - END) < 0.5 * EVERY:
-            everywhere(law)
+            everywhere(calm)
         world.run(EVERY)
         held = [link for person in people for link in person.copy.neighbours.values()]
         rows.append(
             (
                 world.now,
                 [float(person.position[0, 0]) for person in people],
-                max(link.guard.total for link in held),
+                max(link.total for link in held),
                 min(link.link.rate.rate for link in held),
             )
         )
@@ -101,6 +103,15 @@ def run(fault: str = "") -> Run:
     assert world.all_coupled()
     times, places, total, rate = (np.array(column) for column in zip(*rows, strict=True))
     return Run(times, places, total, rate)
+
+
+@pytest.mark.parametrize("fault", ["outage", "all at once"])
+def test_with_a_law_that_pays_all_is_as_if_nothing_had_been(fault: str) -> None:
+    calm, hurt = run(law="paid"), run(fault, "paid")
+    after = RECOVERED, RECOVERED + CYCLE
+    assert hurt.off(calm, BEGIN, END) > (FAR if fault == "outage" else NEAR)
+    assert hurt.off(calm, *after) < NEAR
+    assert hurt.apart(*after) < 1.05 * calm.apart(*after)
 
 
 @pytest.mark.parametrize("fault", FAULTS)
@@ -134,12 +145,13 @@ def cut_off(world: World, person: Person, law: PathLaw) -> None:
                 world.paths(person, other, law)
 
 
+@pytest.mark.parametrize("law", ["spring", "paid"])
 @pytest.mark.parametrize("fault", ["stopped", "interface down", "reordered"])
-def test_who_was_away_for_three_seconds_is_coupled_within_three(fault: str) -> None:
+def test_who_was_away_for_three_seconds_is_coupled_within_three(fault: str, law: str) -> None:
     """A process that stood still, an interface that was down; and those who come where a fifth comes out of order."""
     calm = PathLaw(delay=DELAY)
     mixed = PathLaw(delay=DELAY, reordering=0.2, hold=0.05, duplication=0.2)
-    world = World(THREE, law=mixed if fault == "reordered" else calm, tick=2e-3)
+    world = World(THREE.replace("LAW", law), law=mixed if fault == "reordered" else calm, tick=2e-3)
     people = [world.join(name, moves=name == "Ann") for name in ("Ann", "Ben", "Cleo")]
     world.until(lambda: all(person.member.replica is not None for person in people), 3.0)
     world.until(world.all_coupled, 3.0)

@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 from tests.session.world import World
 
-from cotouch.live import PathLaw
-from cotouch.session import LinkPlanner, SessionFile
+from cotouch.members import SessionFile
+from cotouch.samples import PathLaw
+from cotouch.session import LinkPlanner
 
 FOUR = """
 [session]

@@ -2,7 +2,8 @@ import pytest
 
 from cotouch.body import Body
 from cotouch.errors import SessionError
-from cotouch.session import Pointer, _requests
+from cotouch.observers import Pointer
+from cotouch.session import _requests
 
 BODY = Body(mass=[[1.0, 0.0], [0.0, 1.0]], rest=[0.0, 1.0], stiffness_int=[[1.0, -1.0], [-1.0, 1.0]])
 

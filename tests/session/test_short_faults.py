@@ -13,8 +13,8 @@ from tests.live.emulator.star import Star, obstacle
 from tests.session.session_api import LIFE, api, everywhere, judged
 from tests.session.test_networks import FORCE, THREE
 
-from cotouch.live import PathLaw
 from cotouch.recording import Recording
+from cotouch.samples import PathLaw
 
 no_star = obstacle()
 pytestmark = [pytest.mark.slow, pytest.mark.skipif(no_star is not None, reason=f"no emulated network: {no_star}")]

@@ -4,18 +4,10 @@ from pathlib import Path
 
 import numpy as np
 
-from cotouch.live import (
-    Identity,
-    ImpairedTransport,
-    MemoryControl,
-    MemoryControlNetwork,
-    MemoryNetwork,
-    MemoryTransport,
-    PathLaw,
-    Transport,
-)
+from cotouch.control import MemoryControl, MemoryControlNetwork
+from cotouch.hands._commanded_hand import CommandedHand
 from cotouch.mechanics import Model
-from cotouch.session import (
+from cotouch.members import (
     Admission,
     Hand,
     Host,
@@ -28,14 +20,14 @@ from cotouch.session import (
     SharedModel,
     Slot,
 )
-from cotouch.session._command_client import CommandClient
-from cotouch.session._commanded_hand import CommandedHand
-from cotouch.session._coordinator import Planner
-from cotouch.session._emulate import path_laws
-from cotouch.session._mailboxes import MailboxFolder
-from cotouch.session._messages import Decision
-from cotouch.session._session_recorder import SessionRecorder
-from cotouch.session._telemetry import TelemetryPublisher
+from cotouch.members._coordinator import Planner
+from cotouch.members._emulate import path_laws
+from cotouch.members._messages import Decision
+from cotouch.members._session_recorder import SessionRecorder
+from cotouch.observers._command_client import CommandClient
+from cotouch.observers._mailboxes import MailboxFolder
+from cotouch.observers._telemetry import TelemetryPublisher
+from cotouch.samples import Identity, ImpairedTransport, MemoryNetwork, MemoryTransport, PathLaw, Transport
 
 _SERVICE = 0.02
 
@@ -263,6 +255,6 @@ class World:
             assert totals.alarms == 0
             assert totals.residual < 1e-10
             seeds += person.copy.initial_energies
-        supplied = sum(p.copy.totals.supplied + p.copy.totals.initial for p in everybody)
+        supplied = sum(p.copy.totals.supplied + p.copy.totals.initial + p.copy.totals.depth for p in everybody)
         risen = sum(max(0.0, p.copy.totals.rescaled) for p in everybody)
         assert supplied + seeds + risen >= -1e-9

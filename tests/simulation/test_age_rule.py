@@ -106,7 +106,7 @@ def test_the_rule_is_tight_for_two_users(mode: str) -> None:
     scenario = Scenario.make(
         network={"users": ["a", "b"], "spring": [[0, 50], [50, 0]], "delay": [[0, 0.04], [0.06, 0]]},
         steps={"duration": 3.0, "period": 0.01},
-        synchronisation={"mode": mode},
+        synchronisation={"law": "spring", "mode": mode},
     )
     timing = schedule(scenario)
     rule = prepare(scenario).local_damping[:, 0]
@@ -122,6 +122,7 @@ def test_a_slow_receiver_of_a_fast_sender_is_covered(slow: float) -> None:
     scenario = Scenario.make(
         network={"users": ["slow", "fast"], "spring": [[0, 50], [50, 0]], "delay": [[0, 0.0], [0.0, 0]]},
         steps={"duration": 3.0, "period": [slow, 0.01]},
+        synchronisation={"law": "spring"},
     )
     timing = schedule(scenario)
     assert timing.age[0, : timing.count[0]].max() < slow

@@ -141,7 +141,7 @@ def test_a_free_object_under_a_known_force_is_as_fast_as_it_should_be(
         Scenario.make(
             network={"users": ["a", "b"], "spring": [[0, 1e-6], [1e-6, 0]], "delay": [[0, 0.03], [0.05, 0]]},
             steps={"duration": 2.0, **steps},
-            synchronisation={"mode": mode},
+            synchronisation={"law": "spring", "mode": mode},
             channel=ROUGH if rough else {},
             hands=[{"user": user, "kind": "force", "path": 0.5} for user in (1, 2)],
         )
@@ -195,6 +195,7 @@ def test_modal_and_nodal_runs_agree() -> None:
         body=body,
         steps={"duration": 2.0, "period": 0.01},
         hands=hands(body),
+        synchronisation={"law": "spring"},
         solver={"tolerance": 1e-14},
     )
     modal, nodal = simulate(base), simulate(base.replace(solver__basis="nodal"))
@@ -306,7 +307,7 @@ def test_a_run_that_leaves_floating_point_stops_there() -> None:
         Scenario.make(
             network=TRIANGLE,
             steps={"duration": 400.0, "period": 0.01},
-            synchronisation={"damping": 0.0},
+            synchronisation={"law": "spring", "damping": 0.0},
             initial={"position": [1.0, 0.0, -1.0]},
         )
     )

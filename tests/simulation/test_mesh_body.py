@@ -122,6 +122,7 @@ class TestTruncated:
         tables: dict[str, Any] = {
             "network": {"users": ["a", "b"], "spring": [[0, 50], [50, 0]], "delay": [[0, 0.01], [0.01, 0]]},
             "steps": {"duration": 0.5, "period": 0.001},
+            "synchronisation": {"law": "spring"},
             "hands": [{"user": 1, "node": 3, "path": 0.1}],
         }
         from cotouch.body import chain
@@ -158,8 +159,8 @@ class TestTruncated:
 @pytest.mark.parametrize(
     ("line", "message"),
     [
-        ("young = -1.0", "body.young is -1.0: input should be greater than 0"),
-        ("unit = 'km'", "body.unit is 'km': input should be 'm', 'mm', 'cm' or 'in'"),
+        ("young = -1.0", "body.young is -1.0; it must be greater than 0"),
+        ("unit = 'km'", "body.unit is 'km'; it must be 'm', 'mm', 'cm' or 'in'"),
         ("resolution = 5", 'resolution is for surfaces, but file is "'),
         ("colour = 3", "body.colour is not an option that cotouch knows"),
         (
@@ -167,11 +168,11 @@ class TestTruncated:
             "body.ground.plane.point is [0, 0]; it must have at least 3 entries",
         ),
         ("ground = {}", "body.ground: it must have exactly one of plane, box and set"),
-        ("ground = 3", "body.ground is 3: input should be a valid string"),
+        ("ground = 3", "body.ground is 3; it must be a string"),
         ("ground = {set = 'foot'}", 'the ground is the set "foot"; the sets of this mesh are: "clamp"'),
         ("file = 'beam.docx'", 'beam.docx"; it must end in .stl, .obj'),
         ("file = 'gone.vtu'", "gone.vtu cannot be read: No such file"),
-        ("file = 3", "body.file is 3: input should be a valid string"),
+        ("file = 3", "body.file is 3; it must be a string"),
         ("kind = 'jelly'", 'body.kind is \'jelly\'; it must be "point", "chain", "lattice", "matrices" or "file"'),
         ("modes = 200", "modes is 200; it must be from 1 to 135"),
     ],

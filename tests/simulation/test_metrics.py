@@ -86,6 +86,7 @@ def test_summary_of_two_users_who_pull_apart() -> None:
         network={"users": ["a", "b"], "spring": [[0, 50], [50, 0]], "delay": [[0, 0.02], [0.02, 0]]},
         body=point(stiffness=10.0),
         steps={"duration": 8.0, "period": 0.002},
+        synchronisation={"law": "spring"},
         hands=[
             {"user": 1, "path": 0.1, "damping": 5, "release": 6.0},
             {"user": 2, "path": -0.04, "damping": 5, "release": 6.0},

@@ -241,7 +241,7 @@ def test_the_slack_of_inequality_7() -> None:
         "network": PAIR,
         "body": {"stiffness": 5.0, "damping": 0.3},
         "steps": {"duration": 2.0},
-        "synchronisation": {"extra_damping": 0.1},
+        "synchronisation": {"law": "spring", "extra_damping": 0.1},
         "hands": [{"user": 1, "path": 0.1}],
     }
     run = simulate(asked)

@@ -10,7 +10,7 @@ import xarray as xr
 from cotouch.body import lattice, point
 from cotouch.device import PRESETS
 from cotouch.errors import BodyError, CotouchError, ScenarioError
-from cotouch.mechanics import virtual_coupling_limit
+from cotouch.mechanics import opening_energy, virtual_coupling_limit
 from cotouch.scenario import Scenario
 from cotouch.scenario._penetration import resolve_penetration
 from cotouch.scenario._tool_tables import SimulatedDeviceTable, ToolHand, ToolTable
@@ -38,7 +38,8 @@ DEVICES: dict[str, dict[str, Any]] = {
     "preset": {"preset": "omega", "stiffness": 1500, "rate": 437},
     "declared": {"viscous": 1.0, "assumed_damping": 0.5, "stiffness": 2000},
     "phantom": {"preset": "phantom"},
-    "virtual": {"coupling": "virtual", "viscous": 1.0, "damping": 0.1, "stiffness": 600},
+    "virtual": {"coupling": "virtual", "viscous": 3.0, "damping": 0.1, "stiffness": 500},
+    "host force": {"coupling": "host_force", "viscous": 1.0, "damping": 0.1, "stiffness": 600},
 }
 
 
@@ -75,7 +76,7 @@ def test_defaults_are_a_touching_fingertip_and_van_beeks_hand() -> None:
 
 WRONG: list[tuple[str, str]] = [
     ("user=3\nat=[0,0,-1]", "tools[2].user is 3; the network has users 1 to 2"),
-    ("user=0\nat=[0,0,-1]", "tools[2].user is 0: "),
+    ("user=0\nat=[0,0,-1]", "tools[2].user is 0; it must be greater than or equal to 1"),
     ("user=2", "tools[2].at is missing"),
     ("user=2\nat=[0,1]", "tools[2].at is [0, 1]; it must have at least 3 entries"),
     ("user=2\nat=[0,1,'x']", "tools[2].at[3] is 'x'"),
@@ -109,9 +110,14 @@ WRONG: list[tuple[str, str]] = [
         "the coupling's damping is 4 Ns/m over 0.02 s, but encoders with steps of 0.001 m empty PSPM's tank with any "
         "stiffness; lower it, or measure velocity over a longer window",
     ),
-    ("AT\n[tools.device]\ncoupling='virtual'\nrate=9", 'tools[2].device.rate is given, but with coupling "virtual"'),
-    ("AT\n[tools.device]\ncoupling='virtual'", "tools[2].device: the virtual coupling's damping is 2 Ns/m"),
-    ("AT\n[tools.device]\ncoupling='virtual'\ndamping=0", "passive up to 25 N/m; lower it or use PSPM"),
+    (
+        "AT\n[tools.device]\ncoupling='host_force'\nrate=9",
+        'tools[2].device.rate is given, but with coupling "host_force"',
+    ),
+    ("AT\n[tools.device]\ncoupling='host_force'", "tools[2].device: the virtual coupling's damping is 2 Ns/m"),
+    ("AT\n[tools.device]\ncoupling='host_force'\ndamping=0", "passive up to 25 N/m; lower it or use PSPM"),
+    ("AT\n[tools.device]\ncoupling='virtual'\ndamping=0", "passive up to 5 N/m; lower it or use PSPM"),
+    ("AT\n[tools.device]\ncoupling='soft'", 'coupling is "soft"; it must be one of pspm, virtual, host_force'),
     ("AT\n[tools.device]\nwindow=1e9", "tools[2].device: window is 1e+09 s"),
     (
         "AT\n[tools.device]\nkind='phantom'\n[tools.hand]\npath=[0.3,0,0]",
@@ -231,10 +237,10 @@ def test_every_device_is_passive_and_its_books_balance(name: str, tool: dict[str
     (entry,) = summary(run, Scenario.make(network=PAIR, body=BLOCK).build_body())["tools"]
     assert entry["contact_time_s"] > 0.1
     assert entry["peak_force_n"] >= entry["mean_force_n"] > 0.0
-    if name == "virtual":
+    if name == "host force":
         assert entry["coupling"]["bound_j"] == 0.0
     else:
-        assert 0.0 < entry["coupling"]["bound_j"] < 0.02
+        assert 0.01 <= entry["coupling"]["bound_j"] < 0.06
 
 
 @pytest.mark.parametrize("tool", [LEFT, HOLD], ids=["touch", "grasp"])
@@ -243,16 +249,17 @@ def test_every_joule_of_a_coupling_is_on_its_account(tool: dict[str, Any]) -> No
     run = run_of({**tool, "device": {"rate": 1000, "stiffness": 1500, "coulomb": 0.05, "cap": 1e3}})
     check(run)
     left = (run["coupling_energy"] + run["device_work"] + run["coupling_work"]).values
+    left -= 2 * opening_energy(toll=0.0, stiffness=1500.0, cap=1e3)
     flows = np.abs(run["coupling_work"].values).max()
     assert flows > 1e-3
     assert np.abs(left).max() < 1e-12 * flows
 
 
-def test_a_virtual_coupling_is_passive_up_to_its_limit_and_refused_above() -> None:
+def test_host_force_is_passive_up_to_its_limit_and_refused_above() -> None:
     steps = {"duration": 0.3, "random": {"low": 0.0005, "high": 0.002}}
     tool = {
         **LEFT,
-        "device": {"coupling": "virtual", "viscous": 1.0, "damping": 0.05, "stiffness": 1e5, "clip_stiffness": True},
+        "device": {"coupling": "host_force", "viscous": 1.0, "damping": 0.05, "stiffness": 1e5, "clip_stiffness": True},
     }
     lowered = run_of(tool, steps=steps)
     check(lowered)
@@ -271,9 +278,9 @@ def test_a_virtual_coupling_is_passive_up_to_its_limit_and_refused_above() -> No
         run_of(tool, steps=steps)
 
 
-def test_a_virtual_coupling_counts_its_encoders() -> None:
+def test_host_force_counts_its_encoders() -> None:
     """Refused where dry friction cannot pay for them; else the excess keeps its bound, which the proxy's path sets."""
-    device = {"coupling": "virtual", "viscous": 2.0, "damping": 0.05, "stiffness": 600, "resolution": 1e-3}
+    device = {"coupling": "host_force", "viscous": 2.0, "damping": 0.05, "stiffness": 600, "resolution": 1e-3}
     with pytest.raises(
         ScenarioError, match=r"tools\[1\]\.device: .* 0\.000866 m of its place, with 0 N of dry friction"
     ):
@@ -333,20 +340,20 @@ def test_a_weak_grip_is_still_because_a_tank_begins_with_what_encoders_cost(
     assert hum < 0.02
     assert apart < np.linalg.norm(run["device_force"].values[0, -1]) / clipped + 12 * fine
     begun = 0.3 * (clipped + damping / 0.02) * fine
-    assert run["coupling_energy"].values[0, 0] == pytest.approx(begun)
-    assert run["coupling_bound"].values[0] > begun
-    monkeypatch.setattr("cotouch.scenario._tools.opening_energy", lambda *_: 0.0)
+    assert run["coupling_energy"].values[0, 0] == pytest.approx(2 * begun)
+    assert run["coupling_bound"].values[0] > 2 * begun
+    monkeypatch.setattr("cotouch.scenario._tools.opening_energy", lambda **_: 0.0)
     without, slipped, _ = last()
     assert without > 0.1 or slipped > apart + 1e-3
 
 
 @pytest.mark.parametrize("kind", ["touch", "grasp"])
 @pytest.mark.parametrize("seed", [2, 3, 4])
-def test_a_virtual_coupling_saturates_with_its_motors_and_stays_passive(kind: str, seed: int) -> None:
+def test_host_force_saturates_with_its_motors_and_stays_passive(kind: str, seed: int) -> None:
     """Pulled about far beyond what the motors can do. A linear spring that they cut off gives energy, without end."""
     rng = np.random.default_rng(seed)
     hand = {"path": [[0.1 * k, *rng.normal(0.0, 0.06, 3).tolist()] for k in range(8)], "grip": 4.0}
-    device = {"coupling": "virtual", "stiffness": 800, "damping": 0.5, "viscous": 2.0, "force": 1.0, "mass": 0.1}
+    device = {"coupling": "host_force", "stiffness": 800, "damping": 0.5, "viscous": 2.0, "force": 1.0, "mass": 0.1}
     tool = {**(LEFT if kind == "touch" else HOLD), "user": 1, "hand": hand, "device": device}
     steps = {"duration": 0.8, "random": {"low": 0.0008, "high": 0.001}}
     prepared = prepare(Scenario.make(network=PAIR, body=BLOCK, steps=steps, tools=[tool]))

@@ -80,7 +80,7 @@ class TestBlocks:
         prepared, outcome = run
         assert outcome.tools is not None
         pulled = np.array(outcome.tools.coupling)
-        pulled[0, tool] *= 4.0
+        pulled[0, tool] += 0.5
         broken = blocks(prepared, replace(outcome, tools=outcome.tools._replace(coupling=pulled)))
         kept = blocks(prepared, outcome).couplings[tool]
         assert kept.excess <= kept.bound
@@ -90,7 +90,7 @@ class TestBlocks:
         prepared, outcome = run
         port = blocks(prepared, outcome).couplings[3]
         # The bound is what the encoders' error can do on the proxy's way.
-        assert (port.law, port.saturated) == ("virtual", 0)
+        assert (port.law, port.saturated) == ("host_force", 0)
         assert port.excess <= port.bound < 1e-3
         assert outcome.tools is not None
         # Without that it would have given something: the account of this run is not all negative anyway.
@@ -132,7 +132,7 @@ class TestSolid:
         devices = [tool.device for tool in tables]
         assert [tool.kind for tool in tables].count("grasp") == 2
         assert {device.kind or "cartesian" for device in devices if device} == {"cartesian", "phantom"}
-        assert {device.coupling for device in devices if device} == {"pspm", "virtual"}
+        assert {device.coupling for device in devices if device} == {"pspm", "host_force"}
         assert {500.0, 2000.0} <= {device.rate for device in devices if device}
         for one in found.runs.values():
             assert [port.user for port in one.blocks.couplings] == list(range(5))

@@ -22,7 +22,7 @@ def test_kinds_and_tools_vary():
     assert {tool.kind for tool in tools} == {"touch", "grasp"}
     assert min(tool.stiffness for tool in tools) < 2e3
     assert max(tool.stiffness for tool in tools) > 5e5
-    assert {tool.device.coupling for tool in tools if tool.device} == {"pspm", "virtual"}
+    assert {tool.device.coupling for tool in tools if tool.device} == {"pspm", "host_force"}
     assert any(tool.device is None for tool in tools)
 
 

@@ -22,9 +22,10 @@ import numpy as np
 
 from cotouch.body import Body, Skin, chain, lattice, point
 from cotouch.errors import SessionError
-from cotouch.session._links import Pair
-from cotouch.session._messages import Entry, LinkStatus, Roster, Status
-from cotouch.session._session_api import (
+from cotouch.members._links import Pair
+from cotouch.members._messages import Entry, LinkStatus, Roster, Status
+from cotouch.members._watch import SessionEvent
+from cotouch.observers._session_api import (
     HAND_MODES,
     CopyView,
     Emulated,
@@ -35,7 +36,6 @@ from cotouch.session._session_api import (
     RecordingState,
     Scene,
 )
-from cotouch.session._watch import SessionEvent
 
 NAMES = ("Ann", "Ben", "Cleo", "Dan", "Eve")
 # The paper's one-way delays from user j to user i [s], and its fastest links.
@@ -252,6 +252,7 @@ class FakeSessionApi:
                 damping=self._damping,
                 recording=recording,
                 events=list(self._events),
+                left=False,
                 ended=self.ended,
             )
 

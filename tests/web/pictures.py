@@ -2,12 +2,14 @@
 
 from collections.abc import Callable, Generator
 from contextlib import contextmanager
+from dataclasses import replace
 from typing import Any
 from urllib.parse import urlsplit
 
 from playwright.sync_api import Browser, Page
 from tests.web.fake_session_api import FakeSessionApi, Kind
 
+from cotouch.mechanics import Shape
 from cotouch.web import PageServer
 
 # A machine without a graphics card and with other work draws a few pictures a second [ms].
@@ -22,8 +24,8 @@ BEFORE = 'localStorage.setItem("cotouch.tour", JSON.stringify({over: true}))'
 class Shown:
     """A stage, its server, and pages with all that they asked for and complained about."""
 
-    def __init__(self, running: Browser, kind: Kind, *, still: bool) -> None:
-        self.browser, self.kind = running, kind
+    def __init__(self, running: Browser, kind: Kind, *, still: bool, shapes: tuple[Shape, ...] = ()) -> None:
+        self.browser, self.kind, self.shapes = running, kind, shapes
         self.complaints: list[str] = []
         self.requests: list[str] = []
         self.pages: list[Page] = []
@@ -33,6 +35,7 @@ class Shown:
     def made(self, *, still: bool = True) -> FakeSessionApi:
         """A stage; still: no hand holds anything."""
         api = FakeSessionApi(self.kind)
+        api._scene = replace(api.scene, shapes=self.shapes)
         for slot in range(5) if still else ():
             api.do("hand", {"slot": slot, "mode": "free"})
         return api
@@ -61,9 +64,11 @@ class Shown:
 
 
 @contextmanager
-def shown(running: Browser, kind: Kind = "3d", *, still: bool = True) -> Generator[Shown]:
+def shown(
+    running: Browser, kind: Kind = "3d", *, still: bool = True, shapes: tuple[Shape, ...] = ()
+) -> Generator[Shown]:
     """Closed at the end; no page may have complained, or asked for anything from elsewhere."""
-    made = Shown(running, kind, still=still)
+    made = Shown(running, kind, still=still, shapes=shapes)
     try:
         yield made
         assert made.complaints == []

@@ -8,7 +8,7 @@ from tests.web.fake_session_api import made_body
 from tests.web.reader import read_frame
 
 from cotouch.body import chain
-from cotouch.session import CopyView, HandView
+from cotouch.observers import CopyView, HandView
 from cotouch.web._frames import FrameEncoder
 
 SOFT = made_body("3d")

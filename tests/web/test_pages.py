@@ -17,7 +17,7 @@ from tests.web.visitor import Visitor, visit
 from websockets.exceptions import ConnectionClosed
 
 from cotouch.errors import SessionError
-from cotouch.session import Pointer
+from cotouch.observers import Pointer
 from cotouch.web import PageServer
 from cotouch.web._access import Access
 from cotouch.web._hub import Hub

@@ -10,6 +10,8 @@ from tests.simulation.browser import DRAWN, browser
 from tests.web.fake_session_api import Kind
 from tests.web.pictures import shown, spot, until, wait
 
+from cotouch.mechanics import Box, Plane
+
 # A gamepad as a browser would give it, and what its motors were asked for.
 PAD = """
 window.told = [];
@@ -215,3 +217,18 @@ def test_nobody_zooms_into_the_object(running: Browser) -> None:
             """() => { const { orbit } = window.cotouch.stage.probe(); orbit.zoom(1.5); while (orbit.step(1)); }"""
         )
         assert page.evaluate(far) > near
+
+
+def test_what_stands_around_is_drawn_where_it_is(running: Browser) -> None:
+    wall, box = Plane((0.5, 0.0, 0.0), (-2.0, 0.0, 0.0)), Box((0.1, 0.2, 0.3), (0.0, 0.6, 0.1))
+    with shown(running, shapes=(Plane((0.0, 0.0, -0.4)), wall, box)) as here:
+        page = here.open()
+        floor, places = page.evaluate(
+            """() => { const { ground, obstacles } = window.cotouch.stage.probe().space;
+                return [ground.mesh.position.z, obstacles.group.children.map((one) => one.position.toArray())]; }"""
+        )
+    sheet, solid, edges = np.array(places)
+    assert floor == -0.4
+    assert sheet[0] == pytest.approx(0.5)
+    np.testing.assert_array_equal(solid, [0.0, 0.6, 0.1])
+    np.testing.assert_array_equal(edges, solid)

@@ -14,7 +14,8 @@ from tests.web.fake_session_api import FakeSessionApi
 from tests.web.shell_pages import BEFORE, PATIENCE, READY, World, grab, words, world
 from tests.web.visitor import visit
 
-from cotouch.session import RecordingState, Status
+from cotouch.members import Status
+from cotouch.observers import RecordingState
 from cotouch.web import PageServer
 
 STATE = "() => window.cotouch.store.connection"

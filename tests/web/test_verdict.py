@@ -6,7 +6,8 @@ from typing import Any
 import pytest
 from tests.web.fake_session_api import FakeSessionApi
 
-from cotouch.session import LinkStatus, Overview, Status
+from cotouch.members import LinkStatus, Status
+from cotouch.observers import Overview
 from cotouch.web import judged
 
 NAMES = FakeSessionApi("1d").overview()
@@ -49,6 +50,11 @@ CALM = (status(1, link(3, ages=0.088)), status(3, link(1, ages=0.04), link(2, ag
         (seen(status(0, link(4, state="guarded"), link(1, state="guarded"))), "warn", "safe: 2 links paused"),
         (seen(*CALM, status(0, link(4, state="keys", ages=None))), "warn", "2–4; link 1–5 is connecting"),
         (seen(status(0, link(4, state="waiting", ages=None))), "warn", "safe: link 1–5 is connecting"),
+        (
+            seen(status(0, link(1, law="paid"), link(4, law="paid", state="waiting", age=0.9))),
+            "warn",
+            "safe: link 1–5 hears nothing, network slow",
+        ),
         (seen(*CALM, damping=0.4), "bad", "not safe: damping lowered to 40 %"),
         (seen(*CALM, damping=0.9999), "bad", "lowered to 99 %"),
         (seen(*CALM, damping=0.003), "bad", "lowered to 0.3 %"),
@@ -64,6 +70,7 @@ CALM = (status(1, link(3, ages=0.088)), status(3, link(1, ages=0.04), link(2, ag
         (seen(*CALM, status(4, residual=1e-3), damping=0.4), "bad", "off by 1e-03 of the energy in play"),
         (seen(status(0, supplied=-2.0, initial=0.5)), "bad", "not safe: 1.5 J came out"),
         (seen(status(0, supplied=-2.0), status(1, supplied=2.0)), "good", "safe"),
+        (seen(status(0, supplied=-2.0), left=True), "good", "safe: no links yet"),
     ],
 )
 def test_verdict(overview: Overview, level: str, text: str):

@@ -38,7 +38,7 @@ export const CONDITIONS: Record<Condition, { words: string; means: string; icon:
     means: "News is older than its budget, or was. The end moves its spring only as far as its saved energy pays for.",
     icon: "warn",
   },
-  waiting: { words: "waiting", means: "Nothing was heard yet.", icon: "wait" },
+  waiting: { words: "waiting", means: "Nothing is heard.", icon: "wait" },
   cut: { words: "cut", means: "Nothing gets through. Each end lets go of its spring without a kick.", icon: "bad" },
   off: { words: "not linked", means: "These two are not joined directly.", icon: "minus" },
 };

@@ -20,9 +20,12 @@ export class Ground {
   private readonly cast: Mesh | null = null;
   private readonly shade: ShaderMaterial;
 
-  /** @param low height of the object's lowest point at rest [m] */
-  constructor(centre: Vector3, low: number, radius: number, skinned: Moving | null) {
-    const height = low - 0.1 * radius;
+  /**
+   * @param low height of the object's lowest point at rest [m]
+   * @param floor height of what it can rest on; null: nothing [m]
+   */
+  constructor(centre: Vector3, low: number, radius: number, skinned: Moving | null, floor: number | null) {
+    const height = floor ?? low - 0.1 * radius;
     const reach = 2 * radius;
     this.mesh = new Mesh(
       new PlaneGeometry(9 * radius, 9 * radius),
@@ -33,6 +36,7 @@ export class Ground {
           shadow: { value: this.target.texture }, centre: { value: new Vector2(centre.x, centre.y) },
           line: { value: new Vector3() }, dark: { value: new Vector3() },
           reach: { value: reach }, pitch: { value: nice(radius * 0.9) }, strength: { value: 0.3 }, opacity: { value: 0.5 },
+          plate: { value: floor === null ? 0 : 0.16 },
         },
       }),
     );

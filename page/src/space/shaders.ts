@@ -219,7 +219,7 @@ export const shade = {
     void main() { gl_FragColor = vec4(1.0, clamp(height, 0.0, 1.0), 0.0, 1.0); }`,
 };
 
-/** Fading lines, with the object's soft shadow between them. */
+/** Fading lines, on a plate where there is a floor, with the object's soft shadow between them. */
 export const ground = {
   vertex: /* glsl */ `
     varying vec2 at;
@@ -232,7 +232,7 @@ export const ground = {
     uniform sampler2D shadow;
     uniform vec2 centre;
     uniform vec3 line, dark;
-    uniform float reach, pitch, strength, opacity;
+    uniform float reach, pitch, strength, opacity, plate;
     varying vec2 at;
     float lines(vec2 q) {
       vec2 width = max(fwidth(q), 1e-6);
@@ -260,7 +260,7 @@ export const ground = {
         }
       }
       #endif
-      float grid = opacity * fade * max(lines(q), 0.55 * lines(q * 5.0));
+      float grid = max(opacity * max(lines(q), 0.55 * lines(q * 5.0)), plate) * fade;
       float all = cover + grid * (1.0 - cover);
       gl_FragColor = vec4(mix(line, dark, cover / max(all, 1e-4)), all);
     }`,

@@ -15,6 +15,7 @@ import { Labels } from "./labels";
 import { cells } from "./layout";
 import { Orbit } from "./orbit";
 import { type Cell, type Hit, pick, project, rayAt } from "./pick";
+import { floorOf, Obstacles, seenFirst } from "./obstacles";
 import { type HandPose, HandProp, material, paint } from "./props";
 import { inSoftware, Quality } from "./quality";
 import { Shape } from "./shape";
@@ -44,6 +45,7 @@ class Space implements View {
   private readonly copies = new Map<number, CopyShown>();
   private readonly hands = new Map<number, HandProp>();
   private readonly ground: Ground;
+  private readonly obstacles: Obstacles;
   private readonly dot: Mesh;
   private readonly dotPaint = material("#ffffff");
   private readonly labels: Labels;
@@ -85,7 +87,8 @@ class Space implements View {
     element.append(this.canvas);
     this.shape = new Shape(scene);
     this.common = new Common(radius, this.shape);
-    this.orbit = new Orbit(new Vector3(...scene.centre), radius, scene.points, flat);
+    const centre = new Vector3(...scene.centre);
+    this.orbit = new Orbit(centre, radius, seenFirst(scene.points, scene.obstacles, centre, radius), flat);
     this.full = 0.6 * scene.stiffness * radius;
     this.hold = new Hold(connection, radius, scene.stiffness, flat);
     for (const { slot } of scene.users) {
@@ -97,11 +100,12 @@ class Space implements View {
     }
     let low = Infinity;
     for (let i = 2; i < scene.points.length; i += 3) low = Math.min(low, scene.points[i]!);
-    this.ground = new Ground(new Vector3(...scene.centre), low, radius, scene.skin ? this.mine.moving : null);
+    this.ground = new Ground(centre, low, radius, scene.skin ? this.mine.moving : null, floorOf(scene.obstacles));
+    this.obstacles = new Obstacles(scene.obstacles, centre, radius);
     this.ground.mesh.visible = !flat;
     this.dot = new Mesh(new SphereGeometry(0.022 * radius, 20, 14), this.dotPaint);
     this.dot.visible = false;
-    this.world.add(this.ground.mesh, this.dot);
+    this.world.add(this.ground.mesh, this.obstacles.group, this.dot);
     this.labels = new Labels(element);
     this.furniture = new Furniture(element, store, { act: "Take hold of the object and pull. Drag beside it to look around.", look: "Drag to look around, and scroll to come nearer." });
     this.touch = new Touch(this, store);
@@ -156,7 +160,7 @@ class Space implements View {
     this.handle = -1;
     this.touch.dispose();
     for (const end of this.ends) end();
-    for (const part of [...this.copies.values(), ...this.hands.values(), this.ground, this.dotPaint, this.dot.geometry, this.furniture]) part.dispose();
+    for (const part of [...this.copies.values(), ...this.hands.values(), this.ground, this.obstacles, this.dotPaint, this.dot.geometry, this.furniture]) part.dispose();
     this.renderer.dispose();
     this.renderer.forceContextLoss();
     this.canvas.remove();
@@ -263,6 +267,7 @@ class Space implements View {
     }
     paint(this.dotPaint, dark ? "#FFFFFF" : "#111827");
     this.ground.colours(dark);
+    this.obstacles.colours(dark);
     this.arrange();
     this.shown = null; // what is coloured by may need other numbers
     this.draw();

@@ -11,7 +11,7 @@ import scipy.sparse as sp
 
 from cotouch.arrays import Float
 from cotouch.body._checks import Form, Matrix, SumOfSquares, diagonal, plausible, positive, square
-from cotouch.body._material import Material, weight_of
+from cotouch.body._material import Material
 from cotouch.body._origin import Origin
 from cotouch.body._skin import Skin
 from cotouch.body._statics import factorise
@@ -185,7 +185,7 @@ class Body:
             stiffness_ext=self.stiffness_ext,
             skin=self.skin,
             origin=self.origin,
-            material=replace(self.material or Material(model="linear"), gravity=weight_of(gravity)),
+            material=replace(self.material or Material(model="linear"), gravity=gravity),
         )
 
     def truncated(self, *, modes: int, contacts: Sequence[int] = ()) -> "Body":

@@ -11,7 +11,7 @@ import scipy.sparse as sp
 from cotouch.body._body import Body
 from cotouch.body._checks import one_number
 from cotouch.body._elasticity import cubes_of, springs_of_cells
-from cotouch.body._material import Frame, Material, linear_material, weight_of
+from cotouch.body._material import Frame, Material, linear_material
 from cotouch.body._skin import Skin
 from cotouch.errors import BodyError
 
@@ -66,7 +66,6 @@ def chain(
     ground_damping: float = 0.0,
     model: GridModel = "springs",
     frame: Frame = "fixed",
-    gravity: Sequence[float] | None = None,
     most_nodes: int = MOST_NODES,
 ) -> Body:
     """Nodes along x, each joined to the next.
@@ -83,7 +82,6 @@ def chain(
         ground_damping: of each held node [Ns/m].
         model: "springs", or "spring-network": a rope; see `lattice`.
         frame: see `lattice`.
-        gravity: see `lattice`.
         most_nodes: see `lattice`.
 
     Raises:
@@ -102,7 +100,6 @@ def chain(
         ground_damping=ground_damping,
         model=model,
         frame=frame,
-        gravity=gravity,
         most_nodes=most_nodes,
     )
 
@@ -120,7 +117,6 @@ def lattice(
     ground_damping: float = 0.0,
     model: GridModel = "springs",
     frame: Frame = "fixed",
-    gravity: Sequence[float] | None = None,
     most_nodes: int = MOST_NODES,
 ) -> Body:
     """A box of nodes on a regular grid, each joined to its 6, 18 or 26 neighbours (fewer axes: the same rule).
@@ -141,7 +137,6 @@ def lattice(
             6 neighbours, and each cube gives a quarter of `stiffness` to its edges. "spring-network": springs that turn
             with their ends; 18 or 26 neighbours, or nothing resists shear.
         frame: "floating": the linear body turns as a whole without a force.
-        gravity: acceleration, a number for each of three axes [m/s²]. None: no weight.
         most_nodes: refuse more than this.
 
     Raises:
@@ -151,9 +146,9 @@ def lattice(
     if not 1 <= len(extents) <= 3 or min(extents) < 1:
         raise BodyError(f"the lattice's shape is {tuple(shape)}; it must be 1 to 3 whole numbers of at least 1")
     if prod(extents) > most_nodes:
+        made = f"{' x '.join(map(str, extents))} make" if len(extents) > 1 else "that is"
         raise BodyError(
-            f"{' x '.join(map(str, extents))} make {prod(extents)} nodes, but the limit is {most_nodes}; "
-            "make it coarser, or raise most_nodes"
+            f"{made} {prod(extents)} nodes, but the limit is {most_nodes}; make it coarser, or raise most_nodes"
         )
     if neighbours not in _REACH:
         raise BodyError(f"neighbours is {neighbours}; it must be 6, 18 or 26")
@@ -171,7 +166,7 @@ def lattice(
     held[_held(ground, places, extents)] = 1.0
     rest = places * spacing
     material, springs = _grid_material(
-        extents, neighbours, laplacian * stiffness, stiffness=stiffness, damping=damping, wish=(model, frame, gravity)
+        extents, neighbours, laplacian * stiffness, stiffness=stiffness, damping=damping, wish=(model, frame)
     )
     return Body(
         mass=sp.diags_array(np.full(count, mass / count)),
@@ -192,19 +187,18 @@ def _grid_material(
     *,
     stiffness: float,
     damping: float,
-    wish: tuple[str, str, Sequence[float] | None],
+    wish: tuple[str, str],
 ) -> tuple[Material | None, sp.csr_array]:
     """The material of a grid, and its K at rest."""
-    model, frame, gravity = wish
+    model, frame = wish
     if model not in get_args(GridModel):
         raise BodyError(f'model is "{model}"; a grid has one of {", ".join(get_args(GridModel))}')
     if model == "springs":
-        return linear_material(frame, gravity), springs
+        return linear_material(frame), springs
     if frame != "fixed":
         raise BodyError(f'frame is "{frame}", but model "{model}" turns by itself; leave frame out')
     if stiffness == 0.0:
         raise BodyError(f'stiffness is 0; model "{model}" needs more than 0 N/m')
-    weight = weight_of(gravity)
     if model == "cells":
         if len(extents) != 3 or min(extents) < 2 or neighbours != 6:
             raise BodyError(
@@ -214,9 +208,7 @@ def _grid_material(
         cubes = cubes_of(extents)
         full = np.ones(cubes.shape[0])
         return (
-            Material(
-                model="cells", elements=cubes, stiffness=full * stiffness, viscosity=damping / stiffness, gravity=weight
-            ),
+            Material(model="cells", elements=cubes, stiffness=full * stiffness, viscosity=damping / stiffness),
             springs_of_cells(int(np.prod(extents)), cubes, full, stiffness=stiffness),
         )
     wide = sum(extent > 1 for extent in extents)
@@ -229,7 +221,6 @@ def _grid_material(
             elements=np.stack([upper.row, upper.col], axis=1).astype(np.int64),
             stiffness=-upper.data,
             viscosity=damping / stiffness,
-            gravity=weight,
         ),
         springs,
     )

@@ -1,6 +1,5 @@
 """A lattice inside a surface that it carries as a skin."""
 
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Final, get_args
 
@@ -45,7 +44,6 @@ def body_from_surface(
     ground_stiffness: float = 0.0,
     ground_damping: float = 0.0,
     frame: Frame = "fixed",
-    gravity: Sequence[float] | None = None,
     part: int | None = None,
     most_triangles: int = MOST_TRIANGLES,
     most_nodes: int = MOST_NODES,
@@ -78,7 +76,6 @@ def body_from_surface(
         ground_stiffness: of each held node [N/m].
         ground_damping: of each held node [Ns/m].
         frame: "floating": a linear body ("springs", "elastic") turns as a whole without a force.
-        gravity: acceleration, a number for each of three axes [m/s²]. None: no weight.
         part: which of several separate parts to take, from 1, the biggest first.
         most_triangles: refuse more than this.
         most_nodes: refuse more than this.
@@ -145,7 +142,6 @@ def body_from_surface(
         stiffness=stiffness,
         viscosity=rayleigh_stiffness,
         frame=frame,
-        gravity=gravity,
     )
     heavy = 0.0
     if twice == 0.0:  # its integrals over the surface count what overlaps twice

@@ -41,7 +41,6 @@ def body_from_tetrahedra(
     ground_stiffness: float = 0.0,
     ground_damping: float = 0.0,
     frame: Frame = "fixed",
-    gravity: Sequence[float] | None = None,
     part: int | None = None,
     sets: Mapping[str, Sequence[int]] | None = None,
     most_elements: int = MOST_ELEMENTS,
@@ -68,7 +67,6 @@ def body_from_tetrahedra(
         ground_stiffness: of each held node [N/m].
         ground_damping: of each held node [Ns/m].
         frame: "floating": a linear body ("springs", "elastic") turns as a whole without a force.
-        gravity: acceleration, a number for each of three axes [m/s²]. None: no weight.
         part: which of several separate parts to take, from 1, the biggest first.
         sets: more named sets, as indices of the source's points.
         most_elements: refuse more than this.
@@ -149,7 +147,6 @@ def body_from_tetrahedra(
         stiffness=stiffness,
         viscosity=rayleigh_stiffness,
         frame=frame,
-        gravity=gravity,
     )
     place = np.full(mesh.points.shape[0], -1, dtype=np.int64)
     place[used] = np.arange(used.size)

@@ -1,6 +1,5 @@
 """What a body is made of where it does more than follow a linear law: it turns, bends far, or is heavy."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias, final, get_args
 
@@ -37,7 +36,7 @@ class Material:
         poisson: of tetrahedra.
         viscosity: η: dampers of η times the stiffness, which no rotation feels; not of models without elements, whose
             dampers are the body's [s].
-        gravity: acceleration that the whole body has, (3,) [m/s²].
+        gravity: acceleration that the whole body has where it is, (3,) [m/s²]; see `Body.with_gravity`.
     """
 
     model: MaterialModel
@@ -105,32 +104,12 @@ class Material:
             )
 
 
-def weight_of(gravity: Sequence[float] | None) -> tuple[float, float, float]:
-    """An acceleration as given, or none.
+def linear_material(frame: str) -> Material | None:
+    """The material of a body that keeps its own matrices; None where it follows them as they are.
 
     Raises:
-        BodyError: it is not three finite numbers.
-    """
-    if gravity is None:
-        return 0.0, 0.0, 0.0
-    if len(gravity) != 3 or not np.isfinite(np.asarray(gravity, dtype=np.float64)).all():
-        raise BodyError(f"gravity is {list(gravity)}; it must be three finite numbers [m/s²]")
-    return float(gravity[0]), float(gravity[1]), float(gravity[2])
-
-
-def linear_material(frame: str, gravity: Sequence[float] | None) -> Material | None:
-    """The material of a body that keeps its own matrices; None where it follows them as they are, without weight.
-
-    Args:
-        frame: "fixed" or "floating".
-        gravity: three numbers [m/s²]; None: none.
-
-    Raises:
-        BodyError: there is no such frame, or gravity is not three numbers.
+        BodyError: there is no such frame.
     """
     if frame not in get_args(Frame):
         raise BodyError(f'frame is "{frame}"; it must be "fixed" or "floating"')
-    weight = weight_of(gravity)
-    if frame == "fixed" and not any(weight):
-        return None
-    return Material(model="linear" if frame == "fixed" else "floating", gravity=weight)
+    return None if frame == "fixed" else Material(model="floating")

@@ -1,6 +1,5 @@
 """Stiffness at rest and material of bodies from meshes, for each model that a builder knows."""
 
-from collections.abc import Sequence
 from typing import Final, Literal, TypeAlias, get_args
 
 import numpy as np
@@ -11,7 +10,7 @@ from cotouch.arrays import Float
 from cotouch.body import _elasticity as elasticity
 from cotouch.body._cells import Cells
 from cotouch.body._checks import one_number
-from cotouch.body._material import Frame, Material, linear_material, weight_of
+from cotouch.body._material import Frame, Material, linear_material
 from cotouch.errors import BodyError
 
 Ints = npt.NDArray[np.int64]
@@ -41,7 +40,6 @@ def of_cells(
     stiffness: float | None,
     viscosity: float,
     frame: Frame,
-    gravity: Sequence[float] | None,
 ) -> tuple[sp.csr_array, Material | None]:
     """K and material of a lattice inside a surface; see `body_from_surface`.
 
@@ -55,25 +53,23 @@ def of_cells(
         stiffness: of one spring [N/m]; None: as the modulus says.
         viscosity: of the damping that goes with stiffness [s].
         frame: "fixed" or "floating".
-        gravity: three numbers [m/s²]; None: none.
     """
-    weight = weight_of(gravity)
     if model == "elastic":
         inner = elasticity.elastic_cells(
             nodes, corners, cells.fill, spacing=cells.spacing, young=young, poisson=poisson
         )
-        return inner, linear_material(frame, gravity)
+        return inner, linear_material(frame)
     fraction = _NETWORK if model == "spring-network" else 1.0
     spring = fraction * young * cells.spacing if stiffness is None else stiffness
     if model == "spring-network":
         edges, strength = elasticity.network_of_cells(corners, cells.fill, stiffness=spring)
-        material = Material(model=model, elements=edges, stiffness=strength, viscosity=viscosity, gravity=weight)
+        material = Material(model=model, elements=edges, stiffness=strength, viscosity=viscosity)
         return elasticity.laplacian_of(nodes, edges, strength), material
     inner = elasticity.springs_of_cells(nodes, corners, cells.fill, stiffness=spring)
     if model == "cells":
         own = spring * cells.fill
-        return inner, Material(model=model, elements=corners, stiffness=own, viscosity=viscosity, gravity=weight)
-    return inner, linear_material(frame, gravity)
+        return inner, Material(model=model, elements=corners, stiffness=own, viscosity=viscosity)
+    return inner, linear_material(frame)
 
 
 def of_tetrahedra(
@@ -86,7 +82,6 @@ def of_tetrahedra(
     stiffness: float | None,
     viscosity: float,
     frame: Frame,
-    gravity: Sequence[float] | None,
 ) -> tuple[sp.csr_array, Material | None]:
     """K and material of a solid of tetrahedra; see `body_from_tetrahedra`.
 
@@ -99,26 +94,25 @@ def of_tetrahedra(
         stiffness: of one spring [N/m]; None: as the modulus says.
         viscosity: of the damping that goes with stiffness [s].
         frame: "fixed" or "floating".
-        gravity: three numbers [m/s²]; None: none.
     """
-    weight, nodes = weight_of(gravity), rest.shape[0]
+    nodes = rest.shape[0]
     if model == "spring-network":
         if stiffness is None:
             raise BodyError('stiffness is not given; model "spring-network" of tetrahedra needs that of an edge [N/m]')
         edges = elasticity.edges_of(elements)
         strength = np.full(edges.shape[0], stiffness)
-        material = Material(model=model, elements=edges, stiffness=strength, viscosity=viscosity, gravity=weight)
+        material = Material(model=model, elements=edges, stiffness=strength, viscosity=viscosity)
         return elasticity.laplacian_of(nodes, edges, strength), material
     if model == "springs":
         if stiffness is None:
-            return elasticity.springs_of_tetrahedra(rest, elements, young=young), linear_material(frame, gravity)
-        return elasticity.springs_along_edges(nodes, elements, stiffness=stiffness), linear_material(frame, gravity)
+            return elasticity.springs_of_tetrahedra(rest, elements, young=young), linear_material(frame)
+        return elasticity.springs_along_edges(nodes, elements, stiffness=stiffness), linear_material(frame)
     inner = elasticity.elastic_tetrahedra(rest, elements, young=young, poisson=poisson)
     if model == "elastic":
-        return inner, linear_material(frame, gravity)
+        return inner, linear_material(frame)
     outwards = np.linalg.det(rest[elements[:, 1:]] - rest[elements[:, :1]]) > 0.0
     turned = np.where(outwards[:, None], elements, elements[:, [0, 1, 3, 2]])
-    material = Material(model=model, elements=turned, young=young, poisson=poisson, viscosity=viscosity, gravity=weight)
+    material = Material(model=model, elements=turned, young=young, poisson=poisson, viscosity=viscosity)
     return inner, material
 
 

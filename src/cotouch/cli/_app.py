@@ -9,7 +9,7 @@ import typer
 from cotouch.cli import _live_commands as live
 from cotouch.cli._device_commands import devices
 from cotouch.cli._interrupted import INTERRUPTED, say_interrupted
-from cotouch.cli._options import AsJson
+from cotouch.cli._options import AsJson, Dask
 from cotouch.cli._standard import interrupts, warnings_as_sentences
 from cotouch.errors import CotouchError
 
@@ -52,12 +52,18 @@ def simulate(
         Path | None,
         typer.Option(help="Write the run in three dimensions as this HTML page.", show_default=False),
     ] = None,
+    law: Annotated[
+        str | None,
+        typer.Option(
+            help="Law of the links, instead of the scenario's: spring (the paper's), paid, wave ...", show_default=False
+        ),
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Simulate a scenario with many virtual peers and summarise the run."""
     from cotouch.cli._simulate import run
 
-    if not run(scenario, out=out, figures=figures, animation=animation, as_json=as_json):
+    if not run(scenario, out=out, figures=figures, animation=animation, law=law, as_json=as_json):
         raise typer.Exit(1)
 
 
@@ -89,13 +95,17 @@ def sweep(
             show_default=False,
         ),
     ],
-    out: Annotated[Path | None, typer.Option(help="Write all to this NetCDF file.", show_default=False)] = None,
+    out: Annotated[
+        Path | None, typer.Option(help="Folder for results; resumes what is there.", show_default=False)
+    ] = None,
+    dask: Dask = None,
+    jobs: Annotated[int, typer.Option(help="Runs at once; -1: one per core.", min=-1)] = -1,
     as_json: AsJson = False,
 ) -> None:
     """Run a scenario with options varied, in every combination."""
     from cotouch.cli._laboratory import sweep as run
 
-    run(scenario, vary=vary, out=out, as_json=as_json)
+    run(scenario, vary=vary, out=out, dask=dask, jobs=jobs, as_json=as_json)
 
 
 @app.command()
@@ -104,10 +114,7 @@ def compare(
     out: Annotated[
         Path, typer.Option(help="Folder for results and report; resumes what is there.", show_default=False)
     ],
-    dask: Annotated[
-        str | None,
-        typer.Option(help="Let the workers of this Dask scheduler compute: tcp://host:8786.", show_default=False),
-    ] = None,
+    dask: Dask = None,
     jobs: Annotated[int, typer.Option(help="Cells at once; -1: one per core.", min=-1)] = -1,
     as_json: AsJson = False,
 ) -> None:
@@ -154,9 +161,6 @@ def body(
         typer.Option(help="springs (default of surfaces) or elastic (default of tetrahedra).", show_default=False),
     ] = None,
     frame: Annotated[str | None, typer.Option(help="fixed (default) or floating.", show_default=False)] = None,
-    gravity: Annotated[
-        str | None, typer.Option(help="Acceleration along x, y and z, as 0,0,-9.81 [m/s²].", show_default=False)
-    ] = None,
     young: Annotated[float, typer.Option(help="Young's modulus [Pa].")] = 1e4,
     poisson: Annotated[float, typer.Option(help="Poisson's ratio.")] = 0.3,
     stiffness: Annotated[
@@ -204,7 +208,6 @@ def body(
         resolution=resolution,
         model=model,
         frame=frame,
-        gravity=gravity,
         young=young,
         poisson=poisson,
         stiffness=stiffness,
@@ -273,10 +276,7 @@ def plan(
     method: Annotated[str, typer.Option(help="Method: auto, enumerate, bound or local.")] = "auto",
     seconds: Annotated[float | None, typer.Option("--time-limit", help="Time limit [s].", show_default=False)] = None,
     seed: Annotated[int, typer.Option(help="Seed of the local search's random starts.")] = 0,
-    dask: Annotated[
-        str | None,
-        typer.Option(help="Distribute the work by this Dask scheduler, tcp://host:port.", show_default=False),
-    ] = None,
+    dask: Dask = None,
     delays: Annotated[
         list[Path] | None,
         typer.Option(help="Table of round trips in ms, CSV, of all users; again for more times.", show_default=False),

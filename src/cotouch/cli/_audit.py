@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from cotouch.cli._output import literal, number, print_columns, print_json, working
+from cotouch.cli._output import literal, number, print_columns, print_json, print_note, working
 from cotouch.files import beside, folder
 
 if TYPE_CHECKING:
@@ -51,13 +51,10 @@ def _print(result: "Audit", written: Sequence[Path]) -> None:
         _links(console, result)
     console.print(_law(result), highlight=False)
     for note in result.notes:
-        console.print(f"  [yellow]•[/yellow] {literal(note)}", highlight=False, soft_wrap=True)
+        print_note(console, "yellow", literal(note))
     for finding in result.findings:
-        console.print(
-            f"  [red]•[/red] at {finding.time:.4g} s, {number(finding.energy, 'J')}: {literal(finding.words)}",
-            highlight=False,
-            soft_wrap=True,
-        )
+        said = f"at {finding.time:.4g} s, {number(finding.energy, 'J')}: {literal(finding.words)}"
+        print_note(console, "red", said)
     console.print(result.verdict, style="bold green" if result.holds else "bold red", highlight=False, markup=False)
     for file in written:
         console.print(f"  wrote {literal(file)}", highlight=False, soft_wrap=True)

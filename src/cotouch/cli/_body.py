@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from cotouch.cli._output import literal, number, print_json, working
+from cotouch.cli._output import literal, number, print_json, print_note, working
 from cotouch.errors import ScenarioError
 from cotouch.files import beside, folder
 
@@ -17,7 +17,6 @@ def run(
     figures: Path | None,
     as_json: bool,
     ground: str,
-    gravity: str | None = None,
     most: int | None = None,
     **options: Any,
 ) -> None:
@@ -28,7 +27,6 @@ def run(
         figures: folder for figures; None: none.
         as_json: whether to print one JSON object and nothing else on standard output.
         ground: what holds the body, as on the command line.
-        gravity: as on the command line; None: no weight.
         most: elements that are taken; None: the usual.
         **options: of the library call, as named there.
     """
@@ -40,8 +38,6 @@ def run(
     if figures is not None and figures.is_dir():  # it is made only once there is something to draw
         beside(figures, ("body.png",), (path,))
     given = {name: value for name, value in options.items() if value is not None}
-    if gravity is not None:
-        given["gravity"] = _vector(gravity)
     if most is not None:
         given["most_triangles" if is_surface(path) else "most_elements"] = most
     table = FileTable.make(source="the body", file=str(path), ground=_ground(ground), **given)
@@ -61,7 +57,7 @@ def run(
     console = Console()
     console.print(_table(numbers))
     for note in numbers["notes"]:
-        console.print(f"  [yellow]•[/yellow] {literal(note)}", highlight=False, soft_wrap=True)
+        print_note(console, "yellow", literal(note))
     for file in drawn:
         console.print(f"  wrote {literal(file)}", highlight=False, soft_wrap=True)
 
@@ -79,15 +75,6 @@ def _truncated(body: Any, modes: int) -> dict[str, Any]:
         "compliance_error": found.error,
         "compliance_error_without_residual": found.error_without,
     }
-
-
-def _vector(text: str) -> list[float]:
-    """`X,Y,Z`."""
-    try:
-        x, y, z = (float(part) for part in text.split(","))
-    except ValueError:
-        raise ScenarioError(f'--gravity is "{text}"; it must be three numbers, as 0,0,-9.81') from None
-    return [x, y, z]
 
 
 def _ground(text: str) -> Any:

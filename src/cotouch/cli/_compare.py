@@ -5,10 +5,11 @@ from typing import Any
 
 import numpy as np
 
-from cotouch.cli._output import number, print_json
+from cotouch.cli._output import counting, number, print_json
 from cotouch.files import beside, folder
 
-_RESULTS, _REPORT, _CELLS = "results.nc", "report.html", "cells"
+# In the folder of a comparison, and of a sweep.
+RESULTS, CELLS, _REPORT = "results.nc", "cells", "report.html"
 
 
 def run(path: Path, *, out: Path, dask: str | None, jobs: int, as_json: bool) -> None:
@@ -25,24 +26,12 @@ def run(path: Path, *, out: Path, dask: str | None, jobs: int, as_json: bool) ->
     from cotouch.laboratory import Study, compare, mean_cost, write_report
 
     study = Study.read(path)
-    beside(folder(out), [_RESULTS, _REPORT], (path, *study.files()))
-    options: dict[str, Any] = {"store": out / _CELLS, "jobs": jobs, "dask": dask}
-    if as_json:
-        found = compare(study, **options)
-    else:
-        from rich.console import Console
-        from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
-
-        columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
-        with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
-            task = bar.add_task("Compiling the kernels", total=None)
-
-            def progress(done: int, total: int, what: str) -> None:
-                bar.update(task, completed=done, total=total, description=_DOING[what])
-
-            found = compare(study, **options, progress=progress)
-    write_netcdf(found, out / _RESULTS, "result")
-    files = [out / _RESULTS, write_report(found, out / _REPORT)]
+    beside(folder(out), [RESULTS, _REPORT], (path, *study.files()))
+    options: dict[str, Any] = {"store": out / CELLS, "jobs": jobs, "dask": dask}
+    with counting("Compiling the kernels", _DOING, quiet=as_json) as progress:
+        found = compare(study, **options, progress=progress)
+    write_netcdf(found, out / RESULTS, "result")
+    files = [out / RESULTS, write_report(found, out / _REPORT)]
     costs = mean_cost(found)
     laws, networks = found["law"].values.tolist(), found["network"].values.tolist()
     if as_json:

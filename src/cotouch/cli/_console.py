@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, final
 from cotouch.errors import CotouchError
 
 if TYPE_CHECKING:
-    from cotouch.session import Host
+    from cotouch.members import Host
 
 _HELP = "expel NAME (for the rest of the session), release NAME (of one who is gone), who"
 _MOST = 4096

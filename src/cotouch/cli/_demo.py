@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from cotouch.cli._output import literal, print_json
 from cotouch.cli._progress import Progress
 from cotouch.cli._session import shown, stop_signals
+from cotouch.errors import SessionError
 from cotouch.files import folder
 
 if TYPE_CHECKING:
@@ -26,72 +27,84 @@ _COLUMNS = (
     ("ledger", "off by"),
 )
 _LOWERED = "Nothing was guaranteed while the damping was lowered"
+_USERS = 5  # of the paper
 _LINE_EVERY = 5.0  # where nobody looks at a terminal [s]
 
 
 def run(
     *,
-    users: int,
+    file: Path | None,
+    users: int | None,
     body: str | None,
     seconds: float | None,
     impair: Sequence[str],
-    law: str,
+    law: str | None,
     record: Path | None,
     headless: bool,
     as_json: bool,
+    progress: Progress,
     beside: "Callable[[DemoSessionApi], AbstractContextManager[object]] | None" = None,
 ) -> None:
     """Plays the demonstration and says how it went.
 
     Args:
-        users: how many.
+        file: of a session that is played instead; None: the demonstration's own.
+        users: how many; None: the paper's five.
         body: see `demo_session`; None: the cushion where there is something beside, else the paper's point.
         seconds: how long; None: until it is interrupted.
         impair: what the network does besides.
-        law: of the links, as `demo_session` takes it.
+        law: of the links, as `demo_session` takes it; None: the default.
         record: folder for recordings.
         headless: whether to show no table.
         as_json: whether to print numbers.
+        progress: says what takes time until there is something to see.
         beside: what goes on with the stage as long as there is one; a page's server, say.
     """
+    from cotouch.members import SessionFile
+    from cotouch.session import all_move, demo_session, play
+
+    for name, given in (("--users", users), ("--body", body), ("--impair", impair or None)):
+        if file is not None and given is not None:
+            raise SessionError(f"{name} is given, and {file} says that itself; leave one of them out")
     body = body or ("point" if beside is None else "soft")
     told = [-float("inf")]
     quiet = headless or as_json
     draws: list[Callable[[], None]] = []
-    with Progress(quiet=quiet) as progress:
-        progress.say("starting")
-        from cotouch.session import all_move, demo_session, play
+    if file is None:
+        people = _USERS if users is None else users
+        session = demo_session(users=people, body=body, seconds=seconds, impair=impair, law=law)
+    else:
+        session = SessionFile.read(file, law=law)
+    if record is not None:
+        folder(record)
+    if not quiet:
+        progress.tell(f"{session.slots} users join, each a process of its own; kernels compile once")
 
-        session = demo_session(users=users, body=body, seconds=seconds, impair=impair, law=law)
-        if record is not None:
-            folder(record)
-        if not quiet:
-            sys.stderr.write(f"cotouch: {users} users join, each a process of its own; kernels compile once\n")
+    def each(api: "DemoSessionApi", now: float) -> None:
+        if not (draws or quiet or sys.stderr.isatty() or api.acted or all_move(api)):
+            here = len(api.opened.host.watch.members)
+            progress.say(f"starting the members, {here} of {session.slots} are here")
+            return
+        if not draws:
+            progress.end()
+            table = shown(lambda: api.opened.host.watch, title=session.scenario.title, quiet=quiet)
+            draws.append(display.enter_context(table))
+        draws[0]()
+        if not quiet and not sys.stderr.isatty() and now - told[0] > _LINE_EVERY:
+            told[0] = now
+            _line(api)
 
-        def each(api: "DemoSessionApi", now: float) -> None:
-            if not (draws or quiet or sys.stderr.isatty() or api.acted or all_move(api)):
-                here = len(api.opened.host.watch.members)
-                progress.say(f"starting the members, {here} of {users} are here")
-                return
-            if not draws:
-                progress.end()
-                table = shown(lambda: api.opened.host.watch, title=session.scenario.title, quiet=quiet)
-                draws.append(display.enter_context(table))
-            draws[0]()
-            if not quiet and not sys.stderr.isatty() and now - told[0] > _LINE_EVERY:
-                told[0] = now
-                _line(api)
-
-        with stop_signals() as stopped, ExitStack() as display:
-            outcome = play(
-                session,
-                seconds=seconds,
-                each=each,
-                stopped=stopped,
-                record=record,
-                beside=beside or nullcontext,
-                say=progress.say,
-            )
+    with stop_signals() as stopped, ExitStack() as display:
+        outcome = play(
+            session,
+            seconds=seconds,
+            each=each,
+            stopped=stopped,
+            record=record,
+            beside=beside or nullcontext,
+            say=progress.say,
+        )
+    progress.end()
     for note in outcome.notes:
         sys.stderr.write(f"cotouch: {note}\n")
     if as_json:
@@ -135,7 +148,7 @@ def _print(outcome: "DemoOutcome") -> None:
     from rich.text import Text
 
     from cotouch.cli._table import balance, felt_words, verdict
-    from cotouch.session import Status
+    from cotouch.members import Status
 
     table = Table(title=f"\nAfter {outcome.seconds:.0f} s", title_justify="left", title_style="bold", box=None)
     for name, unit in _COLUMNS:
@@ -172,7 +185,7 @@ def _print(outcome: "DemoOutcome") -> None:
     elif outcome.lowered:
         console.print(f"[yellow]{_LOWERED}; links added {outcome.linked:.4g} J in all.[/yellow]", highlight=False)
     else:
-        console.print(f"[green]{verdict(known)}[/green]", highlight=False)
+        console.print(f"[green]{verdict(known, left=outcome.left)}[/green]", highlight=False)
 
 
 def _times(count: int) -> str:

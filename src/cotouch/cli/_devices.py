@@ -42,16 +42,19 @@ def show(*, as_json: bool) -> None:
         print_json({"devices": rows, "coupling": dict(COUPLING)})
         return
     from rich.console import Console
-    from rich.table import Table
+    from rich.table import Column, Table
 
-    table = Table("device", "what it is", "force", "options", "connected")
-    for row in rows:
-        names = [f":{variant}" for variant in row["variants"]] + [f"{name}=" for name in row["options"]]
+    named = [[f":{variant}" for variant in row["variants"]] + [f"{name}=" for name in row["options"]] for row in rows]
+    longest = max((len(name) for names in named for name in names), default=0)  # or a name would be cut
+    table = Table("device", "what it is", "force", Column("options", min_width=longest), "connected")
+    for row, names in zip(rows, named, strict=True):
         force = f"{row['force']:g} N" if "force" in row else ""
         table.add_row(row["name"], row["summary"], force, " ".join(names), ", ".join(row["present"]) or "not said")
-    Console().print(table)
+    console = Console()
+    console.print(table)
     names = " ".join(f"{name}=" for name in COUPLING)
-    sys.stdout.write(f"With join every device also takes what it is coupled by: {names} (docs/devices.md)\n")
+    said = f"With join every device also takes what it is coupled by: {names} (docs/devices.md)"
+    console.print(said, highlight=False, markup=False, soft_wrap=not console.is_terminal)
 
 
 def check(text: str, *, allow_motion: bool, force: bool, as_json: bool) -> bool:

@@ -37,7 +37,13 @@ def run(files: Sequence[Path], *, out: Path, as_json: bool) -> None:
             }
         )
         return
-    sys.stdout.write(f"wrote {out}: " + ", ".join(f"{size} {name}" for name, size in sizes.items()) + "\n")
+    sys.stdout.write(f"wrote {out}: " + ", ".join(_counted(name, size) for name, size in sizes.items()) + "\n")
     for recording in recordings:
         if recording.cut is not None:
             sys.stderr.write(f"{recording.path} is {recording.cut}\n")
+
+
+def _counted(name: str, count: int) -> str:
+    """So many of a dimension, in words."""
+    many = {"axis": "axes", "index": "indices"}.get(name, f"{name}s")
+    return f"{count} {name if count == 1 else many}"

@@ -5,9 +5,10 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from cotouch.cli._output import literal, number, print_json, working
+from cotouch.cli._compare import CELLS, RESULTS
+from cotouch.cli._output import counting, literal, number, print_json, working
 from cotouch.errors import ScenarioError, printable
-from cotouch.files import NETCDF, beside, folder, prepare
+from cotouch.files import beside, folder
 
 _FIGURE = "impedance.png"
 
@@ -15,7 +16,17 @@ _FIGURE = "impedance.png"
 def feel(
     path: Path, *, user: int, others: str, law: str | None, figures: Path | None, measure: bool, as_json: bool
 ) -> None:
-    """What a hand feels: drag, mass, stiffness, and impedance over frequency."""
+    """What a hand feels: drag, mass, stiffness, and impedance over frequency.
+
+    Args:
+        path: of the scenario.
+        user: whose hand, from 1.
+        others: what the other hands do: "free" or "holding".
+        law: instead of the scenario's; None: its own.
+        figures: folder for the Bode plot; None: none is drawn.
+        measure: simulate, beside predicting.
+        as_json: print JSON instead of a table.
+    """
     from cotouch.laboratory import impedance, impedance_figure
     from cotouch.scenario import Scenario
 
@@ -71,8 +82,17 @@ def _complex(real: float, imaginary: float) -> str:
     return f"{real:.3g} {'-' if imaginary < 0.0 else '+'} {abs(imaginary):.3g}j" if real == real else "–"  # noqa: PLR0124
 
 
-def sweep(path: Path, *, vary: Sequence[str], out: Path | None, as_json: bool) -> None:
-    """A scenario at every combination of options."""
+def sweep(path: Path, *, vary: Sequence[str], out: Path | None, dask: str | None, jobs: int, as_json: bool) -> None:
+    """A scenario at every combination of options; runs that are in the folder `out` are not done again.
+
+    Args:
+        path: of the scenario.
+        vary: options as OPTION=VALUES.
+        out: folder of all runs; None: nothing is written.
+        dask: address of a Dask scheduler whose workers compute instead.
+        jobs: how many runs are done at once; -1: one per core.
+        as_json: print JSON instead of a table.
+    """
     from cotouch.files import write_netcdf
     from cotouch.laboratory import FIGURES, values_of
     from cotouch.laboratory import sweep as sweep_scenario
@@ -80,7 +100,7 @@ def sweep(path: Path, *, vary: Sequence[str], out: Path | None, as_json: bool) -
 
     scenario = Scenario.read(path)
     if out is not None:
-        prepare(out, NETCDF, (path, *scenario.files()))
+        beside(folder(out), [RESULTS], (path, *scenario.files()))
     options: dict[str, list[Any]] = {}
     for text in vary:
         option, equals, values = text.partition("=")
@@ -89,10 +109,11 @@ def sweep(path: Path, *, vary: Sequence[str], out: Path | None, as_json: bool) -
         if option in options:
             raise ScenarioError(f"--vary names {option} twice; give all its values at once")
         options[option] = values_of(values)
-    with working("Running every combination ...", quiet=as_json):
-        found = sweep_scenario(scenario, options)
+    store = None if out is None else out / CELLS
+    with counting("Compiling the kernels", {"run": "Running every combination"}, quiet=as_json) as progress:
+        found = sweep_scenario(scenario, options, store=store, jobs=jobs, dask=dask, progress=progress)
     if out is not None:
-        write_netcdf(found, out, "result")
+        write_netcdf(found, out / RESULTS, "result")
     table = found.to_dataframe().reset_index()
     rows: list[dict[str, Any]] = table.to_dict("records")
     if as_json:
@@ -121,7 +142,7 @@ def sweep(path: Path, *, vary: Sequence[str], out: Path | None, as_json: bool) -
     for problem in problems:
         sys.stdout.write(f"  – {printable(problem)}\n")
     if out is not None:
-        sys.stdout.write(f"  wrote {printable(str(out))}\n")
+        sys.stdout.write(f"  wrote {printable(str(out / RESULTS))}\n")
 
 
 def _cell(value: Any) -> str:

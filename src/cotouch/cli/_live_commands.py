@@ -34,7 +34,7 @@ def host(
     law: Annotated[
         str | None,
         typer.Option(
-            help="Law of the links, instead of the session's: spring, paid, wave, tank, tdpa or pspm.",
+            help="Law of the links, instead of the session's: spring (the paper's), paid, wave, tank, tdpa or pspm.",
             show_default=False,
         ),
     ] = None,
@@ -120,7 +120,15 @@ def measure(
 
 
 def demo(
-    users: Annotated[int, typer.Option(help="Number of users; the paper has five.")] = 5,
+    file: Annotated[
+        Path | None,
+        typer.Argument(
+            help="Session (TOML) with hands or tools to play instead, its users included.", show_default=False
+        ),
+    ] = None,
+    users: Annotated[
+        int | None, typer.Option(help="Number of users; by default the paper's five.", show_default=False)
+    ] = None,
     body: Annotated[
         str | None,
         typer.Option(
@@ -145,9 +153,13 @@ def demo(
         ),
     ] = None,
     law: Annotated[
-        str,
-        typer.Option(help="Law of the links: spring (the paper's, with its damping), paid, wave, tank, tdpa or pspm."),
-    ] = "spring",
+        str | None,
+        typer.Option(
+            help="Law of the links: spring (the paper's, with its damping), paid, wave, tank, tdpa or pspm; by default "
+            "paid for the point, with a link between any two, and spring for bodies.",
+            show_default=False,
+        ),
+    ] = None,
     record: Annotated[Path | None, typer.Option(help="Record every user into this folder.", show_default=False)] = None,
     page: Annotated[
         bool | None,
@@ -166,20 +178,25 @@ def demo(
     from cotouch.cli._demo import run
     from cotouch.cli._page import page as paged
     from cotouch.cli._page import watched
+    from cotouch.cli._progress import Progress
 
     wanted = not (headless or as_json) if page is None else page
-    with paged(wanted=wanted, port=port, listen=page_listen) as beside:
-        run(
-            users=users,
-            body=body,
-            seconds=_DEMO if seconds is None and not (wanted and watched()) else seconds,
-            impair=impair or [],
-            law=law,
-            record=record,
-            headless=headless,
-            as_json=as_json,
-            beside=beside,
-        )
+    with Progress(quiet=headless or as_json) as progress:
+        progress.say("starting")  # before what the page and the session need is loaded, which takes seconds
+        with paged(wanted=wanted, port=port, listen=page_listen, tell=progress.tell) as beside:
+            run(
+                file=file,
+                users=users,
+                body=body,
+                seconds=_DEMO if seconds is None and not (wanted and watched()) else seconds,
+                impair=impair or [],
+                law=law,
+                record=record,
+                headless=headless,
+                as_json=as_json,
+                progress=progress,
+                beside=beside,
+            )
 
 
 def replay(

@@ -22,7 +22,7 @@ def run(invitation: str, *, seconds: float, listen: str | None, out: Path | None
         out: file to write; None: none.
         as_json: whether to print one JSON object and nothing else on standard output.
     """
-    from cotouch.live import Invitation
+    from cotouch.control import Invitation
     from cotouch.session import measure
 
     if out is not None:

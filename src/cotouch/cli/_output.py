@@ -3,7 +3,7 @@
 import json
 import math
 import sys
-from collections.abc import Generator, Sequence
+from collections.abc import Callable, Generator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
@@ -16,6 +16,12 @@ from cotouch.errors import printable
 def print_json(value: dict[str, Any]) -> None:
     """Prints one JSON object on standard output; what is not finite becomes null, which JSON has."""
     sys.stdout.write(json.dumps(_finite(value), indent=2) + "\n")
+
+
+def say(text: str) -> None:
+    """Says something on standard error, a line of its own."""
+    sys.stderr.write(f"cotouch: {text}\n")
+    sys.stderr.flush()
 
 
 def _finite(value: Any) -> Any:
@@ -38,7 +44,7 @@ def number(value: float | None, unit: str = "", digits: int = 4) -> str:
     """
     if value is None:
         return "not settled"
-    return f"{value:.{digits}g}" + (f" {unit}" if unit else "")
+    return f"{value + 0.0:.{digits}g}" + (f" {unit}" if unit else "")
 
 
 def literal(text: object) -> str:
@@ -46,6 +52,25 @@ def literal(text: object) -> str:
     from rich.markup import escape
 
     return escape(printable(str(text)))
+
+
+def print_note(console: "Console", colour: str, text: str) -> None:
+    """Prints a sentence as an item of a list; at a terminal in lines that end between words.
+
+    Args:
+        console: to print on.
+        colour: of the dot before it.
+        text: markup, as `literal` makes it.
+    """
+    from rich.table import Table
+
+    dot = f"  [{colour}]•[/{colour}]"
+    if not console.is_terminal:
+        console.print(dot, text, highlight=False, soft_wrap=True)
+        return
+    row = Table.grid(padding=(0, 1))
+    row.add_row(dot, text)
+    console.print(row, highlight=False)
 
 
 @contextmanager
@@ -63,6 +88,30 @@ def working(text: str, *, quiet: bool) -> Generator[None]:
 
     with Console(stderr=True).status(text):
         yield
+
+
+@contextmanager
+def counting(first: str, doing: Mapping[str, str], *, quiet: bool) -> Generator[Callable[[int, int, str], None]]:
+    """Shows on standard error how much is done.
+
+    Args:
+        first: what goes on before anything is done.
+        doing: what goes on, for each name of what is counted.
+        quiet: whether to show nothing.
+    """
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    with Progress(
+        *columns, console=Console(stderr=True), transient=True, disable=quiet or not sys.stderr.isatty()
+    ) as bar:
+        task = bar.add_task(first, total=None)
+
+        def progress(done: int, total: int, what: str) -> None:
+            bar.update(task, completed=done, total=total, description=doing[what])
+
+        yield progress
 
 
 def print_columns(

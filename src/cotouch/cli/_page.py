@@ -9,7 +9,7 @@ from contextlib import AbstractContextManager, contextmanager
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from cotouch.session import SessionApi
+    from cotouch.observers import SessionApi
     from cotouch.web import PageAddress
 
 
@@ -29,7 +29,7 @@ def watched() -> bool:
 
 @contextmanager
 def page(
-    *, wanted: bool, port: int | None, listen: str
+    *, wanted: bool, port: int | None, listen: str, tell: Callable[[str], None]
 ) -> "Generator[Callable[[SessionApi], AbstractContextManager[object]] | None]":
     """Takes the page's port at once; gives what serves a stage there, or None where no page is wanted.
 
@@ -37,6 +37,7 @@ def page(
         wanted: whether there is to be a page.
         port: to serve at; None: the usual one, or the next that is free.
         listen: address of this machine.
+        tell: is told where the page is, in a sentence.
 
     Raises:
         SessionError: the address or the port makes no sense.
@@ -49,21 +50,21 @@ def page(
 
     at = PageAddress(listen=listen, port=port)
     try:
-        yield lambda api: _served(api, at)
+        yield lambda api: _served(api, at, tell)
     finally:
         at.close()
 
 
 @contextmanager
-def _served(api: "SessionApi", at: "PageAddress") -> Generator[None]:
+def _served(api: "SessionApi", at: "PageAddress", tell: Callable[[str], None]) -> Generator[None]:
     from cotouch.web import PageServer
 
     with PageServer(api, at=at) as server:
-        sys.stderr.write(f"cotouch: the page is at {server.url}\n")
+        tell(f"the page is at {server.url}")
         if not server.local:
-            sys.stderr.write(
-                f"cotouch: others can reach {at.listen} and see this session; whoever has the address with its token, "
-                "which travels there unencrypted, can take part\n"
+            tell(
+                f"others can reach {at.listen} and see this session; whoever has the address with its token, "
+                "which travels there unencrypted, can take part"
             )
         if desktop():
             threading.Thread(target=_open, args=(server.ticket(),), daemon=True).start()

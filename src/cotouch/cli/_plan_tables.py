@@ -58,7 +58,7 @@ def print_plan(found: "Plan") -> None:
             "never settles" if choice.period > 1 else number(choice.time_constant_s),
             number(choice.worst_path_s),
             number(float(choice.damping.max())),
-            end_section=place == len(rows) - 1,
+            end_section=place == len(rows),
         )
     console.print(table)
     if long:
@@ -161,12 +161,22 @@ def print_tuned(tuned: dict[str, Any]) -> None:
 
 
 def said_links(users: Sequence[str], links: "Sequence[Pair]") -> str:
-    """Links by the names of their users, with commas where a name has a space."""
+    """Links by the names of their users, with commas where a name has a space.
+
+    Args:
+        users: their names.
+        links: pairs of users, from 0.
+    """
     texts = [said_link(users[a], users[b]) for a, b in links]
     return (", " if any(" " in text for text in texts) else " ").join(texts)
 
 
 def said_link(first: str, second: str) -> str:
-    """A link as `--require` takes it: in quotes where a name has a comma."""
+    """A link as `--require` takes it: in quotes where a name has a comma.
+
+    Args:
+        first: name of a user.
+        second: name of the other.
+    """
     text = printable(f"{first}-{second}")
     return '"' + text.replace('"', '""') + '"' if "," in text or text.startswith('"') else text

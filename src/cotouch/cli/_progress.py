@@ -6,8 +6,9 @@ import time
 from types import TracebackType
 from typing import Self, final
 
-# A line in place is drawn so often, and one for a log is written so often [s].
-_DRAW, _LOG = 0.25, 1.5
+# A line in place is drawn so often, and one for a log is written so often [s]. The first waits as long: whoever gave a
+# wrong option soon reads one sentence, which says that.
+_DRAW, _LOG = 0.25, 1.0
 
 
 @final
@@ -37,6 +38,17 @@ class Progress:
             if self._thread is not None and not self._thread.is_alive() and not self._over.is_set():
                 self._thread.start()
 
+    def tell(self, text: str) -> None:
+        """Says what stays to be read, above the line that goes on.
+
+        Args:
+            text: a sentence.
+        """
+        with self._lock:
+            here = self._terminal and self._thread is not None and self._thread.is_alive()
+            sys.stderr.write(f"\r\x1b[Kcotouch: {text}\n" if here else f"cotouch: {text}\n")
+            sys.stderr.flush()
+
     def end(self) -> None:
         """Takes the line away; the rest has its own display."""
         if self._over.is_set():
@@ -60,9 +72,9 @@ class Progress:
         while not self._over.wait(_DRAW if self._terminal else _LOG):
             with self._lock:
                 text, seconds = self._text, time.monotonic() - self._since
-            # Not imported here: that takes seconds, of which somebody is to be told as well.
-            kernels = sys.modules.get("cotouch.compiled")
-            made = kernels.compiled_so_far() if kernels is not None and "compiling" in text else 0
-            line = f"cotouch: {text} ({seconds:.0f} s{f', {made} functions' if made else ''})"
-            sys.stderr.write(f"\r{line}\x1b[K" if self._terminal else f"{line}\n")
-            sys.stderr.flush()
+                # Not imported here: that takes seconds, of which somebody is to be told as well.
+                kernels = sys.modules.get("cotouch.compiled")
+                made = kernels.compiled_so_far() if kernels is not None and "compiling" in text else 0
+                line = f"cotouch: {text} ({seconds:.0f} s{f', {made} functions' if made else ''})"
+                sys.stderr.write(f"\r{line}\x1b[K" if self._terminal else f"{line}\n")
+                sys.stderr.flush()

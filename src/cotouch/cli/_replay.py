@@ -108,10 +108,15 @@ def _state(code: int, age: float) -> str:
     return LinkState(code).name.lower() if code in list(LinkState) else f"state {code}"
 
 
+def _age(age: float, unit: str = "") -> str:
+    """In ms; nothing where there is no link."""
+    return number(1e3 * age, unit, 3) if np.isfinite(age) else ""
+
+
 def _line(recording: "Recording", row: int, time: float) -> str:
     now = _now(recording, row)
     links = ", ".join(
-        f"{user_number(link['neighbour'])}: {number(1e3 * link['age'], 'ms', 3)} {link['state']}"
+        " ".join(filter(None, (f"{user_number(link['neighbour'])}:", _age(link["age"], "ms"), link["state"])))
         for link in now["links"]
     )
     return (
@@ -139,7 +144,7 @@ def _table(recording: "Recording", row: int, time: float) -> "Table":
         table.add_row(
             str(user_number(link["neighbour"])),
             link["state"],
-            number(1e3 * link["age"], digits=3),
+            _age(link["age"]),
             number(link["work"]),
         )
     return table

@@ -10,14 +10,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from cotouch.cli._console import Console
-from cotouch.cli._output import print_json
+from cotouch.cli._output import print_json, say
 from cotouch.cli._page import page as paged
 from cotouch.errors import SessionError
 from cotouch.files import prepare
 
 if TYPE_CHECKING:
-    from cotouch.live import Invitation
-    from cotouch.session import MemberSessionApi, Part, PartOutcome, SessionWatch
+    from cotouch.control import Invitation
+    from cotouch.members import Part, PartOutcome, SessionWatch
+    from cotouch.session import MemberSessionApi
 
 _POLL = 0.02
 _REDRAW = 4.0  # times a second
@@ -46,15 +47,17 @@ def host(
         headless: whether to show no table.
         as_json: whether to print one JSON object and nothing else on standard output.
     """
-    from cotouch.session import SessionFile, open_host
 
-    def say(text: str) -> None:
+    def tell(text: str) -> None:
         if not as_json:
-            _say(text)
+            say(text)
+
+    if sys.stderr.isatty():
+        tell("opening the session ...")  # before what takes seconds to load
+    from cotouch.members import SessionFile
+    from cotouch.session import open_host
 
     session = SessionFile.read(file, law=law)
-    if sys.stderr.isatty():
-        say("opening the session ...")
     with stop_signals() as stopped, open_host(session, listen=listen, port=port, key_file=key_file) as opened:
         line = opened.invitation.encode()
         if as_json:
@@ -75,7 +78,7 @@ def host(
                 console.service(time.monotonic())
                 if not ready and opened.host.admission.fingerprint is not None:
                     ready = True
-                    say(f"ready, links by law {session.law}; nobody is here yet")
+                    tell(f"ready, links by law {session.law}; nobody is here yet")
                 redraw()
                 time.sleep(_POLL)
         opened.host.end()
@@ -117,8 +120,9 @@ def join(
         page_listen: address of the page.
     """
     from cotouch import __version__
-    from cotouch.live import Invitation
-    from cotouch.session import Part, identity_folder
+    from cotouch.control import Invitation
+    from cotouch.members import Part
+    from cotouch.session import identity_folder
     from cotouch.session import join as take_part
 
     device = hand if hand not in {"scripted", "none"} else None
@@ -143,7 +147,7 @@ def join(
     if page:
         if as_json:
             raise SessionError("--page and --json are given; with a page a process of its own takes part, so drop one")
-        with paged(wanted=True, port=port, listen=page_listen) as beside:
+        with paged(wanted=True, port=port, listen=page_listen, tell=say) as beside:
             assert beside is not None
             staged(decoded, beside, part, quiet=headless)
         return
@@ -155,8 +159,8 @@ def join(
         taken = take_part(
             decoded,
             part,
-            warn=_warn,
-            say=lambda text: None if as_json else _say(text if text.startswith("ready") else f"{text} ..."),
+            warn=say,
+            say=lambda text: None if as_json else say(text if text.startswith("ready") else f"{text} ..."),
             # Whoever shows it and tells it what to do has gone.
             stopped=lambda: stopped() or (part.mailboxes is not None and os.getppid() != parent),
         )
@@ -165,7 +169,7 @@ def join(
     else:
         sys.stdout.write(sentence(taken) + "\n")
     if taken.trouble is not None:
-        _warn(f"the recording {record} {taken.trouble}")
+        say(f"the recording {record} {taken.trouble}")
         sys.exit(1)
 
 
@@ -308,10 +312,10 @@ def staged(
             time.sleep(_POLL)
         serving.close()
         code, said = api.close()
-        sys.stdout.write(said)
         troubles, kept = api.recording_left()
-        for text in (*troubles, *([] if kept is None else [kept])):
-            _warn(text)
+    sys.stdout.write(said)  # below the table
+    for text in (*troubles, *([] if kept is None else [kept])):
+        say(text)
     if code or troubles:
         sys.exit(code or 1)
 
@@ -346,18 +350,8 @@ def _known_device(text: str) -> None:
         raise SessionError(f'--device is "{text}"; it must be one of {known}')
 
 
-def _warn(text: str) -> None:
-    sys.stderr.write(f"cotouch: {text}\n")
-    sys.stderr.flush()
-
-
-def _say(text: str) -> None:
-    sys.stderr.write(f"cotouch: {text}\n")
-    sys.stderr.flush()
-
-
 def typed() -> str:
     """The invitation from standard input; who sits there is told what is waited for."""
     if sys.stdin.isatty():
-        _say("paste the invitation, and press Enter:")
+        say("paste the invitation, and press Enter:")
     return sys.stdin.readline()

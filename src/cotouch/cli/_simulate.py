@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from cotouch.cli._output import literal, number, print_columns, print_json, working
+from cotouch.cli._output import literal, number, print_columns, print_json, print_note, working
 from cotouch.files import NETCDF, beside, folder, prepare
 
 if TYPE_CHECKING:
@@ -17,7 +17,9 @@ if TYPE_CHECKING:
 _AS_ASKED = 0.99
 
 
-def run(path: Path, *, out: Path | None, figures: Path | None, animation: Path | None, as_json: bool) -> bool:
+def run(
+    path: Path, *, out: Path | None, figures: Path | None, animation: Path | None, law: str | None, as_json: bool
+) -> bool:
     """Runs a scenario, writes what was asked for, prints a summary; whether it came to its end without diverging.
 
     Args:
@@ -25,6 +27,7 @@ def run(path: Path, *, out: Path | None, figures: Path | None, animation: Path |
         out: file to write; None: none.
         figures: folder for figures; None: none.
         animation: HTML file to write; None: none.
+        law: of the links, instead of the scenario's; None: the scenario's.
         as_json: whether to print one JSON object and nothing else on standard output.
     """
     from cotouch.interrupt import interruptible
@@ -33,6 +36,8 @@ def run(path: Path, *, out: Path | None, figures: Path | None, animation: Path |
     from cotouch.simulation import simulate as simulate_scenario
 
     scenario = Scenario.read(path)
+    if law is not None:
+        scenario = scenario.replace(synchronisation__law=law)
     read = (path, *scenario.files())
     if out is not None:
         prepare(out, NETCDF, read)
@@ -43,7 +48,7 @@ def run(path: Path, *, out: Path | None, figures: Path | None, animation: Path |
         if scenario.record.frames is None:
             scenario = scenario.replace(record__frames=interruptible(frame_rate)(scenario))
     wait = "a minute and a half" if scenario.tools else "half a minute"
-    with working(f"Simulating (the first run of all compiles the kernels, for about {wait})", quiet=as_json):
+    with working(f"Simulating; the first run compiles, for about {wait}", quiet=as_json):
         result = simulate_scenario(scenario)
     written: list[Path] = []
     if out is not None:
@@ -67,11 +72,7 @@ def run(path: Path, *, out: Path | None, figures: Path | None, animation: Path |
     origin = scenario.build_body().origin
     if origin is not None:
         for note in origin.notes:
-            console.print(
-                f"  [yellow]•[/yellow] {literal(Path(origin.source).name)}: {literal(note)}",
-                highlight=False,
-                soft_wrap=True,
-            )
+            print_note(console, "yellow", f"{literal(Path(origin.source).name)}: {literal(note)}")
     if "tools" in figures_of_run:
         console.print(literal(figures_of_run["title"]), style="bold", highlight=False)
         console.print(_tools(scenario.network.users, figures_of_run))
@@ -245,12 +246,10 @@ def _ledger(figures: dict[str, Any]) -> "Table":
     margin = figures["passivity_margin_j"]
     rounding = 1e-10 * energy["in_play"]
     verdict = "passive" if margin >= -rounding else "[red]not passive[/red]"
-    spare = figures["slack_j"]["at_end"]
-    grid.add_row(
-        "  passivity",
-        f"{verdict}: margin {number(margin if abs(margin) > rounding else 0.0, 'J')}; "
-        f"damping B took {number(spare, 'J')} more than delays added",
-    )
+    told = f"{verdict}: margin {number(margin if abs(margin) > rounding else 0.0, 'J')}"
+    if figures["judge"]["law"] == "spring":
+        told += f"; damping B took {number(figures['slack_j']['at_end'], 'J')} more than delays added"
+    grid.add_row("  passivity", told)
     grid.add_row("  law", _law(figures["judge"], rounding))
     coupling = _coupling(figures.get("tools", []))
     if coupling is not None:
@@ -260,6 +259,13 @@ def _ledger(figures: dict[str, Any]) -> "Table":
         grid.add_row("  their residual", f"{figures['device_residual']:.1e} of the energy in play")
     ages = figures["age_s"]
     grid.add_row("  age of samples", f"{number(ages['mean'], 's')} mean, {number(ages['max'], 's')} max")
+    if "codec" in figures:
+        said = figures["codec"]
+        grid.add_row(
+            "  codec",
+            f"{number(said['full_hz'], digits=3)} samples a second in full to each neighbour, "
+            f"{number(said['unchanged_hz'], digits=3)} in one byte, {number(said['bytes_hz'], digits=3)} B/s",
+        )
     if figures["underruns"]:
         grid.add_row("  [yellow]underruns[/yellow]", f"{figures['underruns']}: no certificate covers them")
     return grid

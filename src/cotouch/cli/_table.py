@@ -8,14 +8,14 @@ if TYPE_CHECKING:
     from rich.console import RenderableType
     from rich.text import Text
 
-    from cotouch.session import LinkStatus, MemberState, SessionWatch, Status
+    from cotouch.members import LinkStatus, MemberState, SessionWatch, Status
 
 # States of a link, so that a row of them can be read at a glance: mark, colour, what it means.
 _MARKS = {
     "coupled": ("●", "green", "coupled"),
     "ready": ("◐", "yellow", "about to couple"),
     "guarded": ("○", "red", "held back until it is safe"),
-    "waiting": ("·", "dim", "connecting"),
+    "waiting": ("·", "dim", "nothing is heard"),
     "keys": ("·", "dim", "connecting"),
 }
 # Heading, unit, whether it is text.
@@ -64,7 +64,7 @@ def view(
         return Group(Text(f"{title} · {now - started:.0f} s", style="bold"), Text(f"nobody is here yet{how}"))
     known = [seen.status for seen in watch.members.values() if seen.status is not None]
     parts: list[RenderableType] = [table, Text(), _legend(known)]
-    parts.append(Text(f"{balance(known)} {verdict(known)}"))
+    parts.append(Text(f"{balance(known)} {verdict(known, left=watch.left)}"))
     parts += [Text(text, style="bold red") for text in _not_recorded(watch)]
     recent = [event for event in watch.events if now - event.time < _RECENT][-_EVENTS:]
     parts += [Text(f"{event.time - started:6.1f} s  {event.text}", style="dim") for event in recent]
@@ -94,18 +94,25 @@ def balance(known: "Sequence[Status]") -> str:
     return f"{', '.join(gave)}, damping took {lost:.4f} J; {stored:.4f} J are in the copies."
 
 
-def verdict(known: "Sequence[Status]") -> str:
-    """Whether the whole is passive, in a sentence."""
+def verdict(known: "Sequence[Status]", *, left: bool) -> str:
+    """Whether the whole is passive, in a sentence.
+
+    Args:
+        known: what those who are there say.
+        left: whether somebody took a part of the ledger along.
+    """
     margin = sum(status.supplied + status.initial + status.initial_energies for status in known)
     if margin >= -_ROUND_OFF:
         return "Passive: nobody got out what nobody had put in."
+    if left:
+        return "What came out cannot be set against what was put in: who left took a part of the ledger along."
     return f"NOT PASSIVE: {-margin:.3g} J came out that nobody put in."
 
 
 def felt_words(known: "Sequence[Status]") -> str:
     """Which law the links have, what energy of it is on its way, and what drag hands feel of it, in a sentence."""
     from cotouch.device import NOTICED_DRAG
-    from cotouch.session import felt
+    from cotouch.members import felt
 
     found = felt(known)
     if found is None:

@@ -2,9 +2,18 @@
 
 from cotouch.device._advance import advance
 from cotouch.device._assemble import assemble
-from cotouch.device._couple import Couplings, command_device, couplings, excess_bound, pull_proxy, sure_force
+from cotouch.device._couple import (
+    Couplings,
+    account_energy,
+    command_device,
+    couplings,
+    excess_bound,
+    pull_proxy,
+    sure_force,
+)
+from cotouch.device._coupling_model import Coupling
 from cotouch.device._critical import critical_stiffness, rings
-from cotouch.device._models import CartesianPlant, Coupling, DeviceModel, PhantomPlant, ServoModel, SimulatedHand
+from cotouch.device._models import CartesianPlant, DeviceModel, PhantomPlant, ServoModel, SimulatedHand
 from cotouch.device._noticed import HAND_DAMPING, NOTICED, NOTICED_DRAG
 from cotouch.device._simulated import DeviceSample, SimulatedDevice
 from cotouch.device._spec import PRESETS, DeviceSpec, preset
@@ -31,6 +40,7 @@ __all__ = [
     "Servos",
     "SimulatedDevice",
     "SimulatedHand",
+    "account_energy",
     "advance",
     "assemble",
     "command_device",

@@ -2,10 +2,9 @@
 
 What whoever steps the proxy does with it, in each step from t to t + T:
 
-* *PSPM, or a sampled spring.* `advance` to any time up to now; pull the proxy towards `place`; after the step write
-  the proxy's place to `desired`. With PSPM both ends here draw on one account, the device's spring and tank in `ledger`
-  (`_couple.py`). With a proxy in another process each end has its own, and they tell each other totals, late or never
-  as the channel likes: `sent` and `received` (`SimulatedDevice`).
+* *A coupling, or a sampled spring.* `advance` to any time up to now; pull the proxy towards `place`; after the step
+  write the proxy's place to `desired`. Each end of a coupling has a tank of its own, and they tell each other sums,
+  late or never as the channel likes: the rows `ends` (`_couple.py`, `SimulatedDevice`).
 * *Host force.* `advance` to t, the start of the step; with q = `sample` and v = `sample_velocity` step the proxy under
   `τ = k (q - y⁺) + b (v - ŵ)`; write -τ to `host_force`. The next `advance`, to t + T, holds it.
 """
@@ -44,7 +43,7 @@ _ON_TIME = 1e-6
 def advance(devices: Devices, state: DeviceState, d: int, until: float) -> bool:
     """Moves device d from its own time to `until`; all ticks up to and including `until` happen.
 
-    With the law TOLD the force in `host_force` acts all the time, and the one sample is taken at `until`.
+    With the law HOST_FORCE the force in `host_force` acts all the time, and the one sample is taken at `until`.
 
     Args:
         devices: what the devices are.

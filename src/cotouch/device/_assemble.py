@@ -6,7 +6,7 @@ from math import inf
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.device._models import LAWS, CartesianPlant, DeviceModel, PhantomPlant, SimulatedHand
+from cotouch.device._models import CartesianPlant, DeviceModel, PhantomPlant, SimulatedHand
 from cotouch.device._phantom import phantom_potential
 from cotouch.device._tables import (
     DEVICE_LEDGER,
@@ -22,7 +22,7 @@ from cotouch.device._tables import (
     Plants,
     Servos,
 )
-from cotouch.mechanics import REST_FIELDS, rest_fraction
+from cotouch.mechanics import END, REST_FIELDS, rest_fraction
 
 
 def assemble(models: Sequence[DeviceModel]) -> tuple[Devices, DeviceState]:
@@ -77,12 +77,12 @@ def _servos(models: Sequence[DeviceModel]) -> Servos:
         resolution=_rows([[servo.resolution] * 3 for servo in servos]),
         force=_column([servo.force for servo in servos]),
         torque=_rows([m.plant.torque if isinstance(m.plant, PhantomPlant) else unlimited for m in models]),
-        law=_integers([LAWS[coupling.law] for coupling in couplings]),
+        law=_integers([coupling.kind for coupling in couplings]),
+        address=_integers([0 if c.end is None else c.end.address(proxy=False) for c in couplings]),
         stiffness=_column([coupling.stiffness for coupling in couplings]),
         damping=_column([coupling.damping for coupling in couplings]),
         lag=_integers([coupling.lag for coupling in couplings]),
-        cap=_column([coupling.cap for coupling in couplings]),
-        reserve=_column([coupling.reserve for coupling in couplings]),
+        latency=_integers([coupling.latency for coupling in couplings]),
         declared=_rows([[coupling.assumed_damping] * 3 for coupling in couplings]),
         rest=_rows([[_rest(model)] * 3 for model in models]),
     )
@@ -90,11 +90,12 @@ def _servos(models: Sequence[DeviceModel]) -> Servos:
 
 def _rest(model: DeviceModel) -> float:
     """Of all coordinates; a joint moves the tip by no more than its angle times the arms."""
-    if model.coupling.law != "pspm":
+    if model.coupling.end is None or not model.coupling.end.rests:
         return 1.0
     arm = sum(model.plant.lengths()) if isinstance(model.plant, PhantomPlant) else 1.0
     slope = model.coupling.stiffness + model.coupling.damping / model.servo.span()
-    return rest_fraction(slope, arm * model.servo.resolution)
+    # What acts a tick late swings twice as far.
+    return rest_fraction((1 + model.coupling.latency) * slope, arm * model.servo.resolution)
 
 
 def _grasps(models: Sequence[DeviceModel]) -> Grasps:
@@ -146,12 +147,11 @@ def _start(models: Sequence[DeviceModel], devices: Devices) -> DeviceState:
     return DeviceState(
         desired=place.copy(),
         host_force=vectors(),
-        received=numbers(),
+        ends=np.array([model.coupling.row() for model in models]).reshape(count, END.length),
         sample=place.copy(),
         place=place.copy(),
         sample_velocity=vectors(),
         sample_time=numbers(),
-        sent=numbers(),
         force=vectors(),
         ledger=ledger,
         time=numbers(),
@@ -160,10 +160,10 @@ def _start(models: Sequence[DeviceModel], devices: Devices) -> DeviceState:
         coordinate=coordinate,
         momentum=vectors(),
         tip=place.copy(),
+        coming=vectors(),
         effort=vectors(),
         effort_before=vectors(),
         measured=coordinate.copy(),
-        seen=numbers(),
         set_position=place.copy(),
         resting=np.zeros((4 * count, REST_FIELDS)),
         history=np.zeros((count, length, 4)),

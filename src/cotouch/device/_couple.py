@@ -1,11 +1,10 @@
 """Joins devices to proxies: what a proxy is pulled by in a body's step, and what the device is told after it.
 
-The device runs at its servo's rate, the body at its own, and neither waits. With PSPM both ends pull at one virtual
-spring, and there is one account of the energy in it: a tick of the servo books what the held force did on the device,
-a step of the body what the spring did on the proxy. Whoever looks at the other's new place moves the spring's end
-there only as far as the account allows. The implicit step can take no more than the spring has; the servo may overdraw
-by what one held force does (`cotouch.mechanics.modulation_bound`). With a virtual coupling the body's step computes the
-force, and the device holds it; it asks for no more than the motors can do, wherever the device is.
+The device runs at its servo's rate, the body at its own, and neither waits. With a coupling of `cotouch.mechanics` each
+has an end of its own, as with a real device: a tick of the servo books what the held force did on the device, a step of
+the body what the spring did on the proxy, and each hears what the other said last. With the law HOST_FORCE, a virtual
+coupling, the body's step computes the force, and the device holds it; it asks for no more than the motors can do,
+wherever the device is.
 """
 # An array indexed by an element of another is a number to numba and an array to numpy's types.
 # pyright: reportArgumentType=false, reportReturnType=false
@@ -21,17 +20,32 @@ from cotouch.device._advance import advance
 from cotouch.device._hand import LANES
 from cotouch.device._tables import (
     COULOMB_LOSS,
+    COUPLED,
     DECLARED,
     HOST_FORCE,
     PHANTOM,
-    SPRING_ENERGY,
-    TANK,
     VISCOUS_LOSS,
     WORK,
     Devices,
     DeviceState,
 )
-from cotouch.mechanics import Tools, at, load, modulate, modulation_bound, part, put, splat, store, total
+from cotouch.mechanics import (
+    END,
+    HeldForce,
+    Tools,
+    at,
+    book_end,
+    coupling_at,
+    hear_end,
+    inner,
+    load,
+    part,
+    put,
+    run_end,
+    splat,
+    store,
+    total,
+)
 
 Int = npt.NDArray[np.int64]
 
@@ -46,7 +60,10 @@ class Couplings(NamedTuple):
         damping: b at the proxy, (tools,) [Ns/m].
         most: of a virtual coupling: the force at which it saturates, (tools,) [N].
         before: y at the start of the step, (tools, 4) [m].
+        target: from there to the set position, (tools, 4) [m].
         unsure: of a virtual coupling: by how much encoders may falsify its force, (tools,) [N].
+        ends: the coupling's end at each proxy, (tools, END.length).
+        address: of the coupling's function for it, in this process; 0: it has none, (tools,).
         work: Σ τᵀŵ T, done on the proxy since the start, (tools,) [J].
         excess: largest `∫τᵀq̇ dt + Σ τᵀŵ T` so far: two-port passive if bounded, (tools,) [J]. Where the coupling
             counts on the device's own friction this is paid from it: all of it with a virtual coupling, what was
@@ -60,7 +77,10 @@ class Couplings(NamedTuple):
     damping: Float
     most: Float
     before: Float
+    target: Float
     unsure: Float
+    ends: Float
+    address: Int
     work: Float
     excess: Float
     unpaid: Float
@@ -75,7 +95,10 @@ def couplings(count: int) -> Couplings:
         damping=np.zeros(count),
         most=np.full(count, inf),
         before=np.zeros((count, 4)),
+        target=np.zeros((count, 4)),
         unsure=np.zeros(count),
+        ends=np.zeros((count, END.length)),
+        address=np.zeros(count, dtype=np.int64),
         work=np.zeros(count),
         excess=np.zeros(count),
         unpaid=np.zeros(count),
@@ -98,36 +121,63 @@ def sure_force(devices: Devices, d: int) -> float:
     return most
 
 
-def excess_bound(devices: Devices, d: int, fastest: float, longest: float, largest: float, unpaid: float) -> float:
+def excess_bound(
+    devices: Devices,
+    couplings: Couplings,
+    t: int,
+    *,
+    fastest: float,
+    longest: float,
+    largest: float,
+    unpaid: float,
+) -> float:
     """What the excess of a coupling can at most come to [J].
 
-    That of a virtual coupling is paid by its device's own friction, but for what its encoders' error did on the proxy.
+    That of a virtual coupling by host force is paid by its device's own friction, but for what its encoders' error did
+    on the proxy.
 
     Args:
         devices: what the devices are.
-        d: which one.
+        couplings: of all tools.
+        t: which tool.
         fastest: highest speed of its tip, as measured [m/s].
         longest: longest period between ticks [s].
         largest: highest force that its motors held; matters where nothing limits it [N].
         unpaid: as in `Couplings` [J].
     """
-    servos = devices.servos
-    if servos.law[d] == HOST_FORCE:
+    end, d, servos = couplings.ends[t], int(couplings.device[t]), devices.servos
+    if servos.law[d] != COUPLED:
         return unpaid
+    begun = 2.0 * float(end[END.initial])
     if longest == 0.0:
-        return 0.0
+        return begun
     # A joint's encoder moves the tip by no more than its resolution times the arm.
     arm = float(devices.plants.length[d].sum()) if devices.plants.kind[d] == PHANTOM else 1.0
-    return modulation_bound(
+    held = HeldForce(
         stiffness=float(servos.stiffness[d]),
         damping=float(servos.damping[d]),
         period=longest,
         speed=fastest,
-        reserve=float(servos.reserve[d]),
+        reserve=float(end[END.reserve]),
         force=float(servos.force[d]) if servos.force[d] < inf else largest,
         resolution=arm * float(servos.resolution[d, 0]),
-        axes=3,
     )
+    return begun + (1 + int(servos.latency[d])) * coupling_at(int(servos.address[d])).bound(held)
+
+
+@inner
+def account_energy(couplings: Couplings, state: DeviceState, t: int) -> float:
+    """What the proxy's end of a coupling has, and what either end gave that the other has not received yet [J].
+
+    Args:
+        couplings: of all tools.
+        state: of all devices.
+        t: which tool; it has a device.
+    """
+    ends, others, d = couplings.ends, state.ends, at(couplings.device, t)
+    there = at(ends, (t, END.given)) - at(others, (d, END.received))
+    back = at(others, (d, END.given)) - at(ends, (t, END.received))
+    return at(ends, (t, END.energy)) + there + back
 
 
 @part
@@ -168,14 +218,20 @@ def pull_proxy(
         store(tools.push, t, b * rate, LANES)
         b += 0.5 * k * T
     else:
-        # The damper's pull towards the device's velocity gives at most ¼ b ‖v‖² T in a step; it is set aside first.
-        available = max(at(state.ledger, (d, SPRING_ENERGY)) + at(state.ledger, (d, TANK)), 0.0)
-        cost = 0.25 * b * T * total(rate * rate)
-        fraction = 1.0 if cost <= available else (available / cost) ** 0.5
-        store(tools.push, t, (fraction * b) * rate, LANES)
-        left = max(available - fraction * fraction * cost, 0.0)
-        fraction, _, _ = modulate(0.5 * k * total(gap * gap), left, inf)
-        gap = fraction * gap
+        ends = couplings.ends
+        hear_end(ends, t, state.ends, d)
+        put(ends, (t, END.T), T)
+        put(ends, (t, END.known), 1.0)
+        for axis in range(3):
+            distance = at(state.place, (d, axis)) + at(couplings.origin, (t, axis)) - at(tools.place, (t, axis))
+            put(ends, (t, END.gap + axis), distance)
+            put(ends, (t, END.rate + axis), at(state.sample_velocity, (d, axis)))
+        run_end(at(couplings.address, t), ends, t)
+        k, b = at(ends, (t, END.spring)), at(ends, (t, END.brake))
+        for axis in range(3):
+            put(couplings.target, (t, axis), at(ends, (t, END.stretch + axis)))
+            put(tools.push, (t, axis), at(ends, (t, END.push + axis)))
+        gap = load(couplings.target, t, LANES)
     target = place + gap
     put(tools.drive_stiffness, t, k)
     put(tools.drive_damping, t, b)
@@ -207,7 +263,8 @@ def command_device(devices: Devices, state: DeviceState, couplings: Couplings, t
         put(couplings.unpaid, t, at(couplings.unpaid, t) + false)
         paid = at(state.ledger, (d, VISCOUS_LOSS)) + at(state.ledger, (d, COULOMB_LOSS))
     else:
-        put(state.ledger, (d, TANK), at(state.ledger, (d, TANK)) - done)
+        book_end(couplings.ends, t, done, 0.0, 0.0)
+        hear_end(state.ends, d, couplings.ends, t)
         paid = at(state.ledger, (d, DECLARED))
     both = at(state.ledger, (d, WORK)) + at(couplings.work, t) - paid
     put(couplings.excess, t, max(at(couplings.excess, t), both))

@@ -6,7 +6,9 @@ from math import inf
 
 from cotouch.device._advance import advance
 from cotouch.device._assemble import assemble
-from cotouch.device._models import CartesianPlant, Coupling, DeviceModel, ServoModel, SimulatedHand, need
+from cotouch.device._checks import need
+from cotouch.device._coupling_model import Coupling
+from cotouch.device._models import CartesianPlant, DeviceModel, ServoModel, SimulatedHand
 from cotouch.device._tables import KINETIC, Devices, DeviceState
 from cotouch.errors import DeviceError
 from cotouch.mechanics import at, kernel

@@ -8,8 +8,6 @@ follows a path; what the will adds to it answers the error of the tip one reacti
 
 from math import inf
 
-import numpy as np
-
 from cotouch.device._tables import (
     HAND_LOSS,
     HUMAN,
@@ -20,7 +18,7 @@ from cotouch.device._tables import (
     DeviceState,
     Grasps,
 )
-from cotouch.mechanics import at, inner, load, part, put, splat, store, total
+from cotouch.mechanics import at, inner, load, part, path_place, put, splat, store, total
 
 LANES = (0, 0, 0, 0)
 
@@ -39,33 +37,6 @@ def add_to_ledger(state: DeviceState, d: int, book: int, value: float) -> None:
 
 
 @inner
-def path_place(grasps: Grasps, state: DeviceState, d: int, t: float) -> float:
-    """Where the path of hand d is at time t: straight between waypoints, still before and after them, plus the sine.
-
-    Args:
-        grasps: how hands hold and move, of all devices.
-        state: of all devices; changed in place.
-        d: number of the device.
-        t: time [s].
-    """
-    first, last = at(grasps.path_first, d), at(grasps.path_first, d + 1) - 1
-    here = at(state.cursor, d)
-    while here > first and at(grasps.path_time, here) > t:
-        here -= 1
-    while here < last and at(grasps.path_time, here + 1) <= t:
-        here += 1
-    put(state.cursor, d, here)
-    value = load(grasps.path_value, here, LANES)
-    if here < last and t > at(grasps.path_time, here):
-        fraction = (t - at(grasps.path_time, here)) / (at(grasps.path_time, here + 1) - at(grasps.path_time, here))
-        value = (1.0 - fraction) * value + fraction * load(grasps.path_value, here + 1, LANES)
-    if at(grasps.frequency, d) != 0.0:
-        wave = np.sin(2.0 * np.pi * at(grasps.frequency, d) * t + at(grasps.phase, d))
-        value = value + wave * load(grasps.amplitude, d, LANES)
-    return value
-
-
-@inner
 def equilibrium_after(grasps: Grasps, state: DeviceState, d: int, t: float) -> float:
     """The equilibrium point at time t: path, what is left of the offset of taking hold, and what the will has added.
 
@@ -75,7 +46,7 @@ def equilibrium_after(grasps: Grasps, state: DeviceState, d: int, t: float) -> f
         d: number of the device.
         t: time [s].
     """
-    value = path_place(grasps, state, d, t) + load(state.corrected, d, LANES)
+    value = path_place(grasps, state.cursor, d, t, LANES) + load(state.corrected, d, LANES)
     passed = t - at(state.grasped, d)
     if passed < at(grasps.blend, d):
         value = value + (1.0 - passed / at(grasps.blend, d)) * load(state.offset, d, LANES)
@@ -115,7 +86,7 @@ def correct(grasps: Grasps, state: DeviceState, d: int, h: float) -> None:
         slot = d * RECALL + at(state.recalled, d) % RECALL
         if at(state.recalled, d) >= RECALL:  # what is overwritten was seen one reaction time ago
             store(state.urge, d, at(grasps.correction, d) * load(state.recall, slot, LANES), LANES)
-        error = path_place(grasps, state, d, t) - load(state.tip, d, LANES)
+        error = path_place(grasps, state.cursor, d, t, LANES) - load(state.tip, d, LANES)
         store(state.recall, slot, error, LANES)
         put(state.recalled, d, at(state.recalled, d) + 1)
     moved = load(state.corrected, d, LANES) + h * load(state.urge, d, LANES)
@@ -164,7 +135,7 @@ def relax(devices: Devices, state: DeviceState, d: int) -> None:
         d: number of the device.
     """
     tip = load(state.tip, d, LANES)
-    place = path_place(devices.grasps, state, d, at(state.time, d))
+    place = path_place(devices.grasps, state.cursor, d, at(state.time, d), LANES)
     store(state.offset, d, tip - place, LANES)
     store(state.equilibrium, d, tip, LANES)
     store(state.corrected, d, splat(0.0, LANES), LANES)

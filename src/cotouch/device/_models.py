@@ -4,63 +4,18 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 from math import acos, atan2, cos, degrees, hypot, inf, isfinite, pi, sin
-from typing import Literal, final
+from typing import final
 
-from cotouch.device._tables import CARTESIAN, HOST_FORCE, PHANTOM, PSPM, SPRING
+from cotouch.device._checks import Triple, need, triple
+from cotouch.device._coupling_model import Coupling
+from cotouch.device._tables import CARTESIAN, PHANTOM
 from cotouch.errors import DeviceError
-
-Triple = tuple[float, float, float]
-
-LAWS = {"pspm": PSPM, "spring": SPRING, "host_force": HOST_FORCE}
 
 # van Beek et al., Sci. Rep. 5:18004 (2015), one typical trial.
 HAND_MASS, HAND_DAMPING, HAND_STIFFNESS = 0.554, 6.45, 135.0
 GRAVITY = 9.80665
 # Of a PHANToM's force and torque, what its motors can do for a moment, by what they can do all the time.
 _PEAK = 8.5 / 1.4
-
-
-def need(
-    name: str, value: float, *, least: float = 0.0, above: bool = False, most: float = inf, unit: str = ""
-) -> None:
-    """Refuses a number that is not finite or out of range.
-
-    Args:
-        name: of what is checked, for the message.
-        value: the number.
-        least: smallest that is right.
-        above: whether `least` itself is wrong.
-        most: largest that is right.
-        unit: for the message.
-
-    Raises:
-        DeviceError: it is.
-    """
-    low = value > least if above else value >= least
-    if isfinite(value) and low and value <= most:
-        return
-    bounds = f"{'above' if above else 'at least'} {least:g}" + (f" and at most {most:g}" if most < inf else "")
-    raise DeviceError(f"{name} is {value:g}{' ' + unit if unit else ''}; it must be finite, {bounds}")
-
-
-def triple(name: str, value: Sequence[float]) -> Triple:
-    """Three finite numbers; one or two are padded by zeros.
-
-    Args:
-        name: of what is checked, for the message.
-        value: the numbers.
-
-    Raises:
-        DeviceError: it is not one to three finite numbers.
-    """
-    try:
-        numbers = [float(entry) for entry in value]
-    except (TypeError, ValueError):
-        numbers = []
-    if not 1 <= len(numbers) <= 3 or not all(map(isfinite, numbers)):
-        raise DeviceError(f"{name} is {value!r}; it must be one to three finite numbers")
-    padded = [*numbers, 0.0, 0.0]
-    return padded[0], padded[1], padded[2]
 
 
 @final
@@ -224,51 +179,6 @@ class ServoModel:
     def span(self) -> float:
         """Shortest time over which velocity is measured [s]."""
         return max(self.window, min(self.periods()))
-
-
-@final
-@dataclass(frozen=True, kw_only=True)
-class Coupling:
-    """What the servo does with the proxy's place.
-
-    PSPM is passive at any stiffness but for the energy of one tick at full speed, ½k (speed·period)²
-    (`cotouch.mechanics.modulation_bound`); a stiffness that a device cannot render makes this noticeable.
-
-    Attributes:
-        law: `pspm`; `spring`, a plain sampled spring and damper to the desired position, passive under a condition only
-            (`cotouch.mechanics.virtual_coupling_limit`); `host_force`, the force that the body's step computes.
-        stiffness: k, >= 0 [N/m].
-        damping: b, >= 0 [Ns/m].
-        cap: most energy that the tank keeps, >= 0 [J].
-        reserve: debt up to which damping stays on, >= 0 [J].
-        initial_energy: what the tank begins with, >= 0; counts once in the bound of passivity [J].
-        declared: damping of the device itself that PSPM may count on, >= 0 [Ns/m or Nm s/rad]. It makes device and
-            coupling passive together, instead of the coupling alone.
-        lag: ticks by which the law `spring` sees the tip late, 0 to 8.
-
-    Raises:
-        DeviceError: a number is out of range, or there is no such law.
-    """
-
-    law: Literal["pspm", "spring", "host_force"] = "pspm"
-    stiffness: float = 1000.0
-    damping: float = 2.0
-    cap: float = 0.1
-    reserve: float = 1e-3
-    initial_energy: float = 0.0
-    assumed_damping: float = 0.0
-    lag: int = 0
-
-    def __post_init__(self) -> None:
-        if self.law not in LAWS:
-            raise DeviceError(f'law is "{self.law}"; it must be one of {", ".join(LAWS)}')
-        need("stiffness", self.stiffness, unit="N/m")
-        need("damping", self.damping, unit="Ns/m")
-        need("cap", self.cap, unit="J")
-        need("reserve", self.reserve, unit="J")
-        need("initial energy", self.initial_energy, unit="J")
-        need("assumed damping", self.assumed_damping)
-        need("lag", self.lag, most=8)
 
 
 @final

@@ -15,6 +15,7 @@ from cotouch.device._hand import LANES, add_to_ledger
 from cotouch.device._phantom import joint_torques, phantom_tip
 from cotouch.device._tables import (
     CHARGED,
+    COUPLED,
     DECLARED,
     FASTEST,
     HOST_FORCE,
@@ -22,7 +23,6 @@ from cotouch.device._tables import (
     LOWEST,
     MEASURED_WORK,
     PHANTOM,
-    PSPM,
     SATURATED,
     SPRING,
     SPRING_ENERGY,
@@ -30,12 +30,12 @@ from cotouch.device._tables import (
     Devices,
     DeviceState,
 )
-from cotouch.mechanics import at, credit, inner, load, modulate, part, place_at_rest, put, splat, store, total
+from cotouch.mechanics import END, at, book_end, inner, load, part, place_at_rest, put, run_end, store, total
 
 
 @part
 def tick(devices: Devices, state: DeviceState, d: int) -> None:
-    """One tick of device d, now; with the law TOLD it only measures, because the force is the body's affair.
+    """One tick of device d, now; with the law HOST_FORCE it only measures, because the force is the body's affair.
 
     Args:
         devices: all devices.
@@ -43,35 +43,44 @@ def tick(devices: Devices, state: DeviceState, d: int) -> None:
         d: number of the device.
     """
     servos = devices.servos
-    paid = _measure(devices, state, d)
+    _measure(devices, state, d)
     place, rate = load(state.place, d, LANES), load(state.sample_velocity, d, LANES)
     desired = load(state.desired, d, LANES)
     stiffness, damping = at(servos.stiffness, d), at(servos.damping, d)
     law = at(servos.law, d)
-    if law == PSPM:
-        gift = credit(at(state.received, d), at(state.seen, d))
-        put(state.seen, d, at(state.seen, d) + gift)
-        available = at(state.ledger, (d, SPRING_ENERGY)) + at(state.ledger, (d, TANK)) + paid + gift
-        put(state.ledger, (d, LOWEST), min(at(state.ledger, (d, LOWEST)), available))
-        gap = desired - place
-        potential = 0.5 * stiffness * total(gap * gap)
-        fraction, tank, sent = modulate(potential, available, at(servos.cap, d))
-        put(state.ledger, (d, TANK), tank)
-        if fraction == 0.0:  # also if the desired position is no number
-            gap, potential = splat(0.0, LANES), 0.0
-        put(state.ledger, (d, SPRING_ENERGY), fraction * fraction * potential)
-        put(state.sent, d, at(state.sent, d) + sent)
-        store(state.set_position, d, place + fraction * gap, LANES)
-        force = (stiffness * fraction) * gap - damping * rate
-        if available < -at(servos.reserve, d):
-            force = splat(0.0, LANES)
-        actuate(devices, state, d, force)
+    if law == COUPLED:
+        _couple(devices, state, d)
     elif law == SPRING:
         seen = place
         if at(servos.lag, d) > 0:
             late = max(at(state.ticks, d) - 1 - at(servos.lag, d), 0)
             seen = load(state.history, _slot(state, d, late), LANES)
         actuate(devices, state, d, stiffness * (desired - seen) - damping * rate)
+
+
+@part
+def _couple(devices: Devices, state: DeviceState, d: int) -> None:
+    """The coupling's end at a device decides on a force, which acts at once or, with a latency, from the next tick."""
+    ends = state.ends
+    late = at(ends, (d, END.latency)) > 0.0
+    put(ends, (d, END.acting), at(ends, (d, END.held)) if late else 0.0)
+    put(ends, (d, END.known), 1.0)
+    for axis in range(3):
+        put(ends, (d, END.gap + axis), at(state.desired, (d, axis)) - at(state.place, (d, axis)))
+        put(ends, (d, END.rate + axis), at(state.sample_velocity, (d, axis)))
+    run_end(at(devices.servos.address, d), ends, d)
+    put(state.ledger, (d, TANK), at(ends, (d, END.energy)))
+    put(state.ledger, (d, SPRING_ENERGY), at(ends, (d, END.held)))
+    put(state.ledger, (d, LOWEST), at(ends, (d, END.lowest)))
+    spring, brake = at(ends, (d, END.spring)), at(ends, (d, END.brake))
+    on = at(ends, (d, END.energy)) >= -at(ends, (d, END.reserve))
+    acts = load(state.coming, d, LANES)
+    for axis in range(3):
+        stretch, push = at(ends, (d, END.stretch + axis)), at(ends, (d, END.push + axis))
+        put(state.set_position, (d, axis), at(state.place, (d, axis)) + stretch)
+        force = spring * stretch + push - brake * at(state.sample_velocity, (d, axis))
+        put(state.coming, (d, axis), force if on else 0.0)
+    actuate(devices, state, d, acts if late else load(state.coming, d, LANES))
 
 
 @part
@@ -128,11 +137,8 @@ def _slot(state: DeviceState, d: int, index: int) -> int:
 
 
 @inner
-def _measure(devices: Devices, state: DeviceState, d: int) -> float:
-    """Reads encoders and clock; returns what the coupling's energy has changed by since the last tick [J].
-
-    That is minus the work of the held effort, minus the encoder's charge, plus declared damping.
-    """
+def _measure(devices: Devices, state: DeviceState, d: int) -> None:
+    """Reads encoders and clock; books what the held effort did, the encoder's charge, and declared damping."""
     servos = devices.servos
     now = at(state.time, d)
     index = at(state.ticks, d)
@@ -163,7 +169,7 @@ def _measure(devices: Devices, state: DeviceState, d: int) -> float:
     put(state.sample_time, d, now)
     put(state.ticks, d, index + 1)
     if index == 0 or span <= 0.0:
-        return 0.0
+        return
     _differentiate(devices, state, d, index)
     moved, step = load(state.sample, d, LANES) - before, place - last
     fastest = max(total(moved * moved), total(step * step)) ** 0.5 / span
@@ -172,7 +178,8 @@ def _measure(devices: Devices, state: DeviceState, d: int) -> float:
     add_to_ledger(state, d, MEASURED_WORK, work)
     add_to_ledger(state, d, CHARGED, charged)
     add_to_ledger(state, d, DECLARED, declared)
-    return declared - work - charged
+    put(state.ends, (d, END.T), span)
+    book_end(state.ends, d, work, declared, charged)
 
 
 @inner
@@ -196,7 +203,7 @@ def _rest(devices: Devices, state: DeviceState, d: int, axis: int, span: float) 
 def _differentiate(devices: Devices, state: DeviceState, d: int, index: int) -> None:
     """Velocity over the window: since the oldest sample in it, and at least since the last tick.
 
-    With the law TOLD always since the last sample, which is what the bound of the virtual coupling asks for.
+    With the law HOST_FORCE always since the last sample, which is what the bound of the virtual coupling asks for.
     """
     now = at(state.sample_time, d)
     window = 0.0 if at(devices.servos.law, d) == HOST_FORCE else at(devices.servos.window, d)

@@ -6,9 +6,11 @@ from typing import final
 
 from cotouch.device._advance import advance
 from cotouch.device._assemble import assemble
-from cotouch.device._models import DeviceModel, need, triple
+from cotouch.device._checks import need, triple
+from cotouch.device._models import DeviceModel
 from cotouch.device._tables import DEVICE_LEDGER, SATURATED, Float
 from cotouch.errors import DeviceError
+from cotouch.mechanics import EnergyMessage, hear, message_of
 
 
 @final
@@ -21,7 +23,7 @@ class DeviceSample:
         position: of the tip as measured, (3,) [m].
         velocity: as measured, over the servo's window, (3,) [m/s].
         force: that the motors hold now, (3,) [N].
-        energy: sent to the proxy's side since the start [J]. Only PSPM sends any.
+        message: for the proxy's end of a coupling.
         limited: whether force or torque has been limited since the sample before.
         finite: whether the motion is within the range of floating point.
     """
@@ -30,7 +32,7 @@ class DeviceSample:
     position: Float
     velocity: Float
     force: Float
-    energy: float
+    message: EnergyMessage
     limited: bool
     finite: bool
 
@@ -67,14 +69,14 @@ class SimulatedDevice:
         *,
         desired: Sequence[float] | Float | None = None,
         force: Sequence[float] | Float | None = None,
-        energy: float | None = None,
+        message: EnergyMessage | None = None,
     ) -> None:
         """Takes over what the proxy's side says; what is None stays.
 
         Args:
             desired: the proxy's place [m].
             force: for the law `host_force` [N].
-            energy: sent to the device since the start [J]. A total that is less than one known is without effect.
+            message: of the proxy's end of a coupling, however old.
 
         Raises:
             DeviceError: a number is not finite.
@@ -83,9 +85,8 @@ class SimulatedDevice:
             self._state.desired[0, :3] = triple("desired", list(desired))
         if force is not None:
             self._state.host_force[0, :3] = triple("force", list(force))
-        if energy is not None:
-            need("energy", energy, unit="J")
-            self._state.received[0] = max(self._state.received[0], energy)
+        if message is not None:
+            hear(self._state.ends[0], message)
 
     def advance(self, until: float) -> DeviceSample:
         """Moves on to a time; all ticks up to then and at it happen.
@@ -105,7 +106,7 @@ class SimulatedDevice:
             position=state.sample[0, :3].copy(),
             velocity=state.sample_velocity[0, :3].copy(),
             force=state.force[0, :3].copy(),
-            energy=float(state.sent[0]),
+            message=message_of(state.ends[0]),
             limited=bool(state.ledger[0, SATURATED] > before),
             finite=finite,
         )

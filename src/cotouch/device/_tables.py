@@ -16,8 +16,9 @@ Int = npt.NDArray[np.int64]
 
 # Kinds of plant.
 CARTESIAN, PHANTOM = range(2)
-# Laws of the servo: PSPM; a plain sampled spring-damper to the desired position; the force that the body's step tells.
-PSPM, SPRING, HOST_FORCE = range(3)
+# Laws of the servo: a coupling of `cotouch.mechanics`; a plain sampled spring-damper to the desired position; the
+# force that the body's step tells.
+COUPLED, SPRING, HOST_FORCE = range(3)
 
 # What a device books. Work and losses are cumulative, energies are of now [J]. The first nine are physics: true motion.
 (
@@ -35,9 +36,9 @@ PSPM, SPRING, HOST_FORCE = range(3)
     MEASURED_WORK,
     CHARGED,  # for the resolution of the encoder
     DECLARED,  # credited for the device's own damping
-    TANK,
+    TANK,  # of the coupling's end at the device, its spring included
     SPRING_ENERGY,
-    LOWEST,  # smallest energy that was there at a tick; negative: the deepest debt
+    LOWEST,  # the deepest debt of that end, <= 0
     SATURATED,  # ticks at which force or torque was limited
     FASTEST,  # highest measured speed between two ticks [m/s]
     LONGEST,  # longest period between two ticks [s]
@@ -99,14 +100,14 @@ class Servos(NamedTuple):
         resolution: of each coordinate, (devices, 4) [m or rad]; 0: exact.
         force: largest force, (devices,) [N].
         torque: largest effort of each coordinate, (devices, 4) [N or Nm].
-        law: PSPM, SPRING or TOLD, (devices,).
+        law: COUPLED, SPRING or HOST_FORCE, (devices,).
+        address: of the coupling's function for this end, in this process, (devices,).
         stiffness: k, (devices,) [N/m].
         damping: b, (devices,) [Ns/m].
         lag: ticks by which the law SPRING sees the place late, (devices,).
-        cap: Ē, (devices,) [J].
-        reserve: debt up to which damping stays on, (devices,) [J].
-        declared: damping credited to the law PSPM, (devices, 4) [Ns/m or Nm s/rad].
-        rest: with which fraction of a coordinate's motion the law PSPM goes on at rest, (devices, 4).
+        latency: ticks from a coupling's decision until its force acts, (devices,).
+        declared: the device's own damping that a coupling may count on, (devices, 4) [Ns/m or Nm s/rad].
+        rest: with which fraction of a coordinate's motion a coupling goes on at rest, (devices, 4).
     """
 
     period: Float
@@ -115,11 +116,11 @@ class Servos(NamedTuple):
     force: Float
     torque: Float
     law: Int
+    address: Int
     stiffness: Float
     damping: Float
     lag: Int
-    cap: Float
-    reserve: Float
+    latency: Int
     declared: Float
     rest: Float
 
@@ -175,13 +176,12 @@ class DeviceState(NamedTuple):
 
     Attributes:
         desired: in: the proxy's place, as last told, (devices, 4) [m].
-        host_force: in: force that the law TOLD holds, (devices, 4) [N].
-        received: in: energy that the proxy's side has sent since the start, (devices,) [J].
+        host_force: in: force that the law HOST_FORCE holds, (devices, 4) [N].
+        ends: the coupling's end at each device, (devices, END.length); what the other end said is an input.
         sample: out: the tip's place as last measured, (devices, 4) [m].
-        place: out: the same as the law takes it: PSPM with less of its flicker at rest, (devices, 4) [m].
+        place: out: the same as the law takes it: a coupling may, with less of its flicker at rest, (devices, 4) [m].
         sample_velocity: out: the velocity of that place, (devices, 4) [m/s].
         sample_time: out: when, (devices,) [s].
-        sent: out: energy sent to the proxy's side since the start, (devices,) [J].
         force: out: force at the tip that the motors hold, (devices, 4) [N].
         ledger: out: (devices, len(DEVICE_BOOKS)).
         time: (devices,) [s].
@@ -190,10 +190,10 @@ class DeviceState(NamedTuple):
         coordinate: (devices, 4).
         momentum: conjugate to the coordinate, the hand's share included, (devices, 4).
         tip: true place, (devices, 4) [m].
+        coming: force that was decided on and acts from the next tick, with a latency, (devices, 4) [N].
         effort: held by the motors, (devices, 4).
         effort_before: held before the last tick, (devices, 4).
         measured: coordinate as last measured, (devices, 4).
-        seen: received energy that has been credited, (devices,) [J].
         set_position: ȳ, (devices, 4) [m].
         resting: what `place_at_rest` keeps for each coordinate, (4 devices, REST_FIELDS).
         history: last places, (devices, length, 4) [m].
@@ -212,12 +212,11 @@ class DeviceState(NamedTuple):
 
     desired: Float
     host_force: Float
-    received: Float
+    ends: Float
     sample: Float
     place: Float
     sample_velocity: Float
     sample_time: Float
-    sent: Float
     force: Float
     ledger: Float
     time: Float
@@ -226,10 +225,10 @@ class DeviceState(NamedTuple):
     coordinate: Float
     momentum: Float
     tip: Float
+    coming: Float
     effort: Float
     effort_before: Float
     measured: Float
-    seen: Float
     set_position: Float
     resting: Float
     history: Float

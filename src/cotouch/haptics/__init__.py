@@ -4,7 +4,7 @@ from cotouch.haptics._conformance import CheckResult, conform
 from cotouch.haptics._core import Order, ServoCore, ServoReport
 from cotouch.haptics._coupling import COUPLING, LEAST_SCALE, MOST_SCALE, CouplingChoice, Scale, coupling_of
 from cotouch.haptics._device import Device, DeviceReading, Flag
-from cotouch.haptics._ends import DeviceEnd, EndOptions, EnergyMessage, EnergyTank, ProxyEnd, Pull, checked
+from cotouch.haptics._ends import DeviceEnd, EndOptions, ProxyEnd, Pull, checked
 from cotouch.haptics._frames import FORCE_DIMENSION, FRAMES, HAPLY, OPENHAPTICS, OPENXR, OURS, Frame
 from cotouch.haptics._limits import UNKNOWN_FORCE, SafetyLimits
 from cotouch.haptics._link import ServoLink
@@ -34,14 +34,7 @@ from cotouch.haptics._safety import (
 from cotouch.haptics._servo import Servo
 from cotouch.haptics._settings import ServoSettings
 from cotouch.haptics._simulated import SIMULATED, SimulatedOnClock, simulated_model
-from cotouch.haptics._virtual import (
-    Account,
-    VirtualDeviceEnd,
-    VirtualProxyEnd,
-    checked_virtual,
-    proxy_end,
-    virtual_limit,
-)
+from cotouch.haptics._virtual import checked_virtual, virtual_limit
 from cotouch.haptics._warning_log import priority_refused
 
 __all__ = [
@@ -57,7 +50,6 @@ __all__ = [
     "OURS",
     "SIMULATED",
     "UNKNOWN_FORCE",
-    "Account",
     "Cause",
     "CheckResult",
     "CouplingChoice",
@@ -67,8 +59,6 @@ __all__ = [
     "DeviceReading",
     "Driver",
     "EndOptions",
-    "EnergyMessage",
-    "EnergyTank",
     "Flag",
     "Frame",
     "Heat",
@@ -87,8 +77,6 @@ __all__ = [
     "ServoSettings",
     "SimulatedOnClock",
     "Vector",
-    "VirtualDeviceEnd",
-    "VirtualProxyEnd",
     "checked",
     "checked_virtual",
     "conform",
@@ -98,7 +86,6 @@ __all__ = [
     "make_device",
     "open_device",
     "priority_refused",
-    "proxy_end",
     "reasons",
     "saturate",
     "silence",

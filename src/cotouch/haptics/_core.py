@@ -10,11 +10,12 @@ import numpy.typing as npt
 
 from cotouch.device import DeviceSpec
 from cotouch.haptics._device import DeviceReading, Flag
-from cotouch.haptics._ends import DeviceEnd, EndOptions, EnergyMessage, checked
+from cotouch.haptics._ends import WINDOW, DeviceEnd, EndOptions, checked
 from cotouch.haptics._limits import SafetyLimits
 from cotouch.haptics._port import less
 from cotouch.haptics._safety import ZERO, Cause, Observation, SafetyChain, Vector, scaled, size
-from cotouch.haptics._virtual import WINDOW, VirtualDeviceEnd, checked_virtual, device_end
+from cotouch.haptics._virtual import checked_virtual
+from cotouch.mechanics import EnergyMessage
 
 # The safety chain's speed is that over this [s]: shorter, and one step of an encoder looks quick; longer, and a device
 # that is flung away has been so for long.
@@ -175,12 +176,12 @@ class ServoCore:
             self.chain.rearm()
         self._armed = order.rearm if self._armed is None else max(self._armed, order.rearm)
 
-    def _made(self, options: EndOptions) -> DeviceEnd | VirtualDeviceEnd:
+    def _made(self, options: EndOptions) -> DeviceEnd:
         spec, limits = self._spec, self._limits
         lever = spec.workspace if isfinite(spec.workspace) and spec.workspace > 0.0 else _LEVER
         if checked(options, spec).law == "virtual":
             checked_virtual(options, spec, period=self._period)
-        return device_end(options, resolution=spec.resolution, lever=lever, radius=limits.radius, wall=limits.wall)
+        return DeviceEnd(options, resolution=spec.resolution, lever=lever, radius=limits.radius, wall=limits.wall)
 
     def _couple(self, options: EndOptions, number: int) -> None:
         """Begins anew with another coupling: relaxed, with a ledger of its own, and with the ramp."""
@@ -248,7 +249,7 @@ class ServoCore:
             rate=rate,
             force=self._force,
             wanted=wanted if isfinite(size(wanted)) else ZERO,
-            message=self.end.tank.message,
+            message=self.end.message,
             work=self._out,
             excess=excess,
             causes=self.chain.causes,
@@ -271,8 +272,7 @@ class ServoCore:
 
     def _excess(self) -> float:
         """Work of the motors beyond what the peer gave, the initial energy and the bound of sampling [J]."""
-        tank = self.end.tank
-        return self._out - (tank.received - tank.given + self.end.start + self._bound + _SLACK)
+        return self._out - (self.end.due + self.end.start + self._bound + _SLACK)
 
     def _rates(self, time: float, taken: Vector, place: Vector) -> tuple[Vector, float]:
         """Velocity over the window as the law takes it, and the quickest of the last moments as measured [m/s].

@@ -2,14 +2,15 @@
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, fields, replace
-from math import isfinite
-from typing import Any, Literal, final
+from math import inf, isfinite
+from typing import Any, Final, Literal, final
 
 from cotouch.device import DeviceSpec
 from cotouch.errors import DeviceError
-from cotouch.haptics._ends import EndOptions, Law, checked
+from cotouch.haptics._ends import WINDOW, EndOptions, checked
 from cotouch.haptics._registry import DeviceChoice, Option
 from cotouch.haptics._virtual import checked_virtual, virtual_limit
+from cotouch.mechanics import checked_toll, coupling_named, encoder_toll, opening_energy
 
 Scale = float | Literal["fit"]
 # Scales beyond these make a device's tremble a leap of the body, or hide the body behind its encoders.
@@ -26,8 +27,8 @@ COUPLING: Mapping[str, str] = {
     "scale": "the body moves so many times as far as the device, which feels so many times the force; or fit",
     "tool": "of the user that it moves, from 1",
 }
-_LAWS: Mapping[str, Law] = {"pspm": "pspm", "virtual": "virtual"}
-_OF_VIRTUAL = ("friction", "coulomb", "ages", "weight")
+_PARAMETERS: Final = ("friction", "coulomb", "ages", "weight")
+_USUAL: Final = "pspm"
 
 
 @final
@@ -37,7 +38,8 @@ class CouplingChoice:
 
     Attributes:
         law: see `EndOptions`; "pspm" if nothing is said.
-        stiffness: 500 N/m, or what the device renders well, or is passive with a virtual coupling, if that is less.
+        stiffness: 500 N/m, or what the device renders well, what its encoders leave to a tank, or is passive with a
+            virtual coupling, if that is less.
         damping: 2 Ns/m, or what the device renders well if that is less; none with a virtual coupling.
         friction: of the device itself, for a virtual coupling; 0 Ns/m.
         coulomb: its dry friction, likewise; 0 N.
@@ -48,7 +50,7 @@ class CouplingChoice:
         tool: of the user, from 1. The first that no other device of the user has.
     """
 
-    law: Law | None = None
+    law: str | None = None
     stiffness: float | None = None
     damping: float | None = None
     friction: float | None = None
@@ -64,13 +66,15 @@ class CouplingChoice:
         Raises:
             DeviceError: a number is out of range, or has no effect with this law.
         """
-        for name in ("stiffness", "damping", *_OF_VIRTUAL):
+        law = coupling_named(self.law or _USUAL)
+        for name in ("stiffness", "damping", *_PARAMETERS):
             value = getattr(self, name)
             if value is not None and not (isfinite(value) and value >= 0.0):
                 raise DeviceError(f"the coupling's {name} is {value:g}; it must be a number of at least 0")
-            if value is not None and name in _OF_VIRTUAL and self.law != "virtual":
+            if value is not None and name in _PARAMETERS and name not in law.parameters:
                 raise DeviceError(
-                    f"{name} is given, but with coupling=pspm it has no effect; leave it out, or say coupling=virtual"
+                    f"{name} is given, but with coupling={law.name} it has no effect; leave it out, or say "
+                    "coupling=virtual"
                 )
         if isinstance(self.scale, int | float) and not LEAST_SCALE <= self.scale <= MOST_SCALE:
             raise DeviceError(f"scale is {self.scale:g}; it must be from {LEAST_SCALE:g} to {MOST_SCALE:g}, or fit")
@@ -100,21 +104,19 @@ class CouplingChoice:
         """
         usual = EndOptions()
         stiffness = min(usual.stiffness, spec.stiffness)
-        if self.law != "virtual":
-            damping = min(usual.damping, spec.damping)
-            options = usual._replace(
-                stiffness=stiffness if self.stiffness is None else self.stiffness,
-                damping=damping if self.damping is None else self.damping,
-            )
-            return checked(options, spec)
-        said = {name: getattr(self, name) for name in _OF_VIRTUAL}
+        law = coupling_named(self.law or _USUAL)
+        pays = "friction" in law.parameters
+        said = {name: getattr(self, name) for name in _PARAMETERS}
+        damping = 0.0 if pays else min(usual.damping, spec.damping)
         options = usual._replace(
-            law="virtual",
-            stiffness=stiffness,
-            damping=0.0 if self.damping is None else self.damping,
+            law=law.name,
+            stiffness=stiffness if self.stiffness is None or pays else self.stiffness,
+            damping=damping if self.damping is None else self.damping,
             most=force,
             **{name: value for name, value in said.items() if value is not None},
         )
+        if not pays:
+            return _with_toll(checked(options, spec), spec, lower=self.stiffness is None)
         if self.stiffness is None:
             # Where encoders leave nothing, the sentence is about them, not about a stiffness that nobody gave.
             limits = [virtual_limit(options, period=period, resolution=fine) for fine in (spec.resolution, 0.0)]
@@ -127,6 +129,32 @@ class CouplingChoice:
     def plain(self) -> dict[str, Any]:
         """As JSON has it."""
         return asdict(self)
+
+
+def _with_toll(options: EndOptions, spec: DeviceSpec, *, lower: bool) -> EndOptions:
+    """A coupling whose tanks pay for the device's encoders, and whose dampers pay for how old places are.
+
+    Args:
+        options: of the coupling.
+        spec: of the device.
+        lower: lower a stiffness that is too much.
+
+    Raises:
+        DeviceError: it is too much, or any is.
+    """
+    # A spring to places of an age a swings like one with a damping of -½ k a; both ends have a damper.
+    limit = 4.0 * options.damping / options.ages if options.ages > 0.0 else inf
+    if options.stiffness > limit and not lower:
+        raise DeviceError(
+            f"the coupling's stiffness is {options.stiffness:g} N/m, but with a damping of {options.damping:g} Ns/m "
+            f"and places {1e3 * options.ages:g} ms old it swings above {limit:g} N/m; lower it, or say more damping"
+        )
+    fine = spec.resolution
+    stiffness, damping = min(options.stiffness, limit), options.damping
+    stiffness = checked_toll(stiffness=stiffness, damping=damping, window=WINDOW, resolution=fine, lower=lower)
+    toll = encoder_toll(stiffness=stiffness, damping=damping, window=WINDOW, resolution=fine)
+    begun = opening_energy(toll=toll, stiffness=stiffness, cap=options.cap)
+    return options._replace(stiffness=stiffness, initial_energy=begun)
 
 
 def coupling_of(choice: DeviceChoice) -> tuple[DeviceChoice, CouplingChoice]:
@@ -145,9 +173,7 @@ def coupling_of(choice: DeviceChoice) -> tuple[DeviceChoice, CouplingChoice]:
     said = {key: value for key, value in choice.options.items() if key in COUPLING}
     found: dict[str, Any] = {}
     if (law := said.pop("coupling", None)) is not None:
-        if law not in _LAWS:
-            raise DeviceError(f'coupling is "{law}"; it must be one of {", ".join(_LAWS)}')
-        found["law"] = _LAWS[str(law)]
+        found["law"] = coupling_named(str(law)).name
     for name, value in said.items():
         found[name] = _said(name, value)
     return DeviceChoice(choice.name, options), CouplingChoice(**found)

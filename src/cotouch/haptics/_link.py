@@ -14,12 +14,13 @@ from cotouch.device import DeviceSpec
 from cotouch.errors import DeviceError
 from cotouch.haptics._core import Order, ServoReport, silent_for
 from cotouch.haptics._coupling import CouplingChoice, coupling_of
-from cotouch.haptics._ends import EndOptions, EnergyMessage
+from cotouch.haptics._ends import EndOptions
 from cotouch.haptics._mailboxes import OrderWriter, ReportReader
 from cotouch.haptics._registry import DeviceChoice, driver
 from cotouch.haptics._safety import NO_CAUSE, Cause, Vector
 from cotouch.haptics._settings import ServoSettings, spec_from
 from cotouch.haptics._warning_log import WarningLog, priority_refused
+from cotouch.mechanics import EnergyMessage
 from cotouch.processes import MemoryFolder
 
 # The servo is started before the guardian loads what it needs itself, so that both load at the same time.

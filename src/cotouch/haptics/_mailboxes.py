@@ -5,21 +5,25 @@ from math import inf
 from pathlib import Path
 from typing import Any, Final, final
 
+import numpy as np
 import numpy.typing as npt
 
 from cotouch.errors import InputError
 from cotouch.haptics._core import Order, ServoReport
 from cotouch.haptics._device import Flag
-from cotouch.haptics._ends import EndOptions, EnergyMessage
+from cotouch.haptics._ends import EndOptions
 from cotouch.haptics._safety import Cause, Vector
 from cotouch.mailbox import MailboxReader, MailboxWriter
+from cotouch.mechanics import EnergyMessage
 
 Array = npt.NDArray[Any]
 
 REPORT: Final = "report"
 ORDER: Final = "order"
 GUARD: Final = "guard"
-_OF_COUPLING: Final = ("stiffness", "damping", "friction", "coulomb", "ages", "weight", "most")
+_OF_COUPLING: Final = tuple(name for name in EndOptions._fields if name != "law")
+# A law's name is told in so many bytes.
+_NAME: Final = 32
 _GUARD_FIELDS: Final = {"looks": ((), "i8")}
 _REPORT_FIELDS: Final = {
     "time": ((), "f8"),
@@ -28,7 +32,7 @@ _REPORT_FIELDS: Final = {
     "rate": ((3,), "f8"),
     "force": ((3,), "f8"),
     "wanted": ((3,), "f8"),
-    "message": ((3,), "f8"),  # given, received, tank
+    "message": ((6,), "f8"),  # all but the last of `EnergyMessage`
     "ledger": ((2,), "f8"),  # work, excess
     "states": ((5,), "i8"),  # starved, causes, buttons, flags, number of the coupling
 }
@@ -36,9 +40,10 @@ _ORDER_FIELDS: Final = {
     "time": ((), "f8"),
     "step": ((), "i8"),
     "place": ((3,), "f8"),
-    "message": ((3,), "f8"),
+    "message": ((6,), "f8"),
     "states": ((5,), "i8"),  # starved, followed, enable, rearm, number of the coupling
-    "coupling": ((len(_OF_COUPLING) + 1,), "f8"),  # virtual, and its numbers; meant where the number is above 0
+    "law": ((_NAME,), "u1"),  # of the coupling; like its numbers meant where the number is above 0
+    "coupling": ((len(_OF_COUPLING),), "f8"),
 }
 
 
@@ -64,7 +69,7 @@ class ReportWriter:
         fields["rate"][:] = report.rate
         fields["force"][:] = report.force
         fields["wanted"][:] = report.wanted
-        fields["message"][:] = (message.given, message.received, message.tank)
+        fields["message"][:] = message[:-1]
         fields["ledger"][:] = (report.work, report.excess)
         fields["states"][:] = (message.starved, report.causes, report.buttons, report.flags, report.coupling)
         self._mailbox.publish()
@@ -89,12 +94,12 @@ class OrderWriter:
         fields["step"][...] = order.step
         if order.place is not None:
             fields["place"][:] = order.place
-        fields["message"][:] = (message.given, message.received, message.tank)
+        fields["message"][:] = message[:-1]
         fields["states"][:] = (message.starved, order.place is not None, order.enable, order.rearm, order.coupling)
         if order.options is not None:
             options = order.options
-            fields["coupling"][0] = options.law == "virtual"
-            fields["coupling"][1:] = [getattr(options, name) for name in _OF_COUPLING]
+            fields["law"][:] = np.frombuffer(options.law.encode().ljust(_NAME, b"\0"), np.uint8, _NAME)
+            fields["coupling"][:] = [getattr(options, name) for name in _OF_COUPLING]
         self._mailbox.publish()
 
     def close(self) -> None:
@@ -115,7 +120,6 @@ class ReportReader:
         got = self._mailbox.read()
         if got is None:
             return None
-        given, received, tank = got["message"].tolist()
         work, excess = got["ledger"].tolist()
         starved, causes, buttons, flags, coupling = got["states"].tolist()
         return ServoReport(
@@ -125,7 +129,7 @@ class ReportReader:
             rate=_vector(got["rate"]),
             force=_vector(got["force"]),
             wanted=_vector(got["wanted"]),
-            message=EnergyMessage(given, received, tank, bool(starved)),
+            message=EnergyMessage(*got["message"].tolist(), starved=bool(starved)),
             work=work,
             excess=excess,
             causes=Cause(causes),
@@ -154,19 +158,16 @@ class OrderReader:
         got = self._mailbox.read()
         if got is None:
             return None
-        given, received, tank = got["message"].tolist()
         starved, followed, enable, rearm, coupling = got["states"].tolist()
         if coupling != self._number:
-            virtual, *numbers = got["coupling"].tolist()
+            law = got["law"].tobytes().rstrip(b"\0").decode(errors="replace")
             self._number = coupling
-            self._options = EndOptions(
-                law="virtual" if virtual else "pspm", **dict(zip(_OF_COUPLING, numbers, strict=True))
-            )
+            self._options = EndOptions(law=law, **dict(zip(_OF_COUPLING, got["coupling"].tolist(), strict=True)))
         return Order(
             time=float(got["time"]),
             step=int(got["step"]),
             place=_vector(got["place"]) if followed else None,
-            message=EnergyMessage(given, received, tank, bool(starved)),
+            message=EnergyMessage(*got["message"].tolist(), starved=bool(starved)),
             enable=bool(enable),
             rearm=rearm,
             coupling=coupling,

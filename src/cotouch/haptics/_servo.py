@@ -168,7 +168,7 @@ def _sentence(error: Exception) -> str:
 
 
 def _nothing(now: float) -> ServoReport:
-    from cotouch.haptics._ends import EnergyMessage
+    from cotouch.mechanics import EnergyMessage
 
     return ServoReport(now, 0, ZERO, ZERO, ZERO, ZERO, EnergyMessage(), 0.0, 0.0, Cause.OFF, 0, Flag(0))
 

@@ -9,19 +9,25 @@ from cotouch.laboratory._noticed import mean_cost
 from cotouch.laboratory._score import MEASURES
 from cotouch.laboratory._study import Study
 from cotouch.laboratory._sweep import FIGURES, sweep, values_of, varied
+from cotouch.laboratory._trials import Books, Found, books, searched, trial
 
 __all__ = [
     "FELT",
     "FIGURES",
     "MEASURES",
+    "Books",
+    "Found",
     "Others",
     "Progress",
     "Study",
+    "books",
     "compare",
     "impedance",
     "impedance_figure",
     "mean_cost",
+    "searched",
     "sweep",
+    "trial",
     "values_of",
     "varied",
     "write_report",

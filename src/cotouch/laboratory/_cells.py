@@ -42,7 +42,12 @@ class Store:
         self._version = version
 
     def name(self, what: str, cell: object) -> str:
-        """Of the file of a cell, for all that its result follows from."""
+        """Of the file of a cell, for all that its result follows from.
+
+        Args:
+            what: sort of the result, as it stands before the digest in the name.
+            cell: all that the result follows from; anything that JSON can hold.
+        """
         text = json.dumps([self._version, what, cell], sort_keys=True, allow_nan=True)
         return f"{what}-{hashlib.sha256(text.encode()).hexdigest()[:24]}.json"
 
@@ -58,20 +63,37 @@ class Store:
         return result if isinstance(result, dict) else None
 
     def keep(self, name: str, result: dict[str, Any]) -> None:
-        """Writes a result, whole or not at all."""
+        """Writes a result, whole or not at all.
+
+        Args:
+            name: of the file, from `name`.
+            result: as `found` gives it back; anything that JSON can hold.
+        """
         write(self._place / name, json.dumps(result).encode(), "cell")
 
 
-def many(function: Callable[[A], R], items: Sequence[A], jobs: int = -1, dask: str | None = None) -> list[R]:
+def source_of(made: Any) -> str:
+    """Of a function's file, so that with another version of it cells are computed anew; nothing without a file.
+
+    Args:
+        made: the function, compiled or not.
+    """
+    try:
+        text = Path(getattr(made, "py_func", made).__code__.co_filename).read_bytes()
+    except (OSError, AttributeError):
+        text = b""
+    return hashlib.sha256(text).hexdigest()[:16]
+
+
+def many(function: Callable[[A], R], items: Sequence[A], jobs: int = -1) -> list[R]:
     """What a function makes of each item, in their order.
 
     Args:
         function: of an item.
         items: any number.
         jobs: how many at once; -1: one per core.
-        dask: address of a Dask scheduler whose workers do it instead.
     """
-    found = dict(_done(function, items, jobs, dask))
+    found = dict(_done(function, items, jobs, None))
     return [found[at] for at in range(len(items))]
 
 

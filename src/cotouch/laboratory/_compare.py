@@ -2,7 +2,6 @@
 
 import json
 from collections.abc import Mapping
-from hashlib import sha256
 from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING, Any
@@ -11,7 +10,7 @@ import numpy as np
 
 from cotouch.errors import CotouchError, ScenarioError
 from cotouch.interrupt import check, interruptible
-from cotouch.laboratory._cells import Progress, Store, cells
+from cotouch.laboratory._cells import Progress, Store, cells, source_of
 from cotouch.laboratory._ideal import ideal
 from cotouch.laboratory._impedance import impedance
 from cotouch.laboratory._replicas import REPLICAS
@@ -25,7 +24,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 # A stiffer hand is asked in so many draws; felt impedance at these tones [Hz]; a law's time in so many runs [s].
-_STIFF_DRAWS, _TONES, _REPEATS, _TIMED = 5, (0.3, 0.6, 1.2), 7, 2.0
+_STIFF_DRAWS, _TONES, _REPEATS, _TIMED = 5, (0.3, 0.6, 1.2), 7, 10.0
 FELT = {
     "drag": ("N s/m", "drag that a hand feels which moves the object freely"),
     "mass": ("kg", "mass that it feels"),
@@ -64,7 +63,7 @@ def compare(
 
     kept = None if store is None else Store(store, __version__)
     named: dict[str, Any] = {"jobs": jobs, "dask": dask, "store": kept, "progress": progress}
-    tunings = ["published"] if not study.tunes else ["published", "tuned", *["safe"] * bool(study.tuning.safe)]
+    tunings = study.settings
     count = len(study.laws) * len(study.networks) * len(study.users) * len(tunings)
     if count > _MOST_CELLS:
         raise ScenarioError(f"the study has {count} cells; at most {_MOST_CELLS} fit")
@@ -142,13 +141,9 @@ def _part(study: Study, law: LawTable, network: NetworkTable, users: int, *, tun
 
 
 def _code(law: LawTable) -> str:
-    """Of a law's file, so that another version of it is computed anew."""
-    made: Any = law_named(law.kind).before if law.replica is None else REPLICAS[law.replica].move
-    try:
-        text = Path(getattr(made, "py_func", made).__code__.co_filename).read_bytes()
-    except (OSError, AttributeError):
-        text = b""
-    return sha256(text).hexdigest()[:16]
+    """Of a law's file."""
+    own = source_of(law_named(law.kind).before)
+    return own if law.replica is None else own + source_of(REPLICAS[law.replica].move)
 
 
 def score(cell: dict[str, Any]) -> dict[str, Any]:
@@ -176,7 +171,7 @@ def score(cell: dict[str, Any]) -> dict[str, Any]:
                         values[kind][number].append(one[name])
         risky = [dangerous(study, law, network, users, hand, setting) for hand in hands]
         loose = dangerous(study, law, network, users, hands[0], setting, let_go=True)
-        felt = {} if law.replica is not None else _felt(study, setting, loose=loose)
+        felt = _felt(study, setting, loose=loose) if study.felt and law.replica is None else {}
     except CotouchError as error:
         return {
             "runs": {},
@@ -189,7 +184,13 @@ def score(cell: dict[str, Any]) -> dict[str, Any]:
 
 
 def drawn(study: Study, draw: int, setting: Mapping[str, float]) -> Prepared:
-    """All that the runs of a draw have in common, whatever hands do."""
+    """All that the runs of a draw have in common, whatever hands do.
+
+    Args:
+        study: whose first law, network and number of users are taken.
+        draw: number of the draw, from 0.
+        setting: of the parameters that the study sweeps, by name.
+    """
     law, network, users = study.laws[0], study.networks[0], study.users[0]
     return prepare(study.scenario(law, network, users, [], seed=study.channel_seed(network, draw), setting=setting))
 

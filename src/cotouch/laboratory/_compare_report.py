@@ -21,7 +21,15 @@ if TYPE_CHECKING:
 # Cells are darker from these multiples of what people notice on.
 _STEPS = (1.0, 3.0, 10.0, 30.0)
 _MOST_LOSSES = 25
-_WORDS = {"place": "place", "force": "force", "drag": "drag", "mass": "mass", "stiffness": "stiffness"}
+# Measures of what arrives and what it takes, and their scale in the report.
+_QUALITY = {"psnr": 1.0, "hpw_psnr": 1.0, "late": 1e3, "off": 1e3, "packets": 1.0, "bandwidth": 1e-3}
+_FELT = {"drag": "Ns/m", "mass": "kg", "stiffness": "N/m"}
+_LINKED = {
+    "complete": "every user is linked with every other",
+    "path": "users are linked in a row",
+    "ring": "users are linked in a ring",
+    "star": "all users are linked with the first",
+}
 
 
 def write_report(data: "xr.Dataset", path: Path) -> Path:
@@ -39,7 +47,7 @@ def write_report(data: "xr.Dataset", path: Path) -> Path:
         sections = [_losses(data, study), *_costs(data, study), _details(data, study)]
         if "map_cost" in data:
             sections.append(_maps(data))
-        sections += [_fronts(data), _price(data), _method(data, study)]
+        sections += [*_fronts(data, study), _price(data), _method(data, study)]
     html = page(title=study.title, lead=_lead(data, study), sections=sections, footer=_footer(data))
     write(path, html.encode("utf-8"), "report")
     return path
@@ -204,10 +212,8 @@ def _details(data: "xr.Dataset", study: Study) -> Section:
             shown = {
                 "place": 1e3 * float(one["place"].isel(hand=0).mean()),
                 "force": 100.0 * float(one["force"].isel(hand=0).mean()),
-                "drag": float(one["felt_drag"]),
-                "mass": float(one["felt_mass"]),
-                "stiffness": float(one["felt_stiffness"]),
             }
+            shown |= {name: float(one[f"felt_{name}"]) for name in _FELT} if study.felt else {}
             rows.append(
                 [
                     escape(law),
@@ -216,21 +222,36 @@ def _details(data: "xr.Dataset", study: Study) -> Section:
                     num(float(one["rough"].isel(hand=0).mean()), 2),
                     num(float(one["made"].isel(hand=0).max()), 2),
                     num(float(one["extracted"].isel(hand=0).max()), 2),
+                    *(num(scale * _mean(one[name]), 3) for name, scale in _QUALITY.items()),
                 ]
             )
         head = [
             "law",
-            *("place<br>mm", "force<br>%", "drag<br>Ns/m", "mass<br>kg", "stiffness<br>N/m", "apart<br>mm"),
-            *("rough<br>N", "made<br>J", "extracted<br>J"),
+            *("place<br>mm", "force<br>%"),
+            *(f"{name}<br>{unit}" for name, unit in _FELT.items() if study.felt),
+            *("apart<br>mm", "rough<br>N", "made<br>J", "extracted<br>J", "PSNR<br>dB", "HPW-PSNR<br>dB", "late<br>ms"),
+            *("off<br>mm", "packets<br>1/s", "kB/s"),
         ]
         parts.append(f"<h3>{escape(network)}</h3>{table(head, rows, kind='dense')}")
+    felt = (
+        " Drag and mass are of a hand that moves the object freely, stiffness of one that presses while the others "
+        "hold; a dash: copies that nobody holds drive each other apart."
+    )
     intro = (
-        f"<p>For {users} users, the mean over tasks and draws, and beside it the multiple of what is noticed. Drag and "
-        "mass are of a hand that moves the object freely, stiffness of one that presses while the others hold. "
-        "<em>Made</em> is beyond what the law declares, <em>extracted</em> what hands got out beyond what there was. "
-        "A dash: copies that nobody holds drive each other apart.</p>"
+        f"<p>For {users} users, the mean over tasks and draws, and beside it the multiple of what is noticed."
+        f"{felt if study.felt else ''} <em>Made</em> is beyond what the law declares, <em>extracted</em> what hands "
+        "got out beyond what there was. PSNR and HPW-PSNR are of hands' forces to the ideal ones, <em>late</em> and "
+        "<em>off</em> the effective time- and value-offset (ETVO) of the object. Packets are samples said in full, to "
+        "one neighbour; bytes are without headers.</p>"
     )
     return Section(anchor="noticed", title="What is noticed", body=intro + "".join(parts))
+
+
+def _mean(values: "xr.DataArray") -> float:
+    """Over tasks and draws, of those that are finite."""
+    known = values.isel(hand=0).values
+    known = known[np.isfinite(known)]
+    return float(known.mean()) if known.size else float("nan")
 
 
 def _maps(data: "xr.Dataset") -> Section:
@@ -254,15 +275,16 @@ def _maps(data: "xr.Dataset") -> Section:
     return Section(anchor="danger-maps", title="Where laws become dangerous", body=body)
 
 
-def _fronts(data: "xr.Dataset") -> Section:
-    users = int(data["users"].values[0])
-    body = figure(
-        fronts(data, users, "drag"),
-        "front-drag",
-        f"<b>Error against drag, {users} users.</b> Down and left is better; the broken line joins laws to which none "
-        "is better in both. Hollow marks are dangerous there.",
-        "Error of place over drag, one panel for each network.",
-    )
+def _fronts(data: "xr.Dataset", study: Study) -> list[Section]:
+    users, body = int(data["users"].values[0]), ""
+    if study.felt:
+        body += figure(
+            fronts(data, users, "drag"),
+            "front-drag",
+            f"<b>Error against drag, {users} users.</b> Down and left is better; the broken line joins laws to which "
+            "none is better in both. Hollow marks are dangerous there.",
+            "Error of place over drag, one panel for each network.",
+        )
     if float(data["made"].sel(users=users, tuning=chosen(data)).max()) > 0.0:
         body += figure(
             fronts(data, users, "made"),
@@ -270,7 +292,7 @@ def _fronts(data: "xr.Dataset") -> Section:
             "<b>Error against energy made beyond the seed.</b> Passive laws stand at 0.",
             "Error of place over energy made, one panel for each network.",
         )
-    return Section(anchor="fronts", title="What no law has all of", body=body)
+    return [Section(anchor="fronts", title="What no law has all of", body=body)] if body else []
 
 
 def _price(data: "xr.Dataset") -> Section:
@@ -312,9 +334,9 @@ def _method(data: "xr.Dataset", study: Study) -> Section:
         else (
             f"Every law is tuned alike: the springs and each of its parameters but seeds, as multiples of its default "
             f"from 1/{tuning.range:g} to {tuning.range:g}; {tuning.search} settings that fill the space evenly, then "
-            f"{tuning.local} near the best; {tuning.draws} draws of each task with {tuning.users} users, other draws "
-            f"than those that count. A setting counts only if pushes die away, also with hands {study.stiffer:g} times "
-            "stiffer."
+            f"{tuning.local} near the best; {tuning.draws} draw{'s' * (tuning.draws > 1)} of each task with "
+            f"{tuning.users} users, other ones than those that count. A setting counts only if pushes die away, "
+            f"also with hands {study.stiffer:g} times stiffer."
         )
     )
     rows: list[list[str]] = []
@@ -329,12 +351,14 @@ def _method(data: "xr.Dataset", study: Study) -> Section:
         f"{name} {num(value * (1e3 if name == 'place' else 100.0))}&nbsp;{'mm' if name == 'place' else '%'}"
         for name, value in NOTICED.items()
     )
-    problems = json.loads(data.attrs["problems"])
+    problems, nodes = json.loads(data.attrs["problems"]), study.build_body().nodes
     left = "".join(f"<li>{escape(problem)}</li>" for problem in problems)
     return Section(
         anchor="method",
         title="How it was done",
-        body=f"<p>{how}</p><p>What people notice, at the lower end of what was found: {seen} [Rank, Shi &amp; Hirche "
+        body=f"<p>{how}</p><p>The body is a {escape(str(study.body.get('kind', 'point')))} of {nodes} "
+        f"node{'s' * (nodes > 1)}; {_LINKED[study.graph]}.</p>"
+        f"<p>What people notice, at the lower end of what was found: {seen} [Rank, Shi &amp; Hirche "
         "2010; Jay, Glencross &amp; Hubbold 2007]; drag as a share of the hand's own damping. A push is dangerous if "
         "after six seconds it has not lost a tenth of its speed since the second quarter, with all hands holding or "
         "one.</p>"

@@ -49,7 +49,7 @@ def ideal(study: Study, hands: Task) -> Ideal:
         hands: of the task.
     """
     body = study.build_body()
-    key = json.dumps([_digest(body), study.period, study.duration, hands])
+    key = json.dumps([digest(body), study.period, study.duration, hands])
     with _lock:
         if key in _known:
             _known.move_to_end(key)
@@ -67,6 +67,7 @@ def _run(study: Study, body: Body, hands: Task) -> Ideal:
         network=Network(users=["all"], spring=[[0.0]], delay=[[0.0]]),
         body=body,
         steps={"duration": study.duration, "period": study.period},
+        synchronisation={"law": "spring"},  # of no link
         hands=[hand | {"user": 1} for hand in hands],
     )
     prepared = prepare(alone)
@@ -75,12 +76,13 @@ def _run(study: Study, body: Body, hands: Task) -> Ideal:
     return Ideal(place=places(outcome)[0].copy(), force=force, size=max(float(np.sqrt((force**2).mean())), 1e-9))
 
 
-def _digest(body: Body) -> str:
-    digest = sha256()
+def digest(body: Body) -> str:
+    """Tells a body from another one: of its mass, damping and stiffness."""
+    found = sha256()
     for matrix in (body.mass, body.damping, body.stiffness):
         for part in (matrix.data, matrix.indices, matrix.indptr):
-            digest.update(np.ascontiguousarray(part).tobytes())
-    return digest.hexdigest()
+            found.update(np.ascontiguousarray(part).tobytes())
+    return found.hexdigest()
 
 
 def _size(kept: Ideal) -> int:
@@ -94,7 +96,12 @@ def places(outcome: Outcome) -> Float:
 
 
 def forces(prepared: Prepared, outcome: Outcome) -> Float:
-    """Of each hand, (hands, steps, axes) [N]."""
+    """Of each hand, (hands, steps, axes) [N].
+
+    Args:
+        prepared: what was run.
+        outcome: with all steps recorded; steps that not every user took are left out.
+    """
     steps = int(outcome.taken.min())
     result = np.zeros((prepared.ports.shape[0], steps, outcome.record.force.shape[-1]))
     for hand, ports in enumerate(prepared.ports):

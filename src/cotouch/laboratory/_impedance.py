@@ -15,7 +15,7 @@ from cotouch.interrupt import interruptible
 from cotouch.laboratory._cells import many
 from cotouch.laws import Tone
 from cotouch.scenario import Scenario
-from cotouch.simulation import Prepared, facts_of, given_law, prepare, run_batch
+from cotouch.simulation import Prepared, facts_of, given_law, prepare, run_prepared
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -175,7 +175,7 @@ def _measured(still: Scenario, user: int, node: int, axis: int, tone: float) -> 
     steps = still.steps.model_dump(exclude_none=True) | {"duration": settle + listen}
     loud = still.replace(hands=[*still.hands, hand], steps=steps, record={"nodes": [node]})
     prepared = prepare(loud)
-    outcome = run_batch(prepared)
+    outcome = run_prepared(prepared)
     i, n = user - 1, int(outcome.taken[user - 1])
     end, length = prepared.schedule.end[i, :n], prepared.schedule.length[i, :n]
     place = outcome.record.position[i, : n + 1, 0, axis]

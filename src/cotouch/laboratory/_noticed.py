@@ -76,7 +76,12 @@ def is_dangerous(data: "xr.Dataset", law: str, network: str, users: int, *, hand
 
 
 def ours(data: "xr.Dataset", study: Study) -> str:
-    """The law whose losing cases come first: the study's, or the one that promises most for least."""
+    """The law whose losing cases come first: the study's, or the one that promises most for least.
+
+    Args:
+        data: of the comparison, as `compare` gives it.
+        study: what was compared.
+    """
     if study.ours is not None:
         return study.ours
     costs = mean_cost(data)

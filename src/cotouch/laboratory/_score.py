@@ -6,10 +6,11 @@ from typing import Any
 import numpy as np
 
 from cotouch.laboratory._ideal import Ideal, forces, places
+from cotouch.laboratory._quality import etvo, hpw_psnr, psnr
 from cotouch.laboratory._replicas import REPLICAS, Moved, replicate
 from cotouch.laboratory._study import HandKind, LawTable, NetworkTable, Study
 from cotouch.laws import law_named
-from cotouch.simulation import Outcome, Prepared, prepare, run_batch, with_hands
+from cotouch.simulation import Outcome, Prepared, prepare, run_prepared, with_hands
 
 # Errors of place count in units of this [m].
 PLACE = 0.01
@@ -28,7 +29,15 @@ MEASURES = {
     "made": ("J", "most energy that the links had made beyond what the law declares"),
     "extracted": ("J", "most that users got out beyond what there was"),
     "corrected": ("J", "energy of the states that a replica overwrote"),
+    "psnr": ("dB", "PSNR of the hands' forces to the ideal ones"),
+    "hpw_psnr": ("dB", "HPW-PSNR of them: errors that nobody notices don't count"),
+    "late": ("s", "ETVO: how late the mean of all copies is to the ideal one"),
+    "off": ("m", "ETVO: how far it is off if that is taken out, root mean square"),
+    "packets": ("1/s", "samples that a user says in full to a neighbour"),
+    "bandwidth": ("B/s", "bytes that a user says to a neighbour, without headers"),
 }
+# Of a run that left floating point they say nothing; of any other measure that is infinitely bad.
+_UNKNOWN = ("psnr", "hpw_psnr", "late", "off", "packets", "bandwidth")
 
 
 def moved(law: LawTable, prepared: Prepared) -> Moved:
@@ -40,7 +49,7 @@ def moved(law: LawTable, prepared: Prepared) -> Moved:
     """
     if law.replica is not None:
         return replicate(REPLICAS[law.replica], prepared)
-    outcome = run_batch(prepared)
+    outcome = run_prepared(prepared)
     steps, finite = int(outcome.taken.min()), outcome.events == prepared.schedule.order.size
     seed = float(outcome.record.links[0].sum()) if prepared.law is None else prepared.law.seed
     made = float(outcome.record.made[0]) - seed
@@ -52,6 +61,9 @@ def moved(law: LawTable, prepared: Prepared) -> Moved:
         extracted=max(0.0, -float(outcome.record.lowest[0] + outcome.record.ticks[0, 0])),
         corrected=0.0,
         finite=bool(finite and np.isfinite(outcome.position).all()),
+        said=None
+        if outcome.traffic is None
+        else (float(outcome.traffic.contents.mean()), float(outcome.traffic.size.mean())),
     )
 
 
@@ -65,12 +77,16 @@ def measured(law: LawTable, prepared: Prepared, wanted: Ideal) -> dict[str, floa
     """
     run = moved(law, prepared)
     if not run.finite:
-        return dict.fromkeys(MEASURES, float("inf"))
+        return {name: float("nan") if name in _UNKNOWN else float("inf") for name in MEASURES}
     place, force = run.place, run.force
     steps = min(place.shape[1], wanted.place.shape[0])
     error = np.sqrt(((place[:, :steps] - wanted.place[:steps]) ** 2).sum(axis=-1).mean())
     gap = np.sqrt(((place - place.mean(axis=0)) ** 2).sum(axis=-1).mean()) if len(place) > 1 else 0.0
-    wrong = np.sqrt(((force[:, : steps - 1] - wanted.force[:, : steps - 1]) ** 2).mean()) / wanted.size
+    felt, ideal_felt = force[:, : steps - 1], wanted.force[:, : steps - 1]
+    wrong = np.sqrt(((felt - ideal_felt) ** 2).mean()) / wanted.size
+    mean, span = place[:, :steps].mean(axis=0), prepared.scenario.steps.duration
+    late, off = etvo(wanted.place[:steps].reshape(steps, -1), mean.reshape(steps, -1), span / (steps - 1))
+    samples, size = _said(law, prepared) if run.said is None else run.said
     return {
         "cost": float(error / PLACE + wrong),
         "place": float(error),
@@ -80,7 +96,27 @@ def measured(law: LawTable, prepared: Prepared, wanted: Ideal) -> dict[str, floa
         "made": run.made,
         "extracted": run.extracted,
         "corrected": run.corrected,
+        "psnr": psnr(ideal_felt, felt),
+        "hpw_psnr": hpw_psnr(ideal_felt, felt),
+        "late": late,
+        "off": off,
+        "packets": samples / span,
+        "bandwidth": size / span,
     }
+
+
+def _said(law: LawTable, prepared: Prepared) -> tuple[float, float]:
+    """Samples and bytes that a user says to a neighbour where all are said in full."""
+    samples = float(prepared.schedule.count.mean())
+    return samples, samples * _message(law, prepared.body.nodes * prepared.body.dimension)
+
+
+def _message(law: LawTable, field: int) -> int:
+    """Bytes of a sample and its message, for fields of so many numbers."""
+    if law.replica is not None:
+        return 8 * field * REPLICAS[law.replica].numbers
+    kind = law_named(law.kind)
+    return 8 * (field * (1 + len(kind.sends)) + len(kind.sends_scalars))
 
 
 def dangerous(
@@ -156,17 +192,17 @@ def sizes(study: Study, law: LawTable) -> dict[str, Any]:
     """
     body = study.build_body()
     field = body.nodes * body.dimension
-    if law.replica is not None:
+    if law.replica is not None and law.law is None:
         replica = REPLICAS[law.replica]
         return {
-            "bytes": 8 * field * replica.numbers,
+            "bytes": _message(law, field),
             "sends": [*replica.sends],
             "source": replica.source,
             "promises": False,
         }
     kind = law_named(law.kind)
     return {
-        "bytes": 8 * (field * (1 + len(kind.sends)) + len(kind.sends_scalars)),
+        "bytes": _message(law, field),
         "sends": ["x̂", *kind.sends, *kind.sends_scalars],
         "source": kind.source,
         "promises": promises(law),

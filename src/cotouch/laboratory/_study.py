@@ -35,7 +35,7 @@ class Study(Table):
         laws: that take part.
         ours: name of the one whose losing cases are shown first; by default the passive one that costs least.
         users: numbers of them.
-        graph: who is linked to whom, where a network says only a delay.
+        graph: who is linked to whom, of those whose round trip was measured where a network says round trips.
         spring: of every link, before tuning [N/m].
         networks: that laws meet.
         tasks: by name.
@@ -44,6 +44,7 @@ class Study(Table):
         body: as in a scenario.
         period: of the steps [s].
         duration: of a run [s].
+        felt: whether drag, mass and stiffness that a hand feels are measured too.
         tuning: how laws are tuned; with nothing to try, settings are the published ones.
         map: where they become dangerous; None: not asked.
     """
@@ -63,6 +64,7 @@ class Study(Table):
     body: dict[str, Any] = Field(default_factory=lambda: {"kind": "point", "mass": 1.0})
     period: Positive = 1e-3
     duration: Annotated[float, Field(ge=4.0, le=600.0)] = 5.0
+    felt: bool = True
     tuning: Tuning = Tuning()
     map: MapTable | None = None
     _built: Body | None = PrivateAttr(default=None)
@@ -155,6 +157,13 @@ class Study(Table):
         """Whether laws are tuned at all."""
         return self.tuning.search + self.tuning.local > 0
 
+    @property
+    def settings(self) -> list[str]:
+        """Names of the settings that laws are run with."""
+        if not self.tunes:
+            return ["published"]
+        return [*["published"] * (not self.tuning.only), "tuned", *["safe"] * bool(self.tuning.safe)]
+
     def law(self, label: str) -> LawTable:
         """A law of the study by its name in it."""
         return next(law for law in self.laws if law.label == label)
@@ -179,13 +188,15 @@ class Study(Table):
             whole = Network.from_delays(network.delays, pick=network.pick, spring=self.spring * factor)
             if users > whole.size:
                 raise ScenarioError(f'network "{network.name}" has {whole.size} users; {users} are asked for')
-            return Network.from_delays(network.delays, pick=whole.users[:users], spring=self.spring * factor)
-        delay = np.full((users, users), network.delay)
+            names, delay, known = whole.users[:users], whole.delay[:users, :users], whole.spring[:users, :users]
+        else:
+            names, delay = [f"user {i + 1}" for i in range(users)], np.full((users, users), network.delay)
+            known = np.full((users, users), self.spring * factor)
+            np.fill_diagonal(delay, 0.0)
         spring = np.zeros((users, users))
         for a, b in _GRAPHS[self.graph](users):
-            spring[a, b] = spring[b, a] = self.spring * factor
-        np.fill_diagonal(delay, 0.0)
-        return Network(users=[f"user {i + 1}" for i in range(users)], spring=spring, delay=delay)
+            spring[a, b], spring[b, a] = known[a, b], known[b, a]
+        return Network(users=names, spring=spring, delay=delay)
 
     def scenario(
         self,
@@ -244,7 +255,12 @@ class Study(Table):
         return self.placed(TASKS[name](users, hand.stiffness, hand.damping, rng), users)
 
     def placed(self, hands: Task, users: int) -> Task:
-        """Hands with nodes, which users share evenly, and with as many axes as the body has."""
+        """Hands with nodes, which users share evenly, and with as many axes as the body has.
+
+        Args:
+            hands: of a task, whose users count from 1 and whose places have one axis [m].
+            users: how many share the body, >= 1.
+        """
         body = self.build_body()
         more = [0.0] * (body.dimension - 1)
 
@@ -270,7 +286,12 @@ class Study(Table):
         return self._built
 
     def channel_seed(self, network: NetworkTable, draw: int) -> int:
-        """The same for all laws, so that they meet the same network."""
+        """The same for all laws, so that they meet the same network.
+
+        Args:
+            network: one of the study's; its name counts.
+            draw: number of the draw, from 0.
+        """
         return int(
             np.random.SeedSequence((self.seed, crc32(network.name.encode()), draw + 1_000_000)).generate_state(1)[0]
         )
@@ -278,10 +299,10 @@ class Study(Table):
 
 def tunable(law: LawTable) -> list[str]:
     """Parameters that tuning may change: not those that say what a law, or a neighbour, may do."""
-    if law.replica is not None:
-        return ["spring"] if REPLICAS[law.replica].springs else []
+    if law.replica is not None and REPLICAS[law.replica].join is None:
+        return []
     kind = law_named(law.kind)
-    return ["spring", *(p.name for p in kind.parameters if p.name not in {kind.seed, FORCE, *law.given})]
+    return ["spring", *(p.name for p in kind.parameters if p.tuned and p.name not in {kind.seed, FORCE, *law.given})]
 
 
 def spread(draws: Float) -> tuple[float, float]:

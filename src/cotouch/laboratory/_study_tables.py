@@ -20,7 +20,8 @@ class LawTable(Table):
     Attributes:
         name: in the report; by default the law's.
         law: as in `[synchronisation]`.
-        replica: instead, the name of one: "server", "owner", "lockstep", "rollback" or "broadcast".
+        replica: instead, the name of one: "server", "owner", "lockstep", "rollback" or "broadcast". A server's spokes
+            have the law, by default springs.
         damping: B_i instead of what the law needs [Ns/m].
     """
 
@@ -31,10 +32,12 @@ class LawTable(Table):
 
     @model_validator(mode="after")
     def _one(self) -> Self:
-        if (self.law is None) == (self.replica is None):
+        if self.law is None and self.replica is None:
             raise ValueError("an entry of laws needs one of law and replica")
         if self.replica is not None and self.replica not in REPLICAS:
             raise ValueError(f'replica is "{self.replica}"; it must be one of {", ".join(REPLICAS)}')
+        if self.law is not None and self.replica is not None and REPLICAS[self.replica].join is None:
+            raise ValueError(f'replica "{self.replica}" has no links, so it takes no law; "server" does')
         if self.replica is not None and self.damping is not None:
             raise ValueError(f'replica "{self.replica}" has no damping to choose')
         return self
@@ -42,11 +45,13 @@ class LawTable(Table):
     @property
     def label(self) -> str:
         """What it is called."""
-        return self.name or self.replica or self.kind
+        if self.replica is None:
+            return self.name or self.kind
+        return self.name or (self.replica if self.law is None else f"{self.replica}, {self.kind}")
 
     @property
     def kind(self) -> str:
-        """Name of the law; of replicas "spring", whose schedule, channel and springs are theirs too."""
+        """Name of the law; by default "spring", whose schedule, channel and springs are theirs too."""
         if self.law is None:
             return "spring"
         return self.law if isinstance(self.law, str) else str(self.law.get("kind", ""))
@@ -118,6 +123,7 @@ class Tuning(Table):
         draws: of each task, other ones than those that count.
         users: in the runs.
         range: each multiple is between 1/range and range.
+        only: whether the published settings are left out, which else are run beside the tuned ones.
         safe: random runs in which a setting may make no energy beyond the law's seed, to be called safe; 0: not asked.
     """
 
@@ -126,6 +132,7 @@ class Tuning(Table):
     draws: Annotated[int, Field(ge=1, le=100)] = 2
     users: Users = 2
     range: Annotated[float, Field(gt=1.0, le=1000.0)] = 10.0
+    only: bool = False
     safe: Annotated[int, Field(ge=0, le=10_000)] = 0
 
 

@@ -1,14 +1,18 @@
 """One scenario with options varied: every combination is run and judged."""
 
 from collections.abc import Mapping, Sequence
+from functools import partial
 from itertools import product
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from cotouch.errors import CotouchError, ScenarioError
 from cotouch.interrupt import interruptible
-from cotouch.laboratory._cells import many
+from cotouch.laboratory._cells import Progress, Store, cells, source_of
+from cotouch.laboratory._ideal import digest
+from cotouch.laws import law_named
 from cotouch.network import Network
 from cotouch.scenario import Scenario
 from cotouch.simulation import discrepancy, judge, simulate
@@ -103,29 +107,48 @@ def varied(scenario: Scenario, option: str, value: Any) -> Scenario:
 
 
 @interruptible
-def sweep(scenario: Scenario, vary: Mapping[str, Sequence[Any]], *, jobs: int = -1) -> "xr.Dataset":
+def sweep(
+    scenario: Scenario,
+    vary: Mapping[str, Sequence[Any]],
+    *,
+    store: Path | None = None,
+    jobs: int = -1,
+    dask: str | None = None,
+    progress: Progress | None = None,
+) -> "xr.Dataset":
     """Runs a scenario at every combination of options.
 
     Args:
         scenario: what stays the same.
         vary: for each option, as `varied` names them, its values.
+        store: folder of results, one file for each run; those that are there are not computed again.
         jobs: how many runs are done at once; -1: one per core.
+        dask: address of a Dask scheduler whose workers compute instead.
+        progress: told after each run.
 
     Returns:
         A dimension for each option, and for each of `FIGURES` a variable; NaN, and the reason in `problem`, where a
-        scenario cannot be.
+        scenario cannot be. Where nothing of the synchronisation is varied, all have the law of `scenario`.
 
     Raises:
         ScenarioError: nothing is varied, there are more than 100,000 runs, or none of them can be.
+        OutputError: results cannot be kept.
     """
     import xarray as xr
+
+    from cotouch import __version__
 
     count = int(np.prod([len(values) for values in vary.values()], dtype=float)) if vary else 0
     if not 1 <= count <= _MOST_RUNS:
         raise ScenarioError(f"there are {count} combinations to run; there must be 1 to {_MOST_RUNS}")
-    scenario.build_body()
+    if not any(option.startswith("synchronisation.") for option in vary):
+        scenario = scenario.replace(synchronisation__law=scenario.synchronisation.law or scenario.law[0])
+    whole = {"scenario": scenario.as_json(), "body": digest(scenario.build_body())}
     combinations = [dict(zip(vary, values, strict=True)) for values in product(*vary.values())]
-    results = many(lambda each: _run(scenario, each), combinations, jobs)
+    items = [{**whole, "options": each, "code": _code(scenario, each)} for each in combinations]
+    kept = None if store is None else Store(store, __version__)
+    done = cells("run", partial(_run, scenario), items, jobs=jobs, dask=dask, store=kept, progress=progress)
+    results = [(found["figures"], found["problem"]) for found in done]
     if all(problem for _, problem in results):
         raise ScenarioError(results[0][1])
     shape, dims = tuple(len(values) for values in vary.values()), tuple(vary)
@@ -143,17 +166,28 @@ def sweep(scenario: Scenario, vary: Mapping[str, Sequence[Any]], *, jobs: int = 
     return xr.Dataset(data, coords=coordinates, attrs={"scenario": scenario.as_json()})
 
 
-def _run(scenario: Scenario, options: Mapping[str, Any]) -> tuple[dict[str, float], str]:
-    """The figures of one run, or why there is none."""
+def _code(scenario: Scenario, options: Mapping[str, Any]) -> str:
+    """Of the file of a run's law; nothing where the run cannot be."""
     try:
         for option, value in options.items():
+            if option.startswith("synchronisation"):
+                scenario = varied(scenario, option, value)
+        return source_of(law_named(scenario.law[0]).before)
+    except CotouchError:
+        return ""
+
+
+def _run(scenario: Scenario, cell: Mapping[str, Any]) -> dict[str, Any]:
+    """The figures of one run, or the problem for which there are none."""
+    try:
+        for option, value in cell["options"].items():
             scenario = varied(scenario, option, value)
         run = simulate(scenario)
     except CotouchError as error:
-        return {}, str(error)
+        return {"figures": {}, "problem": str(error)}
     apart, judged = discrepancy(run), judge(run)
     force = run["force"].values
-    return {
+    figures = {
         "made": judged["made_j"],
         "seed": judged["seed_j"],
         "extracted": judged["extracted_j"],
@@ -162,4 +196,5 @@ def _run(scenario: Scenario, options: Mapping[str, Any]) -> tuple[dict[str, floa
         "force": float(np.sqrt(np.nanmean((force**2).sum(axis=-1)))),
         "damping": float(run["local_damping"].values[:, 0].max()),
         "finished": float(run.attrs["finished"]),
-    }, ""
+    }
+    return {"figures": {name: float(value) for name, value in figures.items()}, "problem": ""}

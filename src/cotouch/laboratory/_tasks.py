@@ -27,14 +27,28 @@ def _hand(user: int, stiffness: float, damping: float, **more: Any) -> dict[str,
 
 
 def carry(_users: int, stiffness: float, damping: float, rng: np.random.Generator) -> Task:
-    """The first user takes the object there and back, the others look on."""
+    """The first user takes the object there and back, the others look on.
+
+    Args:
+        _users: how many there are; it takes one.
+        stiffness: of a hand, > 0 [N/m].
+        damping: of a hand, >= 0 [Ns/m].
+        rng: for lengths, rates and times of the draw.
+    """
     there, late = 0.1 * rng.uniform(0.8, 1.2), rng.uniform(0.1, 0.4)
     route = _reach(late, late + 1.0, 0.0, there) + _reach(late + 2.0, late + 3.0, there, 0.0)
     return [_hand(1, stiffness, damping, path=route)]
 
 
 def tug(users: int, stiffness: float, damping: float, rng: np.random.Generator) -> Task:
-    """All pull, every second one the other way."""
+    """All pull, every second one the other way.
+
+    Args:
+        users: how many pull, >= 1.
+        stiffness: of a hand, > 0 [N/m].
+        damping: of a hand, >= 0 [Ns/m].
+        rng: for lengths, rates and times of the draw.
+    """
     pull, rate = 0.05 * rng.uniform(0.8, 1.2), rng.uniform(0.4, 0.8)
     phase = rng.uniform(0.0, 2.0 * np.pi)
     return [
@@ -44,7 +58,14 @@ def tug(users: int, stiffness: float, damping: float, rng: np.random.Generator) 
 
 
 def both(users: int, stiffness: float, damping: float, rng: np.random.Generator) -> Task:
-    """All move it together, to and fro."""
+    """All move it together, to and fro.
+
+    Args:
+        users: how many move it, >= 1.
+        stiffness: of a hand, > 0 [N/m].
+        damping: of a hand, >= 0 [Ns/m].
+        rng: for lengths, rates and times of the draw.
+    """
     swing, rate, late = 0.08 * rng.uniform(0.8, 1.2), rng.uniform(0.4, 0.8), rng.uniform(0.0, 0.05, users)
     return [
         _hand(i + 1, stiffness, damping, amplitude=swing, frequency=rate, phase=-2.0 * np.pi * rate * late[i])
@@ -53,7 +74,14 @@ def both(users: int, stiffness: float, damping: float, rng: np.random.Generator)
 
 
 def handover(_users: int, stiffness: float, damping: float, rng: np.random.Generator) -> Task:
-    """The first brings it to the second, who takes it on."""
+    """The first brings it to the second, who takes it on.
+
+    Args:
+        _users: how many there are; it takes two.
+        stiffness: of a hand, > 0 [N/m].
+        damping: of a hand, >= 0 [Ns/m].
+        rng: for lengths, rates and times of the draw.
+    """
     place, late = 0.15 * rng.uniform(0.8, 1.2), rng.uniform(0.1, 0.3)
     taken, left = late + 1.4, late + 2.0
     return [
@@ -63,7 +91,14 @@ def handover(_users: int, stiffness: float, damping: float, rng: np.random.Gener
 
 
 def press(users: int, stiffness: float, damping: float, rng: np.random.Generator) -> Task:
-    """The first presses against all others, who hold still, and lets up."""
+    """The first presses against all others, who hold still, and lets up.
+
+    Args:
+        users: how many there are, the one who presses included, >= 1.
+        stiffness: of a hand, > 0 [N/m].
+        damping: of a hand, >= 0 [Ns/m].
+        rng: for lengths, rates and times of the draw.
+    """
     deep, late = 0.06 * rng.uniform(0.8, 1.2), rng.uniform(0.1, 0.3)
     route = _reach(late, late + 0.4, 0.0, deep) + _reach(late + 2.2, late + 2.6, deep, 0.0)
     still = [_hand(i + 1, stiffness, damping) for i in range(1, users)]

@@ -48,26 +48,46 @@ class Facts:
         spring: K of the link [N/m for the identity weight].
         age: greatest age of a sample at this end, at the end of the step that uses it [s].
         age_back: likewise at the other end [s].
-        spread: greatest less least age at this end, the initial state left out [s].
+        usual: mean age of the samples that both ends use, the same number at both; None: `delay` [s].
+        spread: greatest less least age, the initial state left out, at the end where it is more [s].
         period: longest step of this end [s].
+        period_back: of the other end; None: the same [s].
         mass: of a row of the whole body, in the mean, for the identity weight [kg].
         degree: links of this end's copy.
         degree_back: of the copy at the other end.
+        tree: whether the links of three copies or more make a tree.
+        rows: of the body's model; a point has one.
     """
 
     spring: float
     age: float
     age_back: float
+    usual: float | None = None
     spread: float = 0.0
     period: float = 1e-3
+    period_back: float | None = None
     mass: float = 1.0
     degree: int = 1
     degree_back: int = 1
+    tree: bool = False
+    rows: int = 1
 
     @property
     def delay(self) -> float:
         """Half of what there and back take together, the same number at both ends [s]."""
         return 0.5 * (self.age + self.age_back)
+
+    def lag(self, filtered: float) -> float:
+        """Half of what a line lags there and back that takes up what arrives over some time, the same at both ends [s].
+
+        What has arrived is taken up in a step at the fastest, which the age of a sample has in it already.
+
+        Args:
+            filtered: that time [s].
+        """
+        other = self.period if self.period_back is None else self.period_back
+        usual = self.delay if self.usual is None else self.usual
+        return usual + 0.5 * (max(filtered - self.period, 0.0) + max(filtered - other, 0.0))
 
 
 @final
@@ -81,6 +101,7 @@ class Parameter:
         default: the number, or how it follows from what is known of the link.
         least: smallest that is taken.
         most: largest that is taken.
+        tuned: whether it is a matter of degree, which a comparison tunes.
     """
 
     name: str
@@ -88,6 +109,7 @@ class Parameter:
     default: float | Callable[[Facts], float]
     least: float = 0.0
     most: float = inf
+    tuned: bool = True
 
 
 @final
@@ -118,6 +140,7 @@ class Law:
         linear: what it is at one frequency and constant delay, if it is linear; `cotouch.impedance` predicts with it.
         holds: whether its promise holds with these parameters at an end; None: it does with all in their ranges.
         constant_delay: whether its promise needs samples of a constant age.
+        sums: of the fields in a message, those that are integrals and go on at their rate; others are values of now.
         energies: of the numbers in a message, those by which the neighbour pays for what this end does: sums that only
             grow. Whoever believes them only up to a power bounds what a neighbour that lies can do.
         store: of the numbers that the ends of a copy share, the energy that they hold and what they should hold; None:
@@ -145,6 +168,7 @@ class Law:
     linear: Linear | None = None
     holds: Callable[[Facts, Sequence[float]], bool] | None = None
     constant_delay: bool = False
+    sums: tuple[str, ...] = ()
     energies: tuple[str, ...] = ()
     store: tuple[str, str] | None = None
     _parts: list[Part] = field(default_factory=list[Part], repr=False, compare=False)
@@ -233,10 +257,12 @@ def register(law: Law) -> Law:
     """Makes a law known by its name, instead of one of the same name.
 
     Raises:
-        NetworkError: its seed is none of its parameters.
+        NetworkError: its seed is none of its parameters, or a sum none of what it sends.
     """
     if law.seed is not None and law.seed not in {parameter.name for parameter in law.parameters}:
         raise NetworkError(f'law "{law.name}" declares the seed "{law.seed}", which is none of its parameters')
+    for name in set(law.sums) - set(law.sends):
+        raise NetworkError(f'law "{law.name}" declares the sum "{name}", which is none of the fields that it sends')
     _KNOWN[law.name] = law
     return law
 

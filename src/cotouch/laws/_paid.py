@@ -2,46 +2,36 @@
 
 With share 1/N of the body, a copy that felt all hands would move as the whole body does, so copy i wishes the force
 `(1/N) Σ_j (F_j - f_i)`, F_j what hand j would do here and now: a spring and damper that its own end identifies, to a
-place whose integrals travel. Samples of the copies draw what is left of their differences together, compared with where
-this copy was at the same time, so common motion has no drag.
+place whose integrals travel. In a tree a copy tells each neighbour of the hands that its other links bring, too:
+springs, dampers and what is left of forces add up. Samples of the copies draw what is left of their differences
+together, compared with where this copy was at the same time, so common motion has no drag.
 
 The wish is paid from an account H. For every v̂, `T v̂ᵀ(wish + b*v - b*v̂) ≤ T‖wish + b*v‖²/(4b*) = H` by choice of b*:
 whatever body, hand or contact do, H stays above zero, and all copies together make no more than their seeds. A weak
 wave line, passive by itself, lies beside it, or copies whose accounts are dry could stay apart for ever.
 """
 
-from collections.abc import Callable
 from math import inf, sqrt
-from typing import Any, TypeVar
-
-import numba
 
 from cotouch.laws._end import End, copy
+from cotouch.laws._helper import helper
 from cotouch.laws._law import FORCE, Facts, Law, Parameter, register
 
-F = TypeVar("F", bound=Callable[..., Any])
-
-
-def _helper(function: F) -> F:
-    """Compiled with the law and not kept alone, because only the law's machine code is bound to this file."""
-    njit: Any = numba.njit
-    return njit(nogil=True, fastmath={"contract"}, error_model="numpy", _nrt=False, forceinline=True)(function)
-
-
 # Fields of a copy, and numbers; the past of x̂ and v̂ follows the fields, its times the numbers.
-_W, _P, _Q, _WISH, _FORCE, _X, _V, _X_BEFORE, _V_BEFORE, _X_RATE, _V_RATE, _F_RATE = range(12)
-_PAST, _KEPT, _EVERY = 12, 128, 0.004
-_ACCOUNT, _TIME, _K, _LEVEL, _EPOCH, _XX, _XV, _VV, _XF, _VF, _HELD, _COUNT, _BRAKE, _OWN_B, _NEW_K, _NEW_B, _STEADY = (
-    range(17)
-)
-_TIMES = 17
+_W, _P, _Q, _WISH, _FORCE, _X, _V, _X_BEFORE, _V_BEFORE, _X_RATE, _V_RATE, _F_RATE, _ALL_W, _ALL_P, _ALL_Q = range(15)
+_PAST, _KEPT, _EVERY = 15, 128, 0.004
+_ACCOUNT, _TIME, _K, _LEVEL, _EPOCH, _XX, _XV, _VV, _XF, _VF = range(10)
+_HELD, _COUNT, _BRAKE, _OWN_B, _NEW_K, _NEW_B, _STEADY = range(10, 17)
+_ALL_K, _ALL_B, _ALL_EPOCH, _ALL_HANDS = range(17, 21)  # of the hands that all links bring
+_TIMES = 21
 # Fields of an end, and numbers.
-_IN, _OUT, _WAVE, _A, _AA, _WISHED, _W_BEFORE, _SLOPE = range(8)
+_IN, _OUT, _WAVE, _A, _AA, _WISHED, _W_BEFORE, _SLOPE, _PART_W = range(9)
 _E_IN, _E_OUT, _AGE, _CREDITED, _GIVEN, _KNOWN, _HORIZON, _STAMP, _SPAN = range(9)
+_PART_K, _PART_B, _PART_EPOCH, _PART_HANDS = range(9, 13)
 # A message.
 _M_WAVE, _M_W, _M_P, _M_Q, _M_V = range(5)
-_M_E, _M_K, _M_B, _M_EPOCH, _M_GIVEN, _M_T = range(6)
-_SEED, _FLOOR, _BETA, _GK, _GD, _LINE, _MASS, _AHEAD, _FORCE_LIMIT = range(9)
+_M_E, _M_K, _M_B, _M_EPOCH, _M_GIVEN, _M_T, _M_HANDS = range(7)
+_SEED, _FLOOR, _BETA, _GK, _GD, _LINE, _MASS, _AHEAD, _FORCE_LIMIT, _RELAY = range(10)
 # Of ∫w; beyond, a new epoch begins, or small errors of an age would count for much [Ns].
 _MOST_P = 100.0
 # A hand is looked at over so long, without what its force and place do evenly over that time, for its own aim moves. It
@@ -49,20 +39,28 @@ _MOST_P = 100.0
 _LOOK, _FIRST, _HOLD, _SMOOTH = 0.02, 0.005, 0.02, 0.03
 
 
-@_helper
-def _past(end: End, when: float, i: int, which: int) -> float:
-    """x̂ (0) or v̂ (1) of this copy at a time, straight between what is kept."""
-    shared, numbers = end.shared, end.shared_scalars
+@helper
+def _past(end: End, when: float) -> tuple[int, int, float]:
+    """Where a time lies between what is kept of this copy: the rows before and after it, and how far between them."""
+    numbers = end.shared_scalars
     count = int(numbers[_COUNT])
-    base = _PAST + which * _KEPT
-    later, late = shared[_X + which, i], numbers[_TIME]
+    after, late = -1, numbers[_TIME]
     for back in range(1, min(count, _KEPT) + 1):
         slot = (count - back) % _KEPT
-        time, value = numbers[_TIMES + slot], shared[base + slot, i]
+        time = numbers[_TIMES + slot]
         if time <= when:
-            return value + (later - value) * ((when - time) / (late - time) if late > time else 0.0)
-        later, late = value, time
-    return later
+            return slot, after, (when - time) / (late - time) if late > time else 0.0
+        after, late = slot, time
+    return after, after, 0.0
+
+
+@helper
+def _then(end: End, before: int, after: int, share: float, i: int, which: int) -> float:
+    """x̂ (0) or v̂ (1) of this copy at such a time, straight between what is kept; row -1 is the newest."""
+    own, base = end.shared, _PAST + which * _KEPT
+    value = own[_X + which, i] if before < 0 else own[base + before, i]
+    later = own[_X + which, i] if after < 0 else own[base + after, i]
+    return value + (later - value) * share
 
 
 def _before(end: End) -> None:
@@ -74,8 +72,10 @@ def _before(end: End) -> None:
             copy(own[_X], x)
             copy(own[_X_BEFORE], x)
         for i in range(size):
-            own[_WISH, i] = 0.0
+            own[_WISH, i] = own[_ALL_W, i] = own[_ALL_P, i] = own[_ALL_Q, i] = 0.0
         numbers[_LEVEL] = 0.0
+        for name in range(_ALL_K, _ALL_HANDS + 1):
+            numbers[name] = 0.0
     if end.step == 0:
         numbers[_ACCOUNT] += p[_SEED]
     numbers[_LEVEL] += p[_SEED]
@@ -94,7 +94,7 @@ def _before(end: End) -> None:
     push = root * sqrt(2.0 * power)
     if fraction * push > p[_FORCE_LIMIT]:
         fraction = p[_FORCE_LIMIT] / push
-    left = p[_FORCE_LIMIT] - fraction * push
+    left = max(p[_FORCE_LIMIT] - fraction * push, 0.0)
     kept[_E_IN] += fraction * fraction * power * T
     for i in range(size):
         end.memory[_WAVE, i] *= fraction
@@ -104,6 +104,7 @@ def _before(end: End) -> None:
     # What the neighbour's hand would do here, and where the neighbour is.
     numbers[_ACCOUNT] += max(told[_M_GIVEN] - kept[_CREDITED], 0.0)
     kept[_CREDITED] = max(kept[_CREDITED], told[_M_GIVEN])
+    kept[_PART_HANDS] = 0.0
     if heard:
         kept[_AGE] += (end.age - kept[_AGE]) * (min(T / 0.3, 1.0) if kept[_AGE] > 0.0 else 1.0)
         mean = max(kept[_AGE], p[_FLOOR], 2.0 * T)
@@ -114,6 +115,7 @@ def _before(end: End) -> None:
         fresh = kept[_KNOWN] != told[_M_EPOCH]
         kept[_KNOWN] = told[_M_EPOCH]
         when = numbers[_TIME] + T - end.age
+        before, after, between = _past(end, when)
         # A is of this time after the start of the step. Where that changes, A must, or T and age would seem forces.
         horizon = T - 0.25 * kept[_AGE]
         shift = 0.0 if fresh else horizon - kept[_HORIZON]
@@ -146,18 +148,24 @@ def _before(end: End) -> None:
             tracked = w + 2.0 / lag * (first - a) + (second - aa) / (lag * lag)
             end.memory[_AA, i] = aa + T * a + 0.5 * T * T * tracked
             end.memory[_A, i] = a + T * tracked
-            hand = tracked - told[_M_K] * x[i] - told[_M_B] * v[i]
-            wish = (hand - own[_FORCE, i]) / end.copies / end.weight[i]
-            away = end.sample[i] - _past(end, when, i, 0)
-            slip = got[_M_V, i] - _past(end, when, i, 1)
+            holds = got[_M_W, i] != 0.0 or got[_M_P, i] != 0.0
+            hand = tracked - told[_M_K] * x[i] - told[_M_B] * v[i] if holds else tracked
+            end.memory[_PART_W, i] = tracked
+            wish = (hand - told[_M_HANDS] * own[_FORCE, i]) / end.copies / end.weight[i]
+            away = end.sample[i] - _then(end, before, after, between, i, 0)
+            slip = got[_M_V, i] - _then(end, before, after, between, i, 1)
             wish += gain * (p[_GK] * away / (mean * mean) + p[_GD] * slip / mean)
             wish *= trust
             end.memory[_WISHED, i] = wish
             square += end.weight[i] * wish * wish
         force = sqrt(square)
-        capped = max(left, 0.0) / force if force > left else 1.0
+        capped = left / force if force > left else 1.0
         for i in range(size):
             own[_WISH, i] += capped * end.memory[_WISHED, i]
+        if p[_RELAY] > 0.0 and trust > 0.0:
+            kept[_PART_K], kept[_PART_B], kept[_PART_HANDS] = told[_M_K], told[_M_B], told[_M_HANDS]
+            kept[_PART_EPOCH] = told[_M_EPOCH] + 1.0
+            _bring(end)
     if not end.last:
         return
     # The payment, on the last of the copy's links.
@@ -186,6 +194,18 @@ def _before(end: End) -> None:
     end.gains[1] += b
 
 
+@helper
+def _bring(end: End) -> None:
+    """Adds the hands that this link brings to those of all links."""
+    own, numbers, memory, kept = end.shared, end.shared_scalars, end.memory, end.scalars
+    for i in range(end.position.shape[0]):
+        own[_ALL_W, i] += memory[_PART_W, i]
+        own[_ALL_P, i] += memory[_A, i]
+        own[_ALL_Q, i] += memory[_AA, i]
+    for name in range(4):
+        numbers[_ALL_K + name] += kept[_PART_K + name]
+
+
 def _after(end: End) -> None:
     T, own, numbers, kept, p = end.T, end.shared, end.shared_scalars, end.scalars, end.parameters
     size = end.mean.shape[0]
@@ -208,15 +228,27 @@ def _after(end: End) -> None:
         end.sent[_M_V, i] = end.mean[i]
     end.sent_scalars[_M_K], end.sent_scalars[_M_B] = numbers[_K], numbers[_OWN_B]
     end.sent_scalars[_M_EPOCH], end.sent_scalars[_M_GIVEN] = numbers[_EPOCH], kept[_GIVEN]
-    end.sent_scalars[_M_T] = T
+    end.sent_scalars[_M_T], end.sent_scalars[_M_HANDS] = T, 1.0
+    share = p[_RELAY]
+    if share > 0.0:
+        # In a tree, what the other links bring comes to the neighbour by this one only.
+        mine = 1.0 if kept[_PART_HANDS] > 0.0 else 0.0
+        for i in range(size):
+            end.sent[_M_W, i] += share * (own[_ALL_W, i] - mine * end.memory[_PART_W, i])
+            end.sent[_M_P, i] += share * (own[_ALL_P, i] - mine * end.memory[_A, i])
+            end.sent[_M_Q, i] += share * (own[_ALL_Q, i] - mine * end.memory[_AA, i])
+        end.sent_scalars[_M_K] += share * (numbers[_ALL_K] - mine * kept[_PART_K])
+        end.sent_scalars[_M_B] += share * (numbers[_ALL_B] - mine * kept[_PART_B])
+        end.sent_scalars[_M_EPOCH] += numbers[_ALL_EPOCH] - mine * kept[_PART_EPOCH]
+        end.sent_scalars[_M_HANDS] += share * (numbers[_ALL_HANDS] - mine * kept[_PART_HANDS])
 
 
-@_helper
+@helper
 def _other(old_k: float, old_b: float, k: float, damping: float) -> bool:
     return abs(k - old_k) > 0.1 * (k + old_k) + 1.0 or abs(damping - old_b) > 0.2 * damping + 1.0
 
 
-@_helper
+@helper
 def _book(end: End) -> None:
     """Once in a step: pays for it, looks at the own hand, and keeps the past."""
     T, own, numbers = end.T, end.shared, end.shared_scalars
@@ -299,15 +331,19 @@ def _book(end: End) -> None:
 
 
 def _share(facts: Facts) -> float:
-    return 0.02 / facts.degree
+    return 0.02 * sqrt(facts.rows) / facts.degree  # a soft body's copies differ in more ways
 
 
 def _mass(facts: Facts) -> float:
-    return facts.mass / (facts.degree + 1)
+    return facts.mass / (facts.degree + 1) / sqrt(facts.rows)
+
+
+def _relays(facts: Facts) -> float:
+    return float(facts.tree and facts.rows == 1)  # of a soft body, the sum of springs says not where they hold
 
 
 def _line(facts: Facts) -> float:
-    return 0.2 / max(facts.degree, facts.degree_back)  # the same at both ends, or copies rest apart
+    return 0.2 / max(facts.degree, facts.degree_back) / facts.rows  # the same at both ends, or copies rest apart
 
 
 PAID = register(
@@ -326,21 +362,33 @@ PAID = register(
             Parameter(name="mass", meaning="that copies are drawn together with [kg]", default=_mass),
             Parameter(name="ahead", meaning="share of a hand's change of force that is expected to go on", default=0.5),
             Parameter(name=FORCE, meaning="most that a neighbour may push with [N]", default=inf),
+            Parameter(
+                name="relay",
+                meaning="share of hands from other links that it tells of; only in trees, else some count twice",
+                default=_relays,
+                most=1.0,
+                tuned=False,
+            ),
         ),
         sends=("U_out", "w", "P", "Q", "v"),
-        sends_scalars=("E_out", "k", "b", "epoch", "given", "T"),
-        keeps=("U_in", "U_out", "s", "A", "A2", "wish", "w before", "slope"),
-        keeps_scalars=("E_in", "E_out", "age", "credited", "given", "epoch", "horizon", "stamp", "span"),
+        sends_scalars=("E_out", "k", "b", "epoch", "given", "T", "hands"),
+        keeps=("U_in", "U_out", "s", "A", "A2", "wish", "w before", "slope", "part w"),
+        keeps_scalars=(
+            *("E_in", "E_out", "age", "credited", "given", "epoch", "horizon", "stamp", "span"),
+            *("part k", "part b", "part epoch", "part hands"),
+        ),
         fractions=(
             *("w", "P", "Q", "wish", "f", "x", "v", "x before", "v before"),
-            *("x rate", "v rate", "f rate"),
+            *("x rate", "v rate", "f rate", "all w", "all P", "all Q"),
             *(f"{name}{k}" for name in ("x", "v") for k in range(_KEPT)),
         ),
         shares_scalars=(
             *("account", "time", "k", "level", "epoch", "xx", "xv", "vv"),
             *("xf", "vf", "held", "count", "brake", "b", "new k", "new b", "steady"),
+            *("all k", "all b", "all epoch", "all hands"),
             *(f"t{k}" for k in range(_KEPT)),
         ),
+        sums=("U_out", "P", "Q"),
         energies=("E_out", "given"),
         store=("account", "level"),
         feels=True,

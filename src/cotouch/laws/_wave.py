@@ -53,12 +53,12 @@ def _linear(tone: Tone) -> tuple[complex, complex]:
     return b * (1.0 + around) / (1.0 - around), 2.0 * b * tone.there / (1.0 - around)
 
 
-def _impedance(facts: Facts) -> float:
-    return facts.spring * facts.delay
-
-
 def _filter(facts: Facts) -> float:
     return min(facts.spread, 0.03)
+
+
+def _impedance(facts: Facts) -> float:
+    return facts.spring * facts.lag(_filter(facts))
 
 
 WAVE = register(
@@ -68,7 +68,11 @@ WAVE = register(
         after=_after,
         source="Niemeyer & Slotine 2004; Rakhsha, Constantinescu & Shi 2019",
         parameters=(
-            Parameter(name="impedance", meaning="b; b/delay is the line's stiffness [Ns/m]", default=_impedance),
+            Parameter(
+                name="impedance",
+                meaning="b; b over delay and filter is the line's stiffness [Ns/m]",
+                default=_impedance,
+            ),
             Parameter(name="filter", meaning="time constant of the filter of arriving waves [s]", default=_filter),
             Parameter(name="seed", meaning="energy that an end's line begins with [J]", default=0.0),
             Parameter(name=FORCE, meaning="most that a neighbour may push with [N]", default=inf),
@@ -78,6 +82,7 @@ WAVE = register(
         keeps=("U_in", "U_out", "s"),
         keeps_scalars=("E_in", "E_out"),
         seed="seed",
+        sums=("U_out",),
         energies=("E_out",),
         linear=_linear,
         drag=0.5,

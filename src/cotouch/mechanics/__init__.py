@@ -15,10 +15,39 @@ from cotouch.mechanics._coupling import (
     unseen_place,
     virtual_coupling_limit,
 )
+from cotouch.mechanics._coupling_end import (
+    END,
+    EndFields,
+    EnergyMessage,
+    available_energy,
+    book_end,
+    discard,
+    end_row,
+    hear,
+    hear_end,
+    hold_gap,
+    message_of,
+    pool,
+    share,
+    squared,
+    unheard,
+)
+from cotouch.mechanics._coupling_law import (
+    DeviceCoupling,
+    HeldForce,
+    coupling_at,
+    coupling_named,
+    device_couplings,
+    register_coupling,
+    run_end,
+)
+from cotouch.mechanics._coupling_pspm import PSPM
+from cotouch.mechanics._coupling_virtual import VIRTUAL
 from cotouch.mechanics._force import LAWS, BodyForce, evaluate, resist
 from cotouch.mechanics._kernel import block, inner, kernel, part
 from cotouch.mechanics._model import Basis, Model, model
 from cotouch.mechanics._operator import WEIGHTS, Operator, mixed, multiply, rescaled
+from cotouch.mechanics._path import path_place
 from cotouch.mechanics._rest import REST_DRIFT, REST_FIELDS, place_at_rest, rest_fraction
 from cotouch.mechanics._shape import SHAPES, Box, Plane, Shape
 from cotouch.mechanics._state import (
@@ -45,7 +74,7 @@ from cotouch.mechanics._state import (
 from cotouch.mechanics._step import settle, step
 from cotouch.mechanics._stretch import approach, mixed_stretch, stretches
 from cotouch.mechanics._surface import Surface, surface_of
-from cotouch.mechanics._toll import encoder_toll, most_toll, opening_energy
+from cotouch.mechanics._toll import checked_toll, encoder_toll, most_toll, opening_energy
 from cotouch.mechanics._tools import (
     AWAY,
     DRIVE,
@@ -67,7 +96,7 @@ from cotouch.mechanics._touch import touch_step
 from cotouch.mechanics._touch_parts import touch_parts
 from cotouch.mechanics._vector import at, load, put, splat, store, total
 from cotouch.mechanics._world import Obstacle
-from cotouch.mechanics._world_force import deepest_point
+from cotouch.mechanics._world_force import begin_world, deepest_point, follow_world
 
 __all__ = [
     "AWAY",
@@ -78,6 +107,7 @@ __all__ = [
     "CONTACT_LAWS",
     "DRIVE",
     "ELASTIC",
+    "END",
     "EXTRA_LOSS",
     "GRASP",
     "ITERATIONS",
@@ -88,6 +118,7 @@ __all__ = [
     "MOST_CONTACTS",
     "MOST_HELD",
     "PROXY",
+    "PSPM",
     "REST_DRIFT",
     "REST_FIELDS",
     "SHAPES",
@@ -98,6 +129,7 @@ __all__ = [
     "TOUCH_LEDGER",
     "TOUCH_LOSS",
     "TOUCH_STORED",
+    "VIRTUAL",
     "WEIGHTS",
     "WORLD_FORCE",
     "WORLD_LOSS",
@@ -106,7 +138,11 @@ __all__ = [
     "BodyForce",
     "Box",
     "Contact",
+    "DeviceCoupling",
+    "EndFields",
+    "EnergyMessage",
     "Foundation",
+    "HeldForce",
     "Links",
     "Model",
     "Obstacle",
@@ -122,20 +158,34 @@ __all__ = [
     "Workspace",
     "approach",
     "at",
+    "available_energy",
+    "begin_world",
     "block",
+    "book_end",
+    "checked_toll",
     "checked_virtual_coupling",
     "closed_settle",
     "closed_step",
     "contact_by",
     "contact_step",
+    "coupling_at",
+    "coupling_named",
     "credit",
     "deepest_point",
+    "device_couplings",
+    "discard",
     "encoder_toll",
+    "end_row",
     "evaluate",
+    "follow_world",
+    "hear",
+    "hear_end",
+    "hold_gap",
     "inner",
     "inner_energy",
     "kernel",
     "load",
+    "message_of",
     "mixed",
     "mixed_stretch",
     "model",
@@ -145,16 +195,22 @@ __all__ = [
     "multiply",
     "opening_energy",
     "part",
+    "path_place",
     "place_at_rest",
+    "pool",
     "press",
     "press_skin",
     "put",
+    "register_coupling",
     "rescaled",
     "resist",
     "rest_fraction",
+    "run_end",
     "settle",
+    "share",
     "slowed",
     "splat",
+    "squared",
     "step",
     "store",
     "stretches",
@@ -164,6 +220,7 @@ __all__ = [
     "touch_parts",
     "touch_step",
     "touch_work",
+    "unheard",
     "unseen_place",
     "virtual_coupling_limit",
     "workspace",

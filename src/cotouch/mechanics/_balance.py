@@ -90,8 +90,10 @@ def weigh(
     memory, mean, weighed = state.memory, work.mean, work.weighed
     energy, power = evaluate(force.law, memory, work.ahead, state.position, mean, _SWEEPS, lanes)
     outside, rubbed, passed = weigh_world(force.world, memory, work.ahead, state.position, T)
-    before, was_outside = memory[ENERGY], memory[AT_WORLD]
-    gravity = load(force.gravity, 0, lanes)
+    weighed[OUTSIDE], weighed[PASSED] = outside, 1.0 if passed else 0.0
+    before, was_outside = memory[ENERGY], op.firmness * memory[AT_WORLD]
+    outside, rubbed = op.firmness * outside, op.firmness * rubbed
+    gravity = op.firmness * load(force.gravity, 0, lanes)
     zero = splat(0.0, lanes)
     held, was_held, dragged, weight, fallen = zero, zero, zero, zero, zero
     momentum, moving = zero, zero
@@ -143,12 +145,17 @@ def weigh(
     weighed[ROUGH] = op.firmness * (force.grain + 2.0 * math.sqrt(force.grain * (abs(energy) + abs(before))))
     weighed[GRAIN] = grain_of(force.world, outside + was_outside)
     weighed[ROUGH] += weighed[GRAIN] + unsettled(force.world, rubbed + T * abs(total(gravity * fallen)))
-    weighed[OUTSIDE], weighed[PASSED] = outside, 1.0 if passed else 0.0
     ledger[ELASTIC] = op.copy_scale * (op.firmness * energy + 0.5 * total(held) - total(gravity * weight) + outside)
     ledger[WORLD_LOSS], ledger[WORLD_STORED] = op.copy_scale * rubbed, op.copy_scale * outside
-    tell_world(force.world, op.copy_scale, ledger)
+    tell_world(force.world, op.copy_scale * op.firmness, ledger)
     ledger[BODY_LOSS] = op.copy_scale * (lost + rubbed)
     ledger[LOCAL_LOSS], ledger[EXTRA_LOSS] = local, extra
+
+
+@inner
+def resting(weighed: Float) -> bool:
+    """Whether the step that was weighed moves by nothing but the rounding of places, which is no reason to move."""
+    return weighed[HAVE] <= weighed[ROUGH] and abs(weighed[TARGET] - weighed[HAVE]) <= weighed[ROUGH]
 
 
 @inner

@@ -20,6 +20,7 @@ from cotouch.mechanics._balance import (
     close,
     go_back,
     keep_place,
+    resting,
     weigh,
 )
 from cotouch.mechanics._force import BodyForce, evaluate, resist
@@ -40,6 +41,7 @@ from cotouch.mechanics._state import (
 )
 from cotouch.mechanics._step import assemble, move, port_work, solve_step
 from cotouch.mechanics._vector import at, load, splat, store, total
+from cotouch.mechanics._world import World
 from cotouch.mechanics._world_force import corrects, lean_world, looks_of, press_world, settle_world, take_up
 
 # Sweeps of the rotations from nowhere.
@@ -96,7 +98,7 @@ def closed_step(
             break
         direct(
             op,
-            force,
+            force.world,
             state,
             links,
             ports,
@@ -125,11 +127,12 @@ def closed_step(
         if not passed and close(op, state, attempt, work, ledger, lanes):
             break
         go_back(state, work, lanes)
-        if attempt == 0 and not passed:
+        still = not passed and resting(work.weighed)
+        if attempt == 0 and not passed and not still:
             predict(op, force, state, T, work.mean, work, lanes)
             direct(
                 op,
-                force,
+                force.world,
                 state,
                 links,
                 ports,
@@ -146,7 +149,7 @@ def closed_step(
             )
         else:
             # What would still pass an obstacle at the last attempt stays where it is.
-            shorter = 0.0 if passed and attempt >= LAST_ATTEMPT - 1 else 0.5
+            shorter = 0.0 if still or (passed and attempt >= LAST_ATTEMPT - 1) else 0.5
             length *= shorter
             for i in range(op.mass.shape[0]):
                 store(work.mean, i, shorter * load(work.mean, i, lanes), lanes)
@@ -159,7 +162,7 @@ def closed_step(
 @part
 def direct(
     op: Operator,
-    force: BodyForce,
+    world: World | None,
     state: State,
     links: Links,
     ports: Ports,
@@ -176,7 +179,7 @@ def direct(
 ) -> None:
     """Finds a direction that knows where this rate led, by `predict`; or corrects it, which a coarse solve can."""
     assemble(op, state, links, ports, local_damping, extra_damping, T, work, lanes)
-    lean_world(force.world, op.copy_scale, rate, work, lanes)
+    lean_world(world, op.copy_scale * op.firmness, rate, work, lanes)
     if not correct or op.entries.shape[0] == 0:
         ledger[ITERATIONS] += solve_step(op, ports, work, tolerance, cap, lanes)
         return
@@ -222,7 +225,7 @@ def predict(
         store(work.ahead, i, load(state.position, i, lanes) + T * load(rate, i, lanes), lanes)
         store(work.pull, i, zero, lanes)
     resist(force.law, state.memory, state.position, work.ahead, rate, work.pull, lanes)
-    gravity = load(force.gravity, 0, lanes)
+    gravity = op.firmness * load(force.gravity, 0, lanes)
     for i in range(rows):
         tension = op.firmness * load(work.pull, i, lanes) - at(op.mass, i) * gravity
         tension = tension + at(op.ground, i) * load(state.position, i, lanes)
@@ -234,7 +237,7 @@ def predict(
                 slip = slip + at(op.entries, (family, e)) * (load(rate, at(op.column, e), lanes) - own)
             tension = tension - scale * slip
         store(state.tension, i, tension, lanes)
-    return press_world(force.world, state.memory, state.position, work.ahead, T, state.tension)
+    return press_world(force.world, op.firmness, state.memory, state.position, work.ahead, T, state.tension)
 
 
 @block
@@ -245,7 +248,7 @@ def closed_settle(
     rows, memory = op.mass.shape[0], state.memory
     zero = splat(0.0, lanes)
     held, weight, moving = zero, zero, zero
-    gravity = load(force.gravity, 0, lanes)
+    gravity = op.firmness * load(force.gravity, 0, lanes)
     forget(memory)
     for i in range(rows):
         x, v, m = load(state.position, i, lanes), load(state.velocity, i, lanes), at(op.mass, i)
@@ -257,6 +260,7 @@ def closed_settle(
     outside = settle_world(force.world, memory, state.position)
     memory[ENERGY], memory[MOTION], memory[LEFT], memory[AT_WORLD] = energy, 0.5 * total(moving), 0.0, outside
     ledger[KINETIC] = 0.5 * op.copy_scale * total(moving)
+    outside = op.firmness * outside
     ledger[ELASTIC] = op.copy_scale * (op.firmness * energy + 0.5 * total(held) - total(gravity * weight) + outside)
     ledger[WORLD_STORED] = op.copy_scale * outside
 

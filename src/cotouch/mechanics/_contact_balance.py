@@ -19,6 +19,7 @@ from cotouch.mechanics._balance import (
     close,
     go_back,
     keep_place,
+    resting,
     square_of,
     weigh,
 )
@@ -125,7 +126,7 @@ def balanced(
         keep_place(state, work, lanes)
     least, greatest = (1.0 - _EASY, 1.0 + _EASY) if touches else (LEAST, MOST)
     held_back = held_back or most < 1.0
-    seeks = not held_back
+    seeks, still = not held_back, False
     scale, have, last, last_over, tries, halves, shrinks = most, 1.0, 0.0, 0.0, 0, 0, _ROUNDING
     while True:
         over, noise, lost = _over(law, surface, touch, tools, T, free, contact, inflow, force is None, scale)
@@ -149,6 +150,12 @@ def balanced(
             fine = abs(over) <= noise or (least <= square <= greatest and (seeks or over < 0.0))
             fine = fine and not passed
             seeks = seeks and not passed
+            if not (fine or passed or touches or still) and resting(weighed):  # the body stays, and its tools go on
+                still = True
+                go_back(state, work, lanes)
+                for i in range(work.mean.shape[0]):
+                    store(work.mean, i, splat(0.0, lanes), lanes)
+                continue
         if fine and not (scale > 1.0 and _passes(surface, touch, tools, scale * T)):
             break
         begins_anew = False

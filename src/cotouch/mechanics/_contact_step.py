@@ -116,7 +116,7 @@ def contact_step(
                     looks = number  # obstacles are told as well
             assemble(op, state, links, ports, local_damping, extra_damping, T, work, lanes)
             if force is not None:
-                lean_world(force.world, op.copy_scale, mean, work, lanes)
+                lean_world(force.world, op.copy_scale * op.firmness, mean, work, lanes)
             for i in range(mean.shape[0]):
                 touch.own[i] = work.diagonal[i]
                 store(touch.asked, i, load(rhs, i, lanes), lanes)

@@ -51,6 +51,7 @@ class Model:
         order: row k of the kernels is row `order[k]` of the body; None where they are in the same order.
         force: what resists inside a body of some material; None where K and B of the operator do.
         memory: numbers that it remembers of a copy, with those of the world.
+        obstacles: what stands still around the body.
     """
 
     body: Body
@@ -60,6 +61,7 @@ class Model:
     order: Int | None
     force: BodyForce | None = None
     memory: int = 0
+    obstacles: tuple[Obstacle, ...] = ()
 
     @property
     def basis(self) -> Literal["nodal", "modal"]:
@@ -146,14 +148,12 @@ def model(
         basis: "nodal" solves by iteration; "modal" needs M, B, K and all weights to be diagonal in one
             basis, where the solve is a division; "auto" takes the modal one where it exists and pays. A truncated body
             is always in its shapes.
-        obstacles: what stands still around the body; each copy meets 1/N of them. A body without a material is then
-            one whose material is linear.
+        obstacles: what each copy meets 1/N of. A body without a material is then one whose material is linear.
 
     Raises:
         BodyError: a weight does not fit the body; an obstacle is too thin for its skin.
-        UnsupportedError: basis "modal" where the matrices do not commute; a truncated body with basis "nodal", with
-            link weights of its own or with obstacles; a material with basis "modal", with weights that couple axes, or
-            on one axis; obstacles for a body without a skin.
+        UnsupportedError: basis "modal" where the matrices do not commute; a truncated body with basis "nodal", link
+            weights or obstacles; a material with basis "modal", weights that couple axes, or on one axis; no skin.
     """
     if copies < 1:
         raise BodyError(f"copies is {copies}; there must be at least 1 user")
@@ -165,9 +165,10 @@ def model(
                 f"{what}, but the body is truncated to a few shapes; leave that out, or the truncation"
             )
         return _truncated(body, body.truncation, copies)
-    material = Material(model="linear") if body.material is None and obstacles else body.material
-    if material is not None:
-        return _of_material(body, material, copies, weights, basis, obstacles)
+    if obstacles and body.material is None:
+        body = body.with_gravity((0.0, 0.0, 0.0))
+    if body.material is not None:
+        return _of_material(body, body.material, copies, weights, basis, obstacles)
     fitted = [_fit(body, index, weight) for index, weight in enumerate(weights, start=1)]
     if body.form == "node" and any(full for _, full in fitted):
         body = body.as_full()
@@ -222,6 +223,7 @@ def _of_material(
         order=order,
         force=force,
         memory=memory,
+        obstacles=tuple(obstacles),
     )
 
 

@@ -25,7 +25,7 @@ class Operator(NamedTuple):
 
     Attributes:
         coefficient: 1/N, the scale of M, B and K in each of N copies.
-        firmness: scale of K beside that, 1 but while members come and go.
+        firmness: scale of K, of weight and of obstacles beside that, 1 but while members come and go.
         mass: diagonal of M, (rows,).
         damping: diagonal of B, (rows,).
         stiffness: diagonal of K, (rows,).
@@ -58,12 +58,12 @@ class Operator(NamedTuple):
 
 
 def rescaled(op: Operator, *, copy_scale: float, stiffness: float) -> Operator:
-    """The same body in another number of copies, its springs in yet another.
+    """The same body in another number of copies; its springs, its weight and what it meets in yet another.
 
     Args:
         op: as the model has it.
         copy_scale: scale of M and B, > 0.
-        stiffness: scale of K, > 0.
+        stiffness: scale of K, weight and obstacles, > 0.
     """
     ratio = stiffness / copy_scale
     if ratio == 1.0:

@@ -125,11 +125,14 @@ def take_up(world: World | None, memory: Float) -> None:
 
 
 @part
-def press_world(world: World | None, memory: Float, x: Float, ahead: Float, T: float, out: Float) -> bool:
+def press_world(
+    world: World | None, firmness: float, memory: Float, x: Float, ahead: Float, T: float, out: Float
+) -> bool:
     """Takes off `out` the mean force of all obstacles between two places; `hold` gets what resists there.
 
     Args:
         world: obstacles and points; None: none.
+        firmness: what the forces are scaled by.
         memory: of the copy.
         x: displacements of the rows, (rows, width) [m].
         ahead: where they come to, likewise.
@@ -165,6 +168,7 @@ def press_world(world: World | None, memory: Float, x: Float, ahead: Float, T: f
         put(world.told, (p, 2), fz)
         if firm == 0.0 and fx == 0.0 and fy == 0.0 and fz == 0.0:
             continue
+        fx, fy, fz = firmness * fx, firmness * fy, firmness * fz
         for e in range(at(world.pointer, p), at(world.pointer, p + 1)):
             i, share = at(world.row, e), at(world.share, e)
             put(out, (i, 0), at(out, (i, 0)) - share * fx)
@@ -289,3 +293,34 @@ def settle_world(world: World | None, memory: Float, x: Float) -> float:
             if deep > 0.0:
                 energy += 0.5 * at(world.stiffness, s) * at(world.area, p) * deep * deep
     return energy
+
+
+@block
+def begin_world(world: World, memory: Float, x: Float) -> float:
+    """What obstacles hold of a copy without friction, where it is, for whoever checks a ledger [J].
+
+    Args:
+        world: obstacles and points.
+        memory: (numbers,); its friction is forgotten.
+        x: displacements of the rows, (rows, width) [m].
+    """
+    return settle_world(world, memory, x)
+
+
+@block
+def follow_world(world: World, memory: Float, x: Float, ahead: Float, T: float) -> tuple[float, float]:
+    """What obstacles hold after a step and lost in it, for whoever checks a ledger.
+
+    Args:
+        world: obstacles and points.
+        memory: (numbers,), as the step before left it; gets what this one leaves.
+        x: displacements of the rows before, (rows, width) [m].
+        ahead: and after, likewise.
+        T: how long it took [s].
+
+    Returns:
+        Energy held and energy lost [J], of the whole body.
+    """
+    take_up(world, memory)
+    energy, lost, _ = weigh_world(world, memory, x, ahead, T)
+    return energy, lost

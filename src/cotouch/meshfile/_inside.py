@@ -144,9 +144,10 @@ def _quiet(path: Path) -> Generator[None]:
             reason = f"it has no {reason}"
         if isinstance(error, RecursionError):
             reason = "it is nested too deeply"
-        # Of the library or of numpy; it says nothing of the file.
-        if isinstance(error, NameError | AttributeError | TypeError | ImportError) or "array element" in reason:
-            reason = "it is not as the format asks for, or was cut off"
         if isinstance(error, SystemExit) or not reason:
             reason = next((line.strip() for line in said.getvalue().splitlines() if line.strip()), type(error).__name__)
+        # Of the library or of numpy; it says nothing of the file.
+        nothing = isinstance(error, NameError | AttributeError | TypeError | ImportError | IndexError)
+        if nothing or "array element" in reason or "Couldn't read file" in reason:
+            reason = "it is not as the format asks for, or was cut off"
         raise BodyError(f"cannot be read as {path.suffix[1:].upper()}: {reason[:160]}") from error

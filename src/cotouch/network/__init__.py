@@ -8,6 +8,7 @@ from cotouch.network._consensus import Mixing, mixing, second_eigenvalue
 from cotouch.network._damping import (
     Method,
     damping_for,
+    link_damping,
     minimax_damping,
     rule_damping,
     sum_damping,
@@ -58,6 +59,7 @@ __all__ = [
     "exact_scaling",
     "generator_eigenvalues",
     "invert",
+    "link_damping",
     "minimax_damping",
     "mixing",
     "none_beyond",

@@ -8,7 +8,7 @@ Ns/m, column 0 for the identity and column 1 + w for `network.weights[w]`, so th
 Springs without weights use column 0 alone. `damping_matrices` makes the matrices (see `_gains`).
 """
 
-from typing import Literal, TypeAlias, get_args
+from typing import Literal, TypeAlias, TypeVar, get_args
 
 import numpy as np
 import numpy.typing as npt
@@ -20,7 +20,20 @@ from cotouch.network._exact import exact_scaling
 from cotouch.network._network import Network
 from cotouch.network._types import FloatArray
 
+# One link, or many.
+Amount = TypeVar("Amount", float, FloatArray)
+
 Method: TypeAlias = Literal["rule", "minimax", "sum", "exact"]
+
+
+def link_damping(spring: Amount, ages: Amount) -> Amount:
+    """What a link asks of the damping at each of its ends, by the age rule: `½ K (a_ij + a_ji)` [Ns/m].
+
+    Args:
+        spring: K, of one link or of many, >= 0 [N/m].
+        ages: of the samples in both directions together, likewise, >= 0 [s].
+    """
+    return 0.5 * spring * ages
 
 
 def damping_for(

@@ -12,6 +12,7 @@ from cotouch.errors import NetworkError, UnsupportedError
 from cotouch.interrupt import check
 from cotouch.network._checks import one_user
 from cotouch.network._collocation import generator_eigenvalues
+from cotouch.network._damping import link_damping
 from cotouch.network._loop import Loop, characteristic, loop_of
 from cotouch.network._network import Network
 from cotouch.network._rightmost import rightmost
@@ -151,7 +152,7 @@ def closed_loop(
         )
     spring = network.linked_spring()
     if sync_damping is None:
-        sync = (spring * (network.delay + network.delay.T) / 2).sum(axis=1)
+        sync = link_damping(spring, network.delay + network.delay.T).sum(axis=1)
     else:
         sync = np.array(sync_damping, dtype=np.float64)
         if sync.shape != (network.size,):

@@ -18,7 +18,7 @@ from cotouch.network._types import ComplexArray, FloatArray, IntArray
 
 # A user is kept where elimination leaves less than this share of its own term: bounds beyond it get too coarse. At 0.3
 # a walk past 100 users takes ten times as many steps.
-_REGULAR = 0.6
+REGULAR = 0.6
 
 
 class Cut(NamedTuple):
@@ -78,7 +78,7 @@ def _own_roots(loop: Loop, first: FloatArray, other: FloatArray) -> None:
 
 
 @routine
-def cut(loop: Loop, line: float, regular: float = _REGULAR) -> Cut:
+def cut(loop: Loop, line: float, regular: float) -> Cut:
     """Chooses who is eliminated right of a line: those with the fewest neighbours first, as long as pivots allow it.
 
     Args:

@@ -3,7 +3,7 @@
 import numpy as np
 
 from cotouch.compiled import raised, routine, subroutine
-from cotouch.network._elimination import Cut, Scratch, cut, evaluate, largest, scratch
+from cotouch.network._elimination import REGULAR, Cut, Scratch, cut, evaluate, largest, scratch
 from cotouch.network._loop import Loop
 from cotouch.network._types import ComplexArray, FloatArray, IntArray
 
@@ -138,7 +138,7 @@ def walk(loop: Loop, line: float, low: float, high: float, most: int, starts: Co
         The turn in radians (NaN if given up or a root is met), the number of steps, the number of starts.
     """
     n = len(loop.mass)
-    parts = cut(loop, line)
+    parts = cut(loop, line, REGULAR)
     kept = n - parts.gone
     room = scratch(n, kept)
     matrix, bound, spare = np.zeros((n, n)), np.empty((kept, kept)), np.empty((2 * kept + 2, kept))
@@ -215,12 +215,12 @@ def polish(
     n = len(loop.mass)
     s, last, before, several = start, np.inf, 0.0, 1.0
     line = _standpoint(s.real, scale)
-    parts = cut(loop, line)
+    parts = cut(loop, line, REGULAR)
     room = scratch(n, n - parts.gone)
     for _ in range(_NEWTON_STEPS):
         if s.real < line:
             line = _standpoint(s.real, scale)
-            parts = cut(loop, line)
+            parts = cut(loop, line, REGULAR)
             room = scratch(n, n - parts.gone)
         phase, _, speed = evaluate(loop, parts, s, room)
         if phase == 0.0:
@@ -273,7 +273,7 @@ def keep(loop: Loop, root: complex, scale: float, known: ComplexArray, copies: I
         if np.abs(known[f] - root) <= 2.0 * radius:
             return found
     n = len(loop.mass)
-    parts = cut(loop, _standpoint(root.real - radius, scale))
+    parts = cut(loop, _standpoint(root.real - radius, scale), REGULAR)
     room = scratch(n, n - parts.gone)
     for points in (2, 16):
         counted = 0.0 + 0.0j
@@ -304,7 +304,7 @@ def standing(loop: Loop, s: complex, normalised: bool) -> float:
         normalised: whether G is taken over its diagonal.
     """
     n = len(loop.mass)
-    parts = cut(loop, s.real)
+    parts = cut(loop, s.real, REGULAR)
     room = scratch(n, n - parts.gone)
     evaluate(loop, parts, s, room)
     phase = 0.0

@@ -1,5 +1,6 @@
 """One user's replica, sans-IO."""
 
+from cotouch.peer._codec import MOST_HOLD, Codec, Decoder, Encoder
 from cotouch.peer._guard import LinkGuard
 from cotouch.peer._guard_ledger import GuardEvent, GuardLedger
 from cotouch.peer._law_link import CopyMemory, LawLink
@@ -8,9 +9,13 @@ from cotouch.peer._peer import Peer
 from cotouch.peer._report import StepReport
 
 __all__ = [
+    "MOST_HOLD",
     "NO_HEADER",
+    "Codec",
     "ConstantLink",
     "CopyMemory",
+    "Decoder",
+    "Encoder",
     "FreshestLink",
     "GuardEvent",
     "GuardLedger",

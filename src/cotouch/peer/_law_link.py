@@ -8,7 +8,7 @@ import numpy as np
 
 from cotouch.arrays import Float
 from cotouch.errors import NetworkError
-from cotouch.laws import End, Law, call
+from cotouch.laws import FORCE, End, Law, call
 from cotouch.peer._links import Link, Message, Sample
 
 _NONE = np.zeros(0)
@@ -16,6 +16,10 @@ _BURST = 0.1  # [s] of the power that may come at once
 _STEADY = 3.0  # over so long an offset of clocks is evened out [s]
 _JUMP = 0.02  # unless it differs by more, as it does when it is found first [s]
 _LONGEST = 10.0  # age that a law is told at most [s]
+
+
+# A greatest force that grows from nothing must be a number; this one stops nobody [N].
+_STRONGEST = 1e6
 
 
 @final
@@ -88,6 +92,7 @@ class LawLink:
         copies: int,
         power: float = inf,
         burst: float | None = None,
+        patience: float = 0.0,
     ) -> None:
         """Starts with nothing heard.
 
@@ -101,10 +106,14 @@ class LawLink:
             power: what the neighbour may be believed to give, for long, > 0; below infinity, what it gave before it was
                 heard first does not count, and ages are kept from 0 to 10 s [W].
             burst: and at once, > 0; None: what the power gives in 0.1 s [J].
+            patience: over so long the law's greatest force grows from nothing, while a newcomer is coming, >= 0 [s].
         """
         size = memory.size
         self.source, self.law, self.memory = source, law, memory
-        self._parameters, self._side = np.ascontiguousarray(parameters, dtype=np.float64), side
+        self._parameters, self._side = np.array(parameters, dtype=np.float64), side
+        self._patience, self._waited = patience, 0.0
+        self._forces = [at for at, known in enumerate(law.parameters) if known.name == FORCE]
+        self._limits = self._parameters[self._forces]
         self.copies, self.offset, self._steady, self.received = copies, 0.0, 0.0, 0.0
         self._power, self._burst = power, _BURST * power if burst is None else burst
         self._bucket, self._told = self._burst, np.zeros(len(law.sends_scalars))
@@ -174,12 +183,19 @@ class LawLink:
         if not self._heard and sample.message is not None:
             self._heard = True
             self.apart = float(np.abs(sample.position - position).max())
+        if self._waited <= self._patience:
+            grown = (self._waited / self._patience) ** 3 if self._patience > 0.0 else 1.0
+            self._parameters[self._forces] = (
+                self._limits if grown >= 1.0 else grown * np.minimum(self._limits, _STRONGEST)
+            )
+            self._waited += T * self._heard
         link, links = self._place
+        content = sample.index if sample.content is None else sample.content
         end = End(
             T=T,
             age=age,
             sample_index=sample.index,
-            new=sample.index > self._used,
+            new=content > self._used,
             step=self._steps,
             side=self._side,
             first=link == 0,
@@ -206,7 +222,7 @@ class LawLink:
             sent_scalars=self.message[1],
         )
         call(self.law.parts[0], end)
-        self._end, self._used = end, sample.index
+        self._end, self._used = end, content
         k, b = self._gains.tolist()
         if not (0.0 <= k < np.inf and 0.0 <= b < np.inf):
             raise NetworkError(

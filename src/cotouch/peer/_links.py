@@ -53,6 +53,7 @@ class Sample:
         position: x̂, the position at the middle of the step, in the rows of the session's model, (rows, width) [m].
         header: of the sender's guard to this neighbour; by default that of a neighbour without one.
         message: of the link's law to this neighbour; None where the law says nothing.
+        content: number of the step whose content it continues, from a `Decoder`; None: it is its own.
     """
 
     sender: int
@@ -61,6 +62,7 @@ class Sample:
     position: Float
     header: LinkHeader = _PLAIN
     message: Message | None = None
+    content: int | None = None
 
 
 class Link(Protocol):

@@ -14,9 +14,13 @@ class CopyScale:
     one less, velocity is scaled so that momentum stays, which lowers kinetic energy, and K/N rises only as far as
     energy pays: what the velocity lost, and what the body's own and the extra dampers take until it is done.
 
+    Weight and obstacles go with K, so that what is in balance stays so. Their potential may be below 0; what it costs
+    to carry more of it is counted from the lowest place at which the copy got lighter. Without that, getting lighter
+    below and heavier above would be a source of energy.
+
     Attributes:
         operator: the body's matrices in these shares.
-        stiffness: share of K; that of M and B is `operator.copy_scale`.
+        stiffness: share of K, weight and obstacles; that of M and B is `operator.copy_scale`.
         tank: what there is to pay with [J].
     """
 
@@ -26,10 +30,11 @@ class CopyScale:
         self.stiffness = operator.copy_scale
         self.tank = 0.0
         self._model = operator
+        self._low = 0.0  # least potential of the whole body at which the share fell [J]
 
     @property
     def rising(self) -> bool:
-        """Whether K still has to rise."""
+        """Whether the share of K still has to rise."""
         return self.stiffness < self.operator.copy_scale
 
     @property
@@ -44,10 +49,10 @@ class CopyScale:
             copies: N, >= 1.
             state: of the copy; changed in place.
             kinetic: energy [J].
-            elastic: energy [J].
+            elastic: energy, of weight and obstacles too [J].
 
         Returns:
-            What the energy changed by, <= 0 [J].
+            What the energy changed by [J].
         """
         if copies < 1:
             raise NetworkError(f"copies is {copies}; there must be at least 1 user")
@@ -63,6 +68,8 @@ class CopyScale:
             self._set(copy_scale, self.stiffness, state)
             return change
         stiffness = min(self.stiffness, copy_scale)
+        if stiffness < self.stiffness:
+            self._low = min(self._low, elastic / self.stiffness)
         change = kinetic * (copy_scale / before - 1.0) + elastic * (stiffness / self.stiffness - 1.0)
         self._set(copy_scale, stiffness, state)
         return change
@@ -72,22 +79,22 @@ class CopyScale:
 
         Args:
             state: of the copy; changed in place.
-            elastic: energy [J].
+            elastic: energy, of weight and obstacles too [J].
 
         Returns:
-            What the elastic energy rose by [J].
+            What it rose by [J].
         """
-        copy_scale = self.operator.copy_scale
-        price = elastic * (copy_scale / self.stiffness - 1.0)
+        copy_scale, before = self.operator.copy_scale, self.stiffness
+        above = elastic - before * self._low
+        price = above * (copy_scale / before - 1.0)
         if price <= self.tank:
             self._set(copy_scale, copy_scale, state)
-            self.tank = 0.0
-            return price
-        paid = self.tank
-        if paid > 0.0:
-            self._set(copy_scale, self.stiffness * (1.0 + paid / elastic), state)
-            self.tank = 0.0
-        return paid
+        elif self.tank > 0.0:
+            self._set(copy_scale, before * (1.0 + self.tank / above), state)
+        else:
+            return 0.0
+        self.tank = 0.0
+        return elastic * (self.stiffness / before - 1.0)
 
     def _set(self, copy_scale: float, stiffness: float, state: State) -> None:
         before = self.stiffness / self.operator.copy_scale

@@ -52,7 +52,12 @@ class Dive(NamedTuple):
 
 
 def dive_into(problem: Problem, top: int) -> Dive:
-    """A search that has not begun."""
+    """A search that has not begun.
+
+    Args:
+        problem: the search.
+        top: so many of the best are kept, >= 1.
+    """
     task = problem.task
     order = task.free[np.argsort(task.load[task.free], kind="stable")]
     return Dive(
@@ -201,7 +206,12 @@ def descend(task: Task, dive: Dive, ceiling: float, most: int, first: bool) -> b
 
 
 def any_choice(problem: Problem, most: float = np.inf) -> IntArray | None:
-    """Numbers of the pairs of some admissible choice; None if there is none, or none after so many decisions."""
+    """Numbers of the pairs of some admissible choice; None if there is none, or none after so many decisions.
+
+    Args:
+        problem: the search.
+        most: decisions after which it gives up.
+    """
     dive = dive_into(problem, 1)
     while not descend(problem.task, dive, np.inf, _SLICE, True) and dive.counts[2] < most:
         check()
@@ -223,7 +233,13 @@ def has_room(problem: Problem) -> bool:
 
 
 def bounded(problem: Problem, dive: Dive, ceiling: float = np.inf) -> Generator[bool]:
-    """Goes on with a search and yields again and again whether it is over."""
+    """Goes on with a search and yields again and again whether it is over.
+
+    Args:
+        problem: the search.
+        dive: where it stands; changed in place.
+        ceiling: choices that are no better are left out, as `rate` gives objectives.
+    """
     over = False
     while not over:
         over = descend(problem.task, dive, ceiling, _SLICE, False)

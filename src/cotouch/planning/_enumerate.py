@@ -9,18 +9,9 @@ import numpy as np
 
 from cotouch.compiled import raised, routine
 from cotouch.interrupt import check
+from cotouch.planning._judge import between
 from cotouch.planning._problem import Problem
-from cotouch.planning._task import (
-    CONSENSUS,
-    BoolArray,
-    FloatArray,
-    IntArray,
-    Task,
-    admissible,
-    between,
-    period_of,
-    rate,
-)
+from cotouch.planning._task import CONSENSUS, BoolArray, FloatArray, IntArray, Task, admissible, period_of, rate
 
 # Stretches long enough to hide their start, short enough to share and to stop between. They depend on the problem
 # alone, so that the result doesn't depend on the machine.
@@ -56,7 +47,13 @@ class Found(NamedTuple):
 
 
 def unrank(rank: int, count: int, pick: int) -> IntArray:
-    """Combination number `rank`, in lexicographic order, of `pick` out of `count`."""
+    """Combination number `rank`, in lexicographic order, of `pick` out of `count`.
+
+    Args:
+        rank: from 0, below the number of combinations.
+        count: out of so many, numbered from 0.
+        pick: so many, 0 to `count`.
+    """
     combination = np.empty(pick, dtype=np.int64)
     value = 0
     for place in range(pick):
@@ -70,7 +67,13 @@ def unrank(rank: int, count: int, pick: int) -> IntArray:
 
 @routine
 def choose(task: Task, combination: IntArray, chosen: IntArray) -> None:
-    """Numbers of the pairs linked, ascending: those that must be and those picked."""
+    """Numbers of the pairs linked, ascending: those that must be and those picked.
+
+    Args:
+        task: the search.
+        combination: numbers of the free pairs that are picked, places in `task.free`, ascending.
+        chosen: result: numbers of the pairs, (links,).
+    """
     m = p = 0
     for c in range(len(chosen)):
         if p == len(combination) or (m < len(task.require) and task.require[m] < task.free[combination[p]]):
@@ -115,7 +118,7 @@ def sweep(
             ):
                 values[r] = np.inf
             else:
-                values[r], sure[r] = rate(task, chosen, guesses)
+                values[r], sure[r] = rate(task, chosen, guesses, np.inf)
                 if sure[r] and len(best) > 0:
                     worst = max(worst, values[r])
                     place = len(best) - 1
@@ -134,7 +137,12 @@ def sweep(
 
 
 def chosen_at(problem: Problem, rank: int) -> IntArray:
-    """Numbers of the pairs that choice number `rank` links."""
+    """Numbers of the pairs that choice number `rank` links.
+
+    Args:
+        problem: the search.
+        rank: of the choice, from 0, in lexicographic order of what it picks.
+    """
     task = problem.task
     return np.sort(np.concatenate([task.require, task.free[unrank(rank, len(task.free), task.pick)]]))
 
@@ -158,6 +166,13 @@ def values_of(problem: Problem, start: int, count: int, best: Sequence[float] = 
 
     Those that are surely neither better than the last of `best` nor worse than `worst` may be left at inf; without
     `best`, none is.
+
+    Args:
+        problem: the search.
+        start: number of the first choice, from 0.
+        count: of choices, >= 1.
+        best: objectives of the best so far, ascending, as `rate` gives them.
+        worst: objective of the worst so far.
     """
     task = thawed(problem.task)
     values, sure = np.full(count, math.nan), np.ones(count, dtype=np.bool_)
@@ -208,7 +223,12 @@ def thawed(task: Task) -> Task:
 
 
 def merged(parts: Sequence[Found], top: int) -> Found:
-    """Several stretches as one; of equals the first ranks first."""
+    """Several stretches as one; of equals the first ranks first.
+
+    Args:
+        parts: of the numbers of choices, none of which is in two.
+        top: so many of the best are kept, >= 1.
+    """
     both = sorted({pair for part in parts for pair in zip(part.values, part.ranks, strict=True)})
     kept = both[:top]
     if both:

@@ -11,7 +11,13 @@ FURTHEST, _HALVINGS = 30.0, 60
 
 @subroutine
 def ends(task: Task, e: int, level: float) -> tuple[float, float]:
-    """What a link adds to the diagonal and takes from beside it at -λ."""
+    """What a link adds to the diagonal and takes from beside it at -λ.
+
+    Args:
+        task: the search.
+        e: number of the pair.
+        level: λ [1/s].
+    """
     own = task.spring[e]
     if task.objective != CONSENSUS and len(task.sync) == 0:
         own -= level * task.load[e]
@@ -22,7 +28,17 @@ def ends(task: Task, e: int, level: float) -> tuple[float, float]:
 def fill(
     task: Task, chosen: IntArray, without: int, mode: int, level: float, place: IntArray, matrix: FloatArray
 ) -> None:
-    """The matrix at -λ, users in their places; one `without` is left out (its row is that of a unit matrix)."""
+    """The matrix at -λ, users in their places; one `without` is left out (its row is that of a unit matrix).
+
+    Args:
+        task: the search.
+        chosen: numbers of the pairs that are linked, ascending, (links,).
+        without: user whose row is left out, from 0; -1: nobody.
+        mode: number of the body mode, from 0.
+        level: λ [1/s].
+        place: of each user's row, (N,).
+        matrix: result, (N, N) [N/m].
+    """
     n = task.size
     there = n - 1 if without >= 0 else n
     own = 0.0
@@ -71,7 +87,12 @@ def _negatives(matrix: FloatArray) -> int:
 
 @subroutine
 def still(task: Task, mode: int) -> int:
-    """Real roots that every choice has right of any level: the resting translation, if there is one."""
+    """Real roots that every choice has right of any level: the resting translation, if there is one.
+
+    Args:
+        task: the search.
+        mode: number of the body mode, from 0.
+    """
     return 1 if task.objective == CONSENSUS or task.modes[mode, 2] == 0.0 else 0
 
 
@@ -96,7 +117,13 @@ def uneven(task: Task) -> bool:
 
 @routine
 def holds(task: Task, chosen: IntArray, level: float) -> bool:
-    """Whether no real root of connected links lies right of -λ, for equal delays both ways."""
+    """Whether no real root of connected links lies right of -λ, for equal delays both ways.
+
+    Args:
+        task: the search.
+        chosen: numbers of the pairs that are linked, ascending, (links,).
+        level: λ, >= 0 [1/s].
+    """
     matrix, place = np.empty((task.size, task.size)), _places(task, chosen)
     for mode in range(len(task.modes)):
         fill(task, chosen, -1, mode, level, place, matrix)
@@ -118,7 +145,12 @@ def holds(task: Task, chosen: IntArray, level: float) -> bool:
 
 @routine
 def level_of(task: Task, chosen: IntArray) -> float:
-    """The highest level at which links hold, but for a thousandth, 1/s; 0 if they hold at none."""
+    """The highest level at which links hold, but for a thousandth, 1/s; 0 if they hold at none.
+
+    Args:
+        task: the search.
+        chosen: numbers of the pairs that are linked, ascending, (links,).
+    """
     longest = 0.0
     for e in range(len(task.first)):
         longest = max(longest, mean_delay(task, e))

@@ -5,7 +5,7 @@ hand, reaches a root that is no better; only what passes that is worked out in f
 it certain.
 """
 
-from collections.abc import Callable, Generator, Iterable, Sequence
+from collections.abc import Callable, Generator
 from dataclasses import dataclass, field, replace
 from typing import Any, TypeAlias, final
 
@@ -16,22 +16,12 @@ from cotouch.interrupt import Flag, check
 from cotouch.planning._bound import ROUND_OFF
 from cotouch.planning._enumerate import thawed
 from cotouch.planning._flood import Front, flood
+from cotouch.planning._judge import hopeless, pulls, remember
 from cotouch.planning._levels import holds, uneven
 from cotouch.planning._problem import Problem
 from cotouch.planning._referral import referred
 from cotouch.planning._starts import SMALL, side_by_side, start_of
-from cotouch.planning._task import (
-    DAMPING,
-    DECAY,
-    ComplexArray,
-    IntArray,
-    Task,
-    admissible,
-    hopeless,
-    pulls,
-    rate,
-    remember,
-)
+from cotouch.planning._task import DAMPING, DECAY, ComplexArray, IntArray, Task, admissible, rate
 
 # Swaps of a walk between looks at the clock: so many over the cube of the number of users, and at least; and how many
 # that are turned down by real roots take as long as one that is not.
@@ -180,7 +170,14 @@ def swaps(
 
 
 def step(problem: Problem, walk: Walk, seed: int, begin: Begin) -> Walk:
-    """Goes on with a walk for a while."""
+    """Goes on with a walk for a while.
+
+    Args:
+        problem: the search.
+        walk: where it stands.
+        seed: of all walks of the search.
+        begin: choices that walks may begin at.
+    """
     task = thawed(problem.task)
     walk = replace(walk, seen=())
     if not walk.chosen.size:
@@ -265,23 +262,6 @@ def _order(task: Task, walk: Walk, seed: int, inside: IntArray, outside: IntArra
     return np.argsort((pull[outside][None, :] - pull[inside][:, None]).ravel(), kind="stable")
 
 
-def begun_at(problem: Problem, links: Iterable[Sequence[int]]) -> IntArray | None:
-    """A choice near some links: the lightest others are added, or the heaviest left out; None if that cannot be."""
-    task, count = problem.task, problem.links
-    place = {pair: e for e, pair in enumerate(problem.network.links)}
-    given = [place[pair] for a, b in links if (pair := (min(a, b), max(a, b))) in place]
-    chosen = np.union1d(np.array(given, dtype=np.int64), task.require)
-    adding = len(chosen) < count
-    others = np.setdiff1d(task.free, chosen) if adding else np.setdiff1d(chosen, task.require)
-    order = others[np.argsort(task.load[others] * (1.0 if adding else -1.0), kind="stable")]
-    for e in order[:_TRIES] if given else ():
-        if len(chosen) == count:
-            break
-        trial = np.union1d(chosen, e) if adding else np.setdiff1d(chosen, e)
-        chosen = trial if admissible(task, trial) else chosen
-    return chosen if len(chosen) == count and admissible(task, chosen) else None
-
-
 def _begin(problem: Problem, task: Task, walk: Walk, seed: int, begin: Begin) -> Walk:
     given, fallback = begin
     if walk.start == _GIVEN and given is not None:
@@ -330,14 +310,19 @@ def worked_out(
         slowly: whether what `rate` leaves uncertain is referred.
     """
     guesses = np.full(len(task.modes), complex(-np.inf, 0.0)) if guesses is None else guesses
-    value, sure = rate(task, chosen, guesses)
+    value, sure = rate(task, chosen, guesses, np.inf)
     if sure:
         return float(value)
     return referred(replace(problem, task=task), chosen) if slowly else None
 
 
 def closed(problem: Problem, walk: Walk) -> Walk:
-    """A walk in the middle of its flood, at its end all the same; the time left is for others if it is uncertain."""
+    """A walk in the middle of its flood, at its end all the same; the time left is for others if it is uncertain.
+
+    Args:
+        problem: the search.
+        walk: where it stands.
+    """
     return replace(_settled(problem, thawed(problem.task), replace(walk, level=0.0), slowly=False), over=True)
 
 

@@ -15,12 +15,12 @@ from cotouch.interrupt import Flag, check, finishing, flag, heeding, interruptib
 from cotouch.network import Convention, Network, Rounding
 from cotouch.planning._bound import bounded, dive_into, has_room, some_choice
 from cotouch.planning._enumerate import Found, chosen_at, enumerated
-from cotouch.planning._local import Begin, begun_at, walked, worked_out
+from cotouch.planning._local import Begin, walked, worked_out
 from cotouch.planning._problem import Lost, Objective, Problem, impossible, make_problem, questions
 from cotouch.planning._ready import compiles, warm
 from cotouch.planning._relaxation import bound_of
 from cotouch.planning._result import Choice, Method, Plan, choice_of, shown
-from cotouch.planning._starts import WALKS
+from cotouch.planning._starts import WALKS, begun_at
 from cotouch.planning._task import NOTHING, IntArray
 from cotouch.planning._workers import Workers, workers
 

@@ -10,7 +10,18 @@ import numpy.typing as npt
 
 from cotouch.errors import NetworkError, UnsupportedError
 from cotouch.interrupt import flag, heeding
-from cotouch.network import Convention, Network, Pair, Rounding, consensus_lags, mixing, one_user, rightmost_root
+from cotouch.network import (
+    Convention,
+    Network,
+    Pair,
+    Rounding,
+    consensus_lags,
+    link_damping,
+    mixing,
+    one_user,
+    rightmost_root,
+)
+from cotouch.planning._modes import modes_table
 from cotouch.planning._task import (
     CONSENSUS,
     DAMPING,
@@ -137,6 +148,24 @@ def make_problem(
 ) -> Problem:
     """Checks what `plan` is given, which explains the arguments.
 
+    Args:
+        network: as for `plan`, like all that follow.
+        links: how many.
+        objective: what is best.
+        convention: of consensus.
+        time_unit: of consensus, > 0 [s].
+        rounding: of delays to time units.
+        require: pairs that must be linked, users from 0.
+        forbid: pairs that may not be.
+        max_degree: most links of a user; None: any.
+        damping_limit: most of any B_i of the rule [Ns/m]; None: any.
+        drag_limit: most of all users' drag together [Ns/m]; None: any.
+        lost: what may be lost: the objective is then the worst with any one of them gone.
+        mass: of the body's modes, a number or one for each, > 0 [kg].
+        damping: likewise, >= 0 [Ns/m].
+        stiffness: likewise, >= 0 [N/m].
+        sync_damping: of each user [Ns/m]; None: as the rule says.
+
     Raises:
         NetworkError: something asked for is impossible or contradicts another.
         UnsupportedError: decay or feel with springs that have weights.
@@ -244,7 +273,7 @@ def _task(
         to_second=np.ascontiguousarray(within[second, first]),
         lag_first=np.ascontiguousarray(lags[first, second]),
         lag_second=np.ascontiguousarray(lags[second, first]),
-        load=spring * (delay[first, second] + delay[second, first]) / 2,
+        load=link_damping(spring, delay[first, second] + delay[second, first]),
         require=np.flatnonzero(required),
         free=np.flatnonzero(~required),
         pick=pick,
@@ -346,26 +375,6 @@ def _check_counts(network: Network, links: int, needed: set[Pair], most: int, ba
         raise NetworkError(
             f"links is {links}; with max_degree {most} the {network.size} users have at most {network.size * most // 2}"
         )
-
-
-def modes_table(mass: npt.ArrayLike, damping: npt.ArrayLike, stiffness: npt.ArrayLike) -> FloatArray:
-    """(modes, 3); scalars count for every mode."""
-    parts = [np.atleast_1d(np.asarray(part, dtype=np.float64)) for part in (mass, damping, stiffness)]
-    try:
-        modes = np.stack(np.broadcast_arrays(*parts), axis=-1)
-    except ValueError:
-        counts = ", ".join(str(part.size) for part in parts)
-        raise NetworkError(
-            f"mass, damping and stiffness have {counts} entries; give one of each, or one for each body mode"
-        ) from None
-    if modes.ndim != 2 or not modes.size:
-        raise NetworkError("mass, damping and stiffness must be numbers, or lists with a number for each body mode")
-    for column, (name, unit) in enumerate((("mass", "kg"), ("damping", "Ns/m"), ("stiffness", "N/m"))):
-        for value in modes[:, column]:
-            if not (math.isfinite(value) and (value > 0 if column == 0 else value >= 0)):
-                right = "above 0" if column == 0 else "at least 0"
-                raise NetworkError(f"{name} is {value:g} {unit}; it must be finite and {right}")
-    return np.unique(modes, axis=0)
 
 
 def _sync(sync_damping: npt.ArrayLike | None, size: int) -> FloatArray:

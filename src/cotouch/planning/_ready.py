@@ -11,11 +11,12 @@ from cotouch.planning._bound import descend
 from cotouch.planning._enumerate import sweep
 from cotouch.planning._flood import flood
 from cotouch.planning._hubs import hubs
+from cotouch.planning._judge import pulls
 from cotouch.planning._levels import level_of
 from cotouch.planning._local import swaps
 from cotouch.planning._problem import Objective, make_problem
 from cotouch.planning._result import Method
-from cotouch.planning._task import admissible, pulls, rate
+from cotouch.planning._task import admissible, rate
 
 _MOVING = ("consensus", "decay")
 

@@ -13,7 +13,12 @@ from cotouch.planning._task import DECAY, LOST_LINK, NOTHING, IntArray, loop_of
 
 
 def referred(problem: Problem, chosen: IntArray) -> float | None:
-    """What `Problem.reference` says, unless the search is stopped: eigenvalues of a large matrix hear no flag."""
+    """What `Problem.reference` says, unless the search is stopped: eigenvalues of a large matrix hear no flag.
+
+    Args:
+        problem: the search.
+        chosen: numbers of the pairs that are linked, ascending, (links,).
+    """
     task = problem.task
     work = _worst_loss if task.objective == DECAY and task.lost != NOTHING else Problem.reference
     try:

@@ -131,12 +131,23 @@ class Plan:
 
 
 def shown(problem: Problem, value: float) -> float:
-    """The objective as users read it, from the form that `rate` gives."""
+    """The objective as users read it, from the form that `rate` gives.
+
+    Args:
+        problem: the search.
+        value: objective, as `rate` gives it.
+    """
     return math.exp(value * problem.time_unit) if problem.objective == "consensus" else value
 
 
 def choice_of(problem: Problem, chosen: IntArray, value: float) -> Choice:
-    """Everything about one choice, from the numbers of its pairs and its objective as `rate` gives it."""
+    """Everything about one choice, from the numbers of its pairs and its objective as `rate` gives it.
+
+    Args:
+        problem: the search.
+        chosen: numbers of the pairs that are linked, ascending, (links,).
+        value: its objective, as `rate` gives it.
+    """
     task = problem.task
     network = problem.network.with_links(problem.pairs(chosen))
     damping = np.zeros(task.size)
@@ -159,7 +170,7 @@ def _decay(problem: Problem, chosen: IntArray) -> float:
     if any(problem.network.weight_of[i, j] >= 0 for i, j in problem.pairs(chosen)):
         return math.nan
     task = problem.task._replace(objective=DECAY, lost=NOTHING)
-    value, sure = rate(task, chosen, np.full(len(task.modes), complex(-np.inf, 0.0)))
+    value, sure = rate(task, chosen, np.full(len(task.modes), complex(-np.inf, 0.0)), np.inf)
     if sure:
         return float(value)
     settled = replace(problem, objective="decay", task=task).reference(chosen) if task.size <= _SLOW else None

@@ -134,7 +134,12 @@ class Search:
         return sorted(found, key=lambda one: one[0].rate)[:_FOLLOWED]
 
     def improve(self, best: tuple[Decay, FloatArray], rounds: int) -> None:
-        """Linear programs in a row, as long as they help."""
+        """Linear programs in a row, as long as they help.
+
+        Args:
+            best: decay and springs to begin with.
+            rounds: most linear programs in a row.
+        """
         region, count = _REGION, 0
         model: list[_Program] = []
         while count < rounds and region > _NARROWEST:
@@ -172,13 +177,23 @@ class Search:
         return springs * min(1.0, self.room(springs))
 
     def programs(self, decay: Decay, springs: FloatArray) -> list["_Program"]:
-        """What to lower together: each root of the front by itself; and with those that meet as pairs."""
+        """What to lower together: each root of the front by itself; and with those that meet as pairs.
+
+        Args:
+            decay: with these springs.
+            springs: of the links, in their order, (E,) [N/m].
+        """
         roots, slopes = self.front(decay, springs)
         plain = _Program(roots.real, slopes.real, np.zeros(0), np.zeros((0, len(springs))))
         return [plain, *self.pairings(roots, slopes)]
 
     def pairings(self, roots: ComplexArray, slopes: ComplexArray) -> Iterator["_Program"]:
-        """Programs in which two roots, that are or come onto the real axis together, stay together."""
+        """Programs in which two roots, that are or come onto the real axis together, stay together.
+
+        Args:
+            roots: of the front, the rightmost first, (roots,) [1/s].
+            slopes: of each in relative changes of the springs, (roots, E) [1/s].
+        """
         real = np.flatnonzero(roots.imag == 0)
         pairs = [(int(a), int(b)) for a, b in itertools.pairwise(real)][:2]
         pairs += [(int(a), int(a)) for a in np.flatnonzero(roots.imag != 0)[:2]]
@@ -195,7 +210,12 @@ class Search:
             )
 
     def front(self, decay: Decay, springs: FloatArray) -> tuple[ComplexArray, ComplexArray]:
-        """The rightmost roots with Im >= 0, the rightmost first, and (roots, E) their slopes in relative changes."""
+        """The rightmost roots with Im >= 0, the rightmost first, and (roots, E) their slopes in relative changes.
+
+        Args:
+            decay: with these springs.
+            springs: of the links, in their order, (E,) [N/m].
+        """
         found: list[tuple[complex, Loop]] = []
         slow = self.slowest(springs)[1]
         for mode in self.modes:
@@ -207,7 +227,14 @@ class Search:
     def roots(
         self, decay: Decay, springs: FloatArray, mode: FloatArray, known: list[complex]
     ) -> list[tuple[complex, Loop]]:
-        """The rightmost roots of one mode, with the loop that they belong to; `known` are among them."""
+        """The rightmost roots of one mode, with the loop that they belong to; `known` are among them.
+
+        Args:
+            decay: with these springs.
+            springs: of the links, in their order, (E,) [N/m].
+            mode: mass [kg], damping [Ns/m], stiffness [N/m] of the body mode, (3,).
+            known: roots of it [1/s].
+        """
         mass, drag, rigid = mode.tolist()
         loop, _ = closed_loop(self.network_of(springs), mass, drag, rigid, None)
         scale = rate_of(loop)
@@ -230,7 +257,12 @@ class Search:
         return [(root, loop) for root in roots]
 
     def slopes(self, loop: Loop, root: complex) -> list[ComplexArray]:
-        """ds/dK_e: one for a simple root; for several that coincide, along each of their shapes and between them."""
+        """ds/dK_e: one for a simple root; for several that coincide, along each of their shapes and between them.
+
+        Args:
+            loop: that the root is of.
+            root: s, with Im >= 0 [1/s].
+        """
         left, sizes, right = np.linalg.svd(characteristic(loop, root))
         terms = np.max(abs(root) ** 2 * loop.mass + abs(root) * loop.drag + loop.rigid)
         several = max(1, int(np.count_nonzero(sizes < _NULL * terms)))
@@ -256,7 +288,13 @@ class Search:
         return [np.einsum("a,ace,c->e", shape, result, shape) for shape in shapes]
 
     def solve(self, program: "_Program", springs: FloatArray, region: float) -> tuple[FloatArray, float] | None:
-        """Relative changes of the springs and the largest rate that the program promises; None where it has none."""
+        """Relative changes of the springs and the largest rate that the program promises; None where it has none.
+
+        Args:
+            program: what is to be lowered together.
+            springs: of the links, in their order, (E,) [N/m].
+            region: farthest that a spring may go, in logarithms, > 0.
+        """
         size = len(springs)
         below = np.maximum(np.expm1(-region), np.minimum(self.low / springs - 1.0, 0.0))
         above = np.minimum(np.expm1(region), np.maximum(self.high / springs - 1.0, 0.0))

@@ -18,7 +18,7 @@ from cotouch.network import (
     one_user,
 )
 from cotouch.planning._deadline import until
-from cotouch.planning._problem import modes_table
+from cotouch.planning._modes import modes_table
 from cotouch.planning._spring_search import Search
 from cotouch.planning._task import FloatArray
 

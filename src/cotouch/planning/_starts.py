@@ -1,9 +1,12 @@
 """Where walks begin: networks about hubs, and random ones."""
 
+from collections.abc import Iterable, Sequence
+
 import numpy as np
 
 from cotouch.planning._hubs import hubs
 from cotouch.planning._levels import level_of
+from cotouch.planning._problem import Problem
 from cotouch.planning._task import CONSENSUS, DECAY, DRAG, FEEL, NOTHING, FloatArray, IntArray, Task, admissible
 
 # Walks side by side, whatever the machine, so that a seed means the same everywhere; and fewer of more users.
@@ -12,7 +15,8 @@ _SIDE_BY_SIDE = ((60, WALKS), (200, 4))
 _FEWEST = 2
 # Few users: every second start swaps from chance.
 SMALL = 12
-# Random starts tried before a start that is known to be admissible is taken; fewer of more users.
+# Random starts tried before a start that is known to be admissible is taken; fewer of more users. Links that are tried
+# where somebody has some are as many.
 _TRIES, _MANY, _FEW = 100, 100, 5
 # Networks about hubs tried for one start: so many over the cube of the number of users, at least and at most; the most
 # hubs; and which starts of so many are random instead.
@@ -74,7 +78,12 @@ def _random(task: Task, rng: np.random.Generator, fallback: IntArray) -> IntArra
 
 
 def random_choice(task: Task, rng: np.random.Generator) -> IntArray | None:
-    """A random spanning tree with random links on top; None if the limits leave none after some tries."""
+    """A random spanning tree with random links on top; None if the limits leave none after some tries.
+
+    Args:
+        task: the search.
+        rng: random numbers.
+    """
     users = range(task.size)
     needed = set(task.require.tolist())
     pairs = {(int(task.first[e]), int(task.second[e])): int(e) for e in task.free} if task.lost != NOTHING else {}
@@ -124,3 +133,25 @@ def random_choice(task: Task, rng: np.random.Generator) -> IntArray | None:
         if len(result) == len(needed) + task.pick and admissible(task, result):
             return result
     return None
+
+
+def begun_at(problem: Problem, links: Iterable[Sequence[int]]) -> IntArray | None:
+    """A choice near some links: the lightest others are added, or the heaviest left out; None if that cannot be.
+
+    Args:
+        problem: the search.
+        links: pairs of users, from 0; those that nobody may link are left out.
+    """
+    task, count = problem.task, problem.links
+    place = {pair: e for e, pair in enumerate(problem.network.links)}
+    given = [place[pair] for a, b in links if (pair := (min(a, b), max(a, b))) in place]
+    chosen = np.union1d(np.array(given, dtype=np.int64), task.require)
+    adding = len(chosen) < count
+    others = np.setdiff1d(task.free, chosen) if adding else np.setdiff1d(chosen, task.require)
+    order = others[np.argsort(task.load[others] * (1.0 if adding else -1.0), kind="stable")]
+    for e in order[:_TRIES] if given else ():
+        if len(chosen) == count:
+            break
+        trial = np.union1d(chosen, e) if adding else np.setdiff1d(chosen, e)
+        chosen = trial if admissible(task, trial) else chosen
+    return chosen if len(chosen) == count and admissible(task, chosen) else None

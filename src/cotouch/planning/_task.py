@@ -8,15 +8,8 @@ import numpy.typing as npt
 from cotouch.compiled import raised, routine, subroutine
 from cotouch.network import (
     Loop,
-    arrive,
-    chain_of,
-    none_beyond,
-    on_line,
-    polish,
-    rate_of,
     rightmost,
     slowest,
-    value,
 )
 from cotouch.planning._feel import felt
 
@@ -83,7 +76,12 @@ class Task(NamedTuple):
 
 @subroutine
 def mean_delay(task: Task, e: int) -> float:
-    """Mean of both delays of a pair, s."""
+    """Mean of both delays of a pair, s.
+
+    Args:
+        task: the search.
+        e: number of the pair.
+    """
     return 0.5 * (task.to_first[e] + task.to_second[e])
 
 
@@ -108,7 +106,12 @@ def _joined(task: Task, chosen: IntArray, without_link: int, without_user: int, 
 
 @routine
 def admissible(task: Task, chosen: IntArray) -> bool:
-    """Whether links connect all users, also those left after a loss, and keep to the limits."""
+    """Whether links connect all users, also those left after a loss, and keep to the limits.
+
+    Args:
+        task: the search.
+        chosen: numbers of the pairs that are linked, ascending, (links,).
+    """
     degree, damping = np.zeros(task.size, np.int64), np.zeros(task.size)
     total = 0.0
     for e in chosen:
@@ -157,7 +160,12 @@ def drag_of(task: Task, total: float) -> float:
 
 @routine
 def weight_of(task: Task, chosen: IntArray) -> float:
-    """What follows from the loads alone: the largest damping, or for `DRAG` the drag of all together, Ns/m."""
+    """What follows from the loads alone: the largest damping, or for `DRAG` the drag of all together, Ns/m.
+
+    Args:
+        task: the search.
+        chosen: numbers of the pairs that are linked, ascending, (links,).
+    """
     if task.objective == DAMPING:
         return largest_damping(task, chosen)
     total = 0.0
@@ -182,7 +190,12 @@ def _slowest_of(task: Task, loop: Loop, mode: int, guesses: ComplexArray, enough
 
 @routine
 def period_of(task: Task, chosen: IntArray) -> int:
-    """Greatest common divisor of the total lags of all cycles of connected links: `network.cycle_period`, compiled."""
+    """Greatest common divisor of the total lags of all cycles of connected links: `network.cycle_period`, compiled.
+
+    Args:
+        task: the search.
+        chosen: numbers of the pairs that are linked, ascending, (links,).
+    """
     distance, reached = np.zeros(task.size, np.int64), np.zeros(task.size, np.bool_)
     reached[0] = True
     left = task.size - 1
@@ -213,7 +226,12 @@ def period_of(task: Task, chosen: IntArray) -> int:
 
 @routine
 def largest_damping(task: Task, chosen: IntArray) -> float:
-    """Largest `B_i` of the rule, Ns/m."""
+    """Largest `B_i` of the rule, Ns/m.
+
+    Args:
+        task: the search.
+        chosen: numbers of the pairs that are linked, ascending, (links,).
+    """
     damping = np.zeros(task.size)
     for e in chosen:
         damping[task.first[e]] += task.load[e]
@@ -222,8 +240,15 @@ def largest_damping(task: Task, chosen: IntArray) -> float:
 
 
 @routine
-def loop_of(task: Task, chosen: IntArray, mode: int, without: int = -1) -> Loop:
-    """The loop of one choice of links: the consensus, or the closed loop of one body mode; maybe without one user."""
+def loop_of(task: Task, chosen: IntArray, mode: int, without: int) -> Loop:
+    """The loop of one choice of links: the consensus, or the closed loop of one body mode; maybe without one user.
+
+    Args:
+        task: the search.
+        chosen: numbers of the pairs that are linked, ascending, (links,).
+        mode: number of the body mode, from 0; without meaning for the consensus.
+        without: user who is gone, from 0; -1: nobody.
+    """
     n = task.size
     if without >= 0:
         n -= 1
@@ -260,7 +285,7 @@ def loop_of(task: Task, chosen: IntArray, mode: int, without: int = -1) -> Loop:
 
 
 @routine
-def rate(task: Task, chosen: IntArray, guesses: ComplexArray, enough: float = np.inf) -> tuple[float, bool]:
+def rate(task: Task, chosen: IntArray, guesses: ComplexArray, enough: float) -> tuple[float, bool]:
     """The objective of connected links, in a form of which smaller is better.
 
     Args:
@@ -280,7 +305,7 @@ def rate(task: Task, chosen: IntArray, guesses: ComplexArray, enough: float = np
         return 0.0, True
     worst, sure = -np.inf, True
     for mode in range(len(task.modes)):
-        loop = loop_of(task, chosen, mode)
+        loop = loop_of(task, chosen, mode, -1)
         start = guesses[mode : mode + 1] if np.isfinite(guesses[mode].real) else guesses[:0]
         root, certain = _slowest_of(task, loop, mode, start, enough)
         if task.objective != FEEL:
@@ -291,7 +316,7 @@ def rate(task: Task, chosen: IntArray, guesses: ComplexArray, enough: float = np
             continue
         for gone in range(len(chosen) if task.lost == LOST_LINK else task.size):
             if task.lost == LOST_LINK:
-                loop = loop_of(task, np.concatenate((chosen[:gone], chosen[gone + 1 :])), mode)
+                loop = loop_of(task, np.concatenate((chosen[:gone], chosen[gone + 1 :])), mode, -1)
             else:
                 loop = loop_of(task, chosen, mode, gone)
             root, certain = _slowest_of(task, loop, mode, guesses[:0], enough)
@@ -300,94 +325,3 @@ def rate(task: Task, chosen: IntArray, guesses: ComplexArray, enough: float = np
             if not sure or worst > enough:
                 break
     return worst, sure
-
-
-@routine
-def between(task: Task, chosen: IntArray, best: float, worst: float, guesses: ComplexArray) -> bool:
-    """Whether an aperiodic consensus is surely slower than `best` and faster than `worst`, which needs no exact value.
-
-    One root right of `best` settles the first; that no root lies right of `worst` the second.
-    """
-    loop = loop_of(task, chosen, 0)
-    start = guesses[:1] if np.isfinite(guesses[0].real) else guesses[:0]
-    root, certain, _ = slowest(loop, task.top, start, best)
-    if np.isfinite(root.real):
-        guesses[0] = root
-    if not (certain and best < root.real < worst):
-        return False
-    return worst >= 0.0 or none_beyond(loop, task.top, worst)
-
-
-@routine
-def hopeless(task: Task, chosen: IntArray, best: float, pool: ComplexArray) -> bool:
-    """Whether links are surely no better than `best`, from one root that Newton reaches from a guess.
-
-    A root right of `best` settles it, whatever others there are. The resting translation does not count.
-
-    Args:
-        task: the search.
-        chosen: numbers of the pairs linked, ascending.
-        best: what to be better than.
-        pool: guesses of each mode, tried in turn, real part -inf where there is none, (modes, any number); the one that
-            settles it goes first the next time.
-    """
-    if task.objective in (DAMPING, DRAG):
-        return weight_of(task, chosen) >= best
-    if task.objective == FEEL:
-        return False
-    known = np.zeros(1, np.complex128)
-    for mode in range(len(task.modes)):
-        loop = loop_of(task, chosen, mode)
-        chain = chain_of(loop)
-        resting = task.objective == CONSENSUS or task.modes[mode, 2] == 0.0
-        if task.objective == CONSENSUS:
-            scale = 1.0 / max(np.max(loop.to_first), np.max(loop.to_second))
-        else:
-            scale = rate_of(loop)
-        for g in range(pool.shape[1]):
-            if not np.isfinite(pool[mode, g].real):
-                continue
-            root, arrived = arrive(chain, pool[mode, g], scale, np.inf, known, 1 if resting else 0)
-            if arrived and root.real >= best and (not resting or np.abs(root) > 1e-9 * scale):
-                # What Newton says is held against Newton on the whole determinant, which turns pivots.
-                root, arrived = polish(loop, root, scale, known, np.ones(1, np.int64), 1 if resting else 0)
-                if arrived and root.real >= best and (not resting or np.abs(root) > 1e-9 * scale):
-                    remember(pool, mode, g, root)
-                    return True
-    return False
-
-
-@subroutine
-def remember(pool: ComplexArray, mode: int, place: int, root: complex) -> None:
-    """Puts a root first among the guesses, in the place of one of them."""
-    for g in range(place, 0, -1):
-        pool[mode, g] = pool[mode, g - 1]
-    pool[mode, 0] = root
-
-
-@routine
-def pulls(task: Task, chosen: IntArray, guesses: ComplexArray, out: FloatArray) -> None:
-    """How far each pair, linked as a little more than it is, moves the slowest root to the right, 1/s.
-
-    With `zᵀ G = 0 = G x` at a root s a change of G moves it by `-zᵀ dG x / zᵀ G' x`.
-
-    Args:
-        task: the search, not of damping.
-        chosen: numbers of the pairs linked, ascending.
-        guesses: the slowest root of each mode.
-        out: filled, (M,).
-    """
-    mode = int(np.argmax(guesses.real))
-    s = guesses[mode]
-    chain = chain_of(loop_of(task, chosen, mode))
-    on_line(chain, s.real)
-    _, slope = value(chain, s.imag)
-    x, z = chain.right, chain.left
-    damped = task.objective == DECAY and len(task.sync) == 0
-    for e in range(len(task.first)):
-        i, j = chain.place[task.first[e]], chain.place[task.second[e]]
-        own = task.spring[e] + (s * task.load[e] if damped else 0.0)
-        forth, back = np.exp(-s * task.to_first[e]), np.exp(-s * task.to_second[e])
-        moved = own * (z[i] * x[i] + z[j] * x[j])
-        moved -= task.spring[e] * (forth * z[i] * x[j] + back * z[j] * x[i])
-        out[e] = 0.0 if slope == 0.0 else -(moved / slope).real

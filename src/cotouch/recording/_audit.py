@@ -17,7 +17,7 @@ from cotouch.arrays import Float
 from cotouch.errors import RecordingError
 from cotouch.recording._audited import Audit, UserLedger
 from cotouch.recording._columns import GUARDS
-from cotouch.recording._findings import AuditFinding, closing_words, exchanged, findings_of, missing_words
+from cotouch.recording._findings import AuditFinding, absent_users, closing_words, exchanged, findings_of, missing_words
 from cotouch.recording._guards import started
 from cotouch.recording._law import law_ledger
 from cotouch.recording._links import LinkLedger, ages, align, grid_of, link_ledger, linked, so_far, too_young
@@ -65,16 +65,17 @@ def audit(recordings: Sequence[Recording], *, tolerance: float = TOLERANCE) -> A
     taken = sum((so_far(m, m.known["local_loss"], grid) for m in moved), np.zeros(grid.size))
     initial = sum(float(m.start[0]) + started(m.recording) for m in moved) + sum(ledger.initial for ledger in links)
     lost = sum(float(m.known[name].sum()) for m in moved for name in LOSSES)
-    in_play = max(float(np.abs(supply).max()), lost, sum(float(m.stored.max()) for m in moved), initial)
+    in_play = max(float(np.abs(supply).max()), lost, sum(float(np.abs(m.stored).max()) for m in moved), initial)
     rounding = sum(m.rounding * np.sqrt(m.end.size) for m in moved)
     allowed = tolerance * in_play + 10.0 * float(rounding)
     found = left + [finding for m in moved for finding in findings_of(m, allowed, start, names)]
     found += exchanged(moved, allowed, start, names)
     # What a change of members brings or takes is nobody's work, but was there to be taken out afterwards.
     members = sum((so_far(m, np.where(m.members, m.carried, 0.0), grid) for m in moved), np.zeros(grid.size))
-    margin = supply + initial + members
+    # A body that fell below where it began has given what no hand put in: its weight did.
+    margin = supply + initial + members + sum(m.depth for m in moved)
     least = int(np.argmin(margin))
-    if margin[least] < -allowed:
+    if margin[least] < -allowed and not absent_users(recordings):
         words = f"users got {-margin[least]:.4g} J more out of the network than they had put in"
         found.append(_of_network(float(-margin[least]), float(grid[least]) - start, words))
     # Guarded ends may spend what they were given once, and what the body's own damping took.

@@ -107,6 +107,8 @@ class Audit:
             rest = f" ({more} more {'finding' if more == 1 else 'findings'})" if more else ""
             return f"Violated: {first.words}, first at {first.time:.4g} s{rest}."
         least = f"the least that users had put in, with what was there at the start, is {self.margin:.4g} J"
+        if self.margin < -self.tolerance:  # by what is recorded, and not everybody is
+            least = "what others put in is not recorded"
         partly = "" if self.complete else ", in what is recorded"
         return f"Holds{partly}: every step's energy is explained to {self.tolerance:.2g} J, and {least}."
 

@@ -208,7 +208,7 @@ def _of_material(model: "Model", body: Body, weights: Sequence[Matrix]) -> Recor
         weights=(sp.eye_array(rows, format="csr"), *(_fit(weight, rows, rows) for weight in weights)),
         modes=None,
         order=model.order,
-        material=RecordedMaterial(body),
+        material=RecordedMaterial.of(model),
     )
 
 

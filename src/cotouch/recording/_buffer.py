@@ -139,6 +139,8 @@ class Buffer:
             report.closure,
             report.closure_factor,
             report.shortened,
+            report.world_loss,
+            report.world_stored,
         )
         if k == 0:
             self.first, self.first_end = index, end

@@ -39,6 +39,8 @@ SCALARS: dict[str, tuple[str, str]] = {
     "closure": ("J", "work on the velocity that closed the step of a body with a material; in no other column"),
     "closure_factor": ("1", "by how much that changed the velocity, |beta - 1|"),
     "shortened": ("1", "share of the step that was given up to close it"),
+    "world_loss": ("J", "of body_loss: dissipated in friction and damping at planes and boxes"),
+    "world_stored": ("J", "of elastic: held by planes and boxes after the step"),
 }
 # More than one number for each step: unit, meaning, extents after the first.
 VECTORS: dict[str, tuple[str, str, str]] = {

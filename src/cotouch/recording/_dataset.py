@@ -46,6 +46,7 @@ _CLOSED = {
     "closure": ("J", "work on the velocity that closed the step; in no other book"),
     "closure_factor": ("1", "by how much that changed the velocity, |beta - 1|"),
     "shortened": ("1", "share of the step that was given up to close it"),
+    "world_stored": ("J", "of elastic: held by planes and boxes"),
 }
 # By the recorded name: the one in a run, unit, meaning.
 _TOOLS = {
@@ -96,7 +97,8 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
         """Fills what each user (or direction) has into a column padded with NaN."""
         extents = np.max([np.shape(values)[1:] for _, values in parts], axis=0).astype(int)
         length = records if dims[1] == "step" else max(len(values) for _, values in parts)
-        out = np.full((max(at for at, _ in parts) + 1, length, *extents), np.nan)
+        first = users if dims[0] == "user" else max(at for at, _ in parts) + 1
+        out = np.full((first, length, *extents), np.nan)
         for at, values in parts:
             out[(at, *(slice(0, extent) for extent in np.shape(values)))] = values
         data[name] = (dims, out, {"units": unit, "long_name": text})

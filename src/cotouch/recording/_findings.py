@@ -109,7 +109,7 @@ def findings_of(motion: Motion, tolerance: float, start: float, names: dict[int,
             words = f"at {names[recording.user]}{to} {lacking.words}, by {_joule(_most(lacking.energy))}"
             add("guard", lacking.energy, words, pair)
     # Shares that rise as members leave are paid by what the copy lost.
-    came = np.cumsum(np.where(motion.members, motion.carried, 0.0))
+    came = np.cumsum(np.where(motion.members, motion.carried - motion.sunk, 0.0))
     unpaid = came - np.cumsum(motion.known["body_loss"] + motion.known["extra_loss"])
     if unpaid.max(initial=0.0) > tolerance:
         rises = np.diff(np.maximum.accumulate(np.maximum(unpaid, 0.0)), prepend=0.0)
@@ -174,11 +174,21 @@ def missing_words(recordings: Sequence[Recording], names: dict[int, str]) -> lis
             notes.append(
                 f"the state of {own} is kept at {kept} of {recording.steps} steps; the others are taken as booked"
             )
-    absent = sorted({user for recording in recordings for user in recording.neighbours} - set(names))
-    if absent:
+    if absent := absent_users(recordings):
         who = ", ".join(f"user {user_number(user)}" for user in absent)
-        notes.append(f"there is no recording of {who}; links to them are known from one end only")
+        notes.append(
+            f"there is no recording of {who}; links to them are known from one end only, and whether users got out "
+            "more than was put in is not known"
+        )
     return notes
+
+
+def absent_users(recordings: Sequence[Recording]) -> list[int]:
+    """Whose neighbours are recorded, but not they themselves."""
+    return sorted(
+        {user for recording in recordings for user in recording.neighbours}
+        - {recording.user for recording in recordings}
+    )
 
 
 def closing_words(recordings: Sequence[Recording]) -> list[str]:

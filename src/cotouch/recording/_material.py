@@ -1,21 +1,28 @@
-"""A body's material in a recording: what its inner forces follow, and the energy that they hold at recorded places."""
+"""A body's material in a recording, and what it met: what forces follow, and the energy that they hold at places."""
 
 from collections.abc import Mapping
 from dataclasses import fields
 from typing import TYPE_CHECKING, Any, final
 
 import numpy as np
+import numpy.typing as npt
 import scipy.sparse as sp
 
 from cotouch.arrays import Float
-from cotouch.body import Body, Material, SumOfSquares
+from cotouch.body import Body, Material, Skin, SumOfSquares
+from cotouch.errors import BodyError
+from cotouch.recording._outside import Outside
 
 if TYPE_CHECKING:  # reading a recording needs no kernels
-    from cotouch.mechanics import Model
+    from cotouch.mechanics import Model, Obstacle
 
+Bool = npt.NDArray[np.bool_]
 _INNER, _OUTER = ("damping_int", "stiffness_int"), ("mass", "damping_ext", "stiffness_ext")
 _PARTS = ("data", "indices", "indptr")
-_PREFIX = "material_"
+_PREFIX, _SKIN, _WORLD = "material_", "skin_", "world_"
+_SURFACE = ("vertices", "triangles", "nodes", "weights")
+# Numbers of an obstacle: of its shape, unused ones 0, and of its law.
+_SHAPE, _LAW = 9, ("stiffness", "loss", "friction", "kinetic")
 
 
 @final
@@ -25,24 +32,73 @@ class RecordedMaterial:
     Attributes:
         body: with its material.
         material: of it.
+        world: what stands around it, by name: `kind` (S,), `shape` (S, 9) and `law` (S, 4); empty: nothing does.
     """
 
-    def __init__(self, body: Body) -> None:
+    def __init__(self, body: Body, world: Mapping[str, Any] | None = None) -> None:
         """Takes a body.
 
         Args:
-            body: with a material.
+            body: with a material; with a skin where it meets something.
+            world: see above; None: nothing.
         """
         assert body.material is not None
         self.body, self.material = body, body.material
+        self.world = dict(world or {})
         self._model: Model | None = None
+
+    @classmethod
+    def of(cls, model: "Model") -> "RecordedMaterial":
+        """Takes a body with a material, and what stands around it, from a model.
+
+        Args:
+            model: of the session.
+        """
+        from cotouch.mechanics import SHAPES
+
+        obstacles, world = model.obstacles, {}
+        if obstacles:
+            shapes = np.zeros((len(obstacles), _SHAPE))
+            for row, obstacle in zip(shapes, obstacles, strict=True):
+                numbers = np.ravel(obstacle.shape)
+                row[: numbers.size] = numbers
+            laws = [
+                [o.stiffness, o.loss, o.friction, o.friction if o.kinetic is None else o.kinetic] for o in obstacles
+            ]
+            kind = np.array([SHAPES.index(type(o.shape)) for o in obstacles])
+            world = {"kind": kind, "shape": shapes, "law": np.array(laws)}
+        return cls(model.body, world)
+
+    def obstacles(self) -> "list[Obstacle]":
+        """What stands around the body.
+
+        Raises:
+            BodyError: numbers of one are out of their range.
+        """
+        if not self.world:
+            return []
+        from cotouch.mechanics import SHAPES, Obstacle
+
+        made: list[Obstacle] = []
+        for kind, shape, law in zip(*(self.world[name] for name in ("kind", "shape", "law")), strict=True):
+            if not 0 <= int(kind) < len(SHAPES):
+                raise BodyError(f"the recording has an obstacle of kind {kind}; there are 0 to {len(SHAPES) - 1}")
+            of = SHAPES[int(kind)]
+            vectors = np.reshape(shape, (-1, 3))[: len(getattr(of, "_fields"))]  # noqa: B009  a NamedTuple's
+            numbers = dict(zip(_LAW, map(float, law), strict=True))
+            made.append(Obstacle(shape=of(*(tuple(map(float, vector)) for vector in vectors)), **numbers))
+        return made
 
     def arrays(self) -> dict[str, Any]:
         """All of it, by name."""
         found: dict[str, Any] = {}
         for name in (*_INNER, *_OUTER):
             found |= {f"{_PREFIX}{name}_{part}": getattr(getattr(self.body, name), part) for part in _PARTS}
-        return found | {_PREFIX + field.name: np.asarray(getattr(self.material, field.name)) for field in _FIELDS}
+        found |= {_PREFIX + field.name: np.asarray(getattr(self.material, field.name)) for field in _FIELDS}
+        if self.world and self.body.skin is not None:
+            found |= {_PREFIX + _SKIN + name: getattr(self.body.skin, name) for name in _SURFACE}
+            found |= {_PREFIX + _WORLD + name: values for name, values in self.world.items()}
+        return found
 
     @classmethod
     def of_arrays(cls, arrays: Mapping[str, Any], rest: Float) -> "RecordedMaterial | None":
@@ -74,7 +130,14 @@ class RecordedMaterial:
         )
         inner = {name: SumOfSquares(matrices[name]) for name in _INNER}
         outer = {name: matrices[name] for name in _OUTER}
-        return cls(Body(rest=rest, material=material, **inner, **outer))
+        skin, world = None, {}
+        if _PREFIX + _WORLD + "kind" in arrays:
+            skin = Skin(**{name: arrays[_PREFIX + _SKIN + name] for name in _SURFACE})
+            world = {name: np.asarray(arrays[_PREFIX + _WORLD + name]) for name in ("kind", "shape", "law")}
+            extents = [values.shape for values in world.values()]
+            if extents != [extents[0], (*extents[0], _SHAPE), (*extents[0], len(_LAW))] or len(extents[0]) != 1:
+                raise ValueError(f"what stands around the body is told by arrays of {extents}")
+        return cls(Body(rest=rest, material=material, skin=skin, **inner, **outer), world)
 
     def same(self, other: "RecordedMaterial | None") -> bool:
         """Whether another is of the same numbers.
@@ -85,7 +148,7 @@ class RecordedMaterial:
         if other is None:
             return False
         one, two = self.arrays(), other.arrays()
-        return all(np.array_equal(values, two[name]) for name, values in one.items())
+        return one.keys() == two.keys() and all(np.array_equal(values, two[name]) for name, values in one.items())
 
     def energies(self, start: Float, after: Float, mean: Float) -> tuple[Float, Float, Float]:
         """What the inner forces hold before and after each step, and what their dampers took.
@@ -100,11 +163,9 @@ class RecordedMaterial:
         Returns:
             Energy before and after [J], and power [W], each (steps,), all of the whole body.
         """
-        from cotouch.mechanics import inner_energy, model
+        from cotouch.mechanics import inner_energy
 
-        if self._model is None:
-            self._model = model(self.body)
-        made = self._model
+        made = self._made()
         assert made.force is not None
         memory = made.unturned()
         before, ends, power = (np.zeros(start.shape[0]) for _ in range(3))
@@ -114,6 +175,55 @@ class RecordedMaterial:
             before[step], _ = inner_energy(made.force, memory, x, x, still, made.lanes)
             ends[step], power[step] = inner_energy(made.force, memory, x, ahead, rate, made.lanes)
         return before, ends, power
+
+    def outside(self, start: Float, after: Float, T: Float, told: Outside, *, fresh: Bool, follows: Bool) -> Outside:
+        """What planes and boxes held before and after each step, and what was lost at them.
+
+        How far friction is stretched follows from the steps before. Where these are not all there, what the peer booked
+        stands in, until the copy touches nothing or there is no friction.
+
+        Args:
+            start: displacements of the nodes, (steps, n, d) [m].
+            after: likewise, after the step.
+            T: length of the step, (steps,) [s].
+            told: what the peer booked; of before only where no step is missing.
+            fresh: whether the step is the copy's first, (steps,).
+            follows: whether it begins where the one before ended, (steps,).
+        """
+        from cotouch.mechanics import begin_world, deepest_point, follow_world
+
+        made = self._made()
+        world = None if made.force is None else made.force.world
+        if world is None:
+            return told
+        memory, found, known, held = made.unturned(), Outside(*map(np.array, told)), False, np.nan
+        slick = not np.any(world.friction)
+        for step in range(T.size):
+            x, ahead = (made.to_rows(field[step]) for field in (start, after))
+            if not follows[step]:
+                known = bool(slick or fresh[step])
+                held = begin_world(world, memory, x)
+            if not known:  # a step that touches nothing leaves nothing stretched
+                known = max(deepest_point(world, x)[0], deepest_point(world, ahead)[0]) <= 0.0
+                held = begin_world(world, memory, ahead)
+                continue
+            found.before[step] = held
+            held, found.lost[step] = follow_world(world, memory, x, ahead, float(T[step]))
+            found.after[step] = held
+        return found
+
+    def firmness(self) -> float:
+        """Of all that the whole skin can lean on [N/m]."""
+        made = self._made()
+        world = None if made.force is None else made.force.world
+        return 0.0 if world is None else float(world.stiffness.sum() * world.area.sum())
+
+    def _made(self) -> "Model":
+        from cotouch.mechanics import model
+
+        if self._model is None:
+            self._model = model(self.body, obstacles=self.obstacles())
+        return self._model
 
     def weight(self, place: Float, mass: Float) -> Float:
         """Potential energy in the field of gravity, zero at rest [J].

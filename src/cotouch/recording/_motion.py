@@ -16,6 +16,7 @@ from cotouch.errors import RecordingError
 from cotouch.peer import LinkState
 from cotouch.recording._body import RecordedBody
 from cotouch.recording._columns import UNSAID
+from cotouch.recording._outside import Outside, outside_of, scale_of, sunk_of
 from cotouch.recording._recording import Recording, Setup
 
 Bool = npt.NDArray[np.bool_]
@@ -24,6 +25,8 @@ Int = npt.NDArray[np.int64]
 # Of a stamp that went through two clocks' numbers and back [s].
 _SAME_STAMP = 1e-6
 _EPS = float(np.finfo(np.float64).eps)
+# As in the kernels: below this share of the kinetic energy nothing moves about the centre of mass.
+_RIGID = 1e-9
 LOSSES = ("body_loss", "local_loss", "extra_loss")
 # Events after which a copy may carry another share of the body.
 _MEMBERS = {"joined", "left", "rescaled"}
@@ -48,6 +51,8 @@ class Motion:
         residual: what nothing explains, per step; 0 where it was not worked out.
         carried: what came into the copy between the step before (or the last one whose state is recorded) and this.
         members: whether somebody joined or left there.
+        sunk: of carried: what a share of a potential below 0 makes, that no hand can get; see `cotouch.peer.CopyScale`.
+        depth: how far below 0 the energy was at most, of a body that fell below where it began.
         difference: by name, what was worked out less what was booked, per step; links as "link N".
         speed: ‖v̂‖² in the weight of W_0, per step, NaN where not worked out.
         rounding: of the energies, from the size of the numbers they come from.
@@ -65,6 +70,8 @@ class Motion:
     residual: Float
     carried: Float
     members: Bool
+    sunk: Float
+    depth: float
     difference: Mapping[str, Float]
     speed: Float
     rounding: float
@@ -99,18 +106,21 @@ def _motion(recording: Recording, others: Sequence[Recording], offset: float) ->
     rounding = 0.0
     copies = np.ones(steps)
     closure = np.array(columns["closure"]) if body.material is not None else np.zeros(steps)
+    scale, potential = scale_of(recording), np.zeros(rows.size)
+    outside = outside_of(recording, scale)
     for setup, span in recording.setup_rows():
         copies[span] = setup.copies
         chosen = np.flatnonzero((rows >= span.start) & (rows < span.stop))
         if chosen.size == 0:
             continue
         at = rows[chosen]
-        step = _Steps(body, recording, chosen, T[at], setup)
+        around = None if outside is None else Outside(*(values[chosen] for values in outside))
+        step = _Steps(body, recording, chosen, T[at], setup, scale[at], around)
         known["supplied"][at] = step.supplied(columns["force"][at], known["supplied"][at])
         for name, values in zip(LOSSES, step.losses(), strict=True):
             known[name][at] = values
         stored[at], start[at], size = step.energies()
-        closure[at] = step.closure
+        closure[at], potential[chosen] = step.closure, step.potential
         speed[at] = body.form(body.weights[0], step.mean)
         rounding = max(rounding, size)
         for entry, neighbour in enumerate(setup.neighbours):
@@ -136,6 +146,7 @@ def _motion(recording: Recording, others: Sequence[Recording], offset: float) ->
     residual = np.where(kept, stored - start - gained, 0.0)
     start = np.where(kept, start, stored - gained)
     carried, members = _carried(recording, kept, stored, start, gained)
+    sunk = sunk_of(scale, rows, potential)
     # Beyond the copy itself: proxies and contacts, whose part in a step is what the drives gave less what the body got.
     more = known["drive_work"] - touch - columns["touch_loss"]
     before = np.where(recording.consecutive, np.concatenate([[0.0], extra[:-1]]), extra - more)
@@ -152,6 +163,8 @@ def _motion(recording: Recording, others: Sequence[Recording], offset: float) ->
         residual=residual + np.where(recording.consecutive, extra - before - more, 0.0),
         carried=carried,
         members=members,
+        sunk=sunk,
+        depth=max(0.0, -float((stored + extra).min(initial=0.0))),
         difference=difference,
         speed=speed,
         rounding=rounding,
@@ -162,17 +175,23 @@ def _motion(recording: Recording, others: Sequence[Recording], offset: float) ->
 class _Steps:
     """Steps with one setup whose states are recorded; every field (steps, body rows, axes)."""
 
-    def __init__(self, body: RecordedBody, recording: Recording, chosen: Int, T: Float, setup: Setup) -> None:
+    def __init__(
+        self,
+        body: RecordedBody,
+        recording: Recording,
+        chosen: Int,
+        T: Float,
+        setup: Setup,
+        scale: Float,
+        outside: Outside | None,
+    ) -> None:
         self.body, self.recording, self.setup, self.T = body, recording, setup, T
         x, self.v, self.middle = (body.field(recording.states[name][chosen]) for name in ("x", "v", "middle"))
         self.x = x
         self.mean = 2.0 * (x - self.middle) / T[:, None, None]
         self.copy_scale = 1.0 / setup.copies
-        fractions = recording.columns.get("stiffness_scale")
         at = recording.states["state_row"][chosen]
-        self.stiff = (
-            np.full(T.size, self.copy_scale) if fractions is None else np.asarray(fractions[at], dtype=np.float64)
-        )
+        self.stiff, self.outside, self.potential = scale, outside, np.zeros(T.size)
         self.start, self.unclosed, self.closure = 2.0 * self.middle - x, self.v, np.zeros(T.size)
         material = body.material
         self.inner = None if material is None else material.energies(self.start, x, self.mean)
@@ -184,6 +203,8 @@ class _Steps:
 
         Which it was is told by the work that goes with β; where nothing is left of v', nothing can be said.
         """
+        # A change that rounding explains is booked as none; the work tells it.
+        hidden = (factor == 0.0) & (work != 0.0)
         masses = self.body.mass.diagonal()
         centre = np.einsum("r,sra->sa", masses, self.v)[:, None] / masses.sum()
         beta = (1.0 + np.copysign(factor, work))[:, None, None]
@@ -191,11 +212,15 @@ class _Steps:
         kinetic = self.body.form(self.body.mass, self.v)
         tried: list[tuple[Float, Float]] = []
         for about in (centre, 0.0 * centre):
-            unclosed = about + (self.v - about) / beta
+            moving = 0.5 * self.copy_scale * self.body.form(self.body.mass, self.v - about)
+            share = 1.0 - np.divide(work, moving, out=np.zeros_like(work), where=hidden & (moving > np.abs(work)))
+            unclosed = about + (self.v - about) * np.where(hidden, np.sqrt(share), 1.0)[:, None, None] / beta
             did = 0.5 * self.copy_scale * (kinetic - self.body.form(self.body.mass, unclosed))
             tried.append((unclosed, did))
         (central, one), (whole, other) = tried
-        as_whole = np.abs(other - work) < np.abs(one - work)
+        beside = 0.5 * self.copy_scale * self.body.form(self.body.mass, self.v - centre)
+        still = beside <= np.maximum(np.abs(work), _RIGID * 0.5 * self.copy_scale * kinetic)
+        as_whole = np.where(hidden, still, np.abs(other - work) < np.abs(one - work))
         self.unclosed = np.where(as_whole[:, None, None], whole, central)
         self.closure = np.where(np.isnan(one), work, np.where(as_whole, other, one))
 
@@ -214,11 +239,21 @@ class _Steps:
         if self.inner is not None and body.material is not None:
             held, came, _ = self.inner
             mass = body.mass.diagonal()
-            after += 2.0 * (self.stiff * came + self.copy_scale * body.material.weight(self.x, mass))
-            before += 2.0 * (self.stiff * held + self.copy_scale * body.material.weight(start, mass))
+            came, held = came + body.material.weight(self.x, mass), held + body.material.weight(start, mass)
+            if self.outside is not None:
+                came, held = came + self.outside.after, held + self.outside.before
+            after += 2.0 * self.stiff * came
+            before += 2.0 * self.stiff * held
+            self.potential = came + 0.5 * body.form(body.stiffness, self.x)
             # A place is as large as the body; what its rounding does grows with the force.
             inner = float(np.abs(body.material.body.stiffness).sum())
-            size = size + np.sqrt(2.0 * np.maximum(came, held) * inner) * (places + np.abs(body.rest).max())
+            strained = np.maximum(*self.inner[:2])
+            far = places + np.abs(body.rest).max()
+            size = size + np.sqrt(2.0 * strained * inner) * far
+            size = size + float(np.linalg.norm(body.material.material.gravity)) * float(mass.sum()) * far
+            if self.outside is not None:
+                firm = body.material.firmness()
+                size = size + np.sqrt(2.0 * np.nan_to_num(np.maximum(*self.outside[:2])) * firm) * far
         return 0.5 * after, 0.5 * before, _EPS * self.copy_scale * float(size.max(initial=0.0))
 
     def losses(self) -> tuple[Float, Float, Float]:
@@ -230,7 +265,8 @@ class _Steps:
         own = self.copy_scale * body.form(body.damping, self.mean)
         if self.inner is not None:
             own += self.stiff * self.inner[2]
-        return T * own, T * local, T * extra
+        rubbed = 0.0 if self.outside is None else self.stiff * self.outside.lost
+        return T * own + rubbed, T * local, T * extra
 
     def supplied(self, force: Float, booked: Float) -> Float:
         """Work of the recorded forces at the nodes they act on."""

@@ -3,6 +3,7 @@
 from cotouch.scenario._body_tables import FileTable
 from cotouch.scenario._channel import Channel
 from cotouch.scenario._hands import Hands, grip, ports_of
+from cotouch.scenario._law_choice import options_of_springs, with_law_of_session
 from cotouch.scenario._messages import sentence
 from cotouch.scenario._scenario import Scenario, per_user
 from cotouch.scenario._tables import (
@@ -28,6 +29,7 @@ from cotouch.scenario._touching import (
     tools_of,
 )
 from cotouch.scenario._traces import Trace
+from cotouch.scenario._world_table import WorldTable
 
 __all__ = [
     "DEFAULT_RATE",
@@ -45,12 +47,14 @@ __all__ = [
     "ToolTable",
     "Touching",
     "Trace",
+    "WorldTable",
     "after_step",
     "after_step_alone",
     "before_step",
     "before_step_alone",
     "grip",
     "keep_tools",
+    "options_of_springs",
     "per_user",
     "ports_of",
     "proxy_energy",
@@ -58,4 +62,5 @@ __all__ = [
     "tool_record",
     "tools_of",
     "touching_of",
+    "with_law_of_session",
 ]

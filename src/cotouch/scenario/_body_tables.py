@@ -65,7 +65,6 @@ class _GridTable(Table):
     ground_damping: NonNegative = 0.0
     model: GridModel = "springs"
     frame: Frame = "fixed"
-    gravity: Place | None = None
     most_nodes: Number = MOST_NODES
 
     def _common(self) -> dict[str, Any]:
@@ -189,7 +188,6 @@ class FileTable(Table):
         model: "springs" (default of surfaces), "elastic" (default of tetrahedra), "spring-network"; of surfaces
             "cells"; of tetrahedra "corotated", "st-venant-kirchhoff", "neo-hookean".
         frame: "fixed" or, of "springs" and "elastic", "floating": it turns as a whole without a force.
-        gravity: acceleration along x, y, z [m/s²].
         young: [Pa].
         poisson: Poisson's ratio.
         stiffness: of each spring, instead of what Young's modulus gives [N/m].
@@ -213,7 +211,6 @@ class FileTable(Table):
     resolution: Annotated[int, Field(ge=1)] = 12
     model: SurfaceModel | SolidModel | None = None
     frame: Frame = "fixed"
-    gravity: Place | None = None
     young: Positive = 1e4
     poisson: Annotated[float, Field(gt=-1.0, lt=0.5)] = 0.3
     stiffness: Positive | None = None

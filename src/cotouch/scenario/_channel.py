@@ -4,6 +4,7 @@ from typing import Annotated, Literal, Self, final
 
 from pydantic import Field, model_validator
 
+from cotouch.peer import MOST_HOLD, Codec
 from cotouch.scenario._tables import NonNegative, Positive, Probability, Table
 from cotouch.scenario._traces import TraceTable
 
@@ -30,6 +31,29 @@ class Burst(Table):
 
 
 @final
+class CodecTable(Table):
+    """The senders' perceptual codec, which says in one byte what goes on as people expect it to; see docs/codec.md.
+
+    Attributes:
+        deadband: share of a value, or of a sum's growth, that is not worth saying; people notice 7 to 10 % of a force.
+        quantum: fields are rounded to multiples of this, and energies down; 0: they are not [SI units].
+        hold: a sample is said in full at least every so many steps.
+        age: where a law needs damping for the age of samples, the damping that pays for the codec's errors is that of
+            samples so much older [s].
+    """
+
+    deadband: Annotated[float, Field(ge=0.0, lt=1.0, allow_inf_nan=False)] = 0.1
+    quantum: NonNegative = 0.0
+    hold: Annotated[int, Field(ge=1, le=MOST_HOLD)] = 20
+    age: Positive = 1e-3
+
+    @property
+    def codec(self) -> Codec:
+        """For the ends of links."""
+        return Codec(deadband=self.deadband, quantum=self.quantum, hold=self.hold, age=self.age)
+
+
+@final
 class Channel(Table):
     """What the network does to messages, besides the delay of `[network]`; the same law on every link, own draws.
 
@@ -43,6 +67,7 @@ class Channel(Table):
         reordering_delay: [s].
         resend: after how long a lost message is sent again where every sample is needed (constant, self-paced); by
             default the link's round trip with its jitter [s].
+        codec: how senders save bytes; None: every sample is sent in full.
     """
 
     jitter: Jitter | None = None
@@ -53,6 +78,7 @@ class Channel(Table):
     reordering: Probability = 0.0
     reordering_delay: NonNegative = 0.0
     resend: Positive | None = None
+    codec: CodecTable | None = None
 
     @model_validator(mode="after")
     def _one_source(self) -> Self:

@@ -10,7 +10,7 @@ import numpy.typing as npt
 from cotouch.arrays import Float
 from cotouch.body import Body
 from cotouch.errors import ScenarioError
-from cotouch.mechanics import Model, Ports, at, kernel, load, put, splat, store
+from cotouch.mechanics import Model, Ports, at, kernel, path_place, put, splat, store
 from cotouch.scenario._tables import HandTable
 
 Int = npt.NDArray[np.int32]
@@ -53,26 +53,6 @@ class Hands(NamedTuple):
 
 
 @kernel
-def _place(hands: Hands, cursor: Int, p: int, t: float, lanes: tuple[int, ...]) -> float:
-    """Where the path of a port is at time t: straight between waypoints, still before and after them."""
-    first, last = at(hands.path_first, p), at(hands.path_first, p + 1) - 1
-    here = at(cursor, p)
-    while here > first and at(hands.path_time, here) > t:
-        here -= 1
-    while here < last and at(hands.path_time, here + 1) <= t:
-        here += 1
-    put(cursor, p, here)
-    value = load(hands.path_value, here, lanes)
-    if here < last and t > at(hands.path_time, here):
-        fraction = (t - at(hands.path_time, here)) / (at(hands.path_time, here + 1) - at(hands.path_time, here))
-        value = (1.0 - fraction) * value + fraction * load(hands.path_value, here + 1, lanes)
-    if at(hands.frequency, p) != 0.0:
-        wave = np.sin(2.0 * np.pi * at(hands.frequency, p) * t + at(hands.phase, p))
-        value = value + wave * load(hands.amplitude, p, lanes)
-    return value
-
-
-@kernel
 def grip(hands: Hands, ports: Ports, cursor: Int, p: int, end: float, T: float, lanes: tuple[int, ...]) -> None:
     """What port p does during a step that ends at `end`.
 
@@ -94,12 +74,12 @@ def grip(hands: Hands, ports: Ports, cursor: Int, p: int, end: float, T: float, 
     put(ports.damping, p, 0.0)
     if at(hands.begin, p) <= middle < at(hands.release, p):
         if at(hands.forced, p):
-            store(ports.push, p, _place(hands, cursor, p, middle, lanes), lanes)
+            store(ports.push, p, path_place(hands, cursor, p, middle, lanes), lanes)
         else:
             put(ports.stiffness, p, at(hands.stiffness, p))
             put(ports.damping, p, at(hands.damping, p))
-            store(ports.start, p, _place(hands, cursor, p, end - T, lanes), lanes)
-            store(ports.end, p, _place(hands, cursor, p, end, lanes), lanes)
+            store(ports.start, p, path_place(hands, cursor, p, end - T, lanes), lanes)
+            store(ports.end, p, path_place(hands, cursor, p, end, lanes), lanes)
 
 
 def ports_of(hands: list[HandTable], users: int, body: Body, ready: Model) -> tuple[Hands, Int]:

@@ -7,6 +7,9 @@ from pydantic import ValidationError
 
 from cotouch.scenario import _body_tables, _channel, _tables, _tool_tables, _traces, _world_table
 
+# How pydantic says what would be right.
+_SHOULD = "Input should be "
+
 
 def sentence(error: ValidationError, source: str) -> str:
     """The first problem of a validation as one sentence: where, what value, what would be right.
@@ -40,6 +43,8 @@ def sentence(error: ValidationError, source: str) -> str:
             # A message that starts with an option's name goes on where the place of its table ends.
             joint = "." if message.split(maxsplit=1)[0].split(".")[0] in _OPTIONS else ": "
             text = f"{place}{joint}{message}" if place else message
+        case _ if message.startswith(_SHOULD):
+            text = f"{place} is {value}; it must be {message.removeprefix(_SHOULD).replace('a valid ', 'a ')}"
         case _:
             text = f"{place} is {value}: {message[:1].lower()}{message[1:]}"
     more = len({_place(problem["loc"]) for problem in problems}) - 1

@@ -16,6 +16,7 @@ from cotouch.files import read_text, toml, toml_text
 from cotouch.network import Network
 from cotouch.scenario._body_tables import BodySource, FileTable, PointTable
 from cotouch.scenario._channel import Channel
+from cotouch.scenario._law_choice import choose_law, with_law_of_session
 from cotouch.scenario._messages import sentence
 from cotouch.scenario._tables import (
     HandTable,
@@ -114,7 +115,8 @@ class Scenario(Table):
     def from_toml(cls, text: str, *, source: str = "the scenario", folder: Path | None = None) -> "Scenario":
         """Reads a scenario from TOML text; `source` names it in messages, files it names are relative to `folder`.
 
-        A table `[session]` says how live sessions go and is left out here, so that a session's file is a scenario too.
+        A table `[session]` says how live sessions go and is left out here, so that a session's file is a scenario too;
+        only its law is that of the session.
 
         Args:
             text: TOML.
@@ -122,7 +124,7 @@ class Scenario(Table):
             folder: to which paths in it are relative; None: the present one.
         """
         table = toml(text, source, ScenarioError)
-        table.pop("session", None)
+        table = with_law_of_session(table, table.pop("session", None))
         if "network" not in table:
             raise ScenarioError(f"{source} has no [network] table; it needs one with users, spring and delay")
         table["network"] = Network.from_table(table["network"], source=source)
@@ -177,6 +179,11 @@ class Scenario(Table):
             case _:
                 raise ScenarioError(f"{table} has no options to replace one by one; give all of it")
 
+    @property
+    def law(self) -> tuple[str, dict[str, float | str]]:
+        """Name of the links' law, and the parameters that are given: those named, else the default of `choose_law`."""
+        return self.synchronisation.law_given or (choose_law(self), {})
+
     def files(self) -> tuple[Path, ...]:
         """What it reads besides its own file: a mesh, a trace."""
         tables = (self.body if isinstance(self.body, FileTable) else None, self.channel.trace)
@@ -211,11 +218,6 @@ class Scenario(Table):
         if pull is None:
             bare = body.material is None and self.world.obstacles()
             return body.with_gravity((0.0, 0.0, 0.0)) if bare else body
-        if body.material is not None and any(body.material.gravity):
-            raise ScenarioError(
-                f"world.gravity is {pull}, but the body has a gravity of its own, {list(body.material.gravity)}; give "
-                "one of them"
-            )
         return body.with_gravity((pull[0], pull[1], pull[2]))
 
     def placed(self) -> "Scenario":
@@ -288,6 +290,7 @@ class Scenario(Table):
             tables["body"] = self.body.model_dump()
         for name in ("steps", "synchronisation", "channel", "initial", "solver", "record"):
             tables[name] = getattr(self, name).model_dump(by_alias=True)
+        tables["synchronisation"]["law"] = self.synchronisation.law or self.law[0]
         tables["hands"] = [hand.model_dump() for hand in self.hands]
         if self.tools:
             tables["tools"] = [tool.model_dump() for tool in self.tools]

@@ -101,7 +101,7 @@ class Synchronisation(Table):
             before it on the user's own clock, waiting included.
         damping: "rule", "minimax" (smallest largest B_i), "exact" (constant mode with one common step length), or B_i
             itself, one number or one for each user [Ns/m]; by default what the law needs.
-        law: what a link does: the name of a law, or a table of its name as `kind` and parameters.
+        law: what a link does: the name of a law, or a table of its name as `kind` and parameters; see `Scenario.law`.
         scale: multiplies the damping; below 1 nothing is guaranteed.
         extra_damping: B_e, one number or one for each user [Ns/m].
         index_delay: N_ij in steps, [i][j] from j to i; by default from the channel's delays.
@@ -113,7 +113,7 @@ class Synchronisation(Table):
     """
 
     mode: Mode = "freshest"
-    law: str | dict[str, Any] = "spring"
+    law: str | dict[str, Any] | None = None
     damping: DampingMethod | NonNegative | list[NonNegative] | None = None
     damping_scale: NonNegative = 1.0
     extra_damping: NonNegative | list[NonNegative] = 0.0
@@ -122,10 +122,10 @@ class Synchronisation(Table):
     max_step: Annotated[float, Field(ge=1.0, allow_inf_nan=False)] | None = None
 
     @property
-    def law_given(self) -> tuple[str, dict[str, float | str]]:
-        """Name of the law, and the parameters that are given."""
-        if isinstance(self.law, str):
-            return self.law, {}
+    def law_given(self) -> tuple[str, dict[str, float | str]] | None:
+        """Name of the law, and the parameters that are given; None: no law is named."""
+        if self.law is None or isinstance(self.law, str):
+            return None if self.law is None else (self.law, {})
         return str(self.law["kind"]), {name: value for name, value in self.law.items() if name != "kind"}
 
     @model_validator(mode="after")
@@ -141,8 +141,10 @@ class Synchronisation(Table):
 
     @model_validator(mode="after")
     def _known_law(self) -> Self:
-        if not isinstance(self.law, str) and "kind" not in self.law:
+        if isinstance(self.law, dict) and "kind" not in self.law:
             raise ValueError(f'law is {self.law}; give a law\'s name, or a table with it as kind: {{kind = "wave"}}')
+        if self.law_given is None:
+            return self
         name, given = self.law_given
         try:
             law_named(name).check(given)

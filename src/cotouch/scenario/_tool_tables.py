@@ -8,14 +8,17 @@ from pydantic import Discriminator, Field, FiniteFloat, Tag, model_validator
 from cotouch.body import Material
 from cotouch.device import PRESETS
 from cotouch.errors import ScenarioError
-from cotouch.mechanics import CONTACT_LAWS
+from cotouch.mechanics import CONTACT_LAWS, device_couplings
 from cotouch.scenario._tables import NonNegative, Number, Place, Positive, Table
 
 # Of a device's servo, where neither a scenario nor a product says it [Hz].
 DEFAULT_RATE = 1000.0
-# Options of a hand that only one on a device has, and of a device that only one law of the coupling has.
+# Options of a hand that only one on a device has, and of a device what a coupling has not.
 _OF_DEVICES = ("mass", "reaction", "correction", "reach", "blend")
-_OF_PSPM = ("rate", "periods", "window", "cap", "reserve", "assumed_damping")
+_WITHOUT = {
+    "host_force": ("rate", "periods", "window", "cap", "reserve", "assumed_damping"),
+    "virtual": ("cap", "assumed_damping"),
+}
 
 
 def _path_form(value: object) -> str:
@@ -92,13 +95,15 @@ class SimulatedDeviceTable(Table):
         mass: apparent at the tip of a Cartesian device [kg].
         viscous: friction [Ns/m]; of a PHANToM's joints [Nm s/rad].
         coulomb: friction [N]; of a PHANToM's joints [Nm].
-        rate: of the servo [Hz]; like all that PSPM alone has, not with "virtual", where the body's step sets the pace.
+        rate: of the servo [Hz]; like the others of the servo, not with "host_force", where the body's step sets the
+            pace.
         periods: of the servo, used in turn, instead of a rate [s].
         window: over which velocity is measured [s].
         resolution: of the encoders [m], of a PHANToM's joints [rad].
         force: largest [N].
-        coupling: "pspm" (passive whatever the rates), or "virtual" (a sampled spring-damper; refused where the device's
-            own damping is too little for its rate, or its dry friction for its encoders).
+        coupling: "pspm" (passive whatever the rates), "virtual" (a sampled spring-damper; refused where the device's
+            own damping is too little for its rate, or its dry friction for its encoders), another of
+            `cotouch.mechanics.device_couplings`, or "host_force" (a virtual coupling that the body's step computes).
         stiffness: of the coupling [N/m].
         damping: of the coupling [Ns/m].
         cap: most energy that the tank keeps [J].
@@ -117,7 +122,7 @@ class SimulatedDeviceTable(Table):
     window: NonNegative = 0.02
     resolution: NonNegative | None = None
     force: Positive | None = None
-    coupling: Literal["pspm", "virtual"] = "pspm"
+    coupling: str = "pspm"
     stiffness: Positive = 500.0
     damping: NonNegative = 2.0
     cap: NonNegative = 0.1
@@ -127,6 +132,9 @@ class SimulatedDeviceTable(Table):
 
     @model_validator(mode="after")
     def _after(self) -> Self:
+        known = [*device_couplings(), "host_force"]
+        if self.coupling not in known:
+            raise ValueError(f'coupling is "{self.coupling}"; it must be one of {", ".join(known)}')
         if self.preset is not None and self.preset not in PRESETS:
             raise ValueError(f'preset is "{self.preset}"; it must be one of {", ".join(PRESETS)}')
         if self.rate is not None and self.periods is not None:
@@ -135,8 +143,8 @@ class SimulatedDeviceTable(Table):
             raise ValueError(f'kind is "phantom" but preset is "{self.preset}"; leave one of them out')
         if self.sort() == "phantom" and self.mass is not None:
             raise ValueError(f"mass is {self.mass} kg; a PHANToM has its own, leave it out")
-        for name in _OF_PSPM:
-            if self.coupling == "virtual" and name in self.model_fields_set:
+        for name in _WITHOUT.get(self.coupling, ()):
+            if name in self.model_fields_set:
                 raise ValueError(f'{name} is given, but with coupling "{self.coupling}" it has no effect; leave it out')
         return self
 

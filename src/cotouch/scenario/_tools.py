@@ -21,14 +21,16 @@ from cotouch.device import (
 )
 from cotouch.errors import BodyError, DeviceError, ScenarioError
 from cotouch.mechanics import (
+    END,
     GRASP,
     TOUCH,
     TOUCH_LEDGER,
     Model,
+    checked_toll,
     checked_virtual_coupling,
     contact_by,
+    device_couplings,
     encoder_toll,
-    most_toll,
     opening_energy,
     surface_of,
     tools,
@@ -39,6 +41,9 @@ from cotouch.scenario._hands import Hands
 from cotouch.scenario._penetration import resolve_penetration
 from cotouch.scenario._tool_tables import DEFAULT_RATE, ContactTable, SimulatedDeviceTable, ToolHand, ToolTable
 from cotouch.scenario._touching import Touching
+
+# Ticks from a coupling's decision until its force acts: as a real servo, which decides while the force before acts.
+_LATENCY = 1
 
 
 def touching_of(
@@ -118,10 +123,13 @@ def touching_of(
         joined.origin[t, :3] = table.at
         joined.stiffness[t], joined.damping[t] = device.coupling.stiffness, device.coupling.damping
         joined.unsure[t] = _unsure(device, lengths[table.user - 1])
+        if device.coupling.end is not None:
+            joined.ends[t], joined.address[t] = device.coupling.row(proxy=True), device.coupling.end.address(proxy=True)
         models.append(device)
     devices, states = assemble(models)
     for t in np.flatnonzero(joined.device >= 0):
-        joined.most[t] = sure_force(devices, int(joined.device[t]))
+        d = int(joined.device[t])
+        joined.most[t] = states.ends[d, END.most] = joined.ends[t, END.most] = sure_force(devices, d)
     owner = np.array([table.user - 1 for table in chosen])
     first = np.searchsorted(owner, np.arange(users + 1)).astype(np.int32)
     hands, most = _drives(chosen), int(np.diff(first).max())
@@ -201,67 +209,58 @@ def device_model(table: SimulatedDeviceTable, hand: ToolHand | None, lengths: Fl
         force=_first(table.force, product and product.force, inf),
     )
     stiffness = table.stiffness
-    if table.coupling == "virtual":
+    law = device_couplings().get(table.coupling)
+    pays = law is None or "friction" in law.parameters  # the device's own friction, for what sampling makes
+    toll = ages = 0.0
+    if pays:
         # A PHANToM's joints damp its tip by at least their own damping over the square of its longest lever.
         longest = sum(plant.lengths()) if isinstance(plant, PhantomPlant) else 1.0
         unseen = _unseen(plant, servo)
-        known = lengths[lengths > 0.0]
+        known, longest_tick = lengths[lengths > 0.0], max(servo.periods())
+        # With host force the body's step is the tick; else a force is used until two ticks after its place was
+        # measured, the proxy's place is told once a step, and the device's is a tick old in it.
+        alone = law is None
+        ages = 0.0 if alone else float(known.max()) + longest_tick
+        spread = float((known[1:] / known[:-1]).max(initial=1.0)) if alone else 1.0 + longest_tick / servo.span()
         stiffness = checked_virtual_coupling(
             stiffness=stiffness,
             device_damping=plant.viscous / longest**2,
-            period=float(known.max()),
+            period=float(known.max()) if alone else (1.0 + 2.0 * _LATENCY) * longest_tick,
             damping=table.damping,
-            spread=float((known[1:] / known[:-1]).max(initial=1.0)),
+            ages=ages,
+            spread=spread,
             unseen=unseen,
             dry=plant.coulomb / longest,
-            shortest=float(known.min()),
+            shortest=float(known.min()) if alone else servo.span(),
             lower=table.clip_stiffness,
         )
-    toll = 0.0
-    if table.coupling == "pspm":
+    else:
         step = lever * servo.resolution
-        stiffness = _slow_enough(table, servo.span(), step)
+        stiffness = checked_toll(
+            stiffness=stiffness,
+            damping=table.damping,
+            window=servo.span(),
+            resolution=step,
+            lower=table.clip_stiffness,
+            hint=", or set clip_stiffness",
+        )
         toll = encoder_toll(stiffness=stiffness, damping=table.damping, window=servo.span(), resolution=step)
     return DeviceModel(
         plant=plant,
         servo=servo,
         coupling=Coupling(
-            law="pspm" if table.coupling == "pspm" else "host_force",
+            law=table.coupling,
             stiffness=stiffness,
             damping=table.damping,
             cap=table.cap,
             reserve=table.reserve,
-            initial_energy=opening_energy(toll, table.cap),
-            assumed_damping=table.assumed_damping,
+            initial_energy=opening_energy(toll=toll, stiffness=stiffness, cap=table.cap),
+            assumed_damping=plant.viscous if pays else table.assumed_damping,
+            ages=ages,
+            latency=_LATENCY,
         ),
         hand=None if hand is None else SimulatedHand(**hand.model_dump()),
     )
-
-
-def _slow_enough(table: SimulatedDeviceTable, window: float, step: float) -> float:
-    """A stiffness that PSPM's account can pay for with these encoders: the given one, or less if that is allowed [N/m].
-
-    Args:
-        table: the device.
-        window: over which velocity is measured [s].
-        step: of the encoders at the tip [m].
-
-    Raises:
-        DeviceError: it cannot.
-    """
-    most = most_toll(table.damping)
-    if encoder_toll(stiffness=table.stiffness, damping=table.damping, window=window, resolution=step) <= most:
-        return table.stiffness
-    limit = most / step - table.damping / window
-    if limit > 0.0 and table.clip_stiffness:
-        return limit
-    if limit > 0.0:
-        given = f"stiffness is {table.stiffness:g} N/m"
-        remedy = f"at {table.damping:g} Ns/m above {limit:g} N/m; lower it, or set clip_stiffness"
-    else:
-        given = f"damping is {table.damping:g} Ns/m over {window:g} s"
-        remedy = "with any stiffness; lower it, or measure velocity over a longer window"
-    raise DeviceError(f"the coupling's {given}, but encoders with steps of {step:.3g} m empty PSPM's tank {remedy}")
 
 
 def _unseen(plant: CartesianPlant | PhantomPlant, servo: ServoModel) -> float:

@@ -8,7 +8,15 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.arrays import Float
-from cotouch.device import DEVICE_LEDGER, Couplings, Devices, DeviceState, command_device, pull_proxy
+from cotouch.device import (
+    DEVICE_LEDGER,
+    Couplings,
+    Devices,
+    DeviceState,
+    account_energy,
+    command_device,
+    pull_proxy,
+)
 from cotouch.mechanics import AWAY, Contact, Ports, Surface, Tools, TouchWork, at, block, load, part, put, store
 from cotouch.scenario._hands import Hands, grip
 
@@ -69,7 +77,8 @@ class ToolRecord(NamedTuple):
         device_place: measured place of the device in the body's frame, (tools, records, 4) [m].
         device_force: that its motors hold, (tools, records, 4) [N].
         device_ledger: (len(DEVICE_BOOKS), tools, records), see there.
-        coupling: work of the coupling on the proxy; largest excess; what nobody pays for, (3, tools, records) [J].
+        coupling: work of the coupling on the proxy; largest excess; what nobody pays for; what the proxy's end has,
+            (4, tools, records) [J].
     """
 
     place: Float
@@ -100,7 +109,7 @@ def tool_record(count: int, records: int) -> ToolRecord:
         device_place=rows[4],
         device_force=rows[5],
         device_ledger=np.zeros((len(DEVICE_LEDGER), count, records)),
-        coupling=np.zeros((3, count, records)),
+        coupling=np.zeros((4, count, records)),
     )
 
 
@@ -233,3 +242,4 @@ def keep_tools(record: ToolRecord, touching: Touching, i: int, entry: int) -> No
             put(record.coupling, (0, t, entry), at(couplings.work, t))
             put(record.coupling, (1, t, entry), at(couplings.excess, t))
             put(record.coupling, (2, t, entry), at(couplings.unpaid, t))
+            put(record.coupling, (3, t, entry), account_energy(couplings, states, t))

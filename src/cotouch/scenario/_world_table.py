@@ -3,13 +3,17 @@
 from collections.abc import Sequence
 from typing import Annotated, Self, final
 
+import numpy as np
 from pydantic import Field, model_validator
 
-from cotouch.errors import BodyError
-from cotouch.mechanics import Box, Obstacle, Plane, Shape
+from cotouch.arrays import Float
+from cotouch.errors import BodyError, ScenarioError
+from cotouch.mechanics import Box, Model, Obstacle, Plane, Shape, deepest_point
 from cotouch.scenario._tables import NonNegative, Place, Positive, Table
 
 _MOST = 16
+# A copy may begin as deep in an obstacle as this share of its size.
+_DEEP = 0.1
 _ORIGIN = [0.0, 0.0, 0.0]
 
 
@@ -115,6 +119,28 @@ class WorldTable(Table):
         """
         planes = len(self.planes)
         return f"world.planes[{number + 1}]" if number < planes else f"world.boxes[{number - planes + 1}]"
+
+    def refuse_overlap(self, ready: Model, position: Float) -> None:
+        """Refuses copies that begin in an obstacle.
+
+        Args:
+            ready: the body, with these obstacles.
+            position: displacement of every user's copy, (users, n, d) [m].
+
+        Raises:
+            ScenarioError: one is deeper than a tenth of its own size.
+        """
+        world = None if ready.force is None else ready.force.world
+        if world is None:
+            return
+        size = float(np.ptp(ready.body.rest, axis=0).max())
+        for i, field in enumerate(position):
+            deep, s = deepest_point(world, ready.to_rows(field))
+            if deep > _DEEP * size:
+                raise ScenarioError(
+                    f"{self.name(s)}: the copy of user {i + 1} begins {deep:.3g} m deep in it, more than a tenth "
+                    "of its own size; move one of them"
+                )
 
 
 def _three(values: Sequence[float]) -> tuple[float, float, float]:

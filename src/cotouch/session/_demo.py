@@ -9,15 +9,12 @@ from tempfile import TemporaryDirectory
 from typing import Any, final
 
 from cotouch.errors import SessionError
+from cotouch.hands import CommandedHand
 from cotouch.interrupt import interruptible
-from cotouch.session._commanded_hand import CommandedHand
+from cotouch.members import ALARM, SessionFile, SharedModel, Slot
+from cotouch.observers import mailbox_folder
 from cotouch.session._demo_session_api import DemoSessionApi
-from cotouch.session._file import SessionFile
-from cotouch.session._hand import Slot
-from cotouch.session._mailboxes import mailbox_folder
 from cotouch.session._open import open_host
-from cotouch.session._shared_model import SharedModel
-from cotouch.session._totals import ALARM
 from cotouch.session._warm import compiles, shared_with_another_process, warm_up
 from cotouch.units import user_number
 
@@ -46,6 +43,7 @@ class DemoOutcome:
         complaints: what went wrong, in sentences; empty if all came out as it should.
         notes: what else is to be known.
         lowered: whether somebody lowered the damping meanwhile, so that nothing is promised of the whole.
+        left: whether somebody took a part of the ledger along, who left or began anew.
     """
 
     members: dict[str, dict[str, Any] | None]
@@ -62,6 +60,7 @@ class DemoOutcome:
     complaints: list[str]
     notes: list[str] = field(default_factory=list[str])
     lowered: bool = False
+    left: bool = False
 
 
 def play(
@@ -125,13 +124,14 @@ def _played(
                 end = began + (float("inf") if seconds is None else seconds)
                 while time.monotonic() < end and not stopped():
                     _turn(api, each)
+                left = opened.host.watch.left  # before all leave
                 opened.host.end()
                 took = time.monotonic() - began
                 finish = time.monotonic() + 10.0
                 while time.monotonic() < finish and any(member.running for member in api.members.values()):
                     _turn(api, None)
                 _turn(api, None)  # what they said last
-            return _summed(api, took)
+            return _summed(api, took, left=left)
         finally:
             api.close()
 
@@ -181,7 +181,7 @@ def _turn(api: DemoSessionApi, each: Callable[[DemoSessionApi, float], None] | N
     time.sleep(_POLL)
 
 
-def _summed(api: DemoSessionApi, seconds: float) -> DemoOutcome:
+def _summed(api: DemoSessionApi, seconds: float, *, left: bool) -> DemoOutcome:
     """What came of it; where somebody changed how it went, who was killed or cut off is nothing to complain about."""
     acted = api.acted
     results = {name: member.result() for name, member in api.members.items()}
@@ -193,7 +193,7 @@ def _summed(api: DemoSessionApi, seconds: float) -> DemoOutcome:
         return float(sum(status[name] for status in known))
 
     supplied, initial, lost = total("supplied"), total("initial"), total("lost")
-    had = initial + total("initial_energies")
+    had = initial + total("initial_energies") + total("depth")
     residual = max((status["residual"] for status in known), default=0.0)
     links = [link for status in known for link in status["links"]]
     apart = max((link["difference"] for link in links if link["difference"] is not None), default=0.0)
@@ -234,4 +234,5 @@ def _summed(api: DemoSessionApi, seconds: float) -> DemoOutcome:
         complaints=complaints + troubles,
         notes=[] if kept is None else [kept],
         lowered=api.lowered,
+        left=left or None in results.values(),
     )

@@ -9,8 +9,8 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from cotouch.errors import SessionError
+from cotouch.members import MOST_USERS, SessionFile
 from cotouch.session._cushion import HALF, cushion, stl
-from cotouch.session._file import MOST_USERS, SessionFile
 
 _FILE = "live.toml"
 _NUMBERS = ("No", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight")
@@ -47,6 +47,9 @@ _SOFT = {
 }
 _SOFT_FRACTION, _BLOCK_FRACTION = 1.0 / 40.0, 1.0 / 8.0
 _SLOW = 0.5
+_LONGEST = 0.1  # of a path, with the default law [s]
+# So that the point comes to rest when all let go at once: none of its links takes anything of its motion [Ns/m].
+_STOPPING = 1.0
 # Five members of 500 Hz leave too little of two cores to a page and its browser [Hz].
 _SOFT_RATE = 250
 # How fast hands go around, until they let go [Hz].
@@ -80,7 +83,7 @@ def demo_session(
     body: str = "point",
     seconds: float | None = 30.0,
     impair: Sequence[str] = (),
-    law: str = "spring",
+    law: str | None = None,
 ) -> SessionFile:
     """The session of a demonstration.
 
@@ -90,7 +93,9 @@ def demo_session(
         seconds: how long; the hands let go after two thirds of it. None: they never do, and go on moving.
         impair: what the network does besides, each such as "loss=0.1", "jitter=0.02" (s), "duplication=0.05",
             "reordering=0.1".
-        law: of all links: "spring" (the paper's), or one that can go live.
+        law: of all links: "spring" (the paper's), or one that can go live; None: "spring" for bodies, and for the point
+            "paid", with a link between any two and the paper's delays up to 0.1 s, which the longer ones take too: it
+            is for people who are all linked.
 
     Raises:
         SessionError: one of these cannot be.
@@ -119,6 +124,10 @@ def demo_session(
     ]
     tables["hands"] = hands
     _embody(tables, body)
+    if law is None and body == "point":
+        network["delay"] = [[min(delay, _LONGEST) for delay in row] for row in network["delay"]]
+        network.pop("links", None)
+        tables["body"]["damping"] = _STOPPING
     for n, hand in enumerate(hands):
         last = hand["path"][-1][1:]
         hand["amplitude"] = last if len(last) > 1 else last[0]
@@ -129,12 +138,10 @@ def demo_session(
         _GATHER if seconds is None else min(_GATHER, round(_GATHER_FRACTION * seconds, 3))
     )
     _impair(tables, impair)
-    if law != "spring":
-        tables["synchronisation"] = {"law": law}
     with TemporaryDirectory(prefix="cotouch-") as folder:
         if body == "soft":
             Path(folder, _SOFT_FILE).write_bytes(stl(*cushion()))
-        return SessionFile.from_toml(to_toml(tables), source="the demonstration", folder=Path(folder))
+        return SessionFile.from_toml(to_toml(tables), source="the demonstration", folder=Path(folder), law=law)
 
 
 def _embody(tables: dict[str, Any], body: str) -> None:

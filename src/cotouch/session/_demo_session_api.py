@@ -3,34 +3,22 @@
 import math
 import os
 import time
-from collections import deque
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, final
 
 import numpy as np
 
 from cotouch.errors import NetworkError, SessionError
+from cotouch.hands import usual_stiffness
+from cotouch.members import Pair, Roster, SessionFile, SharedModel
+from cotouch.observers import ChildCall, LoweredDamping, MailboxFolder, Overview, Scene
 from cotouch.session import _requests
-from cotouch.session._child import ChildCall
-from cotouch.session._command_client import CommandClient
-from cotouch.session._commanded_hand import usual_stiffness
-from cotouch.session._file import SessionFile
-from cotouch.session._jobs import Jobs
-from cotouch.session._links import Pair
-from cotouch.session._lowered import LoweredDamping
-from cotouch.session._mailboxes import MailboxFolder
-from cotouch.session._messages import Roster
-from cotouch.session._moment import LastMoment
 from cotouch.session._open import OpenHost
 from cotouch.session._planner import notable_links
 from cotouch.session._process import MemberProcess
-from cotouch.session._recording import RecordingClient
-from cotouch.session._session_api import CopyView, Overview, Pointer, Scene
-from cotouch.session._shared_model import SharedModel
-from cotouch.session._watch import SessionEvent
+from cotouch.session._steered import Doing, SteeredMembers
 
-_MOST_EVENTS = 200
 # Where no hand exerts more than this, and nobody acts for so long, hands begin to wander [N, s].
 _AT_REST, _QUIET = 0.01, 20.0
 
@@ -45,7 +33,7 @@ _NONE_FOUND: dict[str, list[Pair]] = {"best": [], "worst": []}
 
 
 @final
-class DemoSessionApi:
+class DemoSessionApi(SteeredMembers):
     """Implements `SessionApi`.
 
     `start`, `tick` and `close` belong to the loop that moves the session.
@@ -80,17 +68,14 @@ class DemoSessionApi:
         Raises:
             InputError: a mailbox cannot be made.
         """
+        super().__init__(session, replica.body, mailboxes, list(session.scenario.network.users))
         self.opened = opened
         self.members: dict[str, MemberProcess] = {}
         self.acted = self.lowered = False
-        self._session, self._mailboxes, self._record = session, mailboxes, record
-        self._names = list(session.scenario.network.users)
-        self._commands = CommandClient(mailboxes, session, self._names)
-        self._recording = RecordingClient(mailboxes, self._commands, self._names, self._say)
-        self._jobs = Jobs()
+        self._mailboxes, self._record = mailboxes, record
         own = tuple(range(len(self._names)))
         # Other laws pay for what they do, and take no damping that could be lowered.
-        damped = {"damping"} if session.scenario.synchronisation.law_given[0] == "spring" else set[str]()
+        damped = {"damping"} if session.law == "spring" else set[str]()
         self._scene = Scene(
             title=session.scenario.title or "cotouch",
             users=tuple(self._names),
@@ -99,14 +84,13 @@ class DemoSessionApi:
             may=frozenset({"hand", "impair", "cut", "kill", "revive", "expel", "links", "record"} | damped),
             invitation=opened.invitation.encode(),
             stiffness=usual_stiffness(replica.scenario, 0),
+            shapes=replica.shapes,
         )
-        self._events = deque[SessionEvent](maxlen=_MOST_EVENTS)
         self._rouses, self._roused = rouse, set[str]()  # hands that wander by themselves
         self._stirred = self._acted = -math.inf  # when something moved, and when somebody acted last [s]
         self._killed = set[str]()
         self._keys: dict[str, str] = {}  # by which members that were started here are known
         self._damping = LoweredDamping(self._commands, self._names, self._say)
-        self._moment = LastMoment()
         self._lives = dict.fromkeys(self._names, 0)
         self._planned: ChildCall[dict[str, list[Pair]]] | None = None
         self._choosing = self._seen = False  # whether choices are to be looked for, and whether anybody sees them
@@ -149,11 +133,6 @@ class DemoSessionApi:
             self._choosing = True
         else:
             self._choices |= _NONE_FOUND
-
-    def recording_left(self) -> tuple[list[str], str | None]:
-        """What went wrong with recordings that were ordered here, and where the last is kept that nobody fetched."""
-        kept = self._recording.close(time.monotonic())
-        return self._recording.troubles, kept
 
     def close(self) -> None:
         """Ends every process and lets go of everything."""
@@ -213,20 +192,14 @@ class DemoSessionApi:
 
     def _looked(self, now: float) -> Overview:
         watch = self.opened.host.watch
-        events = sorted([*watch.events, *self._events], key=lambda event: event.time)
-        return self._moment.seen(
-            Overview(
-                time=now,
-                roster=watch.roster,
-                statuses={slot: seen.status for slot, seen in watch.members.items() if seen.status is not None},
-                alive=self._alive(watch.roster),
-                emulated=self._commands.emulated(),
-                choices=dict(self._choices),
-                damping=self._damping.fraction,
-                recording=self._recording.look(now),
-                events=events[-_MOST_EVENTS:],
-                ended=watch.ended,
-            )
+        return self._look(
+            now,
+            watch,
+            alive=self._alive(watch.roster),
+            ended=watch.ended,
+            choices=self._choices,
+            emulated=True,
+            damping=self._damping.fraction,
         )
 
     def _alive(self, roster: Roster) -> dict[int, bool]:
@@ -241,9 +214,6 @@ class DemoSessionApi:
                 alive[slot] = runs
         return alive
 
-    def _say(self, now: float, text: str) -> None:
-        self._events.append(SessionEvent(now, text))
-
     # -- any thread --------------------------------------------------------------------------------------------------
 
     @property
@@ -251,40 +221,13 @@ class DemoSessionApi:
         """What does not change."""
         return self._scene
 
-    def views(self) -> Mapping[int, CopyView]:
-        """The newest of every copy that can be seen, by slot."""
-        return self._commands.views()
-
     def overview(self) -> Overview:
         """How things were at the last `tick`."""
         self._seen = True
         return self._overview
 
-    def point(self, slot: int, pointer: Pointer) -> None:
-        """Moves a user's pointer; see `SessionApi.point`.
-
-        Args:
-            slot: of the user.
-            pointer: where the hand is to be.
-
-        Raises:
-            SessionError: no such slot, or a number is wrong.
-        """
-        name = self._names[_requests.slot_of({"slot": slot}, self._scene.own)]
-        self._acted = time.monotonic()
-        self._commands.point(name, _requests.checked(pointer, self._scene.body))
-
-    def do(self, what: str, arguments: Mapping[str, Any]) -> str:
-        """See `SessionApi.do`; waits for the loop where it has to do it.
-
-        Args:
-            what: name of the request.
-            arguments: of the request.
-
-        Raises:
-            SessionError: it cannot be done.
-        """
-        doing: dict[str, Callable[[Mapping[str, Any]], str]] = {
+    def _doing(self) -> Doing:
+        return {
             "hand": self._do_hand,
             "impair": self._do_impair,
             "cut": self._do_cut,
@@ -295,24 +238,19 @@ class DemoSessionApi:
             "damping": lambda given: self._jobs.ask(lambda: self._do_damping(given)),
             "record": lambda given: self._jobs.ask(lambda: self._do_record(given)),
         }
-        if what not in doing:
-            raise SessionError(f'"{what}" is nothing that can be done here; it must be one of {", ".join(doing)}')
+
+    def _refusal(self, what: str, known: str) -> str:
+        return f'"{what}" is nothing that can be done here; it must be one of {known}'
+
+    def _acts(self) -> None:
         self._acted = time.monotonic()
-        return doing[what](arguments)
+
+    def _name_of(self, given: Mapping[str, Any]) -> str:
+        return self._names[_requests.slot_of(given, self._scene.own)]
 
     def hold_damping(self, on: bool) -> None:
         """Says whether whoever lowered the damping is still there; see `SessionApi.hold_damping`."""
         self._damping.hold(on)
-
-    def recorded(self) -> tuple[Path, ...]:
-        """Files of the last recording that came to its end; empty before there is one."""
-        return self._recording.hand_out()
-
-    def _do_hand(self, given: Mapping[str, Any]) -> str:
-        name = self._names[_requests.slot_of(given, self._scene.own)]
-        mode, node, to = _requests.hand_of(given, self._scene.body)
-        self._commands.hand(name, mode, node=node, to=to)
-        return f"{name} {_requests.WORDS[mode]}"
 
     def _do_impair(self, given: Mapping[str, Any]) -> str:
         a, b = _requests.pair_of(given, len(self._names))
@@ -335,7 +273,7 @@ class DemoSessionApi:
         return said
 
     def _do_kill(self, given: Mapping[str, Any]) -> str:
-        name = self._names[_requests.slot_of(given, self._scene.own)]
+        name = self._name_of(given)
         if name not in self.members or name in self._killed:
             raise SessionError(f"{name} does not run on this machine")
         self._kill(name)
@@ -363,7 +301,7 @@ class DemoSessionApi:
         return said
 
     def _do_revive(self, given: Mapping[str, Any]) -> str:
-        name = self._names[_requests.slot_of(given, self._scene.own)]
+        name = self._name_of(given)
         if name in self.members and name not in self._killed:
             raise SessionError(f"{name} runs already")
         self._begin(name)
@@ -389,6 +327,3 @@ class DemoSessionApi:
             return f"damping is {100.0 * fraction:.2g} % of what passivity needs, and no link is guarded"
         self._say(now, "damping is what passivity needs, and links are guarded")
         return "damping is what passivity needs, and links are guarded"
-
-    def _do_record(self, given: Mapping[str, Any]) -> str:
-        return self._recording.switch(_requests.flag_of(given), time.monotonic())

@@ -7,8 +7,7 @@ from typing import Any, final
 
 from cotouch.errors import DeviceError
 from cotouch.haptics import DeviceChoice, ServoLink, reasons
-from cotouch.session._messages import MOST_NOTICE
-from cotouch.session._session_recorder import SessionRecorder
+from cotouch.members import MOST_NOTICE, SessionRecorder
 
 # Between the names of two devices.
 AND = " + "
@@ -95,7 +94,7 @@ def _summary(text: str, link: ServoLink, said: list[str]) -> dict[str, Any]:
     }
 
 
-def choices(text: str) -> list[DeviceChoice]:
+def device_choices(text: str) -> list[DeviceChoice]:
     """One device, or one for each hand.
 
     Args:
@@ -126,7 +125,7 @@ def held_device(text: str | None, warn: Callable[[str], None]) -> Generator[Held
         return
     with ExitStack() as stack:
         links: list[ServoLink] = []
-        for choice in choices(text):
+        for choice in device_choices(text):
             links.append(ServoLink(choice))
             stack.callback(links[-1].close)
         yield HeldDevice(text, links, warn)

@@ -8,17 +8,16 @@ from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from cotouch.control import ControlPlane, Invitation, ZenohControl
 from cotouch.errors import TransportError
 from cotouch.interrupt import interruptible
-from cotouch.live import ControlPlane, Identity, Invitation, ZenohControl, few_arenas
+from cotouch.members import Part, PartOutcome, SessionFile, SharedModel, Slot
+from cotouch.pacing import few_arenas
 from cotouch.recording import NewFile
-from cotouch.session._file import SessionFile
-from cotouch.session._hand import Slot
+from cotouch.samples import Identity
 from cotouch.session._held import held_device
 from cotouch.session._keep import KeptIdentity
-from cotouch.session._part import Part, PartOutcome
 from cotouch.session._playing import hand_of, take_part
-from cotouch.session._shared_model import SharedModel
 from cotouch.session._warm import compiles, warm_up
 
 # The host answers at once, if it is there and reachable; a large mesh takes longer, but comes in pieces [s].

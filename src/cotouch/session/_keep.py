@@ -11,13 +11,12 @@ import time
 from pathlib import Path
 from typing import IO, Any, NamedTuple, final
 
+from cotouch.control import Invitation
 from cotouch.errors import SessionError, TransportError
 from cotouch.files import read_text
 from cotouch.files import write as put
-from cotouch.live import Entropy, Identity, Invitation
-from cotouch.session._file import SessionFile
-from cotouch.session._messages import Decision, write
-from cotouch.session._succession import genuine
+from cotouch.members import Decision, SessionFile, genuine, write
+from cotouch.samples import Entropy, Identity
 
 _MOST = 1 << 20  # [B]
 # Who one was in a session is of no use a week later [s].

@@ -10,13 +10,12 @@ from typing import final
 
 import numpy as np
 
+from cotouch.control import Invitation, ZenohControl
 from cotouch.errors import SessionError
-from cotouch.live import Identity, Invitation, ZenohControl
+from cotouch.members import Pair, SessionFile, SessionWatch, delays_of
 from cotouch.network import Network
-from cotouch.session._file import SessionFile
+from cotouch.samples import Identity
 from cotouch.session._join import fetch_session
-from cotouch.session._links import Pair, delays_of
-from cotouch.session._watch import SessionWatch
 
 _POLL = 0.02
 

@@ -2,34 +2,26 @@
 
 import os
 import time
-from collections import deque
-from collections.abc import Callable, Generator, Mapping, Sequence
+from collections.abc import Generator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any, final
 
+from cotouch.control import Invitation, ZenohControl
 from cotouch.errors import SessionError
-from cotouch.live import Identity, Invitation, ZenohControl
+from cotouch.hands import usual_stiffness
+from cotouch.members import SessionFile, SessionWatch, SharedModel
+from cotouch.observers import MailboxFolder, Overview, Scene, mailbox_folder
+from cotouch.samples import Identity
 from cotouch.session import _requests
-from cotouch.session._command_client import CommandClient
-from cotouch.session._commanded_hand import usual_stiffness
-from cotouch.session._file import SessionFile
-from cotouch.session._jobs import Jobs
 from cotouch.session._join import fetch_session
-from cotouch.session._mailboxes import MailboxFolder, mailbox_folder
-from cotouch.session._moment import LastMoment
 from cotouch.session._process import MemberProcess
-from cotouch.session._recording import RecordingClient
-from cotouch.session._session_api import CopyView, Overview, Pointer, Scene
-from cotouch.session._shared_model import SharedModel
-from cotouch.session._watch import SessionEvent, SessionWatch
-
-_MOST_EVENTS = 200
+from cotouch.session._steered import Doing, SteeredMembers
 
 
 @final
-class MemberSessionApi:
+class MemberSessionApi(SteeredMembers):
     """Implements `SessionApi`.
 
     `tick` and `close` belong to the loop that moves it.
@@ -65,14 +57,10 @@ class MemberSessionApi:
         Raises:
             InputError: a mailbox cannot be made.
         """
+        super().__init__(session, replica.body, mailboxes, [name])
         self.watch = watch
         self._name, self._invitation = name, invitation.encode()
-        self._session, self._replica = session, replica
-        self._commands = CommandClient(mailboxes, session, [name])
-        self._recording = RecordingClient(mailboxes, self._commands, [name], self._say)
-        self._moment = LastMoment()
-        self._jobs = Jobs()
-        self._events = deque[SessionEvent](maxlen=_MOST_EVENTS)
+        self._scenario, self._shapes = replica.scenario, replica.shapes
         self.over = False
         self._left: tuple[int, str] | None = None
         self.member = MemberProcess(
@@ -101,11 +89,6 @@ class MemberSessionApi:
             self._say(now, f"{self._name} takes part no more")
         self._overview = self._looked(now)
 
-    def recording_left(self) -> tuple[list[str], str | None]:
-        """What went wrong with recordings that were ordered here, and where the last is kept that nobody fetched."""
-        kept = self._recording.close(time.monotonic())
-        return self._recording.troubles, kept
-
     def close(self) -> tuple[int, str]:
         """Lets the process leave; its exit code, and what it printed."""
         if self._left is None:
@@ -117,102 +100,49 @@ class MemberSessionApi:
             self._commands.close()
         return self._left
 
-    def _say(self, now: float, text: str) -> None:
-        self._events.append(SessionEvent(now, text))
-
     def _looked(self, now: float) -> Overview:
-        watch, slot = self.watch, self.slot
-        events = sorted([*watch.events, *self._events], key=lambda event: event.time)
-        return self._moment.seen(
-            Overview(
-                time=now,
-                roster=watch.roster,
-                statuses={other: seen.status for other, seen in watch.members.items() if seen.status is not None},
-                alive={} if slot is None else {slot: not self.over},
-                emulated={},
-                choices={},
-                damping=1.0,
-                recording=self._recording.look(now),
-                events=events[-_MOST_EVENTS:],
-                ended=watch.ended or self.over,
-            )
-        )
+        alive = {} if self.slot is None else {self.slot: not self.over}
+        return self._look(now, self.watch, alive=alive, ended=self.watch.ended or self.over)
 
     # -- any thread --------------------------------------------------------------------------------------------------
 
     @property
     def scene(self) -> Scene:
         """What does not change, once the own copy moves."""
-        scenario, slot = self._replica.scenario, self.slot
+        slot = self.slot
         return Scene(
             title=self._session.scenario.title or "cotouch",
             users=tuple(self._session.scenario.network.users),
-            body=self._replica.body,
+            body=self._body,
             own=() if slot is None else (slot,),
             may=frozenset({"hand", "record"}),
             invitation=self._invitation,
-            stiffness=usual_stiffness(scenario, slot or 0),
+            stiffness=usual_stiffness(self._scenario, slot or 0),
+            shapes=self._shapes,
         )
-
-    def views(self) -> Mapping[int, CopyView]:
-        """The newest of every copy that can be seen, by slot."""
-        return self._commands.views()
 
     def overview(self) -> Overview:
         """How things were at the last `tick`."""
         return self._overview
 
-    def point(self, slot: int, pointer: Pointer) -> None:
-        """Moves the own pointer; see `SessionApi.point`.
-
-        Args:
-            slot: the user's.
-            pointer: where the hand is to be.
-
-        Raises:
-            SessionError: it is not the own slot, or a number is wrong.
-        """
-        self._own({"slot": slot})
-        self._commands.point(self._name, _requests.checked(pointer, self._replica.body))
-
-    def do(self, what: str, arguments: Mapping[str, Any]) -> str:
-        """See `SessionApi.do`.
-
-        Args:
-            what: name of the request.
-            arguments: of the request.
-
-        Raises:
-            SessionError: it cannot be done.
-        """
-        doing: dict[str, Callable[[Mapping[str, Any]], str]] = {
-            "hand": self._do_hand,
-            "record": lambda given: self._jobs.ask(
-                lambda: self._recording.switch(_requests.flag_of(given), time.monotonic())
-            ),
-        }
-        if what not in doing:
-            raise SessionError(f'"{what}" is for the host\'s page; here can be done: {", ".join(doing)}')
-        return doing[what](arguments)
-
     def hold_damping(self, on: bool) -> None:
         """Nothing: damping is not lowered from here."""
 
-    def recorded(self) -> tuple[Path, ...]:
-        """Files of the last recording of the own copy that came to its end; empty before there is one."""
-        return self._recording.hand_out()
-
-    def _do_hand(self, given: Mapping[str, Any]) -> str:
-        self._own(given)
-        mode, node, to = _requests.hand_of(given, self._replica.body)
-        self._commands.hand(self._name, mode, node=node, to=to)
-        return f"{self._name} {_requests.WORDS[mode]}"
-
-    def _own(self, given: Mapping[str, Any]) -> None:
+    def _name_of(self, given: Mapping[str, Any]) -> str:
         slot = self.slot
         if slot is None:
             raise SessionError(f"{self._name} does not move yet; wait a moment")
         _requests.slot_of(given, (slot,))
+        return self._name
+
+    def _doing(self) -> Doing:
+        return {"hand": self._do_hand, "record": lambda given: self._jobs.ask(lambda: self._do_record(given))}
+
+    def _acts(self) -> None:
+        """Nothing here waits for somebody to act."""
+
+    def _refusal(self, what: str, known: str) -> str:
+        return f'"{what}" is for the host\'s page; here can be done: {known}'
 
 
 @contextmanager

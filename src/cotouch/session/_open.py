@@ -9,24 +9,13 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import final
 
-from cotouch.live import (
-    Addresses,
-    Endpoint,
-    Identity,
-    Invitation,
-    RoutedTransport,
-    UdpTransport,
-    ZenohControl,
-    few_arenas,
-    free_port,
-)
-from cotouch.session._admission import Admission, addresses_of
-from cotouch.session._file import SessionFile
-from cotouch.session._host import Host
+from cotouch.control import Endpoint, Invitation, ZenohControl, free_port
+from cotouch.members import Admission, Host, SessionFile, SessionWatch, SharedModel, addresses_of
+from cotouch.pacing import few_arenas
+from cotouch.samples import Identity, UdpTransport
 from cotouch.session._keep import KeptHost, keep_host, kept_host
 from cotouch.session._planner import LinkPlanner
-from cotouch.session._shared_model import SharedModel
-from cotouch.session._watch import SessionWatch
+from cotouch.traversal import Addresses, RoutedTransport
 
 _MOST_TITLE = 40
 

@@ -6,11 +6,10 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.errors import CotouchError, SessionError, UnsupportedError
+from cotouch.members import Pair, SessionFile, delays_of
 from cotouch.network import Network
+from cotouch.observers import ChildCall
 from cotouch.planning import Objective, Plan, compiles, modes_of, plan
-from cotouch.session._child import ChildCall
-from cotouch.session._file import SessionFile
-from cotouch.session._links import Pair, delays_of
 
 # Time budget of one search; what is found by then counts [s].
 _SECONDS = 5.0

@@ -6,36 +6,33 @@ import time
 from collections.abc import Callable
 from typing import final
 
-from cotouch.live import (
-    Address,
-    ImpairedTransport,
-    Invitation,
-    Pacer,
-    Place,
-    RoutedTransport,
-    UdpTransport,
-    ZenohControl,
-    prepare_process,
-    towards,
-)
+from cotouch.control import Invitation, ZenohControl, towards
+from cotouch.hands import CommandedHand, DeviceHand
 from cotouch.mechanics import Model
+from cotouch.members import (
+    Admission,
+    Coordinator,
+    Hand,
+    Member,
+    NoHand,
+    Pace,
+    Part,
+    PartOutcome,
+    RoutedPaths,
+    ScriptedHand,
+    SessionFile,
+    SessionRecorder,
+    SharedModel,
+    Slot,
+    pace_numbers,
+    path_laws,
+)
+from cotouch.observers import MailboxFolder, TelemetryPublisher
+from cotouch.pacing import Pacer, prepare_process
 from cotouch.recording import NewFile
-from cotouch.session._admission import Admission
-from cotouch.session._commanded_hand import CommandedHand
-from cotouch.session._coordinator import Coordinator
-from cotouch.session._device_hand import DeviceHand
-from cotouch.session._emulate import path_laws
-from cotouch.session._file import SessionFile
-from cotouch.session._hand import Hand, NoHand, ScriptedHand, Slot
+from cotouch.samples import Address, ImpairedTransport, UdpTransport
 from cotouch.session._held import HeldDevice
-from cotouch.session._mailboxes import MailboxFolder
-from cotouch.session._member import Member
-from cotouch.session._pace import Pace, pace_numbers
-from cotouch.session._part import Part, PartOutcome
-from cotouch.session._paths import RoutedPaths
-from cotouch.session._session_recorder import SessionRecorder
-from cotouch.session._shared_model import SharedModel
-from cotouch.session._telemetry import TelemetryPublisher
+from cotouch.traversal import Place, RoutedTransport
 from cotouch.units import user_number
 
 _SERVICE_EVERY = 0.02

@@ -8,7 +8,7 @@ import tempfile
 from collections.abc import Sequence
 from typing import Any, final
 
-from cotouch.live import Invitation
+from cotouch.control import Invitation
 from cotouch.processes import start_child
 
 _PATIENCE = 10.0

@@ -6,8 +6,8 @@ from typing import Any, TypeGuard
 
 from cotouch.body import Body
 from cotouch.errors import SessionError
-from cotouch.session._links import Pair
-from cotouch.session._session_api import HandMode, Pointer
+from cotouch.members import Pair
+from cotouch.observers import HandMode, Pointer
 
 # What a hand can be told in a word, and how that is said.
 WORDS: dict[HandMode, str] = {

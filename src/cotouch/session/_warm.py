@@ -11,13 +11,11 @@ from tempfile import TemporaryDirectory
 import numpy as np
 
 from cotouch.compiled import cold, compile_for
+from cotouch.hands import CommandedHand
 from cotouch.mechanics import Model, closed_step, contact_step, step, touch_step
+from cotouch.members import Hand, SessionFile, SharedModel, Slot
 from cotouch.peer import FreshestLink, Link, LinkGuard, Peer, Sample
 from cotouch.processes import start_child
-from cotouch.session._commanded_hand import CommandedHand
-from cotouch.session._file import SessionFile
-from cotouch.session._hand import Hand, Slot
-from cotouch.session._shared_model import SharedModel
 
 _T = 1e-3
 

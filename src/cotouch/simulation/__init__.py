@@ -1,7 +1,7 @@
 """Many virtual peers on a virtual network: scenario in, labelled result out."""
 
 from cotouch.simulation._animation import HTML, Animation, PortTracks, ToolTracks, UserSeries
-from cotouch.simulation._batch import Outcome, run_batch
+from cotouch.simulation._batch import Outcome, Traffic, run_batch
 from cotouch.simulation._body_report import body_report, save_body_figure
 from cotouch.simulation._figures import FIGURES, figures, save_figures
 from cotouch.simulation._law_setup import facts_of, given_law
@@ -15,8 +15,9 @@ from cotouch.simulation._metrics import (
     settling_time,
     summary,
 )
+from cotouch.simulation._outcome import run_prepared
 from cotouch.simulation._peers import PeerRun, run_peers
-from cotouch.simulation._prepare import Prepared, prepare, with_hands
+from cotouch.simulation._prepare import Prepared, prepare, with_hands, with_law
 from cotouch.simulation._result import dataset, save, simulate
 from cotouch.simulation._schedule import Schedule, schedule
 from cotouch.simulation._shown import animation, frame_rate
@@ -32,6 +33,7 @@ __all__ = [
     "Prepared",
     "Schedule",
     "ToolTracks",
+    "Traffic",
     "UserSeries",
     "animation",
     "at_times",
@@ -49,6 +51,7 @@ __all__ = [
     "prepare",
     "run_batch",
     "run_peers",
+    "run_prepared",
     "save",
     "save_body_figure",
     "save_figures",
@@ -58,4 +61,5 @@ __all__ = [
     "summary",
     "tables",
     "with_hands",
+    "with_law",
 ]

@@ -7,7 +7,7 @@ from html import escape
 from importlib.resources import files
 from pathlib import Path
 from string import Template
-from typing import Final, final
+from typing import Any, Final, final
 
 import numpy as np
 import numpy.typing as npt
@@ -16,6 +16,7 @@ from cotouch import drawing
 from cotouch.body import Skin
 from cotouch.errors import BodyError, InputError, NetworkError
 from cotouch.files import prepare, write
+from cotouch.mechanics import Box, Plane, Shape
 from cotouch.simulation._animation_checks import (
     Float,
     Int,
@@ -33,6 +34,8 @@ from cotouch.simulation._pack import Packer
 
 # In the order in which they share one scope; see `_viewer/index.html`.
 HTML: Final = (".html", ".htm")
+# A plane is a floor if its normal is so much longer upwards than along the floor.
+_LEVEL: Final = 1e6
 _SCRIPTS: Final = ("data.js", "camera.js", "shapes.js", "scene.js", "chart.js", "app.js")
 
 
@@ -145,6 +148,7 @@ class Animation:
         ports: hands that hold it.
         links: pairs of user indices that are joined.
         series: further numbers of every user over time: discrepancy, age, energy residual.
+        shapes: what stands still around the object; of planes only level floors are drawn.
 
     Raises:
         BodyError: vertices, triangles, edges or the skin do not fit together.
@@ -175,6 +179,7 @@ class Animation:
     ports: PortTracks
     links: tuple[tuple[int, int], ...]
     series: tuple[UserSeries, ...]
+    shapes: tuple[Shape, ...]
 
     def __init__(
         self,
@@ -192,6 +197,7 @@ class Animation:
         ports: PortTracks | None = None,
         links: Sequence[tuple[int, int]] = (),
         series: Sequence[UserSeries] = (),
+        shapes: Sequence[Shape] = (),
     ) -> None:
         names = tuple(users)
         if not names:
@@ -250,6 +256,7 @@ class Animation:
             self, title=title, users=names, time=when, vertices=places, triangles=faces, edges=lines, rest=start
         )
         keep_frozen(self, tools=spheres, ports=hands, links=_pairs(links, len(names)), series=tuple(series))
+        keep_frozen(self, shapes=tuple(shapes))
 
     def write(self, path: str | Path) -> Path:
         """Writes the page: one file that needs nothing else, whole or not at all.
@@ -300,6 +307,7 @@ class Animation:
             "links": self.links,
             "series": [{"name": entry.name, "unit": entry.unit} for entry in series],
             "peaks": {"displacement": displacement, "difference": difference},
+            **_around(self.shapes),
         }
         viewer = files("cotouch.simulation").joinpath("_viewer")
         read = {name: viewer.joinpath(name).read_text(encoding="utf-8") for name in ("index.html", "style.css")}
@@ -334,6 +342,20 @@ class Animation:
             gap = frame - frame.mean(axis=0)
             difference = max(difference, float(np.square(gap).sum(axis=-1).max(initial=0.0)))
         return displacement**0.5, difference**0.5
+
+
+def _around(shapes: Sequence[Shape]) -> dict[str, Any]:
+    """Height of the highest level floor, and the boxes: centre, half sides and directions of the sides."""
+    level = [
+        shape.point[2]
+        for shape in shapes
+        if isinstance(shape, Plane) and shape.normal[2] > _LEVEL * np.hypot(*shape.normal[:2])
+    ]
+    boxes = [shape.packed((0.0, 0.0, 0.0)) for shape in shapes if isinstance(shape, Box)]
+    return {
+        "floor": max(level, default=None),
+        "boxes": [{"centre": box[:3], "half": box[3:6], "turn": box[6:]} for box in boxes],
+    }
 
 
 def _carried(skin: Skin, field: Single) -> Single:

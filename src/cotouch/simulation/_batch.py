@@ -33,6 +33,22 @@ from cotouch.simulation._prepare import Prepared
 
 @final
 @dataclass(frozen=True, kw_only=True, eq=False)
+class Traffic:
+    """What senders with a codec said, of each slot.
+
+    Attributes:
+        contents: samples said in full, (slots,).
+        unchanged: samples said in one byte, (slots,).
+        size: of all of them, without headers, (slots,) [bytes].
+    """
+
+    contents: npt.NDArray[np.int64]
+    unchanged: npt.NDArray[np.int64]
+    size: npt.NDArray[np.int64]
+
+
+@final
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Outcome:
     """What a run left behind.
 
@@ -45,7 +61,8 @@ class Outcome:
         tools: what was recorded of tools; None without them.
         frames: whole copies, (frames, users, rows, width) [m].
         frame_time: of the frames that were reached, (frames,) [s].
-        ends: what the ends of the links came to keep; None where all links are springs.
+        ends: what the ends of the links came to keep; None where all links are springs, or ran message by message.
+        traffic: what senders said; None without a codec.
     """
 
     record: Record
@@ -57,6 +74,7 @@ class Outcome:
     frames: Float
     frame_time: Float
     ends: Ends | None = None
+    traffic: Traffic | None = None
 
 
 def run_batch(prepared: Prepared) -> Outcome:
@@ -64,8 +82,13 @@ def run_batch(prepared: Prepared) -> Outcome:
 
     Raises:
         KeyboardInterrupt: it was interrupted; see `cotouch.interrupt.interruptible`.
-        ScenarioError: the links' law asks for what no link can be.
+        ScenarioError: the links' law asks for what no link can be, or there is a codec.
     """
+    if prepared.scenario.channel.codec is not None:
+        raise ScenarioError(
+            "channel.codec is given, and what senders say with it depends on the motion, which the batch engine does "
+            "not know beforehand; use run_prepared, which runs it message by message"
+        )
     ready, timing, hands = prepared.model, prepared.schedule, prepared.hands
     users, rows, width = timing.count.size, ready.operator_rows, ready.width
     every = prepared.scenario.record.every
@@ -98,7 +121,7 @@ def run_batch(prepared: Prepared) -> Outcome:
         force=np.empty((ports, records, width)),
         users=np.zeros((len(USER_LEDGER) + more, users, records)),
         slots=np.empty((len(SLOT_LEDGER), slots, records)),
-        links=np.empty((records, len(prepared.scenario.network.links))),
+        links=np.zeros((records, len(prepared.scenario.network.links))),
         ticks=np.empty((len(TICK_LEDGER), records)),
         running=np.zeros((users, 6 + more)),
         lowest=np.zeros(1),

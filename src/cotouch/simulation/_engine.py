@@ -32,14 +32,12 @@ from cotouch.mechanics import (
     Links,
     Operator,
     Ports,
-    State,
     Tools,
     TouchWork,
     at,
     closed_settle,
     closed_step,
     contact_step,
-    inner,
     kernel,
     load,
     put,
@@ -60,7 +58,7 @@ from cotouch.scenario import (
 )
 from cotouch.simulation._ends import Ends, ask, tell
 from cotouch.simulation._layout import Fields, Float, Frames, Record, Scratch, Timing, Topology
-from cotouch.simulation._ledger import delay_work_of, keep_user, spring_energies
+from cotouch.simulation._ledger import add, copy, delay_work_of, keep_user, spring_energies, state_of
 
 
 @kernel
@@ -90,6 +88,27 @@ def run(
     Without tools `touching` and `tool_record` are None; with them one of `accounts` and `contact` is. Of a linear body
     `force` is None, and so are `ends` where all links are springs: what concerns them is not even compiled. What a
     law's link holds is its own: then what links did counts as delay work.
+
+    Args:
+        op: the body's operator; of a body with a material at rest.
+        force: of a body with a material; None: it is linear.
+        topology: who is linked to whom, and by what slots.
+        timing: what step each event is, its length, and which samples it uses.
+        hands: that hold the body directly.
+        local_damping: B_i as coefficients over the weights, (users, weights) [Ns/m].
+        extra_damping: B_e likewise.
+        fields: positions and velocities of all users, and what is under way; changed in place.
+        record: written to.
+        scratch: of one step; changed in place.
+        touching: tools of all users; changed in place.
+        accounts: scratch of tools that touch by springs.
+        contact: the law by which tools touch.
+        tool_record: written to.
+        frames: shapes that are kept for an animation; written to.
+        ends: of all links under a law; changed in place.
+        tolerance: of the solver, on the residual relative to the right-hand side, > 0.
+        cap: most iterations of the solver in a step, >= 1.
+        lanes: as long as a row is wide; see `cotouch.mechanics`.
     """
     users = fields.position.shape[0]
     supplied = 0.0
@@ -102,7 +121,7 @@ def run(
     most_made = 0.0
     tick = 0
     for i in range(users):
-        state = _state(fields, i)
+        state = state_of(fields, i)
         if force is None:
             settle(op, state, scratch.ledger, lanes)
         else:
@@ -114,7 +133,7 @@ def run(
             moving = proxy_energy(touching, i)
             put(record.running, (i, 9), moving)
             initial += moving
-        _copy(fields.samples[users * timing.ring + i], fields.position[i], lanes)
+        copy(fields.samples[users * timing.ring + i], fields.position[i], lanes)
         keep_user(record, hands, fields, scratch, topology, i, 0, lanes)
         if touching is not None:
             keep_tools(tool_record, touching, i, 0)
@@ -186,7 +205,7 @@ def run(
                 ends.brake,
                 ends.push_rows,
             )
-        state = _state(fields, i)
+        state = state_of(fields, i)
         ledger = scratch.ledger
         if touching is not None:
             if not before_step(touching, i, end, T):
@@ -272,9 +291,9 @@ def run(
                 )
             after_step(touching, i)
             own = touching.ledger
-            _add(record.running, i, 6, own[DRIVE])
-            _add(record.running, i, 7, own[TOUCHED])
-            _add(record.running, i, 8, own[TOUCH_LOSS])
+            add(record.running, i, 6, own[DRIVE])
+            add(record.running, i, 7, own[TOUCHED])
+            add(record.running, i, 8, own[TOUCH_LOSS])
             put(record.running, (i, 9), own[PROXY])
             put(record.running, (i, 10), own[TOUCH_STORED])
             supplied += own[DRIVE]
@@ -319,26 +338,26 @@ def run(
         for s in range(s0, s1):
             added = at(scratch.link_work, s)
             made += added
-            _add(scratch.slot_running, s, 0, added)
+            add(scratch.slot_running, s, 0, added)
             if ends is None:
                 added = delay_work_of(op, topology, fields, scratch, s, T, lanes)
-            _add(scratch.slot_running, s, 1, added)
+            add(scratch.slot_running, s, 1, added)
             delay_work += added
         running = record.running
-        _add(running, i, 0, ledger[SUPPLIED])
-        _add(running, i, 1, ledger[BODY_LOSS])
-        _add(running, i, 2, ledger[LOCAL_LOSS])
-        _add(running, i, 3, ledger[EXTRA_LOSS])
+        add(running, i, 0, ledger[SUPPLIED])
+        add(running, i, 1, ledger[BODY_LOSS])
+        add(running, i, 2, ledger[LOCAL_LOSS])
+        add(running, i, 3, ledger[EXTRA_LOSS])
         put(running, (i, 4), ledger[KINETIC])
         put(running, (i, 5), ledger[ELASTIC])
         if force is not None:
             first = 6 if touching is None else 11
-            _add(running, i, first, ledger[CLOSURE])
+            add(running, i, first, ledger[CLOSURE])
             put(running, (i, first + 1), max(at(running, (i, first + 1)), ledger[BETA]))
             if ledger[BETA] > CLOSURE_ALARM or ledger[SHORTENED] > 0.0:
-                _add(running, i, first + 2, 1.0)
+                add(running, i, first + 2, 1.0)
             if running.shape[1] > first + 3:  # there are obstacles
-                _add(running, i, first + 3, ledger[WORLD_LOSS])
+                add(running, i, first + 3, ledger[WORLD_LOSS])
                 put(running, (i, first + 4), ledger[WORLD_STORED])
                 for axis in range(3):
                     put(running, (i, first + 5 + axis), ledger[WORLD_FORCE + axis])
@@ -375,19 +394,3 @@ def run(
                 put(record.ticks, (5, tick), slack)
     record.lowest[0] = lowest
     return timing.order.shape[0]
-
-
-@inner
-def _state(fields: Fields, i: int) -> State:
-    return State(fields.position[i], fields.velocity[i], fields.momentum[i], fields.tension[i], fields.memory[i])
-
-
-@inner
-def _add(array: Float, row: int, column: int, value: float) -> None:
-    put(array, (row, column), at(array, (row, column)) + value)
-
-
-@kernel
-def _copy(target: Float, source: Float, lanes: tuple[int, ...]) -> None:
-    for i in range(source.shape[0]):
-        store(target, i, load(source, i, lanes), lanes)

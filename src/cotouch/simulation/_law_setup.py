@@ -13,6 +13,7 @@ from cotouch.laws import END_WORDS, Facts, Law, law_named
 from cotouch.mechanics import WEIGHTS, Model
 from cotouch.scenario import Scenario
 from cotouch.simulation._channel import certain
+from cotouch.simulation._coding import age_budget, check_codec
 from cotouch.simulation._ends import Ends
 from cotouch.simulation._layout import Fields
 from cotouch.simulation._schedule import Schedule
@@ -39,12 +40,12 @@ class LawSetup:
 
 
 def given_law(scenario: Scenario) -> tuple[Law, Mapping[str, float | str]]:
-    """The scenario's law, and the parameters that it gives.
+    """The scenario's law, which may be the default, and the parameters that it gives.
 
     Raises:
         NetworkError: there is no such law, or it has no such parameter.
     """
-    name, given = scenario.synchronisation.law_given
+    name, given = scenario.law
     law = law_named(name)
     law.check(given)
     return law, given
@@ -61,21 +62,32 @@ def facts_of(scenario: Scenario, ready: Model, timing: Schedule, weight: npt.NDA
     """
     operator = ready.operator
     quantile = scenario.synchronisation.quantile
-    budget, longest, slots = timing.budget(1.0 if quantile is None else quantile), timing.longest(), timing.slots
+    budget = age_budget(scenario, timing, given_law(scenario)[0], 1.0 if quantile is None else quantile)
+    longest, slots = timing.longest(), timing.slots
+    network = scenario.network
+    tree = network.size > 2 and len(network.links) == network.size - 1 and network.is_connected()
+    pairs = list(zip(slots.receiver.tolist(), slots.sender.tolist(), strict=True))
+    ages = {
+        pair: timing.age[s, : timing.count[pair[0]]][timing.used[s, : timing.count[pair[0]]] >= 0]
+        for s, pair in enumerate(pairs)
+    }
     result: list[Facts] = []
-    for s, (i, j) in enumerate(zip(slots.receiver, slots.sender, strict=True)):
-        n = timing.count[i]
-        heard = timing.age[s, :n][timing.used[s, :n] >= 0]
+    for s, (i, j) in enumerate(pairs):
+        both = [heard for heard in (ages[i, j], ages[j, i]) if heard.size]
         result.append(
             Facts(
                 spring=float(scenario.network.spring[i, j]),
                 age=float(budget[i, j]),
                 age_back=float(budget[j, i]),
-                spread=float(np.ptp(heard)) if heard.size else 0.0,
+                usual=float(np.mean([heard.mean() for heard in both])) if both else None,
+                spread=max((float(np.ptp(heard)) for heard in both), default=0.0),
                 period=float(longest[i]),
+                period_back=float(longest[j]),
                 mass=float((operator.mass / operator.weight[weight[s]]).mean()),
                 degree=int(slots.first[i + 1] - slots.first[i]),
                 degree_back=int(slots.first[j + 1] - slots.first[j]),
+                tree=tree,
+                rows=operator.mass.size,
             )
         )
     return result
@@ -84,7 +96,7 @@ def facts_of(scenario: Scenario, ready: Model, timing: Schedule, weight: npt.NDA
 def law_setup(
     scenario: Scenario, ready: Model, timing: Schedule, weight: npt.NDArray[np.int32], start: Float
 ) -> LawSetup | None:
-    """The law of a scenario's links; None for springs, which the kernels have built in.
+    """The law of a scenario's links; None for springs, which the kernels have built in, but for those with a codec.
 
     Args:
         scenario: what was asked for.
@@ -98,7 +110,8 @@ def law_setup(
         NetworkError: there is no such law, or a parameter is out of range.
     """
     law, given = given_law(scenario)
-    if law.name == "spring":
+    check_codec(scenario, ready, law, weight)
+    if law.name == "spring" and scenario.channel.codec is None:
         return None
     if law.constant_delay and not (certain(scenario.channel) and timing.mode != "self-paced"):
         raise ScenarioError(

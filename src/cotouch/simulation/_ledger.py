@@ -6,8 +6,10 @@ from cotouch.mechanics import (
     ITERATIONS,
     WEIGHTS,
     Operator,
+    State,
     at,
     inner,
+    kernel,
     load,
     mixed,
     multiply,
@@ -153,3 +155,40 @@ def keep_user(
 def _unless_zero(ledger: Float, book: int, row: int, entry: int, value: float) -> None:
     if value != 0.0:
         put(ledger, (book, row, entry), value)
+
+
+@inner
+def state_of(fields: Fields, i: int) -> State:
+    """The state of user i, in the arrays of all.
+
+    Args:
+        fields: of all users.
+        i: number of the user, from 0.
+    """
+    return State(fields.position[i], fields.velocity[i], fields.momentum[i], fields.tension[i], fields.memory[i])
+
+
+@inner
+def add(array: Float, row: int, column: int, value: float) -> None:
+    """Adds to an entry.
+
+    Args:
+        array: two-dimensional; changed in place.
+        row: of the entry.
+        column: of the entry.
+        value: to add.
+    """
+    put(array, (row, column), at(array, (row, column)) + value)
+
+
+@kernel
+def copy(target: Float, source: Float, lanes: tuple[int, ...]) -> None:
+    """Copies rows.
+
+    Args:
+        target: written, (rows, width).
+        source: read, (rows, width).
+        lanes: as long as a row is wide.
+    """
+    for i in range(source.shape[0]):
+        store(target, i, load(source, i, lanes), lanes)

@@ -15,6 +15,8 @@ _NUMBER = 8  # bytes
 _COPIES = 2
 # Numbers of each step of a tool and its device.
 _TOOL = 40
+# And of what a peer reports of a step, as Python keeps it.
+_REPORT = 400
 
 
 def needed(scenario: Scenario, body: Body, ready: Model, kept: int) -> int:
@@ -41,6 +43,8 @@ def needed(scenario: Scenario, body: Body, ready: Model, kept: int) -> int:
     entry += links + len(TICK_LEDGER) + len(scenario.tools) * _TOOL
     frames = 0 if scenario.record.frames is None else scenario.steps.duration * scenario.record.frames
     shown = frames * users * (ready.operator_rows * width + body.nodes * body.dimension)
+    if scenario.channel.codec is not None:  # every step of every peer, as it was reported
+        entry += users * (2 * ready.operator_rows * ready.width + _REPORT) * scenario.record.every
     return int(_NUMBER * (steps * clocks + _COPIES * (records * entry + shown)))
 
 

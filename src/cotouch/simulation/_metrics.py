@@ -213,7 +213,7 @@ def _device(table: dict[str, Any]) -> str:
     """A device in a few words."""
     phantom = table["kind"] == "phantom" or (table["kind"] is None and table["preset"] == "phantom")
     name = "phantom" if phantom else table["preset"] or "cartesian"
-    if table["coupling"] == "virtual":
+    if table["coupling"] == "host_force":
         return name
     if table["periods"]:
         low, high = 1.0 / max(table["periods"]), 1.0 / min(table["periods"])
@@ -262,10 +262,26 @@ def summary(run: "xr.Dataset", body: Body) -> dict[str, Any]:
         },
         "underruns": int(run.attrs["underruns"]),
         "messages_lost": int(run.attrs["messages_lost"]),
+        **({"codec": coded(run)} if "contents" in run.attrs else {}),
         "local_damping": [plain(row) for row in run["local_damping"].values],
         **({"tools": tool_summary(run)} if "tool" in run.sizes else {}),
         **({"device_residual": float(run.attrs["device_residual"])} if "device_residual" in run.attrs else {}),
     }
+
+
+def coded(run: "xr.Dataset") -> dict[str, float]:
+    """What senders with a codec said to a neighbour, in the mean over the directions of links.
+
+    Args:
+        run: a result of `simulate`, with a codec.
+
+    Returns:
+        `full_hz`, samples in full a second; `unchanged_hz`, those in one byte; `bytes_hz`, the bytes of both without
+        headers.
+    """
+    span = run.sizes["direction"] * float(np.nanmax(run["time"].values))
+    names = {"full_hz": "contents", "unchanged_hz": "unchanged", "bytes_hz": "content_bytes"}
+    return {name: float(run.attrs[kept]) / span for name, kept in names.items()}
 
 
 def judge(run: "xr.Dataset") -> dict[str, Any]:

@@ -14,9 +14,32 @@ import numpy as np
 from cotouch.arrays import Float
 from cotouch.interrupt import check
 from cotouch.mechanics import Ports
-from cotouch.peer import ConstantLink, CopyMemory, FreshestLink, LawLink, Link, Peer, Sample, StepReport
+from cotouch.peer import (
+    ConstantLink,
+    CopyMemory,
+    Decoder,
+    Encoder,
+    FreshestLink,
+    LawLink,
+    Link,
+    Peer,
+    Sample,
+    StepReport,
+)
 from cotouch.scenario import Touching, after_step_alone, before_step_alone, grip, tools_of
+from cotouch.simulation._coding import age_budget
 from cotouch.simulation._prepare import Prepared
+
+
+@final
+@dataclass(frozen=True)
+class Packet:
+    """What a sender's codec makes of a sample: number of its step, its stamp [s], and bytes."""
+
+    sender: int
+    step: int
+    stamp: float
+    data: bytes
 
 
 @final
@@ -29,12 +52,16 @@ class PeerRun:
         end: when each step was taken, one (steps,) for each user [s].
         reports: of every step, for each user.
         tools: places of the proxies after every step, one (steps, tools of the user, 3) for each user [m].
+        velocity: as the positions [m/s].
+        encoders: what said the samples of each slot; none without a codec.
     """
 
     position: list[Float]
     end: list[Float]
     reports: list[list[StepReport]]
     tools: list[Float]
+    velocity: list[Float]
+    encoders: list[Encoder]
 
 
 def run_peers(prepared: Prepared) -> PeerRun:
@@ -48,15 +75,32 @@ class _World:
         self.prepared = prepared
         self.timing = prepared.schedule
         users = self.timing.count.size
-        self.queue: list[tuple[float, int, int, Sample]] = []  # arrival, number, receiver, sample
+        self.queue: list[tuple[float, int, int, Sample | Packet]] = []  # arrival, number, receiver, sample
         self.sent = 0
         self.touching: Touching | None = deepcopy(prepared.touching)
         self.cursor = prepared.hands.path_first[:-1].copy()
         self.peers = [self._peer(i) for i in range(users)]
         self.places: list[list[Float]] = [[] for _ in range(users)]
         self.position = [[peer.state.position.copy()] for peer in self.peers]
+        self.velocity = [[peer.state.velocity.copy()] for peer in self.peers]
         self.end: list[list[float]] = [[] for _ in range(users)]
         self.reports: list[list[StepReport]] = [[] for _ in range(users)]
+        self.encoders: list[Encoder] = []
+        self.decoders: dict[tuple[int, int], Decoder] = {}
+        self._code()
+
+    def _code(self) -> None:
+        """Gives every direction of a link its codec, if the channel has one."""
+        prepared, slots, asked = self.prepared, self.timing.slots, self.prepared.scenario.channel.codec
+        law = prepared.law
+        if asked is None or law is None:
+            return
+        budget, longest = age_budget(prepared.scenario, self.timing, law.law, 1.0), self.timing.longest()
+        shape = prepared.model.operator_rows, prepared.model.width
+        for s, (i, j) in enumerate(zip(slots.receiver.tolist(), slots.sender.tolist(), strict=True)):
+            window = float(budget[i, j] + longest[i] + longest[j])
+            self.encoders.append(Encoder(asked.codec, law.law, law.weight[s], shape, window))
+            self.decoders[i, j] = Decoder(asked.codec, law.law, shape, j)
 
     def _peer(self, i: int) -> Peer:
         prepared, timing, hands = self.prepared, self.timing, self.prepared.hands
@@ -121,6 +165,8 @@ class _World:
             end=[np.array(times) for times in self.end],
             reports=self.reports,
             tools=[np.array(places) for places in self.places],
+            velocity=[np.array(kept) for kept in self.velocity],
+            encoders=self.encoders,
         )
 
     def _run_by_clock(self) -> None:
@@ -171,14 +217,19 @@ class _World:
 
     def _deliver(self, now: float) -> None:
         while self.queue and self.queue[0][0] <= now:
-            _, _, receiver, sample = heapq.heappop(self.queue)
-            self.peers[receiver].receive(sample)
+            _, _, receiver, said = heapq.heappop(self.queue)
+            if isinstance(said, Packet):
+                said = self.decoders[receiver, said.sender].decode(said.step, said.stamp, said.data)
+            if said is not None:
+                self.peers[receiver].receive(said)
 
     def _send(self, sample: Sample, now: float) -> None:
         slots = self.timing.slots
         for s in np.flatnonzero(slots.sender == sample.sender):
             receiver = int(slots.receiver[s])
-            told = replace(sample, message=self.peers[sample.sender].message(receiver))
+            told: Sample | Packet = replace(sample, message=self.peers[sample.sender].message(receiver))
+            if self.encoders:
+                told = self._said(int(s), told)
             if self.timing.latency is None:
                 draws = self.timing.draws[s]
                 arrivals = [draws.latency[sample.index], draws.second[sample.index]]
@@ -188,6 +239,13 @@ class _World:
                 if np.isfinite(latency):
                     self.sent += 1
                     heapq.heappush(self.queue, (now + float(latency), self.sent, receiver, told))
+
+    def _said(self, s: int, sample: Sample) -> Packet:
+        j = sample.sender
+        last, before = self.position[j][-1], self.position[j][-2]
+        T = float(self.timing.length[j, sample.index])
+        data = self.encoders[s].encode(sample, (last - before) / T, T)
+        return Packet(j, sample.index, sample.stamp, data)
 
     def _step(self, peer: Peer, now: float, T: float) -> Sample:
         i, hands = peer.index, self.prepared.hands
@@ -202,6 +260,7 @@ class _World:
                 self.touching.tools.place[self.touching.first[i] : self.touching.first[i + 1], :3].copy()
             )
         self.position[i].append(peer.state.position.copy())
+        self.velocity[i].append(peer.state.velocity.copy())
         self.end[i].append(now)
         self.reports[i].append(report)
         return report.sample

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, final
+from typing import Any, Literal, final
 
 import numpy as np
 import numpy.typing as npt
@@ -11,9 +11,10 @@ from pydantic import ValidationError
 from cotouch.arrays import Float
 from cotouch.body import Body
 from cotouch.errors import ScenarioError
-from cotouch.mechanics import Model, deepest_point, model
+from cotouch.mechanics import Model, model
 from cotouch.network import damping_for
 from cotouch.scenario import Hands, HandTable, Scenario, Touching, per_user, ports_of, sentence, touching_of
+from cotouch.simulation._coding import age_budget, codec_damping
 from cotouch.simulation._law_setup import LawSetup, given_law, law_setup
 from cotouch.simulation._layout import Topology
 from cotouch.simulation._memory import free_memory, needed, refuse_beyond
@@ -21,8 +22,6 @@ from cotouch.simulation._schedule import Schedule, schedule
 
 Int = npt.NDArray[np.int32]
 
-# A copy may begin as deep in an obstacle as this share of its size.
-_DEEP = 0.1
 # Up to this many nodes all of them are recorded unless a scenario says otherwise.
 _ALL_NODES = 64
 
@@ -82,7 +81,7 @@ def prepare(scenario: Scenario) -> Prepared:
         body,
         copies=network.size,
         weights=network.weights,
-        basis=scenario.solver.basis,
+        basis=_basis(scenario, body),
         obstacles=scenario.world.obstacles(),
     )
     nodes = _recorded(scenario, body)
@@ -108,7 +107,7 @@ def prepare(scenario: Scenario) -> Prepared:
     hands, ports = ports_of(scenario.hands, network.size, body, ready)
     most_ports = int(np.diff(hands.first).max(initial=0))
     position = _initial(scenario.initial.position, "position", network.size, body)
-    _refuse_overlap(scenario, ready, position)
+    scenario.world.refuse_overlap(ready, position)
     touching, tool = touching_of(
         scenario.tools,
         network.size,
@@ -140,19 +139,11 @@ def prepare(scenario: Scenario) -> Prepared:
     )
 
 
-def _refuse_overlap(scenario: Scenario, ready: Model, position: Float) -> None:
-    """Refuses copies that begin in an obstacle."""
-    world = None if ready.force is None else ready.force.world
-    if world is None:
-        return
-    size = float(np.ptp(ready.body.rest, axis=0).max())
-    for i, field in enumerate(position):
-        deep, s = deepest_point(world, ready.to_rows(field))
-        if deep > _DEEP * size:
-            raise ScenarioError(
-                f"{scenario.world.name(s)}: the copy of user {i + 1} begins {deep:.3g} m deep in it, more than a tenth "
-                "of its own size; move one of them"
-            )
+def _basis(scenario: Scenario, body: Body) -> Literal["auto", "nodal", "modal"]:
+    """Nodes for a law that looks at hands: in the modal basis, and of a truncated body, a hand is in every row."""
+    asked = scenario.solver.basis
+    felt = given_law(scenario)[0].feels and body.truncation is None
+    return "nodal" if asked == "auto" and felt else asked
 
 
 def with_hands(prepared: Prepared, hands: Sequence[Mapping[str, Any]]) -> Prepared:
@@ -177,6 +168,26 @@ def with_hands(prepared: Prepared, hands: Sequence[Mapping[str, Any]]) -> Prepar
     return replace(prepared, scenario=scenario, hands=ports, ports=of_hand, nodes=_recorded(scenario, body))
 
 
+def with_law(prepared: Prepared, law: str | Mapping[str, Any]) -> Prepared:
+    """The same run with another link law: body, schedule and channel are not worked out again.
+
+    Args:
+        prepared: the run.
+        law: as in `[synchronisation]`.
+
+    Raises:
+        ScenarioError: the law cannot have this channel, or these weights.
+        NetworkError: there is no such law, or a parameter is out of range.
+    """
+    scenario, timing = prepared.scenario.replace(synchronisation__law=law), prepared.schedule
+    return replace(
+        prepared,
+        scenario=scenario,
+        local_damping=_local_damping(scenario, timing),
+        law=law_setup(scenario, prepared.model, timing, prepared.topology.weight, prepared.position),
+    )
+
+
 def _local_damping(scenario: Scenario, timing: Schedule) -> Float:
     """B_i over (identity, *network.weights), (users, 1 + weights)."""
     network, asked = scenario.network, scenario.synchronisation
@@ -194,14 +205,15 @@ def _local_damping(scenario: Scenario, timing: Schedule) -> Float:
             'for all; use "rule" or "minimax"'
         )
     if timing.index_delay is None:
-        coefficients = damping_for(
-            network, method, ages=timing.budget(1.0 if asked.quantile is None else asked.quantile)
-        )
+        budget = age_budget(scenario, timing, law, 1.0 if asked.quantile is None else asked.quantile)
+        coefficients = damping_for(network, method, ages=budget)
     else:
         coefficients = damping_for(network, method, index_delay=timing.index_delay, periods=timing.longest())
     if asked.damping is None:
         coefficients = coefficients * law.rule
         coefficients[:, 0] += law.drag
+    if law.rule > 0.0:
+        coefficients = coefficients + codec_damping(scenario)
     return np.ascontiguousarray(coefficients) * asked.damping_scale
 
 

@@ -12,9 +12,10 @@ from cotouch.errors import ScenarioError
 from cotouch.files import write_netcdf
 from cotouch.interrupt import interruptible
 from cotouch.scenario import Scenario
-from cotouch.simulation._batch import Outcome, run_batch
+from cotouch.simulation._batch import Outcome
 from cotouch.simulation._law_setup import given_law
 from cotouch.simulation._layout import CLOSED_BOOKS, TOOL_LEDGER, USER_LEDGER, WORLD_BOOKS
+from cotouch.simulation._outcome import run_prepared
 from cotouch.simulation._prepare import Prepared, prepare
 from cotouch.simulation._schedule import Schedule
 from cotouch.simulation._tool_result import LEAST_ENERGY, tool_attributes, tool_variables
@@ -103,7 +104,7 @@ def simulate(scenario: "Scenario | str | Path | Mapping[str, Any]") -> "xr.Datas
             raise ScenarioError(f"scenario is {scenario!r}; it must be a Scenario, a path or a mapping of tables")
         scenario = Scenario.make(**{str(name): table for name, table in scenario.items()})
     prepared = prepare(scenario)
-    return dataset(prepared, run_batch(prepared))
+    return dataset(prepared, run_prepared(prepared))
 
 
 # What was not reached was never written, and a run that diverges overflows: neither is worth a warning here.
@@ -246,17 +247,35 @@ def _attributes(prepared: Prepared, outcome: Outcome, ticks: int) -> dict[str, A
         "finished": int(finished),
         "energy_in_play": in_play,
         "energy_residual": residual / max(in_play, LEAST_ENERGY),
-        "passivity_margin": float(outcome.record.lowest[0] + ledger[0, 0]),
-        **_judged(prepared, outcome),
+        # What a law's ends may make is there from the start, as what springs hold is.
+        "passivity_margin": float(outcome.record.lowest[0] + _had(ledger))
+        + (0.0 if prepared.law is None else prepared.law.seed),
+        **_judged(prepared, outcome, ledger),
         **_paces(timing),
         "underruns": int(timing.underruns.sum()),
         "messages": sum(draws.first.size for draws in timing.draws),
         "messages_lost": sum(int(np.isinf(draws.first).sum()) for draws in timing.draws),
+        **_traffic(outcome),
         "index_delay": [] if timing.index_delay is None else [int(n) for n in timing.index_delay.ravel()],
     }
 
 
-def _judged(prepared: Prepared, outcome: Outcome) -> dict[str, Any]:
+def _traffic(outcome: Outcome) -> dict[str, int]:
+    """Samples that senders said in full and in one byte, and bytes of both without headers; nothing without a codec."""
+    said = outcome.traffic
+    if said is None:
+        return {}
+    return {name: int(getattr(said, name).sum()) for name in ("contents", "unchanged")} | {
+        "content_bytes": int(said.size.sum())
+    }
+
+
+def _had(ledger: Float) -> float:
+    """Energy that was there to be taken out: that of the start, above the least, as a heavy body falls below it [J]."""
+    return float(ledger[0, 0] + max(0.0, -ledger[0].min()))
+
+
+def _judged(prepared: Prepared, outcome: Outcome, ledger: Float) -> dict[str, Any]:
     """What the links made of their own, beside what their law promises; all worked out by the kernels [J].
 
     `made` is the most that links less the damping B_i had put into the copies, `extracted` the most that hands and
@@ -275,7 +294,7 @@ def _judged(prepared: Prepared, outcome: Outcome) -> dict[str, Any]:
         "law_seed": seed,
         "made": float(record.made[0]),
         "made_at_end": float(record.made[1]),
-        "extracted": max(-float(record.lowest[0] + record.ticks[0, 0]), 0.0),
+        "extracted": max(-float(record.lowest[0] + _had(ledger)), 0.0),
     }
 
 

@@ -9,6 +9,8 @@ import numpy.typing as npt
 from cotouch.arrays import Float
 from cotouch.body import Body
 from cotouch.errors import ScenarioError
+from cotouch.mechanics import Shape
+from cotouch.scenario import WorldTable
 from cotouch.simulation._animation import Animation, PortTracks, ToolTracks, UserSeries
 from cotouch.simulation._metrics import felt
 
@@ -74,8 +76,13 @@ def animation(run: "xr.Dataset", body: Body) -> Animation:
         ports=_ports(run, tables, when, frames),
         links=[(a - 1, b - 1) for a, b in tables["network"]["links"]],
         series=[UserSeries(name="Discrepancy", unit="m", values=apart.max(axis=2))],
+        shapes=_shapes(tables.get("world", {})),
         **shape,
     )
+
+
+def _shapes(world: dict[str, Any]) -> list[Shape]:
+    return [obstacle.shape for obstacle in WorldTable.model_validate(world).obstacles()]
 
 
 def _edges(body: Body) -> npt.NDArray[np.int64]:

@@ -31,7 +31,7 @@ UNITS = {
     "device_energy": ("J", "energy of hand and device"),
     "device_residual": ("J", "energy - initial - work + loss of hand and device: zero but for round-off"),
     "coupling_work": ("J", "work of the coupling on the proxy so far"),
-    "coupling_energy": ("J", "energy on the coupling's account, its spring and its tank"),
+    "coupling_energy": ("J", "energy of the coupling: the tanks of both ends, and what is on its way between them"),
     "coupling_excess": ("J", "most that the coupling has given both sides together so far: passive if bounded"),
     "coupling_bound": (
         "J",
@@ -64,12 +64,18 @@ def tool_variables(prepared: Prepared, outcome: Outcome) -> dict[str, tuple[tupl
         data[name] = (("tool", "step", "axis")[: values.ndim], values)
 
     def bound(tool: int) -> float:
-        device = int(touching.couplings.device[tool])
         fastest, longest = (float(ledger[name][tool].max()) for name in ("fastest", "longest"))
         largest = float(np.linalg.norm(record.device_force[tool], axis=-1).max())
         unpaid = float(record.coupling[2, tool].max())
-        begun = float(ledger["tank"][tool].flat[0])
-        return begun + excess_bound(touching.devices, device, fastest, longest, largest, unpaid)
+        return excess_bound(
+            touching.devices,
+            touching.couplings,
+            tool,
+            fastest=fastest,
+            longest=longest,
+            largest=largest,
+            unpaid=unpaid,
+        )
 
     put("tool_position", record.place[..., :3])
     put("tool_velocity", record.rate[..., :3])
@@ -87,7 +93,7 @@ def tool_variables(prepared: Prepared, outcome: Outcome) -> dict[str, tuple[tupl
     put("device_energy", np.sum([ledger[name] for name in _ENERGIES], axis=0), device=True)
     put("device_residual", ledger["residual"], device=True)
     put("coupling_work", record.coupling[0], device=True)
-    put("coupling_energy", ledger["spring_energy"] + ledger["tank"], device=True)
+    put("coupling_energy", ledger["tank"] + record.coupling[3], device=True)
     put("coupling_excess", record.coupling[1], device=True)
     limits = [bound(int(tool)) if touching.couplings.device[tool] >= 0 else np.nan for tool in range(order.size)]
     put("coupling_bound", np.array(limits), device=True)

@@ -13,8 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.arrays import Float
-from cotouch.device import DEVICE_LEDGER
-from cotouch.mechanics import modulation_bound
+from cotouch.device import DEVICE_LEDGER, excess_bound
 from cotouch.simulation import Prepared
 from cotouch.simulation._batch import Outcome
 from cotouch.simulation._layout import TOOL_LEDGER, USER_LEDGER
@@ -34,7 +33,7 @@ class TwoPort:
 
     Attributes:
         user: whose, from 0.
-        law: "pspm" or "virtual".
+        law: name of the coupling.
         excess: most that it had given device and proxy together at the end of any step [J]. A virtual coupling is paid
             for by the device's own damping and (for its encoder) friction, whose losses count as given to the coupling.
         bound: d², which the excess must not exceed [J].
@@ -115,12 +114,12 @@ class Blocks:
     @property
     def used(self) -> float:
         """Largest part of its d² that any PSPM coupling used."""
-        return max((port.excess / port.bound for port in self.couplings if port.law == "pspm"), default=0.0)
+        return max((port.excess / port.bound for port in self.couplings if port.law != "host_force"), default=0.0)
 
     @property
     def virtual(self) -> float:
         """Most that any virtual coupling gave beyond what its device's own damping paid for [J]."""
-        return max((port.excess for port in self.couplings if port.law == "virtual"), default=0.0)
+        return max((port.excess for port in self.couplings if port.law == "host_force"), default=0.0)
 
     def numbers(self) -> dict[str, Any]:
         """For JSON."""
@@ -217,26 +216,25 @@ def _two_port(prepared: Prepared, outcome: Outcome, tool: int, user: int) -> Two
     assert touching is not None
     assert tools is not None
     device = int(touching.couplings.device[tool])
-    servos, last = touching.devices.servos, int(outcome.taken[user])
+    last = int(outcome.taken[user])
     ledger = tools.device_ledger[:, tool, : last + 1]
     given = ledger[_DEVICE["work"]] + tools.coupling[0, tool, : last + 1]
     saturated = int(ledger[_DEVICE["saturated"], -1])
     table = prepared.scenario.tools[prepared.tool.index(tool)].device
     assert table is not None
-    if table.coupling == "virtual":
+    if table.coupling == "host_force":
         given = given - ledger[_DEVICE["viscous_loss"]] - ledger[_DEVICE["coulomb_loss"]]
         unpaid = float(tools.coupling[2, tool, last])
-        return TwoPort(user=user, law="virtual", excess=float(given.max()), bound=unpaid, saturated=saturated)
-    force = float(servos.force[device])
-    resolution = float(servos.resolution[device].max())
-    bound = modulation_bound(
-        stiffness=float(servos.stiffness[device]),
-        damping=float(servos.damping[device]),
-        period=float(ledger[_DEVICE["longest"], -1]),
-        speed=float(ledger[_DEVICE["fastest"], -1]),
-        reserve=float(servos.reserve[device]),
-        force=force if resolution > 0.0 else 0.0,
-        resolution=resolution,
-        axes=3,
+        return TwoPort(user=user, law="host_force", excess=float(given.max()), bound=unpaid, saturated=saturated)
+    given = given - ledger[_DEVICE["declared"]]
+    force = float(touching.devices.servos.force[device])
+    bound = excess_bound(
+        touching.devices,
+        touching.couplings,
+        tool,
+        longest=float(ledger[_DEVICE["longest"], -1]),
+        fastest=float(ledger[_DEVICE["fastest"], -1]),
+        largest=force if np.isfinite(force) else 0.0,
+        unpaid=0.0,
     )
-    return TwoPort(user=user, law="pspm", excess=float(given.max()), bound=bound, saturated=saturated)
+    return TwoPort(user=user, law=table.coupling, excess=float(given.max()), bound=bound, saturated=saturated)

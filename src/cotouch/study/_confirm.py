@@ -94,7 +94,7 @@ def _scenario(
         network=network,
         body={"kind": "point", "mass": mass, "damping": damping, "stiffness": stiffness},
         steps={"duration": duration, "period": period},
-        synchronisation={"mode": "constant", "damping": rule},
+        synchronisation={"law": "spring", "mode": "constant", "damping": rule},
         initial={"position": (start - start.mean()).tolist()},
         record={"every": every},
     )

@@ -74,7 +74,7 @@ def free(
         start: whether copies start apart.
         **synchronisation: options of that table.
     """
-    rule: dict[str, Any] = {"mode": "constant", "damping": "rule", **synchronisation}
+    rule: dict[str, Any] = {"law": "spring", "mode": "constant", "damping": "rule", **synchronisation}
     return Scenario.make(
         network=network,
         body=dict(body or {"kind": "point"}),

@@ -142,11 +142,14 @@ def modes(network: Network, *, period: float) -> Modes:
         "self-paced": {"mode": "self-paced"},
         "freshest": {"mode": "freshest"},
     }
-    ways = {name: _way(base.replace(synchronisation={"damping": "rule", **options})) for name, options in table.items()}
+    ways = {
+        name: _way(base.replace(synchronisation={"law": "spring", "damping": "rule", **options}))
+        for name, options in table.items()
+    }
     largest: dict[str, list[float]] = {name: [] for name in table if name != "self-paced"}
     for seed in _SEEDS:
         for name, found in largest.items():
-            asked = base.replace(seed=seed, synchronisation={"damping": "rule", **table[name]})
+            asked = base.replace(seed=seed, synchronisation={"law": "spring", "damping": "rule", **table[name]})
             found.append(float(prepare(asked).local_damping.max()))  # the schedule decides; nobody needs to move
     savings = {name: _saving(found, largest["freshest"]) for name, found in largest.items() if name != "freshest"}
     quick = min(network.links, key=lambda link: network.delay[link])

@@ -30,7 +30,7 @@ def solid(found: Solid, links: str) -> Section:
                 str(port.user + 1),
                 escape(DEVICES[port.user]),
                 escape(DOES[port.user]),
-                "PSPM" if port.law == "pspm" else "virtual",
+                "PSPM" if port.law == "pspm" else "host force",
                 quantity(float(forces[port.user]), "N"),
                 quantity(1e3 * port.excess, "mJ", 2),
                 quantity(1e3 * port.bound, "mJ", 2),

@@ -53,7 +53,7 @@ def scene(network: Network, mode: Mode, *, shape: tuple[int, int, int] = SHAPE, 
         },
         steps={"duration": DURATION, "random": {"low": STEPS[0], "high": STEPS[1]}},
         seed=SEED,
-        synchronisation={"mode": mode, "damping": "rule", "damping_scale": scale},
+        synchronisation={"law": "spring", "mode": mode, "damping": "rule", "damping_scale": scale},
         tools=tools(shape),
         solver={"tolerance": 1e-9},
         record={"nodes": [1], "frames": FRAMES},
@@ -84,7 +84,7 @@ def tools(shape: tuple[int, int, int]) -> list[dict[str, Any]]:
             [0.0, -0.04, 0.0],
             _touch(),
             # Its own damping pays for the sampled spring: so much, that is, as the longest step of the body needs.
-            {"preset": "delta", "viscous": 3.0, "coupling": "virtual", "stiffness": 400.0, "damping": 0.2},
+            {"preset": "delta", "viscous": 3.0, "coupling": "host_force", "stiffness": 400.0, "damping": 0.2},
         ),
         ([0.55 * long, 0.5 * wide, high + off], [0.01, 0.0, -0.05], _touch(friction=0.4), {"preset": "falcon"}),
     ]

@@ -4,7 +4,7 @@ from collections import deque
 from dataclasses import replace
 from typing import Final, final
 
-from cotouch.session import CopyView, Pointer, SessionApi
+from cotouch.observers import CopyView, Pointer, SessionApi
 from cotouch.web._page import Page
 from cotouch.web._protocol import PointerMessage
 

@@ -9,7 +9,7 @@ import numpy.typing as npt
 import scipy.sparse as sp
 
 from cotouch.body import Body
-from cotouch.session import CopyView
+from cotouch.observers import CopyView
 from cotouch.web._protocol import COPY, DIRECT, HAS_HAND, HEADER, VERSION, mode_index
 
 Single = npt.NDArray[np.float32]

@@ -11,7 +11,7 @@ from typing import Any, Final, final
 
 from cotouch import __version__
 from cotouch.errors import CotouchError, PageError
-from cotouch.session import CopyView, SessionApi
+from cotouch.observers import CopyView, SessionApi
 from cotouch.web._access import Access
 from cotouch.web._control import Control
 from cotouch.web._frames import FrameEncoder

@@ -8,8 +8,8 @@ from typing import Annotated, Any, Final, Literal, NamedTuple, final
 from pydantic import Field, ValidationError
 
 from cotouch.errors import PageError
+from cotouch.observers import HAND_MODES, HandMode
 from cotouch.scenario import Table
-from cotouch.session import HAND_MODES, HandMode
 
 VERSION: Final = 2
 # kind, version, copies, number, time [s], points, scale [m], echo, since the echoed pointer came [µs]

@@ -8,7 +8,8 @@ import numpy as np
 
 from cotouch.body import Body
 from cotouch.device import NOTICED_DRAG
-from cotouch.session import CopyView, Overview, Scene, Status, felt
+from cotouch.members import Status, felt
+from cotouch.observers import CopyView, Overview, Scene
 from cotouch.web._verdict import judged
 
 _EVENTS = 40  # of the last
@@ -53,6 +54,7 @@ def scene_message(scene: Scene, *, version: str, started: str, acts: bool, page:
             "node": _packed(nodes_of_points(body), "<u4"),
         },
         "edges": None if skin is not None else _packed(_edges(body), "<u4"),
+        "obstacles": [{"kind": type(shape).__name__.lower(), **shape._asdict()} for shape in scene.shapes],
         "radius": float(np.linalg.norm(drawn - centre, axis=1).max(initial=0.0)),
         "centre": centre.tolist(),
         "stiffness": scene.stiffness,

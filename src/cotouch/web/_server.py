@@ -15,7 +15,7 @@ from cotouch.web._address import PageAddress
 if TYPE_CHECKING:
     import uvicorn
 
-    from cotouch.session import SessionApi
+    from cotouch.observers import SessionApi
     from cotouch.web._hub import Hub
 
 _STATIC: Final = Path(__file__).parent / "static"

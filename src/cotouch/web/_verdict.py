@@ -4,7 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Literal, final
 
-from cotouch.session import LinkStatus, Overview, Status
+from cotouch.members import LinkStatus, Status
+from cotouch.observers import Overview
 
 # As in the ledger of a session: a residual above this share is no round-off; and joules that are.
 _ALARM = 1e-9
@@ -43,17 +44,22 @@ def judged(overview: Overview) -> Verdict:
         return Verdict("warn", "the session is over")
     if not known:
         return Verdict("warn", "nobody moves yet")
-    return _broken(known, names) or _short(known, names, overview.damping) or _apart(known, names) or _links(known)
+    return (
+        _broken(known, names, overview.left)
+        or _short(known, names, overview.damping)
+        or _apart(known, names)
+        or _links(known)
+    )
 
 
-def _broken(known: Sequence[Status], names: dict[int, str]) -> Verdict | None:
-    """A ledger that does not balance, or energy from nowhere."""
+def _broken(known: Sequence[Status], names: dict[int, str], left: bool) -> Verdict | None:
+    """A ledger that does not balance, or energy from nowhere, as far as nobody took a part of the ledger along."""
     for status in known:
         if status.alarms or status.residual > _ALARM:
             off = f"{status.residual:.0e} of the energy in play"
             return Verdict("bad", f"the energy ledger of {names[status.slot]} is off by {off}: do not trust this copy")
-    margin = sum(status.supplied + status.initial + status.initial_energies for status in known)
-    if margin < -_ROUND_OFF:
+    margin = sum(status.supplied + status.initial + status.initial_energies + status.depth for status in known)
+    if margin < -_ROUND_OFF and not left:
         return Verdict("bad", f"not safe: {-margin:.3g} J came out that nobody put in")
     return None
 
@@ -86,6 +92,10 @@ def _links(known: Sequence[Status]) -> Verdict:
     if held:
         which = f"link {held[0]}" if len(held) == 1 else f"{len(held)} links"
         return Verdict("warn", f"safe: {which} paused, network slow")
+    silent = sorted({_name(slot, link) for slot, link in ends if link.state == "waiting" and link.age is not None})
+    if silent:
+        which = f"link {silent[0]} hears" if len(silent) == 1 else f"{len(silent)} links hear"
+        return Verdict("warn", f"safe: {which} nothing, network slow")
     spare = [
         (1.0 - link.ages / link.budget, _name(slot, link))
         for slot, link in ends

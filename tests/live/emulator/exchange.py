@@ -12,8 +12,8 @@ import struct
 import sys
 import time
 
-from cotouch.live import Identity
-from cotouch.live._control import Message, Relayed
+from cotouch.control._control import Message, Relayed
+from cotouch.samples import Identity
 
 FRAME = struct.Struct(">HB32s")
 MESSAGE, RELAY = 0, 1

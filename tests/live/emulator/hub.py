@@ -21,7 +21,7 @@ import time
 
 import numpy as np
 
-from cotouch.live import EmulatedPath, PathLaw
+from cotouch.samples import EmulatedPath, PathLaw
 
 TUNSETIFF, IFF_TUN, IFF_NO_PI = 0x400454CA, 0x0001, 0x1000
 

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
 
-from cotouch.live import PathLaw
+from cotouch.samples import PathLaw
 
 HUB = Path(__file__).with_name("hub.py")
 # Another user's rights end at its own namespaces, which is all that is needed, where the kernel allows them.

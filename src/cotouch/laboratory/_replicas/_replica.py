@@ -4,7 +4,7 @@ A replica moves whole copies of the body by the hands' forces, so it is told apa
 force of a link, but a body that has more or less energy than the hands gave it. That is what it *made*.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import NamedTuple, final
 
@@ -14,6 +14,7 @@ import numpy.typing as npt
 from cotouch.arrays import Float
 from cotouch.compiled import routine, subroutine
 from cotouch.errors import ScenarioError
+from cotouch.laws import Law, law_named
 from cotouch.mechanics import Ports
 from cotouch.scenario import Hands, grip
 from cotouch.simulation import Prepared
@@ -71,18 +72,19 @@ class Replica:
     Attributes:
         name: in a study.
         move: the whole run, compiled.
+        join: of one whose copies a link law joins, runs it with the law and the parameters that it is given, and says
+            what all ends may make [J].
         sends: what a message holds.
         numbers: how many of each axis that are, if none was lost.
         source: where it is published.
-        springs: whether it has the links' springs, so that tuning may change them.
     """
 
     name: str
-    move: Callable[[Run], None]
+    move: Callable[..., None]
     sends: tuple[str, ...]
     source: str
     numbers: int = 1
-    springs: bool = False
+    join: Callable[[Run, Law, Mapping[str, float | str]], float] | None = None
 
 
 @final
@@ -98,6 +100,8 @@ class Moved:
         extracted: most that hands got out beyond what there was [J].
         corrected: energy of the states that were overwritten [J].
         finite: whether the motion stayed in floating point.
+        said: samples that a user said in full to a neighbour, and bytes without headers, in the mean over directions of
+            links; None: all of them in full.
     """
 
     place: Float
@@ -107,6 +111,7 @@ class Moved:
     extracted: float
     corrected: float
     finite: bool
+    said: tuple[float, float] | None = None
 
 
 @subroutine
@@ -167,7 +172,7 @@ def replicate(kind: Replica, prepared: Prepared) -> Moved:
     width = aim.shape[-1]
     place, speed = np.zeros((users, steps + 1, width)), np.zeros((users, steps + 1, width))
     mean, rate = np.zeros((users, steps, width)), np.zeros((users, steps, width))
-    energy, lost, corrected = np.zeros(steps + 1), np.zeros(steps), 0.0
+    energy, lost, corrected, seed = np.zeros(steps + 1), np.zeros(steps), 0.0, 0.0
 
     def summed(values: Float) -> Float:
         result = np.zeros((users, steps))
@@ -193,7 +198,11 @@ def replicate(kind: Replica, prepared: Prepared) -> Moved:
             lost=np.zeros(steps),
             corrected=np.zeros(1),
         )
-        kind.move(run)
+        if kind.join is None:
+            kind.move(run)
+        else:
+            name, given = prepared.scenario.law
+            seed += kind.join(run, law_named(name), given)
         place[..., axis], speed[..., axis], mean[..., axis], rate[..., axis] = run.place, run.speed, run.mean, run.rate
         energy, lost, corrected = energy + run.energy, lost + run.lost, corrected + float(run.corrected[0])
     force = np.zeros((len(prepared.ports), steps, width))
@@ -208,7 +217,7 @@ def replicate(kind: Replica, prepared: Prepared) -> Moved:
         place=place[:, :, None],
         velocity=speed[:, :, None],
         force=force,
-        made=max(float(made.max()), 0.0),
+        made=max(float(made.max()) - seed, 0.0),
         extracted=max(0.0, -float(energy[0] + np.cumsum(supplied).min())),
         corrected=corrected,
         finite=finite,

@@ -13,6 +13,8 @@
  * @property {[number, number][]} links
  * @property {{name: string, unit: string}[]} series
  * @property {{displacement: number, difference: number}} peaks [m]
+ * @property {number | null} floor height of what the object can lie on; null: nothing [m]
+ * @property {{centre: number[], half: number[], turn: number[]}[]} boxes that stand around; directions of the sides, one after the other
  */
 /** @typedef {{name: string, unit: string, values: ArrayLike<number>}} Series values by frame and user */
 

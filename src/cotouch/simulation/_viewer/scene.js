@@ -13,7 +13,7 @@ class Scene {
     this.gl = gl;
     this.run = run;
     this.programs = { surface: program(gl, "surface"), points: program(gl, "points"), edges: program(gl, "edges"), solid: program(gl, "solid"), floor: program(gl, "floor") };
-    this.solids = { ball: this.shape(BALL), rod: this.shape(ROD), cone: this.shape(CONE) };
+    this.solids = { ball: this.shape(BALL), rod: this.shape(ROD), cone: this.shape(CONE), box: this.shape(BOX) };
     this.empty = /** @type {WebGLVertexArrayObject} */ (gl.createVertexArray());
     this.corners = this.filled(gl.ELEMENT_ARRAY_BUFFER, run.triangles);
     this.ends = this.filled(gl.ARRAY_BUFFER, run.edges);
@@ -145,6 +145,7 @@ class Scene {
       }
       gl.clear(gl.DEPTH_BUFFER_BIT);
       this.ground(colors[colors.length - 1]);
+      this.boxes(colors[colors.length - 1]);
       this.body(this.copies[tile.solid], [0, 0, 0], 0, area, ratio);
       for (const ghost of tile.ghosts) this.ghost(this.copies[ghost], colors[ghost], area, ratio);
       if (tile.ghosts.length) {
@@ -181,6 +182,20 @@ class Scene {
     gl.bindVertexArray(this.empty);
     gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
     gl.depthMask(true);
+  }
+
+  /** What stands around. @param {number[]} color */
+  boxes(color) {
+    const { gl } = this, { made, at } = this.programs.solid, { array, count } = this.solids.box;
+    gl.useProgram(made);
+    gl.bindVertexArray(array);
+    for (const { centre, half, turn } of this.run.header.boxes) {
+      gl.uniform4fv(at.color, [...color, 1]);
+      gl.uniform3fv(at.scale, half);
+      gl.uniform3fv(at.offset, centre);
+      gl.uniformMatrix3fv(at.turn, false, turn);
+      gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, 0);
+    }
   }
 
   /** A copy: a surface, or edges and nodes. @param {Copy} copy @param {number[]} color @param {number} ghost its strength; 0 for a solid one @param {number[]} area @param {number} ratio */
@@ -272,12 +287,15 @@ function measured(run) {
       cloud.push(...[0, 1, 2].map((d) => p[d] + (metresPerNewton + r / f) * touch.force[i + d]));
       bottom = Math.min(bottom, p[2] - r);
     }
+  const { floor, boxes } = run.header;
+  for (const { centre, half, turn } of boxes)
+    for (let k = 0; k < 8; k++) cloud.push(...[0, 1, 2].map((d) => centre[d] + [0, 1, 2].reduce((s, a) => s + (k >> a & 1 ? 1 : -1) * half[a] * turn[3 * a + d], 0)));
   const { edges, rest } = run;
   let dot = 0.02 * extent, length = 0;
   for (let k = 0; k < edges.length; k += 2)
     length += Math.hypot(...[0, 1, 2].map((d) => rest[3 * edges[k] + d] - rest[3 * edges[k + 1] + d]));
   if (length > 0) dot = Math.min(dot, (0.2 * length) / edges.length); // a tenth of an edge
-  return { size, middle, extent, peak, metresPerNewton, cloud, dot, floor: bottom - 0.02 * extent, pitch: round(extent / 5), flat: size[2] < 1e-6 * extent };
+  return { size, middle, extent, peak, metresPerNewton, cloud, dot, floor: floor ?? bottom - 0.02 * extent, pitch: round(extent / 5), flat: size[2] < 1e-6 * extent };
 }
 
 /** @param {Float32Array[]} arrays */

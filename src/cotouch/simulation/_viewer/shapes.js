@@ -1,4 +1,4 @@
-// Programs of the graphics card, from shaders.glsl, and the few fixed shapes: ball, rod, cone.
+// Programs of the graphics card, from shaders.glsl, and the few fixed shapes: ball, rod, cone, box.
 
 // From rest to the most: porcelain to plum. Light falls with the value, so that it reads without colours too.
 const RAMP = [[243, 238, 231], [247, 204, 170], [240, 150, 118], [222, 86, 93], [171, 35, 96], [98, 18, 84]];
@@ -26,6 +26,24 @@ const BALL = turned(Array.from({ length: 17 }, (_, j) => {
 }), 32);
 const ROD = turned([[0, 0, 0, -1], [1, 0, 0, -1], [1, 0, 1, 0], [1, 1, 1, 0]], 20);
 const CONE = turned([[0, 0, 0, -1], [1, 0, 0, -1], [1, 0, 0.9, 0.4], [0, 1, 0.9, 0.4]], 24);
+
+const BOX = (() => {
+  const places = [], normals = [], corners = [];
+  for (const axis of [0, 1, 2])
+    for (const side of [-1, 1]) {
+      const first = places.length / 3, [b, c] = side > 0 ? [(axis + 1) % 3, (axis + 2) % 3] : [(axis + 2) % 3, (axis + 1) % 3];
+      for (const [u, v] of [[-1, -1], [1, -1], [1, 1], [-1, 1]]) {
+        const place = [0, 0, 0], normal = [0, 0, 0];
+        place[axis] = normal[axis] = side;
+        place[b] = u;
+        place[c] = v;
+        places.push(...place);
+        normals.push(...normal);
+      }
+      corners.push(first, first + 1, first + 2, first, first + 2, first + 3);
+    }
+  return { places: new Float32Array(places), normals: new Float32Array(normals), corners: new Uint32Array(corners) };
+})();
 
 /** @param {WebGL2RenderingContext} gl @param {string} name */
 function program(gl, name) {

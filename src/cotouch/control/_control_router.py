@@ -1,0 +1,54 @@
+"""A router of one session, over Eclipse Zenoh with mutual TLS."""
+
+import os
+from collections.abc import Sequence
+from typing import final
+
+from cotouch.control._certificates import make_certificates
+from cotouch.control._gate import Gate, inner_endpoint
+from cotouch.control._invitation import Endpoint, Invitation, checked
+from cotouch.control._zenoh import close_session, configuration, open_session
+from cotouch.samples import Entropy
+
+
+@final
+class ControlRouter:
+    """Where members of one session meet who cannot reach each other: carries what they say, and cannot change it.
+
+    It is invited like a member, and reads what passes.
+    """
+
+    def __init__(
+        self,
+        invitation: Invitation,
+        *,
+        listen: Sequence[Endpoint],
+        connect: Sequence[Endpoint] = (),
+        lease: float = 1.5,
+        entropy: Entropy = os.urandom,
+    ) -> None:
+        """Opens it.
+
+        Args:
+            invitation: to the session.
+            listen: where members find it.
+            connect: other routers of the session.
+            lease: after which a silent member is gone [s].
+            entropy: gives so many bytes that nobody can guess.
+
+        Raises:
+            TransportError: a port is taken, or an address is not this machine's.
+        """
+        certificates = make_certificates(invitation, entropy=entropy)
+        at, connect = [checked(endpoint) for endpoint in listen], [checked(endpoint) for endpoint in connect]
+        inner = inner_endpoint(entropy)
+        self._session = open_session(
+            configuration("router", certificates, listen=at, inner=inner, connect=connect, lease=lease)
+        )
+        self._gate = None if inner is None or not at else Gate(at, inner, certificates)
+
+    def close(self) -> None:
+        """Ends it."""
+        close_session(self._session)
+        if self._gate is not None:
+            self._gate.close()

@@ -1,0 +1,10 @@
+"""What holds a copy: a hand on command, a ball that pushes, a device."""
+
+from cotouch.hands._commanded_hand import CommandedHand, usual_stiffness
+from cotouch.hands._device_hand import DeviceHand
+
+__all__ = [
+    "CommandedHand",
+    "DeviceHand",
+    "usual_stiffness",
+]

@@ -1,0 +1,295 @@
+"""Hands that hold real devices: the proxy of each is a tool of the slot, or a node that it holds."""
+
+from collections.abc import Sequence
+from typing import Any, final
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.arrays import Float
+from cotouch.body import Body
+from cotouch.errors import DeviceError
+from cotouch.hands._grasped import Grasped, GraspedBall, GraspedNode, more
+from cotouch.haptics import (
+    LEAST_SCALE,
+    MOST_SCALE,
+    CouplingChoice,
+    ProxyEnd,
+    ServoLink,
+    ServoReport,
+    Vector,
+)
+from cotouch.mechanics import Contact, EnergyMessage, Model, Surface, Tools
+from cotouch.members import Slot, coupling_of_slot, no_ports
+from cotouch.observers import size_of
+from cotouch.scenario import (
+    Scenario,
+    ToolTable,
+    Touching,
+    before_step_alone,
+    ports_of,
+    tools_of,
+    touching_of,
+)
+from cotouch.scenario._tables import HandTable
+
+_NOWHERE: Vector = (0.0, 0.0, 0.0)
+# A ball that touches, where the session's file has no tool for the slot: so much of the body's largest extent, within
+# these bounds [m]; light beside a hand, stiffer than the device's spring.
+_FRACTION, _SMALLEST, _LARGEST = 0.06, 0.002, 0.02
+_MASS, _STIFFNESS = 0.05, 1000.0
+# Where a device is to span the body, its workspace reaches so much beyond it, that it may come from outside.
+_BEYOND = 1.25
+# A workspace that is not known [m].
+_WORKSPACE = 0.1
+
+
+@final
+class DeviceHand:
+    """What a person does with a device, or with one in each hand; a `Hand` that the copy attaches to its position.
+
+    Where a device is when it is heard first is where its proxy is then: nothing pulls at the start.
+    """
+
+    def __init__(
+        self,
+        at: Slot,
+        *,
+        link: ServoLink | Sequence[ServoLink] | None,
+    ) -> None:
+        """Takes tools of the slot, or such that fit the body; what the file's hands do there is left out.
+
+        Args:
+            at: the copy.
+            link: to the device, or to each of several; None: nobody holds one, for steps that nobody sees.
+
+        Raises:
+            ScenarioError: a tool is wrong.
+            DeviceError: the slot has no such tool, or a coupling does not fit its device.
+        """
+        scenario, body, model, slot = at.scenario, at.body, at.model, at.index
+        links = [] if link is None else list(link) if isinstance(link, Sequence) else [link]
+        wanted = _tools_wanted([one.said for one in links], slot)
+        self.nodes: list[int] = []
+        self.ports = no_ports(model)
+        self.surface: Surface | None = None
+        self.tools: Tools | None = None
+        self.contact: Contact | None = None
+        self._touching: Touching | None = None
+        self._slot = slot
+        self._nodes: list[GraspedNode] = []
+        users = scenario.network.size
+        own = [table for table in scenario.tools if table.user == slot + 1]
+        tables = _tables(own, body, slot, wanted)
+        if tables:
+            still = np.zeros((users, body.nodes, body.dimension))
+            lengths = np.tile([at.period, at.longest], (users, 1))
+            self._touching, _ = touching_of(
+                tables, users, body, model, lengths, start=still, ports=0, contact=scenario.contact
+            )
+            assert self._touching is not None
+            self.surface, self.contact = self._touching.surface, self._touching.contact
+            self.tools = tools_of(self._touching, slot)
+            held: list[Grasped] = [GraspedBall(self.tools, k, table.radius) for k, table in enumerate(tables)]
+        else:
+            held = self._grasp(scenario, body, model, _nodes(scenario, body, slot, wanted))
+        self._holds = [_Unheld(one) for one in held]
+        if links:
+            found = [coupling_of_slot(scenario, at.devices, slot, number) for number in wanted]
+            self._holds = [_Hold(one, link, below, body) for one, link, below in zip(held, links, found, strict=True)]
+
+    def attach(self, position: Float) -> None:
+        """Learns where the copy's rows are, as they move."""
+        for node in self._nodes:
+            node.position = position
+
+    def before(self, end: float, T: float) -> None:
+        """Takes the newest of each device, and pulls its proxy towards it.
+
+        Args:
+            end: of the step [s].
+            T: length of the step [s].
+        """
+        if self._touching is not None:
+            before_step_alone(self._touching, self._slot, end, T)
+        for hold in self._holds:
+            hold.before(T)
+
+    def after(self) -> None:
+        """Tells each device where its proxy went."""
+        for hold in self._holds:
+            hold.after()
+
+    def show(self, fields: dict[str, npt.NDArray[Any]]) -> None:
+        """Writes into a mailbox's fields where each device is, what it holds or pushes with, and what pulls that.
+
+        Args:
+            fields: see `view_fields`; hands that it has no room for are left out.
+        """
+        shown = self._holds[: fields["mode"].shape[0]]
+        fields["hands"][()] = len(shown)
+        for k, hold in enumerate(shown):
+            hold.grasped.show(fields, k, hold.target)
+
+    def _grasp(self, scenario: Scenario, body: Body, model: Model, nodes: list[int]) -> list[Grasped]:
+        """Ports at nodes, numbered from 1."""
+        slot = self._slot
+        tables = [HandTable(user=slot + 1, node=node) for node in nodes]
+        hands, ports = ports_of(tables, scenario.network.size, body, model)
+        self.nodes = [node - 1 for node in nodes for _ in range(ports.shape[1])]
+        self.ports = no_ports(model, hands.row.tolist())._replace(
+            first=int(hands.first[slot]), last=int(hands.first[slot + 1]), shape=hands.shape
+        )
+        for node, own in zip(nodes, ports, strict=True):
+            x, y, z = (*body.rest[node - 1].tolist(), 0.0, 0.0)[:3]
+            self._nodes.append(GraspedNode(self.ports, body.dimension, node - 1, (x, y, z), own.tolist()))
+        return list(self._nodes)
+
+
+@final
+class _Unheld:
+    """A proxy that no device holds."""
+
+    def __init__(self, grasped: Grasped) -> None:
+        self.grasped = grasped
+        self.target: Vector | None = None
+
+    def before(self, T: float) -> None:
+        """Leaves it alone."""
+        del T
+        self.grasped.drive(0.0, 1.0, self.grasped.place(), _NOWHERE)
+
+    def after(self) -> None:
+        """Tells nobody."""
+
+
+@final
+class _Hold:
+    """A device and its proxy.
+
+    The coupling is that of the device: its spring, damper, energy and places are in the device's metres and newtons.
+    With a scale s, the body's metres are s of the device's, and a force on the body is 1/s of that on the device, so
+    that both ends see the same power, to the bit but for rounding: k becomes k/s² and b becomes b/s² at the body.
+
+    Attributes:
+        grasped: the proxy.
+        target: where the device is, in the body's metres; None: nothing is known.
+    """
+
+    def __init__(self, grasped: Grasped, link: ServoLink, below: CouplingChoice, body: Body) -> None:
+        self.grasped = grasped
+        self.target: Vector | None = None
+        self._link = link
+        self._end = ProxyEnd(link.couple(below))
+        self._scale = _scale(link, below, body)
+        self._origin: Vector | None = None
+        self._before = _NOWHERE
+        self._message = EnergyMessage()
+
+    def before(self, T: float) -> None:
+        scale = self._scale
+        place = self._before = _times(1.0 / scale, self.grasped.place())
+        report: ServoReport | None = self._link.read()
+        desired, rate = None, _NOWHERE
+        if report is not None:
+            if self._origin is None:
+                self._origin = _less(place, report.place)
+            desired, rate, self._message = more(report.place, self._origin), report.rate, report.message
+        self.target = None if desired is None else _times(scale, desired)
+        pull = self._end.pull(place, desired, rate, self._message, T)
+        fraction = 1.0 / (scale * scale)
+        self.grasped.drive(
+            fraction * pull.stiffness,
+            fraction * pull.damping,
+            _times(scale, pull.target),
+            _times(1.0 / scale, pull.push),
+        )
+
+    def after(self) -> None:
+        place = _times(1.0 / self._scale, self.grasped.place())
+        self._end.settle(_times(self._scale, self.grasped.force()), _less(place, self._before))
+        self._link.order(None if self._origin is None else _less(place, self._origin), self._end.message)
+
+
+def _scale(link: ServoLink, below: CouplingChoice, body: Body) -> float:
+    """Metres of the body for each of the device."""
+    wanted = link.said.over(below).scale
+    if wanted is None:
+        return 1.0
+    if wanted != "fit":
+        return float(wanted)
+    reach = link.spec.workspace if np.isfinite(link.spec.workspace) and link.spec.workspace > 0.0 else _WORKSPACE
+    return float(np.clip(_BEYOND * size_of(body) / reach, LEAST_SCALE, MOST_SCALE))
+
+
+def _tools_wanted(said: Sequence[CouplingChoice], slot: int) -> list[int]:
+    """Which of the slot's tools each device moves, from 0; without devices the first.
+
+    Raises:
+        DeviceError: two want the same.
+    """
+    given = [one.tool for one in said if one.tool is not None]
+    if len(set(given)) < len(given):
+        raise DeviceError(f"two devices are to move the same tool of user {slot + 1}; give each another, as tool=2")
+    left = iter(number for number in range(1, len(said) + len(given) + 1) if number not in given)
+    return [(next(left) if one.tool is None else one.tool) - 1 for one in said] or [0]
+
+
+def _tables(own: list[ToolTable], body: Body, slot: int, wanted: list[int]) -> list[ToolTable]:
+    """Tools without what moves them in the file, or such that fit; empty where nodes are held.
+
+    Raises:
+        DeviceError: the slot has not so many.
+    """
+    if own:
+        if max(wanted) >= len(own):
+            some = "only one tool" if len(own) == 1 else f"only {len(own)} tools"
+            raise DeviceError(
+                f"a device is to move tool {max(wanted) + 1} of user {slot + 1}, which has {some}; give the session's "
+                "file another [[tools]], or take part with fewer devices"
+            )
+        bare = {"hand": None, "device": None, "begin": 0.0, "release": None}
+        return [own[number].model_copy(update=bare) for number in wanted]
+    if body.dimension != 3 or body.skin is None or not body.skin.triangles.size:
+        return []
+    low, high = body.rest.min(axis=0), body.rest.max(axis=0)
+    radius = min(max(_FRACTION * float((high - low).max()), _SMALLEST), _LARGEST)
+    middle, above = 0.5 * (low + high), float(high[2]) + 1.5 * radius
+    # Side by side, the first on the left, which is where y grows.
+    aside = [1.5 * radius * (len(wanted) - 1 - 2 * k) for k in range(len(wanted))]
+    return [
+        ToolTable(
+            user=slot + 1,
+            at=[float(middle[0]), float(middle[1]) + beside, above],
+            radius=radius,
+            mass=_MASS,
+            stiffness=_STIFFNESS,
+        )
+        for beside in aside
+    ]
+
+
+def _nodes(scenario: Scenario, body: Body, slot: int, wanted: list[int]) -> list[int]:
+    """The nodes, from 1, that the file's hands of this slot hold; else, for one device, the one nearest to the middle.
+
+    Raises:
+        DeviceError: the slot has not so many hands.
+    """
+    own = [hand.node for hand in scenario.hands if hand.user == slot + 1]
+    if max(wanted) < len(own):
+        return [own[number] for number in wanted]
+    if own or wanted != [0]:
+        raise DeviceError(
+            f"a device is to hold what hand {max(wanted) + 1} of user {slot + 1} holds, which has {len(own)}; "
+            "give the session's file another [[hands]], or take part with fewer devices"
+        )
+    middle = body.rest.mean(axis=0)
+    return [1 + int(np.argmin(np.linalg.norm(body.rest - middle, axis=1)))]
+
+
+def _less(a: Vector, b: Vector) -> Vector:
+    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
+
+
+def _times(fraction: float, a: Vector) -> Vector:
+    return (fraction * a[0], fraction * a[1], fraction * a[2])

@@ -1,0 +1,213 @@
+"""What might make a law give out more energy than it declares: runs at random, and users who are searched for."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, final
+
+import numpy as np
+
+from cotouch.arrays import Float
+from cotouch.interrupt import check
+from cotouch.scenario import Scenario
+from cotouch.simulation import Prepared, prepare, run_prepared
+
+# How long a trial is [s], and what of a run's energies is round-off.
+_LONG, _ROUND = 1.5, 1e-12
+# A search fills the space evenly for this share of its evaluations, then goes on near the best; widths of its steps.
+_FIRST, _STEP, _LONGER, _SHORTER, _LEAST = 0.2, 0.2, 1.5, 0.93, 0.02
+
+
+def wild(rng: np.random.Generator, users: int, duration: float) -> dict[str, Any]:
+    """Steps, channel and hands, soft and stiff; and `delay`, of each pair one way.
+
+    Args:
+        rng: randomness.
+        users: how many.
+        duration: of the run [s].
+    """
+    return {
+        "delay": rng.uniform(0.0, 0.15, (users, users)) * (1.0 - np.eye(users)),
+        "steps": {"duration": duration, "random": {"low": 0.001, "high": float(rng.choice([0.001, 0.005, 0.03]))}},
+        "channel": {
+            "jitter": {"kind": "exponential", "scale": float(rng.choice([0.0, 0.01, 0.05]))},
+            "loss": float(rng.choice([0.0, 0.1, 0.7])),
+            "burst": {"enter": float(rng.choice([0.0, 0.01])), "leave": 0.05},
+            "duplication": 0.2,
+            "reordering": 0.2,
+            "reordering_delay": 0.04,
+        },
+        "hands": [
+            {
+                "user": i + 1,
+                "stiffness": float(10.0 ** rng.uniform(1.0, 3.5)),
+                "damping": float(rng.choice([0.0, 6.5])),
+                "path": float(rng.uniform(-0.1, 0.1)),
+                "amplitude": float(rng.choice([0.0, 0.05])),
+                "frequency": float(10.0 ** rng.uniform(-0.5, 1.0)),
+                "begin": float(duration * rng.uniform(0.0, 0.3)),
+                "release": float(duration * rng.uniform(0.5, 1.0)),
+            }
+            for i in range(users)
+        ],
+    }
+
+
+def trial(number: int, law: str | Mapping[str, Any] = "spring") -> Scenario:
+    """Anything: users, springs, delays, rates, losses, hands, soft and stiff, an object that flies.
+
+    Args:
+        number: of the trial; another one is another run.
+        law: as in `[synchronisation]`.
+    """
+    rng = np.random.default_rng((number, 18))
+    users = int(rng.integers(2, 5))
+    tables = wild(rng, users, _LONG)
+    spring = np.zeros((users, users))
+    for a in range(users):
+        for b in range(a):
+            spring[a, b] = spring[b, a] = rng.choice([0.0, 20.0, 100.0]) if b else 50.0
+    return Scenario.make(
+        network={
+            "users": [str(i) for i in range(users)],
+            "spring": spring.tolist(),
+            "delay": tables.pop("delay").tolist(),
+        },
+        body={"mass": float(10 ** rng.uniform(-1, 1)), "stiffness": float(rng.choice([0.0, 30.0]))},
+        synchronisation={"law": law},
+        initial={"position": rng.uniform(-0.05, 0.05, users).tolist(), "velocity": rng.normal(size=users).tolist()},
+        seed=number,
+        **tables,
+    )
+
+
+@final
+@dataclass(frozen=True, kw_only=True)
+class Books:
+    """What a run's links made.
+
+    Attributes:
+        beyond: most energy that they had made, less what the law declares [J]; infinite where the motion left floating
+            point.
+        last: what they had made at the end, likewise [J].
+        play: greatest of the energies that the run's books hold [J].
+        residual: what the books do not account for, at most [J].
+    """
+
+    beyond: float
+    last: float
+    play: float
+    residual: float
+
+    @property
+    def kept(self) -> bool:
+        """Whether they made no more than the law declares, but for round-off."""
+        return self.beyond <= _ROUND * self.play
+
+
+def books(prepared: Prepared) -> Books:
+    """Runs it.
+
+    Args:
+        prepared: of any law.
+    """
+    outcome = run_prepared(prepared)
+    record = outcome.record
+    seed = float(record.links[0].sum()) if prepared.law is None else prepared.law.seed
+    play = float(np.nanmax(np.abs(record.ticks[:4]), initial=0.0))
+    finite = outcome.events == prepared.schedule.order.size and np.isfinite(record.made).all()
+    return Books(
+        beyond=float(record.made[0]) - seed if finite else float("inf"),
+        last=float(record.made[1]) - seed,
+        play=play,
+        residual=float(np.nanmax(np.abs(record.ticks[4]), initial=0.0)),
+    )
+
+
+_HAND, _PATH = 6, 6
+# Numbers between 0 and 1 that make a scenario of two: a hand each, and the network.
+NUMBERS = 2 * _HAND + _PATH
+
+
+def users_at(place: Float, law: str | Mapping[str, Any], **options: Any) -> Scenario:
+    """Two users, their impedances, what they do, and the network between them.
+
+    Args:
+        place: of the search, (NUMBERS,), 0 to 1.
+        law: as in `[synchronisation]`.
+        **options: others of that table.
+    """
+    hands = [
+        {
+            "user": user + 1,
+            "stiffness": float(10 ** (1.0 + 2.5 * a)),
+            "damping": float(10.0 * b * b),
+            "amplitude": float(0.1 * c),
+            "frequency": float(10 ** (-0.5 + 1.5 * d)),
+            "phase": float(2.0 * np.pi * e),
+            "release": float(0.5 + 1.5 * f),
+        }
+        for user, (a, b, c, d, e, f) in enumerate(place[: 2 * _HAND].reshape(2, _HAND))
+    ]
+    there, back, jitter, loss, rate, mass = place[2 * _HAND :].tolist()
+    return Scenario.make(
+        network={
+            "users": ["one", "two"],
+            "spring": [[0.0, 50.0], [50.0, 0.0]],
+            "delay": [[0.0, 0.2 * there], [0.2 * back, 0.0]],
+        },
+        body={"mass": float(10 ** (mass - 0.5))},
+        steps={"duration": 1.5, "period": [0.002, 0.002 * (1.0 + 4.0 * rate)]},
+        synchronisation={"law": law, **options},
+        channel={"jitter": {"kind": "exponential", "scale": 0.05 * jitter}, "loss": 0.6 * loss},
+        hands=hands,
+    )
+
+
+@final
+@dataclass(frozen=True, kw_only=True)
+class Found:
+    """The worst that a search found.
+
+    Attributes:
+        beyond: energy made beyond what the law declares [J].
+        kept: whether no run made more than that, but for round-off.
+        place: of the search, for `users_at`.
+    """
+
+    beyond: float
+    kept: bool
+    place: Float
+
+
+def searched(law: str | Mapping[str, Any], evaluations: int, *, seed: int = 18, **options: Any) -> Found:
+    """Searches for two users, and a network, that get energy out of a law.
+
+    Evenly at first, then near the best so far, and elsewhere once nothing better is found there. As long as nothing is
+    made, the best is what makes the most for its energy, and dissipates the least.
+
+    Args:
+        law: as in `[synchronisation]`.
+        evaluations: runs.
+        seed: of the search.
+        **options: others of that table.
+    """
+    rng = np.random.default_rng(seed)
+    here, best, step = rng.random(NUMBERS), -np.inf, _STEP
+    most, kept, worst = -np.inf, True, here
+    for number in range(evaluations):
+        check()
+        even = number < _FIRST * evaluations or best == -np.inf
+        there = rng.random(NUMBERS) if even else np.clip(here + step * rng.standard_normal(NUMBERS), 0.0, 1.0)
+        found = books(prepare(users_at(there, law, **options)))
+        kept = kept and found.kept
+        if found.beyond > most:
+            most, worst = found.beyond, there
+        value = found.beyond if not found.kept else (found.beyond + 0.01 * found.last) / max(found.play, 1e-9)
+        better = value > best
+        if better:
+            here, best = there, value
+        if not even:
+            step = min(_STEP, step * (_LONGER if better else _SHORTER))
+            if step < _LEAST:  # as good as it gets near here
+                best, step = -np.inf, _STEP
+    return Found(beyond=float(most), kept=kept, place=worst)

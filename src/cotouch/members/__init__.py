@@ -1,0 +1,76 @@
+"""Who takes part in a session, who decides, and each one's copy of the object. Nothing here knows a clock."""
+
+from cotouch.members._admission import Admission, addresses_of
+from cotouch.members._coordinator import ABSENT_AFTER, Coordinator, Planner
+from cotouch.members._device_table import DeviceTable, coupling_of_slot
+from cotouch.members._emulate import path_laws
+from cotouch.members._felt import Felt, felt
+from cotouch.members._file import DEFAULT_RATE, MOST_USERS, SessionFile, SessionTable
+from cotouch.members._hand import Hand, NoHand, ScriptedHand, Slot, no_ports
+from cotouch.members._host import Host
+from cotouch.members._links import Pair, delays_of, present_links
+from cotouch.members._member import Member
+from cotouch.members._messages import MOST_NOTICE, Decision, Entry, LinkStatus, Roster, Status, write
+from cotouch.members._neighbour import Neighbour
+from cotouch.members._pace import Pace, pace_numbers
+from cotouch.members._part import HandKind, Part, PartOutcome
+from cotouch.members._paths import MemoryPaths, Paths, RoutedPaths
+from cotouch.members._replica import Replica
+from cotouch.members._session_recorder import SessionRecorder
+from cotouch.members._shared_model import SharedModel
+from cotouch.members._step_recorder import StepRecorder
+from cotouch.members._succession import genuine
+from cotouch.members._totals import ALARM
+from cotouch.members._watch import MemberState, SessionEvent, SessionWatch
+
+__all__ = [
+    "ABSENT_AFTER",
+    "ALARM",
+    "DEFAULT_RATE",
+    "MOST_NOTICE",
+    "MOST_USERS",
+    "Admission",
+    "Coordinator",
+    "Decision",
+    "DeviceTable",
+    "Entry",
+    "Felt",
+    "Hand",
+    "HandKind",
+    "Host",
+    "LinkStatus",
+    "Member",
+    "MemberState",
+    "MemoryPaths",
+    "Neighbour",
+    "NoHand",
+    "Pace",
+    "Pair",
+    "Part",
+    "PartOutcome",
+    "Paths",
+    "Planner",
+    "Replica",
+    "Roster",
+    "RoutedPaths",
+    "ScriptedHand",
+    "SessionEvent",
+    "SessionFile",
+    "SessionRecorder",
+    "SessionTable",
+    "SessionWatch",
+    "SharedModel",
+    "Slot",
+    "Status",
+    "StepRecorder",
+    "addresses_of",
+    "coupling_of_slot",
+    "delays_of",
+    "felt",
+    "genuine",
+    "no_ports",
+    "pace_numbers",
+    "path_laws",
+    "present_links",
+    "write",
+]

@@ -1,0 +1,39 @@
+"""The network that a session's file describes, put on the real one."""
+
+from cotouch.errors import ScenarioError
+from cotouch.samples import PathLaw
+from cotouch.scenario import Scenario
+
+
+def path_laws(scenario: Scenario, slot: int) -> dict[int, PathLaw]:
+    """The law of the direction from one slot to each other: delay of `[network]`, the rest of `[channel]`.
+
+    Args:
+        scenario: of the session.
+        slot: who sends.
+
+    Raises:
+        ScenarioError: the channel has a law that is only for simulations.
+    """
+    channel = scenario.channel
+    if channel.jitter is not None and channel.jitter.kind != "uniform":
+        raise ScenarioError(f'channel.jitter.kind is "{channel.jitter.kind}"; a session emulates "uniform" only')
+    if channel.trace is not None:
+        raise ScenarioError("channel.trace is for simulations; a session emulates jitter instead")
+    burst = channel.burst
+    if burst is not None and (burst.loss_good, burst.loss_bad) != (0.0, 1.0):
+        raise ScenarioError("channel.burst must have loss_good = 0 and loss_bad = 1 where a session emulates it")
+    return {
+        other: PathLaw(
+            delay=float(scenario.network.delay[other, slot]),
+            jitter=0.0 if channel.jitter is None else channel.jitter.scale,
+            loss=channel.loss,
+            duplication=channel.duplication,
+            reordering=channel.reordering,
+            hold=channel.reordering_delay,
+            enter=0.0 if burst is None else burst.enter,
+            leave=1.0 if burst is None else burst.leave,
+        )
+        for other in range(scenario.network.size)
+        if other != slot
+    }

@@ -1,0 +1,92 @@
+"""What the law of a session's links makes of it: energy on its way, and the drag that hands feel.
+
+Hands put in what the law takes of the motion, ‖v̂‖² times its drag: by the damping B_i of all copies, and by links that
+take more than they give. Whoever moves all N copies evenly together feels of springs
+`Σ_i B_i + Σ_links K (T_ij + T_ji)`.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import final
+
+from cotouch.arrays import Float
+from cotouch.members._live_law import LiveLaw
+from cotouch.members._messages import Status
+from cotouch.members._neighbour import Neighbour
+
+# Below 5 mm/s over the ten seconds that copies remember, nothing is measured [m²/s].
+_LEAST = 10.0 * 0.005**2
+
+
+@final
+@dataclass(frozen=True, kw_only=True)
+class Felt:
+    """What is felt of a law.
+
+    Attributes:
+        law: its name.
+        on_the_way: what ends gave to others that these did not take yet; None: the law exchanges no energy [J].
+        measured: drag of the last seconds, over the identity weight: of a point the drag that its hand feels, of other
+            bodies that at each node; None: the copies hardly moved [Ns/m].
+        predicted: likewise of copies that move evenly together, with the ages of now; None: nobody can say.
+    """
+
+    law: str
+    on_the_way: float | None
+    measured: float | None
+    predicted: float | None
+
+
+def felt(known: Sequence[Status]) -> Felt | None:
+    """What members say together of their law; None before one of them moves.
+
+    Args:
+        known: their last words.
+    """
+    moving = [status for status in known if status.steps]
+    if not moving:
+        return None
+    law = moving[0].law
+    taken = {(status.slot, link.slot): link.taken for status in moving for link in status.links}
+    on_the_way = sum(
+        max(link.given - taken[link.slot, status.slot], 0.0)
+        for status in moving
+        for link in status.links
+        if (link.slot, status.slot) in taken
+    )
+    moved = sum(status.moved for status in moving) / len(moving)
+    parts = [status.drag for status in moving if status.drag is not None]
+    return Felt(
+        law=law,
+        on_the_way=None if law == "spring" else on_the_way,
+        measured=sum(status.braked for status in moving) / moved if moved > _LEAST else None,
+        predicted=sum(parts) if len(parts) == len(moving) else None,
+    )
+
+
+def predicted_drag(
+    damping: Float,
+    neighbours: Mapping[int, Neighbour],
+    link_age: Mapping[int, float],
+    period: float,
+    law: LiveLaw | None,
+) -> float | None:
+    """One copy's part of the drag; None where nobody can say [Ns/m].
+
+    Args:
+        damping: B_i, over the weights.
+        neighbours: by slot.
+        link_age: of their samples at the end of a step, by the clocks as they are [s].
+        period: of the steps; forces act at mid-step in the mean [s].
+        law: of the links; None: springs.
+    """
+    if law is not None:
+        return float(damping[0]) if law.law.dragless else None
+    if any(neighbour.weight for neighbour in neighbours.values()):
+        return None
+    # Each end counts the clocks' difference the other way round, so that of the sum nothing is left of it.
+    return float(damping[0]) + sum(
+        neighbour.strength * (link_age[slot] - 0.5 * period - neighbour.link.ahead)
+        for slot, neighbour in neighbours.items()
+        if neighbour.coupled and slot in link_age
+    )

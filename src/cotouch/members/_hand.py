@@ -1,0 +1,220 @@
+"""What a user does to its own copy: nothing, what the session's file says, or whatever a device or page does."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Protocol, final, runtime_checkable
+
+import numpy as np
+
+from cotouch.arrays import Float
+from cotouch.body import Body
+from cotouch.mechanics import Contact, Model, Ports, Surface, Tools
+from cotouch.members._device_table import DeviceTable
+from cotouch.members._file import SessionFile
+from cotouch.members._shared_model import SharedModel
+from cotouch.scenario import (
+    Scenario,
+    after_step_alone,
+    before_step_alone,
+    grip,
+    ports_of,
+    tools_of,
+    touching_of,
+)
+
+
+@final
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Slot:
+    """The copy that a hand moves.
+
+    Attributes:
+        scenario: of the session, with its hands at nodes (`Scenario.placed`).
+        body: the shared object.
+        model: the same for the kernels.
+        index: of the user.
+        period: usual length of a step [s].
+        longest: greatest length of a step [s].
+        devices: what the session's file says of devices in people's hands.
+    """
+
+    scenario: Scenario
+    body: Body
+    model: Model
+    index: int
+    period: float
+    longest: float
+    devices: Sequence[DeviceTable] = ()
+
+    @classmethod
+    def of(cls, session: SessionFile, replica: SharedModel, index: int, model: Model) -> "Slot":
+        """The copy of one user of a session.
+
+        Args:
+            session: the session's file.
+            replica: the shared model.
+            index: slot of the user.
+            model: in the kernels' form.
+        """
+        return cls(
+            scenario=replica.scenario,
+            body=replica.body,
+            model=model,
+            index=index,
+            period=session.period(index),
+            longest=session.options.max_step,
+            devices=session.options.devices,
+        )
+
+
+class Hand(Protocol):
+    """What holds and touches one copy.
+
+    Attributes:
+        ports: the ports, for the peer.
+        surface: the skin, with tools.
+        tools: the proxies; None without.
+        contact: the law by which they touch; None: springs.
+        nodes: index of the node that each of its ports holds; of a body in the full form once for every axis.
+    """
+
+    nodes: list[int]
+    ports: Ports
+    surface: Surface | None
+    tools: Tools | None
+    contact: Contact | None
+
+    def before(self, end: float, T: float) -> None:
+        """Writes into grips and tools what it does in the step that ends now.
+
+        Args:
+            end: time of what the file says; 0 as long as that waits (`session.wait_for_peers`) [s].
+            T: length of the step [s].
+        """
+        ...
+
+    def after(self) -> None:
+        """Takes what came of the step: forces at the ports and on the proxies."""
+        ...
+
+
+@runtime_checkable
+class AttachedHand(Protocol):
+    """A hand that goes by where the copy is."""
+
+    def attach(self, position: Float) -> None:
+        """Learns of the copy's position, which then changes in place.
+
+        Args:
+            position: its rows, (rows, width) [m].
+        """
+        ...
+
+
+def no_ports(model: Model, row: Sequence[int] = ()) -> Ports:
+    """Ports at rows of the model, which hold nothing yet.
+
+    Args:
+        model: in the kernels' form.
+        row: rows of the model.
+    """
+    ports, width = len(row), model.width
+    rows = np.array(row, dtype=np.int32)
+    return Ports(
+        first=0,
+        last=ports,
+        row=rows,
+        shape=model.port_shapes(rows),
+        stiffness=np.zeros(ports),
+        damping=np.zeros(ports),
+        start=np.zeros((ports, width)),
+        end=np.zeros((ports, width)),
+        push=np.zeros((ports, width)),
+        force=np.zeros((ports, width)),
+    )
+
+
+@final
+class NoHand:
+    """Takes part without touching anything."""
+
+    def __init__(self, model: Model) -> None:
+        """Holds nothing.
+
+        Args:
+            model: the body.
+        """
+        self.nodes: list[int] = []
+        self.ports = no_ports(model)
+        self.surface: Surface | None = None
+        self.tools: Tools | None = None
+        self.contact: Contact | None = None
+
+    def before(self, end: float, T: float) -> None:
+        """Does nothing.
+
+        Args:
+            end: of the step [s].
+            T: length of the step [s].
+        """
+
+    def after(self) -> None:
+        """Does nothing."""
+
+
+@final
+class ScriptedHand:
+    """The hands and tools of one slot, as the session's file says."""
+
+    def __init__(self, at: Slot) -> None:
+        """Takes hold.
+
+        Args:
+            at: the copy.
+
+        Raises:
+            ScenarioError: a hand, tool or device is wrong.
+        """
+        scenario, body, model, slot = at.scenario, at.body, at.model, at.index
+        users = scenario.network.size
+        hands, _ = ports_of(scenario.hands, users, body, model)
+        self._hands = hands
+        axes = body.dimension if model.full else 1
+        self.nodes = [hand.node - 1 for hand in scenario.hands if hand.user == slot + 1 for _ in range(axes)]
+        self._cursor = hands.path_first[:-1].copy()
+        self._lanes = model.lanes
+        self.ports = no_ports(model, hands.row.tolist())._replace(
+            first=int(hands.first[slot]), last=int(hands.first[slot + 1]), shape=hands.shape
+        )
+        self.surface: Surface | None = None
+        self.tools: Tools | None = None
+        self.contact: Contact | None = None
+        self._touching = None
+        self._slot = slot
+        if any(tool.user == slot + 1 for tool in scenario.tools):
+            most = int(np.diff(hands.first).max(initial=0))
+            still = np.zeros((users, body.nodes, body.dimension))
+            lengths = np.tile([at.period, at.longest], (users, 1))
+            self._touching, _ = touching_of(
+                scenario.tools, users, body, model, lengths, start=still, ports=most, contact=scenario.contact
+            )
+            assert self._touching is not None
+            self.surface, self.contact = self._touching.surface, self._touching.contact
+            self.tools = tools_of(self._touching, slot)
+
+    def before(self, end: float, T: float) -> None:
+        """Does what the file says for this step.
+
+        Args:
+            end: of the step [s].
+            T: length of the step [s].
+        """
+        for port in range(self.ports.first, self.ports.last):
+            grip(self._hands, self.ports, self._cursor, port, end, T, self._lanes)
+        if self._touching is not None:
+            before_step_alone(self._touching, self._slot, end, T)
+
+    def after(self) -> None:
+        """Tells the devices what came of the step."""
+        if self._touching is not None:
+            after_step_alone(self._touching, self._slot)

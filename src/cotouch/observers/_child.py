@@ -1,0 +1,100 @@
+"""A function called in a process of its own: it can be ended at any moment, even while it compiles."""
+
+import contextlib
+import os
+import pickle
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+from collections.abc import Callable
+from typing import Generic, ParamSpec, TypeVar, final
+
+from cotouch.errors import SessionError
+
+P = ParamSpec("P")
+R = TypeVar("R")
+
+_PATIENCE = 10.0
+# What moves a copy on this machine goes before what is worked out for it.
+_NICE = 10
+# How often the process looks whether anybody waits for it [s].
+_LOOK = 1.0
+
+
+@final
+class ChildCall(Generic[R]):
+    """One call. What it is given and what it returns must be picklable; nothing is said of its progress."""
+
+    def __init__(self, function: Callable[P, R], /, *args: P.args, **options: P.kwargs) -> None:
+        """Starts it.
+
+        Args:
+            function: of a module.
+            *args: of the function.
+            **options: likewise.
+        """
+        # Files, because nobody reads or writes a pipe while the process starts or runs.
+        self._out = tempfile.TemporaryFile()  # noqa: SIM115
+        threads = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
+        with tempfile.TemporaryFile() as given:
+            pickle.dump((os.getpid(), function, args, options), given)
+            given.seek(0)
+            self._process = subprocess.Popen(
+                [sys.executable, "-c", "from cotouch.observers._child import answer; answer()"],
+                stdin=given,
+                stdout=self._out,
+                stderr=subprocess.DEVNULL,
+                env={**os.environ, **threads},
+            )
+
+    @property
+    def pid(self) -> int:
+        """Of the process."""
+        return self._process.pid
+
+    @property
+    def done(self) -> bool:
+        """Whether it has ended."""
+        return self._process.poll() is not None
+
+    def result(self) -> R:
+        """What the function returned; to be asked for once, when it is done.
+
+        Raises:
+            SessionError: it raised something, or the process ended without a result.
+        """
+        self._process.wait(_PATIENCE)
+        self._out.seek(0)
+        try:
+            return pickle.load(self._out)  # noqa: S301  written by our own process
+        except (EOFError, pickle.UnpicklingError):
+            code = self._process.returncode
+            raise SessionError(
+                f"a process that worked something out ended without a result, with code {code}"
+            ) from None
+        finally:
+            self._out.close()
+
+    def kill(self) -> None:
+        """Ends it at once, whatever it does."""
+        self._process.kill()
+        self._process.wait(_PATIENCE)
+        self._out.close()
+
+
+def answer() -> None:
+    """Does what standard input asks for; the result goes to standard output. Nobody waits for what a dead one asked."""
+    parent, function, args, options = pickle.load(sys.stdin.buffer)  # noqa: S301  written by our own process
+    with contextlib.suppress(OSError, AttributeError):
+        os.nice(_NICE)
+    threading.Thread(target=_alone, args=(parent,), daemon=True).start()
+    pickle.dump(function(*args, **options), sys.stdout.buffer)
+
+
+def _alone(parent: int) -> None:
+    """Ends this process once its parent has ended."""
+    while os.getppid() == parent:
+        time.sleep(_LOOK)
+    os._exit(1)

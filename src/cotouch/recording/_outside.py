@@ -1,0 +1,79 @@
+"""What stood around a recorded body: what it held and took, and what a changed share of it makes."""
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.arrays import Float
+
+if TYPE_CHECKING:
+    from cotouch.recording._recording import Recording
+
+Int = npt.NDArray[np.int64]
+
+
+class Outside(NamedTuple):
+    """What obstacles hold and take of a whole body.
+
+    Attributes:
+        before: each step, (steps,) [J].
+        after: likewise.
+        lost: in it, likewise.
+    """
+
+    before: Float
+    after: Float
+    lost: Float
+
+
+def scale_of(recording: "Recording") -> Float:
+    """Share of K, weight and obstacles that the copy carried in each step, (steps,).
+
+    Args:
+        recording: of the copy.
+    """
+    given = recording.columns.get("stiffness_scale")
+    if given is not None:
+        return np.asarray(given, dtype=np.float64)
+    scale = np.ones(recording.steps)
+    for setup, span in recording.setup_rows():
+        scale[span] = 1.0 / setup.copies
+    return scale
+
+
+def outside_of(recording: "Recording", scale: Float) -> Outside | None:
+    """What planes and boxes held and took in the steps whose states are recorded; None without.
+
+    Args:
+        recording: of the copy.
+        scale: of `scale_of`.
+    """
+    material, columns, states = recording.header.body.material, recording.columns, recording.states
+    if material is None or not material.world:
+        return None
+    rows = states["state_row"]
+    x, middle = (recording.header.body.field(states[name]) for name in ("x", "middle"))
+    held = columns["world_stored"] / scale
+    before = np.where(recording.consecutive, np.concatenate([[np.nan], held[:-1]]), np.nan)
+    follows = np.concatenate([[False], np.diff(rows) == 1]) & recording.consecutive[rows]
+    fresh = columns["index"][rows] == 0
+    told = Outside(before[rows], held[rows], (columns["world_loss"] / scale)[rows])
+    return material.outside(2.0 * middle - x, x, columns["T"][rows], told, fresh=fresh, follows=follows)
+
+
+def sunk_of(scale: Float, rows: Int, potential: Float) -> Float:
+    """Of what came with a change of share, what counts from the lowest place at which that fell, (steps,) [J].
+
+    Args:
+        scale: of `scale_of`.
+        rows: steps whose states are recorded.
+        potential: of the whole body after each of these [J].
+    """
+    sunk, low = np.zeros(scale.size), 0.0
+    for n in np.flatnonzero(np.diff(scale[rows])):
+        change = scale[rows[n + 1]] - scale[rows[n]]
+        if change < 0.0:
+            low = min(low, float(potential[n]))
+        sunk[rows[n + 1]] = change * low
+    return sunk

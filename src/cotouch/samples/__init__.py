@@ -1,0 +1,79 @@
+"""What neighbours tell each other many times a second: datagrams sealed, sent, put together, and how old they are."""
+
+from cotouch.samples._address import Address, flaw, numeric, origin, plain
+from cotouch.samples._ages import AgeWindow, LinkAges
+from cotouch.samples._agreement import Agreement, Progress
+from cotouch.samples._assembly import Assembly
+from cotouch.samples._budget import MOST_AGE, BudgetAgreement
+from cotouch.samples._codec import AGED, ECHO, RENEW, Chunk, Codec, Heading, Written
+from cotouch.samples._emulated_path import EmulatedPath, PathLaw
+from cotouch.samples._impaired import ImpairedTransport
+from cotouch.samples._indexed import IndexedAssembly
+from cotouch.samples._keys import DirectionKeys, Entropy, Identity, LinkKeys
+from cotouch.samples._layout import HEAD_BYTES, Encoding, Layout
+from cotouch.samples._limit import Bucket, SourceLimit
+from cotouch.samples._memory import MemoryNetwork, MemoryTransport
+from cotouch.samples._plane import SampleLink, SamplePlane
+from cotouch.samples._rate import LOWEST_RATE, SendRate, Trend
+from cotouch.samples._refusal import Refusal
+from cotouch.samples._replay import ReplayWindow
+from cotouch.samples._seal import MOST_SEALED, OVERHEAD, RENEW_AFTER, RENEW_EVERY, Opened, SealedLink, connection_of
+from cotouch.samples._transport import MOST_BYTES, Arrival, Ground, Traffic, Transport
+from cotouch.samples._udp import UdpTransport
+
+__all__ = [
+    "AGED",
+    "ECHO",
+    "HEAD_BYTES",
+    "LOWEST_RATE",
+    "MOST_AGE",
+    "MOST_BYTES",
+    "MOST_SEALED",
+    "OVERHEAD",
+    "RENEW",
+    "RENEW_AFTER",
+    "RENEW_EVERY",
+    "Address",
+    "AgeWindow",
+    "Agreement",
+    "Arrival",
+    "Assembly",
+    "Bucket",
+    "BudgetAgreement",
+    "Chunk",
+    "Codec",
+    "DirectionKeys",
+    "EmulatedPath",
+    "Encoding",
+    "Entropy",
+    "Ground",
+    "Heading",
+    "Identity",
+    "ImpairedTransport",
+    "IndexedAssembly",
+    "Layout",
+    "LinkAges",
+    "LinkKeys",
+    "MemoryNetwork",
+    "MemoryTransport",
+    "Opened",
+    "PathLaw",
+    "Progress",
+    "Refusal",
+    "ReplayWindow",
+    "SampleLink",
+    "SamplePlane",
+    "SealedLink",
+    "SendRate",
+    "SourceLimit",
+    "Traffic",
+    "Transport",
+    "Trend",
+    "UdpTransport",
+    "Written",
+    "connection_of",
+    "flaw",
+    "numeric",
+    "origin",
+    "plain",
+]

@@ -1,0 +1,298 @@
+"""A sample on the wire: a head of 92 bytes and the numbers of one chunk, little-endian.
+
+::
+
+    version u8 | coding u8 | flags u16 | epoch u32 | sender u16 | rows u16 | first row u32 |
+    received: greatest sequence u32 | heard: count u32 | index u64 |
+    stamp | T | echo | held | age | worst, float64 each |
+    guard: given float64 | state u8 | epoch u8 | known epoch u8 | starved u8 |
+    numbers of the link's law, float64 each | rows × axes numbers | fields of the law × rows × axes float64
+
+Nothing in it raises: what cannot be right is refused with a reason.
+"""
+
+import struct
+from typing import NamedTuple, final
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.arrays import Float
+from cotouch.peer import LinkHeader, LinkState, Message
+from cotouch.samples._layout import ENCODINGS, HEAD_BYTES, Layout
+from cotouch.samples._refusal import Refusal
+
+VERSION = 3
+ECHO = 1  # echo and held mean something
+AGED = 2  # age and worst mean something
+RENEW = 4  # the sender would like new keys
+_FLAGS = ECHO | AGED | RENEW
+_HEAD = struct.Struct("<BBHIHHIIIQdddddddBBBB")
+assert _HEAD.size == HEAD_BYTES
+# 2^40 steps are 34 years at 1 kHz; a clock beyond 1e10 s is not one; no step takes longer than 10 s.
+_LAST_INDEX = 1 << 40
+_LAST_TIME = 1e10
+_LONGEST_STEP = 10.0
+_MOST_GIVEN = 1e12  # [J]
+_MOST_OF_LAW = 1e12  # of any number that a link law sends, in its own unit
+_FEW = 16
+_SIGN = 87  # byte with the sign of what was given, for -0 is not below 0
+
+
+_PLAIN = LinkHeader()
+
+
+class Heading(NamedTuple):
+    """What a datagram says besides the state.
+
+    Attributes:
+        epoch: of the session: which members, links and layout.
+        sender: index of the user.
+        step: its index, k.
+        stamp: middle of the step, on the sender's clock [s].
+        T: length of the step [s].
+        flags: `ECHO`, `AGED`, `RENEW`.
+        received_newest: greatest sequence number that the sender opened of the addressee's, modulo 2^32.
+        received_count: how many datagrams of the addressee it opened, modulo 2^32.
+        echo: newest stamp that the sender has of the addressee, on the addressee's clock [s].
+        held: how long ago that arrived, on the sender's clock [s].
+        age: end of the sender's step minus the oldest stamp in use, each on its own clock; so the age plus an unknown
+            offset [s].
+        worst: greatest of these in the sender's window [s].
+        header: of the sender's guard of this link; see `cotouch.peer.LinkGuard`.
+    """
+
+    epoch: int
+    sender: int
+    step: int
+    stamp: float
+    T: float
+    flags: int = 0
+    received_newest: int = 0
+    received_count: int = 0
+    echo: float = 0.0
+    held: float = 0.0
+    age: float = 0.0
+    worst: float = 0.0
+    header: LinkHeader = _PLAIN
+
+
+class Chunk(NamedTuple):
+    """A datagram that can be used.
+
+    Attributes:
+        heading: what it says besides.
+        chunk: which one of the layout.
+        values: as on the wire, (rows of the chunk, axes).
+        scalars: of the link's law, (scalars,); None: it says nothing.
+        fields: likewise, of these rows, (fields, rows of the chunk, axes).
+    """
+
+    heading: Heading
+    chunk: int
+    values: npt.NDArray[np.floating]
+    scalars: Float | None = None
+    fields: Float | None = None
+
+
+class Written(NamedTuple):
+    """A state as it goes over the wire, the same to every neighbour.
+
+    Attributes:
+        bodies: of each chunk.
+        state: what the receivers will see, (rows, width).
+        error: greatest |state - x̂| of each chunk; of the only chunk over all rows where a basis is used.
+    """
+
+    bodies: list[bytes]
+    state: Float
+    error: Float
+
+
+@final
+class Codec:
+    """Writes and reads samples of one layout."""
+
+    def __init__(self, layout: Layout) -> None:
+        self.layout = layout
+        self._encoding, self._axes, self._chunk = ENCODINGS.index(layout.encoding), layout.axes, layout.chunk
+        self._wire = layout.dtype
+        self._item = layout.dtype.itemsize * layout.axes
+        self._spans = [layout.span(chunk) for chunk in range(layout.chunks)]
+        self._starts = np.array([span.start for span in self._spans])
+        self._places = [(span.start, span.stop - span.start) for span in self._spans]
+        self._head = HEAD_BYTES + 8 * layout.scalars
+        self._says = bool(layout.fields or layout.scalars)
+        self._sizes = [self._head + (1 + layout.fields) * count * self._item for _, count in self._places]
+        # Rounding is monotone: what is within the limit before it is within the rounded limit after it.
+        self._bits = np.dtype(f"<u{self._wire.itemsize}")
+        self._unsigned = self._bits.type((1 << 8 * self._wire.itemsize - 1) - 1)
+        # In half precision a sum of squares says little.
+        self._surely = 0.99 * layout.limit**2 if layout.encoding != "float16" else -1.0
+        limit = np.array(layout.limit, dtype=self._wire)
+        self._limit, self._most = int(limit.view(self._bits)), float(limit)
+
+    def write(self, state: Float) -> Written | Refusal:
+        """Puts a state into numbers of the wire; refused if no receiver would take them.
+
+        Args:
+            state: (rows, width).
+        """
+        layout = self.layout
+        exact = layout.reduce(state)
+        if layout.encoding != "float64" and not float(np.abs(exact).max()) <= layout.limit:  # would not even round
+            return Refusal.STATE
+        wire = np.ascontiguousarray(exact, dtype=self._wire)
+        if not self._within(wire.reshape(-1)):
+            return Refusal.STATE
+        raw, item = wire.tobytes(), self._item
+        bodies = [raw[span.start * item : span.stop * item] for span in self._spans]
+        if layout.encoding == "float64" and layout.basis is None:
+            return Written(bodies, state, np.zeros(len(bodies)))
+        seen = np.zeros_like(state)
+        layout.expand(wire.astype(np.float64), seen)
+        error = np.abs(seen - state)[:, : layout.axes].max(axis=1)
+        return Written(bodies, seen, np.maximum.reduceat(error, self._starts))
+
+    def told(self, message: Message | None) -> list[tuple[bytes, bytes]] | Refusal:
+        """What a link's law tells a neighbour, for each chunk: numbers before the state's, and fields after them.
+
+        Args:
+            message: of the law; None: nothing, which only a layout without a law may say.
+        """
+        layout = self.layout
+        if not self._says:
+            return [(b"", b"")] * len(self._spans)
+        if message is None:
+            return Refusal.LAW
+        fields, scalars = message[0].reshape(layout.fields, layout.rows, layout.width), message[1]
+        if scalars.size != layout.scalars or not (_usable(fields) and _usable(scalars)):
+            return Refusal.LAW
+        said = scalars.astype("<f8").tobytes()
+        return [(said, fields[:, span, : layout.axes].astype("<f8").tobytes()) for span in self._spans]
+
+    def datagram(self, heading: Heading, chunk: int, body: bytes, told: tuple[bytes, bytes] = (b"", b"")) -> bytes:
+        """The datagram of a chunk, still open.
+
+        Args:
+            heading: what the datagram says besides the state.
+            chunk: which part of the state.
+            body: what it carries.
+            told: what the link's law says with it.
+        """
+        first, rows = self._places[chunk]
+        epoch, sender, step, stamp, T, flags, newest, count, echo, held, age, worst, header = heading
+        state, guard, known, given, starved = header
+        head = _HEAD.pack(
+            VERSION,
+            self._encoding,
+            flags,
+            epoch,
+            sender,
+            rows,
+            first,
+            newest & 0xFFFF_FFFF,
+            count & 0xFFFF_FFFF,
+            step,
+            stamp,
+            T,
+            echo,
+            held,
+            age,
+            worst,
+            given,
+            state,
+            guard,
+            known,
+            starved,
+        )
+        return head + told[0] + body + told[1]
+
+    def read(self, payload: bytes, *, epoch: int, sender: int) -> Chunk | Refusal:
+        """The chunk in a datagram, or why it is of no use.
+
+        Args:
+            payload: as it was opened.
+            epoch: of the session, now.
+            sender: whose link it came by.
+        """
+        if len(payload) < HEAD_BYTES:
+            return Refusal.SHORT
+        (
+            version,
+            encoding,
+            flags,
+            said,
+            user,
+            count,
+            first,
+            newest,
+            received,
+            index,
+            stamp,
+            T,
+            echo,
+            held,
+            age,
+            worst,
+            given,
+            state,
+            guard,
+            known,
+            starved,
+        ) = _HEAD.unpack_from(payload)
+        if version != VERSION:
+            return Refusal.VERSION
+        if encoding != self._encoding:
+            return Refusal.ENCODING
+        if flags & ~_FLAGS:
+            return Refusal.FLAGS
+        if said != epoch:
+            return Refusal.EPOCH
+        if user != sender:
+            return Refusal.SENDER
+        chunk, rest = divmod(first, self._chunk)
+        if rest or chunk >= len(self._spans) or count != self._places[chunk][1]:
+            return Refusal.RANGE
+        if len(payload) != self._sizes[chunk]:
+            return Refusal.SIZE
+        if index > _LAST_INDEX:
+            return Refusal.INDEX
+        # One comparison that is false for NaN stands for each.
+        times = abs(stamp) <= _LAST_TIME and 0.0 < T <= _LONGEST_STEP
+        times = times and abs(echo) <= _LAST_TIME and 0.0 <= held <= _LAST_TIME
+        if not (times and -2.0 * _LAST_TIME <= age <= worst <= 2.0 * _LAST_TIME):
+            return Refusal.TIME
+        if state > LinkState.COUPLED or starved > 1 or payload[_SIGN] & 0x80 or not given <= _MOST_GIVEN:
+            return Refusal.GUARD
+        values = np.frombuffer(payload, self._wire, count * self._axes, self._head)
+        if not self._within(values):
+            return Refusal.STATE
+        header = LinkHeader(state, guard, known, given, bool(starved))
+        heading = Heading(said, user, index, stamp, T, flags, newest, received, echo, held, age, worst, header)
+        values = values.reshape(count, self._axes)
+        if not self._says:
+            return Chunk(heading, chunk, values)
+        scalars = np.frombuffer(payload, "<f8", self.layout.scalars, HEAD_BYTES)
+        fields = np.frombuffer(payload[self._head + count * self._item :], "<f8")
+        if not (_usable(scalars) and _usable(fields)):
+            return Refusal.LAW
+        return Chunk(heading, chunk, values, scalars, fields.reshape(self.layout.fields, count, self._axes))
+
+    def _within(self, values: npt.NDArray[np.floating]) -> bool:
+        """Whether all numbers are finite and within the limit."""
+        if values.size <= _FEW:  # the reader's own numbers cost less than a call about all of them
+            most = self._most
+            return all(-most <= value <= most for value in values.tolist())
+        # A sum of squares below the largest square says so quickly, and never for NaN.
+        with np.errstate(all="ignore"):
+            if float(values.dot(values)) <= self._surely:
+                return True
+        # Without their sign, floating point numbers are ordered as their bits are, infinity and NaN above all others;
+        # and integers raise no flags, whatever is in them.
+        return int((values.view(self._bits) & self._unsigned).max()) <= self._limit
+
+
+def _usable(numbers: Float) -> bool:
+    """Whether all numbers of a law are finite and within what is of any use; false for NaN."""
+    return bool(np.abs(numbers).max(initial=0.0) <= _MOST_OF_LAW)

@@ -1,0 +1,67 @@
+"""Which link law a scenario has that names none."""
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from cotouch.scenario._body_tables import FileTable
+
+if TYPE_CHECKING:
+    from cotouch.scenario._scenario import Scenario
+
+# The paper's springs, and the law that was measured to cost least of those that are passive.
+SPRING, BEST = "spring", "paid"
+# From so long there and back on, springs were measured to cost no more where hands are stiff [s].
+_FAR = 0.6
+# Options of [session] that only guarded springs have.
+_GUARDED = ("quantile", "margin", "tank", "initial_energy", "age_limit")
+_ENCODING, _EXACT = "encoding", "float64"
+
+
+def choose_law(scenario: "Scenario") -> str:
+    """The law of a scenario that names none: springs where it gives something that only springs can do, or do better.
+
+    Only they take a way to work out the damping, an index (the paper's schedule), or a weight that couples rows: of the
+    network's, or of a body that is confined to modes. They do better where hands are not known to all, because not all
+    are linked or because tools touch, over long links, and with bodies in three dimensions, which tools and devices may
+    touch and which turn.
+
+    Args:
+        scenario: what is asked for.
+    """
+    sync, network = scenario.synchronisation, scenario.network
+    only_springs = isinstance(sync.damping, str) or "damping_scale" in sync.model_fields_set or sync.mode != "freshest"
+    if only_springs or network.weights:
+        return SPRING
+    complete = len(network.links) == network.size * (network.size - 1) // 2
+    far = any(network.delay[a, b] + network.delay[b, a] > _FAR for a, b in network.links)
+    if not complete or far or scenario.tools or isinstance(scenario.body, FileTable):
+        return SPRING
+    body = scenario.build_body()
+    return SPRING if body.truncation is not None or (body.dimension == 3 and body.nodes > 1) else BEST
+
+
+def options_of_springs(session: Mapping[str, Any]) -> list[str]:
+    """Names of what a table [session] gives and only guarded springs have.
+
+    Args:
+        session: the table.
+    """
+    coarse = session.get(_ENCODING, _EXACT) != _EXACT
+    return [name for name in _GUARDED if name in session] + [_ENCODING] * coarse
+
+
+def with_law_of_session(tables: Mapping[str, Any], session: Any) -> dict[str, Any]:
+    """Tables of a scenario, with law "spring" if they name none and the session's options are those of springs.
+
+    So a session's file has the same law live and in the simulator.
+
+    Args:
+        tables: of the scenario.
+        session: the table [session], not checked yet.
+    """
+    sync = tables.get("synchronisation", {})
+    if isinstance(session, Mapping) and isinstance(sync, Mapping) and "law" not in sync:
+        planned = session.get("links") == "plan"  # which seldom links all
+        if planned or session.get("devices") or options_of_springs(session):
+            return {**tables, "synchronisation": {**sync, "law": SPRING}}
+    return dict(tables)

@@ -1,0 +1,130 @@
+"""Running a prepared scenario, by the batch engine or message by message, with the same record of it."""
+
+import numpy as np
+
+from cotouch.arrays import Float
+from cotouch.mechanics import ELASTIC, KINETIC, LEDGER_COLUMNS, State, settle
+from cotouch.peer import StepReport
+from cotouch.simulation._batch import Outcome, Traffic, run_batch
+from cotouch.simulation._layout import SLOT_LEDGER, TICK_LEDGER, USER_LEDGER, Record
+from cotouch.simulation._peers import PeerRun, run_peers
+from cotouch.simulation._prepare import Prepared
+
+
+def run_prepared(prepared: Prepared) -> Outcome:
+    """Runs all users: in one compiled loop, or message by message where senders decide by the motion what they send.
+
+    Raises:
+        KeyboardInterrupt: it was interrupted; see `cotouch.interrupt.interruptible`.
+        ScenarioError: the links' law asks for what no link can be.
+    """
+    if prepared.scenario.channel.codec is None:
+        return run_batch(prepared)
+    with np.errstate(over="ignore", invalid="ignore"):  # of a motion that leaves floating point
+        return _recorded(prepared, run_peers(prepared))
+
+
+def _recorded(prepared: Prepared, run: PeerRun) -> Outcome:
+    """The record that the batch engine would have made; what a law's link did counts as delay work, as there."""
+    ready, timing, hands = prepared.model, prepared.schedule, prepared.hands
+    every, users, slots = prepared.scenario.record.every, timing.count.size, timing.slots
+    taken = np.array([len(reports) for reports in run.reports], dtype=np.int32)
+    records = int(timing.count.max()) // every + 1
+    kept = np.concatenate([ready.port_rows(int(node)) for node in prepared.nodes])
+    shape, width = ready.port_shapes(kept), ready.width
+
+    def seen(field: Float) -> Float:
+        return np.asarray(shape @ field if shape.shape[0] else field[:, kept])
+
+    record = Record(
+        every=every,
+        row=kept,
+        shape=shape,
+        position=np.empty((users, records, kept.size, width)),
+        velocity=np.empty((users, records, kept.size, width)),
+        force=np.zeros((hands.row.size, records, width)),
+        users=np.zeros((len(USER_LEDGER), users, records)),
+        slots=np.zeros((len(SLOT_LEDGER), slots.link.size, records)),
+        links=np.zeros((records, len(prepared.scenario.network.links))),
+        ticks=np.zeros((len(TICK_LEDGER), records)),
+        running=np.zeros((users, 6)),
+        lowest=np.zeros(1),
+        refused=np.zeros(1, dtype=np.int32),
+        made=np.zeros(2),
+    )
+    start = np.array([_energies(prepared, run, i) for i in range(users)])
+    for i, reports in enumerate(run.reports):
+        last = taken[i] // every + 1
+        record.position[i, :last] = seen(run.position[i][::every])
+        record.velocity[i, :last] = seen(run.velocity[i][::every])
+        ledger = np.array([_row(report) for report in reports]).reshape(-1, len(USER_LEDGER))
+        ledger[:, :4] = np.cumsum(ledger[:, :4], axis=0)
+        record.users[4:6, i, 0] = start[i]
+        record.users[:, i, 1:last] = ledger[every - 1 :: every].T
+        own = slice(slots.first[i], slots.first[i + 1])
+        work = np.cumsum([report.link_work for report in reports], axis=0).reshape(len(reports), -1)
+        record.slots[:, own, 1:last] = work[every - 1 :: every].T
+        force = np.array([report.force for report in reports[every - 1 :: every]])
+        record.force[hands.first[i] : hands.first[i + 1], 1:last] = np.moveaxis(force, 0, 1)
+    _totals(prepared, run, record, start)
+    finite = all(np.isfinite(positions).all() for positions in run.position)
+    return Outcome(
+        record=record,
+        position=np.array([positions[-1] for positions in run.position]),
+        velocity=np.array([velocities[-1] for velocities in run.velocity]),
+        events=int(taken.sum()) if finite else int(taken.sum()) - 1,
+        taken=taken,
+        tools=None,
+        frames=np.zeros((0, users, ready.operator_rows, width)),
+        frame_time=np.zeros(0),
+        traffic=Traffic(
+            contents=np.array([encoder.contents for encoder in run.encoders]),
+            unchanged=np.array([encoder.unchanged for encoder in run.encoders]),
+            size=np.array([encoder.size for encoder in run.encoders]),
+        ),
+    )
+
+
+def _row(report: StepReport) -> tuple[float, ...]:
+    losses = report.body_loss, report.local_loss, report.extra_loss
+    return report.supplied, *losses, report.kinetic, report.elastic, float(report.iterations)
+
+
+def _energies(prepared: Prepared, run: PeerRun, i: int) -> tuple[float, float]:
+    """Kinetic and elastic energy of a copy at the start [J]."""
+    ready, ledger = prepared.model, np.zeros(LEDGER_COLUMNS)
+    rows = np.zeros((2, ready.operator_rows, ready.width))
+    settle(
+        ready.operator,
+        State(run.position[i][0].copy(), run.velocity[i][0].copy(), rows[0], rows[1], np.zeros(ready.memory)),
+        ledger,
+        ready.lanes,
+    )
+    return float(ledger[KINETIC]), float(ledger[ELASTIC])
+
+
+def _totals(prepared: Prepared, run: PeerRun, record: Record, start: Float) -> None:
+    """What all users together came to, in the order of their steps."""
+    timing, every = prepared.schedule, record.every
+    following = np.zeros(timing.count.size, dtype=np.int64)
+    stored = start.sum(axis=1)
+    # Of each event: change of what is stored, supplied, dissipated, done by links, lost in the damping B_i.
+    steps = np.zeros((timing.order.size, 5))
+    for event, i in enumerate(timing.order):
+        report = run.reports[i][following[i]]
+        following[i] += 1
+        energy = report.kinetic + report.elastic
+        losses = report.body_loss + report.local_loss + report.extra_loss
+        work = float(report.link_work.sum())
+        steps[event] = energy - stored[i], report.supplied, losses, work, report.local_loss
+        stored[i] = energy
+    sums = np.cumsum(steps, axis=0)
+    made = sums[:, 3] - sums[:, 4]
+    record.lowest[0] = min(float(sums[:, 1].min(initial=0.0)), 0.0)
+    record.made[:] = max(float(made.max(initial=0.0)), 0.0), made[-1] if made.size else 0.0
+    initial = float(start.sum())
+    record.ticks[0, 0] = initial
+    at = np.flatnonzero(timing.order == timing.reference)[every - 1 :: every]
+    change, supplied, lost, links, local = sums[at].T
+    residual = change - supplied + lost - links
+    record.ticks[:, 1 : at.size + 1] = initial + change, supplied, lost, links, residual, local - links

@@ -1,0 +1,103 @@
+"""Who may come in, and to which slot: one rule at a time."""
+
+from tests.members.test_coordinator import BODY, NETWORK, World, key
+from tests.session.world import entropy
+
+from cotouch.members import Admission, Roster, SessionFile
+from cotouch.members._admission import addresses_of
+from cotouch.members._law_check import signature_of
+from cotouch.members._messages import MOST_NAMES, AddressProof, Entry, Join, NameOwner
+from cotouch.samples import Identity
+from cotouch.traversal import Addresses, Place
+from cotouch.traversal._addresses import transaction_of
+
+SESSION = SessionFile.from_toml(NETWORK)
+GUESTS = SessionFile.from_toml("[session]\nusers = 4\n", law=SESSION.law)
+
+
+def request(name: str, *, place: AddressProof | None = None) -> Join:
+    return Join(name=name, fingerprint=BODY, version="1", law=signature_of(SESSION.scenario), place=place)
+
+
+def entry(slot: int, name: str, number: int) -> Entry:
+    return Entry(slot=slot, name=name, key=key(number).hex())
+
+
+def full(count: int = MOST_NAMES) -> Roster:
+    """With so many names of people who are gone."""
+    return Roster(names=[NameOwner(name=f"gone {k}", key=f"{k + 1000:064x}") for k in range(count)])
+
+
+def test_a_session_knows_only_so_many_names() -> None:
+    admission = Admission(GUESTS, fingerprint=BODY)
+    assert "256 names" in str(admission.slot(request("Ann"), key(1).hex(), full(), 0.0))
+    assert admission.slot(request("gone 0"), f"{1000:064x}", full(), 0.0) == 0
+    assert admission.slot(request("Ann"), key(1).hex(), full(MOST_NAMES - 1), 0.0) == 0
+
+
+def test_a_process_that_begins_anew_again_and_again_is_let_in_every_two_seconds() -> None:
+    admission, mine = Admission(GUESTS, fingerprint=BODY), key(1).hex()
+    roster = Roster(members=[entry(0, "Ann", 1)])
+    admission.came(request("Ann"), mine, roster, 10.0)
+    assert admission.slot(request("Ann"), mine, roster, 11.9) is None
+    assert admission.slot(request("Ann"), mine, roster, 12.1) == 0
+
+
+def test_who_has_a_slot_from_the_host_gets_it_or_none() -> None:
+    admission = Admission(GUESTS, fingerprint=BODY)
+    admission.mine = {key(1).hex(): 0, key(2).hex(): 1}
+    nobody = Roster()
+    assert admission.slot(request("Ben"), key(2).hex(), nobody, 0.0) == 1
+    assert admission.slot(request("Dan"), key(4).hex(), nobody, 0.0) == 2  # others' slots only when there is no other
+    crowd = Roster(members=[entry(2, "Dan", 4), entry(3, "Eve", 5)])
+    assert admission.slot(request("Fay"), key(6).hex(), crowd, 0.0) == 0
+    taken = Roster(members=[entry(0, "Dan", 4)])
+    assert "given to somebody else" in str(admission.slot(request("Ann"), key(1).hex(), taken, 0.0))
+
+
+def test_who_comes_back_has_its_slot_if_it_is_free() -> None:
+    admission = Admission(GUESTS, fingerprint=BODY)
+    both = Roster(members=[entry(0, "Ann", 1), entry(1, "Ben", 2)])
+    admission.came(request("Ben"), key(2).hex(), both, 0.0)
+    names = [NameOwner(name=one.name, key=one.key) for one in both.members]
+    assert admission.slot(request("Ben"), key(2).hex(), Roster(names=names), 9.0) == 1
+    taken = Roster(names=names, members=[entry(1, "Cleo", 3)])
+    assert admission.slot(request("Ben"), key(2).hex(), taken, 9.0) == 0
+
+
+def test_only_who_shows_it_is_on_this_machine_or_at_an_address() -> None:
+    addresses, who = Addresses(entropy(1)), Identity.make(entropy(2)).public
+    where = addresses_of(addresses, {"192.0.2.1"})
+    nonce = bytes(16)
+
+    def shown(host: str, *, true: bool) -> str | None:
+        cookie = addresses.cookie(transaction_of(who, nonce), host) if true else bytes(4)
+        place = Place(nonce, host, cookie)
+        return where(who, request("Ann", place=AddressProof(nonce=nonce.hex(), host=host, cookie=place.cookie.hex())))
+
+    for host, counted in (("127.0.0.1", ""), ("192.0.2.1", ""), ("192.0.2.9", "192.0.2.9")):
+        assert shown(host, true=True) == counted
+        assert shown(host, true=False) is None
+    assert where(who, request("Ann")) is None
+
+
+def test_nobody_is_taken_up_who_was_sent_away_has_no_slot_or_one_name_too_many() -> None:
+    world = World()
+    world.join(1, "Ann")
+    world.join(2, "Ben")
+    world.coordinator.expel("Ben")
+    present = frozenset([key(1), key(2), key(3)])
+
+    def commanded(one: Entry) -> None:
+        world.coordinator.take_up(Roster(epoch=9, members=[one]), present, world.now)
+
+    commanded(entry(1, "Bob", 2))
+    assert world.names == {0: "Ann"}
+    commanded(entry(4, "Cleo", 3))
+    assert world.names == {0: "Ann"}
+    world.coordinator.adopt(world.roster.model_copy(update={"names": full().names[:-1]}), world.now)
+    commanded(entry(2, "Cleo", 3))
+    assert world.names == {0: "Ann"}
+    world.coordinator.adopt(world.roster.model_copy(update={"names": []}), world.now)
+    commanded(entry(2, "Cleo", 3))
+    assert world.names == {0: "Ann", 2: "Cleo"}

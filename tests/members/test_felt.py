@@ -1,0 +1,45 @@
+"""What members say together of their law."""
+
+import pytest
+from pydantic import ValidationError
+
+from cotouch.members import LinkStatus, Status, felt
+
+
+def said(slot: int, **entries: object) -> Status:
+    usual = {"slot": slot, "steps": 9, "law": "paid", "drag": 0.0, "braked": 0.02, "moved": 0.04}
+    return Status.model_validate(usual | entries)
+
+
+def end(slot: int, given: float, taken: float) -> LinkStatus:
+    return LinkStatus(slot=slot, state="coupled", given=given, taken=taken)
+
+
+def test_drag_is_what_all_copies_lost_for_the_way_that_one_of_them_went() -> None:
+    found = felt([said(0, drag=1.0), said(1, drag=2.0, braked=-0.01), said(2, drag=3.0, moved=0.07)])
+    assert found is not None
+    assert found.measured == pytest.approx(0.03 / 0.05)
+    assert found.predicted == 6.0
+
+
+def test_only_what_both_ends_say_is_on_the_way() -> None:
+    ends = said(0, links=[end(1, 3.0, 1.0), end(2, 9.0, 0.0)]), said(1, links=[end(0, 1.0, 2.5)])
+    found = felt(ends)
+    assert found is not None
+    assert found.on_the_way == pytest.approx(0.5)
+    springs = felt([one.model_copy(update={"law": "spring"}) for one in ends])
+    assert springs is not None
+    assert springs.on_the_way is None
+
+
+def test_what_nobody_knows_is_not_said() -> None:
+    assert felt([]) is None
+    assert felt([said(0, steps=0)]) is None
+    found = felt([said(0, moved=1e-5), said(1, moved=1e-5, drag=None)])
+    assert found is not None
+    assert (found.measured, found.predicted) == (None, None)
+
+
+def test_a_law_whose_name_steers_terminals_is_not_read() -> None:
+    with pytest.raises(ValidationError, match="law"):
+        said(0, law="\x1b[2J")

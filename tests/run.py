@@ -1,0 +1,98 @@
+"""Checks and tests everything: what waits in real time, and the rest in the time that it leaves.
+
+    python tests/run.py [--thorough]
+
+What must come within milliseconds has the machine to itself. Other real sessions and networks mostly wait, so a machine
+that runs nothing besides stands idle. Everything else runs at the same time with a tenth of the weight: what waits in
+real time has nearly all of a core whenever it wants one, and nothing else has to wait so long that it gives up.
+"""
+
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+
+ROOT = Path(__file__).parent.parent
+# Rooms whose real tests need no kernels.
+PLAIN = ("control/", "live/")
+# What was interrupted has so long to say so [s].
+_LAST_WORDS = 30.0
+
+
+def obey() -> None:
+    """Ctrl-C and SIGTERM end this process as they should, also where a shell started it in its background."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    signal.signal(signal.SIGTERM, lambda number, frame: sys.exit(128 + number))
+
+
+def give_way() -> None:
+    """This process, and whatever it starts, has a tenth of the others' weight."""
+    os.nice(10)
+
+
+def both(timed: Sequence[str], others: Sequence[str]) -> int:
+    """Runs two commands at once; what the first one says comes when the second is done.
+
+    Args:
+        timed: what others make room for.
+        others: what gives way to it.
+
+    Returns:
+        The first of their codes that is not zero.
+    """
+    running: list[subprocess.Popen[bytes]] = []
+    with tempfile.TemporaryFile() as said:
+        try:
+            running.append(subprocess.Popen(others, cwd=ROOT, preexec_fn=give_way))  # noqa: PLW1509  (no threads here)
+            running.append(subprocess.Popen(timed, cwd=ROOT, stdout=said, stderr=subprocess.STDOUT))
+            codes = [process.wait() for process in running]
+        except BaseException as error:
+            for process in running:
+                if not isinstance(error, KeyboardInterrupt):  # the terminal told them, too
+                    process.terminate()
+            for process in running:
+                process.wait(_LAST_WORDS)
+            raise
+        finally:
+            said.seek(0)
+            sys.stdout.flush()
+            sys.stdout.buffer.write(said.read())
+            sys.stdout.flush()
+    return next(filter(None, codes), 0)
+
+
+def main(options: Sequence[str]) -> int:
+    """Compiles the kernels while all is checked and tests run that need none; then what runs alone; then all others.
+
+    Args:
+        options: of pytest besides.
+
+    Returns:
+        What the process ends with.
+    """
+    sys.path.insert(0, str(ROOT))
+    from tests.leftovers import none_left
+    from tests.order import ALONE, PATIENT
+
+    obey()
+    pytest = [sys.executable, "-m", "pytest", *options]
+    early, late = (
+        [*pytest, *(f"tests/{name}" for name in PATIENT if name.startswith(PLAIN) == early)] for early in (True, False)
+    )
+    with none_left():
+        warm = subprocess.Popen([sys.executable, "tests/warm_up.py"], cwd=ROOT, preexec_fn=give_way)  # noqa: PLW1509
+        if code := subprocess.run(["make", "--no-print-directory", "check"], cwd=ROOT, check=False).returncode:
+            return code
+        first = subprocess.run(early, cwd=ROOT, check=False).returncode
+        warm.wait()
+        first = (
+            subprocess.run([*pytest, *(f"tests/{name}" for name in ALONE)], cwd=ROOT, check=False).returncode or first
+        )
+        return both(late, [*pytest, "-n", "2", "--dist", "worksteal", "-m", "not timed", "--warm"]) or first
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

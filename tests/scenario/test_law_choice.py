@@ -1,0 +1,91 @@
+"""Which law links have, where a scenario names none."""
+
+from typing import Any
+
+import pytest
+
+from cotouch.scenario import Scenario
+from cotouch.simulation import simulate
+
+TWO: dict[str, Any] = {"users": ["a", "b"], "spring": [[0, 50], [50, 0]], "delay": [[0, 0.02], [0.02, 0]]}
+THREE: dict[str, Any] = {
+    "users": ["a", "b", "c"],
+    "spring": [[0, 50, 50], [50, 0, 50], [50, 50, 0]],
+    "delay": [[0, 0.02, 0.02], [0.02, 0, 0.02], [0.02, 0.02, 0]],
+}
+WEIGHT = [[2.0, 0.5], [0.5, 1.0]]
+CHAIN: dict[str, Any] = {"kind": "chain", "nodes": 2, "stiffness": 10.0}
+TEXT = """
+[network]
+users = ["a", "b"]
+spring = [[0, 50], [50, 0]]
+delay = [[0, 0.02], [0.02, 0]]
+"""
+
+
+def law(**tables: Any) -> str:
+    return Scenario.make(**{"network": TWO, **tables}).law[0]
+
+
+def test_links_have_the_law_that_costs_least() -> None:
+    assert (
+        law()
+        == law(network=THREE)
+        == law(body=CHAIN)
+        == law(synchronisation={"damping": 2.0, "extra_damping": 1.0})
+        == "paid"
+    )
+
+
+@pytest.mark.parametrize(
+    "tables",
+    [
+        *({"synchronisation": {"damping": method}} for method in ("rule", "minimax", "exact")),
+        {"synchronisation": {"damping_scale": 1.0}},
+        {"synchronisation": {"mode": "constant"}},
+        {"synchronisation": {"mode": "self-paced"}},
+        {"network": {**TWO, "weight": WEIGHT}, "body": CHAIN},
+        {"network": {**TWO, "delay": [[0, 0.5], [0.2, 0]]}},
+        {"network": {**THREE, "links": [[1, 2], [2, 3]]}},
+        {"body": {"kind": "lattice", "shape": [2, 2, 2]}},
+        {"tools": [{"user": 1, "at": [0.0, 0.0, 0.0]}]},
+    ],
+)
+def test_what_only_springs_have_makes_them_springs(tables: dict[str, Any]) -> None:
+    assert law(**tables) == "spring"
+    if "synchronisation" in tables:
+        named = {**tables, "synchronisation": {**tables["synchronisation"], "law": "wave"}}
+        assert law(**named) == "wave"
+
+
+def test_links_of_a_body_that_is_confined_to_modes_are_springs() -> None:
+    body = Scenario.make(network=TWO, body={**CHAIN, "nodes": 6, "ground": [1]}).build_body()
+    assert law(body=body.truncated(modes=2, contacts=[5])) == "spring"
+
+
+@pytest.mark.parametrize(
+    "option",
+    [
+        "tank = 0.1",
+        "[[session.devices]]\nuser = 1",
+        'links = "plan"',
+        "quantile = 0.9",
+        "age_limit = 1.0",
+        'encoding = "float32"',
+    ],
+)
+def test_what_guards_have_makes_a_sessions_file_springs(option: str) -> None:
+    assert Scenario.from_toml(f"{TEXT}[session]\n{option}\n").law[0] == "spring"
+    assert Scenario.from_toml(f'{TEXT}[synchronisation]\nlaw = "wave"\n[session]\n{option}\n').law[0] == "wave"
+
+
+def test_other_options_of_a_session_leave_the_default() -> None:
+    assert Scenario.from_toml(f'{TEXT}[session]\nforce_limit = 5.0\nencoding = "float64"\n').law[0] == "paid"
+
+
+def test_a_result_says_which_law_ran_and_gives_it_again() -> None:
+    scenario = Scenario.make(network=TWO, steps={"duration": 0.05})
+    run = simulate(scenario)
+    assert run.attrs["law"] == "paid"
+    assert '"law": "paid"' in run.attrs["scenario"]
+    assert scenario.to_toml().count("law") == 0  # what was given, and no defaults

@@ -1,0 +1,63 @@
+"""Two runs at once, of which one gives way; what they say, and how they end."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+from tests.conftest import IMPORTS
+from tests.keeper import marked
+from tests.run import both
+
+PYTHON = [sys.executable, "-S", "-c"]
+
+
+@pytest.mark.parametrize(("codes", "code"), [((0, 0), 0), ((2, 0), 2), ((0, 3), 3)])
+def test_whichever_fails_fails_both(codes: tuple[int, int], code: int):
+    timed, others = ([*PYTHON, f"raise SystemExit({one})"] for one in codes)
+    assert both(timed, others) == code
+
+
+def test_one_gives_way_and_the_other_speaks_last(capfd: pytest.CaptureFixture[str]):
+    nice = "import os; print(os.nice(0))"
+    assert both([*PYTHON, nice], [*PYTHON, f"{nice}; import time; time.sleep(0.1)"]) == 0
+    others, timed = map(int, capfd.readouterr().out.split())
+    assert timed == os.nice(0)
+    assert others == min(timed + 10, 19)
+
+
+WAITS = """
+import os, sys
+sys.path.insert(0, {root!r})
+from tests.leftovers import none_left
+from tests.run import both, obey
+obey()
+with none_left():
+    both(
+        [sys.executable, "-S", "-c", "print('one'); import time; time.sleep(600)"],
+        [sys.executable, "-S", "-c", "print('other', flush=True); import time; time.sleep(600)"],
+    )
+"""
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT, signal.SIGKILL])
+def test_nothing_goes_on_after_it(number: signal.Signals):
+    mark = f"run-{os.getpid()}-{number}"
+    env = {**os.environ, "PYTHONPATH": IMPORTS, "COTOUCH_RUN": mark}
+    command = [sys.executable, "-c", WAITS.format(root=str(Path(__file__).parent.parent))]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, env=env) as run:
+        assert run.stdout is not None
+        assert run.stdout.readline() == b"other\n"
+        assert len(marked(mark)) == 4
+        if number == signal.SIGINT:  # as the terminal does, all of them but the keeper
+            for pid in marked(mark):
+                os.kill(pid, number)
+        else:
+            run.send_signal(number)
+        run.wait(60)
+        assert run.returncode != 0
+        while marked(mark):
+            time.sleep(0.01)
