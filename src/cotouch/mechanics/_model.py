@@ -52,6 +52,7 @@ class Model:
         force: what resists inside a body of some material; None where K and B of the operator do.
         memory: numbers that it remembers of a copy, with those of the world.
         obstacles: what stands still around the body.
+        cut: where in the memory it is which elements were cut, and by whom; negative: none can be.
     """
 
     body: Body
@@ -62,6 +63,7 @@ class Model:
     force: BodyForce | None = None
     memory: int = 0
     obstacles: tuple[Obstacle, ...] = ()
+    cut: int = -1
 
     @property
     def basis(self) -> Literal["nodal", "modal"]:
@@ -114,8 +116,8 @@ class Model:
 
     def unturned(self) -> Float:
         """What a body force remembers of a copy that it has not seen, (memory,)."""
-        world = None if self.force is None else self.force.world
-        return fresh_memory(self.memory) if world is None else fresh_memory(world.first, self.memory - world.first)
+        behind = 0 if self.force is None else self.force.behind
+        return fresh_memory(behind, self.memory - behind) if behind else fresh_memory(self.memory)
 
     def port_rows(self, node: int) -> Int:
         """Rows that hold a node, in the body's own basis: one, or one for each axis in the full form."""
@@ -212,9 +214,14 @@ def _of_material(
     order, split = _halves(matrices)
     ordered = matrices if order is None else [sp.csr_array(matrix[order][:, order]) for matrix in matrices]
     force, memory = force_of(body, material, order)
+    force = force._replace(behind=memory)
     if obstacles:
         world, more = world_of(body, obstacles, order, memory)
         force, memory = force._replace(world=world), memory + more
+    cut = -1
+    if material.cuttable:
+        cut, memory = memory, memory + 2 * material.elements.shape[0]
+        force = force._replace(law=force.law._replace(cut=cut))
     return Model(
         body=body,
         operator=_operator(ordered, copies, split),
@@ -224,6 +231,7 @@ def _of_material(
         force=force,
         memory=memory,
         obstacles=tuple(obstacles),
+        cut=cut,
     )
 
 

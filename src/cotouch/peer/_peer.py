@@ -12,6 +12,7 @@ from cotouch.mechanics import (
     BETA,
     BODY_LOSS,
     CLOSURE,
+    CUT,
     DRIVE,
     ELASTIC,
     EXTRA_LOSS,
@@ -49,6 +50,7 @@ from cotouch.mechanics import (
     workspace,
 )
 from cotouch.peer._allowance import Allowance
+from cotouch.peer._cuts import CutSet
 from cotouch.peer._guard import LinkGuard
 from cotouch.peer._joined import JoinedLinks, LinkEnd
 from cotouch.peer._law_link import LawLink
@@ -74,6 +76,7 @@ class Peer:
         state: position and velocity.
         ports: what holds the copy; written by the owner before each step.
         tools: the proxies, likewise; None without.
+        cuts: what was cut of it; None of a body that cannot be cut.
         steps: number of steps taken, so the index of the next one.
         integrated: sum of all T so far [s].
     """
@@ -147,6 +150,7 @@ class Peer:
         self._contact = contact
         self._touch_ledger = np.zeros(TOUCH_LEDGER)
         self._rescaled = 0.0
+        self.cuts = None if model.cut < 0 else CutSet(model, self.state, tools, index + 1)
         self._moved: tuple[Sample, list[float], float] | None = None  # the last step, not in the ledger yet
         self._settle()
         self._energy = float(self._ledger[KINETIC] + self._ledger[ELASTIC])
@@ -284,6 +288,8 @@ class Peer:
         for end in joined.ends:
             guard, place, sample = end.guard, end.place, end.source.choose(self.steps)
             age.append(now - sample.stamp)
+            if self.cuts is not None and sample.cuts is not None:
+                self.cuts.hear(sample.cuts)
             if end.law is not None:
                 at = len(age) - 1
                 links.strength[at], links.brake[at] = end.law.before(sample, age[at], T, x, self.state.velocity)
@@ -300,6 +306,8 @@ class Peer:
         surface, tools, touched = self._surface, self.tools, self._touch_ledger
         contact, touch = self._contact, self._touch
         damping, rest = (self._local, self._extra), (joined.work, *self._solver, lanes)
+        if self.cuts is not None:
+            self.cuts.begin(contact)
         if tools is not None and surface is not None:
             what = surface, tools, *damping, T, own, work
             if contact is not None:
@@ -314,10 +322,16 @@ class Peer:
             law.after(work.mean)
         if joined.laws and joined.laws[0].law.feels:
             feel(joined.laws[0].memory.hand, ports)
+        if self.cuts is not None:
+            self.cuts.end(op, self.steps, ledger)
         self.steps += 1
         self.integrated += T
         sample = Sample(
-            sender=self.index, index=self.steps - 1, stamp=now - 0.5 * T, position=links.samples[own].copy()
+            sender=self.index,
+            index=self.steps - 1,
+            stamp=now - 0.5 * T,
+            position=links.samples[own].copy(),
+            cuts=None if self.cuts is None else self.cuts.by,
         )
         self._moved = sample, age, T
         return sample
@@ -337,7 +351,7 @@ class Peer:
             joined.share(did[BODY_LOSS] + did[EXTRA_LOSS])
         advanced = self._allowance.spend(joined, T) if self._allowance.left > 0.0 else 0.0
         energy = did[KINETIC] + did[ELASTIC] + touch[PROXY] + touch[TOUCH_STORED]
-        lost = did[BODY_LOSS] + did[LOCAL_LOSS] + did[EXTRA_LOSS] + touch[TOUCH_LOSS]
+        lost = did[BODY_LOSS] + did[LOCAL_LOSS] + did[EXTRA_LOSS] + touch[TOUCH_LOSS] + did[CUT]
         supplied = did[SUPPLIED] + touch[DRIVE]
         report = StepReport(
             sample=sample,
@@ -363,7 +377,9 @@ class Peer:
             shortened=did[SHORTENED],
             world_loss=did[WORLD_LOSS],
             world_stored=did[WORLD_STORED],
-            world_force=tuple(did[WORLD_FORCE:]),
+            world_force=tuple(did[WORLD_FORCE : WORLD_FORCE + 3]),
+            cut=did[CUT],
+            cut_elements=() if self.cuts is None else self.cuts.new,
             rescaled=self._rescaled,
             advanced=advanced,
             guards=tuple(None if end.guard is None else end.guard.ledger for end in joined.ends),

@@ -38,6 +38,8 @@ class StepReport:
         world_loss: of body_loss: lost in friction and damping at planes and boxes [J].
         world_stored: of elastic: held by them after the step [J].
         world_force: their mean force on the copy, (3,) [N].
+        cut: what the elements held that were taken away after the step; KINETIC and ELASTIC are after that [J].
+        cut_elements: which they are, indices.
         rescaled: what kinetic and elastic energy changed by since the step before, as the number of copies did [J].
         advanced: what the links' tanks got of the newcomer's allowance after the step [J].
         guards: ledger of each link's guard, in the order of `Peer.neighbours`; None for a link without.
@@ -67,6 +69,8 @@ class StepReport:
     world_loss: float
     world_stored: float
     world_force: tuple[float, ...]
+    cut: float
+    cut_elements: tuple[int, ...]
     rescaled: float
     advanced: float
     guards: tuple[GuardLedger | None, ...]

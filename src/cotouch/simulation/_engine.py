@@ -13,6 +13,8 @@ from cotouch.mechanics import (
     BODY_LOSS,
     CLOSURE,
     CLOSURE_ALARM,
+    CUT,
+    CUT_COUNT,
     DRIVE,
     ELASTIC,
     EXTRA_LOSS,
@@ -29,19 +31,25 @@ from cotouch.mechanics import (
     WORLD_STORED,
     BodyForce,
     Contact,
+    Cutting,
     Links,
     Operator,
     Ports,
     Tools,
     TouchWork,
     at,
+    begin_cut,
     closed_settle,
     closed_step,
     contact_step,
+    decide_cuts,
+    expose,
+    hear_cuts,
     kernel,
     load,
     put,
     settle,
+    sever,
     step,
     store,
     touch_step,
@@ -76,6 +84,7 @@ def run(
     touching: Touching | None,
     accounts: TouchWork | None,
     contact: Contact | None,
+    cutting: Cutting | None,
     tool_record: ToolRecord | None,
     frames: Frames,
     ends: Ends | None,
@@ -103,6 +112,7 @@ def run(
         touching: tools of all users; changed in place.
         accounts: scratch of tools that touch by springs.
         contact: the law by which tools touch.
+        cutting: of a body that can be cut; None: it cannot.
         tool_record: written to.
         frames: shapes that are kept for an animation; written to.
         ends: of all links under a law; changed in place.
@@ -207,6 +217,8 @@ def run(
             )
         state = state_of(fields, i)
         ledger = scratch.ledger
+        if cutting is not None and touching is None:
+            begin_cut(cutting, state, None)
         if touching is not None:
             if not before_step(touching, i, end, T):
                 record.lowest[0] = lowest
@@ -267,6 +279,10 @@ def run(
                     cap,
                     lanes,
                 )
+            if cutting is not None:
+                begin_cut(cutting, state, tools)
+                if contact is not None:
+                    expose(cutting, state.memory, contact.work.fit.hidden)
             if contact is not None:
                 contact_step(
                     contact,
@@ -289,6 +305,8 @@ def run(
                     cap,
                     lanes,
                 )
+            if cutting is not None:
+                decide_cuts(cutting, state.memory, state.position, tools, i + 1)
             after_step(touching, i)
             own = touching.ledger
             add(record.running, i, 6, own[DRIVE])
@@ -333,6 +351,16 @@ def run(
                 cap,
                 lanes,
             )
+        if cutting is not None:
+            if touching is None:
+                decide_cuts(cutting, state.memory, state.position, None, i + 1)
+            for s in range(s0, s1):
+                hear_cuts(cutting, state.memory, fields.memory[topology.peer[s]], timing.used[s, k])
+            if force is not None:
+                sever(cutting, op, force, state, k, ledger, lanes)
+            add(record.running, i, record.running.shape[1] - 2, ledger[CUT])
+            add(record.running, i, record.running.shape[1] - 1, ledger[CUT_COUNT])
+            dissipated += ledger[CUT]
         if ends is not None:
             tell(ends, topology, timing, ports, i, k)
         for s in range(s0, s1):
@@ -356,7 +384,7 @@ def run(
             put(running, (i, first + 1), max(at(running, (i, first + 1)), ledger[BETA]))
             if ledger[BETA] > CLOSURE_ALARM or ledger[SHORTENED] > 0.0:
                 add(running, i, first + 2, 1.0)
-            if running.shape[1] > first + 3:  # there are obstacles
+            if running.shape[1] >= first + 8:  # there are obstacles
                 add(running, i, first + 3, ledger[WORLD_LOSS])
                 put(running, (i, first + 4), ledger[WORLD_STORED])
                 for axis in range(3):
