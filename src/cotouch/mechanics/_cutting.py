@@ -8,6 +8,7 @@ user who decided it. A set of cut elements only grows, so copies agree by taking
 # pyright: reportArgumentType=false, reportReturnType=false
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -43,6 +44,7 @@ class Cutting(NamedTuple):
         first: where the marks of a copy begin in its memory: the step after which each element was cut, from 1, then
             the user who decided it, from 1; 0 of those that are whole.
         tear: strain at which an element breaks.
+        decides: whether each user's copy cuts by itself, (users,).
         rest: places of the rows at rest, (rows, 4) [m].
         corner: rows of each element's corners, (E, c).
         edge: pairs of corners, (s, 2).
@@ -59,6 +61,7 @@ class Cutting(NamedTuple):
 
     first: int
     tear: float
+    decides: Int
     rest: Float
     corner: Int
     edge: Int
@@ -73,12 +76,13 @@ class Cutting(NamedTuple):
     spot: Float
 
 
-def cutting_of(model: Model, *, tools: int = 0) -> Cutting | None:
+def cutting_of(model: Model, *, tools: int = 0, decides: Sequence[bool] = ()) -> Cutting | None:
     """The elements of a body that can be cut; None where it cannot.
 
     Args:
         model: the body.
         tools: how many there are in the arrays of tools that kernels get.
+        decides: whether each user's copy cuts by itself; by default all do.
 
     Raises:
         UnsupportedError: a law that is not this package's own.
@@ -99,6 +103,7 @@ def cutting_of(model: Model, *, tools: int = 0) -> Cutting | None:
     return Cutting(
         first=model.cut,
         tear=float(material.tear),
+        decides=np.array(decides, dtype=np.int32),
         rest=rest,
         corner=np.ascontiguousarray(row[elements], dtype=np.int32),
         edge=edge,
@@ -162,6 +167,8 @@ def decide_cuts(cutting: Cutting, memory: Float, position: Float, tools: Tools |
         tools: its tools; None: none.
         user: its number, from 1.
     """
+    if cutting.decides.shape[0] > 0 and cutting.decides[user - 1] == 0:
+        return
     blades = 0
     if tools is not None:
         for t in range(tools.first, tools.last):

@@ -30,10 +30,11 @@ class CutSet:
 
     Attributes:
         by: the user who decided to cut each element, from 1; 0 of those that are whole, (elements,).
+        own: which of them this copy decided itself, (elements,).
         new: elements that the last step took away.
     """
 
-    def __init__(self, model: Model, state: State, tools: Tools | None, user: int) -> None:
+    def __init__(self, model: Model, state: State, tools: Tools | None, user: int, *, decides: bool = True) -> None:
         """Begins with a whole body.
 
         Args:
@@ -41,17 +42,19 @@ class CutSet:
             state: of the copy.
             tools: of the user; None: none.
             user: whose copy it is, from 1.
+            decides: whether its own blades cut, and elements break in it.
         """
         cutting = cutting_of(model, tools=0 if tools is None else tools.mass.size)
         assert cutting is not None
         assert model.force is not None
         self.by = np.zeros(cutting.wanted.size, dtype=np.int32)
         self.new: tuple[int, ...] = ()
-        self.cuts = True
+        self.own = np.zeros(cutting.wanted.size, dtype=np.bool_)
+        self._decides = decides
         self._cutting: Cutting = cutting
         self._force: BodyForce = model.force
         self._state, self._tools, self._user, self._lanes = state, tools, user, model.lanes
-        self._heard = np.zeros_like(self.by)
+        self._heard, self._told = np.zeros_like(self.by), np.zeros_like(self.by)
 
     def hear(self, by: Int) -> None:
         """Takes over, after the next step, what others decided.
@@ -85,11 +88,13 @@ class CutSet:
             ledger: of it; changed.
         """
         cutting, memory, wanted = self._cutting, self._state.memory, self._cutting.wanted
-        if self.cuts:
+        if self._decides:
             decide_cuts(cutting, memory, self._state.position, self._tools, self._user)
         np.copyto(wanted, self._heard, where=self._heard != 0)
+        self._told, self._heard = self._heard, self._told
         self._heard[:] = 0
         self.new = ()
         if sever(cutting, op, self._force, self._state, step, ledger, self._lanes):
+            self.own |= (wanted != 0) & (self._told == 0) & (self.by == 0)
             self.new = tuple(np.flatnonzero((wanted != 0) & (self.by == 0)).tolist())
             self.by = np.where(self.by == 0, wanted, self.by).astype(np.int32)

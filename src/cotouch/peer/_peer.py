@@ -9,27 +9,19 @@ from cotouch.arrays import Float
 from cotouch.errors import NetworkError
 from cotouch.laws import feel
 from cotouch.mechanics import (
-    BETA,
     BODY_LOSS,
-    CLOSURE,
     CUT,
     DRIVE,
     ELASTIC,
     EXTRA_LOSS,
-    ITERATIONS,
     KINETIC,
     LEDGER_COLUMNS,
     LOCAL_LOSS,
     PROXY,
-    SHORTENED,
     SUPPLIED,
     TOUCH_LEDGER,
     TOUCH_LOSS,
     TOUCH_STORED,
-    TOUCHED,
-    WORLD_FORCE,
-    WORLD_LOSS,
-    WORLD_STORED,
     Contact,
     Model,
     Ports,
@@ -55,7 +47,7 @@ from cotouch.peer._guard import LinkGuard
 from cotouch.peer._joined import JoinedLinks, LinkEnd
 from cotouch.peer._law_link import LawLink
 from cotouch.peer._links import Link, Message, Sample
-from cotouch.peer._report import StepReport
+from cotouch.peer._report import StepReport, books_of
 from cotouch.peer._scale import CopyScale
 
 
@@ -98,6 +90,7 @@ class Peer:
         surface: Surface | None = None,
         tools: Tools | None = None,
         contact: Contact | None = None,
+        cuts: bool = True,
         tolerance: float = 1e-10,
         iterations: int = 500,
     ) -> None:
@@ -118,6 +111,7 @@ class Peer:
             surface: the body's skin (`cotouch.mechanics.surface_of`); with tools.
             tools: the user's proxies.
             contact: the law by which they touch; None: springs with accounts, which no body with a material takes.
+            cuts: whether it may cut by itself, where the body can be cut.
             tolerance: of the solver.
             iterations: cap of the solver.
         """
@@ -150,7 +144,7 @@ class Peer:
         self._contact = contact
         self._touch_ledger = np.zeros(TOUCH_LEDGER)
         self._rescaled = 0.0
-        self.cuts = None if model.cut < 0 else CutSet(model, self.state, tools, index + 1)
+        self.cuts = None if model.cut < 0 else CutSet(model, self.state, tools, index + 1, decides=cuts)
         self._moved: tuple[Sample, list[float], float] | None = None  # the last step, not in the ledger yet
         self._settle()
         self._energy = float(self._ledger[KINETIC] + self._ledger[ELASTIC])
@@ -356,33 +350,15 @@ class Peer:
         report = StepReport(
             sample=sample,
             force=self.ports.force[self.ports.first : self.ports.last].copy(),
-            supplied=did[SUPPLIED],
-            body_loss=did[BODY_LOSS],
-            local_loss=did[LOCAL_LOSS],
-            extra_loss=did[EXTRA_LOSS],
             link_work=joined.work.copy(),
-            kinetic=did[KINETIC],
-            elastic=did[ELASTIC],
-            drive_work=touch[DRIVE],
-            touch_work=touch[TOUCHED],
-            touch_loss=touch[TOUCH_LOSS],
-            proxy=touch[PROXY],
-            touch_stored=touch[TOUCH_STORED],
             speed=square[0],
             residual=energy - self._energy - supplied + lost - sum(joined.work.tolist()),
             age=np.array(age),
-            iterations=int(did[ITERATIONS]),
-            closure=did[CLOSURE],
-            closure_factor=did[BETA],
-            shortened=did[SHORTENED],
-            world_loss=did[WORLD_LOSS],
-            world_stored=did[WORLD_STORED],
-            world_force=tuple(did[WORLD_FORCE : WORLD_FORCE + 3]),
-            cut=did[CUT],
             cut_elements=() if self.cuts is None else self.cuts.new,
             rescaled=self._rescaled,
             advanced=advanced,
             guards=tuple(None if end.guard is None else end.guard.ledger for end in joined.ends),
+            **books_of(did, touch),
         )
         self._energy, self._rescaled = energy, 0.0
         return report

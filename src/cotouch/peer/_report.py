@@ -1,9 +1,31 @@
 """What one step of a peer did."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import final
+from typing import Any, final
 
 from cotouch.arrays import Float
+from cotouch.mechanics import (
+    BETA,
+    BODY_LOSS,
+    CLOSURE,
+    CUT,
+    DRIVE,
+    ELASTIC,
+    EXTRA_LOSS,
+    ITERATIONS,
+    KINETIC,
+    LOCAL_LOSS,
+    PROXY,
+    SHORTENED,
+    SUPPLIED,
+    TOUCH_LOSS,
+    TOUCH_STORED,
+    TOUCHED,
+    WORLD_FORCE,
+    WORLD_LOSS,
+    WORLD_STORED,
+)
 from cotouch.peer._guard_ledger import GuardLedger
 from cotouch.peer._links import Sample
 
@@ -74,3 +96,33 @@ class StepReport:
     rescaled: float
     advanced: float
     guards: tuple[GuardLedger | None, ...]
+
+
+def books_of(did: Sequence[float], touch: Sequence[float]) -> dict[str, Any]:
+    """What kernels booked in a step, by the names of a report.
+
+    Args:
+        did: the copy's ledger.
+        touch: that of its tools.
+    """
+    return {
+        "supplied": did[SUPPLIED],
+        "body_loss": did[BODY_LOSS],
+        "local_loss": did[LOCAL_LOSS],
+        "extra_loss": did[EXTRA_LOSS],
+        "kinetic": did[KINETIC],
+        "elastic": did[ELASTIC],
+        "iterations": int(did[ITERATIONS]),
+        "closure": did[CLOSURE],
+        "closure_factor": did[BETA],
+        "shortened": did[SHORTENED],
+        "world_loss": did[WORLD_LOSS],
+        "world_stored": did[WORLD_STORED],
+        "world_force": tuple(did[WORLD_FORCE : WORLD_FORCE + 3]),
+        "cut": did[CUT],
+        "drive_work": touch[DRIVE],
+        "touch_work": touch[TOUCHED],
+        "touch_loss": touch[TOUCH_LOSS],
+        "proxy": touch[PROXY],
+        "touch_stored": touch[TOUCH_STORED],
+    }

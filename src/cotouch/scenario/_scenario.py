@@ -213,6 +213,25 @@ class Scenario(Table):
             self._built = self._cuttable(body)
         return self._built
 
+    def refuse_cutters(self) -> None:
+        """Refuses who may not cut, or is not there.
+
+        Raises:
+            ScenarioError: it is so.
+        """
+        users = None if self.cutting is None else self.cutting.users
+        if self.cutting is None or users is None:
+            return
+        for user in users:
+            if user > self.network.size:
+                raise ScenarioError(f"cutting.users names user {user}; the network has users 1 to {self.network.size}")
+        for number, tool in enumerate(self.tools, start=1):
+            if tool.kind == "blade" and not self.cutting.may(tool.user):
+                raise ScenarioError(
+                    f'tools[{number}].kind is "blade", but cutting.users is {users}; name user {tool.user} there, or '
+                    "leave one of them out"
+                )
+
     def _cuttable(self, body: Body) -> Body:
         """A body whose elements can be cut, if any are to be."""
         if self.cutting is None and all(tool.kind != "blade" for tool in self.tools):

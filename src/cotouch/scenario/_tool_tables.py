@@ -202,9 +202,19 @@ class CuttingTable(Table):
     Attributes:
         tear: strain at which an element breaks: how much its most stretched edge is longer than at rest, as a share;
             by default none does.
+        users: who may cut, by blades or because their copy breaks; by default everybody.
     """
 
     tear: Positive | None = None
+    users: list[Number] | None = None
+
+    def may(self, user: int) -> bool:
+        """Whether a user's copy decides by itself.
+
+        Args:
+            user: number from 1.
+        """
+        return self.users is None or user in self.users
 
 
 @final

@@ -124,7 +124,9 @@ def run_batch(prepared: Prepared) -> Outcome:
     more = 0 if touching is None else len(TOOL_LEDGER)
     more += 0 if ready.force is None else len(CLOSED_BOOKS)
     more += 0 if ready.force is None or ready.force.world is None else len(WORLD_BOOKS)
-    cutting = cutting_of(ready, tools=0 if touching is None else touching.kind.size)
+    asked = prepared.scenario.cutting
+    may = () if asked is None else [asked.may(user + 1) for user in range(users)]
+    cutting = cutting_of(ready, tools=0 if touching is None else touching.kind.size, decides=may)
     more += 0 if cutting is None else len(CUT_BOOKS)
     tools = None if touching is None else tool_record(touching.kind.size, records)
     wanted = prepared.scenario.record.frames
