@@ -137,6 +137,9 @@ class SessionRecorder:
         if recorder is None:
             assert self._refused is not None
             return
+        if report.cut_elements and peer.cuts is not None:
+            by = [int(peer.cuts.by[element]) for element in report.cut_elements]
+            recorder.event("cut", now, step=report.sample.index, elements=list(report.cut_elements), by=by)
         held = [copy.neighbours[slot] for slot in peer.neighbours]
         ledger = [guard for guard in report.guards if guard is not None]
         used = [link.used for link in held]

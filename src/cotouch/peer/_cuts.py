@@ -30,6 +30,7 @@ class CutSet:
 
     Attributes:
         by: the user who decided to cut each element, from 1; 0 of those that are whole, (elements,).
+        decides: whether its own blades cut, and elements break in it.
         own: which of them this copy decided itself, (elements,).
         new: elements that the last step took away.
     """
@@ -50,7 +51,7 @@ class CutSet:
         self.by = np.zeros(cutting.wanted.size, dtype=np.int32)
         self.new: tuple[int, ...] = ()
         self.own = np.zeros(cutting.wanted.size, dtype=np.bool_)
-        self._decides = decides
+        self.decides = decides
         self._cutting: Cutting = cutting
         self._force: BodyForce = model.force
         self._state, self._tools, self._user, self._lanes = state, tools, user, model.lanes
@@ -88,7 +89,7 @@ class CutSet:
             ledger: of it; changed.
         """
         cutting, memory, wanted = self._cutting, self._state.memory, self._cutting.wanted
-        if self._decides:
+        if self.decides:
             decide_cuts(cutting, memory, self._state.position, self._tools, self._user)
         np.copyto(wanted, self._heard, where=self._heard != 0)
         self._told, self._heard = self._heard, self._told
