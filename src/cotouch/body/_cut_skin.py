@@ -6,8 +6,11 @@ from typing import TypeAlias, final
 
 import numpy as np
 import numpy.typing as npt
+from scipy.spatial import cKDTree
 
+from cotouch.arrays import Float
 from cotouch.body._body import Body
+from cotouch.body._cells import CORNERS as _CORNERS
 from cotouch.body._skin import Skin
 
 Ints: TypeAlias = npt.NDArray[np.int64]
@@ -70,24 +73,53 @@ def cut_skin(body: Body) -> CutSkin | None:
     elements = material.elements
     carried = _carriers(skin, elements)
     faces, own, beyond = _inner(elements)
-    count, width = skin.nodes.shape
-    nodes = np.zeros((body.nodes, width), dtype=np.int64) + np.arange(body.nodes)[:, None]
-    weights = np.zeros((body.nodes, width))
-    weights[:, 0] = 1.0
-    used, corners = np.unique(faces, return_inverse=True)
+    count = skin.vertices.shape[0]
+    places, nodes, weights, corners = _within(skin, body.rest, elements, faces, own)
     pointer = np.concatenate([[0], np.cumsum([len(some) for some in carried] + [1] * own.size)])
     return CutSkin(
         skin=Skin(
-            vertices=np.concatenate([skin.vertices, body.rest[used]]),
-            triangles=np.concatenate([skin.triangles, count + corners.reshape(faces.shape)]),
-            nodes=np.concatenate([skin.nodes, nodes[used]]),
-            weights=np.concatenate([skin.weights, weights[used]]),
+            vertices=np.concatenate([skin.vertices, places]),
+            triangles=np.concatenate([skin.triangles, count + corners]),
+            nodes=np.concatenate([skin.nodes, nodes]),
+            weights=np.concatenate([skin.weights, weights]),
         ),
         outer=skin.triangles.shape[0],
         pointer=pointer.astype(np.int64),
         element=np.array([element for some in carried for element in some] + own.tolist(), dtype=np.int64),
         beyond=np.concatenate([np.full(skin.triangles.shape[0], -1), beyond]).astype(np.int64),
     )
+
+
+def _within(skin: Skin, rest: Float, elements: Ints, faces: Ints, own: Ints) -> tuple[Float, Ints, Float, Ints]:
+    """Places of the inner faces' corners, the nodes that carry them, how much of each, and the corners by number.
+
+    A lattice reaches beyond the skin that it carries. There a corner lies on the skin, not at the node, and moves with
+    its own element, also when the one beside it is gone.
+    """
+    width = skin.nodes.shape[1]
+    lattice = width == elements.shape[1] == len(_CORNERS)
+    # Corners of a lattice belong to one element, of other bodies to all that have the node.
+    pairs = np.stack([np.repeat(own, 3) if lattice else np.zeros(faces.size, dtype=np.int64), faces.ravel()], axis=1)
+    used, corners = np.unique(pairs, axis=0, return_inverse=True)
+    element, node = used.T
+    places, nodes = rest[node].copy(), np.repeat(node[:, None], width, axis=1)
+    weights = np.zeros((node.size, width))
+    weights[:, 0] = 1.0
+    if lattice:
+        normal = np.zeros_like(skin.vertices)
+        ends = skin.vertices[skin.triangles]
+        across = np.cross(ends[:, 1] - ends[:, 0], ends[:, 2] - ends[:, 0])
+        for corner in range(3):
+            np.add.at(normal, skin.triangles[:, corner], across)
+        nearest = cKDTree(skin.vertices).query(places)[1]
+        outside = np.einsum("va,va->v", places - skin.vertices[nearest], normal[nearest]) > 0.0
+        moved = element[outside]
+        places[outside] = skin.vertices[nearest[outside]]
+        low, high = rest[elements[moved, 0]], rest[elements[moved, 7]]
+        share = ((places[outside] - low) / (high - low))[:, None, :]
+        nodes[outside] = elements[moved]
+        weights[outside] = np.where(_CORNERS[None] == 1, share, 1.0 - share).prod(axis=2)
+    return places, nodes, weights, corners.reshape(faces.shape)
 
 
 def _carriers(skin: Skin, elements: Ints) -> list[list[int]]:
