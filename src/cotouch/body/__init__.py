@@ -3,7 +3,7 @@
 from cotouch.body._body import Body
 from cotouch.body._builders import MOST_NODES, GridModel, Ground, chain, lattice, point
 from cotouch.body._checks import Matrix, SumOfSquares
-from cotouch.body._cut_skin import FACES, CutSkin, cut_skin
+from cotouch.body._cut_skin import FACES, CutSkin, cut_skin, drawn_skin
 from cotouch.body._eigenspaces import canonical
 from cotouch.body._from_surface import MOST_TRIANGLES, body_from_surface
 from cotouch.body._from_tetrahedra import MOST_ELEMENTS, body_from_tetrahedra
@@ -48,6 +48,7 @@ __all__ = [
     "canonical",
     "chain",
     "cut_skin",
+    "drawn_skin",
     "is_surface",
     "lattice",
     "lowest_modes",

@@ -90,6 +90,18 @@ def cut_skin(body: Body) -> CutSkin | None:
     )
 
 
+def drawn_skin(body: Body) -> Skin | None:
+    """What a viewer draws of a body: its skin, with the inner faces of one that can be cut.
+
+    Args:
+        body: any.
+    """
+    if body.material is None or not body.material.cuttable:
+        return body.skin
+    faces = cut_skin(body)
+    return None if faces is None else faces.skin
+
+
 def _within(skin: Skin, rest: Float, elements: Ints, faces: Ints, own: Ints) -> tuple[Float, Ints, Float, Ints]:
     """Places of the inner faces' corners, the nodes that carry them, how much of each, and the corners by number.
 

@@ -280,7 +280,7 @@ class Status(Table):
         closure_factor: greatest change of a velocity by that, |β - 1|.
         closure_alarms: steps so far whose forces and energy disagree, by more than 0.01 of a velocity, or that were
             shortened for it.
-        cut: lost with the elements that were cut, so far; part of `lost` [J].
+        cut_energy: lost with the elements that were cut, so far; part of `lost` [J].
         cuts: elements that are cut.
         cut_set: 64 bits that tell that set from another; empty of a body that cannot be cut.
         roster: digest of the roster it works with.
@@ -324,7 +324,7 @@ class Status(Table):
     closure: Number = 0.0
     closure_factor: Number = 0.0
     closure_alarms: Count = 0
-    cut: Number = 0.0
+    cut_energy: Number = 0.0
     cuts: Count = 0
     cut_set: Annotated[str, StringConstraints(pattern=r"^([0-9a-f]{16})?$")] = ""
     roster: Key | None = None

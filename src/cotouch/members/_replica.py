@@ -385,7 +385,7 @@ class Replica:
             closure=totals.closure,
             closure_factor=totals.closure_factor,
             closure_alarms=totals.closure_alarms,
-            cut=totals.cut,
+            cut_energy=totals.cut,
             cuts=0 if peer.cuts is None else int(np.count_nonzero(peer.cuts.by)),
             cut_set="" if peer.cuts is None else digest_of(peer.cuts.by),
         )

@@ -99,6 +99,9 @@ class SessionRecorder:
                 self._refused = getattr(error.__cause__, "strerror", None) or str(error)
                 self.trouble = f"was not begun: {self._refused}"
                 return
+            if peer.cuts is not None and peer.cuts.by.any():  # of a recording that begins later
+                gone = np.flatnonzero(peer.cuts.by)
+                self._recorder.event("cut", now, step=-1, elements=gone.tolist(), by=peer.cuts.by[gone].tolist())
         held = [copy.neighbours[slot] for slot in peer.neighbours]
         self._recorder.setup(
             now,
