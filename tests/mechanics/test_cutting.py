@@ -37,7 +37,7 @@ def cut_copy(name: str, *, tear: float = np.inf, copies: int = 1) -> tuple[Alone
     return copy, cutting
 
 
-def take_away(copy: Alone, cutting: Cutting, elements: npt.ArrayLike, step: int = 0) -> int:
+def take_away(copy: Alone, cutting: Cutting, elements: npt.NDArray[np.int64], step: int = 0) -> int:
     begin_cut(cutting, copy.state, None)
     cutting.wanted[elements] = 1
     return sever(cutting, copy.model.operator, copy.force, copy.state, step, copy.ledger, copy.model.lanes)
@@ -86,11 +86,11 @@ def test_springs_held_what_hookes_law_says() -> None:
     assert copy.ledger[CUT] == pytest.approx(float(held.sum()), rel=1e-12)
 
 
-@pytest.mark.parametrize("name", ("spring-network", "cells", "neo-hookean"))
+@pytest.mark.parametrize("name", ["spring-network", "cells", "neo-hookean"])
 def test_cut_to_pieces_every_node_flies_on(name: str) -> None:
     copy, cutting = cut_copy(name)
     copy.step(1e-3)
-    take_away(copy, cutting, slice(None))
+    take_away(copy, cutting, np.arange(cutting.wanted.size))
     velocity = copy.velocity
     energy = copy.energy
     for _ in range(20):
@@ -177,10 +177,10 @@ def test_a_blade_within_a_cell_or_swept_by_a_hair_still_cuts() -> None:
     hair = np.array([[0.4, 0.4, -2, 0], [0.4, 0.4, 3, 0], [0.4, 0.4001, 3, 0], [0.4, 0.4001, -2, 0]])
     for quad in (within, hair):
         assert crosses(np.concatenate([corner, quad]), 8, edge, face, 0.0)
-        assert not crosses(np.concatenate([corner, quad + [1.5, 0, 0, 0]]), 8, edge, face, 0.4)
+        assert not crosses(np.concatenate([corner, quad + np.array([1.5, 0, 0, 0])]), 8, edge, face, 0.4)
 
 
-@pytest.mark.parametrize("name", ("cells", "corotated"))
+@pytest.mark.parametrize("name", ["cells", "corotated"])
 def test_the_skin_stays_closed_around_what_is_left(name: str) -> None:
     """Every edge of the triangles that are there is passed as often one way as the other."""
     body = made(name).with_cutting()
@@ -219,7 +219,7 @@ def test_what_cannot_be_cut_is_told() -> None:
         whole.with_cutting()
     with pytest.raises(BodyError, match='model is "floating", which has none'):
         made("floating").with_cutting()
-    with pytest.raises(BodyError, match="tear is 0; it must be a strain above 0|tear is 0.0; it must"):
+    with pytest.raises(BodyError, match=r"tear is 0\.0; it must be a strain above 0"):
         made("cells").with_cutting(0.0)
     flat = lattice([3, 3], neighbours=26, model="spring-network")
     with pytest.raises(BodyError, match="cutting needs a body of 3 axes, but this one has 2"):

@@ -8,7 +8,6 @@ import numpy as np
 import numpy.typing as npt
 import scipy.linalg as la
 import scipy.sparse as sp
-from scipy.sparse import csgraph
 
 from cotouch.arrays import Float
 from cotouch.body import Body, Material, Matrix, Truncation, canonical
@@ -16,7 +15,7 @@ from cotouch.errors import BodyError, UnsupportedError
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._force_memory import fresh_memory
 from cotouch.mechanics._materials import force_of, outline_of
-from cotouch.mechanics._operator import DAMPING, MASS, STIFFNESS, WEIGHTS, Operator, mixed
+from cotouch.mechanics._operator import DAMPING, MASS, STIFFNESS, WEIGHTS, Operator, halves, mixed
 from cotouch.mechanics._vector import WIDTHS
 from cotouch.mechanics._world import Obstacle
 from cotouch.mechanics._world_points import world_of
@@ -177,7 +176,7 @@ def model(
         fitted = [_fit(body, index, weight) for index, weight in enumerate(weights, start=1)]
     rows = body.mass.shape[0]
     matrices = [body.mass, body.damping, body.stiffness, sp.eye_array(rows, format="csr"), *(m for m, _ in fitted)]
-    order, split = _halves(matrices)
+    order, split = halves(matrices)
     ordered = matrices if order is None else [sp.csr_array(matrix[order][:, order]) for matrix in matrices]
     plain = Model(body=body, operator=_operator(ordered, copies, split), modes=None, inverse=None, order=order)
     if basis == "nodal" or (basis == "auto" and (plain.operator.entries.shape[0] == 0 or rows > _MODAL_ROWS)):
@@ -211,7 +210,7 @@ def _of_material(
         )
     own = [outline.mass, outline.damping, outline.stiffness, sp.eye_array(body.nodes, format="csr")]
     matrices = [*own, *(m for m, _ in fitted)]
-    order, split = _halves(matrices)
+    order, split = halves(matrices)
     ordered = matrices if order is None else [sp.csr_array(matrix[order][:, order]) for matrix in matrices]
     force, memory = force_of(body, material, order)
     force = force._replace(behind=memory)
@@ -248,25 +247,6 @@ def _fit(body: Body, index: int, weight: Matrix) -> tuple[sp.csr_array, bool]:
         return sp.csr_array(sp.kron(sp.eye_array(n), csr)), True
     wanted = " or ".join(dict.fromkeys(f"{s} x {s}" for s in ((n * d,) if n == d else (n, d, n * d))))
     raise BodyError(f"link weight {index} is {csr.shape[0]} x {csr.shape[1]}; for this body it must be {wanted}")
-
-
-def _halves(matrices: list[sp.csr_array]) -> tuple[Int | None, int]:
-    """The order that puts rows into two halves with entries only across, and where the second starts; or (None, 0).
-
-    Lattices, chains and trees have such halves. They are found in the graph that has every row twice, once for each
-    half, and an edge across for every entry: there the two of a row are connected exactly if a cycle is odd.
-    """
-    pattern = sp.csr_array(sum((abs(m) for m in matrices[1:]), start=abs(matrices[0])))
-    pattern = sp.csr_array(pattern - sp.diags_array(pattern.diagonal()))
-    pattern.eliminate_zeros()
-    if pattern.nnz == 0:
-        return None, 0
-    rows = pattern.shape[0]
-    labels = csgraph.connected_components(sp.block_array([[None, pattern], [pattern, None]]), directed=False)[1]
-    first, second = labels[:rows], labels[rows:]
-    if np.any(first == second):
-        return None, 0
-    return np.argsort(first > second, kind="stable").astype(np.int32), int(np.count_nonzero(first < second))
 
 
 def _operator(matrices: list[sp.csr_array], copies: int, split: int) -> Operator:

@@ -27,6 +27,7 @@ from cotouch.simulation._animation_checks import (
     keep_frozen,
     numbers_of,
     padded,
+    pairs_of,
     size_of,
     track_of,
 )
@@ -269,7 +270,7 @@ class Animation:
         keep_frozen(
             self, title=title, users=names, time=when, vertices=places, triangles=faces, edges=lines, rest=start
         )
-        keep_frozen(self, tools=spheres, ports=hands, links=_pairs(links, len(names)), series=tuple(series))
+        keep_frozen(self, tools=spheres, ports=hands, links=pairs_of(links, len(names)), series=tuple(series))
         known = numbers_of("spans", [] if spans is None else spans, InputError, finite=False, kind=np.float32)
         if spans is not None and known.shape != (len(names), faces.shape[0], 2):
             raise InputError(
@@ -392,13 +393,3 @@ def _carried(skin: Skin, field: Single) -> Single:
         moved = np.asarray(weights @ columns).reshape(-1, frames, 3).transpose(1, 0, 2)
         places[:, user] = moved + skin.vertices
     return places
-
-
-def _pairs(links: Sequence[tuple[int, int]], users: int) -> tuple[tuple[int, int], ...]:
-    pairs = tuple((int(a), int(b)) for a, b in links)
-    for a, b in pairs:
-        if not (0 <= a < users and 0 <= b < users) or a == b:
-            raise NetworkError(
-                f"a link joins user indices {a} and {b}; it must join two different ones of 0 to {users - 1}"
-            )
-    return pairs

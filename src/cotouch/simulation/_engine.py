@@ -13,8 +13,6 @@ from cotouch.mechanics import (
     BODY_LOSS,
     CLOSURE,
     CLOSURE_ALARM,
-    CUT,
-    CUT_COUNT,
     DRIVE,
     ELASTIC,
     EXTRA_LOSS,
@@ -34,7 +32,6 @@ from cotouch.mechanics import (
     Cutting,
     Links,
     Operator,
-    Ports,
     Tools,
     TouchWork,
     at,
@@ -44,14 +41,10 @@ from cotouch.mechanics import (
     contact_step,
     decide_cuts,
     expose,
-    hear_cuts,
     kernel,
-    load,
     put,
     settle,
-    sever,
     step,
-    store,
     touch_step,
 )
 from cotouch.scenario import (
@@ -64,9 +57,19 @@ from cotouch.scenario import (
     keep_tools,
     proxy_energy,
 )
+from cotouch.simulation._cuts import cut_away
 from cotouch.simulation._ends import Ends, ask, tell
 from cotouch.simulation._layout import Fields, Float, Frames, Record, Scratch, Timing, Topology
-from cotouch.simulation._ledger import add, copy, delay_work_of, keep_user, spring_energies, state_of
+from cotouch.simulation._ledger import (
+    add,
+    copy,
+    delay_work_of,
+    keep_frames,
+    keep_user,
+    ports_between,
+    spring_energies,
+    state_of,
+)
 
 
 @kernel
@@ -121,14 +124,8 @@ def run(
         lanes: as long as a row is wide; see `cotouch.mechanics`.
     """
     users = fields.position.shape[0]
-    supplied = 0.0
-    dissipated = 0.0
-    delay_work = 0.0
-    energy = 0.0
-    initial = 0.0
-    lowest = 0.0
-    made = 0.0
-    most_made = 0.0
+    supplied, dissipated, delay_work, energy = 0.0, 0.0, 0.0, 0.0
+    initial, lowest, made, most_made = 0.0, 0.0, 0.0, 0.0
     tick = 0
     for i in range(users):
         state = state_of(fields, i)
@@ -162,11 +159,7 @@ def run(
         put(scratch.counter, i, k + 1)
         T = at(timing.length, (i, k))
         end = at(timing.end, (i, k))
-        while frames.done[0] < frames.time.shape[0] and at(frames.time, frames.done[0]) < end:
-            for place in range(users * fields.position.shape[1]):
-                row = frames.done[0] * users * fields.position.shape[1] + place
-                store(frames.position, row, load(fields.position, place, lanes), lanes)
-            frames.done[0] += 1
+        keep_frames(frames, fields, end, lanes)
         s0, s1 = at(topology.first, i), at(topology.first, i + 1)
         p0, p1 = at(hands.first, i), at(hands.first, i + 1)
         for s in range(s0, s1):
@@ -176,19 +169,7 @@ def run(
             put(scratch.slot, s, users * timing.ring + peer if index < 0 else kept)
         for p in range(p0, p1):
             grip(hands, scratch.ports, scratch.cursor, p, end, T, lanes)
-        held = scratch.ports
-        ports = Ports(
-            p0,
-            p1,
-            held.row,
-            held.shape,
-            held.stiffness,
-            held.damping,
-            held.start,
-            held.end,
-            held.push,
-            held.force,
-        )
+        ports = ports_between(scratch.ports, p0, p1)
         if ends is None:
             links = Links(
                 s0,
@@ -354,13 +335,8 @@ def run(
         if cutting is not None:
             if touching is None:
                 decide_cuts(cutting, state.memory, state.position, None, i + 1)
-            for s in range(s0, s1):
-                hear_cuts(cutting, state.memory, fields.memory[topology.peer[s]], timing.used[s, k])
             if force is not None:
-                sever(cutting, op, force, state, k, ledger, lanes)
-            add(record.running, i, record.running.shape[1] - 2, ledger[CUT])
-            add(record.running, i, record.running.shape[1] - 1, ledger[CUT_COUNT])
-            dissipated += ledger[CUT]
+                dissipated += cut_away(cutting, op, force, topology, timing, fields, record, ledger, i, k, lanes)
         if ends is not None:
             tell(ends, topology, timing, ports, i, k)
         for s in range(s0, s1):
