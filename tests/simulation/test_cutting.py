@@ -55,9 +55,14 @@ RUN: dict[str, Any] = {
 }
 
 
+def made(**changes: Any) -> Scenario:
+    tables: dict[str, Any] = {**RUN, **changes}
+    return Scenario.make(**tables)
+
+
 @pytest.fixture(scope="module")
 def ran() -> Any:
-    prepared = prepare(Scenario.make(**RUN))
+    prepared = prepare(made())
     outcome = run_prepared(prepared)
     return prepared, outcome, dataset(prepared, outcome)
 
@@ -113,7 +118,7 @@ def test_what_was_cut_away_is_not_touched(ran: Any) -> None:
     time = run["time"].values[1]
     pressed = touched[(time > 0.11) & (time < 0.12)]
     assert pressed.max() > 0.01
-    whole = made("cutting": None, "tools": RUN["tools"][1:])
+    whole = made(cutting=None, tools=RUN["tools"][1:])
     other = simulate(whole)
     there = np.linalg.norm(other["touch_force"].values[0], axis=1)
     assert touched[-1] < 0.7 * there[-1]
@@ -151,13 +156,13 @@ def test_an_animation_draws_the_cut(ran: Any) -> None:
 def test_a_wrong_blade_is_told_in_a_sentence(change: dict[str, Any], words: str) -> None:
     blade = {**RUN["tools"][0], **change}
     with pytest.raises(ScenarioError, match=words):
-        prepare(made("tools": [{k: v for k, v in blade.items() if v is not None}]))
+        prepare(made(tools=[{k: v for k, v in blade.items() if v is not None}]))
 
 
 def test_what_cannot_be_cut_is_told_in_a_sentence() -> None:
     with pytest.raises(BodyError, match="cutting takes away elements, but the body is linear and has none"):
-        prepare(made("body": {"kind": "lattice", "shape": [7, 4, 3]}))
+        prepare(made(body={"kind": "lattice", "shape": [7, 4, 3]}))
     with pytest.raises(ScenarioError, match=r"cutting\.tear is -1"):
-        made("cutting": {"tear": -1})
+        made(cutting={"tear": -1})
     with pytest.raises(ScenarioError, match=r"cutting\.users names user 9; the network has users 1 to 3"):
-        prepare(made("cutting": {"users": [3, 9]}))
+        prepare(made(cutting={"users": [3, 9]}))
