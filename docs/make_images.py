@@ -25,12 +25,12 @@ from cotouch.study._charts import held_and_released
 from cotouch.study._experiment import experiment
 from cotouch.study._topologies import topologies
 
-# Moments of each example [s], and from where they are looked at: above the floor and around it [degrees].
-EXAMPLES: dict[str, tuple[tuple[float, ...], tuple[float, float]]] = {
-    "block-between-two-hands": ((0.2, 0.8, 1.5), (18.0, -72.0)),
-    "push-a-box": ((0.2, 1.3, 2.9), (30.0, -130.0)),
-    "sheet": ((0.2, 1.4, 2.4, 5.0), (28.0, -65.0)),
-    "cut-a-liver": ((0.8, 1.7, 3.9), (24.0, -62.0)),
+# Moments of each example [s], from where they are looked at: above the floor and around it [degrees], and how near.
+EXAMPLES: dict[str, tuple[tuple[float, ...], tuple[float, float], float]] = {
+    "block-between-two-hands": ((0.2, 0.8, 1.5), (18.0, -72.0), 0.95),
+    "push-a-box": ((0.2, 1.3, 2.9), (30.0, -130.0), 0.95),
+    "sheet": ((0.2, 1.4, 2.4, 5.0), (28.0, -65.0), 0.95),
+    "cut-a-liver": ((0.8, 1.7, 3.9), (24.0, -62.0), 1.45),
 }
 # A skin of more triangles is drawn with thinner lines.
 _FINE = 2000
@@ -49,8 +49,8 @@ def main() -> None:
     _two_people(images)
     _links(images)
     _liver(images)
-    for name, (times, look) in EXAMPLES.items():
-        _moments(images, name, times, look)
+    for name, (times, look, zoom) in EXAMPLES.items():
+        _moments(images, name, times, look, zoom)
 
 
 def _two_people(images: Path) -> None:
@@ -89,7 +89,7 @@ def _liver(images: Path) -> None:
     save_body_figure(body, *body_report(body), images).replace(images / "liver.png")
 
 
-def _moments(images: Path, name: str, times: Sequence[float], look: tuple[float, float]) -> None:
+def _moments(images: Path, name: str, times: Sequence[float], look: tuple[float, float], zoom: float) -> None:
     """Runs an example, and draws the first user's copy with everybody's hands at some moments [s]."""
     path = Path(__file__).parents[1] / "examples" / f"{name}.toml"
     scenario = Scenario.read(path).replace(record__nodes="all", record__every=10).placed()
@@ -147,7 +147,7 @@ def _moments(images: Path, name: str, times: Sequence[float], look: tuple[float,
                 held = run["position"].values[hand.user - 1, row, hand.node - 1]
                 _ball(axes, held, 0.02 * float((high - low).max()), drawing.USERS[hand.user - 1], (places, eye))
             axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
-            axes.set_box_aspect(tuple(np.maximum(high - low, 1e-6)), zoom=0.95)
+            axes.set_box_aspect(tuple(np.maximum(high - low, 1e-6)), zoom=zoom)
             axes.view_init(*look)
             axes.set_axis_off()
         figure.subplots_adjust(0.0, 0.0, 1.0, 0.94, 0.0, 0.0)

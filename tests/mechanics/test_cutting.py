@@ -110,7 +110,7 @@ def test_what_is_stretched_too_far_breaks() -> None:
         for shape in (places, copy.body.rest)
     )
     begin_cut(cutting, copy.state, None)
-    decide_cuts(cutting, copy.state.memory, copy.state.position, None, 3)
+    decide_cuts(cutting, copy.state.memory, copy.state.position, None, 3, True)
     too_far = length > 1.05 * rest
     assert 0 < np.count_nonzero(too_far) < rest.size
     assert np.array_equal(cutting.wanted, np.where(too_far, 3, 0))

@@ -157,7 +157,7 @@ def hear_cuts(cutting: Cutting, memory: Float, other: Float, sample: int) -> Non
 
 
 @block
-def decide_cuts(cutting: Cutting, memory: Float, position: Float, tools: Tools | None, user: int) -> None:
+def decide_cuts(cutting: Cutting, memory: Float, position: Float, tools: Tools | None, user: int, tears: bool) -> None:
     """What a copy itself cuts after a step: elements stretched too far, and those that its blades went through.
 
     Args:
@@ -166,14 +166,16 @@ def decide_cuts(cutting: Cutting, memory: Float, position: Float, tools: Tools |
         position: where it came to, displacements of the rows [m].
         tools: its tools; None: none.
         user: its number, from 1.
+        tears: whether elements break.
     """
+    tears = tears and cutting.tear < math.inf
     if cutting.decides.shape[0] > 0 and cutting.decides[user - 1] == 0:
         return
     blades = 0
     if tools is not None:
         for t in range(tools.first, tools.last):
             blades += 1 if at(tools.mode, t) == BLADE else 0
-    if blades == 0 and cutting.tear == math.inf:
+    if blades == 0 and not tears:
         return
     for e in range(cutting.wanted.shape[0]):
         if cutting.wanted[e] != 0 or at(memory, cutting.first + e) != 0.0:
@@ -182,7 +184,7 @@ def decide_cuts(cutting: Cutting, memory: Float, position: Float, tools: Tools |
             i = cutting.corner[e, c]
             for a in range(3):
                 cutting.spot[c, a] = cutting.rest[i, a] + position[i, a]
-        if _strained(cutting, e):
+        if tears and _strained(cutting, e):
             cutting.wanted[e] = user
         elif blades > 0:
             if tools is None:

@@ -288,7 +288,7 @@ class Replica:
             surface=hand.surface,
             tools=hand.tools,
             contact=hand.contact,
-            cuts=False,
+            cuts=scenario.cutting is None or scenario.cutting.may(self.slot + 1),
             tolerance=scenario.solver.tolerance,
             iterations=scenario.solver.iterations,
         )

@@ -26,7 +26,7 @@ from cotouch.scenario import Table
 TOPIC = "link.cuts"
 # What is new is said at once, but no oftener than this; what was said is said again this often [s].
 _SOON, _AGAIN = 0.05, 1.0
-# A newcomer listens for so long at least before it cuts anything [s].
+# A newcomer listens for so long at least before anything breaks in its copy [s].
 _LISTEN = 2.0
 # Elements of one author that are believed in a second and at once, as shares of the body; and so many at least at once.
 _SPEED, _BURST, _LEAST = 0.1, 0.25, 64
@@ -114,6 +114,7 @@ class SharedCuts:
         self._body = b""
         self._looks: dict[int, tuple[float, float]] = {}
         self._turn = 0
+        self._listened = False
 
     def receive(self, sender: int, body: bytes, roster: Roster, now: float) -> None:
         """Takes a statement; never raises for what is in it.
@@ -147,7 +148,8 @@ class SharedCuts:
     def service(self, peer: Peer | None, now: float, *, coupled: bool) -> None:
         """Tells the copy what is new, and others what it decided.
 
-        A newcomer decides nothing before it has heard the others and is where they are: on its way it is strained.
+        Nothing breaks in a newcomer's copy before it has heard the others and is where they are: on its way it is
+        strained.
 
         Args:
             peer: the copy; None before it moves.
@@ -158,7 +160,8 @@ class SharedCuts:
             return
         self._since = min(self._since, now)
         if coupled and now - self._since >= _LISTEN:
-            peer.cuts.decides = self._may is None or self._may.may(self._slot + 1)
+            self._listened = True
+        peer.cuts.tears = self._listened
         self._tell_copy(peer.cuts, now)
         new = bool(np.any(peer.cuts.own & ~self._own))
         if new and now - self._said >= _SOON:

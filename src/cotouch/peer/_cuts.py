@@ -31,6 +31,7 @@ class CutSet:
     Attributes:
         by: the user who decided to cut each element, from 1; 0 of those that are whole, (elements,).
         decides: whether its own blades cut, and elements break in it.
+        tears: whether elements break, if it decides.
         own: which of them this copy decided itself, (elements,).
         new: elements that the last step took away.
     """
@@ -51,7 +52,7 @@ class CutSet:
         self.by = np.zeros(cutting.wanted.size, dtype=np.int32)
         self.new: tuple[int, ...] = ()
         self.own = np.zeros(cutting.wanted.size, dtype=np.bool_)
-        self.decides = decides
+        self.decides, self.tears = decides, True
         self._cutting: Cutting = cutting
         self._force: BodyForce = model.force
         self._state, self._tools, self._user, self._lanes = state, tools, user, model.lanes
@@ -90,7 +91,7 @@ class CutSet:
         """
         cutting, memory, wanted = self._cutting, self._state.memory, self._cutting.wanted
         if self.decides:
-            decide_cuts(cutting, memory, self._state.position, self._tools, self._user)
+            decide_cuts(cutting, memory, self._state.position, self._tools, self._user, self.tears)
         np.copyto(wanted, self._heard, where=self._heard != 0)
         self._told, self._heard = self._heard, self._told
         self._heard[:] = 0

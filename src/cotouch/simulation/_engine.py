@@ -287,7 +287,7 @@ def run(
                     lanes,
                 )
             if cutting is not None:
-                decide_cuts(cutting, state.memory, state.position, tools, i + 1)
+                decide_cuts(cutting, state.memory, state.position, tools, i + 1, True)
             after_step(touching, i)
             own = touching.ledger
             add(record.running, i, 6, own[DRIVE])
@@ -334,7 +334,7 @@ def run(
             )
         if cutting is not None:
             if touching is None:
-                decide_cuts(cutting, state.memory, state.position, None, i + 1)
+                decide_cuts(cutting, state.memory, state.position, None, i + 1, True)
             if force is not None:
                 dissipated += cut_away(cutting, op, force, topology, timing, fields, record, ledger, i, k, lanes)
         if ends is not None:
