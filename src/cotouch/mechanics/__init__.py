@@ -43,7 +43,7 @@ from cotouch.mechanics._coupling_law import (
 )
 from cotouch.mechanics._coupling_pspm import PSPM
 from cotouch.mechanics._coupling_virtual import VIRTUAL
-from cotouch.mechanics._force import LAWS, BodyForce, evaluate, resist
+from cotouch.mechanics._force import LAWS, LEANS, BodyForce, evaluate, lean, resist
 from cotouch.mechanics._kernel import block, inner, kernel, part
 from cotouch.mechanics._model import Basis, Model, model
 from cotouch.mechanics._operator import WEIGHTS, Operator, mixed, multiply, rescaled
@@ -113,6 +113,7 @@ __all__ = [
     "ITERATIONS",
     "KINETIC",
     "LAWS",
+    "LEANS",
     "LEDGER_COLUMNS",
     "LOCAL_LOSS",
     "MOST_CONTACTS",
@@ -184,6 +185,7 @@ __all__ = [
     "inner",
     "inner_energy",
     "kernel",
+    "lean",
     "load",
     "message_of",
     "mixed",
