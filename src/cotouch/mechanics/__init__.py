@@ -49,7 +49,7 @@ from cotouch.mechanics._model import Basis, Model, model
 from cotouch.mechanics._operator import WEIGHTS, Operator, mixed, multiply, rescaled
 from cotouch.mechanics._path import path_place
 from cotouch.mechanics._rest import REST_DRIFT, REST_FIELDS, place_at_rest, rest_fraction
-from cotouch.mechanics._shape import SHAPES, Box, Plane, Shape
+from cotouch.mechanics._shape import SHAPES, Box, Plane, Plate, Shape, shape_of
 from cotouch.mechanics._state import (
     BETA,
     BODY_LOSS,
@@ -149,6 +149,7 @@ __all__ = [
     "Obstacle",
     "Operator",
     "Plane",
+    "Plate",
     "Ports",
     "Shape",
     "State",
@@ -209,6 +210,7 @@ __all__ = [
     "rest_fraction",
     "run_end",
     "settle",
+    "shape_of",
     "share",
     "slowed",
     "splat",
