@@ -14,9 +14,7 @@ import numpy.typing as npt
 
 from cotouch.arrays import Float
 from cotouch.device import DEVICE_LEDGER, excess_bound
-from cotouch.simulation import Prepared
-from cotouch.simulation._batch import Outcome
-from cotouch.simulation._layout import TOOL_LEDGER, USER_LEDGER
+from cotouch.simulation import TOOL_LEDGER, USER_LEDGER, Outcome, Prepared
 
 Int = npt.NDArray[np.int64]
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from cotouch import drawing
 from cotouch.network import Network
-from cotouch.simulation._figures import shade_hold
+from cotouch.simulation import shade_hold
 from cotouch.study._bound import Bound
 from cotouch.study._certificates import Certificates
 from cotouch.study._errata import Errata

@@ -9,8 +9,7 @@ import numpy.typing as npt
 from cotouch.arrays import Float
 from cotouch.network import Network
 from cotouch.scenario import Mode
-from cotouch.simulation import Prepared, prepare
-from cotouch.simulation._batch import Outcome, run_batch
+from cotouch.simulation import Outcome, Prepared, prepare, run_batch
 from cotouch.study._blocks import Blocks, blocks
 from cotouch.study._data import five_users
 from cotouch.study._scene import DURATION, FRAMES, RELEASE, SHAPE, SMALL, SPACING, scene

@@ -8,7 +8,7 @@ from typing import Annotated, Any, Final, Literal, NamedTuple, final
 from pydantic import Field, ValidationError
 
 from cotouch.errors import PageError
-from cotouch.observers import HAND_MODES, HandMode
+from cotouch.observers import HAND_MODES, Command, HandMode, read_command
 from cotouch.scenario import Table
 
 VERSION: Final = 2
@@ -106,19 +106,39 @@ class Hello(Table):
 
 @final
 class Do(Table):
-    """What a page asks for; the rest of the message are arguments of `SessionApi.do`.
+    """What a page asks for; the rest of the message are the parts of a command.
 
     Attributes:
         type: "do".
         id: comes back with the answer.
-        what: see `SessionApi.do`; "control" is the server's own.
-        arguments: all other entries.
+        what: a command of `SessionApi.do`, or "control", which is the server's own: this page is to lead its slot.
+        parts: all other entries.
     """
 
     type: Literal["do"]
     id: Annotated[int, Field(ge=0, lt=1 << 53)]
     what: Annotated[str, Field(pattern=r"^[a-z]{1,20}$")]
-    arguments: dict[str, Any] = Field(default_factory=dict[str, Any])
+    parts: dict[str, Any] = Field(default_factory=dict[str, Any])
+
+    def command(self) -> Command:
+        """What the session is to do.
+
+        Raises:
+            SessionError: it is no command.
+        """
+        return read_command({**self.parts, "what": self.what})
+
+    @property
+    def control(self) -> bool:
+        """Whether it is `TakeControl`."""
+        return self.what == "control" and not self.parts
+
+
+@final
+class TakeControl(Table):
+    """This page is to lead its slot, whoever led it before; the server's own, no command of a session."""
+
+    what: Literal["control"] = "control"
 
 
 _DO_FIELDS = ("type", "id", "what")
@@ -155,9 +175,7 @@ def read_text(message: str) -> Hello | Do:
             raise PageError("a text message must be one JSON object")
         if content.get("type") == "do":
             rest = {name: value for name, value in content.items() if name not in _DO_FIELDS}
-            return Do.model_validate(
-                {name: content[name] for name in _DO_FIELDS if name in content} | {"arguments": rest}
-            )
+            return Do.model_validate({name: content[name] for name in _DO_FIELDS if name in content} | {"parts": rest})
         return Hello.model_validate(content)
     except ValidationError as error:
         first = error.errors()[0]
