@@ -228,7 +228,7 @@ def _grid_material(
 
 def _box_skin(places: npt.NDArray[np.int64], extents: tuple[int, ...], spacing: float) -> Skin:
     """The faces of a box of nodes, two triangles to a square."""
-    index = np.arange(places.shape[0]).reshape(extents)
+    index = np.arange(int(places.shape[0])).reshape(extents)
     triangles: list[npt.NDArray[np.int64]] = []
     for axis in range(3):
         for side in (0, -1):

@@ -22,7 +22,7 @@ from cotouch.simulation._prepare import Prepared, prepare, with_hands, with_law
 from cotouch.simulation._result import dataset, save, simulate
 from cotouch.simulation._schedule import Schedule, schedule
 from cotouch.simulation._shown import animation, frame_rate
-from cotouch.simulation._tables import tables
+from cotouch.simulation._tables import tables  # pyright: ignore[reportUnknownVariableType]  pandas has no types
 
 __all__ = [
     "FIGURES",

@@ -199,7 +199,7 @@ def _rest(prepared: Prepared, outcome: Outcome) -> Rest:
     reach = np.array([tool.radius for tool in prepared.scenario.tools]) + 1.5 * SPACING
     away = np.linalg.norm(body.rest + copies - place[:, None], axis=2)  # of every node in each user's copy
     away = np.where(away <= reach[:, None], away, np.inf)
-    nearest = np.where(np.isfinite(away.min(axis=0)), away.argmin(axis=0), users)
+    nearest = np.where(np.isfinite(away.min(axis=0)), away.argmin(axis=0), int(users))
     off = float(np.linalg.norm(pulled[nearest == users], axis=1).sum())
     for user in range(users):
         off += float(np.linalg.norm(pulled[nearest == user].sum(axis=0) - force[user]))

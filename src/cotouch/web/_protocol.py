@@ -8,6 +8,7 @@ from typing import Annotated, Any, Final, Literal, NamedTuple, final
 from pydantic import Field, ValidationError
 
 from cotouch.errors import PageError
+from cotouch.files import table_of
 from cotouch.observers import HAND_MODES, Command, HandMode, read_command
 from cotouch.scenario import Table
 
@@ -55,13 +56,17 @@ class PointerMessage:
         Raises:
             PageError: it is none.
         """
-        _, self.slot, action, zero, self.number, self.point, x, y, z, radius, stiffness, sent = _POINTER.unpack(message)
+        parts: tuple[Any, ...] = _POINTER.unpack(message)
+        _, slot, action, zero, number, point, x, y, z, radius, stiffness, sent = parts
         if action >= len(_ACTIONS) or zero:
             raise PageError(f"the pointer's action is {action}; it must be 0, 1 or 2, and the byte after it 0")
         if not (abs(x) <= _FAR and abs(y) <= _FAR and abs(z) <= _FAR):
             raise PageError(f"the pointer's target is {x}, {y}, {z}; it must be within {_FAR:.0f} m")
         if not (0.0 <= radius <= _FAR and 0.0 <= stiffness <= _STIFF and math.isfinite(sent)):
             raise PageError(f"the pointer's radius or stiffness is {radius} or {stiffness}, or its time {sent}")
+        self.slot: int = slot
+        self.number: int = number
+        self.point: int = point
         self.mode: HandMode = _ACTIONS[action]
         self.target: tuple[float, float, float] = (x, y, z)
         self.radius: float = radius
@@ -170,8 +175,8 @@ def read_text(message: str) -> Hello | Do:
         PageError: it is nothing that can be asked for.
     """
     try:
-        content = json.loads(message, parse_constant=_refuse)
-        if not isinstance(content, dict):
+        content = table_of(json.loads(message, parse_constant=_refuse))
+        if content is None:
             raise PageError("a text message must be one JSON object")
         if content.get("type") == "do":
             rest = {name: value for name, value in content.items() if name not in _DO_FIELDS}
