@@ -3,10 +3,9 @@
 from tests.members.test_coordinator import BODY, NETWORK, World, key
 from tests.session.world import entropy
 
-from cotouch.members import Admission, Roster, SessionFile
-from cotouch.members._admission import addresses_of
+from cotouch.members import Admission, Entry, Roster, SessionFile, addresses_of
 from cotouch.members._law_check import signature_of
-from cotouch.members._messages import MOST_NAMES, AddressProof, Entry, Join, NameOwner
+from cotouch.members._messages import MOST_NAMES, AddressProof, Join, NameOwner
 from cotouch.samples import Identity
 from cotouch.traversal import Addresses, Place
 from cotouch.traversal._addresses import transaction_of
