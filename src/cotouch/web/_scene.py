@@ -67,7 +67,7 @@ def scene_message(scene: Scene, *, version: str, started: str, acts: bool, page:
 def nodes_of_points(body: Body) -> npt.NDArray[np.integer[Any]]:
     """The node that carries most of each drawn point, (points,)."""
     if body.rigid and body.skin is not None:
-        return np.arange(body.nodes, body.holds)
+        return np.arange(body.nodes, body.nodes + int(body.skin.vertices.shape[0]))
     if body.skin is None:
         return np.arange(body.nodes)
     best = np.argmax(body.skin.weights, axis=1)
