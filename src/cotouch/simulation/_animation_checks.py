@@ -1,7 +1,7 @@
 """What an animation is made of, checked: sizes, indices and finite numbers."""
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import numpy.typing as npt
@@ -34,7 +34,7 @@ def numbers_of(
         kind: of the numbers.
     """
     try:
-        array = np.array(values, dtype=kind, order="C")
+        array: npt.NDArray[Any] = np.array(values, dtype=cast("Any", kind), order="C")
     except (TypeError, ValueError, OverflowError) as reason:
         raise error(f"{name} are not an array of numbers ({reason})") from reason
     if finite and not np.isfinite(array).all():
