@@ -46,6 +46,7 @@ class End(NamedTuple):
         first: whether this is the first of the copy's links; they are asked in order.
         last: whether it is the last.
         copies: N.
+        width: numbers of a row in a field: its axes, in three dimensions one more that is 0, or 1 of bodies by modes.
         spring: K of the link [N/m for the identity weight].
         parameters: of the law.
         weight: diagonal of W, (size,).
@@ -54,6 +55,7 @@ class End(NamedTuple):
         mean: v̂ of the step, (size,), only after it [m/s].
         sample: x̃, the neighbour's x̂, (size,) [m].
         hand: force of the hands on this copy in the step before, (size,), where the law asks for it [N].
+        touch: likewise of what touches it by a contact law, tools and devices [N].
         received: fields of the neighbour's message, (fields, size).
         received_scalars: (scalars,).
         memory: fields that this end keeps, (fields, size).
@@ -76,6 +78,7 @@ class End(NamedTuple):
     first: bool
     last: bool
     copies: int
+    width: int
     spring: float
     parameters: Float
     weight: Float
@@ -84,6 +87,7 @@ class End(NamedTuple):
     mean: Float
     sample: Float
     hand: Float
+    touch: Float
     received: Float
     received_scalars: Float
     memory: Float

@@ -7,7 +7,6 @@ import numpy as np
 
 from cotouch.arrays import Float
 from cotouch.errors import NetworkError
-from cotouch.laws import feel
 from cotouch.mechanics import (
     BETA,
     BODY_LOSS,
@@ -312,8 +311,8 @@ class Peer:
             step(op, state, links, ports, *damping, T, own, work, ledger, *rest)
         for law in joined.laws:
             law.after(work.mean)
-        if joined.laws and joined.laws[0].law.feels:
-            feel(joined.laws[0].memory.hand, ports)
+        if joined.laws:
+            joined.laws[0].memory.feel(ports, contact)
         self.steps += 1
         self.integrated += T
         sample = Sample(

@@ -334,7 +334,7 @@ def run(
                 lanes,
             )
         if ends is not None:
-            tell(ends, topology, timing, ports, i, k)
+            tell(ends, topology, timing, ports, contact, i, k)
         for s in range(s0, s1):
             added = at(scratch.link_work, s)
             made += added
