@@ -32,8 +32,8 @@ _SLACK = 2.0
 _PATIENCE = 0.2
 # A path that loses so many samples in a row, at the slowest that they come, does not only lose some; see `LinkAges`.
 _OUTAGE = 10.0
-# With a law, so many datagrams go to a neighbour in a step in the mean, but never fewer samples than this [1/s].
-_DATAGRAMS, _OFTEN = 2, 50.0
+# With a law, so many datagrams go to a neighbour in a step, in the mean, but never fewer samples than this [1/s].
+_DATAGRAMS, _OFTEN = 1, 50.0
 
 
 @final
