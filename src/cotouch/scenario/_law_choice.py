@@ -1,7 +1,7 @@
 """Which link law a scenario has that names none."""
 
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from cotouch.scenario._body_tables import FileTable
 from cotouch.scenario._tool_tables import ContactTable
@@ -86,10 +86,11 @@ def with_law_of_session(tables: Mapping[str, Any], session: Any) -> dict[str, An
     """
     sync = tables.get("synchronisation", {})
     if isinstance(session, Mapping) and isinstance(sync, Mapping) and "law" not in sync:
-        planned = session.get("links") == "plan"  # which seldom links all
+        given = cast("Mapping[str, Any]", session)
+        planned = given.get("links") == "plan"  # which seldom links all
         contact = tables.get("contact", {})
-        contact = contact.get("law") if isinstance(contact, Mapping) else None
-        unfelt = bool(session.get("devices")) and _by_springs(contact if isinstance(contact, str) else None)
-        if planned or unfelt or options_of_springs(session):
-            return {**tables, "synchronisation": {**sync, "law": SPRING}}
+        named = cast("Mapping[str, Any]", contact).get("law") if isinstance(contact, Mapping) else None
+        unfelt = bool(given.get("devices")) and _by_springs(named if isinstance(named, str) else None)
+        if planned or unfelt or options_of_springs(given):
+            return {**tables, "synchronisation": {**cast("Mapping[str, Any]", sync), "law": SPRING}}
     return dict(tables)
