@@ -87,7 +87,7 @@ def test_all_linked_whose_hands_tools_and_devices_are_felt_have_the_law_that_cos
     ],
 )
 def test_what_makes_a_tree(users: int, links: list[tuple[int, int]], tree: bool) -> None:
-    assert makes_tree(users, links) == tree
+    assert makes_tree(range(users), links) == tree
 
 
 @pytest.mark.parametrize(

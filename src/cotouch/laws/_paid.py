@@ -13,7 +13,7 @@ wave line, passive by itself, lies beside it, or copies whose accounts are dry c
 
 from math import inf, sqrt
 
-from cotouch.laws._end import End, copy
+from cotouch.laws._end import End, Float, copy
 from cotouch.laws._helper import helper
 from cotouch.laws._law import FORCE, Facts, Law, Parameter, register
 from cotouch.laws._paid_hand import (
@@ -28,11 +28,13 @@ from cotouch.laws._paid_hand import (
     AS_ONE,
     BRAKE,
     COUNT,
+    DAMPEST,
     EPOCH,
     KEPT,
     LEVEL,
     OWN_B,
     PAST,
+    STIFFEST,
     TIME,
     TIMES,
     TOLD,
@@ -57,6 +59,8 @@ _M_E, _M_K, _M_B, _M_EPOCH, _M_GIVEN, _M_T, _M_HANDS, _M_AS_ONE = range(8)
 _SEED, _FLOOR, _BETA, _GK, _GD, _LINE, _MASS, _AHEAD, _FORCE_LIMIT, _RELAY = range(10)
 # So long is seen how a hand's force changes [s].
 _SMOOTH = 0.03
+# Of any force, and of its integrals, that is told on [N, Ns, Ns²].
+_MOST = 1e5
 
 
 @helper
@@ -196,7 +200,7 @@ def _before(end: End) -> None:
         capped = left / force if force > left else 1.0
         for i in range(size):
             own[WISH, i] += capped * end.memory[_WISHED, i]
-        if p[_RELAY] > 0.0 and trust > 0.0:
+        if p[_RELAY] > 0.0 and trust > 0.0 and _credible(end, told):
             kept[_PART_K], kept[_PART_B], kept[_PART_HANDS] = told[_M_K], told[_M_B], told[_M_HANDS]
             kept[_PART_EPOCH] = told[_M_EPOCH] + 1.0
             _bring(end)
@@ -226,6 +230,17 @@ def _before(end: End) -> None:
     b += p[_BETA] * max(1.0 - H / floor, 0.0) if floor > 0.0 else p[_BETA]
     numbers[BRAKE] = b
     end.gains[1] += b
+
+
+@helper
+def _credible(end: End, told: Float) -> bool:
+    """Whether hands are what hands can be, so that what a liar makes up is not told on."""
+    most = 0.0
+    for i in range(end.position.shape[0]):
+        most = max(most, abs(end.memory[_PART_W, i]), abs(end.memory[_A, i]), abs(end.memory[_AA, i]))
+    hands = told[_M_HANDS]
+    stiff = 0.0 <= told[_M_K] <= STIFFEST * hands and 0.0 <= told[_M_B] <= DAMPEST * hands
+    return stiff and 0.0 <= hands <= end.copies and most <= _MOST
 
 
 @helper

@@ -14,6 +14,8 @@ ALL_K, ALL_B, ALL_EPOCH, ALL_HANDS = range(17, 21)  # of the hands that all link
 AS_ONE = 21
 TIMES = 22
 
+# What a hand may be [N/m, Ns/m].
+STIFFEST, DAMPEST = 5000.0, 100.0
 # Of ∫w; beyond, a new epoch begins, or small errors of an age would count for much [Ns].
 _MOST_P = 100.0
 # A hand is looked at over so long, without what its force and place do evenly over that time, for its own aim moves. It
@@ -123,7 +125,7 @@ def book_copy(end: End) -> None:
         if det > 1e-6 * xx * vv and det > 0.0:
             k = (vv * numbers[XF] - xv * numbers[VF]) / det
             damping = (xx * numbers[VF] - xv * numbers[XF]) / det
-            if not (0.0 <= k <= 5000.0 and 0.0 <= damping <= 100.0):
+            if not (0.0 <= k <= STIFFEST and 0.0 <= damping <= DAMPEST):
                 numbers[STEADY] = 0.0
             elif _other(numbers[NEW_K], numbers[NEW_B], k, damping):
                 numbers[NEW_K], numbers[NEW_B], numbers[STEADY] = k, damping, 0.0

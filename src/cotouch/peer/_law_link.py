@@ -172,6 +172,16 @@ class LawLink:
         self._weight, self._width = np.repeat(weight, target.shape[1]), target.shape[1]
         self._target, self._push = target.reshape(-1), push.reshape(-1)
 
+    def set_parameters(self, parameters: Float) -> None:
+        """Goes on with others; what a newcomer may push with grows as before.
+
+        Args:
+            parameters: of the law, all of them, its seed and greatest force as before.
+        """
+        forces = self._parameters[self._forces]
+        self._parameters[:] = parameters
+        self._parameters[self._forces] = forces
+
     def before(self, sample: Sample, age: float, T: float, position: Float, velocity: Float) -> tuple[float, float]:
         """Lets the law say what the link does in the coming step; y and c go where they belong.
 

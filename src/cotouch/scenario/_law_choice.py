@@ -34,7 +34,7 @@ def choose_law(scenario: "Scenario") -> str:
         return SPRING
     complete = len(network.links) == network.size * (network.size - 1) // 2
     far = any(network.delay[a, b] + network.delay[b, a] > _FAR for a, b in network.links)
-    if far or not (complete or makes_tree(network.size, network.links)):
+    if far or not (complete or makes_tree(range(network.size), network.links)):
         return SPRING
     if scenario.tools and _by_springs(scenario.contact and scenario.contact.law):
         return SPRING
@@ -48,21 +48,21 @@ def _by_springs(contact: str | None) -> bool:
     return (contact or ContactTable().law) in {None, "springs"}
 
 
-def makes_tree(users: int, links: Iterable[tuple[int, int]]) -> bool:
+def makes_tree(users: Iterable[int], links: Iterable[tuple[int, int]]) -> bool:
     """Whether links join three users or more, and between any two there is one way only.
 
     Args:
-        users: how many.
-        links: pairs of their indices.
+        users: their indices.
+        links: pairs of these.
     """
-    piece, count = list(range(users)), 0
+    piece, count = {user: user for user in users}, 0
     for a, b in links:
         first, other = piece[a], piece[b]
         if first == other:
             return False
-        piece = [first if own == other else own for own in piece]
+        piece = {user: first if own == other else own for user, own in piece.items()}
         count += 1
-    return users > 2 and count == users - 1
+    return len(piece) > 2 and count == len(piece) - 1
 
 
 def options_of_springs(session: Mapping[str, Any]) -> list[str]:

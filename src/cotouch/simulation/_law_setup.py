@@ -65,7 +65,7 @@ def facts_of(scenario: Scenario, ready: Model, timing: Schedule, weight: npt.NDA
     budget = age_budget(scenario, timing, given_law(scenario)[0], 1.0 if quantile is None else quantile)
     longest, slots = timing.longest(), timing.slots
     network = scenario.network
-    tree = makes_tree(network.size, network.links)
+    tree = makes_tree(range(network.size), network.links)
     pairs = list(zip(slots.receiver.tolist(), slots.sender.tolist(), strict=True))
     ages = {
         pair: timing.age[s, : timing.count[pair[0]]][timing.used[s, : timing.count[pair[0]]] >= 0]
