@@ -91,7 +91,7 @@ def _points(body: Body, thinnest: float) -> tuple[Float, Float, sp.csr_array]:
         (
             np.asarray(skin.weights, dtype=np.float64).ravel(),
             np.asarray(skin.nodes).ravel(),
-            np.arange(0, skin.nodes.size + 1, skin.nodes.shape[1]),
+            np.arange(0, skin.nodes.size + 1, int(skin.nodes.shape[1])),
         ),
         shape=(count, body.nodes),
     )

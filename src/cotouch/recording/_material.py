@@ -129,9 +129,10 @@ class RecordedMaterial:
             gravity=tuple(np.asarray(said["gravity"], dtype=np.float64).ravel().tolist()),  # pyright: ignore[reportArgumentType]
             **{name: float(said[name]) for name in ("young", "poisson", "viscosity")},
         )
-        inner = {name: SumOfSquares(matrices[name]) for name in _INNER}
-        outer = {name: matrices[name] for name in _OUTER}
-        skin, world = None, {}
+        inner: dict[str, Any] = {name: SumOfSquares(matrices[name]) for name in _INNER}
+        outer: dict[str, Any] = {name: matrices[name] for name in _OUTER}
+        skin = None
+        world: dict[str, npt.NDArray[Any]] = {}
         if _PREFIX + _SKIN + _SURFACE[0] in arrays:
             skin = Skin(**{name: arrays[_PREFIX + _SKIN + name] for name in _SURFACE})
         if _PREFIX + _WORLD + "kind" in arrays:

@@ -1,3 +1,5 @@
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false, reportUnknownParameterType=false
+# matplotlib's axes in three dimensions have no types
 """What was understood of a body: its numbers, and a picture."""
 
 import itertools
