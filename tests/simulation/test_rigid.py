@@ -8,9 +8,7 @@ import pytest
 
 from cotouch.errors import CotouchError
 from cotouch.scenario import Scenario
-from cotouch.simulation import prepare, simulate
-from cotouch.simulation._batch import run_batch
-from cotouch.simulation._peers import run_peers
+from cotouch.simulation import prepare, run_batch, run_peers, simulate
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 BOX: dict[str, Any] = {"kind": "box", "size": [0.1, 0.06, 0.04], "mass": 0.5, "centre": [0.0, 0.0, 0.02]}

@@ -265,7 +265,7 @@ class Body:
         modes left out. For every contact node its static residual is kept as a shape of its own, which makes the body's
         static compliance among the contacts exact [MacNeal 1971; Rubin 1975].
 
-        What turns in a frame of its own does so no more: modes are linear.
+        A body from a mesh, which turns by default, does so no more: modes are linear.
 
         The result has the same nodes and matrices; a simulator works in the shapes, `body.truncation`, where mass,
         stiffness and Rayleigh damping are diagonal. A link between two copies then pulls with the weight `M / m̄`
@@ -279,9 +279,10 @@ class Body:
             BodyError: fewer modes than the body's free motions or more than it has; a contact it does not have.
             UnsupportedError: damping that the modes do not make diagonal; a material, which has no modes.
         """
-        light = self.material is None or not any(self.material.gravity)
-        if self.material is not None and not (light and self.material.model == "floating"):
-            if self.material.model in {"linear", "floating"}:
+        # A mesh's body turns unless it is told not to; that is no wish against modes.
+        unasked = self.origin is not None and self.material is not None and self.material.model == "floating"
+        if self.material is not None and not (unasked and not any(self.material.gravity)):
+            if self.material.model == "linear" or unasked:
                 raise UnsupportedError(
                     f"modes is {modes}, but the body has weight or meets obstacles, for which it takes closed steps, "
                     "without modes: leave one out"
