@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from math import inf
 from typing import final
 
 import numpy as np
@@ -229,6 +230,27 @@ class Body:
         """
         if self.truncation is not None:
             raise UnsupportedError("the body is confined to a few shapes, which have no weight; leave one of them out")
+        return self._made_of(replace(self.material or Material(model="linear"), gravity=gravity))
+
+    def with_cutting(self, tear: float = inf) -> "Body":
+        """The same body, whose elements can be cut.
+
+        Args:
+            tear: strain at which an element breaks by itself, > 0; by default none does.
+
+        Raises:
+            BodyError: the body's model has no elements, it has fewer than three axes, or tear is out of its range.
+        """
+        if self.material is None:
+            raise BodyError(
+                'cutting takes away elements, but the body is linear and has none; take model "spring-network", '
+                '"cells", "corotated", "st-venant-kirchhoff" or "neo-hookean"'
+            )
+        if self.dimension != 3:
+            raise BodyError(f"cutting needs a body of 3 axes, but this one has {self.dimension}")
+        return self._made_of(replace(self.material, cuttable=True, tear=tear))
+
+    def _made_of(self, material: Material) -> "Body":
         return Body(
             mass=self.mass,
             rest=self.rest,
@@ -238,7 +260,7 @@ class Body:
             stiffness_ext=self.stiffness_ext,
             skin=self.skin,
             origin=self.origin,
-            material=replace(self.material or Material(model="linear"), gravity=gravity),
+            material=material,
             places=self.places,
         )
 

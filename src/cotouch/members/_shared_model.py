@@ -79,6 +79,11 @@ class SharedModel:
         return cls(scenario, body, layout, law, _fingerprint(ready))
 
     @property
+    def uncut(self) -> bool:
+        """Whether the body cannot be cut."""
+        return self.body.material is None or not self.body.material.cuttable
+
+    @property
     def rounding(self) -> float:
         """Bound on the error of a sample by its coding, in the norm of all rows [m]."""
         layout = self.layout
