@@ -141,13 +141,15 @@ def _carriers(skin: Skin, elements: Ints) -> list[list[int]]:
         for node in corners:
             of_node.setdefault(node, set()).add(number)
     nothing: set[int] = set()
+    carried: list[list[int]] = skin.nodes.tolist()
     vertex = [
-        frozenset(int(n) for n, w in zip(nodes, weights, strict=True) if abs(w) > _CARRIES)
-        for nodes, weights in zip(skin.nodes.tolist(), skin.weights.tolist(), strict=True)
+        frozenset(n for n, w in zip(nodes, weights, strict=True) if abs(w) > _CARRIES)
+        for nodes, weights in zip(carried, np.asarray(skin.weights).tolist(), strict=True)
     ]
     result: list[list[int]] = []
-    for triangle in skin.triangles.tolist():
-        nodes = frozenset().union(*(vertex[v] for v in triangle))
+    triangles: list[list[int]] = skin.triangles.tolist()
+    for triangle in triangles:
+        nodes = frozenset[int]().union(*(vertex[v] for v in triangle))
         if elements.shape[1] == 2:
             pairs = combinations(sorted(nodes), 2)
             result.append(sorted(e for i, j in pairs for e in of_node.get(i, nothing) & of_node.get(j, nothing)))
@@ -170,8 +172,9 @@ def _inner(elements: Ints) -> tuple[Ints, Ints, Ints]:
     together = _A_SIDE[elements.shape[1]]
     sides = np.array(faces).reshape(-1, together * 3)
     at = elements[:, sides].reshape(-1, together * 3)
-    own = np.repeat(np.arange(elements.shape[0]), sides.shape[0])
-    key = np.array([sorted(set(side)) for side in at.tolist()])
+    own: Ints = np.repeat(np.arange(elements.shape[0], dtype=np.int64), int(sides.shape[0]))
+    sides_of: list[list[int]] = at.tolist()
+    key = np.array([sorted(set(side)) for side in sides_of])
     _, number, times = np.unique(key, axis=0, return_inverse=True, return_counts=True)
     order = np.argsort(number.reshape(-1), kind="stable")
     pairs = order[times[number.reshape(-1)[order]] == 2].reshape(-1, 2)

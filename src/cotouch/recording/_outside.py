@@ -1,6 +1,6 @@
 """What stood around a recorded body: what it held and took, and what a changed share of it makes."""
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, cast
 
 import numpy as np
 import numpy.typing as npt
@@ -78,11 +78,12 @@ def cut_steps(recording: "Recording") -> Float:
         if event.kind != "cut":
             continue
         named, step = event.fields.get("elements"), event.fields.get("step")
-        known = isinstance(named, list) and all(isinstance(e, int) and 0 <= e < found.size for e in named)
-        if not known or not isinstance(step, int):
-            raise RecordingError(f"{recording.path} tells of cut elements that its body has not: {str(named)[:60]}")
-        chosen = np.array(named, dtype=np.int64)
-        found[chosen] = np.minimum(found[chosen], step)
+        several = cast("list[object]", named) if isinstance(named, list) else [None]
+        chosen = [e for e in several if isinstance(e, int) and not isinstance(e, bool) and 0 <= e < found.size]
+        if len(chosen) < len(several) or not isinstance(step, int):
+            raise RecordingError(f"{recording.path} tells of cut elements that its body has not: {str(several)[:60]}")
+        rows = np.array(chosen, dtype=np.int64)
+        found[rows] = np.minimum(found[rows], step)
     return found
 
 
