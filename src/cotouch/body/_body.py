@@ -164,6 +164,22 @@ class Body:
         """How much of each node what hands can hold follows, (H, n); None where that is the nodes themselves."""
         return shares_of(self.rest, self.held_rest) if self.rigid else None
 
+    @cached_property
+    def linearised(self) -> "Body":
+        """The linear body that it is like at rest, without weight."""
+        if self.material is None:
+            return self
+        return Body(
+            mass=self.mass,
+            rest=self.rest,
+            damping_int=SumOfSquares(self.damping_int),
+            damping_ext=self.damping_ext,
+            stiffness_int=SumOfSquares(self.stiffness_int),
+            stiffness_ext=self.stiffness_ext,
+            skin=self.skin,
+            origin=self.origin,
+        )
+
     def with_places(self, places: npt.ArrayLike) -> "Body":
         """The same rigid body with more points that can be held.
 
@@ -271,6 +287,8 @@ class Body:
         modes left out. For every contact node its static residual is kept as a shape of its own, which makes the body's
         static compliance among the contacts exact [MacNeal 1971; Rubin 1975].
 
+        A body from a mesh, which turns by default, does so no more: modes are linear.
+
         The result has the same nodes and matrices; a simulator works in the shapes, `body.truncation`, where mass,
         stiffness and Rayleigh damping are diagonal. A link between two copies then pulls with the weight `M / m̄`
         instead of the identity (m̄: mean mass of a node), the one that is diagonal there too.
@@ -283,8 +301,10 @@ class Body:
             BodyError: fewer modes than the body's free motions or more than it has; a contact it does not have.
             UnsupportedError: damping that the modes do not make diagonal; a material, which has no modes.
         """
-        if self.material is not None:
-            if self.material.model == "linear":
+        # A mesh's body turns unless it is told not to; that is no wish against modes.
+        unasked = self.origin is not None and self.material is not None and self.material.model == "floating"
+        if self.material is not None and not (unasked and not any(self.material.gravity)):
+            if self.material.model == "linear" or unasked:
                 raise UnsupportedError(
                     f"modes is {modes}, but the body has weight or meets obstacles, for which it takes closed steps, "
                     "without modes: leave one out"

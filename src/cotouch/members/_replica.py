@@ -137,6 +137,7 @@ class Replica:
             if slot not in self.neighbours:
                 newcomer = self.peer is not None and entry not in before
                 self._links.add(entry, now, newcomer=newcomer, copies=self.copies)
+        self._links.shape(roster)
         if self.peer is not None:
             self.peer.rescale(self.copies)
         self._damp(now)  # of links that are gone, at once

@@ -73,6 +73,7 @@ class SharedModel:
             encoding=encoding,
             limit=limit,
             fields=0 if law is None else len(law.law.sends),
+            coarse=() if law is None else law.law.coarse,
             scalars=0 if law is None else len(law.law.sends_scalars),
         )
         return cls(scenario, body, layout, law, _fingerprint(ready))

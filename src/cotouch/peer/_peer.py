@@ -7,7 +7,6 @@ import numpy as np
 
 from cotouch.arrays import Float
 from cotouch.errors import NetworkError
-from cotouch.laws import feel
 from cotouch.mechanics import (
     BODY_LOSS,
     CUT,
@@ -313,8 +312,8 @@ class Peer:
             step(op, state, links, ports, *damping, T, own, work, ledger, *rest)
         for law in joined.laws:
             law.after(work.mean)
-        if joined.laws and joined.laws[0].law.feels:
-            feel(joined.laws[0].memory.hand, ports)
+        if joined.laws:
+            joined.laws[0].memory.feel(ports, contact)
         if self.cuts is not None:
             self.cuts.end(op, self.steps, ledger)
         self.steps += 1
