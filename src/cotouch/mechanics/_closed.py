@@ -24,7 +24,7 @@ from cotouch.mechanics._balance import (
     weigh,
 )
 from cotouch.mechanics._force import BodyForce, evaluate, lean, resist
-from cotouch.mechanics._force_memory import forget
+from cotouch.mechanics._force_memory import forget, looks_ahead
 from cotouch.mechanics._kernel import block, part
 from cotouch.mechanics._operator import DAMPING, STIFFNESS, Operator, row_product
 from cotouch.mechanics._state import (
@@ -94,9 +94,10 @@ def closed_step(
     take_up(force.world, state.memory)
     ledger[ITERATIONS] = 0.0
     rate = state.velocity
-    for number in range(looks_of(force.world, force.directions, work.dense.shape[0] > 0)):
+    directions = looks_ahead(state.memory, force.directions, force.cut)
+    for number in range(looks_of(force.world, directions, work.dense.shape[0] > 0)):
         settled = predict(op, force, state, T, rate, work, lanes)
-        if number >= force.directions and settled:
+        if number >= directions and settled:
             break
         direct(
             op,

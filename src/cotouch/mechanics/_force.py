@@ -44,6 +44,7 @@ class BodyForce(NamedTuple):
         world: obstacles that the body meets; None: none.
         behind: where in a copy's memory begins what is not the law's: of the world, and which elements were cut; 0:
             nothing.
+        cut: where in it the number of elements is that were cut; negative: none can be.
     """
 
     law: Any
@@ -52,6 +53,7 @@ class BodyForce(NamedTuple):
     grain: float
     world: World | None = None
     behind: int = 0
+    cut: int = -1
 
 
 # The registry: a law, what adds its forces, and what evaluates it.

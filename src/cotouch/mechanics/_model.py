@@ -232,8 +232,8 @@ def _of_material(
         force, memory = force._replace(world=world), memory + more
     cut = -1
     if material.cuttable:
-        cut, memory = memory, memory + 2 * material.elements.shape[0]
-        force = force._replace(law=force.law._replace(cut=cut))
+        cut, memory = memory + 1, memory + 1 + 2 * material.elements.shape[0]
+        force = force._replace(law=force.law._replace(cut=cut), cut=cut - 1)
     return Model(
         body=body,
         operator=_operator(ordered, copies, split),

@@ -77,13 +77,13 @@ def cut_steps(recording: "Recording") -> Float:
     for event in recording.events:
         if event.kind != "cut":
             continue
-        named, step = event.fields.get("elements"), event.fields.get("step")
-        several = cast("list[object]", named) if isinstance(named, list) else [None]
-        chosen = [e for e in several if isinstance(e, int) and not isinstance(e, bool) and 0 <= e < found.size]
-        if len(chosen) < len(several) or not isinstance(step, int):
-            raise RecordingError(f"{recording.path} tells of cut elements that its body has not: {str(several)[:60]}")
-        rows = np.array(chosen, dtype=np.int64)
-        found[rows] = np.minimum(found[rows], step)
+        named: list[object] = list(event.fields.get("elements") or [])
+        step = event.fields.get("step")
+        known = all(isinstance(e, int) and 0 <= e < found.size for e in named)
+        if not known or not isinstance(step, int):
+            raise RecordingError(f"{recording.path} tells of cut elements that its body has not: {str(named)[:60]}")
+        chosen = np.array(named, dtype=np.int64)
+        found[chosen] = np.minimum(found[chosen], step)
     return found
 
 
