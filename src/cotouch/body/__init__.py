@@ -10,9 +10,11 @@ from cotouch.body._ground import Box, Held, NodeSet, Plane
 from cotouch.body._material import Frame, Material, MaterialModel
 from cotouch.body._mesh_material import SolidModel, SurfaceModel
 from cotouch.body._origin import Origin
+from cotouch.body._part import Part
 from cotouch.body._reading import UNITS
 from cotouch.body._skin import Skin
 from cotouch.body._statics import lowest_modes
+from cotouch.body._together import Placed, rotation, together
 from cotouch.body._truncation import Truncation
 from cotouch.meshfile import SURFACES, VOLUMES, is_surface
 
@@ -34,6 +36,8 @@ __all__ = [
     "Matrix",
     "NodeSet",
     "Origin",
+    "Part",
+    "Placed",
     "Plane",
     "Skin",
     "SolidModel",
@@ -48,4 +52,6 @@ __all__ = [
     "lattice",
     "lowest_modes",
     "point",
+    "rotation",
+    "together",
 ]

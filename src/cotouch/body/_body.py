@@ -13,6 +13,7 @@ from cotouch.arrays import Float
 from cotouch.body._checks import Form, Matrix, SumOfSquares, diagonal, plausible, positive, square
 from cotouch.body._material import Material
 from cotouch.body._origin import Origin
+from cotouch.body._part import Part
 from cotouch.body._skin import Skin
 from cotouch.body._statics import factorise
 from cotouch.body._truncation import Truncation, truncate
@@ -38,6 +39,7 @@ class Body:
         origin: what a builder read and understood.
         truncation: shapes that the motion is confined to; see `truncated`.
         material: what its inner forces follow instead of K and B, of which these are then what they are like at rest.
+        parts: what it was put together of; see `cotouch.body.together`.
 
     Raises:
         BodyError: a matrix is not finite, symmetric, definite or of the right size; a node has no mass; the rest shape
@@ -59,6 +61,7 @@ class Body:
     origin: Origin | None
     truncation: Truncation | None
     material: Material | None
+    parts: tuple[Part, ...]
     form: Form = field(init=False)
 
     def __init__(
@@ -74,6 +77,7 @@ class Body:
         origin: Origin | None = None,
         truncation: Truncation | None = None,
         material: Material | None = None,
+        parts: tuple[Part, ...] = (),
     ) -> None:
         shape = _rest_shape(rest)
         nodes, dimension = shape.shape
@@ -121,6 +125,7 @@ class Body:
         if material is not None:
             material.check(shape)
         object.__setattr__(self, "material", material)
+        object.__setattr__(self, "parts", parts)
 
     @property
     def nodes(self) -> int:
@@ -162,6 +167,7 @@ class Body:
             origin=self.origin,
             truncation=None if self.truncation is None else self.truncation.as_full(self.dimension),
             material=self.material,
+            parts=self.parts,
         )
 
     def with_gravity(self, gravity: tuple[float, float, float]) -> "Body":
@@ -186,6 +192,7 @@ class Body:
             skin=self.skin,
             origin=self.origin,
             material=replace(self.material or Material(model="linear"), gravity=gravity),
+            parts=self.parts,
         )
 
     def truncated(self, *, modes: int, contacts: Sequence[int] = ()) -> "Body":

@@ -45,6 +45,8 @@ from cotouch.mechanics._coupling_pspm import PSPM
 from cotouch.mechanics._coupling_virtual import VIRTUAL
 from cotouch.mechanics._force import LAWS, BodyForce, evaluate, resist
 from cotouch.mechanics._kernel import block, inner, kernel, part
+from cotouch.mechanics._meeting import Between
+from cotouch.mechanics._meeting_force import deepest_between
 from cotouch.mechanics._model import Basis, Model, model
 from cotouch.mechanics._operator import WEIGHTS, Operator, mixed, multiply, rescaled
 from cotouch.mechanics._path import path_place
@@ -135,6 +137,7 @@ __all__ = [
     "WORLD_LOSS",
     "WORLD_STORED",
     "Basis",
+    "Between",
     "BodyForce",
     "Box",
     "Contact",
@@ -171,6 +174,7 @@ __all__ = [
     "coupling_at",
     "coupling_named",
     "credit",
+    "deepest_between",
     "deepest_point",
     "device_couplings",
     "discard",

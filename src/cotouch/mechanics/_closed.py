@@ -17,14 +17,14 @@ from cotouch.mechanics._balance import (
     PASSED,
     ROUGH,
     TARGET,
-    close,
     go_back,
     keep_place,
     resting,
     weigh,
 )
+from cotouch.mechanics._balance_parts import close_all, keep_parts
 from cotouch.mechanics._force import BodyForce, evaluate, resist
-from cotouch.mechanics._force_memory import forget
+from cotouch.mechanics._force_together import begin
 from cotouch.mechanics._kernel import block, part
 from cotouch.mechanics._operator import DAMPING, STIFFNESS, Operator, row_product
 from cotouch.mechanics._state import (
@@ -40,7 +40,7 @@ from cotouch.mechanics._state import (
     Workspace,
 )
 from cotouch.mechanics._step import assemble, move, port_work, solve_step
-from cotouch.mechanics._vector import at, load, splat, store, total
+from cotouch.mechanics._vector import at, load, put, splat, store, total
 from cotouch.mechanics._world import World
 from cotouch.mechanics._world_force import corrects, lean_world, looks_of, press_world, settle_world, take_up
 
@@ -114,6 +114,7 @@ def closed_step(
             lanes,
         )
         rate = work.mean
+    level(op, force, state, links, ports, local_damping, extra_damping, T, work, lanes)
     attempt, length = 0, 1.0
     while True:
         keep_place(state, work, lanes)
@@ -124,7 +125,21 @@ def closed_step(
             gain += at(link_work, link)
         weigh(op, force, state, local_damping, extra_damping, T, gain, work, ledger, lanes)
         passed = work.weighed[PASSED] != 0.0
-        if not passed and close(op, state, attempt, work, ledger, lanes):
+        if not passed and close_all(
+            op,
+            force,
+            state,
+            links,
+            ports,
+            local_damping,
+            extra_damping,
+            T,
+            ports.push[:0],
+            attempt,
+            work,
+            ledger,
+            lanes,
+        ):
             break
         go_back(state, work, lanes)
         still = not passed and resting(work.weighed)
@@ -147,6 +162,7 @@ def closed_step(
                 cap,
                 lanes,
             )
+            level(op, force, state, links, ports, local_damping, extra_damping, T, work, lanes)
         else:
             # What would still pass an obstacle at the last attempt stays where it is.
             shorter = 0.0 if still or (passed and attempt >= LAST_ATTEMPT - 1) else 0.5
@@ -202,6 +218,46 @@ def miss(op: Operator, diagonal: Float, rhs: Float, work: Workspace, out: Float,
 
 
 @part
+def level(
+    op: Operator,
+    force: BodyForce,
+    state: State,
+    links: Links,
+    ports: Ports,
+    local_damping: Float,
+    extra_damping: Float,
+    T: float,
+    work: Workspace,
+    lanes: tuple[int, ...],
+) -> None:
+    """Moves each of several bodies as a whole so that it gets just the momentum of the forces where v̂ leads.
+
+    Coarse solves, and looks that end before contact is exactly what it was, would make some out of nothing.
+    """
+    if force.parts is None:
+        return
+    parts = force.parts
+    predict(op, force, state, T, work.mean, work, lanes)
+    assemble(op, state, links, ports, local_damping, extra_damping, T, work, lanes)
+    miss(op, work.diagonal, work.rhs, work, work.rhs, lanes)
+    for b in range(parts.worked.shape[0]):
+        for what in range(4):
+            put(parts.sums, (b, what), 0.0)
+    for i in range(op.mass.shape[0]):
+        b, own = at(parts.part, i), at(work.diagonal, i)
+        for family in range(op.entries.shape[0]):
+            for e in range(at(op.pointer, i), at(op.pointer, i + 1)):
+                own += work.scale[family] * at(op.entries, (family, e))
+        put(parts.sums, (b, 0), at(parts.sums, (b, 0)) + own)
+        for a in range(3):
+            put(parts.sums, (b, 1 + a), at(parts.sums, (b, 1 + a)) + at(work.rhs, (i, a)))
+    for i in range(op.mass.shape[0]):
+        b = at(parts.part, i)
+        for a in range(3):
+            put(work.mean, (i, a), at(work.mean, (i, a)) + at(parts.sums, (b, 1 + a)) / at(parts.sums, (b, 0)))
+
+
+@part
 def predict(
     op: Operator, force: BodyForce, state: State, T: float, rate: Float, work: Workspace, lanes: tuple[int, ...]
 ) -> bool:
@@ -249,7 +305,7 @@ def closed_settle(
     zero = splat(0.0, lanes)
     held, weight, moving = zero, zero, zero
     gravity = op.firmness * load(force.gravity, 0, lanes)
-    forget(memory)
+    begin(force.law, memory)
     for i in range(rows):
         x, v, m = load(state.position, i, lanes), load(state.velocity, i, lanes), at(op.mass, i)
         held = held + at(op.ground, i) * (x * x)
@@ -257,6 +313,7 @@ def closed_settle(
         moving = moving + m * (v * v)
         store(work.pull, i, zero, lanes)
     energy, _ = evaluate(force.law, memory, state.position, state.position, work.pull, _MANY, lanes)
+    keep_parts(force.parts, memory)
     outside = settle_world(force.world, memory, state.position)
     memory[ENERGY], memory[MOTION], memory[LEFT], memory[AT_WORLD] = energy, 0.5 * total(moving), 0.0, outside
     ledger[KINETIC] = 0.5 * op.copy_scale * total(moving)

@@ -14,6 +14,7 @@ from cotouch.mechanics import _force_cells as cells
 from cotouch.mechanics import _force_frame as frame
 from cotouch.mechanics import _force_springs as springs
 from cotouch.mechanics import _force_tetrahedra as tetrahedra
+from cotouch.mechanics._meeting import Parts
 from cotouch.mechanics._world import World
 
 
@@ -36,7 +37,8 @@ class BodyForce(NamedTuple):
         gravity: acceleration, (1, 4) [m/s²].
         directions: how often a step looks where its force leads before it moves, >= 1.
         grain: energy that the rounding of places alone makes, of the whole body [J].
-        world: obstacles that the body meets; None: none.
+        world: what the body's skin meets; None: nothing.
+        parts: each body's share in the balance, of several; None: there is one.
     """
 
     law: Any
@@ -44,6 +46,7 @@ class BodyForce(NamedTuple):
     directions: int
     grain: float
     world: World | None = None
+    parts: Parts | None = None
 
 
 # The registry: a law, what adds its forces, and what evaluates it.

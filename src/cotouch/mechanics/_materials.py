@@ -7,7 +7,7 @@ import numpy.typing as npt
 import scipy.sparse as sp
 
 from cotouch.arrays import Float
-from cotouch.body import Body, Material, SumOfSquares
+from cotouch.body import Body, Material, Part, SumOfSquares
 from cotouch.errors import UnsupportedError
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._force_cells import CorotatedCells
@@ -15,6 +15,9 @@ from cotouch.mechanics._force_frame import Frame
 from cotouch.mechanics._force_memory import memory_size
 from cotouch.mechanics._force_springs import SpringNetwork
 from cotouch.mechanics._force_tetrahedra import CorotatedTetrahedra, NeoHookean, StVenantKirchhoff
+from cotouch.mechanics._force_together import Together, together_of
+from cotouch.mechanics._meeting import Parts
+from cotouch.mechanics._meeting_skin import parts_of
 
 Int = npt.NDArray[np.int32]
 
@@ -27,6 +30,8 @@ def outline_of(body: Body, material: Material) -> Body:
     Raises:
         UnsupportedError: masses or what holds the body differ between axes.
     """
+    if body.parts:
+        return _outlines(body)
     if body.form == "node":
         inner, dampers = body.stiffness_int, body.damping_int
         if material.elements.size:
@@ -48,6 +53,22 @@ def outline_of(body: Body, material: Material) -> Body:
         stiffness_int=SumOfSquares(inner),
         stiffness_ext=held,
     )
+
+
+def _own(part: Part) -> Material:
+    """The material of one of several bodies."""
+    return part.body.material or Material(model="linear")
+
+
+def _outlines(body: Body) -> Body:
+    """Of several bodies: those of each, side by side."""
+    each = [outline_of(part.body, _own(part)) for part in body.parts]
+    joined = {
+        name: sp.csr_array(sp.block_diag([getattr(one, name) for one in each], format="csr"))
+        for name in ("mass", "damping_int", "damping_ext", "stiffness_int", "stiffness_ext")
+    }
+    inner = {name: SumOfSquares(joined.pop(name)) for name in ("damping_int", "stiffness_int")}
+    return Body(rest=body.rest, **joined, **inner)
 
 
 # How often a step looks ahead. Each look leaves a fifth of the last one's error at ω T = 1; the nearer the constant
@@ -107,14 +128,35 @@ def force_of(body: Body, material: Material, order: Int | None) -> tuple[BodyFor
         row[order] = np.arange(nodes, dtype=np.int32)
     rest = np.zeros((nodes, 4))
     rest[:, : body.dimension] = body.rest - body.rest.mean(axis=0)
-    law, rotations = _law(body, material, row, rest)
+    parts: Parts | None = None
+    if body.parts:
+        law, size, directions = _together(body, row)
+        if len(body.parts) > 1:
+            parts = parts_of(body, order, law.memory, law.energy, np.zeros(len(body.parts)))
+    else:
+        law, rotations = _law(body, material, row, rest)
+        size, directions = memory_size(rotations), _directions(body, material)
     gravity = np.zeros((1, 4))
     gravity[0, : body.dimension] = material.gravity[: body.dimension]
     # Places are as large as the body, or some times that where it has travelled.
     away = _FAR * np.finfo(np.float64).eps * float(np.abs(rest).max())
     grain = away * away * float(abs(body.stiffness_int).sum())
-    made = BodyForce(law=law, gravity=gravity, directions=_directions(body, material), grain=grain)
-    return made, memory_size(rotations)
+    return BodyForce(law=law, gravity=gravity, directions=directions, grain=grain, parts=parts), size
+
+
+def _together(body: Body, row: Int) -> tuple[Together, int, int]:
+    """The laws of several bodies, each with its own nodes as rows; how many numbers they remember; looks they need."""
+    laws: list[Any] = []
+    sizes: list[int] = []
+    looks = 1
+    for part in body.parts:
+        made, size = force_of(part.body, _own(part), None)
+        laws.append(made.law)
+        sizes.append(size)
+        looks = max(looks, made.directions)
+    rows = [row[part.first : part.last] for part in body.parts]
+    law = together_of(laws, sizes, rows, [part.turn for part in body.parts])
+    return law, int(law.memory[-1]), looks
 
 
 def _directions(body: Body, material: Material) -> int:

@@ -15,7 +15,9 @@ from cotouch.body import Body, Material, Matrix, Truncation, canonical
 from cotouch.errors import BodyError, UnsupportedError
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._force_memory import fresh_memory
+from cotouch.mechanics._force_together import Together, fresh_together
 from cotouch.mechanics._materials import force_of, outline_of
+from cotouch.mechanics._meeting import Between
 from cotouch.mechanics._operator import DAMPING, MASS, STIFFNESS, WEIGHTS, Operator, mixed
 from cotouch.mechanics._vector import WIDTHS
 from cotouch.mechanics._world import Obstacle
@@ -52,6 +54,7 @@ class Model:
         force: what resists inside a body of some material; None where K and B of the operator do.
         memory: numbers that it remembers of a copy, with those of the world.
         obstacles: what stands still around the body.
+        between: what its parts do to each other, of several bodies.
     """
 
     body: Body
@@ -62,6 +65,7 @@ class Model:
     force: BodyForce | None = None
     memory: int = 0
     obstacles: tuple[Obstacle, ...] = ()
+    between: Between | None = None
 
     @property
     def basis(self) -> Literal["nodal", "modal"]:
@@ -115,7 +119,10 @@ class Model:
     def unturned(self) -> Float:
         """What a body force remembers of a copy that it has not seen, (memory,)."""
         world = None if self.force is None else self.force.world
-        return fresh_memory(self.memory) if world is None else fresh_memory(world.first, self.memory - world.first)
+        more = 0 if world is None else self.memory - world.first
+        if self.force is not None and isinstance(self.force.law, Together):
+            return fresh_together(self.force.law, more)
+        return fresh_memory(self.memory - more, more)
 
     def port_rows(self, node: int) -> Int:
         """Rows that hold a node, in the body's own basis: one, or one for each axis in the full form."""
@@ -137,6 +144,7 @@ def model(
     weights: Sequence[Matrix] = (),
     basis: Basis = "auto",
     obstacles: Sequence[Obstacle] = (),
+    between: Between | None = None,
 ) -> Model:
     """Makes a body ready for the kernels.
 
@@ -149,6 +157,7 @@ def model(
             basis, where the solve is a division; "auto" takes the modal one where it exists and pays. A truncated body
             is always in its shapes.
         obstacles: what each copy meets 1/N of. A body without a material is then one whose material is linear.
+        between: what the parts of several bodies do to each other, likewise 1/N of; None: the default of `Between`.
 
     Raises:
         BodyError: a weight does not fit the body; an obstacle is too thin for its skin.
@@ -168,7 +177,7 @@ def model(
     if obstacles and body.material is None:
         body = body.with_gravity((0.0, 0.0, 0.0))
     if body.material is not None:
-        return _of_material(body, body.material, copies, weights, basis, obstacles)
+        return _of_material(body, body.material, copies, weights, basis, obstacles, between)
     fitted = [_fit(body, index, weight) for index, weight in enumerate(weights, start=1)]
     if body.form == "node" and any(full for _, full in fitted):
         body = body.as_full()
@@ -195,6 +204,7 @@ def _of_material(
     weights: Sequence[Matrix],
     basis: Basis,
     obstacles: Sequence[Obstacle],
+    between: Between | None,
 ) -> Model:
     """The model of a body whose inner forces are not linear: its matrices give the direction of a step."""
     if basis == "modal":
@@ -212,9 +222,12 @@ def _of_material(
     order, split = _halves(matrices)
     ordered = matrices if order is None else [sp.csr_array(matrix[order][:, order]) for matrix in matrices]
     force, memory = force_of(body, material, order)
-    if obstacles:
-        world, more = world_of(body, obstacles, order, memory)
+    between = (between or Between()) if len(body.parts) > 1 else None
+    if obstacles or between is not None:
+        world, more = world_of(body, obstacles, between, order, memory)
         force, memory = force._replace(world=world), memory + more
+        if force.parts is not None and world.bodies is not None:
+            force = force._replace(parts=force.parts._replace(worked=world.bodies.worked))
     return Model(
         body=body,
         operator=_operator(ordered, copies, split),
@@ -224,6 +237,7 @@ def _of_material(
         force=force,
         memory=memory,
         obstacles=tuple(obstacles),
+        between=between,
     )
 
 

@@ -11,6 +11,8 @@ import math
 
 from cotouch.arrays import Float
 from cotouch.mechanics._kernel import block, inner, part
+from cotouch.mechanics._meeting import Meeting
+from cotouch.mechanics._meeting_force import press_bodies, settle_bodies, weigh_bodies
 from cotouch.mechanics._shape import depth, passes
 from cotouch.mechanics._state import WORLD_FORCE, Workspace
 from cotouch.mechanics._vector import at, load, put, splat, store
@@ -115,6 +117,28 @@ def _place(world: World, p: int, x: Float) -> tuple[float, float, float]:
     return a, b, c
 
 
+@inner
+def _begin_bodies(bodies: Meeting | None) -> None:
+    """A step begins: what is near where is not known."""
+    if bodies is not None:
+        put(bodies.entries, 0, 0)
+
+
+@inner
+def _begin_work(bodies: Meeting | None) -> None:
+    if bodies is not None:
+        for b in range(bodies.worked.shape[0]):
+            put(bodies.worked, b, 0.0)
+
+
+@inner
+def _book_work(bodies: Meeting | None, p: int, work: float) -> None:
+    """What an obstacle did on a point."""
+    if bodies is not None:
+        b = at(bodies.part, p)
+        put(bodies.worked, b, at(bodies.worked, b) + work)
+
+
 @part
 def take_up(world: World | None, memory: Float) -> None:
     """Takes the stretches that the last step came to as those that the next begins with."""
@@ -122,6 +146,7 @@ def take_up(world: World | None, memory: Float) -> None:
         count = 4 * world.told.shape[0]
         for n in range(count):
             put(memory, world.first + n, at(memory, world.first + count + n))
+        _begin_bodies(world.bodies)
 
 
 @part
@@ -175,6 +200,8 @@ def press_world(
             put(out, (i, 1), at(out, (i, 1)) - share * fy)
             put(out, (i, 2), at(out, (i, 2)) - share * fz)
             put(world.hold, i, at(world.hold, i) + share * firm)
+    more, beside = press_bodies(world, world.bodies, firmness, memory, x, ahead, T, out)
+    change, size = change + more, size + beside
     return change <= _SETTLED * _SETTLED * size
 
 
@@ -211,6 +238,7 @@ def weigh_world(world: World | None, memory: Float, x: Float, ahead: Float, T: f
     zero = splat(0.0, (0, 0, 0, 0))
     for s in range(world.kind.shape[0]):
         store(world.force, s, zero, (0, 0, 0, 0))
+    _begin_work(world.bodies)
     for p in range(points):
         ux, uy, uz = _place(world, p, x)
         vx, vy, vz = _place(world, p, ahead)
@@ -228,7 +256,9 @@ def weigh_world(world: World | None, memory: Float, x: Float, ahead: Float, T: f
             put(world.force, (s, 0), at(world.force, (s, 0)) + a)
             put(world.force, (s, 1), at(world.force, (s, 1)) + b)
             put(world.force, (s, 2), at(world.force, (s, 2)) + c)
-    return energy, lost, passed
+            _book_work(world.bodies, p, a * (vx - ux) + b * (vy - uy) + c * (vz - uz))
+    stored, gone, through = weigh_bodies(world, world.bodies, memory, x, ahead, T)
+    return energy + stored, lost + gone, passed or through
 
 
 @inner
@@ -292,7 +322,7 @@ def settle_world(world: World | None, memory: Float, x: Float) -> float:
             )
             if deep > 0.0:
                 energy += 0.5 * at(world.stiffness, s) * at(world.area, p) * deep * deep
-    return energy
+    return energy + settle_bodies(world, world.bodies, x)
 
 
 @block
