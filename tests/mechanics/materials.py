@@ -24,7 +24,6 @@ from cotouch.mechanics import (
     kernel,
     model,
     resist,
-    workspace,
 )
 
 Float = npt.NDArray[np.float64]
@@ -119,7 +118,7 @@ class Alone:
             np.zeros((rows, 4)),
             np.zeros(self.model.memory),
         )
-        self.work = workspace(self.model.operator, 4, 0, closed=True)
+        self.work = self.model.workspace(0)
         self.ledger, none = np.zeros(LEDGER_COLUMNS), np.zeros(0)
         self.links = Links(0, 0, none, np.zeros(0, np.int32), np.zeros(0, np.int64), np.zeros((1, rows, 4)))
         nothing = np.zeros((0, 4))

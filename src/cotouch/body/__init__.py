@@ -12,9 +12,12 @@ from cotouch.body._mesh_material import SolidModel, SurfaceModel
 from cotouch.body._origin import Origin
 from cotouch.body._part import Part
 from cotouch.body._reading import UNITS
+from cotouch.body._rigid import RATE, VISCOSITY, rigid_body
+from cotouch.body._shapes import rigid_box, rigid_cylinder, rigid_sphere, turning
 from cotouch.body._skin import Skin
 from cotouch.body._statics import lowest_modes
-from cotouch.body._together import Placed, rotation, together
+from cotouch.body._strains import SIGNS, frame_of, strain_law
+from cotouch.body._together import Placed, together
 from cotouch.body._truncation import Truncation
 from cotouch.meshfile import SURFACES, VOLUMES, is_surface
 
@@ -22,8 +25,11 @@ __all__ = [
     "MOST_ELEMENTS",
     "MOST_NODES",
     "MOST_TRIANGLES",
+    "RATE",
+    "SIGNS",
     "SURFACES",
     "UNITS",
+    "VISCOSITY",
     "VOLUMES",
     "Body",
     "Box",
@@ -48,10 +54,16 @@ __all__ = [
     "body_from_tetrahedra",
     "canonical",
     "chain",
+    "frame_of",
     "is_surface",
     "lattice",
     "lowest_modes",
     "point",
-    "rotation",
+    "rigid_body",
+    "rigid_box",
+    "rigid_cylinder",
+    "rigid_sphere",
+    "strain_law",
     "together",
+    "turning",
 ]

@@ -13,11 +13,15 @@ from cotouch.arrays import Float
 from cotouch.body._checks import Form, Matrix, SumOfSquares, diagonal, plausible, positive, square
 from cotouch.body._material import Material
 from cotouch.body._origin import Origin
-from cotouch.body._part import Part
+from cotouch.body._part import Part, held_shares
 from cotouch.body._skin import Skin
 from cotouch.body._statics import factorise
+from cotouch.body._strains import shares_of
 from cotouch.body._truncation import Truncation, truncate
 from cotouch.errors import BodyError, UnsupportedError
+
+# Rigid bodies are solved for at once up to so many nodes, four each; beyond that one by one is quicker.
+_MOST_RIGID = 48
 
 
 @final
@@ -40,6 +44,7 @@ class Body:
         truncation: shapes that the motion is confined to; see `truncated`.
         material: what its inner forces follow instead of K and B, of which these are then what they are like at rest.
         parts: what it was put together of; see `cotouch.body.together`.
+        places: points of a rigid body that can be held besides its nodes and its skin's vertices, (P, 3) [m].
 
     Raises:
         BodyError: a matrix is not finite, symmetric, definite or of the right size; a node has no mass; the rest shape
@@ -62,6 +67,7 @@ class Body:
     truncation: Truncation | None
     material: Material | None
     parts: tuple[Part, ...]
+    places: Float
     form: Form = field(init=False)
 
     def __init__(
@@ -78,6 +84,7 @@ class Body:
         truncation: Truncation | None = None,
         material: Material | None = None,
         parts: tuple[Part, ...] = (),
+        places: npt.ArrayLike = (),
     ) -> None:
         shape = _rest_shape(rest)
         nodes, dimension = shape.shape
@@ -126,6 +133,10 @@ class Body:
             material.check(shape)
         object.__setattr__(self, "material", material)
         object.__setattr__(self, "parts", parts)
+        more = np.array(places, dtype=np.float64).reshape(-1, 3)
+        if more.size and not (self.rigid and np.isfinite(more).all()):
+            raise BodyError("places that are no nodes are of rigid bodies, and finite; leave them out")
+        object.__setattr__(self, "places", more)
 
     @property
     def nodes(self) -> int:
@@ -136,6 +147,56 @@ class Body:
     def dimension(self) -> int:
         """Number of axes d, 1 to 3."""
         return self.rest.shape[1]
+
+    @property
+    def rigid(self) -> bool:
+        """Whether its nodes keep their distances; of several bodies, whether those of each do, and they are few."""
+        if self.parts:
+            return self.nodes <= _MOST_RIGID and all(part.body.rigid for part in self.parts)
+        return self.material is not None and self.material.model == "rigid"
+
+    @property
+    def holds(self) -> int:
+        """How many points of it hands can hold."""
+        return self.held_rest.shape[0]
+
+    @cached_property
+    def held_rest(self) -> Float:
+        """What hands can hold at rest: nodes, and of a rigid body its skin's vertices and `places`, (H, d) [m]."""
+        if not self.rigid:
+            return self.rest
+        vertices = np.zeros((0, 3)) if self.skin is None else self.skin.vertices
+        return np.concatenate([self.rest, vertices, self.places])
+
+    @cached_property
+    def held_shares(self) -> Float | None:
+        """How much of each node what hands can hold follows, (H, n); None where that is the nodes themselves."""
+        if self.parts and self.rigid:
+            return held_shares(self.parts, self.held_rest, self.nodes)
+        return shares_of(self.rest, self.held_rest) if self.rigid else None
+
+    def with_places(self, places: npt.ArrayLike) -> "Body":
+        """The same rigid body with more points that can be held.
+
+        Args:
+            places: at rest, (P, 3) [m].
+
+        Raises:
+            BodyError: the body is not rigid, or a number not finite.
+        """
+        return Body(
+            mass=self.mass,
+            rest=self.rest,
+            damping_int=SumOfSquares(self.damping_int),
+            damping_ext=self.damping_ext,
+            stiffness_int=SumOfSquares(self.stiffness_int),
+            stiffness_ext=self.stiffness_ext,
+            skin=self.skin,
+            origin=self.origin,
+            material=self.material,
+            parts=self.parts,
+            places=places,
+        )
 
     @cached_property
     def damping(self) -> sp.csr_array:
@@ -193,6 +254,7 @@ class Body:
             origin=self.origin,
             material=replace(self.material or Material(model="linear"), gravity=gravity),
             parts=self.parts,
+            places=self.places,
         )
 
     def truncated(self, *, modes: int, contacts: Sequence[int] = ()) -> "Body":

@@ -13,6 +13,7 @@ from cotouch.body._body import Body
 from cotouch.body._checks import SumOfSquares
 from cotouch.body._material import Material
 from cotouch.body._part import Part
+from cotouch.body._shapes import turning
 from cotouch.body._skin import Skin
 from cotouch.errors import BodyError, UnsupportedError
 
@@ -97,23 +98,9 @@ def _check(placed: Placed, names: list[str]) -> None:
 def _part(placed: Placed, first: int) -> Part:
     low, high = placed.body.rest.min(axis=0), placed.body.rest.max(axis=0)
     middle = 0.5 * (low + high)
-    turn = rotation(placed.turn)
+    turn = turning(placed.turn)
     goal = middle if placed.at is None else np.asarray(placed.at, dtype=np.float64)
     return Part(name=placed.name, body=placed.body, first=first, turn=turn, shift=goal - turn @ middle)
-
-
-def rotation(turn: Sequence[float]) -> Float:
-    """The matrix of a turn, by Rodrigues' formula, (3, 3).
-
-    Args:
-        turn: along the axis, as long as the angle, (3,) [rad].
-    """
-    angle = math.sqrt(sum(a * a for a in turn))
-    if angle == 0.0:
-        return np.eye(3)
-    x, y, z = (a / angle for a in turn)
-    cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-    return np.eye(3) + math.sin(angle) * cross + (1.0 - math.cos(angle)) * cross @ cross
 
 
 def _joined(parts: list[Part], name: str, full: bool) -> sp.csr_array:

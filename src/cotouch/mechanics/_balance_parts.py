@@ -154,6 +154,11 @@ def _share_out(
             i = at(ports.row, p)
             did = total(load(ports.force, p, lanes) * load(work.mean, i, lanes))
             _add(parts, at(parts.part, i), _LACKS, share * T * did)
+    else:  # a port holds a point that follows many rows
+        for p in range(ports.first, ports.last):
+            for i in range(rows):
+                did = at(ports.shape, (p, i)) * total(load(ports.force, p, lanes) * load(work.mean, i, lanes))
+                _add(parts, at(parts.part, i), _LACKS, share * T * did)
     for i in range(rows):
         b = at(parts.part, i)
         beside = 0.0

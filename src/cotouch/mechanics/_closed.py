@@ -23,9 +23,10 @@ from cotouch.mechanics._balance import (
     weigh,
 )
 from cotouch.mechanics._balance_parts import close_all, keep_parts
-from cotouch.mechanics._force import BodyForce, evaluate, resist
+from cotouch.mechanics._force import BodyForce, evaluate, lean, resist
 from cotouch.mechanics._force_together import begin
 from cotouch.mechanics._kernel import block, part
+from cotouch.mechanics._meeting import Parts
 from cotouch.mechanics._operator import DAMPING, STIFFNESS, Operator, row_product
 from cotouch.mechanics._state import (
     ELASTIC,
@@ -48,6 +49,8 @@ from cotouch.mechanics._world_force import corrects, lean_world, looks_of, press
 _MANY = 60
 # How much of what the last look missed the next may leave.
 COARSE = 0.03
+# Change of v̂ from one look to the next, of itself, below which the next would change it by rounding only.
+_SETTLED = 1e-9
 # A step whose end velocity is changed by more than this is told: its forces and its energy disagree.
 CLOSURE_ALARM = 1e-2
 
@@ -92,7 +95,7 @@ def closed_step(
     take_up(force.world, state.memory)
     ledger[ITERATIONS] = 0.0
     rate = state.velocity
-    for number in range(looks_of(force.world, force.directions)):
+    for number in range(looks_of(force.world, force.directions, work.dense.shape[0] > 0)):
         settled = predict(op, force, state, T, rate, work, lanes)
         if number >= force.directions and settled:
             break
@@ -243,6 +246,9 @@ def level(
     for b in range(parts.worked.shape[0]):
         for what in range(4):
             put(parts.sums, (b, what), 0.0)
+    if ports.shape.shape[0] > 0:
+        for p in range(ports.first, ports.last):
+            _take_port(ports, parts, p, at(work.port_gain, p - ports.first), work)
     for i in range(op.mass.shape[0]):
         b, own = at(parts.part, i), at(work.diagonal, i)
         for family in range(op.entries.shape[0]):
@@ -255,6 +261,23 @@ def level(
         b = at(parts.part, i)
         for a in range(3):
             put(work.mean, (i, a), at(work.mean, (i, a)) + at(parts.sums, (b, 1 + a)) / at(parts.sums, (b, 0)))
+
+
+@part
+def _take_port(ports: Ports, parts: Parts | None, p: int, gain: float, work: Workspace) -> None:
+    """Takes off a right-hand side what a port that holds many rows resists, and notes how it resists each body."""
+    if parts is None:
+        return
+    for i in range(work.mean.shape[0]):
+        b, own = at(parts.part, i), gain * at(ports.shape, (p, i))
+        if own == 0.0:
+            continue
+        for j in range(work.mean.shape[0]):
+            share = at(ports.shape, (p, j))
+            if at(parts.part, j) == b:
+                put(parts.sums, (b, 0), at(parts.sums, (b, 0)) + own * share)
+            for a in range(3):
+                put(work.rhs, (i, a), at(work.rhs, (i, a)) - own * share * at(work.mean, (j, a)))
 
 
 @part
@@ -293,7 +316,36 @@ def predict(
                 slip = slip + at(op.entries, (family, e)) * (load(rate, at(op.column, e), lanes) - own)
             tension = tension - scale * slip
         store(state.tension, i, tension, lanes)
-    return press_world(force.world, op.firmness, state.memory, state.position, work.ahead, T, state.tension)
+    told = work.dense.shape[0] == 0 or _lean(op, force, state, T, rate, work, lanes)
+    return press_world(force.world, op.firmness, state.memory, state.position, work.ahead, T, state.tension) and told
+
+
+@part
+def _lean(
+    op: Operator, force: BodyForce, state: State, T: float, rate: Float, work: Workspace, lanes: tuple[int, ...]
+) -> bool:
+    """Puts the law's tangent at a rate into `dense`, and off `tension` what that does; whether the rate has settled."""
+    rows, dense = op.mass.shape[0], work.dense
+    for p in range(dense.shape[0]):
+        for q in range(dense.shape[1]):
+            put(dense, (p, q), 0.0)
+    lean(force.law, state.memory, state.position, work.ahead, rate, T, dense, lanes)
+    change, size = 0.0, 0.0
+    for i in range(rows):
+        for a in range(3):
+            given = 0.0
+            for j in range(rows):
+                for b in range(3):
+                    given += at(dense, (3 * i + a, 3 * j + b)) * at(rate, (j, b))
+            put(state.tension, (i, a), at(state.tension, (i, a)) - op.firmness * given)
+            change += (at(rate, (i, a)) - at(work.tried, (i, a))) ** 2
+            size += at(rate, (i, a)) ** 2
+            put(work.tried, (i, a), at(rate, (i, a)))
+    scale = op.copy_scale * op.firmness
+    for p in range(dense.shape[0]):
+        for q in range(dense.shape[1]):
+            put(dense, (p, q), scale * at(dense, (p, q)))
+    return change <= _SETTLED * _SETTLED * size
 
 
 @block

@@ -17,7 +17,7 @@ from numba.core import types
 from numba.extending import overload
 
 from cotouch.arrays import Float
-from cotouch.mechanics._force import LAWS, evaluate, resist
+from cotouch.mechanics._force import LAWS, LEANS, evaluate, lean, resist
 from cotouch.mechanics._force_memory import forget, fresh_memory
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._vector import at, put
@@ -57,6 +57,7 @@ class Together(NamedTuple):
         ahead: scratch.
         rate: scratch.
         out: scratch.
+        tangent: scratch: how the force of one body grows with its rate, (3 nodes, 3 nodes), or (0, 0).
     """
 
     packs: tuple[Pack, ...]
@@ -71,9 +72,12 @@ class Together(NamedTuple):
     ahead: Float
     rate: Float
     out: Float
+    tangent: Float
 
 
-def together_of(laws: Sequence[Any], memories: Sequence[int], rows: Sequence[Int], turns: Sequence[Float]) -> Together:
+def together_of(
+    laws: Sequence[Any], memories: Sequence[int], rows: Sequence[Int], turns: Sequence[Float], *, dense: bool
+) -> Together:
     """The law of several bodies.
 
     Args:
@@ -81,6 +85,7 @@ def together_of(laws: Sequence[Any], memories: Sequence[int], rows: Sequence[Int
         memories: how many numbers each remembers.
         rows: row of the kernels of each node of each body.
         turns: rotation of each rest shape, (3, 3).
+        dense: whether all rows are solved for at once.
     """
     kinds = sorted({type(law) for law in laws}, key=lambda kind: kind.__name__)
     of_kind = [[law for law in laws if type(law) is kind] for kind in kinds]
@@ -94,6 +99,7 @@ def together_of(laws: Sequence[Any], memories: Sequence[int], rows: Sequence[Int
         turn=np.ascontiguousarray([turn.ravel() for turn in turns]),
         memory=np.cumsum([_HEAD, *memories]).astype(np.int32),
         energy=np.zeros((len(laws), 2)),
+        tangent=np.zeros((3 * most, 3 * most) if dense else (0, 0)),
         **{name: np.zeros((most, 4)) for name in ("place", "ahead", "rate", "out")},
     )
 
@@ -198,6 +204,22 @@ def _evaluate_of(packs, kind, k, memory, x, ahead, rate, sweeps, lanes):
     return _made("\n".join([*said, "    return 0.0, 0.0"]), evaluate=evaluate, piece=_piece)
 
 
+def _lean_kind(
+    packs: Any, kind: Any, k: Any, memory: Any, x: Any, ahead: Any, rate: Any, T: Any, out: Any, lanes: Any
+) -> Any:
+    """`lean` of law k of one of the packs. Kernels only."""
+    del packs, kind, k, memory, x, ahead, rate, T, out, lanes
+    raise NotImplementedError
+
+
+@overload(_lean_kind)
+def _lean_of(packs, kind, k, memory, x, ahead, rate, T, out, lanes):
+    said = ["def made(packs, kind, k, memory, x, ahead, rate, T, out, lanes):"]
+    for j in range(len(packs)):
+        said += [f"    if kind == {j}:", f"        lean(piece(packs[{j}], k), memory, x, ahead, rate, T, out, lanes)"]
+    return _made("\n".join(said), lean=lean, piece=_piece)
+
+
 def _made(text: str, **names: Any) -> Any:
     """A function of this text, which numba compiles into its caller."""
     space: dict[str, Any] = {"at": at, **names}
@@ -278,4 +300,43 @@ def evaluate_together(
     return energy, power
 
 
+@part
+def lean_together(
+    law: Together, memory: Float, x: Float, ahead: Float, rate: Float, T: float, out: Float, lanes: tuple[int, ...]
+) -> None:
+    """Adds how the forces of bodies of few rows grow with the rate; see `cotouch.mechanics.BodyForce`."""
+    for b in range(law.kind.shape[0]):
+        begins, r, wide = at(law.first, b), 9 * b, law.tangent.shape[0]
+        count = at(law.first, b + 1) - begins
+        _into(law, b, x, law.place)
+        _into(law, b, ahead, law.ahead)
+        _into(law, b, rate, law.rate)
+        for n in range(wide * wide):
+            put(law.tangent, n, 0.0)
+        _lean_kind(
+            law.packs,
+            at(law.kind, b),
+            at(law.index, b),
+            memory[at(law.memory, b) : at(law.memory, b + 1)],
+            law.place[:count],
+            law.ahead[:count],
+            law.rate[:count],
+            T,
+            law.tangent,
+            lanes,
+        )
+        for n in range(count):
+            for o in range(count):
+                i, j = 3 * at(law.row, begins + n), 3 * at(law.row, begins + o)
+                for a in range(3):
+                    for c in range(3):
+                        value = 0.0
+                        for p in range(3):
+                            for q in range(3):
+                                own = at(law.tangent, (3 * n + p, 3 * o + q))
+                                value += at(law.turn, r + 3 * a + p) * own * at(law.turn, r + 3 * c + q)
+                        put(out, (i + a, j + c), at(out, (i + a, j + c)) + value)
+
+
 LAWS[Together] = (resist_together, evaluate_together)
+LEANS[Together] = lean_together

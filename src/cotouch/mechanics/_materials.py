@@ -7,12 +7,13 @@ import numpy.typing as npt
 import scipy.sparse as sp
 
 from cotouch.arrays import Float
-from cotouch.body import Body, Material, Part, SumOfSquares
+from cotouch.body import SIGNS, Body, Material, Part, SumOfSquares, frame_of, strain_law
 from cotouch.errors import UnsupportedError
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._force_cells import CorotatedCells
 from cotouch.mechanics._force_frame import Frame
 from cotouch.mechanics._force_memory import memory_size
+from cotouch.mechanics._force_rigid import Rigid
 from cotouch.mechanics._force_springs import SpringNetwork
 from cotouch.mechanics._force_tetrahedra import CorotatedTetrahedra, NeoHookean, StVenantKirchhoff
 from cotouch.mechanics._force_together import Together, together_of
@@ -24,7 +25,7 @@ Int = npt.NDArray[np.int32]
 _SOLIDS = {"corotated": CorotatedTetrahedra, "st-venant-kirchhoff": StVenantKirchhoff, "neo-hookean": NeoHookean}
 
 
-def outline_of(body: Body, material: Material) -> Body:
+def outline_of(body: Body, material: Material, *, tangent: bool = True) -> Body:
     """The linear body, in the node form, that gives a step's direction: masses, outer springs, a scalar bound on K.
 
     Raises:
@@ -40,7 +41,12 @@ def outline_of(body: Body, material: Material) -> Body:
         if mass.nnz != body.nodes:
             raise UnsupportedError(f'model is "{material.model}", but masses are coupled; M must be diagonal')
     else:
-        inner = scalar_bound(body.stiffness_int, body.dimension)
+        # What is rigid gives its own tangent, if it may.
+        inner = (
+            sp.csr_array((body.nodes, body.nodes))
+            if body.rigid and tangent
+            else scalar_bound(body.stiffness_int, body.dimension)
+        )
         dampers = (
             inner * material.viscosity if material.elements.size else scalar_bound(body.damping_int, body.dimension)
         )
@@ -62,7 +68,7 @@ def _own(part: Part) -> Material:
 
 def _outlines(body: Body) -> Body:
     """Of several bodies: those of each, side by side."""
-    each = [outline_of(part.body, _own(part)) for part in body.parts]
+    each = [outline_of(part.body, _own(part), tangent=body.rigid) for part in body.parts]
     joined = {
         name: sp.csr_array(sp.block_diag([getattr(one, name) for one in each], format="csr"))
         for name in ("mass", "damping_int", "damping_ext", "stiffness_int", "stiffness_ext")
@@ -81,6 +87,7 @@ DIRECTIONS = {
     "corotated": 3,
     "st-venant-kirchhoff": 3,
     "neo-hookean": 3,
+    "rigid": 2,
 }
 _FAR = 10.0
 _OUTER = ("mass", "stiffness_ext", "damping_ext")
@@ -155,7 +162,7 @@ def _together(body: Body, row: Int) -> tuple[Together, int, int]:
         sizes.append(size)
         looks = max(looks, made.directions)
     rows = [row[part.first : part.last] for part in body.parts]
-    law = together_of(laws, sizes, rows, [part.turn for part in body.parts])
+    law = together_of(laws, sizes, rows, [part.turn for part in body.parts], dense=body.rigid)
     return law, int(law.memory[-1]), looks
 
 
@@ -167,6 +174,17 @@ def _law(body: Body, material: Material, row: Int, rest: Float) -> tuple[Any, in
     elements: Int = np.ascontiguousarray(row[material.elements], dtype=np.int32)
     if material.model in {"linear", "floating"}:
         return _frame(body, material, row, rest), 1
+    if material.model == "rigid":
+        frame = frame_of(rest[:, :3])
+        sign = np.zeros((4, 4))
+        sign[:, :3] = SIGNS
+        return Rigid(
+            viscosity=material.viscosity,
+            corner=elements,
+            sign=sign,
+            frame=np.ascontiguousarray(frame.reshape(1, 9)),
+            law=(material.stiffness[0] * strain_law(frame)).reshape(1, 36),
+        ), 0
     if material.model == "spring-network":
         edge = rest[material.elements[:, 1]] - rest[material.elements[:, 0]]
         return SpringNetwork(

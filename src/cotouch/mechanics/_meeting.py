@@ -101,6 +101,8 @@ class Meeting(NamedTuple):
             of the nearest triangle, height above its plane, (P, 8).
         face: scratch: that triangle, and whether the nearest point lies within it; then where it ends, (P, 4).
         ended: scratch: as `began`, where the step would end.
+        coefficient: scratch: how much of each row moves a point past its triangle, (rows,).
+        moved: scratch: rows for which that is not 0, (rows,).
         worked: result, see `Parts`.
     """
 
@@ -136,4 +138,6 @@ class Meeting(NamedTuple):
     began: Float
     face: Int
     ended: Float
+    coefficient: Float
+    moved: Int
     worked: Float

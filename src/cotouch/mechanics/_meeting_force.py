@@ -288,7 +288,38 @@ def press_bodies(
             v, share = at(m.corner, (f, q)), at(m.ended, (e, 4 + q))
             for n in range(at(m.pointer, v), at(m.pointer, v + 1)):
                 _give(at(m.row, n), share * at(m.share, n), firm, -fx, -fy, -fz, world, out)
+        if world.couple.shape[0] > 0:
+            _couple(world, m, e, f, firm)
     return change, size
+
+
+@inner
+def _note(m: Meeting, count: int, row: int, share: float) -> int:
+    """Adds to a row's coefficient; returns how many rows there are."""
+    for n in range(count):
+        if at(m.moved, n) == row:
+            put(m.coefficient, n, at(m.coefficient, n) + share)
+            return count
+    put(m.moved, count, row)
+    put(m.coefficient, count, share)
+    return count + 1
+
+
+@part
+def _couple(world: World, m: Meeting, e: int, f: int, firm: float) -> None:
+    """What resists that an entry's point passes its triangle, between all rows that move either."""
+    p, count = at(m.point, e), 0
+    for n in range(at(world.pointer, p), at(world.pointer, p + 1)):
+        count = _note(m, count, at(world.row, n), at(world.share, n))
+    for q in range(3):
+        v = at(m.corner, (f, q))
+        for n in range(at(m.pointer, v), at(m.pointer, v + 1)):
+            count = _note(m, count, at(m.row, n), -at(m.ended, (e, 4 + q)) * at(m.share, n))
+    for i in range(count):
+        for j in range(count):
+            place = (at(m.moved, i), at(m.moved, j))
+            value = firm * at(m.coefficient, i) * at(m.coefficient, j)
+            put(world.couple, place, at(world.couple, place) + value)
 
 
 @part

@@ -115,6 +115,8 @@ def meeting_of(body: Body, between: Between, points: sp.csr_array, order: Int | 
         began=np.zeros((count + 1, 8)),
         face=np.zeros((count + 1, 4), dtype=np.int32),
         ended=np.zeros((count + 1, 8)),
+        coefficient=np.zeros(body.nodes),
+        moved=np.zeros(body.nodes, dtype=np.int32),
         worked=np.zeros(bodies),
     )
 

@@ -27,10 +27,10 @@ _Point = tuple[float, float, float, float, float, float, float, float, float, fl
 
 
 @inner
-def looks_of(world: World | None, directions: int) -> int:
+def looks_of(world: World | None, directions: int, dense: bool) -> int:
     """How often a step looks where its forces lead, at most."""
     if world is None:
-        return directions
+        return _LOOKS if dense else directions
     return _LOOKS
 
 
@@ -177,6 +177,8 @@ def press_world(
                 missed = hold * ((at(ahead, (i, a)) - at(x, (i, a))) / T - at(world.tried, (i, a)))
                 change += missed * missed
         put(world.hold, i, 0.0)
+    for n in range(world.couple.size):
+        put(world.couple, n, 0.0)
     for p in range(points):
         ux, uy, uz = _place(world, p, x)
         vx, vy, vz = _place(world, p, ahead)
@@ -199,7 +201,11 @@ def press_world(
             put(out, (i, 0), at(out, (i, 0)) - share * fx)
             put(out, (i, 1), at(out, (i, 1)) - share * fy)
             put(out, (i, 2), at(out, (i, 2)) - share * fz)
-            put(world.hold, i, at(world.hold, i) + share * firm)
+            put(world.hold, i, at(world.hold, i) + abs(share) * firm)
+            if world.couple.shape[0] > 0:
+                for other in range(at(world.pointer, p), at(world.pointer, p + 1)):
+                    place = (i, at(world.row, other))
+                    put(world.couple, place, at(world.couple, place) + share * firm * at(world.share, other))
     more, beside = press_bodies(world, world.bodies, firmness, memory, x, ahead, T, out)
     change, size = change + more, size + beside
     return change <= _SETTLED * _SETTLED * size
@@ -212,7 +218,16 @@ def lean_world(world: World | None, copy_scale: float, rate: Float, work: Worksp
         for i in range(world.hold.shape[0]):
             store(world.tried, i, load(rate, i, lanes), lanes)
             hold = copy_scale * at(world.hold, i)
-            if hold != 0.0:
+            if hold != 0.0 and world.couple.shape[0] > 0:
+                resisted = splat(0.0, lanes)
+                for j in range(world.hold.shape[0]):
+                    hold = copy_scale * at(world.couple, (i, j))
+                    resisted = resisted + hold * load(rate, j, lanes)
+                    for a in range(3):
+                        place = (3 * i + a, 3 * j + a)
+                        put(work.dense, place, at(work.dense, place) + hold)
+                store(work.rhs, i, load(work.rhs, i, lanes) + resisted, lanes)
+            elif hold != 0.0:
                 put(work.diagonal, i, at(work.diagonal, i) + hold)
                 store(work.rhs, i, load(work.rhs, i, lanes) + hold * load(rate, i, lanes), lanes)
 

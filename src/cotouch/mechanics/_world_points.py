@@ -83,6 +83,7 @@ def world_of(
         kinetic=np.array([one.friction if one.kinetic is None else one.kinetic for one in obstacles]),
         grain=away * away * firm * float(area.sum()),
         hold=np.zeros(body.nodes),
+        couple=np.zeros((body.nodes, body.nodes) if body.rigid else (0, 0)),
         told=np.zeros((count, 4)),
         tried=np.zeros((body.nodes, 4)),
         force=np.zeros((len(shapes), 4)),

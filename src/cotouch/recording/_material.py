@@ -95,8 +95,11 @@ class RecordedMaterial:
         for name in (*_INNER, *_OUTER):
             found |= {f"{_PREFIX}{name}_{part}": getattr(getattr(self.body, name), part) for part in _PARTS}
         found |= {_PREFIX + field.name: np.asarray(getattr(self.material, field.name)) for field in _FIELDS}
-        if self.world and self.body.skin is not None:
+        if (self.world or self.body.rigid) and self.body.skin is not None:
             found |= {_PREFIX + _SKIN + name: getattr(self.body.skin, name) for name in _SURFACE}
+        if self.body.rigid:
+            found[_PREFIX + "places"] = self.body.places
+        if self.world and self.body.skin is not None:
             found |= {_PREFIX + _WORLD + name: values for name, values in self.world.items()}
         return found
 
@@ -131,13 +134,15 @@ class RecordedMaterial:
         inner = {name: SumOfSquares(matrices[name]) for name in _INNER}
         outer = {name: matrices[name] for name in _OUTER}
         skin, world = None, {}
-        if _PREFIX + _WORLD + "kind" in arrays:
+        if _PREFIX + _SKIN + _SURFACE[0] in arrays:
             skin = Skin(**{name: arrays[_PREFIX + _SKIN + name] for name in _SURFACE})
+        if _PREFIX + _WORLD + "kind" in arrays:
             world = {name: np.asarray(arrays[_PREFIX + _WORLD + name]) for name in ("kind", "shape", "law")}
             extents = [values.shape for values in world.values()]
             if extents != [extents[0], (*extents[0], _SHAPE), (*extents[0], len(_LAW))] or len(extents[0]) != 1:
                 raise ValueError(f"what stands around the body is told by arrays of {extents}")
-        return cls(Body(rest=rest, material=material, skin=skin, **inner, **outer), world)
+        places = arrays[_PREFIX + "places"] if _PREFIX + "places" in arrays else ()
+        return cls(Body(rest=rest, material=material, skin=skin, places=places, **inner, **outer), world)
 
     def same(self, other: "RecordedMaterial | None") -> bool:
         """Whether another is of the same numbers.

@@ -55,8 +55,8 @@ def hand_of(arguments: Mapping[str, Any], body: Body) -> tuple[HandMode, int, tu
         raise SessionError(f"mode is {mode!r}; it must be one of {', '.join(WORDS)}")
     if node is None:
         node = -1
-    if isinstance(node, bool) or not isinstance(node, int) or not -1 <= node < body.nodes:
-        raise SessionError(f"node is {node}; it must be from 0 to {body.nodes - 1}, or -1 for what is held")
+    if isinstance(node, bool) or not isinstance(node, int) or not -1 <= node < body.holds:
+        raise SessionError(f"node is {node}; it must be from 0 to {body.holds - 1}, or -1 for what is held")
     if to is None and mode == "pull":
         raise SessionError("to is missing; pull needs 3 numbers")
     return mode, node, None if to is None else place_of(to, "to")
@@ -91,8 +91,8 @@ def checked(pointer: Pointer, body: Body) -> Pointer:
     """
     if pointer.mode not in {"grab", "ball", "free"}:
         raise SessionError(f'the pointer\'s mode is "{pointer.mode}"; it must be grab, ball or free')
-    if pointer.mode == "grab" and not 0 <= pointer.node < body.nodes:
-        raise SessionError(f"the pointer's node is {pointer.node}; it must be from 0 to {body.nodes - 1}")
+    if pointer.mode == "grab" and not 0 <= pointer.node < body.holds:
+        raise SessionError(f"the pointer's node is {pointer.node}; it must be from 0 to {body.holds - 1}")
     place_of(list(pointer.target), "the pointer's target")
     for name in ("radius", "stiffness"):
         value = getattr(pointer, name)
