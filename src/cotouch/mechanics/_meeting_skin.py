@@ -63,7 +63,7 @@ def meeting_of(body: Body, between: Between, points: sp.csr_array, order: Int | 
     skin = body.skin
     assert skin is not None
     of = part_of_nodes(body)
-    carry = skin.interpolation(body.nodes)
+    carry = skin.interpolation(body.nodes).copy()
     rows = of
     if order is not None:
         carry, rows = sp.csr_array(carry[:, order]), of[order]
