@@ -175,6 +175,18 @@ class Body:
             return held_shares(self.parts, self.held_rest, self.nodes)
         return shares_of(self.rest, self.held_rest) if self.rigid else None
 
+    def held_by(self, number: int) -> npt.NDArray[np.intp]:
+        """Which of what hands can hold is of one of several bodies; its nodes come first.
+
+        Args:
+            number: of the body, from 0.
+        """
+        part = self.parts[number]
+        shares = self.held_shares
+        if shares is None:
+            return np.arange(part.first, part.last)
+        return np.flatnonzero(np.abs(shares[:, part.first : part.last]).sum(axis=1) > 0.0)
+
     def with_places(self, places: npt.ArrayLike) -> "Body":
         """The same rigid body with more points that can be held.
 

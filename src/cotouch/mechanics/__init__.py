@@ -97,7 +97,7 @@ from cotouch.mechanics._tools import (
 from cotouch.mechanics._touch import touch_step
 from cotouch.mechanics._touch_parts import touch_parts
 from cotouch.mechanics._vector import at, load, put, splat, store, total
-from cotouch.mechanics._world import Obstacle
+from cotouch.mechanics._world import Obstacle, World
 from cotouch.mechanics._world_force import begin_world, deepest_point, follow_world
 
 __all__ = [
@@ -159,6 +159,7 @@ __all__ = [
     "Tools",
     "TouchWork",
     "Workspace",
+    "World",
     "approach",
     "at",
     "available_energy",
