@@ -17,7 +17,7 @@ from cotouch.body._shapes import rigid_box, rigid_cylinder, rigid_sphere, turnin
 from cotouch.body._skin import Skin
 from cotouch.body._statics import lowest_modes
 from cotouch.body._strains import SIGNS, frame_of, strain_law
-from cotouch.body._together import Placed, together
+from cotouch.body._together import Placed, joined, together
 from cotouch.body._truncation import Truncation
 from cotouch.meshfile import SURFACES, VOLUMES, is_surface
 
@@ -56,6 +56,7 @@ __all__ = [
     "chain",
     "frame_of",
     "is_surface",
+    "joined",
     "lattice",
     "lowest_modes",
     "point",

@@ -131,6 +131,8 @@ class Body:
         object.__setattr__(self, "truncation", truncation)
         if material is not None:
             material.check(shape)
+            if (material.model == "several") != bool(parts):
+                raise BodyError(f'model is "{material.model}" of a body of {len(parts)} parts; put bodies together')
         object.__setattr__(self, "material", material)
         object.__setattr__(self, "parts", parts)
         more = np.array(places, dtype=np.float64).reshape(-1, 3)

@@ -8,7 +8,6 @@ from typing import final
 import numpy as np
 import scipy.sparse as sp
 
-from cotouch.arrays import Float
 from cotouch.body._body import Body
 from cotouch.body._checks import SumOfSquares
 from cotouch.body._material import Material
@@ -67,14 +66,23 @@ def together(bodies: Sequence[Placed]) -> Body:
         _check(placed, [part.name for part in parts])
         parts.append(_part(placed, first))
         first += placed.body.nodes
+    return joined(parts)
+
+
+def joined(parts: Sequence[Part]) -> Body:
+    """The body that has these parts.
+
+    Args:
+        parts: one after the other.
+    """
     full = any(part.body.form == "full" for part in parts)
-    joined = {name: _joined(parts, name, full) for name in _MATRICES}
+    matrices = {name: _joined(parts, name, full) for name in _MATRICES}
     return Body(
         rest=np.concatenate([part.rest() for part in parts]),
         skin=_skins(parts),
         material=Material(model="several"),
         parts=tuple(parts),
-        **{name: SumOfSquares(matrix) if name in _INNER else matrix for name, matrix in joined.items()},
+        **{name: SumOfSquares(matrix) if name in _INNER else matrix for name, matrix in matrices.items()},
     )
 
 
@@ -103,7 +111,7 @@ def _part(placed: Placed, first: int) -> Part:
     return Part(name=placed.name, body=placed.body, first=first, turn=turn, shift=goal - turn @ middle)
 
 
-def _joined(parts: list[Part], name: str, full: bool) -> sp.csr_array:
+def _joined(parts: Sequence[Part], name: str, full: bool) -> sp.csr_array:
     blocks: list[sp.csr_array] = []
     for part in parts:
         matrix: sp.csr_array = getattr(part.body, name)
@@ -119,7 +127,7 @@ def _joined(parts: list[Part], name: str, full: bool) -> sp.csr_array:
     return sp.csr_array(sp.block_diag(blocks, format="csr"))
 
 
-def _skins(parts: list[Part]) -> Skin:
+def _skins(parts: Sequence[Part]) -> Skin:
     width = max(part.skin().nodes.shape[1] for part in parts)
     vertices, triangles, nodes, weights, count = [], [], [], [], 0
     for part in parts:

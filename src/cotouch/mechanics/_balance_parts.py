@@ -78,7 +78,7 @@ def close_all(
     if force.parts is None:
         return close(op, state, attempt, work, ledger, lanes)
     _share_out(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, push, work, lanes)
-    good = _close_parts(op, force.parts, state, work, ledger, lanes)
+    good = _close_parts(op, force.parts, state, work, ledger)
     if not good:
         good = close(op, state, attempt, work, ledger, lanes)
     if good:
@@ -169,9 +169,7 @@ def _share_out(
 
 
 @part
-def _close_parts(
-    op: Operator, parts: Parts | None, state: State, work: Workspace, ledger: Float, lanes: tuple[int, ...]
-) -> bool:
+def _close_parts(op: Operator, parts: Parts | None, state: State, work: Workspace, ledger: Float) -> bool:
     """Balances each body by itself, and those that cannot about the centre of them all; nothing if that is too much."""
     if parts is None:
         return False

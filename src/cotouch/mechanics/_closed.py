@@ -117,7 +117,7 @@ def closed_step(
             lanes,
         )
         rate = work.mean
-    level(op, force, state, links, ports, local_damping, extra_damping, T, work, lanes)
+    level(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, work, lanes)
     attempt, length = 0, 1.0
     while True:
         keep_place(state, work, lanes)
@@ -165,7 +165,7 @@ def closed_step(
                 cap,
                 lanes,
             )
-            level(op, force, state, links, ports, local_damping, extra_damping, T, work, lanes)
+            level(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, work, lanes)
         else:
             # What would still pass an obstacle at the last attempt stays where it is.
             shorter = 0.0 if still or (passed and attempt >= LAST_ATTEMPT - 1) else 0.5
@@ -224,6 +224,7 @@ def miss(op: Operator, diagonal: Float, rhs: Float, work: Workspace, out: Float,
 def level(
     op: Operator,
     force: BodyForce,
+    parts: Parts | None,
     state: State,
     links: Links,
     ports: Ports,
@@ -237,9 +238,8 @@ def level(
 
     Coarse solves, and looks that end before contact is exactly what it was, would make some out of nothing.
     """
-    if force.parts is None:
+    if parts is None:
         return
-    parts = force.parts
     predict(op, force, state, T, work.mean, work, lanes)
     assemble(op, state, links, ports, local_damping, extra_damping, T, work, lanes)
     miss(op, work.diagonal, work.rhs, work, work.rhs, lanes)

@@ -4,7 +4,7 @@ Laws of one kind lie side by side in one set of arrays, and a kernel takes the p
 code is the same for any number of bodies. What it remembers of a copy are the memories of all, one after the other.
 """
 # An overload's parameters only name those of its stub; an array indexed by an element of another is a number to numba.
-# ruff: noqa: ARG001
+# ruff: noqa: ARG001, ARG005, PLW0108
 # pyright: reportMissingParameterType=false, reportAttributeAccessIssue=false, reportUnusedFunction=false
 # pyright: reportArgumentType=false, reportReturnType=false
 
@@ -140,7 +140,7 @@ def begin(law: Any, memory: Float) -> None:
 @overload(begin)
 def _begin(law, memory):
     if law.instance_class is Together:
-        return lambda law, memory: _forget_all(law, memory)  # noqa: PLW0108
+        return lambda law, memory: _forget_all(law, memory)
     return lambda law, memory: forget(memory)
 
 

@@ -116,8 +116,8 @@ def _gather(world: World, m: Meeting, x: Float, bound: float) -> None:
                 if b == own or at(m.touched, b) == 0:
                     continue
                 outside = max(at(m.low, (box, 0)) - px, px - at(m.high, (box, 0)))
-                outside = max(outside, max(at(m.low, (box, 1)) - py, py - at(m.high, (box, 1))))
-                outside = max(outside, max(at(m.low, (box, 2)) - pz, pz - at(m.high, (box, 2))))
+                outside = max(outside, at(m.low, (box, 1)) - py, py - at(m.high, (box, 1)))
+                outside = max(outside, at(m.low, (box, 2)) - pz, pz - at(m.high, (box, 2)))
                 if outside <= reach:
                     deep = search(m, b, px, py, pz, count)
                     if deep > deepest:
@@ -226,6 +226,16 @@ def _meet(
     lost += grip * (ex * (tx - ex) + ey * (ty - ey) + ez * (tz - ez))
     lost += 0.5 * grip * ((ex - sx) ** 2 + (ey - sy) ** 2 + (ez - sz) ** 2)
     firm = max(firm, share * grip * T)
+    # A dashpot beside what holds, as far as the cone has room.
+    slide = math.sqrt(max((mx - along * nx) ** 2 + (my - along * ny) ** 2 + (mz - along * nz) ** 2, 0.0))
+    drag = min(0.5 * push * m.loss * slide / T, max(cone - math.sqrt(ex * ex + ey * ey + ez * ez), 0.0) * grip)
+    if slips == 0.0 and drag > 0.0:
+        lost += drag * slide
+        fx, fy, fz = (
+            fx - drag * (mx - along * nx) / slide,
+            fy - drag * (my - along * ny) / slide,
+            fz - drag * (mz - along * nz) / slide,
+        )
     return fx - grip * ex, fy - grip * ey, fz - grip * ez, stored, lost, firm, ex, ey, ez, slips
 
 

@@ -180,7 +180,7 @@ def collect(m: Meeting, body: int, x: float, y: float, z: float, reach: float, b
                     at(m.place, (at(m.corner, (f, 1)), a)),
                     at(m.place, (at(m.corner, (f, 2)), a)),
                 )
-                apart = max(min(p, min(q, r)) - own, own - max(p, max(q, r)), 0.0)
+                apart = max(min(p, q, r) - own, own - max(p, q, r), 0.0)
                 square += apart * apart
             if square <= reach * reach:
                 if count >= room:

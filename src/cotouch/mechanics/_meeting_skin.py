@@ -1,5 +1,7 @@
 """The skins of several bodies in the form in which they meet: vertices, triangles, and trees of boxes around these."""
 
+from itertools import pairwise
+
 import numpy as np
 import numpy.typing as npt
 import scipy.sparse as sp
@@ -75,7 +77,7 @@ def meeting_of(body: Body, between: Between, points: sp.csr_array, order: Int | 
     corner, rest = np.ascontiguousarray(skin.triangles, dtype=np.int32), np.zeros((skin.vertices.shape[0], 4))
     rest[:, :3] = skin.vertices - body.rest.mean(axis=0)
     child, leaf, boxes = [], [], [0]
-    for f, g in zip(triangles[:-1], triangles[1:], strict=True):
+    for f, g in pairwise(triangles):
         own, members = _tree(rest[corner[f:g]].mean(axis=1), boxes[-1], int(f))
         child.append(own)
         leaf.append(members)

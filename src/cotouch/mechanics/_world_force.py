@@ -103,6 +103,18 @@ def _meet(
     lost += grip * (ex * (tx - ex) + ey * (ty - ey) + ez * (tz - ez))
     lost += 0.5 * grip * ((ex - sx) ** 2 + (ey - sy) ** 2 + (ez - sz) ** 2)
     firm = max(firm, share * grip * T)
+    # A dashpot beside what holds, as far as the cone has room.
+    slide = math.sqrt(max((mx - along * nx) ** 2 + (my - along * ny) ** 2 + (mz - along * nz) ** 2, 0.0))
+    drag = min(
+        0.5 * push * at(world.loss, s) * slide / T, max(cone - math.sqrt(ex * ex + ey * ey + ez * ez), 0.0) * grip
+    )
+    if slips == 0.0 and drag > 0.0:
+        lost += drag * slide
+        fx, fy, fz = (
+            fx - drag * (mx - along * nx) / slide,
+            fy - drag * (my - along * ny) / slide,
+            fz - drag * (mz - along * nz) / slide,
+        )
     fx, fy, fz = fx - grip * ex, fy - grip * ey, fz - grip * ez
     return fx, fy, fz, stored, lost, firm, ex, ey, ez, slips, passed
 

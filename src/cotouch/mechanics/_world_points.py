@@ -20,6 +20,8 @@ Corners: TypeAlias = npt.NDArray[np.int64]
 
 # Points of a skin are no farther apart than this share of the thinnest obstacle, and no more than so many.
 _APART, MOST_POINTS = 0.5, 100_000
+# Of the thinnest body so many times that: bodies' own edges are met by the other's faces as well.
+_BODY = 2.0
 # Points lie so far within the triangles that they stand for, as a share of each: what stands on its edge is not felt by
 # the walls above it. Triangles whose normals differ by less than this cosine are one side.
 _WITHIN, _ALIKE = 0.025, 0.8
@@ -48,7 +50,7 @@ def world_of(
         raise UnsupportedError(f"the body {what}; obstacles are met by a skin, so take a body from a mesh or a lattice")
     origin = body.rest.mean(axis=0)
     thin = [one.shape.thickness() for one in obstacles]
-    thin += [] if between is None else [thickness_of(part) for part in body.parts]
+    thin += [] if between is None else [_BODY * thickness_of(part) for part in body.parts]
     places, area, carry = _points(body, min(thin))
     if between is not None:  # point after point of each body
         of = part_of_nodes(body)[carry.indices[carry.indptr[:-1]]]

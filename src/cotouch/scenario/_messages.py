@@ -64,10 +64,8 @@ def _place(parts: tuple[int | str, ...]) -> str:
     for depth, part in enumerate(parts):
         if isinstance(part, int):
             place += f"[{part + 1}]"
-        elif depth == 1 and parts[0] == "body":  # which sort of body it was taken for
-            continue
-        elif parts[0] == "bodies" and depth in {2, 3} and (parts[2] == "body"):  # its options stand beside the others
-            continue
+        elif (depth == 1 and parts[0] == "body") or (depth in {2, 3} and parts[0] == "bodies" and parts[2] == "body"):
+            continue  # which sort of body it was taken for
         elif depth == 0 or part in _OPTIONS or (depth == len(parts) - 1 and not any(mark in part for mark in "[(-")):
             place += f".{part}" if place else part
     for name in ("float", "int", "str", "bool"):

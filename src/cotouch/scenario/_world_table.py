@@ -158,8 +158,8 @@ def _refuse_inside(ready: Model, world: World, position: Float) -> None:
         size = min(float(np.ptp(parts[b].body.rest, axis=0).max()) for b in (one, two))
         if deep > _INSIDE * size:
             raise ScenarioError(
-                f'bodies: "{parts[one].name}" and "{parts[two].name}" begin {deep:.3g} m deep in each other in the copy '
-                f"of user {i + 1}, more than {_INSIDE:g} of the smaller one's size; move one of them"
+                f'bodies: "{parts[one].name}" and "{parts[two].name}" begin {deep:.3g} m deep in each other in the '
+                f"copy of user {i + 1}, more than {_INSIDE:g} of the smaller one's size; move one of them"
             )
 
 
