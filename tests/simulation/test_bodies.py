@@ -90,7 +90,7 @@ def test_a_file_says_all_of_it() -> None:
 @pytest.mark.parametrize(
     ("tables", "said"),
     [
-        ({"bodies": [{**DIE, "name": "a"}, {**DIE, "name": "b"}]}, '"a" and "b" begin'),
+        ({"bodies": [{**DIE, "name": name} for name in "ab"], "world": {}}, '"a" and "b" begin'),
         ({"bodies": [{**DIE, "name": "a"}, {**DIE, "name": "a"}]}, 'two bodies are named "a"'),
         ({"bodies": [DIE]}, "bodies[1].name is missing"),
         ({"bodies": [{**DIE, "name": "a", "sise": 1}]}, "bodies[1].sise is not an option that cotouch knows"),

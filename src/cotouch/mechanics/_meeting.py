@@ -18,7 +18,8 @@ Int = npt.NDArray[np.int32]
 class Between:
     """A foundation of springs between any two bodies that meet: `½ κ depth²` for each unit of skin.
 
-    The depth of the one's skin in the other counts half, and so does that of the other's in the one.
+    Of two of one size the depth of the one's skin in the other counts half, and so does that of the other's in the one.
+    Of others the smaller one's counts more: what it stands on has no rim beside it whose walls it would climb.
 
     Attributes:
         stiffness: κ, > 0 [N/m³].
@@ -68,7 +69,7 @@ class Meeting(NamedTuple):
     Points of a body follow one another, like its vertices, triangles and boxes; the first box holds all others.
 
     Attributes:
-        stiffness: ½ κ [N/m³].
+        stiffness: κ of the points of the first body in the second, (bodies, bodies) [N/m³].
         loss: λ [s/m].
         friction: coefficient of what does not slip.
         kinetic: and of what does.
@@ -106,7 +107,7 @@ class Meeting(NamedTuple):
         worked: result, see `Parts`.
     """
 
-    stiffness: float
+    stiffness: Float
     loss: float
     friction: float
     kinetic: float

@@ -177,7 +177,8 @@ def _meet(
 ) -> _Met:
     """One point and the body that it may meet, whose nearest triangle it passes by m; see `_world_force._meet`."""
     before, after = at(m.began, (e, 0)), at(m.ended, (e, 0))
-    k = m.stiffness * at(world.area, at(m.point, e))
+    p = at(m.point, e)
+    k = at(m.stiffness, (at(m.part, p), at(m.other, e))) * at(world.area, p)
     sx, sy, sz = at(memory, here), at(memory, here + 1), at(memory, here + 2)
     grip = 0.5 * k
     held = 0.5 * grip * (sx * sx + sy * sy + sz * sz)
@@ -414,7 +415,9 @@ def settle_bodies(world: World, m: Meeting | None, x: Float) -> float:
     for e in range(at(m.entries, 1)):
         deep = at(m.began, (e, 0))
         if deep > 0.0:
-            energy += 0.5 * m.stiffness * at(world.area, at(m.point, e)) * deep * deep
+            p = at(m.point, e)
+            firm = at(m.stiffness, (at(m.part, p), at(m.other, e)))
+            energy += 0.5 * firm * at(world.area, p) * deep * deep
     return energy
 
 

@@ -17,6 +17,8 @@ _LEAF = 4
 _NEAR, _ALL = 48, 8
 # Rows may move by this share of the thinnest body before what is near is looked for anew.
 _SLACK = 1e-3
+# By which power of the ratio of their skins' areas a smaller body's points count more.
+_SMALLER = 4.0
 # Numbers of each body's balance.
 SUMS = 12
 
@@ -85,7 +87,7 @@ def meeting_of(body: Body, between: Between, points: sp.csr_array, order: Int | 
     part = np.asarray(rows[points.indices[points.indptr[:-1]]], dtype=np.int32)
     count, bodies = part.size, len(body.parts)
     return Meeting(
-        stiffness=0.5 * between.stiffness,
+        stiffness=between.stiffness * _shares(body),
         loss=between.loss,
         friction=between.friction,
         kinetic=between.friction if between.kinetic is None else between.kinetic,
@@ -121,6 +123,13 @@ def meeting_of(body: Body, between: Between, points: sp.csr_array, order: Int | 
         moved=np.zeros(body.nodes, dtype=np.int32),
         worked=np.zeros(bodies),
     )
+
+
+def _shares(body: Body) -> Float:
+    """How much the points of one body count in another, (bodies, bodies): half each of one size, the smaller one's more."""
+    corners = [part.skin().vertices[part.skin().triangles] for part in body.parts]
+    area = np.array([np.linalg.norm(np.cross(c[:, 1] - c[:, 0], c[:, 2] - c[:, 0]), axis=1).sum() for c in corners])
+    return 1.0 / (1.0 + (area[:, None] / area[None, :]) ** _SMALLER)
 
 
 def _tree(centre: Float, first_box: int, first: int) -> tuple[Int, Int]:
