@@ -10,7 +10,8 @@ from hypothesis import strategies as st
 from scipy.optimize import minimize
 from tests.thorough import examples
 
-from cotouch.mechanics._contact import SWEEPS, resist, sweep
+from cotouch.mechanics import resist
+from cotouch.mechanics._contact import SWEEPS, sweep
 
 Array = np.ndarray
 

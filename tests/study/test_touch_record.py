@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 from benchmarks import touch_record as record
 
-from cotouch.simulation import prepare
-from cotouch.simulation._batch import run_batch
+from cotouch.simulation import prepare, run_batch
 
 
 def test_a_number_is_a_scenario():

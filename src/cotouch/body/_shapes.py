@@ -17,6 +17,8 @@ Surface: TypeAlias = tuple[Float, Ints]
 
 # More cells along a side make a skin that no step gets around in a millisecond.
 _MOST_CELLS: Final = 200
+# Sides of a cylinder at least: the corners of so many are as far out as it, what they stand for a thousandth less.
+_ROUND = 24
 _NOWHERE = (0.0, 0.0, 0.0)
 
 
@@ -88,7 +90,7 @@ def rigid_cylinder(
     """
     r, h = *_lengths("radius", [radius], 1), *_lengths("length", [length], 1)
     spacing = max(2.0 * r, h) / _cells(resolution)
-    around = max(12, 4 * round(0.5 * np.pi * r / spacing))
+    around = max(_ROUND, 4 * round(0.5 * np.pi * r / spacing))
     vertices, triangles = _cylinder_surface(around, max(1, round(h / spacing)), max(1, round(r / spacing)))
     vertices = vertices * (r, r, 0.5 * h)
     spread = np.diag([0.25 * r * r, 0.25 * r * r, h * h / 12.0])

@@ -23,6 +23,7 @@ from cotouch.mechanics import Contact, EnergyMessage, Model, Surface, Tools
 from cotouch.members import Slot, coupling_of_slot, no_ports
 from cotouch.observers import size_of
 from cotouch.scenario import (
+    HandTable,
     Scenario,
     ToolTable,
     Touching,
@@ -31,7 +32,6 @@ from cotouch.scenario import (
     tools_of,
     touching_of,
 )
-from cotouch.scenario._tables import HandTable
 
 _NOWHERE: Vector = (0.0, 0.0, 0.0)
 # A ball that touches, where the session's file has no tool for the slot: so much of the body's largest extent, within

@@ -1,3 +1,5 @@
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false, reportUnknownLambdaType=false, reportUnknownParameterType=false
+# numba has no types
 """What a body force is: energy, mean force and damping of a body that turns or bends far, one file for each law."""
 # An overload's parameters only name those of its stub, and it returns a function whose names are the same.
 # ruff: noqa: ARG001, ARG005, PLW0108

@@ -36,6 +36,29 @@ def _point(world: World, p: int, x: Float) -> tuple[float, float, float]:
     return a, b, c
 
 
+@inner
+def begin_bodies(m: Meeting | None) -> None:
+    """A step begins: what is near where is not known."""
+    if m is not None:
+        put(m.entries, 0, 0)
+
+
+@inner
+def begin_work(m: Meeting | None) -> None:
+    """Nothing was done on any body yet."""
+    if m is not None:
+        for b in range(m.worked.shape[0]):
+            put(m.worked, b, 0.0)
+
+
+@inner
+def book_work(m: Meeting | None, p: int, work: float) -> None:
+    """What an obstacle did on a point [J]."""
+    if m is not None:
+        b = at(m.part, p)
+        put(m.worked, b, at(m.worked, b) + work)
+
+
 @part
 def _lay(m: Meeting, x: Float, body: int, out: Float) -> None:
     """Brings the vertices of a body to where it is."""
@@ -328,9 +351,10 @@ def _couple(world: World, m: Meeting, e: int, f: int, firm: float) -> None:
             count = _note(m, count, at(m.row, n), -at(m.ended, (e, 4 + q)) * at(m.share, n))
     for i in range(count):
         for j in range(count):
-            place = (at(m.moved, i), at(m.moved, j))
             value = firm * at(m.coefficient, i) * at(m.coefficient, j)
-            put(world.couple, place, at(world.couple, place) + value)
+            for a in range(3):
+                place = (3 * at(m.moved, i) + a, 3 * at(m.moved, j) + a)
+                put(world.couple, place, at(world.couple, place) + value)
 
 
 @part

@@ -208,7 +208,7 @@ def _features(corner: Int, vertices: int) -> tuple[Int, Int]:
     _, edge = np.unique(np.sort(ends, axis=1), axis=0, return_inverse=True)
     edge = edge.reshape(-1)
     # A triangle that names a vertex twice meets there once.
-    number = np.arange(corner.shape[0])
+    number = np.arange(int(corner.shape[0]))
     meets = np.unique(np.stack([np.repeat(number, 3), corner.ravel()]), axis=1)[1]
     borders = np.unique(np.stack([np.repeat(number, 3), edge]), axis=1)[1]
     meeting = np.concatenate([np.bincount(meets, minlength=vertices), np.bincount(borders)])
@@ -218,7 +218,7 @@ def _features(corner: Int, vertices: int) -> tuple[Int, Int]:
 def _tree(rest: Float, corner: Int) -> tuple[Int, Int, list[tuple[int, int]]]:
     """Boxes by halving at the median of the longest side; parents before children, and each box's span of `leaf`."""
     centre = rest[corner].mean(axis=1)
-    leaf = np.arange(corner.shape[0])
+    leaf = np.arange(int(corner.shape[0]))
     child: list[list[int]] = [[0, 0]]
     members = [(0, corner.shape[0])]
     waiting = [0]
@@ -246,7 +246,7 @@ def _shapes(model: Model, nodes: Int, weights: Float) -> Float:
     assert modes is not None
     count, rows = nodes.shape[0], modes.shape[1]
     carry = sp.csr_array(
-        (weights.ravel(), nodes.ravel(), np.arange(0, nodes.size + 1, nodes.shape[1])),
+        (weights.ravel(), nodes.ravel(), np.arange(0, nodes.size + 1, int(nodes.shape[1]))),
         shape=(count, model.body.nodes),
     )
     out = np.zeros((count, rows, 4))

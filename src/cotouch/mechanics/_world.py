@@ -66,7 +66,7 @@ class World(NamedTuple):
         kinetic: (S,).
         grain: energy that the rounding of places alone makes [J].
         hold: scratch: what resists motion of the rows, (rows,) [Ns/m].
-        couple: scratch: the same between rows that are solved for at once, (rows, rows), or (0, 0) [Ns/m].
+        couple: scratch: the same between rows that are solved for at once, (3 rows, 3 rows), or (0, 0) [Ns/m].
         told: scratch: force on each point by the last look, ((S + 1) * P, 4), or (S * P, 4) of one body [N].
         tried: scratch: velocity of the rows at the last look, (rows, 4) [m/s].
         force: result: mean force of each obstacle on the whole body in the step, (S, 4) [N].

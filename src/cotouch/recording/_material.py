@@ -24,7 +24,7 @@ _PARTS = ("data", "indices", "indptr")
 _PREFIX, _SKIN, _WORLD = "material_", "skin_", "world_"
 _SURFACE = ("vertices", "triangles", "nodes", "weights")
 # Numbers of an obstacle: of its shape, unused ones 0, and of its law.
-_SHAPE, _LAW = 9, ("stiffness", "loss", "friction", "kinetic")
+_SHAPE, _LAW = 13, ("stiffness", "loss", "friction", "kinetic")
 
 
 @final
@@ -34,7 +34,7 @@ class RecordedMaterial:
     Attributes:
         body: with its material.
         material: of it.
-        world: what stands around it, by name: `kind` (S,), `shape` (S, 9) and `law` (S, 4); empty: nothing does.
+        world: what stands around it, by name: `kind` (S,), `shape` (S, 13) and `law` (S, 4); empty: nothing does.
         between: what its parts do to each other, of several bodies.
     """
 
@@ -64,7 +64,7 @@ class RecordedMaterial:
         if obstacles:
             shapes = np.zeros((len(obstacles), _SHAPE))
             for row, obstacle in zip(shapes, obstacles, strict=True):
-                numbers = np.ravel(obstacle.shape)
+                numbers = np.concatenate([np.ravel(values) for values in obstacle.shape])
                 row[: numbers.size] = numbers
             laws = [
                 [o.stiffness, o.loss, o.friction, o.friction if o.kinetic is None else o.kinetic] for o in obstacles
@@ -81,16 +81,14 @@ class RecordedMaterial:
         """
         if not self.world:
             return []
-        from cotouch.mechanics import SHAPES, Obstacle
+        from cotouch.mechanics import SHAPES, Obstacle, shape_of
 
         made: list[Obstacle] = []
         for kind, shape, law in zip(*(self.world[name] for name in ("kind", "shape", "law")), strict=True):
             if not 0 <= int(kind) < len(SHAPES):
                 raise BodyError(f"the recording has an obstacle of kind {kind}; there are 0 to {len(SHAPES) - 1}")
-            of = SHAPES[int(kind)]
-            vectors = np.reshape(shape, (-1, 3))[: len(getattr(of, "_fields"))]  # noqa: B009  a NamedTuple's
             numbers = dict(zip(_LAW, map(float, law), strict=True))
-            made.append(Obstacle(shape=of(*(tuple(map(float, vector)) for vector in vectors)), **numbers))
+            made.append(Obstacle(shape=shape_of(int(kind), shape), **numbers))
         return made
 
     def arrays(self) -> dict[str, Any]:

@@ -343,8 +343,11 @@ def _kind(value: object) -> str | None:
     """Which sort of body is given."""
     if isinstance(value, Body):
         return "body"
-    usual = "file" if isinstance(value, Mapping) and "file" in value else "point"
-    kind = value.get("kind", usual) if isinstance(value, Mapping) else getattr(value, "kind", None)
+    if isinstance(value, Mapping):
+        table = cast("Mapping[str, object]", value)
+        kind = table.get("kind", "file" if "file" in table else "point")
+    else:
+        kind = getattr(value, "kind", None)
     return kind if isinstance(kind, str) else None
 
 

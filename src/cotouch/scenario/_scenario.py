@@ -12,7 +12,7 @@ from pydantic import Field, InstanceOf, PrivateAttr, ValidationError, field_vali
 
 from cotouch.body import Body
 from cotouch.errors import ScenarioError
-from cotouch.files import read_text, toml, toml_text
+from cotouch.files import list_of, read_text, table_of, toml, toml_text
 from cotouch.network import Network
 from cotouch.scenario._bodies_table import BetweenTable, Parts, PartTable, build_bodies
 from cotouch.scenario._body_tables import BodySource, FileTable, PointTable
@@ -91,7 +91,7 @@ class Scenario(Table):
         if self.synchronisation.mode == "constant":
             for name in ("period", "rate"):
                 value = getattr(self.steps, name)
-                if isinstance(value, list) and len(set(value)) > 1:
+                if len(set(list_of(value) or ())) > 1:
                     raise ValueError(
                         f'steps.{name} is {value}, but in mode "constant" all take the steps of one index together; '
                         'give one number for all, or use mode "freshest", in which everybody keeps a rate of their own'
@@ -107,7 +107,7 @@ class Scenario(Table):
     @field_validator("network", mode="before")
     @classmethod
     def _network(cls, value: object) -> object:
-        return Network.from_table(dict(value)) if isinstance(value, Mapping) else value
+        return Network.from_table(dict(cast("Mapping[str, object]", value))) if isinstance(value, Mapping) else value
 
     @classmethod
     def read(cls, path: str | Path) -> "Scenario":
@@ -358,9 +358,10 @@ class Scenario(Table):
 
 def _rooted(holder: Any, name: str, folder: Path) -> None:
     """Makes the file that a table names relative to a folder."""
-    named = holder.get(name) if isinstance(holder, dict) else None
-    if isinstance(named, dict) and isinstance(named.get("file"), str):
-        holder[name] = {**named, "file": str(folder / named["file"])}
+    tables = table_of(holder)
+    named = None if tables is None else table_of(tables.get(name))
+    if tables is not None and named is not None and isinstance(named.get("file"), str):
+        tables[name] = {**named, "file": str(folder / named["file"])}
 
 
 def per_user(value: float | list[float], users: int, name: str) -> npt.NDArray[np.float64]:

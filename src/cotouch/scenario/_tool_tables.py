@@ -1,7 +1,7 @@
 """The tables of a scenario for tools: proxies, the devices that move them, and the hands on those."""
 
 from itertools import pairwise
-from typing import Annotated, Any, Literal, Self, final
+from typing import Annotated, Any, Literal, Self, cast, final
 
 from pydantic import Discriminator, Field, FiniteFloat, Tag, model_validator
 
@@ -187,7 +187,7 @@ class ContactTable(Table):
         if law != "springs":
             if law not in kinds:
                 raise ScenarioError(f'contact.law is "{law}"; it must be one of springs, {", ".join(sorted(kinds))}')
-            known = kinds[law]._fields  # pyright: ignore[reportAttributeAccessIssue]
+            known = cast("tuple[str, ...]", getattr(kinds[law], "_fields", ()))
         for name, value in self.parameters.items():
             if name not in known or not value > 0.0:
                 has = f"has {', '.join(known)}, each above 0" if known else "has none"

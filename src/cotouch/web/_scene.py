@@ -5,7 +5,9 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.body import Body
 from cotouch.device import NOTICED_DRAG
 from cotouch.members import Status, felt
@@ -62,17 +64,17 @@ def scene_message(scene: Scene, *, version: str, started: str, acts: bool, page:
     }
 
 
-def nodes_of_points(body: Body) -> np.ndarray:
-    """The node that carries most of each drawn point, (points,); of a rigid body the point itself can be held."""
+def nodes_of_points(body: Body) -> npt.NDArray[np.integer[Any]]:
+    """The node that carries most of each drawn point, (points,)."""
     if body.rigid and body.skin is not None:
-        return body.nodes + np.arange(body.skin.vertices.shape[0])
+        return np.arange(body.nodes, body.nodes + int(body.skin.vertices.shape[0]))
     if body.skin is None:
         return np.arange(body.nodes)
     best = np.argmax(body.skin.weights, axis=1)
     return np.take_along_axis(body.skin.nodes, best[:, None], axis=1)[:, 0]
 
 
-def beside_nodes(body: Body) -> np.ndarray:
+def beside_nodes(body: Body) -> Float:
     """From each drawn point's node to the point, at rest, (points, 3) [m]."""
     if body.skin is None:
         return np.zeros((body.nodes, 3))
