@@ -1,6 +1,6 @@
 """How a body moves, passively: the compiled step and what it needs."""
 
-from cotouch.mechanics._closed import CLOSURE_ALARM, closed_settle, closed_step, inner_energy, slowed
+from cotouch.mechanics._closed import CLOSURE_ALARM, closed_settle, closed_step, slowed
 from cotouch.mechanics._contact_foundation import Foundation
 from cotouch.mechanics._contact_law import CONTACT_LAWS, press
 from cotouch.mechanics._contact_patch import press_skin
@@ -44,6 +44,7 @@ from cotouch.mechanics._coupling_law import (
 from cotouch.mechanics._coupling_pspm import PSPM
 from cotouch.mechanics._coupling_virtual import VIRTUAL
 from cotouch.mechanics._force import LAWS, LEANS, BodyForce, evaluate, lean, resist
+from cotouch.mechanics._inner_energy import inner_energy
 from cotouch.mechanics._kernel import block, inner, kernel, part
 from cotouch.mechanics._meeting import Between
 from cotouch.mechanics._meeting_force import deepest_between

@@ -382,23 +382,3 @@ def slowed(state: State, factor: float) -> None:
         factor: of the velocity.
     """
     state.memory[MOTION] *= factor * factor
-
-
-@block
-def inner_energy(
-    force: BodyForce, memory: Float, x: Float, ahead: Float, rate: Float, lanes: tuple[int, ...]
-) -> tuple[float, float]:
-    """Energy of a body's inner forces at a place, and the power of its dampers, for whoever checks a ledger.
-
-    Args:
-        force: what resists inside.
-        memory: rotations to begin with, (numbers,); gets those that were found.
-        x: where the step began, displacements from rest, (rows, width) [m].
-        ahead: the place, likewise.
-        rate: mean velocity from the one to the other, likewise [m/s].
-        lanes: fixes the width.
-
-    Returns:
-        Energy at `ahead` [J] and power over the step [W], of the whole body.
-    """
-    return evaluate(force.law, memory, x, ahead, rate, _MANY, lanes)

@@ -126,7 +126,7 @@ def meeting_of(body: Body, between: Between, points: sp.csr_array, order: Int | 
 
 
 def _shares(body: Body) -> Float:
-    """How much the points of one body count in another, (bodies, bodies): half each of one size, the smaller one's more."""
+    """How much the points of one body count in another, (bodies, bodies): of one size half each."""
     corners = [part.skin().vertices[part.skin().triangles] for part in body.parts]
     area = np.array([np.linalg.norm(np.cross(c[:, 1] - c[:, 0], c[:, 2] - c[:, 0]), axis=1).sum() for c in corners])
     return 1.0 / (1.0 + (area[:, None] / area[None, :]) ** _SMALLER)

@@ -8,7 +8,6 @@ import numpy as np
 import numpy.typing as npt
 import scipy.linalg as la
 import scipy.sparse as sp
-from scipy.sparse import csgraph
 
 from cotouch.arrays import Float
 from cotouch.body import Body, Material, Matrix, Truncation, canonical
@@ -16,6 +15,7 @@ from cotouch.errors import BodyError, UnsupportedError
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._force_memory import fresh_memory
 from cotouch.mechanics._force_together import Together, fresh_together
+from cotouch.mechanics._halves import halves_of
 from cotouch.mechanics._link_weight import fit_weight
 from cotouch.mechanics._materials import force_of, outline_of
 from cotouch.mechanics._meeting import Between
@@ -197,7 +197,7 @@ def model(
         fitted = [fit_weight(body, index, weight) for index, weight in enumerate(weights, start=1)]
     rows = body.mass.shape[0]
     matrices = [body.mass, body.damping, body.stiffness, sp.eye_array(rows, format="csr"), *(m for m, _ in fitted)]
-    order, split = _halves(matrices)
+    order, split = halves_of(matrices)
     ordered = matrices if order is None else [sp.csr_array(matrix[order][:, order]) for matrix in matrices]
     plain = Model(body=body, operator=_operator(ordered, copies, split), modes=None, inverse=None, order=order)
     if basis == "nodal" or (basis == "auto" and (plain.operator.entries.shape[0] == 0 or rows > _MODAL_ROWS)):
@@ -232,7 +232,7 @@ def _of_material(
         )
     own = [outline.mass, outline.damping, outline.stiffness, sp.eye_array(body.nodes, format="csr")]
     matrices = [*own, *(m for m, _ in fitted)]
-    order, split = (None, 0) if body.rigid else _halves(matrices)
+    order, split = (None, 0) if body.rigid else halves_of(matrices)
     ordered = matrices if order is None else [sp.csr_array(matrix[order][:, order]) for matrix in matrices]
     force, memory = force_of(body, material, order)
     between = (between or Between()) if len(body.parts) > 1 else None
@@ -252,25 +252,6 @@ def _of_material(
         obstacles=tuple(obstacles),
         between=between,
     )
-
-
-def _halves(matrices: list[sp.csr_array]) -> tuple[Int | None, int]:
-    """The order that puts rows into two halves with entries only across, and where the second starts; or (None, 0).
-
-    Lattices, chains and trees have such halves. They are found in the graph that has every row twice, once for each
-    half, and an edge across for every entry: there the two of a row are connected exactly if a cycle is odd.
-    """
-    pattern = sp.csr_array(sum((abs(m) for m in matrices[1:]), start=abs(matrices[0])))
-    pattern = sp.csr_array(pattern - sp.diags_array(pattern.diagonal()))
-    pattern.eliminate_zeros()
-    if pattern.nnz == 0:
-        return None, 0
-    rows = pattern.shape[0]
-    labels = csgraph.connected_components(sp.block_array([[None, pattern], [pattern, None]]), directed=False)[1]
-    first, second = labels[:rows], labels[rows:]
-    if np.any(first == second):
-        return None, 0
-    return np.argsort(first > second, kind="stable").astype(np.int32), int(np.count_nonzero(first < second))
 
 
 def _operator(matrices: list[sp.csr_array], copies: int, split: int) -> Operator:
