@@ -28,6 +28,7 @@ from cotouch.study._topologies import topologies
 EXAMPLES: dict[str, tuple[tuple[float, ...], tuple[float, float]]] = {
     "block-between-two-hands": ((0.2, 0.8, 1.5), (18.0, -72.0)),
     "push-a-box": ((0.2, 1.3, 2.9), (30.0, -130.0)),
+    "tower": ((0.4, 1.5, 2.6, 4.0), (14.0, -72.0)),
     "sheet": ((0.2, 1.4, 2.4, 5.0), (28.0, -65.0)),
 }
 # Corners of a box's sides, in the order of `itertools.product`.

@@ -69,11 +69,11 @@ def _own(part: Part) -> Material:
 def _outlines(body: Body) -> Body:
     """Of several bodies: those of each, side by side."""
     each = [outline_of(part.body, _own(part), tangent=body.rigid) for part in body.parts]
-    joined = {
+    joined: dict[str, Any] = {
         name: sp.csr_array(sp.block_diag([getattr(one, name) for one in each], format="csr"))
         for name in ("mass", "damping_int", "damping_ext", "stiffness_int", "stiffness_ext")
     }
-    inner = {name: SumOfSquares(joined.pop(name)) for name in ("damping_int", "stiffness_int")}
+    inner: dict[str, Any] = {name: SumOfSquares(joined.pop(name)) for name in ("damping_int", "stiffness_int")}
     return Body(rest=body.rest, **joined, **inner)
 
 

@@ -78,7 +78,9 @@ def meeting_of(body: Body, between: Between, points: sp.csr_array, order: Int | 
     triangles = np.cumsum([0, *(part.skin().triangles.shape[0] for part in body.parts)])
     corner, rest = np.ascontiguousarray(skin.triangles, dtype=np.int32), np.zeros((skin.vertices.shape[0], 4))
     rest[:, :3] = skin.vertices - body.rest.mean(axis=0)
-    child, leaf, boxes = [], [], [0]
+    child: list[Int] = []
+    leaf: list[Int] = []
+    boxes = [0]
     for f, g in pairwise(triangles):
         own, members = _tree(rest[corner[f:g]].mean(axis=1), boxes[-1], int(f))
         child.append(own)
@@ -134,7 +136,7 @@ def _shares(body: Body) -> Float:
 
 def _tree(centre: Float, first_box: int, first: int) -> tuple[Int, Int]:
     """Boxes by halving at the median of the longest side, parents before children; numbers are those of all bodies."""
-    leaf = np.arange(centre.shape[0])
+    leaf: npt.NDArray[np.int64] = np.arange(centre.shape[0])
     child: list[list[int]] = [[0, 0]]
     waiting = [(0, 0, centre.shape[0])]
     while waiting:

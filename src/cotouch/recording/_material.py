@@ -279,8 +279,8 @@ def _body_of(arrays: Mapping[str, Any], rest: Float, places: Any) -> Body:
         gravity=tuple(np.asarray(said["gravity"], dtype=np.float64).ravel().tolist()),  # pyright: ignore[reportArgumentType]
         **{name: float(said[name]) for name in ("young", "poisson", "viscosity")},
     )
-    inner = {name: SumOfSquares(matrices[name]) for name in _INNER}
-    outer = {name: matrices[name] for name in _OUTER}
+    inner: dict[str, Any] = {name: SumOfSquares(matrices[name]) for name in _INNER}
+    outer: dict[str, Any] = {name: matrices[name] for name in _OUTER}
     skin = None
     if _PREFIX + _SKIN + _SURFACE[0] in arrays:
         skin = Skin(**{name: arrays[_PREFIX + _SKIN + name] for name in _SURFACE})

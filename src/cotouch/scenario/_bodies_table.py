@@ -38,9 +38,9 @@ class PartTable(Table):
     @classmethod
     def _split(cls, given: Any) -> Any:
         """In a file the body's own options stand beside these."""
-        if not isinstance(given, Mapping) or "body" in given:
-            return given
         table = cast("Mapping[str, Any]", given)
+        if not isinstance(given, Mapping) or "body" in table:
+            return cast("Any", given)
         own = {name: table[name] for name in _OWN if name in table}
         return {**own, "body": {name: value for name, value in table.items() if name not in _OWN}}
 
