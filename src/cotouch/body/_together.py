@@ -3,11 +3,12 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import final
+from typing import Any, final
 
 import numpy as np
 import scipy.sparse as sp
 
+from cotouch.arrays import Float
 from cotouch.body._body import Body
 from cotouch.body._checks import SumOfSquares
 from cotouch.body._material import Material
@@ -77,12 +78,15 @@ def joined(parts: Sequence[Part]) -> Body:
     """
     full = any(part.body.form == "full" for part in parts)
     matrices = {name: _joined(parts, name, full) for name in _MATRICES}
+    made: dict[str, Any] = {
+        name: SumOfSquares(matrix) if name in _INNER else matrix for name, matrix in matrices.items()
+    }
     return Body(
         rest=np.concatenate([part.rest() for part in parts]),
         skin=_skins(parts),
         material=Material(model="several"),
         parts=tuple(parts),
-        **{name: SumOfSquares(matrix) if name in _INNER else matrix for name, matrix in matrices.items()},
+        **made,
     )
 
 
@@ -129,7 +133,11 @@ def _joined(parts: Sequence[Part], name: str, full: bool) -> sp.csr_array:
 
 def _skins(parts: Sequence[Part]) -> Skin:
     width = max(part.skin().nodes.shape[1] for part in parts)
-    vertices, triangles, nodes, weights, count = [], [], [], [], 0
+    vertices: list[Float] = []
+    triangles: list[Any] = []
+    nodes: list[Any] = []
+    weights: list[Float] = []
+    count = 0
     for part in parts:
         skin = part.skin()
         spare = width - skin.nodes.shape[1]

@@ -6,6 +6,8 @@ code is the same for any number of bodies. What it remembers of a copy are the m
 # An overload's parameters only name those of its stub; an array indexed by an element of another is a number to numba.
 # ruff: noqa: ARG001, ARG005, PLW0108
 # pyright: reportMissingParameterType=false, reportAttributeAccessIssue=false, reportUnusedFunction=false
+# pyright: reportUnknownParameterType=false, reportUnknownMemberType=false, reportUnknownVariableType=false
+# pyright: reportUnknownArgumentType=false, reportUnknownLambdaType=false
 # pyright: reportArgumentType=false, reportReturnType=false
 
 from collections.abc import Sequence
@@ -47,7 +49,7 @@ class Together(NamedTuple):
     Attributes:
         packs: a `Pack` for each kind of law that there is.
         kind: which of them each body's is in, (bodies,).
-        index: and where, (bodies,).
+        slot: and where, (bodies,).
         first: first node of each body, (bodies + 1,).
         row: row of the kernels of each node, (nodes,).
         turn: rotation of each body's rest shape, (bodies, 9).
@@ -62,7 +64,7 @@ class Together(NamedTuple):
 
     packs: tuple[Pack, ...]
     kind: Int
-    index: Int
+    slot: Int
     first: Int
     row: Int
     turn: Float
@@ -87,13 +89,13 @@ def together_of(
         turns: rotation of each rest shape, (3, 3).
         dense: whether all rows are solved for at once.
     """
-    kinds = sorted({type(law) for law in laws}, key=lambda kind: kind.__name__)
+    kinds: list[type] = sorted({type(law) for law in laws}, key=_name)
     of_kind = [[law for law in laws if type(law) is kind] for kind in kinds]
     most = max(own.size for own in rows)
     return Together(
         packs=tuple(_pack(same) for same in of_kind),
         kind=np.array([kinds.index(type(law)) for law in laws], dtype=np.int32),
-        index=np.array([sum(type(o) is type(law) for o in laws[:b]) for b, law in enumerate(laws)], dtype=np.int32),
+        slot=np.array([sum(type(o) is type(law) for o in laws[:b]) for b, law in enumerate(laws)], dtype=np.int32),
         first=np.cumsum([0, *(own.size for own in rows)]).astype(np.int32),
         row=np.concatenate(rows).astype(np.int32),
         turn=np.ascontiguousarray([turn.ravel() for turn in turns]),
@@ -102,6 +104,10 @@ def together_of(
         tangent=np.zeros((3 * most, 3 * most) if dense else (0, 0)),
         **{name: np.zeros((most, 4)) for name in ("place", "ahead", "rate", "out")},
     )
+
+
+def _name(kind: type) -> str:
+    return kind.__name__
 
 
 def _pack(laws: list[Any]) -> Pack:
@@ -255,7 +261,7 @@ def resist_together(
         _resist_kind(
             law.packs,
             at(law.kind, b),
-            at(law.index, b),
+            at(law.slot, b),
             memory[at(law.memory, b) : at(law.memory, b + 1)],
             law.place[:count],
             law.ahead[:count],
@@ -286,7 +292,7 @@ def evaluate_together(
         own, lost = _evaluate_kind(
             law.packs,
             at(law.kind, b),
-            at(law.index, b),
+            at(law.slot, b),
             memory[at(law.memory, b) : at(law.memory, b + 1)],
             law.place[:count],
             law.ahead[:count],
@@ -316,7 +322,7 @@ def lean_together(
         _lean_kind(
             law.packs,
             at(law.kind, b),
-            at(law.index, b),
+            at(law.slot, b),
             memory[at(law.memory, b) : at(law.memory, b + 1)],
             law.place[:count],
             law.ahead[:count],
