@@ -57,7 +57,7 @@ def test_what_holds_a_rigid_one_is_its_own() -> None:
     ("bodies", "said"),
     [
         ([], "there are no bodies; give at least one"),
-        ([("a", BLOCK), ("a", BLOCK)], 'two bodies are named "a"; each needs a name of its own'),
+        ([("a", BLOCK), ("a", solid())], 'two bodies are named "a"; each needs a name of its own'),
         ([("", BLOCK)], "a body has an empty name; each needs a name of its own"),
         ([("p", point())], 'body "p" has 1 axes; bodies meet by their skins, so take it from a mesh or a lattice'),
         ([("p", lattice((3, 3, 1)))], 'body "p" has no skin; bodies meet by their skins'),

@@ -90,7 +90,11 @@ def test_a_file_says_all_of_it() -> None:
 @pytest.mark.parametrize(
     ("tables", "said"),
     [
-        ({"bodies": [{**DIE, "name": name} for name in "ab"], "world": {}}, '"a" and "b" begin'),
+        ({"bodies": [{**DIE, "name": name} for name in "ab"]}, 'bodies "a" and "b" are in one place; move one'),
+        (
+            {"bodies": [{**DIE, "name": "a"}, {**DIE, "name": "b", "at": [0.03, 0.01, 0.01]}], "world": {}},
+            'bodies: "b" and "a" begin 0.02 m deep in each other in the copy of user 1',
+        ),
         ({"bodies": [{**DIE, "name": "a"}, {**DIE, "name": "a"}]}, 'two bodies are named "a"'),
         ({"bodies": [DIE]}, "bodies[1].name is missing"),
         ({"bodies": [{**DIE, "name": "a", "sise": 1}]}, "bodies[1].sise is not an option that cotouch knows"),

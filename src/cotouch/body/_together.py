@@ -20,6 +20,8 @@ from cotouch.errors import BodyError, UnsupportedError
 _MATRICES = ("mass", "damping_int", "damping_ext", "stiffness_int", "stiffness_ext")
 # Of what a body is, and what its inner matrices are known to be.
 _INNER = ("damping_int", "stiffness_int")
+# Extents that differ by less than this share are the same.
+_SAME = 0.01
 
 
 @final
@@ -67,6 +69,7 @@ def together(bodies: Sequence[Placed]) -> Body:
         _check(placed, [part.name for part in parts])
         parts.append(_part(placed, first))
         first += placed.body.nodes
+    _refuse_same(parts)
     return joined(parts)
 
 
@@ -88,6 +91,16 @@ def joined(parts: Sequence[Part]) -> Body:
         parts=tuple(parts),
         **made,
     )
+
+
+def _refuse_same(parts: Sequence[Part]) -> None:
+    """Two bodies in just one place have no depth in each other, as each point of the one lies on the other's skin."""
+    boxes = [(part.rest().min(axis=0), part.rest().max(axis=0)) for part in parts]
+    for k, (low, high) in enumerate(boxes):
+        for j in range(k):
+            apart = max(np.abs(low - boxes[j][0]).max(), np.abs(high - boxes[j][1]).max())
+            if apart <= _SAME * float((high - low).max()):
+                raise BodyError(f'bodies "{parts[j].name}" and "{parts[k].name}" are in one place; move one of them')
 
 
 def _check(placed: Placed, names: list[str]) -> None:

@@ -44,6 +44,8 @@ class BodyForce(NamedTuple):
         grain: energy that the rounding of places alone makes, of the whole body [J].
         world: what the body's skin meets; None: nothing.
         parts: each body's share in the balance, of several; None: there is one.
+        behind: where in a copy's memory begins what is not the law's: of the world, and which elements were cut; 0:
+            nothing.
     """
 
     law: Any
@@ -51,6 +53,7 @@ class BodyForce(NamedTuple):
     directions: int
     grain: float
     world: World | None = None
+    behind: int = 0
     parts: Parts | None = None
 
 

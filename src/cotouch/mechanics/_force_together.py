@@ -4,7 +4,7 @@ Laws of one kind lie side by side in one set of arrays, and a kernel takes the p
 code is the same for any number of bodies. What it remembers of a copy are the memories of all, one after the other.
 """
 # An overload's parameters only name those of its stub; an array indexed by an element of another is a number to numba.
-# ruff: noqa: ARG001, ARG005, PLW0108
+# ruff: noqa: ARG001, ARG005
 # pyright: reportMissingParameterType=false, reportAttributeAccessIssue=false, reportUnusedFunction=false
 # pyright: reportUnknownParameterType=false, reportUnknownMemberType=false, reportUnknownVariableType=false
 # pyright: reportUnknownArgumentType=false, reportUnknownLambdaType=false
@@ -137,17 +137,17 @@ def fresh_together(law: Together, more: int) -> Float:
     return np.concatenate([np.zeros(_HEAD), *own, np.zeros(more)])
 
 
-def begin(law: Any, memory: Float) -> None:
+def begin(law: Any, memory: Float, behind: int) -> None:
     """Sets all rotations of any law to none. Kernels only."""
-    del law, memory
+    del law, memory, behind
     raise NotImplementedError
 
 
 @overload(begin)
-def _begin(law, memory):
+def _begin(law, memory, behind):
     if law.instance_class is Together:
-        return lambda law, memory: _forget_all(law, memory)
-    return lambda law, memory: forget(memory)
+        return lambda law, memory, behind: _forget_all(law, memory)
+    return lambda law, memory, behind: forget(memory, behind)
 
 
 @part
@@ -155,7 +155,7 @@ def _forget_all(law: Together, memory: Float) -> None:
     for place in range(memory.shape[0]):
         put(memory, place, 0.0)
     for b in range(law.kind.shape[0]):
-        forget(memory[at(law.memory, b) : at(law.memory, b + 1)])
+        forget(memory[at(law.memory, b) : at(law.memory, b + 1)], 0)
 
 
 def _piece(pack: Any, k: Any) -> Any:

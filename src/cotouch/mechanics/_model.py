@@ -15,11 +15,10 @@ from cotouch.errors import BodyError, UnsupportedError
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._force_memory import fresh_memory
 from cotouch.mechanics._force_together import Together, fresh_together
-from cotouch.mechanics._halves import halves_of
 from cotouch.mechanics._link_weight import fit_weight
 from cotouch.mechanics._materials import force_of, outline_of
 from cotouch.mechanics._meeting import Between
-from cotouch.mechanics._operator import DAMPING, MASS, STIFFNESS, WEIGHTS, Operator, mixed
+from cotouch.mechanics._operator import DAMPING, MASS, STIFFNESS, WEIGHTS, Operator, halves, mixed
 from cotouch.mechanics._state import Workspace, workspace
 from cotouch.mechanics._vector import WIDTHS
 from cotouch.mechanics._world import Obstacle
@@ -57,6 +56,7 @@ class Model:
         memory: numbers that it remembers of a copy, with those of the world.
         obstacles: what stands still around the body.
         between: what its parts do to each other, of several bodies.
+        cut: where in the memory it is which elements were cut, and by whom; negative: none can be.
     """
 
     body: Body
@@ -68,6 +68,7 @@ class Model:
     memory: int = 0
     obstacles: tuple[Obstacle, ...] = ()
     between: Between | None = None
+    cut: int = -1
 
     @property
     def basis(self) -> Literal["nodal", "modal"]:
@@ -120,11 +121,10 @@ class Model:
 
     def unturned(self) -> Float:
         """What a body force remembers of a copy that it has not seen, (memory,)."""
-        world = None if self.force is None else self.force.world
-        more = 0 if world is None else self.memory - world.first
         if self.force is not None and isinstance(self.force.law, Together):
-            return fresh_together(self.force.law, more)
-        return fresh_memory(self.memory - more, more)
+            return fresh_together(self.force.law, self.memory - int(self.force.law.memory[-1]))
+        behind = 0 if self.force is None else self.force.behind
+        return fresh_memory(behind, self.memory - behind) if behind else fresh_memory(self.memory)
 
     def workspace(self, ports: int) -> Workspace:
         """Scratch for steps with at most so many ports of one user; all rows of a rigid body are solved for at once."""
@@ -197,7 +197,7 @@ def model(
         fitted = [fit_weight(body, index, weight) for index, weight in enumerate(weights, start=1)]
     rows = body.mass.shape[0]
     matrices = [body.mass, body.damping, body.stiffness, sp.eye_array(rows, format="csr"), *(m for m, _ in fitted)]
-    order, split = halves_of(matrices)
+    order, split = halves(matrices)
     ordered = matrices if order is None else [sp.csr_array(matrix[order][:, order]) for matrix in matrices]
     plain = Model(body=body, operator=_operator(ordered, copies, split), modes=None, inverse=None, order=order)
     if basis == "nodal" or (basis == "auto" and (plain.operator.entries.shape[0] == 0 or rows > _MODAL_ROWS)):
@@ -232,15 +232,20 @@ def _of_material(
         )
     own = [outline.mass, outline.damping, outline.stiffness, sp.eye_array(body.nodes, format="csr")]
     matrices = [*own, *(m for m, _ in fitted)]
-    order, split = (None, 0) if body.rigid else halves_of(matrices)
+    order, split = (None, 0) if body.rigid else halves(matrices)
     ordered = matrices if order is None else [sp.csr_array(matrix[order][:, order]) for matrix in matrices]
     force, memory = force_of(body, material, order)
+    force = force._replace(behind=memory)
     between = (between or Between()) if len(body.parts) > 1 else None
     if obstacles or between is not None:
         world, more = world_of(body, obstacles, between, order, memory)
         force, memory = force._replace(world=world), memory + more
         if force.parts is not None and world.bodies is not None:
             force = force._replace(parts=force.parts._replace(worked=world.bodies.worked))
+    cut = -1
+    if material.cuttable:
+        cut, memory = memory, memory + 2 * material.elements.shape[0]
+        force = force._replace(law=force.law._replace(cut=cut))
     return Model(
         body=body,
         operator=_operator(ordered, copies, split),
@@ -251,6 +256,7 @@ def _of_material(
         memory=memory,
         obstacles=tuple(obstacles),
         between=between,
+        cut=cut,
     )
 
 
