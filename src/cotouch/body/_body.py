@@ -11,6 +11,7 @@ import numpy.typing as npt
 import scipy.sparse as sp
 
 from cotouch.arrays import Float
+from cotouch.body._body_checks import check_mass, rest_shape
 from cotouch.body._checks import Form, Matrix, SumOfSquares, diagonal, plausible, positive, square
 from cotouch.body._material import Material
 from cotouch.body._origin import Origin
@@ -87,7 +88,7 @@ class Body:
         parts: tuple[Part, ...] = (),
         places: npt.ArrayLike = (),
     ) -> None:
-        shape = _rest_shape(rest)
+        shape = rest_shape(rest)
         nodes, dimension = shape.shape
         sizes: dict[int, Form] = {nodes * dimension: "full", nodes: "node"}
         given: dict[str, Matrix | SumOfSquares | None] = {
@@ -110,7 +111,7 @@ class Body:
             for name, matrix in matrices.items():
                 if matrix.shape[0] == nodes:
                     matrices[name] = sp.csr_array(sp.kron(matrix, identity))
-        _check_mass(matrices["mass"], dimension if full else 1)
+        check_mass(matrices["mass"], dimension if full else 1)
         for name in ("damping_int", "stiffness_int"):
             if name in known:
                 plausible(name, matrices[name])
@@ -215,19 +216,8 @@ class Body:
         Raises:
             BodyError: the body is not rigid, or a number not finite.
         """
-        return Body(
-            mass=self.mass,
-            rest=self.rest,
-            damping_int=SumOfSquares(self.damping_int),
-            damping_ext=self.damping_ext,
-            stiffness_int=SumOfSquares(self.stiffness_int),
-            stiffness_ext=self.stiffness_ext,
-            skin=self.skin,
-            origin=self.origin,
-            material=self.material,
-            parts=self.parts,
-            places=places,
-        )
+        assert self.material is not None
+        return self._made_of(self.material, places)
 
     @cached_property
     def damping(self) -> sp.csr_array:
@@ -294,7 +284,7 @@ class Body:
             raise BodyError(f"cutting needs a body of 3 axes, but this one has {self.dimension}")
         return self._made_of(replace(self.material, cuttable=True, tear=tear))
 
-    def _made_of(self, material: Material) -> "Body":
+    def _made_of(self, material: Material, places: npt.ArrayLike | None = None) -> "Body":
         return Body(
             mass=self.mass,
             rest=self.rest,
@@ -306,7 +296,7 @@ class Body:
             origin=self.origin,
             material=material,
             parts=self.parts,
-            places=self.places,
+            places=self.places if places is None else places,
         )
 
     def truncated(self, *, modes: int, contacts: Sequence[int] = ()) -> "Body":
@@ -409,31 +399,3 @@ def _sum(internal: sp.csr_array, external: sp.csr_array) -> sp.csr_array:
     if not internal.nnz or not external.nnz:
         return internal if internal.nnz else external
     return sp.csr_array(internal + external)
-
-
-def _rest_shape(rest: npt.ArrayLike) -> Float:
-    try:
-        shape = np.array(rest, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        raise BodyError(f"rest is not an array of positions ({error}); give n rows of 1 to 3 coordinates") from error
-    if shape.ndim == 1:
-        shape = shape[:, None]
-    if shape.ndim != 2 or shape.shape[0] < 1 or not 1 <= shape.shape[1] <= 3:
-        extents = " x ".join(str(extent) for extent in shape.shape) or "a single number"
-        raise BodyError(f"rest is {extents}; it must be n x d, with at least one node and d from 1 to 3")
-    bad = np.argwhere(~np.isfinite(shape))
-    if bad.size:
-        node, axis = bad[0]
-        raise BodyError(f"rest[{node}, {axis}] is {shape[node, axis]}; every coordinate must be a finite number")
-    shape.setflags(write=False)
-    return shape
-
-
-def _check_mass(mass: sp.csr_array, rows_per_node: int) -> None:
-    own = mass.diagonal()
-    bad = np.flatnonzero(own <= 0.0)
-    if bad.size:
-        row = int(bad[0])
-        node = row // rows_per_node + 1
-        raise BodyError(f"node {node} has mass {own[row]:.9g} (mass[{row}, {row}]); every node needs a mass > 0")
-    positive("mass", mass, strictly=True)

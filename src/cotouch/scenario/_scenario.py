@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import Annotated, Any, Self, cast, final
 
 import numpy as np
-import numpy.typing as npt
 from pydantic import Field, InstanceOf, PrivateAttr, ValidationError, field_validator, model_validator
 
 from cotouch.body import Body
@@ -393,21 +392,3 @@ def _rooted(holder: Any, name: str, folder: Path) -> None:
     named = None if tables is None else table_of(tables.get(name))
     if tables is not None and named is not None and isinstance(named.get("file"), str):
         tables[name] = {**named, "file": str(folder / named["file"])}
-
-
-def per_user(value: float | list[float], users: int, name: str) -> npt.NDArray[np.float64]:
-    """One number for all users, or a list with one for each.
-
-    Args:
-        value: one number, or one for each.
-        users: how many there are.
-        name: of the option, for messages.
-
-    Raises:
-        ScenarioError: the list has another length.
-    """
-    if isinstance(value, list):
-        if len(value) != users:
-            raise ScenarioError(f"{name} has {len(value)} entries; the network has {users} users")
-        return np.asarray(value, dtype=np.float64)
-    return np.full(users, float(value))
