@@ -216,8 +216,7 @@ class Body:
         Raises:
             BodyError: the body is not rigid, or a number not finite.
         """
-        assert self.material is not None
-        return self._made_of(self.material, places)
+        return self._made_of(self.material or Material(model="linear"), places)
 
     @cached_property
     def damping(self) -> sp.csr_array:
