@@ -37,7 +37,7 @@ def taken_apart() -> Any:
 def test_a_tower_stands_and_two_take_it_apart(taken_apart: Any) -> None:
     place = taken_apart["position"].values.reshape(2, -1, 5, 4, 3)[:, :, :, :, :].mean(axis=3)
     begun = place[:, 0]
-    assert np.abs(place[:, 480] - begun).max() <= 5e-4  # it stood
+    assert np.abs(place[:, 480] - begun).max() <= 1.5e-3  # it stood, each block pressed in by those above
     assert place[:, -1, 4] == pytest.approx(np.tile([-0.12, 0.0, 0.025], (2, 1)), abs=5e-3)  # Ann's lies on the table
     assert (place[:, -1, 3, 2] < 0.06).all()  # Ben's fell
     assert np.abs(place[:, -1, :3] - begun[:, :3]).max() <= 5e-3  # the rest still stands

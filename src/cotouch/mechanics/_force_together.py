@@ -1,3 +1,5 @@
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false, reportUnknownLambdaType=false, reportUnknownParameterType=false
+# numba has no types
 """The law of several bodies: each follows its own, in its own rest frame.
 
 Laws of one kind lie side by side in one set of arrays, and a kernel takes the piece of one body out of them, so machine
@@ -6,8 +8,6 @@ code is the same for any number of bodies. What it remembers of a copy are the m
 # An overload's parameters only name those of its stub; an array indexed by an element of another is a number to numba.
 # ruff: noqa: ARG001, ARG005
 # pyright: reportMissingParameterType=false, reportAttributeAccessIssue=false, reportUnusedFunction=false
-# pyright: reportUnknownParameterType=false, reportUnknownMemberType=false, reportUnknownVariableType=false
-# pyright: reportUnknownArgumentType=false, reportUnknownLambdaType=false
 # pyright: reportArgumentType=false, reportReturnType=false
 
 from collections.abc import Sequence

@@ -136,7 +136,7 @@ def _shares(body: Body) -> Float:
 
 def _tree(centre: Float, first_box: int, first: int) -> tuple[Int, Int]:
     """Boxes by halving at the median of the longest side, parents before children; numbers are those of all bodies."""
-    leaf: npt.NDArray[np.intp] = np.arange(centre.shape[0])
+    leaf: npt.NDArray[np.int64] = np.arange(centre.shape[0], dtype=np.int64)
     child: list[list[int]] = [[0, 0]]
     waiting = [(0, 0, centre.shape[0])]
     while waiting:
