@@ -1,6 +1,6 @@
 """What stood around a recorded body: what it held and took, and what a changed share of it makes."""
 
-from typing import TYPE_CHECKING, NamedTuple, cast
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
