@@ -169,6 +169,10 @@ class Body:
         """The linear body that it is like at rest, without weight."""
         if self.material is None:
             return self
+        return self._of(None)
+
+    def _of(self, material: Material | None, places: npt.ArrayLike = ()) -> "Body":
+        """The same body of another material."""
         return Body(
             mass=self.mass,
             rest=self.rest,
@@ -178,6 +182,8 @@ class Body:
             stiffness_ext=self.stiffness_ext,
             skin=self.skin,
             origin=self.origin,
+            material=material,
+            places=places,
         )
 
     def with_places(self, places: npt.ArrayLike) -> "Body":
@@ -189,18 +195,7 @@ class Body:
         Raises:
             BodyError: the body is not rigid, or a number not finite.
         """
-        return Body(
-            mass=self.mass,
-            rest=self.rest,
-            damping_int=SumOfSquares(self.damping_int),
-            damping_ext=self.damping_ext,
-            stiffness_int=SumOfSquares(self.stiffness_int),
-            stiffness_ext=self.stiffness_ext,
-            skin=self.skin,
-            origin=self.origin,
-            material=self.material,
-            places=places,
-        )
+        return self._of(self.material, places)
 
     @cached_property
     def damping(self) -> sp.csr_array:
