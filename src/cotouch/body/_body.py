@@ -189,18 +189,7 @@ class Body:
         Raises:
             BodyError: the body is not rigid, or a number not finite.
         """
-        return Body(
-            mass=self.mass,
-            rest=self.rest,
-            damping_int=SumOfSquares(self.damping_int),
-            damping_ext=self.damping_ext,
-            stiffness_int=SumOfSquares(self.stiffness_int),
-            stiffness_ext=self.stiffness_ext,
-            skin=self.skin,
-            origin=self.origin,
-            material=self.material,
-            places=places,
-        )
+        return self._made_of(self.material, places)
 
     @cached_property
     def damping(self) -> sp.csr_array:
@@ -266,7 +255,7 @@ class Body:
             raise BodyError(f"cutting needs a body of 3 axes, but this one has {self.dimension}")
         return self._made_of(replace(self.material, cuttable=True, tear=tear))
 
-    def _made_of(self, material: Material) -> "Body":
+    def _made_of(self, material: Material | None, places: npt.ArrayLike | None = None) -> "Body":
         return Body(
             mass=self.mass,
             rest=self.rest,
@@ -277,7 +266,7 @@ class Body:
             skin=self.skin,
             origin=self.origin,
             material=material,
-            places=self.places,
+            places=self.places if places is None else places,
         )
 
     def truncated(self, *, modes: int, contacts: Sequence[int] = ()) -> "Body":
