@@ -122,6 +122,13 @@ export class Moving {
     if (this.shape.triangles) this.normals(this.shape.triangles);
   }
 
+  /** Gives every drawn point a value to be coloured by, in place of stretch. */
+  colour(values: Float32Array): void {
+    const value = this.value.array as Float32Array;
+    this.shape.point.forEach((point, c) => (value[c] = values[point]!));
+    this.value.needsUpdate = true;
+  }
+
   /**
    * Leaves of the film only triangles that the ghost's program would not draw clear, and that face the eye: mostly a few.
    * @param own copy that it is compared with

@@ -7,7 +7,7 @@ from html import escape
 from importlib.resources import files
 from pathlib import Path
 from string import Template
-from typing import Any, Final, final
+from typing import Final, final
 
 import numpy as np
 import numpy.typing as npt
@@ -16,7 +16,7 @@ from cotouch import drawing
 from cotouch.body import Skin
 from cotouch.errors import BodyError, InputError, NetworkError
 from cotouch.files import prepare, write
-from cotouch.mechanics import Box, Plane, Shape
+from cotouch.mechanics import Shape
 from cotouch.simulation._animation_checks import (
     Float,
     Int,
@@ -32,11 +32,7 @@ from cotouch.simulation._animation_checks import (
 )
 from cotouch.simulation._pack import Packer
 
-# In the order in which they share one scope; see `_viewer/index.html`.
 HTML: Final = (".html", ".htm")
-# A plane is a floor if its normal is so much longer upwards than along the floor.
-_LEVEL: Final = 1e6
-_SCRIPTS: Final = ("data.js", "camera.js", "shapes.js", "scene.js", "chart.js", "app.js")
 
 
 @final
@@ -148,7 +144,7 @@ class Animation:
         ports: hands that hold it.
         links: pairs of user indices that are joined.
         series: further numbers of every user over time: discrepancy, age, energy residual.
-        shapes: what stands still around the object; of planes only level floors are drawn.
+        shapes: what stands still around the object.
 
     Raises:
         BodyError: vertices, triangles, edges or the skin do not fit together.
@@ -307,7 +303,7 @@ class Animation:
             "links": self.links,
             "series": [{"name": entry.name, "unit": entry.unit} for entry in series],
             "peaks": {"displacement": displacement, "difference": difference},
-            **_around(self.shapes),
+            "obstacles": [{"kind": type(shape).__name__.lower(), **shape._asdict()} for shape in self.shapes],
         }
         viewer = files("cotouch.simulation").joinpath("_viewer")
         read = {name: viewer.joinpath(name).read_text(encoding="utf-8") for name in ("index.html", "style.css")}
@@ -318,8 +314,7 @@ class Animation:
             style=Template(read["style.css"]).substitute(surface=drawing.SURFACE, alarm=drawing.ALARM, **colors),
             header=json.dumps(header, ensure_ascii=False).replace("<", "\\u003c"),
             data=packer.text(),
-            shaders=viewer.joinpath("shaders.glsl").read_text(encoding="utf-8"),
-            script="\n".join(viewer.joinpath(name).read_text(encoding="utf-8") for name in _SCRIPTS),
+            script=viewer.joinpath("animation.js").read_text(encoding="utf-8"),
         )
 
     def felt(self) -> Float:
@@ -342,20 +337,6 @@ class Animation:
             gap = frame - frame.mean(axis=0)
             difference = max(difference, float(np.square(gap).sum(axis=-1).max(initial=0.0)))
         return displacement**0.5, difference**0.5
-
-
-def _around(shapes: Sequence[Shape]) -> dict[str, Any]:
-    """Height of the highest level floor, and the boxes: centre, half sides and directions of the sides."""
-    level = [
-        shape.point[2]
-        for shape in shapes
-        if isinstance(shape, Plane) and shape.normal[2] > _LEVEL * np.hypot(*shape.normal[:2])
-    ]
-    boxes = [shape.packed((0.0, 0.0, 0.0)) for shape in shapes if isinstance(shape, Box)]
-    return {
-        "floor": max(level, default=None),
-        "boxes": [{"centre": box[:3], "half": box[3:6], "turn": box[6:]} for box in boxes],
-    }
 
 
 def _carried(skin: Skin, field: Single) -> Single:
