@@ -13,7 +13,9 @@ export interface User {
 export type Obstacle =
   | { kind: "plane"; point: Vec; normal: Vec }
   /** `turn`: along the axis of turning, as long as the angle [rad]. */
-  | { kind: "box"; size: Vec; centre: Vec; turn: Vec };
+  | { kind: "box"; size: Vec; centre: Vec; turn: Vec }
+  /** A box with a round hole along its third side: its radius, where its axis is along the others, and what its rims lack. */
+  | { kind: "plate"; size: Vec; hole: [number, number, number, number]; centre: Vec; turn: Vec };
 
 /** What a server run shows; does not change while it runs. Lengths in m. */
 export interface Scene {

@@ -18,6 +18,7 @@ from tests.simulation.browser import Opened, browser
 from cotouch import body_from_surface
 from cotouch.body import Skin
 from cotouch.errors import BodyError, InputError, NetworkError, OutputError
+from cotouch.mechanics import Box, Plane
 from cotouch.simulation import Animation, PortTracks, ToolTracks, UserSeries
 
 FRAMES = 40
@@ -109,6 +110,17 @@ def test_everything_else_comes_back() -> None:
         assert np.array_equal(arrays[name], given.astype(np.float32))
     assert np.array_equal(arrays["series_0"], shown.felt().astype(np.float32))
     assert np.array_equal(arrays["series_1"], values.astype(np.float32), equal_nan=True)
+
+
+def test_what_stands_around_is_told_as_the_page_has_it() -> None:
+    shapes = [Plane(point=(0.0, 0.0, -0.1), normal=(0.0, 0.0, 1.0)), Box(size=(0.1, 0.2, 0.3), centre=(0.5, 0.0, 0.0))]
+    header, _ = unpacked(made(shapes=shapes).page())
+    assert header["obstacles"] == [
+        {"kind": "plane", "point": [0.0, 0.0, -0.1], "normal": [0.0, 0.0, 1.0]},
+        {"kind": "box", "size": [0.1, 0.2, 0.3], "centre": [0.5, 0.0, 0.0], "turn": [0.0, 0.0, 0.0]},
+    ]
+    with pytest.raises(BodyError, match="size"):
+        made(shapes=[Box(size=(0.0, 0.2, 0.3), centre=(0.0, 0.0, 0.0))])
 
 
 def test_peaks_by_hand() -> None:

@@ -192,7 +192,7 @@ function cloudOf(run: Run, centre: Vector3, radius: number, metresPerNewton: num
       box(least, most);
     });
   for (const one of obstacles as Obstacle[]) {
-    if (one.kind !== "box" || centre.distanceTo(new Vector3(...one.centre)) > 6 * radius) continue;
+    if (one.kind === "plane" || centre.distanceTo(new Vector3(...one.centre)) > 6 * radius) continue;
     const half = Math.hypot(...one.size) / 2;
     box(one.centre.map((x) => x - half), one.centre.map((x) => x + half));
   }

@@ -141,7 +141,7 @@ class DeviceHand:
             first=int(hands.first[slot]), last=int(hands.first[slot + 1]), shape=hands.shape
         )
         for node, own in zip(nodes, ports, strict=True):
-            x, y, z = (*body.rest[node - 1].tolist(), 0.0, 0.0)[:3]
+            x, y, z = (*body.held_rest[node - 1].tolist(), 0.0, 0.0)[:3]
             self._nodes.append(GraspedNode(self.ports, body.dimension, node - 1, (x, y, z), own.tolist()))
         return list(self._nodes)
 

@@ -30,7 +30,7 @@ def fastest(surface: Surface, velocity: Float) -> float:
             for a in range(width):
                 own += velocity[i, a] * velocity[i, a]
             square = max(square, own)
-        return math.sqrt(square)
+        return surface.swing * math.sqrt(square)
     for i in range(rows):
         square = max(square, 3.0 * velocity[i, 0] * velocity[i, 0])
     return math.sqrt(square)
@@ -118,8 +118,8 @@ def load_rows(surface: Surface, work: ContactWork, p: int) -> None:
                     share = weight[v, k]
                     if row.shape[2] == 1:
                         push[row[v, k, 0], a] += share * value
-                        if a == 0:
-                            hold[row[v, k, 0]] += share * firm[v]
+                        if a == 0:  # a share below 0, of what is rigid, resists as well
+                            hold[row[v, k, 0]] += surface.swing * abs(share) * firm[v]
                     else:
                         push[row[v, k, a], 0] += share * value
                         hold[row[v, k, a]] += share * firm[v]

@@ -95,7 +95,7 @@ def contact_step(
     looks = 1
     if force is not None:
         take_up(force.world, state.memory)
-        looks = looks_of(force.world, force.directions)
+        looks = looks_of(force.world, force.directions, work.dense.shape[0] > 0)
     for number in range(_LOOKS + looks):
         for i in range(mean.shape[0]):
             store(push, i, splat(0.0, lanes), lanes)

@@ -52,6 +52,7 @@ class Surface(NamedTuple):
         hold_row: its rows, (H, axes); (H, 0) in a modal basis, where it is the vertex of the same number.
         soft: what a truncated body lacks in static compliance at a corner of each triangle, and between two of its
             corners, (F, 2), else (0, 2) [m/N].
+        swing: how many times as fast as the fastest row a vertex can be; 1 where weights are none below 0.
     """
 
     rest: Float
@@ -70,6 +71,7 @@ class Surface(NamedTuple):
     hold_rest: Float
     hold_row: Int
     soft: Float
+    swing: float
 
 
 class Fit(NamedTuple):
@@ -136,6 +138,7 @@ def surface_of(model: Model) -> Surface:
         hold_rest=hold_rest,
         hold_row=hold_row,
         soft=_softness(model, rest, corner) if body.truncation is not None else np.zeros((0, 2)),
+        swing=float(np.abs(weights).sum(axis=1).max()) if body.rigid else 1.0,
     )
 
 

@@ -273,12 +273,15 @@ class _Steps:
         ports = self.setup.ports
         if ports is None:
             return booked
-        if len(ports) != force.shape[1] or any(not 0 <= node < self.body.rest.shape[0] for node in ports):
+        rate, material = self.mean.reshape(self.T.size, *self.body.rest.shape), self.body.material
+        shares = None if material is None else material.body.held_shares
+        if shares is not None:  # of a rigid body any point may be held
+            rate = np.einsum("hn,sna->sha", shares, rate)
+        if len(ports) != force.shape[1] or any(not 0 <= node < rate.shape[1] for node in ports):
             raise RecordingError(
                 f"{self.recording.path} says that its ports hold the nodes {list(ports)}; its steps have "
-                f"{force.shape[1]} ports, its body {self.body.rest.shape[0]} nodes"
+                f"{force.shape[1]} ports, its body {rate.shape[1]} nodes"
             )
-        rate = self.mean.reshape(self.T.size, *self.body.rest.shape)
         seen: dict[int, int] = {}
         work = np.zeros(self.T.size)
         for port, node in enumerate(ports):

@@ -44,8 +44,8 @@ def check_hand(command: MoveHand, body: Body) -> None:
     Raises:
         SessionError: there is not.
     """
-    if command.node >= body.nodes:
-        raise SessionError(f"node is {command.node}; it must be from 0 to {body.nodes - 1}, or -1 for what is held")
+    if command.node >= body.holds:
+        raise SessionError(f"node is {command.node}; it must be from 0 to {body.holds - 1}, or -1 for what is held")
 
 
 def checked(pointer: Pointer, body: Body) -> Pointer:
@@ -60,8 +60,8 @@ def checked(pointer: Pointer, body: Body) -> Pointer:
     """
     if pointer.mode not in {"grab", "ball", "free"}:
         raise SessionError(f'the pointer\'s mode is "{pointer.mode}"; it must be grab, ball or free')
-    if pointer.mode == "grab" and not 0 <= pointer.node < body.nodes:
-        raise SessionError(f"the pointer's node is {pointer.node}; it must be from 0 to {body.nodes - 1}")
+    if pointer.mode == "grab" and not 0 <= pointer.node < body.holds:
+        raise SessionError(f"the pointer's node is {pointer.node}; it must be from 0 to {body.holds - 1}")
     if not all(abs(x) <= FARTHEST for x in pointer.target):
         raise SessionError(
             f"the pointer's target is {pointer.target}; it must be 3 numbers, each at most {FARTHEST:g} m"

@@ -252,6 +252,8 @@ class Animation:
             self, title=title, users=names, time=when, vertices=places, triangles=faces, edges=lines, rest=start
         )
         keep_frozen(self, tools=spheres, ports=hands, links=_pairs(links, len(names)), series=tuple(series))
+        for shape in shapes:
+            shape.packed((0.0, 0.0, 0.0))  # says what is wrong with it
         keep_frozen(self, shapes=tuple(shapes))
 
     def write(self, path: str | Path) -> Path:
@@ -303,7 +305,7 @@ class Animation:
             "links": self.links,
             "series": [{"name": entry.name, "unit": entry.unit} for entry in series],
             "peaks": {"displacement": displacement, "difference": difference},
-            "obstacles": [{"kind": type(shape).__name__.lower(), **shape._asdict()} for shape in self.shapes],
+            "obstacles": [_told(shape) for shape in self.shapes],
         }
         viewer = files("cotouch.simulation").joinpath("_viewer")
         read = {name: viewer.joinpath(name).read_text(encoding="utf-8") for name in ("index.html", "style.css")}
@@ -337,6 +339,12 @@ class Animation:
             gap = frame - frame.mean(axis=0)
             difference = max(difference, float(np.square(gap).sum(axis=-1).max(initial=0.0)))
         return displacement**0.5, difference**0.5
+
+
+def _told(shape: Shape) -> dict[str, str | list[float]]:
+    """A shape as the page's space knows it."""
+    numbers = {name: np.asarray(value, dtype=np.float64).tolist() for name, value in shape._asdict().items()}
+    return {"kind": type(shape).__name__.lower(), **numbers}
 
 
 def _carried(skin: Skin, field: Single) -> Single:

@@ -138,7 +138,7 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
         shaped = values.reshape(users, records, prepared.nodes.size, -1)[..., :axes]
         if name == "position":
             with np.errstate(invalid="ignore"):  # what was not reached was never written
-                shaped = shaped + body.rest[prepared.nodes] if np.any(body.rest) else shaped
+                shaped = shaped + body.held_rest[prepared.nodes] if np.any(body.rest) else shaped
         put(name, ("user", "step", "node", "axis"), shaped, everyone)
     ledger = USER_LEDGER if outcome.tools is None else USER_LEDGER + TOOL_LEDGER
     ledger = ledger if prepared.model.force is None else ledger + CLOSED_BOOKS
