@@ -100,7 +100,7 @@ def test_everything_else_comes_back() -> None:
     )
     header, arrays = unpacked(shown.page())
     assert (header["users"], header["links"]) == (["Ann", "Ben"], [[0, 1]])
-    assert header["tools"] == {"owner": [1, 0], "radius": [0.1, 0.2]}
+    assert header["tools"] == {"owner": [1, 0], "radius": [0.1, 0.2], "axis": [[0.0] * 3] * 2}
     assert header["ports"] == {"owner": [0, 0]}
     assert header["series"] == [{"name": "Force", "unit": "N"}, {"name": "Age", "unit": "s"}]
     assert np.array_equal(arrays["time"], TIME)

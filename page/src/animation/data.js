@@ -8,7 +8,7 @@
  * @property {number[]} low corner of the box around all vertices [m]
  * @property {number[]} step between levels [m]
  * @property {Record<string, Entry>} arrays
- * @property {{owner: number[], radius: number[]}} tools
+ * @property {{owner: number[], radius: number[], axis: number[][]}} tools of blades `axis` is from one end of the edge to the other
  * @property {{owner: number[]}} ports
  * @property {[number, number][]} links
  * @property {{name: string, unit: string}[]} series
@@ -34,6 +34,8 @@ export class Run {
     this.levels = accumulated(new Uint8Array(data, levels.offset, 2 * count(levels)), levels.shape);
     this.rest = single("rest");
     this.triangles = whole("triangles");
+    /** When a user's triangle is there, from and until [s]; empty: always. */
+    this.spans = single("spans");
     this.edges = whole("edges");
     this.tools = { ...header.tools, place: single("tool_centre"), force: single("tool_force") };
     const ports = header.ports.owner.length;

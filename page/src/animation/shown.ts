@@ -1,12 +1,12 @@
 // The page's space without a session: copies, hands, ground and obstacles of an animation at any of its moments.
-import { Box3, Quaternion, Scene as World, Vector3, WebGLRenderer } from "three";
+import { Box3, CylinderGeometry, Mesh, Quaternion, type ShaderMaterial, Scene as World, Vector3, WebGLRenderer } from "three";
 import type { Obstacle, Scene } from "../protocol";
 import { Common, CopyShown } from "../space/copy";
 import { Ground } from "../space/ground";
 import { Obstacles, floorOf } from "../space/obstacles";
 import { Orbit } from "../space/orbit";
 import { type Cell, project } from "../space/pick";
-import { HandProp } from "../space/props";
+import { HandProp, material, paint } from "../space/props";
 import { inSoftware } from "../space/quality";
 import { Shape } from "../space/shape";
 import type { Run, Touch } from "./data.js";
@@ -43,6 +43,8 @@ export class Shown {
   private readonly common: Common;
   private readonly copies: CopyShown[];
   private readonly hands: HandProp[][];
+  /** Of tools, by number: those that cut. */
+  private readonly blades = new Map<number, Mesh<CylinderGeometry, ShaderMaterial>>();
   private readonly ground: Ground;
   private readonly obstacles: Obstacles;
   private readonly shift: Int16Array;
@@ -62,6 +64,7 @@ export class Shown {
     const metresPerNewton = peak > 0 ? (LONGEST * radius) / peak : 0;
     const scene = sceneOf(run, centre, radius, flat);
     const shape = new Shape(scene);
+    shape.loose = run.spans.length > 0;
     this.common = new Common(radius, shape);
     this.common.scale.value = run.header.peaks.displacement / LEVELS;
     this.renderer = new WebGLRenderer({ canvas, antialias: !inSoftware(), alpha: true, powerPreference: "high-performance" });
@@ -72,12 +75,21 @@ export class Shown {
     this.places = Array.from({ length: run.users }, () => new Float32Array(3 * run.vertices));
     this.copies = this.places.map((_, user) => new CopyShown(user, shape, this.common));
     this.hands = touches.map(({ owner }) => owner.map(() => new HandProp(radius, peak || 1, "#ffffff", { least: 0, longest: LONGEST })));
+    run.tools.axis.forEach((axis, k) => {
+      const edge = new Vector3(...axis), reach = edge.length();
+      if (!(reach > 0)) return;
+      const blade = new Mesh(new CylinderGeometry(1, 1, 1, 12).translate(0, 0.5, 0), material("#ffffff"));
+      const wide = Math.max(run.tools.radius[k]!, 0.012 * radius); // a blade is seen however thin it is
+      blade.scale.set(wide, reach, wide);
+      blade.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), edge.divideScalar(reach));
+      this.blades.set(k, blade);
+    });
     let bottom = low[2]!;
     for (const { place, radius: sizes } of touches) place.forEach((value, i) => i % 3 === 2 && (bottom = Math.min(bottom, value - (sizes[Math.floor(i / 3) % sizes.length] ?? 0))));
     this.ground = new Ground(centre, bottom, radius, scene.skin ? this.copies[0]!.moving : null, floorOf(obstacles));
     this.ground.mesh.visible = !flat || size[1] === 0;
     this.obstacles = new Obstacles(obstacles, centre, radius);
-    this.world.add(this.ground.mesh, this.obstacles.group, ...this.copies.map((copy) => copy.group), ...this.hands.flat().map((hand) => hand.group));
+    this.world.add(this.ground.mesh, this.obstacles.group, ...this.copies.map((copy) => copy.group), ...this.hands.flat().map((hand) => hand.group), ...this.blades.values());
     const cloud = cloudOf(run, centre, radius, metresPerNewton);
     this.orbit = new Orbit(new Box3().setFromArray(cloud).getCenter(new Vector3()), radius, cloud, flat && size[1]! > 0, [1.1, 1.1]);
     this.sizes = { radius, peak, metresPerNewton, pitch: this.ground.mesh.visible ? (this.ground.mesh.material.uniforms.pitch!.value as number) / 5 : 0 };
@@ -87,6 +99,7 @@ export class Shown {
   paint(colours: string[], dark: boolean): void {
     this.copies.forEach((copy, user) => copy.paint(colours[user]!, dark));
     [this.run.tools, this.run.ports].forEach(({ owner }, kind) => owner.forEach((user, k) => this.hands[kind]![k]!.paint(colours[user]!)));
+    for (const [k, blade] of this.blades) paint(blade.material, colours[this.run.tools.owner[k]!]!);
     this.ground.colours(dark);
     this.obstacles.colours(dark);
   }
@@ -103,8 +116,10 @@ export class Shown {
     places.forEach((into, user) => run.copy(user, at, into));
     const mean = field === "difference" ? meanOf(places) : null;
     const scale = common.scale.value || 1;
+    const time = run.timeAt(at), count = run.triangles.length / 3;
     copies.forEach((copy, user) => {
       const here = places[user]!;
+      if (run.spans.length) copy.moving.keep((t) => run.spans[2 * (user * count + t)]! <= time && time < run.spans[2 * (user * count + t) + 1]!);
       for (let i = 0; i < shift.length; i++) shift[i] = Math.round((here[i]! - run.rest[i]!) / scale);
       copy.moving.update(shift, common.scale.value, false);
       if (mean) copy.moving.colour(apart(here, mean, this.values));
@@ -134,7 +149,11 @@ export class Shown {
         copy.thin(copies[tile.solid]!.moving, orbit.camera.position, this.common.apart.value);
         copy.order(away);
       });
-      this.touches.forEach((touch, kind) => touch.owner.forEach((user, k) => (this.hands[kind]![k]!.group.visible = tile.users.includes(user))));
+      this.touches.forEach((touch, kind) => touch.owner.forEach((user, k) => {
+        const shown = tile.users.includes(user), blade = kind === 0 ? this.blades.get(k) : undefined;
+        this.hands[kind]![k]!.group.visible = shown && !blade;
+        if (blade) blade.visible = shown;
+      }));
       this.ground.shadow(renderer, copies[tile.solid]!.moving, this.common.scale.value);
       this.common.height.value = tile.height * ratio;
       const bottom = height - tile.y - tile.height;
@@ -156,6 +175,7 @@ export class Shown {
   private pose(hand: HandProp, touch: Touch, k: number): void {
     const place = new Vector3().fromArray(touch.place, 3 * k);
     const force = new Vector3().fromArray(touch.force, 3 * k);
+    if (touch === this.touches[0]) this.blades.get(k)?.position.copy(place);
     hand.pose({ place, proxy: place, target: place, force, radius: touch.radius[k] ?? 0, pointed: false }, this.face);
   }
 }
@@ -167,7 +187,7 @@ function sceneOf(run: Run, centre: Vector3, radius: number, flat: boolean): Scen
   return {
     title: header.title, version: "", dimension: flat ? 2 : 3, users: header.users.map((name, slot) => ({ name, slot })), own: [], may: [],
     acts: false, invitation: null, page: null, started: "", stiffness: 0, radius, centre: [centre.x, centre.y, centre.z],
-    nodes: { count: run.vertices, rest }, points: rest, edges, obstacles: header.obstacles,
+    nodes: { count: run.vertices, rest }, points: rest, edges, obstacles: header.obstacles, cutting: null,
     skin: triangles.length ? { vertices: run.vertices, rest, triangles, node } : null,
   };
 }
@@ -185,7 +205,8 @@ function cloudOf(run: Run, centre: Vector3, radius: number, metresPerNewton: num
       const least = [Infinity, Infinity, Infinity], most = [-Infinity, -Infinity, -Infinity];
       for (let i = 3 * k; i < touch.place.length; i += 3 * touch.owner.length)
         for (let axis = 0; axis < 3; axis++) {
-          const at = touch.place[i + axis]!, tip = at + metresPerNewton * touch.force[i + axis]!, r = touch.radius[k] ?? 0;
+          const edge = touch === run.tools ? run.tools.axis[k]![axis]! : 0;
+          const at = touch.place[i + axis]!, tip = at + edge + metresPerNewton * touch.force[i + axis]!, r = touch.radius[k] ?? 0;
           least[axis] = Math.min(least[axis]!, at - r, tip);
           most[axis] = Math.max(most[axis]!, at + r, tip);
         }

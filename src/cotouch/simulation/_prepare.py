@@ -108,6 +108,7 @@ def prepare(scenario: Scenario) -> Prepared:
     most_ports = int(np.diff(hands.first).max(initial=0))
     position = _initial(scenario.initial.position, "position", network.size, body)
     scenario.world.refuse_overlap(ready, position)
+    scenario.refuse_cutters()
     touching, tool = touching_of(
         scenario.tools,
         network.size,
