@@ -285,7 +285,7 @@ class Body:
             skin=self.skin,
             origin=self.origin,
             material=material,
-            parts=self.parts,
+            parts=() if material is None else self.parts,  # what is linear is one body
             places=self.places if places is None else places,
         )
 
