@@ -175,7 +175,7 @@ def lattice(
         damping_ext=sp.diags_array(held * ground_damping),
         stiffness_int=springs,
         stiffness_ext=sp.diags_array(held * ground_stiffness),
-        skin=_box_skin(places, extents, spacing) if len(extents) == 3 and min(extents) > 1 else None,
+        skin=_box_skin(places, extents, spacing) if len(extents) == 3 and sorted(extents)[1] > 1 else None,
         material=material,
     )
 
@@ -227,11 +227,11 @@ def _grid_material(
 
 
 def _box_skin(places: npt.NDArray[np.int64], extents: tuple[int, ...], spacing: float) -> Skin:
-    """The faces of a box of nodes, two triangles to a square."""
+    """The faces of a box of nodes, two triangles to a square; of a sheet, which is felt from both sides, one layer."""
     index = np.arange(places.shape[0]).reshape(extents)
     triangles: list[npt.NDArray[np.int64]] = []
     for axis in range(3):
-        for side in (0, -1):
+        for side in (0, -1) if extents[axis] > 1 else (-1,):
             face = np.take(index, side, axis=axis)
             a, b, c, d = face[:-1, :-1], face[1:, :-1], face[1:, 1:], face[:-1, 1:]
             # The two other axes in order make a right-handed frame with x and z, a left-handed one with y.

@@ -3,6 +3,7 @@
 from cotouch.mechanics._closed import CLOSURE_ALARM, closed_settle, closed_step, inner_energy, slowed
 from cotouch.mechanics._contact_foundation import Foundation
 from cotouch.mechanics._contact_law import CONTACT_LAWS, press
+from cotouch.mechanics._contact_parts import contact_parts
 from cotouch.mechanics._contact_patch import press_skin
 from cotouch.mechanics._contact_step import contact_step
 from cotouch.mechanics._contact_stiffening import Stiffening
@@ -79,7 +80,6 @@ from cotouch.mechanics._tools import (
     AWAY,
     DRIVE,
     GRASP,
-    MOST_CONTACTS,
     MOST_HELD,
     PROXY,
     TOUCH,
@@ -88,12 +88,8 @@ from cotouch.mechanics._tools import (
     TOUCH_STORED,
     TOUCHED,
     Tools,
-    TouchWork,
     tools,
-    touch_work,
 )
-from cotouch.mechanics._touch import touch_step
-from cotouch.mechanics._touch_parts import touch_parts
 from cotouch.mechanics._vector import at, load, put, splat, store, total
 from cotouch.mechanics._world import Obstacle
 from cotouch.mechanics._world_force import begin_world, deepest_point, follow_world
@@ -115,7 +111,6 @@ __all__ = [
     "LAWS",
     "LEDGER_COLUMNS",
     "LOCAL_LOSS",
-    "MOST_CONTACTS",
     "MOST_HELD",
     "PROXY",
     "PSPM",
@@ -154,7 +149,6 @@ __all__ = [
     "Stiffening",
     "Surface",
     "Tools",
-    "TouchWork",
     "Workspace",
     "approach",
     "at",
@@ -167,6 +161,7 @@ __all__ = [
     "closed_settle",
     "closed_step",
     "contact_by",
+    "contact_parts",
     "contact_step",
     "coupling_at",
     "coupling_named",
@@ -217,9 +212,6 @@ __all__ = [
     "surface_of",
     "tools",
     "total",
-    "touch_parts",
-    "touch_step",
-    "touch_work",
     "unheard",
     "unseen_place",
     "virtual_coupling_limit",

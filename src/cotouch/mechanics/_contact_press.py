@@ -6,8 +6,10 @@ tool; what is beyond the cone slips, and what slips is lost [return mapping, Sim
 # pyright: reportArgumentType=false, reportReturnType=false
 
 import math
+from math import pi
 from typing import Any
 
+from cotouch.mechanics._contact_law import press
 from cotouch.mechanics._contact_patch import press_triangle
 from cotouch.mechanics._contact_sweep import bead_place, beads
 from cotouch.mechanics._contact_work import ContactWork
@@ -17,6 +19,7 @@ from cotouch.mechanics._tools import Tools
 
 # A stretch of friction that lies this much across the skin, of its length, has no direction along it.
 _ACROSS = 1e-3
+_NOTHING = 1e-290
 
 
 @part
@@ -32,9 +35,45 @@ def press_tool(law: Any, surface: Surface, work: ContactWork, tools: Tools, t: i
         time: how long they moved [s].
         share: of the forces there that acts in the step; 0: none, and nothing is written.
     """
+    if surface.soft.shape[0] == 0:
+        return _sum(law, surface, work, tools, t, time, share)[0]
+    energy, soft = _sum(law, surface, work, tools, t, time, 0.0)
+    if energy <= 0.0:
+        return 0.0
+    _, _, slope = press(law, tools.stiffness[t], tools.radius[t], 0.0)
+    energy, left = _in_series(energy, soft / energy, pi * slope * tools.radius[t] * tools.share[t])
+    if share != 0.0:
+        _sum(law, surface, work, tools, t, time, share * left)
+    return energy
+
+
+@part
+def _in_series(energy: float, soft: float, slope: float) -> tuple[float, float]:
+    """What a contact in series with a spring holds, and what that leaves of its force.
+
+    Args:
+        energy: that it would hold without the spring [J].
+        soft: compliance of the spring [m/N].
+        slope: of its force over the square of its depth, as of a shallow ball on a flat [N/m²].
+
+    Returns:
+        Energy of both [J]; the share of the force.
+    """
+    deep = (3.0 * energy / slope) ** (1.0 / 3.0)
+    bend = soft * slope
+    own = 2.0 * deep / (1.0 + math.sqrt(1.0 + 4.0 * bend * deep))
+    return slope * own**3 * (1.0 / 3.0 + 0.5 * bend * own), (own / deep) ** 2
+
+
+@part
+def _sum(
+    law: Any, surface: Surface, work: ContactWork, tools: Tools, t: int, time: float, share: float
+) -> tuple[float, float]:
+    """`press_tool` on a skin that lacks nothing; and the sum of what triangles lack times their energy [Jm/N]."""
     p, corner, soft = t - tools.first, surface.corner, surface.soft
     near, place, rate, spot, out, mean = work.near, work.fit.place, work.rate, work.spot, work.out, work.mean
     faces, energy, stiffness, radius = near.shape[1], 0.0, tools.stiffness[t], tools.radius[t]
+    lacking = 0.0
     for bead in range(beads(tools, t)):
         along = bead_place(tools, t, bead)
         for a in range(3):
@@ -56,11 +95,15 @@ def press_tool(law: Any, surface: Surface, work: ContactWork, tools: Tools, t: i
                 for b in range(4):
                     out[a, b] = 0.0
             area = tools.share[t] * _area(surface, f)
-            if soft.shape[0] > 0:  # in series with what the shapes of a truncated body leave out
-                area /= 1.0 + (soft[f, 1] + (soft[f, 0] - soft[f, 1]) / 3.0) * stiffness
             if not press_triangle(law, stiffness, radius, area, spot, out):
                 continue
             energy += out[3, 3]
+            if soft.shape[0] > 0:  # what the shapes of a truncated body leave out, by how the corners share the load
+                whole = max(out[0, 3] + out[1, 3] + out[2, 3], _NOTHING)
+                square = 0.0
+                for q in range(3):
+                    square += (out[q, 3] / whole) ** 2
+                lacking += (soft[f, 1] + (soft[f, 0] - soft[f, 1]) * min(square, 1.0)) * out[3, 3]
             if share == 0.0:
                 continue
             for q in range(3):
@@ -73,7 +116,7 @@ def press_tool(law: Any, surface: Surface, work: ContactWork, tools: Tools, t: i
                 work.grip[p, 0] += firm
                 work.load[p * faces + c, q] += share * out[q, 3]
                 work.total[p] += share * out[q, 3]
-    return energy
+    return energy, lacking
 
 
 @part

@@ -112,7 +112,10 @@ def load_rows(surface: Surface, work: ContactWork, p: int) -> None:
                 force[v, a] = 0.0
                 if modal:
                     for i in range(rows):
-                        push[i, a if wide else 0] += value * shape[v * rows + i, a]
+                        share = shape[v * rows + i, a]
+                        push[i, a if wide else 0] += value * share
+                        if a == 0 or not wide:
+                            work.yields[a] += firm[v] * share * share / work.own[i]
                     continue
                 for k in range(row.shape[1]):
                     share = weight[v, k]

@@ -1,4 +1,4 @@
-"""One step of a copy with tools whose contact is an energy of the state.
+"""One step of a copy with its user's tools, whose contacts and grasps are an energy of the state.
 
 A few looks find where body and tools go: each solves the body with the forces that the last one led to, and with what
 resists there on its diagonal. Whatever they miss, one scale over the motion of body and tools makes the energy of the
@@ -19,13 +19,14 @@ from cotouch.mechanics._contact_skin import fastest, load_rows, look_around, rea
 from cotouch.mechanics._contact_sweep import NEVER, first_crossing
 from cotouch.mechanics._contact_work import Contact, ContactWork
 from cotouch.mechanics._force import BodyForce
+from cotouch.mechanics._grasp import feel_grasp, take
 from cotouch.mechanics._kernel import block, part
 from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._proxy import book_drive, move_proxy, proxy_drive, proxy_inertia
 from cotouch.mechanics._state import ITERATIONS, Links, Ports, State, Workspace
 from cotouch.mechanics._step import assemble, solve_step
 from cotouch.mechanics._surface import Surface, refit
-from cotouch.mechanics._tools import TOUCH, TOUCH_LOSS, TOUCH_STORED, Tools
+from cotouch.mechanics._tools import AWAY, GRASP, TOUCH, TOUCH_LOSS, TOUCH_STORED, Tools
 from cotouch.mechanics._vector import load, splat, store
 from cotouch.mechanics._world_force import lean_world, looks_of, take_up
 
@@ -60,7 +61,7 @@ def contact_step(
     cap: int,
     lanes: tuple[int, ...],
 ) -> None:
-    """Advances one copy and its tools by T; see `touch_step`, whose arguments these are.
+    """Advances one copy and its tools by T; see `step`, whose arguments these are.
 
     Args:
         by: the law of the contact, and scratch.
@@ -86,7 +87,7 @@ def contact_step(
     for book in range(touch_ledger.shape[0]):
         touch_ledger[book] = 0.0
     law, touch = by.law, by.work
-    mean, rhs, push, hold = work.mean, work.rhs, touch.push, touch.hold
+    mean, rhs, push, hold, modal = work.mean, work.rhs, touch.push, touch.hold, surface.shape.shape[0] > 0
     _drive(tools, touch, T)
     look = _begin(law, surface, touch, tools, T, state, touch_ledger, lanes)
     for i in range(mean.shape[0]):
@@ -101,11 +102,20 @@ def contact_step(
             store(push, i, splat(0.0, lanes), lanes)
             hold[i] = 0.0
         settled = True
+        for a in range(3):
+            touch.yields[a] = 0.0
         for t in range(tools.first, tools.last):
-            if look and tools.mode[t] == TOUCH and tools.inside[t] == 0:
+            if look and (tools.mode[t] == GRASP or (tools.mode[t] == TOUCH and tools.inside[t] == 0)):
                 settled = _look(law, surface, touch, tools, t, T, state, mean, lanes) and settled
         if number >= looks and settled:
             break
+        if modal:  # as much of the change as its answer leaves
+            share = 1.0 / (1.0 + max(touch.yields[0], touch.yields[1], touch.yields[2]))
+            for i in range(mean.shape[0]):
+                before = load(touch.found, i, lanes)
+                if number > 0:
+                    store(push, i, before + share * (load(push, i, lanes) - before), lanes)
+                store(touch.found, i, load(push, i, lanes), lanes)
         for i in range(mean.shape[0]):
             store(push, i, load(push, i, lanes) + hold[i] * load(mean, i, lanes), lanes)
         if number < looks:  # what the body asks for; later looks only tell contacts apart
@@ -139,13 +149,15 @@ def contact_step(
     for t in range(tools.first, tools.last):
         if look and tools.mode[t] == TOUCH:
             _follow(surface, touch, tools, t, T, state, mean, lanes)
+        elif tools.mode[t] == GRASP:
+            feel_grasp(surface, touch, tools, t, T, state.position, mean, touch.own, False, lanes)
     contact = 0.0
     if look:  # contacts do what the body asks for and nothing else gives
-        if op.entries.shape[0] > 0:
+        if modal:
+            contact = dot_rows(mean, touch.found, lanes)
+        else:
             miss(op, touch.own, touch.asked, work, push, lanes)
-            for i in range(mean.shape[0]):
-                store(push, i, -1.0 * load(push, i, lanes), lanes)
-        contact = dot_rows(mean, push, lanes)
+            contact = -dot_rows(mean, push, lanes)
     sigma = balanced(
         law,
         op,
@@ -197,21 +209,23 @@ def _begin(
     touch_ledger: Float,
     lanes: tuple[int, ...],
 ) -> bool:
-    """Looks around and lets go; returns whether any tool touches.
+    """Looks around, takes and lets go; returns whether any tool touches or holds.
 
     A tool that comes into being within the skin begins to touch once it is out of it.
     """
-    touching = False
+    acting = False
     for t in range(tools.first, tools.last):
-        p = t - tools.first
+        p, mode = t - tools.first, tools.mode[t]
         touch.number[p], tools.touching[t] = 0, 0
-        touching = touching or tools.mode[t] == TOUCH
-        if tools.mode[t] != TOUCH:
-            touch_ledger[TOUCH_LOSS] += tools.account[t]
-            tools.account[t], tools.inside[t], tools.slipping[t] = 0.0, 1, 0
+        acting = acting or mode != AWAY
+        if mode == AWAY or (mode == GRASP) != (tools.held[t] >= 0):  # what another way of acting holds goes
+            touch_ledger[TOUCH_LOSS] += tools.stored[t]
+            tools.stored[t], tools.held[t] = 0.0, -1
+        if mode != TOUCH:
+            tools.inside[t], tools.slipping[t] = 1, 0
             for a in range(3):
                 tools.stretch[t, a] = 0.0
-    if not touching:
+    if not acting:
         return False
     refit(surface, touch.fit, state.position, lanes)
     quick = fastest(surface, state.velocity)
@@ -222,6 +236,8 @@ def _begin(
             touch.reach[p] += _WAYS * T * (quick + _length(tools.rate, t))
             look_around(surface, touch, tools, t, touch.reach[p], state.position, lanes)
             _begin_tool(law, surface, touch, tools, t)
+        elif tools.mode[t] == GRASP and tools.held[t] < 0:
+            take(surface, touch.fit, tools, t, state.position, lanes)
     return True
 
 
@@ -238,7 +254,7 @@ def _begin_tool(law: Any, surface: Surface, touch: ContactWork, tools: Tools, t:
         square = 0.0
         for a in range(3):
             square += tools.stretch[t, a] * tools.stretch[t, a]
-        have = max(tools.account[t] - 0.5 * tools.stiffness[t] * square, 0.0)
+        have = max(tools.stored[t] - 0.5 * tools.stiffness[t] * square, 0.0)
         if pressed > have:
             tools.share[t] *= have / pressed
 
@@ -282,9 +298,12 @@ def _look(
 ) -> bool:
     """Gathers what one tool does by the present guess; returns whether that is what it did by the guess before."""
     p = t - tools.first
-    _follow(surface, touch, tools, t, T, state, mean, lanes)
     for a in range(3):
         touch.before[p, a] = touch.pull[p, a]
+    if tools.mode[t] == GRASP:
+        feel_grasp(surface, touch, tools, t, T, state.position, mean, touch.own, True, lanes)
+        return _same(touch, p)
+    _follow(surface, touch, tools, t, T, state, mean, lanes)
     if touch.caught[p, 0] == 0.0 and first_crossing(surface, touch, tools, t, T) < NEVER:
         begin_catch(surface, touch, tools, t)
     if touch.caught[p, 0] != 0.0:
@@ -293,6 +312,12 @@ def _look(
         return settled
     feel_tool(law, surface, touch, tools, t, T)
     load_rows(surface, touch, p)
+    return _same(touch, p)
+
+
+@part
+def _same(touch: ContactWork, p: int) -> bool:
+    """Whether a tool is pulled as by the guess before."""
     change, size = 0.0, 0.0
     for a in range(3):
         change += (touch.pull[p, a] - touch.before[p, a]) ** 2
@@ -327,12 +352,12 @@ def _settle(touch: ContactWork, tools: Tools, T: float, sigma: float, touch_ledg
         for a in range(3):
             w = sigma * touch.mean[p, a]
             tools.touch_force[t, a] = touch.inertia[p] * w - touch.drive[p, a]
-            if touch.total[p] == 0.0 and touch.caught[p, 0] == 0.0 and sigma == 1.0:
+            if touch.total[p] == 0.0 and touch.caught[p, 0] == 0.0 and tools.held[t] < 0 and sigma == 1.0:
                 tools.touch_force[t, a] = 0.0
             book_drive(tools, t, a, T, w, touch_ledger)
             move_proxy(tools, t, a, T, w, touch_ledger)
             tools.stretch[t, a] = touch.rubbed[p, a] if tools.mode[t] == TOUCH else 0.0
         tools.slipping[t] = touch.slips[p]
-        tools.touching[t] = 1 if touch.total[p] > 0.0 or touch.caught[p, 0] != 0.0 else 0
-        tools.account[t] = touch.stored[p]
-        touch_ledger[TOUCH_STORED] += touch.stored[p] + tools.grip_energy[t]
+        tools.touching[t] = 1 if touch.total[p] > 0.0 or touch.caught[p, 0] != 0.0 else max(tools.held[t], 0)
+        tools.stored[t] = touch.stored[p]
+        touch_ledger[TOUCH_STORED] += touch.stored[p]

@@ -31,7 +31,9 @@ class ContactWork(NamedTuple):
         hold: what resists motion of the rows, (rows,) [Ns/m].
         own: diagonal of the body's system without contacts, (rows,) [Ns/m].
         asked: its right-hand side, (rows, width) [N].
-        found: where the last look led, (rows, width) [m/s].
+        found: where the last look led, (rows, width) [m/s]; of a modal body what the last look pushed with [N].
+        yields: of a modal body: how much of what contacts and grasps do by a guess its answer takes back, on each
+            axis, (3,).
         spot: corners and middle, (4, 4) [m].
         out: of one triangle, (4, 4).
         mean: mean velocity of the tools, (tools, 4) [m/s].
@@ -42,12 +44,14 @@ class ContactWork(NamedTuple):
         way: unit vector of the pressure on the tools, and its size [N], (tools, 4).
         grip: what resists motion of the tools along it and across, (tools, 2) [Ns/m].
         skin: how fast the skin moves under the tools, on the mean over their pressure, (tools, 4) [m/s].
+        held: of the springs of a grasp: squares of their stretches at the start [m²], these times how fast they grow
+            [m²/s], and squares of that [m²/s²], (tools, 3).
         caught: of a tool that would pass the skin: 1, the triangle, the push a look before and the gap that it led to,
             the push, the gap wanted, the shares of the corners, and the ball's place on the axis, (tools, 10).
         aside: unit vector that a caught tool is held along, (tools, 4).
         rubbed: stretch of friction at the end, (tools, 4) [m].
         slips: whether it slips then, (tools,).
-        stored: energy in contact and friction then, (tools,) [J].
+        stored: energy in contact and friction, or in a grasp, then, (tools,) [J].
         reach: how far each tool looked around, (tools,) [m].
     """
 
@@ -65,6 +69,7 @@ class ContactWork(NamedTuple):
     own: Float
     asked: Float
     found: Float
+    yields: Float
     spot: Float
     out: Float
     mean: Float
@@ -75,6 +80,7 @@ class ContactWork(NamedTuple):
     way: Float
     grip: Float
     skin: Float
+    held: Float
     caught: Float
     aside: Float
     rubbed: Float
@@ -121,6 +127,7 @@ def contact_by(law: Any, model: Model, surface: Surface, *, tools: int) -> Conta
         own=np.zeros(rows),
         asked=np.zeros((rows, model.width)),
         found=np.zeros((rows, model.width)),
+        yields=np.zeros(3),
         spot=np.zeros((4, 4)),
         out=np.zeros((4, 4)),
         mean=row(),
@@ -131,6 +138,7 @@ def contact_by(law: Any, model: Model, surface: Surface, *, tools: int) -> Conta
         way=row(),
         grip=np.zeros((tools, 2)),
         skin=row(),
+        held=np.zeros((tools, 3)),
         caught=np.zeros((tools, 10)),
         aside=row(),
         rubbed=row(),

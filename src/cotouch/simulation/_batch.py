@@ -175,7 +175,6 @@ def run_batch(prepared: Prepared) -> Outcome:
         record,
         scratch,
         touching,
-        None if touching is None else touching.accounts,
         None if touching is None else touching.contact,
         tools,
         frames,

@@ -33,7 +33,6 @@ from cotouch.mechanics import (
     Operator,
     Ports,
     Tools,
-    TouchWork,
     at,
     closed_settle,
     closed_step,
@@ -44,7 +43,6 @@ from cotouch.mechanics import (
     settle,
     step,
     store,
-    touch_step,
 )
 from cotouch.scenario import (
     Hands,
@@ -74,7 +72,6 @@ def run(
     record: Record,
     scratch: Scratch,
     touching: Touching | None,
-    accounts: TouchWork | None,
     contact: Contact | None,
     tool_record: ToolRecord | None,
     frames: Frames,
@@ -85,7 +82,7 @@ def run(
 ) -> int:
     """Runs all events; returns how many were run before the motion left the range of floating point.
 
-    Without tools `touching` and `tool_record` are None; with them one of `accounts` and `contact` is. Of a linear body
+    Without tools `touching`, `contact` and `tool_record` are None. Of a linear body
     `force` is None, and so are `ends` where all links are springs: what concerns them is not even compiled. What a
     law's link holds is its own: then what links did counts as delay work.
 
@@ -101,7 +98,6 @@ def run(
         record: written to.
         scratch: of one step; changed in place.
         touching: tools of all users; changed in place.
-        accounts: scratch of tools that touch by springs.
         contact: the law by which tools touch.
         tool_record: written to.
         frames: shapes that are kept for an animation; written to.
@@ -225,7 +221,6 @@ def run(
                 have.stretch,
                 have.slipping,
                 have.share,
-                have.reserve,
                 have.grip_stiffness,
                 have.grip_damping,
                 have.mode,
@@ -236,8 +231,7 @@ def run(
                 have.push,
                 have.place,
                 have.rate,
-                have.account,
-                have.grip_energy,
+                have.stored,
                 have.inside,
                 have.held,
                 have.hold,
@@ -246,27 +240,6 @@ def run(
                 have.touch_force,
                 have.touching,
             )
-            if accounts is not None:
-                touch_step(
-                    op,
-                    state,
-                    links,
-                    ports,
-                    touching.surface,
-                    tools,
-                    local_damping[i],
-                    extra_damping[i],
-                    T,
-                    i * timing.ring + (k & (timing.ring - 1)),
-                    scratch.work,
-                    accounts,
-                    ledger,
-                    touching.ledger,
-                    scratch.link_work,
-                    tolerance,
-                    cap,
-                    lanes,
-                )
             if contact is not None:
                 contact_step(
                     contact,
