@@ -95,7 +95,7 @@ def _sum(
                 for b in range(4):
                     out[a, b] = 0.0
             area = tools.share[t] * _area(surface, f)
-            if not press_triangle(law, stiffness, radius, area, spot, out):
+            if not press_triangle(law, stiffness, radius, area, share != 0.0 or soft.shape[0] > 0, spot, out):
                 continue
             energy += out[3, 3]
             if soft.shape[0] > 0:  # what the shapes of a truncated body leave out, by how the corners share the load
@@ -223,6 +223,16 @@ def feel_tool(law: Any, surface: Surface, work: ContactWork, tools: Tools, t: in
     for a in range(3):
         work.way[p, a] = work.pull[p, a] / size
         approach -= work.way[p, a] * (work.mean[p, a] - work.skin[p, a])
+    corner, near = surface.corner, work.near
+    for c in range(work.number[p]):
+        for q in range(3):
+            v, long = corner[near[p, c], q], 0.0
+            if work.firm[v] > 0.0:
+                for a in range(3):
+                    long += work.force[v, a] * work.force[v, a]
+                long = math.sqrt(long)
+                for a in range(3):
+                    work.ward[v, a] = work.force[v, a] / long if long > 0.0 else 0.0
     if tools.friction[t] <= 0.0 and tools.loss[t] <= 0.0:
         return
     _, _, share = rub(work, tools, t, T, T)
@@ -232,13 +242,12 @@ def feel_tool(law: Any, surface: Surface, work: ContactWork, tools: Tools, t: in
     work.grip[p, 0] += damper
     work.grip[p, 1] += grip
     extra = damper + grip
-    corner, near = surface.corner, work.near
     for c in range(work.number[p]):
         for q in range(3):
             part_of = work.load[p * faces + c, q] / work.total[p]
             if part_of != 0.0:
                 v = corner[near[p, c], q]
-                work.firm[v] += part_of * extra
+                work.apart[v] += part_of * extra
                 for a in range(3):
                     work.force[v, a] -= part_of * (damping * work.way[p, a] - k * work.rubbed[p, a])
     for a in range(3):

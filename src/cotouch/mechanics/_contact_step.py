@@ -14,6 +14,7 @@ from cotouch.arrays import Float
 from cotouch.mechanics._closed import COARSE, miss, predict
 from cotouch.mechanics._contact_balance import balanced, dot_rows
 from cotouch.mechanics._contact_catch import begin_catch, catch
+from cotouch.mechanics._contact_near import correct_near, empty_rows, forget_rows, say
 from cotouch.mechanics._contact_press import feel_tool, press_tool
 from cotouch.mechanics._contact_skin import fastest, load_rows, look_around, read_rates
 from cotouch.mechanics._contact_sweep import NEVER, first_crossing
@@ -30,13 +31,14 @@ from cotouch.mechanics._tools import AWAY, GRASP, TOUCH, TOUCH_LOSS, TOUCH_STORE
 from cotouch.mechanics._vector import load, splat, store
 from cotouch.mechanics._world_force import lean_world, looks_of, take_up
 
-# Looks at most, and the change of forces from one to the next at which they end.
+# Looks at most, the change of forces from one to the next at which they end, and that at which one correction more is
+# enough.
 _LOOKS = 12
-_SETTLED = 1e-6
+_SETTLED, _NEARLY = 1e-6, 1e-3
 # Energy below which a tool is out of the skin, of that in a depth of its radius.
 _NOTHING = 1e-17
 # How far beyond its radius a tool looks around, in radii, and in ways that it and the skin go in a step.
-_MARGIN, _WAYS = 0.5, 3.0
+_MARGIN, _WAYS = 0.05, 3.0
 
 
 @block
@@ -88,7 +90,9 @@ def contact_step(
         touch_ledger[book] = 0.0
     law, touch = by.law, by.work
     mean, rhs, push, hold, modal = work.mean, work.rhs, touch.push, touch.hold, surface.shape.shape[0] > 0
+    near = not modal and op.entries.shape[0] > 0
     _drive(tools, touch, T)
+    forget_rows(touch, lanes)
     look = _begin(law, surface, touch, tools, T, state, touch_ledger, lanes)
     for i in range(mean.shape[0]):
         store(mean, i, load(state.velocity, i, lanes), lanes)
@@ -98,26 +102,22 @@ def contact_step(
         take_up(force.world, state.memory)
         looks = looks_of(force.world, force.directions)
     for number in range(_LOOKS + looks):
-        for i in range(mean.shape[0]):
-            store(push, i, splat(0.0, lanes), lanes)
-            hold[i] = 0.0
-        settled = True
+        empty_rows(touch, lanes)
         for a in range(3):
             touch.yields[a] = 0.0
+        if modal:
+            for i in range(mean.shape[0]):
+                store(push, i, splat(0.0, lanes), lanes)
+        change = 0.0
         for t in range(tools.first, tools.last):
             if look and (tools.mode[t] == GRASP or (tools.mode[t] == TOUCH and tools.inside[t] == 0)):
-                settled = _look(law, surface, touch, tools, t, T, state, mean, lanes) and settled
-        if number >= looks and settled:
+                change = max(change, _look(law, surface, touch, tools, t, T, state, mean, lanes))
+        if number >= looks and change <= _SETTLED:
             break
-        if modal:  # as much of the change as its answer leaves
-            share = 1.0 / (1.0 + max(touch.yields[0], touch.yields[1], touch.yields[2]))
-            for i in range(mean.shape[0]):
-                before = load(touch.found, i, lanes)
-                if number > 0:
-                    store(push, i, before + share * (load(push, i, lanes) - before), lanes)
-                store(touch.found, i, load(push, i, lanes), lanes)
-        for i in range(mean.shape[0]):
-            store(push, i, load(push, i, lanes) + hold[i] * load(mean, i, lanes), lanes)
+        if number < looks or not near:
+            for c in range(touch.count[0]):
+                i = touch.reach[c]
+                store(push, i, load(push, i, lanes) + hold[i] * load(mean, i, lanes), lanes)
         if number < looks:  # what the body asks for; later looks only tell contacts apart
             same = True
             if force is not None:
@@ -130,22 +130,15 @@ def contact_step(
             for i in range(mean.shape[0]):
                 touch.own[i] = work.diagonal[i]
                 store(touch.asked, i, load(rhs, i, lanes), lanes)
-        for i in range(mean.shape[0]):
-            work.diagonal[i] = touch.own[i] + hold[i]
-            store(rhs, i, load(touch.asked, i, lanes) + load(push, i, lanes), lanes)
-        if number == 0 or op.entries.shape[0] == 0:
-            ledger[ITERATIONS] += solve_step(op, ports, work, tolerance, cap, lanes)
+        if number >= looks and near:
+            ledger[ITERATIONS] += correct_near(op, work, touch, cap, lanes)
         else:
-            miss(op, work.diagonal, rhs, work, rhs, lanes)
-            for i in range(mean.shape[0]):
-                store(touch.found, i, load(mean, i, lanes), lanes)
-            ledger[ITERATIONS] += solve_step(op, ports, work, max(tolerance, COARSE), cap, lanes)
-            for i in range(mean.shape[0]):
-                store(mean, i, load(mean, i, lanes) + load(touch.found, i, lanes), lanes)
-        for i in range(mean.shape[0]):  # what contacts do at this rate
-            store(push, i, load(push, i, lanes) - hold[i] * load(mean, i, lanes), lanes)
+            _solve(op, ports, touch, work, number, modal, near, ledger, tolerance, cap, lanes)
+            touch.quick[0] = fastest(surface, mean)
         for t in range(tools.first, tools.last):
             _move_tool(tools, touch, t)
+        if number >= looks and change <= _NEARLY:
+            break
     for t in range(tools.first, tools.last):
         if look and tools.mode[t] == TOUCH:
             _follow(surface, touch, tools, t, T, state, mean, lanes)
@@ -156,8 +149,8 @@ def contact_step(
         if modal:
             contact = dot_rows(mean, touch.found, lanes)
         else:
-            miss(op, touch.own, touch.asked, work, push, lanes)
-            contact = -dot_rows(mean, push, lanes)
+            miss(op, touch.own, touch.asked, work, touch.found, lanes)
+            contact = -dot_rows(mean, touch.found, lanes)
     sigma = balanced(
         law,
         op,
@@ -182,6 +175,50 @@ def contact_step(
         lanes,
     )
     _settle(touch, tools, T, sigma, touch_ledger)
+
+
+@part
+def _solve(
+    op: Operator,
+    ports: Ports,
+    touch: ContactWork,
+    work: Workspace,
+    number: int,
+    modal: bool,
+    near: bool,
+    ledger: Float,
+    tolerance: float,
+    cap: int,
+    lanes: tuple[int, ...],
+) -> None:
+    """Solves the body with what contacts were found to do; after the first time, corrects it by a coarse solve."""
+    mean, rhs, push = work.mean, work.rhs, touch.push
+    if modal:  # as much of the change as its answer leaves
+        share = 1.0 / (1.0 + max(touch.yields[0], touch.yields[1], touch.yields[2]))
+        for i in range(mean.shape[0]):
+            before = load(touch.found, i, lanes)
+            if number > 0:
+                store(push, i, before + share * (load(push, i, lanes) - before), lanes)
+            store(touch.found, i, load(push, i, lanes), lanes)
+            store(rhs, i, load(touch.asked, i, lanes) + load(push, i, lanes), lanes)
+    for i in range(mean.shape[0]):
+        work.diagonal[i] = touch.own[i]
+        if not modal:
+            store(rhs, i, load(touch.asked, i, lanes), lanes)
+    for c in range(touch.count[0]):
+        i = touch.reach[c]
+        work.diagonal[i] += touch.hold[i]
+        store(rhs, i, load(rhs, i, lanes) + load(push, i, lanes), lanes)
+    if number == 0 or not near:
+        ledger[ITERATIONS] += solve_step(op, ports, work, tolerance, cap, lanes)
+    else:
+        miss(op, work.diagonal, rhs, work, rhs, lanes)
+        for i in range(mean.shape[0]):
+            store(touch.found, i, load(mean, i, lanes), lanes)
+        ledger[ITERATIONS] += solve_step(op, ports, work, max(tolerance, COARSE), cap, lanes)
+        for i in range(mean.shape[0]):
+            store(mean, i, load(mean, i, lanes) + load(touch.found, i, lanes), lanes)
+    say(touch, mean, lanes)
 
 
 @part
@@ -228,13 +265,13 @@ def _begin(
     if not acting:
         return False
     refit(surface, touch.fit, state.position, lanes)
-    quick = fastest(surface, state.velocity)
+    touch.quick[0] = fastest(surface, state.velocity)
     for t in range(tools.first, tools.last):
         p = t - tools.first
         if tools.mode[t] == TOUCH:
-            touch.reach[p] = tools.radius[t] * (1.0 + _MARGIN) + _length(tools.axis, t)
-            touch.reach[p] += _WAYS * T * (quick + _length(tools.rate, t))
-            look_around(surface, touch, tools, t, touch.reach[p], state.position, lanes)
+            touch.seen[p] = tools.radius[t] * (1.0 + _MARGIN) + _length(tools.axis, t)
+            touch.seen[p] += _WAYS * T * (touch.quick[0] + _length(tools.rate, t))
+            look_around(surface, touch, tools, t, touch.seen[p], state.position, lanes)
             _begin_tool(law, surface, touch, tools, t)
         elif tools.mode[t] == GRASP and tools.held[t] < 0:
             take(surface, touch.fit, tools, t, state.position, lanes)
@@ -277,10 +314,10 @@ def _follow(
 ) -> None:
     """Reads how fast the skin near one tool moves by the present guess; what it may come to is near, too."""
     p = t - tools.first
-    travel = tools.radius[t] + _length(tools.axis, t) + 1.25 * T * (fastest(surface, mean) + _length(touch.mean, p))
-    if travel > touch.reach[p]:  # faster than it was thought to be
-        touch.reach[p] = 1.5 * travel
-        look_around(surface, touch, tools, t, touch.reach[p], state.position, lanes)
+    travel = tools.radius[t] + _length(tools.axis, t) + 1.25 * T * (touch.quick[0] + _length(touch.mean, p))
+    if travel > touch.seen[p]:  # faster than it was thought to be
+        touch.seen[p] = 1.5 * travel
+        look_around(surface, touch, tools, t, touch.seen[p], state.position, lanes)
     read_rates(surface, touch, p, mean, lanes)
 
 
@@ -295,34 +332,34 @@ def _look(
     state: State,
     mean: Float,
     lanes: tuple[int, ...],
-) -> bool:
-    """Gathers what one tool does by the present guess; returns whether that is what it did by the guess before."""
+) -> float:
+    """Gathers what one tool does by the present guess; returns by which share that is not what it did before."""
     p = t - tools.first
     for a in range(3):
         touch.before[p, a] = touch.pull[p, a]
     if tools.mode[t] == GRASP:
         feel_grasp(surface, touch, tools, t, T, state.position, mean, touch.own, True, lanes)
-        return _same(touch, p)
+        return _change(touch, p)
     _follow(surface, touch, tools, t, T, state, mean, lanes)
     if touch.caught[p, 0] == 0.0 and first_crossing(surface, touch, tools, t, T) < NEVER:
         begin_catch(surface, touch, tools, t)
     if touch.caught[p, 0] != 0.0:
         settled = catch(surface, touch, tools, t, T)
         load_rows(surface, touch, p)
-        return settled
+        return 0.0 if settled else math.inf
     feel_tool(law, surface, touch, tools, t, T)
     load_rows(surface, touch, p)
-    return _same(touch, p)
+    return _change(touch, p)
 
 
 @part
-def _same(touch: ContactWork, p: int) -> bool:
-    """Whether a tool is pulled as by the guess before."""
+def _change(touch: ContactWork, p: int) -> float:
+    """By which share a tool is pulled otherwise than by the guess before."""
     change, size = 0.0, 0.0
     for a in range(3):
         change += (touch.pull[p, a] - touch.before[p, a]) ** 2
         size += touch.pull[p, a] ** 2
-    return change <= _SETTLED * _SETTLED * size
+    return math.sqrt(change / size) if size > 0.0 else 0.0 if change == 0.0 else math.inf
 
 
 @part

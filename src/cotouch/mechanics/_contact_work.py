@@ -8,6 +8,7 @@ import numpy.typing as npt
 from cotouch.arrays import Float
 from cotouch.mechanics._model import Model
 from cotouch.mechanics._surface import Fit, Surface, fit_of
+from cotouch.mechanics._tools import MOST_HELD
 
 Int = npt.NDArray[np.int32]
 
@@ -27,8 +28,18 @@ class ContactWork(NamedTuple):
         rate: velocity of the vertices, (V, 4) [m/s].
         force: on the vertices, (V, 4) [N].
         firm: what resists motion of the vertices, (V,) [Ns/m].
+        ward: unit vector along what presses on each vertex, (V, 4).
+        apart: what resists motion of the vertices on all axes besides, (V,) [Ns/m].
         push: on the rows, (rows, width) [N].
         hold: what resists motion of the rows, (rows,) [Ns/m].
+        reach: rows that are touched, and after them such as a correction reaches, (rows,).
+        count: how many are touched, (1,).
+        mark: 1 more than a row's place among them, (rows,).
+        stiff: what resists motion of each of them, a matrix of its axes, (3 rows, width) [Ns/m].
+        inverse: of its diagonal with the body's own, (rows, width).
+        said: what the last solve took contacts and grasps to do, (rows, width) [N].
+        along: scratch of a correction, 0 outside of it, (rows, width).
+        quick: a bound on the speed of every vertex by the present guess, (1,) [m/s].
         own: diagonal of the body's system without contacts, (rows,) [Ns/m].
         asked: its right-hand side, (rows, width) [N].
         found: where the last look led, (rows, width) [m/s]; of a modal body what the last look pushed with [N].
@@ -52,7 +63,7 @@ class ContactWork(NamedTuple):
         rubbed: stretch of friction at the end, (tools, 4) [m].
         slips: whether it slips then, (tools,).
         stored: energy in contact and friction, or in a grasp, then, (tools,) [J].
-        reach: how far each tool looked around, (tools,) [m].
+        seen: how far each tool looked around, (tools,) [m].
     """
 
     fit: Fit
@@ -64,8 +75,18 @@ class ContactWork(NamedTuple):
     rate: Float
     force: Float
     firm: Float
+    ward: Float
+    apart: Float
     push: Float
     hold: Float
+    reach: Int
+    count: Int
+    mark: Int
+    stiff: Float
+    inverse: Float
+    said: Float
+    along: Float
+    quick: Float
     own: Float
     asked: Float
     found: Float
@@ -86,7 +107,7 @@ class ContactWork(NamedTuple):
     rubbed: Float
     slips: Int
     stored: Float
-    reach: Float
+    seen: Float
 
 
 class Contact(NamedTuple):
@@ -111,6 +132,7 @@ def contact_by(law: Any, model: Model, surface: Surface, *, tools: int) -> Conta
         tools: of one user.
     """
     faces, vertices, rows = surface.corner.shape[0], surface.rest.shape[0], model.operator_rows
+    most = min(rows, np.unique(surface.row).size + 3 * tools * MOST_HELD)  # rows that can be touched at once
     row = lambda: np.zeros((tools, 4))  # noqa: E731
     work = ContactWork(
         fit=fit_of(surface, model),
@@ -122,8 +144,18 @@ def contact_by(law: Any, model: Model, surface: Surface, *, tools: int) -> Conta
         rate=np.zeros((vertices, 4)),
         force=np.zeros((vertices, 4)),
         firm=np.zeros(vertices),
+        ward=np.zeros((vertices, 4)),
+        apart=np.zeros(vertices),
         push=np.zeros((rows, model.width)),
         hold=np.zeros(rows),
+        reach=np.zeros(rows, dtype=np.int32),
+        count=np.zeros(1, dtype=np.int32),
+        mark=np.zeros(rows, dtype=np.int32),
+        stiff=np.zeros((3 * most, model.width)),
+        inverse=np.zeros((most, model.width)),
+        said=np.zeros((rows, model.width)),
+        along=np.zeros((rows, model.width)),
+        quick=np.zeros(1),
         own=np.zeros(rows),
         asked=np.zeros((rows, model.width)),
         found=np.zeros((rows, model.width)),
@@ -144,6 +176,6 @@ def contact_by(law: Any, model: Model, surface: Surface, *, tools: int) -> Conta
         rubbed=row(),
         slips=np.zeros(tools, dtype=np.int32),
         stored=np.zeros(tools),
-        reach=np.zeros(tools),
+        seen=np.zeros(tools),
     )
     return Contact(law, work)

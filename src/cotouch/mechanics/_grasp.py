@@ -5,6 +5,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.arrays import Float
+from cotouch.mechanics._contact_near import touched
 from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._surface import Fit, Surface, place_vertex
@@ -146,6 +147,8 @@ def feel_grasp(
                 work.push[i, a if wide else 0] -= force
                 if a == 0 or not wide:
                     work.hold[i] += gain
+                column = a if wide else 0
+                work.stiff[3 * touched(work, i) + column, column] += gain
                 continue
             for i in range(rows):
                 own = shape[h * rows + i, a]
