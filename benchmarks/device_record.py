@@ -28,7 +28,7 @@ from cotouch.device import (
     ServoModel,
     SimulatedHand,
 )
-from cotouch.hands._device_hand import DeviceHand
+from cotouch.hands import DeviceHand
 from cotouch.haptics import (
     Cause,
     CouplingChoice,
@@ -46,8 +46,7 @@ from cotouch.haptics import (
 )
 from cotouch.haptics._ends import WINDOW
 from cotouch.mechanics import EnergyMessage, unseen_place
-from cotouch.members import SessionFile, Slot
-from cotouch.members._shared_model import SharedModel
+from cotouch.members import SessionFile, SharedModel, Slot
 from cotouch.peer import FreshestLink, Peer, Sample
 
 SEED = 2012

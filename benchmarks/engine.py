@@ -8,9 +8,7 @@ import numpy as np
 import cotouch
 from benchmarks._report import Row, command, interleave, ratio
 from cotouch.scenario import Scenario
-from cotouch.simulation import prepare
-from cotouch.simulation._batch import run_batch
-from cotouch.simulation._prepare import Prepared
+from cotouch.simulation import Prepared, prepare, run_batch
 
 STEPS = 20_000
 PERIOD = 1e-3

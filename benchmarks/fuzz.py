@@ -25,14 +25,13 @@ from tests.live.support import (
 )
 
 from benchmarks._report import Row, add_write, finish
-from cotouch.control import Message, MessageReader, MessageWriter
-from cotouch.control._presence import Presence
+from cotouch.control import Message, MessageReader, MessageWriter, Presence
 from cotouch.errors import PageError
-from cotouch.members import Coordinator, Roster, SessionFile
-from cotouch.members._messages import Decided, Entry, Join, LinkStatus, NameOwner, Status, read, write
+from cotouch.members import Coordinator, Entry, LinkStatus, Roster, SessionFile, Status, write
+from cotouch.members._messages import Decided, Join, NameOwner, read
 from cotouch.members._succession import Belief, signed
 from cotouch.samples import Address, Chunk, Codec, Opened, PathLaw
-from cotouch.traversal._candidates import Candidate, CandidateKind, read_offer, write_offer
+from cotouch.traversal import Candidate, CandidateKind, read_offer, write_offer
 from cotouch.web._protocol import read_binary, read_text
 
 SHORT = 20_000

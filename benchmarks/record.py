@@ -14,8 +14,7 @@ import numpy.typing as npt
 
 from benchmarks._report import Row, add_write, finish
 from cotouch.scenario import Scenario
-from cotouch.simulation import prepare
-from cotouch.simulation._batch import run_batch
+from cotouch.simulation import prepare, run_batch
 
 SEED = 2010
 TOLERANCE = 1e-10  # of the energy in play, for the balance and for passivity

@@ -11,8 +11,7 @@ from benchmarks._copy import compiled, copy, cube
 from benchmarks._report import Row, add_write, finish, interleave
 from cotouch.body import lattice
 from cotouch.scenario import Scenario
-from cotouch.simulation import prepare
-from cotouch.simulation._batch import run_batch
+from cotouch.simulation import prepare, run_batch
 
 FIGURE = Path(__file__).parent.parent / "docs" / "images" / "scaling.png"
 LARGEST_FIGURE = 60_000

@@ -35,8 +35,8 @@ from benchmarks._report import Row, add_write, finish
 from benchmarks._trend import Trend, trend
 from cotouch.members import SessionFile
 from cotouch.recording import audit, read_recording
-from cotouch.session import MemberProcess, OpenHost, open_host
-from cotouch.session._demo_session import demo_file, to_toml
+from cotouch.session import MemberProcess, OpenHost, demo_file, open_host
+from cotouch.session._demo_session import to_toml
 
 MINUTES = 10.0
 RATE = 100

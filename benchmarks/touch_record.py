@@ -18,8 +18,7 @@ from benchmarks._report import Row, add_write, finish
 from cotouch.body import Body, lattice
 from cotouch.device import PRESETS
 from cotouch.scenario import Scenario
-from cotouch.simulation import prepare
-from cotouch.simulation._batch import run_batch
+from cotouch.simulation import prepare, run_batch
 from cotouch.study._blocks import blocks
 
 SEED = 2011

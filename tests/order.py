@@ -6,6 +6,7 @@ is left for the end. Modules stay whole: their fixtures are made once.
 """
 
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Protocol, TypeVar
 
 # What must come within milliseconds or needs both processors: `make test` runs it with nothing beside it.
@@ -45,6 +46,24 @@ PATIENT = (
     "web/test_real_join.py",
 )
 TIMED = (*ALONE, *PATIENT)
+# What only computes: it needs nothing on time, so it runs beside what needs much.
+_ROOMS = (
+    "body",
+    "device",
+    "laboratory",
+    "laws",
+    "mechanics",
+    "members",
+    "network",
+    "peer",
+    "planning",
+    "scenario",
+    "simulation",
+    "study",
+)
+_FILES = ("test_compiled.py", "test_document_blocks.py", "test_processors.py")
+# Browsers, and workers that must answer.
+_PROMPT = ("planning/test_workers.py", "simulation/test_animation.py")
 # Browsers, and runs of tests that are interrupted, the longest first.
 WAITING = (
     "web/test_picture.py",
@@ -96,6 +115,17 @@ class Item(Protocol):
 
 
 T = TypeVar("T", bound=Item)
+
+
+def numerical(tests: Path) -> list[str]:
+    """Files of tests that only compute, as they are named here.
+
+    Args:
+        tests: where they are.
+    """
+    found = [path for room in _ROOMS for path in sorted((tests / room).rglob("test_*.py"))]
+    names = [str(path.relative_to(tests)) for path in found]
+    return [*(name for name in names if name not in (*TIMED, *_PROMPT)), *_FILES]
 
 
 def module_of(nodeid: str) -> str:

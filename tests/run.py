@@ -2,17 +2,19 @@
 
     python tests/run.py [--thorough]
 
-What must come within milliseconds has the machine to itself. Other real sessions and networks mostly wait, so a machine
-that runs nothing besides stands idle. Everything else runs at the same time with a tenth of the weight: what waits in
-real time has nearly all of a core whenever it wants one, and nothing else has to wait so long that it gives up.
+What waits in real time leaves most of a machine idle, so everything else runs beside it. Beside what must come within
+milliseconds that is what only computes, and it runs only while nothing else wants a core. Beside other real sessions
+and networks, which have patience for seconds, it is the rest, with a tenth of their weight: nothing there has to wait
+so long that it gives up.
 """
 
+import contextlib
 import os
 import signal
 import subprocess
 import sys
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 ROOT = Path(__file__).parent.parent
@@ -33,12 +35,20 @@ def give_way() -> None:
     os.nice(10)
 
 
-def both(timed: Sequence[str], others: Sequence[str]) -> int:
+def stand_back() -> None:
+    """This process, and whatever it starts, runs only where nobody else wants to."""
+    give_way()
+    with contextlib.suppress(AttributeError, OSError):  # only Linux has it
+        os.sched_setscheduler(0, os.SCHED_IDLE, os.sched_param(0))
+
+
+def both(timed: Sequence[str], others: Sequence[str], polite: Callable[[], None] = give_way) -> int:
     """Runs two commands at once; what the first one says comes when the second is done.
 
     Args:
         timed: what others make room for.
         others: what gives way to it.
+        polite: how.
 
     Returns:
         The first of their codes that is not zero.
@@ -46,7 +56,7 @@ def both(timed: Sequence[str], others: Sequence[str]) -> int:
     running: list[subprocess.Popen[bytes]] = []
     with tempfile.TemporaryFile() as said:
         try:
-            running.append(subprocess.Popen(others, cwd=ROOT, preexec_fn=give_way))  # noqa: PLW1509  (no threads here)
+            running.append(subprocess.Popen(others, cwd=ROOT, preexec_fn=polite))  # noqa: PLW1509  (no threads here)
             running.append(subprocess.Popen(timed, cwd=ROOT, stdout=said, stderr=subprocess.STDOUT))
             codes = [process.wait() for process in running]
         except BaseException as error:
@@ -65,7 +75,7 @@ def both(timed: Sequence[str], others: Sequence[str]) -> int:
 
 
 def main(options: Sequence[str]) -> int:
-    """Compiles the kernels while all is checked and tests run that need none; then what runs alone; then all others.
+    """Compiles the kernels while all is checked and tests run that need none; then all others, in two parts.
 
     Args:
         options: of pytest besides.
@@ -75,7 +85,7 @@ def main(options: Sequence[str]) -> int:
     """
     sys.path.insert(0, str(ROOT))
     from tests.leftovers import none_left
-    from tests.order import ALONE, PATIENT
+    from tests.order import ALONE, PATIENT, numerical
 
     obey()
     pytest = [sys.executable, "-m", "pytest", *options]
@@ -88,10 +98,12 @@ def main(options: Sequence[str]) -> int:
             return code
         first = subprocess.run(early, cwd=ROOT, check=False).returncode
         warm.wait()
-        first = (
-            subprocess.run([*pytest, *(f"tests/{name}" for name in ALONE)], cwd=ROOT, check=False).returncode or first
-        )
-        return both(late, [*pytest, "-n", "2", "--dist", "worksteal", "-m", "not timed", "--warm"]) or first
+        computing = [f"tests/{name}" for name in numerical(ROOT / "tests")]
+        shared = ["--dist", "worksteal", "-m", "not timed", "--warm"]
+        exact = [*pytest, *(f"tests/{name}" for name in ALONE)]
+        first = both(exact, [*pytest, *shared, "-n", "2", *computing], stand_back) or first
+        rest = [*pytest, *shared, "-n", "3", *(f"--ignore={name}" for name in computing)]
+        return both(late, rest) or first
 
 
 if __name__ == "__main__":

@@ -20,7 +20,7 @@ from tests.cli.commands import here
 from tests.recording.driven import Driven
 from tests.web.fake_session_api import FakeSessionApi
 
-from cotouch.cli._app import app
+from cotouch.cli import app
 from cotouch.haptics import GROUP, Driver, driver
 from cotouch.laboratory import Study
 from cotouch.members import SessionFile

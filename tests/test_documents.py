@@ -139,7 +139,7 @@ def options_of(command: Any, name: str) -> Iterator[tuple[str, str]]:
 
 
 def test_every_option_of_the_command_line_is_in_a_document():
-    from cotouch.cli._app import app
+    from cotouch.cli import app
 
     # The other form of a switch counts too, and of a mesh's options there is a table.
     text = " ".join(page.read_text(encoding="utf-8") for page in PAGES).replace("--no-", "--")
@@ -155,7 +155,7 @@ def test_every_option_of_the_command_line_is_in_a_document():
 
 def wrong_command(text: str) -> str | None:
     """What is not there of a command that a text names in passing, with `|` or `\\|` between choices; None: nothing."""
-    from cotouch.cli._app import app
+    from cotouch.cli import app
 
     first, name, *words = text.replace("\\|", "|").split()
     if first == "make":

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from tests.conftest import IMPORTS
 from tests.keeper import marked
-from tests.run import both
+from tests.run import both, stand_back
 
 PYTHON = [sys.executable, "-S", "-c"]
 
@@ -27,6 +27,13 @@ def test_one_gives_way_and_the_other_speaks_last(capfd: pytest.CaptureFixture[st
     others, timed = map(int, capfd.readouterr().out.split())
     assert timed == os.nice(0)
     assert others == min(timed + 10, 19)
+
+
+@pytest.mark.skipif(not hasattr(os, "SCHED_IDLE"), reason="only Linux has it")
+def test_one_stands_back(capfd: pytest.CaptureFixture[str]):
+    how = [*PYTHON, "import os; print(os.sched_getscheduler(0))"]
+    assert both(how, [*how[:-1], f"{how[-1]}; import time; time.sleep(0.1)"], stand_back) == 0
+    assert capfd.readouterr().out.split() == [str(os.SCHED_IDLE), str(os.SCHED_OTHER)]
 
 
 WAITS = """

@@ -1,4 +1,5 @@
 // One WebSocket that comes back by itself; whatever arrives goes into the store.
+import type { Command, TakeControl } from "./messages";
 import { type Action, readFrame, readScene, type State, type Vec, writeAck, writeHello, writePointer } from "./protocol";
 import { Screen } from "./screen";
 import type { Store } from "./store";
@@ -97,7 +98,7 @@ export class Connection {
   }
 
   /** Asks for something; the answer is a sentence. Never rejects. */
-  do(what: string, args: object = {}): Promise<Told> {
+  do(command: Command | TakeControl): Promise<Told> {
     const socket = this.socket;
     if (!socket || socket.readyState !== WebSocket.OPEN) return Promise.resolve({ ok: false, text: "There is no connection to the server." });
     const id = ++this.asked;
@@ -107,7 +108,7 @@ export class Connection {
         clearTimeout(late);
         resolve(told);
       });
-      socket.send(JSON.stringify({ ...args, type: "do", id, what }));
+      socket.send(JSON.stringify({ ...command, type: "do", id }));
     });
   }
 

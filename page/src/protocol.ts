@@ -1,10 +1,8 @@
 // What the page and the server say to each other: JSON as text, frames and pointers as little-endian binary.
 
-export type Vec = [number, number, number];
+import { type Doable, HAND_MODES, type HandMode, type Hello } from "./messages";
 
-/** How a hand moves, by the number that stands for it in frames; as cotouch.session has it. */
-export const HAND_MODES = ["script", "free", "hold", "pull", "wander", "grab", "ball"] as const;
-export type HandMode = (typeof HAND_MODES)[number];
+export type Vec = [number, number, number];
 
 export interface User {
   slot: number;
@@ -15,7 +13,9 @@ export interface User {
 export type Obstacle =
   | { kind: "plane"; point: Vec; normal: Vec }
   /** `turn`: along the axis of turning, as long as the angle [rad]. */
-  | { kind: "box"; size: Vec; centre: Vec; turn: Vec };
+  | { kind: "box"; size: Vec; centre: Vec; turn: Vec }
+  /** A box with a round hole along its third side: its radius, where its axis is along the others, and what its rims lack. */
+  | { kind: "plate"; size: Vec; hole: [number, number, number, number]; centre: Vec; turn: Vec };
 
 /** What a server run shows; does not change while it runs. Lengths in m. */
 export interface Scene {
@@ -26,7 +26,7 @@ export interface Scene {
   /** Slots whose hands this server can move. */
   own: number[];
   /** What `Connection.do` may ask for here. */
-  may: string[];
+  may: Doable[];
   /** Whether this page's token is right. */
   acts: boolean;
   invitation: string | null;
@@ -321,5 +321,6 @@ export function writeAck(number: number, wait: number, every: number): ArrayBuff
 }
 
 export function writeHello(token: string | null, slot: number | null, rate: number): string {
-  return JSON.stringify({ type: "hello", version: VERSION, token, slot, want: "all", rate });
+  const hello: Hello = { type: "hello", version: VERSION, token, slot, want: "all", rate };
+  return JSON.stringify(hello);
 }

@@ -107,7 +107,7 @@ function aim(context: Context, stage: HTMLElement, picture: () => Picture | null
     context.aiming.set(null);
     const held = context.store.frame?.copies.find((copy) => copy.slot === aiming.slot)?.node ?? -1;
     const node = held >= 0 ? held : (context.store.scene?.skin?.node[found.point] ?? found.point);
-    void context.act("hand", { slot: aiming.slot, mode: "pull", node, to: found.to });
+    void context.act({ what: "hand", slot: aiming.slot, mode: "pull", node, to: found.to });
   };
   for (const kind of ["pointerdown", "pointermove", "pointerup"] as const) addEventListener(kind, swallow, true);
   addEventListener("keydown", (event) => {
@@ -149,8 +149,8 @@ export function mountShell(root: HTMLElement, store: Store, connection: Connecti
     tab: new Value<Tab>("energy"),
     aiming: new Value<Aiming | null>(null),
     say: toast.say,
-    async act(what, args = {}, quiet = false) {
-      const told = await connection.do(what, args);
+    async act(command, quiet = false) {
+      const told = await connection.do(command);
       if (!told.ok || !quiet) toast.say(told.text || (told.ok ? "Done." : "It was refused."), told.ok ? "good" : "bad");
       return told.ok;
     },

@@ -1,6 +1,7 @@
 /** Two minutes through everything: shows where, asks for one thing to do, and notices when it is done. */
 import { type Context, type Tab, can, keyOf, pairOf } from "./panels/context";
 import { attribute, button, h, icon, redraw, shown, text } from "./panels/dom";
+import type { Doable } from "./messages";
 import { type Box, placed } from "./placing";
 import { condition, isCut } from "./panels/words";
 
@@ -26,7 +27,7 @@ interface Step {
   needs?: (context: Context, memory: Memory) => string | null;
 }
 
-const needs = (what: string, words: string) => (context: Context): string | null => (can(context, what) ? null : words);
+const needs = (what: Doable, words: string) => (context: Context): string | null => (can(context, what) ? null : words);
 const ownCopy = (context: Context) => context.store.frame?.copies.find((copy) => copy.slot === context.store.slot);
 const grabbing = (context: Context): boolean => {
   const copy = ownCopy(context);

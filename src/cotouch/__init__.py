@@ -34,7 +34,13 @@ if TYPE_CHECKING:
     from cotouch.peer import Peer
     from cotouch.planning import Plan, plan, tune_springs
     from cotouch.scenario import Scenario
-    from cotouch.simulation import save, settling_time, simulate, summary, tables
+    from cotouch.simulation import (
+        save,
+        settling_time,
+        simulate,
+        summary,
+        tables,  # pyright: ignore[reportUnknownVariableType]
+    )
 
 __version__ = "0.1.0"
 

@@ -1,3 +1,5 @@
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false, reportUnknownLambdaType=false, reportUnknownParameterType=false
+# numba has no types
 """How a function becomes machine code, and how its cache on disk stays true."""
 
 import contextlib

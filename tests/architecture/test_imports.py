@@ -4,11 +4,12 @@ import ast
 import subprocess
 import sys
 import tomllib
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from importlinter.cli import lint_imports
-from tests.architecture.modules import NAMES, PACKAGE, ROOT, parsed
+from tests.architecture.modules import NAMES, PACKAGE, ROOT, loaded, parsed
 
 # Rooms that may know the outside world (two only its files), and the package itself, which only forwards names.
 WORLDS = tuple(
@@ -40,6 +41,44 @@ WORLDS = tuple(
 )
 AMBIENT = {"time", "random", "secrets", "datetime", "asyncio", "socket", "threading", "os", "uuid"}
 PURE = [name for name in NAMES if not name.startswith(WORLDS)]
+
+
+# Who tests a room from outside with what it does not show: what a liar says, mostly.
+INSIDERS = {
+    "body/test_reading.py": {"meshfile"},
+    "cli/test_interrupted.py": {"session"},
+    "drivers/test_coming_back.py": {"haptics"},
+    "drivers/test_processes.py": {"haptics"},
+    "hands/test_commanded_hand.py": {"session"},
+    "hands/test_device_hand.py": {"observers"},
+    "laboratory/test_cells.py": {"planning"},
+    "laws/test_known_answers.py": {"laboratory"},
+    "members/test_admission.py": {"traversal"},
+    "members/test_numbers.py": {"cli"},
+    "members/test_turned.py": {"recording"},
+    "recording/test_audit.py": {"simulation"},
+    "recording/test_disk.py": {"cli"},
+    "session/liar.py": {"members", "samples"},
+    "session/test_heavy.py": {"members"},
+    "session/test_keep.py": {"members"},
+    "traversal/test_probe.py": {"samples"},
+}
+
+
+def private_imports(tree: ast.AST) -> Iterator[tuple[str, str, str]]:
+    """Room, module and name of everything that is imported from a room other than by what it shows."""
+    for node in ast.walk(tree):
+        entries: list[tuple[str, str]] = []
+        if isinstance(node, ast.Import):
+            entries = [(alias.name, "") for alias in node.names]
+        elif isinstance(node, ast.ImportFrom) and node.module is not None:
+            entries = [(node.module, alias.name) for alias in node.names]
+        for module, name in entries:
+            package, _, rest = module.partition(".")
+            room = rest.partition(".")[0]
+            hidden = f"{rest}.{name}".removesuffix(".").split(".")[1:]
+            if package == "cotouch" and room and any(part.startswith("_") for part in hidden):
+                yield room, module, name
 
 
 def exists(layer: str) -> bool:
@@ -93,6 +132,27 @@ def test_no_clock_entropy_or_environment_below_the_worlds(name: str):
             assert node.attr in {"Generator", "SeedSequence", "BitGenerator", "default_rng"}
         elif isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == "default_rng":
             assert node.args
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_no_room_reaches_into_another(name: str) -> None:
+    """Nor does a room's own list of names forward what is private elsewhere."""
+    room = name.split(".")[1] if "." in name else ""
+    assert [(module, entry) for other, module, entry in private_imports(parsed(name)) if other != room] == []
+
+
+def test_tests_see_of_other_rooms_what_they_show() -> None:
+    insiders: dict[str, set[str]] = {}
+    needless: list[tuple[str, str, str]] = []
+    for path in sorted((ROOT / "tests").rglob("*.py")):
+        place = path.relative_to(ROOT / "tests")
+        for room, module, entry in private_imports(ast.parse(path.read_text(encoding="utf-8"))):
+            if place.parts[0] != room:
+                insiders.setdefault(place.as_posix(), set()).add(room)
+            if not entry.startswith("_") and module.count(".") > 1 and entry in loaded(f"cotouch.{room}").__all__:
+                needless.append((place.as_posix(), module, entry))
+    assert insiders == INSIDERS, "a test imports what another room does not show; or less than is listed here does"
+    assert needless == [], "the room itself shows this"
 
 
 def test_every_module_imports_without_a_warning():

@@ -12,8 +12,7 @@ from tests.web.fake_session_api import FakeSessionApi
 from typer.testing import CliRunner
 from websockets.sync.client import connect
 
-from cotouch.cli import _page
-from cotouch.cli._app import app
+from cotouch.cli import _page, app
 from cotouch.cli._output import say
 from cotouch.errors import SessionError, TransportError
 from cotouch.members import Part

@@ -45,6 +45,13 @@ def push(device: Device, cycles: int, force: np.ndarray = PUSH, each: Callable[[
     return reading
 
 
+def in_motion(device: Device, speed: float = 0.03) -> None:
+    """Pushes until the last sample says that the device moves: one that rests may stand still to the last bit [m/s]."""
+    late = time.monotonic() + 5.0
+    while np.abs(push(device, 1).velocity).max() < speed:
+        assert time.monotonic() < late, "the device does not move"
+
+
 def fails(device: Device, board: Board, fault: Fault, value: float = 0.0) -> tuple[str, float]:
     """Injects a fault while the motors push; returns the reason, and how long after it the force was gone [s]."""
     device.close()
@@ -53,6 +60,8 @@ def fails(device: Device, board: Board, fault: Fault, value: float = 0.0) -> tup
     while not any(board.get("motor")):  # a library has a thread of its own, which may not have had its turn
         assert time.monotonic() < late
         push(device, 1)
+    if fault is Fault.FROZEN:
+        in_motion(device)
     board.inject(fault, value)
     end = time.monotonic() + 2.0
     why = ""

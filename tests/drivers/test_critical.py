@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tests.drivers.driving import PUSH, push, ready
+from tests.drivers.driving import PUSH, in_motion, push, ready
 from tests.drivers.mutants import Drivers, mutated
 from tests.drivers.standin import Board, Fault
 
@@ -110,6 +110,7 @@ def no_force_on_a_frozen_place(drivers: Drivers, board: Board, library: str) -> 
     """A force that follows from a place that stands still is not told even once."""
     device = ready(drivers.ForceDimension(library=library))
     try:
+        in_motion(device)
         board.inject(Fault.FROZEN)
         before, good = board.get("pushes"), 0
         why, end = "", time.monotonic() + 2.0

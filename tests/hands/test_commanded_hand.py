@@ -5,9 +5,8 @@ import pytest
 from tests.session.hands import BODIES, Held, scenario
 
 from cotouch.hands._commanded_hand import SILENCE
-from cotouch.observers import HAND_MODES
-from cotouch.observers._mailboxes import size_of
-from cotouch.scenario._penetration import resolve_penetration
+from cotouch.observers import HAND_MODES, size_of
+from cotouch.scenario import resolve_penetration
 from cotouch.session._cushion import cushion, stl
 
 SCRIPT = """

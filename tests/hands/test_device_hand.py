@@ -15,14 +15,12 @@ import pytest
 
 from cotouch.device import PRESETS, DeviceSpec
 from cotouch.errors import DeviceError, SessionError
-from cotouch.hands._device_hand import DeviceHand
+from cotouch.hands import DeviceHand
 from cotouch.haptics import Cause, CouplingChoice, EndOptions, Flag, ServoReport
 from cotouch.mechanics import END, EnergyMessage
-from cotouch.members import SessionFile, Slot
-from cotouch.members._shared_model import SharedModel
-from cotouch.observers import HAND_MODES
-from cotouch.observers._command_client import CommandClient
-from cotouch.observers._mailboxes import MailboxFolder, view_fields
+from cotouch.members import SessionFile, SharedModel, Slot
+from cotouch.observers import HAND_MODES, CommandClient, MailboxFolder
+from cotouch.observers._mailboxes import view_fields
 from cotouch.peer import Peer
 from cotouch.recording import audit, read_recording
 from cotouch.session import MemberProcess, open_host

@@ -70,5 +70,6 @@ MOVING = frozenset({"force_dimension:omega", "force_dimension:lambda"})
 def assert_conforms(make: Callable[[], Device], *, allow_motion: bool = False, force: bool = True) -> None:
     """All checks of `cotouch.haptics.conform` pass, and the device came to the end of them."""
     found = conform(make, allow_motion=allow_motion, force=force)
-    assert [finding for finding in found if not finding.passed] == []
+    failed = [finding for finding in found if not finding.passed]
+    assert not failed, failed
     assert found[-1].check == "exchange after close is refused"

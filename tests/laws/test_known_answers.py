@@ -13,8 +13,7 @@ from cotouch.laboratory._ideal import ideal
 from cotouch.laboratory._score import measured
 from cotouch.laws import PAID, TANK, End, Facts, Tone, copy, given_power, laws, register
 from cotouch.scenario import Scenario
-from cotouch.simulation import judge, prepare, simulate, with_law
-from cotouch.simulation._batch import run_batch
+from cotouch.simulation import judge, prepare, run_batch, simulate, with_law
 
 DELAY, SPRING = 0.025, 50.0
 

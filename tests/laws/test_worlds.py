@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 from tests.laws.scenes import AS_LAW, OTHERS, rough
 
-from cotouch.simulation import prepare, run_peers
-from cotouch.simulation._batch import run_batch
+from cotouch.simulation import prepare, run_batch, run_peers
 
 
 @pytest.mark.parametrize("body", [False, True])

@@ -4,7 +4,7 @@ import heapq
 import random
 from collections.abc import Callable, Hashable
 
-from cotouch.control._control import Message, Relayed
+from cotouch.control import Message, Relayed
 from cotouch.errors import TransportError
 from cotouch.samples import MOST_BYTES, Address, Arrival, Identity, Traffic
 

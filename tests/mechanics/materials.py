@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.body import Body, body_from_tetrahedra, lattice
+from cotouch.body import Body, body_from_tetrahedra, lattice, rigid_box
 from cotouch.mechanics import (
     ELASTIC,
     KINETIC,
@@ -23,14 +23,13 @@ from cotouch.mechanics import (
     kernel,
     model,
     resist,
-    workspace,
 )
 
 Float = npt.NDArray[np.float64]
 SHAPE, SPACING, YOUNG, POISSON, DENSITY = (4, 3, 3), 0.01, 1e4, 0.3, 1000.0
 GRIDS = ("floating", "cells", "spring-network")
 SOLIDS = ("elastic floating", "corotated", "st-venant-kirchhoff", "neo-hookean")
-EVERY = (*GRIDS, *SOLIDS)
+EVERY = (*GRIDS, *SOLIDS, "rigid")
 
 
 def boxes(shape: tuple[int, ...] = SHAPE, spacing: float = SPACING) -> tuple[Float, npt.NDArray[np.int64]]:
@@ -63,6 +62,8 @@ def made(
 
 
 def _made(name: str, viscosity: float, shape: tuple[int, ...], common: dict[str, Any]) -> Body:
+    if name == "rigid":  # less so than it would be, or no step could follow how it swings
+        return rigid_box((np.array(shape) - 1) * SPACING, density=DENSITY, rate=300.0, viscosity=viscosity)
     if name in GRIDS:
         network = name == "spring-network"
         k = YOUNG * SPACING * (0.4 if network else 1.0)
@@ -117,7 +118,7 @@ class Alone:
             np.zeros((rows, 4)),
             np.zeros(self.model.memory),
         )
-        self.work = workspace(self.model.operator, 4, 0, closed=True)
+        self.work = self.model.workspace(0)
         self.ledger, none = np.zeros(LEDGER_COLUMNS), np.zeros(0)
         self.links = Links(0, 0, none, np.zeros(0, np.int32), np.zeros(0, np.int64), np.zeros((1, rows, 4)))
         nothing = np.zeros((0, 4))

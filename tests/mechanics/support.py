@@ -31,7 +31,6 @@ from cotouch.mechanics import (
     model,
     settle,
     step,
-    workspace,
 )
 
 Array = np.ndarray
@@ -130,7 +129,7 @@ class Copy:
         weights = op.weight.shape[0]
         self.local_damping = _fit(scene.local_damping, weights)
         self.extra_damping = _fit(scene.extra_damping, weights)
-        self.work: Workspace = workspace(op, width, len(entries), closed=self.model.force is not None)
+        self.work: Workspace = self.model.workspace(len(entries))
         self.ledger = np.full(LEDGER_COLUMNS, np.nan)
         self.ledger[CLOSURE:] = 0.0  # a linear step leaves what only closed ones book
         self.link_work = np.full(count + 2 * others, np.nan)

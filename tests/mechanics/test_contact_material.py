@@ -5,8 +5,7 @@ import pytest
 from tests.mechanics.materials import EVERY, SPACING, made, rotation
 from tests.mechanics.pressing import Pressed, plate, slab
 
-from cotouch.mechanics import BETA, KINETIC, TOUCH_LOSS, Stiffening
-from cotouch.mechanics._contact_stiffening import press
+from cotouch.mechanics import BETA, KINETIC, TOUCH_LOSS, Stiffening, press
 
 STEPS = 120
 

@@ -62,7 +62,7 @@ def test_the_mean_force_does_the_work_of_the_energy(name: str) -> None:
     body = made(name)
     copy, rng = Alone(body), np.random.default_rng(2)
     x, way = copy.rows(bent(body, 0.2)), copy.rows(rng.normal(size=body.rest.shape) * 1e-3)
-    exact = name in {"spring-network", "st-venant-kirchhoff", "neo-hookean"}
+    exact = name in {"spring-network", "st-venant-kirchhoff", "neo-hookean", "rigid"}
     missed = []
     for barycentric in (1.0, 0.5):
         before = energy(copy, x)
@@ -139,7 +139,8 @@ def test_the_motion_converges_to_second_order(name: str) -> None:
     coarse, middle, fine = end(5e-4), end(2.5e-4), end(1.25e-4)
     order = np.log2(np.linalg.norm(coarse[0] - middle[0]) / np.linalg.norm(middle[0] - fine[0]))
     assert 1.9 <= order <= 2.1
-    assert np.log2(middle[1] / fine[1]) >= 2.7  # closure of one step as T³
+    exact = name == "rigid"  # solved to rounding with an exact discrete gradient: nothing to close
+    assert middle[1] <= 1e-17 if exact else np.log2(middle[1] / fine[1]) >= 2.7  # closure of one step as T³
 
 
 @pytest.mark.parametrize("name", EVERY)
@@ -201,7 +202,7 @@ def test_copies_in_step_are_one_body(name: str) -> None:
     assert 3.0 * third.energy == pytest.approx(one.energy, rel=1e-11)
 
 
-@pytest.mark.parametrize("name", ["corotated", "st-venant-kirchhoff", "neo-hookean"])
+@pytest.mark.parametrize("name", ["corotated", "st-venant-kirchhoff", "neo-hookean", "rigid"])
 def test_small_motions_are_those_of_linear_elasticity(name: str) -> None:
     body = made(name)
     copy, rng = Alone(body), np.random.default_rng(5)
@@ -215,7 +216,7 @@ def test_small_motions_are_those_of_linear_elasticity(name: str) -> None:
     assert apart[0] / apart[1] == pytest.approx(10.0, rel=0.1)
 
 
-@pytest.mark.parametrize("name", ["cells", "corotated"])
+@pytest.mark.parametrize("name", ["cells", "corotated", "rigid"])
 def test_a_falling_body_falls(name: str) -> None:
     body = made(name, gravity=(0.0, 0.0, -9.81))
     copy = Alone(body, velocity=np.full(body.rest.shape, 0.5))

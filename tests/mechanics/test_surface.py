@@ -5,8 +5,8 @@ import pytest
 
 from cotouch.body import Body, lattice
 from cotouch.errors import BodyError
-from cotouch.mechanics import Basis, model, surface_of
-from cotouch.mechanics._surface import Fit, Surface, box_distance, fit_of, place_vertex, refit
+from cotouch.mechanics import Basis, Surface, model, surface_of
+from cotouch.mechanics._surface import Fit, box_distance, fit_of, place_vertex, refit
 
 Array = np.ndarray
 

@@ -3,10 +3,9 @@
 from tests.members.test_coordinator import BODY, NETWORK, World, key
 from tests.session.world import entropy
 
-from cotouch.members import Admission, Roster, SessionFile
-from cotouch.members._admission import addresses_of
+from cotouch.members import Admission, Entry, Roster, SessionFile, addresses_of
 from cotouch.members._law_check import signature_of
-from cotouch.members._messages import MOST_NAMES, AddressProof, Entry, Join, NameOwner
+from cotouch.members._messages import MOST_NAMES, AddressProof, Join, NameOwner
 from cotouch.samples import Identity
 from cotouch.traversal import Addresses, Place
 from cotouch.traversal._addresses import transaction_of
@@ -101,3 +100,32 @@ def test_nobody_is_taken_up_who_was_sent_away_has_no_slot_or_one_name_too_many()
     world.coordinator.adopt(world.roster.model_copy(update={"names": []}), world.now)
     commanded(entry(2, "Cleo", 3))
     assert world.names == {0: "Ann", 2: "Cleo"}
+
+
+def test_links_of_another_law_are_refused_by_both_names() -> None:
+    admission = Admission(GUESTS, fingerprint=BODY)
+    own = signature_of(GUESTS.scenario).split()[0]
+    for theirs, name in (("wave 0123", '"wave"'), ("", '"none"'), (f"{own} of-another-version", f'"{own}"')):
+        why = admission.slot(request("Ann").model_copy(update={"law": theirs}), key(1).hex(), Roster(), 0.0)
+        assert isinstance(why, str)
+        assert f'law "{own}"' in why
+        assert f"({name})" in why
+
+
+def test_who_is_named_in_the_file_has_that_slot_while_it_is_free() -> None:
+    admission = Admission(SESSION, fingerprint=BODY)
+    assert admission.slot(request("Cleo"), key(1).hex(), Roster(), 0.0) == 2
+    assert admission.slot(request("Eve"), key(1).hex(), Roster(), 0.0) == 0
+    taken = Roster(members=[entry(2, "Dan", 4)])
+    assert admission.slot(request("Cleo"), key(1).hex(), taken, 0.0) == 0
+    guests = Admission(GUESTS, fingerprint=BODY)
+    users = list(GUESTS.scenario.network.users)
+    assert guests.slot(request(users[2]), key(1).hex(), Roster(), 0.0) == 0
+
+
+def test_who_was_forgotten_does_not_wait_for_what_it_did_before() -> None:
+    admission = Admission(GUESTS, fingerprint=BODY)
+    mine, roster = key(1).hex(), Roster(members=[entry(0, "Ann", 1)])
+    admission.came(request("Ann"), mine, roster, 10.0)
+    admission.came(request("Ben"), key(2).hex(), Roster(members=[entry(1, "Ben", 2)]), 10.5)
+    assert admission.slot(request("Ann"), mine, roster, 11.0) == 0

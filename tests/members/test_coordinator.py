@@ -4,9 +4,20 @@ import pytest
 
 from cotouch.control import Message
 from cotouch.errors import NetworkError, SessionError
-from cotouch.members import ABSENT_AFTER, Admission, Coordinator, Roster, SessionFile, present_links
+from cotouch.members import (
+    ABSENT_AFTER,
+    Admission,
+    Coordinator,
+    Entry,
+    LinkStatus,
+    Roster,
+    SessionFile,
+    Status,
+    present_links,
+    write,
+)
 from cotouch.members._law_check import signature_of
-from cotouch.members._messages import LAST_EPOCH, Entry, Join, LinkStatus, Refused, Status, read, write
+from cotouch.members._messages import LAST_EPOCH, Join, Refused, read
 
 HOST = bytes([255]) * 32
 BODY = [1.0, 2.0]

@@ -13,8 +13,8 @@ from tests.session.world import World
 from tests.thorough import examples
 
 from cotouch.cli._table import view
-from cotouch.members import Roster, Status
-from cotouch.members._messages import LAST_EPOCH, Decided, Entry, Join, LinkStatus, NameOwner, Refused, read, write
+from cotouch.members import Entry, LinkStatus, Roster, Status, write
+from cotouch.members._messages import LAST_EPOCH, Decided, Join, NameOwner, Refused, read
 from cotouch.members._succession import signed
 
 PLANNED = """

@@ -1,4 +1,4 @@
-from cotouch.members._pace import Pace
+from cotouch.members import Pace
 
 
 def test_what_was_before_a_restart_does_not_count() -> None:

@@ -2,8 +2,7 @@
 
 import pytest
 
-from cotouch.members import SessionFile
-from cotouch.members._shared_model import SharedModel
+from cotouch.members import SessionFile, SharedModel
 
 TEXT = """
 [network]

@@ -19,9 +19,9 @@ from tests.members.test_succession import (
     root,
 )
 
-from cotouch.members import Roster, SessionFile
-from cotouch.members._messages import LAST_EPOCH, MOST_STAGES, Decided, Decision, NameOwner
-from cotouch.members._succession import MOST_LEAP, Belief, genuine, order_of, signed
+from cotouch.members import Decision, Roster, SessionFile, genuine
+from cotouch.members._messages import LAST_EPOCH, MOST_STAGES, Decided, NameOwner
+from cotouch.members._succession import MOST_LEAP, Belief, order_of, signed
 from cotouch.network import Network
 from cotouch.samples import Identity
 

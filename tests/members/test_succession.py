@@ -7,8 +7,8 @@ import pytest
 from tests.session.world import Person, World, entropy
 
 from cotouch.errors import SessionError
-from cotouch.members import Roster
-from cotouch.members._messages import LAST_EPOCH, Decided, Decision, Entry, NameOwner, write
+from cotouch.members import Decision, Entry, Roster, write
+from cotouch.members._messages import LAST_EPOCH, Decided, NameOwner
 from cotouch.members._succession import MOST_LEAP, Belief, acting, order_of, signed
 from cotouch.samples import Identity
 

@@ -4,9 +4,8 @@ import numpy as np
 from tests.session.world import World, entropy
 
 from cotouch.control import Message
-from cotouch.members import Status
-from cotouch.members._messages import Entry
-from cotouch.members._watch import HANDED_ON, SessionWatch
+from cotouch.members import Entry, SessionWatch, Status
+from cotouch.members._watch import HANDED_ON
 from cotouch.samples import Identity
 
 THREE = """

@@ -10,10 +10,8 @@ from tests.network.support import GRAPHS, five_users, mixings, pairs, random_net
 from tests.thorough import examples
 
 from cotouch.errors import NetworkError
-from cotouch.network import complete, mixing, ring, second_eigenvalue
+from cotouch.network import complete, consensus_lags, cycle_period, mixing, ring, second_eigenvalue, slowest
 from cotouch.network._consensus import consensus_loop, lifted_matrix
-from cotouch.network._lags import consensus_lags, cycle_period
-from cotouch.network._resonance import slowest
 
 
 def printed_J(network, lags):

@@ -7,10 +7,8 @@ from scipy.stats import spearmanr
 from tests.network.support import GRAPHS, five_users, mixings, pairs, random_network, uniform
 
 from cotouch.errors import NetworkError, UnsupportedError
-from cotouch.network import complete, path, rightmost_root
-from cotouch.network._collocation import generator_eigenvalues
-from cotouch.network._decay import closed_loop
-from cotouch.network._rightmost import count_right, rightmost
+from cotouch.network import closed_loop, complete, generator_eigenvalues, path, rightmost, rightmost_root
+from cotouch.network._rightmost import count_right
 
 
 @pytest.fixture(scope="module")

@@ -4,9 +4,17 @@ import numpy as np
 import pytest
 from tests.network.support import five_users, pairs, random_network
 
-from cotouch.network import chain_of, characteristic, closed_loop, none_beyond, on_line, value
+from cotouch.network import (
+    chain_of,
+    characteristic,
+    closed_loop,
+    consensus_lags,
+    cycle_period,
+    none_beyond,
+    on_line,
+    value,
+)
 from cotouch.network._consensus import consensus_loop
-from cotouch.network._lags import consensus_lags, cycle_period
 from cotouch.network._resonance import _swift, _thorough
 from cotouch.network._returns import bend_of, excluded, turn_of
 

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from tests.network.support import random_network
 
+from cotouch.network import consensus_lags
 from cotouch.network._consensus import consensus_loop
-from cotouch.network._lags import consensus_lags
 from cotouch.network._windows import windows
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from cotouch.errors import SessionError
-from cotouch.observers._child import ChildCall
+from cotouch.observers import ChildCall
 
 _PATIENCE = 60.0
 

@@ -3,7 +3,7 @@ import threading
 import pytest
 
 from cotouch.errors import SessionError
-from cotouch.observers._jobs import Jobs
+from cotouch.observers import Jobs
 
 
 def asked(jobs: Jobs, job) -> tuple[threading.Thread, list[object]]:

@@ -1,8 +1,7 @@
 """What is shown of a session that is over."""
 
 from cotouch.members import Entry, Roster, SessionEvent, Status
-from cotouch.observers import Overview, RecordingState
-from cotouch.observers._moment import LastMoment
+from cotouch.observers import LastMoment, Overview, RecordingState
 
 
 def overview(time: float, *slots: int, ended: bool = False, stepped: int = 0) -> Overview:

@@ -5,9 +5,8 @@ from pathlib import Path
 import pytest
 
 from cotouch.errors import SessionError
+from cotouch.observers import MailboxFolder, RecordingClient
 from cotouch.observers._command_client import RecordingOutcome
-from cotouch.observers._mailboxes import MailboxFolder
-from cotouch.observers._recording import RecordingClient
 
 NAMES = ("Ann", "Ben")
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from tests.session.world import World
 
-from cotouch.observers import Emulated, Pointer
-from cotouch.observers._mailboxes import RUNAWAY, MailboxFolder
+from cotouch.observers import Emulated, MailboxFolder, Pointer
+from cotouch.observers._mailboxes import RUNAWAY
 from cotouch.recording import audit, read_recording
 
 SESSION = """

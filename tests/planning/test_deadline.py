@@ -9,8 +9,8 @@ from tests.planning.support import five_users
 
 from cotouch.interrupt import Flag, check, flag, heeding
 from cotouch.network import Network
-from cotouch.planning import CountsInterrupted, TuningInterrupted, plan_counts, tune_springs
-from cotouch.planning._deadline import aside, until
+from cotouch.planning import CountsInterrupted, TuningInterrupted, plan_counts, tune_springs, until
+from cotouch.planning._deadline import aside
 
 
 def raised(some: Flag) -> None:

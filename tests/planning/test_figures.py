@@ -6,7 +6,7 @@ from scipy.stats import spearmanr
 from cotouch.drawing import drawn
 from cotouch.errors import NetworkError
 from cotouch.network import Network, complete, path
-from cotouch.planning._figures import knee, networks, ranks
+from cotouch.planning import knee, networks, ranks
 
 
 def community(users: int, seed: int = 1) -> Network:

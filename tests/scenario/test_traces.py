@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from cotouch.errors import ScenarioError
-from cotouch.members._emulate import path_laws
+from cotouch.members import path_laws
 from cotouch.scenario import Scenario
 from cotouch.simulation import prepare, simulate
 

@@ -4,11 +4,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from cotouch.hands._commanded_hand import CommandedHand
+from cotouch.hands import CommandedHand
 from cotouch.mechanics import model
 from cotouch.members import Slot
-from cotouch.observers import HandMode
-from cotouch.observers._mailboxes import HandCommand
+from cotouch.observers import HandCommand, HandMode
 from cotouch.peer import Peer, StepReport
 from cotouch.scenario import Scenario
 

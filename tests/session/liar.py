@@ -10,8 +10,9 @@ from tests.session.lie import LIMIT, MOST, Lie
 from tests.session.world import Person, entropy
 
 from cotouch.errors import SessionError
+from cotouch.members import Decision, Status, write
 from cotouch.members._law_check import signature_of
-from cotouch.members._messages import LAST_EPOCH, Decided, Decision, Join, Status, write
+from cotouch.members._messages import LAST_EPOCH, Decided, Join
 from cotouch.members._neighbours import BUDGET
 from cotouch.members._succession import _CONTEXT
 from cotouch.peer import Message, Sample

@@ -13,11 +13,21 @@ import pytest
 
 from cotouch.control import Invitation
 from cotouch.errors import SessionError
-from cotouch.members import SharedModel
-from cotouch.members._messages import Entry, Roster
-from cotouch.observers import Pointer
-from cotouch.observers._mailboxes import mailbox_folder
-from cotouch.observers._session_api import HandView
+from cotouch.members import Entry, Roster, SharedModel
+from cotouch.observers import (
+    ChooseLinks,
+    Cut,
+    Expel,
+    HandView,
+    Impair,
+    Kill,
+    MoveHand,
+    Pointer,
+    Revive,
+    SetDamping,
+    SetRecording,
+    mailbox_folder,
+)
 from cotouch.recording import audit, read_recording
 from cotouch.session import DemoSessionApi, demo_session, member_session_api, play
 
@@ -101,12 +111,12 @@ class Script:
         yield lambda: len(api.views()) == 3 and all(view.direct for view in api.views().values())
         # Who is not the loop waits for it.
         said: list[str] = []
-        thread = threading.Thread(target=lambda: said.append(api.do("links", {"links": [[0, 1], [1, 2], [0, 2]]})))
+        thread = threading.Thread(target=lambda: said.append(api.do(ChooseLinks(links=((0, 1), (1, 2), (0, 2))))))
         thread.start()
         yield lambda: bool(said)
         assert said == ["linked are 1-2, 1-3, 2-3"]
         for to, of in ((0, 1), (1, 2), (0, 2)):
-            api.do("impair", {"a": to, "b": of, "delay": 0.02})
+            api.do(Impair(a=to, b=of, delay=0.02))
         yield lambda: coupled(api)
 
         before = [place(api, slot) for slot in range(3)]
@@ -123,27 +133,27 @@ class Script:
         assert moved[0] < min(moved[1], moved[2])
         assert api.views()[0].hands[0].mode == "grab"
         far = place(api, 0)
-        api.do("hand", {"slot": 0, "mode": "free"})
+        api.do(MoveHand(slot=0, mode="free"))
         yield lambda: place(api, 0) < far - 0.01
         assert api.views()[0].hands[0].mode == "free"
 
-        api.do("cut", {"a": 0, "b": 1, "on": True})
+        api.do(Cut(a=0, b=1, on=True))
         yield lambda: "guarded" in states(api, 0, 1)
         assert api.overview().emulated[0, 1].cut
-        api.do("cut", {"a": 0, "b": 1, "on": False})
+        api.do(Cut(a=0, b=1, on=False))
         yield lambda: states(api, 0, 1) == {"coupled"}
 
-        api.do("damping", {"fraction": 0.5})
+        api.do(SetDamping(fraction=0.5))
         yield lambda: all((status.certificate or 0.0) < -0.4 for status in api.overview().statuses.values())
         assert any("not passive" in event.text for event in api.overview().events)
-        api.do("damping", {"fraction": 1.0})
+        api.do(SetDamping(fraction=1.0))
         yield lambda: all((status.certificate or 0.0) > -1e-9 for status in api.overview().statuses.values())
 
         # All copies run away in the end, are caught, and calm down; nobody's process dies of it.
-        api.do("hand", {"slot": 0, "mode": "pull", "node": 0, "to": [0.03, 0.0, 0.0]})
+        api.do(MoveHand(slot=0, mode="pull", node=0, to=(0.03, 0.0, 0.0)))
         yield lambda: place(api, 0) > 0.005
-        api.do("hand", {"slot": 0, "mode": "free"})
-        assert api.do("damping", {"fraction": 0.01}) == "damping is 1 % of what passivity needs, and no link is guarded"
+        api.do(MoveHand(slot=0, mode="free"))
+        assert api.do(SetDamping(fraction=0.01)) == "damping is 1 % of what passivity needs, and no link is guarded"
         shake = Shake()
         yield lambda: shake.sees(api) and api.overview().damping == 1.0
         assert shake.turns >= 2
@@ -152,23 +162,23 @@ class Script:
         yield lambda: sum(view.energy for view in api.views().values()) < 1e-3 * shake.most
         assert all(api.overview().alive.values())
         # Who ran away a moment after the first ends no later order.
-        api.do("damping", {"fraction": 0.6})
+        api.do(SetDamping(fraction=0.6))
         since = time.monotonic()
         yield lambda: time.monotonic() > since + 0.5
         assert api.overview().damping == 0.6
-        api.do("damping", {"fraction": 1.0})
+        api.do(SetDamping(fraction=1.0))
         yield lambda: coupled(api)
 
         assert api.recorded() == ()
-        api.do("record", {"on": True})
+        api.do(SetRecording(on=True))
         with pytest.raises(SessionError, match="under way"):
-            api.do("record", {"on": True})
+            api.do(SetRecording(on=True))
         began = time.monotonic()
         yield lambda: time.monotonic() > began + 1.0
         recording_state = api.overview().recording
         assert (recording_state.state, recording_state.number) == ("on", 1)
         assert recording_state.seconds == pytest.approx(time.monotonic() - began, abs=0.5)
-        api.do("record", {"on": False})
+        api.do(SetRecording(on=False))
         yield lambda: api.overview().recording.state == "done"
         recording_state = api.overview().recording
         assert recording_state.troubles == ()
@@ -178,26 +188,26 @@ class Script:
             assert path.stat().st_mode & 0o777 == 0o600
             shutil.copy(path, self.folder)
         # The shortest that there can be is kept, too: a step of everybody.
-        api.do("record", {"on": True})
-        api.do("record", {"on": False})
+        api.do(SetRecording(on=True))
+        api.do(SetRecording(on=False))
         yield lambda: api.overview().recording.state == "done"
         assert (api.overview().recording.number, api.overview().recording.troubles) == (2, ())
         assert [read_recording(path).steps >= 1 for path in api.recorded()] == [True] * 3
 
-        api.do("kill", {"slot": 2})
+        api.do(Kill(slot=2))
         with pytest.raises(SessionError, match="does not run"):
-            api.do("kill", {"slot": 2})
+            api.do(Kill(slot=2))
         yield lambda: not api.overview().alive[2]
         invitation = api.scene.invitation
         assert invitation is not None
         visitor = Visitor(invitation, "Cleo")
         yield lambda: not visitor.thread.is_alive()
         assert visitor.failure is None, visitor.failure
-        api.do("revive", {"slot": 2})
+        api.do(Revive(slot=2))
         yield lambda: api.overview().alive[2] and 2 in api.views() and api.views()[2].direct
         yield lambda: {"best", "worst", "start"} <= api.overview().choices.keys()
         best = api.overview().choices["best"]
-        api.do("links", {"choice": "best"})
+        api.do(ChooseLinks(choice="best"))
         yield lambda: sorted(api.overview().roster.links) == sorted(best)
 
 
@@ -310,7 +320,7 @@ def test_whoever_came_from_elsewhere_is_sent_away_and_the_place_of_a_process_her
 
         def asked(slot: int) -> str:
             said: list[str] = []
-            thread = threading.Thread(target=lambda: said.append(api.do("expel", {"slot": slot})))
+            thread = threading.Thread(target=lambda: said.append(api.do(Expel(slot=slot))))
             thread.start()
             while thread.is_alive():
                 api.tick(0.0)
@@ -385,7 +395,7 @@ def test_hands_wander_where_all_rests_and_nobody_acts(monkeypatch: pytest.Monkey
         assert wait(30.0) == ["script", "script"]  # something happens
         force = 0.0
         assert wait(19.0) == ["script", "script"]
-        api.do("hand", {"slot": 1, "mode": "hold"})  # somebody acts
+        api.do(MoveHand(slot=1, mode="hold"))  # somebody acts
         assert wait(19.0) == ["script", "hold"]
         assert wait(2.0) == ["wander", "hold"]  # what somebody asked for stays
         force = 0.5

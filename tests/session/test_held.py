@@ -4,7 +4,7 @@ from types import SimpleNamespace
 from typing import Any, cast
 
 from cotouch.haptics import ServoLink
-from cotouch.members._messages import MOST_NOTICE, Status
+from cotouch.members import MOST_NOTICE, Status
 from cotouch.session._held import HeldDevice
 
 

@@ -2,11 +2,9 @@
 
 import numba
 
-from cotouch.hands._commanded_hand import CommandedHand
+from cotouch.hands import CommandedHand
 from cotouch.mechanics import contact_step
-from cotouch.members._file import SessionFile
-from cotouch.members._hand import Slot
-from cotouch.members._shared_model import SharedModel
+from cotouch.members import SessionFile, SharedModel, Slot
 from cotouch.session._warm import _copy
 
 BLOCK = """

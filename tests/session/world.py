@@ -5,28 +5,26 @@ from pathlib import Path
 import numpy as np
 
 from cotouch.control import MemoryControl, MemoryControlNetwork
-from cotouch.hands._commanded_hand import CommandedHand
+from cotouch.hands import CommandedHand
 from cotouch.mechanics import Model
 from cotouch.members import (
     Admission,
+    Decision,
     Hand,
     Host,
     Member,
     MemoryPaths,
     NoHand,
+    Planner,
     Replica,
     ScriptedHand,
     SessionFile,
+    SessionRecorder,
     SharedModel,
     Slot,
+    path_laws,
 )
-from cotouch.members._coordinator import Planner
-from cotouch.members._emulate import path_laws
-from cotouch.members._messages import Decision
-from cotouch.members._session_recorder import SessionRecorder
-from cotouch.observers._command_client import CommandClient
-from cotouch.observers._mailboxes import MailboxFolder
-from cotouch.observers._telemetry import TelemetryPublisher
+from cotouch.observers import CommandClient, MailboxFolder, TelemetryPublisher
 from cotouch.samples import Identity, ImpairedTransport, MemoryNetwork, MemoryTransport, PathLaw, Transport
 
 _SERVICE = 0.02

@@ -14,8 +14,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from cotouch.scenario import Scenario
-from cotouch.simulation import Schedule, prepare
-from cotouch.simulation._schedule import schedule
+from cotouch.simulation import Schedule, prepare, schedule
 
 
 def supply_form(

@@ -9,8 +9,7 @@ import pytest
 from cotouch.body import Body, chain
 from cotouch.network import Network, rightmost_root
 from cotouch.scenario import Scenario
-from cotouch.simulation import prepare, run_peers, simulate
-from cotouch.simulation._batch import run_batch
+from cotouch.simulation import prepare, run_batch, run_peers, simulate
 
 FIVE_USERS = Path(__file__).parents[2] / "examples" / "five-users.toml"
 MODES = ("constant", "self-paced", "freshest")

@@ -15,8 +15,7 @@ from matplotlib.figure import Figure
 from cotouch.drawing import DASHES, USERS, decimate, peak, prefix, user_line
 from cotouch.errors import OutputError, ScenarioError
 from cotouch.scenario import Scenario
-from cotouch.simulation import at_times, simulate
-from cotouch.simulation._figures import figures, save_figures
+from cotouch.simulation import at_times, figures, save_figures, simulate
 
 NAMES = ("positions", "forces", "energies", "ages")
 

@@ -7,9 +7,7 @@ import pytest
 
 from cotouch.errors import CotouchError
 from cotouch.scenario import Scenario
-from cotouch.simulation import prepare, simulate
-from cotouch.simulation._batch import run_batch
-from cotouch.simulation._peers import run_peers
+from cotouch.simulation import prepare, run_batch, run_peers, simulate
 
 PAIR: dict[str, Any] = {"users": ["Ann", "Ben"], "spring": [[0, 50], [50, 0]], "delay": [[0, 0.02], [0.03, 0]]}
 BLOCK: dict[str, Any] = {

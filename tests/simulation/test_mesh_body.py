@@ -14,8 +14,7 @@ from cotouch.body import Body
 from cotouch.errors import BodyError, InputError, ScenarioError, UnsupportedError
 from cotouch.mechanics import model
 from cotouch.scenario import FileTable, Scenario
-from cotouch.simulation import prepare, run_peers, simulate, summary
-from cotouch.simulation._batch import run_batch
+from cotouch.simulation import prepare, run_batch, run_peers, simulate, summary
 
 TOML = """
 [network]

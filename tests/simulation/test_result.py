@@ -11,8 +11,7 @@ from cotouch.body import chain
 from cotouch.errors import OutputError, ScenarioError
 from cotouch.network import Network
 from cotouch.scenario import Scenario
-from cotouch.simulation import dataset, prepare, save, simulate, tables
-from cotouch.simulation._batch import run_batch
+from cotouch.simulation import dataset, prepare, run_batch, save, simulate, tables
 from cotouch.simulation._result import _UNITS, TOOL_UNITS
 
 PAIR: dict[str, Any] = {

@@ -11,11 +11,8 @@ from cotouch.body import lattice, point
 from cotouch.device import PRESETS
 from cotouch.errors import BodyError, CotouchError, ScenarioError
 from cotouch.mechanics import opening_energy, virtual_coupling_limit
-from cotouch.scenario import Scenario
-from cotouch.scenario._penetration import resolve_penetration
-from cotouch.scenario._tool_tables import SimulatedDeviceTable, ToolHand, ToolTable
-from cotouch.simulation import animation, felt, figures, frame_rate, prepare, simulate, summary
-from cotouch.simulation._batch import run_batch
+from cotouch.scenario import Scenario, SimulatedDeviceTable, ToolHand, ToolTable, resolve_penetration
+from cotouch.simulation import animation, felt, figures, frame_rate, prepare, run_batch, simulate, summary
 from cotouch.simulation._tool_result import UNITS as TOOL_UNITS
 
 PAIR: dict[str, Any] = {"users": ["Ann", "Ben"], "spring": [[0, 20], [20, 0]], "delay": [[0, 0.01], [0.02, 0]]}

@@ -3,8 +3,7 @@
 import numpy as np
 
 from cotouch.scenario import Scenario
-from cotouch.simulation import prepare, run_peers
-from cotouch.simulation._batch import run_batch
+from cotouch.simulation import prepare, run_batch, run_peers
 
 TOML = """
 [network]

@@ -7,7 +7,8 @@ from tests.network.support import five_users, pairs, random_network, uniform
 from cotouch.errors import NetworkError, UnsupportedError
 from cotouch.network import path, rightmost_root
 from cotouch.planning import tune_springs
-from cotouch.study._confirm import _slowest, confirmed
+from cotouch.study import confirmed
+from cotouch.study._confirm import _slowest
 
 BEST = "12 14 23 24 34 45"
 

@@ -9,8 +9,7 @@ import pytest
 from tests.network.support import five_users, pairs
 
 from cotouch import drawing
-from cotouch.simulation import prepare
-from cotouch.simulation._batch import run_batch
+from cotouch.simulation import prepare, run_batch
 from cotouch.study import _solid as study
 from cotouch.study import _solid_charts as charts
 from cotouch.study._blocks import _BOOK, _DEVICE, Blocks, blocks

@@ -5,10 +5,16 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from cotouch.errors import SessionError
-from cotouch.samples import Address
-from cotouch.samples._address import flaw, origin, plain
-from cotouch.traversal import MOST_CANDIDATES, Candidate, CandidateKind, local_candidates, read_offer, write_offer
-from cotouch.traversal._interfaces import interface_hosts
+from cotouch.samples import Address, flaw, origin, plain
+from cotouch.traversal import (
+    MOST_CANDIDATES,
+    Candidate,
+    CandidateKind,
+    interface_hosts,
+    local_candidates,
+    read_offer,
+    write_offer,
+)
 
 NONCE = bytes(range(16))
 hosts = st.one_of(st.ip_addresses(v=4), st.ip_addresses(v=6)).map(str)

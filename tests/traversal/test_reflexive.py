@@ -5,8 +5,8 @@ from tests.live.internet import Internet, Nat
 from tests.live.support import entropy, identities
 
 from cotouch.samples import Address
-from cotouch.traversal import Addresses, Lookup, Mirror, member_key
-from cotouch.traversal._addresses import Place, transaction_of
+from cotouch.traversal import Addresses, Lookup, Mirror, Place, member_key
+from cotouch.traversal._addresses import transaction_of
 from cotouch.traversal._probe import MEMBER_BYTES, ask, tell
 
 MEMBER, OTHER = (one.public for one in identities(2))

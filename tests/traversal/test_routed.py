@@ -8,11 +8,10 @@ import pytest
 from tests.live.internet import Exchange, Internet, MemoryControl, Nat, VirtualSocket
 from tests.live.support import agree, agreements, entropy, identities, layout, state_of
 
-from cotouch.control._control import Message, Relayed
+from cotouch.control import Message, Relayed
 from cotouch.errors import SessionError, TransportError
 from cotouch.peer import Sample
-from cotouch.samples import MOST_BYTES, Address, Arrival, Assembly, SampleLink, SamplePlane, UdpTransport
-from cotouch.samples._address import plain
+from cotouch.samples import MOST_BYTES, Address, Arrival, Assembly, SampleLink, SamplePlane, UdpTransport, plain
 from cotouch.traversal import (
     ByRelay,
     Candidate,

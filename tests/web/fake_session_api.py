@@ -16,25 +16,33 @@ from collections import deque
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, Literal, cast
+from typing import Any, Literal
 
 import numpy as np
 
 from cotouch.body import Body, Skin, chain, lattice, point
 from cotouch.errors import SessionError
-from cotouch.members._links import Pair
-from cotouch.members._messages import Entry, LinkStatus, Roster, Status
-from cotouch.members._watch import SessionEvent
-from cotouch.observers._session_api import (
-    HAND_MODES,
+from cotouch.members import Entry, LinkStatus, Pair, Roster, SessionEvent, Status
+from cotouch.observers import (
+    ChooseLinks,
+    Command,
     CopyView,
+    Cut,
+    Doable,
     Emulated,
+    Expel,
     HandMode,
     HandView,
+    Impair,
+    Kill,
+    MoveHand,
     Overview,
     Pointer,
     RecordingState,
+    Revive,
     Scene,
+    SetDamping,
+    SetRecording,
 )
 
 NAMES = ("Ann", "Ben", "Cleo", "Dan", "Eve")
@@ -52,7 +60,7 @@ STEP = 0.002
 SHARED = 2e-3  # what every copy gave up when the others came [J]
 KEPT = 3.0  # of the handles' past [s]
 KINDS = ("1d", "chain", "2d", "bare", "3d", "big")
-MAY = frozenset({"hand", "impair", "cut", "kill", "revive", "expel", "links", "damping", "record"})
+MAY: frozenset[Doable] = frozenset({"hand", "impair", "cut", "kill", "revive", "expel", "links", "damping", "record"})
 Kind = Literal["1d", "chain", "2d", "bare", "3d", "big"]
 
 
@@ -174,7 +182,7 @@ class FakeSessionApi:
         )
         self.clock, self.age = clock, age  # age: how old the newest views are said to be [s]
         self.pointers: list[tuple[int, Pointer]] = []
-        self.done: list[tuple[str, Mapping[str, Any]]] = []
+        self.done: list[Command] = []
         self.ended = False
         self._lock = threading.Lock()
         self._rest = np.zeros((body.nodes, 3))
@@ -256,19 +264,46 @@ class FakeSessionApi:
                 ended=self.ended,
             )
 
-    def do(self, what: str, arguments: Mapping[str, Any]) -> str:
+    def do(self, command: Command) -> str:
         with self._lock:
-            self.done.append((what, dict(arguments)))
-            if what not in MAY:
-                raise SessionError(f'"{what}" cannot be done here; this stage knows {", ".join(sorted(MAY))}')
-            try:
-                text = getattr(self, f"_do_{what}")(arguments)
-            except (KeyError, TypeError, ValueError, IndexError) as error:
-                if isinstance(error, SessionError):
-                    raise
-                raise SessionError(f"{what} was asked with {dict(arguments)}; something is missing or wrong") from error
+            self.done.append(command)
+            text = self._do(command)
             self._say(text)
             return text
+
+    def _do(self, command: Command) -> str:
+        match command:
+            case MoveHand():
+                return self._move_hand(command)
+            case Impair():
+                for pair in self._pairs(command.a, command.b):
+                    self._emulated[pair] = replace(self._emulated[pair], **command.changes())
+                return f"the way between {NAMES[command.a]} and {NAMES[command.b]} is changed"
+            case Cut():
+                for pair in self._pairs(command.a, command.b):
+                    self._emulated[pair] = replace(self._emulated[pair], cut=command.on)
+                return (
+                    f"the link of {NAMES[command.a]} and {NAMES[command.b]} is {'cut' if command.on else 'whole again'}"
+                )
+            case Kill():
+                return self._live(command.slot, False)
+            case Expel():
+                self.elsewhere.discard(command.slot)
+                return self._live(command.slot, False)
+            case Revive():
+                return self._live(command.slot, True)
+            case ChooseLinks():
+                if command.links is not None:
+                    self._links = sorted({(min(pair), max(pair)) for pair in command.links})
+                    return f"{len(self._links)} links, as you chose them"
+                assert command.choice is not None
+                self._links = list(self.choices[command.choice])
+                return f"links: {command.choice}"
+            case SetDamping():
+                self._damping = command.fraction
+                return f"damping is {100 * command.fraction:.0f} % of what the rule needs"
+            case SetRecording():
+                return self._record(command.on)
 
     def hold_damping(self, on: bool) -> None:
         self.held.append(on)
@@ -280,41 +315,15 @@ class FakeSessionApi:
     def recorded(self) -> tuple[Path, ...]:
         return self.files
 
-    def _do_hand(self, arguments: Mapping[str, Any]) -> str:
-        handle, mode = self._handles[int(arguments["slot"])], arguments["mode"]
-        if mode not in HAND_MODES:
-            raise SessionError(f'mode is "{mode}"; it must be one of {", ".join(HAND_MODES)}')
-        if mode in {"pull", "grab"}:
-            handle.node = int(arguments.get("node", handle.node))
-            handle.target = np.array(arguments["to"], float)
-        elif mode == "hold":
+    def _move_hand(self, command: MoveHand) -> str:
+        handle = self._handles[command.slot]
+        if command.mode == "pull":
+            handle.node = command.node if command.node >= 0 else handle.node
+            handle.target = np.array(command.to, float)
+        elif command.mode == "hold":
             handle.target = self._rest[handle.node] + handle.offset
-        handle.mode, handle.radius = cast("HandMode", mode), 0.0
-        return f"{NAMES[handle.slot]}'s hand: {mode}"
-
-    def _do_impair(self, arguments: Mapping[str, Any]) -> str:
-        a, b = self._pair(arguments)
-        changes = {name: float(arguments[name]) for name in ("delay", "jitter", "loss") if name in arguments}
-        for pair in ((a, b), (b, a)):
-            self._emulated[pair] = replace(self._emulated[pair], **changes)
-        return f"the way between {NAMES[a]} and {NAMES[b]} is changed"
-
-    def _do_cut(self, arguments: Mapping[str, Any]) -> str:
-        (a, b), on = self._pair(arguments), bool(arguments["on"])
-        for pair in ((a, b), (b, a)):
-            self._emulated[pair] = replace(self._emulated[pair], cut=on)
-        return f"the link of {NAMES[a]} and {NAMES[b]} is {'cut' if on else 'whole again'}"
-
-    def _do_kill(self, arguments: Mapping[str, Any]) -> str:
-        return self._live(int(arguments["slot"]), False)
-
-    def _do_expel(self, arguments: Mapping[str, Any]) -> str:
-        slot = int(arguments["slot"])
-        self.elsewhere.discard(slot)
-        return self._live(slot, False)
-
-    def _do_revive(self, arguments: Mapping[str, Any]) -> str:
-        return self._live(int(arguments["slot"]), True)
+        handle.mode, handle.radius = command.mode, 0.0
+        return f"{NAMES[handle.slot]}'s hand: {command.mode}"
 
     def _live(self, slot: int, alive: bool) -> str:
         if self._alive[slot] == alive:
@@ -324,23 +333,9 @@ class FakeSessionApi:
         handle.offset, handle.speed, handle.force = np.zeros(3), np.zeros(3), np.zeros(3)
         return f"{NAMES[slot]} {'came back' if alive else 'was killed'}"
 
-    def _do_links(self, arguments: Mapping[str, Any]) -> str:
-        if "links" in arguments:
-            self._links = sorted({(min(a, b), max(a, b)) for a, b in arguments["links"]})
-            return f"{len(self._links)} links, as you chose them"
-        self._links = list(self.choices[arguments["choice"]])
-        return f"links: {arguments['choice']}"
-
-    def _do_damping(self, arguments: Mapping[str, Any]) -> str:
-        fraction = float(arguments["fraction"])
-        if not 0.0 < fraction <= 1.0:
-            raise SessionError(f"share is {fraction}; it must be above 0 and at most 1")
-        self._damping = fraction
-        return f"damping is {100 * fraction:.0f} % of what the rule needs"
-
-    def _do_record(self, arguments: Mapping[str, Any]) -> str:
+    def _record(self, on: bool) -> str:
         number = self.recording_state.number
-        if arguments["on"]:
+        if on:
             self._recording = self._now
             self.recording_state = RecordingState(state="on", number=number + 1)
             return "recording"
@@ -356,11 +351,10 @@ class FakeSessionApi:
         self.recording_state = RecordingState(state="done", number=number, seconds=seconds, text=text, files=named)
         return "recorded"
 
-    def _pair(self, arguments: Mapping[str, Any]) -> Pair:
-        a, b = int(arguments["a"]), int(arguments["b"])
-        if not (0 <= a < 5 and 0 <= b < 5 and a != b):
+    def _pairs(self, a: int, b: int) -> tuple[Pair, Pair]:
+        if max(a, b) > 4:
             raise SessionError(f"a and b are {a} and {b}; they must be two of the slots 0 to 4")
-        return a, b
+        return (a, b), (b, a)
 
     def _say(self, text: str) -> None:
         self._events.append(SessionEvent(self._now, text))

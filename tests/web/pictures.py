@@ -10,6 +10,7 @@ from playwright.sync_api import Browser, Page
 from tests.web.fake_session_api import FakeSessionApi, Kind
 
 from cotouch.mechanics import Shape
+from cotouch.observers import MoveHand
 from cotouch.web import PageServer
 
 # A machine without a graphics card and with other work draws a few pictures a second [ms].
@@ -37,7 +38,7 @@ class Shown:
         api = FakeSessionApi(self.kind)
         api._scene = replace(api.scene, shapes=self.shapes)
         for slot in range(5) if still else ():
-            api.do("hand", {"slot": slot, "mode": "free"})
+            api.do(MoveHand(slot=slot, mode="free"))
         return api
 
     def open(self, *, token: bool = True, script: str | None = None, **settings: Any) -> Page:

@@ -50,7 +50,11 @@ class World:
 
     def did(self, what: str) -> list[dict[str, Any]]:
         """What the stage was asked for."""
-        return [dict(arguments) for name, arguments in self.api.done if name == what]
+        return [
+            one.model_dump(mode="json", exclude={"what"}, exclude_unset=True)
+            for one in self.api.done
+            if one.what == what
+        ]
 
     def close(self) -> None:
         """Closes all."""

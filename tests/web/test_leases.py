@@ -8,10 +8,11 @@ from tests.web.fake_session_api import FakeSessionApi
 from tests.web.reader import pointer
 
 from cotouch.errors import PageError
+from cotouch.web import Hello
 from cotouch.web._access import Access
 from cotouch.web._hub import MOST_PAGES, Hub
 from cotouch.web._page import Page
-from cotouch.web._protocol import VERSION, Do, Hello, PointerMessage
+from cotouch.web._protocol import VERSION, Do, PointerMessage
 
 GRAB, FREE = 1, 2
 LONG, SHORT = 3.1, 0.2  # a page that is silent for so long hangs, or not [s]

@@ -17,12 +17,12 @@ from tests.web.visitor import Visitor, visit
 from websockets.exceptions import ConnectionClosed
 
 from cotouch.errors import SessionError
-from cotouch.observers import Pointer
-from cotouch.web import PageServer
+from cotouch.observers import Cut, Pointer
+from cotouch.web import Hello, PageServer
 from cotouch.web._access import Access
 from cotouch.web._hub import Hub
 from cotouch.web._page import Page
-from cotouch.web._protocol import VERSION, FrameReceipt, Hello
+from cotouch.web._protocol import VERSION, FrameReceipt
 
 WORDS = ["hand", "impair", "cut", "kill", "revive", "links", "damping", "record", "control"]
 
@@ -336,11 +336,15 @@ class TestDo:
             commanded = page.do("cut", 9, a=3, b=1, on=True)
             assert (commanded["ok"], commanded["text"]) == (True, "the link of Dan and Ben is cut")
             assert page.text("state", lambda m: m["emulated"]["1-3"]["cut"] and m["ends"]["3-1"]["state"] == "guarded")
-        assert api.done == [("cut", {"a": 3, "b": 1, "on": True})]
+        assert api.done == [Cut(a=3, b=1, on=True)]
 
     @pytest.mark.parametrize(
         ("what", "arguments", "word"),
-        [("cut", {"a": 0}, "missing"), ("damping", {"fraction": 7}, "share is 7"), ("fly", {}, '"fly"')],
+        [
+            ("cut", {"a": 0}, "missing"),
+            ("damping", {"fraction": 7}, "fraction is 7; it must be above 0"),
+            ("fly", {}, '"fly"'),
+        ],
     )
     def test_what_cannot_be_done_is_explained(self, server: PageServer, what: str, arguments: dict, word: str):
         with visit(server) as page:
@@ -349,7 +353,7 @@ class TestDo:
             assert word in commanded["text"]
 
     def test_a_stage_that_breaks_does_not_leave_the_page_waiting(self, server: PageServer, api: FakeSessionApi):
-        def broken(what: str, arguments: object) -> str:
+        def broken(command: object) -> str:
             raise ZeroDivisionError("secret")
 
         api.do = broken  # type: ignore[method-assign]

@@ -9,6 +9,7 @@ from playwright.sync_api import Browser, Page
 from tests.simulation.browser import browser
 from tests.web.pictures import PHONE, TOKEN, Shown, shown, spot, until, wait
 
+from cotouch.observers import Cut, Impair
 from cotouch.web import PageServer
 
 # When each copy's held point had first moved so far, on the server's clock, and how far it came at most.
@@ -38,7 +39,7 @@ def running() -> Generator[Browser]:
 def slowly(here: Shown) -> None:
     """All ways take half a second: longer than a busy machine takes for a picture."""
     for a, b in here.api.overview().roster.links:
-        here.api.do("impair", {"a": a, "b": b, "delay": 0.5})
+        here.api.do(Impair(a=a, b=b, delay=0.5))
 
 
 # From Ann: one link to Ben and Dan, two to Cleo and Eve; a picture may show two moments as one.
@@ -358,5 +359,5 @@ def test_side_by_side_every_copy_has_its_name_and_delay(running: Browser) -> Non
         assert [title.split()[0] for title in titles] == ["Ann", "Ben", "Cleo", "Dan", "Eve"]
         for title, words in zip(titles, ("you", "50 ms", "90 ms", "90 ms", "130 ms"), strict=True):
             assert words in title.replace("\u202f", " ")
-        here.api.do("cut", {"a": 3, "b": 4, "on": True})
+        here.api.do(Cut(a=3, b=4, on=True))
         page.wait_for_function("() => document.querySelectorAll('.ct-title')[4].textContent.includes('out of reach')")

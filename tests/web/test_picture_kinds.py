@@ -11,6 +11,7 @@ from tests.web.fake_session_api import Kind
 from tests.web.pictures import shown, spot, until, wait
 
 from cotouch.mechanics import Box, Plane
+from cotouch.observers import MoveHand
 
 # A gamepad as a browser would give it, and what its motors were asked for.
 PAD = """
@@ -141,7 +142,7 @@ def test_of_a_ghost_only_what_differs_is_drawn(running: Browser) -> None:
         until(page, "store.frame.copies.every(copy => copy.displacement.every(d => d === 0))")
         page.wait_for_function(f"() => ({OVER})().every((share) => share === 0)")
         for slot in range(1, 5):
-            here.api.do("hand", {"slot": slot, "mode": "pull", "node": 3, "to": (0.2, 0.2, 0.2)})
+            here.api.do(MoveHand(slot=slot, mode="pull", node=3, to=(0.2, 0.2, 0.2)))
         page.wait_for_function(f"() => ({OVER})().every((share) => share > 0.02 && share < 0.9)")
         page.evaluate("() => window.cotouch.store.set({ ghosts: false })")
         page.wait_for_function(f"() => ({OVER})().every((share) => share === 0)")

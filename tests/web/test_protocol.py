@@ -11,7 +11,9 @@ from tests.thorough import examples
 from tests.web.reader import ack, pointer
 
 from cotouch.errors import PageError
-from cotouch.web._protocol import Do, FrameReceipt, Hello, PointerMessage, read_binary, read_text
+from cotouch.observers import ChooseLinks
+from cotouch.web import Hello
+from cotouch.web._protocol import Do, FrameReceipt, PointerMessage, read_binary, read_text
 
 single = st.floats(width=32, allow_nan=True, allow_infinity=True)
 
@@ -110,4 +112,5 @@ def test_what_no_page_says_is_refused(text: str):
 def test_arguments_stay_as_they_are():
     asked = read_text('{"type": "do", "id": 4, "what": "links", "links": [[0, 1]], "choice": null}')
     assert isinstance(asked, Do)
-    assert (asked.id, asked.what, asked.arguments) == (4, "links", {"links": [[0, 1]], "choice": None})
+    assert (asked.id, asked.what, asked.parts) == (4, "links", {"links": [[0, 1]], "choice": None})
+    assert asked.command() == ChooseLinks(links=((0, 1),), choice=None)

@@ -113,7 +113,7 @@ def test_a_session_is_held_cut_killed_and_watched_from_a_page(tmp_path: Path) ->
         page = opened(context, address, said, asked)
         until(page, JOINED)
         for slot in range(USERS):
-            page.evaluate("slot => window.cotouch.connection.do('hand', { slot, mode: 'free' })", slot)
+            page.evaluate("slot => window.cotouch.connection.do({ what: 'hand', slot, mode: 'free' })", slot)
         until(page, REST)
         drag(page)
 

@@ -6,6 +6,7 @@ import pytest
 from playwright.sync_api import Browser
 from tests.web.shell_pages import LINK, READY, World, choose, grab, words, world
 
+from cotouch.observers import SetDamping
 from cotouch.web import PageAddress, PageServer
 
 
@@ -193,7 +194,7 @@ def test_a_banner_moves_nothing(here: World) -> None:
             return [one.id || one.textContent, left, top, width, height].join(' '); })"""
     page.wait_for_function("() => document.fonts.status === 'loaded'")
     before = page.evaluate(places)
-    here.api.do("damping", {"fraction": 0.4})
+    here.api.do(SetDamping(fraction=0.4))
     page.wait_for_selector("#banner-damping")
     during = [place for place in page.evaluate(places) if "damping" not in place]
     assert len(during) > 20
@@ -202,7 +203,7 @@ def test_a_banner_moves_nothing(here: World) -> None:
 
 def test_a_verdict_is_said_once(here: World) -> None:
     page = here.open()
-    here.api.do("damping", {"fraction": 0.4})
+    here.api.do(SetDamping(fraction=0.4))
     words(page, "#verdict", "Not safe: damping lowered to 40 %")
     page.wait_for_function("() => /not safe/.test(document.querySelector('#spoken').textContent)")
     assert page.is_hidden(".toast")

@@ -8,6 +8,8 @@ from tests.web.pictures import wait
 from tests.web.shell_pages import LINK, PHONE, READY, World, choose, grab, let_go, words
 from tests.web.shell_scripts import CONTRAST, DOUBLED, MOVING, NAMELESS, PANELS, RIGHTMOST, SEEN, SMALL
 
+from cotouch.observers import Cut, Kill, SetDamping
+
 
 def test_keys_do_what_buttons_do(here: World) -> None:
     page = here.open()
@@ -50,7 +52,7 @@ def test_everything_that_can_be_pressed_has_a_name_and_events_are_said(here: Wor
     assert nameless == []
     doubled = page.evaluate(DOUBLED)
     assert doubled == []
-    here.api.do("kill", {"slot": 3})
+    here.api.do(Kill(slot=3))
     page.wait_for_function("() => /Dan was killed/.test(document.querySelector('#spoken').textContent)")
     page.click("#tab-events")
     words(page, "#events li", "Dan was killed")
@@ -95,8 +97,8 @@ def test_all_text_stands_out_from_its_ground(here: World, scheme: Any) -> None:
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_all_that_is_seen_stands_out_from_what_is_behind_it(here: World, scheme: Any) -> None:
     page = here.open(color_scheme=scheme, reduced_motion="reduce")
-    here.api.do("kill", {"slot": 3})
-    here.api.do("damping", {"fraction": 0.4})
+    here.api.do(Kill(slot=3))
+    here.api.do(SetDamping(fraction=0.4))
     page.click('.user[data-slot="2"] .user-head')
     page.wait_for_selector('.user[data-slot="3"][data-presence="stopped"]')
     page.wait_for_selector("#banner-damping")
@@ -240,9 +242,9 @@ def test_a_step_of_the_tour_is_done_only_by_doing_it(here: World) -> None:
     words(page, "#tour .tour-task", "No link is cut")
     page.wait_for_timeout(500)
     assert page.get_attribute("#tour", "data-done") is None
-    here.api.do("cut", {"a": 1, "b": 3, "on": True})
+    here.api.do(Cut(a=1, b=3, on=True))
     words(page, "#tour .tour-task", "Press Mend")
     page.wait_for_timeout(300)
     assert page.get_attribute("#tour", "data-done") is None
-    here.api.do("cut", {"a": 1, "b": 3, "on": False})
+    here.api.do(Cut(a=1, b=3, on=False))
     page.wait_for_selector("#tour[data-done]")

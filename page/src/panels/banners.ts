@@ -31,8 +31,8 @@ function banner(level: "info" | "warn" | "bad", id: string, when: () => string |
 
 export function banners(context: Context): HTMLElement {
   const { store, connection } = context;
-  const restore = button("Restore now", () => void context.act("damping", { fraction: 1 }), { class: "button small primary" });
-  const take = button("Take over", () => void context.act("control"), { class: "button small primary" });
+  const restore = button("Restore now", () => void context.act({ what: "damping", fraction: 1 }), { class: "button small primary" });
+  const take = button("Take over", () => void context.act({ what: "control" }), { class: "button small primary" });
   const stop = button("Cancel", () => context.aiming.set(null), { class: "button small" });
   // Damping comes back by itself where a copy ran away: that is said where the button was that would have done it.
   let lowered = false;

@@ -29,7 +29,7 @@ function recorder(context: Context): { element: HTMLElement; toggle: () => void 
   const { store, connection } = context;
   const busy = (): boolean => store.state?.recording.state === "ending";
   const toggle = (): void => {
-    if (can(context, "record") && !busy()) void context.act("record", { on: store.state?.recording.state !== "on" });
+    if (can(context, "record") && !busy()) void context.act({ what: "record", on: store.state?.recording.state !== "on" });
   };
   const words = h("span", { class: "tabular" }, "Record");
   const record = h("button", { type: "button", class: "button", id: "record", "data-tip": "Record what every copy does, to audit or replay it (R)" }, icon("record"), words);

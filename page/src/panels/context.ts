@@ -1,5 +1,6 @@
 /** What the parts of the page share: the store, the connection, what is chosen, and how something is said. */
 import type { Connection } from "../connection";
+import type { Command, Doable, TakeControl } from "../messages";
 import type { Vec } from "../protocol";
 import type { Store } from "../store";
 
@@ -45,7 +46,7 @@ export interface Context {
   readonly tab: Value<Tab>;
   readonly aiming: Value<Aiming | null>;
   /** Asks the server for something and says its answer; whether it was done. */
-  act(what: string, args?: object, quiet?: boolean): Promise<boolean>;
+  act(command: Command | TakeControl, quiet?: boolean): Promise<boolean>;
   /** Says something for a moment, to those who see and to those who listen. */
   say(words: string, level?: Level): void;
 }
@@ -69,7 +70,7 @@ export function samePair(a: Pair | null, b: Pair | null): boolean {
 }
 
 /** Whether this server does such a thing, and this page may ask for it. */
-export function can(context: Context, what: string): boolean {
+export function can(context: Context, what: Doable): boolean {
   const { store, connection } = context;
   return store.live && connection.hasToken && !!store.scene?.may.includes(what);
 }

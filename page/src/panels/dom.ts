@@ -128,7 +128,7 @@ export function button(
 export interface Choice<T extends string> {
   readonly element: HTMLElement;
   /** Marks what is chosen; null: nothing of it. */
-  mark(value: T | null): void;
+  mark(value: string | null): void;
   /** Lets some be chosen, others not. */
   allow(value: T, yes: boolean): void;
   /** Names one anew. */

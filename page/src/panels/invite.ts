@@ -30,7 +30,7 @@ export function inviteDialog(context: Context): { open: () => void } {
   const near = h("p", { class: "hint" }, "Only this computer can open this page. To open it on a phone by a QR code, start cotouch with --page-listen and the address of this computer.");
   const free = button("Free this place", () => {
     const slot = Number(slots.value);
-    void context.act("expel", { slot });
+    void context.act({ what: "expel", slot });
   }, { class: "button small danger", icon: "stop" });
   const whole = h("p", { class: "hint" }, "Whoever has the invitation can take part: give it only to those you trust. The other computer must reach this one over the network.");
   const box = dialog("Invite", [

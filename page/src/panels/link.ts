@@ -70,7 +70,7 @@ export function linkCard(context: Context): HTMLElement {
   const state = h("strong", null);
   const means = h("span", { class: "means" });
   const margin = h("p", { class: "expected tabular" });
-  const impair = (what: string) => (value: number): void => void context.act("impair", { a: pair[0], b: pair[1], [what]: value }, true);
+  const impair = (what: "delay" | "jitter" | "loss") => (value: number): void => void context.act({ what: "impair", a: pair[0], b: pair[1], [what]: value }, true);
   const sliders: Record<"delay" | "jitter" | "loss", Slider> = {
     delay: slider("delay", "Added to every sample, each way", { most: 0.5, step: 0.005, show: ms }, impair("delay")),
     jitter: slider("jitter", "Scale of what comes on top of the delay by chance", { most: 0.1, step: 0.002, show: ms }, impair("jitter")),
@@ -78,9 +78,9 @@ export function linkCard(context: Context): HTMLElement {
   };
   const cut = button("Cut", () => {
     const on = !(store.state && isCut(store.state, ...pair));
-    void context.act("cut", { a: pair[0], b: pair[1], on });
+    void context.act({ what: "cut", a: pair[0], b: pair[1], on });
   }, { icon: "cut", class: "button", id: "cut" });
-  const clear = button("Clear", () => void context.act("impair", { a: pair[0], b: pair[1], delay: 0, jitter: 0, loss: 0 }), {
+  const clear = button("Clear", () => void context.act({ what: "impair", a: pair[0], b: pair[1], delay: 0, jitter: 0, loss: 0 }), {
     class: "button", icon: "reset", tip: "No added delay, jitter or loss",
   });
   const heads = [h("th", { scope: "col" }), h("th", { scope: "col" })] as const;

@@ -50,7 +50,7 @@ export function dampingDialog(context: Context): { open: () => void } {
     h("label", { class: "slider" }, h("span", null, "damping"), input, output),
     h("p", { class: "hint" }, "Scripted hands let go meanwhile. It holds only while this page is open and answers. A copy that runs away restores the damping of all by itself; so does one click on the banner."),
   ], [
-    { words: "Lower it", class: "button danger", act: () => void context.act("damping", { fraction: Number((shareAt(Number(input.value)) / 100).toPrecision(3)) }) },
+    { words: "Lower it", class: "button danger", act: () => void context.act({ what: "damping", fraction: Number((shareAt(Number(input.value)) / 100).toPrecision(3)) }) },
     { words: "Leave it as it is", class: "button primary", act: () => undefined, focus: true },
   ]);
   let whose: string | undefined;
@@ -71,7 +71,7 @@ export function marginPanel(context: Context): HTMLElement {
   const { store } = context;
   const lowering = dampingDialog(context);
   const lower = button("Lower damping …", () => lowering.open(), { icon: "warn", class: "button small danger", id: "lower", tip: "Shows what the damping is for" });
-  const restore = button("Restore damping", () => void context.act("damping", { fraction: 1 }), { class: "button small primary" });
+  const restore = button("Restore damping", () => void context.act({ what: "damping", fraction: 1 }), { class: "button small primary" });
   const { element, body } = panel("margin", "Margin", EXPLANATION, lower, restore);
   const links = h("tbody");
   const users = h("tbody");

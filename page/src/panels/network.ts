@@ -56,7 +56,7 @@ function linkDrawing(context: Context, pair: Pair, at: readonly Point[], share: 
     words,
   );
   const delayOf = (): number => store.state?.emulated[`${a}-${b}`]?.delay ?? 0;
-  const send = paced((delay) => void context.act("impair", { a, b, delay }, true));
+  const send = paced((delay) => void context.act({ what: "impair", a, b, delay }, true));
   let drawnDelay: number | null = null;
   let start: { x: number; delay: number } | null = null;
   group.addEventListener("pointerdown", (event) => {

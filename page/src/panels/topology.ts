@@ -74,7 +74,7 @@ export function topologyChoices(
       if (!drafting) draw(true);
     } else {
       if (drafting) draw(false);
-      void context.act("links", { choice: name });
+      void context.act({ what: "links", choice: name });
     }
     redrawn();
   };
@@ -86,7 +86,7 @@ export function topologyChoices(
   );
   const apply = button("Apply", () => {
     const wanted = links("yours");
-    void context.act("links", { links: wanted }).then((done) => {
+    void context.act({ what: "links", links: wanted }).then((done) => {
       if (done) draw(false);
     });
   }, { class: "button small primary" });

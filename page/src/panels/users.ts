@@ -1,5 +1,6 @@
 /** Who takes part: how each is doing, and what his hand shall do. */
-import type { HandMode, Vec } from "../protocol";
+import type { MoveHand } from "../messages";
+import type { Vec } from "../protocol";
 import { type Context, can, nameOf, pullTo } from "./context";
 import { type Child, attribute, button, choice, h, icon, panel, redraw, shown, text } from "./dom";
 import { type Confirmation, confirmation } from "./dialog";
@@ -11,7 +12,7 @@ const EXPLANATION =
   "left out; the next is then longer, and energy stays exact. Force is what the hand exerts on its copy. " +
   "Unfold a user to tell its hand what to do, to stop its process, or to act as that user.";
 
-const ORDERS: { value: HandMode; words: string; tip: string }[] = [
+const ORDERS: { value: MoveHand["mode"]; words: string; tip: string }[] = [
   { value: "script", words: "Script", tip: "Move as the session’s file says" },
   { value: "hold", words: "Hold", tip: "Keep what is held where it is now" },
   { value: "free", words: "Let go", tip: "Hold nothing" },
@@ -64,9 +65,9 @@ function card(context: Context, slot: number, leaving: Confirmation): { element:
   head.addEventListener("click", () => context.opened.set(context.opened.get() === slot ? null : slot));
 
   const pulls = h("div", { class: "pulls", hidden: true });
-  const ask = (mode: HandMode, more: object = {}): void => {
+  const ask = (mode: MoveHand["mode"], more: Pick<MoveHand, "node" | "to"> = {}): void => {
     context.aiming.set(null);
-    void context.act("hand", { slot, mode, ...more });
+    void context.act({ what: "hand", slot, mode, ...more });
   };
   const orders = choice(`Hand of ${nameOf(store, slot)}`, ORDERS, (mode) => {
     if (mode !== "pull") {
@@ -98,14 +99,14 @@ function card(context: Context, slot: number, leaving: Confirmation): { element:
   const window_ = button("New window", () => void open(addressFor(slot), "_blank", "noopener"), {
     class: "button small", tip: "Open another page that acts as this user",
   });
-  const kill = button("Stop process", () => void context.act("kill", { slot }), {
+  const kill = button("Stop process", () => void context.act({ what: "kill", slot }), {
     class: "button small danger", icon: "stop", tip: "Ends this user’s process at once, as a crash would",
   });
   const away = button("Send away …", () => {
     const name = nameOf(store, slot);
-    leaving.ask(`Send ${name} away?`, `${name} takes part from another computer. The place becomes free at once, and whoever is sent away cannot come back for the rest of the session.`, () => void context.act("expel", { slot }));
+    leaving.ask(`Send ${name} away?`, `${name} takes part from another computer. The place becomes free at once, and whoever is sent away cannot come back for the rest of the session.`, () => void context.act({ what: "expel", slot }));
   }, { class: "button small danger", icon: "stop", tip: "Sends away who plays this user on another computer" });
-  const revive = button("Bring back", () => void context.act("revive", { slot }), { class: "button small", icon: "reset" });
+  const revive = button("Bring back", () => void context.act({ what: "revive", slot }), { class: "button small", icon: "reset" });
   const actions: Child[] = [take, window_, kill, away, revive];
   const more = h("div", { class: "user-more", id: folded, hidden: true }, orders.element, pulls, h("div", { class: "actions" }, ...actions));
   const element = h(

@@ -1,5 +1,5 @@
-// What stands still around the object: boxes, and planes that are no level floor.
-import { BoxGeometry, type BufferGeometry, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Mesh, PlaneGeometry, Quaternion, Vector3 } from "three";
+// What stands still around the object: boxes, plates with a hole, and planes that are no level floor.
+import { BoxGeometry, type BufferGeometry, EdgesGeometry, ExtrudeGeometry, Group, LineBasicMaterial, LineSegments, Mesh, Path, PlaneGeometry, Quaternion, Shape, Vector3 } from "three";
 import type { Obstacle } from "../protocol";
 import { material, paint } from "./props";
 
@@ -7,6 +7,7 @@ const UP = new Vector3(0, 0, 1);
 const LEVEL = 1 - 1e-6;
 // Boxes so many radii away are not in the first picture, which goes by so many points of the object.
 const FAR = 6, SOME = 300;
+const AROUND = 48, SHARP = 30;
 
 function normalOf({ normal }: Extract<Obstacle, { kind: "plane" }>): Vector3 {
   return new Vector3(...normal).normalize();
@@ -21,7 +22,7 @@ export function floorOf(obstacles: Obstacle[]): number | null {
 /** What is to be seen at first: some of the object's points, and the corners of boxes that are not far away [m]. */
 export function seenFirst(points: Float32Array, obstacles: Obstacle[], centre: Vector3, radius: number): Float32Array {
   const corners = obstacles.flatMap((one) => {
-    if (one.kind !== "box" || centre.distanceTo(new Vector3(...one.centre)) > FAR * radius) return [];
+    if (one.kind === "plane" || centre.distanceTo(new Vector3(...one.centre)) > FAR * radius) return [];
     const turn = turnOf(one);
     return Array.from({ length: 8 }, (_, k) => {
       const half = new Vector3(...one.size.map((side, axis) => ((k >> axis) & 1 ? 0.5 : -0.5) * side));
@@ -32,9 +33,17 @@ export function seenFirst(points: Float32Array, obstacles: Obstacle[], centre: V
   return corners.length ? Float32Array.from([...corners, ...points.filter((_, i) => i % each < 3)]) : points;
 }
 
-function turnOf({ turn }: Extract<Obstacle, { kind: "box" }>): Quaternion {
+function turnOf({ turn }: Extract<Obstacle, { kind: "box" | "plate" }>): Quaternion {
   const axis = new Vector3(...turn);
   return new Quaternion().setFromAxisAngle(axis.clone().normalize(), axis.length());
+}
+
+/** A box with a round hole through it along z, about its middle. */
+function bored(size: [number, number, number], [radius, x, y]: [number, number, number, number]): BufferGeometry {
+  const [a, b] = [0.5 * size[0], 0.5 * size[1]];
+  const outline = new Shape().moveTo(-a, -b).lineTo(a, -b).lineTo(a, b).lineTo(-a, b).closePath();
+  outline.holes.push(new Path().absarc(x, y, radius, 0, 2 * Math.PI, true));
+  return new ExtrudeGeometry(outline, { depth: size[2], bevelEnabled: false, curveSegments: AROUND }).translate(0, 0, -0.5 * size[2]);
 }
 
 export class Obstacles {
@@ -59,8 +68,8 @@ export class Obstacles {
         this.group.add(shown);
         continue;
       }
-      const box = this.keep(new BoxGeometry(...one.size));
-      for (const part of [new Mesh(box, this.solid), new LineSegments(this.keep(new EdgesGeometry(box)), this.line)]) {
+      const box = this.keep(one.kind === "plate" ? bored(one.size, one.hole) : new BoxGeometry(...one.size));
+      for (const part of [new Mesh(box, this.solid), new LineSegments(this.keep(new EdgesGeometry(box, SHARP)), this.line)]) {
         part.position.set(...one.centre);
         part.quaternion.copy(turnOf(one));
         this.group.add(part);

@@ -11,8 +11,11 @@ from cotouch.body._material import Frame, Material, MaterialModel
 from cotouch.body._mesh_material import SolidModel, SurfaceModel
 from cotouch.body._origin import Origin
 from cotouch.body._reading import UNITS
+from cotouch.body._rigid import RATE, VISCOSITY, rigid_body
+from cotouch.body._shapes import rigid_box, rigid_cylinder, rigid_sphere, turning
 from cotouch.body._skin import Skin
 from cotouch.body._statics import lowest_modes
+from cotouch.body._strains import SIGNS, frame_of, strain_law
 from cotouch.body._truncation import Truncation
 from cotouch.meshfile import SURFACES, VOLUMES, is_surface
 
@@ -20,8 +23,11 @@ __all__ = [
     "MOST_ELEMENTS",
     "MOST_NODES",
     "MOST_TRIANGLES",
+    "RATE",
+    "SIGNS",
     "SURFACES",
     "UNITS",
+    "VISCOSITY",
     "VOLUMES",
     "Body",
     "Box",
@@ -44,8 +50,15 @@ __all__ = [
     "body_from_tetrahedra",
     "canonical",
     "chain",
+    "frame_of",
     "is_surface",
     "lattice",
     "lowest_modes",
     "point",
+    "rigid_body",
+    "rigid_box",
+    "rigid_cylinder",
+    "rigid_sphere",
+    "strain_law",
+    "turning",
 ]

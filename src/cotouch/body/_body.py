@@ -15,6 +15,7 @@ from cotouch.body._material import Material
 from cotouch.body._origin import Origin
 from cotouch.body._skin import Skin
 from cotouch.body._statics import factorise
+from cotouch.body._strains import shares_of
 from cotouch.body._truncation import Truncation, truncate
 from cotouch.errors import BodyError, UnsupportedError
 
@@ -38,6 +39,7 @@ class Body:
         origin: what a builder read and understood.
         truncation: shapes that the motion is confined to; see `truncated`.
         material: what its inner forces follow instead of K and B, of which these are then what they are like at rest.
+        places: points of a rigid body that can be held besides its nodes and its skin's vertices, (P, 3) [m].
 
     Raises:
         BodyError: a matrix is not finite, symmetric, definite or of the right size; a node has no mass; the rest shape
@@ -59,6 +61,7 @@ class Body:
     origin: Origin | None
     truncation: Truncation | None
     material: Material | None
+    places: Float
     form: Form = field(init=False)
 
     def __init__(
@@ -74,6 +77,7 @@ class Body:
         origin: Origin | None = None,
         truncation: Truncation | None = None,
         material: Material | None = None,
+        places: npt.ArrayLike = (),
     ) -> None:
         shape = _rest_shape(rest)
         nodes, dimension = shape.shape
@@ -121,6 +125,10 @@ class Body:
         if material is not None:
             material.check(shape)
         object.__setattr__(self, "material", material)
+        more = np.array(places, dtype=np.float64).reshape(-1, 3)
+        if more.size and not (self.rigid and np.isfinite(more).all()):
+            raise BodyError("places that are no nodes are of rigid bodies, and finite; leave them out")
+        object.__setattr__(self, "places", more)
 
     @property
     def nodes(self) -> int:
@@ -131,6 +139,51 @@ class Body:
     def dimension(self) -> int:
         """Number of axes d, 1 to 3."""
         return self.rest.shape[1]
+
+    @property
+    def rigid(self) -> bool:
+        """Whether its nodes keep their distances."""
+        return self.material is not None and self.material.model == "rigid"
+
+    @property
+    def holds(self) -> int:
+        """How many points of it hands can hold."""
+        return self.held_rest.shape[0]
+
+    @cached_property
+    def held_rest(self) -> Float:
+        """What hands can hold at rest: nodes, and of a rigid body its skin's vertices and `places`, (H, d) [m]."""
+        if not self.rigid:
+            return self.rest
+        vertices = np.zeros((0, 3)) if self.skin is None else self.skin.vertices
+        return np.concatenate([self.rest, vertices, self.places])
+
+    @cached_property
+    def held_shares(self) -> Float | None:
+        """How much of each node what hands can hold follows, (H, n); None where that is the nodes themselves."""
+        return shares_of(self.rest, self.held_rest) if self.rigid else None
+
+    def with_places(self, places: npt.ArrayLike) -> "Body":
+        """The same rigid body with more points that can be held.
+
+        Args:
+            places: at rest, (P, 3) [m].
+
+        Raises:
+            BodyError: the body is not rigid, or a number not finite.
+        """
+        return Body(
+            mass=self.mass,
+            rest=self.rest,
+            damping_int=SumOfSquares(self.damping_int),
+            damping_ext=self.damping_ext,
+            stiffness_int=SumOfSquares(self.stiffness_int),
+            stiffness_ext=self.stiffness_ext,
+            skin=self.skin,
+            origin=self.origin,
+            material=self.material,
+            places=places,
+        )
 
     @cached_property
     def damping(self) -> sp.csr_array:
@@ -186,6 +239,7 @@ class Body:
             skin=self.skin,
             origin=self.origin,
             material=replace(self.material or Material(model="linear"), gravity=gravity),
+            places=self.places,
         )
 
     def truncated(self, *, modes: int, contacts: Sequence[int] = ()) -> "Body":

@@ -12,6 +12,7 @@ from cotouch.body._body import Body
 from cotouch.body._checks import one_number
 from cotouch.body._elasticity import cubes_of, springs_of_cells
 from cotouch.body._material import Frame, Material, linear_material
+from cotouch.body._shapes import box_surface
 from cotouch.body._skin import Skin
 from cotouch.errors import BodyError
 
@@ -228,24 +229,13 @@ def _grid_material(
 
 def _box_skin(places: npt.NDArray[np.int64], extents: tuple[int, ...], spacing: float) -> Skin:
     """The faces of a box of nodes, two triangles to a square; of a sheet, which is felt from both sides, one layer."""
-    index = np.arange(places.shape[0]).reshape(extents)
-    triangles: list[npt.NDArray[np.int64]] = []
-    for axis in range(3):
-        for side in (0, -1) if extents[axis] > 1 else (-1,):
-            face = np.take(index, side, axis=axis)
-            a, b, c, d = face[:-1, :-1], face[1:, :-1], face[1:, 1:], face[:-1, 1:]
-            # The two other axes in order make a right-handed frame with x and z, a left-handed one with y.
-            outward = (side == -1) != (axis == 1)
-            for one, two, three in ((a, b, c), (a, c, d)):
-                corners = (one, two, three) if outward else (one, three, two)
-                triangles.append(np.stack([corner.ravel() for corner in corners], axis=1))
-    corner = np.concatenate(triangles)
-    vertices, local = np.unique(corner, return_inverse=True)
+    vertices, triangles = box_surface(np.array(extents) - 1)
+    index = np.ravel_multi_index(tuple(vertices.astype(np.int64).T), extents)
     return Skin(
-        vertices=places[vertices] * spacing,
-        triangles=local.reshape(corner.shape),
-        nodes=vertices[:, None],
-        weights=np.ones((vertices.size, 1)),
+        vertices=places[index] * spacing,
+        triangles=triangles,
+        nodes=index[:, None],
+        weights=np.ones((index.size, 1)),
     )
 
 

@@ -1,7 +1,7 @@
 """What a matrix of a body must be, checked once, with an error that says which entry or eigenvalue is wrong."""
 
 from dataclasses import dataclass
-from typing import Any, Literal, TypeAlias, final
+from typing import Any, Literal, TypeAlias, cast, final
 
 import numpy as np
 import numpy.typing as npt
@@ -87,10 +87,10 @@ def _small(matrix: Matrix, sizes: dict[int, Form]) -> sp.csr_array | None:
     if not isinstance(matrix, np.ndarray | list):
         return None
     try:
-        given = np.atleast_2d(np.asarray(matrix))
+        given = np.atleast_2d(np.asarray(cast("npt.ArrayLike", matrix)))
     except ValueError:
         return None
-    rows = given.shape[0]
+    rows = int(given.shape[0])
     if given.dtype.kind not in "fiu" or given.shape != (rows, rows) or rows not in sizes or rows > _SMALL_ROWS:
         return None
     values = given.astype(np.float64)

@@ -1,3 +1,5 @@
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
+# scikit-fem has no types
 """Stiffness matrices of solids: linear elasticity, and scalar springs that store the same energy in a stretched bar."""
 
 from typing import Any, Final

@@ -17,6 +17,7 @@ from cotouch.body._mesh_material import SurfaceModel, check_material, of_cells, 
 from cotouch.body._pieces import grid_nodes, one_part
 from cotouch.body._reading import Unit, as_mesh, metres
 from cotouch.body._repair import repaired
+from cotouch.body._rigid import moments_of, rigid_solid
 from cotouch.body._skin import Skin
 from cotouch.errors import BodyError
 from cotouch.meshfile import Mesh, read_surface
@@ -63,7 +64,7 @@ def body_from_surface(
             turning the body costs energy. "elastic": linear elasticity on the cells, right for small bends and turns,
             at three times the rows. "cells": the springs' cubes, each with a rotation of its own, for bodies that turn
             and bend far. "spring-network": springs along edges and across faces of the cells that turn with their ends;
-            isotropic, with a Poisson's ratio of ¼.
+            isotropic, with a Poisson's ratio of ¼. "rigid": no lattice; see `rigid_body`.
         young: Young's modulus E [Pa], > 0.
         poisson: Poisson's ratio, above -1 and below 0.5; "elastic" only.
         stiffness: of each spring of a full cell's inside, instead of E h ("spring-network": 0.4 E h) [N/m]; not of
@@ -120,6 +121,12 @@ def body_from_surface(
         )
     shells = repaired(Mesh(points=mesh.points * scale, elements=mesh.elements, notes=mesh.notes), name)
     shells, cells, notes = one_part(shells, int(resolution), part, name)
+    if model == "rigid":
+        solid = moments_of(shells.vertices, shells.triangles)
+        notes = [*shells.notes, *notes]
+        return rigid_solid(
+            shells.vertices, shells.triangles, solid, density, mass, name, "surface", unit, ground, notes
+        )
     corners, rest = grid_nodes(cells)
     if rest.shape[0] > most_nodes:
         raise BodyError(

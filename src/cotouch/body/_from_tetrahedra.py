@@ -16,6 +16,7 @@ from cotouch.body._material import Frame
 from cotouch.body._mesh_material import SolidModel, check_material, of_tetrahedra, warned
 from cotouch.body._pieces import boundary_of, hinged, one_piece, volumes_of, without_broken
 from cotouch.body._reading import Unit, as_mesh, check_indices, metres
+from cotouch.body._rigid import moments_of_tetrahedra, rigid_solid
 from cotouch.errors import BodyError
 from cotouch.meshfile import read_tetrahedra
 
@@ -54,7 +55,7 @@ def body_from_tetrahedra(
         model: "elastic": linear elasticity (P1, lumped mass). "springs": scalar springs along the edges that store
             `½ E ∫ |∇u|²`; see `body_from_surface` for what that means. For bodies that turn and bend far: "corotated",
             "st-venant-kirchhoff", "neo-hookean" (see `Material`), or "spring-network": springs of `stiffness` along the
-            edges that turn with their ends.
+            edges that turn with their ends. "rigid": see `rigid_body`.
         young: Young's modulus E [Pa], > 0.
         poisson: Poisson's ratio, above -1 (with "neo-hookean" above 0) and below 0.5; not of springs.
         stiffness: of the spring along every edge, instead of what E gives [N/m]; of springs only.
@@ -136,6 +137,9 @@ def body_from_tetrahedra(
             f"tetrahedra of {name} overlap in {100.0 * twice / volume:.2g} % of their volume; every place must be in "
             "one of them, so mesh the union of the parts"
         )
+    if model == "rigid":
+        solid, corners = moments_of_tetrahedra(rest, elements), skin.triangles
+        return rigid_solid(skin.vertices, corners, solid, density, mass, name, "tetrahedra", unit, ground, notes)
     fractions = np.bincount(elements.ravel(), weights=np.repeat(volumes, 4), minlength=rest.shape[0])
     total = density * volume if mass is None else mass
     springs, material = of_tetrahedra(

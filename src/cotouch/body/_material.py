@@ -7,17 +7,18 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.arrays import Float
+from cotouch.body._strains import frame_of
 from cotouch.errors import BodyError
 
 Ints = npt.NDArray[np.int64]
 
 MaterialModel: TypeAlias = Literal[
-    "linear", "floating", "spring-network", "cells", "corotated", "st-venant-kirchhoff", "neo-hookean"
+    "linear", "floating", "spring-network", "cells", "corotated", "st-venant-kirchhoff", "neo-hookean", "rigid"
 ]
 Frame: TypeAlias = Literal["fixed", "floating"]
 
 # Corners of an element of each model; those without elements take the body's own matrices.
-_CORNERS = {"spring-network": 2, "cells": 8, "corotated": 4, "st-venant-kirchhoff": 4, "neo-hookean": 4}
+_CORNERS = {"spring-network": 2, "cells": 8, "corotated": 4, "st-venant-kirchhoff": 4, "neo-hookean": 4, "rigid": 4}
 
 
 @final
@@ -29,9 +30,11 @@ class Material:
         model: "linear": K and B as they are. "floating": K and B in one frame that turns with the body.
             "spring-network": springs `½ k (l - L)²`. "cells": cubes that turn, `⅛ k Σ ‖d - R h n‖²` over the edges.
             Of tetrahedra: "corotated": `μ ‖F - R‖² + ½ λ (tr RᵀF - 3)²`. "st-venant-kirchhoff": `μ ‖E‖² + ½ λ (tr E)²`.
-            "neo-hookean": stable, `½ μ (‖F‖² - 3) - μ (J - 1) + ½ (λ + μ) (J - 1)²`.
+            "neo-hookean": stable, `½ μ (‖F‖² - 3) - μ (J - 1) + ½ (λ + μ) (J - 1)²`. "rigid": four nodes that keep
+            their distances, see `rigid_body`.
         elements: nodes of springs (E, 2), cubes (E, 8; corner `4a + 2b + c` lies at (a, b, c)) or tetrahedra (E, 4).
-        stiffness: of each spring, or of the spring along an edge that four such cubes share, (E,) [N/m].
+        stiffness: of each spring, or of the spring along an edge that four such cubes share, or m ω² of what is rigid,
+            (E,) [N/m].
         young: of tetrahedra [Pa].
         poisson: of tetrahedra.
         viscosity: η: dampers of η times the stiffness, which no rotation feels; not of models without elements, whose
@@ -76,7 +79,12 @@ class Material:
         if self.elements.min() < 0 or self.elements.max() >= nodes:
             wrong = int(self.elements.min() if self.elements.min() < 0 else self.elements.max())
             raise BodyError(f"elements names node index {wrong}; this body has nodes 0 to {nodes - 1}")
-        if corners == 4:
+        if self.model == "rigid" and np.array_equal(self.elements, [[0, 1, 2, 3]]) and nodes == 4:
+            if not abs(np.linalg.det(frame_of(rest))) > 0.0:
+                raise BodyError("the four nodes of a rigid body lie in a plane; they must span a volume")
+        elif self.model == "rigid":
+            raise BodyError(f"a rigid body has {nodes} nodes; it must have 4, which are its one element")
+        elif corners == 4:
             self._check_solid(rest)
             return
         good = np.isfinite(self.stiffness) & (self.stiffness >= 0.0)

@@ -17,9 +17,9 @@ Ints = npt.NDArray[np.int64]
 
 # What follows K and B as they are, in a frame; and with what turns by itself.
 LinearModel: TypeAlias = Literal["springs", "elastic"]
-SurfaceModel: TypeAlias = Literal["springs", "elastic", "cells", "spring-network"]
+SurfaceModel: TypeAlias = Literal["springs", "elastic", "cells", "spring-network", "rigid"]
 SolidModel: TypeAlias = Literal[
-    "springs", "elastic", "spring-network", "corotated", "st-venant-kirchhoff", "neo-hookean"
+    "springs", "elastic", "spring-network", "corotated", "st-venant-kirchhoff", "neo-hookean", "rigid"
 ]
 # Those that take springs' stiffness.
 _OF_SPRINGS: Final = ("springs", "cells", "spring-network")

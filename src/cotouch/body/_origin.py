@@ -14,20 +14,20 @@ class Origin:
 
     Attributes:
         source: name of the file, or "arrays".
-        kind: "surface" (a lattice inside it) or "tetrahedra".
+        kind: "surface" (a lattice inside it, or rigid), "tetrahedra" or "shape" (a rigid one from a few numbers).
         model: as a builder was asked for it.
         unit: of the source.
-        elements: number of cells or tetrahedra.
+        elements: number of cells or tetrahedra; of what is rigid, of triangles of its skin.
         volume: of the solid [m³].
         size: extents of the source along x, y, z, (3,) [m].
-        spacing: edge of a cell; of tetrahedra the mean edge [m].
+        spacing: edge of a cell; of tetrahedra, and of the triangles of what is rigid, the mean edge [m].
         held: indices of the nodes that the ground holds.
         free: number of rigid motions that nothing holds: 0 to 6, or 0 to 3 where springs resist turning by themselves.
         notes: what was repaired or should be known, a sentence each.
     """
 
     source: str
-    kind: Literal["surface", "tetrahedra"]
+    kind: Literal["surface", "tetrahedra", "shape"]
     model: str
     unit: str
     elements: int

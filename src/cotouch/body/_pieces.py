@@ -62,7 +62,7 @@ def one_part(shells: Shells, resolution: int, part: int | None, name: str) -> tu
 
 def _by_size(fractions: npt.NDArray[Any]) -> Ints:
     """Largest first; what differs by no more than round-off keeps its order, so that all machines number alike."""
-    return np.argsort(-np.round(fractions / fractions.max(), _DIGITS), kind="stable")
+    return np.argsort(-(fractions / fractions.max()).round(_DIGITS), kind="stable")
 
 
 def _choice(fractions: Float, part: int | None, name: str) -> int:
@@ -164,7 +164,7 @@ def one_piece(points: Float, elements: Ints, part: int | None, name: str, notes:
 
 def hinged(elements: Ints) -> int:
     """How many groups of elements there are that no face joins to each other."""
-    count = elements.shape[0]
+    count = int(elements.shape[0])
     faces = np.sort(np.concatenate([np.delete(elements, corner, axis=1) for corner in range(4)]), axis=1)
     _, face = np.unique(faces, axis=0, return_inverse=True)
     owner = np.tile(np.arange(count), 4)

@@ -179,7 +179,7 @@ def _turned(triangles: Ints, source: str) -> tuple[npt.NDArray[np.bool_], Ints]:
     Raises:
         BodyError: no choice makes all neighbours agree, as on a Möbius band.
     """
-    count = triangles.shape[0]
+    count = int(triangles.shape[0])
     starts, ends = triangles.ravel(), np.roll(triangles, -1, axis=1).ravel()
     owner = np.repeat(np.arange(count), 3)
     key = np.minimum(starts, ends) * (int(triangles.max()) + 1) + np.maximum(starts, ends)

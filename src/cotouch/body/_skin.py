@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import final
+from typing import Any, cast, final
 
 import numpy as np
 import numpy.typing as npt
@@ -110,7 +110,7 @@ class Skin:
 def _table(name: str, values: npt.ArrayLike, kind: type, *, width: int | None) -> npt.NDArray[np.generic]:
     try:
         given = np.asarray(values)
-        array = np.array(given, dtype=kind, order="C")
+        array: npt.NDArray[Any] = np.array(given, dtype=cast("Any", kind), order="C")
     except (TypeError, ValueError, OverflowError) as error:
         raise BodyError(f"{name} are not an array of numbers ({error}); give one row each") from error
     if array.size == 0:

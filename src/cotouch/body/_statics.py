@@ -95,7 +95,7 @@ def factorise(mass: sp.csr_array, stiffness: sp.csr_array, rest: Float, *, free:
     """
     from scipy.sparse.linalg import splu
 
-    nodes = rest.shape[0]
+    nodes = int(rest.shape[0])
     axes = mass.shape[0] // nodes
     shift = _SHIFT * _lowest_guess(mass, stiffness, nodes) if free else 0.0
     graph = _node_graph(abs(stiffness) + abs(mass), axes)

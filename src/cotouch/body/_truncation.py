@@ -107,7 +107,7 @@ def truncate(
     extra_values, extra = np.zeros(0), np.zeros((rows, 0))
     error = error_without = 0.0
     if kept:
-        touched = (np.array(kept)[:, None] * axes + np.arange(axes)).ravel()
+        touched = (np.array(kept)[:, None] * axes + np.arange(int(axes))).ravel()
         loads = np.zeros((rows, touched.size))
         loads[touched, np.arange(touched.size)] = 1.0
         if bends.all():  # without the shift there is nothing to refine

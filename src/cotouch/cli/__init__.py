@@ -1,5 +1,5 @@
 """The `cotouch` command. Each command is a thin shell over the library; heavy imports happen inside them."""
 
-from cotouch.cli._app import main
+from cotouch.cli._app import app, main
 
-__all__ = ["main"]
+__all__ = ["app", "main"]

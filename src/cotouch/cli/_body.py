@@ -111,7 +111,9 @@ def _table(numbers: dict[str, Any]) -> "Table":
     table.add_row("size", f"{size} m (unit: {numbers['unit']})")
     table.add_row("volume", number(numbers["volume_m3"], "m³"))
     table.add_row("mass", number(numbers["mass_kg"], "kg"))
-    what = "cells of" if cells else "tetrahedra with edges of"
+    table.add_row("moments of inertia", ", ".join(number(value) for value in numbers["inertia_kgm2"]) + " kg m²")
+    rigid = numbers["model"] == "rigid"
+    what = "triangles with edges of" if rigid else "cells of" if cells else "tetrahedra with edges of"
     table.add_row("nodes", f"{numbers['nodes']:,}")
     table.add_row("elements", f"{numbers['elements']:,} {what} {number(numbers['spacing_m'], 'm')}")
     table.add_row("model", "linear elasticity" if numbers["model"] == "elastic" else numbers["model"])
@@ -122,7 +124,8 @@ def _table(numbers: dict[str, Any]) -> "Table":
     table.add_row("held by", f"the ground at {held:,} node{'s' * (held != 1)}{loose}" if held else f"nothing{loose}")
     heard = ", ".join(number(value, digits=3) for value in numbers["frequencies_hz"])
     each = ", each along every axis" if numbers["times_each"] > 1 else ""
-    table.add_row("first modes", f"{heard} Hz{each}")
+    if not rigid:
+        table.add_row("first modes", f"{heard} Hz{each}")
     if "truncation" in numbers:
         found = numbers["truncation"]
         table.add_row(

@@ -1,3 +1,5 @@
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
+# pandas has no types
 """`cotouch feel` and `cotouch sweep`."""
 
 import sys
@@ -114,7 +116,7 @@ def sweep(path: Path, *, vary: Sequence[str], out: Path | None, dask: str | None
         found = sweep_scenario(scenario, options, store=store, jobs=jobs, dask=dask, progress=progress)
     if out is not None:
         write_netcdf(found, out / RESULTS, "result")
-    table = found.to_dataframe().reset_index()
+    table: Any = found.to_dataframe().reset_index()
     rows: list[dict[str, Any]] = table.to_dict("records")
     if as_json:
         print_json({"runs": rows, "units": {name: unit for name, (unit, _) in FIGURES.items()}})

@@ -5,7 +5,7 @@ import math
 import sys
 from collections.abc import Callable, Generator, Mapping, Sequence
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -26,9 +26,9 @@ def say(text: str) -> None:
 
 def _finite(value: Any) -> Any:
     if isinstance(value, dict):
-        return {str(key): _finite(entry) for key, entry in value.items()}  # pyright: ignore[reportUnknownVariableType]
+        return {str(key): _finite(entry) for key, entry in cast("dict[Any, Any]", value).items()}
     if isinstance(value, list | tuple):
-        return [_finite(entry) for entry in value]  # pyright: ignore[reportUnknownVariableType]
+        return [_finite(entry) for entry in cast("list[Any]", value)]
     if isinstance(value, float) and not math.isfinite(value):
         return None
     return value

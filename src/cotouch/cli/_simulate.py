@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from cotouch.cli._output import literal, number, print_columns, print_json, print_note, working
-from cotouch.files import NETCDF, beside, folder, prepare
+from cotouch.files import NETCDF, beside, folder, list_of, prepare
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -201,9 +201,9 @@ def _law(judged: dict[str, Any], rounding: float) -> str:
 
 def _short(value: Any) -> str:
     """A number, or the first few of many."""
-    while isinstance(value, list) and len(value) == 1:  # pyright: ignore[reportUnknownArgumentType]
-        value = value[0]  # pyright: ignore[reportUnknownVariableType]
-    if not isinstance(value, list):
+    while (entries := list_of(value)) is not None and len(entries) == 1:
+        value = entries[0]
+    if entries is None:
         return number(float(value), digits=5)
     if value and not isinstance(value[0], list):
         entries = [float(entry) for entry in value]  # pyright: ignore[reportUnknownArgumentType, reportUnknownVariableType]

@@ -101,7 +101,9 @@ class ZenohControl:
         self._inbox, self._outbox = HeldQueue[Message](), HeldQueue[_Said]()
         self._relays = Relays(identity, invitation.id, self.dropped)
         self._starts = Starts()
-        self._near = frozenset[bytes]()  # who is said to be connected: by anybody, so it only helps to choose a way
+        self._near: frozenset[bytes] = (
+            frozenset()
+        )  # who is said to be connected: by anybody, so it only helps to choose a way
         self._shunned = frozenset[bytes]()
         self._presence = Presence(identity, invitation.id, entropy, window=lease + _PATIENCE)
         self._beating = threading.Event()

@@ -1,3 +1,5 @@
+# pyright: reportUnknownMemberType=false
+# zenoh's keywords have no types
 """Files by their hash over Zenoh: whoever has one serves it, in chunks; threads of its own do the waiting."""
 
 import hashlib

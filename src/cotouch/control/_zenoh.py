@@ -1,3 +1,5 @@
+# pyright: reportUnknownMemberType=false
+# zenoh's keywords have no types
 """What all that speaks Zenoh here has in common: configuration, opening, closing. Zenoh loads on first use."""
 
 import base64

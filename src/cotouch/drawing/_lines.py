@@ -1,3 +1,5 @@
+# pyright: reportUnknownMemberType=false
+# matplotlib's keywords have no types
 """Lines and numbers as a figure can show them: points, units, labels at ends."""
 
 from itertools import pairwise
@@ -90,7 +92,8 @@ def end_labels(axes: "Axes", places: list[float], texts: list[str], colors: list
     spread[-1] = min(spread[-1], 1.0)
     for k in range(spread.size - 2, -1, -1):
         spread[k] = min(spread[k], spread[k + 1] - gap)
-    for fraction, index in zip(spread, order, strict=True):
+    places_in_order: list[int] = order.tolist()
+    for fraction, index in zip(spread, places_in_order, strict=True):
         axes.annotate(
             texts[index],
             (1.0, float(fractions[index])),

@@ -1,3 +1,5 @@
+# pyright: reportUnknownMemberType=false
+# matplotlib's keywords have no types
 """The drawing of a network: users on a circle, and labels on their links where they cover least."""
 
 from collections.abc import Callable, Generator, Sequence

@@ -1,3 +1,5 @@
+# pyright: reportUnknownMemberType=false
+# matplotlib's keywords have no types
 """One restrained style for all figures: colours, sheets, and legends of users."""
 
 import io

@@ -13,6 +13,7 @@ import numpy as np
 from cotouch.drivers._inverse_frame import identities, named, read_frame
 from cotouch.drivers._inverse_session import command
 from cotouch.drivers._websocket import WebSocket
+from cotouch.files import list_of, table_of
 
 SERVICE = "ws://localhost:10001"
 WHAT = "the Inverse Service"
@@ -75,11 +76,13 @@ def holders(url: str) -> str:
 
 def _profiles(said: Any) -> Iterator[str]:
     """Names of profiles in a list of sessions, or in an envelope around one."""
-    if isinstance(said, dict):
-        said = next((said[key] for key in ("data", "sessions") if key in said), [])
-        if isinstance(said, dict):
-            said = said.get("sessions", list(said.values()))
-    for session in said if isinstance(said, list) else []:
+    envelope = table_of(said)
+    if envelope is not None:
+        said = next((envelope[key] for key in ("data", "sessions") if key in envelope), None)
+        inner = table_of(said)
+        if inner is not None:
+            said = inner.get("sessions", list(inner.values()))
+    for session in list_of(said) or []:
         name = named(session)
         if name:
             yield name

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from cotouch.errors import DeviceError
+from cotouch.files import list_of, table_of
 
 Triple = tuple[float, float, float]
 Quaternion = tuple[float, float, float, float]
@@ -63,10 +64,10 @@ def read_frame(data: bytes) -> dict[str, Any]:
         DeviceError: it is no JSON object.
     """
     try:
-        frame = json.loads(data)
+        frame = table_of(json.loads(data))
     except ValueError:
         frame = None
-    if not isinstance(frame, dict):
+    if frame is None:
         raise DeviceError(f"the Inverse Service sent {data[:40]!r}, which is no JSON object")
     return frame
 
@@ -134,10 +135,10 @@ def _names(entry: Mapping[str, Any], devices: Mapping[str, object]) -> set[str]:
         if not left:
             break
         value = left.pop()
-        if isinstance(value, dict):
-            left.extend(value.values())
-        elif isinstance(value, list):
-            left.extend(value)
+        if (inner := table_of(value)) is not None:
+            left.extend(inner.values())
+        elif (entries := list_of(value)) is not None:
+            left.extend(entries)
         elif isinstance(value, str) and value in devices:
             found.add(value)
     return found
@@ -217,9 +218,9 @@ def read_event(data: bytes, identity: str, session: object = None) -> str | None
 
 def named(session: Any) -> str:
     """What a session calls itself; empty for nothing, and never long or with odd characters."""
-    if isinstance(session, dict):
-        profile = session.get("profile", session.get("profile_name", session.get("name")))
-        session = profile.get("name") if isinstance(profile, dict) else profile
+    if (said := table_of(session)) is not None:
+        profile = said.get("profile", said.get("profile_name", said.get("name")))
+        session = profile if (table := table_of(profile)) is None else table.get("name")
     text = session if isinstance(session, str) else ""
     return "".join(letter for letter in text if letter.isprintable())[:60]
 
@@ -245,20 +246,20 @@ def _handle(frame: Mapping[str, Any], grip: Grip | None) -> tuple[int, Quaternio
 
 
 def _entries(frame: Mapping[str, Any], kind: str) -> list[Mapping[str, Any]]:
-    entries = frame.get(kind)
-    return [entry for entry in entries if isinstance(entry, dict)] if isinstance(entries, list) else []
+    return [entry for entry in map(table_of, list_of(frame.get(kind)) or []) if entry is not None]
 
 
 def _mapping(value: object) -> Mapping[str, Any]:
-    return value if isinstance(value, dict) else {}
+    return table_of(value) or {}
 
 
 def _triple(value: object) -> Triple | None:
     """Numbers as they are, NaN too; None if one is missing or no number."""
-    if not isinstance(value, dict):
+    place = table_of(value)
+    if place is None:
         return None
     try:
-        return float(value["x"]), float(value["y"]), float(value["z"])
+        return float(place["x"]), float(place["y"]), float(place["z"])
     except KeyError:
         return None
     except (TypeError, ValueError):
@@ -266,14 +267,15 @@ def _triple(value: object) -> Triple | None:
 
 
 def _quaternion(value: object) -> Quaternion:
-    if not isinstance(value, dict):
+    turn = table_of(value)
+    if turn is None:
         return _UPRIGHT
     try:
         return (
-            float(value.get("x", 0.0)),
-            float(value.get("y", 0.0)),
-            float(value.get("z", 0.0)),
-            float(value.get("w", 1.0)),
+            float(turn.get("x", 0.0)),
+            float(turn.get("y", 0.0)),
+            float(turn.get("z", 0.0)),
+            float(turn.get("w", 1.0)),
         )
     except (TypeError, ValueError):
         return _UPRIGHT

@@ -12,6 +12,7 @@ from math import isfinite
 from typing import Any
 
 from cotouch.arrays import Float
+from cotouch.files import table_of
 
 PROFILE = "org.cotouch:hand"
 # Origin at the device's base, arm in front: what the middle of the workspace is measured from.
@@ -89,12 +90,12 @@ def deviations(config: Mapping[str, Any], state: Mapping[str, Any]) -> dict[str,
 
 def _deviations(config: Mapping[str, Any], state: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
     axes = config.get("basis")
-    permutation = axes.get("permutation") if isinstance(axes, dict) else axes
+    permutation = axes if (table := table_of(axes)) is None else table.get("permutation")
     if permutation is not None and permutation != _AXES:
         yield "basis", f"axes {permutation}"
     mounted = "mount" in config
     preset = config.get("preset")
-    preset = preset.get("preset") if isinstance(preset, dict) else preset
+    preset = preset if (table := table_of(preset)) is None else table.get("preset")
     if preset is not None and preset not in (_MOUNTED if mounted else _PRESETS):
         yield "preset", f'preset "{preset}"'
     if mounted and (how := _unlike(config["mount"])):
@@ -105,14 +106,15 @@ def _deviations(config: Mapping[str, Any], state: Mapping[str, Any]) -> Iterator
 
 def _unlike(transform: object) -> str:
     """What a transform does to places, in words; empty for nothing. What is left out does nothing."""
-    if isinstance(transform, dict) and isinstance(transform.get("transform"), dict):
-        transform = transform["transform"]
     if transform is None:
         return ""
-    if not isinstance(transform, dict):
+    table = table_of(transform)
+    if table is None:
         return "no numbers"
+    inner = table_of(table.get("transform"))
+    table = table if inner is None else inner
     for name, plain in _PLAIN.items():
-        given = transform.get(name)
+        given = table.get(name)
         if given is None:
             continue
         numbers = _numbers(given, plain)
@@ -123,11 +125,12 @@ def _unlike(transform: object) -> str:
 
 
 def _numbers(given: object, plain: tuple[float, ...]) -> list[float]:
-    if not isinstance(given, dict):
+    table = table_of(given)
+    if table is None:
         return [float("nan")] * len(plain)
     found: list[float] = []
     for axis, usual in zip("xyz", plain, strict=True):
-        value = given.get(axis, usual)
+        value = table.get(axis, usual)
         number = float(value) if isinstance(value, int | float) and not isinstance(value, bool) else float("nan")
         found.append(number if isfinite(number) else float("nan"))
     return found

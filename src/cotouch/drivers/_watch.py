@@ -39,7 +39,8 @@ class SampleWatch:
             position: (3,) [m].
             velocity: (3,) [m/s].
         """
-        place, rate = tuple(position.tolist()), tuple(velocity.tolist())
+        place: tuple[float, ...] = tuple(position.tolist())
+        rate: tuple[float, ...] = tuple(velocity.tolist())
         same = place == self._position
         self.repeated = same and rate == self._velocity
         if not same:

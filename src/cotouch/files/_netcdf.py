@@ -1,3 +1,5 @@
+# pyright: reportUnknownMemberType=false
+# xarray's keywords have no types
 """A dataset as a NetCDF 4 file."""
 
 from pathlib import Path

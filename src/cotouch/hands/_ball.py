@@ -9,8 +9,7 @@ from cotouch.arrays import Float
 from cotouch.body import Body
 from cotouch.hands._motion import Mover
 from cotouch.mechanics import AWAY, TOUCH, Tools
-from cotouch.scenario import ToolTable
-from cotouch.scenario._penetration import resolve_penetration
+from cotouch.scenario import ToolTable, resolve_penetration
 
 # Of the body's radius: the ball's, if nobody says how large it is, and the least and most that it may be.
 _USUAL, _LEAST, _MOST = 0.15, 0.03, 0.6

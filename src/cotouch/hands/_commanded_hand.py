@@ -182,7 +182,7 @@ class CommandedHand:
         if request.stiffness > 0.0:
             self._wanted_stiffness = min(request.stiffness, _MOST * self.usual)
         if mode in _HOLDING:
-            self._wanted = request.node if 0 <= request.node < self._body.nodes else self._node
+            self._wanted = request.node if 0 <= request.node < self._body.holds else self._node
         target = list(request.target)
         if mode == "hold" and (self.mode != "hold" or request.node >= 0):
             self._goal = self._where(self._wanted)
@@ -231,7 +231,7 @@ class CommandedHand:
         ports.damping[span] = self._ratio * stiffness
         if self._grasp == 0.0:
             return
-        rest = self._body.rest[self._node].tolist()
+        rest = self._body.held_rest[self._node].tolist()
         start = [a - b for a, b in zip(mover.place, rest, strict=True)]
         if holding:
             goal = self._goal
@@ -251,7 +251,7 @@ class CommandedHand:
         rows = self._rows(node)
         span = slice(self._first, self.ports.last)
         self.ports.row[span] = rows
-        if self._model.modes is not None:
+        if self.ports.shape.shape[0]:
             self.ports.shape[span] = self._model.port_shapes(rows)
         if node != self._node:
             self._node = node
@@ -279,11 +279,11 @@ class CommandedHand:
 
     def _where(self, node: int) -> list[float]:
         """Place of a node, (axes,) [m]."""
-        rest = self._body.rest[node]
+        rest = self._body.held_rest[node]
         if self._position is None:
             return rest.tolist()
         rows, position = self._rows(node), self._position
-        moved = position[rows] if self._model.modes is None else self._model.modes[rows] @ position
+        moved = self._model.port_shapes(rows) @ position if self.ports.shape.shape[0] else position[rows]
         moved = moved[:, 0] if self._model.full else moved[0, : self._axes]
         return (rest + moved).tolist()
 
@@ -327,7 +327,7 @@ class CommandedHand:
             write_hand(fields, k, "script", -1, place, place, ())  # it let go
             return
         end = ports.end[port : port + self._each, 0] if self._model.full else ports.end[port, : self._axes]
-        target = (self._body.rest[node] + end).tolist() if ports.stiffness[port] else place
+        target = (self._body.held_rest[node] + end).tolist() if ports.stiffness[port] else place
         write_hand(fields, k, "script", node, target, place, self._force(port))
 
     def _force(self, port: int) -> list[float]:

@@ -23,6 +23,7 @@ from cotouch.mechanics import Contact, EnergyMessage, Model, Surface, Tools
 from cotouch.members import Slot, coupling_of_slot, no_ports
 from cotouch.observers import size_of
 from cotouch.scenario import (
+    HandTable,
     Scenario,
     ToolTable,
     Touching,
@@ -31,7 +32,6 @@ from cotouch.scenario import (
     tools_of,
     touching_of,
 )
-from cotouch.scenario._tables import HandTable
 
 _NOWHERE: Vector = (0.0, 0.0, 0.0)
 # A ball that touches, where the session's file has no tool for the slot: so much of the body's largest extent, within
@@ -139,7 +139,7 @@ class DeviceHand:
             first=int(hands.first[slot]), last=int(hands.first[slot + 1]), shape=hands.shape
         )
         for node, own in zip(nodes, ports, strict=True):
-            x, y, z = (*body.rest[node - 1].tolist(), 0.0, 0.0)[:3]
+            x, y, z = (*body.held_rest[node - 1].tolist(), 0.0, 0.0)[:3]
             self._nodes.append(GraspedNode(self.ports, body.dimension, node - 1, (x, y, z), own.tolist()))
         return list(self._nodes)
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any, TypeAlias, TypeVar, final
 
 from cotouch.errors import OutputError
-from cotouch.files import folder, read_text, write
+from cotouch.files import folder, read_text, table_of, write
 from cotouch.interrupt import check, flag, heeding
 from cotouch.planning import workers
 
@@ -57,10 +57,9 @@ class Store:
         if not path.is_file():
             return None
         try:
-            result = json.loads(read_text(path, "cell", OutputError))
+            return table_of(json.loads(read_text(path, "cell", OutputError)))
         except (OutputError, ValueError):
             return None
-        return result if isinstance(result, dict) else None
 
     def keep(self, name: str, result: dict[str, Any]) -> None:
         """Writes a result, whole or not at all.
@@ -137,8 +136,9 @@ def cells(
 
 def _done(function: Callable[[A], R], items: Sequence[A], jobs: int, dask: str | None) -> Iterator[tuple[int, R]]:
     """Results as they come, with their numbers."""
-    import joblib
+    import joblib as untyped
 
+    joblib: Any = untyped
     if dask is not None:
         with workers(jobs, dask) as hands:
             size = _AHEAD * max(hands.jobs, 1)

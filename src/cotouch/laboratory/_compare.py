@@ -117,7 +117,7 @@ def _mapped(study: Study, found: Mapping[tuple[str, str], Any], named: Mapping[s
     items: list[dict[str, Any]] = []
     for law in study.laws:
         settings = found[law.label, first]["settings"]
-        setting = settings.get("tuned") or settings.get("published") or {}
+        setting: Any = settings.get("tuned") or settings.get("published") or {}
         for stiffness in study.map.stiffness:
             part = _part(study, law, NetworkTable(name="map", delay=0.0), 2)
             part["hands"] = [{**part["hands"][0], "stiffness": stiffness}]

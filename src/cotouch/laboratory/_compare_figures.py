@@ -1,3 +1,5 @@
+# pyright: reportUnknownMemberType=false
+# matplotlib's keywords have no types
 """The figures of a comparison: where laws become dangerous, and what no law has all of."""
 
 from typing import TYPE_CHECKING, Any
@@ -118,8 +120,8 @@ def fronts(data: "xr.Dataset", users: int, across: str) -> "Figure":
         panel.margins(x=0.12)
         panel.set_yscale("log")
         panel.set_ylabel("error of place / mm" if panel in panels[:, 0] else "")
-        panel.yaxis.set_major_formatter(lambda value, _: f"{value:g}")
-        panel.yaxis.set_minor_formatter(lambda _value, _place: "")
+        panel.yaxis.set_major_formatter(_short)
+        panel.yaxis.set_minor_formatter(_nothing)
         if across == "made":
             panel.set_xscale("symlog", linthresh=1e-3)
             panel.set_xlim(left=-1e-3)
@@ -140,3 +142,11 @@ def _front(points: list[tuple[float, float]]) -> list[tuple[float, float]]:
         if not result or point[1] < result[-1][1]:
             result.append(point)
     return result
+
+
+def _short(value: float, _place: int | None) -> str:
+    return f"{value:g}"
+
+
+def _nothing(_value: float, _place: int | None) -> str:
+    return ""

@@ -1,3 +1,5 @@
+# pyright: reportUnknownMemberType=false
+# xarray's keywords have no types
 """A comparison of link laws as one HTML page."""
 
 import json

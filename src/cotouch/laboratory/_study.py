@@ -12,7 +12,7 @@ from pydantic import Field, PrivateAttr, ValidationError, model_validator
 from cotouch.arrays import Float
 from cotouch.body import Body
 from cotouch.errors import NetworkError, ScenarioError
-from cotouch.files import read_text, toml
+from cotouch.files import list_of, read_text, table_of, toml
 from cotouch.laboratory._replicas import REPLICAS
 from cotouch.laboratory._study_tables import HandKind, LawTable, MapTable, NetworkTable, Tuning, Users
 from cotouch.laboratory._tasks import TASKS, Task
@@ -73,13 +73,12 @@ class Study(Table):
     @classmethod
     def _short_laws(cls, value: Any) -> Any:
         """A law may be just its name, or a table as in `[synchronisation]`."""
-        if isinstance(value, dict) and isinstance(value.get("laws"), list):
-            laws = [
-                law if isinstance(law, dict) and {"law", "replica"} & set(law) else {"law": law}
-                for law in value["laws"]
-            ]
-            return {**value, "laws": laws}
-        return value
+        tables = table_of(value)
+        named = None if tables is None else list_of(tables.get("laws"))
+        if tables is None or named is None:
+            return value
+        laws = [law if {"law", "replica"} & set(table_of(law) or ()) else {"law": law} for law in named]
+        return {**tables, "laws": laws}
 
     @model_validator(mode="after")
     def _known(self) -> Self:
@@ -133,8 +132,7 @@ class Study(Table):
         """
         place = Path(file)
         tables = toml(read_text(place, "study", ScenarioError), str(place), ScenarioError)
-        networks = tables.get("networks")
-        entries = [entry for entry in networks if isinstance(entry, dict)] if isinstance(networks, list) else []
+        entries = [entry for entry in map(table_of, list_of(tables.get("networks")) or []) if entry is not None]
         _root(tables, "body", "file", place.parent)
         for entry in entries:
             _root(entry.get("channel"), "trace", "file", place.parent)
@@ -144,10 +142,10 @@ class Study(Table):
 
     def files(self) -> tuple[Path, ...]:
         """What it reads besides its own file."""
-        traces = [network.channel.get("trace") for network in self.networks]
+        traces = [table_of(network.channel.get("trace")) for network in self.networks]
         named = chain(
             [self.body.get("file")],
-            (trace.get("file") for trace in traces if isinstance(trace, dict)),
+            (trace.get("file") for trace in traces if trace is not None),
             (network.delays for network in self.networks),
         )
         return tuple(Path(file) for file in named if isinstance(file, str))
@@ -265,7 +263,8 @@ class Study(Table):
         more = [0.0] * (body.dimension - 1)
 
         def wide(value: Any) -> Any:
-            return [[*row, *more] for row in value] if isinstance(value, list) else [value, *more]
+            rows = list_of(value)
+            return [value, *more] if rows is None else [[*row, *more] for row in rows]
 
         return [
             hand
@@ -322,6 +321,7 @@ def spread(draws: Float) -> tuple[float, float]:
 
 def _root(holder: Any, name: str, key: str, folder: Path) -> None:
     """Makes the file that a table names relative to a folder."""
-    named = holder.get(name) if isinstance(holder, dict) else None
-    if isinstance(named, dict) and isinstance(named.get(key), str):
-        holder[name] = {**named, key: str(folder / named[key])}
+    tables = table_of(holder)
+    named = None if tables is None else table_of(tables.get(name))
+    if tables is not None and named is not None and isinstance(named.get(key), str):
+        tables[name] = {**named, key: str(folder / named[key])}

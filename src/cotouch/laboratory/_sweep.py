@@ -186,14 +186,14 @@ def _run(scenario: Scenario, cell: Mapping[str, Any]) -> dict[str, Any]:
     except CotouchError as error:
         return {"figures": {}, "problem": str(error)}
     apart, judged = discrepancy(run), judge(run)
-    force = run["force"].values
+    force = np.asarray(run["force"].values, dtype=np.float64)
     figures = {
         "made": judged["made_j"],
         "seed": judged["seed_j"],
         "extracted": judged["extracted_j"],
         "rms": apart["rms"],
         "largest": apart["max"],
-        "force": float(np.sqrt(np.nanmean((force**2).sum(axis=-1)))),
+        "force": float(np.sqrt(np.nanmean((force**2).sum(axis=-1)))),  # pyright: ignore[reportUnknownArgumentType]
         "damping": float(run["local_damping"].values[:, 0].max()),
         "finished": float(run.attrs["finished"]),
     }

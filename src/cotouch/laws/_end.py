@@ -1,3 +1,5 @@
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false, reportUnknownLambdaType=false, reportUnknownParameterType=false
+# numba has no types
 """What a link law sees of one end of a link, and how its two functions become machine code.
 
 Copy i with share σ of the body moves by `σ [M a + B v̂ + K(x̂ - x_d)] = f_i + Σ_j F_ij - B_i v̂`. A law says F_ij::

@@ -44,13 +44,13 @@ from cotouch.mechanics._coupling_law import (
 )
 from cotouch.mechanics._coupling_pspm import PSPM
 from cotouch.mechanics._coupling_virtual import VIRTUAL
-from cotouch.mechanics._force import LAWS, BodyForce, evaluate, resist
+from cotouch.mechanics._force import LAWS, LEANS, BodyForce, evaluate, lean, resist
 from cotouch.mechanics._kernel import block, inner, kernel, part
 from cotouch.mechanics._model import Basis, Model, model
 from cotouch.mechanics._operator import WEIGHTS, Operator, mixed, multiply, rescaled
 from cotouch.mechanics._path import path_place
 from cotouch.mechanics._rest import REST_DRIFT, REST_FIELDS, place_at_rest, rest_fraction
-from cotouch.mechanics._shape import SHAPES, Box, Plane, Shape
+from cotouch.mechanics._shape import SHAPES, Box, Plane, Plate, Shape, shape_of
 from cotouch.mechanics._state import (
     BETA,
     BODY_LOSS,
@@ -109,6 +109,7 @@ __all__ = [
     "ITERATIONS",
     "KINETIC",
     "LAWS",
+    "LEANS",
     "LEDGER_COLUMNS",
     "LOCAL_LOSS",
     "MOST_HELD",
@@ -143,6 +144,7 @@ __all__ = [
     "Obstacle",
     "Operator",
     "Plane",
+    "Plate",
     "Ports",
     "Shape",
     "State",
@@ -179,6 +181,7 @@ __all__ = [
     "inner",
     "inner_energy",
     "kernel",
+    "lean",
     "load",
     "message_of",
     "mixed",
@@ -202,6 +205,7 @@ __all__ = [
     "rest_fraction",
     "run_end",
     "settle",
+    "shape_of",
     "share",
     "slowed",
     "splat",

@@ -23,7 +23,7 @@ from cotouch.mechanics._balance import (
     resting,
     weigh,
 )
-from cotouch.mechanics._force import BodyForce, evaluate, resist
+from cotouch.mechanics._force import BodyForce, evaluate, lean, resist
 from cotouch.mechanics._force_memory import forget
 from cotouch.mechanics._kernel import block, part
 from cotouch.mechanics._operator import DAMPING, STIFFNESS, Operator, row_product
@@ -40,7 +40,7 @@ from cotouch.mechanics._state import (
     Workspace,
 )
 from cotouch.mechanics._step import assemble, move, port_work, solve_step
-from cotouch.mechanics._vector import at, load, splat, store, total
+from cotouch.mechanics._vector import at, load, put, splat, store, total
 from cotouch.mechanics._world import World
 from cotouch.mechanics._world_force import corrects, lean_world, looks_of, press_world, settle_world, take_up
 
@@ -48,6 +48,8 @@ from cotouch.mechanics._world_force import corrects, lean_world, looks_of, press
 _MANY = 60
 # How much of what the last look missed the next may leave.
 COARSE = 0.03
+# Change of v̂ from one look to the next, of itself, below which the next would change it by rounding only.
+_SETTLED = 1e-9
 # A step whose end velocity is changed by more than this is told: its forces and its energy disagree.
 CLOSURE_ALARM = 1e-2
 
@@ -92,7 +94,7 @@ def closed_step(
     take_up(force.world, state.memory)
     ledger[ITERATIONS] = 0.0
     rate = state.velocity
-    for number in range(looks_of(force.world, force.directions)):
+    for number in range(looks_of(force.world, force.directions, work.dense.shape[0] > 0)):
         settled = predict(op, force, state, T, rate, work, lanes)
         if number >= force.directions and settled:
             break
@@ -237,7 +239,36 @@ def predict(
                 slip = slip + at(op.entries, (family, e)) * (load(rate, at(op.column, e), lanes) - own)
             tension = tension - scale * slip
         store(state.tension, i, tension, lanes)
-    return press_world(force.world, op.firmness, state.memory, state.position, work.ahead, T, state.tension)
+    told = work.dense.shape[0] == 0 or _lean(op, force, state, T, rate, work, lanes)
+    return press_world(force.world, op.firmness, state.memory, state.position, work.ahead, T, state.tension) and told
+
+
+@part
+def _lean(
+    op: Operator, force: BodyForce, state: State, T: float, rate: Float, work: Workspace, lanes: tuple[int, ...]
+) -> bool:
+    """Puts the law's tangent at a rate into `dense`, and off `tension` what that does; whether the rate has settled."""
+    rows, dense = op.mass.shape[0], work.dense
+    for p in range(dense.shape[0]):
+        for q in range(dense.shape[1]):
+            put(dense, (p, q), 0.0)
+    lean(force.law, state.memory, state.position, work.ahead, rate, T, dense, lanes)
+    change, size = 0.0, 0.0
+    for i in range(rows):
+        for a in range(3):
+            given = 0.0
+            for j in range(rows):
+                for b in range(3):
+                    given += at(dense, (3 * i + a, 3 * j + b)) * at(rate, (j, b))
+            put(state.tension, (i, a), at(state.tension, (i, a)) - op.firmness * given)
+            change += (at(rate, (i, a)) - at(work.tried, (i, a))) ** 2
+            size += at(rate, (i, a)) ** 2
+            put(work.tried, (i, a), at(rate, (i, a)))
+    scale = op.copy_scale * op.firmness
+    for p in range(dense.shape[0]):
+        for q in range(dense.shape[1]):
+            put(dense, (p, q), scale * at(dense, (p, q)))
+    return change <= _SETTLED * _SETTLED * size
 
 
 @block

@@ -1,3 +1,5 @@
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false, reportUnknownLambdaType=false, reportUnknownParameterType=false
+# numba has no types
 """What a contact law is: the energy that a tool's overlap with a skin holds, one file for each law."""
 # An overload's parameters only name those of its stub, and it returns a function whose names are the same.
 # ruff: noqa: ARG001, PLW0108

@@ -15,8 +15,8 @@ from cotouch.mechanics._operator import Operator, row_sum
 from cotouch.mechanics._state import Workspace
 from cotouch.mechanics._vector import load, splat, store, total
 
-# What a correction leaves of what it should correct, and its iterations at most.
-_LEAVES, _MOST = 0.03, 8
+# What all corrections of a step leave of what the first should correct, and the iterations of each at most.
+_LEAVES, _MOST = 1e-3, 16
 _TINY = 1e-290
 
 
@@ -24,18 +24,18 @@ _TINY = 1e-290
 def forget_rows(touch: ContactWork, lanes: tuple[int, ...]) -> None:
     """Begins with rows that nothing touches."""
     empty_rows(touch, lanes)
-    for c in range(touch.count[0]):
+    for c in range(touch.many[0]):
         i = touch.reach[c]
         touch.mark[i] = 0
         store(touch.said, i, splat(0.0, lanes), lanes)
-    touch.count[0] = 0
+    touch.many[0], touch.goal[0] = 0, -1.0
 
 
 @part
 def empty_rows(touch: ContactWork, lanes: tuple[int, ...]) -> None:
     """Takes contacts and grasps off the rows that they touched, before they are looked at again."""
     zero = splat(0.0, lanes)
-    for c in range(touch.count[0]):
+    for c in range(touch.many[0]):
         i = touch.reach[c]
         store(touch.push, i, zero, lanes)
         touch.hold[i] = 0.0
@@ -47,16 +47,16 @@ def empty_rows(touch: ContactWork, lanes: tuple[int, ...]) -> None:
 def touched(touch: ContactWork, i: int) -> int:
     """Place of a row among those that are touched."""
     if touch.mark[i] == 0:
-        touch.reach[touch.count[0]] = i
-        touch.count[0] += 1
-        touch.mark[i] = touch.count[0]
+        touch.reach[touch.many[0]] = i
+        touch.many[0] += 1
+        touch.mark[i] = touch.many[0]
     return touch.mark[i] - 1
 
 
 @part
 def say(touch: ContactWork, mean: Float, lanes: tuple[int, ...]) -> None:
     """Notes what contacts would do at the rate that was found, if they were linear."""
-    for c in range(touch.count[0]):
+    for c in range(touch.many[0]):
         i = touch.reach[c]
         store(touch.said, i, load(touch.push, i, lanes) - touch.hold[i] * load(mean, i, lanes), lanes)
 
@@ -80,7 +80,7 @@ def correct_near(op: Operator, work: Workspace, touch: ContactWork, cap: int, la
     zero, axes = splat(0.0, lanes), 3 if len(lanes) > 1 else 1
     reach, own, mark, stiff = touch.reach, touch.own, touch.mark, touch.stiff
     direction, inverse, answer, residual, image = touch.along, touch.inverse, touch.found, work.residual, work.image
-    count = touch.count[0]
+    count = touch.many[0]
     energy = zero
     for c in range(count):
         i = reach[c]
@@ -93,7 +93,9 @@ def correct_near(op: Operator, work: Workspace, touch: ContactWork, cap: int, la
         store(direction, i, z, lanes)
         store(answer, i, zero, lanes)
     square = total(energy)
-    target = max(_LEAVES * _LEAVES * square, _TINY)
+    if touch.goal[0] < 0.0:  # later ones have less to do; what one leaves, no other finds
+        touch.goal[0] = max(_LEAVES * _LEAVES * square, _TINY)
+    target = touch.goal[0]
     ring, size, iterations = 0, count, 0
     while not square <= target and iterations < min(cap, _MOST):
         last = size

@@ -31,7 +31,7 @@ def fastest(surface: Surface, velocity: Float) -> float:
             for a in range(width):
                 own += velocity[i, a] * velocity[i, a]
             square = max(square, own)
-        return math.sqrt(square)
+        return surface.swing * math.sqrt(square)
     for i in range(rows):
         square = max(square, 3.0 * velocity[i, 0] * velocity[i, 0])
     return math.sqrt(square)
@@ -126,6 +126,7 @@ def load_rows(surface: Surface, work: ContactWork, p: int) -> None:
                         i = row[v, k, 0]
                         push[i, a] += share * value
                         place = 3 * touched(work, i) + a
+                        share = surface.swing * abs(share)  # one below 0, of what is rigid, resists as well
                         if a == 0:
                             hold[i] += share * whole
                         stiff[place, a] += share * apart[v]

@@ -2,8 +2,7 @@
 
 A few looks find where body and tools go: each solves the body with the forces that the last one led to, and with what
 resists there on its diagonal. Whatever they miss, one scale over the motion of body and tools makes the energy of the
-contact, and of the step, exact [after DESIGN.md, "One scale keeps the energy identity"]. Nothing is re-based, because
-the energy before the step is a number that is known.
+contact, and of the step, exact [after DESIGN.md, "One scale keeps the energy identity"]. Nothing is re-based.
 """
 # pyright: reportArgumentType=false, reportReturnType=false
 
@@ -11,7 +10,7 @@ import math
 from typing import Any
 
 from cotouch.arrays import Float
-from cotouch.mechanics._closed import COARSE, miss, predict
+from cotouch.mechanics._closed import miss, predict
 from cotouch.mechanics._contact_balance import balanced, dot_rows
 from cotouch.mechanics._contact_catch import begin_catch, catch
 from cotouch.mechanics._contact_near import correct_near, empty_rows, forget_rows, say
@@ -31,14 +30,15 @@ from cotouch.mechanics._tools import AWAY, GRASP, TOUCH, TOUCH_LOSS, TOUCH_STORE
 from cotouch.mechanics._vector import load, splat, store
 from cotouch.mechanics._world_force import lean_world, looks_of, take_up
 
-# Looks at most, the change of forces from one to the next at which they end, and that at which one correction more is
-# enough.
+# Looks at most; the change of forces at which they end, and at which one more correction is enough.
 _LOOKS = 12
 _SETTLED, _NEARLY = 1e-6, 1e-3
+# How much of what the last look missed the next may leave, where it solves the whole body.
+_COARSE = 0.01
 # Energy below which a tool is out of the skin, of that in a depth of its radius.
 _NOTHING = 1e-17
-# How far beyond its radius a tool looks around, in radii, and in ways that it and the skin go in a step.
-_MARGIN, _WAYS = 0.05, 3.0
+# How far a tool looks around beyond its radius, in radii and in ways of a step; below how many radii those are short.
+_MARGIN, _WAYS, _SLOW = 0.05, 3.0, 0.05
 
 
 @block
@@ -90,17 +90,16 @@ def contact_step(
         touch_ledger[book] = 0.0
     law, touch = by.law, by.work
     mean, rhs, push, hold, modal = work.mean, work.rhs, touch.push, touch.hold, surface.shape.shape[0] > 0
-    near = not modal and op.entries.shape[0] > 0
+    near = not modal and op.entries.shape[0] > 0 and work.dense.shape[0] == 0
     _drive(tools, touch, T)
     forget_rows(touch, lanes)
     look = _begin(law, surface, touch, tools, T, state, touch_ledger, lanes)
     for i in range(mean.shape[0]):
         store(mean, i, load(state.velocity, i, lanes), lanes)
-    ledger[ITERATIONS] = 0.0
-    looks = 1
+    ledger[ITERATIONS], looks = 0.0, 1
     if force is not None:
         take_up(force.world, state.memory)
-        looks = looks_of(force.world, force.directions)
+        looks = looks_of(force.world, force.directions, work.dense.shape[0] > 0)
     for number in range(_LOOKS + looks):
         empty_rows(touch, lanes)
         for a in range(3):
@@ -115,7 +114,7 @@ def contact_step(
         if number >= looks and change <= _SETTLED:
             break
         if number < looks or not near:
-            for c in range(touch.count[0]):
+            for c in range(touch.many[0]):
                 i = touch.reach[c]
                 store(push, i, load(push, i, lanes) + hold[i] * load(mean, i, lanes), lanes)
         if number < looks:  # what the body asks for; later looks only tell contacts apart
@@ -137,7 +136,7 @@ def contact_step(
             touch.quick[0] = fastest(surface, mean)
         for t in range(tools.first, tools.last):
             _move_tool(tools, touch, t)
-        if number >= looks and change <= _NEARLY:
+        if near and number >= looks and change <= _NEARLY:
             break
     for t in range(tools.first, tools.last):
         if look and tools.mode[t] == TOUCH:
@@ -145,12 +144,11 @@ def contact_step(
         elif tools.mode[t] == GRASP:
             feel_grasp(surface, touch, tools, t, T, state.position, mean, touch.own, False, lanes)
     contact = 0.0
-    if look:  # contacts do what the body asks for and nothing else gives
-        if modal:
-            contact = dot_rows(mean, touch.found, lanes)
-        else:
-            miss(op, touch.own, touch.asked, work, touch.found, lanes)
-            contact = -dot_rows(mean, touch.found, lanes)
+    if look and near:  # contacts do what the body asks for and nothing else gives
+        miss(op, touch.own, touch.asked, work, touch.found, lanes)
+        contact = -dot_rows(mean, touch.found, lanes)
+    elif look:
+        contact = dot_rows(mean, touch.found if modal else touch.said, lanes)
     sigma = balanced(
         law,
         op,
@@ -205,7 +203,7 @@ def _solve(
         work.diagonal[i] = touch.own[i]
         if not modal:
             store(rhs, i, load(touch.asked, i, lanes), lanes)
-    for c in range(touch.count[0]):
+    for c in range(touch.many[0]):
         i = touch.reach[c]
         work.diagonal[i] += touch.hold[i]
         store(rhs, i, load(rhs, i, lanes) + load(push, i, lanes), lanes)
@@ -215,7 +213,7 @@ def _solve(
         miss(op, work.diagonal, rhs, work, rhs, lanes)
         for i in range(mean.shape[0]):
             store(touch.found, i, load(mean, i, lanes), lanes)
-        ledger[ITERATIONS] += solve_step(op, ports, work, max(tolerance, COARSE), cap, lanes)
+        ledger[ITERATIONS] += solve_step(op, ports, work, max(tolerance, _COARSE), cap, lanes)
         for i in range(mean.shape[0]):
             store(mean, i, load(mean, i, lanes) + load(touch.found, i, lanes), lanes)
     say(touch, mean, lanes)
@@ -270,7 +268,9 @@ def _begin(
         p = t - tools.first
         if tools.mode[t] == TOUCH:
             touch.seen[p] = tools.radius[t] * (1.0 + _MARGIN) + _length(tools.axis, t)
-            touch.seen[p] += _WAYS * T * (touch.quick[0] + _length(tools.rate, t))
+            way = T * (touch.quick[0] + _length(tools.rate, t))
+            touch.seen[p] += _WAYS * way
+            touch.slow[p] = 1 if way < _SLOW * tools.radius[t] else 0
             look_around(surface, touch, tools, t, touch.seen[p], state.position, lanes)
             _begin_tool(law, surface, touch, tools, t)
         elif tools.mode[t] == GRASP and tools.held[t] < 0:

@@ -33,13 +33,14 @@ class ContactWork(NamedTuple):
         push: on the rows, (rows, width) [N].
         hold: what resists motion of the rows, (rows,) [Ns/m].
         reach: rows that are touched, and after them such as a correction reaches, (rows,).
-        count: how many are touched, (1,).
+        many: how many are touched, (1,).
         mark: 1 more than a row's place among them, (rows,).
         stiff: what resists motion of each of them, a matrix of its axes, (3 rows, width) [Ns/m].
         inverse: of its diagonal with the body's own, (rows, width).
         said: what the last solve took contacts and grasps to do, (rows, width) [N].
         along: scratch of a correction, 0 outside of it, (rows, width).
         quick: a bound on the speed of every vertex by the present guess, (1,) [m/s].
+        goal: what corrections of this step may leave of work, negative before the first, (1,) [W].
         own: diagonal of the body's system without contacts, (rows,) [Ns/m].
         asked: its right-hand side, (rows, width) [N].
         found: where the last look led, (rows, width) [m/s]; of a modal body what the last look pushed with [N].
@@ -63,6 +64,7 @@ class ContactWork(NamedTuple):
         rubbed: stretch of friction at the end, (tools, 4) [m].
         slips: whether it slips then, (tools,).
         stored: energy in contact and friction, or in a grasp, then, (tools,) [J].
+        slow: whether a tool and the skin go so little in a step that their mean force is that in the middle, (tools,).
         seen: how far each tool looked around, (tools,) [m].
     """
 
@@ -80,13 +82,14 @@ class ContactWork(NamedTuple):
     push: Float
     hold: Float
     reach: Int
-    count: Int
+    many: Int
     mark: Int
     stiff: Float
     inverse: Float
     said: Float
     along: Float
     quick: Float
+    goal: Float
     own: Float
     asked: Float
     found: Float
@@ -107,6 +110,7 @@ class ContactWork(NamedTuple):
     rubbed: Float
     slips: Int
     stored: Float
+    slow: Int
     seen: Float
 
 
@@ -149,13 +153,14 @@ def contact_by(law: Any, model: Model, surface: Surface, *, tools: int) -> Conta
         push=np.zeros((rows, model.width)),
         hold=np.zeros(rows),
         reach=np.zeros(rows, dtype=np.int32),
-        count=np.zeros(1, dtype=np.int32),
+        many=np.zeros(1, dtype=np.int32),
         mark=np.zeros(rows, dtype=np.int32),
         stiff=np.zeros((3 * most, model.width)),
         inverse=np.zeros((most, model.width)),
         said=np.zeros((rows, model.width)),
         along=np.zeros((rows, model.width)),
         quick=np.zeros(1),
+        goal=np.zeros(1),
         own=np.zeros(rows),
         asked=np.zeros((rows, model.width)),
         found=np.zeros((rows, model.width)),
@@ -176,6 +181,7 @@ def contact_by(law: Any, model: Model, surface: Surface, *, tools: int) -> Conta
         rubbed=row(),
         slips=np.zeros(tools, dtype=np.int32),
         stored=np.zeros(tools),
+        slow=np.zeros(tools, dtype=np.int32),
         seen=np.zeros(tools),
     )
     return Contact(law, work)

@@ -1,3 +1,5 @@
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false, reportUnknownLambdaType=false, reportUnknownParameterType=false
+# numba has no types
 """What a device coupling is: what its two ends do, a file for each law; simulated devices and real ones call the same.
 
 A law is two functions of the row of an end (`EndFields`), which read what is known there and write the spring, the

@@ -1,6 +1,8 @@
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false, reportUnknownLambdaType=false, reportUnknownParameterType=false
+# numba has no types
 """What a body force is: energy, mean force and damping of a body that turns or bends far, one file for each law."""
 # An overload's parameters only name those of its stub, and it returns a function whose names are the same.
-# ruff: noqa: ARG001, PLW0108
+# ruff: noqa: ARG001, ARG005, PLW0108
 # pyright: reportMissingParameterType=false, reportAttributeAccessIssue=false, reportUnusedFunction=false
 
 from collections.abc import Callable
@@ -12,6 +14,7 @@ from numba.extending import overload
 from cotouch.arrays import Float
 from cotouch.mechanics import _force_cells as cells
 from cotouch.mechanics import _force_frame as frame
+from cotouch.mechanics import _force_rigid as rigid
 from cotouch.mechanics import _force_springs as springs
 from cotouch.mechanics import _force_tetrahedra as tetrahedra
 from cotouch.mechanics._world import World
@@ -29,7 +32,9 @@ class BodyForce(NamedTuple):
     * `evaluate(law, memory, x, ahead, rate, sweeps, lanes)` returns U(ahead), whatever rotations it finds in so many
       sweeps and keeps, and the power `rateᵀ B* rate >= 0`.
 
-    The direction of a step comes from the stiffness of the `Operator`, a constant that bounds the law's Hessian.
+    The direction of a step comes from the stiffness of the `Operator`, a constant that bounds the law's Hessian. A
+    body of few rows takes the law's own tangent, which one more function, in `LEANS`, adds to `out`:
+    `lean(law, memory, x, ahead, rate, T, out, lanes)`.
 
     Attributes:
         law: one of `LAWS`.
@@ -51,8 +56,10 @@ LAWS: dict[type, tuple[Callable[..., Any], Callable[..., Any]]] = {
     springs.SpringNetwork: (springs.resist, springs.evaluate),
     cells.CorotatedCells: (cells.resist, cells.evaluate),
     frame.Frame: (frame.resist, frame.evaluate),
+    rigid.Rigid: (rigid.resist, rigid.evaluate),
     **dict.fromkeys(tetrahedra.TETRAHEDRA, (tetrahedra.resist, tetrahedra.evaluate)),
 }
+LEANS: dict[type, Callable[..., Any]] = {rigid.Rigid: rigid.lean}
 
 
 def resist(law: Any, memory: Float, x: Float, ahead: Float, rate: Float, out: Float, lanes: tuple[int, ...]) -> None:
@@ -66,6 +73,14 @@ def evaluate(
 ) -> tuple[float, float]:
     """Energy and dissipated power of any law; see `BodyForce`. Kernels only."""
     del law, memory, x, ahead, rate, sweeps, lanes
+    raise NotImplementedError
+
+
+def lean(
+    law: Any, memory: Float, x: Float, ahead: Float, rate: Float, T: float, out: Float, lanes: tuple[int, ...]
+) -> None:
+    """Adds how the force of a law grows with the rate, where it gives that; see `BodyForce`. Kernels only."""
+    del law, memory, x, ahead, rate, T, out, lanes
     raise NotImplementedError
 
 
@@ -87,3 +102,13 @@ def _evaluate(law, memory, x, ahead, rate, sweeps, lanes):
     if found is None:
         return None
     return lambda law, memory, x, ahead, rate, sweeps, lanes: found(law, memory, x, ahead, rate, sweeps, lanes)
+
+
+@overload(lean)
+def _lean(law, memory, x, ahead, rate, T, out, lanes):
+    if not isinstance(law, types.BaseNamedTuple):
+        return None
+    found = LEANS.get(law.instance_class)
+    if found is None:
+        return lambda law, memory, x, ahead, rate, T, out, lanes: None
+    return lambda law, memory, x, ahead, rate, T, out, lanes: found(law, memory, x, ahead, rate, T, out, lanes)

@@ -1,3 +1,5 @@
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false, reportUnknownLambdaType=false, reportUnknownParameterType=false
+# numba has no types
 """Linear tetrahedra with a law of their own for the stress: what all of these have in common.
 
 With H the gradient of displacement, F = I + H. A law gives the mean first Piola stress between two gradients and the

@@ -7,12 +7,13 @@ import numpy.typing as npt
 import scipy.sparse as sp
 
 from cotouch.arrays import Float
-from cotouch.body import Body, Material, SumOfSquares
+from cotouch.body import SIGNS, Body, Material, SumOfSquares, frame_of, strain_law
 from cotouch.errors import UnsupportedError
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._force_cells import CorotatedCells
 from cotouch.mechanics._force_frame import Frame
 from cotouch.mechanics._force_memory import memory_size
+from cotouch.mechanics._force_rigid import Rigid
 from cotouch.mechanics._force_springs import SpringNetwork
 from cotouch.mechanics._force_tetrahedra import CorotatedTetrahedra, NeoHookean, StVenantKirchhoff
 
@@ -35,7 +36,10 @@ def outline_of(body: Body, material: Material) -> Body:
         if mass.nnz != body.nodes:
             raise UnsupportedError(f'model is "{material.model}", but masses are coupled; M must be diagonal')
     else:
-        inner = scalar_bound(body.stiffness_int, body.dimension)
+        # What is rigid gives its own tangent.
+        inner = (
+            sp.csr_array((body.nodes, body.nodes)) if body.rigid else scalar_bound(body.stiffness_int, body.dimension)
+        )
         dampers = (
             inner * material.viscosity if material.elements.size else scalar_bound(body.damping_int, body.dimension)
         )
@@ -60,6 +64,7 @@ DIRECTIONS = {
     "corotated": 3,
     "st-venant-kirchhoff": 3,
     "neo-hookean": 3,
+    "rigid": 2,
 }
 _FAR = 10.0
 _OUTER = ("mass", "stiffness_ext", "damping_ext")
@@ -125,6 +130,17 @@ def _law(body: Body, material: Material, row: Int, rest: Float) -> tuple[Any, in
     elements: Int = np.ascontiguousarray(row[material.elements], dtype=np.int32)
     if material.model in {"linear", "floating"}:
         return _frame(body, material, row, rest), 1
+    if material.model == "rigid":
+        frame = frame_of(rest[:, :3])
+        sign = np.zeros((4, 4))
+        sign[:, :3] = SIGNS
+        return Rigid(
+            viscosity=material.viscosity,
+            corner=elements,
+            sign=sign,
+            frame=np.ascontiguousarray(frame.reshape(1, 9)),
+            law=(material.stiffness[0] * strain_law(frame)).reshape(1, 36),
+        ), 0
     if material.model == "spring-network":
         edge = rest[material.elements[:, 1]] - rest[material.elements[:, 0]]
         return SpringNetwork(

@@ -15,8 +15,10 @@ from cotouch.body import Body, Material, Matrix, Truncation, canonical
 from cotouch.errors import BodyError, UnsupportedError
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._force_memory import fresh_memory
+from cotouch.mechanics._link_weight import fit_weight
 from cotouch.mechanics._materials import force_of, outline_of
 from cotouch.mechanics._operator import DAMPING, MASS, STIFFNESS, WEIGHTS, Operator, mixed
+from cotouch.mechanics._state import Workspace, workspace
 from cotouch.mechanics._vector import WIDTHS
 from cotouch.mechanics._world import Obstacle
 from cotouch.mechanics._world_points import world_of
@@ -117,14 +119,25 @@ class Model:
         world = None if self.force is None else self.force.world
         return fresh_memory(self.memory) if world is None else fresh_memory(world.first, self.memory - world.first)
 
+    def workspace(self, ports: int) -> Workspace:
+        """Scratch for steps with at most so many ports of one user; all rows of a rigid body are solved for at once."""
+        return workspace(self.operator, self.width, ports, closed=self.force is not None, dense=self.body.rigid)
+
     def port_rows(self, node: int) -> Int:
-        """Rows that hold a node, in the body's own basis: one, or one for each axis in the full form."""
+        """Rows that hold a node, in the body's own basis: one, or one for each axis in the full form.
+
+        Of a rigid body the "node" is one of `Body.held_rest`, and so is the row.
+        """
+        if self.body.rigid:
+            return np.array([node], dtype=np.int32)
         axes = self.body.dimension if self.full else 1
         own = node * axes + np.arange(axes)
         return (own if self.order is None else np.argsort(self.order)[own]).astype(np.int32)
 
     def port_shapes(self, rows: Int) -> Float:
         """The row vectors by which ports read the kernels' rows: empty (0, rows) where they are unit vectors."""
+        if self.body.held_shares is not None:
+            return np.ascontiguousarray(self.body.held_shares[rows])
         if self.modes is None:
             return np.zeros((0, self.operator_rows))
         return np.ascontiguousarray(self.modes[rows])
@@ -169,10 +182,10 @@ def model(
         body = body.with_gravity((0.0, 0.0, 0.0))
     if body.material is not None:
         return _of_material(body, body.material, copies, weights, basis, obstacles)
-    fitted = [_fit(body, index, weight) for index, weight in enumerate(weights, start=1)]
+    fitted = [fit_weight(body, index, weight) for index, weight in enumerate(weights, start=1)]
     if body.form == "node" and any(full for _, full in fitted):
         body = body.as_full()
-        fitted = [_fit(body, index, weight) for index, weight in enumerate(weights, start=1)]
+        fitted = [fit_weight(body, index, weight) for index, weight in enumerate(weights, start=1)]
     rows = body.mass.shape[0]
     matrices = [body.mass, body.damping, body.stiffness, sp.eye_array(rows, format="csr"), *(m for m, _ in fitted)]
     order, split = _halves(matrices)
@@ -202,14 +215,14 @@ def _of_material(
     if body.dimension < 2:
         raise UnsupportedError(f'model is "{material.model}", but the body has one axis; it needs 2 or 3')
     outline = outline_of(body, material)
-    fitted = [_fit(outline, index, weight) for index, weight in enumerate(weights, start=1)]
+    fitted = [fit_weight(outline, index, weight) for index, weight in enumerate(weights, start=1)]
     if any(full for _, full in fitted):
         raise UnsupportedError(
             f'model is "{material.model}", so link weights must be {body.nodes} x {body.nodes}, alike along each axis'
         )
     own = [outline.mass, outline.damping, outline.stiffness, sp.eye_array(body.nodes, format="csr")]
     matrices = [*own, *(m for m, _ in fitted)]
-    order, split = _halves(matrices)
+    order, split = (None, 0) if body.rigid else _halves(matrices)
     ordered = matrices if order is None else [sp.csr_array(matrix[order][:, order]) for matrix in matrices]
     force, memory = force_of(body, material, order)
     if obstacles:
@@ -225,21 +238,6 @@ def _of_material(
         memory=memory,
         obstacles=tuple(obstacles),
     )
-
-
-def _fit(body: Body, index: int, weight: Matrix) -> tuple[sp.csr_array, bool]:
-    """A weight in rows of the body, and whether it needs the full form."""
-    csr = sp.csr_array(weight if sp.issparse(weight) else np.atleast_2d(np.asarray(weight, dtype=np.float64)))
-    n, d = body.nodes, body.dimension
-    size = csr.shape[0] if csr.shape[0] == csr.shape[1] else 0
-    if size == n * d and d > 1 and size != n:
-        return csr, True
-    if size == n and not (n == d and d > 1):
-        return (sp.csr_array(sp.kron(csr, sp.eye_array(d))) if body.form == "full" else csr), False
-    if size == d and n != d:
-        return sp.csr_array(sp.kron(sp.eye_array(n), csr)), True
-    wanted = " or ".join(dict.fromkeys(f"{s} x {s}" for s in ((n * d,) if n == d else (n, d, n * d))))
-    raise BodyError(f"link weight {index} is {csr.shape[0]} x {csr.shape[1]}; for this body it must be {wanted}")
 
 
 def _halves(matrices: list[sp.csr_array]) -> tuple[Int | None, int]:

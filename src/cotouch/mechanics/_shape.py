@@ -1,18 +1,24 @@
 """Static shapes: how deep a point is in them, one file for each shape."""
 
+from collections.abc import Sequence
+
 from cotouch.arrays import Float
 from cotouch.mechanics import _shape_box as box
 from cotouch.mechanics import _shape_plane as plane
+from cotouch.mechanics import _shape_plate as plate
 from cotouch.mechanics._kernel import inner
 from cotouch.mechanics._shape_box import Box
 from cotouch.mechanics._shape_plane import Plane, Vector3
+from cotouch.mechanics._shape_plate import Plate
 
-Shape = Plane | Box
+Shape = Plane | Box | Plate
 # The registry: a shape's place here is its number in kernels. A *shape* is a NamedTuple with `packed` (the numbers that
 # its kernel reads, at most `NUMBERS`) and `thickness`, and one compiled function, `depth`, which `depth` below calls.
-SHAPES: tuple[type, ...] = (Plane, Box)
-NUMBERS = 16
-_PLANE = 0
+SHAPES: tuple[type, ...] = (Plane, Box, Plate)
+NUMBERS = 19
+# How many numbers each field of a shape has.
+_WIDTHS = {Plane: (3, 3), Box: (3, 3, 3), Plate: (3, 4, 3, 3)}
+_PLANE, _PLATE = 0, 2
 
 
 @inner
@@ -33,6 +39,8 @@ def depth(kind: int, numbers: Float, s: int, x: float, y: float, z: float) -> tu
     """
     if kind == _PLANE:
         return plane.depth(numbers, s, x, y, z)
+    if kind == _PLATE:
+        return plate.depth(numbers, s, x, y, z)
     return box.depth(numbers, s, x, y, z)
 
 
@@ -62,6 +70,8 @@ def passes(
         return False
     if before <= 0.0 and -before > abs(mx) + abs(my) + abs(mz):
         return False
+    if kind == _PLATE and plate.through(numbers, s, x, y, z, mx, my, mz):
+        return False
     enters, leaves = box.crosses(numbers, s, x, y, z, mx, my, mz)
     if enters == -2:
         return False
@@ -77,3 +87,17 @@ def packed(shape: Shape, origin: Vector3) -> tuple[int, list[float]]:
         BodyError: the shape has no extent.
     """
     return SHAPES.index(type(shape)), shape.packed(origin)
+
+
+def shape_of(kind: int, numbers: Sequence[float]) -> Shape:
+    """A shape of the numbers of its fields, one after the other; what follows them is left out.
+
+    Args:
+        kind: its place in `SHAPES`.
+        numbers: of its fields.
+    """
+    made, fields, start = SHAPES[kind], [], 0
+    for width in _WIDTHS[made]:
+        fields.append(tuple(float(number) for number in numbers[start : start + width]))
+        start += width
+    return made(*fields)

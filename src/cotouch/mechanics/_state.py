@@ -117,6 +117,10 @@ class Workspace(NamedTuple):
     ahead: Float
     pull: Float
     weighed: Float
+    dense: Float
+    factor: Float
+    answer: Float
+    tried: Float
 
 
 def _aligned(*shape: int) -> Float:
@@ -127,8 +131,17 @@ def _aligned(*shape: int) -> Float:
     return raw[first : first + size].reshape(shape)
 
 
-def workspace(op: Operator, width: int, ports: int, *, closed: bool = False) -> Workspace:
-    """Scratch arrays for steps with `op` and at most `ports` ports per user; for closed ones, if so."""
+def workspace(op: Operator, width: int, ports: int, *, closed: bool = False, dense: bool = False) -> Workspace:
+    """Scratch arrays for steps with `op` and at most `ports` ports per user.
+
+    Args:
+        op: the body.
+        width: of a row.
+        ports: at most, of one user.
+        closed: whether steps are closed ones.
+        dense: whether all rows are solved for at once.
+    """
+    size = 3 * op.mass.size if dense else 0
     rows, families, weights = op.mass.size, op.entries.shape[0], op.weight.shape[0]
     solver = rows if families else 0
     general = rows if families and np.any(op.mix[WEIGHTS:]) else 0
@@ -151,4 +164,8 @@ def workspace(op: Operator, width: int, ports: int, *, closed: bool = False) -> 
         ahead=_aligned(rows if closed else 0, width),
         pull=_aligned(rows if closed else 0, width),
         weighed=_aligned(9),
+        dense=_aligned(size, size),
+        factor=_aligned(size, size),
+        answer=_aligned(size),
+        tried=_aligned(op.mass.size if dense else 0, width),
     )

@@ -4,6 +4,7 @@ Everything that advances a copy calls `step`: the single peer, the simulator of 
 """
 
 from cotouch.arrays import Float
+from cotouch.mechanics._dense import solve_dense
 from cotouch.mechanics._kernel import inner, kernel
 from cotouch.mechanics._operator import (
     DAMPING,
@@ -100,8 +101,7 @@ def assemble(
 ) -> None:
     """Diagonal and family scales of `A = (2/T)M/N + B/N + (T/2)K/N + ...`, and the right-hand side."""
     rows, weights, families = op.mass.shape[0], op.weight.shape[0], op.entries.shape[0]
-    half = 0.5 * T
-    inertia = 2.0 * op.copy_scale / T
+    half, inertia = 0.5 * T, 2.0 * op.copy_scale / T
     for w in range(weights):
         work.gain[w] = local_damping[w] + extra_damping[w]
     for link in range(links.first, links.last):
@@ -187,6 +187,9 @@ def assemble(
 @inner
 def solve_step(op: Operator, ports: Ports, work: Workspace, tolerance: float, cap: int, lanes: tuple[int, ...]) -> int:
     families = op.entries.shape[0]
+    if work.dense.shape[0] > 0:
+        solve_dense(op, ports, work)
+        return 0
     if families == 0:
         divide(work.diagonal, work.rhs, work.mean, lanes)
         if ports.shape.shape[0] > 0:
@@ -202,11 +205,9 @@ def solve_step(op: Operator, ports: Ports, work: Workspace, tolerance: float, ca
                 lanes,
             )
         return 0
-    values = op.entries[0]
-    scale = work.scale[0]
+    values, scale = op.entries[0], work.scale[0]
     if families > 1:
-        values = work.values
-        scale = 1.0
+        values, scale = work.values, 1.0
         for e in range(values.shape[0]):
             value = 0.0
             for family in range(families):

@@ -48,6 +48,7 @@ class Surface(NamedTuple):
         hold_row: its rows, (H, axes); (H, 0) in a modal basis, where it is the vertex of the same number.
         soft: what a truncated body lacks in static compliance at a corner of each triangle, and between two of its
             corners, (F, 2), else (0, 2) [m/N].
+        swing: how many times as fast as the fastest row a vertex can be; 1 where weights are none below 0.
     """
 
     rest: Float
@@ -64,6 +65,7 @@ class Surface(NamedTuple):
     hold_rest: Float
     hold_row: Int
     soft: Float
+    swing: float
 
 
 class Fit(NamedTuple):
@@ -127,6 +129,7 @@ def surface_of(model: Model) -> Surface:
         hold_rest=hold_rest,
         hold_row=hold_row,
         soft=_softness(model, rest, corner) if body.truncation is not None else np.zeros((0, 2)),
+        swing=float(np.abs(weights).sum(axis=1).max()) if body.rigid else 1.0,
     )
 
 
@@ -193,7 +196,7 @@ def _skin(body: Body) -> tuple[Float, Int, Int, Float]:
 def _tree(rest: Float, corner: Int) -> tuple[Int, Int, list[tuple[int, int]]]:
     """Boxes by halving at the median of the longest side; parents before children, and each box's span of `leaf`."""
     centre = rest[corner].mean(axis=1)
-    leaf = np.arange(corner.shape[0])
+    leaf = np.arange(int(corner.shape[0]))
     child: list[list[int]] = [[0, 0]]
     members = [(0, corner.shape[0])]
     waiting = [0]
@@ -221,7 +224,7 @@ def _shapes(model: Model, nodes: Int, weights: Float) -> Float:
     assert modes is not None
     count, rows = nodes.shape[0], modes.shape[1]
     carry = sp.csr_array(
-        (weights.ravel(), nodes.ravel(), np.arange(0, nodes.size + 1, nodes.shape[1])),
+        (weights.ravel(), nodes.ravel(), np.arange(0, nodes.size + 1, int(nodes.shape[1]))),
         shape=(count, model.body.nodes),
     )
     out = np.zeros((count, rows, 4))

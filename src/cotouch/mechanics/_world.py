@@ -64,6 +64,7 @@ class World(NamedTuple):
         kinetic: (S,).
         grain: energy that the rounding of places alone makes [J].
         hold: scratch: what resists motion of the rows, (rows,) [Ns/m].
+        couple: scratch: the same between rows that are solved for at once, (3 rows, 3 rows), or (0, 0) [Ns/m].
         told: scratch: force on each point by the last look, (S * P, 4) [N].
         tried: scratch: velocity of the rows at the last look, (rows, 4) [m/s].
         force: result: mean force of each obstacle on the whole body in the step, (S, 4) [N].
@@ -83,6 +84,7 @@ class World(NamedTuple):
     kinetic: Float
     grain: float
     hold: Float
+    couple: Float
     told: Float
     tried: Float
     force: Float

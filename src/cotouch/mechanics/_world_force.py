@@ -20,15 +20,17 @@ from cotouch.mechanics._world import World
 _LOOKS = 16
 _SETTLED = 1e-7
 # Result of one point: force on the body, energy held, energy lost, what resists motion, stretch at the end, whether it
-# slips, and whether it passed through.
-_Point = tuple[float, float, float, float, float, float, float, float, float, float, bool]
+# slips, and whether it passed through; then the normal, and what resists along it and across.
+_Point = tuple[
+    float, float, float, float, float, float, float, float, float, float, bool, float, float, float, float, float
+]  # fmt: skip
 
 
 @inner
-def looks_of(world: World | None, directions: int) -> int:
+def looks_of(world: World | None, directions: int, dense: bool) -> int:
     """How often a step looks where its forces lead, at most."""
     if world is None:
-        return directions
+        return _LOOKS if dense else directions
     return _LOOKS
 
 
@@ -55,15 +57,17 @@ def _meet(
     grip = 0.5 * k
     held = 0.5 * grip * (sx * sx + sy * sy + sz * sz)
     if before <= 0.0 and after <= 0.0:
-        return 0.0, 0.0, 0.0, 0.0, held, 0.0, 0.0, 0.0, 0.0, 0.0, passed
+        return 0.0, 0.0, 0.0, 0.0, held, 0.0, 0.0, 0.0, 0.0, 0.0, passed, 0.0, 0.0, 0.0, 0.0, 0.0
     deeper = after - before
     # Mean pressure: the difference of ½ k depth² over that of depth.
     if before > 0.0 and after > 0.0:
-        push = 0.5 * k * (before + after)
+        push, slope = 0.5 * k * (before + after), 0.5 * k
     elif after > 0.0:
-        push = 0.5 * k * after * (after / deeper)
+        part_in = after / deeper
+        push, slope = 0.5 * k * after * part_in, 0.5 * k * part_in * (2.0 - part_in)
     else:
-        push = -0.5 * k * before * (before / deeper)
+        part_in = before / deeper
+        push, slope = -0.5 * k * before * part_in, 0.5 * k * part_in * part_in
     if after <= 0.0:
         nx, ny, nz = ax, ay, az
     gx, gy, gz = nx, ny, nz
@@ -82,14 +86,15 @@ def _meet(
     total = push * (1.0 + change)
     fx, fy, fz = total * gx, total * gy, total * gz
     firm = (0.5 * k * T if after > 0.0 else 0.0) + push * at(world.loss, s)
+    along = slope * (1.0 + change) * T + (push * at(world.loss, s) if change > -1.0 else 0.0)
     slips = 0.0
     if at(world.friction, s) <= 0.0:
-        return fx, fy, fz, stored, lost, firm, 0.0, 0.0, 0.0, 0.0, passed
+        return fx, fy, fz, stored, lost, firm, 0.0, 0.0, 0.0, 0.0, passed, nx, ny, nz, along, 0.0
     across = sx * nx + sy * ny + sz * nz
     sx, sy, sz = sx - across * nx, sy - across * ny, sz - across * nz
     lost += max(held - 0.5 * grip * (sx * sx + sy * sy + sz * sz), 0.0)
-    along = mx * nx + my * ny + mz * nz
-    tx, ty, tz = sx + mx - along * nx, sy + my - along * ny, sz + mz - along * nz
+    up = mx * nx + my * ny + mz * nz
+    tx, ty, tz = sx + mx - up * nx, sy + my - up * ny, sz + mz - up * nz
     trial = math.sqrt(tx * tx + ty * ty + tz * tz)
     was = at(memory, here + 3)
     cone = (at(world.kinetic, s) if was != 0.0 else at(world.friction, s)) * total / grip
@@ -102,7 +107,7 @@ def _meet(
     lost += 0.5 * grip * ((ex - sx) ** 2 + (ey - sy) ** 2 + (ez - sz) ** 2)
     firm = max(firm, share * grip * T)
     fx, fy, fz = fx - grip * ex, fy - grip * ey, fz - grip * ez
-    return fx, fy, fz, stored, lost, firm, ex, ey, ez, slips, passed
+    return fx, fy, fz, stored, lost, firm, ex, ey, ez, slips, passed, nx, ny, nz, along, share * grip * T
 
 
 @inner
@@ -152,14 +157,20 @@ def press_world(
                 missed = hold * ((at(ahead, (i, a)) - at(x, (i, a))) / T - at(world.tried, (i, a)))
                 change += missed * missed
         put(world.hold, i, 0.0)
+    for n in range(world.couple.size):
+        put(world.couple, n, 0.0)
     for p in range(points):
         ux, uy, uz = _place(world, p, x)
         vx, vy, vz = _place(world, p, ahead)
         rx, ry, rz = at(world.rest, (p, 0)) + ux, at(world.rest, (p, 1)) + uy, at(world.rest, (p, 2)) + uz
         fx = fy = fz = firm = 0.0
         for s in range(world.kind.shape[0]):
-            a, b, c, _, _, resists, _, _, _, _, _ = _meet(world, memory, s, p, rx, ry, rz, vx - ux, vy - uy, vz - uz, T)
+            a, b, c, _, _, resists, _, _, _, _, _, nx, ny, nz, along, across = _meet(
+                world, memory, s, p, rx, ry, rz, vx - ux, vy - uy, vz - uz, T
+            )
             fx, fy, fz, firm = fx + a, fy + b, fz + c, firm + resists
+            if resists > 0.0 or along > 0.0:
+                _couple(world, p, nx, ny, nz, along - across, across)
         change += (fx - at(world.told, (p, 0))) ** 2
         change += (fy - at(world.told, (p, 1))) ** 2 + (fz - at(world.told, (p, 2))) ** 2
         size += fx * fx + fy * fy + fz * fz
@@ -174,8 +185,24 @@ def press_world(
             put(out, (i, 0), at(out, (i, 0)) - share * fx)
             put(out, (i, 1), at(out, (i, 1)) - share * fy)
             put(out, (i, 2), at(out, (i, 2)) - share * fz)
-            put(world.hold, i, at(world.hold, i) + share * firm)
+            put(world.hold, i, at(world.hold, i) + abs(share) * firm)
     return change <= _SETTLED * _SETTLED * size
+
+
+@inner
+def _couple(world: World, p: int, nx: float, ny: float, nz: float, more: float, across: float) -> None:
+    """Adds what resists motion of a point, `across I + more n nᵀ`, to what couples the rows that carry it."""
+    if world.couple.shape[0] > 0:
+        for e in range(at(world.pointer, p), at(world.pointer, p + 1)):
+            for other in range(at(world.pointer, p), at(world.pointer, p + 1)):
+                share = at(world.share, e) * at(world.share, other)
+                for a in range(3):
+                    n = nx if a == 0 else ny if a == 1 else nz
+                    for b in range(3):
+                        m = nx if b == 0 else ny if b == 1 else nz
+                        place = (3 * at(world.row, e) + a, 3 * at(world.row, other) + b)
+                        value = more * n * m + (across if a == b else 0.0)
+                        put(world.couple, place, at(world.couple, place) + share * value)
 
 
 @part
@@ -185,7 +212,15 @@ def lean_world(world: World | None, copy_scale: float, rate: Float, work: Worksp
         for i in range(world.hold.shape[0]):
             store(world.tried, i, load(rate, i, lanes), lanes)
             hold = copy_scale * at(world.hold, i)
-            if hold != 0.0:
+            if world.couple.shape[0] > 0:
+                for a in range(3):
+                    resisted = 0.0
+                    for q in range(world.couple.shape[0]):
+                        hold = copy_scale * at(world.couple, (3 * i + a, q))
+                        resisted += hold * at(rate, (q // 3, q % 3))
+                        put(work.dense, (3 * i + a, q), at(work.dense, (3 * i + a, q)) + hold)
+                    put(work.rhs, (i, a), at(work.rhs, (i, a)) + resisted)
+            elif hold != 0.0:
                 put(work.diagonal, i, at(work.diagonal, i) + hold)
                 store(work.rhs, i, load(work.rhs, i, lanes) + hold * load(rate, i, lanes), lanes)
 
@@ -216,7 +251,7 @@ def weigh_world(world: World | None, memory: Float, x: Float, ahead: Float, T: f
         vx, vy, vz = _place(world, p, ahead)
         rx, ry, rz = at(world.rest, (p, 0)) + ux, at(world.rest, (p, 1)) + uy, at(world.rest, (p, 2)) + uz
         for s in range(world.kind.shape[0]):
-            a, b, c, stored, gone, _, ex, ey, ez, slips, through = _meet(
+            a, b, c, stored, gone, _, ex, ey, ez, slips, through, _, _, _, _, _ = _meet(
                 world, memory, s, p, rx, ry, rz, vx - ux, vy - uy, vz - uz, T
             )
             energy, lost, passed = energy + stored, lost + gone, passed or through

@@ -70,6 +70,7 @@ def world_of(body: Body, obstacles: Sequence[Obstacle], order: Int | None, first
         kinetic=np.array([one.friction if one.kinetic is None else one.kinetic for one in obstacles]),
         grain=away * away * float(stiffness.sum() * area.sum()),
         hold=np.zeros(body.nodes),
+        couple=np.zeros((3 * body.nodes, 3 * body.nodes) if body.rigid else (0, 0)),
         told=np.zeros((count, 4)),
         tried=np.zeros((body.nodes, 4)),
         force=np.zeros((len(shapes), 4)),
@@ -90,7 +91,7 @@ def _points(body: Body, thinnest: float) -> tuple[Float, Float, sp.csr_array]:
         (
             np.asarray(skin.weights, dtype=np.float64).ravel(),
             np.asarray(skin.nodes).ravel(),
-            np.arange(0, skin.nodes.size + 1, skin.nodes.shape[1]),
+            np.arange(0, skin.nodes.size + 1, int(skin.nodes.shape[1])),
         ),
         shape=(count, body.nodes),
     )

@@ -10,7 +10,7 @@ import numpy as np
 from pydantic import Field, ValidationError, model_validator
 
 from cotouch.errors import ScenarioError, SessionError
-from cotouch.files import read_bytes, read_text, toml
+from cotouch.files import read_bytes, read_text, table_of, toml
 from cotouch.members._device_table import DeviceTable
 from cotouch.members._law_check import check_law, check_live
 from cotouch.network import Network
@@ -250,10 +250,11 @@ class SessionFile:
 def _described(content: bytes) -> dict[str, Any]:
     """What travelled, checked."""
     try:
-        described = json.loads(content)
-        assert isinstance(described, dict)
-        files = described["files"]
-        fine = described["format"] == _FORMAT and isinstance(described["text"], str) and isinstance(files, dict)
+        described = table_of(json.loads(content))
+        assert described is not None
+        files = table_of(described["files"])
+        assert files is not None
+        fine = described["format"] == _FORMAT and isinstance(described["text"], str)
         fine = fine and isinstance(described["law"], str | None)
         fine = fine and all(
             isinstance(digest, str) and len(bytes.fromhex(digest)) == 32 and name == PurePosixPath(name).name
@@ -261,8 +262,7 @@ def _described(content: bytes) -> dict[str, Any]:
             for name, digest in files.items()
         )  # fmt: skip
     except (ValueError, KeyError, TypeError, AssertionError):
-        fine = False
-        described = {}
+        fine, described = False, {}
     if not fine:
         raise SessionError(f"the session's description is not one ({len(content)} bytes); it may be of another version")
     return described
@@ -279,8 +279,8 @@ def _take_law(tables: dict[str, Any], law: str) -> None:
 
 
 def _mesh(tables: dict[str, Any]) -> str | None:
-    body = tables.get("body")
-    return body["file"] if isinstance(body, dict) and isinstance(body.get("file"), str) else None
+    file = (table_of(tables.get("body")) or {}).get("file")
+    return file if isinstance(file, str) else None
 
 
 def _made(tables: dict[str, Any], source: str, folder: Path | None) -> tuple[Scenario, SessionTable]:

@@ -1,3 +1,5 @@
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
+# trimesh has no types
 """Triangles of a file, by trimesh where it knows the format."""
 
 import io
@@ -96,7 +98,7 @@ def _strips(file: BinaryIO) -> tuple[Float, Ints]:
     element: Any = found["metadata"]["_ply_raw"].get("tristrips", {})
     if "data" not in element:
         return points, np.zeros((0, 3), dtype=np.int64)
-    rows = element["data"][next(iter(element["properties"]))]
+    rows: Any = element["data"][next(iter(element["properties"]))]
     rows = rows["f1"] if rows.dtype.names else rows  # packed, a list has its length before it
     flat = np.concatenate([np.append(np.asarray(row, dtype=np.int64), -1) for row in rows])
     parts = [strip(part[part >= 0]) for part in np.split(flat, np.flatnonzero(flat < 0))]

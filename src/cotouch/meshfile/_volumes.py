@@ -1,3 +1,5 @@
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
+# meshio has no types
 """Tetrahedra and named sets of a file, by meshio."""
 
 from pathlib import Path

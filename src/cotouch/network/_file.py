@@ -2,9 +2,10 @@
 
 from collections.abc import Mapping
 from pathlib import Path
+from typing import cast
 
 from cotouch.errors import NetworkError
-from cotouch.files import read_toml
+from cotouch.files import read_toml, table_of
 from cotouch.units import user_index
 
 _REQUIRED = ("users", "spring", "delay")
@@ -17,8 +18,8 @@ def read_table(path: Path) -> Mapping[str, object]:
     Raises:
         NetworkError: the file cannot be read, is not TOML, or has no such table.
     """
-    table = read_toml(path, "network", NetworkError).get("network")
-    if not isinstance(table, dict):
+    table = table_of(read_toml(path, "network", NetworkError).get("network"))
+    if table is None:
         raise NetworkError(f"{path}: there is no table [network]; it must hold {', '.join(_REQUIRED)}")
     return table
 
@@ -43,11 +44,12 @@ def arguments(table: Mapping[str, object], source: str) -> dict[str, object]:
     for key in _REQUIRED:
         if key not in table:
             raise NetworkError(f'{source}: [network] lacks the key "{key}"; it must hold {", ".join(_REQUIRED)}')
-    if not isinstance(table["users"], list | tuple):
-        raise NetworkError(f"{source}: users is {table['users']!r}; it must be a list of names, one for each user")
+    users = table["users"]
+    if not isinstance(users, list | tuple):
+        raise NetworkError(f"{source}: users is {users!r}; it must be a list of names, one for each user")
     found = dict(table)
     if "links" in found:
-        found["links"] = _links(found["links"], source, len(table["users"]))
+        found["links"] = _links(found["links"], source, len(cast("list[object]", users)))
     return found
 
 
@@ -57,7 +59,7 @@ def _links(links: object, source: str, users: int) -> list[tuple[int, int]]:
             f"{source}: links is {links!r}; it must be a list of pairs of user numbers, such as [[1, 2]]"
         )
     pairs: list[tuple[int, int]] = []
-    for link in links:
+    for link in cast("list[object]", links):
         match link:
             case [int(i), int(j)] if not isinstance(i, bool) and not isinstance(j, bool):
                 for end in (i, j):

@@ -93,6 +93,6 @@ def inverse_roots(matrices: FloatArray) -> FloatArray:
     if not np.isfinite(root).all():
         root = np.where(np.isfinite(root).all(axis=1, keepdims=True), root, 0.0)
         inverse = (vectors * root[:, None, :]) @ vectors.transpose(0, 2, 1)
-        inverse[~root.any(axis=1)] = np.diag(np.full(matrices.shape[-1], np.inf))
+        inverse[~root.any(axis=1)] = np.diag(np.full(int(matrices.shape[-1]), np.inf))
         return inverse
     return (vectors * root[:, None, :]) @ vectors.transpose(0, 2, 1)

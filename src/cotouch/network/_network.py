@@ -84,7 +84,7 @@ class Network:
 
     def _store(self, **parts: object) -> None:
         for name, part in parts.items():
-            for array in part if name == "weights" else (part,):  # pyright: ignore[reportGeneralTypeIssues]
+            for array in part if name == "weights" else (part,):  # pyright: ignore[reportGeneralTypeIssues, reportUnknownVariableType]
                 if isinstance(array, np.ndarray):
                     array.flags.writeable = False
             object.__setattr__(self, name, part)

@@ -1,3 +1,5 @@
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
+# what numpy makes of one number in a kernel has no type
 """The slowest mode of the consensus as that of the returns to one user; compiled.
 
 Eliminating all users but one, the anchor, from `G(s) = diag(S_i) - K_ij e^(-s d_ij)` leaves `f(s) = S (1 - φ(s))`.

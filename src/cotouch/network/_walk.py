@@ -1,3 +1,5 @@
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
+# what numpy makes of one number in a kernel has no type
 """Turn of the determinant of a delayed loop along a line, and its roots by Newton, in compiled form."""
 
 import numpy as np

@@ -1,3 +1,5 @@
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
+# what numpy makes of one number in a kernel has no type
 """The windows of frequency in which a consensus may have a root right of a line; compiled.
 
 Such a root needs the delays of all links to resonate together. Few intervals of frequency let them, for a fine time

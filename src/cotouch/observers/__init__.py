@@ -2,16 +2,32 @@
 
 from cotouch.observers._child import ChildCall
 from cotouch.observers._command_client import CommandClient
+from cotouch.observers._commands import (
+    COMMANDS,
+    FARTHEST,
+    HAND_MODES,
+    ChooseLinks,
+    Command,
+    Cut,
+    Doable,
+    Expel,
+    HandMode,
+    Impair,
+    Kill,
+    MoveHand,
+    Revive,
+    SetDamping,
+    SetRecording,
+    read_command,
+)
 from cotouch.observers._jobs import Jobs
 from cotouch.observers._lowered import LoweredDamping
 from cotouch.observers._mailboxes import HandCommand, MailboxFolder, mailbox_folder, size_of
 from cotouch.observers._moment import LastMoment
 from cotouch.observers._recording import RecordingClient
 from cotouch.observers._session_api import (
-    HAND_MODES,
     CopyView,
     Emulated,
-    HandMode,
     HandView,
     Overview,
     Pointer,
@@ -22,25 +38,39 @@ from cotouch.observers._session_api import (
 from cotouch.observers._telemetry import TelemetryPublisher
 
 __all__ = [
+    "COMMANDS",
+    "FARTHEST",
     "HAND_MODES",
     "ChildCall",
+    "ChooseLinks",
+    "Command",
     "CommandClient",
     "CopyView",
+    "Cut",
+    "Doable",
     "Emulated",
+    "Expel",
     "HandCommand",
     "HandMode",
     "HandView",
+    "Impair",
     "Jobs",
+    "Kill",
     "LastMoment",
     "LoweredDamping",
     "MailboxFolder",
+    "MoveHand",
     "Overview",
     "Pointer",
     "RecordingClient",
     "RecordingState",
+    "Revive",
     "Scene",
     "SessionApi",
+    "SetDamping",
+    "SetRecording",
     "TelemetryPublisher",
     "mailbox_folder",
+    "read_command",
     "size_of",
 ]

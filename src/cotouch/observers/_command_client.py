@@ -15,8 +15,9 @@ import numpy.typing as npt
 from cotouch.errors import InputError
 from cotouch.mailbox import MailboxReader, MailboxWriter
 from cotouch.members import SessionFile
+from cotouch.observers._commands import HAND_MODES, HandMode
 from cotouch.observers._mailboxes import LEDGER_COLUMNS, MailboxFolder, emulated, laws_of, order_fields
-from cotouch.observers._session_api import HAND_MODES, CopyView, Emulated, HandMode, HandView, Pointer
+from cotouch.observers._session_api import CopyView, Emulated, HandView, Pointer
 
 _NO_HANDS: tuple[HandView, ...] = ()
 

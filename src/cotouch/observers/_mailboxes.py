@@ -20,7 +20,8 @@ import numpy.typing as npt
 from cotouch.arrays import Float
 from cotouch.body import Body
 from cotouch.mailbox import Fields
-from cotouch.observers._session_api import HAND_MODES, Emulated, HandMode
+from cotouch.observers._commands import HAND_MODES, HandMode
+from cotouch.observers._session_api import Emulated
 from cotouch.processes import MemoryFolder
 from cotouch.scenario import Scenario
 

@@ -7,7 +7,7 @@ either.
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Literal, NamedTuple, Protocol, final
+from typing import Literal, NamedTuple, Protocol, final
 
 import numpy as np
 import numpy.typing as npt
@@ -15,13 +15,9 @@ import numpy.typing as npt
 from cotouch.body import Body
 from cotouch.mechanics import Shape
 from cotouch.members import Pair, Roster, SessionEvent, Status
+from cotouch.observers._commands import Command, Doable, HandMode
 
 Single = npt.NDArray[np.float32]
-
-# script: as the session's file says. free: nothing is held. hold: what is held stays where it is now. pull: drawn to a
-# place. wander: drawn about slowly. grab: a pointer draws a node. ball: a pointer pushes with a sphere.
-HandMode = Literal["script", "free", "hold", "pull", "wander", "grab", "ball"]
-HAND_MODES: tuple[HandMode, ...] = ("script", "free", "hold", "pull", "wander", "grab", "ball")
 
 
 @final
@@ -34,8 +30,7 @@ class Scene:
         users: names, by slot.
         body: the shared object; its places at rest, dimension and skin.
         own: slots whose copies are moved by processes of this stage; only their hands can be told anything.
-        may: what `SessionApi.do` knows of here: "hand", "impair", "cut", "kill", "revive", "expel", "links", "damping",
-            "record".
+        may: which commands `SessionApi.do` carries out here.
         invitation: with which others take part; None if this stage does not give it away.
         stiffness: of a hand, unless a pointer says another [N/m].
         shapes: of what stands still around the object.
@@ -45,7 +40,7 @@ class Scene:
     users: tuple[str, ...]
     body: Body
     own: tuple[int, ...]
-    may: frozenset[str]
+    may: frozenset[Doable]
     invitation: str | None = None
     stiffness: float = 100.0
     shapes: tuple[Shape, ...] = ()
@@ -227,21 +222,11 @@ class SessionApi(Protocol):
         """
         ...
 
-    def do(self, what: str, arguments: Mapping[str, Any]) -> str:
+    def do(self, command: Command) -> str:
         """Does one of `Scene.may`, and says in a sentence what was done; may wait for the session's loop.
 
         Args:
-            what: one of
-
-                * hand: slot, mode, node and to (3 numbers) where the mode needs them;
-                * impair: a, b, delay, jitter, loss (both directions; what is missing stays);
-                * cut: a, b, on;
-                * kill, revive: slot;
-                * expel: slot; whoever has it goes, and it is free for whoever comes;
-                * links: choice, or links as pairs of slots;
-                * damping: share, above 0, at most 1; below 1 it holds only while `hold_damping` says so;
-                * record: on.
-            arguments: by name.
+            command: what to do.
 
         Raises:
             SessionError: it cannot be done; says why.

@@ -9,6 +9,7 @@ from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
+from importlib import import_module
 from typing import final
 
 _SET_TIMER_SLACK, _GET_TIMER_SLACK = 29, 30  # of prctl(2)
@@ -133,10 +134,10 @@ def real_time_refused(priority: int) -> str | None:
 def _one_blas_thread(undo: contextlib.ExitStack) -> int | None:
     """One thread, by threadpoolctl if it is there; else the environment may have said so before numpy was loaded."""
     try:
-        from threadpoolctl import threadpool_limits  # pyright: ignore[reportMissingImports]
+        threadpoolctl = import_module("threadpoolctl")
     except ImportError:
         return 1 if any(os.environ.get(name) == "1" for name in _BLAS) else None
-    limits = threadpool_limits(limits=1)
+    limits = threadpoolctl.threadpool_limits(limits=1)
     undo.callback(limits.restore_original_limits)
     return 1
 

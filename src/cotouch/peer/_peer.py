@@ -44,7 +44,6 @@ from cotouch.mechanics import (
     settle,
     step,
     stretches,
-    workspace,
 )
 from cotouch.peer._allowance import Allowance
 from cotouch.peer._guard import LinkGuard
@@ -135,7 +134,7 @@ class Peer:
         self._joined = JoinedLinks(model, self.state.position, links, strength, weight)
         self._local = np.ascontiguousarray(local_damping, dtype=np.float64)
         self._extra = np.ascontiguousarray(extra_damping, dtype=np.float64)
-        self._work = workspace(model.operator, width, ports.last - ports.first, closed=model.force is not None)
+        self._work = model.workspace(ports.last - ports.first)
         self._ledger = np.zeros(LEDGER_COLUMNS)
         self._solver = tolerance, iterations
         self.tools = tools

@@ -44,5 +44,5 @@ def modes_of(body: Body) -> dict[str, FloatArray]:
     parts[parts <= _NOTHING * largest] = 0.0
     # Equal to some digits is equal: numerically each copy differs.
     digits = np.where(largest > 0, largest, 1.0) * 10.0**-_DIGITS
-    _, kept = np.unique(np.round(parts / digits), axis=1, return_index=True)
-    return dict(zip(("mass", "damping", "stiffness"), np.ascontiguousarray(parts[:, np.sort(kept)]), strict=True))
+    _, kept = np.unique((parts / digits).round(), axis=1, return_index=True)
+    return dict(zip(("mass", "damping", "stiffness"), parts[:, np.sort(kept)].copy(), strict=True))

@@ -103,9 +103,13 @@ def _candidates(problem: Problem, rng: np.random.Generator) -> "Any":
 def _about(problem: Problem, hubs: IntArray) -> IntArray | None:
     """Every user linked to its nearest hub, then to further ones."""
     task = problem.task
-    first, second, load = task.first.tolist(), task.second.tolist(), task.load.tolist()
+    first: list[int] = task.first.tolist()
+    second: list[int] = task.second.tolist()
+    load: list[float] = task.load.tolist()
     hub = np.isin(task.first, hubs) | np.isin(task.second, hubs)
-    order = task.free[np.lexsort((task.to_first[task.free] + task.to_second[task.free], ~hub[task.free]))].tolist()
+    order: list[int] = task.free[
+        np.lexsort((task.to_first[task.free] + task.to_second[task.free], ~hub[task.free]))
+    ].tolist()
     degree, damping, group = [0] * task.size, [0.0] * task.size, list(range(task.size))
     chosen: list[int] = []
 

@@ -216,7 +216,7 @@ def look(problem: Problem, start: int, count: int, top: int, known: Found) -> Fo
 def thawed(task: Task) -> Task:
     """The same with arrays of its own: what comes from another process is read-only, another type to the kernels."""
     parts: dict[str, Any] = {
-        name: np.array(part) if isinstance(part, np.ndarray) and not part.flags.writeable else part
+        name: np.array(part) if isinstance(part, np.ndarray) and not part.flags.writeable else part  # pyright: ignore[reportUnknownArgumentType]
         for name, part in task._asdict().items()
     }
     return task._replace(**parts)
@@ -253,8 +253,9 @@ def enumerated(problem: Problem, top: int, parallel: Any, jobs: int) -> Generato
         parallel: a `joblib.Parallel`.
         jobs: how many stretches run at once.
     """
-    from joblib import delayed
+    import joblib as untyped
 
+    joblib: Any = untyped
     quick = _QUICK if problem.objective in ("damping", "drag") else 1
     length = min(max(problem.choices // _STRETCHES, _SHORTEST * quick), _LONGEST * quick)
     starts = iter(range(0, problem.choices, length))
@@ -266,7 +267,7 @@ def enumerated(problem: Problem, top: int, parallel: Any, jobs: int) -> Generato
         if len(work) == 1:
             parts = [look(problem, *work[0], top, found)]
         else:
-            parts = parallel(delayed(look)(problem, start, count, top, found) for start, count in work)
+            parts = parallel(joblib.delayed(look)(problem, start, count, top, found) for start, count in work)
         check()
         found = merged([found, *parts], top)
         yield found

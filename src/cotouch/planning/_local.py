@@ -346,14 +346,15 @@ def walked(
         closing: whether it is time to end: what floods hold then is worked out, the highest first.
         ending: raised once there is no time for that either.
     """
-    from joblib import delayed
+    import joblib as untyped
 
+    joblib: Any = untyped
     walks = [Walk(start) for start in range(min(side_by_side(problem.task.size), starts))]
     following, best = len(walks), np.inf
     walks = [*([] if begin[0] is None else [Walk(_GIVEN)]), *walks]
     many = problem.task.size > SMALL
     while walks:
-        walks = parallel(delayed(step)(problem, walk, seed, begin) for walk in walks)
+        walks = parallel(joblib.delayed(step)(problem, walk, seed, begin) for walk in walks)
         check()
         best = min(best, *(walk.reached for walk in walks))
         walks = [

@@ -18,6 +18,7 @@ import math
 
 import numpy as np
 import scipy.sparse
+import scipy.sparse.linalg
 from scipy.sparse.csgraph import minimum_spanning_tree
 
 from cotouch.planning._problem import Problem

@@ -7,6 +7,7 @@ from typing import Any, Literal, TypeAlias, final
 
 import numpy as np
 import scipy.sparse
+import scipy.sparse.csgraph
 
 from cotouch.network import Network, Pair
 from cotouch.planning._problem import Objective, Problem
@@ -183,5 +184,5 @@ def worst_path(network: Network) -> float:
     there, back = np.concatenate([ends, ends[:, ::-1]]).T
     # A delay of 0 is no link to a sparse matrix.
     delay = np.maximum(network.delay[there, back], np.finfo(float).tiny)
-    graph = scipy.sparse.csr_array((delay, (there, back)), shape=(network.size,) * 2)
+    graph = scipy.sparse.csr_array((delay, (there, back)), shape=(network.size, network.size))
     return float(scipy.sparse.csgraph.shortest_path(graph).max())

@@ -59,10 +59,11 @@ def start_of(task: Task, start: int, seed: int, fallback: IntArray) -> tuple[Int
 
 def lightest(task: Task) -> IntArray:
     """Links with the least load of all that connect the users: a spanning tree, then the others [Kruskal 1956]."""
-    group, chosen, spare = list(range(task.size)), task.require.tolist(), []
-    order = task.free[np.argsort(task.load[task.free], kind="stable")].tolist()
+    group, spare = list(range(task.size)), list[int]()
+    chosen: list[int] = task.require.tolist()
+    order: list[int] = task.free[np.argsort(task.load[task.free], kind="stable")].tolist()
     for e in [*chosen, *order]:
-        a, b = group[task.first[e]], group[task.second[e]]
+        a, b = group[int(task.first[e])], group[int(task.second[e])]
         if a != b:
             group = [a if g == b else g for g in group]
             if e not in task.require:
@@ -88,7 +89,7 @@ def random_choice(task: Task, rng: np.random.Generator) -> IntArray | None:
     needed = set(task.require.tolist())
     pairs = {(int(task.first[e]), int(task.second[e])): int(e) for e in task.free} if task.lost != NOTHING else {}
     for attempt in range(_TRIES if task.size <= _MANY else _FEW):
-        group, degree, chosen = list(users), [0] * task.size, []
+        group, degree, chosen = list(users), [0] * task.size, list[int]()
         damping = np.zeros(task.size)
         spare: list[int] = []
 

@@ -123,8 +123,9 @@ def workers(jobs: int, dask: str | None) -> Generator[Workers]:
     Raises:
         UnsupportedError: there is no Dask here, or no scheduler answers.
     """
-    import joblib
+    import joblib as untyped
 
+    joblib: Any = untyped
     with ExitStack() as stack:
         count = joblib.cpu_count() if jobs == -1 else jobs
         client = None if dask is None else stack.enter_context(_client(dask))

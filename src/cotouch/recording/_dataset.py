@@ -144,7 +144,7 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
             ),
             *((name, *said) for name, said in ledger.items() if any(name in r.columns for r in recordings)),
         ):
-            parts = []
+            parts: list[tuple[int, Float]] = []
             for k, (at, entry) in enumerate(directions):
                 if name not in recordings[at].columns:
                     continue
@@ -216,7 +216,7 @@ def _force(recording: Recording) -> Float:
 def _states(recordings: Sequence[Recording], times: Sequence[Float], put: Any) -> None:
     every = all(recording.states["state_row"].size == recording.steps for recording in recordings)
     dims = ("user", "step" if every else "state", "node", "axis")
-    places, rates, moments = [], [], []
+    places, rates, moments = list[tuple[int, Float]](), list[tuple[int, Float]](), list[tuple[int, Float]]()
     for at, (recording, time) in enumerate(zip(recordings, times, strict=True)):
         states, body = recording.states, recording.header.body
         if states["state_row"].size == 0:

@@ -6,9 +6,10 @@ import struct
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, Final, final
+from typing import Any, Final, cast, final
 
 import numpy as np
+import numpy.typing as npt
 from mcap.records import ChunkIndex
 from mcap.writer import CompressionType, Writer
 
@@ -240,5 +241,5 @@ def _ledger(batch: Batch) -> dict[str, Any]:
 
 def _plain(value: object) -> Any:
     if isinstance(value, np.ndarray | np.generic):
-        return value.tolist()
+        return cast("npt.NDArray[Any]", value).tolist()
     return str(value)

@@ -22,7 +22,7 @@ _PARTS = ("data", "indices", "indptr")
 _PREFIX, _SKIN, _WORLD = "material_", "skin_", "world_"
 _SURFACE = ("vertices", "triangles", "nodes", "weights")
 # Numbers of an obstacle: of its shape, unused ones 0, and of its law.
-_SHAPE, _LAW = 9, ("stiffness", "loss", "friction", "kinetic")
+_SHAPE, _LAW = 13, ("stiffness", "loss", "friction", "kinetic")
 
 
 @final
@@ -32,7 +32,7 @@ class RecordedMaterial:
     Attributes:
         body: with its material.
         material: of it.
-        world: what stands around it, by name: `kind` (S,), `shape` (S, 9) and `law` (S, 4); empty: nothing does.
+        world: what stands around it, by name: `kind` (S,), `shape` (S, 13) and `law` (S, 4); empty: nothing does.
     """
 
     def __init__(self, body: Body, world: Mapping[str, Any] | None = None) -> None:
@@ -60,7 +60,7 @@ class RecordedMaterial:
         if obstacles:
             shapes = np.zeros((len(obstacles), _SHAPE))
             for row, obstacle in zip(shapes, obstacles, strict=True):
-                numbers = np.ravel(obstacle.shape)
+                numbers = np.concatenate([np.ravel(values) for values in obstacle.shape])
                 row[: numbers.size] = numbers
             laws = [
                 [o.stiffness, o.loss, o.friction, o.friction if o.kinetic is None else o.kinetic] for o in obstacles
@@ -77,16 +77,14 @@ class RecordedMaterial:
         """
         if not self.world:
             return []
-        from cotouch.mechanics import SHAPES, Obstacle
+        from cotouch.mechanics import SHAPES, Obstacle, shape_of
 
         made: list[Obstacle] = []
         for kind, shape, law in zip(*(self.world[name] for name in ("kind", "shape", "law")), strict=True):
             if not 0 <= int(kind) < len(SHAPES):
                 raise BodyError(f"the recording has an obstacle of kind {kind}; there are 0 to {len(SHAPES) - 1}")
-            of = SHAPES[int(kind)]
-            vectors = np.reshape(shape, (-1, 3))[: len(getattr(of, "_fields"))]  # noqa: B009  a NamedTuple's
             numbers = dict(zip(_LAW, map(float, law), strict=True))
-            made.append(Obstacle(shape=of(*(tuple(map(float, vector)) for vector in vectors)), **numbers))
+            made.append(Obstacle(shape=shape_of(int(kind), shape), **numbers))
         return made
 
     def arrays(self) -> dict[str, Any]:
@@ -95,8 +93,11 @@ class RecordedMaterial:
         for name in (*_INNER, *_OUTER):
             found |= {f"{_PREFIX}{name}_{part}": getattr(getattr(self.body, name), part) for part in _PARTS}
         found |= {_PREFIX + field.name: np.asarray(getattr(self.material, field.name)) for field in _FIELDS}
-        if self.world and self.body.skin is not None:
+        if (self.world or self.body.rigid) and self.body.skin is not None:
             found |= {_PREFIX + _SKIN + name: getattr(self.body.skin, name) for name in _SURFACE}
+        if self.body.rigid:
+            found[_PREFIX + "places"] = self.body.places
+        if self.world and self.body.skin is not None:
             found |= {_PREFIX + _WORLD + name: values for name, values in self.world.items()}
         return found
 
@@ -128,16 +129,19 @@ class RecordedMaterial:
             gravity=tuple(np.asarray(said["gravity"], dtype=np.float64).ravel().tolist()),  # pyright: ignore[reportArgumentType]
             **{name: float(said[name]) for name in ("young", "poisson", "viscosity")},
         )
-        inner = {name: SumOfSquares(matrices[name]) for name in _INNER}
-        outer = {name: matrices[name] for name in _OUTER}
-        skin, world = None, {}
-        if _PREFIX + _WORLD + "kind" in arrays:
+        inner: dict[str, Any] = {name: SumOfSquares(matrices[name]) for name in _INNER}
+        outer: dict[str, Any] = {name: matrices[name] for name in _OUTER}
+        skin = None
+        world: dict[str, npt.NDArray[Any]] = {}
+        if _PREFIX + _SKIN + _SURFACE[0] in arrays:
             skin = Skin(**{name: arrays[_PREFIX + _SKIN + name] for name in _SURFACE})
+        if _PREFIX + _WORLD + "kind" in arrays:
             world = {name: np.asarray(arrays[_PREFIX + _WORLD + name]) for name in ("kind", "shape", "law")}
             extents = [values.shape for values in world.values()]
             if extents != [extents[0], (*extents[0], _SHAPE), (*extents[0], len(_LAW))] or len(extents[0]) != 1:
                 raise ValueError(f"what stands around the body is told by arrays of {extents}")
-        return cls(Body(rest=rest, material=material, skin=skin, **inner, **outer), world)
+        places = arrays.get(_PREFIX + "places", ())
+        return cls(Body(rest=rest, material=material, skin=skin, places=places, **inner, **outer), world)
 
     def same(self, other: "RecordedMaterial | None") -> bool:
         """Whether another is of the same numbers.

@@ -232,8 +232,8 @@ class _Steps:
         before = self.copy_scale * body.form(body.mass, speed) + self.stiff * body.form(body.stiffness, start)
         # The stretch of a body that has travelled is a small difference of large places; so is its mean velocity.
         places = np.abs(self.x).max(axis=(1, 2), initial=0.0)
-        stiff = float(np.abs(body.stiffness).sum())
-        heavy = float(np.abs(body.mass).sum())
+        stiff = float(abs(body.stiffness).sum())
+        heavy = float(abs(body.mass).sum())
         fast = np.abs(self.v).max(axis=(1, 2), initial=0.0)
         size = stiff * places**2 + heavy * places * fast / self.T
         if self.inner is not None and body.material is not None:
@@ -246,7 +246,7 @@ class _Steps:
             before += 2.0 * self.stiff * held
             self.potential = came + 0.5 * body.form(body.stiffness, self.x)
             # A place is as large as the body; what its rounding does grows with the force.
-            inner = float(np.abs(body.material.body.stiffness).sum())
+            inner = float(abs(body.material.body.stiffness).sum())
             strained = np.maximum(*self.inner[:2])
             far = places + np.abs(body.rest).max()
             size = size + np.sqrt(2.0 * strained * inner) * far
@@ -273,12 +273,15 @@ class _Steps:
         ports = self.setup.ports
         if ports is None:
             return booked
-        if len(ports) != force.shape[1] or any(not 0 <= node < self.body.rest.shape[0] for node in ports):
+        rate, material = self.mean.reshape(self.T.size, *self.body.rest.shape), self.body.material
+        shares = None if material is None else material.body.held_shares
+        if shares is not None:  # of a rigid body any point may be held
+            rate = np.einsum("hn,sna->sha", shares, rate)
+        if len(ports) != force.shape[1] or any(not 0 <= node < rate.shape[1] for node in ports):
             raise RecordingError(
                 f"{self.recording.path} says that its ports hold the nodes {list(ports)}; its steps have "
-                f"{force.shape[1]} ports, its body {self.body.rest.shape[0]} nodes"
+                f"{force.shape[1]} ports, its body {rate.shape[1]} nodes"
             )
-        rate = self.mean.reshape(self.T.size, *self.body.rest.shape)
         seen: dict[int, int] = {}
         work = np.zeros(self.T.size)
         for port, node in enumerate(ports):

@@ -183,8 +183,9 @@ class Recording:
             bad = min(bad, int(rows[0])) if rows.size else bad
         for name in ("x", "v", "middle"):
             values = self.states.get(name, np.zeros((0, 1)))
-            rows = np.flatnonzero(~np.isfinite(values.reshape(values.shape[0], -1)).all(axis=1)) if values.size else []
-            bad = min(bad, int(self.states["state_row"][rows[0]])) if len(rows) else bad
+            if values.size:
+                rows = np.flatnonzero(~np.isfinite(values.reshape(values.shape[0], -1)).all(axis=1))
+                bad = min(bad, int(self.states["state_row"][rows[0]])) if rows.size else bad
         return bad
 
     def first_steps(self, count: int) -> "Recording":

@@ -32,11 +32,11 @@ def numeric(host: str) -> Numeric:
 
 def plain(source: object) -> Address | None:
     """A source of datagrams in the one form that compares: IPv4 within IPv6 becomes IPv4. None: it is no address."""
-    if not isinstance(source, tuple) or len(source) != 2:
-        return None
-    host, port = source
-    if not isinstance(host, str) or not isinstance(port, int):
-        return None
+    match source:
+        case (str(host), int(port)) if isinstance(source, tuple):
+            pass
+        case _:
+            return None
     try:
         number = ipaddress.ip_address(host)
     except ValueError:

@@ -6,7 +6,7 @@ import struct
 import time
 from collections.abc import Callable, Hashable
 from functools import lru_cache
-from typing import final
+from typing import Any, cast, final
 
 from cotouch.errors import SessionError, TransportError
 from cotouch.samples._address import Address, numeric, origin
@@ -210,9 +210,10 @@ class UdpTransport:
         old = self._neighbours.get(neighbour)
         if source == old:
             return
-        if not isinstance(source, tuple) or len(source) != 2:
+        pair = cast("tuple[Any, ...]", source) if isinstance(source, tuple) else ()
+        if len(pair) != 2:
             raise SessionError(f"{source!r} is no address; it takes a host in numbers and a port")
-        new = (_reachable(str(source[0]), six=self._six), _port(source[1], given=True))
+        new = (_reachable(str(pair[0]), six=self._six), _port(pair[1], given=True))
         self.forget(neighbour)
         self._neighbours[neighbour] = new
         self._limit.know(new)

@@ -5,6 +5,7 @@ from cotouch.scenario._channel import Channel
 from cotouch.scenario._hands import Hands, grip, ports_of
 from cotouch.scenario._law_choice import options_of_springs, with_law_of_session
 from cotouch.scenario._messages import sentence
+from cotouch.scenario._penetration import resolve_penetration
 from cotouch.scenario._scenario import Scenario, per_user
 from cotouch.scenario._tables import (
     HandTable,
@@ -14,7 +15,7 @@ from cotouch.scenario._tables import (
     Probability,
     Table,
 )
-from cotouch.scenario._tool_tables import DEFAULT_RATE, ToolTable
+from cotouch.scenario._tool_tables import DEFAULT_RATE, SimulatedDeviceTable, ToolHand, ToolTable
 from cotouch.scenario._tools import touching_of
 from cotouch.scenario._touching import (
     ToolRecord,
@@ -42,7 +43,9 @@ __all__ = [
     "Positive",
     "Probability",
     "Scenario",
+    "SimulatedDeviceTable",
     "Table",
+    "ToolHand",
     "ToolRecord",
     "ToolTable",
     "Touching",
@@ -58,6 +61,7 @@ __all__ = [
     "per_user",
     "ports_of",
     "proxy_energy",
+    "resolve_penetration",
     "sentence",
     "tool_record",
     "tools_of",

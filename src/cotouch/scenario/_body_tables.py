@@ -35,6 +35,9 @@ from cotouch.body import (
     is_surface,
     lattice,
     point,
+    rigid_box,
+    rigid_cylinder,
+    rigid_sphere,
 )
 from cotouch.errors import ScenarioError
 from cotouch.scenario._tables import NonNegative, Number, Place, Positive, Table
@@ -96,6 +99,58 @@ class LatticeTable(_GridTable):
     def build(self) -> Body:
         """The body."""
         return lattice(self.shape, neighbours=self.neighbours, **self._common())
+
+
+class _ShapeTable(Table):
+    density: Positive = 1000.0
+    mass: Positive | None = None
+    centre: Place = Field(default_factory=lambda: [0.0, 0.0, 0.0])
+    model: Literal["rigid"] = "rigid"
+
+    def _options(self) -> dict[str, Any]:
+        return self.model_dump(exclude={"kind", "model"})
+
+
+@final
+class RigidBoxTable(_ShapeTable):
+    """A rigid box; see `cotouch.body.rigid_box`."""
+
+    kind: Literal["box"]
+    size: Annotated[list[Positive], Field(min_length=3, max_length=3)]
+    turn: Place = Field(default_factory=lambda: [0.0, 0.0, 0.0])
+    resolution: Number = 4
+
+    def build(self) -> Body:
+        """The body."""
+        return rigid_box(**self._options())
+
+
+@final
+class RigidCylinderTable(_ShapeTable):
+    """A rigid cylinder, along z before it is turned; see `cotouch.body.rigid_cylinder`."""
+
+    kind: Literal["cylinder"]
+    radius: Positive
+    length: Positive
+    turn: Place = Field(default_factory=lambda: [0.0, 0.0, 0.0])
+    resolution: Number = 8
+
+    def build(self) -> Body:
+        """The body."""
+        return rigid_cylinder(**self._options())
+
+
+@final
+class RigidSphereTable(_ShapeTable):
+    """A rigid ball; see `cotouch.body.rigid_sphere`."""
+
+    kind: Literal["sphere"]
+    radius: Positive
+    resolution: Number = 8
+
+    def build(self) -> Body:
+        """The body."""
+        return rigid_sphere(**self._options())
 
 
 @final
@@ -170,6 +225,8 @@ GroundSource = Annotated[
 # Options of one sort of file only.
 _OF_SURFACES = ("resolution", "most_triangles")
 _OF_VOLUMES = ("most_elements",)
+# And of what is not rigid.
+_OF_SOFT = ("young", "poisson", "stiffness", "rayleigh_mass", "rayleigh_stiffness", "frame", "ground", "modes")
 
 
 def _listed(names: Any) -> str:
@@ -186,7 +243,7 @@ class FileTable(Table):
         unit: of the file: "m", "mm", "cm", "in"; only GLB has one by itself.
         resolution: surfaces: cells of the lattice along the longest side.
         model: "springs" (default of surfaces), "elastic" (default of tetrahedra), "spring-network"; of surfaces
-            "cells"; of tetrahedra "corotated", "st-venant-kirchhoff", "neo-hookean".
+            "cells"; of tetrahedra "corotated", "st-venant-kirchhoff", "neo-hookean"; "rigid", which needs no more.
         frame: "fixed" or, of "springs" and "elastic", "floating": it turns as a whole without a force.
         young: [Pa].
         poisson: Poisson's ratio.
@@ -239,6 +296,10 @@ class FileTable(Table):
         known, models = ("surfaces", SurfaceModel) if is_surface(Path(self.file)) else ("tetrahedra", SolidModel)
         if self.model is not None and self.model not in get_args(models):
             raise ValueError(f'model is "{self.model}", but file is "{self.file}"; {known} take {_listed(models)}')
+        if self.model == "rigid":
+            for name in _OF_SOFT:
+                if getattr(self, name) != type(self).model_fields[name].default:
+                    raise ValueError(f'{name} is {getattr(self, name)}, but model is "rigid"; leave it out')
         for name in others:
             if name in self.model_fields_set:
                 raise ValueError(f'{name} is for {what}, but file is "{self.file}"; leave it out')
@@ -282,8 +343,11 @@ def _kind(value: object) -> str | None:
     """Which sort of body is given."""
     if isinstance(value, Body):
         return "body"
-    usual = "file" if isinstance(value, Mapping) and "file" in value else "point"
-    kind = value.get("kind", usual) if isinstance(value, Mapping) else getattr(value, "kind", None)
+    if isinstance(value, Mapping):
+        table = cast("Mapping[str, object]", value)
+        kind = table.get("kind", "file" if "file" in table else "point")
+    else:
+        kind = getattr(value, "kind", None)
     return kind if isinstance(kind, str) else None
 
 
@@ -292,6 +356,9 @@ BodySource = Annotated[
     | Annotated[PointTable, Tag("point")]
     | Annotated[ChainTable, Tag("chain")]
     | Annotated[LatticeTable, Tag("lattice")]
+    | Annotated[RigidBoxTable, Tag("box")]
+    | Annotated[RigidCylinderTable, Tag("cylinder")]
+    | Annotated[RigidSphereTable, Tag("sphere")]
     | Annotated[MatrixTable, Tag("matrices")]
     | Annotated[FileTable, Tag("file")],
     Discriminator(_kind),

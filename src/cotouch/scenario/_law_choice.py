@@ -1,7 +1,7 @@
 """Which link law a scenario has that names none."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from cotouch.scenario._body_tables import FileTable
 
@@ -61,7 +61,8 @@ def with_law_of_session(tables: Mapping[str, Any], session: Any) -> dict[str, An
     """
     sync = tables.get("synchronisation", {})
     if isinstance(session, Mapping) and isinstance(sync, Mapping) and "law" not in sync:
-        planned = session.get("links") == "plan"  # which seldom links all
-        if planned or session.get("devices") or options_of_springs(session):
-            return {**tables, "synchronisation": {**sync, "law": SPRING}}
+        given = cast("Mapping[str, Any]", session)
+        planned = given.get("links") == "plan"  # which seldom links all
+        if planned or given.get("devices") or options_of_springs(given):
+            return {**tables, "synchronisation": {**cast("Mapping[str, Any]", sync), "law": SPRING}}
     return dict(tables)

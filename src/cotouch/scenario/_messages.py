@@ -1,7 +1,7 @@
 """What is wrong with a scenario, as one sentence."""
 
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, cast
 
 from pydantic import ValidationError
 
@@ -30,7 +30,8 @@ def sentence(error: ValidationError, source: str) -> str:
         case "missing":
             text = f"{place} is missing"
         case "union_tag_invalid" | "union_tag_not_found":
-            kind = first["input"].get("kind") if isinstance(first["input"], Mapping) else first["input"]
+            given = first["input"]
+            kind = cast("Mapping[str, object]", given).get("kind") if isinstance(given, Mapping) else given
             text = f'{place}.kind is {kind!r}; it must be "point", "chain", "lattice", "matrices" or "file"'
         case "is_instance_of" | "model_type" | "model_attributes_type":
             text = f"{place} is {value}; it must be a table"

@@ -12,7 +12,7 @@ from pydantic import Field, InstanceOf, PrivateAttr, ValidationError, field_vali
 
 from cotouch.body import Body
 from cotouch.errors import ScenarioError
-from cotouch.files import read_text, toml, toml_text
+from cotouch.files import list_of, read_text, table_of, toml, toml_text
 from cotouch.network import Network
 from cotouch.scenario._body_tables import BodySource, FileTable, PointTable
 from cotouch.scenario._channel import Channel
@@ -88,7 +88,7 @@ class Scenario(Table):
         if self.synchronisation.mode == "constant":
             for name in ("period", "rate"):
                 value = getattr(self.steps, name)
-                if isinstance(value, list) and len(set(value)) > 1:
+                if len(set(list_of(value) or ())) > 1:
                     raise ValueError(
                         f'steps.{name} is {value}, but in mode "constant" all take the steps of one index together; '
                         'give one number for all, or use mode "freshest", in which everybody keeps a rate of their own'
@@ -98,7 +98,7 @@ class Scenario(Table):
     @field_validator("network", mode="before")
     @classmethod
     def _network(cls, value: object) -> object:
-        return Network.from_table(dict(value)) if isinstance(value, Mapping) else value
+        return Network.from_table(dict(cast("Mapping[str, object]", value))) if isinstance(value, Mapping) else value
 
     @classmethod
     def read(cls, path: str | Path) -> "Scenario":
@@ -209,8 +209,19 @@ class Scenario(Table):
                     away = np.linalg.norm(body.rest - np.array(tool.at), axis=1)
                     held.update(int(node) for node in np.argsort(away, kind="stable")[:_NEAR])
                 body = body.truncated(modes=self.body.modes, contacts=sorted(held))
-            self._built = body
+            self._built = body.with_places(self._places(body)) if body.rigid else body
         return self._built
+
+    def _places(self, body: Body) -> list[list[float]]:
+        """Where hands hold a rigid body besides its nodes and its skin's vertices."""
+        for index, hand in enumerate(self.hands):
+            self._axes_of(index, hand.at, body)
+        return [hand.at for hand in self.hands if hand.at is not None]
+
+    @staticmethod
+    def _axes_of(index: int, at: list[float] | None, body: Body) -> None:
+        if at is not None and len(at) != body.dimension:
+            raise ScenarioError(f"hands[{index + 1}].at is {at}; it must be {body.dimension} coordinates [m]")
 
     def _weighing(self, body: Body) -> Body:
         """A body with the weight that the world gives it; one that meets obstacles has a material."""
@@ -222,6 +233,8 @@ class Scenario(Table):
 
     def placed(self) -> "Scenario":
         """The same with every hand at a node; what was given as a place has become the nearest one.
+
+        A rigid body is held at the place itself, whose number follows those of nodes and the skin's vertices.
 
         Raises:
             ScenarioError: a place has not the body's number of axes, or a node is not there.
@@ -242,12 +255,11 @@ class Scenario(Table):
         """Number of the node that a hand holds."""
         hand = self.hands[index]
         if hand.at is None:
-            if hand.node > body.nodes:
+            if hand.node > body.holds:
                 raise ScenarioError(f"hands[{index + 1}].node is {hand.node}; the body has nodes 1 to {body.nodes}")
             return hand.node
-        if len(hand.at) != body.dimension:
-            raise ScenarioError(f"hands[{index + 1}].at is {hand.at}; it must be {body.dimension} coordinates [m]")
-        return 1 + int(np.argmin(np.linalg.norm(body.rest - np.array(hand.at), axis=1)))
+        self._axes_of(index, hand.at, body)
+        return 1 + int(np.argmin(np.linalg.norm(body.held_rest - np.array(hand.at), axis=1)))
 
     def to_toml(self) -> str:
         """The scenario as the text of a file, with what was given and no defaults; `from_toml` makes the same of it.
@@ -302,9 +314,10 @@ class Scenario(Table):
 
 def _rooted(holder: Any, name: str, folder: Path) -> None:
     """Makes the file that a table names relative to a folder."""
-    named = holder.get(name) if isinstance(holder, dict) else None
-    if isinstance(named, dict) and isinstance(named.get("file"), str):
-        holder[name] = {**named, "file": str(folder / named["file"])}
+    tables = table_of(holder)
+    named = None if tables is None else table_of(tables.get(name))
+    if tables is not None and named is not None and isinstance(named.get("file"), str):
+        tables[name] = {**named, "file": str(folder / named["file"])}
 
 
 def per_user(value: float | list[float], users: int, name: str) -> npt.NDArray[np.float64]:

@@ -44,7 +44,7 @@ class Table(BaseModel):
                 field = cls.model_fields.get(name)
                 if field is not None and field.annotation is not bool and _has_truth(value):
                     raise ValueError(f"{name} is {value!r}; it must be given as a number, not as true or false")
-        return given
+        return cast("Any", given)
 
 
 Place = Annotated[list[FiniteFloat], Field(min_length=3, max_length=3)]

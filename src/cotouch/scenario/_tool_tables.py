@@ -1,7 +1,7 @@
 """The tables of a scenario for tools: proxies, the devices that move them, and the hands on those."""
 
 from itertools import pairwise
-from typing import Annotated, Any, Literal, Self, final
+from typing import Annotated, Any, Literal, Self, cast, final
 
 from pydantic import Discriminator, Field, FiniteFloat, Tag, model_validator
 
@@ -173,7 +173,7 @@ class ContactTable(Table):
         kinds = {kind.__name__.lower(): kind for kind in CONTACT_LAWS}
         if self.law not in kinds:
             raise ScenarioError(f'contact.law is "{self.law}"; it must be one of {", ".join(sorted(kinds))}')
-        known = kinds[self.law]._fields  # pyright: ignore[reportAttributeAccessIssue]
+        known = cast("tuple[str, ...]", getattr(kinds[self.law], "_fields", ()))
         for name, value in self.parameters.items():
             if name not in known or not value > 0.0:
                 has = f"has {', '.join(known)}, each above 0"

@@ -109,7 +109,7 @@ class TraceTable(Table):
         path = Path(self.file)
         text = read_text(path, "trace", ScenarioError, _MOST_BYTES)
         rows = csv.reader(text.splitlines())
-        names = [name.strip() for name in next(rows, [])]
+        names = [name.strip() for name in next(rows, list[str]())]
         kept = [row for row in rows if row]
         if not kept:
             raise ScenarioError(f"{path} has no rows; a trace needs names in its first row and a latency in each other")

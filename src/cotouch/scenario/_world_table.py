@@ -1,14 +1,14 @@
-"""The table of a scenario for what is around the body: gravity, a plane, boxes."""
+"""The table of a scenario for what is around the body: gravity, planes, boxes, plates with a hole."""
 
 from collections.abc import Sequence
 from typing import Annotated, Self, final
 
 import numpy as np
-from pydantic import Field, model_validator
+from pydantic import Field, FiniteFloat, model_validator
 
 from cotouch.arrays import Float
 from cotouch.errors import BodyError, ScenarioError
-from cotouch.mechanics import Box, Model, Obstacle, Plane, Shape, deepest_point
+from cotouch.mechanics import Box, Model, Obstacle, Plane, Plate, Shape, deepest_point
 from cotouch.scenario._tables import NonNegative, Place, Positive, Table
 
 _MOST = 16
@@ -94,6 +94,31 @@ class BoxTable(_ObstacleTable):
 
 
 @final
+class PlateTable(_ObstacleTable):
+    """A solid box with a round hole through it along its third side.
+
+    Attributes:
+        size: lengths of its sides [m].
+        hole_radius: of the hole [m].
+        hole_at: where its axis is along the first two sides, from the centre [m].
+        chamfer: how far the rims of the hole are cut off, at 45° [m].
+        centre: of the box [m].
+        turn: as of a box [rad].
+    """
+
+    size: Annotated[list[Positive], Field(min_length=3, max_length=3)]
+    hole_radius: Positive
+    hole_at: Annotated[list[FiniteFloat], Field(min_length=2, max_length=2)] = Field(default_factory=lambda: [0.0, 0.0])
+    chamfer: NonNegative = 0.0
+    centre: Place = Field(default_factory=lambda: [*_ORIGIN])
+    turn: Place = Field(default_factory=lambda: [*_ORIGIN])
+
+    def _shape(self) -> Shape:
+        hole = (self.hole_radius, self.hole_at[0], self.hole_at[1], self.chamfer)
+        return Plate(_three(self.size), hole, _three(self.centre), _three(self.turn))
+
+
+@final
 class WorldTable(Table):
     """What is around the body and does not move.
 
@@ -101,15 +126,17 @@ class WorldTable(Table):
         gravity: acceleration along x, y, z [m/s²].
         planes: half-spaces that the body's skin meets.
         boxes: boxes that it meets.
+        plates: boxes with a hole through each.
     """
 
     gravity: Place | None = None
     planes: Annotated[list[PlaneTable], Field(max_length=_MOST)] = Field(default_factory=list[PlaneTable])
     boxes: Annotated[list[BoxTable], Field(max_length=_MOST)] = Field(default_factory=list[BoxTable])
+    plates: Annotated[list[PlateTable], Field(max_length=_MOST)] = Field(default_factory=list[PlateTable])
 
     def obstacles(self) -> list[Obstacle]:
-        """All of them, planes first."""
-        return [table.made() for table in (*self.planes, *self.boxes)]
+        """All of them: planes, boxes, plates."""
+        return [table.made() for table in (*self.planes, *self.boxes, *self.plates)]
 
     def name(self, number: int) -> str:
         """How the file names one of `obstacles`.
@@ -117,8 +144,11 @@ class WorldTable(Table):
         Args:
             number: from 0.
         """
-        planes = len(self.planes)
-        return f"world.planes[{number + 1}]" if number < planes else f"world.boxes[{number - planes + 1}]"
+        for name, tables in (("planes", self.planes), ("boxes", self.boxes), ("plates", self.plates)):
+            if number < len(tables):
+                return f"world.{name}[{number + 1}]"
+            number -= len(tables)
+        raise IndexError(number)
 
     def refuse_overlap(self, ready: Model, position: Float) -> None:
         """Refuses copies that begin in an obstacle.

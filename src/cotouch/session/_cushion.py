@@ -60,7 +60,7 @@ def _sphere(pieces: int) -> tuple[Float, Ints]:
         a, b, c = tips[list(face)]
         if np.dot(np.cross(b - a, c - a), a) < 0.0:
             b, c = c, b
-        at = {}
+        at: dict[tuple[int, int], int] = {}
         for i in range(pieces + 1):
             for j in range(pieces + 1 - i):
                 at[i, j] = len(points)

@@ -1,6 +1,5 @@
 """The session that plays itself: the paper's five users or others, a body, hands that move it, and a network."""
 
-import json
 import tomllib
 from collections.abc import Sequence
 from importlib.resources import files
@@ -9,6 +8,7 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from cotouch.errors import SessionError
+from cotouch.files import toml_text
 from cotouch.members import MOST_USERS, SessionFile
 from cotouch.session._cushion import HALF, cushion, stl
 
@@ -141,7 +141,7 @@ def demo_session(
     with TemporaryDirectory(prefix="cotouch-") as folder:
         if body == "soft":
             Path(folder, _SOFT_FILE).write_bytes(stl(*cushion()))
-        return SessionFile.from_toml(to_toml(tables), source="the demonstration", folder=Path(folder), law=law)
+        return SessionFile.from_toml(toml_text(tables), source="the demonstration", folder=Path(folder), law=law)
 
 
 def _embody(tables: dict[str, Any], body: str) -> None:
@@ -204,27 +204,3 @@ def _impair(tables: dict[str, Any], impair: Sequence[str]) -> None:
             channel["reordering_delay"] = _HOLD
     if channel:
         tables["channel"] = channel
-
-
-def to_toml(tables: dict[str, Any]) -> str:
-    """Tables of numbers, texts, lists and one level of tables; JSON's values are TOML's, but for tables in tables."""
-    lines: list[str] = []
-
-    def value(entry: Any) -> str:
-        if isinstance(entry, dict):
-            return "{" + ", ".join(f"{name} = {value(inner)}" for name, inner in entry.items()) + "}"
-        return json.dumps(entry)
-
-    def table(header: str, entries: dict[str, Any]) -> None:
-        lines.extend(["", header, *(f"{name} = {value(entry)}" for name, entry in entries.items())])
-
-    for name, entry in tables.items():
-        if not isinstance(entry, dict | list):
-            lines.append(f"{name} = {value(entry)}")
-    for name, entry in tables.items():
-        if isinstance(entry, dict):
-            table(f"[{name}]", entry)
-        elif isinstance(entry, list):
-            for one in entry:
-                table(f"[[{name}]]", one)
-    return "\n".join(lines) + "\n"

@@ -3,21 +3,34 @@
 import math
 import os
 import time
-from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, final
+from typing import assert_never, final
 
 import numpy as np
 
 from cotouch.errors import NetworkError, SessionError
 from cotouch.hands import usual_stiffness
 from cotouch.members import Pair, Roster, SessionFile, SharedModel
-from cotouch.observers import ChildCall, LoweredDamping, MailboxFolder, Overview, Scene
+from cotouch.observers import (
+    ChildCall,
+    ChooseLinks,
+    Cut,
+    Doable,
+    Expel,
+    Impair,
+    Kill,
+    LoweredDamping,
+    MailboxFolder,
+    Overview,
+    Revive,
+    Scene,
+    SetDamping,
+)
 from cotouch.session import _requests
 from cotouch.session._open import OpenHost
 from cotouch.session._planner import notable_links
 from cotouch.session._process import MemberProcess
-from cotouch.session._steered import Doing, SteeredMembers
+from cotouch.session._steered import SteeredMembers
 
 # Where no hand exerts more than this, and nobody acts for so long, hands begin to wander [N, s].
 _AT_REST, _QUIET = 0.01, 20.0
@@ -75,13 +88,14 @@ class DemoSessionApi(SteeredMembers):
         self._mailboxes, self._record = mailboxes, record
         own = tuple(range(len(self._names)))
         # Other laws pay for what they do, and take no damping that could be lowered.
-        damped = {"damping"} if session.law == "spring" else set[str]()
+        damped: set[Doable] = {"damping"} if session.law == "spring" else set()
+        known: set[Doable] = {"hand", "impair", "cut", "kill", "revive", "expel", "links", "record"}
         self._scene = Scene(
             title=session.scenario.title or "cotouch",
             users=tuple(self._names),
             body=replica.body,
             own=own,
-            may=frozenset({"hand", "impair", "cut", "kill", "revive", "expel", "links", "record"} | damped),
+            may=frozenset(known | damped),
             invitation=opened.invitation.encode(),
             stiffness=usual_stiffness(replica.scenario, 0),
             shapes=replica.shapes,
@@ -226,89 +240,93 @@ class DemoSessionApi(SteeredMembers):
         self._seen = True
         return self._overview
 
-    def _doing(self) -> Doing:
-        return {
-            "hand": self._do_hand,
-            "impair": self._do_impair,
-            "cut": self._do_cut,
-            "kill": lambda given: self._jobs.ask(lambda: self._do_kill(given)),
-            "revive": lambda given: self._jobs.ask(lambda: self._do_revive(given)),
-            "expel": lambda given: self._jobs.ask(lambda: self._do_expel(given)),
-            "links": lambda given: self._jobs.ask(lambda: self._do_links(given)),
-            "damping": lambda given: self._jobs.ask(lambda: self._do_damping(given)),
-            "record": lambda given: self._jobs.ask(lambda: self._do_record(given)),
-        }
+    def _do_more(self, command: Impair | Cut | Kill | Revive | Expel | ChooseLinks | SetDamping) -> str:
+        match command:
+            case Impair():
+                return self._impair(command)
+            case Cut():
+                return self._cut(command)
+            case _:
+                return self._jobs.ask(lambda: self._do_in_loop(command))
 
-    def _refusal(self, what: str, known: str) -> str:
-        return f'"{what}" is nothing that can be done here; it must be one of {known}'
+    def _do_in_loop(self, command: Kill | Revive | Expel | ChooseLinks | SetDamping) -> str:
+        match command:
+            case Kill():
+                return self._kill(self._name_of(command.slot))
+            case Revive():
+                return self._revive(self._name_of(command.slot))
+            case Expel():
+                return self._expel(command.slot)
+            case ChooseLinks():
+                return self._link(command)
+            case SetDamping():
+                return self._damp(command.fraction)
+            case _:
+                assert_never(command)
 
     def _acts(self) -> None:
         self._acted = time.monotonic()
 
-    def _name_of(self, given: Mapping[str, Any]) -> str:
-        return self._names[_requests.slot_of(given, self._scene.own)]
+    def _name_of(self, slot: int) -> str:
+        return self._names[_requests.slot_among(slot, self._scene.own)]
 
     def hold_damping(self, on: bool) -> None:
         """Says whether whoever lowered the damping is still there; see `SessionApi.hold_damping`."""
         self._damping.hold(on)
 
-    def _do_impair(self, given: Mapping[str, Any]) -> str:
-        a, b = _requests.pair_of(given, len(self._names))
-        law = _requests.law_of(given)
+    def _impair(self, command: Impair) -> str:
+        a, b = _requests.ends_of(command, len(self._names))
+        changes = command.changes()
         for to, of in ((a, b), (b, a)):
-            self._commands.impair(to, of, **law)
+            self._commands.impair(to, of, **changes)
         units = {"delay": ("ms", 1e3), "jitter": ("ms", 1e3), "loss": ("%", 1e2)}
-        told = ", ".join(f"{name} {units[name][1] * value:g} {units[name][0]}" for name, value in law.items())
+        told = ", ".join(f"{name} {units[name][1] * value:g} {units[name][0]}" for name, value in changes.items())
         self.acted = True
         return f"{self._names[a]} - {self._names[b]}: {told}, each way"
 
-    def _do_cut(self, given: Mapping[str, Any]) -> str:
-        a, b = _requests.pair_of(given, len(self._names))
-        on = _requests.flag_of(given)
+    def _cut(self, command: Cut) -> str:
+        a, b = _requests.ends_of(command, len(self._names))
         for to, of in ((a, b), (b, a)):
-            self._commands.impair(to, of, cut=float(on))
+            self._commands.impair(to, of, cut=float(command.on))
         self.acted = True
-        said = f"the path {self._names[a]} - {self._names[b]} is {'cut' if on else 'there again'}"
+        said = f"the path {self._names[a]} - {self._names[b]} is {'cut' if command.on else 'there again'}"
         self._say(time.monotonic(), said)
         return said
 
-    def _do_kill(self, given: Mapping[str, Any]) -> str:
-        name = self._name_of(given)
+    def _kill(self, name: str) -> str:
         if name not in self.members or name in self._killed:
             raise SessionError(f"{name} does not run on this machine")
-        self._kill(name)
+        self._end(name)
         said = f"{name}'s process was killed; its place is kept for it"
         self._say(time.monotonic(), said)
         return said
 
-    def _kill(self, name: str) -> None:
+    def _end(self, name: str) -> None:
         self._killed.add(name)
         self.members[name].kill()
         self._commands.forget(name)
         self.acted = True
 
-    def _do_expel(self, given: Mapping[str, Any]) -> str:
+    def _expel(self, slot: int) -> str:
         """Of whoever was started here only the place is freed, so that it can come back; others are sent away."""
-        slot = _requests.slot_of(given, self._scene.own)
-        name = self._names[slot]
+        name = self._name_of(slot)
         elsewhere = slot not in self._alive(self.opened.host.roster)
         self.opened.host.expel(name, ban=elsewhere)
         if name in self.members and name not in self._killed:
-            self._kill(name)
+            self._end(name)
         self.acted = True
         said = f"{name} was sent away for the rest of the session" if elsewhere else f"the place of {name} is free"
         self._say(time.monotonic(), said)
         return said
 
-    def _do_revive(self, given: Mapping[str, Any]) -> str:
-        name = self._name_of(given)
+    def _revive(self, name: str) -> str:
         if name in self.members and name not in self._killed:
             raise SessionError(f"{name} runs already")
         self._begin(name)
         return f"{name} joins again"
 
-    def _do_links(self, given: Mapping[str, Any]) -> str:
-        links = _requests.links_of(given, self._choices, len(self._names))
+    def _link(self, command: ChooseLinks) -> str:
+        links = _requests.links_of(command, self._choices, len(self._names))
         try:
             self.opened.host.choose(links)
         except NetworkError as error:
@@ -317,8 +335,7 @@ class DemoSessionApi(SteeredMembers):
         pairs = ", ".join(f"{a + 1}-{b + 1}" for a, b in self.opened.host.roster.links)
         return f"linked are {pairs or 'none'}"
 
-    def _do_damping(self, given: Mapping[str, Any]) -> str:
-        fraction = _requests.fraction_of(given)
+    def _damp(self, fraction: float) -> str:
         self._damping.give(fraction)
         now = time.monotonic()
         if fraction < 1.0:

@@ -2,22 +2,22 @@
 
 import os
 import time
-from collections.abc import Generator, Mapping, Sequence
+from collections.abc import Generator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any, final
+from typing import final
 
 from cotouch.control import Invitation, ZenohControl
 from cotouch.errors import SessionError
 from cotouch.hands import usual_stiffness
 from cotouch.members import SessionFile, SessionWatch, SharedModel
-from cotouch.observers import MailboxFolder, Overview, Scene, mailbox_folder
+from cotouch.observers import Command, MailboxFolder, Overview, Scene, mailbox_folder
 from cotouch.samples import Identity
 from cotouch.session import _requests
 from cotouch.session._join import fetch_session
 from cotouch.session._process import MemberProcess
-from cotouch.session._steered import Doing, SteeredMembers
+from cotouch.session._steered import SteeredMembers
 
 
 @final
@@ -128,21 +128,18 @@ class MemberSessionApi(SteeredMembers):
     def hold_damping(self, on: bool) -> None:
         """Nothing: damping is not lowered from here."""
 
-    def _name_of(self, given: Mapping[str, Any]) -> str:
-        slot = self.slot
-        if slot is None:
+    def _name_of(self, slot: int) -> str:
+        own = self.slot
+        if own is None:
             raise SessionError(f"{self._name} does not move yet; wait a moment")
-        _requests.slot_of(given, (slot,))
+        _requests.slot_among(slot, (own,))
         return self._name
-
-    def _doing(self) -> Doing:
-        return {"hand": self._do_hand, "record": lambda given: self._jobs.ask(lambda: self._do_record(given))}
 
     def _acts(self) -> None:
         """Nothing here waits for somebody to act."""
 
-    def _refusal(self, what: str, known: str) -> str:
-        return f'"{what}" is for the host\'s page; here can be done: {known}'
+    def _do_more(self, command: Command) -> str:
+        raise SessionError(f'"{command.what}" is for the host\'s page; here can be done: hand, record')
 
 
 @contextmanager

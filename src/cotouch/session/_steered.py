@@ -3,28 +3,34 @@
 import time
 from abc import ABC, abstractmethod
 from collections import deque
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
 
 from cotouch.body import Body
-from cotouch.errors import SessionError
 from cotouch.members import Pair, SessionEvent, SessionFile, SessionWatch
 from cotouch.observers import (
+    ChooseLinks,
+    Command,
     CommandClient,
     CopyView,
+    Cut,
+    Expel,
+    Impair,
     Jobs,
+    Kill,
     LastMoment,
     MailboxFolder,
+    MoveHand,
     Overview,
     Pointer,
     RecordingClient,
+    Revive,
+    SetDamping,
+    SetRecording,
 )
 from cotouch.session import _requests
 
 _MOST_EVENTS = 200
-
-Doing = Mapping[str, Callable[[Mapping[str, Any]], str]]
 
 
 class SteeredMembers(ABC):
@@ -107,51 +113,47 @@ class SteeredMembers(ABC):
         Raises:
             SessionError: nothing can be done for this slot from here, or a number is wrong.
         """
-        name = self._name_of({"slot": slot})
+        name = self._name_of(slot)
         self._acts()
         self._commands.point(name, _requests.checked(pointer, self._body))
 
-    def do(self, what: str, arguments: Mapping[str, Any]) -> str:
+    def do(self, command: Command) -> str:
         """See `SessionApi.do`; waits for the loop where it has to do it.
 
         Args:
-            what: name of the request.
-            arguments: of the request.
+            command: what to do.
 
         Raises:
             SessionError: it cannot be done.
         """
-        doing = self._doing()
-        if what not in doing:
-            raise SessionError(self._refusal(what, ", ".join(doing)))
         self._acts()
-        return doing[what](arguments)
-
-    def _do_hand(self, given: Mapping[str, Any]) -> str:
-        name = self._name_of(given)
-        mode, node, to = _requests.hand_of(given, self._body)
-        self._commands.hand(name, mode, node=node, to=to)
-        return f"{name} {_requests.WORDS[mode]}"
-
-    def _do_record(self, given: Mapping[str, Any]) -> str:
-        return self._recording.switch(_requests.flag_of(given), time.monotonic())
+        match command:
+            case MoveHand():
+                name = self._name_of(command.slot)
+                _requests.check_hand(command, self._body)
+                self._commands.hand(name, command.mode, node=command.node, to=command.to)
+                return f"{name} {_requests.WORDS[command.mode]}"
+            case SetRecording():
+                return self._jobs.ask(lambda: self._recording.switch(command.on, time.monotonic()))
+            case _:
+                return self._do_more(command)
 
     @abstractmethod
     def _acts(self) -> None:
         """Somebody acts now."""
 
     @abstractmethod
-    def _name_of(self, given: Mapping[str, Any]) -> str:
-        """Of the member whose slot a request names.
+    def _name_of(self, slot: int) -> str:
+        """Of the member that has a slot.
 
         Raises:
-            SessionError: it names none that is steered from here.
+            SessionError: none has that is steered from here.
         """
 
     @abstractmethod
-    def _doing(self) -> Doing:
-        """What can be done from here, by its name."""
+    def _do_more(self, command: Impair | Cut | Kill | Revive | Expel | ChooseLinks | SetDamping) -> str:
+        """Does what not everybody can who steers members.
 
-    @abstractmethod
-    def _refusal(self, what: str, known: str) -> str:
-        """What to say of a request that is not known here."""
+        Raises:
+            SessionError: it cannot be done.
+        """

@@ -3,8 +3,9 @@
 from cotouch.simulation._animation import HTML, Animation, PortTracks, ToolTracks, UserSeries
 from cotouch.simulation._batch import Outcome, Traffic, run_batch
 from cotouch.simulation._body_report import body_report, save_body_figure
-from cotouch.simulation._figures import FIGURES, figures, save_figures
+from cotouch.simulation._figures import FIGURES, figures, save_figures, shade_hold
 from cotouch.simulation._law_setup import facts_of, given_law
+from cotouch.simulation._layout import TOOL_LEDGER, USER_LEDGER
 from cotouch.simulation._metrics import (
     at_times,
     discrepancy,
@@ -21,11 +22,13 @@ from cotouch.simulation._prepare import Prepared, prepare, with_hands, with_law
 from cotouch.simulation._result import dataset, save, simulate
 from cotouch.simulation._schedule import Schedule, schedule
 from cotouch.simulation._shown import animation, frame_rate
-from cotouch.simulation._tables import tables
+from cotouch.simulation._tables import tables  # pyright: ignore[reportUnknownVariableType]  pandas has no types
 
 __all__ = [
     "FIGURES",
     "HTML",
+    "TOOL_LEDGER",
+    "USER_LEDGER",
     "Animation",
     "Outcome",
     "PeerRun",
@@ -57,6 +60,7 @@ __all__ = [
     "save_figures",
     "schedule",
     "settling_time",
+    "shade_hold",
     "simulate",
     "summary",
     "tables",

@@ -16,7 +16,7 @@ from cotouch import drawing
 from cotouch.body import Skin
 from cotouch.errors import BodyError, InputError, NetworkError
 from cotouch.files import prepare, write
-from cotouch.mechanics import Box, Plane, Shape
+from cotouch.mechanics import Box, Plane, Plate, Shape
 from cotouch.simulation._animation_checks import (
     Float,
     Int,
@@ -345,16 +345,16 @@ class Animation:
 
 
 def _around(shapes: Sequence[Shape]) -> dict[str, Any]:
-    """Height of the highest level floor, and the boxes: centre, half sides and directions of the sides."""
+    """Height of the highest level floor, and boxes: centre, half sides and directions of the sides, and any hole."""
     level = [
         shape.point[2]
         for shape in shapes
         if isinstance(shape, Plane) and shape.normal[2] > _LEVEL * np.hypot(*shape.normal[:2])
     ]
-    boxes = [shape.packed((0.0, 0.0, 0.0)) for shape in shapes if isinstance(shape, Box)]
+    boxes = [shape.packed((0.0, 0.0, 0.0)) for shape in shapes if isinstance(shape, Box | Plate)]
     return {
         "floor": max(level, default=None),
-        "boxes": [{"centre": box[:3], "half": box[3:6], "turn": box[6:]} for box in boxes],
+        "boxes": [{"centre": box[:3], "half": box[3:6], "turn": box[6:15], "hole": box[15:]} for box in boxes],
     }
 
 

@@ -1,6 +1,6 @@
 """What an animation is made of, checked: sizes, indices and finite numbers."""
 
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import numpy.typing as npt
@@ -33,7 +33,7 @@ def numbers_of(
         kind: of the numbers.
     """
     try:
-        array = np.array(values, dtype=kind, order="C")
+        array: npt.NDArray[Any] = np.array(values, dtype=cast("Any", kind), order="C")
     except (TypeError, ValueError, OverflowError) as reason:
         raise error(f"{name} are not an array of numbers ({reason})") from reason
     if finite and not np.isfinite(array).all():

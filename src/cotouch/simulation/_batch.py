@@ -10,7 +10,7 @@ import numpy.typing as npt
 from cotouch.arrays import Float
 from cotouch.errors import ScenarioError
 from cotouch.interrupt import check, flag
-from cotouch.mechanics import LEDGER_COLUMNS, Ports, workspace
+from cotouch.mechanics import LEDGER_COLUMNS, Ports
 from cotouch.scenario import ToolRecord, tool_record
 from cotouch.simulation._ends import Ends
 from cotouch.simulation._engine import run
@@ -142,7 +142,7 @@ def run_batch(prepared: Prepared) -> Outcome:
             push=np.zeros((ports, width)),
             force=np.zeros((ports, width)),
         ),
-        work=workspace(ready.operator, width, int(np.diff(hands.first).max(initial=0)), closed=ready.force is not None),
+        work=ready.workspace(int(np.diff(hands.first).max(initial=0))),
         ledger=np.zeros(LEDGER_COLUMNS),
         link_work=np.zeros(slots),
         slot=np.zeros(slots, dtype=np.int64),

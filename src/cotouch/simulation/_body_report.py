@@ -1,3 +1,5 @@
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false, reportUnknownParameterType=false
+# matplotlib's axes in three dimensions have no types
 """What was understood of a body: its numbers, and a picture."""
 
 import itertools
@@ -52,8 +54,10 @@ def body_report(body: Body, modes: int = _MODES) -> tuple[dict[str, Any], Float]
     if origin is None:
         raise ScenarioError("the body was not made from a mesh; there is nothing to tell about its origin")
     rigid = origin.free if body.form == "full" else int(origin.free > 0)
-    values, shapes = lowest_modes(body.mass, body.stiffness, body.rest, rigid + modes)
-    values, shapes = values[rigid:], shapes[:, rigid:]
+    values, shapes = np.zeros(0), np.zeros((body.mass.shape[0], 0))
+    if not body.rigid:
+        values, shapes = lowest_modes(body.mass, body.stiffness, body.rest, rigid + modes)
+        values, shapes = values[rigid:], shapes[:, rigid:]
     copies = 1 if body.form == "full" else body.dimension
     fields = np.zeros((values.size, body.nodes, body.dimension))
     if copies == 1:
@@ -72,6 +76,7 @@ def body_report(body: Body, modes: int = _MODES) -> tuple[dict[str, Any], Float]
         "size_m": origin.size.tolist(),
         "volume_m3": origin.volume,
         "mass_kg": float(body.mass.sum()) / (1 if body.form == "node" else body.dimension),
+        "inertia_kgm2": _inertia(body),
         "skin": None
         if body.skin is None
         else {"vertices": body.skin.vertices.shape[0], "triangles": body.skin.triangles.shape[0]},
@@ -81,6 +86,14 @@ def body_report(body: Body, modes: int = _MODES) -> tuple[dict[str, Any], Float]
         "times_each": copies,
     }
     return numbers, fields
+
+
+def _inertia(body: Body) -> list[float]:
+    """Moments about the principal axes, of all its nodes, ascending."""
+    mass = body.mass.diagonal().reshape(body.nodes, -1)[:, :1]
+    about = body.rest - (mass * body.rest).sum(axis=0) / mass.sum()
+    spread = (mass * about).T @ about
+    return np.linalg.eigvalsh(np.trace(spread) * np.eye(3) - spread).tolist()
 
 
 def save_body_figure(body: Body, numbers: dict[str, Any], fields: Float, directory: Path) -> Path:
@@ -114,7 +127,7 @@ def _figure(body: Body, numbers: dict[str, Any], fields: Float) -> "Figure":
     size = " × ".join(f"{extent / factor:.3g}" for extent in origin.size)
     _title(figure, 0.02, 0.975, f"{Path(origin.source).name}: {size} {unit}, {_mass(numbers['mass_kg'])}")
     _surface(panels[0], vertices, triangles)
-    what = "cells" if origin.kind == "surface" else "tetrahedra"
+    what = "triangles" if body.rigid else "cells" if origin.kind == "surface" else "tetrahedra"
     held = f", {origin.held.size:,} held" if origin.held.size else ", held by nothing"
     _title(figure, 0.52, 0.975, f"{body.nodes:,} nodes of {origin.elements:,} {what}{held}")
     _surface(panels[1], vertices, triangles, alpha=0.07)

@@ -115,7 +115,7 @@ def _clock(lengths: Float) -> Float:
     """When all have taken each step of a common index: with the slowest user."""
     slowest = lengths.max(axis=0)
     if slowest.size and (slowest == slowest[0]).all():
-        return slowest * np.arange(1, slowest.size + 1)
+        return slowest * np.arange(1, int(slowest.size) + 1)
     return np.cumsum(slowest)
 
 

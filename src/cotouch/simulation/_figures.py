@@ -1,3 +1,5 @@
+# pyright: reportUnknownMemberType=false
+# matplotlib's keywords have no types
 """Figures of a run: positions, forces, energies and ages."""
 
 import json

@@ -103,7 +103,8 @@ def at_times(run: "xr.Dataset", variable: str, times: Float) -> Float:
         if flat.shape[0] == times.size and np.array_equal(time[known], times):
             columns.append(values)
             continue
-        moved = np.stack([np.interp(times, time[known], flat[:, c]) for c in range(flat.shape[1])], axis=1)
+        lines: list[Float] = [np.interp(times, time[known], flat[:, c]) for c in range(flat.shape[1])]
+        moved = np.stack(lines, axis=1)
         columns.append(moved.reshape(times.size, *values.shape[1:]))
     return np.stack(columns, axis=1)
 

@@ -111,7 +111,7 @@ def _totals(prepared: Prepared, run: PeerRun, record: Record, start: Float) -> N
     # Of each event: change of what is stored, supplied, dissipated, done by links, lost in the damping B_i.
     steps = np.zeros((timing.order.size, 5))
     for event, i in enumerate(timing.order):
-        report = run.reports[i][following[i]]
+        report = run.reports[int(i)][int(following[i])]
         following[i] += 1
         energy = report.kinetic + report.elastic
         losses = report.body_loss + report.local_loss + report.extra_loss

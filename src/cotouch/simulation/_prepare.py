@@ -246,14 +246,14 @@ def _recorded(scenario: Scenario, body: Body) -> Int:
     if asked == "all":
         return np.arange(body.nodes, dtype=np.int32)
     if asked is None:
-        if body.nodes <= _ALL_NODES:
+        if body.nodes <= _ALL_NODES and not body.rigid:
             return np.arange(body.nodes, dtype=np.int32)
         held = {hand.node for hand in scenario.hands}
         for tool in scenario.tools:
             held.add(1 + int(np.argmin(np.linalg.norm(body.rest - np.array(tool.at), axis=1))))
-        held = held or {1}
+        held |= {1, 2, 3, 4} if body.rigid else set() if held else {1}
         return np.array(sorted(held), dtype=np.int32) - 1
     for number in asked:
-        if number > body.nodes:
+        if number > body.holds:
             raise ScenarioError(f"record.nodes names node {number}; the body has nodes 1 to {body.nodes}")
     return np.array(sorted(set(asked)), dtype=np.int32) - 1

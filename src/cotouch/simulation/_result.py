@@ -124,7 +124,7 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
     # Entry r of user i exists once step r * every is taken; what was not reached is NaN.
     taken = outcome.taken // every
     gaps = bool((taken < records - 1).any())
-    everyone = np.arange(users)
+    everyone = np.arange(int(users))
     data: dict[str, tuple[tuple[str, ...], Any]] = {}
 
     def put(name: str, dims: tuple[str, ...], values: npt.NDArray[Any], owner: npt.NDArray[Any] | None = None) -> None:
@@ -138,7 +138,7 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
         shaped = values.reshape(users, records, prepared.nodes.size, -1)[..., :axes]
         if name == "position":
             with np.errstate(invalid="ignore"):  # what was not reached was never written
-                shaped = shaped + body.rest[prepared.nodes] if np.any(body.rest) else shaped
+                shaped = shaped + body.held_rest[prepared.nodes] if np.any(body.rest) else shaped
         put(name, ("user", "step", "node", "axis"), shaped, everyone)
     ledger = USER_LEDGER if outcome.tools is None else USER_LEDGER + TOOL_LEDGER
     ledger = ledger if prepared.model.force is None else ledger + CLOSED_BOOKS
@@ -225,7 +225,7 @@ def _hand_forces(prepared: Prepared, force: Float, axes: int) -> Float:
     if ports.shape[1] > 1:
         return np.ascontiguousarray(force[ports, :, 0].transpose(0, 2, 1))
     own = ports[:, 0]
-    return force[..., :axes] if np.array_equal(own, np.arange(force.shape[0])) else force[own, :, :axes]
+    return force[..., :axes] if np.array_equal(own, np.arange(int(force.shape[0]))) else force[own, :, :axes]
 
 
 def _attributes(prepared: Prepared, outcome: Outcome, ticks: int) -> dict[str, Any]:

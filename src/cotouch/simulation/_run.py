@@ -1,3 +1,5 @@
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownParameterType=false
+# pandas has no types
 """A run as xarray has it, but for one method that would cross dimensions which have nothing to do with each other."""
 
 from math import prod

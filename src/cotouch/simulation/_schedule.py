@@ -164,7 +164,8 @@ def _freshest(scenario: Scenario, network: Network, slots: Slots) -> Schedule:
     length = step_lengths(scenario, network.size, common=False)
     end = np.cumsum(length, axis=1)
     if scenario.steps.random is None:
-        end = length * np.arange(1, length.shape[1] + 1)  # products, not sums: step 10,000 of 1 ms ends at 10 s exactly
+        # Products, not sums: step 10,000 of 1 ms ends at 10 s exactly.
+        end = length * np.arange(1, int(length.shape[1]) + 1)
     limit = scenario.steps.duration * (1.0 + 1e-12) + 1e-12
     count = np.array([np.searchsorted(row, limit, side="right") for row in end])
     steps = int(count.max())
@@ -199,13 +200,13 @@ def _finish(
     if mode != "freshest" or (end == end[0]).all():
         order = np.tile(np.arange(users, dtype=np.int32), steps)
         if count.min() < steps:
-            index = np.repeat(np.arange(steps), users)
+            index = np.repeat(np.arange(int(steps)), int(users))
             order = order[index < count[order]]
     else:
         owner = np.concatenate([np.full(n, i, dtype=np.int32) for i, n in enumerate(count)])
         moment = np.concatenate([end[i, :n] for i, n in enumerate(count)])
         order = owner[np.argsort(moment, kind="stable")]
-    ring = ring_size(order, slots.first, slots.sender, used, np.zeros(users, np.int32))
+    ring = ring_size(order, slots.first, slots.sender, used, np.zeros(int(users), np.int32))
     return Schedule(
         mode=mode,
         slots=slots,

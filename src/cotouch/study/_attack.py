@@ -85,7 +85,7 @@ def worst_force(network: Network, *, period: float, corners: int = CORNERS, **sy
     beside_by = np.eye(corners, k=1) + np.eye(corners, k=-1)
     size = np.kron(np.eye(users), alone * np.eye(corners) + beside * beside_by)
     least, profile = linalg.eigh((form + form.T) / 2.0, size, subset_by_index=(0, 0))
-    shape = canonical(least, profile, size, 0.0)[:, 0].reshape(users, corners)
+    shape = canonical(least, profile, size.astype(np.float64), 0.0)[:, 0].reshape(users, corners)
     hands = [_hand(i, [0.0, *shape[i].tolist(), 0.0]) for i in range(users)]
     return Attack(
         profiles=users * corners,

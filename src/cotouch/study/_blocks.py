@@ -14,9 +14,7 @@ import numpy.typing as npt
 
 from cotouch.arrays import Float
 from cotouch.device import DEVICE_LEDGER, excess_bound
-from cotouch.simulation import Prepared
-from cotouch.simulation._batch import Outcome
-from cotouch.simulation._layout import TOOL_LEDGER, USER_LEDGER
+from cotouch.simulation import TOOL_LEDGER, USER_LEDGER, Outcome, Prepared
 
 Int = npt.NDArray[np.int64]
 
@@ -149,7 +147,7 @@ def blocks(prepared: Prepared, outcome: Outcome) -> Blocks:
     assert touching is not None
     assert tools is not None
     assert record.every == 1
-    users = record.users.shape[1]
+    users = int(record.users.shape[1])
     owner = np.repeat(np.arange(users), np.diff(touching.first))
     joined = touching.couplings.device >= 0
     drive, touched = record.users[_BOOK["drive_work"]], record.users[_BOOK["touch_work"]]
@@ -171,7 +169,7 @@ def blocks(prepared: Prepared, outcome: Outcome) -> Blocks:
     direct = drive - of_users(pulled)
     order = np.asarray(prepared.schedule.order[: outcome.events], dtype=np.int64)
     step = _steps(order, users)
-    reached = np.arange(record.users.shape[2])[None, :] <= outcome.taken[:, None]
+    reached = np.arange(int(record.users.shape[2]))[None, :] <= outcome.taken[:, None]
 
     def in_order(values: Float) -> Float:
         return np.cumsum(values[order, step] - values[order, step - 1])

@@ -1,3 +1,5 @@
+# pyright: reportUnknownMemberType=false
+# matplotlib's keywords have no types
 """The figures of the report."""
 
 from collections.abc import Sequence
@@ -7,7 +9,7 @@ import numpy as np
 
 from cotouch import drawing
 from cotouch.network import Network
-from cotouch.simulation._figures import shade_hold
+from cotouch.simulation import shade_hold
 from cotouch.study._bound import Bound
 from cotouch.study._certificates import Certificates
 from cotouch.study._errata import Errata
@@ -373,9 +375,12 @@ def consensus(found: Errata) -> "Figure":
     panels = figure.subplots(1, 2, sharex=True, sharey=True)
     titles = {"best": "Best graph: everyone agrees", "echo": f"{found.echo[0]}: echoes of period {found.echo[1]}"}
     for panel, (name, states) in zip(panels, found.consensus.items(), strict=True):
-        time = np.arange(states.shape[0]) * TIME_UNIT
+        time = (np.arange(int(states.shape[0])) * TIME_UNIT).astype(np.float64)
         for user in range(states.shape[1]):
-            panel.plot(*drawing.decimate(time, states[:, user], 1000), **{**drawing.user_line(user), "linewidth": 0.7})
+            panel.plot(
+                *drawing.decimate(time, states[:, user], 1000),
+                **{**drawing.user_line(user), "linewidth": 0.7},
+            )
         panel.set(title=titles[name], xlabel="Time / s", xlim=(0.0, float(time[-1])))
     panels[0].set_ylabel("State p_i")
     return figure

@@ -9,8 +9,7 @@ import numpy.typing as npt
 from cotouch.arrays import Float
 from cotouch.network import Network
 from cotouch.scenario import Mode
-from cotouch.simulation import Prepared, prepare
-from cotouch.simulation._batch import Outcome, run_batch
+from cotouch.simulation import Outcome, Prepared, prepare, run_batch
 from cotouch.study._blocks import Blocks, blocks
 from cotouch.study._data import five_users
 from cotouch.study._scene import DURATION, FRAMES, RELEASE, SHAPE, SMALL, SPACING, scene
@@ -200,7 +199,7 @@ def _rest(prepared: Prepared, outcome: Outcome) -> Rest:
     reach = np.array([tool.radius for tool in prepared.scenario.tools]) + 1.5 * SPACING
     away = np.linalg.norm(body.rest + copies - place[:, None], axis=2)  # of every node in each user's copy
     away = np.where(away <= reach[:, None], away, np.inf)
-    nearest = np.where(np.isfinite(away.min(axis=0)), away.argmin(axis=0), users)
+    nearest = np.where(np.isfinite(away.min(axis=0)), away.argmin(axis=0), int(users))
     off = float(np.linalg.norm(pulled[nearest == users], axis=1).sum())
     for user in range(users):
         off += float(np.linalg.norm(pulled[nearest == user].sum(axis=0) - force[user]))

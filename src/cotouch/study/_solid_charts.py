@@ -1,3 +1,5 @@
+# pyright: reportUnknownMemberType=false
+# matplotlib's keywords have no types
 """The figures of the chapter in three dimensions."""
 
 from typing import TYPE_CHECKING, Any
@@ -39,7 +41,7 @@ def copies(found: Solid) -> "Figure":
     figure = drawing.sheet(4.3)
     panels = figure.subplots(2, 3).ravel()
     mean = rest.copies.mean(axis=0)
-    everyone = np.arange(rest.place.shape[0])
+    everyone = np.arange(int(rest.place.shape[0]))
     for user, panel in enumerate(panels[:-1]):
         back = user == _BACK
         _solid(panel, found, rest.copies[user], everyone[user : user + 1], turn=_TURN + 180.0 if back else _TURN)

@@ -11,7 +11,7 @@ from typing import Any, Final, final
 
 from cotouch import __version__
 from cotouch.errors import CotouchError, PageError
-from cotouch.observers import CopyView, SessionApi
+from cotouch.observers import Command, CopyView, MoveHand, SessionApi, SetDamping
 from cotouch.web._access import Access
 from cotouch.web._control import Control
 from cotouch.web._frames import FrameEncoder
@@ -188,8 +188,12 @@ class Hub:
             page: whose.
             message: what the page said.
         """
-        refused = self._refused(page, message)
-        if refused is None and message.what == "control":
+        try:
+            command = self._allowed(page, message)
+        except CotouchError as error:
+            page.tell(type="answer", id=message.id, ok=False, text=str(error))
+            return
+        if command is None:
             took = self._control.take(page)
             text = (
                 "this page has the control"
@@ -198,11 +202,9 @@ class Hub:
             )
             page.tell(type="answer", id=message.id, ok=took, text=text)
             self._show_state()
-        elif refused is not None:
-            page.tell(type="answer", id=message.id, ok=False, text=refused)
         else:
             page.answering += 1
-            self._spawn(self._do(page, message))
+            self._spawn(self._do(page, message.id, command))
 
     async def farewell(self) -> None:
         """Tells every page how things are at the end; returns when all that was handed over is out."""
@@ -217,21 +219,27 @@ class Hub:
             self._lapse(self._lowering)
         self._work.shutdown(wait=False, cancel_futures=True)
 
-    def _refused(self, page: Page, message: Do) -> str | None:
+    def _allowed(self, page: Page, message: Do) -> Command | None:
+        """What a page wants and may have; None: the control.
+
+        Raises:
+            CotouchError: it may not, or it is no command.
+        """
         if not page.acts:
-            return _WATCH_ONLY
-        if message.what == "control":
+            raise PageError(_WATCH_ONLY)
+        if message.control:
             return None
         if message.what not in self.scene.may:
-            return f'"{message.what}" cannot be done here; {", ".join(sorted(self.scene.may)) or "nothing"} can'
+            can = ", ".join(sorted(self.scene.may)) or "nothing"
+            raise PageError(f'"{message.what}" cannot be done here; {can} can')
         if self._control.of(page) == "other":
-            return "another page has the control; take it over first"
-        slot = message.arguments.get("slot")
-        if message.what == "hand" and isinstance(slot, int) and not self._control.free_for(page, slot):
-            return f"another page moves the hand of user {slot + 1}"
+            raise PageError("another page has the control; take it over first")
+        command = message.command()
+        if isinstance(command, MoveHand) and not self._control.free_for(page, command.slot):
+            raise PageError(f"another page moves the hand of user {command.slot + 1}")
         if page.answering >= _ASKED:
-            return f"{_ASKED} things are being done for this page already; wait until one is done"
-        return None
+            raise PageError(f"{_ASKED} things are being done for this page already; wait until one is done")
+        return command
 
     def _lapse(self, page: Page) -> None:
         """A page is gone, or no better: what it lowered is restored at once."""
@@ -259,22 +267,21 @@ class Hub:
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)
 
-    async def _do(self, page: Page, message: Do) -> None:
+    async def _do(self, page: Page, number: int, command: Command) -> None:
         loop = asyncio.get_running_loop()
         try:
-            text = await loop.run_in_executor(self._work, self.api.do, message.what, message.arguments)
+            text = await loop.run_in_executor(self._work, self.api.do, command)
             ok = True
         except CotouchError as error:
             ok, text = False, str(error)
         except Exception as error:  # noqa: BLE001 - a page must not wait for ever for whatever went wrong
-            ok, text = False, f"{message.what} failed inside cotouch: {type(error).__name__}"
-        if ok and message.what == "damping":
-            fraction = message.arguments.get("fraction")
-            self._lowering = page if isinstance(fraction, int | float) and fraction < 1.0 else None
+            ok, text = False, f"{command.what} failed inside cotouch: {type(error).__name__}"
+        if ok and isinstance(command, SetDamping):
+            self._lowering = page if command.fraction < 1.0 else None
             if page not in self._pages:  # it left meanwhile
                 self._lapse(page)
         page.answering -= 1
-        page.tell(type="answer", id=message.id, ok=ok, text=text)
+        page.tell(type="answer", id=number, ok=ok, text=text)
         if self._pages:
             self._show_state()
 

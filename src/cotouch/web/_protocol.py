@@ -8,7 +8,8 @@ from typing import Annotated, Any, Final, Literal, NamedTuple, final
 from pydantic import Field, ValidationError
 
 from cotouch.errors import PageError
-from cotouch.observers import HAND_MODES, HandMode
+from cotouch.files import table_of
+from cotouch.observers import HAND_MODES, Command, HandMode, read_command
 from cotouch.scenario import Table
 
 VERSION: Final = 2
@@ -55,13 +56,17 @@ class PointerMessage:
         Raises:
             PageError: it is none.
         """
-        _, self.slot, action, zero, self.number, self.point, x, y, z, radius, stiffness, sent = _POINTER.unpack(message)
+        parts: tuple[Any, ...] = _POINTER.unpack(message)
+        _, slot, action, zero, number, point, x, y, z, radius, stiffness, sent = parts
         if action >= len(_ACTIONS) or zero:
             raise PageError(f"the pointer's action is {action}; it must be 0, 1 or 2, and the byte after it 0")
         if not (abs(x) <= _FAR and abs(y) <= _FAR and abs(z) <= _FAR):
             raise PageError(f"the pointer's target is {x}, {y}, {z}; it must be within {_FAR:.0f} m")
         if not (0.0 <= radius <= _FAR and 0.0 <= stiffness <= _STIFF and math.isfinite(sent)):
             raise PageError(f"the pointer's radius or stiffness is {radius} or {stiffness}, or its time {sent}")
+        self.slot: int = slot
+        self.number: int = number
+        self.point: int = point
         self.mode: HandMode = _ACTIONS[action]
         self.target: tuple[float, float, float] = (x, y, z)
         self.radius: float = radius
@@ -106,19 +111,39 @@ class Hello(Table):
 
 @final
 class Do(Table):
-    """What a page asks for; the rest of the message are arguments of `SessionApi.do`.
+    """What a page asks for; the rest of the message are the parts of a command.
 
     Attributes:
         type: "do".
         id: comes back with the answer.
-        what: see `SessionApi.do`; "control" is the server's own.
-        arguments: all other entries.
+        what: a command of `SessionApi.do`, or "control", which is the server's own: this page is to lead its slot.
+        parts: all other entries.
     """
 
     type: Literal["do"]
     id: Annotated[int, Field(ge=0, lt=1 << 53)]
     what: Annotated[str, Field(pattern=r"^[a-z]{1,20}$")]
-    arguments: dict[str, Any] = Field(default_factory=dict[str, Any])
+    parts: dict[str, Any] = Field(default_factory=dict[str, Any])
+
+    def command(self) -> Command:
+        """What the session is to do.
+
+        Raises:
+            SessionError: it is no command.
+        """
+        return read_command({**self.parts, "what": self.what})
+
+    @property
+    def control(self) -> bool:
+        """Whether it is `TakeControl`."""
+        return self.what == "control" and not self.parts
+
+
+@final
+class TakeControl(Table):
+    """This page is to lead its slot, whoever led it before; the server's own, no command of a session."""
+
+    what: Literal["control"] = "control"
 
 
 _DO_FIELDS = ("type", "id", "what")
@@ -150,14 +175,12 @@ def read_text(message: str) -> Hello | Do:
         PageError: it is nothing that can be asked for.
     """
     try:
-        content = json.loads(message, parse_constant=_refuse)
-        if not isinstance(content, dict):
+        content = table_of(json.loads(message, parse_constant=_refuse))
+        if content is None:
             raise PageError("a text message must be one JSON object")
         if content.get("type") == "do":
             rest = {name: value for name, value in content.items() if name not in _DO_FIELDS}
-            return Do.model_validate(
-                {name: content[name] for name in _DO_FIELDS if name in content} | {"arguments": rest}
-            )
+            return Do.model_validate({name: content[name] for name in _DO_FIELDS if name in content} | {"parts": rest})
         return Hello.model_validate(content)
     except ValidationError as error:
         first = error.errors()[0]

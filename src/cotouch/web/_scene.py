@@ -5,7 +5,9 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.body import Body
 from cotouch.device import NOTICED_DRAG
 from cotouch.members import Status, felt
@@ -27,8 +29,8 @@ def scene_message(scene: Scene, *, version: str, started: str, acts: bool, page:
         page: where other devices find the page, without the token; None: they do not.
     """
     body = scene.body
-    rest = np.zeros((body.nodes, 3), np.float64)
-    rest[:, : body.dimension] = body.rest
+    rest = np.zeros((body.holds, 3), np.float64)
+    rest[:, : body.dimension] = body.held_rest
     skin = body.skin
     drawn = rest if skin is None else skin.vertices
     low, high = drawn.min(axis=0, initial=np.inf), drawn.max(axis=0, initial=-np.inf)
@@ -44,7 +46,7 @@ def scene_message(scene: Scene, *, version: str, started: str, acts: bool, page:
         "acts": acts,
         "invitation": scene.invitation if acts else None,
         "page": page if acts else None,
-        "nodes": {"count": body.nodes, "rest": _packed(rest, "<f4")},
+        "nodes": {"count": body.holds, "rest": _packed(rest, "<f4")},
         "skin": None
         if skin is None
         else {
@@ -62,20 +64,22 @@ def scene_message(scene: Scene, *, version: str, started: str, acts: bool, page:
     }
 
 
-def nodes_of_points(body: Body) -> np.ndarray:
+def nodes_of_points(body: Body) -> npt.NDArray[np.integer[Any]]:
     """The node that carries most of each drawn point, (points,)."""
+    if body.rigid and body.skin is not None:
+        return body.nodes + np.arange(body.skin.vertices.shape[0])
     if body.skin is None:
         return np.arange(body.nodes)
     best = np.argmax(body.skin.weights, axis=1)
     return np.take_along_axis(body.skin.nodes, best[:, None], axis=1)[:, 0]
 
 
-def beside_nodes(body: Body) -> np.ndarray:
+def beside_nodes(body: Body) -> Float:
     """From each drawn point's node to the point, at rest, (points, 3) [m]."""
     if body.skin is None:
         return np.zeros((body.nodes, 3))
-    rest = np.zeros((body.nodes, 3))
-    rest[:, : body.dimension] = body.rest
+    rest = np.zeros((body.holds, 3))
+    rest[:, : body.dimension] = body.held_rest
     return np.asarray(body.skin.vertices) - rest[nodes_of_points(body)]
 
 

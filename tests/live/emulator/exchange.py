@@ -12,7 +12,7 @@ import struct
 import sys
 import time
 
-from cotouch.control._control import Message, Relayed
+from cotouch.control import Message, Relayed
 from cotouch.samples import Identity
 
 FRAME = struct.Struct(">HB32s")

@@ -143,7 +143,7 @@ def _serve(run: Run, law: Law, given: Mapping[str, float | str]) -> float:
     count, steps = run.mean.shape
     longest = (run.delay + run.delay.T).max(axis=1)
     place = int(np.argmin(longest))
-    everyone = np.arange(count)
+    everyone = np.arange(int(count))
     other = np.where(everyone == place, (place + 1) % count, everyone)
     spring = run.spring[place, other]
     used = np.empty((2 * count, steps), dtype=np.int32)
@@ -155,7 +155,7 @@ def _serve(run: Run, law: Law, given: Mapping[str, float | str]) -> float:
     ages[[2 * place, 2 * place + 1]] = 1.5 * run.T
     parameters: list[list[float]] = []
     for end in range(2 * count):
-        age = run.T * (np.arange(steps) + 0.5 - used[end])[used[end] >= 0]
+        age = run.T * (np.arange(int(steps)) + 0.5 - used[end])[used[end] >= 0]
         facts = Facts(
             spring=float(spring[end // 2]),
             age=float(ages[end]),

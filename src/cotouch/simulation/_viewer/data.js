@@ -14,7 +14,7 @@
  * @property {{name: string, unit: string}[]} series
  * @property {{displacement: number, difference: number}} peaks [m]
  * @property {number | null} floor height of what the object can lie on; null: nothing [m]
- * @property {{centre: number[], half: number[], turn: number[]}[]} boxes that stand around; directions of the sides, one after the other
+ * @property {{centre: number[], half: number[], turn: number[], hole: number[]}[]} boxes that stand around: directions of the sides, one after the other; of a round hole along the last its radius and place along the others, or nothing
  */
 /** @typedef {{name: string, unit: string, values: ArrayLike<number>}} Series values by frame and user */
 

@@ -14,6 +14,7 @@ class Scene {
     this.run = run;
     this.programs = { surface: program(gl, "surface"), points: program(gl, "points"), edges: program(gl, "edges"), solid: program(gl, "solid"), floor: program(gl, "floor") };
     this.solids = { ball: this.shape(BALL), rod: this.shape(ROD), cone: this.shape(CONE), box: this.shape(BOX) };
+    this.around = run.header.boxes.map(({ half, hole }) => (hole.length ? this.shape(bored(half, hole, 64)) : this.solids.box));
     this.empty = /** @type {WebGLVertexArrayObject} */ (gl.createVertexArray());
     this.corners = this.filled(gl.ELEMENT_ARRAY_BUFFER, run.triangles);
     this.ends = this.filled(gl.ARRAY_BUFFER, run.edges);
@@ -186,10 +187,11 @@ class Scene {
 
   /** What stands around. @param {number[]} color */
   boxes(color) {
-    const { gl } = this, { made, at } = this.programs.solid, { array, count } = this.solids.box;
+    const { gl } = this, { made, at } = this.programs.solid;
     gl.useProgram(made);
-    gl.bindVertexArray(array);
-    for (const { centre, half, turn } of this.run.header.boxes) {
+    for (const [k, { centre, half, turn }] of this.run.header.boxes.entries()) {
+      const { array, count } = this.around[k];
+      gl.bindVertexArray(array);
       gl.uniform4fv(at.color, [...color, 1]);
       gl.uniform3fv(at.scale, half);
       gl.uniform3fv(at.offset, centre);

@@ -45,6 +45,29 @@ const BOX = (() => {
   return { places: new Float32Array(places), normals: new Float32Array(normals), corners: new Uint32Array(corners) };
 })();
 
+/** A box of half sides 1 with a round hole through it along z. @param {number[]} half sides that it will have @param {number[]} hole its radius, and where it is along x and y @param {number} sides of it */
+function bored(half, [radius, x, y], sides) {
+  const outer = { places: [...BOX.places], normals: [...BOX.normals], corners: [...BOX.corners.subarray(0, 24)] }; // not the faces along z
+  const { places, normals, corners } = outer, first = places.length / 3;
+  const ring = Array.from({ length: sides + 1 }, (_, k) => {
+    const c = Math.cos((2 * Math.PI * k) / sides), s = Math.sin((2 * Math.PI * k) / sides);
+    const [u, v] = [(x + radius * c) / half[0], (y + radius * s) / half[1]];
+    const most = Math.max(Math.abs(c), Math.abs(s)); // where the same direction leaves the box
+    return { wall: [u, v], rim: [c / most, s / most], inwards: [-c, -s] };
+  });
+  for (const { wall, rim, inwards } of ring)
+    for (const z of [-1, 1]) {
+      places.push(...wall, z, ...wall, z, ...rim, z);
+      normals.push(...inwards, 0, 0, 0, z, 0, 0, z);
+    }
+  for (let k = 0; k < sides; k++) {
+    const a = first + 6 * k, b = a + 6; // wall, lid and rim below; the same above
+    corners.push(a, a + 3, b + 3, a, b + 3, b);
+    corners.push(a + 1, b + 1, b + 2, a + 1, b + 2, a + 2, a + 4, b + 5, b + 4, a + 4, a + 5, b + 5);
+  }
+  return { places: new Float32Array(places), normals: new Float32Array(normals), corners: new Uint32Array(corners) };
+}
+
 /** @param {WebGL2RenderingContext} gl @param {string} name */
 function program(gl, name) {
   const text = document.getElementById("shaders")?.textContent ?? "";

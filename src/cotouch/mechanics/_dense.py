@@ -1,0 +1,84 @@
+"""Solving for few rows at once, where a law gives its true tangent: a dense matrix on top of what a step assembles."""
+
+from cotouch.arrays import Float
+from cotouch.mechanics._kernel import part
+from cotouch.mechanics._operator import Operator
+from cotouch.mechanics._state import Ports, Workspace
+from cotouch.mechanics._vector import at, put
+
+
+@part
+def solve_dense(op: Operator, ports: Ports, work: Workspace) -> None:
+    """Writes into `mean` what `(D + families + ports + dense) v̂ = rhs` asks for.
+
+    Args:
+        op: the body.
+        ports: what holds the copy.
+        work: `diagonal`, `scale`, `port_gain`, `dense` and `rhs` are read.
+    """
+    rows, matrix, right = op.mass.shape[0], work.factor, work.answer
+    size = 3 * rows
+    for p in range(size):
+        for q in range(size):
+            put(matrix, (p, q), at(work.dense, (p, q)))
+    for i in range(rows):
+        for a in range(3):
+            put(right, 3 * i + a, at(work.rhs, (i, a)))
+        _add(matrix, i, i, at(work.diagonal, i))
+        for family in range(op.entries.shape[0]):
+            for e in range(at(op.pointer, i), at(op.pointer, i + 1)):
+                _add(matrix, i, at(op.column, e), at(work.scale, family) * at(op.entries, (family, e)))
+    if ports.shape.shape[0] > 0:
+        for p in range(ports.first, ports.last):
+            gain = at(work.port_gain, p - ports.first)
+            if gain != 0.0:
+                for i in range(rows):
+                    for j in range(rows):
+                        _add(matrix, i, j, gain * at(ports.shape, (p, i)) * at(ports.shape, (p, j)))
+    _eliminate(matrix, right, size)
+    for i in range(rows):
+        for a in range(3):
+            put(work.mean, (i, a), at(right, 3 * i + a))
+
+
+@part
+def _add(matrix: Float, i: int, j: int, value: float) -> None:
+    for a in range(3):
+        place = (3 * i + a, 3 * j + a)
+        put(matrix, place, at(matrix, place) + value)
+
+
+@part
+def _eliminate(matrix: Float, right: Float, size: int) -> None:
+    """Gauss's elimination with the largest pivot of each column; a column without one is left out."""
+    for k in range(size):
+        best, most = k, abs(at(matrix, (k, k)))
+        for p in range(k + 1, size):
+            if abs(at(matrix, (p, k))) > most:
+                best, most = p, abs(at(matrix, (p, k)))
+        if not most > 0.0:
+            put(matrix, (k, k), 1.0)
+            put(right, k, 0.0)
+            continue
+        if best != k:
+            for q in range(k, size):
+                value = at(matrix, (k, q))
+                put(matrix, (k, q), at(matrix, (best, q)))
+                put(matrix, (best, q), value)
+            value = at(right, k)
+            put(right, k, at(right, best))
+            put(right, best, value)
+        inverse = 1.0 / at(matrix, (k, k))
+        for p in range(k + 1, size):
+            factor = inverse * at(matrix, (p, k))
+            if factor == 0.0:
+                continue
+            for q in range(k + 1, size):
+                put(matrix, (p, q), at(matrix, (p, q)) - factor * at(matrix, (k, q)))
+            put(right, p, at(right, p) - factor * at(right, k))
+    for back in range(size):
+        k = size - 1 - back
+        value = at(right, k)
+        for q in range(k + 1, size):
+            value -= at(matrix, (k, q)) * at(right, q)
+        put(right, k, value / at(matrix, (k, k)))

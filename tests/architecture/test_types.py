@@ -1,0 +1,48 @@
+"""Types are known everywhere but where a library has none."""
+
+import importlib
+import inspect
+import re
+
+import pytest
+from tests.architecture.modules import PACKAGE, ROOT
+
+STUBS = ROOT / "typings"
+# Libraries without types, or with such as miss half; whoever calls them turns some reports off, and says which it is.
+UNTYPED = {
+    "matplotlib's axes in three dimensions have no types",
+    "matplotlib's keywords have no types",
+    "meshio has no types",
+    "numba has no types",
+    "pandas has no types",
+    "scikit-fem has no types",
+    "trimesh has no types",
+    "what numpy makes of one number in a kernel has no type",
+    "xarray's keywords have no types",
+    "zenoh's keywords have no types",
+}
+
+
+def test_unknown_types_are_let_pass_at_borders_only() -> None:
+    reasons: dict[str, str] = {}
+    for path in sorted(PACKAGE.rglob("*.py")):
+        lines = path.read_text(encoding="utf-8").splitlines()
+        for number, line in enumerate(lines):
+            if line.startswith("# pyright:") and "reportUnknown" in line:
+                assert number == 0, path
+                reasons[path.name] = lines[1].removeprefix("# ")
+    assert set(reasons.values()) == UNTYPED
+    assert len(reasons) <= 30, "fewer files each time, not more"
+
+
+@pytest.mark.skipif(not STUBS.is_dir(), reason="the stubs are in the repository only")
+@pytest.mark.parametrize("path", sorted(STUBS.rglob("*.pyi")), ids=lambda path: str(path.relative_to(STUBS)))
+def test_stubs_name_what_there_is(path) -> None:
+    name = ".".join(path.relative_to(STUBS).with_suffix("").parts).removesuffix(".__init__")
+    module = importlib.import_module(name)
+    text = path.read_text(encoding="utf-8")
+    named = set(re.findall(r"^(?:def|class) ([A-Za-z]\w*)|^([a-z]\w*):", text, re.MULTILINE))
+    for function, value in named:
+        found = getattr(module, function or value)
+        for argument in re.findall(rf"^def {function}\(\s*(\w+)", text, re.MULTILINE) if function else ():
+            assert argument in inspect.signature(found).parameters, (name, function, argument)
