@@ -34,6 +34,9 @@ export interface Scene {
   page: string | null;
   nodes: { count: number; rest: Float32Array };
   skin: { vertices: number; rest: Float32Array; triangles: Uint32Array; node: Uint32Array } | null;
+  /** Elements that can be cut, and what hangs on them: a triangle is there while all elements that carry it
+   * (`element` from `pointer[t]` to `pointer[t + 1]`) are whole, and the one beyond it, if any, is cut; null: none can. */
+  cutting: { elements: number; pointer: Uint32Array; element: Uint32Array; beyond: Int32Array } | null;
   /** Pairs of nodes, for bodies without a skin. */
   edges: Uint32Array | null;
   obstacles: Obstacle[];
@@ -98,6 +101,16 @@ export interface MemberStatus {
   alive: boolean | null;
   /** null: led on another computer. */
   hand: HandMode | null;
+  /** Lost with the elements that were cut, part of `lost` [J]. */
+  cut_energy: number;
+  /** How many elements are cut. */
+  cuts: number;
+  /** Tells one set of them from another. */
+  cut_set: string;
+  /** Which, a bit for each; null: not known here. */
+  cut: string | null;
+  /** How many of them each user decided, by number from 1. */
+  cut_by: number[];
 }
 
 export interface Emulated {
@@ -218,6 +231,12 @@ const VERSION = 2;
 const HEADER = 32;
 const BLOCK = 68;
 
+/** Which elements are cut, by number. */
+export function readCut(text: string, elements: number): Uint8Array {
+  const packed = new Uint8Array(bytes(text));
+  return Uint8Array.from({ length: elements }, (_, n) => (packed[n >> 3]! >> (7 - (n & 7))) & 1);
+}
+
 function bytes(text: string): ArrayBuffer {
   const raw = atob(text);
   const result = new Uint8Array(raw.length);
@@ -234,10 +253,17 @@ export function readScene(message: any): Scene {
     triangles: new Uint32Array(bytes(message.skin.triangles)),
     node: new Uint32Array(bytes(message.skin.node)),
   };
+  const cutting = message.cutting && {
+    elements: message.cutting.elements as number,
+    pointer: new Uint32Array(bytes(message.cutting.pointer)),
+    element: new Uint32Array(bytes(message.cutting.element)),
+    beyond: new Int32Array(bytes(message.cutting.beyond)),
+  };
   return {
     ...message,
     nodes: { count: message.nodes.count, rest },
     skin,
+    cutting: cutting ?? null,
     edges: message.edges ? new Uint32Array(bytes(message.edges)) : null,
     started: String(message.started),
     points: skin ? skin.rest : rest,

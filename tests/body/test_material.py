@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 from tests.body.shapes import box
-from tests.mechanics.materials import boxes
+from tests.mechanics.materials import Alone, boxes, energy_at, rotation
 
 from cotouch.body import Body, Material, body_from_surface, body_from_tetrahedra, lattice
 from cotouch.errors import BodyError, UnsupportedError
@@ -98,6 +98,32 @@ def test_a_builder_refuses(options: dict[str, Any], message: str) -> None:
 def test_a_material_has_no_modes() -> None:
     with pytest.raises(UnsupportedError, match="only a linear body has modes"):
         lattice((3, 3, 3), frame="floating").truncated(modes=8)
+
+
+@pytest.mark.parametrize("build", ["surface", "tetrahedra"])
+def test_a_mesh_turns_unless_it_is_told_not_to(build: str) -> None:
+    """By 90° it costs nothing; fixed in its frame, or confined to modes, it is the linear body."""
+
+    def made(**options: Any) -> Body:
+        if build == "surface":
+            return body_from_surface(box((0.04, 0.02, 0.02)), unit="m", resolution=4, **options)
+        return body_from_tetrahedra(boxes((3, 2, 2)), unit="m", **options)
+
+    turning, fixed = made(), made(frame="fixed")
+    assert turning.material is not None
+    assert turning.material.model == "floating"
+    assert fixed.material is turning.linearised.material is None
+    assert (turning.stiffness != fixed.stiffness).nnz == 0
+    copy = Alone(turning)
+    about = turning.rest - turning.rest.mean(axis=0)
+    turned = copy.rows(about @ rotation((0.0, 0.0, 1.0), 0.5 * np.pi).T - about)
+    still = np.zeros_like(turned)
+    energy, _ = energy_at(copy.force, copy.model.unturned(), turned, turned, still, 60, copy.model.lanes)
+    linear = 0.5 * float((turned[:, :3] * turning.apply(turning.stiffness, turned[:, :3])).sum())
+    assert energy <= 1e-12 * linear
+    assert turning.truncated(modes=8).truncation is not None
+    with pytest.raises(BodyError, match='frame is "floating", but model "spring-network" turns by itself'):
+        made(model="spring-network", stiffness=10.0, frame="floating")
 
 
 def test_a_linear_body_without_weight_has_no_material() -> None:

@@ -351,3 +351,56 @@ def test_the_wave_line_of_paid_is_the_same_at_both_ends_of_a_star() -> None:
     hub, leaf = (Facts(spring=50.0, age=0.02, age_back=0.02, degree=n, degree_back=m) for n, m in ((3, 1), (1, 3)))
     at = [parameter.name for parameter in PAID.parameters].index("line")
     assert PAID.values(hub, {})[at] == PAID.values(leaf, {})[at]
+
+
+BLOCK: dict[str, Any] = {
+    "kind": "lattice",
+    "shape": [4, 3, 3],
+    "mass": 0.3,
+    "stiffness": 4000.0,
+    "damping": 4.0,
+    "spacing": 0.02,
+    "frame": "floating",
+}
+
+
+def _finger(user: int, side: float) -> dict[str, Any]:
+    """That presses the block from the left, -1, or the right, 1, and lifts it then."""
+    inside = -0.015 * side
+    path = [[0, 0, 0, 0], [0.2, inside, 0, 0], [0.6, inside, 0, 0.03], [1.0, inside, 0, 0.03]]
+    at = [0.03 + 0.043 * side, 0.02, 0.02]
+    more = {"radius": 0.012, "mass": 0.05, "stiffness": 2000.0, "damping": 1.0, "friction": 0.9}
+    return {"user": user, "at": at, **more, "hand": {"stiffness": 600.0, "damping": 12.0, "path": path}}
+
+
+def _lifted(law: Any, users: int, **tables: Any) -> Any:
+    """Middles of all copies of a block that two fingers press and lift, one each of two users, or both of one."""
+    run = simulate(
+        Scenario.make(
+            network=two(0.005, 10.0) if users == 2 else {"users": ["all"], "spring": [[0.0]], "delay": [[0.0]]},
+            body=BLOCK,
+            world={"gravity": [0.0, 0.0, -9.81], "planes": [{"stiffness": 1e6, "damping": 1.0, "friction": 0.5}]},
+            contact={"law": "stiffening"},
+            steps={"duration": 1.0, "period": 1e-3},
+            synchronisation={"law": law},
+            tools=[_finger(1, -1.0), _finger(users, 1.0)],
+            **tables,
+        )
+    )
+    assert run.attrs["made"] <= run.attrs["law_seed"]
+    assert float(abs(run["residual"]).max()) < 1e-9
+    return run["position"].values[:, :, :, :].mean(axis=2)
+
+
+def test_to_paid_fingers_that_lift_a_block_between_them_are_felt_by_both() -> None:
+    """Each copy is held by one finger of its own; what the other one does, and how stiffly, only messages say."""
+    ideal = _lifted("spring", 1)[0]
+    assert ideal[-1, 2] > 0.02
+    off = {law: float(np.abs(_lifted(law, 2) - ideal).mean()) for law in ("paid", "spring")}
+    assert off["paid"] < 2e-4 < 5e-4 < off["spring"]
+
+
+def test_what_paid_may_make_is_a_copys_whatever_its_body() -> None:
+    at = [parameter.name for parameter in PAID.parameters].index("seed")
+    seeds = [PAID.values(Facts(spring=1.0, age=0.02, age_back=0.02, degree=2, rows=rows), {})[at] for rows in (1, 400)]
+    assert seeds == [0.01, 0.01]

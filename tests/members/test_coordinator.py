@@ -17,7 +17,7 @@ from cotouch.members import (
     write,
 )
 from cotouch.members._law_check import signature_of
-from cotouch.members._messages import LAST_EPOCH, Join, Refused, read
+from cotouch.members._messages import LAST_EPOCH, MOST_BANNED, Join, Refused, read
 
 HOST = bytes([255]) * 32
 BODY = [1.0, 2.0]
@@ -409,3 +409,36 @@ def test_whom_others_let_in_take_no_more_places_than_one_address_may() -> None:
     world.coordinator.receive(Message(key(7), "leave", b"", direct=False), world.now)
     world.coordinator.take_up(Roster(epoch=9, members=[left, many[2]]), present, world.now)
     assert {entry.key for entry in world.roster.members} == {key(k).hex() for k in (1, 7, 6)}
+
+
+def test_who_is_in_an_adopted_roster_is_waited_for_as_if_seen_now_and_measured_anew() -> None:
+    asked: list[dict[tuple[int, int], float]] = []
+
+    def planner(slots: list[int], paths: dict[tuple[int, int], float]) -> list[tuple[int, int]] | None:
+        asked.append(paths)
+        return [(0, 1)]
+
+    world = World(planner=planner)
+    world.coordinator.measured((0, 1), 0.3)  # before anybody was there
+    world.now = 100.0
+    members = [Entry(slot=slot, name=name, key=key(slot + 1).hex()) for slot, name in enumerate(["Ann", "Ben"])]
+    world.coordinator.adopt(Roster(epoch=5, members=members), world.now)
+    world.tick()
+    assert asked == []  # what was measured is of somebody else
+    world.tick(5.5)
+    assert world.names == {0: "Ann", 1: "Ben"}
+    assert asked == [{}]
+    world.tick(1.0)
+    assert world.names == {}
+
+
+def test_only_so_many_are_kept_out() -> None:
+    world = World()
+    world.join(1, "Ann")
+    full = [f"{number:064x}" for number in range(1, MOST_BANNED + 1)]
+    world.coordinator.adopt(world.roster.model_copy(update={"banned": full}), world.now)
+    with pytest.raises(SessionError, match=f"{MOST_BANNED} were sent away already"):
+        world.coordinator.expel("Ann")
+    assert world.names == {0: "Ann"}
+    world.coordinator.expel("Ann", ban=False)
+    assert world.names == {}

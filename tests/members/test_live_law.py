@@ -11,11 +11,11 @@ from tests.session.world import Person, World
 
 from cotouch.errors import ScenarioError, SessionError
 from cotouch.laboratory import impedance
-from cotouch.laws import PAID, laws
+from cotouch.laws import PAID, Facts, laws
 from cotouch.members import SessionFile, SharedModel, felt
 from cotouch.members._live_law import LiveLaw
 from cotouch.network import Network
-from cotouch.peer import FreshestLink, LawLink, Message, Sample
+from cotouch.peer import CopyMemory, FreshestLink, LawLink, Message, Sample
 from cotouch.recording import audit, read_recording
 from cotouch.samples import HEAD_BYTES, Arrival, Assembly, Chunk, Codec, Heading, PathLaw, Refusal
 
@@ -441,8 +441,8 @@ def _gullible(end: LawLink, scalars: np.ndarray, T: float) -> np.ndarray:
 
 
 def _unbounded(made: Callable[..., np.ndarray]) -> Callable[..., np.ndarray]:
-    def parameters(law: LiveLaw, slot: int, other: int) -> np.ndarray:
-        found = made(law, slot, other)
+    def parameters(law: LiveLaw, slot: int, other: int, *, tree: bool = False) -> np.ndarray:
+        found = made(law, slot, other, tree=tree)
         found[[known.name for known in law.law.parameters].index("force")] = np.inf
         return found
 
@@ -456,6 +456,85 @@ def test_each_limit_is_needed(part: str, monkeypatch: pytest.MonkeyPatch) -> Non
     else:
         monkeypatch.setattr(LiveLaw, "parameters", _unbounded(LiveLaw.parameters))
     assert lied_to({"power": "rich", "force": "strong"}[part])
+
+
+# -- trees -------------------------------------------------------------------------------------------------------------
+
+STAR = """
+[network]
+users = ["Ann", "Ben", "Cleo", "Dan"]
+spring = [[0, 50, 50, 50], [50, 0, 50, 50], [50, 50, 0, 50], [50, 50, 50, 0]]
+delay = [[0, 0.02, 0.02, 0.02], [0.02, 0, 0.02, 0.02], [0.02, 0.02, 0, 0.02], [0.02, 0.02, 0.02, 0]]
+links = [[1, 2], [1, 3], [1, 4]]
+[body]
+mass = 1.0
+[steps]
+rate = 200
+"""
+RELAY = [known.name for known in LAWS["paid"].parameters].index("relay")
+
+
+def _relays(world: World) -> list[float]:
+    ends = [end.law for person in world.people for end in person.copy.neighbours.values()]
+    return [float(end._parameters[RELAY]) for end in ends if end is not None]
+
+
+def _star(more: str = "") -> World:
+    """Two of four hold still, a third one carries, and all are linked to Ann, who has no hand."""
+    still = "".join(HAND.format(user=user, path="[0]") for user in (2, 3))
+    return World(STAR + more + still + carried(4), law=PathLaw(delay=0.02, jitter=0.005), tick=2.5e-3)
+
+
+def test_in_a_star_hands_are_told_on_and_where_somebody_leaves_that_ends() -> None:
+    world = _star()
+    assert world.session.law == "paid"
+    people = [world.join(name) for name in ("Ann", "Ben", "Cleo", "Dan")]
+    world.until(world.all_coupled, 5.0)
+    assert _relays(world) == [1.0] * 6
+    places: list[float] = []
+    for _ in range(60):
+        watched(world, 0.05)
+        places.append(float(np.ptp([float(person.position[0, 0]) for person in people])))
+    assert max(places) < 0.06  # 99 mm, if nobody tells of others' hands, and 86 mm with springs
+    world.leave(people[3])
+    watched(world, 0.5)
+    assert _relays(world) == [1.0] * 4  # three in a row
+    world.leave(people[2])
+    watched(world, 0.5)
+    assert _relays(world) == [0.0] * 2  # two know each other's hands
+
+
+def test_what_a_liar_makes_up_is_not_told_on() -> None:
+    """Whoever hears of more than hands can do tells the others nothing of it, and of honest hands all."""
+    facts, kind = Facts(spring=50.0, age=0.02, age_back=0.02, degree=2, degree_back=1, tree=True), LAWS["paid"]
+    for scale, heard in ((1.0, True), (1e7, False)):
+        memory = CopyMemory(kind, 1)
+        ends = [
+            LawLink(
+                FreshestLink(Sample(sender=n, index=-1, stamp=0.0, position=np.zeros((1, 1)))),
+                law=kind,
+                parameters=np.array(kind.values(facts, {"force": 5.0})),
+                memory=memory,
+                side=0,
+                copies=3,
+                power=1.0,
+            )
+            for n in (1, 2)
+        ]
+        for nth, end in enumerate(ends):
+            end.attach(spring=50.0, place=(nth, 2), weight=np.ones(1), target=np.zeros((1, 1)), push=np.zeros((1, 1)))
+        fields, numbers = np.zeros((len(kind.sends), 1)), np.zeros(len(kind.sends_scalars))
+        fields[kind.sends.index("w")] = 2.0 * scale
+        numbers[kind.sends_scalars.index("hands")] = numbers[kind.sends_scalars.index("T")] = 1.0
+        for k in range(5):
+            lie = Sample(sender=1, index=k, stamp=k * 1e-3, position=np.zeros((1, 1)), message=(fields, numbers))
+            for end, said in zip(ends, (lie, ends[1].source.choose(k)), strict=True):
+                end.before(said, 0.02, 1e-3, np.zeros((1, 1)), np.zeros((1, 1)))
+                assert end.force <= 5.0 + 1e-9
+            for end in ends:
+                end.after(np.zeros((1, 1)))
+        told = float(ends[1].message[0][kind.sends.index("w"), 0])
+        assert (told != 0.0) == heard
 
 
 # -- what is refused ---------------------------------------------------------------------------------------------------
@@ -506,6 +585,8 @@ def test_what_a_law_says_is_bounded_on_arrival() -> None:
     assert not isinstance(written, Refusal)
     fields = np.random.default_rng(0).standard_normal((len(law.sends), layout.rows, layout.width))
     fields[:, :, layout.axes :] = 0.0
+    coarse = [nth for nth, name in enumerate(law.sends) if name not in law.sums]
+    fields[coarse] = fields[coarse].astype(np.float32)  # what is no sum travels so
     scalars = np.arange(float(len(law.sends_scalars)))
     message = fields.reshape(len(law.sends), -1), scalars
     told = codec.told(message)
@@ -522,9 +603,12 @@ def test_what_a_law_says_is_bounded_on_arrival() -> None:
     sample = held.choose(0)
     assert sample.message is not None
     np.testing.assert_array_equal(sample.message[0], message[0])
-    for at in range(HEAD_BYTES, len(datagram), 8):
+    border = len(datagram) - 4 * len(coarse) * layout.rows * layout.axes
+    places = [(at, np.float64) for at in range(HEAD_BYTES, border, 8)]
+    places += [(at, np.float32) for at in range(border, len(datagram), 4)]
+    for at, kind in places:
         for value in (np.nan, np.inf, 2e12, -2e12):
-            bent = datagram[:at] + np.float64(value).tobytes() + datagram[at + 8 :]
+            bent = datagram[:at] + kind(value).tobytes() + datagram[at + kind(0).nbytes :]
             assert codec.read(bent, epoch=0, sender=1) in {Refusal.LAW, Refusal.STATE}
     assert codec.read(datagram[:-8], epoch=0, sender=1) is Refusal.SIZE
     assert codec.read(datagram + bytes(8), epoch=0, sender=1) is Refusal.SIZE

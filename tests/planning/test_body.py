@@ -19,6 +19,12 @@ def test_a_point_is_its_own_mode():
     }
 
 
+def test_what_turns_counts_as_what_it_is_at_rest():
+    turning, fixed = (chain(4, mass=0.8, stiffness=50.0, dimension=3, frame=frame) for frame in ("floating", "fixed"))
+    for name, part in modes_of(fixed).items():
+        np.testing.assert_array_equal(modes_of(turning.with_gravity((0.0, 0.0, -9.81)))[name], part)
+
+
 def test_modes_are_the_eigenvalues_and_equal_ones_count_once():
     body = chain(4, mass=0.8, stiffness=50.0, dimension=3)
     modes = modes_of(body)

@@ -51,6 +51,8 @@ def report(k: int, links: int = 1, value: float = 0.0) -> StepReport:
         world_loss=0.0,
         world_stored=0.0,
         world_force=(0.0, 0.0, 0.0),
+        cut=0.0,
+        cut_elements=(),
         rescaled=0.0,
         advanced=0.0,
         guards=(),

@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 
-from cotouch.scenario import Scenario
+from cotouch.scenario import Scenario, makes_tree
 from cotouch.simulation import simulate
 
 TWO: dict[str, Any] = {"users": ["a", "b"], "spring": [[0, 50], [50, 0]], "delay": [[0, 0.02], [0.02, 0]]}
@@ -13,6 +13,15 @@ THREE: dict[str, Any] = {
     "spring": [[0, 50, 50], [50, 0, 50], [50, 50, 0]],
     "delay": [[0, 0.02, 0.02], [0.02, 0, 0.02], [0.02, 0.02, 0]],
 }
+EVERY = [[50.0 * (i != j) for j in range(4)] for i in range(4)]
+FOUR: dict[str, Any] = {
+    "users": ["a", "b", "c", "d"],
+    "spring": EVERY,
+    "delay": [[4e-4 * value for value in row] for row in EVERY],
+    "links": [[1, 2], [2, 3], [3, 4], [1, 4]],
+}
+LATTICE: dict[str, Any] = {"kind": "lattice", "shape": [2, 2, 2], "stiffness": 100.0}
+TOOL: dict[str, Any] = {"user": 1, "at": [0.5, 0.5, 2.0], "stiffness": 300.0}
 WEIGHT = [[2.0, 0.5], [0.5, 1.0]]
 CHAIN: dict[str, Any] = {"kind": "chain", "nodes": 2, "stiffness": 10.0}
 TEXT = """
@@ -46,9 +55,8 @@ def test_links_have_the_law_that_costs_least() -> None:
         {"synchronisation": {"mode": "self-paced"}},
         {"network": {**TWO, "weight": WEIGHT}, "body": CHAIN},
         {"network": {**TWO, "delay": [[0, 0.5], [0.2, 0]]}},
-        {"network": {**THREE, "links": [[1, 2], [2, 3]]}},
-        {"body": {"kind": "lattice", "shape": [2, 2, 2]}},
-        {"tools": [{"user": 1, "at": [0.0, 0.0, 0.0]}]},
+        {"network": FOUR},
+        {"network": {**THREE, "links": [[1, 2], [2, 3]]}, "body": CHAIN},
     ],
 )
 def test_what_only_springs_have_makes_them_springs(tables: dict[str, Any]) -> None:
@@ -58,16 +66,34 @@ def test_what_only_springs_have_makes_them_springs(tables: dict[str, Any]) -> No
         assert law(**named) == "wave"
 
 
-def test_links_of_a_body_that_is_confined_to_modes_are_springs() -> None:
+def test_all_linked_whose_hands_tools_and_devices_are_felt_have_the_law_that_costs_least() -> None:
     body = Scenario.make(network=TWO, body={**CHAIN, "nodes": 6, "ground": [1]}).build_body()
-    assert law(body=body.truncated(modes=2, contacts=[5])) == "spring"
+    assert law(body=LATTICE) == law(body=body.truncated(modes=2, contacts=[5])) == "paid"
+    assert law(body=LATTICE, tools=[TOOL]) == "paid"
+    assert law(network={**THREE, "links": [[1, 2], [2, 3]]}) == "paid"  # hands are told on where links make a tree
+    text = f"{TEXT}[session]\n[[session.devices]]\nuser = 1\n"
+    assert Scenario.from_toml(text).law[0] == "paid"
+
+
+@pytest.mark.parametrize(
+    ("users", "links", "tree"),
+    [
+        (2, [(0, 1)], False),  # who is linked to all need not be told
+        (3, [(0, 1), (1, 2)], True),
+        (4, [(0, 1), (0, 2), (0, 3)], True),
+        (4, [(0, 1), (1, 2), (0, 2)], False),
+        (4, [(0, 1), (2, 3)], False),
+        (3, [(0, 1), (1, 2), (0, 2)], False),
+    ],
+)
+def test_what_makes_a_tree(users: int, links: list[tuple[int, int]], tree: bool) -> None:
+    assert makes_tree(range(users), links) == tree
 
 
 @pytest.mark.parametrize(
     "option",
     [
         "tank = 0.1",
-        "[[session.devices]]\nuser = 1",
         'links = "plan"',
         "quantile = 0.9",
         "age_limit = 1.0",

@@ -8,10 +8,9 @@ import pytest
 
 from cotouch.errors import CotouchError
 from cotouch.scenario import Scenario
-from cotouch.simulation import prepare, simulate
-from cotouch.simulation._batch import run_batch
-from cotouch.simulation._peers import run_peers
+from cotouch.simulation import prepare, run_batch, run_peers, simulate
 
+EXAMPLES = Path(__file__).parents[2] / "examples"
 BOX: dict[str, Any] = {"kind": "box", "size": [0.1, 0.06, 0.04], "mass": 0.5, "centre": [0.0, 0.0, 0.02]}
 WORLD: dict[str, Any] = {"gravity": [0.0, 0.0, -9.81], "planes": [{"friction": 0.5, "damping": 10.0}]}
 LIFT: dict[str, Any] = {
@@ -147,3 +146,23 @@ def test_what_does_not_fit_what_is_rigid_is_refused(tmp_path: Path) -> None:
         prepare(Scenario.make(body=BOX, network=network(1), steps={"duration": 0.1}, solver={"basis": "modal"}))
     with pytest.raises(CotouchError, match="it must be 3 coordinates"):
         Scenario.make(body=BOX, network=network(1), hands=[{**LIFT, "at": [0.1]}]).placed()
+
+
+def test_a_peg_goes_into_its_hole() -> None:
+    """19.9 mm into 20 mm, by two with 50 ms between them: to the ground, and hardly into the wall."""
+    scenario = Scenario.read(EXAMPLES / "peg-in-hole.toml")
+    run, body = simulate(scenario), scenario.build_body()
+    assert body.skin is not None
+    assert run.attrs["energy_residual"] <= 1e-12
+    assert run.attrs["passivity_margin"] >= 0.0
+    assert float(run["closure_factor"].max()) <= 1e-2
+    plate = scenario.world.plates[0]
+    nodes = run["position"].to_numpy()[:, :, :4]
+    for own in nodes:
+        places = np.array([body.skin.carried(step) for step in own])
+        beyond, height = np.hypot(places[..., 0], places[..., 1]) - plate.hole_radius, places[..., 2]
+        cut = np.sqrt(0.5) * (beyond - np.maximum(np.abs(height - 0.025) - 0.025 + plate.chamfer, 0.0))
+        deep = np.minimum(np.minimum(beyond, cut), np.minimum(plate.size[2] - height, height))
+        assert deep.max() <= 1e-4
+        assert np.abs(height[-1].min()) <= 1e-4  # it stands on the ground below
+        assert own[0, :, 2].min() > 0.05  # and came from above

@@ -162,8 +162,9 @@ export function energyPanel(context: Context): HTMLElement {
     const worst = Math.max(0, ...members.map((member) => member.residual ?? 0));
     const closure = Math.max(0, ...members.map((member) => member.closure_factor ?? 0));
     const told = closure > 0 ? ` Balancing steps changed velocities by ${percent(closure)} at most.` : "";
+    const cuts = cutWords(members, name);
     attribute(closing, "data-left", total > 0 ? String(Math.abs(left) / total) : null);
-    text(closing, total > 0 ? `Left over: ${exponent(left / total)} of what came in. Worst single step: off by ${exponent(worst)} of the energy in play.${told}` : "");
+    text(closing, total > 0 ? `Left over: ${exponent(left / total)} of what came in. Worst single step: off by ${exponent(worst)} of the energy in play.${told}${cuts}` : "");
     // One unit for all: that of the greatest.
     const largest = Math.max(1e-9, ...all.flatMap((row) => COLUMNS.map((column) => Math.abs(row[column.key]))));
     const [scale, words] = UNITS.find(([one]) => largest >= one) ?? UNITS[UNITS.length - 1]!;
@@ -213,4 +214,14 @@ export function exponent(share: number): string {
   if (size >= 0.01) return percent(size);
   const power = Math.floor(Math.log10(size));
   return `${Math.round(size / 10 ** power)}\u00a0·\u00a010${[...String(power)].map((digit) => RAISED[digit] ?? "").join("")}`;
+}
+
+/** What was cut, by whom, and whether all copies know of it. */
+function cutWords(members: readonly Partial<MemberStatus>[], name: (slot: number) => string): string {
+  const most = members.reduce((best, member) => ((member.cuts ?? 0) > (best.cuts ?? 0) ? member : best), members[0] ?? {});
+  if (!most.cuts) return "";
+  const held = members.reduce((sum, member) => sum + (member.cut_energy ?? 0), 0);
+  const by = (most.cut_by ?? []).flatMap((count, user) => (user > 0 && count > 0 ? [`${name(user - 1)} ${count}`] : []));
+  const same = new Set(members.flatMap((member) => (member.cut_set ? [member.cut_set] : []))).size < 2;
+  return ` Cut: ${most.cuts} elements${by.length ? ` (${by.join(", ")})` : ""}, which held ${si(held, "J", 1e-12)}${same ? "" : "; not all copies know of them yet"}.`;
 }

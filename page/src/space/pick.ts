@@ -36,9 +36,10 @@ export function pick(moving: Moving, camera: PerspectiveCamera, cell: Cell, x: n
   let nearest = Infinity;
   let corner = -1;
   const surface = new Vector3();
-  if (shape.triangles) {
-    for (let t = 0; t < shape.triangles.length; t += 3) {
-      const [i, j, k] = [shape.triangles[t]!, shape.triangles[t + 1]!, shape.triangles[t + 2]!];
+  const { triangles } = moving;
+  if (triangles) {
+    for (let t = 0; t < triangles.length; t += 3) {
+      const [i, j, k] = [triangles[t]!, triangles[t + 1]!, triangles[t + 2]!];
       if (!ray.intersectTriangle(at(i, a), at(j, b), at(k, c), false, met)) continue;
       const far = met.distanceToSquared(ray.origin);
       if (far >= nearest) continue;

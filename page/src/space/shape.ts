@@ -1,6 +1,6 @@
 // What all copies share, and the moving part of each: filled in place from the messages, frame after frame.
-import { BufferAttribute, BufferGeometry, DynamicDrawUsage } from "three";
-import type { Scene } from "../protocol";
+import { BufferAttribute, BufferGeometry, DynamicDrawUsage, StaticDrawUsage } from "three";
+import { readCut, type Scene } from "../protocol";
 
 /** Faces that meet at more than this are an edge, not a curve. */
 const CREASE = Math.cos((50 * Math.PI) / 180);
@@ -69,8 +69,14 @@ export class Moving {
   private readonly value: BufferAttribute;
   private readonly faces: BufferAttribute | null = null;
   private readonly seen: Uint8Array;
+  /** Corners of the triangles that are there; null where there are only nodes. */
+  triangles: Uint32Array | null;
+  /** Corners of none of these: what was cut away. */
+  private gone: Uint8Array | null = null;
+  private told: string | null = null;
 
   constructor(readonly shape: Shape) {
+    this.triangles = shape.triangles;
     const n = shape.corners;
     const attribute = (array: Int16Array | Float32Array, size: number) => new BufferAttribute(array, size).setUsage(DynamicDrawUsage);
     this.places = shape.rest.slice();
@@ -86,19 +92,44 @@ export class Moving {
     }
     if (shape.triangles) {
       this.geometry.setAttribute("normal", this.normal);
-      this.geometry.setIndex(new BufferAttribute(shape.triangles, 1));
+      const index = shape.scene.cutting ? shape.triangles.slice() : shape.triangles; // what is cut has one of its own
+      this.geometry.setIndex(new BufferAttribute(index, 1).setUsage(shape.scene.cutting ? DynamicDrawUsage : StaticDrawUsage));
       this.film = new BufferGeometry();
       for (const name of ["position", "shift", "normal"] as const) this.film.setAttribute(name, this.geometry.getAttribute(name));
       this.film.setIndex((this.faces = new BufferAttribute(new Uint32Array(shape.triangles.length), 1).setUsage(DynamicDrawUsage)));
     }
     this.lines?.setIndex(new BufferAttribute(shape.sides, 1));
+    if (shape.scene.cutting) this.cut(btoa("\0".repeat(Math.ceil(shape.scene.cutting.elements / 8))));
     this.update(new Int16Array(shape.scene.points.length), 0, false);
+  }
+
+  /** Draws what is left when these elements are gone. @param told a bit for each, as in `MemberStatus.cut`; null: as it was */
+  cut(told: string | null): void {
+    const { cutting } = this.shape.scene, all = this.shape.triangles;
+    if (!cutting || !all || told === null || told === this.told) return;
+    this.told = told;
+    const cut = readCut(told, cutting.elements), index = this.geometry.index!.array as Uint32Array;
+    const { pointer, element, beyond } = cutting;
+    this.gone = new Uint8Array(this.shape.corners).fill(1);
+    let size = 0;
+    for (let t = 0; t < beyond.length; t++) {
+      let there = beyond[t]! < 0 || cut[beyond[t]!] === 1;
+      for (let n = pointer[t]!; there && n < pointer[t + 1]!; n++) there = cut[element[n]!] === 0;
+      if (!there) continue;
+      for (let k = 0; k < 3; k++) {
+        index[size++] = all[3 * t + k]!;
+        this.gone[all[3 * t + k]!] = 0;
+      }
+    }
+    this.triangles = index.subarray(0, size);
+    this.geometry.setDrawRange(0, size);
+    this.geometry.index!.needsUpdate = true;
   }
 
   update(displacement: Int16Array, scale: number, stretch: boolean): void {
     const { point, rest, corners } = this.shape;
     const shift = this.shift.array as Int16Array;
-    const places = this.places;
+    const { places, gone } = this;
     let most = 0, x = 0, y = 0, z = 0;
     for (let c = 0; c < corners; c++) {
       const i = 3 * c, j = 3 * point[c]!;
@@ -112,6 +143,7 @@ export class Moving {
       x += a;
       y += b;
       z += d;
+      if (gone?.[c]) continue;
       most = Math.max(most, a * a + b * b + d * d);
     }
     this.mean[0] = (x * scale) / corners;
@@ -119,7 +151,7 @@ export class Moving {
     this.mean[2] = (z * scale) / corners;
     this.shift.needsUpdate = true;
     this.peak = stretch ? this.stretch() : Math.sqrt(most) * scale;
-    if (this.shape.triangles) this.normals(this.shape.triangles);
+    if (this.triangles) this.normals(this.triangles);
   }
 
   /**
@@ -130,7 +162,7 @@ export class Moving {
    * @returns whether anything is left
    */
   differs(own: Moving, eye: { x: number; y: number; z: number }, apart: number, all: boolean): boolean {
-    const { triangles, corners } = this.shape;
+    const { corners } = this.shape, { triangles } = this;
     if (!triangles || !this.film || !this.faces) return true;
     const { places: p, seen } = this, q = own.places, n = this.normal.array as Float32Array;
     const [near, far] = [(0.1 * apart) ** 2, (3 * apart) ** 2];
@@ -190,6 +222,7 @@ export class Moving {
     value.fill(0);
     for (let s = 0; s < restLengths.length; s++) {
       const a = sides[2 * s]!, b = sides[2 * s + 1]!;
+      if (this.gone && (this.gone[a] || this.gone[b])) continue;
       const strain = Math.abs(distance(this.places, a, b) / Math.max(restLengths[s]!, 1e-12) - 1);
       value[a]! += strain / degree[a]!;
       value[b]! += strain / degree[b]!;

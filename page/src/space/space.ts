@@ -121,7 +121,10 @@ class Space implements View {
         this.dress();
       }),
       store.on("frame", () => this.draw()),
-      store.on("state", () => this.draw()),
+      store.on("state", () => {
+        for (const [slot, copy] of this.copies) copy.moving.cut(this.store.state?.members[slot]?.cut ?? null);
+        this.draw();
+      }),
       store.on("connection", () => {
         if (store.connection === "open" && this.hold.holds) this.hold.send();
       }),

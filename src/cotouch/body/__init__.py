@@ -3,6 +3,7 @@
 from cotouch.body._body import Body
 from cotouch.body._builders import MOST_NODES, GridModel, Ground, chain, lattice, point
 from cotouch.body._checks import Matrix, SumOfSquares
+from cotouch.body._cut_skin import FACES, CutSkin, cut_skin, drawn_skin
 from cotouch.body._eigenspaces import canonical
 from cotouch.body._from_surface import MOST_TRIANGLES, body_from_surface
 from cotouch.body._from_tetrahedra import MOST_ELEMENTS, body_from_tetrahedra
@@ -20,6 +21,7 @@ from cotouch.body._truncation import Truncation
 from cotouch.meshfile import SURFACES, VOLUMES, is_surface
 
 __all__ = [
+    "FACES",
     "MOST_ELEMENTS",
     "MOST_NODES",
     "MOST_TRIANGLES",
@@ -31,6 +33,7 @@ __all__ = [
     "VOLUMES",
     "Body",
     "Box",
+    "CutSkin",
     "Frame",
     "GridModel",
     "Ground",
@@ -50,6 +53,8 @@ __all__ = [
     "body_from_tetrahedra",
     "canonical",
     "chain",
+    "cut_skin",
+    "drawn_skin",
     "frame_of",
     "is_surface",
     "lattice",

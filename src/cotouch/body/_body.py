@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from math import inf
 from typing import final
 
 import numpy as np
@@ -163,6 +164,22 @@ class Body:
         """How much of each node what hands can hold follows, (H, n); None where that is the nodes themselves."""
         return shares_of(self.rest, self.held_rest) if self.rigid else None
 
+    @cached_property
+    def linearised(self) -> "Body":
+        """The linear body that it is like at rest, without weight."""
+        if self.material is None:
+            return self
+        return Body(
+            mass=self.mass,
+            rest=self.rest,
+            damping_int=SumOfSquares(self.damping_int),
+            damping_ext=self.damping_ext,
+            stiffness_int=SumOfSquares(self.stiffness_int),
+            stiffness_ext=self.stiffness_ext,
+            skin=self.skin,
+            origin=self.origin,
+        )
+
     def with_places(self, places: npt.ArrayLike) -> "Body":
         """The same rigid body with more points that can be held.
 
@@ -229,6 +246,27 @@ class Body:
         """
         if self.truncation is not None:
             raise UnsupportedError("the body is confined to a few shapes, which have no weight; leave one of them out")
+        return self._made_of(replace(self.material or Material(model="linear"), gravity=gravity))
+
+    def with_cutting(self, tear: float = inf) -> "Body":
+        """The same body, whose elements can be cut.
+
+        Args:
+            tear: strain at which an element breaks by itself, > 0; by default none does.
+
+        Raises:
+            BodyError: the body's model has no elements, it has fewer than three axes, or tear is out of its range.
+        """
+        if self.material is None:
+            raise BodyError(
+                'cutting takes away elements, but the body is linear and has none; take model "spring-network", '
+                '"cells", "corotated", "st-venant-kirchhoff" or "neo-hookean"'
+            )
+        if self.dimension != 3:
+            raise BodyError(f"cutting needs a body of 3 axes, but this one has {self.dimension}")
+        return self._made_of(replace(self.material, cuttable=True, tear=tear))
+
+    def _made_of(self, material: Material) -> "Body":
         return Body(
             mass=self.mass,
             rest=self.rest,
@@ -238,7 +276,7 @@ class Body:
             stiffness_ext=self.stiffness_ext,
             skin=self.skin,
             origin=self.origin,
-            material=replace(self.material or Material(model="linear"), gravity=gravity),
+            material=material,
             places=self.places,
         )
 
@@ -248,6 +286,8 @@ class Body:
         The modes alone make a body too stiff under a fingertip, because a force at one point bends mostly what the
         modes left out. For every contact node its static residual is kept as a shape of its own, which makes the body's
         static compliance among the contacts exact [MacNeal 1971; Rubin 1975].
+
+        A body from a mesh, which turns by default, does so no more: modes are linear.
 
         The result has the same nodes and matrices; a simulator works in the shapes, `body.truncation`, where mass,
         stiffness and Rayleigh damping are diagonal. A link between two copies then pulls with the weight `M / m̄`
@@ -261,8 +301,10 @@ class Body:
             BodyError: fewer modes than the body's free motions or more than it has; a contact it does not have.
             UnsupportedError: damping that the modes do not make diagonal; a material, which has no modes.
         """
-        if self.material is not None:
-            if self.material.model == "linear":
+        # A mesh's body turns unless it is told not to; that is no wish against modes.
+        unasked = self.origin is not None and self.material is not None and self.material.model == "floating"
+        if self.material is not None and not (unasked and not any(self.material.gravity)):
+            if self.material.model == "linear" or unasked:
                 raise UnsupportedError(
                     f"modes is {modes}, but the body has weight or meets obstacles, for which it takes closed steps, "
                     "without modes: leave one out"

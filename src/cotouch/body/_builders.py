@@ -230,7 +230,7 @@ def _grid_material(
 def _box_skin(places: npt.NDArray[np.int64], extents: tuple[int, ...], spacing: float) -> Skin:
     """The faces of a box of nodes, two triangles to a square; of a sheet, which is felt from both sides, one layer."""
     vertices, triangles = box_surface(np.array(extents) - 1)
-    index = np.ravel_multi_index(tuple(vertices.astype(np.int64).T), extents)
+    index = np.asarray(np.ravel_multi_index(tuple(vertices.astype(np.int64).T), extents))
     return Skin(
         vertices=places[index] * spacing,
         triangles=triangles,

@@ -13,7 +13,7 @@ from cotouch.body._ground import Held
 from cotouch.body._inertia import inertia_excess
 from cotouch.body._lines import doubled
 from cotouch.body._material import Frame
-from cotouch.body._mesh_material import SurfaceModel, check_material, of_cells, warned
+from cotouch.body._mesh_material import SurfaceModel, check_material, frame_of_model, of_cells, warned
 from cotouch.body._pieces import grid_nodes, one_part
 from cotouch.body._reading import Unit, as_mesh, metres
 from cotouch.body._repair import repaired
@@ -44,7 +44,7 @@ def body_from_surface(
     ground: Held = "none",
     ground_stiffness: float = 0.0,
     ground_damping: float = 0.0,
-    frame: Frame = "fixed",
+    frame: Frame | None = None,
     part: int | None = None,
     most_triangles: int = MOST_TRIANGLES,
     most_nodes: int = MOST_NODES,
@@ -76,7 +76,8 @@ def body_from_surface(
         ground: which nodes are held: "none", "all", a face such as "z-", a `Plane`, a `Box` [m], or node indices.
         ground_stiffness: of each held node [N/m].
         ground_damping: of each held node [Ns/m].
-        frame: "floating": a linear body ("springs", "elastic") turns as a whole without a force.
+        frame: of a linear body ("springs", "elastic"): "floating" (the default) turns as a whole without a force;
+            "fixed" keeps K as it is: cheaper, with modes, and a turned body shrinks.
         part: which of several separate parts to take, from 1, the biggest first.
         most_triangles: refuse more than this.
         most_nodes: refuse more than this.
@@ -110,6 +111,7 @@ def body_from_surface(
         rayleigh_stiffness=rayleigh_stiffness,
         frame=frame,
     )
+    frame = frame_of_model(model, frame)
     scale = metres(unit, name)
     mesh = (
         read_surface(Path(name), most_triangles) if isinstance(source, str | Path) else as_mesh(source, 3, "triangles")

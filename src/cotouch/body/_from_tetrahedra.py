@@ -13,7 +13,7 @@ from cotouch.body._builders import MOST_NODES
 from cotouch.body._ground import Held
 from cotouch.body._lines import doubled
 from cotouch.body._material import Frame
-from cotouch.body._mesh_material import SolidModel, check_material, of_tetrahedra, warned
+from cotouch.body._mesh_material import SolidModel, check_material, frame_of_model, of_tetrahedra, warned
 from cotouch.body._pieces import boundary_of, hinged, one_piece, volumes_of, without_broken
 from cotouch.body._reading import Unit, as_mesh, check_indices, metres
 from cotouch.body._rigid import moments_of_tetrahedra, rigid_solid
@@ -41,7 +41,7 @@ def body_from_tetrahedra(
     ground: Held = "none",
     ground_stiffness: float = 0.0,
     ground_damping: float = 0.0,
-    frame: Frame = "fixed",
+    frame: Frame | None = None,
     part: int | None = None,
     sets: Mapping[str, Sequence[int]] | None = None,
     most_elements: int = MOST_ELEMENTS,
@@ -67,7 +67,8 @@ def body_from_tetrahedra(
             file, or indices among the nodes of the body.
         ground_stiffness: of each held node [N/m].
         ground_damping: of each held node [Ns/m].
-        frame: "floating": a linear body ("springs", "elastic") turns as a whole without a force.
+        frame: of a linear body ("springs", "elastic"): "floating" (the default) turns as a whole without a force;
+            "fixed" keeps K as it is: cheaper, with modes, and a turned body shrinks.
         part: which of several separate parts to take, from 1, the biggest first.
         sets: more named sets, as indices of the source's points.
         most_elements: refuse more than this.
@@ -98,6 +99,7 @@ def body_from_tetrahedra(
         rayleigh_stiffness=rayleigh_stiffness,
         frame=frame,
     )
+    frame = frame_of_model(model, frame)
     scale = metres(unit, name)
     if isinstance(source, str | Path):
         mesh = read_tetrahedra(Path(name), most_elements)

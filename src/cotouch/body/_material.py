@@ -1,6 +1,7 @@
 """What a body is made of where it does more than follow a linear law: it turns, bends far, or is heavy."""
 
 from dataclasses import dataclass, field
+from math import inf
 from typing import Literal, TypeAlias, final, get_args
 
 import numpy as np
@@ -40,6 +41,8 @@ class Material:
         viscosity: η: dampers of η times the stiffness, which no rotation feels; not of models without elements, whose
             dampers are the body's [s].
         gravity: acceleration that the whole body has where it is, (3,) [m/s²]; see `Body.with_gravity`.
+        cuttable: whether its elements can be cut; see `Body.with_cutting`.
+        tear: strain at which an element breaks: how much its most stretched edge is longer than at rest, as a share.
     """
 
     model: MaterialModel
@@ -49,6 +52,8 @@ class Material:
     poisson: float = 0.0
     viscosity: float = 0.0
     gravity: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    cuttable: bool = False
+    tear: float = inf
 
     def check(self, rest: Float) -> None:
         """Whether it fits a body.
@@ -69,6 +74,13 @@ class Material:
         if dimension < 2 and self.model != "linear":
             raise BodyError(f'model is "{self.model}", but the body has one axis; what turns has 2 or 3')
         corners = _CORNERS.get(self.model)
+        if self.cuttable and corners is None:
+            raise BodyError(
+                f'cutting takes away elements, but model is "{self.model}", which has none; take one of '
+                + ", ".join(_CORNERS)
+            )
+        if self.cuttable and not self.tear > 0.0:
+            raise BodyError(f"tear is {self.tear}; it must be a strain above 0, a share of the length at rest")
         if corners is None:
             return
         if corners != 2 and dimension != 3:

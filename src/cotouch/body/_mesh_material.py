@@ -116,6 +116,18 @@ def of_tetrahedra(
     return inner, material
 
 
+def frame_of_model(model: str, frame: Frame | None) -> Frame:
+    """The frame of a body from a mesh: what is linear turns as a whole, unless another is asked for.
+
+    Args:
+        model: name of the material.
+        frame: that is asked for; None: none.
+    """
+    if frame is not None:
+        return frame
+    return "floating" if model in get_args(LinearModel) else "fixed"
+
+
 def check_material(
     model: str,
     known: tuple[str, ...],
@@ -127,7 +139,7 @@ def check_material(
     mass: float | None,
     rayleigh_mass: float,
     rayleigh_stiffness: float,
-    frame: str,
+    frame: str | None,
 ) -> None:
     """Whether the values are in their ranges and fit each other.
 
@@ -141,16 +153,16 @@ def check_material(
         mass: of the whole body [kg]; None: from the density.
         rayleigh_mass: share of M in the damping [1/s].
         rayleigh_stiffness: share of K in the damping [s].
-        frame: "fixed" or "floating".
+        frame: "fixed" or "floating"; None: as the model has it.
 
     Raises:
         BodyError: one is not, or does not.
     """
     if model not in known:
         raise BodyError(f'model is "{model}"; it must be one of {", ".join(known)}')
-    if frame not in get_args(Frame):
+    if frame is not None and frame not in get_args(Frame):
         raise BodyError(f'frame is "{frame}"; it must be "fixed" or "floating"')
-    if frame != "fixed" and model not in get_args(LinearModel):
+    if frame == "floating" and model not in get_args(LinearModel):
         raise BodyError(f'frame is "{frame}", but model "{model}" turns by itself; leave frame out')
     for label, value, unit in (
         ("young", young, "Pa"),

@@ -65,6 +65,7 @@ def shares_of(rest: Float, places: Float) -> Float:
         rest: of the nodes, (4, 3) [m].
         places: (P, 3) [m].
     """
-    inverse = np.linalg.inv(rest[1:] - rest[0])
-    shares = (places - rest.mean(axis=0)) @ inverse + 0.25
+    edges: Float = rest[1:] - rest[0]
+    inverse = np.asarray(np.linalg.inv(edges), dtype=np.float64)
+    shares: Float = (places - rest.mean(axis=0)) @ inverse + 0.25
     return np.concatenate([1.0 - shares.sum(axis=1, keepdims=True), shares], axis=1)

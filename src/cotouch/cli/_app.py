@@ -160,7 +160,7 @@ def body(
         str | None,
         typer.Option(help="springs (default of surfaces) or elastic (default of tetrahedra).", show_default=False),
     ] = None,
-    frame: Annotated[str | None, typer.Option(help="fixed (default) or floating.", show_default=False)] = None,
+    frame: Annotated[str | None, typer.Option(help="floating (default) or fixed.", show_default=False)] = None,
     young: Annotated[float, typer.Option(help="Young's modulus [Pa].")] = 1e4,
     poisson: Annotated[float, typer.Option(help="Poisson's ratio.")] = 0.3,
     stiffness: Annotated[

@@ -156,7 +156,7 @@ def demo(
         str | None,
         typer.Option(
             help="Law of the links: spring (the paper's, with its damping), paid, wave, tank, tdpa or pspm; by default "
-            "paid for the point, with a link between any two, and spring for bodies.",
+            "paid, with a link between any two.",
             show_default=False,
         ),
     ] = None,

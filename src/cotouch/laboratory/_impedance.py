@@ -121,6 +121,8 @@ def _predicted(prepared: Prepared, user: int, node: int, axis: int, tones: Float
     law, given = given_law(scenario)
     if law.linear is None:
         return np.full(tones.size, np.nan + 0j)
+    if body.rigid and any(hand.node > body.nodes for hand in scenario.hands):
+        raise UnsupportedError("the felt impedance is predicted at nodes only, of a rigid body its four masses")
     if scenario.network.weights or body.truncation is not None:
         raise UnsupportedError("the felt impedance is predicted for links that all pull with the identity as weight")
     facts = facts_of(scenario, prepared.model, timing, prepared.topology.weight)

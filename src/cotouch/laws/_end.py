@@ -48,6 +48,7 @@ class End(NamedTuple):
         first: whether this is the first of the copy's links; they are asked in order.
         last: whether it is the last.
         copies: N.
+        width: numbers of a row in a field: its axes, in three dimensions one more that is 0, or 1 of bodies by modes.
         spring: K of the link [N/m for the identity weight].
         parameters: of the law.
         weight: diagonal of W, (size,).
@@ -56,6 +57,7 @@ class End(NamedTuple):
         mean: v̂ of the step, (size,), only after it [m/s].
         sample: x̃, the neighbour's x̂, (size,) [m].
         hand: force of the hands on this copy in the step before, (size,), where the law asks for it [N].
+        touch: likewise of what touches it by a contact law, tools and devices [N].
         received: fields of the neighbour's message, (fields, size).
         received_scalars: (scalars,).
         memory: fields that this end keeps, (fields, size).
@@ -78,6 +80,7 @@ class End(NamedTuple):
     first: bool
     last: bool
     copies: int
+    width: int
     spring: float
     parameters: Float
     weight: Float
@@ -86,6 +89,7 @@ class End(NamedTuple):
     mean: Float
     sample: Float
     hand: Float
+    touch: Float
     received: Float
     received_scalars: Float
     memory: Float

@@ -181,6 +181,11 @@ class Law:
         return self._parts[0], self._parts[1]
 
     @property
+    def coarse(self) -> tuple[int, ...]:
+        """Which of the fields that it sends are values of now, not sums."""
+        return tuple(nth for nth, name in enumerate(self.sends) if name not in self.sums)
+
+    @property
     def live(self) -> bool:
         """Whether it can run between people who need not trust each other.
 

@@ -44,6 +44,7 @@ from cotouch.mechanics._coupling_law import (
 )
 from cotouch.mechanics._coupling_pspm import PSPM
 from cotouch.mechanics._coupling_virtual import VIRTUAL
+from cotouch.mechanics._cutting import Cutting, begin_cut, cutting_of, decide_cuts, expose, hear_cuts, sever
 from cotouch.mechanics._force import LAWS, LEANS, BodyForce, evaluate, lean, resist
 from cotouch.mechanics._kernel import block, inner, kernel, part
 from cotouch.mechanics._model import Basis, Model, model
@@ -55,6 +56,8 @@ from cotouch.mechanics._state import (
     BETA,
     BODY_LOSS,
     CLOSURE,
+    CUT,
+    CUT_COUNT,
     ELASTIC,
     EXTRA_LOSS,
     ITERATIONS,
@@ -78,6 +81,7 @@ from cotouch.mechanics._surface import Surface, surface_of
 from cotouch.mechanics._toll import checked_toll, encoder_toll, most_toll, opening_energy
 from cotouch.mechanics._tools import (
     AWAY,
+    BLADE,
     DRIVE,
     GRASP,
     MOST_HELD,
@@ -97,10 +101,13 @@ from cotouch.mechanics._world_force import begin_world, deepest_point, follow_wo
 __all__ = [
     "AWAY",
     "BETA",
+    "BLADE",
     "BODY_LOSS",
     "CLOSURE",
     "CLOSURE_ALARM",
     "CONTACT_LAWS",
+    "CUT",
+    "CUT_COUNT",
     "DRIVE",
     "ELASTIC",
     "END",
@@ -134,6 +141,7 @@ __all__ = [
     "BodyForce",
     "Box",
     "Contact",
+    "Cutting",
     "DeviceCoupling",
     "EndFields",
     "EnergyMessage",
@@ -155,6 +163,7 @@ __all__ = [
     "approach",
     "at",
     "available_energy",
+    "begin_cut",
     "begin_world",
     "block",
     "book_end",
@@ -168,14 +177,18 @@ __all__ = [
     "coupling_at",
     "coupling_named",
     "credit",
+    "cutting_of",
+    "decide_cuts",
     "deepest_point",
     "device_couplings",
     "discard",
     "encoder_toll",
     "end_row",
     "evaluate",
+    "expose",
     "follow_world",
     "hear",
+    "hear_cuts",
     "hear_end",
     "hold_gap",
     "inner",
@@ -205,6 +218,7 @@ __all__ = [
     "rest_fraction",
     "run_end",
     "settle",
+    "sever",
     "shape_of",
     "share",
     "slowed",

@@ -280,7 +280,7 @@ def closed_settle(
     zero = splat(0.0, lanes)
     held, weight, moving = zero, zero, zero
     gravity = op.firmness * load(force.gravity, 0, lanes)
-    forget(memory)
+    forget(memory, force.behind)
     for i in range(rows):
         x, v, m = load(state.position, i, lanes), load(state.velocity, i, lanes), at(op.mass, i)
         held = held + at(op.ground, i) * (x * x)

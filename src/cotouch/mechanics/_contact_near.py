@@ -62,6 +62,16 @@ def say(touch: ContactWork, mean: Float, lanes: tuple[int, ...]) -> None:
 
 
 @part
+def tell(touch: ContactWork, modal: bool, lanes: tuple[int, ...]) -> None:
+    """Leaves in `push` what contacts and grasps did on the rows, for the balance and for who asks after the step."""
+    for i in range(touch.found.shape[0] if modal else 0):
+        store(touch.push, i, load(touch.found, i, lanes), lanes)
+    for c in range(touch.many[0]):
+        i = touch.reach[c]
+        store(touch.push, i, load(touch.said, i, lanes), lanes)
+
+
+@part
 def correct_near(op: Operator, work: Workspace, touch: ContactWork, cap: int, lanes: tuple[int, ...]) -> int:
     """Corrects `work.mean` by what contacts do beside what they were said to.
 

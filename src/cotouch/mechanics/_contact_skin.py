@@ -44,6 +44,7 @@ def look_around(
     """Notes every triangle that is no farther from the middle of a tool."""
     p, fit, stack, near = t - tools.first, work.fit, work.stack, work.near
     place, corner, child, leaf = fit.place, surface.corner, surface.child, surface.leaf
+    hidden = fit.hidden
     x, y, z = tools.place[t, 0], tools.place[t, 1], tools.place[t, 2]
     count, waiting = 0, 1
     stack[0] = 0
@@ -59,6 +60,8 @@ def look_around(
             continue
         for member in range(-1 - left, -1 - left + right):
             f = leaf[member]
+            if hidden[f] != 0:
+                continue
             for c in range(3):
                 place_vertex(surface, fit, corner[f, c], position, lanes)
             gap = 0.0

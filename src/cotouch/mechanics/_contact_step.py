@@ -13,7 +13,7 @@ from cotouch.arrays import Float
 from cotouch.mechanics._closed import miss, predict
 from cotouch.mechanics._contact_balance import balanced, dot_rows
 from cotouch.mechanics._contact_catch import begin_catch, catch
-from cotouch.mechanics._contact_near import correct_near, empty_rows, forget_rows, say
+from cotouch.mechanics._contact_near import correct_near, empty_rows, forget_rows, say, tell
 from cotouch.mechanics._contact_press import feel_tool, press_tool
 from cotouch.mechanics._contact_skin import fastest, load_rows, look_around, read_rates
 from cotouch.mechanics._contact_sweep import NEVER, first_crossing
@@ -26,15 +26,14 @@ from cotouch.mechanics._proxy import book_drive, move_proxy, proxy_drive, proxy_
 from cotouch.mechanics._state import ITERATIONS, Links, Ports, State, Workspace
 from cotouch.mechanics._step import assemble, solve_step
 from cotouch.mechanics._surface import Surface, refit
-from cotouch.mechanics._tools import AWAY, GRASP, TOUCH, TOUCH_LOSS, TOUCH_STORED, Tools
+from cotouch.mechanics._tools import GRASP, TOUCH, TOUCH_LOSS, TOUCH_STORED, Tools
 from cotouch.mechanics._vector import load, splat, store
 from cotouch.mechanics._world_force import lean_world, looks_of, take_up
 
 # Looks at most; the change of forces at which they end, and at which one more correction is enough.
 _LOOKS = 12
 _SETTLED, _NEARLY = 1e-6, 1e-3
-# How much of what the last look missed the next may leave, where it solves the whole body.
-_COARSE = 0.01
+_COARSE = 0.01  # of what the last look missed the next may leave so much, where it solves the whole body
 # Energy below which a tool is out of the skin, of that in a depth of its radius.
 _NOTHING = 1e-17
 # How far a tool looks around beyond its radius, in radii and in ways of a step; below how many radii those are short.
@@ -143,12 +142,13 @@ def contact_step(
             _follow(surface, touch, tools, t, T, state, mean, lanes)
         elif tools.mode[t] == GRASP:
             feel_grasp(surface, touch, tools, t, T, state.position, mean, touch.own, False, lanes)
+    tell(touch, modal, lanes)
     contact = 0.0
     if look and near:  # contacts do what the body asks for and nothing else gives
         miss(op, touch.own, touch.asked, work, touch.found, lanes)
         contact = -dot_rows(mean, touch.found, lanes)
     elif look:
-        contact = dot_rows(mean, touch.found if modal else touch.said, lanes)
+        contact = dot_rows(mean, push, lanes)
     sigma = balanced(
         law,
         op,
@@ -252,8 +252,9 @@ def _begin(
     for t in range(tools.first, tools.last):
         p, mode = t - tools.first, tools.mode[t]
         touch.number[p], tools.touching[t] = 0, 0
-        acting = acting or mode != AWAY
-        if mode == AWAY or (mode == GRASP) != (tools.held[t] >= 0):  # what another way of acting holds goes
+        acts = mode in (TOUCH, GRASP)
+        acting = acting or acts
+        if not acts or (mode == GRASP) != (tools.held[t] >= 0):  # what it held before goes
             touch_ledger[TOUCH_LOSS] += tools.stored[t]
             tools.stored[t], tools.held[t] = 0.0, -1
         if mode != TOUCH:
@@ -267,10 +268,9 @@ def _begin(
     for t in range(tools.first, tools.last):
         p = t - tools.first
         if tools.mode[t] == TOUCH:
-            touch.seen[p] = tools.radius[t] * (1.0 + _MARGIN) + _length(tools.axis, t)
             way = T * (touch.quick[0] + _length(tools.rate, t))
-            touch.seen[p] += _WAYS * way
-            touch.slow[p] = 1 if way < _SLOW * tools.radius[t] else 0
+            touch.seen[p] = tools.radius[t] * (1.0 + _MARGIN) + _length(tools.axis, t) + _WAYS * way
+            touch.slow[p] = way < _SLOW * tools.radius[t]
             look_around(surface, touch, tools, t, touch.seen[p], state.position, lanes)
             _begin_tool(law, surface, touch, tools, t)
         elif tools.mode[t] == GRASP and tools.held[t] < 0:

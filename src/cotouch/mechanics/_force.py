@@ -42,6 +42,8 @@ class BodyForce(NamedTuple):
         directions: how often a step looks where its force leads before it moves, >= 1.
         grain: energy that the rounding of places alone makes, of the whole body [J].
         world: obstacles that the body meets; None: none.
+        behind: where in a copy's memory begins what is not the law's: of the world, and which elements were cut; 0:
+            nothing.
     """
 
     law: Any
@@ -49,6 +51,7 @@ class BodyForce(NamedTuple):
     directions: int
     grain: float
     world: World | None = None
+    behind: int = 0
 
 
 # The registry: a law, what adds its forces, and what evaluates it.

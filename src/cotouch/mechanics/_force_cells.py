@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.arrays import Float
-from cotouch.mechanics._force_memory import FIRST, columns, keep, scratch_row
+from cotouch.mechanics._force_memory import FIRST, columns, is_cut, keep, scratch_row
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._matrix3 import Matrix, Vector, cross, inertia, mixture, product, solved, transpose, turned
 from cotouch.mechanics._vector import at, load, store, total
@@ -25,6 +25,7 @@ class CorotatedCells(NamedTuple):
         stiffness: of the spring along an edge that four such cubes share, (cells,) [N/m].
         edge: h n_a, the edges at rest, (3, 4) [m].
         spacing: h [m].
+        cut: where in the memory the marks of those that were cut begin; negative: none can be.
     """
 
     viscosity: float
@@ -32,6 +33,7 @@ class CorotatedCells(NamedTuple):
     stiffness: Float
     edge: Float
     spacing: float
+    cut: int = -1
 
 
 @inner
@@ -97,6 +99,8 @@ def resist(
     """Adds the mean force between two places and the damping; see `cotouch.mechanics.BodyForce`."""
     h, eta, scratch = law.spacing, law.viscosity, scratch_row(law.stiffness.shape[0])
     for c in range(law.stiffness.shape[0]):
+        if is_cut(memory, law.cut, c):
+            continue
         k = 0.25 * at(law.stiffness, c)
         row = FIRST + 3 * c
         before = columns(memory, row)
@@ -152,6 +156,8 @@ def evaluate(
     h, eta, scratch = law.spacing, law.viscosity, scratch_row(law.stiffness.shape[0])
     energy, power = 0.0, 0.0
     for c in range(law.stiffness.shape[0]):
+        if is_cut(memory, law.cut, c):
+            continue
         row = FIRST + 3 * c
         before = columns(memory, row)
         shape = _shape(law, c, ahead, scratch, memory, lanes)

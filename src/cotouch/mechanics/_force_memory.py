@@ -26,6 +26,12 @@ def fresh_memory(size: int, more: int = 0) -> Float:
 
 
 @inner
+def is_cut(memory: Float, first: int, element: int) -> bool:
+    """Whether an element was cut; its marks begin at a place, or there are none."""
+    return first >= 0 and at(memory, first + element) != 0.0
+
+
+@inner
 def scratch_row(rotations: int) -> int:
     """The first of three rows behind so many rotations."""
     return FIRST + 3 * rotations
@@ -64,9 +70,15 @@ def keep(memory: Float, row: int, matrix: Matrix) -> None:
 
 
 @inner
-def forget(memory: Float) -> None:
-    """Sets all rotations to none."""
+def forget(memory: Float, behind: int) -> None:
+    """Sets all rotations to none, and all else to 0.
+
+    Args:
+        memory: (numbers,).
+        behind: numbers from here on are of something else than the law; 0: none are.
+    """
     for place in range(memory.shape[0]):
         put(memory, place, 0.0)
-    for r in range((memory.shape[0] // 4 - FIRST - _SCRATCH) // 3):
+    size = behind if behind > 0 else memory.shape[0]
+    for r in range((size // 4 - FIRST - _SCRATCH) // 3):
         keep(memory, FIRST + 3 * r, IDENTITY)

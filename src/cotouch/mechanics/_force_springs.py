@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.arrays import Float
+from cotouch.mechanics._force_memory import is_cut
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._vector import at, load, store, total
 
@@ -25,6 +26,7 @@ class SpringNetwork(NamedTuple):
         stiffness: k, (springs,) [N/m].
         edge: from one end to the other at rest, (springs, 4) [m].
         length: L, (springs,) [m].
+        cut: where in the memory the marks of those that were cut begin; negative: none can be.
     """
 
     viscosity: float
@@ -33,6 +35,7 @@ class SpringNetwork(NamedTuple):
     stiffness: Float
     edge: Float
     length: Float
+    cut: int = -1
 
 
 @part
@@ -41,6 +44,8 @@ def resist(
 ) -> None:
     """Adds the mean force between two places and the damping; see `cotouch.mechanics.BodyForce`."""
     for e in range(law.stiffness.shape[0]):
+        if is_cut(memory, law.cut, e):
+            continue
         i, j = at(law.start, e), at(law.end, e)
         k, length, edge = at(law.stiffness, e), at(law.length, e), load(law.edge, e, lanes)
         before = load(x, j, lanes) - load(x, i, lanes)
@@ -68,6 +73,8 @@ def evaluate(
     """Energy at the end of a step, and the power of the dampers in it."""
     energy, power = 0.0, 0.0
     for e in range(law.stiffness.shape[0]):
+        if is_cut(memory, law.cut, e):
+            continue
         i, j = at(law.start, e), at(law.end, e)
         k, length, edge = at(law.stiffness, e), at(law.length, e), load(law.edge, e, lanes)
         after = load(ahead, j, lanes) - load(ahead, i, lanes)

@@ -17,7 +17,7 @@ import numpy.typing as npt
 from numba.extending import overload
 
 from cotouch.arrays import Float
-from cotouch.mechanics._force_memory import FIRST, columns, keep
+from cotouch.mechanics._force_memory import FIRST, columns, is_cut, keep
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._matrix3 import (
     IDENTITY,
@@ -45,6 +45,7 @@ class CorotatedTetrahedra(NamedTuple):
         gradient: ∇N of the last three corners, (3 · tetrahedra, 4) [1/m].
         volume: at rest, (tetrahedra,) [m³].
         lame: λ and μ, (tetrahedra, 2) [Pa].
+        cut: where in the memory the marks of those that were cut begin; negative: none can be.
     """
 
     viscosity: float
@@ -52,6 +53,7 @@ class CorotatedTetrahedra(NamedTuple):
     gradient: Float
     volume: Float
     lame: Float
+    cut: int = -1
 
 
 class StVenantKirchhoff(NamedTuple):
@@ -62,6 +64,7 @@ class StVenantKirchhoff(NamedTuple):
     gradient: Float
     volume: Float
     lame: Float
+    cut: int = -1
 
 
 class NeoHookean(NamedTuple):
@@ -72,6 +75,7 @@ class NeoHookean(NamedTuple):
     gradient: Float
     volume: Float
     lame: Float
+    cut: int = -1
 
 
 TETRAHEDRA = (CorotatedTetrahedra, StVenantKirchhoff, NeoHookean)
@@ -243,6 +247,8 @@ def _push(law: Any, e: int, n: int, out: Float, x: float, y: float, z: float) ->
 def resist(law: Any, memory: Float, x: Float, ahead: Float, rate: Float, out: Float, lanes: tuple[int, ...]) -> None:
     """Adds the mean force between two places and the damping; see `cotouch.mechanics.BodyForce`."""
     for e in range(law.volume.shape[0]):
+        if is_cut(memory, law.cut, e):
+            continue
         lam, mu = at(law.lame, 2 * e), at(law.lame, 2 * e + 1)
         h, h1 = _gradient(law, e, x), _gradient(law, e, ahead)
         stress = stress_of(law, lam, mu, h, h1, memory, FIRST + 3 * e)
@@ -266,6 +272,8 @@ def evaluate(
     """Energy at the end of a step, whose rotations it keeps, and the power of the dampers in it."""
     energy, power = 0.0, 0.0
     for e in range(law.volume.shape[0]):
+        if is_cut(memory, law.cut, e):
+            continue
         lam, mu, v = at(law.lame, 2 * e), at(law.lame, 2 * e + 1), at(law.volume, e)
         h1 = _gradient(law, e, ahead)
         energy += v * energy_of(law, lam, mu, h1, memory, FIRST + 3 * e, sweeps)

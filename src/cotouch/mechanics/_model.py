@@ -8,7 +8,6 @@ import numpy as np
 import numpy.typing as npt
 import scipy.linalg as la
 import scipy.sparse as sp
-from scipy.sparse import csgraph
 
 from cotouch.arrays import Float
 from cotouch.body import Body, Material, Matrix, Truncation, canonical
@@ -17,7 +16,7 @@ from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._force_memory import fresh_memory
 from cotouch.mechanics._link_weight import fit_weight
 from cotouch.mechanics._materials import force_of, outline_of
-from cotouch.mechanics._operator import DAMPING, MASS, STIFFNESS, WEIGHTS, Operator, mixed
+from cotouch.mechanics._operator import DAMPING, MASS, STIFFNESS, WEIGHTS, Operator, halves, mixed
 from cotouch.mechanics._state import Workspace, workspace
 from cotouch.mechanics._vector import WIDTHS
 from cotouch.mechanics._world import Obstacle
@@ -54,6 +53,7 @@ class Model:
         force: what resists inside a body of some material; None where K and B of the operator do.
         memory: numbers that it remembers of a copy, with those of the world.
         obstacles: what stands still around the body.
+        cut: where in the memory it is which elements were cut, and by whom; negative: none can be.
     """
 
     body: Body
@@ -64,6 +64,7 @@ class Model:
     force: BodyForce | None = None
     memory: int = 0
     obstacles: tuple[Obstacle, ...] = ()
+    cut: int = -1
 
     @property
     def basis(self) -> Literal["nodal", "modal"]:
@@ -116,8 +117,8 @@ class Model:
 
     def unturned(self) -> Float:
         """What a body force remembers of a copy that it has not seen, (memory,)."""
-        world = None if self.force is None else self.force.world
-        return fresh_memory(self.memory) if world is None else fresh_memory(world.first, self.memory - world.first)
+        behind = 0 if self.force is None else self.force.behind
+        return fresh_memory(behind, self.memory - behind) if behind else fresh_memory(self.memory)
 
     def workspace(self, ports: int) -> Workspace:
         """Scratch for steps with at most so many ports of one user; all rows of a rigid body are solved for at once."""
@@ -188,7 +189,7 @@ def model(
         fitted = [fit_weight(body, index, weight) for index, weight in enumerate(weights, start=1)]
     rows = body.mass.shape[0]
     matrices = [body.mass, body.damping, body.stiffness, sp.eye_array(rows, format="csr"), *(m for m, _ in fitted)]
-    order, split = _halves(matrices)
+    order, split = halves(matrices)
     ordered = matrices if order is None else [sp.csr_array(matrix[order][:, order]) for matrix in matrices]
     plain = Model(body=body, operator=_operator(ordered, copies, split), modes=None, inverse=None, order=order)
     if basis == "nodal" or (basis == "auto" and (plain.operator.entries.shape[0] == 0 or rows > _MODAL_ROWS)):
@@ -222,12 +223,17 @@ def _of_material(
         )
     own = [outline.mass, outline.damping, outline.stiffness, sp.eye_array(body.nodes, format="csr")]
     matrices = [*own, *(m for m, _ in fitted)]
-    order, split = (None, 0) if body.rigid else _halves(matrices)
+    order, split = (None, 0) if body.rigid else halves(matrices)
     ordered = matrices if order is None else [sp.csr_array(matrix[order][:, order]) for matrix in matrices]
     force, memory = force_of(body, material, order)
+    force = force._replace(behind=memory)
     if obstacles:
         world, more = world_of(body, obstacles, order, memory)
         force, memory = force._replace(world=world), memory + more
+    cut = -1
+    if material.cuttable:
+        cut, memory = memory, memory + 2 * material.elements.shape[0]
+        force = force._replace(law=force.law._replace(cut=cut))
     return Model(
         body=body,
         operator=_operator(ordered, copies, split),
@@ -237,26 +243,8 @@ def _of_material(
         force=force,
         memory=memory,
         obstacles=tuple(obstacles),
+        cut=cut,
     )
-
-
-def _halves(matrices: list[sp.csr_array]) -> tuple[Int | None, int]:
-    """The order that puts rows into two halves with entries only across, and where the second starts; or (None, 0).
-
-    Lattices, chains and trees have such halves. They are found in the graph that has every row twice, once for each
-    half, and an edge across for every entry: there the two of a row are connected exactly if a cycle is odd.
-    """
-    pattern = sp.csr_array(sum((abs(m) for m in matrices[1:]), start=abs(matrices[0])))
-    pattern = sp.csr_array(pattern - sp.diags_array(pattern.diagonal()))
-    pattern.eliminate_zeros()
-    if pattern.nnz == 0:
-        return None, 0
-    rows = pattern.shape[0]
-    labels = csgraph.connected_components(sp.block_array([[None, pattern], [pattern, None]]), directed=False)[1]
-    first, second = labels[:rows], labels[rows:]
-    if np.any(first == second):
-        return None, 0
-    return np.argsort(first > second, kind="stable").astype(np.int32), int(np.count_nonzero(first < second))
 
 
 def _operator(matrices: list[sp.csr_array], copies: int, split: int) -> Operator:

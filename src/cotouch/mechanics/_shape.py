@@ -96,7 +96,8 @@ def shape_of(kind: int, numbers: Sequence[float]) -> Shape:
         kind: its place in `SHAPES`.
         numbers: of its fields.
     """
-    made, fields, start = SHAPES[kind], [], 0
+    made, start = SHAPES[kind], 0
+    fields: list[tuple[float, ...]] = []
     for width in _WIDTHS[made]:
         fields.append(tuple(float(number) for number in numbers[start : start + width]))
         start += width

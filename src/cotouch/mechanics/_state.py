@@ -17,7 +17,10 @@ SUPPLIED, BODY_LOSS, LOCAL_LOSS, EXTRA_LOSS, KINETIC, ELASTIC, ITERATIONS, CLOSU
 # And of obstacles: what of BODY_LOSS was lost at them, what of ELASTIC they hold [J], and their mean force, along three
 # axes [N].
 WORLD_LOSS, WORLD_STORED, WORLD_FORCE = 10, 11, 12
-LEDGER_COLUMNS = 15
+# And of cutting: what the elements held that were taken away after the step, before KINETIC and ELASTIC [J], and how
+# many they were.
+CUT, CUT_COUNT = 15, 16
+LEDGER_COLUMNS = 17
 
 _NO_BRAKE, _NO_PUSH = np.zeros(0), np.zeros((0, 0, 0))
 

@@ -14,7 +14,7 @@ import numpy.typing as npt
 import scipy.sparse as sp
 
 from cotouch.arrays import Float
-from cotouch.body import Body
+from cotouch.body import Body, cut_skin
 from cotouch.errors import BodyError
 from cotouch.mechanics._kernel import block
 from cotouch.mechanics._model import Model
@@ -78,6 +78,7 @@ class Fit(NamedTuple):
         high: likewise.
         size: modal: magnitudes of the rows' coordinates, (rows, width).
         number: modal: number of the search, (1,).
+        hidden: 1 where a triangle is not there, because the body was cut, (F,).
     """
 
     place: Float
@@ -86,6 +87,7 @@ class Fit(NamedTuple):
     high: Float
     size: Float
     number: Int
+    hidden: Int
 
 
 def surface_of(model: Model) -> Surface:
@@ -174,6 +176,7 @@ def fit_of(surface: Surface, model: Model) -> Fit:
         high=np.zeros((boxes, 4)),
         size=np.zeros((model.operator_rows if modal else 0, model.width)),
         number=np.zeros(1, dtype=np.int32),
+        hidden=np.zeros(surface.corner.shape[0], dtype=np.int32),
     )
 
 
@@ -185,7 +188,8 @@ def _padded(places: Float) -> Float:
 
 def _skin(body: Body) -> tuple[Float, Int, Int, Float]:
     """Vertices, triangles, carrying nodes and weights; a node without a skin is a triangle of no size."""
-    skin = body.skin
+    faces = cut_skin(body) if body.material is not None and body.material.cuttable else None
+    skin = body.skin if faces is None else faces.skin
     if skin is None or not skin.triangles.size:
         number = np.arange(body.nodes, dtype=np.int32)
         return body.rest, np.repeat(number[:, None], 3, axis=1), number[:, None], np.ones((body.nodes, 1))

@@ -10,7 +10,7 @@ from cotouch.arrays import Float
 Int = npt.NDArray[np.int32]
 
 # What a tool does with the body.
-AWAY, TOUCH, GRASP = 0, 1, 2
+AWAY, TOUCH, GRASP, BLADE = 0, 1, 2, 3
 # What tools book, in order: work of the drives on the proxies, work of contacts and grasps on the body, dissipated in
 # contacts and grasps during the step; kinetic energy of the proxies, energy in contacts and grasps after it [J].
 DRIVE, TOUCHED, TOUCH_LOSS, PROXY, TOUCH_STORED = range(5)
@@ -30,19 +30,19 @@ class Tools(NamedTuple):
         first: first tool of this copy.
         last: one past its last.
         mass: (tools,) [kg].
-        radius: of the sphere, (tools,) [m].
+        radius: of the sphere; of a blade half its thickness, (tools,) [m].
         stiffness: of a contact, (tools,) [N/m].
         loss: λ of a contact: its force grows by (1 + λ η'), (tools,) [s/m].
         friction: Coulomb's coefficient of what does not slip, (tools,).
         kinetic: the same of what slips, (tools,).
-        axis: from the middle of a stylus to the middle of its tip, (tools, 4); 0 of a ball [m].
+        axis: from the middle of a stylus to the middle of its tip, (tools, 4); 0 of a ball; of a blade its edge [m].
         stretch: of the spring of friction, (tools, 4) [m].
         slipping: whether it slipped in the last step, (tools,).
         share: of the contact's law that acts, in [0, 1]; below 1 until it lets go where something else than motion
             pressed it deeper, (tools,).
         grip_stiffness: k of every held node in a grasp, (tools,) [N/m].
         grip_damping: b of it, (tools,) [Ns/m].
-        mode: AWAY, TOUCH or GRASP in this step, (tools,).
+        mode: AWAY, TOUCH, GRASP or BLADE in this step, (tools,).
         drive_stiffness: k of the drive `τ = k (r̂ - ŷ) + b (ṙ̂ - ŵ) + push`, (tools,) [N/m].
         drive_damping: b, (tools,) [Ns/m].
         drive_start: r at the start of the step, (tools, 4) [m].

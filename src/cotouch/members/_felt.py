@@ -9,10 +9,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import final
 
+import numpy as np
+
 from cotouch.arrays import Float
+from cotouch.mechanics import Tools
 from cotouch.members._live_law import LiveLaw
 from cotouch.members._messages import Status
 from cotouch.members._neighbour import Neighbour
+from cotouch.peer import StepReport
 
 # Below 5 mm/s over the ten seconds that copies remember, nothing is measured [m²/s].
 _LEAST = 10.0 * 0.005**2
@@ -90,3 +94,16 @@ def predicted_drag(
         for slot, neighbour in neighbours.items()
         if neighbour.coupled and slot in link_age
     )
+
+
+def force_felt(report: StepReport, tools: Tools | None) -> float:
+    """Of the hands on a copy and on the proxies, as a whole [N].
+
+    Args:
+        report: of the step.
+        tools: the proxies; None: none.
+    """
+    force = report.force.sum(axis=0)
+    if tools is not None:
+        force = force + tools.drive_force[tools.first : tools.last].sum(axis=0)[: force.size]
+    return float(np.linalg.norm(force))

@@ -55,12 +55,13 @@ class LiveLaw:
         """For all links of one copy."""
         return CopyMemory(self.law, self.size)
 
-    def parameters(self, slot: int, other: int) -> Float:
+    def parameters(self, slot: int, other: int, *, tree: bool = False) -> Float:
         """Of the end at a slot.
 
         Args:
             slot: of this end.
             other: of the other end.
+            tree: whether the links of those who are there make one.
         """
         session, network = self.session, self.session.scenario.network
         _, given = session.scenario.law
@@ -76,6 +77,7 @@ class LiveLaw:
             mass=self.mass,
             degree=most,
             degree_back=most,
+            tree=tree,
             rows=self.rows,
         )
         return np.array(self.law.values(facts, {**given, FORCE: session.options.force_limit}))

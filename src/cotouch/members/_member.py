@@ -29,6 +29,7 @@ from cotouch.members._messages import (
 )
 from cotouch.members._paths import Met, Paths
 from cotouch.members._replica import Replica
+from cotouch.members._shared_cuts import TOPIC as CUTS
 from cotouch.members._shared_model import SharedModel
 from cotouch.members._step_recorder import StepRecorder
 from cotouch.members._succession import Belief
@@ -42,7 +43,7 @@ _TELL_EVERY = 1.0
 _VOTE = 2.0
 # A turn of `service` stands between two steps, so what it takes up is bounded; signatures and rosters count for more.
 _EFFORT = 12
-_HEAVY = {"roster": 6, _keys.TOPIC: 6, "status": 4}
+_HEAVY = {"roster": 6, _keys.TOPIC: 6, CUTS: 4, "status": 4}
 
 
 @final

@@ -280,6 +280,9 @@ class Status(Table):
         closure_factor: greatest change of a velocity by that, |β - 1|.
         closure_alarms: steps so far whose forces and energy disagree, by more than 0.01 of a velocity, or that were
             shortened for it.
+        cut_energy: lost with the elements that were cut, so far; part of `lost` [J].
+        cuts: elements that are cut.
+        cut_set: 64 bits that tell that set from another; empty of a body that cannot be cut.
         roster: digest of the roster it works with.
         paths: slot of another member, linked or not, and the quickest way there and back as pings find it [s]; with
             what is emulated.
@@ -321,6 +324,9 @@ class Status(Table):
     closure: Number = 0.0
     closure_factor: Number = 0.0
     closure_alarms: Count = 0
+    cut_energy: Number = 0.0
+    cuts: Count = 0
+    cut_set: Annotated[str, StringConstraints(pattern=r"^([0-9a-f]{16})?$")] = ""
     roster: Key | None = None
     round_trips: Annotated[list[tuple[Slot, Path]], Field(max_length=MOST_USERS)] = Field(
         default_factory=list[tuple[Slot, float]]

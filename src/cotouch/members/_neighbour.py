@@ -32,6 +32,8 @@ _SLACK = 2.0
 _PATIENCE = 0.2
 # A path that loses so many samples in a row, at the slowest that they come, does not only lose some; see `LinkAges`.
 _OUTAGE = 10.0
+# With a law, so many datagrams go to a neighbour in a step, in the mean, but never fewer samples than this [1/s].
+_DATAGRAMS, _OFTEN = 1, 50.0
 
 
 @final
@@ -155,7 +157,7 @@ class Neighbour:
         )
         slowest = max(1.0 / LOWEST_RATE, _send_period(session, entry.slot), session.period(slot))
         ages = LinkAges(window=options.window, outage=_OUTAGE * slowest)
-        link = SampleLink(assembly, rate=SendRate(highest=1.0 / _send_period(session, slot)), ages=ages)
+        link = SampleLink(assembly, rate=SendRate(highest=_highest(session, replica, slot)), ages=ages)
         keys = _keys.KeyExchange(
             control,
             link.seal,
@@ -230,6 +232,18 @@ class Neighbour:
             guarded=self.guarded,
             asked=self.budget.beyond,
         )
+
+
+def _highest(session: SessionFile, replica: SharedModel, slot: int) -> float:
+    """Most samples that a user sends a neighbour [1/s].
+
+    What a law says of a large body takes many datagrams. Unless the file says how often, it goes less often then: sums
+    make up for what is left out.
+    """
+    highest = 1.0 / _send_period(session, slot)
+    if replica.law is None or session.options.send_rate:
+        return highest
+    return min(highest, max(highest * _DATAGRAMS / replica.layout.chunks, _OFTEN))
 
 
 def _send_period(session: SessionFile, slot: int) -> float:

@@ -8,7 +8,7 @@ from cotouch.arrays import Float
 from cotouch.control import ControlPlane
 from cotouch.members import _keys
 from cotouch.members._file import SessionFile
-from cotouch.members._messages import Entry, LinkStatus
+from cotouch.members._messages import Entry, LinkStatus, Roster
 from cotouch.members._neighbour import STATES, Neighbour
 from cotouch.members._paths import Paths
 from cotouch.members._shared_model import SharedModel
@@ -16,6 +16,7 @@ from cotouch.members._step_recorder import StepRecorder
 from cotouch.network import link_damping
 from cotouch.peer import CopyMemory
 from cotouch.samples import Entropy, SamplePlane
+from cotouch.scenario import makes_tree
 
 BUDGET = "link.budget"
 # Links that are tended at once, between two steps.
@@ -101,6 +102,22 @@ class Neighbours:
         self.given += self._session.options.initial_energy if made.law is None else made.law.seed
         self._plane.connect(slot, made.link)
         self._paths.introduce(slot, bytes.fromhex(entry.key))
+
+    def shape(self, roster: Roster) -> None:
+        """Tells laws whether all links of the session make a tree, in which they tell of more than their own hand.
+
+        Ends that have heard of a change at different times do no harm: each pays for what it does.
+
+        Args:
+            roster: the newest.
+        """
+        law = self._replica.law
+        if law is None:
+            return
+        tree = makes_tree((entry.slot for entry in roster.members), roster.links)
+        for slot, neighbour in self.by_slot.items():
+            if neighbour.law is not None:
+                neighbour.law.set_parameters(law.parameters(self._slot, slot, tree=tree))
 
     def drop(self, slot: int) -> None:
         """Lets a link go."""

@@ -7,13 +7,14 @@ import numpy as np
 
 from cotouch.control import ControlPlane
 from cotouch.mechanics import Model
-from cotouch.members._felt import predicted_drag
+from cotouch.members._felt import force_felt, predicted_drag
 from cotouch.members._file import SessionFile
 from cotouch.members._hand import AttachedHand, Hand
 from cotouch.members._messages import Entry, LinkStatus, Roster, Status
 from cotouch.members._neighbour import Neighbour
 from cotouch.members._neighbours import Neighbours
 from cotouch.members._paths import Paths
+from cotouch.members._shared_cuts import TOPIC, SharedCuts, digest_of
 from cotouch.members._shared_model import SharedModel
 from cotouch.members._step_recorder import StepRecorder
 from cotouch.members._totals import Totals
@@ -76,6 +77,7 @@ class Replica:
             secret=secret,
             recorder=recorder,
         )
+        self._cuts = None if replica.uncut else SharedCuts(control, replica, session.digest + secret, slot)
         self._roster = Roster()
         self._began = 0.0  # when it began to move
         self._acts: float | None = None  # since when its hand does what the file says
@@ -135,6 +137,7 @@ class Replica:
             if slot not in self.neighbours:
                 newcomer = self.peer is not None and entry not in before
                 self._links.add(entry, now, newcomer=newcomer, copies=self.copies)
+        self._links.shape(roster)
         if self.peer is not None:
             self.peer.rescale(self.copies)
         self._damp(now)  # of links that are gone, at once
@@ -156,6 +159,8 @@ class Replica:
             body: what it said.
             now: [s].
         """
+        if topic == TOPIC and self._cuts is not None:
+            self._cuts.receive(slot, body, self._roster, now)
         self._links.receive(slot, topic, body, now)
 
     def service(self, now: float) -> None:
@@ -165,6 +170,8 @@ class Replica:
             now: [s].
         """
         self._links.service(now)
+        if self._cuts is not None:
+            self._cuts.service(self.peer, now, coupled=all(held.coupled for held in self.neighbours.values()))
         self._damp(now)
 
     # -- moving ------------------------------------------------------------------------------------------------------
@@ -181,7 +188,6 @@ class Replica:
             self._start(now)
             return
         peer, hand = self.peer, self._hand
-        assert peer is not None
         assert hand is not None
         waits = self._mode == "self-paced"
         self._owed += T
@@ -283,6 +289,7 @@ class Replica:
             surface=hand.surface,
             tools=hand.tools,
             contact=hand.contact,
+            cuts=scenario.cutting is None or scenario.cutting.may(self.slot + 1),
             tolerance=scenario.solver.tolerance,
             iterations=scenario.solver.iterations,
         )
@@ -354,7 +361,7 @@ class Replica:
             time=now - self._began,
             steps=peer.steps,
             period=self._session.period(self.slot),
-            force=self._force(report),
+            force=force_felt(report, None if self._hand is None else self._hand.tools),
             position=model.to_nodes(peer.state.position).mean(axis=0).tolist(),
             supplied=totals.supplied,
             lost=totals.lost,
@@ -379,15 +386,10 @@ class Replica:
             closure=totals.closure,
             closure_factor=totals.closure_factor,
             closure_alarms=totals.closure_alarms,
+            cut_energy=totals.cut,
+            cuts=0 if peer.cuts is None else int(np.count_nonzero(peer.cuts.by)),
+            cut_set="" if peer.cuts is None else digest_of(peer.cuts.by),
         )
-
-    def _force(self, report: StepReport) -> float:
-        """Of the hands on the copy and on the proxies, as a whole [N]."""
-        force = report.force.sum(axis=0)
-        tools = None if self._hand is None else self._hand.tools
-        if tools is not None:
-            force = force + tools.drive_force[tools.first : tools.last].sum(axis=0)[: force.size]
-        return float(np.linalg.norm(force))
 
     def link_status(self, slot: int) -> LinkStatus:
         """What is known of a link.

@@ -99,6 +99,9 @@ class SessionRecorder:
                 self._refused = getattr(error.__cause__, "strerror", None) or str(error)
                 self.trouble = f"was not begun: {self._refused}"
                 return
+            if peer.cuts is not None and peer.cuts.by.any():  # of a recording that begins later
+                gone = np.flatnonzero(peer.cuts.by)
+                self._recorder.event("cut", now, step=-1, elements=gone.tolist(), by=peer.cuts.by[gone].tolist())
         held = [copy.neighbours[slot] for slot in peer.neighbours]
         self._recorder.setup(
             now,
@@ -137,6 +140,9 @@ class SessionRecorder:
         if recorder is None:
             assert self._refused is not None
             return
+        if report.cut_elements and peer.cuts is not None:
+            by = [int(peer.cuts.by[element]) for element in report.cut_elements]
+            recorder.event("cut", now, step=report.sample.index, elements=list(report.cut_elements), by=by)
         held = [copy.neighbours[slot] for slot in peer.neighbours]
         ledger = [guard for guard in report.guards if guard is not None]
         used = [link.used for link in held]

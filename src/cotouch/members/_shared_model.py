@@ -73,9 +73,15 @@ class SharedModel:
             encoding=encoding,
             limit=limit,
             fields=0 if law is None else len(law.law.sends),
+            coarse=() if law is None else law.law.coarse,
             scalars=0 if law is None else len(law.law.sends_scalars),
         )
         return cls(scenario, body, layout, law, _fingerprint(ready))
+
+    @property
+    def uncut(self) -> bool:
+        """Whether the body cannot be cut."""
+        return self.body.material is None or not self.body.material.cuttable
 
     @property
     def rounding(self) -> float:

@@ -36,6 +36,7 @@ class Totals:
         braked: what the law took of the motion in the last seconds, by B_i and links, less what these gave [J].
         moved: ∫‖v̂‖² over them, in the identity weight [m²/s].
         link_age: of the samples of each neighbour, by the clocks as they are, in the mean of them [s].
+        cut: with the elements that were cut, part of `lost` [J].
         closure: work on the velocities that closed steps of a body with a material; in no other sum [J].
         closure_factor: greatest |β - 1| of any step.
         closure_alarms: steps in which that was too large for their forces and energy to agree, or that were shortened.
@@ -50,7 +51,7 @@ class Totals:
         self.residual = self.total_residual = 0.0
         self.link_work: dict[int, float] = {}
         self.alarms = self.closure_alarms = 0
-        self.closure = self.closure_factor = 0.0
+        self.closure = self.closure_factor = self.cut = 0.0
         self.least = 0.0
         self.braked = self.moved = 0.0
         self.link_age: dict[int, float] = {}
@@ -65,7 +66,7 @@ class Totals:
             T: length of the step [s].
         """
         supplied = report.supplied + report.drive_work
-        lost = report.body_loss + report.local_loss + report.extra_loss + report.touch_loss
+        lost = report.body_loss + report.local_loss + report.extra_loss + report.touch_loss + report.cut
         energy = report.kinetic + report.elastic + report.proxy + report.touch_stored
         if not self.steps:
             self.initial = energy - (supplied - lost + float(report.link_work.sum()) + report.rescaled)
@@ -93,6 +94,7 @@ class Totals:
         self.residual = max(self.residual, fraction)
         self.alarms += fraction > ALARM
         self.closure += report.closure
+        self.cut += report.cut
         self.closure_factor = max(self.closure_factor, report.closure_factor)
         tells = abs(report.closure) > ALARM * self.in_play  # a copy that comes to rest has hardly any motion left
         self.closure_alarms += (report.closure_factor > CLOSURE_ALARM and tells) or report.shortened > 0.0

@@ -284,6 +284,7 @@ def _copy(fields: Mapping[str, npt.NDArray[Any]]) -> CopyView:
         linked=ledger["linked"],
         energy=ledger["energy"],
         received=int(fields["received"].item()),
+        cut=fields["cut"] if fields["cut"].size else None,
     )
 
 

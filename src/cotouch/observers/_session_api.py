@@ -85,6 +85,8 @@ class CopyView:
         linked: work of its links on it so far [J].
         energy: kinetic and elastic [J].
         received: number of the newest pointer that this step knows of.
+        cut: who decided to cut each element, from 1, 0 of those that are whole, (elements,); None where that is not
+            known, or the body cannot be cut.
     """
 
     slot: int
@@ -98,6 +100,7 @@ class CopyView:
     linked: float = 0.0
     energy: float = 0.0
     received: int = 0
+    cut: npt.NDArray[np.int8] | None = None
 
 
 @final

@@ -254,6 +254,8 @@ class TelemetryPublisher:
         fields["step"][()] = peer.steps
         fields["T"][()] = T
         self._displaced(peer.state.position, fields["displacement"])
+        if peer.cuts is not None:
+            fields["cut"][...] = peer.cuts.by
         fields["known"][...] = 0
         fields["links"][...] = np.nan
         for k, slot in enumerate(peer.neighbours):

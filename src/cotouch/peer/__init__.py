@@ -1,6 +1,7 @@
 """One user's replica, sans-IO."""
 
 from cotouch.peer._codec import MOST_HOLD, Codec, Decoder, Encoder
+from cotouch.peer._cuts import CutSet
 from cotouch.peer._guard import LinkGuard
 from cotouch.peer._guard_ledger import GuardEvent, GuardLedger
 from cotouch.peer._law_link import CopyMemory, LawLink
@@ -14,6 +15,7 @@ __all__ = [
     "Codec",
     "ConstantLink",
     "CopyMemory",
+    "CutSet",
     "Decoder",
     "Encoder",
     "FreshestLink",

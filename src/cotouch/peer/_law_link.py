@@ -8,7 +8,8 @@ import numpy as np
 
 from cotouch.arrays import Float
 from cotouch.errors import NetworkError
-from cotouch.laws import FORCE, End, Law, call
+from cotouch.laws import FORCE, End, Law, call, feel
+from cotouch.mechanics import Contact, Ports
 from cotouch.peer._links import Link, Message, Sample
 
 _NONE = np.zeros(0)
@@ -25,11 +26,12 @@ _STRONGEST = 1e6
 @final
 @dataclass(eq=False)
 class CopyMemory:
-    """What the ends of one copy share: memory of the law, and the force of the hands in the step before."""
+    """What the ends of one copy share: memory of the law, and the force of hands and tools in the step before."""
 
     law: Law
     size: int
     hand: Float = field(init=False)
+    touch: Float = field(init=False)
     shared: Float = field(init=False)
     scalars: Float = field(init=False)
 
@@ -45,6 +47,18 @@ class CopyMemory:
     def held(self) -> float:
         """Energy that the copy's ends hold together; 0 for a law without a store [J]."""
         return 0.0 if self.law.store is None else float(self.scalars[self._store[0]])
+
+    def feel(self, ports: Ports, contact: Contact | None) -> None:
+        """Notes what hands and tools did in a step, for a law that looks at it.
+
+        Args:
+            ports: after the step.
+            contact: by which tools touched in it; None: they did not.
+        """
+        if self.law.feels:
+            feel(self.hand, ports)
+            if contact is not None:
+                self.touch[:] = contact.work.push.ravel()
 
     def help(self, energy: float) -> None:
         """Adds to what they hold.
@@ -62,6 +76,7 @@ class CopyMemory:
 
     def __post_init__(self) -> None:
         self.hand = np.zeros(self.size if self.law.feels else 0)
+        self.touch = np.zeros_like(self.hand)
         self.shared = np.zeros((len(self.law.fractions), self.size))
         self.scalars = np.zeros(len(self.law.shares_scalars))
 
@@ -125,7 +140,7 @@ class LawLink:
         self._empty: Message = np.zeros((len(law.sends), size)), np.zeros(len(law.sends_scalars))
         self.message: Message = self._empty[0].copy(), self._empty[1].copy()
         self._gains = np.zeros(2)
-        self._spring, self._place = 0.0, (0, 0)
+        self._spring, self._place, self._width = 0.0, (0, 0), 1
         self._weight = self._target = self._push = _NONE
         self._used, self._steps = -1, 0
         self.apart, self._heard = 0.0, False
@@ -154,8 +169,18 @@ class LawLink:
             push: where c belongs, (rows, width).
         """
         self._spring, self._place = spring, place
-        self._weight = np.repeat(weight, target.shape[1])
+        self._weight, self._width = np.repeat(weight, target.shape[1]), target.shape[1]
         self._target, self._push = target.reshape(-1), push.reshape(-1)
+
+    def set_parameters(self, parameters: Float) -> None:
+        """Goes on with others; what a newcomer may push with grows as before.
+
+        Args:
+            parameters: of the law, all of them, its seed and greatest force as before.
+        """
+        forces = self._parameters[self._forces]
+        self._parameters[:] = parameters
+        self._parameters[self._forces] = forces
 
     def before(self, sample: Sample, age: float, T: float, position: Float, velocity: Float) -> tuple[float, float]:
         """Lets the law say what the link does in the coming step; y and c go where they belong.
@@ -201,6 +226,7 @@ class LawLink:
             first=link == 0,
             last=link + 1 == links,
             copies=self.copies,
+            width=self._width,
             spring=self._spring,
             parameters=self._parameters,
             weight=self._weight,
@@ -209,6 +235,7 @@ class LawLink:
             mean=_NONE,
             sample=sample.position.reshape(-1),
             hand=self.memory.hand,
+            touch=self.memory.touch,
             received=fields,
             received_scalars=scalars,
             memory=self._fields,

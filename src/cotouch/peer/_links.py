@@ -4,6 +4,9 @@ from dataclasses import dataclass, field
 from enum import IntEnum
 from typing import NamedTuple, Protocol, TypeAlias, final
 
+import numpy as np
+import numpy.typing as npt
+
 from cotouch.arrays import Float
 
 # Fields (fields, size) and numbers (scalars,) that a law tells a neighbour besides x̂; see `cotouch.laws.Law`.
@@ -54,6 +57,8 @@ class Sample:
         header: of the sender's guard to this neighbour; by default that of a neighbour without one.
         message: of the link's law to this neighbour; None where the law says nothing.
         content: number of the step whose content it continues, from a `Decoder`; None: it is its own.
+        cuts: who decided to cut each element that is cut, from 1, else 0, (elements,); None of a body that cannot be
+            cut, and where another way tells it.
     """
 
     sender: int
@@ -63,6 +68,7 @@ class Sample:
     header: LinkHeader = _PLAIN
     message: Message | None = None
     content: int | None = None
+    cuts: npt.NDArray[np.int32] | None = None
 
 
 class Link(Protocol):

@@ -7,28 +7,20 @@ import numpy as np
 
 from cotouch.arrays import Float
 from cotouch.errors import NetworkError
-from cotouch.laws import feel
 from cotouch.mechanics import (
-    BETA,
     BODY_LOSS,
-    CLOSURE,
+    CUT,
     DRIVE,
     ELASTIC,
     EXTRA_LOSS,
-    ITERATIONS,
     KINETIC,
     LEDGER_COLUMNS,
     LOCAL_LOSS,
     PROXY,
-    SHORTENED,
     SUPPLIED,
     TOUCH_LEDGER,
     TOUCH_LOSS,
     TOUCH_STORED,
-    TOUCHED,
-    WORLD_FORCE,
-    WORLD_LOSS,
-    WORLD_STORED,
     Contact,
     Model,
     Ports,
@@ -46,11 +38,12 @@ from cotouch.mechanics import (
     stretches,
 )
 from cotouch.peer._allowance import Allowance
+from cotouch.peer._cuts import CutSet
 from cotouch.peer._guard import LinkGuard
 from cotouch.peer._joined import JoinedLinks, LinkEnd
 from cotouch.peer._law_link import LawLink
 from cotouch.peer._links import Link, Message, Sample
-from cotouch.peer._report import StepReport
+from cotouch.peer._report import StepReport, books_of
 from cotouch.peer._scale import CopyScale
 
 
@@ -71,6 +64,7 @@ class Peer:
         state: position and velocity.
         ports: what holds the copy; written by the owner before each step.
         tools: the proxies, likewise; None without.
+        cuts: what was cut of it; None of a body that cannot be cut.
         steps: number of steps taken, so the index of the next one.
         integrated: sum of all T so far [s].
     """
@@ -92,6 +86,7 @@ class Peer:
         surface: Surface | None = None,
         tools: Tools | None = None,
         contact: Contact | None = None,
+        cuts: bool = True,
         tolerance: float = 1e-10,
         iterations: int = 500,
     ) -> None:
@@ -112,6 +107,7 @@ class Peer:
             surface: the body's skin (`cotouch.mechanics.surface_of`); with tools.
             tools: the user's proxies.
             contact: the law by which they touch, and scratch; with tools.
+            cuts: whether it may cut by itself, where the body can be cut.
             tolerance: of the solver.
             iterations: cap of the solver.
         """
@@ -143,6 +139,7 @@ class Peer:
         self._contact = contact
         self._touch_ledger = np.zeros(TOUCH_LEDGER)
         self._rescaled = 0.0
+        self.cuts = None if model.cut < 0 else CutSet(model, self.state, tools, index + 1, decides=cuts)
         self._moved: tuple[Sample, list[float], float] | None = None  # the last step, not in the ledger yet
         self._settle()
         self._energy = float(self._ledger[KINETIC] + self._ledger[ELASTIC])
@@ -275,6 +272,8 @@ class Peer:
         for end in joined.ends:
             guard, place, sample = end.guard, end.place, end.source.choose(self.steps)
             age.append(now - sample.stamp)
+            if self.cuts is not None and sample.cuts is not None:
+                self.cuts.hear(sample.cuts)
             if end.law is not None:
                 at = len(age) - 1
                 links.strength[at], links.brake[at] = end.law.before(sample, age[at], T, x, self.state.velocity)
@@ -291,6 +290,8 @@ class Peer:
         surface, tools, touched = self._surface, self.tools, self._touch_ledger
         contact = self._contact
         damping, rest = (self._local, self._extra), (joined.work, *self._solver, lanes)
+        if self.cuts is not None:
+            self.cuts.begin(contact)
         if tools is not None and surface is not None and contact is not None:
             what = surface, tools, *damping, T, own, work
             contact_step(contact, op, force, state, links, ports, *what, ledger, touched, *rest)
@@ -300,12 +301,18 @@ class Peer:
             step(op, state, links, ports, *damping, T, own, work, ledger, *rest)
         for law in joined.laws:
             law.after(work.mean)
-        if joined.laws and joined.laws[0].law.feels:
-            feel(joined.laws[0].memory.hand, ports)
+        if joined.laws:
+            joined.laws[0].memory.feel(ports, contact)
+        if self.cuts is not None:
+            self.cuts.end(op, self.steps, ledger)
         self.steps += 1
         self.integrated += T
         sample = Sample(
-            sender=self.index, index=self.steps - 1, stamp=now - 0.5 * T, position=links.samples[own].copy()
+            sender=self.index,
+            index=self.steps - 1,
+            stamp=now - 0.5 * T,
+            position=links.samples[own].copy(),
+            cuts=None if self.cuts is None else self.cuts.by,
         )
         self._moved = sample, age, T
         return sample
@@ -325,36 +332,20 @@ class Peer:
             joined.share(did[BODY_LOSS] + did[EXTRA_LOSS])
         advanced = self._allowance.spend(joined, T) if self._allowance.left > 0.0 else 0.0
         energy = did[KINETIC] + did[ELASTIC] + touch[PROXY] + touch[TOUCH_STORED]
-        lost = did[BODY_LOSS] + did[LOCAL_LOSS] + did[EXTRA_LOSS] + touch[TOUCH_LOSS]
+        lost = did[BODY_LOSS] + did[LOCAL_LOSS] + did[EXTRA_LOSS] + touch[TOUCH_LOSS] + did[CUT]
         supplied = did[SUPPLIED] + touch[DRIVE]
         report = StepReport(
             sample=sample,
             force=self.ports.force[self.ports.first : self.ports.last].copy(),
-            supplied=did[SUPPLIED],
-            body_loss=did[BODY_LOSS],
-            local_loss=did[LOCAL_LOSS],
-            extra_loss=did[EXTRA_LOSS],
             link_work=joined.work.copy(),
-            kinetic=did[KINETIC],
-            elastic=did[ELASTIC],
-            drive_work=touch[DRIVE],
-            touch_work=touch[TOUCHED],
-            touch_loss=touch[TOUCH_LOSS],
-            proxy=touch[PROXY],
-            touch_stored=touch[TOUCH_STORED],
             speed=square[0],
             residual=energy - self._energy - supplied + lost - sum(joined.work.tolist()),
             age=np.array(age),
-            iterations=int(did[ITERATIONS]),
-            closure=did[CLOSURE],
-            closure_factor=did[BETA],
-            shortened=did[SHORTENED],
-            world_loss=did[WORLD_LOSS],
-            world_stored=did[WORLD_STORED],
-            world_force=tuple(did[WORLD_FORCE:]),
+            cut_elements=() if self.cuts is None else self.cuts.new,
             rescaled=self._rescaled,
             advanced=advanced,
             guards=tuple(None if end.guard is None else end.guard.ledger for end in joined.ends),
+            **books_of(did, touch),
         )
         self._energy, self._rescaled = energy, 0.0
         return report

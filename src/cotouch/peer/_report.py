@@ -1,9 +1,31 @@
 """What one step of a peer did."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import final
+from typing import Any, final
 
 from cotouch.arrays import Float
+from cotouch.mechanics import (
+    BETA,
+    BODY_LOSS,
+    CLOSURE,
+    CUT,
+    DRIVE,
+    ELASTIC,
+    EXTRA_LOSS,
+    ITERATIONS,
+    KINETIC,
+    LOCAL_LOSS,
+    PROXY,
+    SHORTENED,
+    SUPPLIED,
+    TOUCH_LOSS,
+    TOUCH_STORED,
+    TOUCHED,
+    WORLD_FORCE,
+    WORLD_LOSS,
+    WORLD_STORED,
+)
 from cotouch.peer._guard_ledger import GuardLedger
 from cotouch.peer._links import Sample
 
@@ -38,6 +60,8 @@ class StepReport:
         world_loss: of body_loss: lost in friction and damping at planes and boxes [J].
         world_stored: of elastic: held by them after the step [J].
         world_force: their mean force on the copy, (3,) [N].
+        cut: what the elements held that were taken away after the step; KINETIC and ELASTIC are after that [J].
+        cut_elements: which they are, indices.
         rescaled: what kinetic and elastic energy changed by since the step before, as the number of copies did [J].
         advanced: what the links' tanks got of the newcomer's allowance after the step [J].
         guards: ledger of each link's guard, in the order of `Peer.neighbours`; None for a link without.
@@ -67,6 +91,38 @@ class StepReport:
     world_loss: float
     world_stored: float
     world_force: tuple[float, ...]
+    cut: float
+    cut_elements: tuple[int, ...]
     rescaled: float
     advanced: float
     guards: tuple[GuardLedger | None, ...]
+
+
+def books_of(did: Sequence[float], touch: Sequence[float]) -> dict[str, Any]:
+    """What kernels booked in a step, by the names of a report.
+
+    Args:
+        did: the copy's ledger.
+        touch: that of its tools.
+    """
+    return {
+        "supplied": did[SUPPLIED],
+        "body_loss": did[BODY_LOSS],
+        "local_loss": did[LOCAL_LOSS],
+        "extra_loss": did[EXTRA_LOSS],
+        "kinetic": did[KINETIC],
+        "elastic": did[ELASTIC],
+        "iterations": int(did[ITERATIONS]),
+        "closure": did[CLOSURE],
+        "closure_factor": did[BETA],
+        "shortened": did[SHORTENED],
+        "world_loss": did[WORLD_LOSS],
+        "world_stored": did[WORLD_STORED],
+        "world_force": tuple(did[WORLD_FORCE : WORLD_FORCE + 3]),
+        "cut": did[CUT],
+        "drive_work": touch[DRIVE],
+        "touch_work": touch[TOUCHED],
+        "touch_loss": touch[TOUCH_LOSS],
+        "proxy": touch[PROXY],
+        "touch_stored": touch[TOUCH_STORED],
+    }

@@ -19,12 +19,15 @@ def modes_of(body: Body) -> dict[str, FloatArray]:
     Springs between users join equal places of their copies, so in the modal basis they join equal modes. Each mode is
     scaled so that a link pulls at it with the spring constant itself. Modes alike count once, for the slowest decides.
 
+    What turns, bends far or weighs counts as what it is like at rest.
+
     Args:
         body: its matrices must be diagonal in one basis; a truncated one gives its shapes.
 
     Raises:
         UnsupportedError: the matrices do not commute, or the body is too large to find out.
     """
+    body = body.linearised
     rows = body.mass.shape[0]
     remedy = "give its slowest mode by mass, damping and stiffness"
     if body.truncation is None and rows > _MOST_ROWS:

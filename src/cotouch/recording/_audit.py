@@ -257,6 +257,7 @@ def _user(motion: Motion, asked: float) -> UserLedger:
         local_loss=float(known["local_loss"].sum()),
         extra_loss=float(known["extra_loss"].sum()),
         touch_loss=float(recording.columns["touch_loss"].sum()),
+        cut=float(motion.known["cut"].sum()),
         link_work=float(motion.link.sum()),
         members=float(motion.carried[motion.members].sum()),
         stored=float(motion.stored[-1] - motion.start[0]),

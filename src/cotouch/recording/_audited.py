@@ -25,6 +25,7 @@ class UserLedger:
         local_loss: by the damping of the synchronisation.
         extra_loss: by the extra damping.
         touch_loss: in contacts and grasps.
+        cut: with the elements that were cut.
         link_work: of all links on the copy.
         members: came with others' joining and leaving.
         stored: at the end less at the start.
@@ -44,6 +45,7 @@ class UserLedger:
     local_loss: float
     extra_loss: float
     touch_loss: float
+    cut: float
     link_work: float
     members: float
     stored: float

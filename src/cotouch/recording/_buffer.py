@@ -141,6 +141,7 @@ class Buffer:
             report.shortened,
             report.world_loss,
             report.world_stored,
+            report.cut,
         )
         if k == 0:
             self.first, self.first_end = index, end

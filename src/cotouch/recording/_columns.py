@@ -41,6 +41,7 @@ SCALARS: dict[str, tuple[str, str]] = {
     "shortened": ("1", "share of the step that was given up to close it"),
     "world_loss": ("J", "of body_loss: dissipated in friction and damping at planes and boxes"),
     "world_stored": ("J", "of elastic: held by planes and boxes after the step"),
+    "cut": ("J", "lost after the step with the elements that were cut then"),
 }
 # More than one number for each step: unit, meaning, extents after the first.
 VECTORS: dict[str, tuple[str, str, str]] = {

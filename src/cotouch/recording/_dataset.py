@@ -32,6 +32,7 @@ _SUMS = {
     "drive_work": "work so far on the proxies by what pulls them",
     "touch_work": "work so far on the body by contacts and grasps",
     "touch_loss": "dissipated so far in contacts and grasps",
+    "cut": "lost so far with the elements that were cut",
     "residual": "what the ledger does not explain so far: zero but for round-off",
 }
 _PLAIN = {

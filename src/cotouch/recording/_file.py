@@ -216,7 +216,7 @@ class RecordingFile:
 
 def _ledger(batch: Batch) -> dict[str, Any]:
     columns = batch.columns
-    lost = sum(float(columns[name].sum()) for name in ("body_loss", "local_loss", "extra_loss", "touch_loss"))
+    lost = sum(float(columns[name].sum()) for name in ("body_loss", "local_loss", "extra_loss", "touch_loss", "cut"))
     stored = sum(float(columns[name][-1]) for name in ("kinetic", "elastic", "proxy", "touch_stored"))
     return {
         "first": int(columns["index"][0]),

@@ -20,6 +20,7 @@ _NAMES = {
     "body_loss": ("damping", "what the body's own dampers took"),
     "local_loss": ("damping", "what the damping B_i of the synchronisation took"),
     "extra_loss": ("damping", "what the extra damping B_e took"),
+    "cut": ("cuts", "what was lost with the elements that were cut"),
     "stored": ("state", "the energy of position and velocity"),
     "closure": ("state", "the work on the velocity that closed steps"),
     "proxies": ("proxies", "the motion of the proxies under the forces on them"),

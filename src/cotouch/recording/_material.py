@@ -127,7 +127,8 @@ class RecordedMaterial:
             elements=np.asarray(said["elements"], dtype=np.int64),
             stiffness=np.asarray(said["stiffness"], dtype=np.float64),
             gravity=tuple(np.asarray(said["gravity"], dtype=np.float64).ravel().tolist()),  # pyright: ignore[reportArgumentType]
-            **{name: float(said[name]) for name in ("young", "poisson", "viscosity")},
+            cuttable=bool(said["cuttable"]),
+            **{name: float(said[name]) for name in ("young", "poisson", "viscosity", "tear")},
         )
         inner: dict[str, Any] = {name: SumOfSquares(matrices[name]) for name in _INNER}
         outer: dict[str, Any] = {name: matrices[name] for name in _OUTER}
@@ -154,8 +155,10 @@ class RecordedMaterial:
         one, two = self.arrays(), other.arrays()
         return one.keys() == two.keys() and all(np.array_equal(values, two[name]) for name, values in one.items())
 
-    def energies(self, start: Float, after: Float, mean: Float) -> tuple[Float, Float, Float]:
-        """What the inner forces hold before and after each step, and what their dampers took.
+    def energies(
+        self, start: Float, after: Float, mean: Float, *, index: Float, when: Float
+    ) -> tuple[Float, Float, Float, Float]:
+        """What the inner forces hold before and after each step, what their dampers took, and what was cut away.
 
         Rotations are followed from one step to the next of those that are given.
 
@@ -163,22 +166,31 @@ class RecordedMaterial:
             start: displacements of the nodes, (steps, n, d) [m].
             after: likewise, after the step.
             mean: their mean velocity in it [m/s].
+            index: number of each step, (steps,).
+            when: after which step each element was cut, (elements,); see `cut_steps`.
 
         Returns:
-            Energy before and after [J], and power [W], each (steps,), all of the whole body.
+            Energy before and after [J], power [W], and what went with the elements that were cut after the step [J],
+            each (steps,), all of the whole body.
         """
         from cotouch.mechanics import inner_energy
 
         made = self._made()
         assert made.force is not None
         memory = made.unturned()
-        before, ends, power = (np.zeros(start.shape[0]) for _ in range(3))
+        before, ends, power, gone = (np.zeros(start.shape[0]) for _ in range(4))
+        marks = memory[made.cut : made.cut + when.size] if made.cut >= 0 else np.zeros(when.size)
         still = made.to_rows(np.zeros(self.body.rest.shape))
         for step in range(start.shape[0]):
             x, ahead, rate = (made.to_rows(field[step]) for field in (start, after, mean))
+            marks[:] = when < index[step]
             before[step], _ = inner_energy(made.force, memory, x, x, still, made.lanes)
             ends[step], power[step] = inner_energy(made.force, memory, x, ahead, rate, made.lanes)
-        return before, ends, power
+            if np.any(when == index[step]):
+                marks[:] = when <= index[step]
+                left, _ = inner_energy(made.force, memory, ahead, ahead, still, made.lanes)
+                gone[step], ends[step] = ends[step] - left, left
+        return before, ends, power, gone
 
     def outside(self, start: Float, after: Float, T: Float, told: Outside, *, fresh: Bool, follows: Bool) -> Outside:
         """What planes and boxes held before and after each step, and what was lost at them.

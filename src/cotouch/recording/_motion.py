@@ -16,7 +16,7 @@ from cotouch.errors import RecordingError
 from cotouch.peer import LinkState
 from cotouch.recording._body import RecordedBody
 from cotouch.recording._columns import UNSAID
-from cotouch.recording._outside import Outside, outside_of, scale_of, sunk_of
+from cotouch.recording._outside import Outside, cut_steps, outside_of, scale_of, sunk_of
 from cotouch.recording._recording import Recording, Setup
 
 Bool = npt.NDArray[np.bool_]
@@ -27,7 +27,7 @@ _SAME_STAMP = 1e-6
 _EPS = float(np.finfo(np.float64).eps)
 # As in the kernels: below this share of the kinetic energy nothing moves about the centre of mass.
 _RIGID = 1e-9
-LOSSES = ("body_loss", "local_loss", "extra_loss")
+LOSSES = ("body_loss", "local_loss", "extra_loss", "cut")
 # Events after which a copy may carry another share of the body.
 _MEMBERS = {"joined", "left", "rescaled"}
 
@@ -42,8 +42,8 @@ class Motion:
         begin: of every step, in the time that all users share [s].
         end: likewise.
         kept: whether the state of the step is recorded, so that it was worked out anew.
-        known: by name (supplied, body_loss, local_loss, extra_loss, drive_work), per step: worked out where it can be,
-            else as booked.
+        known: by name (supplied, body_loss, local_loss, extra_loss, cut, drive_work), per step: worked out where it can
+            be, else as booked.
         link: work of each link on the copy, (steps, links); likewise, 0 where there is none.
         link_known: whether it was worked out, (steps, links).
         start: stored in copy, proxies and contacts when the step began.
@@ -194,7 +194,9 @@ class _Steps:
         self.stiff, self.outside, self.potential = scale, outside, np.zeros(T.size)
         self.start, self.unclosed, self.closure = 2.0 * self.middle - x, self.v, np.zeros(T.size)
         material = body.material
-        self.inner = None if material is None else material.energies(self.start, x, self.mean)
+        when = cut_steps(recording) if material is not None else np.zeros(0)
+        index = recording.columns["index"][at]
+        self.inner = None if material is None else material.energies(self.start, x, self.mean, index=index, when=when)
         if material is not None:
             self._reopen(*(recording.columns[name][at] for name in ("closure", "closure_factor")))
 
@@ -237,7 +239,7 @@ class _Steps:
         fast = np.abs(self.v).max(axis=(1, 2), initial=0.0)
         size = stiff * places**2 + heavy * places * fast / self.T
         if self.inner is not None and body.material is not None:
-            held, came, _ = self.inner
+            held, came, _, _ = self.inner
             mass = body.mass.diagonal()
             came, held = came + body.material.weight(self.x, mass), held + body.material.weight(start, mass)
             if self.outside is not None:
@@ -256,8 +258,8 @@ class _Steps:
                 size = size + np.sqrt(2.0 * np.nan_to_num(np.maximum(*self.outside[:2])) * firm) * far
         return 0.5 * after, 0.5 * before, _EPS * self.copy_scale * float(size.max(initial=0.0))
 
-    def losses(self) -> tuple[Float, Float, Float]:
-        """By the body's dampers, by B_i and by B_e."""
+    def losses(self) -> tuple[Float, Float, Float, Float]:
+        """By the body's dampers, by B_i, by B_e, and with what was cut."""
         body, T = self.body, self.T
         square = [body.form(weight, self.mean) for weight in body.weights]
         local = sum((b * s for b, s in zip(self.setup.local_damping, square, strict=False)), np.zeros(T.size))
@@ -266,7 +268,8 @@ class _Steps:
         if self.inner is not None:
             own += self.stiff * self.inner[2]
         rubbed = 0.0 if self.outside is None else self.stiff * self.outside.lost
-        return T * own + rubbed, T * local, T * extra
+        gone = np.zeros(T.size) if self.inner is None else self.stiff * self.inner[3]
+        return T * own + rubbed, T * local, T * extra, gone
 
     def supplied(self, force: Float, booked: Float) -> Float:
         """Work of the recorded forces at the nodes they act on."""

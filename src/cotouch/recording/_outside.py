@@ -6,6 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.arrays import Float
+from cotouch.errors import RecordingError
 
 if TYPE_CHECKING:
     from cotouch.recording._recording import Recording
@@ -60,6 +61,29 @@ def outside_of(recording: "Recording", scale: Float) -> Outside | None:
     fresh = columns["index"][rows] == 0
     told = Outside(before[rows], held[rows], (columns["world_loss"] / scale)[rows])
     return material.outside(2.0 * middle - x, x, columns["T"][rows], told, fresh=fresh, follows=follows)
+
+
+def cut_steps(recording: "Recording") -> Float:
+    """After which step each element was cut, as far as the recording says; infinite where it was not, (elements,).
+
+    Args:
+        recording: of the copy; nothing of it is believed.
+
+    Raises:
+        RecordingError: it names an element that the body has not.
+    """
+    material = recording.header.body.material
+    found = np.full(0 if material is None else material.material.elements.shape[0], np.inf)
+    for event in recording.events:
+        if event.kind != "cut":
+            continue
+        named, step = event.fields.get("elements"), event.fields.get("step")
+        known = isinstance(named, list) and all(isinstance(e, int) and 0 <= e < found.size for e in named)
+        if not known or not isinstance(step, int):
+            raise RecordingError(f"{recording.path} tells of cut elements that its body has not: {str(named)[:60]}")
+        chosen = np.array(named, dtype=np.int64)
+        found[chosen] = np.minimum(found[chosen], step)
+    return found
 
 
 def sunk_of(scale: Float, rows: Int, potential: Float) -> Float:

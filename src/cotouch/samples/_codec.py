@@ -6,7 +6,8 @@
     received: greatest sequence u32 | heard: count u32 | index u64 |
     stamp | T | echo | held | age | worst, float64 each |
     guard: given float64 | state u8 | epoch u8 | known epoch u8 | starved u8 |
-    numbers of the link's law, float64 each | rows × axes numbers | fields of the law × rows × axes float64
+    numbers of the link's law, float64 each | rows × axes numbers |
+    fields of the law × rows × axes: float64 of those that are sums, then float32 of the others
 
 Nothing in it raises: what cannot be right is refused with a reason.
 """
@@ -22,7 +23,7 @@ from cotouch.peer import LinkHeader, LinkState, Message
 from cotouch.samples._layout import ENCODINGS, HEAD_BYTES, Layout
 from cotouch.samples._refusal import Refusal
 
-VERSION = 3
+VERSION = 4
 ECHO = 1  # echo and held mean something
 AGED = 2  # age and worst mean something
 RENEW = 4  # the sender would like new keys
@@ -123,7 +124,9 @@ class Codec:
         self._places = [(span.start, span.stop - span.start) for span in self._spans]
         self._head = HEAD_BYTES + 8 * layout.scalars
         self._says = bool(layout.fields or layout.scalars)
-        self._sizes = [self._head + (1 + layout.fields) * count * self._item for _, count in self._places]
+        self._coarse = list(layout.coarse)
+        self._sums = [field for field in range(layout.fields) if field not in layout.coarse]
+        self._sizes = [self._head + count * (self._item + layout.row_bytes) for _, count in self._places]
         # Rounding is monotone: what is within the limit before it is within the rounded limit after it.
         self._bits = np.dtype(f"<u{self._wire.itemsize}")
         self._unsigned = self._bits.type((1 << 8 * self._wire.itemsize - 1) - 1)
@@ -169,7 +172,9 @@ class Codec:
         if scalars.size != layout.scalars or not (_usable(fields) and _usable(scalars)):
             return Refusal.LAW
         said = scalars.astype("<f8").tobytes()
-        return [(said, fields[:, span, : layout.axes].astype("<f8").tobytes()) for span in self._spans]
+        exact, coarse = fields[self._sums].astype("<f8"), fields[self._coarse].astype("<f4")
+        cut = [(slice(None), span, slice(layout.axes)) for span in self._spans]
+        return [(said, exact[part].tobytes() + coarse[part].tobytes()) for part in cut]
 
     def datagram(self, heading: Heading, chunk: int, body: bytes, told: tuple[bytes, bytes] = (b"", b"")) -> bytes:
         """The datagram of a chunk, still open.
@@ -274,10 +279,17 @@ class Codec:
         if not self._says:
             return Chunk(heading, chunk, values)
         scalars = np.frombuffer(payload, "<f8", self.layout.scalars, HEAD_BYTES)
-        fields = np.frombuffer(payload[self._head + count * self._item :], "<f8")
+        fields = np.empty((self.layout.fields, count, self._axes))
+        where, part = self._head + count * self._item, count * self._axes
+        exact = np.frombuffer(payload, "<f8", len(self._sums) * part, where)
+        fields[self._sums] = exact.reshape(-1, count, self._axes)
+        if self._coarse:
+            coarse = np.frombuffer(payload, "<f4", len(self._coarse) * part, where + exact.nbytes)
+            with np.errstate(invalid="ignore"):
+                fields[self._coarse] = coarse.reshape(-1, count, self._axes)
         if not (_usable(scalars) and _usable(fields)):
             return Refusal.LAW
-        return Chunk(heading, chunk, values, scalars, fields.reshape(self.layout.fields, count, self._axes))
+        return Chunk(heading, chunk, values, scalars, fields)
 
     def _within(self, values: npt.NDArray[np.floating]) -> bool:
         """Whether all numbers are finite and within the limit."""

@@ -34,6 +34,7 @@ class Layout:
         encoding: of a number on the wire.
         limit: largest number that is accepted; the default is beyond any position in metres.
         fields: of a link law, that travel beside the state, as the rows that they belong to.
+        coarse: which of them are no sums, so that they travel as float32: an error of now is no error of later.
         scalars: numbers of a link law that travel with every chunk.
         basis: columns in which the state is sent, (rows, coordinates), of full rank; none: the rows themselves.
         sent: rows that travel: all of them, or as many as there are coordinates.
@@ -46,6 +47,7 @@ class Layout:
     encoding: Encoding = "float64"
     limit: float = 1e4
     fields: int = 0
+    coarse: tuple[int, ...] = ()
     scalars: int = 0
     basis: Float | None = None
     sent: int = field(init=False)
@@ -62,7 +64,9 @@ class Layout:
             raise SessionError(f"limit is {self.limit}; {self.encoding} takes one between 0 and {most:.6g}")
         if (self.fields or self.scalars) and (self.encoding != "float64" or self.basis is not None):
             raise SessionError("what a link law sends goes beside rows as float64; leave coding and basis out")
-        room = max(_ROOM - 8 * self.scalars, 0) // ((1 + self.fields) * self.axes * self.dtype.itemsize)
+        if not set(self.coarse) <= set(range(self.fields)):
+            raise SessionError(f"{self.fields} fields have no coarse ones {self.coarse}")
+        room = max(_ROOM - 8 * self.scalars, 0) // (self.axes * self.dtype.itemsize + self.row_bytes)
         if room < 1:
             raise SessionError(f"{self.fields} fields and {self.scalars} numbers of a link law do not fit a datagram")
         sent = self.rows
@@ -77,6 +81,11 @@ class Layout:
             object.__setattr__(self, "_inverse", np.linalg.pinv(self.basis))
         object.__setattr__(self, "sent", sent)
         object.__setattr__(self, "chunk", min(room, sent))
+
+    @property
+    def row_bytes(self) -> int:
+        """Of a row of all fields of a link law."""
+        return self.axes * (8 * self.fields - 4 * len(self.coarse))
 
     @property
     def dtype(self) -> np.dtype[np.floating]:

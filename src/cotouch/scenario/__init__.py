@@ -3,7 +3,7 @@
 from cotouch.scenario._body_tables import FileTable
 from cotouch.scenario._channel import Channel
 from cotouch.scenario._hands import Hands, grip, ports_of
-from cotouch.scenario._law_choice import options_of_springs, with_law_of_session
+from cotouch.scenario._law_choice import makes_tree, options_of_springs, with_law_of_session
 from cotouch.scenario._messages import sentence
 from cotouch.scenario._penetration import resolve_penetration
 from cotouch.scenario._scenario import Scenario, per_user
@@ -57,6 +57,7 @@ __all__ = [
     "before_step_alone",
     "grip",
     "keep_tools",
+    "makes_tree",
     "options_of_springs",
     "per_user",
     "ports_of",

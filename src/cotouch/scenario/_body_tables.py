@@ -225,6 +225,8 @@ GroundSource = Annotated[
 # Options of one sort of file only.
 _OF_SURFACES = ("resolution", "most_triangles")
 _OF_VOLUMES = ("most_elements",)
+# What has modes.
+_LINEAR = (None, "springs", "elastic")
 # And of what is not rigid.
 _OF_SOFT = ("young", "poisson", "stiffness", "rayleigh_mass", "rayleigh_stiffness", "frame", "ground", "modes")
 
@@ -244,7 +246,8 @@ class FileTable(Table):
         resolution: surfaces: cells of the lattice along the longest side.
         model: "springs" (default of surfaces), "elastic" (default of tetrahedra), "spring-network"; of surfaces
             "cells"; of tetrahedra "corotated", "st-venant-kirchhoff", "neo-hookean"; "rigid", which needs no more.
-        frame: "fixed" or, of "springs" and "elastic", "floating": it turns as a whole without a force.
+        frame: of "springs" and "elastic": "floating" (the default, but with modes): it turns as a whole without a
+            force; or "fixed".
         young: [Pa].
         poisson: Poisson's ratio.
         stiffness: of each spring, instead of what Young's modulus gives [N/m].
@@ -267,7 +270,7 @@ class FileTable(Table):
     unit: Literal["m", "mm", "cm", "in"] | None = None
     resolution: Annotated[int, Field(ge=1)] = 12
     model: SurfaceModel | SolidModel | None = None
-    frame: Frame = "fixed"
+    frame: Frame | None = None
     young: Positive = 1e4
     poisson: Annotated[float, Field(gt=-1.0, lt=0.5)] = 0.3
     stiffness: Positive | None = None
@@ -296,6 +299,8 @@ class FileTable(Table):
         known, models = ("surfaces", SurfaceModel) if is_surface(Path(self.file)) else ("tetrahedra", SolidModel)
         if self.model is not None and self.model not in get_args(models):
             raise ValueError(f'model is "{self.model}", but file is "{self.file}"; {known} take {_listed(models)}')
+        if self.modes is not None and self.frame == "floating":
+            raise ValueError(f'modes is {self.modes}, but frame is "floating", which has none; leave one of them out')
         if self.model == "rigid":
             for name in _OF_SOFT:
                 if getattr(self, name) != type(self).model_fields[name].default:
@@ -322,6 +327,8 @@ class FileTable(Table):
     def build(self) -> Body:
         """The body, with all its modes."""
         options = self.model_dump(exclude={"kind", "file", "modes", "model", *_OF_SURFACES, *_OF_VOLUMES})
+        if self.modes is not None and self.model in _LINEAR:
+            options["frame"] = self.frame or "fixed"
         if isinstance(self.ground, GroundTable):
             options["ground"] = self.ground.held()
         elif isinstance(self.ground, list):

@@ -1,6 +1,6 @@
 """Which link law a scenario has that names none."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, cast
 
 from cotouch.scenario._body_tables import FileTable
@@ -20,10 +20,9 @@ _ENCODING, _EXACT = "encoding", "float64"
 def choose_law(scenario: "Scenario") -> str:
     """The law of a scenario that names none: springs where it gives something that only springs can do, or do better.
 
-    Only they take a way to work out the damping, an index (the paper's schedule), or a weight that couples rows: of the
-    network's, or of a body that is confined to modes. They do better where hands are not known to all, because not all
-    are linked or because tools touch, over long links, and with bodies in three dimensions, which tools and devices may
-    touch and which turn.
+    Only they take a way to work out the damping, an index (the paper's schedule), or a weight that couples rows. They
+    do better where hands are not known to all, because links make neither a tree nor join all, or a tree on a body of
+    several nodes; and over long links.
 
     Args:
         scenario: what is asked for.
@@ -34,10 +33,28 @@ def choose_law(scenario: "Scenario") -> str:
         return SPRING
     complete = len(network.links) == network.size * (network.size - 1) // 2
     far = any(network.delay[a, b] + network.delay[b, a] > _FAR for a, b in network.links)
-    if not complete or far or scenario.tools or isinstance(scenario.body, FileTable):
+    if far or not (complete or makes_tree(range(network.size), network.links)):
         return SPRING
-    body = scenario.build_body()
-    return SPRING if body.truncation is not None or (body.dimension == 3 and body.nodes > 1) else BEST
+    if complete:
+        return BEST
+    return BEST if not isinstance(scenario.body, FileTable) and scenario.build_body().nodes == 1 else SPRING
+
+
+def makes_tree(users: Iterable[int], links: Iterable[tuple[int, int]]) -> bool:
+    """Whether links join three users or more, and between any two there is one way only.
+
+    Args:
+        users: their indices.
+        links: pairs of these.
+    """
+    piece, count = {user: user for user in users}, 0
+    for a, b in links:
+        first, other = piece[a], piece[b]
+        if first == other:
+            return False
+        piece = {user: first if own == other else own for user, own in piece.items()}
+        count += 1
+    return len(piece) > 2 and count == len(piece) - 1
 
 
 def options_of_springs(session: Mapping[str, Any]) -> list[str]:
@@ -63,6 +80,6 @@ def with_law_of_session(tables: Mapping[str, Any], session: Any) -> dict[str, An
     if isinstance(session, Mapping) and isinstance(sync, Mapping) and "law" not in sync:
         given = cast("Mapping[str, Any]", session)
         planned = given.get("links") == "plan"  # which seldom links all
-        if planned or given.get("devices") or options_of_springs(given):
+        if planned or options_of_springs(given):
             return {**tables, "synchronisation": {**cast("Mapping[str, Any]", sync), "law": SPRING}}
     return dict(tables)

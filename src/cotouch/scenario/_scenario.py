@@ -27,7 +27,7 @@ from cotouch.scenario._tables import (
     Synchronisation,
     Table,
 )
-from cotouch.scenario._tool_tables import ContactTable, ToolTable
+from cotouch.scenario._tool_tables import ContactTable, CuttingTable, ToolTable
 from cotouch.scenario._traces import Trace
 from cotouch.scenario._world_table import WorldTable
 
@@ -61,6 +61,7 @@ class Scenario(Table):
     tools: list[ToolTable] = Field(default_factory=list[ToolTable])
     contact: ContactTable = ContactTable()
     world: WorldTable = WorldTable()
+    cutting: CuttingTable | None = None
     initial: Initial = Initial()
     solver: Solver = Solver()
     record: RecordTable = RecordTable()
@@ -161,7 +162,7 @@ class Scenario(Table):
                 raise ScenarioError(f'"{table}" is no part of a scenario; there are {", ".join(tables)}')
             tables[table] = {**self._options_of(table, tables[table]), option: value} if option else value
         result = type(self).make(**tables)
-        if not {name.partition("__")[0] for name in changes} & {"body", "hands", "tools", "world"}:
+        if not {name.partition("__")[0] for name in changes} & {"body", "hands", "tools", "world", "cutting"}:
             result._built = self._built
         if "channel" not in {name.partition("__")[0] for name in changes}:
             result._trace = self._trace
@@ -209,6 +210,7 @@ class Scenario(Table):
                     away = np.linalg.norm(body.rest - np.array(tool.at), axis=1)
                     held.update(int(node) for node in np.argsort(away, kind="stable")[:_NEAR])
                 body = body.truncated(modes=self.body.modes, contacts=sorted(held))
+            body = self._cuttable(body)
             self._built = body.with_places(self._places(body)) if body.rigid else body
         return self._built
 
@@ -222,6 +224,32 @@ class Scenario(Table):
     def _axes_of(index: int, at: list[float] | None, body: Body) -> None:
         if at is not None and len(at) != body.dimension:
             raise ScenarioError(f"hands[{index + 1}].at is {at}; it must be {body.dimension} coordinates [m]")
+
+    def refuse_cutters(self) -> None:
+        """Refuses who may not cut, or is not there.
+
+        Raises:
+            ScenarioError: it is so.
+        """
+        users = None if self.cutting is None else self.cutting.users
+        if self.cutting is None or users is None:
+            return
+        for user in users:
+            if user > self.network.size:
+                raise ScenarioError(f"cutting.users names user {user}; the network has users 1 to {self.network.size}")
+        for number, tool in enumerate(self.tools, start=1):
+            if tool.kind == "blade" and not self.cutting.may(tool.user):
+                raise ScenarioError(
+                    f'tools[{number}].kind is "blade", but cutting.users is {users}; name user {tool.user} there, or '
+                    "leave one of them out"
+                )
+
+    def _cuttable(self, body: Body) -> Body:
+        """A body whose elements can be cut, if any are to be."""
+        if self.cutting is None and all(tool.kind != "blade" for tool in self.tools):
+            return body
+        tear = None if self.cutting is None else self.cutting.tear
+        return body.with_cutting() if tear is None else body.with_cutting(tear)
 
     def _weighing(self, body: Body) -> Body:
         """A body with the weight that the world gives it; one that meets obstacles has a material."""
@@ -276,7 +304,7 @@ class Scenario(Table):
             value: Any = getattr(self, name)
             if name == "network":
                 tables[name] = self.network.as_table()
-            elif name not in self.model_fields_set:
+            elif name not in self.model_fields_set or value is None:
                 continue
             elif isinstance(value, list):
                 tables[name] = [entry.model_dump(exclude_unset=True) for entry in cast("list[Table]", value)]
@@ -309,6 +337,8 @@ class Scenario(Table):
             tables["contact"] = self.contact.model_dump()
         if self.world != WorldTable():
             tables["world"] = self.world.model_dump()
+        if self.cutting is not None:
+            tables["cutting"] = self.cutting.model_dump()
         return json.dumps(tables)
 
 

@@ -182,14 +182,37 @@ class ContactTable(Table):
 
 
 @final
+class CuttingTable(Table):
+    """That the body can be cut, and where it breaks by itself.
+
+    Attributes:
+        tear: strain at which an element breaks: how much its most stretched edge is longer than at rest, as a share;
+            by default none does.
+        users: who may cut, by blades or because their copy breaks; by default everybody.
+    """
+
+    tear: Positive | None = None
+    users: list[Number] | None = None
+
+    def may(self, user: int) -> bool:
+        """Whether a user's copy decides by itself.
+
+        Args:
+            user: number from 1.
+        """
+        return self.users is None or user in self.users
+
+
+@final
 class ToolTable(Table):
-    """A proxy: a sphere that a hand or a device moves and that touches or holds the body.
+    """A proxy: a sphere that a hand or a device moves and that touches or holds the body, or a blade that cuts it.
 
     Attributes:
         user: number from 1.
         at: where it starts, in the body's rest shape [m].
-        kind: "touch" (it pushes the skin away and slides on it) or "grasp" (it holds the nodes within its radius, or
-            the nearest, by springs that start relaxed).
+        kind: "touch" (it pushes the skin away and slides on it), "grasp" (it holds the nodes within its radius, or
+            the nearest, by springs that start relaxed) or "blade" (it takes away the elements that it goes through,
+            and feels nothing of them).
         radius: [m].
         mass: m_i [kg].
         stiffness: of a contact, or of each held node [N/m].
@@ -197,7 +220,9 @@ class ToolTable(Table):
             held node [Ns/m].
         friction: Coulomb's coefficient of a touch, of what does not slip yet.
         kinetic_friction: of what slips, at most `friction`; by default the same.
-        axis: from the middle of a stylus to the middle of its round tip [m]; by default the tool is a ball.
+        axis: from the middle of a stylus to the middle of its round tip [m]; by default the tool is a ball. Of a blade
+            its edge, from `at` to the other end.
+        thickness: of a blade [m].
         begin: it acts from here [s].
         release: to here [s]; by default always.
         hand: what moves it.
@@ -206,7 +231,7 @@ class ToolTable(Table):
 
     user: Number
     at: Place
-    kind: Literal["touch", "grasp"] = "touch"
+    kind: Literal["touch", "grasp", "blade"] = "touch"
     radius: Positive = 0.01
     mass: Positive = 0.05
     stiffness: Positive = 1000.0
@@ -214,6 +239,7 @@ class ToolTable(Table):
     friction: NonNegative = 0.0
     kinetic_friction: NonNegative | None = None
     axis: Place | None = None
+    thickness: FiniteFloat | None = None
     begin: NonNegative = 0.0
     release: NonNegative | None = None
     hand: ToolHand | None = None
@@ -236,4 +262,22 @@ class ToolTable(Table):
             raise ValueError(f"friction is {self.friction}, but a grasp holds without; leave it out")
         if self.kind == "grasp" and self.axis is not None:
             raise ValueError(f"axis is {self.axis}, but a grasp holds what is near its middle; leave it out")
+        if self.kind == "blade":
+            self._blade()
+        elif self.thickness is not None:
+            raise ValueError(f'thickness is {self.thickness}, but kind is "{self.kind}"; only a blade has one')
         return self
+
+    def _blade(self) -> None:
+        """What a blade must have, and must not."""
+        if self.thickness is None or not self.thickness > 0.0:
+            said = "not given" if self.thickness is None else f"{self.thickness:g} m"
+            raise ValueError(f'kind is "blade" and thickness is {said}; a blade needs one above 0, such as 0.001')
+        if self.axis is None or not any(self.axis):
+            said = "not given" if self.axis is None else "of no length"
+            raise ValueError(f'kind is "blade" and axis is {said}; it must lead from one end of the edge to the other')
+        for name in ("radius", "stiffness", "damping", "friction", "kinetic_friction"):
+            if name in self.model_fields_set:
+                raise ValueError(f"{name} is {getattr(self, name)}, but a blade does not touch; leave it out")
+        if self.device is not None:
+            raise ValueError("device is given, but a blade pushes nothing back; let a hand move it")

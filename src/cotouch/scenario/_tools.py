@@ -20,6 +20,7 @@ from cotouch.device import (
 )
 from cotouch.errors import BodyError, DeviceError, ScenarioError
 from cotouch.mechanics import (
+    BLADE,
     END,
     GRASP,
     TOUCH,
@@ -40,6 +41,7 @@ from cotouch.scenario._penetration import resolve_penetration
 from cotouch.scenario._tool_tables import DEFAULT_RATE, ContactTable, SimulatedDeviceTable, ToolHand, ToolTable
 from cotouch.scenario._touching import Touching
 
+_KINDS = {"touch": TOUCH, "grasp": GRASP, "blade": BLADE}
 # Ticks from a coupling's decision until its force acts: as a real servo, which decides while the force before acts.
 _LATENCY = 1
 
@@ -103,9 +105,11 @@ def touching_of(
         own.kinetic[t] = table.friction if table.kinetic_friction is None else table.kinetic_friction
         own.place[t, :3] = table.at
         own.axis[t, :3] = table.axis or 0.0
+        if table.kind == "blade":
+            own.radius[t] = 0.5 * (table.thickness or 0.0)
         if table.kind == "touch":
             own.stiffness[t], own.loss[t] = table.stiffness, table.damping
-        else:
+        elif table.kind == "grasp":
             own.grip_stiffness[t], own.grip_damping[t] = table.stiffness, table.damping
         if table.device is None:
             continue
@@ -136,7 +140,7 @@ def touching_of(
             tools=own,
             contact=contact_by(law, model, surface, tools=most),
             first=first,
-            kind=np.array([TOUCH if table.kind == "touch" else GRASP for table in chosen], dtype=np.int32),
+            kind=np.array([_KINDS[table.kind] for table in chosen], dtype=np.int32),
             begin=np.array([table.begin for table in chosen]),
             release=np.array([inf if table.release is None else table.release for table in chosen]),
             hands=hands,

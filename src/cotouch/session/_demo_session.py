@@ -93,9 +93,8 @@ def demo_session(
         seconds: how long; the hands let go after two thirds of it. None: they never do, and go on moving.
         impair: what the network does besides, each such as "loss=0.1", "jitter=0.02" (s), "duplication=0.05",
             "reordering=0.1".
-        law: of all links: "spring" (the paper's), or one that can go live; None: "spring" for bodies, and for the point
-            "paid", with a link between any two and the paper's delays up to 0.1 s, which the longer ones take too: it
-            is for people who are all linked.
+        law: of all links: "spring" (the paper's), or one that can go live; None: "paid", with a link between any two
+            and the paper's delays up to 0.1 s, which the longer ones take too: it is for people who are all linked.
 
     Raises:
         SessionError: one of these cannot be.
@@ -124,10 +123,11 @@ def demo_session(
     ]
     tables["hands"] = hands
     _embody(tables, body)
-    if law is None and body == "point":
+    if law is None:
         network["delay"] = [[min(delay, _LONGEST) for delay in row] for row in network["delay"]]
         network.pop("links", None)
-        tables["body"]["damping"] = _STOPPING
+        if body == "point":
+            tables["body"]["damping"] = _STOPPING
     for n, hand in enumerate(hands):
         last = hand["path"][-1][1:]
         hand["amplitude"] = last if len(last) > 1 else last[0]

@@ -27,6 +27,7 @@ from cotouch.simulation._animation_checks import (
     keep_frozen,
     numbers_of,
     padded,
+    pairs_of,
     size_of,
     track_of,
 )
@@ -49,6 +50,7 @@ class ToolTracks:
         centre: (F, P, 3) [m].
         radius: (P,) [m], > 0; or one for all.
         force: felt by the owner, (F, P, 3) [N].
+        axis: of blades, from the centre to the other end of the edge, (P, 3); 0 of spheres; or none [m].
 
     Raises:
         InputError: an array has the wrong shape or a number that is not finite.
@@ -58,9 +60,16 @@ class ToolTracks:
     centre: Float
     radius: Float
     force: Float
+    axis: Float
 
     def __init__(
-        self, *, owner: npt.ArrayLike, centre: npt.ArrayLike, radius: npt.ArrayLike, force: npt.ArrayLike
+        self,
+        *,
+        owner: npt.ArrayLike,
+        centre: npt.ArrayLike,
+        radius: npt.ArrayLike,
+        force: npt.ArrayLike,
+        axis: npt.ArrayLike | None = None,
     ) -> None:
         who = indices_of("tool owners", owner, 1, InputError)
         size = numbers_of("tool radii", radius, InputError)
@@ -70,7 +79,10 @@ class ToolTracks:
         if size.size and size.min() <= 0.0:
             raise InputError(f"the radius of tool {int(size.argmin()) + 1} is {size.min():g} m; it must be positive")
         keep_frozen(self, owner=who, centre=track_of("tool centres", centre, who.size), radius=size)
-        keep_frozen(self, force=track_of("tool forces", force, who.size))
+        edges = np.zeros((who.size, 3)) if axis is None else numbers_of("tool axes", axis, InputError)
+        if edges.shape != (who.size, 3):
+            raise InputError(f"tool axes are {size_of(edges)}; there are {who.size} tools, with 3 numbers each")
+        keep_frozen(self, force=track_of("tool forces", force, who.size), axis=edges)
 
 
 @final
@@ -149,6 +161,7 @@ class Animation:
         links: pairs of user indices that are joined.
         series: further numbers of every user over time: discrepancy, age, energy residual.
         shapes: what stands still around the object; of planes only level floors are drawn.
+        spans: when each triangle of each copy is there, from and until, (U, t, 2) [s]; by default always.
 
     Raises:
         BodyError: vertices, triangles, edges or the skin do not fit together.
@@ -180,6 +193,7 @@ class Animation:
     links: tuple[tuple[int, int], ...]
     series: tuple[UserSeries, ...]
     shapes: tuple[Shape, ...]
+    spans: Single
 
     def __init__(
         self,
@@ -198,6 +212,7 @@ class Animation:
         links: Sequence[tuple[int, int]] = (),
         series: Sequence[UserSeries] = (),
         shapes: Sequence[Shape] = (),
+        spans: npt.ArrayLike | None = None,
     ) -> None:
         names = tuple(users)
         if not names:
@@ -255,8 +270,13 @@ class Animation:
         keep_frozen(
             self, title=title, users=names, time=when, vertices=places, triangles=faces, edges=lines, rest=start
         )
-        keep_frozen(self, tools=spheres, ports=hands, links=_pairs(links, len(names)), series=tuple(series))
-        keep_frozen(self, shapes=tuple(shapes))
+        keep_frozen(self, tools=spheres, ports=hands, links=pairs_of(links, len(names)), series=tuple(series))
+        known = numbers_of("spans", [] if spans is None else spans, InputError, finite=False, kind=np.float32)
+        if spans is not None and known.shape != (len(names), faces.shape[0], 2):
+            raise InputError(
+                f"spans are {size_of(known)}; they must be {len(names)} users x {faces.shape[0]} triangles x 2"
+            )
+        keep_frozen(self, shapes=tuple(shapes), spans=known)
 
     def write(self, path: str | Path) -> Path:
         """Writes the page: one file that needs nothing else, whole or not at all.
@@ -287,6 +307,7 @@ class Animation:
         packer.add("rest", self.rest, "f4")
         packer.add("triangles", self.triangles, "u4")
         packer.add("edges", self.edges, "u4")
+        packer.add("spans", self.spans, "f4")
         packer.add("tool_centre", self.tools.centre, "f4")
         packer.add("tool_force", self.tools.force, "f4")
         packer.add("grip_place", self.ports.place, "f4")
@@ -302,7 +323,11 @@ class Animation:
             "low": low.tolist(),
             "step": step.tolist(),
             "arrays": packer.entries,
-            "tools": {"owner": self.tools.owner.tolist(), "radius": self.tools.radius.tolist()},
+            "tools": {
+                "owner": self.tools.owner.tolist(),
+                "radius": self.tools.radius.tolist(),
+                "axis": self.tools.axis.tolist(),
+            },
             "ports": {"owner": self.ports.owner.tolist()},
             "links": self.links,
             "series": [{"name": entry.name, "unit": entry.unit} for entry in series],
@@ -368,13 +393,3 @@ def _carried(skin: Skin, field: Single) -> Single:
         moved = np.asarray(weights @ columns).reshape(-1, frames, 3).transpose(1, 0, 2)
         places[:, user] = moved + skin.vertices
     return places
-
-
-def _pairs(links: Sequence[tuple[int, int]], users: int) -> tuple[tuple[int, int], ...]:
-    pairs = tuple((int(a), int(b)) for a, b in links)
-    for a, b in pairs:
-        if not (0 <= a < users and 0 <= b < users) or a == b:
-            raise NetworkError(
-                f"a link joins user indices {a} and {b}; it must join two different ones of 0 to {users - 1}"
-            )
-    return pairs

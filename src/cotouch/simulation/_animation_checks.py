@@ -1,12 +1,13 @@
 """What an animation is made of, checked: sizes, indices and finite numbers."""
 
+from collections.abc import Sequence
 from typing import Any, cast
 
 import numpy as np
 import numpy.typing as npt
 
 from cotouch.arrays import Float
-from cotouch.errors import BodyError, InputError
+from cotouch.errors import BodyError, InputError, NetworkError
 
 Single = npt.NDArray[np.float32]
 Int = npt.NDArray[np.int32]
@@ -123,3 +124,13 @@ def a_word(name: str) -> str:
 def size_of(array: npt.NDArray[Any]) -> str:
     """In words."""
     return " x ".join(str(extent) for extent in array.shape) or "a single number"
+
+
+def pairs_of(links: Sequence[tuple[int, int]], users: int) -> tuple[tuple[int, int], ...]:
+    pairs = tuple((int(a), int(b)) for a, b in links)
+    for a, b in pairs:
+        if not (0 <= a < users and 0 <= b < users) or a == b:
+            raise NetworkError(
+                f"a link joins user indices {a} and {b}; it must join two different ones of 0 to {users - 1}"
+            )
+    return pairs

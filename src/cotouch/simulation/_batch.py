@@ -10,13 +10,14 @@ import numpy.typing as npt
 from cotouch.arrays import Float
 from cotouch.errors import ScenarioError
 from cotouch.interrupt import check, flag
-from cotouch.mechanics import LEDGER_COLUMNS, Ports
+from cotouch.mechanics import LEDGER_COLUMNS, Ports, cutting_of
 from cotouch.scenario import ToolRecord, tool_record
 from cotouch.simulation._ends import Ends
 from cotouch.simulation._engine import run
 from cotouch.simulation._law_setup import ends_of
 from cotouch.simulation._layout import (
     CLOSED_BOOKS,
+    CUT_BOOKS,
     SLOT_LEDGER,
     TICK_LEDGER,
     TOOL_LEDGER,
@@ -63,6 +64,7 @@ class Outcome:
         frame_time: of the frames that were reached, (frames,) [s].
         ends: what the ends of the links came to keep; None where all links are springs, or ran message by message.
         traffic: what senders said; None without a codec.
+        cuts: `marks_of` the copies; None of a body that cannot be cut.
     """
 
     record: Record
@@ -75,6 +77,21 @@ class Outcome:
     frame_time: Float
     ends: Ends | None = None
     traffic: Traffic | None = None
+    cuts: Float | None = None
+
+
+def marks_of(memory: Float, first: int, elements: int) -> Float:
+    """After which step each copy lost an element, from 1, and who decided it, from 1; 0 of those that are whole.
+
+    Args:
+        memory: of all copies, (users, numbers).
+        first: where the marks begin.
+        elements: how many there are.
+
+    Returns:
+        (users, 2, elements).
+    """
+    return memory[:, first : first + 2 * elements].reshape(memory.shape[0], 2, elements)
 
 
 def run_batch(prepared: Prepared) -> Outcome:
@@ -107,6 +124,10 @@ def run_batch(prepared: Prepared) -> Outcome:
     more = 0 if touching is None else len(TOOL_LEDGER)
     more += 0 if ready.force is None else len(CLOSED_BOOKS)
     more += 0 if ready.force is None or ready.force.world is None else len(WORLD_BOOKS)
+    asked = prepared.scenario.cutting
+    may = () if asked is None else [asked.may(user + 1) for user in range(users)]
+    cutting = cutting_of(ready, tools=0 if touching is None else touching.kind.size, decides=may)
+    more += 0 if cutting is None else len(CUT_BOOKS)
     tools = None if touching is None else tool_record(touching.kind.size, records)
     wanted = prepared.scenario.record.frames
     moments = np.zeros(0) if wanted is None else np.arange(0.0, prepared.scenario.steps.duration, 1.0 / wanted)
@@ -176,6 +197,7 @@ def run_batch(prepared: Prepared) -> Outcome:
         scratch,
         touching,
         None if touching is None else touching.contact,
+        cutting,
         tools,
         frames,
         ends,
@@ -200,4 +222,5 @@ def run_batch(prepared: Prepared) -> Outcome:
         frames=frames.position[:shown],
         frame_time=frames.time[:shown],
         ends=ends,
+        cuts=None if cutting is None else marks_of(fields.memory, cutting.first, cutting.wanted.size),
     )

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.laws import End, Part, feel, hand, handed
-from cotouch.mechanics import Ports, at, inner, put
+from cotouch.mechanics import Contact, Ports, at, inner, put
 from cotouch.simulation._layout import Float, Int, Timing, Topology
 
 
@@ -30,6 +30,7 @@ class Ends(NamedTuple):
         mean: likewise, of the step just taken, (size,) [m/s].
         samples: likewise, (samples, size) [m].
         hand: force of the hands in the step before, (users, size), or (users, 0) [N].
+        touch: likewise of their tools [N].
         mail: messages to each slot, by the sender's step, (slots, ring + 1, fields, size); the last is the empty one.
         mail_scalars: (slots, ring + 1, scalars).
         memory: (slots, fields, size).
@@ -60,6 +61,7 @@ class Ends(NamedTuple):
     mean: Float
     samples: Float
     hand: Float
+    touch: Float
     mail: Float
     mail_scalars: Float
     memory: Float
@@ -103,7 +105,7 @@ def ask(ends: Ends, topology: Topology, timing: Timing, where: npt.NDArray[np.in
 
 
 @inner
-def tell(ends: Ends, topology: Topology, timing: Timing, ports: Ports, i: int, k: int) -> None:
+def tell(ends: Ends, topology: Topology, timing: Timing, ports: Ports, contact: Contact | None, i: int, k: int) -> None:
     """Lets the law say what the neighbours of user i are told after its step k.
 
     Args:
@@ -111,6 +113,7 @@ def tell(ends: Ends, topology: Topology, timing: Timing, ports: Ports, i: int, k
         topology: who is linked to whom.
         timing: the schedule.
         ports: where forces act.
+        contact: by which tools touch, with what they did in the step; None: they don't.
         i: the user.
         k: the step.
     """
@@ -120,6 +123,22 @@ def tell(ends: Ends, topology: Topology, timing: Timing, ports: Ports, i: int, k
     put(ends.steps, i, at(ends.steps, i) + 1)
     if ends.feels:
         feel(ends.hand[i], ports)
+        if contact is not None:
+            copy_rows(ends.touch[i], contact.work.push)
+
+
+@inner
+def copy_rows(target: Float, rows: Float) -> None:
+    """Rows one after the other.
+
+    Args:
+        target: written, (size,).
+        rows: read, (rows, width).
+    """
+    width = rows.shape[1]
+    for i in range(rows.shape[0]):
+        for axis in range(width):
+            put(target, i * width + axis, at(rows, (i, axis)))
 
 
 @inner
@@ -152,6 +171,7 @@ def _end(
         s == at(topology.first, i),
         s + 1 == at(topology.first, i + 1),
         ends.copies,
+        ends.push_rows.shape[2],
         at(topology.strength, s),
         ends.parameters[s],
         ends.weight[s],
@@ -160,6 +180,7 @@ def _end(
         ends.mean,
         ends.samples[at(where, s)],
         ends.hand[i],
+        ends.touch[i],
         ends.mail[s, letter],
         ends.mail_scalars[s, letter],
         ends.memory[s],

@@ -29,20 +29,21 @@ from cotouch.mechanics import (
     WORLD_STORED,
     BodyForce,
     Contact,
+    Cutting,
     Links,
     Operator,
-    Ports,
     Tools,
     at,
+    begin_cut,
     closed_settle,
     closed_step,
     contact_step,
+    decide_cuts,
+    expose,
     kernel,
-    load,
     put,
     settle,
     step,
-    store,
 )
 from cotouch.scenario import (
     Hands,
@@ -54,9 +55,19 @@ from cotouch.scenario import (
     keep_tools,
     proxy_energy,
 )
+from cotouch.simulation._cuts import cut_away
 from cotouch.simulation._ends import Ends, ask, tell
 from cotouch.simulation._layout import Fields, Float, Frames, Record, Scratch, Timing, Topology
-from cotouch.simulation._ledger import add, copy, delay_work_of, keep_user, spring_energies, state_of
+from cotouch.simulation._ledger import (
+    add,
+    copy,
+    delay_work_of,
+    keep_frames,
+    keep_user,
+    ports_between,
+    spring_energies,
+    state_of,
+)
 
 
 @kernel
@@ -73,6 +84,7 @@ def run(
     scratch: Scratch,
     touching: Touching | None,
     contact: Contact | None,
+    cutting: Cutting | None,
     tool_record: ToolRecord | None,
     frames: Frames,
     ends: Ends | None,
@@ -99,6 +111,7 @@ def run(
         scratch: of one step; changed in place.
         touching: tools of all users; changed in place.
         contact: the law by which tools touch.
+        cutting: of a body that can be cut; None: it cannot.
         tool_record: written to.
         frames: shapes that are kept for an animation; written to.
         ends: of all links under a law; changed in place.
@@ -107,14 +120,8 @@ def run(
         lanes: as long as a row is wide; see `cotouch.mechanics`.
     """
     users = fields.position.shape[0]
-    supplied = 0.0
-    dissipated = 0.0
-    delay_work = 0.0
-    energy = 0.0
-    initial = 0.0
-    lowest = 0.0
-    made = 0.0
-    most_made = 0.0
+    supplied, dissipated, delay_work, energy = 0.0, 0.0, 0.0, 0.0
+    initial, lowest, made, most_made = 0.0, 0.0, 0.0, 0.0
     tick = 0
     for i in range(users):
         state = state_of(fields, i)
@@ -148,11 +155,7 @@ def run(
         put(scratch.counter, i, k + 1)
         T = at(timing.length, (i, k))
         end = at(timing.end, (i, k))
-        while frames.done[0] < frames.time.shape[0] and at(frames.time, frames.done[0]) < end:
-            for place in range(users * fields.position.shape[1]):
-                row = frames.done[0] * users * fields.position.shape[1] + place
-                store(frames.position, row, load(fields.position, place, lanes), lanes)
-            frames.done[0] += 1
+        keep_frames(frames, fields, end, lanes)
         s0, s1 = at(topology.first, i), at(topology.first, i + 1)
         p0, p1 = at(hands.first, i), at(hands.first, i + 1)
         for s in range(s0, s1):
@@ -162,19 +165,7 @@ def run(
             put(scratch.slot, s, users * timing.ring + peer if index < 0 else kept)
         for p in range(p0, p1):
             grip(hands, scratch.ports, scratch.cursor, p, end, T, lanes)
-        held = scratch.ports
-        ports = Ports(
-            p0,
-            p1,
-            held.row,
-            held.shape,
-            held.stiffness,
-            held.damping,
-            held.start,
-            held.end,
-            held.push,
-            held.force,
-        )
+        ports = ports_between(scratch.ports, p0, p1)
         if ends is None:
             links = Links(
                 s0,
@@ -203,6 +194,8 @@ def run(
             )
         state = state_of(fields, i)
         ledger = scratch.ledger
+        if cutting is not None and touching is None:
+            begin_cut(cutting, state, None)
         if touching is not None:
             if not before_step(touching, i, end, T):
                 record.lowest[0] = lowest
@@ -240,6 +233,10 @@ def run(
                 have.touch_force,
                 have.touching,
             )
+            if cutting is not None:
+                begin_cut(cutting, state, tools)
+                if contact is not None:
+                    expose(cutting, state.memory, contact.work.fit.hidden)
             if contact is not None:
                 contact_step(
                     contact,
@@ -262,6 +259,8 @@ def run(
                     cap,
                     lanes,
                 )
+            if cutting is not None:
+                decide_cuts(cutting, state.memory, state.position, tools, i + 1, True)
             after_step(touching, i)
             own = touching.ledger
             add(record.running, i, 6, own[DRIVE])
@@ -306,8 +305,13 @@ def run(
                 cap,
                 lanes,
             )
+        if cutting is not None:
+            if touching is None:
+                decide_cuts(cutting, state.memory, state.position, None, i + 1, True)
+            if force is not None:
+                dissipated += cut_away(cutting, op, force, topology, timing, fields, record, ledger, i, k, lanes)
         if ends is not None:
-            tell(ends, topology, timing, ports, i, k)
+            tell(ends, topology, timing, ports, contact, i, k)
         for s in range(s0, s1):
             added = at(scratch.link_work, s)
             made += added
@@ -329,7 +333,7 @@ def run(
             put(running, (i, first + 1), max(at(running, (i, first + 1)), ledger[BETA]))
             if ledger[BETA] > CLOSURE_ALARM or ledger[SHORTENED] > 0.0:
                 add(running, i, first + 2, 1.0)
-            if running.shape[1] > first + 3:  # there are obstacles
+            if running.shape[1] >= first + 8:  # there are obstacles
                 add(running, i, first + 3, ledger[WORLD_LOSS])
                 put(running, (i, first + 4), ledger[WORLD_STORED])
                 for axis in range(3):

@@ -11,7 +11,7 @@ from cotouch.arrays import Float
 from cotouch.errors import ScenarioError
 from cotouch.laws import END_WORDS, Facts, Law, law_named
 from cotouch.mechanics import WEIGHTS, Model
-from cotouch.scenario import Scenario
+from cotouch.scenario import Scenario, makes_tree
 from cotouch.simulation._channel import certain
 from cotouch.simulation._coding import age_budget, check_codec
 from cotouch.simulation._ends import Ends
@@ -65,7 +65,7 @@ def facts_of(scenario: Scenario, ready: Model, timing: Schedule, weight: npt.NDA
     budget = age_budget(scenario, timing, given_law(scenario)[0], 1.0 if quantile is None else quantile)
     longest, slots = timing.longest(), timing.slots
     network = scenario.network
-    tree = network.size > 2 and len(network.links) == network.size - 1 and network.is_connected()
+    tree = makes_tree(range(network.size), network.links)
     pairs = list(zip(slots.receiver.tolist(), slots.sender.tolist(), strict=True))
     ages = {
         pair: timing.age[s, : timing.count[pair[0]]][timing.used[s, : timing.count[pair[0]]] >= 0]
@@ -175,6 +175,7 @@ def ends_of(setup: LawSetup, timing: Schedule, fields: Fields, mean: Float, copi
         mean=mean.reshape(size),
         samples=fields.samples.reshape(-1, size),
         hand=np.zeros((users, size if law.feels else 0)),
+        touch=np.zeros((users, size if law.feels else 0)),
         mail=np.zeros((count, letters, len(law.sends), size)),
         mail_scalars=np.zeros((count, letters, len(law.sends_scalars))),
         memory=np.zeros((count, len(law.keeps), size)),

@@ -23,6 +23,8 @@ CLOSED_BOOKS = ("closure", "closure_factor", "closure_alarms")
 # And where there are obstacles: what of the body's losses was lost there, and of its energy is held there [J]; the mean
 # force of all of them on the copy [N].
 WORLD_BOOKS = ("world_loss", "world_stored", "world_x", "world_y", "world_z")
+# And of bodies that can be cut: what the elements held that were taken away so far [J], and how many they are.
+CUT_BOOKS = ("cut", "cut_elements")
 # Rows of `Record.slots`, cumulative [J]: what the link did on its receiver; what delay added to the link.
 SLOT_LEDGER = ("link_work", "delay_work")
 # Rows of `Record.ticks` [J].

@@ -6,6 +6,7 @@ from cotouch.mechanics import (
     ITERATIONS,
     WEIGHTS,
     Operator,
+    Ports,
     State,
     at,
     inner,
@@ -21,7 +22,7 @@ from cotouch.mechanics import (
 from cotouch.scenario import (
     Hands,
 )
-from cotouch.simulation._layout import Fields, Float, Record, Scratch, Topology
+from cotouch.simulation._layout import Fields, Float, Frames, Record, Scratch, Topology
 
 
 @inner
@@ -192,3 +193,43 @@ def copy(target: Float, source: Float, lanes: tuple[int, ...]) -> None:
     """
     for i in range(source.shape[0]):
         store(target, i, load(source, i, lanes), lanes)
+
+
+@inner
+def ports_between(held: Ports, first: int, last: int) -> Ports:
+    """The ports of one user, in the arrays of all.
+
+    Args:
+        held: of all users.
+        first: of the user's.
+        last: one past its last.
+    """
+    return Ports(
+        first,
+        last,
+        held.row,
+        held.shape,
+        held.stiffness,
+        held.damping,
+        held.start,
+        held.end,
+        held.push,
+        held.force,
+    )
+
+
+@inner
+def keep_frames(frames: Frames, fields: Fields, end: float, lanes: tuple[int, ...]) -> None:
+    """Keeps whole copies for the frames before a time.
+
+    Args:
+        frames: written to.
+        fields: state of all copies.
+        end: [s].
+        lanes: axes that are stepped together.
+    """
+    rows = fields.position.shape[0] * fields.position.shape[1]
+    while frames.done[0] < frames.time.shape[0] and at(frames.time, frames.done[0]) < end:
+        for place in range(rows):
+            store(frames.position, frames.done[0] * rows + place, load(fields.position, place, lanes), lanes)
+        frames.done[0] += 1

@@ -151,6 +151,7 @@ class _World:
             surface=None if self.touching is None else self.touching.surface,
             tools=None if self.touching is None else tools_of(self.touching, i),
             contact=None if self.touching is None else self.touching.contact,
+            cuts=prepared.scenario.cutting is None or prepared.scenario.cutting.may(i + 1),
             tolerance=solver.tolerance,
             iterations=solver.iterations,
         )

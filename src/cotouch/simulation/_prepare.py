@@ -107,6 +107,7 @@ def prepare(scenario: Scenario) -> Prepared:
     hands, ports = ports_of(scenario.hands, network.size, body, ready)
     position = _initial(scenario.initial.position, "position", network.size, body)
     scenario.world.refuse_overlap(ready, position)
+    scenario.refuse_cutters()
     touching, tool = touching_of(
         scenario.tools,
         network.size,

@@ -14,7 +14,7 @@ from cotouch.interrupt import interruptible
 from cotouch.scenario import Scenario
 from cotouch.simulation._batch import Outcome
 from cotouch.simulation._law_setup import given_law
-from cotouch.simulation._layout import CLOSED_BOOKS, TOOL_LEDGER, USER_LEDGER, WORLD_BOOKS
+from cotouch.simulation._layout import CLOSED_BOOKS, CUT_BOOKS, TOOL_LEDGER, USER_LEDGER, WORLD_BOOKS
 from cotouch.simulation._outcome import run_prepared
 from cotouch.simulation._prepare import Prepared, prepare
 from cotouch.simulation._schedule import Schedule
@@ -49,13 +49,17 @@ _UNITS = {
     "world_loss": ("J", "of body_loss: lost so far in friction and damping at planes and boxes"),
     "world_stored": ("J", "of elastic: held by planes and boxes"),
     "world_force": ("N", "mean force of planes and boxes on the copy over the step"),
+    "cut": ("J", "lost so far with the elements that were cut: what they held"),
+    "cut_elements": ("1", "elements of the copy that were cut so far"),
+    "cut_time": ("s", "when the copy lost the element; NaN: it is whole"),
+    "cut_by": ("1", "number of the user who decided to cut the element, from 1; 0: it is whole"),
     "link_work": ("J", "work of the link on its receiver so far"),
     "delay_work": ("J", "energy added to the link so far by the age of the samples; by a law: all that its link did"),
     "age": ("s", "age of the sample used, from the middle of its step to the end of the step that uses it"),
     "link_energy": ("J", "energy of the spring between two copies"),
     "stored": ("J", "energy of all copies and links"),
     "supplied_total": ("J", "work of all hands so far"),
-    "dissipated_total": ("J", "dissipated so far by all dampers"),
+    "dissipated_total": ("J", "dissipated so far by all dampers, and lost with what was cut"),
     "delay_work_total": ("J", "energy added so far by the age of samples"),
     "residual": ("J", "stored - initial - supplied + dissipated - delay work: zero but for round-off"),
     "slack": (
@@ -146,7 +150,14 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
         own = record.users[len(ledger) :]
         for name, values in zip(WORLD_BOOKS[:2], own, strict=False):
             put(name, ("user", "step"), values, everyone)
-        put("world_force", ("user", "step", "axis"), np.moveaxis(own[2:], 0, -1), everyone)
+        put("world_force", ("user", "step", "axis"), np.moveaxis(own[2:5], 0, -1), everyone)
+    if outcome.cuts is not None:
+        for name, values in zip(CUT_BOOKS, record.users[-len(CUT_BOOKS) :], strict=True):
+            put(name, ("user", "step"), values, everyone)
+        after, by = np.moveaxis(outcome.cuts, 1, 0)
+        known = np.take_along_axis(timing.end, np.maximum(after.astype(np.int64) - 1, 0), axis=1)
+        put("cut_time", ("user", "element"), np.where(after > 0.0, known, np.nan))
+        put("cut_by", ("user", "element"), by.astype(np.int32))
     for name, values in zip(ledger, record.users, strict=False):
         put(name, ("user", "step"), values, everyone)
     time, period = np.empty((users, records)), np.empty((users, records))

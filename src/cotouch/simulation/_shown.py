@@ -7,7 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.arrays import Float
-from cotouch.body import Body
+from cotouch.body import Body, CutSkin, cut_skin
 from cotouch.errors import ScenarioError
 from cotouch.mechanics import Shape
 from cotouch.scenario import WorldTable
@@ -64,7 +64,11 @@ def animation(run: "xr.Dataset", body: Body) -> Animation:
     tables: dict[str, Any] = json.loads(run.attrs["scenario"])
     apart = np.linalg.norm(frames - frames.mean(axis=1, keepdims=True), axis=-1)
     shape: dict[str, Any]
-    if body.skin is not None and body.skin.triangles.size:
+    faces = cut_skin(body) if "cut_time" in run else None
+    if faces is not None:
+        shape = {"skin": faces.skin, "displacement": frames - body.rest.astype(np.float32)}
+        shape["spans"] = _spans(run, faces)
+    elif body.skin is not None and body.skin.triangles.size:
         shape = {"skin": body.skin, "displacement": frames - body.rest.astype(np.float32)}
     else:
         shape = {"vertices": frames, "rest": body.rest, "edges": _edges(body)}
@@ -79,6 +83,17 @@ def animation(run: "xr.Dataset", body: Body) -> Animation:
         shapes=_shapes(tables.get("world", {})),
         **shape,
     )
+
+
+def _spans(run: "xr.Dataset", faces: CutSkin) -> Float:
+    """When each triangle of each copy is there, (users, triangles, 2) [s]."""
+    cut = np.nan_to_num(run["cut_time"].values, nan=np.inf)
+    begin = np.where(faces.beyond < 0, -np.inf, cut[:, np.maximum(faces.beyond, 0)])
+    end = np.full((cut.shape[0], faces.beyond.size), np.inf)
+    of = np.repeat(np.arange(faces.beyond.size), np.diff(faces.pointer))
+    for user, times in enumerate(cut):
+        np.minimum.at(end[user], of, times[faces.element])
+    return np.stack([begin, end], axis=-1)
 
 
 def _shapes(world: dict[str, Any]) -> list[Shape]:
@@ -102,7 +117,8 @@ def _tools(run: "xr.Dataset", tables: dict[str, Any], when: Float) -> ToolTracks
     return ToolTracks(
         owner=owner,
         centre=_at(run, owner, run["tool_position"].values, when),
-        radius=[tool["radius"] for tool in tools],
+        radius=[0.5 * tool["thickness"] if tool["kind"] == "blade" else tool["radius"] for tool in tools],
+        axis=[tool["axis"] if tool["kind"] == "blade" else [0.0, 0.0, 0.0] for tool in tools],
         force=_at(run, owner, felt(run), when),
     )
 

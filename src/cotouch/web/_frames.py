@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 import scipy.sparse as sp
 
-from cotouch.body import Body
+from cotouch.body import Body, drawn_skin
 from cotouch.observers import CopyView
 from cotouch.web._protocol import COPY, DIRECT, HAS_HAND, HEADER, VERSION, mode_index
 
@@ -43,12 +43,13 @@ class FrameEncoder:
         self._table: sp.csr_array | None = None
         self.points = body.nodes
         self._reach = 1.0  # a point moves at most so many times as far as the node that moves farthest
-        if body.skin is not None:
-            table = body.skin.interpolation(body.nodes).astype(np.float32)
+        skin = drawn_skin(body)
+        if skin is not None:
+            table = skin.interpolation(body.nodes).astype(np.float32)
             table.eliminate_zeros()
             self._table = table
-            self.points = body.skin.vertices.shape[0]
-            self._reach = float(np.abs(body.skin.weights).sum(axis=1).max(initial=1.0)) + 1e-3
+            self.points = skin.vertices.shape[0]
+            self._reach = float(np.abs(skin.weights).sum(axis=1).max(initial=1.0)) + 1e-3
         self.scale = _FINEST
         self.passes = 0
         self._known: dict[int, tuple[CopyView, bytes]] = {}

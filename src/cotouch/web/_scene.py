@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.arrays import Float
-from cotouch.body import Body
+from cotouch.body import Body, cut_skin, drawn_skin
 from cotouch.device import NOTICED_DRAG
 from cotouch.members import Status, felt
 from cotouch.observers import CopyView, Overview, Scene
@@ -31,7 +31,7 @@ def scene_message(scene: Scene, *, version: str, started: str, acts: bool, page:
     body = scene.body
     rest = np.zeros((body.holds, 3), np.float64)
     rest[:, : body.dimension] = body.held_rest
-    skin = body.skin
+    skin = drawn_skin(body)
     drawn = rest if skin is None else skin.vertices
     low, high = drawn.min(axis=0, initial=np.inf), drawn.max(axis=0, initial=-np.inf)
     centre = 0.5 * (low + high)
@@ -55,6 +55,7 @@ def scene_message(scene: Scene, *, version: str, started: str, acts: bool, page:
             "triangles": _packed(skin.triangles, "<u4"),
             "node": _packed(nodes_of_points(body), "<u4"),
         },
+        "cutting": _cutting(body),
         "edges": None if skin is not None else _packed(_edges(body), "<u4"),
         "obstacles": [{"kind": type(shape).__name__.lower(), **shape._asdict()} for shape in scene.shapes],
         "radius": float(np.linalg.norm(drawn - centre, axis=1).max(initial=0.0)),
@@ -67,20 +68,22 @@ def scene_message(scene: Scene, *, version: str, started: str, acts: bool, page:
 def nodes_of_points(body: Body) -> npt.NDArray[np.integer[Any]]:
     """The node that carries most of each drawn point, (points,)."""
     if body.rigid and body.skin is not None:
-        return body.nodes + np.arange(body.skin.vertices.shape[0])
-    if body.skin is None:
+        return np.arange(body.nodes, body.nodes + int(body.skin.vertices.shape[0]))
+    skin = drawn_skin(body)
+    if skin is None:
         return np.arange(body.nodes)
-    best = np.argmax(body.skin.weights, axis=1)
-    return np.take_along_axis(body.skin.nodes, best[:, None], axis=1)[:, 0]
+    best = np.argmax(skin.weights, axis=1)
+    return np.take_along_axis(skin.nodes, best[:, None], axis=1)[:, 0]
 
 
 def beside_nodes(body: Body) -> Float:
     """From each drawn point's node to the point, at rest, (points, 3) [m]."""
-    if body.skin is None:
+    skin = drawn_skin(body)
+    if skin is None:
         return np.zeros((body.nodes, 3))
     rest = np.zeros((body.holds, 3))
     rest[:, : body.dimension] = body.held_rest
-    return np.asarray(body.skin.vertices) - rest[nodes_of_points(body)]
+    return np.asarray(skin.vertices) - rest[nodes_of_points(body)]
 
 
 def state_message(
@@ -113,6 +116,8 @@ def state_message(
             "here": slot in here,
             "alive": overview.alive.get(slot),
             "hand": _told(view),
+            "cut": None if view is None or view.cut is None else _packed(np.packbits(view.cut != 0), "|u1"),
+            "cut_by": [] if view is None or view.cut is None else np.bincount(view.cut).tolist(),
         }
         for link in () if status is None else status.links:
             ends[f"{slot}-{link.slot}"] = link.model_dump()
@@ -156,6 +161,19 @@ def _told(view: CopyView | None) -> str | None:
     if view is not None and view.hands:
         return view.hands[0].mode
     return "free" if view is None or view.direct else None
+
+
+def _cutting(body: Body) -> dict[str, Any] | None:
+    """What the drawn triangles of a body that can be cut hang on; see `CutSkin`."""
+    faces = cut_skin(body) if body.material is not None and body.material.cuttable else None
+    if faces is None or body.material is None:
+        return None
+    return {
+        "elements": body.material.elements.shape[0],
+        "pointer": _packed(faces.pointer, "<u4"),
+        "element": _packed(faces.element, "<u4"),
+        "beyond": _packed(faces.beyond, "<i4"),
+    }
 
 
 def _packed(array: Any, kind: str) -> str:

@@ -34,6 +34,8 @@ class Run {
     this.levels = accumulated(new Uint8Array(data, levels.offset, 2 * count(levels)), levels.shape);
     this.rest = single("rest");
     this.triangles = whole("triangles");
+    /** When a user's triangle is there, from and until [s]; empty: always. */
+    this.spans = single("spans");
     this.edges = whole("edges");
     this.tools = { ...header.tools, place: single("tool_centre"), force: single("tool_force") };
     const ports = header.ports.owner.length;
@@ -52,6 +54,18 @@ class Run {
         const a = this.levels[here + i];
         out[i] = low[d] + step[d] * (a + share * (this.levels[next + i] - a));
       }
+  }
+
+  /** The triangles that are there at a moment, into `out`; returns how many numbers. @param {number} user @param {number} at @param {Uint32Array} out */
+  shown(user, at, out) {
+    const { triangles, spans } = this, time = this.timeAt(at), first = (user * triangles.length) / 3;
+    let size = 0;
+    for (let k = 0; k < triangles.length; k += 3) {
+      const span = 2 * (first + k / 3);
+      if (!(spans[span] <= time && time < spans[span + 1])) continue;
+      for (let c = 0; c < 3; c++) out[size++] = triangles[k + c];
+    }
+    return size;
   }
 
   /** A row of a track, straight between frames. @param {ArrayLike<number>} track @param {number} width @param {number} at */

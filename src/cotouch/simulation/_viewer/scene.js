@@ -1,8 +1,8 @@
 // Draws copies, tools and forces with WebGL2. A tile is a part of the canvas with one solid copy and any ghosts.
 
 /** @typedef {{x: number, y: number, width: number, height: number, solid: number, ghosts: number[], users: number[]}} Tile in pixels of the page; `users`: whose tools and ports are shown */
-/** @typedef {{owner: number[], radius: number[], place: Float32Array, force: Float32Array}} Touch */
-/** @typedef {{places: Float32Array, normals: Float32Array, values: Float32Array, texels: Float32Array, place: WebGLBuffer, normal: WebGLBuffer, value: WebGLBuffer, array: WebGLVertexArrayObject, texture: WebGLTexture}} Copy */
+/** @typedef {{owner: number[], radius: number[], axis?: number[][], place: Float32Array, force: Float32Array}} Touch; `axis`: of blades, from one end of the edge to the other */
+/** @typedef {{places: Float32Array, normals: Float32Array, values: Float32Array, texels: Float32Array, place: WebGLBuffer, normal: WebGLBuffer, value: WebGLBuffer, array: WebGLVertexArrayObject, texture: WebGLTexture, corners: Uint32Array, order: WebGLBuffer | null}} Copy; `corners`: of the triangles that are there */
 
 const WIDE = 1024; // texels in a row, as in shaders.glsl
 const APART = 0.015; // of the extent: a ghost so far from the solid copy is seen fully
@@ -63,11 +63,12 @@ class Scene {
     const { gl, run } = this, count = run.vertices;
     const [place, normal, value] = [0, 1, 2].map(() => /** @type {WebGLBuffer} */ (gl.createBuffer()));
     const array = /** @type {WebGLVertexArrayObject} */ (gl.createVertexArray());
+    const order = run.spans.length ? /** @type {WebGLBuffer} */ (gl.createBuffer()) : null; // of its own where it is cut
     gl.bindVertexArray(array);
     this.attribute(0, place, 3);
     this.attribute(1, normal, 3);
     this.attribute(2, value, 1);
-    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.corners);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, order ?? this.corners);
     gl.bindVertexArray(null);
     const texture = /** @type {WebGLTexture} */ (gl.createTexture());
     gl.bindTexture(gl.TEXTURE_2D, texture);
@@ -75,6 +76,7 @@ class Scene {
     return {
       places: new Float32Array(3 * count), normals: new Float32Array(3 * count), values: new Float32Array(count),
       texels: new Float32Array(run.triangles.length ? 0 : 4 * WIDE * Math.ceil(count / WIDE)), place, normal, value, array, texture,
+      corners: run.triangles, order,
     };
   }
 
@@ -92,7 +94,13 @@ class Scene {
   /** Brings all copies to a moment. @param {number} at @param {"displacement" | "difference"} field @param {number} most [m] @param {number} solid the copy from which the ghosts are away; -1 for no ghosts */
   move(at, field, most, solid) {
     const { run, copies } = this;
-    copies.forEach((copy, user) => run.copy(user, at, copy.places));
+    copies.forEach((copy, user) => {
+      run.copy(user, at, copy.places);
+      if (copy.order) {
+        const room = new Uint32Array(run.triangles.length);
+        copy.corners = room.subarray(0, run.shown(user, at, room));
+      }
+    });
     const origin = field === "displacement" ? run.rest : mean(copies.map((copy) => copy.places));
     copies.forEach((copy, user) => {
       const ghost = solid >= 0 && user !== solid, from = ghost ? copies[solid].places : origin, scale = ghost ? APART * this.sizes.extent : most || 1;
@@ -112,7 +120,12 @@ class Scene {
   upload(copy) {
     const { gl, run } = this;
     if (run.triangles.length) {
-      smooth(copy.places, run.triangles, copy.normals);
+      smooth(copy.places, copy.corners, copy.normals);
+      if (copy.order) {
+        gl.bindVertexArray(null);
+        gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, copy.order);
+        gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, copy.corners, gl.DYNAMIC_DRAW);
+      }
       for (const [buffer, data] of /** @type {[WebGLBuffer, Float32Array][]} */ ([[copy.place, copy.places], [copy.normal, copy.normals], [copy.value, copy.values]])) {
         gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
         gl.bufferData(gl.ARRAY_BUFFER, data, gl.DYNAMIC_DRAW);
@@ -213,7 +226,7 @@ class Scene {
     if (run.triangles.length) {
       gl.useProgram(surface.made);
       gl.bindVertexArray(copy.array);
-      gl.drawElements(gl.TRIANGLES, run.triangles.length, gl.UNSIGNED_INT, 0);
+      gl.drawElements(gl.TRIANGLES, copy.corners.length, gl.UNSIGNED_INT, 0);
       return;
     }
     gl.bindTexture(gl.TEXTURE_2D, copy.texture);
@@ -242,6 +255,12 @@ class Scene {
           const color = [...colors[user], hidden ? 0.22 : 1];
           const place = [...touch.place.subarray(3 * k, 3 * k + 3)], force = [...touch.force.subarray(3 * k, 3 * k + 3)];
           const radius = touch.radius[k] || 0.011 * extent;
+          const edge = touch.axis?.[k] ?? [0, 0, 0], reach = Math.hypot(...edge);
+          if (reach > 0) {
+            const wide = Math.max(radius, 0.006 * extent); // a blade is seen however thin it is
+            this.solid("rod", color, [wide, wide, reach], place, edge.map((e) => e / reach));
+            return;
+          }
           this.solid("ball", color, [radius, radius, radius], place, [0, 0, 1]);
           const size = Math.hypot(...force), length = size * metresPerNewton;
           if (length < 0.004 * extent) return;

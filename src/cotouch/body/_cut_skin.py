@@ -1,0 +1,179 @@
+"""The skin of a body that can be cut: what it has, and the faces inside that come to light where elements go."""
+
+from dataclasses import dataclass
+from itertools import combinations
+from typing import TypeAlias, final
+
+import numpy as np
+import numpy.typing as npt
+from scipy.spatial import cKDTree
+
+from cotouch.arrays import Float
+from cotouch.body._body import Body
+from cotouch.body._cells import CORNERS as _CORNERS
+from cotouch.body._skin import Skin
+
+Ints: TypeAlias = npt.NDArray[np.int64]
+
+# Faces of an element seen from outside, by its number of corners; the sides of cubes are two triangles each.
+_TETRAHEDRON = ((0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3))
+_CUBE = (
+    (0, 1, 3), (0, 3, 2), (4, 6, 7), (4, 7, 5), (0, 4, 5), (0, 5, 1),
+    (2, 3, 7), (2, 7, 6), (0, 2, 6), (0, 6, 4), (1, 5, 7), (1, 7, 3),
+)  # fmt: skip
+FACES: dict[int, tuple[tuple[int, int, int], ...]] = {2: (), 4: _TETRAHEDRON, 8: _CUBE}
+# How many of those make a side that two elements share.
+_A_SIDE = {4: 1, 8: 2}
+# A node whose weight is less does not carry a vertex.
+_CARRIES = 1e-9
+
+
+@final
+@dataclass(frozen=True, eq=False, kw_only=True)
+class CutSkin:
+    """A body's skin with its inner faces.
+
+    A triangle is there while all elements that carry it are whole and the one beyond it, if any, is cut.
+
+    Attributes:
+        skin: that of the body first, then the inner faces.
+        outer: how many of the triangles are the body's own.
+        pointer: of each triangle into `element`, (F + 1,).
+        element: that carry it; none where it hangs on nodes that share no element.
+        beyond: the element on the other side of an inner face; -1 of the outer ones, (F,).
+    """
+
+    skin: Skin
+    outer: int
+    pointer: Ints
+    element: Ints
+    beyond: Ints
+
+    def shown(self, cut: npt.NDArray[np.bool_]) -> npt.NDArray[np.bool_]:
+        """Which triangles are there, (F,).
+
+        Args:
+            cut: which elements were cut, (E,).
+        """
+        gone = np.zeros(self.beyond.size, dtype=np.int64)
+        np.add.at(gone, np.repeat(np.arange(self.beyond.size), np.diff(self.pointer)), cut[self.element])
+        open_ = (self.beyond < 0) | cut[np.maximum(self.beyond, 0)]
+        return (gone == 0) & open_
+
+
+def cut_skin(body: Body) -> CutSkin | None:
+    """The skin of a body that can be cut; None where it has none.
+
+    Args:
+        body: that can be cut; see `Body.with_cutting`.
+    """
+    skin, material = body.skin, body.material
+    if skin is None or material is None or not skin.triangles.size:
+        return None
+    elements = material.elements
+    carried = _carriers(skin, elements)
+    faces, own, beyond = _inner(elements)
+    count = skin.vertices.shape[0]
+    places, nodes, weights, corners = _within(skin, body.rest, elements, faces, own)
+    pointer = np.concatenate([[0], np.cumsum([len(some) for some in carried] + [1] * own.size)])
+    return CutSkin(
+        skin=Skin(
+            vertices=np.concatenate([skin.vertices, places]),
+            triangles=np.concatenate([skin.triangles, count + corners]),
+            nodes=np.concatenate([skin.nodes, nodes]),
+            weights=np.concatenate([skin.weights, weights]),
+        ),
+        outer=skin.triangles.shape[0],
+        pointer=pointer.astype(np.int64),
+        element=np.array([element for some in carried for element in some] + own.tolist(), dtype=np.int64),
+        beyond=np.concatenate([np.full(skin.triangles.shape[0], -1), beyond]).astype(np.int64),
+    )
+
+
+def drawn_skin(body: Body) -> Skin | None:
+    """What a viewer draws of a body: its skin, with the inner faces of one that can be cut.
+
+    Args:
+        body: any.
+    """
+    if body.material is None or not body.material.cuttable:
+        return body.skin
+    faces = cut_skin(body)
+    return None if faces is None else faces.skin
+
+
+def _within(skin: Skin, rest: Float, elements: Ints, faces: Ints, own: Ints) -> tuple[Float, Ints, Float, Ints]:
+    """Places of the inner faces' corners, the nodes that carry them, how much of each, and the corners by number.
+
+    A lattice reaches beyond the skin that it carries. There a corner lies on the skin, not at the node, and moves with
+    its own element, also when the one beside it is gone.
+    """
+    width = skin.nodes.shape[1]
+    lattice = width == elements.shape[1] == len(_CORNERS)
+    # Corners of a lattice belong to one element, of other bodies to all that have the node.
+    pairs = np.stack([np.repeat(own, 3) if lattice else np.zeros(faces.size, dtype=np.int64), faces.ravel()], axis=1)
+    used, corners = np.unique(pairs, axis=0, return_inverse=True)
+    element, node = used.T
+    places, nodes = rest[node].copy(), np.repeat(node[:, None], width, axis=1)
+    weights = np.zeros((node.size, width))
+    weights[:, 0] = 1.0
+    if lattice:
+        normal = np.zeros_like(skin.vertices)
+        ends = skin.vertices[skin.triangles]
+        across = np.cross(ends[:, 1] - ends[:, 0], ends[:, 2] - ends[:, 0])
+        for corner in range(3):
+            np.add.at(normal, skin.triangles[:, corner], across)
+        nearest = cKDTree(skin.vertices).query(places)[1]
+        outside = np.einsum("va,va->v", places - skin.vertices[nearest], normal[nearest]) > 0.0
+        moved = element[outside]
+        places[outside] = skin.vertices[nearest[outside]]
+        low, high = rest[elements[moved, 0]], rest[elements[moved, 7]]
+        share = ((places[outside] - low) / (high - low))[:, None, :]
+        nodes[outside] = elements[moved]
+        weights[outside] = np.where(_CORNERS[None] == 1, share, 1.0 - share).prod(axis=2)
+    return places, nodes, weights, corners.reshape(faces.shape)
+
+
+def _carriers(skin: Skin, elements: Ints) -> list[list[int]]:
+    """Elements that carry each triangle: those of its vertices, or all springs between its nodes."""
+    of_node: dict[int, set[int]] = {}
+    for number, corners in enumerate(elements.tolist()):
+        for node in corners:
+            of_node.setdefault(node, set()).add(number)
+    nothing: set[int] = set()
+    vertex = [
+        frozenset(int(n) for n, w in zip(nodes, weights, strict=True) if abs(w) > _CARRIES)
+        for nodes, weights in zip(skin.nodes.tolist(), skin.weights.tolist(), strict=True)
+    ]
+    result: list[list[int]] = []
+    for triangle in skin.triangles.tolist():
+        nodes = frozenset().union(*(vertex[v] for v in triangle))
+        if elements.shape[1] == 2:
+            pairs = combinations(sorted(nodes), 2)
+            result.append(sorted(e for i, j in pairs for e in of_node.get(i, nothing) & of_node.get(j, nothing)))
+            continue
+        whole = set[int].intersection(*(of_node.get(n, nothing) for n in nodes))
+        if whole:  # one element has all of it
+            result.append([min(whole)])
+            continue
+        some = (set[int].intersection(*(of_node.get(n, nothing) for n in vertex[v])) for v in triangle)
+        result.append(sorted({min(each) for each in some if each}))
+    return result
+
+
+def _inner(elements: Ints) -> tuple[Ints, Ints, Ints]:
+    """Triangles inside: nodes (T, 3), the element that each belongs to, and the one beyond it."""
+    nothing = np.zeros(0, dtype=np.int64)
+    faces = FACES[elements.shape[1]]
+    if not faces:
+        return np.zeros((0, 3), dtype=np.int64), nothing, nothing
+    together = _A_SIDE[elements.shape[1]]
+    sides = np.array(faces).reshape(-1, together * 3)
+    at = elements[:, sides].reshape(-1, together * 3)
+    own = np.repeat(np.arange(elements.shape[0]), sides.shape[0])
+    key = np.array([sorted(set(side)) for side in at.tolist()])
+    _, number, times = np.unique(key, axis=0, return_inverse=True, return_counts=True)
+    order = np.argsort(number.reshape(-1), kind="stable")
+    pairs = order[times[number.reshape(-1)[order]] == 2].reshape(-1, 2)
+    here, there = np.concatenate([pairs, pairs[:, ::-1]]).T
+    return at[here].reshape(-1, 3), np.repeat(own[here], together), np.repeat(own[there], together)

@@ -1,0 +1,45 @@
+"""What a copy of a run loses by cutting, after each of its steps."""
+
+from cotouch.arrays import Float
+from cotouch.mechanics import CUT, CUT_COUNT, BodyForce, Cutting, Operator, hear_cuts, part, sever
+from cotouch.simulation._layout import Fields, Record, Timing, Topology
+from cotouch.simulation._ledger import add, state_of
+
+
+@part
+def cut_away(
+    cutting: Cutting,
+    op: Operator,
+    force: BodyForce,
+    topology: Topology,
+    timing: Timing,
+    fields: Fields,
+    record: Record,
+    ledger: Float,
+    i: int,
+    k: int,
+    lanes: tuple[int, ...],
+) -> float:
+    """Takes away what a user decided and what its samples told; books and returns the energy that went [J].
+
+    Args:
+        cutting: the elements, with what was decided.
+        op: the body.
+        force: what resists inside.
+        topology: who is joined to whom.
+        timing: which samples the step used.
+        fields: state of all copies; changed in place.
+        record: what is kept; written to.
+        ledger: of the step; changed in place.
+        i: the user.
+        k: number of its step.
+        lanes: fixes the width.
+    """
+    state = state_of(fields, i)
+    for s in range(topology.first[i], topology.first[i + 1]):
+        hear_cuts(cutting, state.memory, fields.memory[topology.peer[s]], timing.used[s, k])
+    sever(cutting, op, force, state, k, ledger, lanes)
+    books = record.running.shape[1]
+    add(record.running, i, books - 2, ledger[CUT])
+    add(record.running, i, books - 1, ledger[CUT_COUNT])
+    return ledger[CUT]

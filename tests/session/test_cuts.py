@@ -1,0 +1,162 @@
+"""A body that several hold and one cuts, on a virtual clock: everybody comes to the same cuts, and no liar goes far."""
+
+import base64
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from tests.session.world import Person, World
+
+from cotouch.members._messages import read, write
+from cotouch.members._shared_cuts import TOPIC, Statement
+from cotouch.recording import audit, read_recording
+from cotouch.samples import PathLaw
+
+SESSION = """
+[session]
+users = 3
+spring = 60.0
+[body]
+kind = "lattice"
+shape = [6, 3, 3]
+neighbours = 18
+model = "spring-network"
+stiffness = 60.0
+damping = 0.06
+mass = 0.3
+ground = "x-"
+ground_stiffness = 100.0
+[cutting]
+tear = 0.25
+users = [1, 3]
+[steps]
+rate = 200
+[synchronisation]
+law = "spring"
+[[hands]]
+user = 1
+at = [0.05, 0.01, 0.01]
+path = [[0, 0, 0, 0], [1, 0.09, 0, 0]]
+stiffness = 60.0
+damping = 1.0
+"""
+
+
+def cuts_of(person: Person) -> np.ndarray:
+    peer = person.copy.peer
+    assert peer is not None
+    assert peer.cuts is not None
+    return peer.cuts.by
+
+
+def claim(person: Person, what: np.ndarray, **changes: object) -> bytes:
+    """What a member may sign, true or not."""
+    shared = person.copy._cuts
+    assert shared is not None
+    said = read(Statement, shared._signed(what))
+    assert said is not None
+    return write(said.model_copy(update=changes))
+
+
+@pytest.fixture(scope="module")
+def world(tmp_path_factory: pytest.TempPathFactory) -> World:
+    world = World(SESSION, folder=tmp_path_factory.mktemp("cuts"), tick=1e-3, law=PathLaw(delay=0.02, loss=0.2))
+    ann, ben = world.join("Ann"), world.join("Ben", moves=False)
+    world.until(world.all_coupled, 12.0)
+    world.run(8.0)
+    assert np.count_nonzero(cuts_of(ann)) > 5
+    assert np.count_nonzero(cuts_of(ben)) > 5
+    world.join("Cleo", moves=False)
+    world.run(4.0)
+    return world
+
+
+class TestAgreement:
+    def test_everybody_has_the_same_cuts_and_knows_whose_they_are(self, world: World) -> None:
+        ann, *others = (cuts_of(person) for person in world.people)
+        assert len(others) == 2
+        assert set(np.unique(ann)) == {0, 1}  # only the first may cut, and of those only she tore
+        for other in others:
+            assert np.array_equal(other, ann)
+        said = {person.copy.status(world.now).cut_set for person in world.people}
+        assert len(said) == 1
+        assert said != {""}
+
+    def test_energy_is_exact(self, world: World) -> None:
+        world.check()
+        ann = world.people[0]
+        assert ann.copy.totals.cut > 0.0
+        assert ann.copy.totals.lost >= ann.copy.totals.cut
+
+
+class TestLies:
+    def told(self, world: World, by: Person, body: bytes) -> None:
+        by.control.send(TOPIC, body)
+        world.run(0.3)
+
+    def refused(self, world: World) -> int:
+        shared = world.people[0].copy._cuts
+        assert shared is not None
+        return shared.refused
+
+    def test_what_is_no_statement_of_this_body_or_of_its_author_changes_nothing(self, world: World) -> None:
+        ann, ben, cleo = world.people
+        before, size = cuts_of(ann).copy(), cuts_of(ann).size
+        whole = np.ones(size, dtype=np.bool_)
+        longer = base64.b64encode(bytes(size)).decode()
+        beyond = np.packbits(whole)
+        beyond[-1] |= (1 << (-size % 8)) - 1
+        lies = {
+            "of one who may not cut": (ben, claim(ben, whole)),
+            "of another body": (cleo, claim(cleo, np.ones(size + 64, dtype=np.bool_))),
+            "longer than signed": (cleo, claim(cleo, whole, elements=longer)),
+            "ids out of range": (cleo, claim(cleo, whole, elements=base64.b64encode(beyond.tobytes()).decode())),
+            "another's signature": (ben, claim(cleo, whole, author=ann.identity.public.hex(), slot=0)),
+            "another's slot": (cleo, claim(cleo, whole, slot=0)),
+            "a stranger": (cleo, claim(cleo, whole, author="ab" * 32)),
+            "nothing": (cleo, b"{}"),
+            "no text": (cleo, b"\xff"),
+        }
+        assert size % 8 != 0
+        for name, (who, body) in lies.items():
+            refused = self.refused(world)
+            self.told(world, who, body)
+            assert self.refused(world) > refused, name
+            assert np.array_equal(cuts_of(ann), before), name
+
+    def test_who_claims_all_is_believed_slowly(self, world: World) -> None:
+        ann, _, cleo = world.people
+        size, before = cuts_of(ann).size, np.count_nonzero(cuts_of(ann))
+        whole = np.ones(size, dtype=np.bool_)
+        self.told(world, cleo, claim(cleo, whole))
+        once = np.count_nonzero(cuts_of(ann))
+        assert before < once < size
+        world.run(2.0)
+        assert once < np.count_nonzero(cuts_of(ann)) < size
+        assert np.array_equal(cuts_of(ann) == 1, cuts_of(world.people[1]) == 1)
+        world.check()
+
+    def test_cut_to_pieces_all_goes_on(self, world: World) -> None:
+        world.run(12.0)
+        ann, ben, _ = world.people
+        assert np.all(cuts_of(ann) > 0)
+        assert np.all(cuts_of(ben) > 0)
+        world.check()
+        assert world.apart() < 0.05
+
+
+def test_an_audit_works_the_energy_out_anew(world: World) -> None:
+    for person in world.people:
+        assert person.session_recorder is not None
+        person.session_recorder.close()
+    recordings = [read_recording(Path(path)) for path in world.recordings]
+    found = audit(recordings)
+    assert not found.findings
+    booked = sum(float(recording.columns["cut"].sum()) for recording in recordings)
+    assert booked > 0.0
+    assert sum(user.cut for user in found.users) == pytest.approx(booked, rel=1e-9)
+    # Forgotten cuts are found.
+    ann = recordings[0]
+    bare = replace(ann, events=tuple(event for event in ann.events if event.kind != "cut"))
+    assert audit([bare, *recordings[1:]]).findings

@@ -1,0 +1,168 @@
+"""Cuts of a run: three copies with delays and loss come to the same set, and no cut raises the energy."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from cotouch.errors import BodyError, ScenarioError
+from cotouch.scenario import Scenario
+from cotouch.simulation import simulate
+from cotouch.simulation._outcome import run_prepared
+from cotouch.simulation._peers import run_peers
+from cotouch.simulation._prepare import prepare
+from cotouch.simulation._result import dataset
+from cotouch.simulation._shown import animation
+
+DELAY = 0.04
+RUN: dict[str, Any] = {
+    "seed": 3,
+    "network": {
+        "users": ["Ann", "Ben", "Cem"],
+        "spring": [[0, 50, 0], [50, 0, 50], [0, 50, 0]],
+        "delay": [[0, DELAY, 0], [DELAY, 0, DELAY], [0, DELAY, 0]],
+    },
+    "channel": {"loss": 0.2},
+    "body": {
+        "kind": "lattice",
+        "shape": [7, 4, 3],
+        "model": "cells",
+        "stiffness": 60.0,
+        "damping": 0.05,
+        "ground": "x-",
+        "ground_stiffness": 100.0,
+    },
+    "cutting": {"users": [3]},
+    "steps": {"duration": 0.5, "rate": 500},
+    "record": {"frames": 20},
+    "hands": [{"user": 1, "at": [0.06, 0.01, 0.01], "path": [0.01, 0, 0]}],
+    "tools": [
+        {
+            "user": 3,
+            "kind": "blade",
+            "at": [0.035, -0.02, -0.01],
+            "axis": [0, 0, 0.05],
+            "thickness": 0.001,
+            "hand": {"path": [[0.1, 0, 0, 0], [0.3, 0, 0.08, 0]], "stiffness": 500, "damping": 20},
+        },
+        {
+            "user": 2,
+            "at": [0.035, 0.015, 0.042],
+            "radius": 0.01,
+            "hand": {"path": [[0.05, 0, 0, 0], [0.1, 0, 0, -0.02]], "stiffness": 500, "damping": 20},
+        },
+    ],
+}
+
+
+def made(**changes: Any) -> Scenario:
+    tables: dict[str, Any] = {**RUN, **changes}
+    return Scenario.make(**tables)
+
+
+@pytest.fixture(scope="module")
+def ran() -> Any:
+    prepared = prepare(made())
+    outcome = run_prepared(prepared)
+    return prepared, outcome, dataset(prepared, outcome)
+
+
+def test_the_ledger_is_exact_and_no_cut_raises_the_energy(ran: Any) -> None:
+    _, _, run = ran
+    assert run.attrs["energy_residual"] < 1e-12
+    assert run.attrs["passivity_margin"] >= -1e-12
+    cut = run["cut"].values
+    assert (np.diff(cut, axis=1) >= 0.0).all()
+    assert (cut[:, -1] > 0.0).all()
+    count = run["cut_elements"].values
+    # In a step that cuts, the copy holds less than its other books say, by just that.
+    books = run["supplied"] - run["body_loss"] - run["local_loss"] - run["extra_loss"] - run["cut"]
+    gained = (books + run["touch_work"] - run["kinetic"] - run["elastic"]).values
+    links = np.zeros_like(gained)
+    for direction, receiver in enumerate(run["receiver"].values):
+        links[run["user"].values.tolist().index(receiver)] += run["link_work"].values[direction]
+    assert np.abs(gained + links).max() < 1e-12
+    assert (np.diff(count, axis=1) > 0).sum() >= 9
+
+
+def test_all_know_of_a_cut_as_soon_as_a_sample_can_tell(ran: Any) -> None:
+    _, _, run = ran
+    by, time = run["cut_by"].values, run["cut_time"].values
+    assert set(np.unique(by)) == {0, 3}
+    assert np.array_equal(by[0] > 0, by[2] > 0)
+    assert np.array_equal(by[1] > 0, by[2] > 0)
+    cut = by[2] > 0
+    assert cut.sum() == 6  # one layer of cubes
+    for near, far in ((2, 1), (1, 0)):
+        late = time[near, cut] + DELAY
+        assert (time[far, cut] >= late - 1e-9).all()
+        lost = 2e-3 * 8  # so many samples in a row were not lost
+        assert (time[far, cut] <= late + lost).all()
+
+
+def test_batch_and_peers_cut_alike_to_the_bit(ran: Any) -> None:
+    prepared, outcome, run = ran
+    told = run_peers(prepared)
+    for user in range(3):
+        assert np.array_equal(told.position[user][-1], outcome.position[user])
+        cut = [element for report in told.reports[user] for element in report.cut_elements]
+        assert sorted(cut) == np.flatnonzero(run["cut_by"].values[user]).tolist()
+        assert sum(report.cut for report in told.reports[user]) == pytest.approx(float(run["cut"].values[user, -1]))
+        assert max(abs(report.residual) for report in told.reports[user]) < 1e-14
+
+
+def test_what_was_cut_away_is_not_touched(ran: Any) -> None:
+    """The second user's ball presses where the blade goes through; then there is nothing any more."""
+    _, _, run = ran
+    touched = np.linalg.norm(run["touch_force"].values[1], axis=1)
+    time = run["time"].values[1]
+    pressed = touched[(time > 0.11) & (time < 0.12)]
+    assert pressed.max() > 0.01
+    whole = made(cutting=None, tools=RUN["tools"][1:])
+    other = simulate(whole)
+    there = np.linalg.norm(other["touch_force"].values[0], axis=1)
+    assert touched[-1] < 0.7 * there[-1]
+    assert "cut" not in other
+
+
+def test_an_animation_draws_the_cut(ran: Any) -> None:
+    prepared, _, run = ran
+    shown = animation(run, prepared.body)
+    begin, end = shown.spans[..., 0], shown.spans[..., 1]
+    time = run["cut_time"].values
+    assert shown.triangles.shape[0] == begin.shape[1]
+    last = np.nanmax(time, axis=1)
+    for user in range(3):
+        first = (begin[user] <= 0.0) & (end[user] > 0.0)
+        after = (begin[user] <= last[user] + 1e-3) & (end[user] > last[user] + 1e-3)
+        assert first.sum() == prepared.body.skin.triangles.shape[0]
+        opened = after & ~first
+        assert opened.sum() == 2 * 6 * 2  # two walls of six squares
+    assert shown.tools.axis.tolist() == [[0, 0, 0.05], [0, 0, 0]]
+    assert '"spans"' in shown.page()
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"thickness": 0.0}, 'kind is "blade" and thickness is 0 m; a blade needs one above 0'),
+        ({"thickness": None}, 'kind is "blade" and thickness is not given'),
+        ({"axis": [0.0, 0.0, 0.0]}, 'kind is "blade" and axis is of no length'),
+        ({"friction": 0.5}, "friction is 0.5, but a blade does not touch"),
+        ({"kind": "touch", "axis": None}, 'thickness is 0.001, but kind is "touch"; only a blade has one'),
+        ({"user": 1}, r'tools\[1\].kind is "blade", but cutting.users is \[3\]; name user 1 there'),
+    ],
+)
+def test_a_wrong_blade_is_told_in_a_sentence(change: dict[str, Any], words: str) -> None:
+    blade = {**RUN["tools"][0], **change}
+    with pytest.raises(ScenarioError, match=words):
+        prepare(made(tools=[{k: v for k, v in blade.items() if v is not None}]))
+
+
+def test_what_cannot_be_cut_is_told_in_a_sentence() -> None:
+    with pytest.raises(BodyError, match="cutting takes away elements, but the body is linear and has none"):
+        prepare(made(body={"kind": "lattice", "shape": [7, 4, 3]}))
+    with pytest.raises(ScenarioError, match=r"cutting\.tear is -1"):
+        made(cutting={"tear": -1})
+    with pytest.raises(ScenarioError, match=r"cutting\.users names user 9; the network has users 1 to 3"):
+        prepare(made(cutting={"users": [3, 9]}))
