@@ -12,6 +12,7 @@ from cotouch.mechanics import (
     ELASTIC,
     KINETIC,
     LEDGER_COLUMNS,
+    Between,
     BodyForce,
     Links,
     Obstacle,
@@ -106,8 +107,9 @@ class Alone:
         cap: int = 500,
         directions: int | None = None,
         obstacles: Sequence[Obstacle] = (),
+        between: Between | None = None,
     ) -> None:
-        self.body, self.model = body, model(body, copies=copies, obstacles=obstacles)
+        self.body, self.model = body, model(body, copies=copies, obstacles=obstacles, between=between)
         assert self.model.force is not None
         self.force = self.model.force if directions is None else self.model.force._replace(directions=directions)
         rows, still = self.model.operator_rows, np.zeros((body.nodes, 3))

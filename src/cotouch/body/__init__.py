@@ -11,12 +11,14 @@ from cotouch.body._ground import Box, Held, NodeSet, Plane
 from cotouch.body._material import Frame, Material, MaterialModel
 from cotouch.body._mesh_material import SolidModel, SurfaceModel
 from cotouch.body._origin import Origin
+from cotouch.body._part import Part
 from cotouch.body._reading import UNITS
 from cotouch.body._rigid import RATE, VISCOSITY, rigid_body
 from cotouch.body._shapes import rigid_box, rigid_cylinder, rigid_sphere, turning
 from cotouch.body._skin import Skin
 from cotouch.body._statics import lowest_modes
 from cotouch.body._strains import SIGNS, frame_of, strain_law
+from cotouch.body._together import Placed, joined, together
 from cotouch.body._truncation import Truncation
 from cotouch.meshfile import SURFACES, VOLUMES, is_surface
 
@@ -43,6 +45,8 @@ __all__ = [
     "Matrix",
     "NodeSet",
     "Origin",
+    "Part",
+    "Placed",
     "Plane",
     "Skin",
     "SolidModel",
@@ -57,6 +61,7 @@ __all__ = [
     "drawn_skin",
     "frame_of",
     "is_surface",
+    "joined",
     "lattice",
     "lowest_modes",
     "point",
@@ -65,5 +70,6 @@ __all__ = [
     "rigid_cylinder",
     "rigid_sphere",
     "strain_law",
+    "together",
     "turning",
 ]

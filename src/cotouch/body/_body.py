@@ -11,14 +11,19 @@ import numpy.typing as npt
 import scipy.sparse as sp
 
 from cotouch.arrays import Float
+from cotouch.body._body_checks import check_mass, rest_shape
 from cotouch.body._checks import Form, Matrix, SumOfSquares, diagonal, plausible, positive, square
 from cotouch.body._material import Material
 from cotouch.body._origin import Origin
+from cotouch.body._part import Part, held_shares
 from cotouch.body._skin import Skin
 from cotouch.body._statics import factorise
 from cotouch.body._strains import shares_of
 from cotouch.body._truncation import Truncation, truncate
 from cotouch.errors import BodyError, UnsupportedError
+
+# Rigid bodies are solved for at once up to so many nodes, four each; beyond that one by one is quicker.
+_MOST_RIGID = 48
 
 
 @final
@@ -40,6 +45,7 @@ class Body:
         origin: what a builder read and understood.
         truncation: shapes that the motion is confined to; see `truncated`.
         material: what its inner forces follow instead of K and B, of which these are then what they are like at rest.
+        parts: what it was put together of; see `cotouch.body.together`.
         places: points of a rigid body that can be held besides its nodes and its skin's vertices, (P, 3) [m].
 
     Raises:
@@ -62,6 +68,7 @@ class Body:
     origin: Origin | None
     truncation: Truncation | None
     material: Material | None
+    parts: tuple[Part, ...]
     places: Float
     form: Form = field(init=False)
 
@@ -78,9 +85,10 @@ class Body:
         origin: Origin | None = None,
         truncation: Truncation | None = None,
         material: Material | None = None,
+        parts: tuple[Part, ...] = (),
         places: npt.ArrayLike = (),
     ) -> None:
-        shape = _rest_shape(rest)
+        shape = rest_shape(rest)
         nodes, dimension = shape.shape
         sizes: dict[int, Form] = {nodes * dimension: "full", nodes: "node"}
         given: dict[str, Matrix | SumOfSquares | None] = {
@@ -103,7 +111,7 @@ class Body:
             for name, matrix in matrices.items():
                 if matrix.shape[0] == nodes:
                     matrices[name] = sp.csr_array(sp.kron(matrix, identity))
-        _check_mass(matrices["mass"], dimension if full else 1)
+        check_mass(matrices["mass"], dimension if full else 1)
         for name in ("damping_int", "stiffness_int"):
             if name in known:
                 plausible(name, matrices[name])
@@ -125,7 +133,10 @@ class Body:
         object.__setattr__(self, "truncation", truncation)
         if material is not None:
             material.check(shape)
+            if (material.model == "several") != bool(parts):
+                raise BodyError(f'model is "{material.model}" of a body of {len(parts)} parts; put bodies together')
         object.__setattr__(self, "material", material)
+        object.__setattr__(self, "parts", parts)
         more = np.array(places, dtype=np.float64).reshape(-1, 3)
         if more.size and not (self.rigid and np.isfinite(more).all()):
             raise BodyError("places that are no nodes are of rigid bodies, and finite; leave them out")
@@ -143,7 +154,9 @@ class Body:
 
     @property
     def rigid(self) -> bool:
-        """Whether its nodes keep their distances."""
+        """Whether its nodes keep their distances; of several bodies, whether those of each do, and they are few."""
+        if self.parts:
+            return self.nodes <= _MOST_RIGID and all(part.body.rigid for part in self.parts)
         return self.material is not None and self.material.model == "rigid"
 
     @property
@@ -162,7 +175,21 @@ class Body:
     @cached_property
     def held_shares(self) -> Float | None:
         """How much of each node what hands can hold follows, (H, n); None where that is the nodes themselves."""
+        if self.parts and self.rigid:
+            return held_shares(self.parts, self.held_rest, self.nodes)
         return shares_of(self.rest, self.held_rest) if self.rigid else None
+
+    def held_by(self, number: int) -> npt.NDArray[np.intp]:
+        """Which of what hands can hold is of one of several bodies; its nodes come first.
+
+        Args:
+            number: of the body, from 0.
+        """
+        part = self.parts[number]
+        shares = self.held_shares
+        if shares is None:
+            return np.arange(part.first, part.last)
+        return np.flatnonzero(np.abs(shares[:, part.first : part.last]).sum(axis=1) > 0.0)
 
     @cached_property
     def linearised(self) -> "Body":
@@ -189,18 +216,7 @@ class Body:
         Raises:
             BodyError: the body is not rigid, or a number not finite.
         """
-        return Body(
-            mass=self.mass,
-            rest=self.rest,
-            damping_int=SumOfSquares(self.damping_int),
-            damping_ext=self.damping_ext,
-            stiffness_int=SumOfSquares(self.stiffness_int),
-            stiffness_ext=self.stiffness_ext,
-            skin=self.skin,
-            origin=self.origin,
-            material=self.material,
-            places=places,
-        )
+        return self._made_of(self.material or Material(model="linear"), places)
 
     @cached_property
     def damping(self) -> sp.csr_array:
@@ -232,6 +248,7 @@ class Body:
             origin=self.origin,
             truncation=None if self.truncation is None else self.truncation.as_full(self.dimension),
             material=self.material,
+            parts=self.parts,
         )
 
     def with_gravity(self, gravity: tuple[float, float, float]) -> "Body":
@@ -266,7 +283,7 @@ class Body:
             raise BodyError(f"cutting needs a body of 3 axes, but this one has {self.dimension}")
         return self._made_of(replace(self.material, cuttable=True, tear=tear))
 
-    def _made_of(self, material: Material) -> "Body":
+    def _made_of(self, material: Material, places: npt.ArrayLike | None = None) -> "Body":
         return Body(
             mass=self.mass,
             rest=self.rest,
@@ -277,7 +294,8 @@ class Body:
             skin=self.skin,
             origin=self.origin,
             material=material,
-            places=self.places,
+            parts=self.parts,
+            places=self.places if places is None else places,
         )
 
     def truncated(self, *, modes: int, contacts: Sequence[int] = ()) -> "Body":
@@ -380,31 +398,3 @@ def _sum(internal: sp.csr_array, external: sp.csr_array) -> sp.csr_array:
     if not internal.nnz or not external.nnz:
         return internal if internal.nnz else external
     return sp.csr_array(internal + external)
-
-
-def _rest_shape(rest: npt.ArrayLike) -> Float:
-    try:
-        shape = np.array(rest, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        raise BodyError(f"rest is not an array of positions ({error}); give n rows of 1 to 3 coordinates") from error
-    if shape.ndim == 1:
-        shape = shape[:, None]
-    if shape.ndim != 2 or shape.shape[0] < 1 or not 1 <= shape.shape[1] <= 3:
-        extents = " x ".join(str(extent) for extent in shape.shape) or "a single number"
-        raise BodyError(f"rest is {extents}; it must be n x d, with at least one node and d from 1 to 3")
-    bad = np.argwhere(~np.isfinite(shape))
-    if bad.size:
-        node, axis = bad[0]
-        raise BodyError(f"rest[{node}, {axis}] is {shape[node, axis]}; every coordinate must be a finite number")
-    shape.setflags(write=False)
-    return shape
-
-
-def _check_mass(mass: sp.csr_array, rows_per_node: int) -> None:
-    own = mass.diagonal()
-    bad = np.flatnonzero(own <= 0.0)
-    if bad.size:
-        row = int(bad[0])
-        node = row // rows_per_node + 1
-        raise BodyError(f"node {node} has mass {own[row]:.9g} (mass[{row}, {row}]); every node needs a mass > 0")
-    positive("mass", mass, strictly=True)

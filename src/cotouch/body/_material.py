@@ -14,7 +14,15 @@ from cotouch.errors import BodyError
 Ints = npt.NDArray[np.int64]
 
 MaterialModel: TypeAlias = Literal[
-    "linear", "floating", "spring-network", "cells", "corotated", "st-venant-kirchhoff", "neo-hookean", "rigid"
+    "linear",
+    "floating",
+    "spring-network",
+    "cells",
+    "corotated",
+    "st-venant-kirchhoff",
+    "neo-hookean",
+    "rigid",
+    "several",
 ]
 Frame: TypeAlias = Literal["fixed", "floating"]
 
@@ -32,7 +40,7 @@ class Material:
             "spring-network": springs `½ k (l - L)²`. "cells": cubes that turn, `⅛ k Σ ‖d - R h n‖²` over the edges.
             Of tetrahedra: "corotated": `μ ‖F - R‖² + ½ λ (tr RᵀF - 3)²`. "st-venant-kirchhoff": `μ ‖E‖² + ½ λ (tr E)²`.
             "neo-hookean": stable, `½ μ (‖F‖² - 3) - μ (J - 1) + ½ (λ + μ) (J - 1)²`. "rigid": four nodes that keep
-            their distances, see `rigid_body`.
+            their distances, see `rigid_body`. "several": each part of the body has a material of its own.
         elements: nodes of springs (E, 2), cubes (E, 8; corner `4a + 2b + c` lies at (a, b, c)) or tetrahedra (E, 4).
         stiffness: of each spring, or of the spring along an edge that four such cubes share, or m ω² of what is rigid,
             (E,) [N/m].

@@ -1,6 +1,6 @@
 """How a body moves, passively: the compiled step and what it needs."""
 
-from cotouch.mechanics._closed import CLOSURE_ALARM, closed_settle, closed_step, inner_energy, slowed
+from cotouch.mechanics._closed import CLOSURE_ALARM, closed_settle, closed_step, slowed
 from cotouch.mechanics._contact_foundation import Foundation
 from cotouch.mechanics._contact_law import CONTACT_LAWS, press
 from cotouch.mechanics._contact_parts import contact_parts
@@ -46,7 +46,10 @@ from cotouch.mechanics._coupling_pspm import PSPM
 from cotouch.mechanics._coupling_virtual import VIRTUAL
 from cotouch.mechanics._cutting import Cutting, begin_cut, cutting_of, decide_cuts, expose, hear_cuts, sever
 from cotouch.mechanics._force import LAWS, LEANS, BodyForce, evaluate, lean, resist
+from cotouch.mechanics._inner_energy import inner_energy
 from cotouch.mechanics._kernel import block, inner, kernel, part
+from cotouch.mechanics._meeting import Between
+from cotouch.mechanics._meeting_force import deepest_between
 from cotouch.mechanics._model import Basis, Model, model
 from cotouch.mechanics._operator import WEIGHTS, Operator, mixed, multiply, rescaled
 from cotouch.mechanics._path import path_place
@@ -95,7 +98,7 @@ from cotouch.mechanics._tools import (
     tools,
 )
 from cotouch.mechanics._vector import at, load, put, splat, store, total
-from cotouch.mechanics._world import Obstacle
+from cotouch.mechanics._world import Obstacle, World
 from cotouch.mechanics._world_force import begin_world, deepest_point, follow_world
 
 __all__ = [
@@ -138,6 +141,7 @@ __all__ = [
     "WORLD_LOSS",
     "WORLD_STORED",
     "Basis",
+    "Between",
     "BodyForce",
     "Box",
     "Contact",
@@ -160,6 +164,7 @@ __all__ = [
     "Surface",
     "Tools",
     "Workspace",
+    "World",
     "approach",
     "at",
     "available_energy",
@@ -179,6 +184,7 @@ __all__ = [
     "credit",
     "cutting_of",
     "decide_cuts",
+    "deepest_between",
     "deepest_point",
     "device_couplings",
     "discard",

@@ -37,7 +37,7 @@ _SWEEPS = 2
 # A difference below this share of the energies that made it is their rounding.
 _ROUNDING = 4e-15
 # Below this share of the kinetic energy, motion about the centre of mass is too little to balance anything with.
-_RIGID = 1e-9
+RIGID = 1e-9
 
 
 @part
@@ -165,7 +165,7 @@ def square_of(weighed: Float, rest: bool) -> tuple[float, bool]:
     It acts about rest where nothing moves about the centre, and, if it may, where it would not do about the centre.
     """
     target, kinetic, about = weighed[TARGET], weighed[HAVE], weighed[ABOUT]
-    square, still = -1.0, about <= _RIGID * kinetic
+    square, still = -1.0, about <= RIGID * kinetic
     if not still:
         square = 1.0 + (target - kinetic) / about
     if kinetic > 0.0 and (still or (rest and not LEAST <= square <= MOST)):

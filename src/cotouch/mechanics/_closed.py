@@ -17,15 +17,17 @@ from cotouch.mechanics._balance import (
     PASSED,
     ROUGH,
     TARGET,
-    close,
     go_back,
     keep_place,
     resting,
     weigh,
 )
+from cotouch.mechanics._balance_parts import close_all, keep_parts
 from cotouch.mechanics._force import BodyForce, evaluate, lean, resist
-from cotouch.mechanics._force_memory import forget
+from cotouch.mechanics._force_memory import looks_ahead
+from cotouch.mechanics._force_together import begin
 from cotouch.mechanics._kernel import block, part
+from cotouch.mechanics._meeting import Parts
 from cotouch.mechanics._operator import DAMPING, STIFFNESS, Operator, row_product
 from cotouch.mechanics._state import (
     ELASTIC,
@@ -94,9 +96,10 @@ def closed_step(
     take_up(force.world, state.memory)
     ledger[ITERATIONS] = 0.0
     rate = state.velocity
-    for number in range(looks_of(force.world, force.directions, work.dense.shape[0] > 0)):
+    directions = looks_ahead(state.memory, force.directions, force.cut)
+    for number in range(looks_of(force.world, directions, work.dense.shape[0] > 0)):
         settled = predict(op, force, state, T, rate, work, lanes)
-        if number >= force.directions and settled:
+        if number >= directions and settled:
             break
         direct(
             op,
@@ -116,6 +119,7 @@ def closed_step(
             lanes,
         )
         rate = work.mean
+    level(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, work, lanes)
     attempt, length = 0, 1.0
     while True:
         keep_place(state, work, lanes)
@@ -126,7 +130,21 @@ def closed_step(
             gain += at(link_work, link)
         weigh(op, force, state, local_damping, extra_damping, T, gain, work, ledger, lanes)
         passed = work.weighed[PASSED] != 0.0
-        if not passed and close(op, state, attempt, work, ledger, lanes):
+        if not passed and close_all(
+            op,
+            force,
+            state,
+            links,
+            ports,
+            local_damping,
+            extra_damping,
+            T,
+            ports.push[:0],
+            attempt,
+            work,
+            ledger,
+            lanes,
+        ):
             break
         go_back(state, work, lanes)
         still = not passed and resting(work.weighed)
@@ -149,6 +167,7 @@ def closed_step(
                 cap,
                 lanes,
             )
+            level(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, work, lanes)
         else:
             # What would still pass an obstacle at the last attempt stays where it is.
             shorter = 0.0 if still or (passed and attempt >= LAST_ATTEMPT - 1) else 0.5
@@ -201,6 +220,66 @@ def miss(op: Operator, diagonal: Float, rhs: Float, work: Workspace, out: Float,
         for family in range(op.entries.shape[0]):
             left = left - work.scale[family] * row_product(op, family, i, work.mean, lanes)
         store(out, i, left, lanes)
+
+
+@part
+def level(
+    op: Operator,
+    force: BodyForce,
+    parts: Parts | None,
+    state: State,
+    links: Links,
+    ports: Ports,
+    local_damping: Float,
+    extra_damping: Float,
+    T: float,
+    work: Workspace,
+    lanes: tuple[int, ...],
+) -> None:
+    """Moves each of several bodies as a whole so that it gets just the momentum of the forces where v̂ leads.
+
+    Coarse solves, and looks that end before contact is exactly what it was, would make some out of nothing.
+    """
+    if parts is None:
+        return
+    predict(op, force, state, T, work.mean, work, lanes)
+    assemble(op, state, links, ports, local_damping, extra_damping, T, work, lanes)
+    miss(op, work.diagonal, work.rhs, work, work.rhs, lanes)
+    for b in range(parts.worked.shape[0]):
+        for what in range(4):
+            put(parts.sums, (b, what), 0.0)
+    if ports.shape.shape[0] > 0:
+        for p in range(ports.first, ports.last):
+            _take_port(ports, parts, p, at(work.port_gain, p - ports.first), work)
+    for i in range(op.mass.shape[0]):
+        b, own = at(parts.part, i), at(work.diagonal, i)
+        for family in range(op.entries.shape[0]):
+            for e in range(at(op.pointer, i), at(op.pointer, i + 1)):
+                own += work.scale[family] * at(op.entries, (family, e))
+        put(parts.sums, (b, 0), at(parts.sums, (b, 0)) + own)
+        for a in range(3):
+            put(parts.sums, (b, 1 + a), at(parts.sums, (b, 1 + a)) + at(work.rhs, (i, a)))
+    for i in range(op.mass.shape[0]):
+        b = at(parts.part, i)
+        for a in range(3):
+            put(work.mean, (i, a), at(work.mean, (i, a)) + at(parts.sums, (b, 1 + a)) / at(parts.sums, (b, 0)))
+
+
+@part
+def _take_port(ports: Ports, parts: Parts | None, p: int, gain: float, work: Workspace) -> None:
+    """Takes off a right-hand side what a port that holds many rows resists, and notes how it resists each body."""
+    if parts is None:
+        return
+    for i in range(work.mean.shape[0]):
+        b, own = at(parts.part, i), gain * at(ports.shape, (p, i))
+        if own == 0.0:
+            continue
+        for j in range(work.mean.shape[0]):
+            share = at(ports.shape, (p, j))
+            if at(parts.part, j) == b:
+                put(parts.sums, (b, 0), at(parts.sums, (b, 0)) + own * share)
+            for a in range(3):
+                put(work.rhs, (i, a), at(work.rhs, (i, a)) - own * share * at(work.mean, (j, a)))
 
 
 @part
@@ -280,7 +359,7 @@ def closed_settle(
     zero = splat(0.0, lanes)
     held, weight, moving = zero, zero, zero
     gravity = op.firmness * load(force.gravity, 0, lanes)
-    forget(memory, force.behind)
+    begin(force.law, memory, force.behind)
     for i in range(rows):
         x, v, m = load(state.position, i, lanes), load(state.velocity, i, lanes), at(op.mass, i)
         held = held + at(op.ground, i) * (x * x)
@@ -288,6 +367,7 @@ def closed_settle(
         moving = moving + m * (v * v)
         store(work.pull, i, zero, lanes)
     energy, _ = evaluate(force.law, memory, state.position, state.position, work.pull, _MANY, lanes)
+    keep_parts(force.parts, memory)
     outside = settle_world(force.world, memory, state.position)
     memory[ENERGY], memory[MOTION], memory[LEFT], memory[AT_WORLD] = energy, 0.5 * total(moving), 0.0, outside
     ledger[KINETIC] = 0.5 * op.copy_scale * total(moving)
@@ -304,23 +384,3 @@ def slowed(state: State, factor: float) -> None:
         factor: of the velocity.
     """
     state.memory[MOTION] *= factor * factor
-
-
-@block
-def inner_energy(
-    force: BodyForce, memory: Float, x: Float, ahead: Float, rate: Float, lanes: tuple[int, ...]
-) -> tuple[float, float]:
-    """Energy of a body's inner forces at a place, and the power of its dampers, for whoever checks a ledger.
-
-    Args:
-        force: what resists inside.
-        memory: rotations to begin with, (numbers,); gets those that were found.
-        x: where the step began, displacements from rest, (rows, width) [m].
-        ahead: the place, likewise.
-        rate: mean velocity from the one to the other, likewise [m/s].
-        lanes: fixes the width.
-
-    Returns:
-        Energy at `ahead` [J] and power over the step [W], of the whole body.
-    """
-    return evaluate(force.law, memory, x, ahead, rate, _MANY, lanes)

@@ -16,13 +16,13 @@ from cotouch.mechanics._balance import (
     NOISE,
     PASSED,
     TARGET,
-    close,
     go_back,
     keep_place,
     resting,
     square_of,
     weigh,
 )
+from cotouch.mechanics._balance_parts import close_all
 from cotouch.mechanics._contact_press import press_tool, rub
 from cotouch.mechanics._contact_sweep import first_crossing
 from cotouch.mechanics._contact_work import ContactWork
@@ -188,7 +188,21 @@ def balanced(
         if not fine and over > noise:
             work.weighed[TARGET] = work.weighed[HAVE]
             touch_ledger[TOUCHED] -= over
-        close(op, state, LAST_ATTEMPT, work, ledger, lanes)
+        close_all(
+            op,
+            force,
+            state,
+            links,
+            ports,
+            local_damping,
+            extra_damping,
+            T,
+            touch.push[: op.mass.shape[0] if look else 0],
+            LAST_ATTEMPT,
+            work,
+            ledger,
+            lanes,
+        )
         ledger[SHORTENED] = 0.0 if held_back else max(LEAST - scale, 0.0)
     return scale
 

@@ -1,8 +1,7 @@
 """One step of a copy with its user's tools, whose contacts and grasps are an energy of the state.
 
-A few looks find where body and tools go: each solves the body with the forces that the last one led to, and with what
-resists there on its diagonal. Whatever they miss, one scale over the motion of body and tools makes the energy of the
-contact, and of the step, exact [after DESIGN.md, "One scale keeps the energy identity"]. Nothing is re-based.
+A few looks find where body and tools go. Whatever they miss, one scale over the motion of body and tools makes the
+energy of the contact, and of the step, exact [after DESIGN.md, "One scale keeps the energy identity"].
 """
 # pyright: reportArgumentType=false, reportReturnType=false
 
@@ -19,6 +18,7 @@ from cotouch.mechanics._contact_skin import fastest, load_rows, look_around, rea
 from cotouch.mechanics._contact_sweep import NEVER, first_crossing
 from cotouch.mechanics._contact_work import Contact, ContactWork
 from cotouch.mechanics._force import BodyForce
+from cotouch.mechanics._force_memory import looks_ahead
 from cotouch.mechanics._grasp import feel_grasp, take
 from cotouch.mechanics._kernel import block, part
 from cotouch.mechanics._operator import Operator
@@ -34,8 +34,7 @@ from cotouch.mechanics._world_force import lean_world, looks_of, take_up
 _LOOKS = 12
 _SETTLED, _NEARLY = 1e-6, 1e-3
 _COARSE = 0.01  # of what the last look missed the next may leave so much, where it solves the whole body
-# Energy below which a tool is out of the skin, of that in a depth of its radius.
-_NOTHING = 1e-17
+_NOTHING = 1e-17  # of the energy in a depth of a tool's radius, it is out of the skin
 # How far a tool looks around beyond its radius, in radii and in ways of a step; below how many radii those are short.
 _MARGIN, _WAYS, _SLOW = 0.05, 3.0, 0.05
 
@@ -95,10 +94,11 @@ def contact_step(
     look = _begin(law, surface, touch, tools, T, state, touch_ledger, lanes)
     for i in range(mean.shape[0]):
         store(mean, i, load(state.velocity, i, lanes), lanes)
-    ledger[ITERATIONS], looks = 0.0, 1
+    ledger[ITERATIONS], looks, directions = 0.0, 1, 1
     if force is not None:
         take_up(force.world, state.memory)
-        looks = looks_of(force.world, force.directions, work.dense.shape[0] > 0)
+        directions = looks_ahead(state.memory, force.directions, force.cut)
+        looks = looks_of(force.world, directions, work.dense.shape[0] > 0)
     for number in range(_LOOKS + looks):
         empty_rows(touch, lanes)
         for a in range(3):
@@ -120,7 +120,7 @@ def contact_step(
             same = True
             if force is not None:
                 same = predict(op, force, state, T, mean, work, lanes)
-                if same and number >= force.directions:
+                if same and number >= directions:
                     looks = number  # obstacles are told as well
             assemble(op, state, links, ports, local_damping, extra_damping, T, work, lanes)
             if force is not None:
@@ -355,7 +355,7 @@ def _look(
 @part
 def _change(touch: ContactWork, p: int) -> float:
     """By which share a tool is pulled otherwise than by the guess before."""
-    change, size = 0.0, 0.0
+    change = size = 0.0
     for a in range(3):
         change += (touch.pull[p, a] - touch.before[p, a]) ** 2
         size += touch.pull[p, a] ** 2

@@ -17,6 +17,7 @@ from cotouch.mechanics import _force_frame as frame
 from cotouch.mechanics import _force_rigid as rigid
 from cotouch.mechanics import _force_springs as springs
 from cotouch.mechanics import _force_tetrahedra as tetrahedra
+from cotouch.mechanics._meeting import Parts
 from cotouch.mechanics._world import World
 
 
@@ -41,9 +42,11 @@ class BodyForce(NamedTuple):
         gravity: acceleration, (1, 4) [m/s²].
         directions: how often a step looks where its force leads before it moves, >= 1.
         grain: energy that the rounding of places alone makes, of the whole body [J].
-        world: obstacles that the body meets; None: none.
+        world: what the body's skin meets; None: nothing.
+        parts: each body's share in the balance, of several; None: there is one.
         behind: where in a copy's memory begins what is not the law's: of the world, and which elements were cut; 0:
             nothing.
+        cut: where in it the number of elements is that were cut; negative: none can be.
     """
 
     law: Any
@@ -52,6 +55,8 @@ class BodyForce(NamedTuple):
     grain: float
     world: World | None = None
     behind: int = 0
+    cut: int = -1
+    parts: Parts | None = None
 
 
 # The registry: a law, what adds its forces, and what evaluates it.

@@ -7,7 +7,7 @@ import numpy.typing as npt
 import scipy.sparse as sp
 
 from cotouch.arrays import Float
-from cotouch.body import SIGNS, Body, Material, SumOfSquares, frame_of, strain_law
+from cotouch.body import SIGNS, Body, Material, Part, SumOfSquares, frame_of, strain_law
 from cotouch.errors import UnsupportedError
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._force_cells import CorotatedCells
@@ -16,18 +16,23 @@ from cotouch.mechanics._force_memory import memory_size
 from cotouch.mechanics._force_rigid import Rigid
 from cotouch.mechanics._force_springs import SpringNetwork
 from cotouch.mechanics._force_tetrahedra import CorotatedTetrahedra, NeoHookean, StVenantKirchhoff
+from cotouch.mechanics._force_together import Together, together_of
+from cotouch.mechanics._meeting import Parts
+from cotouch.mechanics._meeting_skin import parts_of
 
 Int = npt.NDArray[np.int32]
 
 _SOLIDS = {"corotated": CorotatedTetrahedra, "st-venant-kirchhoff": StVenantKirchhoff, "neo-hookean": NeoHookean}
 
 
-def outline_of(body: Body, material: Material) -> Body:
+def outline_of(body: Body, material: Material, *, tangent: bool = True) -> Body:
     """The linear body, in the node form, that gives a step's direction: masses, outer springs, a scalar bound on K.
 
     Raises:
         UnsupportedError: masses or what holds the body differ between axes.
     """
+    if body.parts:
+        return _outlines(body)
     if body.form == "node":
         inner, dampers = body.stiffness_int, body.damping_int
         if material.elements.size:
@@ -36,9 +41,11 @@ def outline_of(body: Body, material: Material) -> Body:
         if mass.nnz != body.nodes:
             raise UnsupportedError(f'model is "{material.model}", but masses are coupled; M must be diagonal')
     else:
-        # What is rigid gives its own tangent.
+        # What is rigid gives its own tangent, if it may.
         inner = (
-            sp.csr_array((body.nodes, body.nodes)) if body.rigid else scalar_bound(body.stiffness_int, body.dimension)
+            sp.csr_array((body.nodes, body.nodes))
+            if body.rigid and tangent
+            else scalar_bound(body.stiffness_int, body.dimension)
         )
         dampers = (
             inner * material.viscosity if material.elements.size else scalar_bound(body.damping_int, body.dimension)
@@ -52,6 +59,22 @@ def outline_of(body: Body, material: Material) -> Body:
         stiffness_int=SumOfSquares(inner),
         stiffness_ext=held,
     )
+
+
+def _own(part: Part) -> Material:
+    """The material of one of several bodies."""
+    return part.body.material or Material(model="linear")
+
+
+def _outlines(body: Body) -> Body:
+    """Of several bodies: those of each, side by side."""
+    each = [outline_of(part.body, _own(part), tangent=body.rigid) for part in body.parts]
+    joined: dict[str, Any] = {
+        name: sp.csr_array(sp.block_diag([getattr(one, name) for one in each], format="csr"))
+        for name in ("mass", "damping_int", "damping_ext", "stiffness_int", "stiffness_ext")
+    }
+    inner: dict[str, Any] = {name: SumOfSquares(joined.pop(name)) for name in ("damping_int", "stiffness_int")}
+    return Body(rest=body.rest, **joined, **inner)
 
 
 # How often a step looks ahead. Each look leaves a fifth of the last one's error at ω T = 1; the nearer the constant
@@ -112,14 +135,35 @@ def force_of(body: Body, material: Material, order: Int | None) -> tuple[BodyFor
         row[order] = np.arange(nodes, dtype=np.int32)
     rest = np.zeros((nodes, 4))
     rest[:, : body.dimension] = body.rest - body.rest.mean(axis=0)
-    law, rotations = _law(body, material, row, rest)
+    parts: Parts | None = None
+    if body.parts:
+        law, size, directions = _together(body, row)
+        if len(body.parts) > 1:
+            parts = parts_of(body, order, law.memory, law.energy, np.zeros(len(body.parts)))
+    else:
+        law, rotations = _law(body, material, row, rest)
+        size, directions = memory_size(rotations), _directions(body, material)
     gravity = np.zeros((1, 4))
     gravity[0, : body.dimension] = material.gravity[: body.dimension]
     # Places are as large as the body, or some times that where it has travelled.
     away = _FAR * np.finfo(np.float64).eps * float(np.abs(rest).max())
     grain = away * away * float(abs(body.stiffness_int).sum())
-    made = BodyForce(law=law, gravity=gravity, directions=_directions(body, material), grain=grain)
-    return made, memory_size(rotations)
+    return BodyForce(law=law, gravity=gravity, directions=directions, grain=grain, parts=parts), size
+
+
+def _together(body: Body, row: Int) -> tuple[Together, int, int]:
+    """The laws of several bodies, each with its own nodes as rows; how many numbers they remember; looks they need."""
+    laws: list[Any] = []
+    sizes: list[int] = []
+    looks = 1
+    for part in body.parts:
+        made, size = force_of(part.body, _own(part), None)
+        laws.append(made.law)
+        sizes.append(size)
+        looks = max(looks, made.directions)
+    rows = [row[part.first : part.last] for part in body.parts]
+    law = together_of(laws, sizes, rows, [part.turn for part in body.parts], dense=body.rigid)
+    return law, int(law.memory[-1]), looks
 
 
 def _directions(body: Body, material: Material) -> int:

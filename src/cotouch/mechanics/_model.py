@@ -14,8 +14,10 @@ from cotouch.body import Body, Material, Matrix, Truncation, canonical
 from cotouch.errors import BodyError, UnsupportedError
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._force_memory import fresh_memory
+from cotouch.mechanics._force_together import Together, fresh_together
 from cotouch.mechanics._link_weight import fit_weight
 from cotouch.mechanics._materials import force_of, outline_of
+from cotouch.mechanics._meeting import Between
 from cotouch.mechanics._operator import DAMPING, MASS, STIFFNESS, WEIGHTS, Operator, halves, mixed
 from cotouch.mechanics._state import Workspace, workspace
 from cotouch.mechanics._vector import WIDTHS
@@ -53,6 +55,7 @@ class Model:
         force: what resists inside a body of some material; None where K and B of the operator do.
         memory: numbers that it remembers of a copy, with those of the world.
         obstacles: what stands still around the body.
+        between: what its parts do to each other, of several bodies.
         cut: where in the memory it is which elements were cut, and by whom; negative: none can be.
     """
 
@@ -64,6 +67,7 @@ class Model:
     force: BodyForce | None = None
     memory: int = 0
     obstacles: tuple[Obstacle, ...] = ()
+    between: Between | None = None
     cut: int = -1
 
     @property
@@ -117,6 +121,8 @@ class Model:
 
     def unturned(self) -> Float:
         """What a body force remembers of a copy that it has not seen, (memory,)."""
+        if self.force is not None and isinstance(self.force.law, Together):
+            return fresh_together(self.force.law, self.memory - int(self.force.law.memory[-1]))
         behind = 0 if self.force is None else self.force.behind
         return fresh_memory(behind, self.memory - behind) if behind else fresh_memory(self.memory)
 
@@ -151,6 +157,7 @@ def model(
     weights: Sequence[Matrix] = (),
     basis: Basis = "auto",
     obstacles: Sequence[Obstacle] = (),
+    between: Between | None = None,
 ) -> Model:
     """Makes a body ready for the kernels.
 
@@ -163,6 +170,7 @@ def model(
             basis, where the solve is a division; "auto" takes the modal one where it exists and pays. A truncated body
             is always in its shapes.
         obstacles: what each copy meets 1/N of. A body without a material is then one whose material is linear.
+        between: what the parts of several bodies do to each other, likewise 1/N of; None: the default of `Between`.
 
     Raises:
         BodyError: a weight does not fit the body; an obstacle is too thin for its skin.
@@ -182,7 +190,7 @@ def model(
     if obstacles and body.material is None:
         body = body.with_gravity((0.0, 0.0, 0.0))
     if body.material is not None:
-        return _of_material(body, body.material, copies, weights, basis, obstacles)
+        return _of_material(body, body.material, copies, weights, basis, obstacles, between)
     fitted = [fit_weight(body, index, weight) for index, weight in enumerate(weights, start=1)]
     if body.form == "node" and any(full for _, full in fitted):
         body = body.as_full()
@@ -209,6 +217,7 @@ def _of_material(
     weights: Sequence[Matrix],
     basis: Basis,
     obstacles: Sequence[Obstacle],
+    between: Between | None,
 ) -> Model:
     """The model of a body whose inner forces are not linear: its matrices give the direction of a step."""
     if basis == "modal":
@@ -227,13 +236,16 @@ def _of_material(
     ordered = matrices if order is None else [sp.csr_array(matrix[order][:, order]) for matrix in matrices]
     force, memory = force_of(body, material, order)
     force = force._replace(behind=memory)
-    if obstacles:
-        world, more = world_of(body, obstacles, order, memory)
+    between = (between or Between()) if len(body.parts) > 1 else None
+    if obstacles or between is not None:
+        world, more = world_of(body, obstacles, between, order, memory)
         force, memory = force._replace(world=world), memory + more
+        if force.parts is not None and world.bodies is not None:
+            force = force._replace(parts=force.parts._replace(worked=world.bodies.worked))
     cut = -1
     if material.cuttable:
-        cut, memory = memory, memory + 2 * material.elements.shape[0]
-        force = force._replace(law=force.law._replace(cut=cut))
+        cut, memory = memory + 1, memory + 1 + 2 * material.elements.shape[0]
+        force = force._replace(law=force.law._replace(cut=cut), cut=cut - 1)
     return Model(
         body=body,
         operator=_operator(ordered, copies, split),
@@ -243,6 +255,7 @@ def _of_material(
         force=force,
         memory=memory,
         obstacles=tuple(obstacles),
+        between=between,
         cut=cut,
     )
 

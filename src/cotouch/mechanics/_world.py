@@ -9,6 +9,7 @@ import numpy.typing as npt
 
 from cotouch.arrays import Float
 from cotouch.errors import BodyError
+from cotouch.mechanics._meeting import Meeting
 from cotouch.mechanics._shape import Shape, packed
 
 Int = npt.NDArray[np.int32]
@@ -50,7 +51,8 @@ class World(NamedTuple):
 
     Attributes:
         first: where in a copy's memory the stretches of friction begin: one row of four (the stretch [m], and whether
-            it slips) for each obstacle and point, as the last step left them, then the same as this step would.
+            it slips) for each obstacle and point, and each point and other bodies, as the last step left them, then the
+            same as this step would.
         pointer: CSR row pointer of the points, (P + 1,).
         row: rows of the body that carry each point, (entries,).
         share: how much of each, (entries,).
@@ -65,9 +67,10 @@ class World(NamedTuple):
         grain: energy that the rounding of places alone makes [J].
         hold: scratch: what resists motion of the rows, (rows,) [Ns/m].
         couple: scratch: the same between rows that are solved for at once, (3 rows, 3 rows), or (0, 0) [Ns/m].
-        told: scratch: force on each point by the last look, (S * P, 4) [N].
+        told: scratch: force on each point by the last look, ((S + 1) * P, 4), or (S * P, 4) of one body [N].
         tried: scratch: velocity of the rows at the last look, (rows, 4) [m/s].
         force: result: mean force of each obstacle on the whole body in the step, (S, 4) [N].
+        bodies: several bodies that meet each other; None: there is one.
     """
 
     first: int
@@ -88,3 +91,4 @@ class World(NamedTuple):
     told: Float
     tried: Float
     force: Float
+    bodies: Meeting | None = None

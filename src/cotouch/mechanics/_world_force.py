@@ -11,6 +11,14 @@ import math
 
 from cotouch.arrays import Float
 from cotouch.mechanics._kernel import block, inner, part
+from cotouch.mechanics._meeting_force import (
+    begin_bodies,
+    begin_work,
+    book_work,
+    press_bodies,
+    settle_bodies,
+    weigh_bodies,
+)
 from cotouch.mechanics._shape import depth, passes
 from cotouch.mechanics._state import WORLD_FORCE, Workspace
 from cotouch.mechanics._vector import at, load, put, splat, store
@@ -106,8 +114,22 @@ def _meet(
     lost += grip * (ex * (tx - ex) + ey * (ty - ey) + ez * (tz - ez))
     lost += 0.5 * grip * ((ex - sx) ** 2 + (ey - sy) ** 2 + (ez - sz) ** 2)
     firm = max(firm, share * grip * T)
+    # A dashpot beside what holds, as far as the cone has room.
+    slide = math.sqrt(max((mx - up * nx) ** 2 + (my - up * ny) ** 2 + (mz - up * nz) ** 2, 0.0))
+    drag = min(
+        0.5 * push * at(world.loss, s) * slide / T, max(cone - math.sqrt(ex * ex + ey * ey + ez * ez), 0.0) * grip
+    )
+    across = share * grip * T
+    if slips == 0.0 and drag > 0.0:
+        across += drag * T / slide
+        lost += drag * slide
+        fx, fy, fz = (
+            fx - drag * (mx - up * nx) / slide,
+            fy - drag * (my - up * ny) / slide,
+            fz - drag * (mz - up * nz) / slide,
+        )
     fx, fy, fz = fx - grip * ex, fy - grip * ey, fz - grip * ez
-    return fx, fy, fz, stored, lost, firm, ex, ey, ez, slips, passed, nx, ny, nz, along, share * grip * T
+    return fx, fy, fz, stored, lost, firm, ex, ey, ez, slips, passed, nx, ny, nz, along, across
 
 
 @inner
@@ -127,6 +149,7 @@ def take_up(world: World | None, memory: Float) -> None:
         count = 4 * world.told.shape[0]
         for n in range(count):
             put(memory, world.first + n, at(memory, world.first + count + n))
+        begin_bodies(world.bodies)
 
 
 @part
@@ -186,6 +209,8 @@ def press_world(
             put(out, (i, 1), at(out, (i, 1)) - share * fy)
             put(out, (i, 2), at(out, (i, 2)) - share * fz)
             put(world.hold, i, at(world.hold, i) + abs(share) * firm)
+    more, beside = press_bodies(world, world.bodies, firmness, memory, x, ahead, T, out)
+    change, size = change + more, size + beside
     return change <= _SETTLED * _SETTLED * size
 
 
@@ -246,6 +271,7 @@ def weigh_world(world: World | None, memory: Float, x: Float, ahead: Float, T: f
     zero = splat(0.0, (0, 0, 0, 0))
     for s in range(world.kind.shape[0]):
         store(world.force, s, zero, (0, 0, 0, 0))
+    begin_work(world.bodies)
     for p in range(points):
         ux, uy, uz = _place(world, p, x)
         vx, vy, vz = _place(world, p, ahead)
@@ -263,7 +289,9 @@ def weigh_world(world: World | None, memory: Float, x: Float, ahead: Float, T: f
             put(world.force, (s, 0), at(world.force, (s, 0)) + a)
             put(world.force, (s, 1), at(world.force, (s, 1)) + b)
             put(world.force, (s, 2), at(world.force, (s, 2)) + c)
-    return energy, lost, passed
+            book_work(world.bodies, p, a * (vx - ux) + b * (vy - uy) + c * (vz - uz))
+    stored, gone, through = weigh_bodies(world, world.bodies, memory, x, ahead, T)
+    return energy + stored, lost + gone, passed or through
 
 
 @inner
@@ -327,7 +355,7 @@ def settle_world(world: World | None, memory: Float, x: Float) -> float:
             )
             if deep > 0.0:
                 energy += 0.5 * at(world.stiffness, s) * at(world.area, p) * deep * deep
-    return energy
+    return energy + settle_bodies(world, world.bodies, x)
 
 
 @block

@@ -10,6 +10,8 @@ import scipy.sparse as sp
 from cotouch.arrays import Float
 from cotouch.body import Body
 from cotouch.errors import BodyError, UnsupportedError
+from cotouch.mechanics._meeting import Between
+from cotouch.mechanics._meeting_skin import meeting_of, part_of_nodes, thickness_of
 from cotouch.mechanics._shape import NUMBERS, packed
 from cotouch.mechanics._world import Obstacle, World
 
@@ -18,6 +20,8 @@ Corners: TypeAlias = npt.NDArray[np.int64]
 
 # Points of a skin are no farther apart than this share of the thinnest obstacle, and no more than so many.
 _APART, MOST_POINTS = 0.5, 100_000
+# Of the thinnest body so many times that: bodies' own edges are met by the other's faces as well.
+_BODY = 2.0
 # Points lie so far within the triangles that they stand for, as a share of each: what stands on its edge is not felt by
 # the walls above it. Triangles whose normals differ by less than this cosine are one side.
 _WITHIN, _ALIKE = 0.025, 0.8
@@ -25,12 +29,15 @@ _WITHIN, _ALIKE = 0.025, 0.8
 _ROUNDING = 10.0
 
 
-def world_of(body: Body, obstacles: Sequence[Obstacle], order: Int | None, first: int) -> tuple[World, int]:
-    """Obstacles for the kernels, and how many more numbers a copy remembers.
+def world_of(
+    body: Body, obstacles: Sequence[Obstacle], between: Between | None, order: Int | None, first: int
+) -> tuple[World, int]:
+    """What a body's skin meets for the kernels, and how many more numbers a copy remembers.
 
     Args:
         body: whose skin meets them.
-        obstacles: at least one.
+        obstacles: what stands still.
+        between: what its parts do to each other; None: nothing. One of these there must be.
         order: row k of the kernels is node `order[k]`; None: node k.
         first: numbers that a copy remembers without them.
 
@@ -42,7 +49,13 @@ def world_of(body: Body, obstacles: Sequence[Obstacle], order: Int | None, first
         what = f"has {body.dimension} axes" if body.dimension != 3 else "has no skin"
         raise UnsupportedError(f"the body {what}; obstacles are met by a skin, so take a body from a mesh or a lattice")
     origin = body.rest.mean(axis=0)
-    places, area, carry = _points(body, min(one.shape.thickness() for one in obstacles))
+    thin = [one.shape.thickness() for one in obstacles]
+    thin += [] if between is None else [_BODY * thickness_of(part) for part in body.parts]
+    places, area, carry = _points(body, min(thin))
+    if between is not None:  # point after point of each body
+        of = part_of_nodes(body)[carry.indices[carry.indptr[:-1]]]
+        sort = np.argsort(of, kind="stable")
+        places, area, carry = places[sort], area[sort], sp.csr_array(carry[sort])
     if order is not None:
         carry = sp.csr_array(carry[:, order])
     carry.sort_indices()
@@ -54,7 +67,9 @@ def world_of(body: Body, obstacles: Sequence[Obstacle], order: Int | None, first
         numbers[s, : len(own)] = own
     stiffness = np.array([one.stiffness for one in obstacles])
     away = _ROUNDING * np.finfo(np.float64).eps * float(np.abs(rest).max())
-    count = len(shapes) * places.shape[0]
+    slots = len(shapes) + (between is not None)
+    count = slots * places.shape[0]
+    firm = float(stiffness.sum()) + (0.0 if between is None else between.stiffness)
     world = World(
         first=first,
         pointer=carry.indptr.astype(np.int32),
@@ -68,12 +83,13 @@ def world_of(body: Body, obstacles: Sequence[Obstacle], order: Int | None, first
         loss=np.array([one.loss for one in obstacles]),
         friction=np.array([one.friction for one in obstacles]),
         kinetic=np.array([one.friction if one.kinetic is None else one.kinetic for one in obstacles]),
-        grain=away * away * float(stiffness.sum() * area.sum()),
+        grain=away * away * firm * float(area.sum()),
         hold=np.zeros(body.nodes),
         couple=np.zeros((3 * body.nodes, 3 * body.nodes) if body.rigid else (0, 0)),
         told=np.zeros((count, 4)),
         tried=np.zeros((body.nodes, 4)),
         force=np.zeros((len(shapes), 4)),
+        bodies=None if between is None else meeting_of(body, between, carry, order),
     )
     return world, 8 * count
 

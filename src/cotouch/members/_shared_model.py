@@ -3,7 +3,7 @@
 import hashlib
 import math
 from dataclasses import dataclass
-from typing import Any, final
+from typing import Any, cast, final
 
 import numpy as np
 
@@ -133,6 +133,7 @@ def _model(scenario: Scenario, body: Body, copies: int) -> Model:
         weights=scenario.network.weights,
         basis=_basis(scenario, body),
         obstacles=scenario.world.obstacles(),
+        between=scenario.between.made(),
     )
 
 
@@ -152,12 +153,19 @@ def _fingerprint(ready: Model) -> list[float]:
     return numbers
 
 
+def _flat(values: Any) -> list[Any]:
+    """All arrays and numbers of a tuple of tuples."""
+    if isinstance(values, tuple):
+        return [found for value in cast("tuple[Any, ...]", values) for found in _flat(value)]
+    return [] if values is None else [values]
+
+
 def _force_numbers(force: BodyForce, rng: np.random.Generator, rows: float) -> list[float]:
     """Of a material's law, its weight and what it meets: name and extents, the size of their arrays, their directions.
 
     Each is on the scale of the number of rows, so that none is lost beside the others in `same_body`.
     """
-    arrays = (*force.law, force.gravity, *(force.world or ()))
+    arrays = [*_flat(force.law), force.gravity, *_flat(force.world)]
     said = f"{type(force.law).__name__} {[np.shape(values) for values in arrays]}".encode()
     sizes, ways = 0.0, np.zeros(_LAW_PROBES)
     for values in arrays:

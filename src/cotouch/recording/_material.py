@@ -12,9 +12,11 @@ from cotouch.arrays import Float
 from cotouch.body import Body, Material, Skin, SumOfSquares
 from cotouch.errors import BodyError
 from cotouch.recording._outside import Outside
+from cotouch.recording._parts import parts_arrays, parts_of_arrays
 
 if TYPE_CHECKING:  # reading a recording needs no kernels
-    from cotouch.mechanics import Model, Obstacle
+    from cotouch.mechanics import Between, Model, Obstacle
+    from cotouch.mechanics import World as Around
 
 Bool = npt.NDArray[np.bool_]
 _INNER, _OUTER = ("damping_int", "stiffness_int"), ("mass", "damping_ext", "stiffness_ext")
@@ -33,18 +35,20 @@ class RecordedMaterial:
         body: with its material.
         material: of it.
         world: what stands around it, by name: `kind` (S,), `shape` (S, 13) and `law` (S, 4); empty: nothing does.
+        between: what its parts do to each other, of several bodies.
     """
 
-    def __init__(self, body: Body, world: Mapping[str, Any] | None = None) -> None:
+    def __init__(self, body: Body, world: Mapping[str, Any] | None = None, between: "Between | None" = None) -> None:
         """Takes a body.
 
         Args:
             body: with a material; with a skin where it meets something.
             world: see above; None: nothing.
+            between: see above.
         """
         assert body.material is not None
         self.body, self.material = body, body.material
-        self.world = dict(world or {})
+        self.world, self.between = dict(world or {}), between
         self._model: Model | None = None
 
     @classmethod
@@ -67,7 +71,7 @@ class RecordedMaterial:
             ]
             kind = np.array([SHAPES.index(type(o.shape)) for o in obstacles])
             world = {"kind": kind, "shape": shapes, "law": np.array(laws)}
-        return cls(model.body, world)
+        return cls(model.body, world, model.between)
 
     def obstacles(self) -> "list[Obstacle]":
         """What stands around the body.
@@ -89,11 +93,23 @@ class RecordedMaterial:
 
     def arrays(self) -> dict[str, Any]:
         """All of it, by name."""
+        if self.body.parts:
+            found = parts_arrays(self.body, self.between, lambda one: RecordedMaterial(one)._own(skin=True))
+            found = {_PREFIX + name: values for name, values in found.items()}
+            found[_PREFIX + "model"] = np.asarray(self.material.model)
+            found[_PREFIX + "gravity"] = np.asarray(self.material.gravity)
+            if self.body.rigid:
+                found[_PREFIX + "places"] = self.body.places
+            return found | {_PREFIX + _WORLD + name: values for name, values in self.world.items()}
+        return self._own(skin=bool(self.world) or self.body.rigid)
+
+    def _own(self, *, skin: bool) -> dict[str, Any]:
+        """Of one body."""
         found: dict[str, Any] = {}
         for name in (*_INNER, *_OUTER):
             found |= {f"{_PREFIX}{name}_{part}": getattr(getattr(self.body, name), part) for part in _PARTS}
         found |= {_PREFIX + field.name: np.asarray(getattr(self.material, field.name)) for field in _FIELDS}
-        if (self.world or self.body.rigid) and self.body.skin is not None:
+        if skin and self.body.skin is not None:
             found |= {_PREFIX + _SKIN + name: getattr(self.body.skin, name) for name in _SURFACE}
         if self.body.rigid:
             found[_PREFIX + "places"] = self.body.places
@@ -115,34 +131,16 @@ class RecordedMaterial:
         """
         if _PREFIX + "model" not in arrays:
             return None
-        matrices: dict[str, sp.csr_array] = {}
-        for name in (*_INNER, *_OUTER):
-            parts = tuple(arrays[f"{_PREFIX}{name}_{part}"] for part in _PARTS)
-            size = int(parts[2].size) - 1
-            matrices[name] = sp.csr_array(parts, shape=(size, size))
-            matrices[name].check_format(full_check=True)
-        said = {field.name: arrays[_PREFIX + field.name] for field in _FIELDS}
-        material = Material(
-            model=str(said["model"]),  # pyright: ignore[reportArgumentType]  checked by the body
-            elements=np.asarray(said["elements"], dtype=np.int64),
-            stiffness=np.asarray(said["stiffness"], dtype=np.float64),
-            gravity=tuple(np.asarray(said["gravity"], dtype=np.float64).ravel().tolist()),  # pyright: ignore[reportArgumentType]
-            cuttable=bool(said["cuttable"]),
-            **{name: float(said[name]) for name in ("young", "poisson", "viscosity", "tear")},
-        )
-        inner: dict[str, Any] = {name: SumOfSquares(matrices[name]) for name in _INNER}
-        outer: dict[str, Any] = {name: matrices[name] for name in _OUTER}
-        skin = None
-        world: dict[str, npt.NDArray[Any]] = {}
-        if _PREFIX + _SKIN + _SURFACE[0] in arrays:
-            skin = Skin(**{name: arrays[_PREFIX + _SKIN + name] for name in _SURFACE})
-        if _PREFIX + _WORLD + "kind" in arrays:
-            world = {name: np.asarray(arrays[_PREFIX + _WORLD + name]) for name in ("kind", "shape", "law")}
-            extents = [values.shape for values in world.values()]
-            if extents != [extents[0], (*extents[0], _SHAPE), (*extents[0], len(_LAW))] or len(extents[0]) != 1:
-                raise ValueError(f"what stands around the body is told by arrays of {extents}")
-        places = arrays.get(_PREFIX + "places", ())
-        return cls(Body(rest=rest, material=material, skin=skin, places=places, **inner, **outer), world)
+        world, places = _world_of(arrays), arrays.get(_PREFIX + "places", ())
+        if str(arrays[_PREFIX + "model"]) != "several":
+            return cls(_body_of(arrays, rest, places), world)
+        bare = {name.removeprefix(_PREFIX): arrays[name] for name in arrays if name.startswith(_PREFIX)}
+        body, between = parts_of_arrays(bare, lambda own, shape: _body_of(own, shape, ()))
+        if body.rest.shape != rest.shape or not np.allclose(body.rest, rest, rtol=1e-9, atol=1e-9):
+            raise ValueError("its parts do not make up the body")
+        x, y, z = np.asarray(arrays[_PREFIX + "gravity"], dtype=np.float64).ravel().tolist()
+        body = body.with_gravity((x, y, z))
+        return cls(body.with_places(places) if body.rigid else body, world, between)
 
     def same(self, other: "RecordedMaterial | None") -> bool:
         """Whether another is of the same numbers.
@@ -193,7 +191,7 @@ class RecordedMaterial:
         return before, ends, power, gone
 
     def outside(self, start: Float, after: Float, T: Float, told: Outside, *, fresh: Bool, follows: Bool) -> Outside:
-        """What planes and boxes held before and after each step, and what was lost at them.
+        """What planes, boxes and other bodies held before and after each step, and what was lost at them.
 
         How far friction is stretched follows from the steps before. Where these are not all there, what the peer booked
         stands in, until the copy touches nothing or there is no friction.
@@ -206,21 +204,21 @@ class RecordedMaterial:
             fresh: whether the step is the copy's first, (steps,).
             follows: whether it begins where the one before ended, (steps,).
         """
-        from cotouch.mechanics import begin_world, deepest_point, follow_world
+        from cotouch.mechanics import begin_world, follow_world
 
         made = self._made()
         world = None if made.force is None else made.force.world
         if world is None:
             return told
         memory, found, known, held = made.unturned(), Outside(*map(np.array, told)), False, np.nan
-        slick = not np.any(world.friction)
+        slick = not np.any(world.friction) and (world.bodies is None or world.bodies.friction == 0.0)
         for step in range(T.size):
             x, ahead = (made.to_rows(field[step]) for field in (start, after))
             if not follows[step]:
                 known = bool(slick or fresh[step])
                 held = begin_world(world, memory, x)
             if not known:  # a step that touches nothing leaves nothing stretched
-                known = max(deepest_point(world, x)[0], deepest_point(world, ahead)[0]) <= 0.0
+                known = max(_deepest(world, x), _deepest(world, ahead)) <= 0.0
                 held = begin_world(world, memory, ahead)
                 continue
             found.before[step] = held
@@ -232,13 +230,16 @@ class RecordedMaterial:
         """Of all that the whole skin can lean on [N/m]."""
         made = self._made()
         world = None if made.force is None else made.force.world
-        return 0.0 if world is None else float(world.stiffness.sum() * world.area.sum())
+        if world is None:
+            return 0.0
+        between = 0.0 if self.between is None else self.between.stiffness
+        return float((world.stiffness.sum() + between) * world.area.sum())
 
     def _made(self) -> "Model":
         from cotouch.mechanics import model
 
         if self._model is None:
-            self._model = model(self.body, obstacles=self.obstacles())
+            self._model = model(self.body, obstacles=self.obstacles(), between=self.between)
         return self._model
 
     def weight(self, place: Float, mass: Float) -> Float:
@@ -252,3 +253,47 @@ class RecordedMaterial:
 
 
 _FIELDS = fields(Material)
+
+
+def _deepest(world: "Around", x: Float) -> float:
+    """How deep the deepest point is in anything [m]."""
+    from cotouch.mechanics import deepest_between, deepest_point
+
+    most = deepest_point(world, x)[0]
+    return most if world.bodies is None else max(most, deepest_between(world, world.bodies, x)[0])
+
+
+def _world_of(arrays: Mapping[str, Any]) -> dict[str, Any]:
+    """What stands around a body."""
+    if _PREFIX + _WORLD + "kind" not in arrays:
+        return {}
+    world = {name: np.asarray(arrays[_PREFIX + _WORLD + name]) for name in ("kind", "shape", "law")}
+    extents = [values.shape for values in world.values()]
+    if extents != [extents[0], (*extents[0], _SHAPE), (*extents[0], len(_LAW))] or len(extents[0]) != 1:
+        raise ValueError(f"what stands around the body is told by arrays of {extents}")
+    return world
+
+
+def _body_of(arrays: Mapping[str, Any], rest: Float, places: Any) -> Body:
+    """One body, with its material."""
+    matrices: dict[str, sp.csr_array] = {}
+    for name in (*_INNER, *_OUTER):
+        parts = tuple(arrays[f"{_PREFIX}{name}_{part}"] for part in _PARTS)
+        size = int(parts[2].size) - 1
+        matrices[name] = sp.csr_array(parts, shape=(size, size))
+        matrices[name].check_format(full_check=True)
+    said = {field.name: arrays[_PREFIX + field.name] for field in _FIELDS}
+    material = Material(
+        model=str(said["model"]),  # pyright: ignore[reportArgumentType]  checked by the body
+        elements=np.asarray(said["elements"], dtype=np.int64),
+        stiffness=np.asarray(said["stiffness"], dtype=np.float64),
+        gravity=tuple(np.asarray(said["gravity"], dtype=np.float64).ravel().tolist()),  # pyright: ignore[reportArgumentType]
+        cuttable=bool(said["cuttable"]),
+        **{name: float(said[name]) for name in ("young", "poisson", "viscosity", "tear")},
+    )
+    inner: dict[str, Any] = {name: SumOfSquares(matrices[name]) for name in _INNER}
+    outer: dict[str, Any] = {name: matrices[name] for name in _OUTER}
+    skin = None
+    if _PREFIX + _SKIN + _SURFACE[0] in arrays:
+        skin = Skin(**{name: arrays[_PREFIX + _SKIN + name] for name in _SURFACE})
+    return Body(rest=rest, material=material, skin=skin, places=places, **inner, **outer)

@@ -6,7 +6,8 @@ from cotouch.scenario._hands import Hands, grip, ports_of
 from cotouch.scenario._law_choice import makes_tree, options_of_springs, with_law_of_session
 from cotouch.scenario._messages import sentence
 from cotouch.scenario._penetration import resolve_penetration
-from cotouch.scenario._scenario import Scenario, per_user
+from cotouch.scenario._per_user import per_user
+from cotouch.scenario._scenario import Scenario
 from cotouch.scenario._tables import (
     HandTable,
     Mode,

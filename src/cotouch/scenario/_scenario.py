@@ -7,13 +7,13 @@ from pathlib import Path
 from typing import Annotated, Any, Self, cast, final
 
 import numpy as np
-import numpy.typing as npt
 from pydantic import Field, InstanceOf, PrivateAttr, ValidationError, field_validator, model_validator
 
 from cotouch.body import Body
 from cotouch.errors import ScenarioError
 from cotouch.files import list_of, read_text, table_of, toml, toml_text
 from cotouch.network import Network
+from cotouch.scenario._bodies_table import BetweenTable, Parts, PartTable, build_bodies
 from cotouch.scenario._body_tables import BodySource, FileTable, PointTable
 from cotouch.scenario._channel import Channel
 from cotouch.scenario._law_choice import choose_law, with_law_of_session
@@ -54,6 +54,8 @@ class Scenario(Table):
     seed: Annotated[int, Field(ge=0, lt=2**63)] = 0
     network: InstanceOf[Network]
     body: BodySource = PointTable()
+    bodies: Parts = Field(default_factory=list[PartTable])
+    between: BetweenTable = BetweenTable()
     steps: Steps = Steps()
     synchronisation: Synchronisation = Synchronisation()
     channel: Channel = Channel()
@@ -96,6 +98,12 @@ class Scenario(Table):
                     )
         return self
 
+    @model_validator(mode="after")
+    def _one_or_several(self) -> Self:
+        if self.bodies and "body" in self.model_fields_set and self.body != PointTable():
+            raise ValueError("body and bodies are given; give [body] for one object, or [[bodies]] for several")
+        return self
+
     @field_validator("network", mode="before")
     @classmethod
     def _network(cls, value: object) -> object:
@@ -131,6 +139,8 @@ class Scenario(Table):
         table["network"] = Network.from_table(table["network"], source=source)
         if folder is not None:
             _rooted(table, "body", folder)
+            for part in table.get("bodies", []):
+                _rooted({"body": part}, "body", folder)
             _rooted(table.get("channel"), "trace", folder)
         return cls.make(source=source, **table)
 
@@ -162,7 +172,8 @@ class Scenario(Table):
                 raise ScenarioError(f'"{table}" is no part of a scenario; there are {", ".join(tables)}')
             tables[table] = {**self._options_of(table, tables[table]), option: value} if option else value
         result = type(self).make(**tables)
-        if not {name.partition("__")[0] for name in changes} & {"body", "hands", "tools", "world", "cutting"}:
+        several = {"body", "bodies", "hands", "tools", "world", "cutting"}
+        if not {name.partition("__")[0] for name in changes} & several:
             result._built = self._built
         if "channel" not in {name.partition("__")[0] for name in changes}:
             result._trace = self._trace
@@ -187,7 +198,8 @@ class Scenario(Table):
 
     def files(self) -> tuple[Path, ...]:
         """What it reads besides its own file: a mesh, a trace."""
-        tables = (self.body if isinstance(self.body, FileTable) else None, self.channel.trace)
+        bodies = [self.body, *(part.body for part in self.bodies)]
+        tables = (*(body for body in bodies if isinstance(body, FileTable)), self.channel.trace)
         return tuple(Path(table.file) for table in tables if table is not None)
 
     def trace(self) -> Trace | None:
@@ -203,7 +215,7 @@ class Scenario(Table):
     def build_body(self) -> Body:
         """The shared object; read and built once."""
         if self._built is None:
-            body = self._weighing(self.body if isinstance(self.body, Body) else self.body.build())
+            body = self._weighing(self._bare())
             if isinstance(self.body, FileTable) and self.body.modes is not None:
                 held = {self._node(index, body) - 1 for index in range(len(self.hands))}
                 for tool in self.tools:  # what a tool meets first yields as the whole body does
@@ -213,6 +225,12 @@ class Scenario(Table):
             body = self._cuttable(body)
             self._built = body.with_places(self._places(body)) if body.rigid else body
         return self._built
+
+    def _bare(self) -> Body:
+        """As its tables say, without what the world adds."""
+        if self.bodies:
+            return build_bodies(self.bodies)
+        return self.body if isinstance(self.body, Body) else self.body.build()
 
     def _places(self, body: Body) -> list[list[float]]:
         """Where hands hold a rigid body besides its nodes and its skin's vertices."""
@@ -268,11 +286,11 @@ class Scenario(Table):
             ScenarioError: a place has not the body's number of axes, or a node is not there.
             BodyError: the body is wrong.
         """
-        if all(hand.at is None for hand in self.hands):
+        if all(hand.at is None and hand.body is None for hand in self.hands):
             return self
         body = self.build_body()
         hands = [
-            hand.model_copy(update={"node": self._node(index, body), "at": None})
+            hand.model_copy(update={"node": self._node(index, body), "at": None, "body": None})
             for index, hand in enumerate(self.hands)
         ]
         result = self.model_copy(update={"hands": hands})
@@ -282,12 +300,28 @@ class Scenario(Table):
     def _node(self, index: int, body: Body) -> int:
         """Number of the node that a hand holds."""
         hand = self.hands[index]
+        if hand.body is not None:
+            return self._node_of_part(index, hand.body, body)
         if hand.at is None:
             if hand.node > body.holds:
                 raise ScenarioError(f"hands[{index + 1}].node is {hand.node}; the body has nodes 1 to {body.nodes}")
             return hand.node
         self._axes_of(index, hand.at, body)
         return 1 + int(np.argmin(np.linalg.norm(body.held_rest - np.array(hand.at), axis=1)))
+
+    def _node_of_part(self, index: int, name: str, body: Body) -> int:
+        """Number of the node that a hand holds of one of several bodies."""
+        hand, names = self.hands[index], [part.name for part in body.parts]
+        if name not in names:
+            known = ", ".join(f'"{known}"' for known in names) or "none; leave body out"
+            raise ScenarioError(f'hands[{index + 1}].body is "{name}"; there are {known}')
+        own = body.held_by(names.index(name))
+        if hand.at is None:
+            if hand.node > own.size:
+                raise ScenarioError(f'hands[{index + 1}].node is {hand.node}; "{name}" has nodes 1 to {own.size}')
+            return 1 + int(own[hand.node - 1])
+        self._axes_of(index, hand.at, body)
+        return 1 + int(own[np.argmin(np.linalg.norm(body.held_rest[own] - np.array(hand.at), axis=1))])
 
     def to_toml(self) -> str:
         """The scenario as the text of a file, with what was given and no defaults; `from_toml` makes the same of it.
@@ -297,7 +331,7 @@ class Scenario(Table):
         Raises:
             ScenarioError: its body was made in Python, which no file can say.
         """
-        if isinstance(self.body, Body):
+        if isinstance(self.body, Body) or any(isinstance(part.body, Body) for part in self.bodies):
             raise ScenarioError("body was made in Python; a file holds a body as one of its tables")
         tables: dict[str, Any] = {}
         for name in type(self).model_fields:
@@ -312,6 +346,9 @@ class Scenario(Table):
                 tables[name] = value.model_dump(exclude_unset=True) if isinstance(value, Table) else value
         if isinstance(self.body, FileTable):
             tables["body"]["file"] = str(Path(self.body.file).resolve())
+        for table in tables.get("bodies", []):
+            if "file" in table:
+                table["file"] = str(Path(table["file"]).resolve())
         return toml_text({name: table for name, table in tables.items() if table not in ({}, [], "")})
 
     def _repr_html_(self) -> str:  # pyright: ignore[reportUnusedFunction]
@@ -335,6 +372,13 @@ class Scenario(Table):
         if self.tools:
             tables["tools"] = [tool.model_dump() for tool in self.tools]
             tables["contact"] = self.contact.model_dump()
+        if self.bodies:
+            sources = [isinstance(part.body, Body) for part in self.bodies]
+            tables["bodies"] = [
+                {"name": part.name, "kind": "made in Python"} if made else part.model_dump()
+                for part, made in zip(self.bodies, sources, strict=True)
+            ]
+            tables["between"] = self.between.model_dump()
         if self.world != WorldTable():
             tables["world"] = self.world.model_dump()
         if self.cutting is not None:
@@ -348,21 +392,3 @@ def _rooted(holder: Any, name: str, folder: Path) -> None:
     named = None if tables is None else table_of(tables.get(name))
     if tables is not None and named is not None and isinstance(named.get("file"), str):
         tables[name] = {**named, "file": str(folder / named["file"])}
-
-
-def per_user(value: float | list[float], users: int, name: str) -> npt.NDArray[np.float64]:
-    """One number for all users, or a list with one for each.
-
-    Args:
-        value: one number, or one for each.
-        users: how many there are.
-        name: of the option, for messages.
-
-    Raises:
-        ScenarioError: the list has another length.
-    """
-    if isinstance(value, list):
-        if len(value) != users:
-            raise ScenarioError(f"{name} has {len(value)} entries; the network has {users} users")
-        return np.asarray(value, dtype=np.float64)
-    return np.full(users, float(value))

@@ -161,6 +161,7 @@ class HandTable(Table):
         user: number from 1.
         node: number from 1.
         at: instead of `node`: a place in the body's rest shape; the nearest node is held [m].
+        body: name of the one of several bodies that is held: `node` counts its own nodes, `at` finds its nearest.
         kind: "spring": `f = k (r - x) + b (r' - x')`; "force": the path itself is f.
         stiffness: k [N/m].
         damping: b [Ns/m].
@@ -176,6 +177,7 @@ class HandTable(Table):
     user: Number
     node: Number = 1
     at: Annotated[list[FiniteFloat], Field(min_length=1, max_length=3)] | None = None
+    body: str | None = None
     kind: Literal["spring", "force"] = "spring"
     stiffness: NonNegative = 100.0
     damping: NonNegative = 0.0

@@ -8,12 +8,14 @@ from pydantic import Field, FiniteFloat, model_validator
 
 from cotouch.arrays import Float
 from cotouch.errors import BodyError, ScenarioError
-from cotouch.mechanics import Box, Model, Obstacle, Plane, Plate, Shape, deepest_point
+from cotouch.mechanics import Box, Model, Obstacle, Plane, Plate, Shape, World, deepest_between, deepest_point
 from cotouch.scenario._tables import NonNegative, Place, Positive, Table
 
 _MOST = 16
 # A copy may begin as deep in an obstacle as this share of its size.
 _DEEP = 0.1
+# And bodies as deep in each other as this share of the smaller one's.
+_INSIDE = 0.02
 _ORIGIN = [0.0, 0.0, 0.0]
 
 
@@ -163,6 +165,10 @@ class WorldTable(Table):
         world = None if ready.force is None else ready.force.world
         if world is None:
             return
+        if world.bodies is not None:
+            _refuse_inside(ready, world, position)
+        if not world.kind.size:
+            return
         size = float(np.ptp(ready.body.rest, axis=0).max())
         for i, field in enumerate(position):
             deep, s = deepest_point(world, ready.to_rows(field))
@@ -171,6 +177,20 @@ class WorldTable(Table):
                     f"{self.name(s)}: the copy of user {i + 1} begins {deep:.3g} m deep in it, more than a tenth "
                     "of its own size; move one of them"
                 )
+
+
+def _refuse_inside(ready: Model, world: World, position: Float) -> None:
+    """Refuses copies in which bodies begin in each other."""
+    assert world.bodies is not None
+    parts = ready.body.parts
+    for i, field in enumerate(position):
+        deep, one, two = deepest_between(world, world.bodies, ready.to_rows(field))
+        size = min(float(np.ptp(parts[b].body.rest, axis=0).max()) for b in (one, two))
+        if deep > _INSIDE * size:
+            raise ScenarioError(
+                f'bodies: "{parts[one].name}" and "{parts[two].name}" begin {deep:.3g} m deep in each other in the '
+                f"copy of user {i + 1}, more than {_INSIDE:g} of the smaller one's size; move one of them"
+            )
 
 
 def _three(values: Sequence[float]) -> tuple[float, float, float]:

@@ -83,6 +83,7 @@ def prepare(scenario: Scenario) -> Prepared:
         weights=network.weights,
         basis=_basis(scenario, body),
         obstacles=scenario.world.obstacles(),
+        between=scenario.between.made(),
     )
     nodes = _recorded(scenario, body)
     refuse_beyond(needed(scenario, body, ready, nodes.size), free_memory())

@@ -1,0 +1,37 @@
+"""What a body asks of its rest shape and masses."""
+
+import numpy as np
+import numpy.typing as npt
+import scipy.sparse as sp
+
+from cotouch.arrays import Float
+from cotouch.body._checks import positive
+from cotouch.errors import BodyError
+
+
+def rest_shape(rest: npt.ArrayLike) -> Float:
+    try:
+        shape = np.array(rest, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise BodyError(f"rest is not an array of positions ({error}); give n rows of 1 to 3 coordinates") from error
+    if shape.ndim == 1:
+        shape = shape[:, None]
+    if shape.ndim != 2 or shape.shape[0] < 1 or not 1 <= shape.shape[1] <= 3:
+        extents = " x ".join(str(extent) for extent in shape.shape) or "a single number"
+        raise BodyError(f"rest is {extents}; it must be n x d, with at least one node and d from 1 to 3")
+    bad = np.argwhere(~np.isfinite(shape))
+    if bad.size:
+        node, axis = bad[0]
+        raise BodyError(f"rest[{node}, {axis}] is {shape[node, axis]}; every coordinate must be a finite number")
+    shape.setflags(write=False)
+    return shape
+
+
+def check_mass(mass: sp.csr_array, rows_per_node: int) -> None:
+    own = mass.diagonal()
+    bad = np.flatnonzero(own <= 0.0)
+    if bad.size:
+        row = int(bad[0])
+        node = row // rows_per_node + 1
+        raise BodyError(f"node {node} has mass {own[row]:.9g} (mass[{row}, {row}]); every node needs a mass > 0")
+    positive("mass", mass, strictly=True)

@@ -1,0 +1,167 @@
+"""Several bodies as one: their nodes side by side, nothing between them but what contact does."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, final
+
+import numpy as np
+import scipy.sparse as sp
+
+from cotouch.arrays import Float
+from cotouch.body._body import Body
+from cotouch.body._checks import SumOfSquares
+from cotouch.body._material import Material
+from cotouch.body._part import Part
+from cotouch.body._shapes import turning
+from cotouch.body._skin import Skin
+from cotouch.errors import BodyError, UnsupportedError
+
+_MATRICES = ("mass", "damping_int", "damping_ext", "stiffness_int", "stiffness_ext")
+# Of what a body is, and what its inner matrices are known to be.
+_INNER = ("damping_int", "stiffness_int")
+# Extents that differ by less than this share are the same.
+_SAME = 0.01
+
+
+@final
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Placed:
+    """A body among others, and where it is at rest.
+
+    Attributes:
+        body: in three dimensions, with a skin.
+        name: of its own.
+        at: where the middle of its extents comes to, (3,) [m]; None: it stays where it is.
+        turn: how it is turned about that middle: along the axis of turning, as long as the angle, (3,) [rad].
+    """
+
+    body: Body
+    name: str
+    at: tuple[float, float, float] | None = None
+    turn: tuple[float, float, float] = (0.0, 0.0, 0.0)
+
+
+def together(bodies: Sequence[Placed]) -> Body:
+    """Several bodies as one, whose nodes are those of all, one after the other.
+
+    They share mass, weight and links like any body, and meet each other by their skins.
+
+    Args:
+        bodies: at least one, each with a name of its own.
+
+    Raises:
+        BodyError: there is none, two have one name, or a place is not finite.
+        UnsupportedError: a body has no skin, is truncated, or is several itself.
+
+    Examples:
+        >>> from cotouch.body import lattice
+        >>> block = lattice((2, 2, 2), model="cells", stiffness=100.0)
+        >>> pair = together([Placed(body=block, name="low"), Placed(body=block, name="high", at=(0.005, 0.005, 0.05))])
+        >>> pair.nodes, [part.name for part in pair.parts]
+        (16, ['low', 'high'])
+    """
+    if not bodies:
+        raise BodyError("there are no bodies; give at least one")
+    parts: list[Part] = []
+    first = 0
+    for placed in bodies:
+        _check(placed, [part.name for part in parts])
+        parts.append(_part(placed, first))
+        first += placed.body.nodes
+    _refuse_same(parts)
+    return joined(parts)
+
+
+def joined(parts: Sequence[Part]) -> Body:
+    """The body that has these parts.
+
+    Args:
+        parts: one after the other.
+    """
+    full = any(part.body.form == "full" for part in parts)
+    matrices = {name: _joined(parts, name, full) for name in _MATRICES}
+    made: dict[str, Any] = {
+        name: SumOfSquares(matrix) if name in _INNER else matrix for name, matrix in matrices.items()
+    }
+    return Body(
+        rest=np.concatenate([part.rest() for part in parts]),
+        skin=_skins(parts),
+        material=Material(model="several"),
+        parts=tuple(parts),
+        **made,
+    )
+
+
+def _refuse_same(parts: Sequence[Part]) -> None:
+    """Two bodies in just one place have no depth in each other, as each point of the one lies on the other's skin."""
+    boxes = [(part.rest().min(axis=0), part.rest().max(axis=0)) for part in parts]
+    for k, (low, high) in enumerate(boxes):
+        for j in range(k):
+            apart = max(np.abs(low - boxes[j][0]).max(), np.abs(high - boxes[j][1]).max())
+            if apart <= _SAME * float((high - low).max()):
+                raise BodyError(f'bodies "{parts[j].name}" and "{parts[k].name}" are in one place; move one of them')
+
+
+def _check(placed: Placed, names: list[str]) -> None:
+    body, name = placed.body, placed.name
+    if not name or name in names:
+        what = f'two bodies are named "{name}"' if name else "a body has an empty name"
+        raise BodyError(f"{what}; each needs a name of its own")
+    if body.parts:
+        raise UnsupportedError(f'body "{name}" is several itself; list them one by one')
+    if body.truncation is not None:
+        raise UnsupportedError(f'body "{name}" is truncated to a few shapes; among several leave modes out')
+    if body.dimension != 3 or body.skin is None or not body.skin.triangles.size:
+        what = f"has {body.dimension} axes" if body.dimension != 3 else "has no skin"
+        raise UnsupportedError(f'body "{name}" {what}; bodies meet by their skins, so take it from a mesh or a lattice')
+    for what, values in (("at", placed.at or (0.0, 0.0, 0.0)), ("turn", placed.turn)):
+        if len(values) != 3 or not all(math.isfinite(value) for value in values):
+            raise BodyError(f'{what} of body "{name}" is {list(values)}; it must be three finite numbers')
+
+
+def _part(placed: Placed, first: int) -> Part:
+    low, high = placed.body.rest.min(axis=0), placed.body.rest.max(axis=0)
+    middle = 0.5 * (low + high)
+    turn = turning(placed.turn)
+    goal = middle if placed.at is None else np.asarray(placed.at, dtype=np.float64)
+    return Part(name=placed.name, body=placed.body, first=first, turn=turn, shift=goal - turn @ middle)
+
+
+def _joined(parts: Sequence[Part], name: str, full: bool) -> sp.csr_array:
+    blocks: list[sp.csr_array] = []
+    for part in parts:
+        matrix: sp.csr_array = getattr(part.body, name)
+        if full and part.body.form == "node":
+            matrix = sp.csr_array(sp.kron(matrix, sp.eye_array(3)))
+        elif full and np.any(part.turn != np.eye(3)):
+            turn = sp.kron(sp.eye_array(part.body.nodes), part.turn)
+            matrix = sp.csr_array(turn @ matrix @ turn.T)
+            matrix = sp.csr_array(0.5 * (matrix + matrix.T))
+            if name not in _INNER:
+                matrix = sp.csr_array(sp.diags_array(matrix.diagonal()))
+        blocks.append(matrix)
+    return sp.csr_array(sp.block_diag(blocks, format="csr"))
+
+
+def _skins(parts: Sequence[Part]) -> Skin:
+    width = max(part.skin().nodes.shape[1] for part in parts)
+    vertices: list[Float] = []
+    triangles: list[Any] = []
+    nodes: list[Any] = []
+    weights: list[Float] = []
+    count = 0
+    for part in parts:
+        skin = part.skin()
+        spare = width - skin.nodes.shape[1]
+        vertices.append(skin.vertices @ part.turn.T + part.shift)
+        triangles.append(skin.triangles + count)
+        nodes.append(np.pad(skin.nodes + part.first, ((0, 0), (0, spare)), mode="edge"))
+        weights.append(np.pad(skin.weights, ((0, 0), (0, spare))))
+        count += skin.vertices.shape[0]
+    return Skin(
+        vertices=np.concatenate(vertices),
+        triangles=np.concatenate(triangles),
+        nodes=np.concatenate(nodes),
+        weights=np.concatenate(weights),
+    )

@@ -1,0 +1,144 @@
+"""What bodies do to each other where their skins meet, and what each of them has of a step, as the kernels want it."""
+
+import math
+from dataclasses import dataclass
+from typing import NamedTuple, final
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.arrays import Float
+from cotouch.errors import BodyError
+
+Int = npt.NDArray[np.int32]
+
+
+@final
+@dataclass(frozen=True, kw_only=True)
+class Between:
+    """A foundation of springs between any two bodies that meet: `½ κ depth²` for each unit of skin.
+
+    Of two of one size the depth of the one's skin in the other counts half, and so does that of the other's in the one.
+    Of others the smaller one's counts more: what it stands on has no rim beside it whose walls it would climb.
+
+    Attributes:
+        stiffness: κ, > 0 [N/m³].
+        loss: λ: pressure grows by 1 + λ times the speed of approach, >= 0 [s/m].
+        friction: Coulomb's coefficient of what does not slip, >= 0.
+        kinetic: of what slips, 0 to `friction`; None: the same.
+    """
+
+    stiffness: float = 1e7
+    loss: float = 0.0
+    friction: float = 0.0
+    kinetic: float | None = None
+
+    def __post_init__(self) -> None:
+        for name, least in (("stiffness", "above"), ("loss", "at least"), ("friction", "at least")):
+            value = getattr(self, name)
+            if not (math.isfinite(value) and (value > 0.0 or (value == 0.0 and least == "at least"))):
+                raise BodyError(f"{name} between bodies is {value:g}; it must be a finite number {least} 0")
+        if self.kinetic is not None and not 0.0 <= self.kinetic <= self.friction:
+            raise BodyError(
+                f"kinetic friction between bodies is {self.kinetic:g}; it must be between 0 and friction, "
+                f"{self.friction:g}"
+            )
+
+
+class Parts(NamedTuple):
+    """Each body's share in the balance of a step.
+
+    Attributes:
+        part: body of each row, (rows,).
+        memory: where each body's memory begins, (bodies + 1,); its first number is the energy of its law.
+        energy: energy [J] and dissipated power [W] of each body's law in the step, (bodies, 2).
+        worked: what contact did on each body in the step, (bodies,) [J].
+        sums: scratch, (bodies, SUMS).
+    """
+
+    part: Int
+    memory: Int
+    energy: Float
+    worked: Float
+    sums: Float
+
+
+class Meeting(NamedTuple):
+    """Bodies that meet: their skins as points and triangles, and a tree of boxes around the triangles of each.
+
+    Points of a body follow one another, like its vertices, triangles and boxes; the first box holds all others.
+
+    Attributes:
+        stiffness: κ of the points of the first body in the second, (bodies, bodies) [N/m³].
+        loss: λ [s/m].
+        friction: coefficient of what does not slip.
+        kinetic: and of what does.
+        part: body of each point, (P,).
+        points: first point of each body, (bodies + 1,).
+        vertices: first vertex of each, (bodies + 1,).
+        boxes: first box of each, (bodies + 1,).
+        corner: vertices of each triangle, (F, 3).
+        pointer: CSR row pointer of the vertices, (V + 1,).
+        row: rows that carry each vertex, (entries,).
+        share: how much of each, (entries,).
+        rest: places of the vertices, less the body's origin, (V, 4) [m].
+        child: the two children of each box; of a leaf, `-1 - first` and how many triangles of `leaf`, (B, 2).
+        leaf: triangles, ordered so that those of a leaf follow each other, (F,).
+        lever: how far a vertex may move for each metre of the rows: the largest sum of |shares|.
+        slack: how far rows may move at least before what is near is looked for anew [m].
+        low: scratch: corners of the boxes where the step begins, (B, 4) [m].
+        high: scratch, likewise.
+        place: scratch: vertices where the step begins, (V, 4) [m].
+        later: scratch: and where it would end.
+        touched: scratch: bodies that are near another, (bodies,).
+        stack: scratch of the search, (B,).
+        entries: scratch: whether `point` is of this step, and how many there are, (2,).
+        bound: scratch: how far rows may move before `point` must be looked for anew, (1,) [m].
+        point: scratch: points that may meet another body in the step, (P,).
+        other: scratch: which one, (P,).
+        first: scratch: first triangle of each in `near`, and one past the last, (P, 2); less than 0: all.
+        near: scratch: triangles that a point may come to, (N,).
+        began: scratch: of each point where the step begins: depth, normal out of the other body, shares of the corners
+            of the nearest triangle, height above its plane, (P, 8).
+        face: scratch: that triangle, and whether the nearest point lies within it; then where it ends, (P, 4).
+        ended: scratch: as `began`, where the step would end.
+        coefficient: scratch: how much of each row moves a point past its triangle, (rows,).
+        moved: scratch: rows for which that is not 0, (rows,).
+        worked: result, see `Parts`.
+    """
+
+    stiffness: Float
+    loss: float
+    friction: float
+    kinetic: float
+    part: Int
+    points: Int
+    vertices: Int
+    boxes: Int
+    corner: Int
+    pointer: Int
+    row: Int
+    share: Float
+    rest: Float
+    child: Int
+    leaf: Int
+    lever: float
+    slack: float
+    low: Float
+    high: Float
+    place: Float
+    later: Float
+    touched: Int
+    stack: Int
+    entries: Int
+    bound: Float
+    point: Int
+    other: Int
+    first: Int
+    near: Int
+    began: Float
+    face: Int
+    ended: Float
+    coefficient: Float
+    moved: Int
+    worked: Float

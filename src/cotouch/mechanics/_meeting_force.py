@@ -1,0 +1,331 @@
+"""What bodies do to each other: pressure by the depth of the one's skin in the other's, damping, and friction.
+
+As at an obstacle, all of it is a function of where points and triangles were and are: pressure is the discrete gradient
+of its energy, friction a spring with a return mapping, and both lose at least 0 for any motion. What a point feels, the
+corners of the triangle feel the other way round, so nothing is added to the momentum of both.
+"""
+# An array indexed by an element of another is a number to numba and an array to numpy's types.
+# pyright: reportArgumentType=false, reportReturnType=false
+
+import math
+
+from cotouch.arrays import Float
+from cotouch.mechanics._kernel import block, inner, part
+from cotouch.mechanics._meeting import Meeting
+from cotouch.mechanics._meeting_look import gather, make_ready, point_at
+from cotouch.mechanics._meeting_near import crossing, follow
+from cotouch.mechanics._vector import at, put
+from cotouch.mechanics._world import World
+
+# Normals that look so much against each other are of opposite sides.
+_AGAINST = -0.5
+# A force that does not do the work by which its energy changes is turned by at most this tangent; beyond rounding.
+_TURNED, _ROUNDING = 0.5, 1e-13
+# Force on a point, energy held, energy lost, what resists motion, stretch at the end, whether it slips.
+_Met = tuple[float, float, float, float, float, float, float, float, float, float]
+
+
+@inner
+def begin_bodies(m: Meeting | None) -> None:
+    """A step begins: what is near where is not known."""
+    if m is not None:
+        put(m.entries, 0, 0)
+
+
+@inner
+def begin_work(m: Meeting | None) -> None:
+    """Nothing was done on any body yet."""
+    if m is not None:
+        for b in range(m.worked.shape[0]):
+            put(m.worked, b, 0.0)
+
+
+@inner
+def book_work(m: Meeting | None, p: int, work: float) -> None:
+    """What an obstacle did on a point [J]."""
+    if m is not None:
+        b = at(m.part, p)
+        put(m.worked, b, at(m.worked, b) + work)
+
+
+@part
+def _carrier(m: Meeting, e: int) -> int:
+    """The triangle that feels what an entry's point does; shares of its corners go to row e of `ended`."""
+    if at(m.ended, (e, 0)) > 0.0:
+        f = at(m.face, (e, 2))
+        if f == at(m.face, (e, 0)) and at(m.began, (e, 0)) > 0.0:
+            for q in range(3):
+                put(m.ended, (e, 4 + q), 0.5 * (at(m.ended, (e, 4 + q)) + at(m.began, (e, 4 + q))))
+        return f
+    for q in range(3):
+        put(m.ended, (e, 4 + q), at(m.began, (e, 4 + q)))
+    return at(m.face, (e, 0))
+
+
+@part
+def _meet(
+    world: World, m: Meeting, memory: Float, e: int, here: int, mx: float, my: float, mz: float, T: float
+) -> _Met:
+    """One point and the body that it may meet, whose nearest triangle it passes by m; see `_world_force._meet`."""
+    before, after = at(m.began, (e, 0)), at(m.ended, (e, 0))
+    p = at(m.point, e)
+    k = at(m.stiffness, (at(m.part, p), at(m.other, e))) * at(world.area, p)
+    sx, sy, sz = at(memory, here), at(memory, here + 1), at(memory, here + 2)
+    grip = 0.5 * k
+    held = 0.5 * grip * (sx * sx + sy * sy + sz * sz)
+    if before <= 0.0 and after <= 0.0:
+        return 0.0, 0.0, 0.0, 0.0, held, 0.0, 0.0, 0.0, 0.0, 0.0
+    deeper = after - before
+    if before > 0.0 and after > 0.0:
+        push = 0.5 * k * (before + after)
+    elif after > 0.0:
+        push = 0.5 * k * after * (after / deeper)
+    else:
+        push = -0.5 * k * before * (before / deeper)
+    nx = (at(m.began, (e, 1)) if before > 0.0 else 0.0) + (at(m.ended, (e, 1)) if after > 0.0 else 0.0)
+    ny = (at(m.began, (e, 2)) if before > 0.0 else 0.0) + (at(m.ended, (e, 2)) if after > 0.0 else 0.0)
+    nz = (at(m.began, (e, 3)) if before > 0.0 else 0.0) + (at(m.ended, (e, 3)) if after > 0.0 else 0.0)
+    size = math.sqrt(nx * nx + ny * ny + nz * nz)
+    scale = 1.0 / size if size > 0.0 else 0.0
+    nx, ny, nz = scale * nx, scale * ny, scale * nz
+    along = mx * nx + my * ny + mz * nz
+    square = mx * mx + my * my + mz * mz
+    off = deeper + along
+    gx, gy, gz = nx, ny, nz
+    if abs(off) > _ROUNDING * (abs(before) + abs(after) + m.lever) and square > 0.0:
+        short = min(max(off, -_TURNED * math.sqrt(square)), _TURNED * math.sqrt(square)) / square
+        gx, gy, gz = nx - short * mx, ny - short * my, nz - short * mz
+    change = max(m.loss * deeper / T, -1.0)
+    stored, lost = 0.0, push * change * deeper
+    if after > 0.0:
+        stored = 0.5 * k * after * after
+    total = push * (1.0 + change)
+    fx, fy, fz = total * gx, total * gy, total * gz
+    firm = (0.5 * k * T if after > 0.0 else 0.0) + push * m.loss
+    if m.friction <= 0.0:
+        return fx, fy, fz, stored, lost, firm, 0.0, 0.0, 0.0, 0.0
+    across = sx * nx + sy * ny + sz * nz
+    sx, sy, sz = sx - across * nx, sy - across * ny, sz - across * nz
+    lost += max(held - 0.5 * grip * (sx * sx + sy * sy + sz * sz), 0.0)
+    tx, ty, tz = sx + mx - along * nx, sy + my - along * ny, sz + mz - along * nz
+    trial = math.sqrt(tx * tx + ty * ty + tz * tz)
+    cone = (m.kinetic if at(memory, here + 3) != 0.0 else m.friction) * total / grip
+    share, slips = 1.0, 0.0
+    if trial > cone:
+        share, slips = m.kinetic * total / (grip * trial), 1.0
+    ex, ey, ez = share * tx, share * ty, share * tz
+    stored += 0.5 * grip * (ex * ex + ey * ey + ez * ez)
+    lost += grip * (ex * (tx - ex) + ey * (ty - ey) + ez * (tz - ez))
+    lost += 0.5 * grip * ((ex - sx) ** 2 + (ey - sy) ** 2 + (ez - sz) ** 2)
+    firm = max(firm, share * grip * T)
+    # A dashpot beside what holds, as far as the cone has room.
+    slide = math.sqrt(max((mx - along * nx) ** 2 + (my - along * ny) ** 2 + (mz - along * nz) ** 2, 0.0))
+    drag = min(0.5 * push * m.loss * slide / T, max(cone - math.sqrt(ex * ex + ey * ey + ez * ez), 0.0) * grip)
+    if slips == 0.0 and drag > 0.0:
+        lost += drag * slide
+        fx, fy, fz = (
+            fx - drag * (mx - along * nx) / slide,
+            fy - drag * (my - along * ny) / slide,
+            fz - drag * (mz - along * nz) / slide,
+        )
+    return fx - grip * ex, fy - grip * ey, fz - grip * ez, stored, lost, firm, ex, ey, ez, slips
+
+
+@inner
+def _beside(m: Meeting, e: int, f: int, place: Float) -> tuple[float, float, float]:
+    """Where the point of a triangle is that an entry's shares name."""
+    x = y = z = 0.0
+    for q in range(3):
+        v, share = at(m.corner, (f, q)), at(m.ended, (e, 4 + q))
+        x, y, z = x + share * at(place, (v, 0)), y + share * at(place, (v, 1)), z + share * at(place, (v, 2))
+    return x, y, z
+
+
+@inner
+def _give(row: int, share: float, firm: float, fx: float, fy: float, fz: float, world: World, out: Float) -> None:
+    put(out, (row, 0), at(out, (row, 0)) - share * fx)
+    put(out, (row, 1), at(out, (row, 1)) - share * fy)
+    put(out, (row, 2), at(out, (row, 2)) - share * fz)
+    put(world.hold, row, at(world.hold, row) + abs(share) * firm)
+
+
+@part
+def press_bodies(
+    world: World, m: Meeting | None, firmness: float, memory: Float, x: Float, ahead: Float, T: float, out: Float
+) -> tuple[float, float]:
+    """Takes off `out` the mean forces between bodies; `hold` gets what resists there. See `press_world`.
+
+    Returns:
+        Square of what forces changed by since the look before, and of the forces [N²].
+    """
+    if m is None:
+        return 0.0, 0.0
+    make_ready(world, m, x, ahead)
+    points = world.area.shape[0]
+    slot, change, size = world.kind.shape[0] * points, 0.0, 0.0
+    for e in range(at(m.entries, 1)):
+        p = at(m.point, e)
+        px, py, pz = point_at(world, p, x)
+        qx, qy, qz = point_at(world, p, ahead)
+        follow(m, e, qx, qy, qz)
+        f = _carrier(m, e)
+        ax, ay, az = _beside(m, e, f, m.place)
+        bx, by, bz = _beside(m, e, f, m.later)
+        mx, my, mz = (qx - px) - (bx - ax), (qy - py) - (by - ay), (qz - pz) - (bz - az)
+        here = world.first + 4 * (slot + p)
+        fx, fy, fz, _, _, firm, _, _, _, _ = _meet(world, m, memory, e, here, mx, my, mz, T)
+        told = slot + p
+        change += (fx - at(world.told, (told, 0))) ** 2
+        change += (fy - at(world.told, (told, 1))) ** 2 + (fz - at(world.told, (told, 2))) ** 2
+        size += fx * fx + fy * fy + fz * fz
+        put(world.told, (told, 0), fx)
+        put(world.told, (told, 1), fy)
+        put(world.told, (told, 2), fz)
+        if firm == 0.0 and fx == 0.0 and fy == 0.0 and fz == 0.0:
+            continue
+        fx, fy, fz = firmness * fx, firmness * fy, firmness * fz
+        for n in range(at(world.pointer, p), at(world.pointer, p + 1)):
+            _give(at(world.row, n), at(world.share, n), firm, fx, fy, fz, world, out)
+        for q in range(3):
+            v, share = at(m.corner, (f, q)), at(m.ended, (e, 4 + q))
+            for n in range(at(m.pointer, v), at(m.pointer, v + 1)):
+                _give(at(m.row, n), share * at(m.share, n), firm, -fx, -fy, -fz, world, out)
+        if world.couple.shape[0] > 0:
+            _couple(world, m, e, f, firm)
+    return change, size
+
+
+@inner
+def _note(m: Meeting, count: int, row: int, share: float) -> int:
+    """Adds to a row's coefficient; returns how many rows there are."""
+    for n in range(count):
+        if at(m.moved, n) == row:
+            put(m.coefficient, n, at(m.coefficient, n) + share)
+            return count
+    put(m.moved, count, row)
+    put(m.coefficient, count, share)
+    return count + 1
+
+
+@part
+def _couple(world: World, m: Meeting, e: int, f: int, firm: float) -> None:
+    """What resists that an entry's point passes its triangle, between all rows that move either."""
+    p, count = at(m.point, e), 0
+    for n in range(at(world.pointer, p), at(world.pointer, p + 1)):
+        count = _note(m, count, at(world.row, n), at(world.share, n))
+    for q in range(3):
+        v = at(m.corner, (f, q))
+        for n in range(at(m.pointer, v), at(m.pointer, v + 1)):
+            count = _note(m, count, at(m.row, n), -at(m.ended, (e, 4 + q)) * at(m.share, n))
+    for i in range(count):
+        for j in range(count):
+            value = firm * at(m.coefficient, i) * at(m.coefficient, j)
+            for a in range(3):
+                place = (3 * at(m.moved, i) + a, 3 * at(m.moved, j) + a)
+                put(world.couple, place, at(world.couple, place) + value)
+
+
+@part
+def weigh_bodies(
+    world: World, m: Meeting | None, memory: Float, x: Float, ahead: Float, T: float
+) -> tuple[float, float, bool]:
+    """What bodies hold between them after a motion and lost in it, and whether a point passed; see `weigh_world`."""
+    if m is None:
+        return 0.0, 0.0, False
+    make_ready(world, m, x, ahead)
+    points = world.area.shape[0]
+    slot, energy, lost, passed = world.kind.shape[0] * points, 0.0, 0.0, False
+    kept = world.first + 4 * world.told.shape[0]
+    for n in range(4 * points):
+        put(memory, kept + 4 * slot + n, 0.0)
+    for e in range(at(m.entries, 1)):
+        p, other = at(m.point, e), at(m.other, e)
+        px, py, pz = point_at(world, p, x)
+        qx, qy, qz = point_at(world, p, ahead)
+        follow(m, e, qx, qy, qz)
+        passed = passed or _passes(m, e, px, py, pz, qx - px, qy - py, qz - pz)
+        f = _carrier(m, e)
+        ax, ay, az = _beside(m, e, f, m.place)
+        bx, by, bz = _beside(m, e, f, m.later)
+        here = world.first + 4 * (slot + p)
+        fx, fy, fz, stored, gone, _, ex, ey, ez, slips = _meet(
+            world, m, memory, e, here, (qx - px) - (bx - ax), (qy - py) - (by - ay), (qz - pz) - (bz - az), T
+        )
+        energy, lost = energy + stored, lost + gone
+        here = kept + 4 * (slot + p)
+        put(memory, here, ex)
+        put(memory, here + 1, ey)
+        put(memory, here + 2, ez)
+        put(memory, here + 3, slips)
+        own = at(m.part, p)
+        put(m.worked, own, at(m.worked, own) + fx * (qx - px) + fy * (qy - py) + fz * (qz - pz))
+        put(m.worked, other, at(m.worked, other) - fx * (bx - ax) - fy * (by - ay) - fz * (bz - az))
+    return energy, lost, passed
+
+
+@part
+def _passes(m: Meeting, e: int, x: float, y: float, z: float, mx: float, my: float, mz: float) -> bool:
+    """Whether a point comes out of a body, or is pushed out, on the side opposite to where it came in."""
+    before, after = at(m.began, (e, 0)), at(m.ended, (e, 0))
+    if before > 0.0 and after > 0.0:
+        turned = 0.0
+        for a in range(3):
+            turned += at(m.began, (e, 1 + a)) * at(m.ended, (e, 1 + a))
+        return turned < _AGAINST
+    enters, leaves = crossing(m, e, x, y, z, mx, my, mz)
+    if (before <= 0.0 and enters < 0) or (after <= 0.0 and leaves < 0):
+        return False
+    turned = 0.0
+    for a in range(3):
+        first = at(m.began, (e, 1 + a)) if before > 0.0 else _side(m, enters, a)
+        last = at(m.ended, (e, 1 + a)) if after > 0.0 else _side(m, leaves, a)
+        turned += first * last
+    return turned < _AGAINST
+
+
+@part
+def _side(m: Meeting, f: int, a: int) -> float:
+    """A component of a triangle's normal where the step begins."""
+    i, j, k = at(m.corner, (f, 0)), at(m.corner, (f, 1)), at(m.corner, (f, 2))
+    b, c = (a + 1) % 3, (a + 2) % 3
+    ub, uc = at(m.place, (j, b)) - at(m.place, (i, b)), at(m.place, (j, c)) - at(m.place, (i, c))
+    vb, vc = at(m.place, (k, b)) - at(m.place, (i, b)), at(m.place, (k, c)) - at(m.place, (i, c))
+    ua, va = at(m.place, (j, a)) - at(m.place, (i, a)), at(m.place, (k, a)) - at(m.place, (i, a))
+    na, nb, nc = ub * vc - uc * vb, uc * va - ua * vc, ua * vb - ub * va
+    size = math.sqrt(na * na + nb * nb + nc * nc)
+    return na / size if size > 0.0 else 0.0
+
+
+@part
+def settle_bodies(world: World, m: Meeting | None, x: Float) -> float:
+    """What bodies hold between them where the copy is, without friction [J]."""
+    if m is None:
+        return 0.0
+    gather(world, m, x, 0.0)
+    put(m.entries, 0, 0)
+    energy = 0.0
+    for e in range(at(m.entries, 1)):
+        deep = at(m.began, (e, 0))
+        if deep > 0.0:
+            p = at(m.point, e)
+            firm = at(m.stiffness, (at(m.part, p), at(m.other, e)))
+            energy += 0.5 * firm * at(world.area, p) * deep * deep
+    return energy
+
+
+@block
+def deepest_between(world: World, m: Meeting, x: Float) -> tuple[float, int, int]:
+    """How deep the deepest point of any body is in another, less than 0 outside [m], and which two these are.
+
+    Args:
+        world: the points.
+        m: the bodies.
+        x: displacements of the rows, (rows, width) [m].
+    """
+    gather(world, m, x, 0.0)
+    put(m.entries, 0, 0)
+    most, one, two = -math.inf, 0, 0
+    for e in range(at(m.entries, 1)):
+        if at(m.began, (e, 0)) > most:
+            most, one, two = at(m.began, (e, 0)), at(m.part, at(m.point, e)), at(m.other, e)
+    return most, one, two

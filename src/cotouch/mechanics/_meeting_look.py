@@ -1,0 +1,146 @@
+"""Which points of which bodies may meet in a step, and the triangles that they may come to."""
+# An array indexed by an element of another is a number to numba and an array to numpy's types.
+# pyright: reportArgumentType=false, reportReturnType=false
+
+import math
+
+from cotouch.arrays import Float
+from cotouch.mechanics._kernel import inner, part
+from cotouch.mechanics._meeting import Meeting
+from cotouch.mechanics._meeting_near import collect, search
+from cotouch.mechanics._vector import at, put
+from cotouch.mechanics._world import World
+
+# A step may go so many times as far as it would at the speed where it begins, before what is near is looked for anew.
+_AHEAD = 2.0
+
+
+@inner
+def point_at(world: World, p: int, x: Float) -> tuple[float, float, float]:
+    """Where a point is."""
+    a, b, c = at(world.rest, (p, 0)), at(world.rest, (p, 1)), at(world.rest, (p, 2))
+    for e in range(at(world.pointer, p), at(world.pointer, p + 1)):
+        i, share = at(world.row, e), at(world.share, e)
+        a, b, c = a + share * at(x, (i, 0)), b + share * at(x, (i, 1)), c + share * at(x, (i, 2))
+    return a, b, c
+
+
+@part
+def _lay(m: Meeting, x: Float, body: int, out: Float) -> None:
+    """Brings the vertices of a body to where it is."""
+    for v in range(at(m.vertices, body), at(m.vertices, body + 1)):
+        a, b, c = at(m.rest, (v, 0)), at(m.rest, (v, 1)), at(m.rest, (v, 2))
+        for e in range(at(m.pointer, v), at(m.pointer, v + 1)):
+            i, share = at(m.row, e), at(m.share, e)
+            a, b, c = a + share * at(x, (i, 0)), b + share * at(x, (i, 1)), c + share * at(x, (i, 2))
+        put(out, (v, 0), a)
+        put(out, (v, 1), b)
+        put(out, (v, 2), c)
+
+
+@part
+def _enclose(m: Meeting, body: int, whole: bool) -> None:
+    """Box around a body, or around every part of the tree, where the step begins."""
+    root = at(m.boxes, body)
+    if not whole:
+        for a in range(3):
+            low, high = math.inf, -math.inf
+            for v in range(at(m.vertices, body), at(m.vertices, body + 1)):
+                low, high = min(low, at(m.place, (v, a))), max(high, at(m.place, (v, a)))
+            put(m.low, (root, a), low)
+            put(m.high, (root, a), high)
+        return
+    box = at(m.boxes, body + 1) - 1
+    while box >= root:
+        left, right = at(m.child, (box, 0)), at(m.child, (box, 1))
+        for a in range(3):
+            low, high = math.inf, -math.inf
+            if left >= 0:
+                low = min(at(m.low, (left, a)), at(m.low, (right, a)))
+                high = max(at(m.high, (left, a)), at(m.high, (right, a)))
+            else:
+                for n in range(-1 - left, -1 - left + right):
+                    for q in range(3):
+                        own = at(m.place, (at(m.corner, (at(m.leaf, n), q)), a))
+                        low, high = min(low, own), max(high, own)
+            put(m.low, (box, a), low)
+            put(m.high, (box, a), high)
+        box -= 1
+
+
+@inner
+def _near(m: Meeting, one: int, two: int, reach: float) -> bool:
+    """Whether the boxes of two bodies are within reach."""
+    i, j = at(m.boxes, one), at(m.boxes, two)
+    for a in range(3):
+        if at(m.low, (i, a)) > at(m.high, (j, a)) + reach or at(m.low, (j, a)) > at(m.high, (i, a)) + reach:
+            return False
+    return True
+
+
+@part
+def gather(world: World, m: Meeting, x: Float, bound: float) -> None:
+    """Looks which points may meet which body while no row moves farther than `bound`, and what is near them."""
+    bodies, reach, count, used = m.touched.shape[0], 2.0 * m.lever * bound, 0, 0
+    for b in range(bodies):
+        put(m.touched, b, 0)
+        _lay(m, x, b, m.place)
+        _enclose(m, b, False)
+    for one in range(bodies):
+        for two in range(one):
+            if _near(m, one, two, reach):
+                put(m.touched, one, 1)
+                put(m.touched, two, 1)
+    for b in range(bodies):
+        if at(m.touched, b) != 0:
+            _enclose(m, b, True)
+    for own in range(bodies):
+        if at(m.touched, own) == 0:
+            continue
+        for p in range(at(m.points, own), at(m.points, own + 1)):
+            px, py, pz = point_at(world, p, x)
+            deepest, other = -math.inf, -1
+            for b in range(bodies):
+                box = at(m.boxes, b)
+                if b == own or at(m.touched, b) == 0:
+                    continue
+                outside = max(at(m.low, (box, 0)) - px, px - at(m.high, (box, 0)))
+                outside = max(outside, at(m.low, (box, 1)) - py, py - at(m.high, (box, 1)))
+                outside = max(outside, at(m.low, (box, 2)) - pz, pz - at(m.high, (box, 2)))
+                if outside <= reach:
+                    deep = search(m, b, px, py, pz, count)
+                    if deep > deepest:
+                        deepest, other = deep, b
+            if deepest < -reach:
+                continue
+            put(m.point, count, p)
+            put(m.other, count, other)
+            search(m, other, px, py, pz, count)
+            last = collect(m, other, px, py, pz, max(deepest, 0.0) + 2.0 * reach, used)
+            put(m.first, (count, 0), used if last >= 0 else -1)
+            put(m.first, (count, 1), max(last, 0))
+            used = max(last, used)
+            count += 1
+    put(m.entries, 0, 1)
+    put(m.entries, 1, count)
+    put(m.bound, 0, bound)
+
+
+@part
+def make_ready(world: World, m: Meeting, x: Float, ahead: Float) -> None:
+    """Makes sure that what is near is known for a motion, and brings the vertices of who meets to its end."""
+    farthest = 0.0
+    for i in range(x.shape[0]):
+        dx, dy, dz = (
+            at(ahead, (i, 0)) - at(x, (i, 0)),
+            at(ahead, (i, 1)) - at(x, (i, 1)),
+            at(ahead, (i, 2)) - at(x, (i, 2)),
+        )
+        farthest = max(farthest, dx * dx + dy * dy + dz * dz)
+    farthest = math.sqrt(farthest)
+    if at(m.entries, 0) == 0 or farthest > at(m.bound, 0):
+        gather(world, m, x, max(_AHEAD * farthest, m.slack))
+    if at(m.entries, 1) > 0:
+        for b in range(m.touched.shape[0]):
+            if at(m.touched, b) != 0:
+                _lay(m, ahead, b, m.later)

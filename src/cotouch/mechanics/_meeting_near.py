@@ -1,0 +1,269 @@
+"""How deep a point of one body is in another: the signed distance to its skin, by a tree of boxes."""
+# An array indexed by an element of another is a number to numba and an array to numpy's types.
+# pyright: reportArgumentType=false, reportReturnType=false
+
+import math
+
+from cotouch.arrays import Float
+from cotouch.mechanics._kernel import inner, part
+from cotouch.mechanics._meeting import Meeting
+from cotouch.mechanics._vector import at, put
+
+# Two triangles are as near if squares of their distances differ by no more than this share.
+_ALIKE = 1e-9
+# A foot on a side lies as well as within if the way to it is the height above the plane, but for rounding.
+_FLUSH = 1e-12
+# Nearest point of a triangle: square of the distance, shares of the corners, and whether it lies within.
+_Foot = tuple[float, float, float, float, bool]
+
+
+@inner
+def foot(place: Float, i: int, j: int, k: int, x: float, y: float, z: float) -> _Foot:
+    """The point of a triangle that is nearest to (x, y, z) [Ericson 2005, 5.1.5]."""
+    ax, ay, az = at(place, (i, 0)), at(place, (i, 1)), at(place, (i, 2))
+    ux, uy, uz = at(place, (j, 0)) - ax, at(place, (j, 1)) - ay, at(place, (j, 2)) - az
+    vx, vy, vz = at(place, (k, 0)) - ax, at(place, (k, 1)) - ay, at(place, (k, 2)) - az
+    px, py, pz = x - ax, y - ay, z - az
+    uu, uv, vv = ux * ux + uy * uy + uz * uz, ux * vx + uy * vy + uz * vz, vx * vx + vy * vy + vz * vz
+    up, vp = ux * px + uy * py + uz * pz, vx * px + vy * py + vz * pz
+    size = uu * vv - uv * uv
+    b, c, within = 0.0, 0.0, False
+    b0, c0 = vv * up - uv * vp, uu * vp - uv * up
+    if size > 0.0 and b0 > 0.0 and c0 > 0.0 and b0 + c0 < size:
+        b, c, within = b0 / size, c0 / size, True
+    else:  # the nearest of three sides
+        best = math.inf
+        for side in range(3):
+            if side == 0:
+                s = min(max(up / uu, 0.0), 1.0) if uu > 0.0 else 0.0
+                sb, sc = s, 0.0
+            elif side == 1:
+                s = min(max(vp / vv, 0.0), 1.0) if vv > 0.0 else 0.0
+                sb, sc = 0.0, s
+            else:
+                ww = uu - 2.0 * uv + vv
+                s = min(max((vp - up - uv + uu) / ww, 0.0), 1.0) if ww > 0.0 else 0.0
+                sb, sc = 1.0 - s, s
+            gx, gy, gz = px - sb * ux - sc * vx, py - sb * uy - sc * vy, pz - sb * uz - sc * vz
+            square = gx * gx + gy * gy + gz * gz
+            if square < best:
+                best, b, c = square, sb, sc
+    gx, gy, gz = px - b * ux - c * vx, py - b * uy - c * vy, pz - b * uz - c * vz
+    return gx * gx + gy * gy + gz * gz, 1.0 - b - c, b, c, within
+
+
+@inner
+def normal(place: Float, i: int, j: int, k: int) -> tuple[float, float, float]:
+    """Unit normal of a triangle."""
+    ax, ay, az = at(place, (i, 0)), at(place, (i, 1)), at(place, (i, 2))
+    ux, uy, uz = at(place, (j, 0)) - ax, at(place, (j, 1)) - ay, at(place, (j, 2)) - az
+    vx, vy, vz = at(place, (k, 0)) - ax, at(place, (k, 1)) - ay, at(place, (k, 2)) - az
+    nx, ny, nz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
+    size = math.sqrt(nx * nx + ny * ny + nz * nz)
+    scale = 1.0 / size if size > 0.0 else 0.0
+    return scale * nx, scale * ny, scale * nz
+
+
+@part
+def keep_nearer(m: Meeting, place: Float, f: int, x: float, y: float, z: float, e: int, out: Float, col: int) -> None:
+    """Notes a triangle in row e of `out`, and of `face`, if it is nearer than what is noted there.
+
+    Of two that are as near, at an edge or a corner, it is the one whose plane is farther away, whose side of it is the
+    side of the skin. `out` gets for now the square of the distance, and the height above the plane beside it.
+    """
+    i, j, k = at(m.corner, (f, 0)), at(m.corner, (f, 1)), at(m.corner, (f, 2))
+    square, a, b, c, within = foot(place, i, j, k, x, y, z)
+    best = at(out, (e, 0))
+    if square > best * (1.0 + _ALIKE):
+        return
+    nx, ny, nz = normal(place, i, j, k)
+    height = nx * (x - at(place, (i, 0))) + ny * (y - at(place, (i, 1))) + nz * (z - at(place, (i, 2)))
+    if square >= best * (1.0 - _ALIKE) and abs(height) <= abs(at(out, (e, 7))):
+        return
+    put(out, (e, 0), square)
+    put(out, (e, 1), nx)
+    put(out, (e, 2), ny)
+    put(out, (e, 3), nz)
+    put(out, (e, 4), a)
+    put(out, (e, 5), b)
+    put(out, (e, 6), c)
+    put(out, (e, 7), height)
+    put(m.face, (e, col), f)
+    flat = within or height * height >= square * (1.0 - _FLUSH)
+    put(m.face, (e, col + 1), 1 if flat else 0)
+
+
+@part
+def finish(m: Meeting, place: Float, x: float, y: float, z: float, e: int, out: Float, col: int) -> None:
+    """Makes of the nearest triangle what is kept: depth, and the normal out of the skin."""
+    square, height = at(out, (e, 0)), at(out, (e, 7))
+    f = at(m.face, (e, col))
+    distance = math.sqrt(square)
+    sign = -1.0 if height >= 0.0 else 1.0
+    if at(m.face, (e, col + 1)) != 0:
+        put(out, (e, 0), -height)
+        return
+    put(out, (e, 0), sign * distance)
+    if distance > 0.0:
+        scale = -sign / distance
+        for a in range(3):
+            near = 0.0
+            for q in range(3):
+                near += at(out, (e, 4 + q)) * at(place, (at(m.corner, (f, q)), a))
+            own = x if a == 0 else y if a == 1 else z
+            put(out, (e, 1 + a), scale * (own - near))
+
+
+@inner
+def _clear(m: Meeting, e: int, out: Float, col: int, most: float) -> None:
+    put(out, (e, 0), most)
+    put(out, (e, 7), 0.0)
+    put(m.face, (e, col), -1)
+
+
+@inner
+def _apart(m: Meeting, box: int, x: float, y: float, z: float) -> float:
+    """Square of the distance from a point to a box."""
+    dx = max(at(m.low, (box, 0)) - x, x - at(m.high, (box, 0)), 0.0)
+    dy = max(at(m.low, (box, 1)) - y, y - at(m.high, (box, 1)), 0.0)
+    dz = max(at(m.low, (box, 2)) - z, z - at(m.high, (box, 2)), 0.0)
+    return dx * dx + dy * dy + dz * dz
+
+
+@part
+def search(m: Meeting, body: int, x: float, y: float, z: float, e: int) -> float:
+    """Depth of a point in a body where the step begins; row e of `began` gets what belongs to it."""
+    _clear(m, e, m.began, 0, math.inf)
+    root, waiting = at(m.boxes, body), 1
+    put(m.stack, 0, root)
+    while waiting > 0:
+        waiting -= 1
+        box = at(m.stack, waiting)
+        if _apart(m, box, x, y, z) > at(m.began, (e, 0)) * (1.0 + _ALIKE):
+            continue
+        left, right = at(m.child, (box, 0)), at(m.child, (box, 1))
+        if left < 0:
+            for n in range(-1 - left, -1 - left + right):
+                keep_nearer(m, m.place, at(m.leaf, n), x, y, z, e, m.began, 0)
+        else:  # the nearer one is looked at first
+            swap = _apart(m, left, x, y, z) < _apart(m, right, x, y, z)
+            put(m.stack, waiting, right if swap else left)
+            put(m.stack, waiting + 1, left if swap else right)
+            waiting += 2
+    finish(m, m.place, x, y, z, e, m.began, 0)
+    return at(m.began, (e, 0))
+
+
+@part
+def collect(m: Meeting, body: int, x: float, y: float, z: float, reach: float, begin: int) -> int:
+    """Notes in `near` all triangles of a body within reach; returns one past the last, or -1 where there is no room."""
+    waiting, count, room = 1, begin, m.near.shape[0]
+    put(m.stack, 0, at(m.boxes, body))
+    while waiting > 0:
+        waiting -= 1
+        box = at(m.stack, waiting)
+        if _apart(m, box, x, y, z) > reach * reach:
+            continue
+        left, right = at(m.child, (box, 0)), at(m.child, (box, 1))
+        if left >= 0:
+            put(m.stack, waiting, left)
+            put(m.stack, waiting + 1, right)
+            waiting += 2
+            continue
+        for n in range(-1 - left, -1 - left + right):
+            f = at(m.leaf, n)
+            square = 0.0
+            for a in range(3):
+                own = x if a == 0 else y if a == 1 else z
+                p, q, r = (
+                    at(m.place, (at(m.corner, (f, 0)), a)),
+                    at(m.place, (at(m.corner, (f, 1)), a)),
+                    at(m.place, (at(m.corner, (f, 2)), a)),
+                )
+                apart = max(min(p, q, r) - own, own - max(p, q, r), 0.0)
+                square += apart * apart
+            if square <= reach * reach:
+                if count >= room:
+                    return -1
+                put(m.near, count, f)
+                count += 1
+    return count
+
+
+@part
+def follow(m: Meeting, e: int, x: float, y: float, z: float) -> float:
+    """Depth of an entry's point where the step would end; row e of `ended` gets what belongs to it."""
+    _clear(m, e, m.ended, 2, math.inf)
+    first, last = at(m.first, (e, 0)), at(m.first, (e, 1))
+    if first >= 0:
+        for n in range(first, last):
+            keep_nearer(m, m.later, at(m.near, n), x, y, z, e, m.ended, 2)
+    else:  # no room to note them: all of the body
+        body = at(m.other, e)
+        box = at(m.boxes, body)
+        while box < at(m.boxes, body + 1):
+            left, right = at(m.child, (box, 0)), at(m.child, (box, 1))
+            if left < 0:
+                for n in range(-1 - left, -1 - left + right):
+                    keep_nearer(m, m.later, at(m.leaf, n), x, y, z, e, m.ended, 2)
+            box += 1
+    if at(m.face, (e, 2)) < 0:
+        put(m.ended, (e, 0), -math.inf)
+        return -math.inf
+    finish(m, m.later, x, y, z, e, m.ended, 2)
+    return at(m.ended, (e, 0))
+
+
+@part
+def crossing(m: Meeting, e: int, x: float, y: float, z: float, mx: float, my: float, mz: float) -> tuple[int, int]:
+    """The first triangle by which a point comes in on its way, and the last by which it goes out; -1: none.
+
+    Args:
+        m: the bodies.
+        e: entry of the point.
+        x: where it starts.
+        y: likewise.
+        z: likewise.
+        mx: how far it moves.
+        my: likewise.
+        mz: likewise.
+    """
+    enters, leaves, early, late = -1, -1, math.inf, -math.inf
+    for n in range(max(at(m.first, (e, 0)), 0), at(m.first, (e, 1))):
+        f = at(m.near, n)
+        i, j, k = at(m.corner, (f, 0)), at(m.corner, (f, 1)), at(m.corner, (f, 2))
+        nx, ny, nz = normal(m.place, i, j, k)
+        ox, oy, oz = normal(m.later, i, j, k)
+        before = nx * (x - at(m.place, (i, 0))) + ny * (y - at(m.place, (i, 1))) + nz * (z - at(m.place, (i, 2)))
+        after = ox * (x + mx - at(m.later, (i, 0))) + oy * (y + my - at(m.later, (i, 1)))
+        after += oz * (z + mz - at(m.later, (i, 2)))
+        if (before > 0.0) == (after > 0.0):
+            continue
+        when = before / (before - after)
+        if not _hits(m, i, j, k, when, x + when * mx, y + when * my, z + when * mz):
+            continue
+        if before > 0.0 and when < early:
+            enters, early = f, when
+        if before <= 0.0 and when > late:
+            leaves, late = f, when
+    return enters, leaves
+
+
+@part
+def _hits(m: Meeting, i: int, j: int, k: int, when: float, x: float, y: float, z: float) -> bool:
+    """Whether a point in a triangle's plane lies within it, at a share of the step."""
+    ax, ay, az = _between(m, i, 0, when), _between(m, i, 1, when), _between(m, i, 2, when)
+    ux, uy, uz = _between(m, j, 0, when) - ax, _between(m, j, 1, when) - ay, _between(m, j, 2, when) - az
+    vx, vy, vz = _between(m, k, 0, when) - ax, _between(m, k, 1, when) - ay, _between(m, k, 2, when) - az
+    px, py, pz = x - ax, y - ay, z - az
+    uu, uv, vv = ux * ux + uy * uy + uz * uz, ux * vx + uy * vy + uz * vz, vx * vx + vy * vy + vz * vz
+    up, vp = ux * px + uy * py + uz * pz, vx * px + vy * py + vz * pz
+    size = uu * vv - uv * uv
+    b, c = vv * up - uv * vp, uu * vp - uv * up
+    slack = 1e-9 * size
+    return size > 0.0 and b >= -slack and c >= -slack and b + c <= size + slack
+
+
+@inner
+def _between(m: Meeting, v: int, a: int, when: float) -> float:
+    return (1.0 - when) * at(m.place, (v, a)) + when * at(m.later, (v, a))

@@ -1,0 +1,126 @@
+"""The tables of several bodies: each of them, where it is, and what they do to each other."""
+
+from collections.abc import Mapping
+from typing import Annotated, Any, Self, cast, final
+
+from pydantic import Field, SerializerFunctionWrapHandler, model_serializer, model_validator
+
+from cotouch.body import Body, Placed, together
+from cotouch.errors import BodyError, ScenarioError
+from cotouch.mechanics import Between
+from cotouch.scenario._body_tables import BodySource, FileTable
+from cotouch.scenario._tables import NonNegative, Number, Place, Positive, Table
+
+_MOST = 64
+_OWN = ("name", "at", "turn", "copies", "step")
+
+
+@final
+class PartTable(Table):
+    """One of several bodies: any table of a body, and where it is.
+
+    Attributes:
+        name: of its own; of copies it is followed by their number from 1.
+        at: where the middle of its extents comes to; by default it stays where it is [m].
+        turn: how it is turned about that middle: along the axis of turning, as long as the angle [rad].
+        copies: how many of it there are.
+        step: from one copy to the next [m].
+    """
+
+    name: str
+    at: Place | None = None
+    turn: Place = Field(default_factory=lambda: [0.0, 0.0, 0.0])
+    copies: Number = 1
+    step: Place = Field(default_factory=lambda: [0.0, 0.0, 0.0])
+    body: BodySource
+
+    @model_validator(mode="before")
+    @classmethod
+    def _split(cls, given: Any) -> Any:
+        """In a file the body's own options stand beside these."""
+        table = cast("Mapping[str, Any]", given)
+        if not isinstance(given, Mapping) or "body" in table:
+            return cast("Any", given)
+        own = {name: table[name] for name in _OWN if name in table}
+        return {**own, "body": {name: value for name, value in table.items() if name not in _OWN}}
+
+    @model_serializer(mode="wrap")
+    def _joined(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        table: dict[str, Any] = handler(self)
+        inner = table.pop("body", {})
+        return {**table, **inner} if isinstance(inner, dict) else table
+
+    @model_validator(mode="after")
+    def _after(self) -> Self:
+        if self.copies > 1 and not any(self.step):
+            raise ValueError(f"copies is {self.copies}, but step is missing; it must lead from one copy to the next")
+        if isinstance(self.body, FileTable) and self.body.modes is not None:
+            raise ValueError(f"modes is {self.body.modes}; among several bodies leave modes out")
+        return self
+
+    def placed(self) -> list[Placed]:
+        """It and its copies, as `cotouch.body.together` wants them."""
+        body = self.body if isinstance(self.body, Body) else self.body.build()
+        at = self.at
+        if at is None:
+            at = (0.5 * (body.rest.min(axis=0) + body.rest.max(axis=0))).tolist()
+        places = [[x + k * s for x, s in zip(at, self.step, strict=False)] for k in range(self.copies)]
+        return [
+            Placed(
+                body=body,
+                name=self.name if self.copies == 1 else f"{self.name} {k + 1}",
+                at=(place[0], place[1], place[2]) if len(place) == 3 else None,
+                turn=(self.turn[0], self.turn[1], self.turn[2]),
+            )
+            for k, place in enumerate(places)
+        ]
+
+
+Parts = Annotated[list[PartTable], Field(max_length=_MOST)]
+
+
+def build_bodies(tables: list[PartTable]) -> Body:
+    """Several bodies as one.
+
+    Args:
+        tables: at least one.
+
+    Raises:
+        ScenarioError: there are too many.
+        BodyError: a body is wrong.
+    """
+    placed = [one for table in tables for one in table.placed()]
+    if len(placed) > _MOST:
+        raise ScenarioError(f"there are {len(placed)} bodies; a scenario takes {_MOST}")
+    return together(placed)
+
+
+@final
+class BetweenTable(Table):
+    """What bodies do to each other where they meet.
+
+    Attributes:
+        stiffness: κ: pressure for each metre of depth [N/m³].
+        damping: λ: pressure grows by 1 + λ times the speed of approach [s/m].
+        friction: Coulomb's coefficient of what does not slip.
+        kinetic_friction: of what slips, at most `friction`; by default the same.
+    """
+
+    stiffness: Positive = 1e7
+    damping: NonNegative = 0.0
+    friction: NonNegative = 0.0
+    kinetic_friction: NonNegative | None = None
+
+    def made(self) -> Between:
+        """For the kernels."""
+        return Between(
+            stiffness=self.stiffness, loss=self.damping, friction=self.friction, kinetic=self.kinetic_friction
+        )
+
+    @model_validator(mode="after")
+    def _after(self) -> Self:
+        try:
+            self.made()
+        except BodyError as error:
+            raise ValueError(str(error)) from None
+        return self

@@ -1,0 +1,289 @@
+"""Bodies that meet: what collides, rests, slides and turns, against closed forms and conservation laws."""
+
+import numpy as np
+import numpy.typing as npt
+import pytest
+from tests.mechanics.materials import Alone
+
+from cotouch.body import Body, Placed, lattice, rigid_box, together
+from cotouch.errors import BodyError
+from cotouch.mechanics import (
+    BETA,
+    BODY_LOSS,
+    CLOSURE_ALARM,
+    WORLD_LOSS,
+    WORLD_STORED,
+    Between,
+    Obstacle,
+    Plane,
+    deepest_between,
+    model,
+)
+
+Float = npt.NDArray[np.float64]
+G, SIDE = 9.81, 0.1
+TABLE = Obstacle(shape=Plane(), stiffness=1e7, loss=20.0, friction=0.5)
+STUCK = Between(stiffness=1e7, loss=20.0, friction=0.5)
+
+
+def cube(damping: float = 5.0, stiffness: float = 1e4) -> Body:
+    """Of 1 kg and 0.1 m, that yields."""
+    return lattice((3, 3, 3), mass=1.0, stiffness=stiffness, damping=damping, spacing=SIDE / 2, model="cells")
+
+
+def die(resolution: int = 1, mass: float = 1.0, size: tuple[float, float, float] = (SIDE, SIDE, SIDE)) -> Body:
+    """A rigid one."""
+    return rigid_box(list(size), mass=mass, resolution=resolution)
+
+
+class Several(Alone):
+    """Several bodies, their ledger, and each one's motion."""
+
+    def __init__(
+        self,
+        *bodies: Body | tuple[Body, tuple[float, ...], tuple[float, ...]],
+        between: Between = STUCK,
+        obstacles: tuple[Obstacle, ...] = (),
+        pull: float = 0.0,
+        speeds: tuple[tuple[float, ...], ...] = (),
+        **options: float,
+    ) -> None:
+        placed = [body if isinstance(body, tuple) else (body, (0.0,) * 3, (0.0,) * 3) for body in bodies]
+        whole = together(
+            [
+                Placed(body=b, name=str(k), at=(at[0], at[1], at[2]), turn=(turn[0], turn[1], turn[2]))
+                for k, (b, at, turn) in enumerate(placed)
+            ]
+        ).with_gravity((0.0, 0.0, -pull))
+        velocity = np.zeros((whole.nodes, 3))
+        for part, speed in zip(whole.parts, speeds, strict=False):
+            velocity[part.first : part.last] = speed
+        super().__init__(whole, None, velocity, obstacles=obstacles, between=between, **options)  # pyright: ignore[reportArgumentType]
+        self.scale = max(abs(self.energy), pull * SIDE)
+        self.worst = self.beta = self.lost = 0.0
+
+    def run(self, steps: int, T: float = 1e-3) -> None:
+        for _ in range(steps):
+            before, did = self.energy, self.step(T)
+            assert did[WORLD_LOSS] >= 0.0
+            self.lost += did[BODY_LOSS]
+            self.scale = max(self.scale, abs(self.energy), self.lost)
+            self.worst = max(self.worst, abs(self.energy - before + did[BODY_LOSS]))
+            self.beta = max(self.beta, float(did[BETA]))
+        assert self.worst <= 2e-14 * self.scale
+
+    def momentum(self, number: int | None = None) -> Float:
+        """Of one body, or of all."""
+        own = slice(None) if number is None else self.span(number)
+        return (self.mass * self.velocity)[own].sum(axis=0)
+
+    def spin(self) -> Float:
+        """Angular momentum of all."""
+        return (self.mass * np.cross(self.body.rest + self.position, self.velocity)).sum(axis=0)
+
+    def span(self, number: int) -> slice:
+        part = self.body.parts[number]
+        return slice(part.first, part.last)
+
+    def place(self, number: int) -> Float:
+        """Mean displacement of one."""
+        own = self.mass[self.span(number)]
+        return (own * self.position[self.span(number)]).sum(axis=0) / own.sum()
+
+    def deepest(self) -> float:
+        world = self.force.world
+        assert world is not None
+        assert world.bodies is not None
+        return deepest_between(world, world.bodies, self.state.position)[0]
+
+
+def tower(count: int, body: Body, between: Between = STUCK) -> Several:
+    """Where it stands: each block is pressed in by what is above it."""
+    depth, places = 1.0 * G / (1e7 * SIDE**2), []
+    height = 0.5 * SIDE
+    for k in range(count):
+        height -= (count - k) * depth
+        places.append((body, (0.0, 0.0, height), (0.0,) * 3))
+        height += SIDE
+    return Several(*places, between=between, obstacles=(TABLE,), pull=G)
+
+
+def test_two_elastic_blocks_keep_energy_and_momentum() -> None:
+    """They meet off their middles, so both turn as well; one flies on its way before, and is not felt."""
+    pair = Several(
+        (cube(0.0), (0.0,) * 3, (0.0,) * 3),
+        (cube(0.0), (0.13, 0.03, 0.01), (0.0, 0.0, 0.2)),
+        between=Between(stiffness=1e7),
+        speeds=((1.0, 0.0, 0.0),),
+    )
+    begun, momentum, spin = pair.energy, pair.momentum(), pair.spin()
+    pair.run(15)
+    assert pair.momentum(1) == pytest.approx(0.0, abs=1e-15)
+    pair.run(85)
+    assert pair.momentum() == pytest.approx(momentum, abs=1e-13)
+    assert pair.spin() == pytest.approx(spin, abs=1e-3 * float(np.abs(spin).max()) + 1e-5)
+    assert pair.energy == pytest.approx(begun, abs=1e-13)
+    assert pair.momentum(1)[0] > 0.5
+    assert pair.ledger[WORLD_STORED] == 0.0
+    assert pair.beta <= CLOSURE_ALARM
+
+
+def test_one_that_flies_does_not_move_one_that_rests() -> None:
+    """What the balance of a ringing body lacks is made up for by itself: with one factor for all the other would go."""
+    pair = Several(
+        (cube(0.0, 2e3), (0.0, 0.0, 0.5), (0.0,) * 3),
+        (cube(), (0.5, 0.0, 0.0), (0.0,) * 3),
+        speeds=((1.0, 0.0, 0.0),),
+    )
+    ringing = pair.velocity
+    ringing[pair.span(0)] += 3.0 * (pair.body.rest[pair.span(0)] - [0.0, 0.0, 0.5]) * [1.0, -1.0, 0.0]
+    pair.state.velocity[:] = pair.rows(ringing)
+    pair.state.memory[1] = 0.5 * float((pair.mass * ringing**2).sum())
+    own = pair.momentum(0)
+    for _ in range(200):
+        pair.step(2e-3)
+    assert float(pair.ledger[BETA]) > 0.0
+    assert np.abs(pair.velocity[pair.span(1)]).max() <= 1e-18
+    assert pair.momentum(0) == pytest.approx(own, abs=1e-13)
+
+
+def test_bounce_of_two_as_the_closed_form_says() -> None:
+    """Rigid, face to face: the reduced mass on a spring of κ A."""
+    T, speed = 1e-4, 0.05
+    pair = Several(
+        (die(), (0.0,) * 3, (0.0,) * 3),
+        (die(mass=3.0), (SIDE + 0.0002, 0.0, 0.0), (0.0,) * 3),
+        between=Between(stiffness=1e6),
+        speeds=((speed, 0.0, 0.0),),
+    )
+    rate = np.sqrt(1e6 * SIDE**2 / (1.0 * 3.0 / 4.0))
+    deep, lasted = 0.0, 0
+    for _ in range(400):
+        pair.run(1, T)
+        deep, lasted = max(deep, pair.deepest()), lasted + (pair.ledger[WORLD_STORED] > 0.0)
+    assert deep == pytest.approx(speed / rate, rel=0.01)
+    assert lasted * T == pytest.approx(np.pi / rate, rel=0.03)
+    assert pair.momentum(1)[0] / 3.0 == pytest.approx(0.5 * speed, rel=2e-3)  # 2 m / (m + M) of the speed
+    assert pair.momentum() == pytest.approx([speed, 0.0, 0.0], abs=1e-13)
+
+
+@pytest.mark.parametrize("body", [die(), cube(100.0, 1e5)], ids=["rigid", "cells"])
+def test_a_tower_of_five_stands(body: Body) -> None:
+    standing = tower(5, body)
+    standing.run(3000, 2e-3)
+    settled, begun, standing.lost = standing.position, standing.energy, 0.0
+    standing.run(1500, 2e-3)
+    assert np.abs(standing.position - settled).max() <= 1e-6
+    assert standing.energy <= begun + 1e-13
+    assert standing.ledger[14] == pytest.approx(5.0 * G, rel=1e-3)
+
+
+def test_a_block_rests_on_a_block_at_the_depth_that_its_weight_asks_for() -> None:
+    pair = tower(2, die(2))
+    pair.run(1500)
+    assert pair.deepest() == pytest.approx(G / (1e7 * SIDE**2), rel=1e-3)
+
+
+def lean(pair: Several, angle: float) -> None:
+    pair.force = pair.force._replace(gravity=G * np.array([[np.sin(angle), 0.0, -np.cos(angle), 0.0]]))
+
+
+def test_friction_between_bodies_has_its_cone() -> None:
+    """The upper of two slides where it must; the lower is held by a table with more friction."""
+    rough = Obstacle(shape=Plane(), stiffness=1e7, loss=20.0, friction=5.0)
+    wide = die(2, size=(0.4, 0.4, SIDE))
+    depth = G / (1e7 * SIDE**2)
+    places = ((wide, (0.0, 0.0, 0.05), (0.0,) * 3), (die(2), (0.0, 0.0, 0.15 - depth), (0.0,) * 3))
+    pair = Several(*places, obstacles=(rough,), pull=G)
+    for k in range(800):
+        lean(pair, np.arctan(0.5 * 0.99) * (k + 1) / 800)
+        pair.step(1e-3)
+    for _ in range(800):
+        pair.step(1e-3)
+    held = pair.place(1) - pair.place(0)
+    for _ in range(200):
+        pair.step(1e-3)
+    assert pair.place(1) - pair.place(0) == pytest.approx(held, abs=1e-8)
+    angle = np.arctan(0.6)
+    lean(pair, angle)
+    for _ in range(200):
+        pair.step(1e-3)
+    before = pair.momentum(1)[0]
+    for _ in range(100):
+        pair.step(1e-3)
+    gained = (pair.momentum(1)[0] - before) / 0.1
+    coefficient = (G * np.sin(angle) - gained) / (G * np.cos(angle))
+    assert coefficient == pytest.approx(0.5, rel=1e-3)
+
+
+def test_the_order_of_bodies_makes_no_difference() -> None:
+    one, two = (die(), (0.0,) * 3, (0.0,) * 3), (die(2), (0.101, 0.02, 0.01), (0.1, 0.2, 0.3))
+    there = Several(one, two, speeds=((1.0, 0.0, 0.0),))
+    back = Several(two, one, speeds=((0.0,) * 3, (1.0, 0.0, 0.0)))
+    for pair in (there, back):
+        pair.run(60)
+    for a, b in ((0, 1), (1, 0)):
+        assert there.position[there.span(a)] == pytest.approx(back.position[back.span(b)], abs=1e-9)
+
+
+@pytest.mark.parametrize("size", [(SIDE, SIDE, SIDE), (0.01, 0.2, 0.2)], ids=["cube", "plate"])
+@pytest.mark.parametrize("turn", [(0.0,) * 3, (0.3, 0.5, 0.7)])
+def test_nothing_passes_at_ten_metres_a_second(size: tuple[float, float, float], turn: tuple[float, ...]) -> None:
+    pair = Several(
+        (die(2, mass=0.2), (0.0,) * 3, turn),
+        (die(4, mass=1.0, size=size), (0.2, 0.0, 0.0), (0.0,) * 3),
+        between=Between(stiffness=1e7),
+        speeds=((10.0, 0.0, 0.0),),
+    )
+    for _ in range(60):
+        pair.run(1)
+        assert pair.place(0)[0] < pair.place(1)[0] + 0.2
+    assert pair.momentum(0)[0] / 0.2 < pair.momentum(1)[0]
+
+
+def test_two_copies_in_step_are_one() -> None:
+    alone, shared = tower(2, die()), tower(2, die())
+    shared.model = model(shared.body, copies=2, obstacles=[TABLE], between=STUCK)
+    for pair in (alone, shared):
+        pair.state.velocity[:4, 0] = 0.1
+        pair.state.memory[1] = 0.5 * 0.1**2
+    for _ in range(50):
+        alone.step(1e-3)
+        shared.step(1e-3)
+    assert shared.position == pytest.approx(alone.position, abs=1e-12)
+
+
+def test_upside_down_it_meets_as_well() -> None:
+    """A body that is turned over stands as one that is not, to what the diagonals of its squares make."""
+    upright = Several((die(2), (0.0, 0.0, 0.0499), (0.0,) * 3), obstacles=(TABLE,), pull=G)
+    turned = tower(2, die(2))
+    placed = [(p.body, (0.0, 0.0, float(p.rest()[:, 2].mean())), (np.pi, 0.0, 0.0)) for p in turned.body.parts]
+    over = Several(*placed, obstacles=(TABLE,), pull=G)
+    for pair in (upright, turned, over):
+        pair.run(500)
+    assert over.deepest() == pytest.approx(turned.deepest(), rel=1e-3)
+
+
+def test_far_apart_they_are_not_looked_for() -> None:
+    pair = Several((die(4), (0.0,) * 3, (0.0,) * 3), (die(4), (1.0, 0.0, 0.0), (0.0,) * 3))
+    pair.run(1)
+    assert pair.force.world is not None
+    assert pair.force.world.bodies is not None
+    assert pair.force.world.bodies.touched.tolist() == [0, 0]
+
+
+@pytest.mark.parametrize(
+    ("option", "said"),
+    [
+        ({"stiffness": 0.0}, "stiffness between bodies is 0; it must be a finite number above 0"),
+        ({"loss": -1.0}, "loss between bodies is -1; it must be a finite number at least 0"),
+        (
+            {"friction": 0.1, "kinetic": 0.2},
+            "kinetic friction between bodies is 0.2; it must be between 0 and friction",
+        ),
+    ],
+)
+def test_what_bodies_cannot_do_is_refused(option: dict[str, float], said: str) -> None:
+    with pytest.raises(BodyError) as caught:
+        Between(**option)
+    assert said in str(caught.value)

@@ -1,0 +1,116 @@
+"""Several bodies in scenarios: tables, the batch engine and peers alike, what is refused, and the example."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from cotouch.errors import CotouchError
+from cotouch.scenario import Scenario
+from cotouch.simulation import prepare, run_batch, run_peers, simulate
+
+EXAMPLE = Path(__file__).parents[2] / "examples" / "tower.toml"
+PAIR = {"users": ["Ann", "Ben"], "spring": [[0, 20], [20, 0]], "delay": [[0, 0.01], [0.01, 0]]}
+DIE: dict[str, Any] = {"kind": "box", "size": [0.05, 0.05, 0.05], "mass": 0.1, "resolution": 1}
+PLANE: dict[str, Any] = {"gravity": [0, 0, -9.81], "planes": [{"friction": 0.5, "damping": 20.0}]}
+
+
+def stack(**tables: Any) -> Scenario:
+    """Two dice on a table; one hand pulls at the upper."""
+    given: dict[str, Any] = {
+        "bodies": [{**DIE, "name": "die", "at": [0, 0, 0.025], "step": [0.01, 0, 0.05], "copies": 2}],
+        "between": {"friction": 0.4, "damping": 20.0},
+        "hands": [{"user": 2, "body": "die 2", "at": [0.035, 0, 0.075], "path": [0.03, 0, 0.01], "stiffness": 100}],
+        "network": PAIR,
+        "world": PLANE,
+        "steps": {"duration": 0.1},
+    }
+    return Scenario.make(**(given | tables))
+
+
+@pytest.fixture(scope="module")
+def taken_apart() -> Any:
+    return simulate(Scenario.read(EXAMPLE).replace(record__nodes="all"))
+
+
+def test_a_tower_stands_and_two_take_it_apart(taken_apart: Any) -> None:
+    place = taken_apart["position"].values.reshape(2, -1, 5, 4, 3)[:, :, :, :, :].mean(axis=3)
+    begun = place[:, 0]
+    assert np.abs(place[:, 480] - begun).max() <= 1.5e-3  # it stood, each block pressed in by those above
+    assert place[:, -1, 4] == pytest.approx(np.tile([-0.12, 0.0, 0.025], (2, 1)), abs=5e-3)  # Ann's lies on the table
+    assert (place[:, -1, 3, 2] < 0.06).all()  # Ben's fell
+    assert np.abs(place[:, -1, :3] - begun[:, :3]).max() <= 5e-3  # the rest still stands
+    assert taken_apart.attrs["energy_residual"] <= 1e-12
+    assert taken_apart.attrs["passivity_margin"] >= -1e-12 * taken_apart.attrs["energy_in_play"]
+    assert (np.diff(taken_apart["world_loss"].values, axis=1) >= 0.0).all()
+
+
+@pytest.mark.parametrize("law", ["spring", "paid"])
+def test_peers_come_to_the_same_bits(law: str) -> None:
+    ready = prepare(stack(synchronisation={"law": law}))
+    batch, peers = run_batch(ready), run_peers(ready)
+    assert np.array_equal(batch.position, np.stack([places[-1] for places in peers.position]))
+    assert max(abs(report.residual) for reports in peers.reports for report in reports) <= 1e-15
+
+
+def test_three_copies_over_delays_stay_passive() -> None:
+    spring = 30.0 * (np.ones((3, 3)) - np.eye(3))
+    delay = 0.03 * (np.ones((3, 3)) - np.eye(3))
+    network = {"users": ["Ann", "Ben", "Cleo"], "spring": spring.tolist(), "delay": delay.tolist()}
+    hands = [
+        {"user": 1, "body": "die 1", "at": [0.025, 0, 0.025], "path": [0.05, 0.02, 0], "stiffness": 200},
+        {"user": 3, "body": "die 2", "at": [-0.015, 0, 0.09], "path": [-0.03, 0, 0], "stiffness": 200},
+    ]
+    run = simulate(stack(network=network, hands=hands, steps={"duration": 0.5, "random": {"low": 5e-4, "high": 3e-3}}))
+    assert run.attrs["energy_residual"] <= 1e-12
+    assert run.attrs["passivity_margin"] >= -1e-12 * run.attrs["energy_in_play"]
+
+
+def test_a_hand_holds_the_body_that_it_names() -> None:
+    """At a place that two share, the one that is named; by number, its own nodes."""
+    middle = {"user": 1, "at": [0.0, 0.0, 0.05], "path": [0, 0, 0]}
+    low = stack(hands=[{**middle, "body": "die 1"}]).placed()
+    high = stack(hands=[{**middle, "body": "die 2"}]).placed()
+    bodies = [scenario.build_body() for scenario in (low, high)]
+    for number, (scenario, body) in enumerate(zip((low, high), bodies, strict=True)):
+        assert scenario.hands[0].node - 1 in body.held_by(number)
+    own = stack(hands=[{"user": 1, "body": "die 2", "node": 3}]).placed()
+    assert own.hands[0].node == 7
+
+
+def test_a_file_says_all_of_it() -> None:
+    scenario = Scenario.read(EXAMPLE)
+    again = Scenario.from_toml(scenario.to_toml())
+    assert again.to_toml() == scenario.to_toml()
+    assert np.array_equal(again.build_body().rest, scenario.build_body().rest)
+    assert [part.name for part in again.build_body().parts] == [f"block {k}" for k in range(1, 6)]
+
+
+@pytest.mark.parametrize(
+    ("tables", "said"),
+    [
+        ({"bodies": [{**DIE, "name": name} for name in "ab"]}, 'bodies "a" and "b" are in one place; move one'),
+        (
+            {"bodies": [{**DIE, "name": "a"}, {**DIE, "name": "b", "at": [0.03, 0.01, 0.01]}], "world": {}},
+            'bodies: "b" and "a" begin 0.02 m deep in each other in the copy of user 1',
+        ),
+        ({"bodies": [{**DIE, "name": "a"}, {**DIE, "name": "a"}]}, 'two bodies are named "a"'),
+        ({"bodies": [DIE]}, "bodies[1].name is missing"),
+        ({"bodies": [{**DIE, "name": "a", "sise": 1}]}, "bodies[1].sise is not an option that cotouch knows"),
+        (
+            {"bodies": [{**DIE, "name": "a", "size": [1, 1]}]},
+            "bodies[1].size is [1, 1]; it must have at least 3 entries",
+        ),
+        ({"bodies": [{**DIE, "name": "a", "copies": 2}]}, "copies is 2, but step is missing"),
+        ({"body": DIE}, "body and bodies are given; give [body] for one object, or [[bodies]] for several"),
+        ({"between": {"friction": 0.1, "kinetic_friction": 0.2}}, "kinetic friction between bodies is 0.2"),
+        ({"hands": [{"user": 1, "body": "c"}]}, 'hands[1].body is "c"; there are "die 1", "die 2"'),
+        ({"hands": [{"user": 1, "body": "die 1", "node": 99}]}, 'hands[1].node is 99; "die 1" has nodes 1 to'),
+    ],
+)
+def test_wrong_bodies_are_one_sentence(tables: dict[str, Any], said: str) -> None:
+    with pytest.raises(CotouchError) as caught:
+        prepare(stack(**({"hands": []} | tables)))
+    assert said in str(caught.value)
+    assert "\n" not in str(caught.value)
