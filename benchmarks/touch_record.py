@@ -13,13 +13,12 @@ from typing import Any
 
 import numpy as np
 import numpy.typing as npt
-from scipy.optimize import nnls
 
 from benchmarks._report import Row, add_write, finish
 from cotouch.body import Body, lattice
 from cotouch.device import PRESETS
 from cotouch.scenario import Scenario
-from cotouch.simulation import Outcome, Prepared, prepare, run_batch
+from cotouch.simulation import prepare, run_batch
 from cotouch.study._blocks import blocks
 
 SEED = 2011
@@ -27,13 +26,6 @@ TOLERANCE = 1e-10  # of the energy in play
 COUNT, SHORT = 1000, 60
 _KINDS = ("nodal", "elastic", "truncated")
 _CHUNK = 20
-# Forces of touches that are looked at for pulling, of each tool.
-_LOOKS = 60
-# What may be missing of a force when it is put together from pushes. Where a truncated body is touched it also yields
-# by what its shapes leave out, which turns the skin there by a little that the record does not see.
-_PULL, _PULL_TRUNCATED = 1e-6, 0.05
-# A sphere may touch what is this many radii from its centre, and what two steps of its motion may reach.
-_REACH = 1.05
 
 Table = dict[str, Any]
 Float = npt.NDArray[np.float64]
@@ -57,8 +49,6 @@ class Finding:
         saturated: virtual couplings whose motors could not always do what was asked.
         beyond: how many of those gave more than was paid.
         margin: least of Σ v̂ᵀ f T; negative: energy came out of the copies.
-        looks: forces of touches that were looked at.
-        pulls: how many of them were no sum of pushes.
         finished: whether the motion stayed in floating point.
     """
 
@@ -75,8 +65,6 @@ class Finding:
     saturated: int
     beyond: int
     margin: float
-    looks: int
-    pulls: int
     finished: bool
 
 
@@ -297,7 +285,6 @@ def examine(number: int) -> Finding | str:
     with np.errstate(over="ignore", invalid="ignore"):
         outcome = run_batch(prepared)
         found = blocks(prepared, outcome)
-        looks, pulls = _pulls(prepared, outcome)
     tools = outcome.tools
     assert tools is not None
     play = found.in_play or 1.0
@@ -317,82 +304,8 @@ def examine(number: int) -> Finding | str:
         saturated=len(outside),
         beyond=sum(port.excess > TOLERANCE * play for port in outside),
         margin=found.port_margin / play,
-        looks=looks,
-        pulls=pulls,
         finished=found.finished,
     )
-
-
-def _pulls(prepared: Prepared, outcome: Outcome) -> tuple[int, int]:
-    """How many forces of touches were looked at, and how many are no sum of pushes away from the skin.
-
-    The skin's places come from the recorded nodes, the directions from the nearest points of all triangles within
-    reach; neither asks the contact search.
-    """
-    touching, tools, skin, timing = prepared.touching, outcome.tools, prepared.body.skin, prepared.schedule
-    assert touching is not None
-    assert tools is not None
-    assert skin is not None
-    axes, nodes = 3, prepared.body.nodes
-    looks = pulls = 0
-    for user in range(outcome.taken.size):
-        for t in range(int(touching.first[user]), int(touching.first[user + 1])):
-            table = prepared.scenario.tools[prepared.tool.index(t)]
-            if table.kind != "touch":
-                continue
-            pushed = np.flatnonzero(tools.touching[t, 1 : int(outcome.taken[user]) + 1] > 0) + 1
-            for k in pushed[:: max(pushed.size // _LOOKS, 1)]:
-                force = tools.force[t, k, :3]
-                size = float(np.linalg.norm(force))
-                if not 1e-9 < size < np.inf:
-                    continue
-                moved = outcome.record.position[user, k - 1].reshape(nodes, -1)[:, :axes]
-                reach = _REACH * table.radius
-                reach += 2.0 * timing.length[user, k - 1] * float(np.linalg.norm(tools.rate[t, k - 1, :3]))
-                places = skin.vertices + skin.carried(moved)
-                normals = _directions(places, skin.triangles, tools.place[t, k - 1, :3], reach)
-                if table.friction > 0.0:
-                    normals = _cones(normals, table.friction)
-                _, missing = nnls(normals.T, force / size, maxiter=100 * normals.shape[0])
-                looks += 1
-                pulls += missing > (_PULL if prepared.body.truncation is None else _PULL_TRUNCATED)
-    return looks, pulls
-
-
-def _directions(places: Float, triangles: npt.NDArray[np.int32], centre: Float, reach: float) -> Float:
-    """Ways out of the body where a sphere may touch it, as unit rows.
-
-    From outside: from every nearest point of a triangle within reach towards the centre. From inside: the shortest way.
-    """
-    corners = places[triangles]
-    across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-300)
-    near = _nearest(corners, centre)
-    gap = centre - near
-    length = np.linalg.norm(gap, axis=1)
-    closest = length <= length.min() * (1.0 + 1e-9) + 1e-12
-    if length.min() <= 1e-12:
-        return across[closest]
-    towards = gap / length[:, None]
-    # Where several triangles share the nearest point, the mean of their normals by their angles there says on which
-    # side of it the centre is [Baerentzen & Aanaes 2005].
-    weight = _angles(corners[closest], near[closest][0])
-    if float(towards[closest][0] @ (weight @ across[closest])) < 0.0:
-        return -towards[closest]
-    return towards[length <= reach]
-
-
-def _angles(corners: Float, point: Float) -> Float:
-    """Angle of every triangle at a point of it [rad]: of its corner if it is one, else a half turn or a whole one."""
-    at = np.linalg.norm(corners - point, axis=2)
-    edges = np.roll(corners, -1, axis=1) - corners
-    size = np.linalg.norm(edges, axis=2)
-    angles = np.full(corners.shape[0], np.pi)
-    for k in range(3):
-        here = at[:, k] <= 1e-9 * size.max(axis=1)
-        cosine = -np.einsum("ij,ij->i", edges[:, k], edges[:, k - 1]) / np.maximum(size[:, k] * size[:, k - 1], 1e-300)
-        angles[here] = np.arccos(np.clip(cosine[here], -1.0, 1.0))
-    return angles
 
 
 def _nearest(corners: Float, point: Float) -> Float:
@@ -417,18 +330,6 @@ def _nearest(corners: Float, point: Float) -> Float:
     s, t = (vv * wu - uv * wv) / scale, (uu * wv - uv * wu) / scale
     take(a + s[:, None] * u + t[:, None] * v, (s >= 0) & (t >= 0) & (s + t <= 1))
     return best
-
-
-def _cones(normals: Float, friction: float) -> Float:
-    """Generators of pyramids around the normals that hold the cones of friction."""
-    rays = [normals]
-    for normal in normals:
-        side = np.cross(normal, [1.0, 0.0, 0.0] if abs(normal[0]) < 0.7 else [0.0, 1.0, 0.0])
-        side /= np.linalg.norm(side)
-        other = np.cross(normal, side)
-        reach = np.sqrt(2.0) * friction
-        rays.append(normal + reach * np.array([side, -side, other, -other]))
-    return np.concatenate(rays)
 
 
 def run(count: int, jobs: int, kept: Path | None = None) -> tuple[list[Finding], list[str]]:
@@ -478,11 +379,9 @@ def measure(count: int = SHORT, jobs: int = 1, kept: Path | None = None) -> list
     coupled = [f for f in findings if f.devices]
     broke = [f for f in coupled if not (f.used <= 1.0 and f.virtual <= TOLERANCE)]
     active = [f for f in findings if not f.margin >= -TOLERANCE]
-    stuck = [f for f in findings if f.pulls]
     left = [f for f in findings if not f.finished]
     kinds = ", ".join(f"{sum(f.kind == kind for f in findings):,} {kind}" for kind in _KINDS)
     steps, switches = sum(f.steps for f in findings), sum(f.switches for f in findings)
-    looks = sum(f.looks for f in findings)
     couplings = sum(f.devices for f in findings)
     used = max((f.used for f in coupled), default=0.0)
     outside, beyond = sum(f.saturated for f in findings), sum(f.beyond for f in findings)
@@ -524,13 +423,6 @@ def measure(count: int = SHORT, jobs: int = 1, kept: Path | None = None) -> list
             f"{len(active)}",
             "0",
             f"numbers: {numbers(active)}; least Σ v̂ᵀ f T {min(f.margin for f in findings):.1e} of the energy in play",
-        ),
-        Row(
-            "touch record",
-            "contact forces that pulled",
-            f"{sum(f.pulls for f in findings)} of {looks:,}",
-            "0",
-            f"numbers: {numbers(stuck)}; a force counts if it is no sum of pushes away from the skin",
         ),
     ]
 

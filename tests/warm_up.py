@@ -34,10 +34,10 @@ def main(axes: int) -> None:
         simulate(chosen)
         run_peers(prepare(chosen))
     sys.path.insert(0, str(Path(__file__).parent.parent))
-    from tests.mechanics.touching import TouchedCopy
+    from tests.mechanics.pressing import Pressed
 
     block = lattice((2, 2, 2), ground="all", ground_stiffness=1.0)
-    TouchedCopy(block.as_full() if axes == 1 else block).step(1e-3)
+    Pressed(block.as_full() if axes == 1 else block).step(1e-3)
     if axes == 3:
         with_tools = scenario.replace(
             body={"kind": "lattice", "shape": [2, 2, 2]},
@@ -46,7 +46,6 @@ def main(axes: int) -> None:
         )
         simulate(with_tools)
         run_peers(prepare(with_tools))
-        simulate(with_tools.replace(contact={"law": "stiffening"}))
         # Devices belong to the tools above, and the search for links to the other process: both then take equally long.
         SimulatedDevice(DeviceModel()).advance(0.0)
         critical_stiffness(CartesianPlant(), precision=0.5)

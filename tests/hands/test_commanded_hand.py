@@ -19,7 +19,6 @@ damping = 2.0
 """
 
 
-LAW = '[contact]\nlaw = "stiffening"\n'
 TURNING = (
     '[body]\nkind = "lattice"\nshape = [4, 3, 3]\nspacing = 0.03\nmass = 0.5\nstiffness = 80\ndamping = 1\n'
     'model = "cells"\nground = "x-"\nground_stiffness = 80.0\n[world]\ngravity = [0.0, 0.0, -3.0]'
@@ -163,10 +162,8 @@ def test_a_pointer_that_is_not_heard_of_lets_go() -> None:
     assert copy.hand.mode == "hold"
 
 
-@pytest.mark.parametrize("law", ["", LAW])
-def test_a_ball_pushes_the_skin_and_lets_go(law: str) -> None:
-    copy = held(BODIES["solid"] + "\n" + law)
-    assert (copy.hand.contact is not None) == bool(law)
+def test_a_ball_pushes_the_skin_and_lets_go() -> None:
+    copy = held("solid")
     top = int(np.argmax(copy.body.rest @ [1.0, 0.1, 1.0]))
     start = copy.body.rest[top] + [0.0, 0.0, 0.05]
     for n in range(60):
@@ -193,9 +190,8 @@ def test_a_ball_pushes_the_skin_and_lets_go(law: str) -> None:
     assert copy.worst < 1e-10
 
 
-@pytest.mark.parametrize("law", ["", LAW])
-def test_a_ball_that_is_put_into_the_body_begins_outside_and_pushes(law: str) -> None:
-    copy = held(BODIES["solid"] + "\n" + law)
+def test_a_ball_that_is_put_into_the_body_begins_outside_and_pushes() -> None:
+    copy = held("solid")
     copy.tell("ball", -1, copy.body.rest.mean(axis=0), 1, radius=0.01)
     copy.run(0.002)
     assert copy.hand.tools is not None
@@ -212,7 +208,7 @@ def test_a_ball_that_is_put_into_the_body_begins_outside_and_pushes(law: str) ->
 
 def test_a_ball_that_grows_while_it_touches_by_a_law_gives_no_energy() -> None:
     """Its radius is another from step to step; the ledger of a heavy body that turns is exact all the same."""
-    copy, rng = held(TURNING + "\n" + LAW), np.random.default_rng(3)
+    copy, rng = held(TURNING), np.random.default_rng(3)
     start = copy.body.rest.mean(axis=0) + np.array([0.0, 0.0, 0.04])
     pressed = 0.0
     for n in range(150):

@@ -101,6 +101,7 @@ def led(text: str, towards: list[float], *links: Led) -> tuple[DeviceHand, Peer,
         velocity=np.zeros(shape),
         surface=hand.surface,
         tools=hand.tools,
+        contact=hand.contact,
     )
     hand.attach(peer.state.position)
     start, residual, did = link.place.copy(), 0.0, 0.0

@@ -1,4 +1,4 @@
-"""A copy of a body with tools that touch by a law and can be stepped from Python, and flats to press on.
+"""A copy of a body with tools that can be stepped from Python, what its steps must come to, and flats to press on.
 
 Every test calls `contact_step` through `Pressed.step`, with arguments of the same types, so that it is compiled once.
 """
@@ -7,11 +7,29 @@ from typing import Any
 
 import numpy as np
 import numpy.typing as npt
-from tests.mechanics.support import Scene
-from tests.mechanics.touching import ToolCopy
+from tests.mechanics.support import Copy, Scene
 
 from cotouch.body import Body, lattice
-from cotouch.mechanics import TOUCH_LOSS, Stiffening, contact_by, contact_step
+from cotouch.mechanics import (
+    BODY_LOSS,
+    DRIVE,
+    ELASTIC,
+    EXTRA_LOSS,
+    KINETIC,
+    LOCAL_LOSS,
+    PROXY,
+    SUPPLIED,
+    TOUCH,
+    TOUCH_LEDGER,
+    TOUCH_LOSS,
+    TOUCH_STORED,
+    Basis,
+    Stiffening,
+    contact_by,
+    contact_step,
+    surface_of,
+    tools,
+)
 
 Float = npt.NDArray[np.float64]
 SPACING = 0.02
@@ -31,14 +49,68 @@ def block(*, damping: float = 0.2, shape: tuple[int, int, int] = (4, 4, 3)) -> B
     )
 
 
-class Pressed(ToolCopy):
-    """It touches by a law."""
+class Pressed:
+    """One user's copy and tools; with `soft` a truncated body's skin yields by what its shapes leave out.
+
+    Attributes:
+        residual: largest gap in the balance of energy in any step [J].
+        in_play: largest energy, or energy moved in a step [J].
+        totals: what the tools booked so far.
+    """
 
     def __init__(
-        self, what: Body | Scene, *, count: int = 1, tolerance: float = 1e-12, moved: Float | None = None
+        self,
+        what: Body | Scene,
+        *,
+        count: int = 1,
+        basis: Basis = "nodal",
+        copies: int = 1,
+        tolerance: float = 1e-12,
+        moved: Float | None = None,
+        soft: bool = False,
     ) -> None:
-        super().__init__(what, count=count, tolerance=tolerance, moved=moved)
+        still = np.zeros((what.nodes, 3)) if isinstance(what, Body) else np.zeros(0)
+        start = still if moved is None else moved
+        self.scene = Scene(what, start, still, copies=copies) if isinstance(what, Body) else what
+        self.copy = Copy(self.scene, basis=basis)
+        self.body, self.model, self.state = self.scene.body, self.copy.model, self.copy.state
+        self.surface, self.tools = surface_of(self.model), tools(count)
+        if not soft:
+            self.surface = self.surface._replace(soft=np.zeros((0, 2)))
         self.contact = contact_by(Stiffening(), self.model, self.surface, tools=count)
+        self.tools.mode[:] = TOUCH
+        self.tools.stiffness[:] = 1000.0
+        self.tools.mass[:] = 0.05
+        self.ledger, self.touch_ledger = self.copy.ledger, np.zeros(TOUCH_LEDGER)
+        self.tolerance = tolerance
+        self.residual, self.in_play, self.totals = 0.0, 1e-12, np.zeros(TOUCH_LEDGER)
+
+    @property
+    def energy(self) -> float:
+        own = self.ledger[KINETIC] + self.ledger[ELASTIC]
+        return float(own + self.touch_ledger[PROXY] + self.touch_ledger[TOUCH_STORED])
+
+    def begin(self) -> None:
+        """Takes what was written into `state` and `tools` as the start."""
+        self.copy.settle()
+        square = (self.tools.rate[:, :3] ** 2).sum(axis=1)
+        self.touch_ledger[PROXY] = 0.5 * float(self.tools.mass @ square)
+        self.touch_ledger[TOUCH_STORED] = float(self.tools.stored.sum())
+
+    def balance(self, before: float) -> None:
+        """Books the step that was just taken, with what there was before it."""
+        own, tool, did = self.ledger, self.touch_ledger, self.copy.links_did
+        lost = own[BODY_LOSS] + own[LOCAL_LOSS] + own[EXTRA_LOSS] + tool[TOUCH_LOSS]
+        gap = self.energy - before - (own[SUPPLIED] + tool[DRIVE] + did.sum()) + lost
+        moved = np.abs(did).sum() + abs(own[SUPPLIED]) + abs(tool[DRIVE]) + lost
+        self.residual = max(self.residual, abs(gap)) if np.isfinite(gap) else np.inf
+        self.in_play = max(self.in_play, before, self.energy, float(moved))
+        self.totals += tool
+
+    def skin_place(self) -> Float:
+        """Places of the skin's vertices, (V, 3)."""
+        skin, place = self.body.skin, self.copy.position
+        return self.body.rest + place if skin is None else skin.vertices + skin.carried(place)
 
     @property
     def lost(self) -> float:

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from tests.mechanics.pressing import SPACING, Pressed, block, plate
 
-from cotouch.mechanics import AWAY, TOUCH, TOUCH_LOSS
+from cotouch.body import lattice
+from cotouch.mechanics import AWAY, GRASP, TOUCH, TOUCH_LOSS
 
 TOP = 2 * SPACING
 
@@ -24,7 +25,7 @@ def test_a_bounce_returns_what_it_took() -> None:
     start, pressed = copy.energy, 0.0
     for _ in range(60):
         copy.step(1e-3)
-        pressed = max(pressed, float(copy.tools.account[0]))
+        pressed = max(pressed, float(copy.tools.stored[0]))
     assert pressed > 0.2 * start
     assert copy.tools.touching[0] == 0
     assert copy.tools.rate[0, 2] > 0.0
@@ -61,6 +62,83 @@ def test_the_balance_is_exact_however_early_the_solver_stops(cap: int) -> None:
         touched += int(tools.touching.sum())
     assert touched > 250
     assert copy.residual <= 1e-14 * copy.in_play
+
+
+def of_kind(kind: str) -> Pressed:
+    body = block(shape=(3, 3, 3))  # all matrices commute: there is a modal basis
+    if kind == "truncated":
+        return Pressed(body.truncated(modes=8, contacts=range(0, 27, 4)), count=3, basis="auto")
+    return Pressed(body.as_full() if "full" in kind else body, count=3, basis="modal" if "modal" in kind else "nodal")
+
+
+@pytest.mark.parametrize("driven", [True, False])
+@pytest.mark.parametrize("cap", [1, 1000])
+@pytest.mark.parametrize("kind", ["node", "full", "modal", "full modal", "truncated"])
+def test_balances_whatever_the_tools_do(kind: str, cap: int, driven: bool) -> None:
+    """Steps of all lengths with tools that switch between touch and grasp, jump and rub; undriven, energy falls."""
+    rng, copy = np.random.default_rng(cap + 2 * driven), of_kind(kind)
+    tools = copy.tools
+    tools.radius[:] = 0.5 * SPACING
+    tools.stiffness[:] = 10.0 ** rng.uniform(2.5, 5.5, 3)
+    tools.loss[:] = [0.0, 0.5, 0.0]
+    tools.friction[:] = tools.kinetic[:] = [0.0, 0.5, 0.5]
+    tools.grip_stiffness[:], tools.grip_damping[:] = 10.0 ** rng.uniform(2, 4), 0.2
+    tools.place[:, :3] = rng.uniform(0, 1.2, (3, 3)) * TOP
+    tools.rate[:, :3] = 0.3 * rng.normal(size=(3, 3))
+    if driven:
+        tools.drive_stiffness[:], tools.drive_damping[:] = 300.0, 0.5
+        tools.drive_end[:] = tools.place
+    copy.state.velocity[:] = copy.model.to_rows(0.05 * rng.normal(size=(27, 3)))
+    copy.begin()
+    T, before, acted = 1e-3, copy.energy, {TOUCH: 0, GRASP: 0, AWAY: 0}
+    for _ in range(250):
+        T = float(np.clip(T * 20.0 ** rng.uniform(-1, 1), 1e-4, 1e-2))
+        for t in range(3):
+            if rng.random() < 0.05:
+                tools.mode[t] = rng.choice([AWAY, TOUCH, TOUCH, TOUCH, GRASP])
+            if rng.random() < 0.02 and tools.held[t] < 0:  # somewhere else
+                tools.mode[t] = AWAY
+                copy.step(T, cap)
+                tools.mode[t], tools.place[t, :3] = TOUCH, rng.uniform(-0.4, 1.4, 3) * TOP
+            if driven:
+                tools.drive_start[t] = tools.drive_end[t]
+                tools.drive_end[t, :3] = rng.uniform(-0.2, 1.4, 3) * TOP
+        copy.step(T, cap)
+        assert copy.touch_ledger[TOUCH_LOSS] >= 0.0
+        assert driven or copy.energy <= before + 1e-12 * copy.in_play
+        before = copy.energy
+        for t in np.flatnonzero(tools.touching):
+            acted[int(tools.mode[t])] += 1
+    assert copy.residual <= (1e-11 if cap == 1 else 1e-12) * copy.in_play  # one iteration leads far, and back
+    assert min(acted[TOUCH], acted[GRASP]) > 0
+    assert acted[AWAY] == 0
+
+
+def test_never_pulls() -> None:
+    copy = above(0.0101, speed=0.5)
+    forces = []
+    for _ in range(100):
+        copy.step(1e-3)
+        forces.append(copy.force[2])
+    assert min(forces) >= 0.0
+    assert max(forces) > 1.0
+    assert copy.tools.rate[0, 2] > 0.0  # bounced
+
+
+def test_two_equal_tools_feel_opposite_forces() -> None:
+    copy = Pressed(lattice((3, 3, 3), mass=0.3, stiffness=400.0, damping=0.5, spacing=SPACING), count=2)
+    tools = copy.tools
+    tools.radius[:], tools.stiffness[:] = 0.5 * SPACING, 3000.0
+    tools.place[:, 1:3] = SPACING
+    tools.place[:, 0] = [-0.5 * SPACING - 1e-4, 2.5 * SPACING + 1e-4]
+    tools.push[:, 0], tools.drive_damping[:] = [1.0, -1.0], 1.0
+    copy.begin()
+    for _ in range(300):
+        tools.drive_start[:] = tools.drive_end[:] = tools.place
+        copy.step(1e-3)
+        left, right = tools.touch_force[:, 0]
+        assert left == pytest.approx(-right, rel=1e-6, abs=1e-6)
+    assert left < -0.9
 
 
 def test_without_drive_energy_only_falls() -> None:
@@ -137,6 +215,7 @@ def test_nothing_passes(speed: float, who: str) -> None:
     copy = Pressed(block())
     copy.tools.radius[:] = 0.0005
     copy.tools.place[0, :3] = [0.025, 0.031, TOP + 0.0012]
+    copy.tools.mass[:] = 0.005  # a heavy one drives the top through the bottom
     if who == "tool":
         copy.tools.rate[0, 2] = -speed
     else:
@@ -196,7 +275,7 @@ def test_what_is_let_go_of_is_booked_as_lost() -> None:
     copy = above(0.0101, speed=0.3)
     for _ in range(6):
         copy.step(1e-3)
-    held = float(copy.tools.account[0])
+    held = float(copy.tools.stored[0])
     assert held > 0.0
     copy.tools.mode[:] = AWAY
     copy.step(1e-3)

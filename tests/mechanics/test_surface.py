@@ -68,18 +68,6 @@ def test_boxes_hold_their_triangles(body: Body, basis: Basis, size: float):
             assert inside == pytest.approx(gap @ gap, abs=1e-16)
 
 
-def test_features_are_shared_as_they_meet():
-    surface = surface_of(model(block(), basis="nodal"))
-    vertices = surface.rest.shape[0]
-    for feature, count in enumerate(surface.meeting):
-        if feature < vertices:
-            meet = (surface.corner == feature).any(axis=1).sum()
-        else:
-            meet = (surface.edge == feature).any(axis=1).sum()
-            assert meet == 2  # closed
-        assert count == meet
-
-
 def test_needs_three_axes():
     with pytest.raises(BodyError, match="2 axes"):
         surface_of(model(lattice((3, 3))))

@@ -69,9 +69,9 @@ def test_what_only_springs_have_makes_them_springs(tables: dict[str, Any]) -> No
 def test_all_linked_whose_hands_tools_and_devices_are_felt_have_the_law_that_costs_least() -> None:
     body = Scenario.make(network=TWO, body={**CHAIN, "nodes": 6, "ground": [1]}).build_body()
     assert law(body=LATTICE) == law(body=body.truncated(modes=2, contacts=[5])) == "paid"
-    assert law(body=LATTICE, tools=[TOOL], contact={"law": "stiffening"}) == "paid"
+    assert law(body=LATTICE, tools=[TOOL]) == "paid"
     assert law(network={**THREE, "links": [[1, 2], [2, 3]]}) == "paid"  # hands are told on where links make a tree
-    text = f'{TEXT}[session]\n[[session.devices]]\nuser = 1\n[contact]\nlaw = "stiffening"\n'
+    text = f"{TEXT}[session]\n[[session.devices]]\nuser = 1\n"
     assert Scenario.from_toml(text).law[0] == "paid"
 
 

@@ -3,7 +3,7 @@
 import numba
 
 from cotouch.hands import CommandedHand
-from cotouch.mechanics import touch_step
+from cotouch.mechanics import contact_step
 from cotouch.members import SessionFile, SharedModel, Slot
 from cotouch.session._warm import _copy
 
@@ -26,8 +26,8 @@ def test_what_another_process_compiles_ahead_is_what_a_step_with_tools_calls() -
     assert hand.tools is not None
     hand.before(1e-3, 1e-3)
     peer.step(1e-3, 1e-3)
-    assert touch_step.signatures
-    parts = peer.touch_parts()
+    assert contact_step.signatures
+    parts = peer.contact_parts()
     assert len(parts) > 5
     for part, arguments in parts:
         wanted = tuple(numba.typeof(argument) for argument in arguments)

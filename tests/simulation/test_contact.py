@@ -36,7 +36,7 @@ TURNING = {"body": {**BLOCK, "model": "cells"}, "world": {"gravity": [0.0, 0.0, 
 @pytest.mark.parametrize("body", [LINEAR, TURNING], ids=["linear", "turning and heavy"])
 def test_both_engines_touch_alike_and_balance_it(body: dict[str, Any]) -> None:
     """Users with delays; friction; the ledger of every step and of the run."""
-    scenario = Scenario.make(network=PAIR, steps={"duration": 0.4}, tools=[POKE], contact={"law": "stiffening"}, **body)
+    scenario = Scenario.make(network=PAIR, steps={"duration": 0.4}, tools=[POKE], **body)
     prepared = prepare(scenario)
     outcome, peers = run_batch(prepared), run_peers(prepared)
     largest = float(outcome.record.ticks[:4].max())
@@ -53,17 +53,14 @@ def test_both_engines_touch_alike_and_balance_it(body: dict[str, Any]) -> None:
 @pytest.mark.parametrize(
     ("contact", "tool", "said"),
     [
-        ({"law": "glue"}, {}, 'contact.law is "glue"; it must be one of springs, foundation, '),
+        ({"law": "glue"}, {}, 'contact.law is "glue"; it must be one of foundation, stiffening'),
         ({"law": "stiffening", "parameters": {"hardness": 0.0}}, {}, "contact.parameters.hardness is 0"),
         ({"law": "stiffening", "parameters": {"softness": 1.0}}, {}, 'law "stiffening" has hardness, each above 0'),
-        ({"parameters": {"hardness": 1.0}}, {}, 'law "springs" has none'),
-        ({}, {}, "tools[1].kinetic_friction is 0.4, which contact by springs has not"),
-        ({}, {"kinetic_friction": None, "axis": [0.0, 0.0, 0.01]}, "tools[1].axis is [0.0, 0.0, 0.01]"),
         ({"law": "stiffening"}, {"kinetic_friction": 0.6}, "what slips is not held more firmly"),
         (
-            {"law": "stiffening"},
-            {"kind": "grasp", "friction": 0.0, "kinetic_friction": None},
-            'tools[1].kind is "grasp"',
+            {},
+            {"kind": "grasp", "friction": 0.0, "kinetic_friction": None, "axis": [0.0, 0.0, 0.01]},
+            "axis is [0.0, 0.0, 0.01], but a grasp holds what is near its middle",
         ),
     ],
 )
@@ -76,9 +73,28 @@ def test_wrong_contact_is_one_sentence(contact: dict[str, Any], tool: dict[str, 
     assert "\n" not in str(caught.value)
 
 
-def test_a_body_without_a_skin_has_no_contact_law() -> None:
+def test_a_body_without_a_skin_is_held_and_not_touched() -> None:
     body = {**BLOCK, "shape": [4, 1, 1]}
-    with pytest.raises(CotouchError, match="which needs a skin"):
-        prepare(
-            Scenario.make(body=body, network=PAIR, steps={"duration": 0.1}, tools=[POKE], contact={"law": "stiffening"})
-        )
+    with pytest.raises(CotouchError, match=r'tools\[1\].kind is "touch", which needs a skin'):
+        prepare(Scenario.make(body=body, network=PAIR, steps={"duration": 0.1}, tools=[POKE]))
+    hold = {"user": 1, "kind": "grasp", "at": [0.03, 0.0, 0.0], "hand": {"path": [0.0, 0.0, 0.02]}}
+    outcome = run_batch(prepare(Scenario.make(body=body, network=PAIR, steps={"duration": 0.2}, tools=[hold])))
+    assert outcome.position[0][3, 2] > 1e-3
+
+
+def test_a_sheet_is_felt_alike_from_both_sides() -> None:
+    sheet = {**BLOCK, "shape": [4, 5, 1], "ground": "all"}
+    forces = []
+    for side in (1.0, -1.0):
+        tool = {
+            "user": 1,
+            "at": [0.016, 0.018, 0.0101 * side],
+            "hand": {"path": [[0.0, 0.0, 0.0, 0.0], [0.2, 0.0, 0.0, -0.008 * side]], "stiffness": 300.0},
+        }
+        scenario = Scenario.make(body=sheet, network=PAIR, steps={"duration": 0.3}, tools=[tool])
+        outcome = run_batch(prepare(scenario))
+        assert outcome.tools is not None
+        forces.append(outcome.tools.force[0, :, 2])
+        assert side * outcome.tools.place[0, -1, 2] > 0.0
+    assert forces[0].max() > 0.1
+    np.testing.assert_allclose(forces[0], -forces[1], rtol=1e-9, atol=1e-12)

@@ -94,23 +94,6 @@ def test_a_wrong_material_is_one_sentence(table: dict[str, Any], said: str) -> N
     assert said in str(caught.value)
 
 
-@pytest.mark.parametrize(
-    ("contact", "tool", "said"),
-    [
-        ({"law": "springs"}, {}, 'contact.law is "springs", but body.model is "cells", whose balance they do not keep'),
-        ({}, {"kind": "grasp"}, 'tools[1].kind is "grasp", which only contact by springs has, and that only linear'),
-    ],
-)
-def test_springs_with_accounts_touch_linear_bodies_only(
-    contact: dict[str, Any], tool: dict[str, Any], said: str
-) -> None:
-    with pytest.raises(CotouchError) as caught:
-        prepare(
-            Scenario.make(body=HELD, network=PAIR, steps={"duration": 0.1}, tools=[{**POKE, **tool}], contact=contact)
-        )
-    assert said in str(caught.value)
-
-
 def test_modes_are_for_linear_bodies() -> None:
     with pytest.raises(CotouchError, match='basis is "modal", but model is "cells"'):
         prepare(Scenario.make(body=BLOCK, network=PAIR, steps={"duration": 0.1}, solver={"basis": "modal"}))

@@ -159,7 +159,6 @@ def test_where_a_sphere_is_clear_of_a_box() -> None:
             assert resolve_penetration(box, still, found[1] + 1e-9 * (found[1] - 0.01), 0.005) is None
     moved = still + np.array([0.0, 0.0, 0.1])
     assert resolve_penetration(box, moved, np.array([0.01, 0.01, 0.01]), 0.005) is None
-    assert resolve_penetration(point(rest=[0, 0, 0]), np.zeros((1, 3)), np.array([0.0, 0.0, 0.004]), 0.005) is not None
 
 
 def test_a_tool_inside_the_body_may_wait_there_but_not_touch() -> None:

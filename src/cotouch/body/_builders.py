@@ -176,7 +176,7 @@ def lattice(
         damping_ext=sp.diags_array(held * ground_damping),
         stiffness_int=springs,
         stiffness_ext=sp.diags_array(held * ground_stiffness),
-        skin=_box_skin(places, extents, spacing) if len(extents) == 3 and min(extents) > 1 else None,
+        skin=_box_skin(places, extents, spacing) if len(extents) == 3 and sorted(extents)[1] > 1 else None,
         material=material,
     )
 
@@ -228,7 +228,7 @@ def _grid_material(
 
 
 def _box_skin(places: npt.NDArray[np.int64], extents: tuple[int, ...], spacing: float) -> Skin:
-    """The faces of a box of nodes, two triangles to a square."""
+    """The faces of a box of nodes, two triangles to a square; of a sheet, which is felt from both sides, one layer."""
     vertices, triangles = box_surface(np.array(extents) - 1)
     index = np.asarray(np.ravel_multi_index(tuple(vertices.astype(np.int64).T), extents))
     return Skin(

@@ -206,6 +206,8 @@ def _lengths(name: str, values: Sequence[float], count: int) -> list[float]:
 def box_surface(cells: npt.ArrayLike) -> Surface:
     """The faces of a box of so many cells along its sides, each a square of two triangles; cells are 1 long.
 
+    A side without cells has one face.
+
     Args:
         cells: along x, y, z, (3,).
     """
@@ -213,7 +215,7 @@ def box_surface(cells: npt.ArrayLike) -> Surface:
     index = np.arange(int(np.prod(extents))).reshape(extents)
     triangles: list[Ints] = []
     for axis in range(3):
-        for side in (0, -1):
+        for side in (0, -1) if extents[axis] > 1 else (-1,):
             face = np.take(index, side, axis=axis)
             a, b, c, d = face[:-1, :-1], face[1:, :-1], face[1:, 1:], face[:-1, 1:]
             # The two other axes in order make a right-handed frame with x and z, a left-handed one with y.

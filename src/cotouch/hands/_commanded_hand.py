@@ -117,7 +117,6 @@ class CommandedHand:
                 model,
                 lengths,
                 start=still,
-                ports=self.ports.last,
                 contact=scenario.contact,
             )
             assert self._touching is not None

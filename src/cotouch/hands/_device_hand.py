@@ -84,9 +84,7 @@ class DeviceHand:
         if tables:
             still = np.zeros((users, body.nodes, body.dimension))
             lengths = np.tile([at.period, at.longest], (users, 1))
-            self._touching, _ = touching_of(
-                tables, users, body, model, lengths, start=still, ports=0, contact=scenario.contact
-            )
+            self._touching, _ = touching_of(tables, users, body, model, lengths, start=still, contact=scenario.contact)
             assert self._touching is not None
             self.surface, self.contact = self._touching.surface, self._touching.contact
             self.tools = tools_of(self._touching, slot)

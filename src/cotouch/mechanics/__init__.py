@@ -3,6 +3,7 @@
 from cotouch.mechanics._closed import CLOSURE_ALARM, closed_settle, closed_step, slowed
 from cotouch.mechanics._contact_foundation import Foundation
 from cotouch.mechanics._contact_law import CONTACT_LAWS, press
+from cotouch.mechanics._contact_parts import contact_parts
 from cotouch.mechanics._contact_patch import press_skin
 from cotouch.mechanics._contact_step import contact_step
 from cotouch.mechanics._contact_stiffening import Stiffening
@@ -86,7 +87,6 @@ from cotouch.mechanics._tools import (
     BLADE,
     DRIVE,
     GRASP,
-    MOST_CONTACTS,
     MOST_HELD,
     PROXY,
     TOUCH,
@@ -95,12 +95,8 @@ from cotouch.mechanics._tools import (
     TOUCH_STORED,
     TOUCHED,
     Tools,
-    TouchWork,
     tools,
-    touch_work,
 )
-from cotouch.mechanics._touch import touch_step
-from cotouch.mechanics._touch_parts import touch_parts
 from cotouch.mechanics._vector import at, load, put, splat, store, total
 from cotouch.mechanics._world import Obstacle, World
 from cotouch.mechanics._world_force import begin_world, deepest_point, follow_world
@@ -126,7 +122,6 @@ __all__ = [
     "LEANS",
     "LEDGER_COLUMNS",
     "LOCAL_LOSS",
-    "MOST_CONTACTS",
     "MOST_HELD",
     "PROXY",
     "PSPM",
@@ -168,7 +163,6 @@ __all__ = [
     "Stiffening",
     "Surface",
     "Tools",
-    "TouchWork",
     "Workspace",
     "World",
     "approach",
@@ -183,6 +177,7 @@ __all__ = [
     "closed_settle",
     "closed_step",
     "contact_by",
+    "contact_parts",
     "contact_step",
     "coupling_at",
     "coupling_named",
@@ -241,9 +236,6 @@ __all__ = [
     "surface_of",
     "tools",
     "total",
-    "touch_parts",
-    "touch_step",
-    "touch_work",
     "unheard",
     "unseen_place",
     "virtual_coupling_limit",

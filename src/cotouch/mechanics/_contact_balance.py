@@ -27,12 +27,13 @@ from cotouch.mechanics._contact_press import press_tool, rub
 from cotouch.mechanics._contact_sweep import first_crossing
 from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._force import BodyForce
+from cotouch.mechanics._grasp import hold_energy
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._state import SHORTENED, SUPPLIED, Links, Ports, State, Workspace
 from cotouch.mechanics._step import book_energies, move, port_work
 from cotouch.mechanics._surface import Surface
-from cotouch.mechanics._tools import TOUCH, TOUCH_LOSS, TOUCHED, Tools
+from cotouch.mechanics._tools import GRASP, TOUCH, TOUCH_LOSS, TOUCHED, Tools
 from cotouch.mechanics._vector import at, load, splat, store, total
 
 # A difference below this share of what made it is rounding.
@@ -121,7 +122,7 @@ def balanced(
         for a in range(3):
             inflow += abs(touch.mean[p, a] * touch.drive[p, a])
             slope -= T * touch.inertia[p] * touch.mean[p, a] * touch.mean[p, a]
-        touches = touches or touch.total[p] > 0.0
+        touches = touches or touch.total[p] > 0.0 or tools.mode[t] == GRASP
     if force is not None:
         keep_place(state, work, lanes)
     least, greatest = (1.0 - _EASY, 1.0 + _EASY) if touches else (LEAST, MOST)
@@ -236,11 +237,15 @@ def _over(
         for a in range(3):
             rate = scale * touch.mean[p, a]
             over += T * rate * (touch.drive[p, a] - touch.inertia[p] * rate)
+        gone = 0.0
         if tools.mode[t] == TOUCH and tools.inside[t] == 0:
-            pressed = press_tool(law, surface, touch, tools, t, scale * T, 0.0)
+            touch.stored[p] = press_tool(law, surface, touch, tools, t, scale * T, 0.0)
             rubbed, gone, _ = rub(touch, tools, t, scale * T, T)
-            touch.stored[p] = pressed + rubbed
-            over -= pressed + rubbed - tools.account[t] + gone
-            lost += gone
-            stored += abs(pressed) + rubbed + abs(tools.account[t])
+            touch.stored[p] += rubbed
+        elif tools.mode[t] == GRASP:
+            touch.stored[p], gone = hold_energy(touch, tools, t, scale * T, T)
+            stored += tools.grip_stiffness[t] * touch.held[p, 0]
+        over -= touch.stored[p] - tools.stored[t] + gone
+        lost += gone
+        stored += abs(touch.stored[p]) + abs(tools.stored[t])
     return over, _ROUNDING * (T * inflow + stored), lost

@@ -29,12 +29,18 @@ def _gauss(points: int) -> tuple[tuple[float, ...], tuple[float, ...]]:
 # Along a side, and from the foot outwards.
 _SIDE, _SIDE_WEIGHT = _gauss(4)
 _OUT, _OUT_WEIGHT = _gauss(6)
+# Weights times powers of the place: an element of the area, and moments of it.
+_OUT_AREA = tuple(w * r for r, w in zip(_OUT, _OUT_WEIGHT, strict=True))
+_OUT_FIRST = tuple(w * r for r, w in zip(_OUT, _OUT_AREA, strict=True))
+_OUT_SECOND = tuple(w * r for r, w in zip(_OUT, _OUT_FIRST, strict=True))
 # A triangle whose sine at a corner is smaller than the root of this is a line.
 _FLAT = 1e-24
 
 
 @part
-def press_triangle(law: Any, stiffness: float, radius: float, area: float, spot: Float, out: Float) -> bool:
+def press_triangle(
+    law: Any, stiffness: float, radius: float, area: float, forces: bool, spot: Float, out: Float
+) -> bool:
     """Adds what one ball does on one triangle.
 
     Args:
@@ -42,6 +48,7 @@ def press_triangle(law: Any, stiffness: float, radius: float, area: float, spot:
         stiffness: of the tool [N/m].
         radius: of the ball [m].
         area: of the triangle at rest; what it holds does not grow as it is stretched [m²].
+        forces: whether to add more than the energy.
         spot: its corners and the middle of the ball, (4, 4) [m].
         out: rows 0 to 2: force on each corner [N], and its share of the pressure's sum [N]; row 3: the sum of the
             slopes for each corner [N/m], and the energy [J]; (4, 4).
@@ -69,21 +76,22 @@ def press_triangle(law: Any, stiffness: float, radius: float, area: float, spot:
     x0, y0 = -(px * ux + py * uy + pz * uz), -(px * wx + py * wy + pz * wz)
     x1, y1 = x0 + length, y0
     x2, y2 = x0 + vx * ux + vy * uy + vz * uz, y0 + vx * wx + vy * wy + vz * wz
-    inside, meets = True, False
+    inside, meets, within = True, False, True
     for side in range(3):
         fx, fy = (x0, y0) if side == 0 else (x1, y1) if side == 1 else (x2, y2)
         tx, ty = (x1, y1) if side == 0 else (x2, y2) if side == 1 else (x0, y0)
         inside = inside and fx * ty - fy * tx > 0.0
         first, last = _chord(fx, fy, tx - fx, ty - fy, disc)
         meets = meets or first < last
+        within = within and first == 0.0 and last == 1.0
     if not meets and not inside:
         return False
-    edge = math.sqrt(disc)
+    edge, deeper = math.sqrt(disc), 1.0 / (2.0 * radius)
     # Radial moments of the pressure over the disc, and of slope and energy.
     r0, r1, r2, rs, re = 0.0, 0.0, 0.0, 0.0, 0.0
-    for k in range(6):
+    for k in range(0 if within else 6):
         r = edge * _OUT[k]
-        energy, pressure, slope = press(law, stiffness, radius, (disc - r * r) / (2.0 * radius))
+        energy, pressure, slope = press(law, stiffness, radius, (disc - r * r) * deeper)
         weight = edge * _OUT_WEIGHT[k] * r
         r0 += weight * pressure
         r1 += weight * pressure * r
@@ -108,11 +116,13 @@ def press_triangle(law: Any, stiffness: float, radius: float, area: float, spot:
                 continue
             gx, gy, kx, ky = fx + begin * dx, fy + begin * dy, fx + end * dx, fy + end * dy
             half = 0.5 * math.atan2(gx * ky - gy * kx, gx * kx + gy * ky)
+            se += 2.0 * half * re
+            if not forces:
+                continue
             far = math.sqrt(gx * gx + gy * gy)
             c, s = math.cos(half), math.sin(half)
             nx, ny = (gx * c - gy * s) / far, (gx * s + gy * c) / far
             long, wide = half + s * c, half - s * c
-            se += 2.0 * half * re
             ss += 2.0 * half * rs
             sc += 2.0 * half * r0
             sx += 2.0 * s * nx * r1
@@ -127,26 +137,37 @@ def press_triangle(law: Any, stiffness: float, radius: float, area: float, spot:
             for a in range(4):
                 t = first + (last - first) * _SIDE[a]
                 ex, ey = fx + t * dx, fy + t * dy
-                square = ex * ex + ey * ey
+                square, weight = (ex * ex + ey * ey) * deeper, cross * _SIDE_WEIGHT[a]
+                top, e0, p0, p1, p2, s0, s1 = disc * deeper, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+                if not forces:
+                    for b in range(6):
+                        depth = max(top - _OUT[b] * _OUT[b] * square, 0.0)
+                        energy, _, _ = press(law, stiffness, radius, depth)
+                        e0 += _OUT_AREA[b] * energy
+                    se += weight * e0
+                    continue
                 for b in range(6):
-                    out_to = _OUT[b]
-                    depth = (disc - out_to * out_to * square) / (2.0 * radius)
-                    if depth <= 0.0:
-                        continue
+                    depth = max(top - _OUT[b] * _OUT[b] * square, 0.0)
                     energy, pressure, slope = press(law, stiffness, radius, depth)
-                    weight = cross * _SIDE_WEIGHT[a] * _OUT_WEIGHT[b] * out_to
-                    qx, qy, load = out_to * ex, out_to * ey, weight * pressure
-                    se += weight * energy
-                    ss += weight * slope
-                    sc += load
-                    sx += load * qx
-                    sy += load * qy
-                    sxx += load * qx * qx
-                    sxy += load * qx * qy
-                    syy += load * qy * qy
-                    hx += weight * slope * qx
-                    hy += weight * slope * qy
+                    e0 += _OUT_AREA[b] * energy
+                    p0 += _OUT_AREA[b] * pressure
+                    p1 += _OUT_FIRST[b] * pressure
+                    p2 += _OUT_SECOND[b] * pressure
+                    s0 += _OUT_AREA[b] * slope
+                    s1 += _OUT_FIRST[b] * slope
+                se += weight * e0
+                ss += weight * s0
+                sc += weight * p0
+                sx += weight * ex * p1
+                sy += weight * ey * p1
+                sxx += weight * ex * ex * p2
+                sxy += weight * ex * ey * p2
+                syy += weight * ey * ey * p2
+                hx += weight * ex * s1
+                hy += weight * ey * s1
     out[3, 3] += scale * se
+    if not forces:
+        return True
     for corner in range(3):
         bx, by = (x1, y1) if corner == 0 else (x2, y2) if corner == 1 else (x0, y0)
         cx, cy = (x2, y2) if corner == 0 else (x0, y0) if corner == 1 else (x1, y1)
@@ -220,7 +241,7 @@ def _press_all(
         for q in range(4):
             for a in range(4):
                 out[q, a] = 0.0
-        press_triangle(law, stiffness, radius, area[f], spot, out)
+        press_triangle(law, stiffness, radius, area[f], True, spot, out)
         energy += out[3, 3]
         for q in range(3):
             for a in range(4):

@@ -6,8 +6,10 @@ tool; what is beyond the cone slips, and what slips is lost [return mapping, Sim
 # pyright: reportArgumentType=false, reportReturnType=false
 
 import math
+from math import pi
 from typing import Any
 
+from cotouch.mechanics._contact_law import press
 from cotouch.mechanics._contact_patch import press_triangle
 from cotouch.mechanics._contact_sweep import bead_place, beads
 from cotouch.mechanics._contact_work import ContactWork
@@ -17,6 +19,7 @@ from cotouch.mechanics._tools import Tools
 
 # A stretch of friction that lies this much across the skin, of its length, has no direction along it.
 _ACROSS = 1e-3
+_NOTHING = 1e-290
 
 
 @part
@@ -32,9 +35,45 @@ def press_tool(law: Any, surface: Surface, work: ContactWork, tools: Tools, t: i
         time: how long they moved [s].
         share: of the forces there that acts in the step; 0: none, and nothing is written.
     """
+    if surface.soft.shape[0] == 0:
+        return _sum(law, surface, work, tools, t, time, share)[0]
+    energy, soft = _sum(law, surface, work, tools, t, time, 0.0)
+    if energy <= 0.0:
+        return 0.0
+    _, _, slope = press(law, tools.stiffness[t], tools.radius[t], 0.0)
+    energy, left = _in_series(energy, soft / energy, pi * slope * tools.radius[t] * tools.share[t])
+    if share != 0.0:
+        _sum(law, surface, work, tools, t, time, share * left)
+    return energy
+
+
+@part
+def _in_series(energy: float, soft: float, slope: float) -> tuple[float, float]:
+    """What a contact in series with a spring holds, and what that leaves of its force.
+
+    Args:
+        energy: that it would hold without the spring [J].
+        soft: compliance of the spring [m/N].
+        slope: of its force over the square of its depth, as of a shallow ball on a flat [N/m²].
+
+    Returns:
+        Energy of both [J]; the share of the force.
+    """
+    deep = (3.0 * energy / slope) ** (1.0 / 3.0)
+    bend = soft * slope
+    own = 2.0 * deep / (1.0 + math.sqrt(1.0 + 4.0 * bend * deep))
+    return slope * own**3 * (1.0 / 3.0 + 0.5 * bend * own), (own / deep) ** 2
+
+
+@part
+def _sum(
+    law: Any, surface: Surface, work: ContactWork, tools: Tools, t: int, time: float, share: float
+) -> tuple[float, float]:
+    """`press_tool` on a skin that lacks nothing; and the sum of what triangles lack times their energy [Jm/N]."""
     p, corner, soft = t - tools.first, surface.corner, surface.soft
     near, place, rate, spot, out, mean = work.near, work.fit.place, work.rate, work.spot, work.out, work.mean
     faces, energy, stiffness, radius = near.shape[1], 0.0, tools.stiffness[t], tools.radius[t]
+    lacking = 0.0
     for bead in range(beads(tools, t)):
         along = bead_place(tools, t, bead)
         for a in range(3):
@@ -56,11 +95,15 @@ def press_tool(law: Any, surface: Surface, work: ContactWork, tools: Tools, t: i
                 for b in range(4):
                     out[a, b] = 0.0
             area = tools.share[t] * _area(surface, f)
-            if soft.shape[0] > 0:  # in series with what the shapes of a truncated body leave out
-                area /= 1.0 + (soft[f, 1] + (soft[f, 0] - soft[f, 1]) / 3.0) * stiffness
-            if not press_triangle(law, stiffness, radius, area, spot, out):
+            if not press_triangle(law, stiffness, radius, area, share != 0.0 or soft.shape[0] > 0, spot, out):
                 continue
             energy += out[3, 3]
+            if soft.shape[0] > 0:  # what the shapes of a truncated body leave out, by how the corners share the load
+                whole = max(out[0, 3] + out[1, 3] + out[2, 3], _NOTHING)
+                square = 0.0
+                for q in range(3):
+                    square += (out[q, 3] / whole) ** 2
+                lacking += (soft[f, 1] + (soft[f, 0] - soft[f, 1]) * min(square, 1.0)) * out[3, 3]
             if share == 0.0:
                 continue
             for q in range(3):
@@ -73,7 +116,7 @@ def press_tool(law: Any, surface: Surface, work: ContactWork, tools: Tools, t: i
                 work.grip[p, 0] += firm
                 work.load[p * faces + c, q] += share * out[q, 3]
                 work.total[p] += share * out[q, 3]
-    return energy
+    return energy, lacking
 
 
 @part
@@ -156,6 +199,7 @@ def feel_tool(law: Any, surface: Surface, work: ContactWork, tools: Tools, t: in
     """Gathers the mean force of a step's contact, on tool and skin, as it would be by the present guess of the motion.
 
     Energy along a straight way changes by the mean of its slope, which two points of Gauss's rule give to fourth order.
+    Where that way is short, the middle alone is as good.
     """
     p, faces = t - tools.first, work.near.shape[1]
     for c in range(work.number[p]):
@@ -166,8 +210,11 @@ def feel_tool(law: Any, surface: Surface, work: ContactWork, tools: Tools, t: in
         work.pull[p, a] = 0.0
         work.way[p, a] = 0.0
     half = 0.5 / math.sqrt(3.0)
-    press_tool(law, surface, work, tools, t, (0.5 - half) * T, 0.5)
-    press_tool(law, surface, work, tools, t, (0.5 + half) * T, 0.5)
+    if work.slow[p] != 0:
+        press_tool(law, surface, work, tools, t, 0.5 * T, 1.0)
+    else:
+        press_tool(law, surface, work, tools, t, (0.5 - half) * T, 0.5)
+        press_tool(law, surface, work, tools, t, (0.5 + half) * T, 0.5)
     read_skin(surface, work, p)
     size = 0.0
     for a in range(3):
@@ -180,6 +227,16 @@ def feel_tool(law: Any, surface: Surface, work: ContactWork, tools: Tools, t: in
     for a in range(3):
         work.way[p, a] = work.pull[p, a] / size
         approach -= work.way[p, a] * (work.mean[p, a] - work.skin[p, a])
+    corner, near = surface.corner, work.near
+    for c in range(work.number[p]):
+        for q in range(3):
+            v, long = corner[near[p, c], q], 0.0
+            if work.firm[v] > 0.0:
+                for a in range(3):
+                    long += work.force[v, a] * work.force[v, a]
+                long = math.sqrt(long)
+                for a in range(3):
+                    work.ward[v, a] = work.force[v, a] / long if long > 0.0 else 0.0
     if tools.friction[t] <= 0.0 and tools.loss[t] <= 0.0:
         return
     _, _, share = rub(work, tools, t, T, T)
@@ -189,13 +246,12 @@ def feel_tool(law: Any, surface: Surface, work: ContactWork, tools: Tools, t: in
     work.grip[p, 0] += damper
     work.grip[p, 1] += grip
     extra = damper + grip
-    corner, near = surface.corner, work.near
     for c in range(work.number[p]):
         for q in range(3):
             part_of = work.load[p * faces + c, q] / work.total[p]
             if part_of != 0.0:
                 v = corner[near[p, c], q]
-                work.firm[v] += part_of * extra
+                work.apart[v] += part_of * extra
                 for a in range(3):
                     work.force[v, a] -= part_of * (damping * work.way[p, a] - k * work.rubbed[p, a])
     for a in range(3):

@@ -4,6 +4,7 @@
 import math
 
 from cotouch.arrays import Float
+from cotouch.mechanics._contact_near import touched
 from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._surface import FOUR, Surface, box_distance, place_vertex
@@ -104,26 +105,39 @@ def load_rows(surface: Surface, work: ContactWork, p: int) -> None:
     """Hands on to the body's rows what the vertices near a tool carry, and takes it off them."""
     row, weight, shape, corner = surface.row, surface.weight, surface.shape, surface.corner
     near, force, firm, push, hold = work.near, work.force, work.firm, work.push, work.hold
+    ward, apart, stiff = work.ward, work.apart, work.stiff
     modal, rows, wide = shape.shape[0] > 0, push.shape[0], push.shape[1] > 1
     for c in range(work.number[p]):
         for q in range(3):
             v = corner[near[p, c], q]
-            if firm[v] == 0.0 and force[v, 0] == 0.0 and force[v, 1] == 0.0 and force[v, 2] == 0.0:
+            whole = firm[v] + apart[v]
+            if whole == 0.0 and force[v, 0] == 0.0 and force[v, 1] == 0.0 and force[v, 2] == 0.0:
                 continue
             for a in range(3):
                 value = force[v, a]
                 force[v, a] = 0.0
                 if modal:
                     for i in range(rows):
-                        push[i, a if wide else 0] += value * shape[v * rows + i, a]
+                        share = shape[v * rows + i, a]
+                        push[i, a if wide else 0] += value * share
+                        if a == 0 or not wide:
+                            work.yields[a] += whole * share * share / work.own[i]
                     continue
                 for k in range(row.shape[1]):
                     share = weight[v, k]
                     if row.shape[2] == 1:
-                        push[row[v, k, 0], a] += share * value
-                        if a == 0:  # a share below 0, of what is rigid, resists as well
-                            hold[row[v, k, 0]] += surface.swing * abs(share) * firm[v]
+                        i = row[v, k, 0]
+                        push[i, a] += share * value
+                        place = 3 * touched(work, i) + a
+                        share = surface.swing * abs(share)  # one below 0, of what is rigid, resists as well
+                        if a == 0:
+                            hold[i] += share * whole
+                        stiff[place, a] += share * apart[v]
+                        for b in range(3):
+                            stiff[place, b] += share * firm[v] * ward[v, a] * ward[v, b]
                     else:
-                        push[row[v, k, a], 0] += share * value
-                        hold[row[v, k, a]] += share * firm[v]
-            firm[v] = 0.0
+                        i = row[v, k, a]
+                        push[i, 0] += share * value
+                        hold[i] += share * whole
+                        stiff[3 * touched(work, i), 0] += share * whole
+            firm[v], apart[v] = 0.0, 0.0

@@ -1,9 +1,7 @@
-"""One step of a copy with tools whose contact is an energy of the state.
+"""One step of a copy with its user's tools, whose contacts and grasps are an energy of the state.
 
-A few looks find where body and tools go: each solves the body with the forces that the last one led to, and with what
-resists there on its diagonal. Whatever they miss, one scale over the motion of body and tools makes the energy of the
-contact, and of the step, exact [after DESIGN.md, "One scale keeps the energy identity"]. Nothing is re-based, because
-the energy before the step is a number that is known.
+A few looks find where body and tools go. Whatever they miss, one scale over the motion of body and tools makes the
+energy of the contact, and of the step, exact [after DESIGN.md, "One scale keeps the energy identity"].
 """
 # pyright: reportArgumentType=false, reportReturnType=false
 
@@ -11,32 +9,34 @@ import math
 from typing import Any
 
 from cotouch.arrays import Float
-from cotouch.mechanics._closed import COARSE, miss, predict
+from cotouch.mechanics._closed import miss, predict
 from cotouch.mechanics._contact_balance import balanced, dot_rows
 from cotouch.mechanics._contact_catch import begin_catch, catch
+from cotouch.mechanics._contact_near import correct_near, empty_rows, forget_rows, say, tell
 from cotouch.mechanics._contact_press import feel_tool, press_tool
 from cotouch.mechanics._contact_skin import fastest, load_rows, look_around, read_rates
 from cotouch.mechanics._contact_sweep import NEVER, first_crossing
 from cotouch.mechanics._contact_work import Contact, ContactWork
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._force_memory import looks_ahead
+from cotouch.mechanics._grasp import feel_grasp, take
 from cotouch.mechanics._kernel import block, part
 from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._proxy import book_drive, move_proxy, proxy_drive, proxy_inertia
 from cotouch.mechanics._state import ITERATIONS, Links, Ports, State, Workspace
 from cotouch.mechanics._step import assemble, solve_step
 from cotouch.mechanics._surface import Surface, refit
-from cotouch.mechanics._tools import TOUCH, TOUCH_LOSS, TOUCH_STORED, Tools
+from cotouch.mechanics._tools import GRASP, TOUCH, TOUCH_LOSS, TOUCH_STORED, Tools
 from cotouch.mechanics._vector import load, splat, store
 from cotouch.mechanics._world_force import lean_world, looks_of, take_up
 
-# Looks at most, and the change of forces from one to the next at which they end.
+# Looks at most; the change of forces at which they end, and at which one more correction is enough.
 _LOOKS = 12
-_SETTLED = 1e-6
-# Energy below which a tool is out of the skin, of that in a depth of its radius.
-_NOTHING = 1e-17
-# How far beyond its radius a tool looks around, in radii, and in ways that it and the skin go in a step.
-_MARGIN, _WAYS = 0.5, 3.0
+_SETTLED, _NEARLY = 1e-6, 1e-3
+_COARSE = 0.01  # of what the last look missed the next may leave so much, where it solves the whole body
+_NOTHING = 1e-17  # of the energy in a depth of a tool's radius, it is out of the skin
+# How far a tool looks around beyond its radius, in radii and in ways of a step; below how many radii those are short.
+_MARGIN, _WAYS, _SLOW = 0.05, 3.0, 0.05
 
 
 @block
@@ -61,7 +61,7 @@ def contact_step(
     cap: int,
     lanes: tuple[int, ...],
 ) -> None:
-    """Advances one copy and its tools by T; see `touch_step`, whose arguments these are.
+    """Advances one copy and its tools by T; see `step`, whose arguments these are.
 
     Args:
         by: the law of the contact, and scratch.
@@ -87,29 +87,35 @@ def contact_step(
     for book in range(touch_ledger.shape[0]):
         touch_ledger[book] = 0.0
     law, touch = by.law, by.work
-    mean, rhs, push, hold = work.mean, work.rhs, touch.push, touch.hold
+    mean, rhs, push, hold, modal = work.mean, work.rhs, touch.push, touch.hold, surface.shape.shape[0] > 0
+    near = not modal and op.entries.shape[0] > 0 and work.dense.shape[0] == 0
     _drive(tools, touch, T)
+    forget_rows(touch, lanes)
     look = _begin(law, surface, touch, tools, T, state, touch_ledger, lanes)
     for i in range(mean.shape[0]):
         store(mean, i, load(state.velocity, i, lanes), lanes)
-    ledger[ITERATIONS] = 0.0
-    looks, directions = 1, 1
+    ledger[ITERATIONS], looks, directions = 0.0, 1, 1
     if force is not None:
         take_up(force.world, state.memory)
         directions = looks_ahead(state.memory, force.directions, force.cut)
         looks = looks_of(force.world, directions, work.dense.shape[0] > 0)
     for number in range(_LOOKS + looks):
-        for i in range(mean.shape[0]):
-            store(push, i, splat(0.0, lanes), lanes)
-            hold[i] = 0.0
-        settled = True
+        empty_rows(touch, lanes)
+        for a in range(3):
+            touch.yields[a] = 0.0
+        if modal:
+            for i in range(mean.shape[0]):
+                store(push, i, splat(0.0, lanes), lanes)
+        change = 0.0
         for t in range(tools.first, tools.last):
-            if look and tools.mode[t] == TOUCH and tools.inside[t] == 0:
-                settled = _look(law, surface, touch, tools, t, T, state, mean, lanes) and settled
-        if number >= looks and settled:
+            if look and (tools.mode[t] == GRASP or (tools.mode[t] == TOUCH and tools.inside[t] == 0)):
+                change = max(change, _look(law, surface, touch, tools, t, T, state, mean, lanes))
+        if number >= looks and change <= _SETTLED:
             break
-        for i in range(mean.shape[0]):
-            store(push, i, load(push, i, lanes) + hold[i] * load(mean, i, lanes), lanes)
+        if number < looks or not near:
+            for c in range(touch.many[0]):
+                i = touch.reach[c]
+                store(push, i, load(push, i, lanes) + hold[i] * load(mean, i, lanes), lanes)
         if number < looks:  # what the body asks for; later looks only tell contacts apart
             same = True
             if force is not None:
@@ -122,31 +128,26 @@ def contact_step(
             for i in range(mean.shape[0]):
                 touch.own[i] = work.diagonal[i]
                 store(touch.asked, i, load(rhs, i, lanes), lanes)
-        for i in range(mean.shape[0]):
-            work.diagonal[i] = touch.own[i] + hold[i]
-            store(rhs, i, load(touch.asked, i, lanes) + load(push, i, lanes), lanes)
-        if number == 0 or op.entries.shape[0] == 0:
-            ledger[ITERATIONS] += solve_step(op, ports, work, tolerance, cap, lanes)
+        if number >= looks and near:
+            ledger[ITERATIONS] += correct_near(op, work, touch, cap, lanes)
         else:
-            miss(op, work.diagonal, rhs, work, rhs, lanes)
-            for i in range(mean.shape[0]):
-                store(touch.found, i, load(mean, i, lanes), lanes)
-            ledger[ITERATIONS] += solve_step(op, ports, work, max(tolerance, COARSE), cap, lanes)
-            for i in range(mean.shape[0]):
-                store(mean, i, load(mean, i, lanes) + load(touch.found, i, lanes), lanes)
-        for i in range(mean.shape[0]):  # what contacts do at this rate
-            store(push, i, load(push, i, lanes) - hold[i] * load(mean, i, lanes), lanes)
+            _solve(op, ports, touch, work, number, modal, near, ledger, tolerance, cap, lanes)
+            touch.quick[0] = fastest(surface, mean)
         for t in range(tools.first, tools.last):
             _move_tool(tools, touch, t)
+        if near and number >= looks and change <= _NEARLY:
+            break
     for t in range(tools.first, tools.last):
         if look and tools.mode[t] == TOUCH:
             _follow(surface, touch, tools, t, T, state, mean, lanes)
+        elif tools.mode[t] == GRASP:
+            feel_grasp(surface, touch, tools, t, T, state.position, mean, touch.own, False, lanes)
+    tell(touch, modal, lanes)
     contact = 0.0
-    if look:  # contacts do what the body asks for and nothing else gives
-        if op.entries.shape[0] > 0:
-            miss(op, touch.own, touch.asked, work, push, lanes)
-            for i in range(mean.shape[0]):
-                store(push, i, -1.0 * load(push, i, lanes), lanes)
+    if look and near:  # contacts do what the body asks for and nothing else gives
+        miss(op, touch.own, touch.asked, work, touch.found, lanes)
+        contact = -dot_rows(mean, touch.found, lanes)
+    elif look:
         contact = dot_rows(mean, push, lanes)
     sigma = balanced(
         law,
@@ -175,6 +176,50 @@ def contact_step(
 
 
 @part
+def _solve(
+    op: Operator,
+    ports: Ports,
+    touch: ContactWork,
+    work: Workspace,
+    number: int,
+    modal: bool,
+    near: bool,
+    ledger: Float,
+    tolerance: float,
+    cap: int,
+    lanes: tuple[int, ...],
+) -> None:
+    """Solves the body with what contacts were found to do; after the first time, corrects it by a coarse solve."""
+    mean, rhs, push = work.mean, work.rhs, touch.push
+    if modal:  # as much of the change as its answer leaves
+        share = 1.0 / (1.0 + max(touch.yields[0], touch.yields[1], touch.yields[2]))
+        for i in range(mean.shape[0]):
+            before = load(touch.found, i, lanes)
+            if number > 0:
+                store(push, i, before + share * (load(push, i, lanes) - before), lanes)
+            store(touch.found, i, load(push, i, lanes), lanes)
+            store(rhs, i, load(touch.asked, i, lanes) + load(push, i, lanes), lanes)
+    for i in range(mean.shape[0]):
+        work.diagonal[i] = touch.own[i]
+        if not modal:
+            store(rhs, i, load(touch.asked, i, lanes), lanes)
+    for c in range(touch.many[0]):
+        i = touch.reach[c]
+        work.diagonal[i] += touch.hold[i]
+        store(rhs, i, load(rhs, i, lanes) + load(push, i, lanes), lanes)
+    if number == 0 or not near:
+        ledger[ITERATIONS] += solve_step(op, ports, work, tolerance, cap, lanes)
+    else:
+        miss(op, work.diagonal, rhs, work, rhs, lanes)
+        for i in range(mean.shape[0]):
+            store(touch.found, i, load(mean, i, lanes), lanes)
+        ledger[ITERATIONS] += solve_step(op, ports, work, max(tolerance, _COARSE), cap, lanes)
+        for i in range(mean.shape[0]):
+            store(mean, i, load(mean, i, lanes) + load(touch.found, i, lanes), lanes)
+    say(touch, mean, lanes)
+
+
+@part
 def _drive(tools: Tools, touch: ContactWork, T: float) -> None:
     """What each proxy does without contacts, and the guess that it goes on."""
     for t in range(tools.first, tools.last):
@@ -199,31 +244,37 @@ def _begin(
     touch_ledger: Float,
     lanes: tuple[int, ...],
 ) -> bool:
-    """Looks around and lets go; returns whether any tool touches.
+    """Looks around, takes and lets go; returns whether any tool touches or holds.
 
     A tool that comes into being within the skin begins to touch once it is out of it.
     """
-    touching = False
+    acting = False
     for t in range(tools.first, tools.last):
-        p = t - tools.first
+        p, mode = t - tools.first, tools.mode[t]
         touch.number[p], tools.touching[t] = 0, 0
-        touching = touching or tools.mode[t] == TOUCH
-        if tools.mode[t] != TOUCH:
-            touch_ledger[TOUCH_LOSS] += tools.account[t]
-            tools.account[t], tools.inside[t], tools.slipping[t] = 0.0, 1, 0
+        acts = mode in (TOUCH, GRASP)
+        acting = acting or acts
+        if not acts or (mode == GRASP) != (tools.held[t] >= 0):  # what it held before goes
+            touch_ledger[TOUCH_LOSS] += tools.stored[t]
+            tools.stored[t], tools.held[t] = 0.0, -1
+        if mode != TOUCH:
+            tools.inside[t], tools.slipping[t] = 1, 0
             for a in range(3):
                 tools.stretch[t, a] = 0.0
-    if not touching:
+    if not acting:
         return False
     refit(surface, touch.fit, state.position, lanes)
-    quick = fastest(surface, state.velocity)
+    touch.quick[0] = fastest(surface, state.velocity)
     for t in range(tools.first, tools.last):
         p = t - tools.first
         if tools.mode[t] == TOUCH:
-            touch.reach[p] = tools.radius[t] * (1.0 + _MARGIN) + _length(tools.axis, t)
-            touch.reach[p] += _WAYS * T * (quick + _length(tools.rate, t))
-            look_around(surface, touch, tools, t, touch.reach[p], state.position, lanes)
+            way = T * (touch.quick[0] + _length(tools.rate, t))
+            touch.seen[p] = tools.radius[t] * (1.0 + _MARGIN) + _length(tools.axis, t) + _WAYS * way
+            touch.slow[p] = way < _SLOW * tools.radius[t]
+            look_around(surface, touch, tools, t, touch.seen[p], state.position, lanes)
             _begin_tool(law, surface, touch, tools, t)
+        elif tools.mode[t] == GRASP and tools.held[t] < 0:
+            take(surface, touch.fit, tools, t, state.position, lanes)
     return True
 
 
@@ -240,7 +291,7 @@ def _begin_tool(law: Any, surface: Surface, touch: ContactWork, tools: Tools, t:
         square = 0.0
         for a in range(3):
             square += tools.stretch[t, a] * tools.stretch[t, a]
-        have = max(tools.account[t] - 0.5 * tools.stiffness[t] * square, 0.0)
+        have = max(tools.stored[t] - 0.5 * tools.stiffness[t] * square, 0.0)
         if pressed > have:
             tools.share[t] *= have / pressed
 
@@ -263,10 +314,10 @@ def _follow(
 ) -> None:
     """Reads how fast the skin near one tool moves by the present guess; what it may come to is near, too."""
     p = t - tools.first
-    travel = tools.radius[t] + _length(tools.axis, t) + 1.25 * T * (fastest(surface, mean) + _length(touch.mean, p))
-    if travel > touch.reach[p]:  # faster than it was thought to be
-        touch.reach[p] = 1.5 * travel
-        look_around(surface, touch, tools, t, touch.reach[p], state.position, lanes)
+    travel = tools.radius[t] + _length(tools.axis, t) + 1.25 * T * (touch.quick[0] + _length(touch.mean, p))
+    if travel > touch.seen[p]:  # faster than it was thought to be
+        touch.seen[p] = 1.5 * travel
+        look_around(surface, touch, tools, t, touch.seen[p], state.position, lanes)
     read_rates(surface, touch, p, mean, lanes)
 
 
@@ -281,25 +332,34 @@ def _look(
     state: State,
     mean: Float,
     lanes: tuple[int, ...],
-) -> bool:
-    """Gathers what one tool does by the present guess; returns whether that is what it did by the guess before."""
+) -> float:
+    """Gathers what one tool does by the present guess; returns by which share that is not what it did before."""
     p = t - tools.first
-    _follow(surface, touch, tools, t, T, state, mean, lanes)
     for a in range(3):
         touch.before[p, a] = touch.pull[p, a]
+    if tools.mode[t] == GRASP:
+        feel_grasp(surface, touch, tools, t, T, state.position, mean, touch.own, True, lanes)
+        return _change(touch, p)
+    _follow(surface, touch, tools, t, T, state, mean, lanes)
     if touch.caught[p, 0] == 0.0 and first_crossing(surface, touch, tools, t, T) < NEVER:
         begin_catch(surface, touch, tools, t)
     if touch.caught[p, 0] != 0.0:
         settled = catch(surface, touch, tools, t, T)
         load_rows(surface, touch, p)
-        return settled
+        return 0.0 if settled else math.inf
     feel_tool(law, surface, touch, tools, t, T)
     load_rows(surface, touch, p)
-    change, size = 0.0, 0.0
+    return _change(touch, p)
+
+
+@part
+def _change(touch: ContactWork, p: int) -> float:
+    """By which share a tool is pulled otherwise than by the guess before."""
+    change = size = 0.0
     for a in range(3):
         change += (touch.pull[p, a] - touch.before[p, a]) ** 2
         size += touch.pull[p, a] ** 2
-    return change <= _SETTLED * _SETTLED * size
+    return math.sqrt(change / size) if size > 0.0 else 0.0 if change == 0.0 else math.inf
 
 
 @part
@@ -329,12 +389,12 @@ def _settle(touch: ContactWork, tools: Tools, T: float, sigma: float, touch_ledg
         for a in range(3):
             w = sigma * touch.mean[p, a]
             tools.touch_force[t, a] = touch.inertia[p] * w - touch.drive[p, a]
-            if touch.total[p] == 0.0 and touch.caught[p, 0] == 0.0 and sigma == 1.0:
+            if touch.total[p] == 0.0 and touch.caught[p, 0] == 0.0 and tools.held[t] < 0 and sigma == 1.0:
                 tools.touch_force[t, a] = 0.0
             book_drive(tools, t, a, T, w, touch_ledger)
             move_proxy(tools, t, a, T, w, touch_ledger)
             tools.stretch[t, a] = touch.rubbed[p, a] if tools.mode[t] == TOUCH else 0.0
         tools.slipping[t] = touch.slips[p]
-        tools.touching[t] = 1 if touch.total[p] > 0.0 or touch.caught[p, 0] != 0.0 else 0
-        tools.account[t] = touch.stored[p]
-        touch_ledger[TOUCH_STORED] += touch.stored[p] + tools.grip_energy[t]
+        tools.touching[t] = 1 if touch.total[p] > 0.0 or touch.caught[p, 0] != 0.0 else max(tools.held[t], 0)
+        tools.stored[t] = touch.stored[p]
+        touch_ledger[TOUCH_STORED] += touch.stored[p]

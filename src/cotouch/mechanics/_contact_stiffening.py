@@ -29,7 +29,7 @@ class Stiffening(NamedTuple):
 def press(law: Stiffening, stiffness: float, radius: float, depth: float) -> tuple[float, float, float]:
     """Energy, pressure and slope; see `cotouch.mechanics.CONTACT_LAWS`."""
     modulus = (1.0 + _SOFTEST) * law.hardness * _SHARE * stiffness / (pi * radius * radius)
-    share = 2.0 * depth / radius
+    share = 2.0 / radius * depth
     room = 1.0 / (1.0 + _SOFTEST - share)
     energy = 0.5 * modulus * depth * depth * room
     pressure = modulus * depth * room * (1.0 + 0.5 * share * room)

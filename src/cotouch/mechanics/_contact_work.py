@@ -8,6 +8,7 @@ import numpy.typing as npt
 from cotouch.arrays import Float
 from cotouch.mechanics._model import Model
 from cotouch.mechanics._surface import Fit, Surface, fit_of
+from cotouch.mechanics._tools import MOST_HELD
 
 Int = npt.NDArray[np.int32]
 
@@ -27,11 +28,24 @@ class ContactWork(NamedTuple):
         rate: velocity of the vertices, (V, 4) [m/s].
         force: on the vertices, (V, 4) [N].
         firm: what resists motion of the vertices, (V,) [Ns/m].
+        ward: unit vector along what presses on each vertex, (V, 4).
+        apart: what resists motion of the vertices on all axes besides, (V,) [Ns/m].
         push: on the rows, (rows, width) [N].
         hold: what resists motion of the rows, (rows,) [Ns/m].
+        reach: rows that are touched, and after them such as a correction reaches, (rows,).
+        many: how many are touched, (1,).
+        mark: 1 more than a row's place among them, (rows,).
+        stiff: what resists motion of each of them, a matrix of its axes, (3 rows, width) [Ns/m].
+        inverse: of its diagonal with the body's own, (rows, width).
+        said: what the last solve took contacts and grasps to do, (rows, width) [N].
+        along: scratch of a correction, 0 outside of it, (rows, width).
+        quick: a bound on the speed of every vertex by the present guess, (1,) [m/s].
+        goal: what corrections of this step may leave of work, negative before the first, (1,) [W].
         own: diagonal of the body's system without contacts, (rows,) [Ns/m].
         asked: its right-hand side, (rows, width) [N].
-        found: where the last look led, (rows, width) [m/s].
+        found: where the last look led, (rows, width) [m/s]; of a modal body what the last look pushed with [N].
+        yields: of a modal body: how much of what contacts and grasps do by a guess its answer takes back, on each
+            axis, (3,).
         spot: corners and middle, (4, 4) [m].
         out: of one triangle, (4, 4).
         mean: mean velocity of the tools, (tools, 4) [m/s].
@@ -42,13 +56,16 @@ class ContactWork(NamedTuple):
         way: unit vector of the pressure on the tools, and its size [N], (tools, 4).
         grip: what resists motion of the tools along it and across, (tools, 2) [Ns/m].
         skin: how fast the skin moves under the tools, on the mean over their pressure, (tools, 4) [m/s].
+        held: of the springs of a grasp: squares of their stretches at the start [m²], these times how fast they grow
+            [m²/s], and squares of that [m²/s²], (tools, 3).
         caught: of a tool that would pass the skin: 1, the triangle, the push a look before and the gap that it led to,
             the push, the gap wanted, the shares of the corners, and the ball's place on the axis, (tools, 10).
         aside: unit vector that a caught tool is held along, (tools, 4).
         rubbed: stretch of friction at the end, (tools, 4) [m].
         slips: whether it slips then, (tools,).
-        stored: energy in contact and friction then, (tools,) [J].
-        reach: how far each tool looked around, (tools,) [m].
+        stored: energy in contact and friction, or in a grasp, then, (tools,) [J].
+        slow: whether a tool and the skin go so little in a step that their mean force is that in the middle, (tools,).
+        seen: how far each tool looked around, (tools,) [m].
     """
 
     fit: Fit
@@ -60,11 +77,23 @@ class ContactWork(NamedTuple):
     rate: Float
     force: Float
     firm: Float
+    ward: Float
+    apart: Float
     push: Float
     hold: Float
+    reach: Int
+    many: Int
+    mark: Int
+    stiff: Float
+    inverse: Float
+    said: Float
+    along: Float
+    quick: Float
+    goal: Float
     own: Float
     asked: Float
     found: Float
+    yields: Float
     spot: Float
     out: Float
     mean: Float
@@ -75,12 +104,14 @@ class ContactWork(NamedTuple):
     way: Float
     grip: Float
     skin: Float
+    held: Float
     caught: Float
     aside: Float
     rubbed: Float
     slips: Int
     stored: Float
-    reach: Float
+    slow: Int
+    seen: Float
 
 
 class Contact(NamedTuple):
@@ -105,6 +136,7 @@ def contact_by(law: Any, model: Model, surface: Surface, *, tools: int) -> Conta
         tools: of one user.
     """
     faces, vertices, rows = surface.corner.shape[0], surface.rest.shape[0], model.operator_rows
+    most = min(rows, np.unique(surface.row).size + 3 * tools * MOST_HELD)  # rows that can be touched at once
     row = lambda: np.zeros((tools, 4))  # noqa: E731
     work = ContactWork(
         fit=fit_of(surface, model),
@@ -116,11 +148,23 @@ def contact_by(law: Any, model: Model, surface: Surface, *, tools: int) -> Conta
         rate=np.zeros((vertices, 4)),
         force=np.zeros((vertices, 4)),
         firm=np.zeros(vertices),
+        ward=np.zeros((vertices, 4)),
+        apart=np.zeros(vertices),
         push=np.zeros((rows, model.width)),
         hold=np.zeros(rows),
+        reach=np.zeros(rows, dtype=np.int32),
+        many=np.zeros(1, dtype=np.int32),
+        mark=np.zeros(rows, dtype=np.int32),
+        stiff=np.zeros((3 * most, model.width)),
+        inverse=np.zeros((most, model.width)),
+        said=np.zeros((rows, model.width)),
+        along=np.zeros((rows, model.width)),
+        quick=np.zeros(1),
+        goal=np.zeros(1),
         own=np.zeros(rows),
         asked=np.zeros((rows, model.width)),
         found=np.zeros((rows, model.width)),
+        yields=np.zeros(3),
         spot=np.zeros((4, 4)),
         out=np.zeros((4, 4)),
         mean=row(),
@@ -131,11 +175,13 @@ def contact_by(law: Any, model: Model, surface: Surface, *, tools: int) -> Conta
         way=row(),
         grip=np.zeros((tools, 2)),
         skin=row(),
+        held=np.zeros((tools, 3)),
         caught=np.zeros((tools, 10)),
         aside=row(),
         rubbed=row(),
         slips=np.zeros(tools, dtype=np.int32),
         stored=np.zeros(tools),
-        reach=np.zeros(tools),
+        slow=np.zeros(tools, dtype=np.int32),
+        seen=np.zeros(tools),
     )
     return Contact(law, work)

@@ -5,6 +5,8 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.arrays import Float
+from cotouch.mechanics._contact_near import touched
+from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._surface import Fit, Surface, place_vertex
 from cotouch.mechanics._tools import MOST_HELD, MOST_HELD_MODAL, Tools
@@ -87,4 +89,78 @@ def take(surface: Surface, fit: Fit, tools: Tools, t: int, position: Float, lane
             place = held_place(hold_row, rest, moved, hold_of[t, c], a, position)
             offset[base + c, a] = place - centre[t, a]
         offset[base + c, 3] = 0.0
-    tools.grip_energy[t] = 0.0
+
+
+@part
+def feel_grasp(
+    surface: Surface,
+    work: ContactWork,
+    tools: Tools,
+    t: int,
+    T: float,
+    position: Float,
+    mean: Float,
+    diagonal: Float,
+    gather: bool,
+    lanes: tuple[int, ...],
+) -> None:
+    """What the springs of a grasp do by the present guess of the motion, as `hold_energy` needs it.
+
+    Args:
+        surface: the skin.
+        work: `held` is written; forces are added to what `push`, `hold`, `pull` and `grip` gather.
+        tools: the proxies.
+        t: which of them.
+        T: length of the step [s].
+        position: displacement in the model's rows.
+        mean: its guessed rate.
+        diagonal: of a modal body's system [Ns/m].
+        gather: whether to add forces.
+        lanes: fixes the width.
+    """
+    p, k, b, modal = t - tools.first, tools.grip_stiffness[t], tools.grip_damping[t], surface.shape.shape[0] > 0
+    hold_row, shape, offset, moved, held = surface.hold_row, surface.shape, tools.offset, work.fit.place, work.held
+    wide, rows, gain = mean.shape[1] > 1, mean.shape[0], b + 0.5 * T * k
+    for q in range(3):
+        held[p, q] = 0.0
+    for a in range(4):
+        work.pull[p, a] = 0.0
+    work.total[p], work.way[p, 3] = 0.0, 0.0
+    work.grip[p, 0] = work.grip[p, 1] = tools.held[t] * gain
+    for c in range(tools.held[t]):
+        h = tools.hold[t, c]
+        if modal:
+            place_vertex(surface, work.fit, h, position, lanes)
+        for a in range(3):
+            stretch = held_place(hold_row, surface.rest, moved, h, a, position) - tools.place[t, a]
+            stretch -= offset[t * MOST_HELD + c, a]
+            rate = held_rate(hold_row, shape, h, a, mean) - work.mean[p, a]
+            held[p, 0] += stretch * stretch
+            held[p, 1] += stretch * rate
+            held[p, 2] += rate * rate
+            if not gather:
+                continue
+            force = k * stretch + gain * rate
+            work.pull[p, a] += force
+            if not modal:
+                i = hold_row[h, 0 if wide else a]
+                work.push[i, a if wide else 0] -= force
+                if a == 0 or not wide:
+                    work.hold[i] += gain
+                column = a if wide else 0
+                work.stiff[3 * touched(work, i) + column, column] += gain
+                continue
+            for i in range(rows):
+                own = shape[h * rows + i, a]
+                work.push[i, a if wide else 0] -= force * own
+                if a == 0 or not wide:
+                    work.yields[a] += gain * own * own / diagonal[i]
+
+
+@part
+def hold_energy(work: ContactWork, tools: Tools, t: int, time: float, T: float) -> tuple[float, float]:
+    """Energy in a grasp that moved for some time, of a step's length T, and what its dampers lost [J]."""
+    p, share = t - tools.first, time / T
+    start, along, square = work.held[p, 0], work.held[p, 1], work.held[p, 2]
+    energy = 0.5 * tools.grip_stiffness[t] * max(start + time * (2.0 * along + time * square), 0.0)
+    return energy, T * share * share * tools.grip_damping[t] * square

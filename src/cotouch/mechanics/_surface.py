@@ -32,13 +32,9 @@ _PROBES = 32
 class Surface(NamedTuple):
     """A triangulated skin, its tree of boxes, and how it hangs on the rows of a model.
 
-    A *feature* is a vertex (0 to V - 1), an edge (the next E) or a face (the last F).
-
     Attributes:
         rest: places of the vertices at rest, (V, 4), the last column zero [m].
         corner: vertices of each triangle, (F, 3).
-        edge: features of its edges, between corners 0-1, 1-2 and 2-0, (F, 3).
-        meeting: how many triangles meet at each vertex and edge, (V + E,).
         row: rows that carry each vertex, (V, k, axes): one for all axes, or one each; (V, 0, axes) in a modal basis.
         weight: how much of each, (V, k).
         shape: modal: displacement of each vertex with each row, (V * rows, 4): the same on all axes, or one for each.
@@ -57,8 +53,6 @@ class Surface(NamedTuple):
 
     rest: Float
     corner: Int
-    edge: Int
-    meeting: Int
     row: Int
     weight: Float
     shape: Float
@@ -97,7 +91,7 @@ class Fit(NamedTuple):
 
 
 def surface_of(model: Model) -> Surface:
-    """The skin of a body in three dimensions; without one, its nodes are the vertices.
+    """The skin of a body in three dimensions; without one, its nodes are vertices that can only be held.
 
     Raises:
         BodyError: the body has fewer than three axes.
@@ -106,7 +100,6 @@ def surface_of(model: Model) -> Surface:
     if body.dimension != 3:
         raise BodyError(f"the body has {body.dimension} axes; tools touch bodies of 3 axes only")
     rest, corner, nodes, weights = _skin(body)
-    edge, meeting = _features(corner, rest.shape[0])
     axes = 3 if model.full else 1
     modal = model.modes is not None
     child, leaf, members = _tree(rest, corner)
@@ -126,8 +119,6 @@ def surface_of(model: Model) -> Surface:
     return Surface(
         rest=_padded(rest),
         corner=corner,
-        edge=edge,
-        meeting=meeting,
         row=row,
         weight=weight,
         shape=shape,
@@ -204,19 +195,6 @@ def _skin(body: Body) -> tuple[Float, Int, Int, Float]:
         return body.rest, np.repeat(number[:, None], 3, axis=1), number[:, None], np.ones((body.nodes, 1))
     # Copies, because the skin's own arrays are read-only, which is another type to the compiler.
     return skin.vertices, skin.triangles.copy(), skin.nodes, skin.weights.copy()
-
-
-def _features(corner: Int, vertices: int) -> tuple[Int, Int]:
-    """Features of the edges of each triangle, and how many triangles meet at each vertex and edge."""
-    ends = np.stack([corner, np.roll(corner, -1, axis=1)], axis=-1).reshape(-1, 2)
-    _, edge = np.unique(np.sort(ends, axis=1), axis=0, return_inverse=True)
-    edge = edge.reshape(-1)
-    # A triangle that names a vertex twice meets there once.
-    number = np.arange(int(corner.shape[0]))
-    meets = np.unique(np.stack([np.repeat(number, 3), corner.ravel()]), axis=1)[1]
-    borders = np.unique(np.stack([np.repeat(number, 3), edge]), axis=1)[1]
-    meeting = np.concatenate([np.bincount(meets, minlength=vertices), np.bincount(borders)])
-    return (edge.reshape(-1, 3) + vertices).astype(np.int32), meeting.astype(np.int32)
 
 
 def _tree(rest: Float, corner: Int) -> tuple[Int, Int, list[tuple[int, int]]]:

@@ -6,12 +6,6 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.arrays import Float
-from cotouch.mechanics._collide import Contacts, Hits, contacts, hits
-from cotouch.mechanics._columns import Columns, columns
-from cotouch.mechanics._modal_ports import ModalPorts, ports_of
-from cotouch.mechanics._model import Model
-from cotouch.mechanics._small import Small, small
-from cotouch.mechanics._surface import Fit, Surface, fit_of
 
 Int = npt.NDArray[np.int32]
 
@@ -21,13 +15,9 @@ AWAY, TOUCH, GRASP, BLADE = 0, 1, 2, 3
 # contacts and grasps during the step; kinetic energy of the proxies, energy in contacts and grasps after it [J].
 DRIVE, TOUCHED, TOUCH_LOSS, PROXY, TOUCH_STORED = range(5)
 TOUCH_LEDGER = 5
-# Contacts of one user in one step, and nodes (or skin vertices in a modal basis) in one grasp.
-MOST_CONTACTS = 32
+# Nodes (or skin vertices in a modal basis) in one grasp.
 MOST_HELD = 64
 MOST_HELD_MODAL = 8
-
-# Default of `Tools.reserve`: what sliding over a facet's edge costs or yields, some times over [J].
-RESERVE = 1e-4
 
 
 class Tools(NamedTuple):
@@ -44,13 +34,12 @@ class Tools(NamedTuple):
         stiffness: of a contact, (tools,) [N/m].
         loss: λ of a contact: its force grows by (1 + λ η'), (tools,) [s/m].
         friction: Coulomb's coefficient of what does not slip, (tools,).
-        kinetic: the same of what slips, (tools,); with a contact law, like the three that follow.
+        kinetic: the same of what slips, (tools,).
         axis: from the middle of a stylus to the middle of its tip, (tools, 4); 0 of a ball; of a blade its edge [m].
         stretch: of the spring of friction, (tools, 4) [m].
         slipping: whether it slipped in the last step, (tools,).
         share: of the contact's law that acts, in [0, 1]; below 1 until it lets go where something else than motion
             pressed it deeper, (tools,).
-        reserve: energy that the account may hold beyond its springs, to pay when geometry changes, (tools,) [J].
         grip_stiffness: k of every held node in a grasp, (tools,) [N/m].
         grip_damping: b of it, (tools,) [Ns/m].
         mode: AWAY, TOUCH, GRASP or BLADE in this step, (tools,).
@@ -61,16 +50,14 @@ class Tools(NamedTuple):
         push: explicit mean force, (tools, 4) [N].
         place: y, (tools, 4) [m].
         rate: w, (tools, 4) [m/s].
-        account: energy in the contacts of each tool, and in their friction, (tools,) [J].
-        grip_energy: energy in the springs of its grasp, (tools,) [J].
-        inside: 0: the centre is outside the body; 1: it is inside or may be, and the skin is looked for however far it
-            is, (tools,); with a contact law: 1: it has not been out of the skin yet, and does not touch.
+        stored: energy in the contact of each tool and its friction, or in the springs of its grasp, (tools,) [J].
+        inside: 1: it has not been out of the skin yet, and does not touch, (tools,).
         held: how many nodes it holds; -1: it does not hold, (tools,).
         hold: which, (tools, MOST_HELD).
         offset: stretch-free place of each relative to y, less its rest place, (tools * MOST_HELD, 4) [m].
         drive_force: result: τ, (tools, 4) [N].
-        touch_force: result: mean force of contacts or grasp on the proxy, (tools, 4) [N].
-        touching: result: contacts that pushed, or nodes held, (tools,).
+        touch_force: result: mean force of contact or grasp on the proxy, (tools, 4) [N].
+        touching: result: 1 if the skin pushed, or how many nodes are held, (tools,).
     """
 
     first: int
@@ -85,7 +72,6 @@ class Tools(NamedTuple):
     stretch: Float
     slipping: Int
     share: Float
-    reserve: Float
     grip_stiffness: Float
     grip_damping: Float
     mode: Int
@@ -96,8 +82,7 @@ class Tools(NamedTuple):
     push: Float
     place: Float
     rate: Float
-    account: Float
-    grip_energy: Float
+    stored: Float
     inside: Int
     held: Int
     hold: Int
@@ -124,7 +109,6 @@ def tools(count: int) -> Tools:
         stretch=row(),
         slipping=whole(),
         share=np.ones(count),
-        reserve=np.full(count, RESERVE),
         grip_stiffness=line(),
         grip_damping=line(),
         mode=whole(),
@@ -135,8 +119,7 @@ def tools(count: int) -> Tools:
         push=row(),
         place=row(),
         rate=row(),
-        account=line(),
-        grip_energy=line(),
+        stored=line(),
         inside=np.ones(count, dtype=np.int32),
         held=np.full(count, -1, dtype=np.int32),
         hold=np.zeros((count, MOST_HELD), dtype=np.int32),
@@ -144,40 +127,4 @@ def tools(count: int) -> Tools:
         drive_force=row(),
         touch_force=row(),
         touching=whole(),
-    )
-
-
-class TouchWork(NamedTuple):
-    """Scratch of one step with tools; sizes as `touch_work` makes them.
-
-    Attributes:
-        fit: where the skin is.
-        hits: of a search.
-        found: contacts of this step.
-        columns: how the body yields.
-        small: the problem among contacts and proxies.
-        port_count: of hands and grasps in a modal basis.
-    """
-
-    fit: Fit
-    hits: Hits
-    found: Contacts
-    columns: Columns
-    small: Small
-    modal_ports: ModalPorts
-
-
-def touch_work(model: Model, surface: Surface, *, tools: int, port_count: int) -> TouchWork:
-    """Scratch for steps with at most so many tools and ports of one user."""
-    modal = model.modes is not None
-    axes = 3 if model.full else 1
-    most = (3 * MOST_CONTACTS if model.full else MOST_CONTACTS) + axes * tools
-    rows = model.operator_rows
-    return TouchWork(
-        fit=fit_of(surface, model),
-        hits=hits(),
-        found=contacts(MOST_CONTACTS),
-        columns=columns(rows, most, held=MOST_HELD, modal=modal),
-        small=small(MOST_CONTACTS, tools, most),
-        modal_ports=ports_of(port_count + axes * tools * MOST_HELD_MODAL if modal else 0, rows if modal else 0),
     )

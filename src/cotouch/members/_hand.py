@@ -192,11 +192,10 @@ class ScriptedHand:
         self._touching = None
         self._slot = slot
         if any(tool.user == slot + 1 for tool in scenario.tools):
-            most = int(np.diff(hands.first).max(initial=0))
             still = np.zeros((users, body.nodes, body.dimension))
             lengths = np.tile([at.period, at.longest], (users, 1))
             self._touching, _ = touching_of(
-                scenario.tools, users, body, model, lengths, start=still, ports=most, contact=scenario.contact
+                scenario.tools, users, body, model, lengths, start=still, contact=scenario.contact
             )
             assert self._touching is not None
             self.surface, self.contact = self._touching.surface, self._touching.contact

@@ -53,7 +53,7 @@ class CopyMemory:
 
         Args:
             ports: after the step.
-            contact: by which tools touched in it; None: they did not, or by springs.
+            contact: by which tools touched in it; None: they did not.
         """
         if self.law.feels:
             feel(self.hand, ports)

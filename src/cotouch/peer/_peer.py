@@ -30,14 +30,12 @@ from cotouch.mechanics import (
     approach,
     closed_settle,
     closed_step,
+    contact_parts,
     contact_step,
     mixed_stretch,
     settle,
     step,
     stretches,
-    touch_parts,
-    touch_step,
-    touch_work,
 )
 from cotouch.peer._allowance import Allowance
 from cotouch.peer._cuts import CutSet
@@ -108,7 +106,7 @@ class Peer:
             allowance: energy that its links may get once, to come to where the others are, >= 0 [J].
             surface: the body's skin (`cotouch.mechanics.surface_of`); with tools.
             tools: the user's proxies.
-            contact: the law by which they touch; None: springs with accounts, which no body with a material takes.
+            contact: the law by which they touch, and scratch; with tools.
             cuts: whether it may cut by itself, where the body can be cut.
             tolerance: of the solver.
             iterations: cap of the solver.
@@ -138,7 +136,6 @@ class Peer:
         self.tools = tools
         self._surface = surface
         self._soft = None if surface is None else surface.soft
-        self._touch = None
         self._contact = contact
         self._touch_ledger = np.zeros(TOUCH_LEDGER)
         self._rescaled = 0.0
@@ -147,16 +144,11 @@ class Peer:
         self._settle()
         self._energy = float(self._ledger[KINETIC] + self._ledger[ELASTIC])
         if tools is not None:
-            if surface is None:
-                raise ValueError("tools are given without a surface; make one of the model with surface_of")
-            if contact is None and model.force is not None:
-                raise ValueError("a body with a material is touched by a contact law; give contact")
-            if contact is None:
-                port_count = ports.last - ports.first
-                self._touch = touch_work(model, surface, tools=tools.last - tools.first, port_count=port_count)
+            if surface is None or contact is None:
+                raise ValueError("tools are given without a surface or a contact law; see surface_of and contact_by")
             own = slice(tools.first, tools.last)
             self._energy += 0.5 * float(tools.mass[own] @ (tools.rate[own] ** 2).sum(axis=1))
-            self._energy += float(tools.account[own].sum() + tools.grip_energy[own].sum())
+            self._energy += float(tools.stored[own].sum())
 
     @property
     def neighbours(self) -> tuple[int, ...]:
@@ -239,13 +231,13 @@ class Peer:
             ledger[KINETIC] = kinetic * min(lighter, 1.0 / lighter)
             ledger[ELASTIC] = elastic * (scale.stiffness / stiffness)
 
-    def touch_parts(self) -> list[tuple[Any, tuple[Any, ...]]]:
+    def contact_parts(self) -> list[tuple[Any, tuple[Any, ...]]]:
         """What its steps with tools consist of, for whoever compiles that ahead; nothing without them."""
-        if self.tools is None or self._surface is None or self._touch is None:
+        if self.tools is None or self._surface is None or self._contact is None:
             return []
-        work = self._local, self._work, self._touch, self._lanes
-        links, ports = self._joined.kernel, self.ports
-        return touch_parts(self._scale.operator, self.state, links, ports, self._surface, self.tools, *work)
+        links, ports, op, force = self._joined.kernel, self.ports, self._scale.operator, self.model.force
+        what = self._surface, self.tools, self._local, self._work, self._lanes
+        return contact_parts(self._contact, op, force, self.state, links, ports, *what)
 
     @property
     def stiffness_scale(self) -> float:
@@ -296,16 +288,13 @@ class Peer:
         own = len(joined.ends)
         op, force, state, ports, work = scale.operator, self.model.force, self.state, self.ports, self._work
         surface, tools, touched = self._surface, self.tools, self._touch_ledger
-        contact, touch = self._contact, self._touch
+        contact = self._contact
         damping, rest = (self._local, self._extra), (joined.work, *self._solver, lanes)
         if self.cuts is not None:
             self.cuts.begin(contact)
-        if tools is not None and surface is not None:
+        if tools is not None and surface is not None and contact is not None:
             what = surface, tools, *damping, T, own, work
-            if contact is not None:
-                contact_step(contact, op, force, state, links, ports, *what, ledger, touched, *rest)
-            elif touch is not None:
-                touch_step(op, state, links, ports, *what, touch, ledger, touched, *rest)
+            contact_step(contact, op, force, state, links, ports, *what, ledger, touched, *rest)
         elif force is not None:
             closed_step(op, force, state, links, ports, *damping, T, own, work, ledger, *rest)
         else:

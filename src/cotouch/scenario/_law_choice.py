@@ -4,7 +4,6 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, cast
 
 from cotouch.scenario._body_tables import FileTable
-from cotouch.scenario._tool_tables import ContactTable
 
 if TYPE_CHECKING:
     from cotouch.scenario._scenario import Scenario
@@ -23,7 +22,7 @@ def choose_law(scenario: "Scenario") -> str:
 
     Only they take a way to work out the damping, an index (the paper's schedule), or a weight that couples rows. They
     do better where hands are not known to all, because links make neither a tree nor join all, or a tree on a body of
-    several nodes, or because tools touch by springs; and over long links.
+    several nodes; and over long links.
 
     Args:
         scenario: what is asked for.
@@ -36,16 +35,9 @@ def choose_law(scenario: "Scenario") -> str:
     far = any(network.delay[a, b] + network.delay[b, a] > _FAR for a, b in network.links)
     if far or not (complete or makes_tree(range(network.size), network.links)):
         return SPRING
-    if scenario.tools and _by_springs(scenario.contact and scenario.contact.law):
-        return SPRING
     if complete:
         return BEST
     return BEST if not isinstance(scenario.body, FileTable) and scenario.build_body().nodes == 1 else SPRING
-
-
-def _by_springs(contact: str | None) -> bool:
-    """Whether what touches is not felt by laws that look at hands: contact by springs is no force of the state."""
-    return (contact or ContactTable().law) in {None, "springs"}
 
 
 def makes_tree(users: Iterable[int], links: Iterable[tuple[int, int]]) -> bool:
@@ -88,9 +80,6 @@ def with_law_of_session(tables: Mapping[str, Any], session: Any) -> dict[str, An
     if isinstance(session, Mapping) and isinstance(sync, Mapping) and "law" not in sync:
         given = cast("Mapping[str, Any]", session)
         planned = given.get("links") == "plan"  # which seldom links all
-        contact = tables.get("contact", {})
-        named = cast("Mapping[str, Any]", contact).get("law") if isinstance(contact, Mapping) else None
-        unfelt = bool(given.get("devices")) and _by_springs(named if isinstance(named, str) else None)
-        if planned or unfelt or options_of_springs(given):
+        if planned or options_of_springs(given):
             return {**tables, "synchronisation": {**cast("Mapping[str, Any]", sync), "law": SPRING}}
     return dict(tables)

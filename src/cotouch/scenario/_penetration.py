@@ -10,10 +10,10 @@ _SLACK = 1e-6
 
 
 def resolve_penetration(body: Body, displacement: Float, centre: Float, radius: float) -> tuple[float, Float] | None:
-    """Where a sphere would just touch a body from outside, if it reaches into it.
+    """Where a sphere would just touch a body from outside, if it reaches into its skin.
 
     Args:
-        body: with its skin; without one, its nodes are what is touched.
+        body: with a skin.
         displacement: of its nodes, (n, 3) [m].
         centre: of the sphere, (3,) [m].
         radius: [m].
@@ -22,17 +22,13 @@ def resolve_penetration(body: Body, displacement: Float, centre: Float, radius: 
         How far the sphere reaches into the body [m] and the nearest place where it does not, (3,); None if it is clear.
     """
     skin = body.skin
-    if skin is None or not skin.triangles.size:
-        places = body.rest + displacement
-        nearest = places[int(np.argmin(np.linalg.norm(places - centre, axis=1)))]
-        side, normal = 1.0, np.array([0.0, 0.0, 1.0])
-    else:
-        corners = (skin.vertices + skin.carried(displacement))[skin.triangles]
-        near = _nearest(corners, centre)
-        best = int(np.argmin(np.linalg.norm(near - centre, axis=1)))
-        nearest = near[best]
-        side = -1.0 if _winding(corners - centre) > 0.5 else 1.0
-        normal = np.cross(corners[best, 1] - corners[best, 0], corners[best, 2] - corners[best, 0])
+    assert skin is not None
+    corners = (skin.vertices + skin.carried(displacement))[skin.triangles]
+    near = _nearest(corners, centre)
+    best = int(np.argmin(np.linalg.norm(near - centre, axis=1)))
+    nearest = near[best]
+    side = -1.0 if _winding(corners - centre) > 0.5 else 1.0
+    normal = np.cross(corners[best, 1] - corners[best, 0], corners[best, 2] - corners[best, 0])
     away = centre - nearest
     distance = float(np.linalg.norm(away))
     depth = radius - side * distance

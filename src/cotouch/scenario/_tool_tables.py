@@ -5,7 +5,6 @@ from typing import Annotated, Any, Literal, Self, cast, final
 
 from pydantic import Discriminator, Field, FiniteFloat, Tag, model_validator
 
-from cotouch.body import Material
 from cotouch.device import PRESETS, installed_coupling
 from cotouch.errors import DeviceError, ScenarioError
 from cotouch.mechanics import CONTACT_LAWS
@@ -160,41 +159,28 @@ class ContactTable(Table):
     """How tools touch.
 
     Attributes:
-        law: "springs" (one at each local minimum of distance, with an account of energy for each tool), or the name of
-            a contact law, whose energy is a function of where body and tools are: "stiffening" or "foundation". By
-            default springs, but "stiffening" on a body with a material.
+        law: whose energy is a function of where body and tools are: "stiffening" or "foundation".
         parameters: of the law, by name.
     """
 
-    law: str | None = None
+    law: str = "stiffening"
     parameters: dict[str, FiniteFloat] = Field(default_factory=dict[str, float])
 
-    def made(self, material: Material | None) -> Any:
-        """The law for the kernels; None: springs.
-
-        Args:
-            material: of the body that is touched.
+    def made(self) -> Any:
+        """The law for the kernels.
 
         Raises:
-            ScenarioError: there is no such law, or it has no such parameter; springs touch a material.
+            ScenarioError: there is no such law, or it has no such parameter.
         """
         kinds = {kind.__name__.lower(): kind for kind in CONTACT_LAWS}
-        known: tuple[str, ...] = ()
-        law = self.law or ("springs" if material is None else "stiffening")
-        if law == "springs" and material is not None:
-            raise ScenarioError(
-                f'contact.law is "springs", but body.model is "{material.model}", whose balance they do not keep; take '
-                '"stiffening" or "foundation"'
-            )
-        if law != "springs":
-            if law not in kinds:
-                raise ScenarioError(f'contact.law is "{law}"; it must be one of springs, {", ".join(sorted(kinds))}')
-            known = cast("tuple[str, ...]", getattr(kinds[law], "_fields", ()))
+        if self.law not in kinds:
+            raise ScenarioError(f'contact.law is "{self.law}"; it must be one of {", ".join(sorted(kinds))}')
+        known = cast("tuple[str, ...]", getattr(kinds[self.law], "_fields", ()))
         for name, value in self.parameters.items():
             if name not in known or not value > 0.0:
-                has = f"has {', '.join(known)}, each above 0" if known else "has none"
-                raise ScenarioError(f'contact.parameters.{name} is {value:g}; law "{law}" {has}')
-        return None if law == "springs" else kinds[law](**self.parameters)
+                has = f"has {', '.join(known)}, each above 0"
+                raise ScenarioError(f'contact.parameters.{name} is {value:g}; law "{self.law}" {has}')
+        return kinds[self.law](**self.parameters)
 
 
 @final
@@ -234,8 +220,8 @@ class ToolTable(Table):
         stiffness: of a contact, or of each held node [N/m].
         damping: touch: λ, the contact's force grows by 1 + λ times the speed of its penetration [s/m]; grasp: of each
             held node [Ns/m].
-        friction: Coulomb's coefficient of a touch; with a contact law, of what does not slip yet.
-        kinetic_friction: of what slips, at most `friction`; by default the same. Like `axis` with a contact law only.
+        friction: Coulomb's coefficient of a touch, of what does not slip yet.
+        kinetic_friction: of what slips, at most `friction`; by default the same.
         axis: from the middle of a stylus to the middle of its round tip [m]; by default the tool is a ball. Of a blade
             its edge, from `at` to the other end.
         thickness: of a blade [m].
@@ -276,6 +262,8 @@ class ToolTable(Table):
             )
         if self.kind == "grasp" and self.friction > 0.0:
             raise ValueError(f"friction is {self.friction}, but a grasp holds without; leave it out")
+        if self.kind == "grasp" and self.axis is not None:
+            raise ValueError(f"axis is {self.axis}, but a grasp holds what is near its middle; leave it out")
         if self.kind == "blade":
             self._blade()
         elif self.thickness is not None:

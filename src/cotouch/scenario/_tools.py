@@ -1,7 +1,6 @@
 """From the tables of tools to the arrays that the engines work on."""
 
 from math import inf
-from typing import Any
 
 import numpy as np
 
@@ -35,7 +34,6 @@ from cotouch.mechanics import (
     opening_energy,
     surface_of,
     tools,
-    touch_work,
     unseen_place,
 )
 from cotouch.scenario._hands import Hands
@@ -56,7 +54,6 @@ def touching_of(
     lengths: Float,
     *,
     start: Float,
-    ports: int,
     contact: ContactTable | None = None,
 ) -> tuple[Touching | None, list[int]]:
     """The tools of a scenario, ordered by user, and which tool each table became; None without tools.
@@ -68,7 +65,6 @@ def touching_of(
         model: the same for the kernels.
         lengths: of the body's steps, which a virtual coupling must be passive at, (users, steps); 0: none [s].
         start: displacements of all copies at the start, (users, n, d) [m].
-        ports: most hands of one user that hold the body directly.
         contact: how they touch; None: as by default.
 
     Raises:
@@ -79,12 +75,13 @@ def touching_of(
         return None, []
     if body.dimension != 3:
         raise BodyError(f"tools touch bodies of 3 axes, but this one has {body.dimension}{_remedy(body.dimension)}")
-    law = (contact or ContactTable()).made(body.material)
-    if law is not None and (body.skin is None or not body.skin.triangles.size):
-        instead = "leave contact out" if body.material is None else "hold it with hands"
-        raise BodyError(f"tools touch by a contact law, which needs a skin, but the body has none; {instead}")
+    law = (contact or ContactTable()).made()
     for number, table in enumerate(tables, start=1):
-        _fits(number, table, law)
+        if table.kind == "touch" and (body.skin is None or not body.skin.triangles.size):
+            raise ScenarioError(
+                f'tools[{number}].kind is "touch", which needs a skin, but the body has none (a point, a chain); take '
+                '"grasp", or hold it with hands'
+            )
         if table.user > users:
             raise ScenarioError(f"tools[{number}].user is {table.user}; the network has users 1 to {users}")
         if table.kind == "touch" and table.begin == 0.0:
@@ -141,8 +138,7 @@ def touching_of(
         Touching(
             surface=surface,
             tools=own,
-            accounts=touch_work(model, surface, tools=most, port_count=ports) if law is None else None,
-            contact=None if law is None else contact_by(law, model, surface, tools=most),
+            contact=contact_by(law, model, surface, tools=most),
             first=first,
             kind=np.array([_KINDS[table.kind] for table in chosen], dtype=np.int32),
             begin=np.array([table.begin for table in chosen]),
@@ -158,26 +154,6 @@ def touching_of(
         ),
         [order.index(index) for index in range(count)],
     )
-
-
-def _fits(number: int, table: ToolTable, law: Any) -> None:
-    """Refuses what a tool has and its contact has not.
-
-    Raises:
-        ScenarioError: it is so.
-    """
-    if law is None:
-        for name in ("kinetic_friction", "axis"):
-            if getattr(table, name) is not None:
-                raise ScenarioError(
-                    f"tools[{number}].{name} is {getattr(table, name)}, which contact by springs has not; give contact "
-                    'a law, as law = "stiffening", or leave it out'
-                )
-    elif table.kind == "grasp":
-        raise ScenarioError(
-            f'tools[{number}].kind is "grasp", which only contact by springs has, and that only linear bodies; '
-            "hold the body with hands"
-        )
 
 
 def device_model(table: SimulatedDeviceTable, hand: ToolHand | None, lengths: Float) -> DeviceModel:

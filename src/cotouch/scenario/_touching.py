@@ -17,7 +17,7 @@ from cotouch.device import (
     command_device,
     pull_proxy,
 )
-from cotouch.mechanics import AWAY, Contact, Ports, Surface, Tools, TouchWork, at, block, load, part, put, store
+from cotouch.mechanics import AWAY, Contact, Ports, Surface, Tools, at, block, load, part, put, store
 from cotouch.scenario._hands import Hands, grip
 
 Int = npt.NDArray[np.int32]
@@ -31,8 +31,7 @@ class Touching(NamedTuple):
     Attributes:
         surface: the body's skin.
         tools: the proxies.
-        accounts: scratch where they touch by springs with accounts, else None.
-        contact: the law by which they touch, else None.
+        contact: the law by which they touch, and scratch.
         first: first tool of each user, (users + 1,).
         kind: what each does while it acts, TOUCH or GRASP, (tools,).
         begin: it acts from here, (tools,) [s].
@@ -49,8 +48,7 @@ class Touching(NamedTuple):
 
     surface: Surface
     tools: Tools
-    accounts: TouchWork | None
-    contact: Contact | None
+    contact: Contact
     first: Int
     kind: Int
     begin: Float
@@ -73,7 +71,7 @@ class ToolRecord(NamedTuple):
         rate: (tools, records, 4) [m/s].
         force: mean force of contact or grasp on the proxy in the step, (tools, records, 4) [N].
         drive: mean force of what pulls the proxy, (tools, records, 4) [N].
-        touching: contacts that pushed, or nodes held, (tools, records).
+        touching: 1 where the skin pushed, or how many nodes were held, (tools, records).
         device_place: measured place of the device in the body's frame, (tools, records, 4) [m].
         device_force: that its motors hold, (tools, records, 4) [N].
         device_ledger: (len(DEVICE_BOOKS), tools, records), see there.

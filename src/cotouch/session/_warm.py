@@ -12,7 +12,7 @@ import numpy as np
 
 from cotouch.compiled import cold, compile_for
 from cotouch.hands import CommandedHand
-from cotouch.mechanics import Model, closed_step, contact_step, step, touch_step
+from cotouch.mechanics import Model, closed_step, contact_step, step
 from cotouch.members import Hand, SessionFile, SharedModel, Slot
 from cotouch.peer import FreshestLink, Link, LinkGuard, Peer, Sample
 from cotouch.processes import start_child
@@ -28,10 +28,9 @@ def compiles(session: SessionFile, *, touched: bool = False) -> bool:
         touched: whether its object may be touched besides what the file says.
     """
     scenario = session.scenario
-    material = scenario.build_body().material
     if scenario.tools or touched:
-        return cold(touch_step if scenario.contact.made(material) is None else contact_step)
-    return cold(step if material is None else closed_step)
+        return cold(contact_step)
+    return cold(step if scenario.build_body().material is None else closed_step)
 
 
 def warm_up(replica: SharedModel, make: Callable[[Model], Hand]) -> None:
@@ -74,13 +73,13 @@ def shared_with_another_process(session: SessionFile) -> Generator[None]:
 
 
 def parts() -> None:
-    """Compiles what `touch_parts` lists, for the session on standard input: that other process."""
+    """Compiles what `contact_parts` lists, for the session on standard input: that other process."""
     content, files = pickle.load(sys.stdin.buffer)  # noqa: S301  from who started this process
     with TemporaryDirectory(prefix="cotouch-") as folder:
         session = SessionFile.from_content(content, files, folder=Path(folder))
         replica = SharedModel.build(session)
     _, peer = _copy(replica, lambda model: CommandedHand(Slot.of(session, replica, 0, model)))
-    for part, arguments in peer.touch_parts():
+    for part, arguments in peer.contact_parts():
         compile_for(part, arguments)
 
 

@@ -196,7 +196,6 @@ def run_batch(prepared: Prepared) -> Outcome:
         record,
         scratch,
         touching,
-        None if touching is None else touching.accounts,
         None if touching is None else touching.contact,
         cutting,
         tools,

@@ -113,7 +113,7 @@ def tell(ends: Ends, topology: Topology, timing: Timing, ports: Ports, contact: 
         topology: who is linked to whom.
         timing: the schedule.
         ports: where forces act.
-        contact: by which tools touch, with what they did in the step; None: they don't, or by springs.
+        contact: by which tools touch, with what they did in the step; None: they don't.
         i: the user.
         k: the step.
     """

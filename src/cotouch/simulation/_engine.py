@@ -33,7 +33,6 @@ from cotouch.mechanics import (
     Links,
     Operator,
     Tools,
-    TouchWork,
     at,
     begin_cut,
     closed_settle,
@@ -45,7 +44,6 @@ from cotouch.mechanics import (
     put,
     settle,
     step,
-    touch_step,
 )
 from cotouch.scenario import (
     Hands,
@@ -85,7 +83,6 @@ def run(
     record: Record,
     scratch: Scratch,
     touching: Touching | None,
-    accounts: TouchWork | None,
     contact: Contact | None,
     cutting: Cutting | None,
     tool_record: ToolRecord | None,
@@ -97,7 +94,7 @@ def run(
 ) -> int:
     """Runs all events; returns how many were run before the motion left the range of floating point.
 
-    Without tools `touching` and `tool_record` are None; with them one of `accounts` and `contact` is. Of a linear body
+    Without tools `touching`, `contact` and `tool_record` are None. Of a linear body
     `force` is None, and so are `ends` where all links are springs: what concerns them is not even compiled. What a
     law's link holds is its own: then what links did counts as delay work.
 
@@ -113,7 +110,6 @@ def run(
         record: written to.
         scratch: of one step; changed in place.
         touching: tools of all users; changed in place.
-        accounts: scratch of tools that touch by springs.
         contact: the law by which tools touch.
         cutting: of a body that can be cut; None: it cannot.
         tool_record: written to.
@@ -218,7 +214,6 @@ def run(
                 have.stretch,
                 have.slipping,
                 have.share,
-                have.reserve,
                 have.grip_stiffness,
                 have.grip_damping,
                 have.mode,
@@ -229,8 +224,7 @@ def run(
                 have.push,
                 have.place,
                 have.rate,
-                have.account,
-                have.grip_energy,
+                have.stored,
                 have.inside,
                 have.held,
                 have.hold,
@@ -239,27 +233,6 @@ def run(
                 have.touch_force,
                 have.touching,
             )
-            if accounts is not None:
-                touch_step(
-                    op,
-                    state,
-                    links,
-                    ports,
-                    touching.surface,
-                    tools,
-                    local_damping[i],
-                    extra_damping[i],
-                    T,
-                    i * timing.ring + (k & (timing.ring - 1)),
-                    scratch.work,
-                    accounts,
-                    ledger,
-                    touching.ledger,
-                    scratch.link_work,
-                    tolerance,
-                    cap,
-                    lanes,
-                )
             if cutting is not None:
                 begin_cut(cutting, state, tools)
                 if contact is not None:

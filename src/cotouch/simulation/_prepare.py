@@ -106,7 +106,6 @@ def prepare(scenario: Scenario) -> Prepared:
         push=np.zeros((0, ready.operator_rows, ready.width)),
     )
     hands, ports = ports_of(scenario.hands, network.size, body, ready)
-    most_ports = int(np.diff(hands.first).max(initial=0))
     position = _initial(scenario.initial.position, "position", network.size, body)
     scenario.world.refuse_overlap(ready, position)
     scenario.refuse_cutters()
@@ -117,7 +116,6 @@ def prepare(scenario: Scenario) -> Prepared:
         ready,
         timing.length,
         start=position,
-        ports=most_ports,
         contact=scenario.contact,
     )
     extra = np.zeros((network.size, 1 + len(network.weights)))

@@ -1,0 +1,163 @@
+"""Corrects a body's motion where tools touch: what contacts do anew changes little beyond the rows near them.
+
+Conjugate gradients from zero spread by one neighbour in an iteration, so only rows within a few neighbours of what is
+touched are ever looked at. A contact resists along its own direction, so a touched row has a matrix of its axes: with a
+number that resists on all of them, looks would tend half as fast.
+"""
+# pyright: reportArgumentType=false, reportReturnType=false, reportOperatorIssue=false
+
+import math
+
+from cotouch.arrays import Float
+from cotouch.mechanics._contact_work import ContactWork
+from cotouch.mechanics._kernel import part
+from cotouch.mechanics._operator import Operator, row_sum
+from cotouch.mechanics._state import Workspace
+from cotouch.mechanics._vector import load, splat, store, total
+
+# What all corrections of a step leave of what the first should correct, and the iterations of each at most.
+_LEAVES, _MOST = 1e-3, 16
+_TINY = 1e-290
+
+
+@part
+def forget_rows(touch: ContactWork, lanes: tuple[int, ...]) -> None:
+    """Begins with rows that nothing touches."""
+    empty_rows(touch, lanes)
+    for c in range(touch.many[0]):
+        i = touch.reach[c]
+        touch.mark[i] = 0
+        store(touch.said, i, splat(0.0, lanes), lanes)
+    touch.many[0], touch.goal[0] = 0, -1.0
+
+
+@part
+def empty_rows(touch: ContactWork, lanes: tuple[int, ...]) -> None:
+    """Takes contacts and grasps off the rows that they touched, before they are looked at again."""
+    zero = splat(0.0, lanes)
+    for c in range(touch.many[0]):
+        i = touch.reach[c]
+        store(touch.push, i, zero, lanes)
+        touch.hold[i] = 0.0
+        for a in range(3):
+            store(touch.stiff, 3 * c + a, zero, lanes)
+
+
+@part
+def touched(touch: ContactWork, i: int) -> int:
+    """Place of a row among those that are touched."""
+    if touch.mark[i] == 0:
+        touch.reach[touch.many[0]] = i
+        touch.many[0] += 1
+        touch.mark[i] = touch.many[0]
+    return touch.mark[i] - 1
+
+
+@part
+def say(touch: ContactWork, mean: Float, lanes: tuple[int, ...]) -> None:
+    """Notes what contacts would do at the rate that was found, if they were linear."""
+    for c in range(touch.many[0]):
+        i = touch.reach[c]
+        store(touch.said, i, load(touch.push, i, lanes) - touch.hold[i] * load(mean, i, lanes), lanes)
+
+
+@part
+def tell(touch: ContactWork, modal: bool, lanes: tuple[int, ...]) -> None:
+    """Leaves in `push` what contacts and grasps did on the rows, for the balance and for who asks after the step."""
+    for i in range(touch.found.shape[0] if modal else 0):
+        store(touch.push, i, load(touch.found, i, lanes), lanes)
+    for c in range(touch.many[0]):
+        i = touch.reach[c]
+        store(touch.push, i, load(touch.said, i, lanes), lanes)
+
+
+@part
+def correct_near(op: Operator, work: Workspace, touch: ContactWork, cap: int, lanes: tuple[int, ...]) -> int:
+    """Corrects `work.mean` by what contacts do beside what they were said to.
+
+    Args:
+        op: the body.
+        work: `scale` and `values` as its last solve left them.
+        touch: what the last look gathered; `said` gets what contacts do at the new rate, if they are linear.
+        cap: on iterations.
+        lanes: fixes the width.
+
+    Returns:
+        Iterations.
+    """
+    one = op.entries.shape[0] == 1
+    values, scale = op.entries[0] if one else work.values, work.scale[0] if one else 1.0
+    zero, axes = splat(0.0, lanes), 3 if len(lanes) > 1 else 1
+    reach, own, mark, stiff = touch.reach, touch.own, touch.mark, touch.stiff
+    direction, inverse, answer, residual, image = touch.along, touch.inverse, touch.found, work.residual, work.image
+    count = touch.many[0]
+    energy = zero
+    for c in range(count):
+        i = reach[c]
+        for a in range(axes):
+            inverse[c, a] = 1.0 / (own[i] + stiff[3 * c + a, a])
+        r = load(touch.push, i, lanes) - load(touch.said, i, lanes)
+        z = load(inverse, c, lanes) * r
+        energy = energy + r * z
+        store(residual, i, r, lanes)
+        store(direction, i, z, lanes)
+        store(answer, i, zero, lanes)
+    square = total(energy)
+    if touch.goal[0] < 0.0:  # later ones have less to do; what one leaves, no other finds
+        touch.goal[0] = max(_LEAVES * _LEAVES * square, _TINY)
+    target = touch.goal[0]
+    ring, size, iterations = 0, count, 0
+    while not square <= target and iterations < min(cap, _MOST):
+        last = size
+        for place in range(ring, last):
+            for e in range(op.pointer[reach[place]], op.pointer[reach[place] + 1]):
+                i = op.column[e]
+                if mark[i] == 0:
+                    mark[i] = -1
+                    reach[size] = i
+                    size += 1
+                    store(residual, i, zero, lanes)
+                    store(answer, i, zero, lanes)
+        ring = last
+        curvature = zero
+        for place in range(size):
+            i = reach[place]
+            p = load(direction, i, lanes)
+            result = own[i] * p + scale * row_sum(op, values, i, direction, lanes)
+            if place < count:
+                for a in range(axes):
+                    result = result + direction[i, a] * load(stiff, 3 * place + a, lanes)
+            store(image, i, result, lanes)
+            curvature = curvature + p * result
+        length = square / total(curvature)
+        energy = zero
+        for place in range(size):
+            i = reach[place]
+            r = load(residual, i, lanes) - length * load(image, i, lanes)
+            z = load(inverse, place, lanes) * r if place < count else (1.0 / own[i]) * r
+            energy = energy + r * z
+            store(residual, i, r, lanes)
+            store(image, i, z, lanes)
+            store(answer, i, load(answer, i, lanes) + length * load(direction, i, lanes), lanes)
+        new = total(energy)
+        turn, square = new / square, new
+        iterations += 1
+        for place in range(size):
+            i = reach[place]
+            store(direction, i, load(image, i, lanes) + turn * load(direction, i, lanes), lanes)
+    most = 0.0
+    for place in range(size):
+        i = reach[place]
+        more = load(answer, i, lanes)
+        store(work.mean, i, load(work.mean, i, lanes) + more, lanes)
+        store(direction, i, zero, lanes)
+        most = max(most, total(more * more))
+        if place >= count:
+            mark[i] = 0
+            continue
+        left = load(touch.push, i, lanes)
+        for a in range(axes):
+            left = left - answer[i, a] * load(stiff, 3 * place + a, lanes)
+        store(touch.said, i, left, lanes)
+    touch.quick[0] += math.sqrt(most if axes == 3 else 3.0 * most)
+    return iterations
