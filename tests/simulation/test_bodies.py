@@ -93,7 +93,7 @@ def test_a_file_says_all_of_it() -> None:
         ({"bodies": [{**DIE, "name": name} for name in "ab"]}, 'bodies "a" and "b" are in one place; move one'),
         (
             {"bodies": [{**DIE, "name": "a"}, {**DIE, "name": "b", "at": [0.03, 0.01, 0.01]}], "world": {}},
-            'bodies: "b" and "a" begin 0.02 m deep in each other in the copy of user 1',
+            'bodies: "a" and "b" begin 0.015 m deep in each other in the copy of user 1, more than 0.02 of',
         ),
         ({"bodies": [{**DIE, "name": "a"}, {**DIE, "name": "a"}]}, 'two bodies are named "a"'),
         ({"bodies": [DIE]}, "bodies[1].name is missing"),
