@@ -59,6 +59,7 @@ INSIDERS = {
     "recording/test_audit.py": {"simulation"},
     "recording/test_disk.py": {"cli"},
     "session/liar.py": {"members", "samples"},
+    "session/test_cuts.py": {"members"},
     "session/test_heavy.py": {"members"},
     "session/test_keep.py": {"members"},
     "traversal/test_probe.py": {"samples"},

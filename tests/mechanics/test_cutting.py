@@ -8,6 +8,8 @@ from tests.mechanics.materials import Alone, bent, energy_at, made
 from cotouch.body import FACES, Body, cut_skin, lattice
 from cotouch.errors import BodyError
 from cotouch.mechanics import (
+    BETA,
+    CLOSURE_ALARM,
     CUT,
     CUT_COUNT,
     Cutting,
@@ -99,6 +101,18 @@ def test_cut_to_pieces_every_node_flies_on(name: str) -> None:
     assert np.einsum("n,na->a", copy.mass[:, 0], copy.velocity) == pytest.approx(
         np.einsum("n,na->a", copy.mass[:, 0], velocity), abs=1e-12
     )
+
+
+def test_across_a_cut_force_and_energy_agree() -> None:
+    worst: list[float] = []
+    for looks in (True, False):
+        copy, cutting = cut_copy("cells")
+        if not looks:
+            copy.force = copy.force._replace(cut=-1)
+        take_away(copy, cutting, np.arange(cutting.wanted.size // 3, 2 * cutting.wanted.size // 3))
+        worst.append(max(float(copy.step(2e-3)[BETA]) for _ in range(100)))
+    assert worst[0] < CLOSURE_ALARM
+    assert worst[0] < 0.5 * worst[1]
 
 
 def test_what_is_stretched_too_far_breaks() -> None:

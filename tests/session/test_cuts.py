@@ -76,9 +76,10 @@ class TestAgreement:
     def test_everybody_has_the_same_cuts_and_knows_whose_they_are(self, world: World) -> None:
         ann, *others = (cuts_of(person) for person in world.people)
         assert len(others) == 2
-        assert set(np.unique(ann)) == {0, 1}  # only the first may cut, and of those only she tore
-        for other in others:
-            assert np.array_equal(other, ann)
+        for cut in (ann, *others):  # where two copies tore alike, who was first depends on who is asked
+            assert np.array_equal(cut > 0, ann > 0)
+            assert 1 in cut
+            assert 2 not in cut  # who may not
         said = {person.copy.status(world.now).cut_set for person in world.people}
         assert len(said) == 1
         assert said != {""}

@@ -24,7 +24,7 @@ def turning(angle: float, seconds: float, *, user: int = 1, stiffness: float = 1
 
 
 def session(model: str, *, users: int = 3, hands: str = "", more: str = "") -> str:
-    """Its file."""
+    """Its file; with springs, for `paid` jerks so light a body that closing a step may take more than 1 %."""
     return f"""
 [session]
 users = {users}
@@ -41,6 +41,8 @@ damping = 0.02
 {model}
 [steps]
 rate = 250
+[synchronisation]
+law = "spring"
 {hands}"""
 
 

@@ -141,13 +141,16 @@ def _carriers(skin: Skin, elements: Ints) -> list[list[int]]:
         for node in corners:
             of_node.setdefault(node, set()).add(number)
     nothing: set[int] = set()
+    carriers: list[list[int]] = skin.nodes.tolist()
+    weights: list[list[float]] = skin.weights.tolist()
+    triangles: list[list[int]] = skin.triangles.tolist()
     vertex = [
-        frozenset(int(n) for n, w in zip(nodes, weights, strict=True) if abs(w) > _CARRIES)
-        for nodes, weights in zip(skin.nodes.tolist(), skin.weights.tolist(), strict=True)
+        frozenset(n for n, w in zip(own, shares, strict=True) if abs(w) > _CARRIES)
+        for own, shares in zip(carriers, weights, strict=True)
     ]
     result: list[list[int]] = []
-    for triangle in skin.triangles.tolist():
-        nodes = frozenset().union(*(vertex[v] for v in triangle))
+    for triangle in triangles:
+        nodes = frozenset[int]().union(*(vertex[v] for v in triangle))
         if elements.shape[1] == 2:
             pairs = combinations(sorted(nodes), 2)
             result.append(sorted(e for i, j in pairs for e in of_node.get(i, nothing) & of_node.get(j, nothing)))
@@ -170,10 +173,12 @@ def _inner(elements: Ints) -> tuple[Ints, Ints, Ints]:
     together = _A_SIDE[elements.shape[1]]
     sides = np.array(faces).reshape(-1, together * 3)
     at = elements[:, sides].reshape(-1, together * 3)
-    own = np.repeat(np.arange(elements.shape[0]), sides.shape[0])
+    own: Ints = np.repeat(np.arange(elements.shape[0], dtype=np.int64), sides.shape[0])
     key = np.array([sorted(set(side)) for side in at.tolist()])
     _, number, times = np.unique(key, axis=0, return_inverse=True, return_counts=True)
     order = np.argsort(number.reshape(-1), kind="stable")
     pairs = order[times[number.reshape(-1)[order]] == 2].reshape(-1, 2)
     here, there = np.concatenate([pairs, pairs[:, ::-1]]).T
-    return at[here].reshape(-1, 3), np.repeat(own[here], together), np.repeat(own[there], together)
+    owner: Ints = np.repeat(own[here], together).astype(np.int64)
+    beyond: Ints = np.repeat(own[there], together).astype(np.int64)
+    return at[here].reshape(-1, 3), owner, beyond

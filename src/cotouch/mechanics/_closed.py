@@ -24,6 +24,7 @@ from cotouch.mechanics._balance import (
 )
 from cotouch.mechanics._balance_parts import close_all, keep_parts
 from cotouch.mechanics._force import BodyForce, evaluate, lean, resist
+from cotouch.mechanics._force_memory import looks_ahead
 from cotouch.mechanics._force_together import begin
 from cotouch.mechanics._kernel import block, part
 from cotouch.mechanics._meeting import Parts
@@ -95,9 +96,10 @@ def closed_step(
     take_up(force.world, state.memory)
     ledger[ITERATIONS] = 0.0
     rate = state.velocity
-    for number in range(looks_of(force.world, force.directions, work.dense.shape[0] > 0)):
+    directions = looks_ahead(state.memory, force.directions, force.cut)
+    for number in range(looks_of(force.world, directions, work.dense.shape[0] > 0)):
         settled = predict(op, force, state, T, rate, work, lanes)
-        if number >= force.directions and settled:
+        if number >= directions and settled:
             break
         direct(
             op,

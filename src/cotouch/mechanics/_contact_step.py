@@ -19,6 +19,7 @@ from cotouch.mechanics._contact_skin import fastest, load_rows, look_around, rea
 from cotouch.mechanics._contact_sweep import NEVER, first_crossing
 from cotouch.mechanics._contact_work import Contact, ContactWork
 from cotouch.mechanics._force import BodyForce
+from cotouch.mechanics._force_memory import looks_ahead
 from cotouch.mechanics._kernel import block, part
 from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._proxy import book_drive, move_proxy, proxy_drive, proxy_inertia
@@ -92,10 +93,11 @@ def contact_step(
     for i in range(mean.shape[0]):
         store(mean, i, load(state.velocity, i, lanes), lanes)
     ledger[ITERATIONS] = 0.0
-    looks = 1
+    looks, directions = 1, 1
     if force is not None:
         take_up(force.world, state.memory)
-        looks = looks_of(force.world, force.directions, work.dense.shape[0] > 0)
+        directions = looks_ahead(state.memory, force.directions, force.cut)
+        looks = looks_of(force.world, directions, work.dense.shape[0] > 0)
     for number in range(_LOOKS + looks):
         for i in range(mean.shape[0]):
             store(push, i, splat(0.0, lanes), lanes)
@@ -112,7 +114,7 @@ def contact_step(
             same = True
             if force is not None:
                 same = predict(op, force, state, T, mean, work, lanes)
-                if same and number >= force.directions:
+                if same and number >= directions:
                     looks = number  # obstacles are told as well
             assemble(op, state, links, ports, local_damping, extra_damping, T, work, lanes)
             if force is not None:

@@ -41,8 +41,8 @@ class Cutting(NamedTuple):
     """The elements of a body as something to be cut; scratch besides.
 
     Attributes:
-        first: where the marks of a copy begin in its memory: the step after which each element was cut, from 1, then
-            the user who decided it, from 1; 0 of those that are whole.
+        first: where the marks of a copy begin in its memory, behind their number: the step after which each element was
+            cut, from 1, then the user who decided it, from 1; 0 of those that are whole.
         tear: strain at which an element breaks.
         decides: whether each user's copy cuts by itself, (users,).
         rest: places of the rows at rest, (rows, 4) [m].
@@ -252,6 +252,7 @@ def sever(
     ledger[CUT_COUNT] = new
     if new == 0:
         return 0
+    memory[cutting.first - 1] += new
     # With the rotations as they are; terms that are not below 0 can only make the sum less by going.
     energy, _ = evaluate(force.law, memory, state.position, state.position, state.velocity, 0, lanes)
     held = memory[ENERGY] - energy

@@ -46,6 +46,7 @@ class BodyForce(NamedTuple):
         parts: each body's share in the balance, of several; None: there is one.
         behind: where in a copy's memory begins what is not the law's: of the world, and which elements were cut; 0:
             nothing.
+        cut: where in it the number of elements is that were cut; negative: none can be.
     """
 
     law: Any
@@ -54,6 +55,7 @@ class BodyForce(NamedTuple):
     grain: float
     world: World | None = None
     behind: int = 0
+    cut: int = -1
     parts: Parts | None = None
 
 

@@ -10,6 +10,8 @@ from cotouch.mechanics._vector import at, put
 # Rows of a memory, of four numbers: the first holds the energy, rotations begin here, and behind them is scratch.
 FIRST = 1
 _SCRATCH = 3
+# Looks that a step of a body that was cut takes besides.
+_MORE = 4
 
 
 def memory_size(rotations: int) -> int:
@@ -29,6 +31,20 @@ def fresh_memory(size: int, more: int = 0) -> Float:
 def is_cut(memory: Float, first: int, element: int) -> bool:
     """Whether an element was cut; its marks begin at a place, or there are none."""
     return first >= 0 and at(memory, first + element) != 0.0
+
+
+@inner
+def looks_ahead(memory: Float, directions: int, cut: int) -> int:
+    """How often a step looks where its force leads: more often once something was cut.
+
+    The constant matrix of its directions holds what is gone, and each look leaves a share of that.
+
+    Args:
+        memory: of the copy.
+        directions: of a whole body.
+        cut: where the number of cut elements is; negative: none can be.
+    """
+    return directions + _MORE if cut >= 0 and at(memory, cut) > 0.0 else directions
 
 
 @inner

@@ -244,8 +244,8 @@ def _of_material(
             force = force._replace(parts=force.parts._replace(worked=world.bodies.worked))
     cut = -1
     if material.cuttable:
-        cut, memory = memory, memory + 2 * material.elements.shape[0]
-        force = force._replace(law=force.law._replace(cut=cut))
+        cut, memory = memory + 1, memory + 1 + 2 * material.elements.shape[0]
+        force = force._replace(law=force.law._replace(cut=cut), cut=cut - 1)
     return Model(
         body=body,
         operator=_operator(ordered, copies, split),

@@ -77,8 +77,9 @@ def cut_steps(recording: "Recording") -> Float:
     for event in recording.events:
         if event.kind != "cut":
             continue
-        named, step = event.fields.get("elements"), event.fields.get("step")
-        known = isinstance(named, list) and all(isinstance(e, int) and 0 <= e < found.size for e in named)
+        named: list[object] = list(event.fields.get("elements") or [])
+        step = event.fields.get("step")
+        known = all(isinstance(e, int) and 0 <= e < found.size for e in named)
         if not known or not isinstance(step, int):
             raise RecordingError(f"{recording.path} tells of cut elements that its body has not: {str(named)[:60]}")
         chosen = np.array(named, dtype=np.int64)

@@ -68,7 +68,7 @@ def _take(
     """Step k of a copy, whose hand is a spring, a damper and a push; its mean velocity."""
     count = spokes.spring.shape[0]
     first, last = (0, count) if copy == 0 else (copy - 1, copy)
-    state, weight = spokes.state[copy], np.ones(1)
+    state, weight, untouched = spokes.state[copy], np.ones(1), np.zeros(1)
     held, braked, driven = stiffness, damping + spokes.brake[copy], push
     for j in range(first, last):
         e, other = (2 * j, 1 + j) if copy == 0 else (2 * j + 1, 0)
@@ -86,6 +86,7 @@ def _take(
             j == first,
             j + 1 == last,
             count + 1,
+            1,
             spokes.spring[j],
             spokes.parameters[e],
             weight,
@@ -94,6 +95,7 @@ def _take(
             state[2],
             spokes.place[other, index + 1 : index + 2],
             spokes.felt[copy],
+            untouched,
             spokes.mail[e, letter],
             spokes.mail_scalars[e, letter],
             spokes.memory[e],
