@@ -42,8 +42,8 @@ stiffness = 100
 
 
 @pytest.fixture(scope="module")
-def played() -> World:
-    world = World(STACK, tick=2e-3)
+def played(tmp_path_factory: pytest.TempPathFactory) -> World:
+    world = World(STACK, folder=tmp_path_factory.mktemp("played"), tick=2e-3)
     for name in ("Ann", "Ben"):
         world.join(name, moves=False)
     world.until(world.all_coupled, 12.0)
