@@ -1,4 +1,5 @@
-// Puts the page's sources into the Python package: src/cotouch/web/static. `npm run build`, or with --watch.
+// Puts the page's sources, and the animation's, into the Python package: src/cotouch/web/static and
+// src/cotouch/simulation/_viewer. `npm run build`, or with --watch.
 import { createHash } from "node:crypto";
 import { cp, mkdir, readdir, readFile, writeFile } from "node:fs/promises";
 import { gzipSync } from "node:zlib";
@@ -7,7 +8,8 @@ import { fileURLToPath } from "node:url";
 import * as esbuild from "esbuild";
 
 const here = dirname(fileURLToPath(import.meta.url));
-const out = join(here, "..", "src", "cotouch", "web", "static");
+const packages = join(here, "..", "src", "cotouch");
+const out = join(packages, "web", "static");
 const watch = process.argv.includes("--watch");
 const LIBRARIES = ["three", "uplot"]; // what the bundle contains
 
@@ -65,6 +67,18 @@ const options = {
   plugins: [{ name: "rest", setup: (build) => build.onEnd((result) => (result.errors.length ? undefined : rest())) }],
 };
 
+// An animation is one file with this inside, which nothing can be served beside: it holds the licence itself.
+const three = (await readFile(join(here, "node_modules", "three", "LICENSE"), "utf8")).trim();
+const animation = {
+  ...options,
+  entryPoints: { animation: "src/animation/app.js" },
+  outdir: join(packages, "simulation", "_viewer"),
+  banner: { js: `/*! cotouch animation; sources ${await hash()}; with three.js:\n${three}\n*/` },
+  plugins: [],
+};
+
 await mkdir(out, { recursive: true });
-if (watch) await (await esbuild.context(options)).watch();
-else await esbuild.build(options);
+for (const one of [animation, options]) {
+  if (watch) await (await esbuild.context(one)).watch();
+  else await esbuild.build(one);
+}

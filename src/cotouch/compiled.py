@@ -357,11 +357,8 @@ def _not_kept(reason: str) -> None:
     """Says once in a process why machine code is not kept."""
     if not _told:
         _told.append(reason)
-        warnings.warn(
-            f"kernels are compiled anew in every process, for up to some minutes: they cannot be kept ({reason})",
-            CacheWarning,
-            stacklevel=2,
-        )
+        text = f"kernels are compiled anew in every process, for up to some minutes: they cannot be kept ({reason})"
+        warnings.warn(text, CacheWarning, stacklevel=2)
 
 
 _told: list[str] = []

@@ -3,6 +3,7 @@
 import json
 import math
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -17,6 +18,7 @@ from tests.stalls import Stalls
 
 from cotouch.errors import DeviceError
 from cotouch.haptics import Cause, DeviceChoice, ProxyEnd, ServoLink
+from cotouch.mechanics import device_couplings
 
 PEER = """
 import sys, time
@@ -59,8 +61,8 @@ def plant(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Generator[Plant]:
 class Held:
     """A link whose proxy is far, so that there is force."""
 
-    def __init__(self, plant: Plant, driver: str) -> None:
-        choice = DeviceChoice(f"tests.haptics.plant/{driver}", {"folder": str(plant.folder)})
+    def __init__(self, plant: Plant, driver: str, **said: str) -> None:
+        choice = DeviceChoice(f"tests.haptics.plant/{driver}", {"folder": str(plant.folder), **said})
         self.link = ServoLink(choice, real_time=None)
         self.end = ProxyEnd(self.link.options)
         self.said: list[str] = []
@@ -236,3 +238,27 @@ def _wait(done: Callable[[], object], what: str) -> None:
     while not done():
         assert time.monotonic() < end, what
         time.sleep(0.002)
+
+
+def test_a_servo_finds_the_coupling_of_another_package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    page = (Path(ROOT) / "docs" / "extending.md").read_text(encoding="utf-8")
+    code = re.search(r'```python title="my_coupling.py"\n(.*?)```', page, re.DOTALL)
+    assert code is not None
+    place, info = tmp_path / "site", tmp_path / "site" / "my_coupling-1.0.dist-info"
+    info.mkdir(parents=True)
+    (place / "my_coupling.py").write_text(code[1], encoding="utf-8")
+    (info / "METADATA").write_text("Metadata-Version: 2.1\nName: my-coupling\nVersion: 1.0\n", encoding="utf-8")
+    (info / "entry_points.txt").write_text("[cotouch.couplings]\nslipping = my_coupling:SLIPPING\n", encoding="utf-8")
+    monkeypatch.syspath_prepend(place)
+    monkeypatch.setattr("cotouch.mechanics._coupling_law._KNOWN", device_couplings())
+    monkeypatch.delitem(sys.modules, "my_coupling", raising=False)
+    monkeypatch.setenv("PYTHONPATH", os.pathsep.join((IMPORTS, str(place))))
+    plant = Plant(tmp_path)
+    held = Held(plant, "PLANT", coupling="slipping")
+    try:
+        assert held.link.options.law == "slipping"
+        held.until(lambda: plant.force > 0.0, "force")
+    finally:
+        sys.modules.pop("my_coupling", None)
+        held.link.close()
+        plant.close()

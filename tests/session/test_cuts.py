@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from tests.session.world import Person, World
 
-from cotouch.members._messages import read, write
+from cotouch.members import write
+from cotouch.members._messages import read
 from cotouch.members._shared_cuts import TOPIC, Statement
 from cotouch.recording import audit, read_recording
 from cotouch.samples import PathLaw

@@ -7,12 +7,7 @@ import pytest
 
 from cotouch.errors import BodyError, ScenarioError
 from cotouch.scenario import Scenario
-from cotouch.simulation import simulate
-from cotouch.simulation._outcome import run_prepared
-from cotouch.simulation._peers import run_peers
-from cotouch.simulation._prepare import prepare
-from cotouch.simulation._result import dataset
-from cotouch.simulation._shown import animation
+from cotouch.simulation import animation, dataset, prepare, run_peers, run_prepared, simulate
 
 DELAY = 0.04
 RUN: dict[str, Any] = {

@@ -12,6 +12,7 @@ import pytest
 
 PAGE = Path(__file__).parents[2] / "page"
 STATIC = files("cotouch.web") / "static"
+VIEWER = files("cotouch.simulation") / "_viewer"
 SERVED = ("index.html", "app.js", "app.css", "favicon.svg", "licences.txt")
 
 
@@ -27,8 +28,8 @@ def test_the_bundle_is_of_these_sources() -> None:
     for path in sources():
         digest.update(f"{path}\0".encode() + (PAGE / path).read_bytes() + b"\0")
     wanted = digest.hexdigest()
-    for name in ("app.js", "app.css"):
-        found = re.search(r"sources ([0-9a-f]{64});", (STATIC / name).read_text(encoding="utf-8")[:300])
+    for name, place in (("app.js", STATIC), ("app.css", STATIC), ("animation.js", VIEWER)):
+        found = re.search(r"sources ([0-9a-f]{64});", (place / name).read_text(encoding="utf-8")[:300])
         assert found is not None
         assert found[1] == wanted, f"{name} is of other sources: run `npm ci && npm run build` in page/ and commit it"
     assert (STATIC / "index.html").read_bytes() == (PAGE / "index.html").read_bytes()
@@ -40,6 +41,12 @@ def test_the_bundle_is_small_and_says_what_it_contains() -> None:
     licences = (STATIC / "licences.txt").read_text(encoding="utf-8")
     for library in ("three", "uplot"):
         assert re.search(rf"^== {library} [\d.]+ \(MIT\) ==$", licences, re.MULTILINE)
+
+
+def test_an_animation_holds_the_licence_of_what_it_contains() -> None:
+    head = (VIEWER / "animation.js").read_text(encoding="utf-8")[:2000]
+    assert "three.js authors" in head
+    assert "The above copyright notice and this permission notice shall be included" in head
 
 
 def test_nothing_in_the_bundle_is_loaded_from_elsewhere() -> None:

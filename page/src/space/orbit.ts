@@ -25,8 +25,9 @@ export class Orbit {
    * @param size radius of a ball around the centre with all in it [m]
    * @param cloud places that are to be seen at first, behind each other [m]
    * @param flat whether to look straight down
+   * @param room for what is pulled out of it, and for names: so much larger the picture is, in a high one and in a wide one
    */
-  constructor(centre: Vector3, readonly size: number, private readonly cloud: Float32Array, flat: boolean) {
+  constructor(centre: Vector3, readonly size: number, private readonly cloud: Float32Array, flat: boolean, private readonly room: readonly [number, number] = [1.2, 1.42]) {
     this.camera.up.set(0, 0, 1);
     this.camera.near = size * 0.02;
     this.camera.far = size * 60;
@@ -56,8 +57,7 @@ export class Orbit {
     let fit = 0.5 * this.size;
     for (let i = 0; i < this.cloud.length; i += stride) {
       q.fromArray(this.cloud, i).sub(target);
-      // Room for what is pulled out of it, and for names.
-      fit = Math.max(fit, q.dot(back) + (aspect < 1 ? 1.2 : 1.42) * Math.max(Math.abs(q.dot(right)) / aspect, 1.12 * Math.abs(q.dot(up))) / half);
+      fit = Math.max(fit, q.dot(back) + this.room[aspect < 1 ? 0 : 1] * Math.max(Math.abs(q.dot(right)) / aspect, 1.12 * Math.abs(q.dot(up))) / half);
     }
     this.fits.set(key, fit);
     return fit;
@@ -104,10 +104,12 @@ export class Orbit {
     const far = Math.abs(goal.yaw - now.yaw) + Math.abs(goal.pitch - now.pitch) + Math.abs(Math.log(goal.zoom / now.zoom)) + goal.target.distanceTo(now.target) / this.size;
     if (far === 0) return false;
     const part = far < 1e-3 ? 1 : share;
-    now.yaw += (goal.yaw - now.yaw) * part;
-    now.pitch += (goal.pitch - now.pitch) * part;
-    now.zoom *= (goal.zoom / now.zoom) ** part;
-    now.target.lerp(goal.target, part);
+    if (part < 1) {
+      now.yaw += (goal.yaw - now.yaw) * part;
+      now.pitch += (goal.pitch - now.pitch) * part;
+      now.zoom *= (goal.zoom / now.zoom) ** part;
+      now.target.lerp(goal.target, part);
+    } else this.now = clone(goal); // to the last digit
     this.apply();
     return true;
   }

@@ -78,8 +78,12 @@ export class HandProp {
   private readonly tip = new Vector3();
   private readonly neck = new Vector3();
 
-  /** @param size radius of the object [m] @param full force that draws the longest arrow [N] */
-  constructor(private readonly size: number, private readonly full: number, hex: string) {
+  /**
+   * @param size radius of the object [m]
+   * @param full force that draws the longest arrow [N]
+   * @param arrow how long arrows of no force and of that one are, in radii of the object
+   */
+  constructor(private readonly size: number, private readonly full: number, hex: string, private readonly arrow = { least: 0.08, longest: 0.8 }) {
     this.skin = material(hex);
     this.cord = material(hex);
     this.glass = material(hex, 0.55);
@@ -141,13 +145,14 @@ export class HandProp {
     this.shaft.visible = this.head.visible = share > 0.01 && !hand.pointed;
     if (!this.shaft.visible) return;
     along.copy(hand.force).divideScalar(force);
-    const length = size * (0.08 + 0.72 * share);
+    const length = size * (this.arrow.least + (this.arrow.longest - this.arrow.least) * share);
+    const head = Math.min(0.09 * size, 0.6 * length);
     const start = hand.radius > 0 ? hand.proxy : hand.place;
     this.tip.copy(start).addScaledVector(along, length);
-    this.neck.copy(start).addScaledVector(along, length - size * 0.09);
+    this.neck.copy(start).addScaledVector(along, length - head);
     const [tip, neck] = [this.tip, this.neck];
-    span(this.shaft, start, neck, size * 0.013);
-    span(this.head, neck, tip, size * 0.036);
+    span(this.shaft, start, neck, 0.145 * head);
+    span(this.head, neck, tip, 0.4 * head);
   }
 
   dispose(): void {

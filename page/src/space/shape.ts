@@ -22,7 +22,11 @@ export class Shape {
   readonly degree: Float32Array;
   readonly corners: number;
 
+  /** Whether triangles of a copy may be gone. */
+  loose: boolean;
+
   constructor(readonly scene: Scene) {
+    this.loose = scene.cutting != null;
     const points = scene.points.length / 3;
     if (scene.skin) {
       const cut = creased(scene.points, scene.skin.triangles);
@@ -92,8 +96,8 @@ export class Moving {
     }
     if (shape.triangles) {
       this.geometry.setAttribute("normal", this.normal);
-      const index = shape.scene.cutting ? shape.triangles.slice() : shape.triangles; // what is cut has one of its own
-      this.geometry.setIndex(new BufferAttribute(index, 1).setUsage(shape.scene.cutting ? DynamicDrawUsage : StaticDrawUsage));
+      const index = shape.loose ? shape.triangles.slice() : shape.triangles; // what is cut has one of its own
+      this.geometry.setIndex(new BufferAttribute(index, 1).setUsage(shape.loose ? DynamicDrawUsage : StaticDrawUsage));
       this.film = new BufferGeometry();
       for (const name of ["position", "shift", "normal"] as const) this.film.setAttribute(name, this.geometry.getAttribute(name));
       this.film.setIndex((this.faces = new BufferAttribute(new Uint32Array(shape.triangles.length), 1).setUsage(DynamicDrawUsage)));
@@ -105,17 +109,27 @@ export class Moving {
 
   /** Draws what is left when these elements are gone. @param told a bit for each, as in `MemberStatus.cut`; null: as it was */
   cut(told: string | null): void {
-    const { cutting } = this.shape.scene, all = this.shape.triangles;
-    if (!cutting || !all || told === null || told === this.told) return;
+    const { cutting } = this.shape.scene;
+    if (!cutting || told === null || told === this.told) return;
     this.told = told;
-    const cut = readCut(told, cutting.elements), index = this.geometry.index!.array as Uint32Array;
+    const cut = readCut(told, cutting.elements);
     const { pointer, element, beyond } = cutting;
-    this.gone = new Uint8Array(this.shape.corners).fill(1);
-    let size = 0;
-    for (let t = 0; t < beyond.length; t++) {
+    this.keep((t) => {
       let there = beyond[t]! < 0 || cut[beyond[t]!] === 1;
       for (let n = pointer[t]!; there && n < pointer[t + 1]!; n++) there = cut[element[n]!] === 0;
-      if (!there) continue;
+      return there;
+    });
+  }
+
+  /** Draws only some of the triangles; of a loose shape. */
+  keep(there: (triangle: number) => boolean): void {
+    const all = this.shape.triangles;
+    if (!all) return;
+    const index = this.geometry.index!.array as Uint32Array;
+    this.gone = new Uint8Array(this.shape.corners).fill(1);
+    let size = 0;
+    for (let t = 0; 3 * t < all.length; t++) {
+      if (!there(t)) continue;
       for (let k = 0; k < 3; k++) {
         index[size++] = all[3 * t + k]!;
         this.gone[all[3 * t + k]!] = 0;
@@ -152,6 +166,13 @@ export class Moving {
     this.shift.needsUpdate = true;
     this.peak = stretch ? this.stretch() : Math.sqrt(most) * scale;
     if (this.triangles) this.normals(this.triangles);
+  }
+
+  /** Gives every drawn point a value to be coloured by, in place of stretch. */
+  colour(values: Float32Array): void {
+    const value = this.value.array as Float32Array;
+    this.shape.point.forEach((point, c) => (value[c] = values[point]!));
+    this.value.needsUpdate = true;
   }
 
   /**

@@ -196,16 +196,7 @@ class Body:
         """The linear body that it is like at rest, without weight."""
         if self.material is None:
             return self
-        return Body(
-            mass=self.mass,
-            rest=self.rest,
-            damping_int=SumOfSquares(self.damping_int),
-            damping_ext=self.damping_ext,
-            stiffness_int=SumOfSquares(self.stiffness_int),
-            stiffness_ext=self.stiffness_ext,
-            skin=self.skin,
-            origin=self.origin,
-        )
+        return self._made_of(None, ())
 
     def with_places(self, places: npt.ArrayLike) -> "Body":
         """The same rigid body with more points that can be held.
@@ -216,7 +207,7 @@ class Body:
         Raises:
             BodyError: the body is not rigid, or a number not finite.
         """
-        return self._made_of(self.material or Material(model="linear"), places)
+        return self._made_of(self.material, places)
 
     @cached_property
     def damping(self) -> sp.csr_array:
@@ -283,7 +274,7 @@ class Body:
             raise BodyError(f"cutting needs a body of 3 axes, but this one has {self.dimension}")
         return self._made_of(replace(self.material, cuttable=True, tear=tear))
 
-    def _made_of(self, material: Material, places: npt.ArrayLike | None = None) -> "Body":
+    def _made_of(self, material: Material | None, places: npt.ArrayLike | None = None) -> "Body":
         return Body(
             mass=self.mass,
             rest=self.rest,
@@ -294,7 +285,7 @@ class Body:
             skin=self.skin,
             origin=self.origin,
             material=material,
-            parts=self.parts,
+            parts=() if material is None else self.parts,  # what is linear is one body
             places=self.places if places is None else places,
         )
 

@@ -13,6 +13,7 @@ from cotouch.device._couple import (
 )
 from cotouch.device._coupling_model import Coupling
 from cotouch.device._critical import critical_stiffness, rings
+from cotouch.device._installed import installed_coupling
 from cotouch.device._models import CartesianPlant, DeviceModel, PhantomPlant, ServoModel, SimulatedHand
 from cotouch.device._noticed import HAND_DAMPING, NOTICED, NOTICED_DRAG
 from cotouch.device._simulated import DeviceSample, SimulatedDevice
@@ -47,6 +48,7 @@ __all__ = [
     "couplings",
     "critical_stiffness",
     "excess_bound",
+    "installed_coupling",
     "preset",
     "pull_proxy",
     "rings",

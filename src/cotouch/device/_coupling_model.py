@@ -6,6 +6,7 @@ from typing import final
 
 from cotouch.arrays import Float
 from cotouch.device._checks import need
+from cotouch.device._installed import installed_coupling
 from cotouch.device._tables import COUPLED, HOST_FORCE, SPRING
 from cotouch.errors import DeviceError
 from cotouch.mechanics import DeviceCoupling, device_couplings, end_row
@@ -57,8 +58,8 @@ class Coupling:
     lag: int = 0
 
     def __post_init__(self) -> None:
-        if self.law not in _OTHERS and self.end is None:
-            raise DeviceError(f'law is "{self.law}"; it must be one of {", ".join([*device_couplings(), *_OTHERS])}')
+        if self.law not in _OTHERS:
+            installed_coupling(self.law, what="law", others=_OTHERS)
         need("stiffness", self.stiffness, unit="N/m")
         need("damping", self.damping, unit="Ns/m")
         need("cap", self.cap, unit="J")

@@ -5,12 +5,12 @@ from dataclasses import asdict, dataclass, fields, replace
 from math import inf, isfinite
 from typing import Any, Final, Literal, final
 
-from cotouch.device import DeviceSpec
+from cotouch.device import DeviceSpec, installed_coupling
 from cotouch.errors import DeviceError
 from cotouch.haptics._ends import WINDOW, EndOptions, checked
 from cotouch.haptics._registry import DeviceChoice, Option
 from cotouch.haptics._virtual import checked_virtual, virtual_limit
-from cotouch.mechanics import checked_toll, coupling_named, encoder_toll, opening_energy
+from cotouch.mechanics import checked_toll, encoder_toll, opening_energy
 
 Scale = float | Literal["fit"]
 # Scales beyond these make a device's tremble a leap of the body, or hide the body behind its encoders.
@@ -66,7 +66,7 @@ class CouplingChoice:
         Raises:
             DeviceError: a number is out of range, or has no effect with this law.
         """
-        law = coupling_named(self.law or _USUAL)
+        law = installed_coupling(self.law or _USUAL)
         for name in ("stiffness", "damping", *_PARAMETERS):
             value = getattr(self, name)
             if value is not None and not (isfinite(value) and value >= 0.0):
@@ -104,7 +104,7 @@ class CouplingChoice:
         """
         usual = EndOptions()
         stiffness = min(usual.stiffness, spec.stiffness)
-        law = coupling_named(self.law or _USUAL)
+        law = installed_coupling(self.law or _USUAL)
         pays = "friction" in law.parameters
         said = {name: getattr(self, name) for name in _PARAMETERS}
         damping = 0.0 if pays else min(usual.damping, spec.damping)
@@ -173,7 +173,7 @@ def coupling_of(choice: DeviceChoice) -> tuple[DeviceChoice, CouplingChoice]:
     said = {key: value for key, value in choice.options.items() if key in COUPLING}
     found: dict[str, Any] = {}
     if (law := said.pop("coupling", None)) is not None:
-        found["law"] = coupling_named(str(law)).name
+        found["law"] = installed_coupling(str(law)).name
     for name, value in said.items():
         found[name] = _said(name, value)
     return DeviceChoice(choice.name, options), CouplingChoice(**found)

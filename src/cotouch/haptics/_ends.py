@@ -8,11 +8,11 @@ still acts, which is a latency of one tick.
 from math import inf, isfinite
 from typing import NamedTuple, final
 
-from cotouch.device import DeviceSpec
+from cotouch.device import DeviceSpec, installed_coupling
 from cotouch.errors import DeviceError
 from cotouch.haptics._port import MotorPort, Rest, Wall, less, plus
 from cotouch.haptics._safety import ZERO, Vector, dot, scaled, size
-from cotouch.mechanics import END, EnergyMessage, HeldForce, book_end, coupling_named, end_row, hear, message_of
+from cotouch.mechanics import END, EnergyMessage, HeldForce, book_end, end_row, hear, message_of
 
 # Over which a servo measures the tip's velocity [s]: an encoder of 0.05 mm then tells 5 mm/s apart.
 WINDOW = 0.01
@@ -63,7 +63,7 @@ def checked(options: EndOptions, spec: DeviceSpec) -> EndOptions:
         DeviceError: there is no such law, a number is negative or not finite, or the spring is stiffer than the device
             renders well.
     """
-    coupling_named(options.law)
+    installed_coupling(options.law)
     for name, value in options._asdict().items():
         if name not in {"law", "most"} and not (isfinite(value) and value >= 0.0):
             raise DeviceError(f"the coupling's {name} is {value:g}; it must be finite and at least 0")
@@ -92,7 +92,7 @@ class _End:
             latency=0 if proxy else _LATENCY,
         )[None, :]
         self.row = self.rows[0]
-        self.law = coupling_named(options.law)
+        self.law = installed_coupling(options.law)
         self._run = self.law.half(proxy=proxy)
 
     def run(

@@ -268,8 +268,7 @@ class Replica:
 
         From there the links' guards bring the copy to where the others are, with the session's allowance.
         """
-        scenario = self._replica.scenario
-        model = self._replica.model(self.copies)
+        scenario, model = self._replica.scenario, self._replica.model(self.copies)
         hand = self._hand = self._make_hand(self.slot, model)
         place = self._replica.begins(self.slot)
         extra = self.extra_damping

@@ -6,9 +6,9 @@ from typing import Annotated, Any, Literal, Self, cast, final
 from pydantic import Discriminator, Field, FiniteFloat, Tag, model_validator
 
 from cotouch.body import Material
-from cotouch.device import PRESETS
-from cotouch.errors import ScenarioError
-from cotouch.mechanics import CONTACT_LAWS, device_couplings
+from cotouch.device import PRESETS, installed_coupling
+from cotouch.errors import DeviceError, ScenarioError
+from cotouch.mechanics import CONTACT_LAWS
 from cotouch.scenario._tables import NonNegative, Number, Place, Positive, Table
 
 # Of a device's servo, where neither a scenario nor a product says it [Hz].
@@ -132,9 +132,11 @@ class SimulatedDeviceTable(Table):
 
     @model_validator(mode="after")
     def _after(self) -> Self:
-        known = [*device_couplings(), "host_force"]
-        if self.coupling not in known:
-            raise ValueError(f'coupling is "{self.coupling}"; it must be one of {", ".join(known)}')
+        if self.coupling != "host_force":
+            try:
+                installed_coupling(self.coupling, others=("host_force",))
+            except DeviceError as error:
+                raise ValueError(str(error)) from None
         if self.preset is not None and self.preset not in PRESETS:
             raise ValueError(f'preset is "{self.preset}"; it must be one of {", ".join(PRESETS)}')
         if self.rate is not None and self.periods is not None:

@@ -7,7 +7,7 @@ from html import escape
 from importlib.resources import files
 from pathlib import Path
 from string import Template
-from typing import Any, Final, final
+from typing import Final, final
 
 import numpy as np
 import numpy.typing as npt
@@ -16,7 +16,7 @@ from cotouch import drawing
 from cotouch.body import Skin
 from cotouch.errors import BodyError, InputError, NetworkError
 from cotouch.files import prepare, write
-from cotouch.mechanics import Box, Plane, Plate, Shape
+from cotouch.mechanics import Shape
 from cotouch.simulation._animation_checks import (
     Float,
     Int,
@@ -33,11 +33,7 @@ from cotouch.simulation._animation_checks import (
 )
 from cotouch.simulation._pack import Packer
 
-# In the order in which they share one scope; see `_viewer/index.html`.
 HTML: Final = (".html", ".htm")
-# A plane is a floor if its normal is so much longer upwards than along the floor.
-_LEVEL: Final = 1e6
-_SCRIPTS: Final = ("data.js", "camera.js", "shapes.js", "scene.js", "chart.js", "app.js")
 
 
 @final
@@ -160,7 +156,7 @@ class Animation:
         ports: hands that hold it.
         links: pairs of user indices that are joined.
         series: further numbers of every user over time: discrepancy, age, energy residual.
-        shapes: what stands still around the object; of planes only level floors are drawn.
+        shapes: what stands still around the object.
         spans: when each triangle of each copy is there, from and until, (U, t, 2) [s]; by default always.
 
     Raises:
@@ -276,6 +272,8 @@ class Animation:
             raise InputError(
                 f"spans are {size_of(known)}; they must be {len(names)} users x {faces.shape[0]} triangles x 2"
             )
+        for shape in shapes:
+            shape.packed((0.0, 0.0, 0.0))  # says what is wrong with it
         keep_frozen(self, shapes=tuple(shapes), spans=known)
 
     def write(self, path: str | Path) -> Path:
@@ -332,7 +330,7 @@ class Animation:
             "links": self.links,
             "series": [{"name": entry.name, "unit": entry.unit} for entry in series],
             "peaks": {"displacement": displacement, "difference": difference},
-            **_around(self.shapes),
+            "obstacles": [_told(shape) for shape in self.shapes],
         }
         viewer = files("cotouch.simulation").joinpath("_viewer")
         read = {name: viewer.joinpath(name).read_text(encoding="utf-8") for name in ("index.html", "style.css")}
@@ -343,8 +341,7 @@ class Animation:
             style=Template(read["style.css"]).substitute(surface=drawing.SURFACE, alarm=drawing.ALARM, **colors),
             header=json.dumps(header, ensure_ascii=False).replace("<", "\\u003c"),
             data=packer.text(),
-            shaders=viewer.joinpath("shaders.glsl").read_text(encoding="utf-8"),
-            script="\n".join(viewer.joinpath(name).read_text(encoding="utf-8") for name in _SCRIPTS),
+            script=viewer.joinpath("animation.js").read_text(encoding="utf-8"),
         )
 
     def felt(self) -> Float:
@@ -369,18 +366,10 @@ class Animation:
         return displacement**0.5, difference**0.5
 
 
-def _around(shapes: Sequence[Shape]) -> dict[str, Any]:
-    """Height of the highest level floor, and boxes: centre, half sides and directions of the sides, and any hole."""
-    level = [
-        shape.point[2]
-        for shape in shapes
-        if isinstance(shape, Plane) and shape.normal[2] > _LEVEL * np.hypot(*shape.normal[:2])
-    ]
-    boxes = [shape.packed((0.0, 0.0, 0.0)) for shape in shapes if isinstance(shape, Box | Plate)]
-    return {
-        "floor": max(level, default=None),
-        "boxes": [{"centre": box[:3], "half": box[3:6], "turn": box[6:15], "hole": box[15:]} for box in boxes],
-    }
+def _told(shape: Shape) -> dict[str, str | list[float]]:
+    """A shape as the page's space knows it."""
+    numbers = {name: np.asarray(value, dtype=np.float64).tolist() for name, value in shape._asdict().items()}
+    return {"kind": type(shape).__name__.lower(), **numbers}
 
 
 def _carried(skin: Skin, field: Single) -> Single:

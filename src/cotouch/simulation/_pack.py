@@ -3,7 +3,7 @@
 Vertices take 16 bits for each coordinate, in equal steps over the box of all frames, so that none is off by more than
 half a step. What moves smoothly is then predicted by a straight line through its last two frames; the small rests,
 zigzag coded and split into low and high bytes, are what gzip is good at. All arithmetic is modulo 2^16, so nothing is
-lost after the rounding. `_viewer/data.js` undoes it.
+lost after the rounding. `page/src/animation/data.js` undoes it.
 """
 
 import base64

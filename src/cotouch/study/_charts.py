@@ -350,17 +350,10 @@ def dampings(found: Certificates) -> "Figure":
     marks = ("o", "s", "D")
     for k, (proof, color) in enumerate(zip(found.proofs, (_SLOW, _FAST, _GOOD), strict=True)):
         users = np.arange(proof.damping.size)
-        panel.plot(
-            proof.damping,
-            users + 0.18 * (k - 1),
-            marks[k],
-            color=color,
-            markersize=5.0,
-            label=f"{proof.name}: largest {proof.damping.max():.1f}",
-        )
-    panel.set_yticks(
-        range(found.proofs[0].damping.size), labels=[f"user {i + 1}" for i in range(found.proofs[0].damping.size)]
-    )
+        text = f"{proof.name}: largest {proof.damping.max():.1f}"
+        panel.plot(proof.damping, users + 0.18 * (k - 1), marks[k], color=color, markersize=5.0, label=text)
+    names = [f"user {i + 1}" for i in range(found.proofs[0].damping.size)]
+    panel.set_yticks(range(len(names)), labels=names)
     panel.invert_yaxis()
     panel.set_xlim(0.0, 1.05 * max(float(proof.damping.max()) for proof in found.proofs))
     panel.grid(visible=False, axis="y")
@@ -377,10 +370,8 @@ def consensus(found: Errata) -> "Figure":
     for panel, (name, states) in zip(panels, found.consensus.items(), strict=True):
         time = (np.arange(int(states.shape[0])) * TIME_UNIT).astype(np.float64)
         for user in range(states.shape[1]):
-            panel.plot(
-                *drawing.decimate(time, states[:, user], 1000),
-                **{**drawing.user_line(user), "linewidth": 0.7},
-            )
+            line = {**drawing.user_line(user), "linewidth": 0.7}
+            panel.plot(*drawing.decimate(time, states[:, user], 1000), **line)
         panel.set(title=titles[name], xlabel="Time / s", xlim=(0.0, float(time[-1])))
     panels[0].set_ylabel("State p_i")
     return figure

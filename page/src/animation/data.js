@@ -8,17 +8,17 @@
  * @property {number[]} low corner of the box around all vertices [m]
  * @property {number[]} step between levels [m]
  * @property {Record<string, Entry>} arrays
- * @property {{owner: number[], radius: number[]}} tools
+ * @property {{owner: number[], radius: number[], axis: number[][]}} tools of blades `axis` is from one end of the edge to the other
  * @property {{owner: number[]}} ports
  * @property {[number, number][]} links
  * @property {{name: string, unit: string}[]} series
  * @property {{displacement: number, difference: number}} peaks [m]
- * @property {number | null} floor height of what the object can lie on; null: nothing [m]
- * @property {{centre: number[], half: number[], turn: number[], hole: number[]}[]} boxes that stand around: directions of the sides, one after the other; of a round hole along the last its radius and place along the others, or nothing
+ * @property {import("../protocol").Obstacle[]} obstacles what stands still around
  */
 /** @typedef {{name: string, unit: string, values: ArrayLike<number>}} Series values by frame and user */
+/** @typedef {{owner: number[], radius: number[], place: Float32Array, force: Float32Array}} Touch */
 
-class Run {
+export class Run {
   /** @param {Header} header @param {ArrayBuffer} data */
   constructor(header, data) {
     /** @param {string} name */
@@ -54,18 +54,6 @@ class Run {
         const a = this.levels[here + i];
         out[i] = low[d] + step[d] * (a + share * (this.levels[next + i] - a));
       }
-  }
-
-  /** The triangles that are there at a moment, into `out`; returns how many numbers. @param {number} user @param {number} at @param {Uint32Array} out */
-  shown(user, at, out) {
-    const { triangles, spans } = this, time = this.timeAt(at), first = (user * triangles.length) / 3;
-    let size = 0;
-    for (let k = 0; k < triangles.length; k += 3) {
-      const span = 2 * (first + k / 3);
-      if (!(spans[span] <= time && time < spans[span + 1])) continue;
-      for (let c = 0; c < 3; c++) out[size++] = triangles[k + c];
-    }
-    return size;
   }
 
   /** A row of a track, straight between frames. @param {ArrayLike<number>} track @param {number} width @param {number} at */
@@ -119,7 +107,7 @@ function accumulated(halves, [users, frames, vertices]) {
 }
 
 /** @returns {Promise<Run>} */
-async function unpacked() {
+export async function unpacked() {
   const header = /** @type {HTMLElement} */ (document.getElementById("header"));
   const data = /** @type {HTMLElement} */ (document.getElementById("data"));
   const letters = atob(/** @type {string} */ (data.textContent).trim());
@@ -133,20 +121,20 @@ async function unpacked() {
 const PREFIXES = /** @type {[number, string][]} */ ([[1, ""], [1e-3, "m"], [1e-6, "µ"], [1e-9, "n"], [1e-12, "p"]]);
 
 /** What to divide by so that numbers up to `largest` read well, and the unit. @param {number} largest @param {string} unit @returns {[number, string]} */
-function prefixed(largest, unit) {
+export function prefixed(largest, unit) {
   if (!(largest > 0) || !unit) return [1, unit];
   const [factor, letter] = PREFIXES.find(([size]) => largest >= 0.999 * size) ?? PREFIXES[PREFIXES.length - 1];
   return [factor, letter + unit];
 }
 
 /** The largest of 1, 2 and 5 times a power of ten that is not above a positive number. @param {number} value */
-function round(value) {
+export function round(value) {
   const power = 10 ** Math.floor(Math.log10(value) + 1e-9);
   return (value >= 4.999 * power ? 5 : value >= 1.999 * power ? 2 : 1) * power;
 }
 
 /** A number in the text of the page. @param {number} value @param {number} digits */
-function num(value, digits = 3) {
+export function num(value, digits = 3) {
   if (!Number.isFinite(value)) return "–";
   return String(Number(value.toPrecision(digits))).replace("-", "−");
 }

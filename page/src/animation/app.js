@@ -1,4 +1,12 @@
-// The page: state, controls, and what is written around the picture.
+// An animation's page: state, controls, and what is written around the picture.
+import { RAMP_STOPS } from "../colours";
+import { bounds, Chart, HUES } from "./chart.js";
+import { num, prefixed, round, unpacked } from "./data.js";
+import { follow } from "./pointing";
+import { Shown } from "./shown";
+
+/** @typedef {import("./data.js").Run} Run */
+/** @typedef {import("./shown").Tile} Tile */
 
 /** @typedef {"ghosts" | "side" | "alone"} View */
 
@@ -24,12 +32,11 @@ function add(parent, kind, attributes = {}, text = "") {
 }
 
 class App {
-  /** @param {Run} run @param {WebGL2RenderingContext} gl */
-  constructor(run, gl) {
+  /** @param {Run} run */
+  constructor(run) {
     this.run = run;
-    this.scene = new Scene(gl, run);
-    const { middle, cloud, flat, size } = this.scene.sizes;
-    this.camera = new Camera(/** @type {Vec} */ (middle), cloud, flat && size[1] > 0 ? 1.5707 : 0.36);
+    this.scene = new Shown(/** @type {HTMLCanvasElement} */ (element("picture")), run);
+    this.orbit = this.scene.orbit;
     this.at = 0; // the moment, in frames
     this.playing = false;
     this.speed = 1;
@@ -42,14 +49,13 @@ class App {
     this.last = 0;
     this.pace = 0; // mean time between pictures [s]
     this.quality = 1; // share of the pixels' density while playing: less where there is no graphics card
-    this.framed = [0, 0]; // size of the picture that the camera has been fitted to
     this.help = /** @type {HTMLDialogElement} */ (element("help"));
     /** Largest size in every series, and what its numbers are divided by for their unit. */
     this.mosts = run.series.map(({ values }) => Math.max(...bounds(Array.from(values).filter(Number.isFinite)).map(Math.abs)));
     this.units = run.series.map(({ unit }, k) => prefixed(this.mosts[k], unit));
     this.chart = new Chart(element("chart"), run, (at) => this.seek(at));
     this.build();
-    this.camera.follow(element("picture"), () => this.camera.pixel(this.tiles()[0].width, this.tiles()[0].height), () => (this.stale = true));
+    follow(element("picture"), this.orbit, () => this.tiles()[0].height, () => (this.stale = true));
     new ResizeObserver(() => this.resized()).observe(element("stage"));
     new ResizeObserver(() => this.resized()).observe(element("chart"));
     const dark = matchMedia("(prefers-color-scheme: dark)");
@@ -92,7 +98,7 @@ class App {
     element("chart").classList.toggle("bare", !run.series.length);
     this.table(users);
     this.network(links, users);
-    element("bar").style.background = `linear-gradient(90deg, ${RAMP.map((c) => `rgb(${c})`).join()})`;
+    element("bar").style.background = `linear-gradient(90deg, ${RAMP_STOPS.join()})`;
     const field = /** @type {HTMLButtonElement} */ (element("field"));
     field.disabled = !(run.header.peaks.difference > 0);
     addEventListener("keydown", (event) => this.key(event));
@@ -150,7 +156,7 @@ class App {
       ink: read("ink"), muted: read("muted"), grid: read("grid"), surface: read("surface"),
       users: this.run.header.users.map((_, user) => read(`user-${(user % HUES) + 1}`)),
     };
-    this.lights = [...this.colors.users, read("line")].map((hex) => [1, 3, 5].map((k) => parseInt(hex.slice(k, k + 2), 16) / 255));
+    this.scene.paint(this.colors.users, dark);
     this.resized();
   }
 
@@ -222,7 +228,7 @@ class App {
       ArrowDown: () => this.hurry(SPEEDS[Math.max(faster - 1, 0)]),
       g: () => this.show("ghosts"), s: () => this.show("side"), a: () => this.show("alone"),
       c: () => this.recolour(), t: () => this.theme(!this.dark), "?": () => this.help.showModal(),
-      r: () => { this.camera.reset(); this.stale = true; },
+      r: () => { this.orbit.reset(); this.orbit.step(1); this.stale = true; },
     };
     const action = keys[event.key.length > 1 ? event.key : event.key.toLowerCase()];
     if (action) action();
@@ -271,18 +277,12 @@ class App {
   }
 
   draw() {
-    const { run, scene, colors, lights } = this, canvas = /** @type {HTMLCanvasElement} */ (element("picture"));
-    if (!colors || !lights) return;
+    const { run, scene, colors } = this;
+    if (!colors) return;
     const ratio = Math.min(devicePixelRatio, 2) * (this.playing ? this.quality : 1), stage = element("stage");
-    const [width, height] = [stage.clientWidth, stage.clientHeight].map((v) => Math.max(1, Math.round(v * ratio)));
-    if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
     const peak = run.header.peaks[this.field], top = peak > 0 ? ceiling(peak) : 0, tiles = this.tiles();
-    if (tiles[0].width !== this.framed[0] || tiles[0].height !== this.framed[1]) {
-      this.framed = [tiles[0].width, tiles[0].height];
-      this.camera.frame(tiles[0].width, tiles[0].height);
-    }
-    if (this.moved) scene.move(this.at, this.field, top, this.view === "ghosts" ? this.user : -1);
-    scene.draw(tiles, this.camera, lights, ratio);
+    if (this.moved) scene.move(this.at, this.field, top, this.user);
+    scene.draw(tiles, Math.max(1, stage.clientWidth), Math.max(1, stage.clientHeight), ratio);
     if (this.chart.stale) this.chart.sketch(run.series[this.shown], colors, this.user);
     this.chart.show(run.timeAt(this.at), colors);
     this.write(top);
@@ -323,16 +323,16 @@ class App {
 
   /** Names in the picture, and the scales, which follow the zoom. @param {Tile[]} tiles */
   label(tiles) {
-    const { scene, camera, run } = this, { peak, metresPerNewton, pitch, extent } = scene.sizes, labels = element("labels"), names = run.header.users;
+    const { scene, orbit, run } = this, { peak, metresPerNewton, pitch, radius } = scene.sizes, labels = element("labels"), names = run.header.users;
     labels.textContent = "";
     const last = tiles[tiles.length - 1];
     element("legend").className = last.x + 1.5 * last.width < element("stage").clientWidth ? "beside" : "";
-    const pixel = camera.pixel(tiles[0].width, tiles[0].height);
+    const pixel = orbit.metres(tiles[0].height);
     const force = peak > 0 ? round(Math.min(peak, (90 * pixel) / metresPerNewton)) : 0;
     const length = (force * metresPerNewton) / pixel, [factor, unit] = prefixed(force, "N"), [metre, metres] = prefixed(pitch, "m");
     element("arrow").innerHTML = force && length < 140
       ? `<svg width="${length + 2}" viewBox="0 0 ${length + 2} 9" aria-hidden="true"><path d="M0 4.5H${Math.max(length - 8, 0)}" stroke="currentColor" stroke-width="2"/><path d="M${length - 9} .5 ${length} 4.5 ${length - 9} 8.5z" fill="currentColor"/></svg>${num(force / factor)} ${unit}` : "";
-    element("pitch").textContent = `grid ${num(pitch / metre)} ${metres}`;
+    element("pitch").textContent = pitch ? `grid ${num(pitch / metre)} ${metres}` : "";
     if (this.view === "side") {
       const frame = Math.min(Math.round(this.at), run.frames - 1), force = scene.sizes.peak > 0;
       for (const { x, y, width, height, solid } of tiles) {
@@ -351,9 +351,9 @@ class App {
     for (const touch of scene.touches)
       touch.owner.forEach((user, k) => {
         if (!users.includes(user)) return;
-        const place = [...touch.place.subarray(3 * k, 3 * k + 3)], [x, y] = camera.seen(place, width, height);
-        const [tipX, tipY] = camera.seen(place.map((p, d) => p + metresPerNewton * touch.force[3 * k + d]), width, height);
-        const away = (touch.radius[k] || 0.011 * extent) / pixel + 3;
+        const place = [...touch.place.subarray(3 * k, 3 * k + 3)], [x, y] = scene.seen(place, width, height);
+        const [tipX, tipY] = scene.seen(place.map((p, d) => p + metresPerNewton * touch.force[3 * k + d]), width, height);
+        const away = (touch.radius[k] || 0.042 * radius) / pixel + 3;
         const name = add(labels, "span", { class: "name", style: `color:${this.color(user)}` }, names[user]);
         const w = name.offsetWidth, h = name.offsetHeight;
         // Beside an upright arrow, on the outer side of others; elsewhere, or left away, where another name stands.
@@ -383,12 +383,13 @@ function fail(sentence) {
 }
 
 async function start() {
-  const gl = /** @type {HTMLCanvasElement} */ (element("picture")).getContext("webgl2", { antialias: true, alpha: true });
+  const gl = document.createElement("canvas").getContext("webgl2");
   if (!gl) return fail("This animation needs WebGL2, which this browser does not offer or has switched off. Any current browser with graphics acceleration shows it.");
   if (!("DecompressionStream" in window)) return fail("This browser is too old to unpack the animation; any from 2023 on can.");
-  const app = new App(await unpacked(), gl);
+  gl.getExtension("WEBGL_lose_context")?.loseContext();
+  const app = new App(await unpacked());
   element("notice").hidden = true;
-  gl.canvas.addEventListener("webglcontextlost", () => fail("The graphics card was taken away; load the page again."));
+  element("picture").addEventListener("webglcontextlost", () => fail("The graphics card was taken away; load the page again."));
   // For whoever drives the page from outside: a film, a test, a talk.
   Object.assign(window, {
     cotouch: {
@@ -402,8 +403,10 @@ async function start() {
       show: (view) => app.show(view),
       /** @param {boolean} on */
       play: (on) => app.play(on),
+      /** Where a place is seen, from the left and top of its picture [pixels]. @param {number[]} place [m] */
+      seen: (place) => app.scene.seen(place, app.tiles()[0].width, app.tiles()[0].height),
       /** Places of a user's copy now, as drawn [m]. @param {number} user */
-      copy: (user) => Array.from(app.scene.copies[user].places),
+      copy: (user) => Array.from(app.scene.places[user]),
     },
   });
 }

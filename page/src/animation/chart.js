@@ -1,6 +1,10 @@
+import { num, prefixed, round } from "./data.js";
+/** @typedef {import("./data.js").Run} Run */
+/** @typedef {import("./data.js").Series} Series */
+
 // A line for every user over time, and the playhead: what one drags to go to another moment.
 
-class Chart {
+export class Chart {
   /** @param {HTMLCanvasElement} canvas @param {Run} run @param {(at: number) => void} seek */
   constructor(canvas, run, seek) {
     this.canvas = canvas;
@@ -109,11 +113,11 @@ class Chart {
   }
 }
 
-const HUES = 6; // colours of users; further rounds are dashed
+export const HUES = 6; // colours of users; further rounds are dashed
 const DASHES = [[], [6, 2.5], [2, 2]];
 
 /** @param {number[]} values */
-function bounds(values) {
+export function bounds(values) {
   return values.reduce(([low, high], value) => [Math.min(low, value), Math.max(high, value)], [0, 0]);
 }
 
