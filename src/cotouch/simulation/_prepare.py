@@ -253,7 +253,7 @@ def _recorded(scenario: Scenario, body: Body) -> Int:
         held = {hand.node for hand in scenario.hands}
         for tool in scenario.tools:
             held.add(1 + int(np.argmin(np.linalg.norm(body.rest - np.array(tool.at), axis=1))))
-        held |= {1, 2, 3, 4} if body.rigid else set() if held else {1}
+        held |= set(range(1, body.nodes + 1)) if body.rigid else set() if held else {1}
         return np.array(sorted(held), dtype=np.int32) - 1
     for number in asked:
         if number > body.holds:

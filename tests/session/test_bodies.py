@@ -1,0 +1,79 @@
+"""Several bodies live: two dice on a table, two members and one who comes later; books and an audit."""
+
+import numpy as np
+import pytest
+from tests.session.world import World
+
+from cotouch.recording import audit, read_recording
+
+STACK = """
+[session]
+users = 3
+spring = 25.0
+wait_for_peers = 1.5
+[[bodies]]
+name = "die"
+kind = "box"
+size = [0.05, 0.05, 0.05]
+mass = 0.1
+resolution = 1
+at = [0.0, 0.0, 0.025]
+step = [0.01, 0.0, 0.05]
+copies = 2
+[between]
+friction = 0.4
+damping = 20.0
+[world]
+gravity = [0, 0, -9.81]
+[[world.planes]]
+friction = 0.5
+damping = 20.0
+[steps]
+rate = 500
+[synchronisation]
+law = "spring"
+[[hands]]
+user = 2
+body = "die 2"
+at = [0.035, 0.0, 0.075]
+path = [[0, 0, 0, 0], [2, 0.01, 0, 0], [3, 0.03, 0, 0], [9, 0.03, 0, 0]]
+stiffness = 100
+"""
+
+
+@pytest.fixture(scope="module")
+def played(tmp_path_factory: pytest.TempPathFactory) -> World:
+    world = World(STACK, folder=tmp_path_factory.mktemp("played"), tick=2e-3)
+    for name in ("Ann", "Ben"):
+        world.join(name, moves=False)
+    world.until(world.all_coupled, 12.0)
+    world.run(0.5)
+    world.join("Cleo", moves=False)
+    world.until(lambda: len(world.people[0].states()) == 2 and world.all_coupled(), 12.0)
+    world.run(1.0)
+    return world
+
+
+def test_they_stand_and_what_is_pushed_slides(played: World) -> None:
+    played.check()
+    place = played.people[0].position
+    assert np.abs(place[:4]).max() <= 2e-3
+    for person in played.people:
+        assert person.copy.totals.residual <= 1e-10
+
+
+def test_an_audit_works_out_anew_what_bodies_did(played: World) -> None:
+    for person in played.people:
+        assert person.session_recorder is not None
+        person.session_recorder.close()
+    found = [read_recording(path) for path in played.recordings]
+    result = audit(found)
+    assert result.holds, result.verdict
+    for ledger in result.users:
+        assert ledger.worked_out == ledger.steps
+        assert abs(ledger.residual) <= 1e-11 * result.in_play
+    material = found[0].header.body.material
+    assert material is not None
+    assert material.between is not None
+    assert material.between.friction == 0.4
+    assert material.same(found[1].header.body.material)
