@@ -198,6 +198,20 @@ def test_a_disk_that_cannot_follow_costs_whole_batches_and_says_so(tmp_path: Pat
     assert np.array_equal(read.columns["force"][:, 0, 0], 2.0 * index)  # what is there is not mixed up
 
 
+def test_a_loop_on_a_virtual_clock_may_wait_for_the_disk_and_lacks_nothing(tmp_path: Path) -> None:
+    path = tmp_path / "a.mcap"
+    recorder = Recorder(path, header(), batch=10, interval=1e9, buffers=3, waits=True)
+    slow = recorder._file = SlowFile(recorder._file)  # type: ignore[attr-defined]
+    recorder.setup(10.0, copies=2, neighbours=[1], strength=[5.0])
+    threading.Timer(0.2, slow.go.set).start()
+    for k in range(100):
+        recorder.step(report(k, value=float(k)), end=10 + k, T=1.0, state=state())
+    done = recorder.close()
+    read = read_recording(path)
+    assert (done.steps, done.dropped_steps, read.steps, read.missing) == (100, 0, 100, 0)
+    assert not [event for event in read.events if event.kind == "gap"]
+
+
 def test_a_full_disk_ends_the_recording_and_not_the_loop(tmp_path: Path) -> None:
     """The limit on the size of files stands for the disk."""
     program = f"""

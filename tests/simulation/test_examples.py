@@ -15,6 +15,7 @@ from cotouch.simulation import discrepancy, felt, simulate, summary
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 Made = tuple[Scenario, xr.Dataset]
+Floats = npt.NDArray[np.float64]
 
 
 def made(path: Path) -> Made:
@@ -30,6 +31,12 @@ def squeeze() -> Made:
 @pytest.fixture(scope="module")
 def alone() -> Made:
     return made(EXAMPLES / "alone.toml")
+
+
+@pytest.fixture(scope="module")
+def alone_by_springs() -> Made:
+    scenario = Scenario.read(EXAMPLES / "alone.toml").replace(synchronisation__law="spring")
+    return scenario, simulate(scenario)
 
 
 @pytest.fixture(scope="module")
@@ -100,22 +107,23 @@ def test_one_user_alone_feels_the_whole_object(alone: Made) -> None:
     assert summary(run, body)["hold"]["force_imbalance"] < 1e-3 * np.linalg.norm(whole)
 
 
-def test_the_closed_form_of_rest_predicts_force_and_copies(alone: Made) -> None:
-    """[P + I ⊗ K/N + grasp] x = grasp y, and springs in series from the hand's will to the grasp: no simulation."""
-    scenario, run = alone
-    body, network, tool = scenario.build_body(), scenario.network, scenario.tools[0]
-    users, nodes = network.size, body.nodes
+def at_rest(scenario: Scenario, spring: Floats) -> tuple[Floats, Floats]:
+    """The force that the user of a grasp feels in the end, and where all copies are then; no simulation.
+
+    [P + I ⊗ K/N + grasp] x = grasp y, and springs in series from the hand's will to the grasp.
+    """
+    body, tool = scenario.build_body(), scenario.tools[0]
+    users, nodes = spring.shape[0], body.nodes
     assert tool.hand is not None
     assert tool.device is not None
     system = np.zeros((users * nodes, users * nodes))
     for i in range(users):
         own = slice(i * nodes, (i + 1) * nodes)
-        system[own, own] += body.stiffness.toarray() / users + network.spring[i].sum() * np.eye(nodes)
+        system[own, own] += body.stiffness.toarray() / users + spring[i].sum() * np.eye(nodes)
         for j in range(users):
             if i != j:
-                system[own, j * nodes : (j + 1) * nodes] -= network.spring[i, j] * np.eye(nodes)
+                system[own, j * nodes : (j + 1) * nodes] -= spring[i, j] * np.eye(nodes)
     held = np.flatnonzero(np.linalg.norm(body.rest - np.array(tool.at), axis=1) <= tool.radius)
-    assert held.size == run["touching"].values[0, -1]
     system[held, held] += tool.stiffness
     load = np.zeros(users * nodes)
     load[held] = tool.stiffness
@@ -123,17 +131,36 @@ def test_the_closed_form_of_rest_predicts_force_and_copies(alone: Made) -> None:
     stiffness = tool.stiffness * float((1.0 - place[held]).sum())  # that the tool feels
     series = 1.0 / (1.0 / tool.hand.stiffness + 1.0 / tool.device.stiffness + 1.0 / stiffness)
     goal = np.array(tool.hand.path[-1][1:])  # type: ignore[index]  # pyright: ignore[reportIndexIssue]
-    expected = series * goal
-    np.testing.assert_allclose(-felt(run)[0, -1], expected, rtol=1e-3, atol=1e-9)
-    moved = place.reshape(users, nodes, 1) * (expected / stiffness)
-    copies = run["position"].values[:, -1] - body.rest
+    force = series * goal
+    return force, place.reshape(users, nodes, 1) * (force / stiffness)
+
+
+def test_the_closed_form_of_rest_predicts_force_and_copies(alone: Made) -> None:
+    """`paid` lets copies that rest be one body: the user feels what he would of a single one."""
+    scenario, run = alone
+    assert run.attrs["law"] == "paid"
+    force, moved = at_rest(scenario, np.zeros((1, 1)))
+    np.testing.assert_allclose(-felt(run)[0, -1], force, rtol=1e-6, atol=1e-9)
+    copies = run["position"].values[:, -1] - scenario.build_body().rest
+    assert np.abs(copies - moved).max() < 1e-6 * np.abs(moved).max()
+
+
+def test_the_closed_form_of_rest_with_springs_predicts_force_and_copies(alone_by_springs: Made) -> None:
+    """Springs that are stretched keep copies apart, and what one user feels is softer."""
+    scenario, run = alone_by_springs
+    force, moved = at_rest(scenario, scenario.network.spring)
+    np.testing.assert_allclose(-felt(run)[0, -1], force, rtol=1e-3, atol=1e-9)
+    copies = run["position"].values[:, -1] - scenario.build_body().rest
     assert np.abs(copies - moved).max() < 1e-3 * np.abs(moved).max()
 
 
-def test_watchers_see_what_one_user_does(alone: Made) -> None:
+def test_watchers_see_what_one_user_does(alone: Made, alone_by_springs: Made) -> None:
+    """With `paid` just that; with springs less, by what these stretch, and both watchers alike."""
     scenario, run = alone
-    moved = run["position"].values[:, -1] - scenario.build_body().rest
-    heights = moved[..., 2].max(axis=1)
+    rest = scenario.build_body().rest
+    moved = run["position"].values[:, -1] - rest
+    assert np.abs(moved[1:] - moved[0]).max() < 1e-6 * np.abs(moved[0]).max()
+    heights = (alone_by_springs[1]["position"].values[:, -1] - rest)[..., 2].max(axis=1)
     assert heights[1:] == pytest.approx(heights[1], rel=0.01)
     assert 0.4 * heights[0] < heights[1] < heights[0]
 

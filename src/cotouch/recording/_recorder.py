@@ -1,4 +1,4 @@
-"""The recorder: numbers are copied in the loop, and written by a thread of its own, which the loop never waits for."""
+"""The recorder: numbers are copied in the loop, and written by a thread, for which no loop that keeps time waits."""
 
 import time
 from collections.abc import Sequence
@@ -71,7 +71,7 @@ class Recorder:
     """Records one user's steps and events into an MCAP file.
 
     `setup`, then `step` after every step and `event` whenever something happens, then `close`; from one thread. If
-    the disk cannot follow, whole batches are dropped and an event of kind "gap" says which.
+    the disk cannot follow, whole batches are dropped and an event of kind "gap" says which; unless it `waits`.
 
     Attributes:
         failure: why nothing is written any more; None as long as it is.
@@ -86,6 +86,7 @@ class Recorder:
         interval: float = 0.25,
         every: int | None = None,
         buffers: int = 4,
+        waits: bool = False,
     ) -> None:
         """Opens the file and starts the thread.
 
@@ -97,6 +98,8 @@ class Recorder:
             every: the state is kept at every so many steps; None: at all of them for a body of up to 256 numbers, for
                 a larger one at so many fewer that the file grows no faster.
             buffers: batches that may wait for the disk, and the one being filled, >= 2.
+            waits: whether a step waits for a slow disk, 30 s at most, before its batch is dropped; for a loop on a
+                virtual clock, which runs faster than disks and has no hand to keep waiting.
 
         Raises:
             RecordingError: the file exists, or cannot be made.
@@ -108,6 +111,7 @@ class Recorder:
         self._batch = max(1, batch)
         self._interval = interval
         self._buffers = max(2, buffers)
+        self._patience = _JOIN if waits else 0.0
         self._free: SimpleQueue[Buffer] = SimpleQueue()
         self._full: SimpleQueue[_Full | dict[str, Any] | None] = SimpleQueue()
         self._current: Buffer | None = None
@@ -188,7 +192,7 @@ class Recorder:
         link_state: Sequence[int] | npt.NDArray[np.int8] | None = None,
         extra: Extra | None = None,
     ) -> None:
-        """Copies what a step did; never waits and opens nothing.
+        """Copies what a step did; opens nothing, and never waits if the recorder does not.
 
         Args:
             report: of `Peer.step`.
@@ -282,7 +286,7 @@ class Recorder:
             return
         self._ended = current.last_end
         try:
-            following = self._free.get_nowait()
+            following = self._free.get(self._patience > 0.0, self._patience)
         except Empty:
             self._dropped_steps += current.count
             if self._gap is None:
