@@ -33,10 +33,10 @@ import psutil
 
 from benchmarks._report import Row, add_write, finish
 from benchmarks._trend import Trend, trend
+from cotouch.files import toml_text
 from cotouch.members import SessionFile
 from cotouch.recording import audit, read_recording
 from cotouch.session import MemberProcess, OpenHost, demo_file, open_host
-from cotouch.session._demo_session import to_toml
 
 MINUTES = 10.0
 RATE = 100
@@ -66,7 +66,7 @@ def session() -> SessionFile:
         reach = hand["path"][-1][1]
         hand["path"] = [point for k in range(400) for point in ([6 * k, reach * (k % 2)], [6 * k + 4, reach * (k % 2)])]
         hand.pop("release", None)
-    return SessionFile.from_toml(to_toml(tables))
+    return SessionFile.from_toml(toml_text(tables))
 
 
 class Soak:

@@ -116,10 +116,14 @@ def read_toml(block: Block) -> None:
     if "[[session.devices]]" in block.text:
         SessionFile.from_toml((ROOT / "examples/live.toml").read_text(encoding="utf-8") + block.text)
     elif "entry-points" in block.text:
-        assert f'[project.entry-points."{GROUP}"]' in block.text
+        assert any(f'[project.entry-points."{group}"]' in block.text for group in (GROUP, "cotouch.couplings"))
     elif block.text.startswith(("[channel]", "[contact]", "[world]")):
         tables = tomllib.loads(block.text)
         assert Scenario.make(network=TWO, **tables).model_fields_set == {"network", *tables}
+    elif block.text.startswith("[cutting]"):
+        tables = tomllib.loads(block.text)
+        body = {"kind": "lattice", "shape": [3, 3, 3], "neighbours": 18, "model": "spring-network"}
+        assert Scenario.make(network=TWO, body=body, **tables).cutting is not None
     elif "law = {" in block.text:  # two ways of saying it
         for line in block.text.splitlines()[1:]:
             table = tomllib.loads(line.split("#")[0])

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cotouch.body import Body, Placed, body_from_tetrahedra, lattice, point, rigid_box, together
+from cotouch.body import Body, Placed, body_from_tetrahedra, chain, lattice, point, rigid_box, together
 from cotouch.errors import CotouchError
 
 BLOCK = lattice((2, 3, 2), mass=0.6, stiffness=100.0, spacing=0.02, model="cells")
@@ -60,7 +60,7 @@ def test_what_holds_a_rigid_one_is_its_own() -> None:
         ([("a", BLOCK), ("a", solid())], 'two bodies are named "a"; each needs a name of its own'),
         ([("", BLOCK)], "a body has an empty name; each needs a name of its own"),
         ([("p", point())], 'body "p" has 1 axes; bodies meet by their skins, so take it from a mesh or a lattice'),
-        ([("p", lattice((3, 3, 1)))], 'body "p" has no skin; bodies meet by their skins'),
+        ([("p", chain(3, dimension=3))], 'body "p" has no skin; bodies meet by their skins'),
         ([("m", lattice((3, 3, 3), ground="z-", ground_stiffness=1.0).truncated(modes=3))], 'body "m" is truncated'),
         ([("t", together([Placed(body=BLOCK, name="a")]))], 'body "t" is several itself; list them one by one'),
     ],

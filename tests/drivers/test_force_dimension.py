@@ -101,10 +101,14 @@ def test_the_middle_of_the_workspace(board: Board, device: ForceDimension, syste
     """What CHAI3D adds to the places of a sigma.7, in the vendor's axes [mm]."""
     board.set("system", system)
     device.open()
-    board.inject(Fault.FROZEN)
-    x, y, z = device.exchange(np.zeros(3)).position
-    theirs = board.get("position")  # it moves meanwhile, by 0.2 m/s at most
-    np.testing.assert_allclose([-x, -y, z], np.array(theirs) + 1e-3 * np.array(middle), atol=5e-3)
+    for _ in range(20):  # it moves meanwhile, by 0.2 m/s at most, and the machine may stand still for some 10 ms
+        board.inject(Fault.FROZEN)
+        x, y, z = device.exchange(np.zeros(3)).position
+        away = np.abs([-x, -y, z] - np.array(board.get("position")) - 1e-3 * np.array(middle)).max()
+        board.inject(Fault.NONE)
+        if away < 5e-3:
+            return
+    raise AssertionError(away)
 
 
 @pytest.mark.parametrize(("system", "grips"), [(35, 1), (37, 1), (104, 1), (209, 1), (33, 0), (34, 0), (108, 0)])

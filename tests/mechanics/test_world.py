@@ -5,7 +5,7 @@ import numpy.typing as npt
 import pytest
 from tests.mechanics.materials import Alone
 
-from cotouch.body import Body, GridModel, lattice
+from cotouch.body import Body, GridModel, chain, lattice
 from cotouch.errors import BodyError, UnsupportedError
 from cotouch.mechanics import (
     BETA,
@@ -207,4 +207,4 @@ def test_bad_obstacles_are_refused() -> None:
     with pytest.raises(BodyError, match=r"an obstacle is 1e-06 m thin, but the triangles of the skin are up to"):
         model(cube(), obstacles=[Obstacle(shape=Box((1.0, 1.0, 1e-6)))])
     with pytest.raises(UnsupportedError, match=r"^the body has no skin; obstacles are met by a skin"):
-        model(lattice((3, 3, 1)), obstacles=[TABLE])
+        model(chain(3, dimension=3), obstacles=[TABLE])

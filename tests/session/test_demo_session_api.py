@@ -417,7 +417,7 @@ def children() -> list[int]:
     ("body", "law", "has", "links"),
     [
         ("point", None, "paid", 10),
-        ("block", None, "spring", 5),
+        ("block", None, "paid", 10),
         ("point", "spring", "spring", 6),
         ("point", "wave", "wave", 6),
     ],

@@ -38,6 +38,7 @@ def run() -> xr.Dataset:
 # Only bodies with a closed step have these.
 _CLOSED = ("closure", "closure_factor", "closure_alarms")
 _WORLD = ("world_force", "world_loss", "world_stored")
+_CUT = ("cut", "cut_by", "cut_elements", "cut_time")
 
 
 def test_dimensions_and_units(run: xr.Dataset) -> None:
@@ -51,6 +52,7 @@ def test_dimensions_and_units(run: xr.Dataset) -> None:
         "frame_position",
         *_CLOSED,
         *_WORLD,
+        *_CUT,
         "time",
         "tick_time",
     }

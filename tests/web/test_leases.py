@@ -64,7 +64,7 @@ class Room:
 
     async def ask(self, page: Page, what: str, **arguments: object) -> None:
         self.hub.received(page)
-        self.hub.asked(page, Do(type="do", id=1, what=what, arguments=arguments))
+        self.hub.asked(page, Do(type="do", id=1, what=what, parts=arguments))
         await asyncio.gather(*self.hub._tasks)
 
     async def lower(self, page: Page, fraction: float = 0.5) -> None:
@@ -141,7 +141,7 @@ def test_damping_that_is_lowered_for_a_page_that_left_meanwhile_comes_back() -> 
     async def story(room: Room) -> None:
         ann = room.come(0)
         room.come(1)
-        room.hub.asked(ann, Do(type="do", id=1, what="damping", arguments={"fraction": 0.5}))
+        room.hub.asked(ann, Do(type="do", id=1, what="damping", parts={"fraction": 0.5}))
         room.hub.leave(ann)
         await asyncio.gather(*room.hub._tasks)
         assert room.damping == 1.0

@@ -40,7 +40,7 @@ WATCH = """([point, far]) => {
 
 # Everybody takes part and hears the neighbours; on a busy machine links are coupled much later, or guarded for long.
 JOINED = """Object.values(store.state.members).every((one) => one.here && one.steps > 0) &&
-    Object.values(store.state.ends).length === 4 &&
+    Object.values(store.state.ends).length === 6 &&
     Object.values(store.state.ends).every((end) => ['guarded', 'ready', 'coupled'].includes(end.state))"""
 # Nothing of any copy is far from its rest [m].
 REST = "store.frame.copies.every((copy) => copy.displacement.every((d) => Math.abs(d) * store.frame.scale < 0.002))"
