@@ -190,9 +190,7 @@ def without(recording: Recording, lacking: np.ndarray) -> Recording:
     kept, rows = ~lacking, recording.states["state_row"]
     states = {name: values[kept[rows]] for name, values in recording.states.items()}
     states["state_row"] = (np.cumsum(kept) - 1)[states["state_row"]]
-    return replace(
-        recording, columns={name: values[kept] for name, values in recording.columns.items()}, states=states
-    )
+    return replace(recording, columns={name: values[kept] for name, values in recording.columns.items()}, states=states)
 
 
 def test_an_audit_accuses_nobody_of_what_is_not_recorded(tmp_path: Path) -> None:
