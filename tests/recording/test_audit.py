@@ -311,6 +311,7 @@ def with_tools(folder: Path) -> list[Path]:
     scenario = Scenario.make(
         network={"users": ["Ann", "Ben"], "spring": [[0, 60], [60, 0]], "delay": [[0, 0.02], [0.02, 0]]},
         body={"kind": "lattice", "shape": [3, 3, 3], "ground": "z-", "ground_stiffness": 200.0},
+        synchronisation={"law": "spring"},  # as what records it says
         steps={"duration": 0.4, "period": 0.004},
         synchronisation={"law": "spring"},
         tools=[

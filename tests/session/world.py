@@ -59,7 +59,8 @@ class Person:
         if world.folder is not None:
             path = world.folder / f"{name} {world.count}.mcap"
             world.recordings.append(path)
-            self.session_recorder = SessionRecorder(path, world.session, world.replica, name=name)
+            # Time runs faster than disks.
+            self.session_recorder = SessionRecorder(path, world.session, world.replica, name=name, buffers=64)
         self.telemetry = None
         if world.mailboxes is not None:
             self.telemetry = TelemetryPublisher(

@@ -40,7 +40,9 @@ class SessionRecorder:
         trouble: what is wrong with it, in words that follow "the recording"; after `close`. None: it is whole.
     """
 
-    def __init__(self, file: Path | NewFile, session: SessionFile, replica: SharedModel, *, name: str) -> None:
+    def __init__(
+        self, file: Path | NewFile, session: SessionFile, replica: SharedModel, *, name: str, buffers: int = 4
+    ) -> None:
         """Makes the file; nothing is in it before the copy moves.
 
         Args:
@@ -48,6 +50,7 @@ class SessionRecorder:
             session: that is recorded.
             replica: the body as built here.
             name: of the member.
+            buffers: batches that may wait for the disk, and the one being filled, >= 2.
 
         Raises:
             RecordingError: the file exists, or cannot be made.
@@ -56,7 +59,7 @@ class SessionRecorder:
         self.trouble: str | None = None
         self._file = file if isinstance(file, NewFile) else NewFile(file)
         self._session, self._replica, self._law = session, replica, replica.law
-        self._name = name
+        self._name, self._buffers = name, buffers
         self._recorder: Recorder | None = None
         self._refused: str | None = None
         self._closed = False
@@ -94,7 +97,7 @@ class SessionRecorder:
                 },
             )
             try:
-                self._recorder = Recorder(self._file, header)
+                self._recorder = Recorder(self._file, header, buffers=self._buffers)
             except RecordingError as error:
                 self._refused = getattr(error.__cause__, "strerror", None) or str(error)
                 self.trouble = f"was not begun: {self._refused}"
