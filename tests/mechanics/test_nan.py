@@ -1,11 +1,13 @@
 import numpy as np
+import pytest
 
 from cotouch.body import lattice
 from cotouch.scenario import Scenario
 from cotouch.simulation import prepare, run_peers
 
 
-def test_nan_shows_in_the_state_instead_of_passing_for_rest() -> None:
+@pytest.mark.parametrize("law", ["spring", "paid"])
+def test_nan_shows_in_the_state_instead_of_passing_for_rest(law: str) -> None:
     """A device that delivers NaN must not leave a body that looks healthy."""
     scenario = Scenario.make(
         network={"users": ["a", "b"], "spring": [[0, 50], [50, 0]], "delay": [[0, 0.01], [0.01, 0]]},
@@ -13,6 +15,7 @@ def test_nan_shows_in_the_state_instead_of_passing_for_rest() -> None:
         steps={"duration": 0.05, "period": 0.01},
         hands=[{"user": 1, "kind": "force", "path": [1.0, 0.0, 0.0]}],
         solver={"basis": "nodal"},
+        synchronisation={"law": law},
     )
     prepared = prepare(scenario)
     assert prepared.model.basis == "nodal"

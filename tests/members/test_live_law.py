@@ -1,6 +1,7 @@
 """Sessions whose links a law holds that is passive by itself, instead of guarded springs."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -16,7 +17,7 @@ from cotouch.members import SessionFile, SharedModel, felt
 from cotouch.members._live_law import LiveLaw
 from cotouch.network import Network
 from cotouch.peer import CopyMemory, FreshestLink, LawLink, Message, Sample
-from cotouch.recording import audit, read_recording
+from cotouch.recording import Recording, audit, read_recording
 from cotouch.samples import HEAD_BYTES, Arrival, Assembly, Chunk, Codec, Heading, PathLaw, Refusal
 
 LAWS = laws()
@@ -177,6 +178,51 @@ def test_nothing_is_made_whatever_becomes_of_the_network_and_its_members(seed: i
         person.session_recorder.close()
     result = audit([read_recording(path) for path in world.recordings])
     assert result.holds, result.verdict
+
+
+def without(recording: Recording, lacking: np.ndarray) -> Recording:
+    """As if the disk had been too slow for some of its steps.
+
+    Args:
+        recording: whole.
+        lacking: which steps, (steps,).
+    """
+    kept, rows = ~lacking, recording.states["state_row"]
+    states = {name: values[kept[rows]] for name, values in recording.states.items()}
+    states["state_row"] = (np.cumsum(kept) - 1)[states["state_row"]]
+    return replace(recording, columns={name: values[kept] for name, values in recording.columns.items()}, states=states)
+
+
+def test_an_audit_accuses_nobody_of_what_is_not_recorded(tmp_path: Path) -> None:
+    """What Ann gave while her disk was too slow, she gave; what she never gave is still found."""
+    world = World(text(hands=carried()), law=PathLaw(delay=0.02), tick=2.5e-3, folder=tmp_path)
+    ann, ben = world.join("Ann"), world.join("Ben")
+    world.run(4.0)
+    world.leave(ben)
+    world.run(0.5)
+    assert ann.session_recorder is not None
+    ann.session_recorder.close()
+    whole = [read_recording(path) for path in world.recordings]
+    assert audit(whole).holds
+    assert audit(whole).complete
+    linked = np.isfinite(whole[0].columns["sent"][:, 0])
+    last, steps = int(np.flatnonzero(linked)[-1]), np.arange(linked.size)
+    gaps = {
+        "in the middle": (steps > last // 2) & (steps < last // 2 + 100),
+        "from then on": steps > last // 2,
+        "while the link went": (steps > last // 2) & (steps < last + 20),
+        "while it was there": linked | (steps < 1),
+    }
+    taken = whole[1].columns["received"]
+    liar = replace(whole[1], columns={**whole[1].columns, "received": taken + 0.1 * np.nanmax(taken)})
+    words = "had not given"
+    assert any(words in finding.words for finding in audit([whole[0], liar]).findings)
+    for what, lacking in gaps.items():
+        judged = audit([without(whole[0], lacking), whole[1]])
+        assert not judged.complete, what
+        assert not any(words in finding.words for finding in judged.findings), what
+        found = audit([without(whole[0], lacking), liar]).findings
+        assert any(words in finding.words for finding in found) == (what != "while it was there"), what
 
 
 def test_a_newcomer_comes_to_where_an_object_is_held_deformed() -> None:

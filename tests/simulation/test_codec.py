@@ -8,7 +8,7 @@ from tests.laws.scenes import AS_LAW, PASSIVE, rough, two
 
 from cotouch import simulate
 from cotouch.errors import ScenarioError
-from cotouch.laws import Law, laws
+from cotouch.laws import PAID, Law, laws
 from cotouch.scenario import Scenario
 from cotouch.simulation import prepare, run_batch, run_prepared
 from cotouch.simulation._coding import check_codec
@@ -85,7 +85,8 @@ def test_it_says_less_and_moves_alike() -> None:
     whole, less = simulate(plain), simulate(coded)
     assert less.attrs["contents"] + less.attrs["unchanged"] == 1000
     assert less.attrs["contents"] < 500
-    assert less.attrs["content_bytes"] < 0.5 * 1000 * 8 * 12
+    numbers = 1 + len(PAID.sends) + len(PAID.sends_scalars)  # of a sample in full, of a point on a line
+    assert less.attrs["content_bytes"] < 0.5 * 1000 * 8 * numbers
     apart = np.abs(less["position"].values - whole["position"].values).max()
     assert 0.0 < apart < 0.01
 

@@ -32,7 +32,7 @@ from cotouch.mechanics._world_force import lean_world, looks_of, take_up
 
 # Looks at most; the change of forces at which they end, and at which one more correction is enough.
 _LOOKS = 12
-_SETTLED, _NEARLY = 1e-6, 1e-3
+_SETTLED, _NEARLY, _EXACT = 1e-6, 1e-3, 1e-9
 _COARSE = 0.01  # of what the last look missed the next may leave so much, where it solves the whole body
 _NOTHING = 1e-17  # of the energy in a depth of a tool's radius, it is out of the skin
 # How far a tool looks around beyond its radius, in radii and in ways of a step; below how many radii those are short.
@@ -110,7 +110,7 @@ def contact_step(
         for t in range(tools.first, tools.last):
             if look and (tools.mode[t] == GRASP or (tools.mode[t] == TOUCH and tools.inside[t] == 0)):
                 change = max(change, _look(law, surface, touch, tools, t, T, state, mean, lanes))
-        if number >= looks and change <= _SETTLED:
+        if number >= looks and change <= (_EXACT if near and force is not None else _SETTLED):
             break
         if number < looks or not near:
             for c in range(touch.many[0]):
@@ -135,7 +135,7 @@ def contact_step(
             touch.quick[0] = fastest(surface, mean)
         for t in range(tools.first, tools.last):
             _move_tool(tools, touch, t)
-        if near and number >= looks and change <= _NEARLY:
+        if near and force is None and number >= looks and change <= _NEARLY:
             break
     for t in range(tools.first, tools.last):
         if look and tools.mode[t] == TOUCH:

@@ -193,10 +193,10 @@ class LawLink:
             velocity: likewise [m/s].
 
         Returns:
-            k and b [N/m, Ns/m].
+            k and b [N/m, Ns/m]; NaN where the motion, or what is told of another, is not finite any more.
 
         Raises:
-            NetworkError: the law gives one that is not a finite number of at least 0.
+            NetworkError: of a motion that is, the law gives one that is not a finite number of at least 0.
         """
         fields, scalars = self._empty if sample.message is None else sample.message
         if self._power < inf:
@@ -252,6 +252,9 @@ class LawLink:
         self._end, self._used = end, content
         k, b = self._gains.tolist()
         if not (0.0 <= k < np.inf and 0.0 <= b < np.inf):
+            told = (position, velocity, sample.position, self.memory.hand, self.memory.touch, fields, scalars)
+            if not all(np.isfinite(values).all() for values in told):
+                return np.nan, np.nan  # a motion that left floating point shows in the state; no law could help it
             raise NetworkError(
                 f'law "{self.law.name}" gives a link stiffness {k:g} and damping {b:g}; both must be finite and >= 0'
             )

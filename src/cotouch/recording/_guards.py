@@ -59,7 +59,11 @@ class Unbalanced(NamedTuple):
 
 
 def lives(recording: Recording) -> list[Life]:
-    """Every guard that there was, in order."""
+    """Every guard that there was, in order, of which a step is recorded."""
+    return [life for life in _all_lives(recording) if life.steps.stop > life.steps.start]
+
+
+def _all_lives(recording: Recording) -> list[Life]:
     index = recording.columns["index"]
     open_now: dict[int, Life] = {}
     done: list[Life] = []
@@ -75,7 +79,7 @@ def lives(recording: Recording) -> list[Life]:
         for user, (key, seed) in here.items():
             if user not in open_now:
                 open_now[user] = Life(user, key, seed, slice(first, recording.steps))
-    return [life for life in [*done, *open_now.values()] if life.steps.stop > life.steps.start]
+    return [*done, *open_now.values()]
 
 
 def linked_steps(recording: Recording, user: int, key: str) -> Bool:
@@ -212,8 +216,8 @@ def _unpaid(recording: Recording, link: Float) -> Float:
 def unfounded(one: Recording, two: Recording, at_one: Float, at_two: Float) -> Float:
     """What an end got of the other that the other had not given by then, per step of the first [J].
 
-    Nothing where either does not say, where the second is not recorded to the end of what the first got, or has gaps
-    and more than one guard.
+    Nothing where either does not say, where the second is not recorded to the end of what the first got, or to the end
+    of its guard, or has gaps and more than one guard.
 
     Args:
         one: of the user who got it.
@@ -224,27 +228,35 @@ def unfounded(one: Recording, two: Recording, at_one: Float, at_two: Float) -> F
     nothing = np.zeros(one.steps)
     if not set(EXCHANGE) <= set(one.columns) & set(two.columns):
         return nothing
-    got, (gave, guards) = _so_far(one, "received", two)[0], _so_far(two, "sent", one)
-    if two.missing and guards > 1:
-        return nothing
+    got, gave = _so_far(one, "received", two), _so_far(two, "sent", one)
+    if two.missing and (guards := [life for life in _all_lives(two) if _towards(life, one)]):
+        end = guards[0].steps.stop
+        if len(guards) > 1 or end == guards[0].steps.start:
+            return nothing
+        if end < two.steps and not two.consecutive[end]:
+            gave[end:] = np.inf  # it may have given more before the guard went
     # The first step that ends no earlier: what it had given is no less, whatever is not recorded in between.
     when = np.searchsorted(at_two, at_one)
     late = when == at_two.size
-    least = np.where(late, np.inf if two.broken is not None else gave[-1], gave[np.minimum(when, at_two.size - 1)])
+    open_ended = two.broken is not None or two.missing_after > 0
+    least = np.where(late, np.inf if open_ended else gave[-1], gave[np.minimum(when, at_two.size - 1)])
     return _rises(got - least)
 
 
-def _so_far(recording: Recording, name: str, other: Recording) -> tuple[Float, int]:
-    """A sum over all guards towards another, after each step, and how many guards these were."""
-    out, before, count = np.zeros(recording.steps), 0.0, 0
+def _towards(life: Life, other: Recording) -> bool:
+    return life.user == other.user and (life.key is None or not other.header.key or life.key == other.header.key)
+
+
+def _so_far(recording: Recording, name: str, other: Recording) -> Float:
+    """A sum over all guards towards another, after each step."""
+    out, before = np.zeros(recording.steps), 0.0
     for life in lives(recording):
-        if life.user == other.user and (life.key is None or not other.header.key or life.key == other.header.key):
+        if _towards(life, other):
             values = np.nan_to_num(recording.columns[name][life.steps, recording.neighbours.index(life.user)])
             out[life.steps] = before + values
             before += float(values[-1])
             out[life.steps.stop :] = before
-            count += 1
-    return out, count
+    return out
 
 
 def _rises(values: Float) -> Float:
