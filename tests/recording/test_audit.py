@@ -313,7 +313,6 @@ def with_tools(folder: Path) -> list[Path]:
         body={"kind": "lattice", "shape": [3, 3, 3], "ground": "z-", "ground_stiffness": 200.0},
         synchronisation={"law": "spring"},  # as what records it says
         steps={"duration": 0.4, "period": 0.004},
-        synchronisation={"law": "spring"},
         tools=[
             {"user": 1, "at": [0.0, 0.0, 0.08], "hand": {"path": [0.0, 0.0, -0.04], "stiffness": 80.0}},
             {"user": 2, "kind": "grasp", "at": [0.05, 0.0, 0.0], "hand": {"path": [0.02, 0.0, 0.0]}},
