@@ -102,7 +102,7 @@ def main(options: Sequence[str]) -> int:
         shared = ["--dist", "worksteal", "-m", "not timed", "--warm"]
         exact = [*pytest, *(f"tests/{name}" for name in ALONE)]
         first = both(exact, [*pytest, *shared, "-n", "2", *computing], stand_back) or first
-        rest = [*pytest, *shared, "-n", "3", *(f"--ignore={name}" for name in computing)]
+        rest = [*pytest, *shared, "-n", "2", *(f"--ignore={name}" for name in computing)]
         return both(late, rest) or first
 
 
