@@ -33,7 +33,7 @@ EXAMPLES: dict[str, tuple[tuple[float, ...], tuple[float, float], float]] = {
     "push-a-box": ((0.2, 1.3, 2.9), (30.0, -130.0), 0.95),
     "tower": ((0.4, 1.5, 2.6, 4.0), (14.0, -72.0), 0.95),
     "sheet": ((0.2, 1.4, 2.4, 5.0), (28.0, -65.0), 0.95),
-    "cut-a-liver": ((0.8, 1.7, 3.9), (24.0, -62.0), 1.45),
+    "cut-a-liver": ((0.8, 1.7, 3.9), (24.0, -62.0), 1.05),
 }
 # A skin of more triangles is drawn with thinner lines.
 _FINE = 2000
