@@ -23,6 +23,7 @@ from tests.web.fake_session_api import FakeSessionApi
 from cotouch.cli import app
 from cotouch.haptics import GROUP, Driver, driver
 from cotouch.laboratory import Study
+from cotouch.mechanics import CONTACT_LAWS
 from cotouch.members import SessionFile
 from cotouch.scenario import Scenario
 
@@ -172,12 +173,15 @@ def run_block(block: Block, names: Names) -> None:
 
 
 @pytest.fixture
-def desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """An empty folder with the examples beside it, from which modules are imported."""
+def desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Generator[Path]:
+    """An empty folder with the examples beside it, from which modules are imported. Contact laws of a page go again."""
+    laws = dict(CONTACT_LAWS)
     (tmp_path / "examples").symlink_to(ROOT / "examples")
     monkeypatch.chdir(tmp_path)
     monkeypatch.syspath_prepend(str(tmp_path))
-    return tmp_path
+    yield tmp_path
+    for law in CONTACT_LAWS.keys() - laws.keys():
+        del CONTACT_LAWS[law]
 
 
 @pytest.mark.parametrize(
