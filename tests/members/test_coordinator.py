@@ -442,3 +442,24 @@ def test_only_so_many_are_kept_out() -> None:
     assert world.names == {0: "Ann"}
     world.coordinator.expel("Ann", ban=False)
     assert world.names == {}
+
+
+def test_a_roster_is_said_when_it_changes_when_one_did_not_hear_it_and_every_two_seconds() -> None:
+    world = World()
+    coordinator = world.coordinator
+    world.join(1, "Ann")
+    assert coordinator.due(1.0)
+    assert not coordinator.due(2.9)
+    assert coordinator.due(3.0)
+    assert not coordinator.due(3.0)
+    world.join(1, "Ann")  # it asks again, as it did not hear the answer
+    assert coordinator.due(3.1)
+    epoch = world.roster.epoch
+    coordinator.renew()
+    assert world.roster.epoch == epoch + 1
+    assert coordinator.due(3.2)
+    coordinator.renew(5)
+    assert world.roster.epoch == epoch + 6
+    assert coordinator.refused == 0
+    world.join(2, "Ben", [3.0, 2.0])
+    assert coordinator.refused == 1
