@@ -106,9 +106,9 @@ function linkDrawing(context: Context, pair: Pair, at: readonly Point[], share: 
         ? `+${ms(drawnDelay)} each way`
         : now === "coupled" || now === "catching" || now === "guarded"
           ? [age === null ? "" : ms(Math.max(age, 0)), loss !== null && loss >= 0.0005 ? percent(loss) : ""].filter(Boolean).join(" · ") || NONE
-          : CONDITIONS[now].words;
+          : now === "waiting" ? "" : CONDITIONS[now].words; // many wait at once, and a word each would not fit
     const mark = { guarded: "! ", cut: "✕ ", waiting: "… ", catching: "… " }[now as string] ?? "";
-    const label = drawnDelay === null ? mark + said : said;
+    const label = drawnDelay === null ? (mark + said).trim() : said;
     text(words, label);
     const width = 12 + label.length * 6.1;
     attribute(plate, "x", (spot.x - width / 2).toFixed(1));

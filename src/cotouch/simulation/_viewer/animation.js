@@ -1,4 +1,4 @@
-/*! cotouch animation; sources 7e4cda1b1c93c98a65c1c7d10743047634c8d49c8c2640120f88166a32fb936f; with three.js:
+/*! cotouch animation; sources 5f1e25613ff09d5e3ee845904cffe3519b0ad684d6353a5bd32afecec6c172be; with three.js:
 The MIT License
 
 Copyright © 2010-2026 three.js authors
