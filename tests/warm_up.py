@@ -17,7 +17,7 @@ def main(axes: int) -> None:
     import numpy as np
 
     from cotouch.body import lattice
-    from cotouch.device import CartesianPlant, DeviceModel, SimulatedDevice
+    from cotouch.device import CartesianPlant, DeviceModel, SimulatedDevice, critical_stiffness
     from cotouch.network import Network
     from cotouch.planning import plan
     from cotouch.scenario import Scenario
@@ -34,7 +34,6 @@ def main(axes: int) -> None:
         simulate(chosen)
         run_peers(prepare(chosen))
     sys.path.insert(0, str(Path(__file__).parent.parent))
-    from tests.device.critical import critical_stiffness
     from tests.mechanics.pressing import Pressed
 
     block = lattice((2, 2, 2), ground="all", ground_stiffness=1.0)

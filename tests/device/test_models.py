@@ -12,6 +12,7 @@ from cotouch.device import (
     ServoModel,
     SimulatedHand,
     assemble,
+    critical_stiffness,
     preset,
 )
 from cotouch.device import _tables as tables
@@ -81,6 +82,8 @@ def test_no_devices_are_a_table_too():
             "position is .*; a PHANToM's tip does not reach there",
         ),
         (lambda: DeviceModel(plant=PhantomPlant(), position=(0.215,)), "a PHANToM's tip does not reach there"),
+        (lambda: critical_stiffness(CartesianPlant(viscous=0.0)), "viscous is 0 Ns/m and no hand damps the device"),
+        (lambda: critical_stiffness(CartesianPlant(), precision=0.0), "precision is 0"),
     ],
 )
 def test_what_is_wrong_is_named(make, message):

@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from tests.device.critical import critical_stiffness, rings
 from tests.device.support import BOOK, run
 
 from cotouch.device import (
@@ -15,6 +14,8 @@ from cotouch.device import (
     SimulatedHand,
     advance,
     assemble,
+    critical_stiffness,
+    rings,
 )
 from cotouch.errors import DeviceError
 from cotouch.mechanics import END

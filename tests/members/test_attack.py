@@ -7,9 +7,9 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
+from tests.members import attack
 from tests.members.attack import GOALS, Search, play
 from tests.members.lie import Lie, near, random_lie
-from tests.members import attack
 
 from cotouch.members import _replica
 from cotouch.peer import LinkGuard

@@ -26,7 +26,6 @@ from cotouch.network import (
     star,
     sync_hermitian,
 )
-from cotouch.network._damping import shared
 
 SPD = np.array([[2.0, 0.5], [0.5, 1.0]])
 OTHER = np.array([[1.0, -0.3], [-0.3, 3.0]])
@@ -42,12 +41,6 @@ def matrix_network(n=3):
     for (i, j), block in {(0, 1): 3 * SPD, (1, 2): OTHER, (0, 2): 2 * np.eye(2)}.items():
         spring[i, j] = spring[j, i] = block
     return Network(users=[str(i) for i in range(n)], spring=spring, delay=off_diagonal(0.2, n).astype(float))
-
-
-def moved(network, d, **declared):
-    """The rule with damping moved between the ends of links."""
-    sums = age_sums_of(network, **declared)
-    return shared(network, sums, sums.fractions * d)
 
 
 # --- the rule and its weights -------------------------------------------------------------------------------------
@@ -87,7 +80,7 @@ def test_minimax_is_the_perron_eigenvalue_and_no_weights_do_better(seed):
     np.testing.assert_allclose(best, np.linalg.eigvalsh(G)[-1], rtol=1e-10)
     for _ in range(20):
         d = np.exp(rng.normal(0, 0.5, network.size))
-        assert moved(network, d, ages=ages).max() >= best.max() * (1 - 1e-12)
+        assert damping_for(network, "rule", weights=d, ages=ages).max() >= best.max() * (1 - 1e-12)
 
 
 @pytest.mark.parametrize("basis", ["ages", "index"])
@@ -132,7 +125,7 @@ def test_minimax_and_sum_agree_with_an_optimiser_over_every_share_of_every_link(
 def test_sum_with_equal_costs_is_the_plain_rule_for_ages():
     network = five_users()
     np.testing.assert_allclose(damping_for(network, "sum"), rule_damping(network))
-    np.testing.assert_allclose(moved(network, np.ones(5)), rule_damping(network))
+    np.testing.assert_allclose(damping_for(network, "rule", weights=np.ones(5)), rule_damping(network))
 
 
 def test_minimax_treats_components_and_lonely_users_by_themselves():
@@ -194,7 +187,7 @@ def test_index_rule_with_own_varying_periods_never_gives_energy_away(fraction):
         longest = rng.uniform(0.02, 0.3, 3)
         steps = rng.integers(0, 5, (3, 3))
         d = {"rule": np.ones(3), "own": 1 / longest, "random": np.exp(rng.normal(size=3))}[fraction]
-        beta = moved(network, d, index_delay=steps, periods=longest)
+        beta = damping_for(network, "rule", weights=d, index_delay=steps, periods=longest)
         if fraction == "own":
             half = (steps + steps.T) / 2 * network.linked_spring()
             np.testing.assert_allclose(beta[:, 0], longest * half.sum(axis=1), err_msg="one's own period, d = 1/T")
@@ -262,7 +255,7 @@ def test_age_rule_covers_the_freshest_sample_at_any_rate():
         for beta in (
             rule_damping(network, ages=ages),
             damping_for(network, "minimax", ages=ages),
-            moved(network, np.exp(rng.normal(size=3)), ages=ages),
+            damping_for(network, "rule", weights=np.exp(rng.normal(size=3)), ages=ages),
         ):
             B = beta[user, 0]
             assert np.linalg.eigvalsh(Q + np.diag(B))[0] > -1e-9 * B.max()
@@ -576,5 +569,8 @@ def test_refuses(options, words):
 def test_exact_refuses_a_list_of_periods():
     with pytest.raises(NetworkError, match="one common period"):
         exact_scaling(five_users(), period=[0.1] * 5, damping=np.ones(5))
-    with pytest.raises(NetworkError, match="costs of user 2 is 0"):
-        damping_for(five_users(), "sum", costs=[1, 0, 1, 1, 1])
+    for method, name in (("sum", "costs"), ("rule", "weights")):
+        with pytest.raises(NetworkError, match=f"{name} of user 2 is 0"):
+            damping_for(five_users(), method, **{name: [1, 0, 1, 1, 1]})
+        with pytest.raises(NetworkError, match=f'{name} are given with method "minimax"'):
+            damping_for(five_users(), "minimax", **{name: np.ones(5)})

@@ -12,6 +12,7 @@ from cotouch.device._couple import (
     sure_force,
 )
 from cotouch.device._coupling_model import Coupling
+from cotouch.device._critical import critical_stiffness, rings
 from cotouch.device._installed import installed_coupling
 from cotouch.device._models import CartesianPlant, DeviceModel, PhantomPlant, ServoModel, SimulatedHand
 from cotouch.device._noticed import HAND_DAMPING, NOTICED, NOTICED_DRAG
@@ -45,9 +46,11 @@ __all__ = [
     "assemble",
     "command_device",
     "couplings",
+    "critical_stiffness",
     "excess_bound",
     "installed_coupling",
     "preset",
     "pull_proxy",
+    "rings",
     "sure_force",
 ]

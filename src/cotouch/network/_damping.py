@@ -44,6 +44,7 @@ def damping_for(
     index_delay: npt.ArrayLike | None = None,
     periods: npt.ArrayLike | None = None,
     costs: npt.ArrayLike | None = None,
+    weights: npt.ArrayLike | None = None,
 ) -> FloatArray:
     """Smallest damping that a method certifies: (N, 1 + number of weights) Ns/m, see the head of this module.
 
@@ -55,7 +56,10 @@ def damping_for(
         ages: (N, N) s; as for `age_sums_of`.
         index_delay: (N, N) steps; as for `age_sums_of`.
         periods: s, one or (N,); as for `age_sums_of`.
-        costs: (N,) for "sum" alone.
+        costs: (N,) of the users' damping, > 0, for "sum" alone; None: all the same.
+        weights: (N,) > 0, for "rule" alone: moves its damping between the ends of links, `B_i = sum_j g_ij K_ij
+            d_j/d_i` with what the plain rule has there as g; the greater a user's, the less damping it has, and the
+            more its neighbours. None: the plain rule.
 
     Raises:
         NetworkError: an unknown method, or inputs that it does not take.
@@ -64,6 +68,8 @@ def damping_for(
         raise NetworkError(f'method is "{method}"; it must be "rule", "minimax", "sum" or "exact"')
     if costs is not None and method != "sum":
         raise NetworkError(f'costs are given with method "{method}"; only method "sum" has costs')
+    if weights is not None and method != "rule":
+        raise NetworkError(f'weights are given with method "{method}"; only method "rule" has weights')
     if method == "exact":
         if ages is not None or periods is None:
             raise NetworkError(
@@ -78,7 +84,8 @@ def damping_for(
         rule = rule_damping(network, index_delay=steps, periods=longest)
         return rule * exact_scaling(network, index_delay=steps, period=float(longest[0]), damping=rule)
     age_sums = age_sums_of(network, ages=ages, index_delay=index_delay, periods=periods)
-    return shared(network, age_sums, method_fractions(network, age_sums, method, costs=costs))
+    d = method_fractions(network, age_sums, method, costs=costs)
+    return shared(network, age_sums, d if weights is None else d * _positive(network, "weights", weights))
 
 
 def method_fractions(

@@ -1,19 +1,16 @@
 """The known answer of haptics: how stiff a sampled wall may be before a device rings against it."""
+# An array indexed by an element of another is a number to numba and an array to numpy's types.
+# pyright: reportArgumentType=false, reportReturnType=false
 
 from math import inf
 
-from cotouch.device import (
-    CartesianPlant,
-    Coupling,
-    DeviceModel,
-    Devices,
-    DeviceState,
-    ServoModel,
-    SimulatedHand,
-    advance,
-    assemble,
-)
-from cotouch.device._tables import KINETIC
+from cotouch.device._advance import advance
+from cotouch.device._assemble import assemble
+from cotouch.device._checks import need
+from cotouch.device._coupling_model import Coupling
+from cotouch.device._models import CartesianPlant, DeviceModel, ServoModel, SimulatedHand
+from cotouch.device._tables import KINETIC, Devices, DeviceState
+from cotouch.errors import DeviceError
 from cotouch.mechanics import at, kernel
 
 # How far the wall is from where the device starts [m]; the loop is linear, so it does not matter.
@@ -75,14 +72,20 @@ def critical_stiffness(
     1997; Diolaiti et al. 2006].
 
     Args:
-        plant: with viscous friction, unless a hand has some.
+        plant: with viscous friction, or a hand that has some.
         hand: that holds the device and stands still; None: nobody.
         period: of the servo, > 0 [s].
         lag: samples by which the wall sees the device late, 0 to 8.
         precision: relative, of the answer, > 0.
+
+    Raises:
+        DeviceError: nothing damps the device, or an argument is out of range.
     """
+    need("precision", precision, above=True, most=0.5)
     damping = plant.viscous + (hand.grip * hand.damping if hand else 0.0)
     mass = plant.mass + (hand.mass if hand else 0.0)
+    if not damping > 0.0:
+        raise DeviceError("viscous is 0 Ns/m and no hand damps the device; no wall is then soft enough")
     span = _SPANS * mass / damping
 
     def unstable(stiffness: float) -> bool:
