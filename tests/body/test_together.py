@@ -74,3 +74,8 @@ def test_what_is_no_set_of_bodies_is_one_sentence(bodies: list[tuple[str, Body]]
 def test_a_place_is_three_finite_numbers() -> None:
     with pytest.raises(CotouchError, match=r'^at of body "a" is \[0.0, nan, 0.0\]; it must be three finite numbers$'):
         together([Placed(body=BLOCK, name="a", at=(0.0, np.nan, 0.0))])
+
+
+def test_a_body_so_far_away_that_its_shape_is_lost_is_refused() -> None:
+    with pytest.raises(CotouchError, match=r'^at of body "a" is \[0.0, 1e\+300, 0.0\]; it must be within .* m'):
+        together([Placed(body=BLOCK, name="a", at=(0.0, 1e300, 0.0))])

@@ -8,7 +8,7 @@ import numpy.typing as npt
 
 from cotouch.arrays import Float
 from cotouch.body._body import Body
-from cotouch.body._checks import one_number
+from cotouch.body._checks import FARTHEST, one_number
 from cotouch.body._rigid import RATE, VISCOSITY, rigid_body
 from cotouch.errors import BodyError
 
@@ -196,10 +196,11 @@ def _numbers(name: str, values: Sequence[float]) -> list[float]:
 
 
 def _lengths(name: str, values: Sequence[float], count: int) -> list[float]:
-    good = len(values) == count and all(np.isfinite(one_number(name, v)) and v > 0.0 for v in values)
+    good = len(values) == count and all(np.isfinite(one_number(name, v)) and 0.0 < v <= FARTHEST for v in values)
     if not good:
         shown = list(values) if count > 1 else values[0]
-        raise BodyError(f"{name} is {shown}; it must be {'three lengths' if count == 3 else 'a length'} above 0 m")
+        what = "three lengths" if count == 3 else "a length"
+        raise BodyError(f"{name} is {shown}; it must be {what} above 0 and up to {FARTHEST:g} m")
     return [float(value) for value in values]
 
 

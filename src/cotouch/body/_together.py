@@ -22,6 +22,8 @@ _MATRICES = ("mass", "damping_int", "damping_ext", "stiffness_int", "stiffness_e
 _INNER = ("damping_int", "stiffness_int")
 # Extents that differ by less than this share are the same.
 _SAME = 0.01
+# A body may be so many of its own sizes away.
+_OFF = 1e6
 
 
 @final
@@ -118,6 +120,12 @@ def _check(placed: Placed, names: list[str]) -> None:
     for what, values in (("at", placed.at or (0.0, 0.0, 0.0)), ("turn", placed.turn)):
         if len(values) != 3 or not all(math.isfinite(value) for value in values):
             raise BodyError(f'{what} of body "{name}" is {list(values)}; it must be three finite numbers')
+    size = float(np.ptp(body.rest, axis=0).max())
+    if placed.at is not None and max(map(abs, placed.at)) > _OFF * size:
+        raise BodyError(
+            f'at of body "{name}" is {list(placed.at)}; it must be within {_OFF * size:.3g} m, a million times its '
+            "size, or its shape is lost in rounding"
+        )
 
 
 def _part(placed: Placed, first: int) -> Part:
