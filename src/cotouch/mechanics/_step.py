@@ -17,14 +17,7 @@ from cotouch.mechanics._operator import (
     pull,
     row_product,
 )
-from cotouch.mechanics._solve import (
-    add_ports,
-    chebyshev,
-    chebyshev_iterations,
-    conjugate_gradients,
-    divide,
-    invert,
-)
+from cotouch.mechanics._solve import add_ports, chebyshev, chebyshev_iterations, conjugate_gradients, divide, invert
 from cotouch.mechanics._state import (
     BODY_LOSS,
     ELASTIC,
