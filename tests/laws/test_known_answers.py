@@ -10,7 +10,7 @@ import pytest
 from tests.laboratory.costs import DELAY, cost
 from tests.laws.scenes import PASSIVE, law_of, two
 
-from cotouch.laboratory import Study, books, impedance, searched, trial
+from cotouch.laboratory import Study, books, impedance, searched, touching, trial
 from cotouch.laws import PAID, TANK, End, Facts, Tone, copy, given_power, laws, register
 from cotouch.scenario import Scenario
 from cotouch.simulation import judge, prepare, run_batch, simulate, with_law
@@ -433,3 +433,14 @@ def test_what_paid_may_make_is_a_copys_whatever_its_body() -> None:
     at = [parameter.name for parameter in PAID.parameters].index("seed")
     seeds = [PAID.values(Facts(spring=1.0, age=0.02, age_back=0.02, degree=2, rows=rows), {})[at] for rows in (1, 400)]
     assert seeds == [0.01, 0.01]
+
+
+@pytest.mark.parametrize("number", [3, 30, 41])
+def test_paid_makes_no_more_than_its_seed_where_tools_touch(number: int) -> None:
+    """`python -m benchmarks.promises` does so in a thousand."""
+    run = simulate(touching(number))
+    books = run.attrs
+    assert float(np.nanmax(np.abs(run["touch_force"].values))) > 0.1
+    assert books["finished"]
+    assert 0.0 < books["made"] <= books["law_seed"]
+    assert float(abs(run["residual"]).max()) < 1e-11 * float(abs(run["supplied_total"]).max())
