@@ -55,7 +55,7 @@ def with_tools(cell: dict[str, Any]) -> dict[str, Any]:
             beyond = books["made"] - books["law_seed"] if books["finished"] else float("inf")
             over = 0.0
             if "coupling_excess" in run:
-                most = np.nanmax(run["coupling_excess"].values, axis=1) - run["coupling_bound"].values
+                most = np.fmax.reduce(run["coupling_excess"].values, axis=1) - run["coupling_bound"].values
                 over = max(0.0, float(np.nanmax(most)))
             left = float(np.nanmax(np.abs(run["residual"].values))) / max(play, 1e-9)
             left = max(left, float(books.get("device_residual", 0.0)))
