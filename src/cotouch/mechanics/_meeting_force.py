@@ -13,7 +13,7 @@ from cotouch.arrays import Float
 from cotouch.mechanics._kernel import block, inner, part
 from cotouch.mechanics._meeting import Meeting
 from cotouch.mechanics._meeting_look import gather, make_ready, point_at
-from cotouch.mechanics._meeting_near import crossing, follow
+from cotouch.mechanics._meeting_near import FAR_SIDE, crossing, follow
 from cotouch.mechanics._vector import at, put
 from cotouch.mechanics._world import World
 
@@ -267,6 +267,8 @@ def weigh_bodies(
 def _passes(m: Meeting, e: int, x: float, y: float, z: float, mx: float, my: float, mz: float) -> bool:
     """Whether a point comes out of a body, or is pushed out, on the side opposite to where it came in."""
     before, after = at(m.began, (e, 0)), at(m.ended, (e, 0))
+    if before > 0.0 and at(m.face, (e, 3)) == FAR_SIDE:
+        return True
     if before > 0.0 and after > 0.0:
         turned = 0.0
         for a in range(3):

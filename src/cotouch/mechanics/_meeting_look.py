@@ -92,6 +92,8 @@ def gather(world: World, m: Meeting, x: Float, bound: float) -> None:
                 put(m.touched, one, 1)
                 put(m.touched, two, 1)
     for b in range(bodies):
+        if at(m.within, b) > 0.0:
+            put(m.touched, b, 1)
         if at(m.touched, b) != 0:
             _enclose(m, b, True)
     for own in range(bodies):
@@ -102,21 +104,19 @@ def gather(world: World, m: Meeting, x: Float, bound: float) -> None:
             deepest, other = -math.inf, -1
             for b in range(bodies):
                 box = at(m.boxes, b)
-                if b == own or at(m.touched, b) == 0:
+                if (b == own and at(m.within, b) <= 0.0) or at(m.touched, b) == 0:
                     continue
                 outside = max(at(m.low, (box, 0)) - px, px - at(m.high, (box, 0)))
                 outside = max(outside, at(m.low, (box, 1)) - py, py - at(m.high, (box, 1)))
                 outside = max(outside, at(m.low, (box, 2)) - pz, pz - at(m.high, (box, 2)))
                 if outside <= reach:
-                    deep = search(m, b, px, py, pz, count)
+                    deep = search(m, b, p, px, py, pz, count, reach)
                     if deep > deepest:
                         deepest, other = deep, b
             if deepest < -reach:
                 continue
-            put(m.point, count, p)
-            put(m.other, count, other)
-            search(m, other, px, py, pz, count)
-            last = collect(m, other, px, py, pz, max(deepest, 0.0) + 2.0 * reach, used)
+            search(m, other, p, px, py, pz, count, reach)
+            last = collect(m, other, p, px, py, pz, max(deepest, 0.0) + 2.0 * reach, used)
             put(m.first, (count, 0), used if last >= 0 else -1)
             put(m.first, (count, 1), max(last, 0))
             used = max(last, used)

@@ -104,17 +104,23 @@ class BetweenTable(Table):
         damping: λ: pressure grows by 1 + λ times the speed of approach [s/m].
         friction: Coulomb's coefficient of what does not slip.
         kinetic_friction: of what slips, at most `friction`; by default the same.
+        self_contact: whether each body that yields meets itself as well.
     """
 
     stiffness: Positive = 1e7
     damping: NonNegative = 0.0
     friction: NonNegative = 0.0
     kinetic_friction: NonNegative | None = None
+    self_contact: bool = False
 
     def made(self) -> Between:
         """For the kernels."""
         return Between(
-            stiffness=self.stiffness, loss=self.damping, friction=self.friction, kinetic=self.kinetic_friction
+            stiffness=self.stiffness,
+            loss=self.damping,
+            friction=self.friction,
+            kinetic=self.kinetic_friction,
+            own=self.self_contact,
         )
 
     @model_validator(mode="after")
