@@ -155,6 +155,21 @@ def test_a_folded_strip_does_not_pass_through_itself() -> None:
     assert scene.beta <= CLOSURE_ALARM
 
 
+def test_what_is_squashed_flat_keeps_its_balance() -> None:
+    """Its far side comes so near that it is taken for another part, which costs what that would hold."""
+    body = lattice((5, 4, 6), mass=0.1, stiffness=1.0, damping=0.0, spacing=H, model="cells")
+    scene = Several(body, between=Between(stiffness=1e5, own=True))
+    velocity = np.zeros((body.nodes, 3))
+    velocity[:, 2] = -100.0 * (place(body)[:, 2] - 2.5 * H)
+    scene.state.velocity[:] = scene.rows(velocity)
+    settled(scene)
+    felt = 0.0
+    for _ in range(60):
+        scene.run(1, 5e-4)
+        felt = max(felt, float(scene.ledger[WORLD_STORED]))
+    assert felt > 0.0
+
+
 def test_what_is_near_at_rest_is_left_out() -> None:
     body = together([Placed(body=clamp(), name="clamp")])
     force = model(body, between=OWN).force

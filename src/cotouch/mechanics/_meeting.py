@@ -110,6 +110,8 @@ class Meeting(NamedTuple):
         ended: scratch: as `began`, where the step would end.
         coefficient: scratch: how much of each row moves a point past its triangle, (rows,).
         moved: scratch: rows for which that is not 0, (rows,).
+        alike: scratch: what resists motion between rows that are solved for at once, the same along each axis, on
+            the diagonal and below it, (rows, rows), or (0, 0) [Ns/m].
         worked: result, see `Parts`.
     """
 
@@ -150,4 +152,5 @@ class Meeting(NamedTuple):
     ended: Float
     coefficient: Float
     moved: Int
+    alike: Float
     worked: Float

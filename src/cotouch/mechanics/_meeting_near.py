@@ -74,8 +74,16 @@ def keep_nearer(m: Meeting, place: Float, f: int, x: float, y: float, z: float, 
     side of the skin. `out` gets for now the square of the distance, and the height above the plane beside it.
     """
     i, j, k = at(m.corner, (f, 0)), at(m.corner, (f, 1)), at(m.corner, (f, 2))
-    square, a, b, c, within = foot(place, i, j, k, x, y, z)
     best = at(out, (e, 0))
+    square = 0.0  # to the box around it
+    for axis in range(3):
+        here = x if axis == 0 else y if axis == 1 else z
+        p, q, r = at(place, (i, axis)), at(place, (j, axis)), at(place, (k, axis))
+        apart = max(min(p, q, r) - here, here - max(p, q, r), 0.0)
+        square += apart * apart
+    if square > best * (1.0 + _ALIKE):
+        return
+    square, a, b, c, within = foot(place, i, j, k, x, y, z)
     if square > best * (1.0 + _ALIKE):
         return
     nx, ny, nz = normal(place, i, j, k)
@@ -238,6 +246,8 @@ def follow(m: Meeting, e: int, x: float, y: float, z: float) -> float:
     """Depth of an entry's point where the step would end; row e of `ended` gets what belongs to it."""
     _clear(m, e, m.ended, 2, math.inf)
     first, last = at(m.first, (e, 0)), at(m.first, (e, 1))
+    if at(m.face, (e, 0)) >= 0:  # most likely still the nearest
+        keep_nearer(m, m.later, at(m.face, (e, 0)), x, y, z, e, m.ended, 2)
     if first >= 0:
         for n in range(first, last):
             keep_nearer(m, m.later, at(m.near, n), x, y, z, e, m.ended, 2)

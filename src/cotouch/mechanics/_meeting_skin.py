@@ -128,6 +128,7 @@ def meeting_of(body: Body, between: Between, points: sp.csr_array, order: Int | 
         ended=np.zeros((count + 1, 8)),
         coefficient=np.zeros(body.nodes),
         moved=np.zeros(body.nodes, dtype=np.int32),
+        alike=np.zeros((body.nodes,) * 2 if body.rigid else (0, 0)),
         worked=np.zeros(bodies),
     )
 
