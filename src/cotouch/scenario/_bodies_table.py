@@ -6,10 +6,10 @@ from typing import Annotated, Any, Self, cast, final
 from pydantic import Field, SerializerFunctionWrapHandler, model_serializer, model_validator
 
 from cotouch.body import Body, Placed, together
-from cotouch.errors import BodyError, ScenarioError
+from cotouch.errors import ScenarioError
 from cotouch.mechanics import Between
 from cotouch.scenario._body_tables import BodySource, FileTable
-from cotouch.scenario._tables import NonNegative, Number, Place, Positive, Table
+from cotouch.scenario._tables import MeetingTable, Number, Place, Table
 
 _MOST = 64
 _OWN = ("name", "at", "turn", "copies", "step")
@@ -96,21 +96,13 @@ def build_bodies(tables: list[PartTable]) -> Body:
 
 
 @final
-class BetweenTable(Table):
+class BetweenTable(MeetingTable):
     """What bodies do to each other where they meet.
 
     Attributes:
-        stiffness: κ: pressure for each metre of depth [N/m³].
-        damping: λ: pressure grows by 1 + λ times the speed of approach [s/m].
-        friction: Coulomb's coefficient of what does not slip.
-        kinetic_friction: of what slips, at most `friction`; by default the same.
         self_contact: whether each body that yields meets itself as well.
     """
 
-    stiffness: Positive = 1e7
-    damping: NonNegative = 0.0
-    friction: NonNegative = 0.0
-    kinetic_friction: NonNegative | None = None
     self_contact: bool = False
 
     def made(self) -> Between:
@@ -122,11 +114,3 @@ class BetweenTable(Table):
             kinetic=self.kinetic_friction,
             own=self.self_contact,
         )
-
-    @model_validator(mode="after")
-    def _after(self) -> Self:
-        try:
-            self.made()
-        except BodyError as error:
-            raise ValueError(str(error)) from None
-        return self
