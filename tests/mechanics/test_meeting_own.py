@@ -42,7 +42,7 @@ def clamp(within: int = 0) -> Body:
     return solid(keep)
 
 
-def arms(body: Body) -> tuple[Float, Float]:
+def arms(body: Body) -> tuple[npt.NDArray[np.bool_], npt.NDArray[np.bool_]]:
     """Which nodes are of the lower arm, and of the upper one."""
     rest = place(body)
     return (rest[:, 0] > 2.5 * H) & (rest[:, 2] < 3 * H), (rest[:, 0] > 2.5 * H) & (rest[:, 2] > 3 * H)
@@ -118,7 +118,7 @@ def test_the_same_parts_as_two_bodies_hold_the_same() -> None:
     two = Several(
         (arm, (5 * H, 1.5 * H, H), (0.0,) * 3), (arm, (5 * H, 1.5 * H, 3 * H - deep), (0.0,) * 3), between=OWN
     )
-    held = []
+    held: list[float] = []
     for scene in (one, two):
         settled(scene)
         held.append(float(scene.ledger[WORLD_STORED]))

@@ -47,7 +47,7 @@ def own_of(
     within, skips, skip = unmet(len(body.parts), part.size)
     blocks: list[sp.csr_array] = []
     for number, one in enumerate(body.parts):
-        near, edge = (sp.csr_array((one.body.nodes,) * 2, dtype=bool), 0.0) if one.body.rigid else _near(one)
+        near, edge = _near(one)
         within[number] = _WITHIN * edge
         blocks.append(near)
     near = sp.csr_array(sp.block_diag(blocks, format="csr"))
@@ -79,7 +79,8 @@ def _marked(matrix: sp.csr_array) -> sp.csr_array:
     """1 where a matrix is not 0."""
     made = sp.csr_array(matrix)
     made.eliminate_zeros()
-    return sp.csr_array((np.ones(made.nnz, dtype=np.int32), made.indices, made.indptr), shape=made.shape)
+    shape = int(made.shape[0]), int(made.shape[1])
+    return sp.csr_array((np.ones(made.nnz, dtype=np.int32), made.indices, made.indptr), shape=shape)
 
 
 def _near(part: Part) -> tuple[sp.csr_array, float]:
@@ -88,11 +89,11 @@ def _near(part: Part) -> tuple[sp.csr_array, float]:
     per = 1 if body.form == "node" else body.dimension
     springs = body.stiffness_int.tocoo()
     known = springs.data != 0.0
-    ends = np.unique(np.stack([c[known] // per for c in springs.coords], axis=1), axis=0)
+    ends: Int = np.unique(np.stack([c[known] // per for c in springs.coords], axis=1), axis=0)
     ends = ends[ends[:, 0] != ends[:, 1]]
     length = np.linalg.norm(body.rest[ends[:, 0]] - body.rest[ends[:, 1]], axis=1)
-    if not length.size:
-        return sp.csr_array((body.nodes,) * 2, dtype=bool), 0.0
+    if body.rigid or not length.size:
+        return sp.csr_array((body.nodes, body.nodes)), 0.0
     graph = sp.csr_array((length, (ends[:, 0], ends[:, 1])), shape=(body.nodes,) * 2)
     edge = float(np.median(length))
     blocks: list[sp.csr_array] = []
