@@ -50,14 +50,15 @@ def own_of(
         near, edge = _near(one)
         within[number] = _WITHIN * edge
         blocks.append(near)
-    near = sp.csr_array(sp.block_diag(blocks, format="csr"))
+    beside = sp.csr_array(sp.block_diag(blocks, format="csr"))
     if order is not None:
-        near = sp.csr_array(near[order][:, order])
+        beside = sp.csr_array(beside[order][:, order])
+    faces: Int = np.repeat(np.arange(corner.shape[0], dtype=np.int32), 3)
     of_triangle = sp.csr_array(
-        (np.ones(corner.size), (np.repeat(np.arange(corner.shape[0]), 3), corner.ravel())),
+        (np.ones(corner.size), (faces, corner.ravel())),
         shape=(corner.shape[0], carry.shape[0]),
     )
-    touched = sp.csr_array(_marked(points) @ near.astype(np.int32))  # rows near each point
+    touched = sp.csr_array(_marked(points) @ beside.astype(np.int32))  # rows near each point
     carried = sp.csr_array(_marked(sp.csr_array(of_triangle @ abs(carry))).T)
     rows: list[Int] = []
     count = 0
@@ -94,7 +95,7 @@ def _near(part: Part) -> tuple[sp.csr_array, float]:
     length = np.linalg.norm(body.rest[ends[:, 0]] - body.rest[ends[:, 1]], axis=1)
     if body.rigid or not length.size:
         return sp.csr_array((body.nodes, body.nodes)), 0.0
-    graph = sp.csr_array((length, (ends[:, 0], ends[:, 1])), shape=(body.nodes,) * 2)
+    graph = sp.csr_array((length, (ends[:, 0], ends[:, 1])), shape=(body.nodes, body.nodes))
     edge = float(np.median(length))
     blocks: list[sp.csr_array] = []
     for begin in range(0, body.nodes, _CHUNK):
