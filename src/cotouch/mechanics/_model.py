@@ -170,8 +170,7 @@ def model(
             basis, where the solve is a division; "auto" takes the modal one where it exists and pays. A truncated body
             is always in its shapes.
         obstacles: what each copy meets 1/N of. A body without a material is then one whose material is linear.
-        between: what the parts of several bodies do to each other, and each to itself, likewise 1/N of; None: the
-            default of `Between`.
+        between: what bodies do to each other, and each to itself, likewise 1/N of; None: the default of `Between`.
 
     Raises:
         BodyError: a weight does not fit the body; an obstacle is too thin for its skin.
@@ -242,9 +241,8 @@ def _of_material(
     if obstacles or between is not None:
         world, more = world_of(body, obstacles, between, order, memory)
         force, memory = force._replace(world=world), memory + more
-        bodies = world.bodies
-        shared = None if force.parts is None or bodies is None else force.parts._replace(worked=bodies.worked)
-        force = force._replace(parts=shared)
+        parts, bodies = force.parts, world.bodies
+        force = force._replace(parts=parts and bodies and parts._replace(worked=bodies.worked))
     cut = -1
     if material.cuttable:
         cut, memory = memory + 1, memory + 1 + 2 * material.elements.shape[0]
