@@ -21,6 +21,7 @@ SECTIONS = (
     "scaling",
     "touch",
     "materials",
+    "bodies",
     "planner",
     "laws",
     "codec",

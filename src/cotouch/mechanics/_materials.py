@@ -138,8 +138,7 @@ def force_of(body: Body, material: Material, order: Int | None) -> tuple[BodyFor
     parts: Parts | None = None
     if body.parts:
         law, size, directions = _together(body, row)
-        if len(body.parts) > 1:
-            parts = parts_of(body, order, law.memory, law.energy, np.zeros(len(body.parts)))
+        parts = parts_of(body, order, law.memory, law.energy, np.zeros(len(body.parts)))
     else:
         law, rotations = _law(body, material, row, rest)
         size, directions = memory_size(rotations), _directions(body, material)

@@ -9,7 +9,7 @@ from typing import Annotated, Any, Self, cast, final
 import numpy as np
 from pydantic import Field, InstanceOf, PrivateAttr, ValidationError, field_validator, model_validator
 
-from cotouch.body import Body
+from cotouch.body import Body, Placed, together
 from cotouch.errors import ScenarioError
 from cotouch.files import list_of, read_text, table_of, toml, toml_text
 from cotouch.network import Network
@@ -230,7 +230,8 @@ class Scenario(Table):
         """As its tables say, without what the world adds."""
         if self.bodies:
             return build_bodies(self.bodies)
-        return self.body if isinstance(self.body, Body) else self.body.build()
+        alone = self.body if isinstance(self.body, Body) else self.body.build()
+        return together([Placed(body=alone, name="body")]) if self.between.self_contact else alone
 
     def _places(self, body: Body) -> list[list[float]]:
         """Where hands hold a rigid body besides its nodes and its skin's vertices."""
@@ -378,6 +379,7 @@ class Scenario(Table):
                 {"name": part.name, "kind": "made in Python"} if made else part.model_dump()
                 for part, made in zip(self.bodies, sources, strict=True)
             ]
+        if self.bodies or self.between.self_contact:
             tables["between"] = self.between.model_dump()
         if self.world != WorldTable():
             tables["world"] = self.world.model_dump()
