@@ -16,6 +16,7 @@ from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._surface import Surface
 from cotouch.mechanics._tools import Tools
+from cotouch.mechanics._vector import FOUR, load, lower, splat, store, total, upper
 
 # A stretch of friction that lies this much across the skin, of its length, has no direction along it.
 _ACROSS = 1e-3
@@ -78,23 +79,23 @@ def _sum(
         along = bead_place(tools, t, bead)
         for a in range(3):
             spot[3, a] = tools.place[t, a] + along * tools.axis[t, a] + time * mean[p, a]
+        spot[3, 3] = 0.0
+        middle = load(spot, 3, FOUR)
         for c in range(work.number[p]):
             f = near[p, c]
-            apart = 0.0
-            for a in range(3):
-                low, high = math.inf, -math.inf
-                for q in range(3):
-                    v = corner[f, q]
-                    spot[q, a] = place[v, a] + time * rate[v, a]
-                    low, high = min(low, spot[q, a]), max(high, spot[q, a])
-                gap = max(low - spot[3, a], spot[3, a] - high, 0.0)
-                apart += gap * gap
+            low = high = load(place, corner[f, 0], FOUR) + time * load(rate, corner[f, 0], FOUR)
+            store(spot, 0, low, FOUR)
+            for q in range(1, 3):
+                moved = load(place, corner[f, q], FOUR) + time * load(rate, corner[f, q], FOUR)
+                store(spot, q, moved, FOUR)
+                low, high = lower(low, moved), upper(high, moved)
+            gap = upper(upper(low - middle, middle - high), splat(0.0, FOUR))
+            apart = total(gap * gap)
             if apart >= radius * radius:
                 continue
-            for a in range(4):
-                for b in range(4):
-                    out[a, b] = 0.0
-            area = tools.share[t] * _area(surface, f)
+            for q in range(4):
+                store(out, q, splat(0.0, FOUR), FOUR)
+            area = tools.share[t] * surface.area[f]
             if not press_triangle(law, stiffness, radius, area, share != 0.0 or soft.shape[0] > 0, spot, out):
                 continue
             energy += out[3, 3]
@@ -120,26 +121,16 @@ def _sum(
 
 
 @part
-def _area(surface: Surface, f: int) -> float:
-    """Of a triangle at rest [m²]."""
-    rest, ia, ib, ic = surface.rest, surface.corner[f, 0], surface.corner[f, 1], surface.corner[f, 2]
-    ux, uy, uz = rest[ib, 0] - rest[ia, 0], rest[ib, 1] - rest[ia, 1], rest[ib, 2] - rest[ia, 2]
-    vx, vy, vz = rest[ic, 0] - rest[ia, 0], rest[ic, 1] - rest[ia, 1], rest[ic, 2] - rest[ia, 2]
-    nx, ny, nz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
-    return 0.5 * math.sqrt(nx * nx + ny * ny + nz * nz)
-
-
-@part
 def read_skin(surface: Surface, work: ContactWork, p: int) -> None:
     """Works out how fast the skin moves where a tool presses."""
-    corner, near, load, rate, faces = surface.corner, work.near, work.load, work.rate, work.near.shape[1]
+    corner, near, borne, rate, faces = surface.corner, work.near, work.load, work.rate, work.near.shape[1]
     for a in range(3):
         work.skin[p, a] = 0.0
     if work.total[p] <= 0.0:
         return
     for c in range(work.number[p]):
         for q in range(3):
-            share = load[p * faces + c, q] / work.total[p]
+            share = borne[p * faces + c, q] / work.total[p]
             if share != 0.0:
                 for a in range(3):
                     work.skin[p, a] += share * rate[corner[near[p, c], q], a]

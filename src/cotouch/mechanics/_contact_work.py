@@ -41,8 +41,8 @@ class ContactWork(NamedTuple):
         along: scratch of a correction, 0 outside of it, (rows, width).
         quick: a bound on the speed of every vertex by the present guess, (1,) [m/s].
         goal: what corrections of this step may leave of work, negative before the first, (1,) [W].
-        own: diagonal of the body's system without contacts, (rows,) [Ns/m].
-        asked: its right-hand side, (rows, width) [N].
+        own: diagonal of the body's system without contacts, while touched rows have more, (rows,) [Ns/m].
+        asked: its right-hand side likewise, (rows, width) [N].
         found: where the last look led, (rows, width) [m/s]; of a modal body what the last look pushed with [N].
         yields: of a modal body: how much of what contacts and grasps do by a guess its answer takes back, on each
             axis, (3,).

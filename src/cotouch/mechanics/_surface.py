@@ -18,12 +18,10 @@ from cotouch.body import Body, cut_skin
 from cotouch.errors import BodyError
 from cotouch.mechanics._kernel import block
 from cotouch.mechanics._model import Model
-from cotouch.mechanics._vector import at, load, lower, splat, store, upper
+from cotouch.mechanics._vector import FOUR, at, load, lower, splat, store, upper
 
 Int = npt.NDArray[np.int32]
 
-# A row of four numbers, whatever the width of the body's own fields: places and normals.
-FOUR = (0, 0, 0, 0)
 _LEAF = 4
 # Triangles at which a truncated body's missing compliance is worked out.
 _PROBES = 32
@@ -35,6 +33,7 @@ class Surface(NamedTuple):
     Attributes:
         rest: places of the vertices at rest, (V, 4), the last column zero [m].
         corner: vertices of each triangle, (F, 3).
+        area: of each at rest, (F,) [m²].
         row: rows that carry each vertex, (V, k, axes): one for all axes, or one each; (V, 0, axes) in a modal basis.
         weight: how much of each, (V, k).
         shape: modal: displacement of each vertex with each row, (V * rows, 4): the same on all axes, or one for each.
@@ -53,6 +52,7 @@ class Surface(NamedTuple):
 
     rest: Float
     corner: Int
+    area: Float
     row: Int
     weight: Float
     shape: Float
@@ -119,6 +119,7 @@ def surface_of(model: Model) -> Surface:
     return Surface(
         rest=_padded(rest),
         corner=corner,
+        area=0.5 * np.linalg.norm(np.cross(*(rest[corner[:, q]] - rest[corner[:, 0]] for q in (1, 2))), axis=1),
         row=row,
         weight=weight,
         shape=shape,
