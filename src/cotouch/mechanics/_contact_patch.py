@@ -43,7 +43,7 @@ _FLAT = 1e-24
 @part
 def press_triangle(
     law: Any, stiffness: float, radius: float, area: float, forces: bool, spot: Float, out: Float
-) -> bool:
+) -> float:
     """Adds what one ball does on one triangle.
 
     Args:
@@ -57,7 +57,7 @@ def press_triangle(
             slopes for each corner [N/m], and the energy [J]; (4, 4).
 
     Returns:
-        Whether they overlap; if not, `out` is as it was.
+        How much of the area at rest lies in the ball [m²]; 0: they do not overlap, and `out` is as it was.
     """
     ax, ay, az = spot[0, 0], spot[0, 1], spot[0, 2]
     ux, uy, uz = spot[1, 0] - ax, spot[1, 1] - ay, spot[1, 2] - az
@@ -66,13 +66,13 @@ def press_triangle(
     size = math.sqrt(mx * mx + my * my + mz * mz)
     length = math.sqrt(ux * ux + uy * uy + uz * uz)
     if not size * size > _FLAT * length * length * (vx * vx + vy * vy + vz * vz):
-        return False
+        return 0.0
     mx, my, mz = mx / size, my / size, mz / size
     px, py, pz = spot[3, 0] - ax, spot[3, 1] - ay, spot[3, 2] - az
     height = px * mx + py * my + pz * mz
     disc = radius * radius - height * height
     if disc <= 0.0:
-        return False
+        return 0.0
     ux, uy, uz = ux / length, uy / length, uz / length
     wx, wy, wz = my * uz - mz * uy, mz * ux - mx * uz, mx * uy - my * ux
     # Corners in the plane, from the foot.
@@ -82,9 +82,9 @@ def press_triangle(
     first0, last0 = _chord(x0, y0, x1 - x0, y1 - y0, disc)
     first1, last1 = _chord(x1, y1, x2 - x1, y2 - y1, disc)
     first2, last2 = _chord(x2, y2, x0 - x2, y0 - y2, disc)
-    if not (first0 < last0 or first1 < last1 or first2 < last2):  # the disc is in the triangle, or they are apart
-        if not (x0 * y1 - y0 * x1 > 0.0 and x1 * y2 - y1 * x2 > 0.0 and x2 * y0 - y2 * x0 > 0.0):
-            return False
+    inside = x0 * y1 - y0 * x1 > 0.0 and x1 * y2 - y1 * x2 > 0.0 and x2 * y0 - y2 * x0 > 0.0
+    if not (inside or first0 < last0 or first1 < last1 or first2 < last2):
+        return 0.0
     within = first0 == 0.0 and last0 == 1.0 and first1 == 0.0 and last1 == 1.0 and first2 == 0.0 and last2 == 1.0
     edge, deeper = math.sqrt(disc), 1.0 / (2.0 * radius)
     top, zero = disc * deeper, splat(0.0, FOUR)
@@ -106,7 +106,7 @@ def press_triangle(
         r0, r1, r2, rs, re = total(v0), total(v1), total(v2), total(vs), total(ve)
     scale = area / (0.5 * size)
     # Sums over the plane: energy; slopes; pressure times 1, x, y, xx, xy, yy.
-    se, ss, sc = 0.0, 0.0, 0.0
+    se, ss, sc, covered = 0.0, 0.0, 0.0, 0.0
     sx, sy, sxx, sxy, syy = 0.0, 0.0, 0.0, 0.0, 0.0
     hx, hy = 0.0, 0.0  # slopes times x, y
     # The same at four points of a side at once.
@@ -127,6 +127,7 @@ def press_triangle(
             across, along = gx * ky - gy * kx, gx * kx + gy * ky
             half = 0.5 * math.atan2(across, along)
             se += 2.0 * half * re
+            covered += half * disc
             if not forces:
                 continue
             far = math.sqrt(gx * gx + gy * gy)
@@ -153,7 +154,9 @@ def press_triangle(
             share = first + (last - first) * load(_SIDE, 0, FOUR)
             ex, ey = fx + share * dx, fy + share * dy
             square = deeper * (ex * ex + ey * ey)
-            weight = ((fx * ty - fy * tx) * (last - first)) * load(_SIDE, 1, FOUR)
+            cross = (fx * ty - fy * tx) * (last - first)
+            covered += 0.5 * cross
+            weight = cross * load(_SIDE, 1, FOUR)
             e0, p0, p1, p2, s0, s1 = zero, zero, zero, zero, zero, zero
             if not forces:
                 for b in range(6):
@@ -183,7 +186,7 @@ def press_triangle(
     se += total(ue)
     out[3, 3] += scale * se
     if not forces:
-        return True
+        return scale * covered
     ss, sc, sx, sy = ss + total(us), sc + total(uc), sx + total(upx), sy + total(upy)
     sxx, sxy, syy, hx, hy = sxx + total(uxx), sxy + total(uxy), syy + total(uyy), hx + total(uhx), hy + total(uhy)
     for corner in range(3):
@@ -200,7 +203,7 @@ def press_triangle(
         out[corner, 2] += along * uz + beside * wz + down * mz
         out[corner, 3] += scale * borne
         out[3, corner] += scale * max(l0 * ss + lx * hx + ly * hy, 0.0)
-    return True
+    return scale * covered
 
 
 def press_skin(

@@ -9,12 +9,13 @@ import math
 from typing import Any
 
 from cotouch.arrays import Float
-from cotouch.mechanics._closed import lacking, miss, predict
+from cotouch.mechanics._closed import lacking, predict
 from cotouch.mechanics._contact_balance import balanced, dot_rows
 from cotouch.mechanics._contact_catch import begin_catch, catch
-from cotouch.mechanics._contact_near import correct_near, empty_rows, forget_rows, say, tell
+from cotouch.mechanics._contact_near import correct_near, empty_rows, forget_rows, tell
 from cotouch.mechanics._contact_press import feel_tool, press_tool
 from cotouch.mechanics._contact_skin import fastest, load_rows, look_around, read_rates
+from cotouch.mechanics._contact_solve import solve_touched
 from cotouch.mechanics._contact_sweep import NEVER, first_crossing
 from cotouch.mechanics._contact_work import Contact, ContactWork
 from cotouch.mechanics._force import BodyForce
@@ -24,7 +25,7 @@ from cotouch.mechanics._kernel import block, part
 from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._proxy import book_drive, move_proxy, proxy_drive, proxy_inertia
 from cotouch.mechanics._state import ITERATIONS, Links, Ports, State, Workspace
-from cotouch.mechanics._step import assemble, solve_step
+from cotouch.mechanics._step import assemble
 from cotouch.mechanics._surface import Surface, refit
 from cotouch.mechanics._tools import GRASP, TOUCH, TOUCH_LOSS, TOUCH_STORED, Tools
 from cotouch.mechanics._vector import load, splat, store
@@ -33,7 +34,6 @@ from cotouch.mechanics._world_force import lean_world, looks_of, take_up
 # Looks at most; the change of forces at which they end, and at which one more correction is enough.
 _LOOKS = 12
 _SETTLED, _NEARLY, _EXACT = 1e-6, 1e-3, 1e-9
-_COARSE = 0.01  # of what the last look missed the next may leave so much, where it solves the whole body
 _NOTHING = 1e-17  # of the energy in a depth of a tool's radius, it is out of the skin
 # How far a tool looks around beyond its radius, in radii and in ways of a step; below how many radii those are short.
 _MARGIN, _WAYS, _SLOW = 0.05, 3.0, 0.05
@@ -129,7 +129,7 @@ def contact_step(
         if number >= looks and near:
             ledger[ITERATIONS] += correct_near(op, work, touch, cap, lanes)
         else:
-            _solve(op, ports, touch, work, number, modal, near, ledger, tolerance, cap, lanes)
+            solve_touched(op, ports, touch, work, number, modal, near, ledger, tolerance, cap, lanes)
             touch.quick[0] = fastest(surface, mean, lanes)
         guess = mean
         for t in range(tools.first, tools.last):
@@ -170,63 +170,6 @@ def contact_step(
         lanes,
     )
     _settle(touch, tools, T, sigma, touch_ledger)
-
-
-@part
-def _solve(
-    op: Operator,
-    ports: Ports,
-    touch: ContactWork,
-    work: Workspace,
-    number: int,
-    modal: bool,
-    near: bool,
-    ledger: Float,
-    tolerance: float,
-    cap: int,
-    lanes: tuple[int, ...],
-) -> None:
-    """Solves the body with what contacts were found to do; after the first time, corrects it by a coarse solve.
-
-    Diagonal and right-hand side are without contacts again afterwards.
-    """
-    mean, rhs, push, own, asked = work.mean, work.rhs, touch.push, touch.own, touch.asked
-    coarse = number > 0 and near
-    if modal:  # as much of the change as its answer leaves
-        share = 1.0 / (1.0 + max(touch.yields[0], touch.yields[1], touch.yields[2]))
-        for i in range(mean.shape[0]):
-            before = load(touch.found, i, lanes)
-            if number > 0:
-                store(push, i, before + share * (load(push, i, lanes) - before), lanes)
-            store(touch.found, i, load(push, i, lanes), lanes)
-    if modal or coarse:
-        for i in range(mean.shape[0]):
-            store(asked, i, load(rhs, i, lanes), lanes)
-            if modal:
-                store(rhs, i, load(rhs, i, lanes) + load(push, i, lanes), lanes)
-    for c in range(touch.many[0]):
-        i = touch.reach[c]
-        own[i] = work.diagonal[i]
-        store(asked, i, load(rhs, i, lanes), lanes)
-        work.diagonal[i] += touch.hold[i]
-        store(rhs, i, load(rhs, i, lanes) + load(push, i, lanes), lanes)
-    if not coarse:
-        ledger[ITERATIONS] += solve_step(op, ports, work, tolerance, cap, lanes)
-    else:
-        miss(op, work.diagonal, rhs, work, rhs, lanes)
-        for i in range(mean.shape[0]):
-            store(touch.found, i, load(mean, i, lanes), lanes)
-        ledger[ITERATIONS] += solve_step(op, ports, work, max(tolerance, _COARSE), cap, lanes)
-        for i in range(mean.shape[0]):
-            store(mean, i, load(mean, i, lanes) + load(touch.found, i, lanes), lanes)
-    for c in range(touch.many[0]):
-        i = touch.reach[c]
-        work.diagonal[i] = own[i]
-        store(rhs, i, load(asked, i, lanes), lanes)
-    if modal or coarse:
-        for i in range(mean.shape[0]):
-            store(rhs, i, load(asked, i, lanes), lanes)
-    say(touch, mean, lanes)
 
 
 @part

@@ -25,6 +25,8 @@ class ContactWork(NamedTuple):
         near: which, (tools, F).
         load: share of the corners of each in the tool's pressure, (tools * F, 4) [N].
         total: their sum, (tools,) [N].
+        patch: area at rest of the skin within each tool, (tools,) [m²].
+        across: force of friction, film and damping on each tool, (tools, 4) [N].
         rate: velocity of the vertices, (V, 4) [m/s].
         force: on the vertices, (V, 4) [N].
         firm: what resists motion of the vertices, (V,) [Ns/m].
@@ -74,6 +76,8 @@ class ContactWork(NamedTuple):
     near: Int
     load: Float
     total: Float
+    patch: Float
+    across: Float
     rate: Float
     force: Float
     firm: Float
@@ -145,6 +149,8 @@ def contact_by(law: Any, model: Model, surface: Surface, *, tools: int) -> Conta
         near=np.zeros((tools, faces), dtype=np.int32),
         load=np.zeros((tools * faces, 4)),
         total=np.zeros(tools),
+        patch=np.zeros(tools),
+        across=row(),
         rate=np.zeros((vertices, 4)),
         force=np.zeros((vertices, 4)),
         firm=np.zeros(vertices),
