@@ -111,7 +111,11 @@ def visit(address: str, token: str, seconds: float, pointing: float, timed: bool
                 if not timed:
                     x, y = np.float32(0.02), np.float32(0.02)
                 action = 0 if timed else 1  # a ball's place is told as it is, that of a grab as its node's
-                page.send(struct.pack("<BBBBII3fffd", 2, 0, action, 0, number, 0, x, y, 0.0, 0.0, 0.0, 1e3 * now))
+                page.send(
+                    struct.pack(
+                        "<BBBBII3fffd3f", 2, 0, action, 0, number, 0, x, y, 0.0, 0.0, 0.0, 1e3 * now, 0.0, 0.0, 0.0
+                    )
+                )
             try:
                 message = page.recv(max(min(due, end) - time.monotonic(), 0.0) if pointing else 1.0)
             except TimeoutError:

@@ -23,6 +23,8 @@ ENDINGS = "py|md|toml|ts|css|pv|yml|cff|json|lock"
 FILE = re.compile(rf"`([\w./-]+\.(?:{ENDINGS}))((?:::\w+)*)`")
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 MENTIONED = re.compile(r"`((?:cotouch|make|python) [^`\n]*)`")
+SAID_ABOVE = re.compile(r"^# {2,}((?:cotouch|make|python) .*)$", re.MULTILINE)
+EXAMPLES = sorted((ROOT / "examples").glob("*.toml"))
 
 
 def name(path: Path) -> str:
@@ -181,6 +183,13 @@ def wrong_command(text: str) -> str | None:
 @pytest.mark.parametrize("page", PAGES, ids=name)
 def test_commands_that_are_named_in_passing_exist(page: Path):
     found = MENTIONED.findall(page.read_text(encoding="utf-8"))
+    assert [(text, wrong) for text in found if (wrong := wrong_command(text)) is not None] == []
+
+
+@pytest.mark.parametrize("example", EXAMPLES, ids=name)
+def test_commands_that_an_example_says_exist(example: Path):
+    text = example.read_text(encoding="utf-8")
+    found = MENTIONED.findall(text) + SAID_ABOVE.findall(text)
     assert [(text, wrong) for text in found if (wrong := wrong_command(text)) is not None] == []
 
 

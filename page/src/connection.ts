@@ -29,10 +29,15 @@ export interface Pointing {
   stiffness: number;
   /** When the event was, as performance.now() [ms]; now if left out. */
   time?: number;
+  /** Of the blade; 0: none [m]. */
+  edge?: Vec;
 }
 
+const NONE: Vec = [0, 0, 0];
+
 function same(a: Pointing, b: Pointing): boolean {
-  return a.action === b.action && a.point === b.point && a.radius === b.radius && a.stiffness === b.stiffness && a.target.every((x, k) => x === b.target[k]);
+  return a.action === b.action && a.point === b.point && a.radius === b.radius && a.stiffness === b.stiffness && a.target.every((x, k) => x === b.target[k])
+    && (a.edge ?? NONE).every((x, k) => x === (b.edge ?? NONE)[k]);
 }
 
 export class Connection {
@@ -140,7 +145,7 @@ export class Connection {
     this.pointed = performance.now();
     const number = ++this.number;
     const time = p.time!;
-    this.socket.send(writePointer({ ...p, slot: this.store.slot, number, time }));
+    this.socket.send(writePointer({ edge: [0, 0, 0], ...p, slot: this.store.slot, number, time }));
     this.onPoint?.(number, time);
   }
 

@@ -193,6 +193,8 @@ export interface Copy {
   linked: number;
   /** Held; -1: none. */
   node: number;
+  /** Of a blade, from its place to the other end; 0: there is none [m]. */
+  edge: Vec;
   /** Displacement of every point, times `Frame.scale` in m; a view into the message. */
   displacement: Int16Array;
 }
@@ -212,8 +214,8 @@ export interface Frame {
   received: number;
 }
 
-export type Action = "ball" | "grab" | "free";
-const ACTIONS: Action[] = ["ball", "grab", "free"];
+export type Action = "ball" | "grab" | "free" | "blade";
+const ACTIONS: Action[] = ["ball", "grab", "free", "blade"];
 
 export interface PointerMessage {
   slot: number;
@@ -225,11 +227,13 @@ export interface PointerMessage {
   stiffness: number;
   /** performance.now() of the event [ms]. */
   time: number;
+  /** Of the blade, from the target to the other end [m]. */
+  edge: Vec;
 }
 
-const VERSION = 2;
+const VERSION = 3;
 const HEADER = 32;
-const BLOCK = 68;
+const BLOCK = 80;
 
 /** Which elements are cut, by number. */
 export function readCut(text: string, elements: number): Uint8Array {
@@ -278,7 +282,7 @@ function vec(view: DataView, at: number): Vec {
 export function readFrame(buffer: ArrayBuffer, received: number): Frame {
   const view = new DataView(buffer);
   if (buffer.byteLength < HEADER || view.getUint8(0) !== 1 || view.getUint8(1) !== VERSION) {
-    throw new RangeError("not a frame of version 1");
+    throw new RangeError(`not a frame of version ${VERSION}`);
   }
   const count = view.getUint16(2, true);
   const points = view.getUint32(16, true);
@@ -304,6 +308,7 @@ export function readFrame(buffer: ArrayBuffer, received: number): Frame {
       lost: view.getFloat32(at + 56, true),
       linked: view.getFloat32(at + 60, true),
       node: view.getInt32(at + 64, true),
+      edge: vec(view, at + 68),
       displacement: new Int16Array(buffer, at + BLOCK, points * 3),
     });
   }
@@ -320,7 +325,7 @@ export function readFrame(buffer: ArrayBuffer, received: number): Frame {
 }
 
 export function writePointer(message: PointerMessage): ArrayBuffer {
-  const view = new DataView(new ArrayBuffer(40));
+  const view = new DataView(new ArrayBuffer(52));
   view.setUint8(0, 2);
   view.setUint8(1, message.slot);
   view.setUint8(2, ACTIONS.indexOf(message.action));
@@ -330,6 +335,7 @@ export function writePointer(message: PointerMessage): ArrayBuffer {
   view.setFloat32(24, message.radius, true);
   view.setFloat32(28, message.stiffness, true);
   view.setFloat64(32, message.time, true);
+  message.edge.forEach((value, axis) => view.setFloat32(40 + 4 * axis, value, true));
   return view.buffer as ArrayBuffer;
 }
 

@@ -7,12 +7,14 @@ import type { Frame, Scene, State } from "./protocol";
 export type ConnectionState = "connecting" | "open" | "silent" | "lost" | "refused";
 export type Kind = "scene" | "state" | "frame" | "connection" | "settings" | "slot";
 
+export type Tool = "grab" | "ball" | "blade";
+
 export interface Settings {
   /** All copies in one place, or next to each other. */
   layout: "overlay" | "side";
   colour: "displacement" | "stress" | "plain";
   theme: Theme;
-  tool: "grab" | "ball";
+  tool: Tool;
   /** Whether the others' copies are shown over one's own. */
   ghosts: boolean;
 }
@@ -55,6 +57,11 @@ export class Store {
   /** Whether the server answers, and the session's process behind it does not. */
   get stalled(): boolean {
     return this.connection === "open" && !this.state?.ended && (this.state?.age ?? 0) > STALE;
+  }
+
+  /** What the pointer does; a blade only where something can be cut. */
+  get tool(): Tool {
+    return this.settings.tool === "blade" && !this.scene?.cutting ? "grab" : this.settings.tool;
   }
 
   /** The user whom whoever looks at this page is; null: who only watches is nobody. */

@@ -215,6 +215,7 @@ class TestGround:
         (np.zeros((1, 2, 3)), "rest is 1 x 2 x 3; it must be n x d"),
         ([[0.0, 1.0], [2.0, np.nan]], "rest[1, 1] is nan; every coordinate must be a finite number"),
         ([0.0, np.inf], "rest[1, 0] is inf; every coordinate must be a finite number"),
+        ([[0.0], [-2e300]], "rest[1, 0] is -2e+300 m; a body is within 1e+09 m"),
         ([[0.0], [1.0, 2.0]], "rest is not an array of positions"),
         (["left", "right"], "rest is not an array of positions"),
     ],

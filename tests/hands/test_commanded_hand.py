@@ -2,12 +2,13 @@
 
 import numpy as np
 import pytest
+import trimesh
+from tests.body.shapes import sphere
 from tests.session.hands import BODIES, Held, scenario
 
 from cotouch.hands._commanded_hand import SILENCE
 from cotouch.observers import HAND_MODES, size_of
 from cotouch.scenario import resolve_penetration
-from cotouch.session._cushion import cushion, stl
 
 SCRIPT = """
 [[hands]]
@@ -34,7 +35,8 @@ def held(body: str) -> Held:
 @pytest.fixture(scope="module")
 def cushion_body(tmp_path_factory: pytest.TempPathFactory) -> str:
     path = tmp_path_factory.mktemp("body") / "cushion.stl"
-    path.write_bytes(stl(*cushion()))
+    corners, triangles = sphere(3)
+    trimesh.Trimesh(corners * [0.06, 0.045, 0.035], triangles, process=False).export(path)
     return (
         f'[body]\nfile = "{path}"\nunit = "m"\nresolution = 5\nmodel = "elastic"\nyoung = 1e4\npoisson = 0.35\n'
         "density = 250\nrayleigh_mass = 1.0\nrayleigh_stiffness = 0.01\nground_stiffness = 20\nmodes = 20\n"
@@ -81,6 +83,44 @@ def test_books_stay_exact_whatever_it_is_told(body: str, cushion_body: str) -> N
     assert used >= {"script", "free", "hold", "pull", "wander", "grab"}
     assert ("ball" in used) == (copy.body.skin is not None)
     assert copy.worst < 1e-10
+
+
+def test_a_blade_cuts_where_it_is_led_and_nowhere_before() -> None:
+    light = TURNING.partition("[world]")[0]
+    copy = Held(scenario(light, "[cutting]"))
+    cuts, material = copy.peer.cuts, copy.body.material
+    assert cuts is not None
+    assert material is not None
+    middle = copy.body.rest[material.elements].mean(axis=1)
+    top, edge = (
+        copy.body.rest[:, 2].max(),
+        (0.0, 0.2, 0.0),
+    )  # it lies along y, above the body, and comes down at x = 45 mm
+    above, through = (0.045, -0.07, top + 0.03), (0.045, -0.07, -0.03)
+    for n in range(10):
+        copy.tell("blade", -1, above, n + 1, edge=edge)
+        copy.run(0.02)
+    assert not cuts.by.any()
+    copy.tell("blade", -1, above, 20, edge=(0.0, 0.0, -1.0))  # the tip comes in where it was put down
+    copy.run(0.3)
+    assert cuts.by.any()
+    fresh = Held(scenario(light, "[cutting]"))
+    fresh.tell("cut", -1, through, start=above, edge=edge)
+    fresh.run(1.0)
+    assert fresh.peer.cuts is not None
+    slab = np.abs(middle[:, 0] - 0.045) < 0.016
+    assert np.array_equal(fresh.peer.cuts.by > 0, slab)
+    assert fresh.hand.mode == "cut"  # nobody's pointer: silence does not end it
+    fresh.tell("free")
+    fresh.run(0.5)
+    assert fresh.hand.tools is not None
+    assert np.abs(fresh.hand.tools.rate).max() < 1e-3
+    for one in (copy, fresh):
+        assert one.worst < 1e-10
+    nobody = Held(scenario(light, "[cutting]\nusers = []"))
+    nobody.tell("cut", -1, through, start=above, edge=edge)
+    nobody.run(0.2)
+    assert nobody.hand.mode == "free"
 
 
 @pytest.mark.parametrize("body", ["point", "plane", "modal"])
@@ -177,7 +217,7 @@ def test_a_ball_pushes_the_skin_and_lets_go() -> None:
         "mode": np.zeros(2, int),
         "node": np.zeros(2, int),
     }
-    fields |= {name: np.zeros((2, 3)) for name in ("target", "place", "force")} | {"radius": np.zeros(2)}
+    fields |= {name: np.zeros((2, 3)) for name in ("target", "place", "force", "edge")} | {"radius": np.zeros(2)}
     copy.hand.show(fields)
     assert HAND_MODES[fields["mode"][0]] == "ball"
     assert fields["force"][0] == pytest.approx(copy.force())

@@ -31,6 +31,14 @@ PATH = {"what": "impair", "a": 0, "b": 1}
         ({"what": "hand", "slot": 0, "mode": "grab"}, "mode is 'grab'"),
         ({"what": "hand", "slot": 0, "mode": "hold", "node": -2}, "node is -2"),
         (PULL, "to is missing; pull needs 3 numbers"),
+        (
+            PULL | {"mode": "cut", "at": [0, 0, 0], "to": [0, 0, 1]},
+            "edge is missing; cut needs at, edge and to, 3 numbers",
+        ),
+        (
+            PULL | {"mode": "cut", "at": [0, 0, 0], "to": [0, 0, 1], "edge": [0, 0, 0]},
+            "edge is of no length; it must lead from one end of the blade's edge to the other",
+        ),
         (PULL | {"to": [0, 0]}, "to is [0, 0]; it must be 3 numbers"),
         (PULL | {"to": [0, 0, float("nan")]}, "it must be 3 numbers"),
         (PULL | {"to": [0, 0, 2e4]}, "it must be 3 numbers"),

@@ -66,9 +66,27 @@ class Held:
         self.hand.attach(self.peer.state.position)
         self.now = 0.0
 
-    def tell(self, mode: HandMode, node: int = -1, target=(0.0, 0.0, 0.0), pointer: int = 0, **more: float) -> None:
+    def tell(
+        self,
+        mode: HandMode,
+        node: int = -1,
+        target=(0.0, 0.0, 0.0),
+        pointer: int = 0,
+        *,
+        start=None,
+        edge=(0.0, 0.0, 0.0),
+        **more: float,
+    ) -> None:
         request = HandCommand(
-            1, pointer, mode, node, tuple(map(float, target)), more.get("radius", 0), more.get("stiffness", 0)
+            1,
+            pointer,
+            mode,
+            node,
+            tuple(map(float, target)),
+            more.get("radius", 0),
+            more.get("stiffness", 0),
+            tuple(map(float, target if start is None else start)),
+            tuple(map(float, edge)),
         )
         self.queue.append(request)
 

@@ -1,6 +1,6 @@
 import pytest
 
-from cotouch.body import Body
+from cotouch.body import Body, lattice
 from cotouch.errors import SessionError
 from cotouch.observers import ChooseLinks, Cut, MoveHand, Pointer
 from cotouch.session import _requests
@@ -8,8 +8,11 @@ from cotouch.session import _requests
 BODY = Body(mass=[[1.0, 0.0], [0.0, 1.0]], rest=[0.0, 1.0], stiffness_int=[[1.0, -1.0], [-1.0, 1.0]])
 
 
-def pointer(mode="ball", node=0, target=(0.0, 0.0, 0.0), radius=0.0) -> Pointer:
-    return Pointer(number=1, mode=mode, node=node, target=target, radius=radius)
+CUTTABLE = lattice((2, 2, 2), model="cells").with_cutting()
+
+
+def pointer(mode="ball", node=0, target=(0.0, 0.0, 0.0), radius=0.0, edge=(0.0, 0.0, 0.0)) -> Pointer:
+    return Pointer(number=1, mode=mode, node=node, target=target, radius=radius, edge=edge)
 
 
 @pytest.mark.parametrize(
@@ -17,7 +20,7 @@ def pointer(mode="ball", node=0, target=(0.0, 0.0, 0.0), radius=0.0) -> Pointer:
     [
         (lambda: _requests.slot_among(3, (0, 1)), "slot is 3; it must be one of 0, 1"),
         (
-            lambda: _requests.check_hand(MoveHand(slot=0, mode="hold", node=2), BODY),
+            lambda: _requests.check_hand(MoveHand(slot=0, mode="hold", node=2), BODY, cuts=True),
             "node is 2; it must be from 0 to 1",
         ),
         (lambda: _requests.ends_of(Cut(a=0, b=3, on=True), 3), "b is 3; it must be one of 0, 1, 2"),
@@ -27,11 +30,20 @@ def pointer(mode="ball", node=0, target=(0.0, 0.0, 0.0), radius=0.0) -> Pointer:
         ),
         (lambda: _requests.links_of(ChooseLinks(choice="best"), {"best": []}, 3), "no such links were found"),
         (lambda: _requests.links_of(ChooseLinks(links=((0, 3),)), {}, 3), "a slot of links is 3"),
-        (lambda: _requests.checked(pointer("pull"), BODY), 'the pointer\'s mode is "pull"'),
-        (lambda: _requests.checked(pointer("grab", node=2), BODY), "the pointer's node is 2"),
-        (lambda: _requests.checked(pointer(target=(0.0, 0.0, float("inf"))), BODY), "the pointer's target"),
-        (lambda: _requests.checked(pointer(target=(0.0, 0.0, float("nan"))), BODY), "the pointer's target"),
-        (lambda: _requests.checked(pointer(radius=-1.0), BODY), "the pointer's radius is -1.0"),
+        (lambda: _requests.checked(pointer("pull"), BODY, cuts=True), 'the pointer\'s mode is "pull"'),
+        (lambda: _requests.checked(pointer("grab", node=2), BODY, cuts=True), "the pointer's node is 2"),
+        (lambda: _requests.checked(pointer(target=(0.0, 0.0, float("inf"))), BODY, cuts=True), "the pointer's target"),
+        (lambda: _requests.checked(pointer(target=(0.0, 0.0, float("nan"))), BODY, cuts=True), "the pointer's target"),
+        (
+            lambda: _requests.checked(pointer("blade"), BODY, cuts=True),
+            "a blade cuts nothing here, because the session's file has no [cutting]; add that table",
+        ),
+        (
+            lambda: _requests.checked(pointer("blade"), CUTTABLE, cuts=False),
+            "this user may not cut; cutting.users of the session's file says who may",
+        ),
+        (lambda: _requests.checked(pointer(edge=(0.0, 0.0, float("nan"))), BODY, cuts=True), "the pointer's edge"),
+        (lambda: _requests.checked(pointer(radius=-1.0), BODY, cuts=True), "the pointer's radius is -1.0"),
     ],
 )
 def test_mistakes_are_sentences(call, words: str) -> None:
@@ -41,7 +53,7 @@ def test_mistakes_are_sentences(call, words: str) -> None:
 
 
 def test_what_is_right_goes_through() -> None:
-    _requests.check_hand(MoveHand(slot=0, mode="pull", node=1, to=(1.0, 2.0, 3.0)), BODY)
+    _requests.check_hand(MoveHand(slot=0, mode="pull", node=1, to=(1.0, 2.0, 3.0)), BODY, cuts=True)
     assert _requests.ends_of(Cut(a=2, b=0, on=True), 3) == (2, 0)
     assert _requests.links_of(ChooseLinks(links=((2, 0), (0, 2), (1, 2))), {}, 3) == [(0, 2), (1, 2)]
     assert _requests.links_of(ChooseLinks(choice="best"), {"best": [(0, 1)]}, 3) == [(0, 1)]

@@ -96,6 +96,14 @@ def test_a_file_says_all_of_it() -> None:
         ),
         ({"bodies": [{**DIE, "name": "a"}, {**DIE, "name": "a"}]}, 'two bodies are named "a"'),
         ({"bodies": [DIE]}, "bodies[1].name is missing"),
+        (
+            {"bodies": [{**DIE, "name": "a", "step": [1, 0, 0], "copies": 10**9}]},
+            "bodies[1].copies is 1000000000; it must",
+        ),
+        (
+            {"bodies": [{**DIE, "name": "a", "size": [1e300, 1, 1]}]},
+            "size is [1e+300, 1.0, 1.0]; it must be three lengths",
+        ),
         ({"bodies": [{**DIE, "name": "a", "sise": 1}]}, "bodies[1].sise is not an option that cotouch knows"),
         (
             {"bodies": [{**DIE, "name": "a", "size": [1, 1]}]},

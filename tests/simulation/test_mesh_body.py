@@ -172,7 +172,11 @@ class TestTruncated:
         ("file = 'beam.docx'", 'beam.docx"; it must end in .stl, .obj'),
         ("file = 'gone.vtu'", "gone.vtu cannot be read: No such file"),
         ("file = 3", "body.file is 3; it must be a string"),
-        ("kind = 'jelly'", 'body.kind is \'jelly\'; it must be "point", "chain", "lattice", "matrices" or "file"'),
+        (
+            "kind = 'jelly'",
+            'body.kind is \'jelly\'; it must be "point", "chain", "lattice", "box", "cylinder", "sphere", '
+            '"matrices" or "file"',
+        ),
         ("modes = 200", "modes is 200; it must be from 1 to 135"),
     ],
 )

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-MODES = ("script", "free", "hold", "pull", "wander", "grab", "ball")
+MODES = ("script", "free", "hold", "pull", "wander", "grab", "ball", "blade", "cut")
 
 
 @dataclass
@@ -23,6 +23,7 @@ class Drawn:
     radius: float
     ledger: tuple[float, ...]  # energy, supplied, lost, linked
     node: int
+    edge: tuple[float, ...]
     displacement: np.ndarray
 
 
@@ -47,7 +48,7 @@ def f32(data: bytes, at: int, count: int = 1) -> tuple[float, ...]:
 
 def read_frame(data: bytes) -> Picture:
     assert data[0] == 1
-    assert data[1] == 2
+    assert data[1] == 3
     count = int.from_bytes(data[2:4], "little")
     picture = Picture(
         number=u32(data, 4),
@@ -60,7 +61,7 @@ def read_frame(data: bytes) -> Picture:
     at = 32
     for _ in range(count):
         size = 6 * picture.points
-        values = np.frombuffer(data, "<i2", 3 * picture.points, at + 68).astype(float)
+        values = np.frombuffer(data, "<i2", 3 * picture.points, at + 80).astype(float)
         copy = Drawn(
             slot=data[at],
             mode=MODES[data[at + 1]],
@@ -74,11 +75,12 @@ def read_frame(data: bytes) -> Picture:
             radius=f32(data, at + 44)[0],
             ledger=f32(data, at + 48, 4),
             node=int.from_bytes(data[at + 64 : at + 68], "little", signed=True),
+            edge=f32(data, at + 68, 3),
             displacement=values.reshape(-1, 3) * picture.scale,
         )
         assert copy.slot not in picture.copies
         picture.copies[copy.slot] = copy
-        at += 68 + size + (-size) % 4
+        at += 80 + size + (-size) % 4
     assert at == len(data)
     return picture
 
@@ -93,6 +95,7 @@ def pointer(
     radius: float = 0.0,
     stiffness: float = 0.0,
     sent: float = 0.0,
+    edge: tuple[float, float, float] = (0.0, 0.0, 0.0),
 ) -> bytes:
     return (
         bytes([2, slot, action, 0])
@@ -101,6 +104,7 @@ def pointer(
         + np.array(target, "<f4").tobytes()
         + np.array([radius, stiffness], "<f4").tobytes()
         + np.array([sent], "<f8").tobytes()
+        + np.array(edge, "<f4").tobytes()
     )
 
 

@@ -274,7 +274,7 @@ class TestStartAndStop:
                 f"GET /ws HTTP/1.1\r\nHost: {own[7:]}\r\nOrigin: {own}\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
                 "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n\r\n".encode()
             )
-            hello = json.dumps({"type": "hello", "version": 2}).encode()
+            hello = json.dumps({"type": "hello", "version": 3}).encode()
             stuck.sendall(bytes([0x81, 0x80 | len(hello)]) + b"\0\0\0\0" + hello)
             with visit(server) as page:
                 page.frame()

@@ -27,7 +27,7 @@ class Visitor:
         self.texts: list[dict[str, Any]] = []
 
     def hello(self, **entries: Any) -> None:
-        self.say({"type": "hello", "version": 2, "token": None, "slot": None, "want": "all", "rate": 60} | entries)
+        self.say({"type": "hello", "version": 3, "token": None, "slot": None, "want": "all", "rate": 60} | entries)
 
     def say(self, message: dict[str, Any] | bytes | str) -> None:
         self.connection.send(json.dumps(message) if isinstance(message, dict) else message)

@@ -7,6 +7,7 @@ export function toolbar(context: Context, reset: () => void): HTMLElement {
   const tool = choice("Tool", [
     { value: "grab", words: "Grab", icon: "grab", tip: "Take hold of a point and drag it (B changes the tool)" },
     { value: "ball", words: "Ball", icon: "ball", tip: "Push with a ball; Shift and wheel change its size" },
+    { value: "blade", words: "Blade", icon: "blade", tip: "Cut, away from you; Shift and wheel change how deep" },
   ] as const, (value) => store.set({ tool: value }));
   const layout = choice("Copies", [
     { value: "overlay", words: "Overlaid", icon: "overlay", tip: "All copies in one place (S)" },
@@ -29,7 +30,9 @@ export function toolbar(context: Context, reset: () => void): HTMLElement {
   );
   const update = (): void => {
     const { settings, scene } = store;
-    tool.mark(settings.tool);
+    tool.mark(store.tool);
+    const blade = tool.element.querySelector<HTMLElement>('[data-value="blade"]');
+    if (blade) blade.hidden = !scene?.cutting;
     layout.mark(settings.layout);
     colour.value = settings.colour;
     attribute(ghosts, "aria-pressed", String(settings.ghosts));

@@ -86,5 +86,7 @@ export const MODES: Record<string, string> = {
   wander: "wanders",
   grab: "pointer grabs",
   ball: "pointer pushes",
+  blade: "pointer cuts",
+  cut: "cuts",
   elsewhere: "on another computer",
 };

@@ -1,17 +1,21 @@
 // What this page's hand does in space: one pointer, finger, stick or key at a time. Knows no picture.
 import { Plane, type Ray, Vector3 } from "three";
 import type { Connection } from "../connection";
-import type { Vec } from "../protocol";
+import type { Action, Vec } from "../protocol";
 
 export class Hold {
   /** What the hand does now. */
-  action: "free" | "grab" | "ball" = "free";
+  action: Action = "free";
   /** Drawn point that is held; -1: none. */
   point = -1;
   /** Where the pointer is in space [m]. */
   readonly target = new Vector3();
   /** Of the ball [m]. */
   radius: number;
+  /** How deep the blade goes [m]. */
+  deep: number;
+  /** Of the blade, from the target to its tip [m]. */
+  readonly edge = new Vector3();
   private readonly plane = new Plane();
   private readonly offset = new Vector3();
   /** How far the ball has been pushed in by pressing [m]. */
@@ -19,6 +23,7 @@ export class Hold {
 
   constructor(private readonly connection: Connection, private readonly size: number, private readonly stiffness: number, private readonly flat: boolean) {
     this.radius = 0.16 * size;
+    this.deep = 0.5 * size;
   }
 
   get holds(): boolean {
@@ -44,6 +49,28 @@ export class Hold {
     this.target.copy(met).add(this.offset);
     this.plane.setFromNormalAndCoplanarPoint(away, met);
     this.send(time);
+  }
+
+  /** Puts the blade in where the pointer meets the object, away from the eye; its other end stays a little outside. */
+  cut(met: Vector3, away: Vector3, time?: number): void {
+    this.action = "blade";
+    this.point = -1;
+    const outside = 0.08 * this.size;
+    this.offset.copy(away).multiplyScalar(-outside);
+    this.target.copy(met).add(this.offset);
+    this.edge.copy(away).multiplyScalar(this.deep + outside);
+    this.plane.setFromNormalAndCoplanarPoint(away, met);
+    this.send(time);
+  }
+
+  /** Makes the blade so many times as long. */
+  deepen(factor: number): void {
+    const before = this.deep;
+    this.deep = Math.min(Math.max(before * factor, 0.05 * this.size), 2.5 * this.size);
+    if (this.action !== "blade") return;
+    const outside = 0.08 * this.size;
+    this.edge.setLength(this.deep + outside);
+    this.send();
   }
 
   /** A held button pushes the ball in, up to half of it. @returns whether it still moves */
@@ -90,6 +117,7 @@ export class Hold {
     this.connection.point({
       action: this.action, point: Math.max(this.point, 0), target: this.target.toArray() as Vec,
       radius: this.action === "ball" ? this.radius : 0, stiffness: this.stiffness, time,
+      edge: this.action === "blade" ? this.edge.toArray() as Vec : [0, 0, 0],
     });
   }
 

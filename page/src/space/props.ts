@@ -11,6 +11,8 @@ const sphere = inSoftware() ? new SphereGeometry(1, 10, 7) : new SphereGeometry(
 const rod = new CylinderGeometry(1, 1, 1, inSoftware() ? 6 : 12, 1, true).translate(0, 0.5, 0);
 const cone = new ConeGeometry(1, 1, inSoftware() ? 10 : 18).translate(0, 0.5, 0);
 const ring = inSoftware() ? new TorusGeometry(1, 0.13, 5, 20) : new TorusGeometry(1, 0.13, 8, 36);
+// Thick where it is held, thin at the tip.
+const knife = new CylinderGeometry(0.12, 1, 1, 12).translate(0, 0.5, 0);
 const UP = new Vector3(0, 1, 0);
 const along = new Vector3(), turn = new Quaternion();
 
@@ -54,6 +56,8 @@ export interface HandPose {
   force: Vector3;
   /** Of the ball; 0 where the hand holds. */
   radius: number;
+  /** Of a blade, from its place to the other end; 0: there is none [m]. */
+  edge: Vector3;
   /** Whether to draw the small ring where the pointer is. */
   pointed: boolean;
 }
@@ -75,6 +79,7 @@ export class HandProp {
   private readonly shaft: Mesh;
   private readonly head: Mesh;
   private readonly mark: Mesh;
+  private readonly blade: Mesh;
   private readonly tip = new Vector3();
   private readonly neck = new Vector3();
 
@@ -93,7 +98,7 @@ export class HandProp {
       faint.uniforms.colour = by.uniforms.colour!;
       this.hidden.set(by, faint);
     }
-    const mesh = (geometry: typeof sphere | typeof rod | typeof cone | typeof ring, by: ShaderMaterial) => {
+    const mesh = (geometry: typeof sphere | typeof rod | typeof cone | typeof ring | typeof knife, by: ShaderMaterial) => {
       const made = new Mesh(geometry, by);
       made.frustumCulled = false;
       this.group.add(made);
@@ -112,6 +117,7 @@ export class HandProp {
     this.shaft = mesh(rod, this.skin);
     this.head = mesh(cone, this.skin);
     this.mark = mesh(ring, this.skin);
+    this.blade = mesh(knife, this.skin);
     this.group.visible = false;
   }
 
@@ -132,12 +138,14 @@ export class HandProp {
     this.proxy.geometry = hand.radius > 0 ? ball : sphere;
     this.proxy.position.copy(hand.proxy);
     this.proxy.scale.setScalar(hand.radius > 0 ? hand.radius : size * 0.042);
-    this.knot.visible = hand.radius === 0;
+    const cuts = hand.edge.lengthSq() > 0;
+    this.knot.visible = hand.radius === 0 && !cuts;
+    span(this.blade, hand.place, this.tip.addVectors(hand.place, hand.edge), size * 0.024);
     this.knot.position.copy(hand.place);
     this.knot.scale.setScalar(size * 0.026);
     span(this.rope, hand.place, hand.proxy, thick);
     span(this.lead, hand.proxy, hand.target, thick * 0.8);
-    if (hand.radius > 0) this.rope.visible = false;
+    if (hand.radius > 0 || cuts) this.rope.visible = false;
     this.mark.visible = hand.pointed;
     this.mark.position.copy(hand.target);
     this.mark.quaternion.copy(face);

@@ -57,7 +57,7 @@ class Space implements View {
   private readonly proxy = new Vector3();
   private readonly place = new Vector3();
   private readonly goal = new Vector3();
-  private readonly posed: HandPose = { place: new Vector3(), proxy: new Vector3(), target: new Vector3(), force: new Vector3(), radius: 0, pointed: false };
+  private readonly posed: HandPose = { place: new Vector3(), proxy: new Vector3(), target: new Vector3(), force: new Vector3(), radius: 0, edge: new Vector3(), pointed: false };
   private fresh = true;
   private hovered: Hit | null = null;
   private area: Cell[] = [];
@@ -202,7 +202,7 @@ class Space implements View {
   hover(hit: Hit | null): void {
     if (hit?.point !== this.hovered?.point) this.draw();
     this.hovered = hit;
-    const over = hit ? this.store.settings.tool : "";
+    const over = hit ? this.store.tool : "";
     if (this.canvas.dataset.over !== over) this.canvas.dataset.over = over;
   }
 
@@ -231,7 +231,7 @@ class Space implements View {
   private pull(): number {
     if (!this.hold.holds || this.fresh) return 0; // just taken: where it is held is not looked at yet
     const told = this.shown?.copies.find((copy) => copy.slot === this.store.slot);
-    if (this.hold.action === "ball") return told?.mode === "ball" ? Math.hypot(...told.force) : 0;
+    if (this.hold.action !== "grab") return told?.mode === this.hold.action ? Math.hypot(...told.force) : 0;
     return this.scene.stiffness * this.place.distanceTo(this.hold.target);
   }
 
@@ -325,11 +325,11 @@ class Space implements View {
     if (this.hold.action === "grab") this.place.fromArray(moving.places, 3 * this.shape.corner[this.hold.point]!);
     else {
       const told = this.shown?.copies.find((copy) => copy.slot === this.store.slot);
-      if (told?.mode === "ball") this.place.fromArray(told.place);
+      if (told?.mode === this.hold.action) this.place.fromArray(told.place);
       else this.place.copy(this.hold.target);
     }
     const share = this.force();
-    const lag = this.hold.action === "ball" ? 1 : (0.6 * share) / (share + 0.45);
+    const lag = this.hold.action !== "grab" ? 1 : (0.6 * share) / (share + 0.45);
     const goal = this.goal.lerpVectors(this.hold.target, this.place, lag);
     if (this.fresh || calm.matches) this.proxy.copy(goal);
     else this.proxy.lerp(goal, 1 - Math.exp(-seconds * 55));
@@ -400,16 +400,19 @@ class Space implements View {
       pose.target.copy(this.hold.target);
       pose.force.subVectors(pose.target, pose.place).setLength(force);
       pose.radius = this.hold.action === "ball" ? this.hold.radius : 0;
+      if (this.hold.action === "blade") pose.edge.copy(this.hold.edge);
+      else pose.edge.set(0, 0, 0);
       pose.pointed = true;
       prop.pose(pose, this.face);
       return true;
     }
     const copy = this.shown?.copies.find((other) => other.slot === slot);
-    if (!copy?.hasHand || copy.mode === "free" || (copy.node < 0 && copy.radius === 0)) return false;
+    if (!copy?.hasHand || copy.mode === "free" || (copy.node < 0 && copy.radius === 0 && !copy.edge.some(Boolean))) return false;
     pose.place.fromArray(copy.place);
     pose.target.fromArray(copy.target);
     pose.force.fromArray(copy.force);
-    pose.proxy.copy(copy.radius > 0 ? pose.place : pose.target);
+    pose.edge.fromArray(copy.edge);
+    pose.proxy.copy(copy.radius > 0 || copy.edge.some(Boolean) ? pose.place : pose.target);
     pose.radius = copy.radius;
     pose.pointed = false;
     prop.pose(pose, this.face);

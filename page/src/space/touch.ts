@@ -116,7 +116,9 @@ export class Touch {
       if (hit) {
         this.holder = event.pointerId;
         const away = orbit.axes()[2];
-        if (this.store.settings.tool === "ball") hold.press(hit.surface, away, event.timeStamp);
+        const tool = this.store.tool;
+        if (tool === "ball") hold.press(hit.surface, away, event.timeStamp);
+        else if (tool === "blade") hold.cut(hit.surface, away, event.timeStamp);
         else hold.grab(hit.point, hit.place, hit.surface, away, event.timeStamp);
         this.picture.hover(null);
       }
@@ -182,10 +184,11 @@ export class Touch {
     const { orbit, hold } = this.picture;
     const { height } = this.picture.ownCell();
     const turns = Math.max(-3, Math.min(3, (event.deltaY || event.deltaX) / (event.deltaMode ? 3 : 100)));
-    if (event.shiftKey && this.store.settings.tool === "ball") {
+    if (event.shiftKey && this.store.tool === "ball") {
       hold.radius = Math.min(Math.max(hold.radius * 0.9 ** turns, 0.2 * 0.16 * orbit.size), 0.8 * orbit.size);
       if (hold.action === "ball") hold.send();
-    } else if (hold.holds) hold.depth(-turns * 0.06 * orbit.metres(height) * height * 0.5, orbit.axes()[2]);
+    } else if (event.shiftKey && this.store.tool === "blade") hold.deepen(0.9 ** turns);
+    else if (hold.holds) hold.depth(-turns * 0.06 * orbit.metres(height) * height * 0.5, orbit.axes()[2]);
     else orbit.zoom(1.12 ** turns);
     this.picture.draw();
   }
@@ -205,7 +208,8 @@ export class Touch {
     const hit = this.picture.pick(cell.x + cell.width / 2, cell.y + cell.height / 2, Math.max(cell.width, cell.height));
     if (!hit) return;
     const away = this.picture.orbit.axes()[2];
-    if (this.store.settings.tool === "ball") this.picture.hold.press(hit.surface, away);
+    if (this.store.tool === "ball") this.picture.hold.press(hit.surface, away);
+    else if (this.store.tool === "blade") this.picture.hold.cut(hit.surface, away);
     else this.picture.hold.grab(hit.point, hit.place, hit.place, away);
   }
 

@@ -5,7 +5,7 @@ import numpy.typing as npt
 import scipy.sparse as sp
 
 from cotouch.arrays import Float
-from cotouch.body._checks import positive
+from cotouch.body._checks import FARTHEST, positive
 from cotouch.errors import BodyError
 
 
@@ -23,6 +23,10 @@ def rest_shape(rest: npt.ArrayLike) -> Float:
     if bad.size:
         node, axis = bad[0]
         raise BodyError(f"rest[{node}, {axis}] is {shape[node, axis]}; every coordinate must be a finite number")
+    far = np.argwhere(np.abs(shape) > FARTHEST)
+    if far.size:
+        node, axis = far[0]
+        raise BodyError(f"rest[{node}, {axis}] is {shape[node, axis]:.4g} m; a body is within {FARTHEST:g} m")
     shape.setflags(write=False)
     return shape
 

@@ -223,6 +223,10 @@ def _smallest_eigenvalue(matrix: sp.csr_array, below: float, above: float) -> fl
     return float(vector @ (matrix @ vector))
 
 
+# Nothing is farther away or larger [m]; squares and differences of it are still numbers.
+FARTHEST = 1e9
+
+
 def one_number(name: str, value: object) -> float:
     """A value that must be one real number, whichever.
 

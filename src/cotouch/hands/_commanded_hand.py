@@ -13,6 +13,7 @@ import numpy.typing as npt
 
 from cotouch.arrays import Float
 from cotouch.hands._ball import Ball, ball_table
+from cotouch.hands._blade import Blade, blade_table
 from cotouch.hands._motion import Mover, Wander
 from cotouch.mechanics import AWAY, Contact, Surface, Tools
 from cotouch.members import Slot, no_ports
@@ -39,10 +40,12 @@ _GROW, _RETURN, _FADE = 0.05, 0.5, 0.1
 # How fast places move, in radii of the body in a second, how closely they follow [1/s], and how fast they speed up, in
 # radii in a square second: see `Mover`.
 _POINTED, _PULLED = (12.0, 120.0, 200.0), (2.0, 8.0, 200.0)
+# Modes that lead a blade, and how fast each does.
+_CUTTING: dict[HandMode, tuple[float, float, float]] = {"blade": _POINTED, "cut": _PULLED}
 # How far it wanders, in radii.
 _REACH = 0.5
 _HOLDING: frozenset[HandMode] = frozenset({"hold", "pull", "wander", "grab"})
-_BY_POINTER: frozenset[HandMode] = frozenset({"grab", "ball"})
+_BY_POINTER: frozenset[HandMode] = frozenset({"grab", "ball", "blade"})
 
 
 def usual_stiffness(scenario: Scenario, slot: int) -> float:
@@ -101,17 +104,21 @@ class CommandedHand:
         self._mover, self._wander = Mover(axes), Wander(axes, reach=_REACH * self._size, seed=slot)
         self._goal: list[float] = [0.0] * axes
         self._ball: Ball | None = None
+        self._blade: Blade | None = None
         self._touching = None
         self.surface: Surface | None = None
         self.tools: Tools | None = None
         self.contact: Contact | None = None
         tables = [tool for tool in scenario.tools if tool.user == slot + 1]
         balls = [ball_table(slot, body, size=self._size, stiffness=self.usual)] if body.skin is not None else []
-        if tables or balls:
+        cutting = body.material is not None and body.material.cuttable
+        cutting &= scenario.cutting is None or scenario.cutting.may(slot + 1)
+        blades = [blade_table(slot, body, size=self._size)] if cutting else []
+        if tables or balls or blades:
             lengths = np.tile([at.period, at.longest], (users, 1))
             still = np.zeros((users, body.nodes, axes))
             self._touching, _ = touching_of(
-                [*tables, *balls],
+                [*tables, *balls, *blades],
                 users,
                 body,
                 model,
@@ -124,12 +131,20 @@ class CommandedHand:
             self.surface, self.tools = self._touching.surface, tools_of(self._touching, slot)
             if balls:
                 self._ball = Ball(self._touching.tools, len(tables), body, size=self._size)
+            if blades:
+                self._blade = Blade(self._touching.tools, len(tables) + len(balls), size=self._size)
         self._tabled = bool(tables)
         self._drawn = [t for t, tool in enumerate(tables) if tool.device is None]  # tools that no device moves
+        self._blades = {t for t, tool in enumerate(tables) if tool.kind == "blade"}
         self._slots = [*(("hand", h) for h in range(len(own))), *(("tool", t) for t in range(len(tables)))]
         self.mode: HandMode = "script" if scripted else "free"
         self.received = 0
-        self._script, self._grasp, self._touch = float(scripted), 0.0, 0.0  # how much of each there is
+        self._script, self._grasp, self._touch, self._sharp = (
+            float(scripted),
+            0.0,
+            0.0,
+            0.0,
+        )  # how much of each there is
         self._wanted = self._node
         self._silent = 0.0
         self._requests = requests
@@ -157,7 +172,11 @@ class CommandedHand:
         self._follow_script(end, T)
         self._hold(end, T)
         if self._ball is not None:
-            self._push(self._ball, T)
+            self._touch = _toward(self._touch, self.mode == "ball", T, _GROW)
+            self._lead(self._ball, self._touch, T, _POINTED)
+        if self._blade is not None:
+            self._sharp = _toward(self._sharp, self.mode in _CUTTING, T, _GROW)
+            self._lead(self._blade, self._sharp, T, _CUTTING.get(self.mode, _POINTED))
 
     def after(self) -> None:
         """Tells the devices of the file what came of the step."""
@@ -178,7 +197,8 @@ class CommandedHand:
     def _take(self, request: HandCommand) -> None:
         """Begins with what it is told."""
         self.received = request.pointer or self.received
-        mode = request.mode if request.mode != "ball" or self._ball is not None else "free"
+        lacks = (request.mode == "ball" and self._ball is None) or (request.mode in _CUTTING and self._blade is None)
+        mode = "free" if lacks else request.mode
         if request.stiffness > 0.0:
             self._wanted_stiffness = min(request.stiffness, _MOST * self.usual)
         if mode in _HOLDING:
@@ -194,6 +214,11 @@ class CommandedHand:
             if self._touch == 0.0:
                 assert self._position is not None
                 self._ball.put(target, self._model.to_nodes(self._position))
+        elif mode in _CUTTING and self._blade is not None:
+            self._goal = target
+            self._blade.want(request.edge)
+            if self._sharp == 0.0:
+                self._blade.put(request.start)
         self.mode = mode
 
     def _follow_script(self, end: float, T: float) -> None:
@@ -258,18 +283,17 @@ class CommandedHand:
             self.nodes = [*self._scripted_nodes, *[node] * self._each]
         self._mover.put(self._where(node))
 
-    def _push(self, ball: Ball, T: float) -> None:
-        """The ball, while it is there."""
-        self._touch = _toward(self._touch, self.mode == "ball", T, _GROW)
-        ball.move(
-            self._goal if self.mode == "ball" else None,
-            self._touch,
+    def _lead(self, tool: Ball | Blade, gain: float, T: float, how: tuple[float, float, float]) -> None:
+        """The ball or the blade, as much of it as there is."""
+        tool.move(
+            self._goal if (self.mode in _CUTTING if isinstance(tool, Blade) else self.mode == "ball") else None,
+            gain,
             T,
             stiffness=self._stiffness,
             damping=self._ratio * self._stiffness,
-            speed=_POINTED[0] * self._size,
-            sharpness=_POINTED[1],
-            rush=_POINTED[2] * self._size,
+            speed=how[0] * self._size,
+            sharpness=how[1],
+            rush=how[2] * self._size,
         )
 
     def _go(self, mover: Mover, goal: Sequence[float], T: float, how: tuple[float, float, float]) -> None:
@@ -297,6 +321,9 @@ class CommandedHand:
             assert self._ball is not None
             ball = self._ball
             write_hand(fields, 0, self.mode, -1, ball.target, ball.place, ball.force, ball.radius)
+        elif self._blade is not None and (self.mode in _CUTTING or self._sharp > 0.0):
+            blade = self._blade
+            write_hand(fields, 0, self.mode, -1, blade.target, blade.place, blade.force, edge=blade.edge)
         elif self.mode in _HOLDING or self._grasp > 0.0:
             write_hand(
                 fields, 0, self.mode, self._node, self._mover.place, self._where(self._node), self._force(self._first)
@@ -318,7 +345,8 @@ class CommandedHand:
                 tools.drive_end[index, :3].tolist(),
                 tools.place[index, :3].tolist(),
                 (-tools.touch_force[index, :3]).tolist(),
-                float(tools.radius[index]),
+                0.0 if index in self._blades else float(tools.radius[index]),
+                edge=tools.axis[index, :3].tolist() if index in self._blades else (),
             )
             return
         node, port = self._held[index], index * self._each
@@ -349,6 +377,8 @@ def write_hand(
     place: Sequence[float],
     force: Sequence[float],
     radius: float = 0.0,
+    *,
+    edge: Sequence[float] = (),
 ) -> None:
     """Writes one hand into a mailbox; axes that the body lacks are 0.
 
@@ -361,9 +391,10 @@ def write_hand(
         place: of what it holds or pushes with [m].
         force: of the hand on the object; empty: none [N].
         radius: of the ball that pushes; 0: it holds [m].
+        edge: of the blade, from its place to the other end; empty: it has none [m].
     """
     fields["mode"][k] = HAND_MODES.index(mode)
     fields["node"][k] = node
     fields["radius"][k] = radius
-    for name, value in (("target", target or place), ("place", place), ("force", force)):
+    for name, value in (("target", target or place), ("place", place), ("force", force), ("edge", edge)):
         fields[name][k] = (*value, *(0.0,) * (3 - len(value)))

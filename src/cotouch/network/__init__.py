@@ -4,15 +4,12 @@ from cotouch.network._age_sums import AgeSums, Basis, age_sums_of
 from cotouch.network._certificate import Certificate, Mode, certify
 from cotouch.network._checks import one_user
 from cotouch.network._collocation import generator_eigenvalues
-from cotouch.network._consensus import Mixing, mixing, second_eigenvalue
+from cotouch.network._consensus import Mixing, mixing
 from cotouch.network._damping import (
     Method,
     damping_for,
     link_damping,
-    minimax_damping,
     rule_damping,
-    sum_damping,
-    weighted_damping,
 )
 from cotouch.network._decay import Decay, closed_loop, rightmost_root
 from cotouch.network._elimination import invert
@@ -60,7 +57,6 @@ __all__ = [
     "generator_eigenvalues",
     "invert",
     "link_damping",
-    "minimax_damping",
     "mixing",
     "none_beyond",
     "on_line",
@@ -72,11 +68,8 @@ __all__ = [
     "rightmost_root",
     "ring",
     "rule_damping",
-    "second_eigenvalue",
     "slowest",
     "star",
-    "sum_damping",
     "sync_hermitian",
     "value",
-    "weighted_damping",
 ]

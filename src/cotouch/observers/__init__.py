@@ -22,7 +22,7 @@ from cotouch.observers._commands import (
 )
 from cotouch.observers._jobs import Jobs
 from cotouch.observers._lowered import LoweredDamping
-from cotouch.observers._mailboxes import HandCommand, MailboxFolder, mailbox_folder, size_of
+from cotouch.observers._mailboxes import HandCommand, MailboxFolder, mailbox_folder, size_of, view_fields
 from cotouch.observers._moment import LastMoment
 from cotouch.observers._recording import RecordingClient
 from cotouch.observers._session_api import (
@@ -73,4 +73,5 @@ __all__ = [
     "mailbox_folder",
     "read_command",
     "size_of",
+    "view_fields",
 ]

@@ -7,7 +7,7 @@ import math
 import threading
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, NamedTuple, final
+from typing import Any, NamedTuple, TypeAlias, final
 
 import numpy as np
 import numpy.typing as npt
@@ -20,6 +20,8 @@ from cotouch.observers._mailboxes import LEDGER_COLUMNS, MailboxFolder, emulated
 from cotouch.observers._session_api import CopyView, Emulated, HandView, Pointer
 
 _NO_HANDS: tuple[HandView, ...] = ()
+Triple: TypeAlias = tuple[float, float, float]
+_ZERO: Triple = (0.0, 0.0, 0.0)
 
 
 class RecordingOutcome(NamedTuple):
@@ -86,23 +88,37 @@ class CommandClient:
         self._tell(
             name,
             pointer.mode,
-            node=pointer.node,
-            to=pointer.target,
             pointer=pointer.number,
+            node=pointer.node,
+            target=pointer.target,
+            start=pointer.target,
+            edge=pointer.edge,
             radius=pointer.radius,
             stiffness=pointer.stiffness,
         )
 
-    def hand(self, name: str, mode: HandMode, *, node: int = -1, to: tuple[float, float, float] | None = None) -> None:
+    def hand(
+        self,
+        name: str,
+        mode: HandMode,
+        *,
+        node: int = -1,
+        to: Triple | None = None,
+        at: Triple | None = None,
+        edge: Triple | None = None,
+    ) -> None:
         """Tells a hand what to do; see `SessionApi.do`.
 
         Args:
             name: of the member.
             mode: what the hand does.
             node: of the body; -1: as it is.
-            to: place from rest [m]; None: where it is.
+            to: where it pulls to, or leads its blade to [m].
+            at: where its blade is put down [m].
+            edge: of the blade [m].
         """
-        self._tell(name, mode, node=node, to=to or (0.0, 0.0, 0.0), pointer=0, radius=0.0, stiffness=0.0)
+        places = {"target": to or _ZERO, "start": at or _ZERO, "edge": edge or _ZERO}
+        self._tell(name, mode, pointer=0, node=node, radius=0.0, stiffness=0.0, **places)
 
     def mode(self, name: str) -> HandMode:
         """What a hand was told last."""
@@ -161,26 +177,14 @@ class CommandClient:
                     own.orders.fields[name][()] = value
                 own.orders.publish()
 
-    def _tell(
-        self,
-        name: str,
-        mode: HandMode,
-        *,
-        node: int,
-        to: tuple[float, float, float],
-        pointer: int,
-        radius: float,
-        stiffness: float,
-    ) -> None:
+    def _tell(self, name: str, mode: HandMode, **parts: float | Triple) -> None:
+        """Writes an order; its parts are named as the mailbox has them."""
         with self._lock:
             fields = self._own[name].orders.fields
             fields["hand"] += 1
-            fields["pointer"][()] = pointer
             fields["mode"][()] = HAND_MODES.index(mode)
-            fields["node"][()] = node
-            fields["target"][...] = to
-            fields["radius"][()] = radius
-            fields["stiffness"][()] = stiffness
+            for part, value in parts.items():
+                fields[part][...] = value
             self._own[name].orders.publish()
 
     # -- what is seen ------------------------------------------------------------------------------------------------
@@ -269,6 +273,7 @@ def _copy(fields: Mapping[str, npt.NDArray[Any]]) -> CopyView:
             place=fields["place"][k],
             force=fields["force"][k],
             radius=float(fields["radius"][k]),
+            edge=fields["edge"][k],
         )
         for k in range(int(fields["hands"].item()))
     )

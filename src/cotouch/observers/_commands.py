@@ -12,9 +12,10 @@ from pydantic import BaseModel, ConfigDict, Field, Strict, TypeAdapter, Validati
 from cotouch.errors import SessionError
 
 # script: as the session's file says. free: nothing is held. hold: what is held stays where it is now. pull: drawn to a
-# place. wander: drawn about slowly. grab: a pointer draws a node. ball: a pointer pushes with a sphere.
-HandMode = Literal["script", "free", "hold", "pull", "wander", "grab", "ball"]
-HAND_MODES: tuple[HandMode, ...] = ("script", "free", "hold", "pull", "wander", "grab", "ball")
+# place. wander: drawn about slowly. cut: a blade is led to a place. grab: a pointer draws a node. ball: a pointer
+# pushes with a sphere. blade: a pointer cuts.
+HandMode = Literal["script", "free", "hold", "pull", "wander", "grab", "ball", "blade", "cut"]
+HAND_MODES: tuple[HandMode, ...] = ("script", "free", "hold", "pull", "wander", "grab", "ball", "blade", "cut")
 
 # A place farther from rest than this is a mistake [m].
 FARTHEST = 1e4
@@ -30,6 +31,7 @@ Coordinate = Annotated[float, Field(ge=-FARTHEST, le=FARTHEST)]
 Place = Annotated[tuple[Coordinate, Coordinate, Coordinate], Strict(False)]
 Ends = Annotated[tuple[Slot, Slot], Strict(False)]
 Seconds = Annotated[float | None, Field(ge=0.0, le=_LONGEST, description=f"from 0 to {_LONGEST:g} s")]
+_NUMBERS = f"3 numbers, each at most {FARTHEST:g} m"
 Flag = Annotated[bool, Field(description="true or false")]
 
 
@@ -47,22 +49,31 @@ class MoveHand(_Parts):
         slot: whose.
         mode: what.
         node: that it holds; -1: the one that it holds already.
-        to: where it pulls to, (3,) [m]; only with "pull".
+        to: where it pulls to, or leads its blade to, (3,) [m]; only with "pull" and "cut".
+        at: where its blade is put down, (3,) [m]; only with "cut".
+        edge: of the blade, from its place to the other end, (3,) [m]; only with "cut".
     """
 
     what: Literal["hand"] = "hand"
     slot: Slot
     mode: Annotated[
-        Literal["script", "free", "hold", "pull", "wander"],
-        Field(description="one of script, free, hold, pull, wander"),
+        Literal["script", "free", "hold", "pull", "wander", "cut"],
+        Field(description="one of script, free, hold, pull, wander, cut"),
     ]
     node: Annotated[int, Field(ge=-1, lt=1 << 31, description="a node, counted from 0, or -1 for what is held")] = -1
-    to: Annotated[Place | None, Field(description=f"3 numbers, each at most {FARTHEST:g} m")] = None
+    to: Annotated[Place | None, Field(description=_NUMBERS)] = None
+    at: Annotated[Place | None, Field(description=_NUMBERS)] = None
+    edge: Annotated[Place | None, Field(description=_NUMBERS)] = None
 
     @model_validator(mode="after")
-    def _pulls_somewhere(self) -> Self:
+    def _has_what_it_needs(self) -> Self:
         if self.mode == "pull" and self.to is None:
             raise ValueError("to is missing; pull needs 3 numbers")
+        for name in ("at", "edge", "to") if self.mode == "cut" else ():
+            if getattr(self, name) is None:
+                raise ValueError(f"{name} is missing; cut needs at, edge and to, 3 numbers each")
+        if self.mode == "cut" and not any(self.edge or ()):
+            raise ValueError("edge is of no length; it must lead from one end of the blade's edge to the other")
         return self
 
 

@@ -89,6 +89,7 @@ def view_fields(body: Body, *, users: int, hands: int) -> Fields:
         "place": ((hands, 3), "f4"),
         "force": ((hands, 3), "f4"),
         "radius": ((hands,), "f4"),
+        "edge": ((hands, 3), "f4"),
         "received": ((), "i8"),  # number of the newest pointer
         "ledger": ((len(LEDGER_COLUMNS),), "f8"),
         "links": ((users, len(LINKS)), "f8"),
@@ -113,6 +114,8 @@ def order_fields(users: int) -> Fields:
         "mode": ((), "i4"),
         "node": ((), "i4"),
         "target": ((3,), "f8"),
+        "start": ((3,), "f8"),
+        "edge": ((3,), "f8"),
         "radius": ((), "f8"),
         "stiffness": ((), "f8"),
         "laws": ((users, users, len(LAWS)), "f8"),  # to, from
@@ -136,6 +139,8 @@ class HandCommand(NamedTuple):
         target: place [m].
         radius: of the ball; 0: as usual [m].
         stiffness: 0: as it was [N/m].
+        start: where a blade is put down [m].
+        edge: of the blade, from its place to the other end; 0: as it was [m].
     """
 
     number: int
@@ -145,21 +150,29 @@ class HandCommand(NamedTuple):
     target: tuple[float, float, float]
     radius: float
     stiffness: float
+    start: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    edge: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
 
 def hand_command_of(orders: dict[str, npt.NDArray[np.generic]]) -> HandCommand:
     """The order to the hand on a mailbox; a mode that there is not is "free"."""
-    x, y, z = (float(value) if math.isfinite(value) else 0.0 for value in orders["target"].tolist())
     mode = int(orders["mode"].item())
     return HandCommand(
         number=int(orders["hand"].item()),
         pointer=int(orders["pointer"].item()),
         mode=HAND_MODES[mode] if 0 <= mode < len(HAND_MODES) else "free",
         node=int(orders["node"].item()),
-        target=(x, y, z),
+        target=_three(orders["target"]),
         radius=_positive(orders["radius"].item()),
         stiffness=_positive(orders["stiffness"].item()),
+        start=_three(orders["start"]),
+        edge=_three(orders["edge"]),
     )
+
+
+def _three(given: npt.NDArray[np.generic]) -> tuple[float, float, float]:
+    x, y, z = (float(value) if math.isfinite(value) else 0.0 for value in given.tolist())
+    return x, y, z
 
 
 def laws_of(scenario: Scenario, *, emulate: bool) -> Float:

@@ -58,6 +58,7 @@ class HandView:
         place: of what it holds or pushes with (node or proxy), (3,) [m].
         force: of the hand on the object, (3,) [N]; the hand feels the opposite.
         radius: of the ball that pushes; 0 where it holds [m].
+        edge: of its blade, from `place` to the other end, (3,); 0: it has none [m].
     """
 
     mode: HandMode = "free"
@@ -66,6 +67,7 @@ class HandView:
     place: Single = field(default_factory=lambda: np.zeros(3, np.float32))
     force: Single = field(default_factory=lambda: np.zeros(3, np.float32))
     radius: float = 0.0
+    edge: Single = field(default_factory=lambda: np.zeros(3, np.float32))
 
 
 @final
@@ -110,11 +112,12 @@ class Pointer:
 
     Attributes:
         number: rises.
-        mode: "grab", "ball" or "free".
+        mode: "grab", "ball", "blade" or "free".
         node: to hold, with "grab".
         target: (3,) [m].
         radius: of the ball [m].
         stiffness: of the hand [N/m]; 0: as it was.
+        edge: of the blade, from `target` to the other end, (3,) [m].
     """
 
     number: int
@@ -123,6 +126,7 @@ class Pointer:
     target: tuple[float, float, float]
     radius: float = 0.0
     stiffness: float = 0.0
+    edge: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
 
 @final

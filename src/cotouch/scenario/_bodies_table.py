@@ -30,7 +30,7 @@ class PartTable(Table):
     name: str
     at: Place | None = None
     turn: Place = Field(default_factory=lambda: [0.0, 0.0, 0.0])
-    copies: Number = 1
+    copies: Annotated[Number, Field(le=_MOST)] = 1
     step: Place = Field(default_factory=lambda: [0.0, 0.0, 0.0])
     body: BodySource
 

@@ -358,6 +358,9 @@ def _kind(value: object) -> str | None:
     return kind if isinstance(kind, str) else None
 
 
+# Which kinds a file may name.
+KINDS = ("point", "chain", "lattice", "box", "cylinder", "sphere", "matrices", "file")
+
 BodySource = Annotated[
     Annotated[InstanceOf[Body], Tag("body")]
     | Annotated[PointTable, Tag("point")]

@@ -32,7 +32,8 @@ def sentence(error: ValidationError, source: str) -> str:
         case "union_tag_invalid" | "union_tag_not_found":
             given = first["input"]
             kind = cast("Mapping[str, object]", given).get("kind") if isinstance(given, Mapping) else given
-            text = f'{place}.kind is {kind!r}; it must be "point", "chain", "lattice", "matrices" or "file"'
+            known = ", ".join(f'"{name}"' for name in _body_tables.KINDS[:-1])
+            text = f'{place}.kind is {kind!r}; it must be {known} or "{_body_tables.KINDS[-1]}"'
         case "is_instance_of" | "model_type" | "model_attributes_type":
             text = f"{place} is {value}; it must be a table"
         case "int_parsing_size":

@@ -43,7 +43,8 @@ class Table(BaseModel):
             for name, value in cast("Mapping[str, Any]", given).items():
                 field = cls.model_fields.get(name)
                 if field is not None and field.annotation is not bool and _has_truth(value):
-                    raise ValueError(f"{name} is {value!r}; it must be given as a number, not as true or false")
+                    shown = repr(value) if len(repr(value)) <= 60 else f"{repr(value)[:57]}..."
+                    raise ValueError(f"{name} is {shown}; it must be given as a number, not as true or false")
         return cast("Any", given)
 
 

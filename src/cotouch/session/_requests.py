@@ -15,6 +15,7 @@ WORDS: dict[HandMode, str] = {
     "hold": "holds still",
     "pull": "pulls there",
     "wander": "wanders",
+    "cut": "cuts there",
 }
 
 
@@ -34,38 +35,50 @@ def slot_among(slot: int, own: Sequence[int], name: str = "slot") -> int:
     return slot
 
 
-def check_hand(command: MoveHand, body: Body) -> None:
+def check_hand(command: MoveHand, body: Body, *, cuts: bool) -> None:
     """Sees that there is what a hand is to hold.
 
     Args:
         command: to a hand.
         body: the shared body.
+        cuts: whether its user may cut.
 
     Raises:
         SessionError: there is not.
     """
     if command.node >= body.holds:
         raise SessionError(f"node is {command.node}; it must be from 0 to {body.holds - 1}, or -1 for what is held")
+    if command.mode == "cut":
+        _check_cuttable(body, cuts)
 
 
-def checked(pointer: Pointer, body: Body) -> Pointer:
+def _check_cuttable(body: Body, cuts: bool) -> None:
+    if body.material is None or not body.material.cuttable:
+        raise SessionError("a blade cuts nothing here, because the session's file has no [cutting]; add that table")
+    if not cuts:
+        raise SessionError("this user may not cut; cutting.users of the session's file says who may")
+
+
+def checked(pointer: Pointer, body: Body, *, cuts: bool) -> Pointer:
     """A pointer that a copy may be handed.
 
     Args:
         pointer: where the hand is to be.
         body: the shared body.
+        cuts: whether its user may cut.
 
     Raises:
         SessionError: mode or node are none of a pointer's, or a number is not finite.
     """
-    if pointer.mode not in {"grab", "ball", "free"}:
-        raise SessionError(f'the pointer\'s mode is "{pointer.mode}"; it must be grab, ball or free')
+    if pointer.mode not in {"grab", "ball", "blade", "free"}:
+        raise SessionError(f'the pointer\'s mode is "{pointer.mode}"; it must be grab, ball, blade or free')
+    if pointer.mode == "blade":
+        _check_cuttable(body, cuts)
     if pointer.mode == "grab" and not 0 <= pointer.node < body.holds:
         raise SessionError(f"the pointer's node is {pointer.node}; it must be from 0 to {body.holds - 1}")
-    if not all(abs(x) <= FARTHEST for x in pointer.target):
-        raise SessionError(
-            f"the pointer's target is {pointer.target}; it must be 3 numbers, each at most {FARTHEST:g} m"
-        )
+    for name, place in (("target", pointer.target), ("edge", pointer.edge)):
+        if not all(abs(x) <= FARTHEST for x in place):
+            raise SessionError(f"the pointer's {name} is {place}; it must be 3 numbers, each at most {FARTHEST:g} m")
     for name, value in (("radius", pointer.radius), ("stiffness", pointer.stiffness)):
         if not 0.0 <= value < math.inf:
             raise SessionError(f"the pointer's {name} is {value}; it must be a number of at least 0")

@@ -115,7 +115,7 @@ class SteeredMembers(ABC):
         """
         name = self._name_of(slot)
         self._acts()
-        self._commands.point(name, _requests.checked(pointer, self._body))
+        self._commands.point(name, _requests.checked(pointer, self._body, cuts=self._may_cut(slot)))
 
     def do(self, command: Command) -> str:
         """See `SessionApi.do`; waits for the loop where it has to do it.
@@ -130,13 +130,19 @@ class SteeredMembers(ABC):
         match command:
             case MoveHand():
                 name = self._name_of(command.slot)
-                _requests.check_hand(command, self._body)
-                self._commands.hand(name, command.mode, node=command.node, to=command.to)
+                _requests.check_hand(command, self._body, cuts=self._may_cut(command.slot))
+                where = {"to": command.to, "at": command.at, "edge": command.edge}
+                self._commands.hand(name, command.mode, node=command.node, **where)
                 return f"{name} {_requests.WORDS[command.mode]}"
             case SetRecording():
                 return self._jobs.ask(lambda: self._recording.switch(command.on, time.monotonic()))
             case _:
                 return self._do_more(command)
+
+    def _may_cut(self, slot: int) -> bool:
+        """Whether a user's blade cuts."""
+        cutting = self._session.scenario.cutting
+        return cutting is None or cutting.may(slot + 1)
 
     @abstractmethod
     def _acts(self) -> None:

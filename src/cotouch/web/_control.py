@@ -118,6 +118,7 @@ class Control:
             target=target,
             radius=message.radius,
             stiffness=message.stiffness,
+            edge=message.edge,
         )
         self._api.point(slot, pointer)
         self._number += 1

@@ -136,7 +136,8 @@ def _about(view: CopyView, time: float) -> bytes:
     ledger = (view.energy, view.supplied, view.lost, view.linked)
     if hand is None:
         mode = mode_index("free")
-        return COPY.pack(view.slot, mode, flags, 0, age, *_NOWHERE, *_NOWHERE, *_NOWHERE, 0.0, *ledger, -1)
+        return COPY.pack(view.slot, mode, flags, 0, age, *_NOWHERE, *_NOWHERE, *_NOWHERE, 0.0, *ledger, -1, *_NOWHERE)
     vectors = (*hand.target.tolist(), *hand.place.tolist(), *hand.force.tolist())
     count = min(len(view.hands), 255)
-    return COPY.pack(view.slot, mode_index(hand.mode), flags, count, age, *vectors, hand.radius, *ledger, hand.node)
+    mode, edge = mode_index(hand.mode), hand.edge.tolist()
+    return COPY.pack(view.slot, mode, flags, count, age, *vectors, hand.radius, *ledger, hand.node, *edge)

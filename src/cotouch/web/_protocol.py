@@ -12,18 +12,19 @@ from cotouch.files import table_of
 from cotouch.observers import HAND_MODES, Command, HandMode, read_command
 from cotouch.scenario import Table
 
-VERSION: Final = 2
+VERSION: Final = 3
 # kind, version, copies, number, time [s], points, scale [m], echo, since the echoed pointer came [µs]
 HEADER: Final = struct.Struct("<BBHIdIfII")
-# slot, mode, flags, hands, age [s], target, place, force (3 each), radius, energy, supplied, lost, linked, node
-COPY: Final = struct.Struct("<BBBBf3f3f3ffffffi")
+# slot, mode, flags, hands, age [s], target, place, force (3 each), radius, energy, supplied, lost, linked, node,
+# edge (3)
+COPY: Final = struct.Struct("<BBBBf3f3f3ffffffi3f")
 DIRECT, HAS_HAND = 1, 2
-# kind, slot, action, 0, number, point, target (3), radius, stiffness, client's time [ms]
-_POINTER: Final = struct.Struct("<BBBBII3fffd")
+# kind, slot, action, 0, number, point, target (3), radius, stiffness, client's time [ms], edge (3)
+_POINTER: Final = struct.Struct("<BBBBII3fffd3f")
 # kind, 0, number, until the next frame is to be made, between two pictures [ms]
 _ACK: Final = struct.Struct("<B3xIff")
 _FRAME_KIND, _POINTER_KIND, _ACK_KIND = 1, 2, 3
-_ACTIONS: Final[tuple[HandMode, ...]] = ("ball", "grab", "free")
+_ACTIONS: Final[tuple[HandMode, ...]] = ("ball", "grab", "free", "blade")
 # No body is so far away, no ball so big [m] and no hand so stiff [N/m].
 _FAR, _STIFF = 1e4, 1e5
 # No screen shows pictures faster, and none that counts slower [ms].
@@ -39,16 +40,17 @@ class PointerMessage:
 
     Attributes:
         slot: that it acts for.
-        mode: "ball", "grab" or "free".
+        mode: "ball", "grab", "free" or "blade".
         number: the page's own, rising.
         point: index of the drawn point.
         target: [m].
         radius: of the ball [m].
         stiffness: of the hand [N/m]; 0: as it was.
         sent: by the page's clock [ms].
+        edge: of the blade, from the target to the other end [m].
     """
 
-    __slots__ = ("mode", "number", "point", "radius", "sent", "slot", "stiffness", "target")
+    __slots__ = ("edge", "mode", "number", "point", "radius", "sent", "slot", "stiffness", "target")
 
     def __init__(self, message: bytes) -> None:
         """Reads one.
@@ -57,11 +59,12 @@ class PointerMessage:
             PageError: it is none.
         """
         parts: tuple[Any, ...] = _POINTER.unpack(message)
-        _, slot, action, zero, number, point, x, y, z, radius, stiffness, sent = parts
+        _, slot, action, zero, number, point, x, y, z, radius, stiffness, sent, *edge = parts
         if action >= len(_ACTIONS) or zero:
-            raise PageError(f"the pointer's action is {action}; it must be 0, 1 or 2, and the byte after it 0")
-        if not (abs(x) <= _FAR and abs(y) <= _FAR and abs(z) <= _FAR):
-            raise PageError(f"the pointer's target is {x}, {y}, {z}; it must be within {_FAR:.0f} m")
+            raise PageError(f"the pointer's action is {action}; it must be 0 to 3, and the byte after it 0")
+        for name, place in (("target", (x, y, z)), ("edge", edge)):
+            if not all(abs(one) <= _FAR for one in place):
+                raise PageError(f"the pointer's {name} is {', '.join(map(str, place))}; it must be within {_FAR:.0f} m")
         if not (0.0 <= radius <= _FAR and 0.0 <= stiffness <= _STIFF and math.isfinite(sent)):
             raise PageError(f"the pointer's radius or stiffness is {radius} or {stiffness}, or its time {sent}")
         self.slot: int = slot
@@ -72,6 +75,7 @@ class PointerMessage:
         self.radius: float = radius
         self.stiffness: float = stiffness
         self.sent: float = sent
+        self.edge: tuple[float, float, float] = (edge[0], edge[1], edge[2])
 
 
 class FrameReceipt(NamedTuple):
@@ -165,7 +169,7 @@ def read_binary(message: bytes) -> PointerMessage | FrameReceipt:
                 f"the next frame is wanted in {wait} ms, a picture every {every} ms; at most {_SLOWEST:.0f}"
             )
         return FrameReceipt(number, 1e-3 * wait, 1e-3 * every)
-    raise PageError(f"a binary message of kind {kind} with {len(message)} bytes; pointers are 2, 40, acks 3, 16")
+    raise PageError(f"a binary message of kind {kind} with {len(message)} bytes; pointers are 2, 52, acks 3, 16")
 
 
 def read_text(message: str) -> Hello | Do:
