@@ -81,9 +81,13 @@ def read_rates(surface: Surface, work: ContactWork, p: int, mean: Float, lanes: 
     """Works out how fast the vertices near a tool move."""
     row, weight, shape, corner = surface.row, surface.weight, surface.shape, surface.corner
     rate, near, modal, rows = work.rate, work.near, surface.shape.shape[0] > 0, mean.shape[0]
+    work.turn[0] += 1
     for c in range(work.number[p]):
         for q in range(3):
             v = corner[near[p, c], q]
+            if work.read[v] == work.turn[0]:
+                continue
+            work.read[v] = work.turn[0]
             speed = splat(0.0, FOUR)
             if modal:
                 for i in range(rows):

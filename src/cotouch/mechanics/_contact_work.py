@@ -28,6 +28,8 @@ class ContactWork(NamedTuple):
         patch: area at rest of the skin within each tool, (tools,) [m²].
         across: force of friction, film and damping on each tool, (tools, 4) [N].
         rate: velocity of the vertices, (V, 4) [m/s].
+        read: when the speed of a vertex was worked out last, (V,).
+        turn: how often that was done, (1,).
         force: on the vertices, (V, 4) [N].
         firm: what resists motion of the vertices, (V,) [Ns/m].
         ward: unit vector along what presses on each vertex, (V, 4).
@@ -79,6 +81,8 @@ class ContactWork(NamedTuple):
     patch: Float
     across: Float
     rate: Float
+    read: Int
+    turn: Int
     force: Float
     firm: Float
     ward: Float
@@ -152,6 +156,8 @@ def contact_by(law: Any, model: Model, surface: Surface, *, tools: int) -> Conta
         patch=np.zeros(tools),
         across=row(),
         rate=np.zeros((vertices, 4)),
+        read=np.zeros(vertices, dtype=np.int32),
+        turn=np.zeros(1, dtype=np.int32),
         force=np.zeros((vertices, 4)),
         firm=np.zeros(vertices),
         ward=np.zeros((vertices, 4)),
