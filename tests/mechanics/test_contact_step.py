@@ -219,7 +219,7 @@ def test_a_film_drags_by_area_and_speed() -> None:
     for speed in (0.05, 0.1):
         for _ in range(60):
             before, x, z = place, *copy.tools.place[0, [0, 2]]
-            place = place + [speed * 1e-3, 0.0, 0.0]
+            place = place + np.array([speed * 1e-3, 0.0, 0.0])
             copy.lead(before, place)
             copy.step(1e-3)
         fast, area = (copy.tools.place[0, 0] - x) / 1e-3, np.pi * (0.01**2 - (z - copy.skin_place()[:, 2].max()) ** 2)
