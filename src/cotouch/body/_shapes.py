@@ -187,7 +187,7 @@ def turning(turn: Sequence[float], name: str = "turn") -> Float:
         BodyError: it is not three numbers, or more than some turns.
     """
     vector = three(name, turn, _TURNS, f" of at most {_TURNS:g} rad")
-    return np.asarray(Rotation.from_rotvec(vector).as_matrix(), dtype=np.float64)
+    return Rotation.from_rotvec(vector).as_matrix()
 
 
 def _cells(resolution: int) -> int:
