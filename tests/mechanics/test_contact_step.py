@@ -216,6 +216,7 @@ def test_a_film_drags_by_area_and_speed() -> None:
     for _ in range(60):
         copy.lead(place, place)
         copy.step(1e-3)
+    x = z = 0.0
     for speed in (0.05, 0.1):
         for _ in range(60):
             before, x, z = place, *copy.tools.place[0, [0, 2]]

@@ -60,7 +60,12 @@ def top(spacing: float, reach: float) -> Top:
     assert skin is not None
     nodes = skin.nodes[np.arange(skin.nodes.shape[0]), np.argmax(skin.weights, axis=1)][skin.triangles]
     above = (place[nodes, 2] > -_NEAR).all(axis=1) & (number[nodes] >= 0).all(axis=1)
-    return Top(place[near], number[nodes[above]].astype(np.int32), own, np.linalg.inv(splu(whole).solve(unit)[rows]))
+    return Top(
+        place[near],
+        number[nodes[above]].astype(np.int32),
+        own,
+        np.asarray(np.linalg.inv(splu(whole).solve(unit)[rows]), dtype=np.float64),
+    )
 
 
 def pressed(solid: Top, radius: float, depth: float, stiffness: float) -> float:
@@ -80,7 +85,7 @@ def pressed(solid: Top, radius: float, depth: float, stiffness: float) -> float:
             radius=radius,
             area=areas(solid.place, solid.corner),
         )
-        return energy + 0.5 * u @ solid.stiffness @ u, force.ravel()[solid.free], -4.0 * float(force[:, 2].sum())
+        return energy + 0.5 * float(u @ solid.stiffness @ u), force.ravel()[solid.free], -4.0 * float(force[:, 2].sum())
 
     for now in np.linspace(0.2, 1.0, 5) * depth:
         for _ in range(40):
