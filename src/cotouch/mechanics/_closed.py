@@ -223,20 +223,6 @@ def miss(op: Operator, diagonal: Float, rhs: Float, work: Workspace, out: Float,
 
 
 @part
-def lacking(op: Operator, work: Workspace, lanes: tuple[int, ...]) -> tuple[float, float]:
-    """`v̂ᵀ b` and `v̂ᵀ (A v̂ - b)` of a system that was assembled [W]."""
-    given, lack = splat(0.0, lanes), splat(0.0, lanes)
-    for i in range(op.mass.shape[0]):
-        rate, b = load(work.mean, i, lanes), load(work.rhs, i, lanes)
-        left = b - work.diagonal[i] * rate
-        for family in range(op.entries.shape[0]):
-            left = left - work.scale[family] * row_product(op, family, i, work.mean, lanes)
-        given = given + rate * b
-        lack = lack - rate * left
-    return total(given), total(lack)
-
-
-@part
 def level(
     op: Operator,
     force: BodyForce,

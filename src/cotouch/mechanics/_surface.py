@@ -103,6 +103,7 @@ def surface_of(model: Model) -> Surface:
     axes = 3 if model.full else 1
     modal = model.modes is not None
     child, leaf, members = _tree(rest, corner)
+    side = rest[corner[:, 1]] - rest[corner[:, 0]]
     rows = model.operator_rows
     shape = low = high = lean = spread = np.zeros((0, 4))
     row = np.zeros((rest.shape[0], 0, axes), dtype=np.int32)
@@ -119,7 +120,7 @@ def surface_of(model: Model) -> Surface:
     return Surface(
         rest=_padded(rest),
         corner=corner,
-        area=0.5 * np.linalg.norm(np.cross(*(rest[corner[:, q]] - rest[corner[:, 0]] for q in (1, 2))), axis=1),
+        area=0.5 * np.linalg.norm(np.cross(side, rest[corner[:, 2]] - rest[corner[:, 0]]), axis=1),
         row=row,
         weight=weight,
         shape=shape,
