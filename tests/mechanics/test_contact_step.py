@@ -44,6 +44,7 @@ def test_the_balance_is_exact_however_early_the_solver_stops(cap: int) -> None:
     tools.stiffness[:] = 10.0 ** rng.uniform(2.5, 4.5, 5)
     tools.friction[:], tools.kinetic[:] = [0.0, 0.5, 0.5, 0.2, 1.0], [0.0, 0.5, 0.3, 0.1, 0.9]
     tools.loss[:] = [0.0, 0.0, 1.0, 3.0, 0.0]
+    tools.viscosity[:] = [0.0, 1e4, 0.0, 1e5, 1e4]
     tools.axis[4, :3] = [0.008, 0.0, 0.004]
     tools.place[:, :2] = rng.uniform(0.3, 2.7, (5, 2)) * SPACING
     tools.place[:, 2] = TOP + 0.016
@@ -206,6 +207,27 @@ def test_friction_holds_below_its_cone() -> None:
     assert abs(copy.tools.place[0, 0] - held) <= 1e-9
     assert copy.tools.slipping[0] == 0
     assert copy.force[0] < -0.2 * copy.force[2]
+
+
+def test_a_film_drags_by_area_and_speed() -> None:
+    """`c A v` along a flat, A the disc that the tool cuts off it; all that it takes is booked."""
+    copy, viscosity, place = plate(), 2e4, np.array([0.02, 0.021, 0.0185])
+    copy.tools.viscosity[:] = viscosity
+    for _ in range(60):
+        copy.lead(place, place)
+        copy.step(1e-3)
+    x = z = 0.0
+    for speed in (0.05, 0.1):
+        for _ in range(60):
+            before, x, z = place, *copy.tools.place[0, [0, 2]]
+            place = place + np.array([speed * 1e-3, 0.0, 0.0])
+            copy.lead(before, place)
+            copy.step(1e-3)
+        fast, area = (copy.tools.place[0, 0] - x) / 1e-3, np.pi * (0.01**2 - (z - copy.skin_place()[:, 2].max()) ** 2)
+        assert fast == pytest.approx(speed, rel=0.05)
+        assert copy.force[0] == pytest.approx(-viscosity * area * fast, rel=0.02)
+        assert copy.touch_ledger[TOUCH_LOSS] == pytest.approx(viscosity * area * fast**2 * 1e-3, rel=0.02)
+    assert copy.residual <= 1e-13 * copy.in_play
 
 
 @pytest.mark.parametrize("speed", [0.3, 1.0, 3.0, 10.0])

@@ -35,8 +35,9 @@ TURNING = {"body": {**BLOCK, "model": "cells"}, "world": {"gravity": [0.0, 0.0, 
 
 @pytest.mark.parametrize("body", [LINEAR, TURNING], ids=["linear", "turning and heavy"])
 def test_both_engines_touch_alike_and_balance_it(body: dict[str, Any]) -> None:
-    """Users with delays; friction; the ledger of every step and of the run."""
-    scenario = Scenario.make(network=PAIR, steps={"duration": 0.4}, tools=[POKE], **body)
+    """Users with delays; friction and a film on the skin; the ledger of every step and of the run."""
+    film = {"viscosity": 2e3}
+    scenario = Scenario.make(network=PAIR, steps={"duration": 0.4}, tools=[POKE], contact=film, **body)
     prepared = prepare(scenario)
     outcome, peers = run_batch(prepared), run_peers(prepared)
     largest = float(outcome.record.ticks[:4].max())
@@ -54,6 +55,7 @@ def test_both_engines_touch_alike_and_balance_it(body: dict[str, Any]) -> None:
     ("contact", "tool", "said"),
     [
         ({"law": "glue"}, {}, 'contact.law is "glue"; it must be one of foundation, stiffening'),
+        ({"viscosity": -1.0}, {}, "contact.viscosity is -1"),
         ({"law": "stiffening", "parameters": {"hardness": 0.0}}, {}, "contact.parameters.hardness is 0"),
         ({"law": "stiffening", "parameters": {"softness": 1.0}}, {}, 'law "stiffening" has hardness, each above 0'),
         ({"law": "stiffening"}, {"kinetic_friction": 0.6}, "what slips is not held more firmly"),

@@ -40,6 +40,8 @@ from cotouch.mechanics._vector import at, load, splat, store, total
 _ROUNDING = 8e-16
 # What the end velocity may make up for, as a share of its energy, where tools touch: a scale does the rest.
 _EASY = 0.015
+# Of the work between tools and a linear body in a step, so much may be left to the next.
+_LEFT = 1e-6
 # How often a scale near 1 is sought that makes up for what the looks missed; how often the way is shortened then, by
 # the rounding of the scale first and by half at last.
 _TRIES = 12
@@ -113,7 +115,7 @@ def balanced(
         The scale, in [0, 1.25].
     """
     most, held_back, touches, passed = 1.0, False, False, False
-    inflow, slope = abs(free) + abs(contact), -T * (free + contact)
+    inflow, slope, spare = abs(free) + abs(contact), -T * (free + contact), 0.0
     for t in range(tools.first, tools.last):
         p = t - tools.first
         held_back = held_back or touch.caught[p, 0] != 0.0
@@ -122,7 +124,9 @@ def balanced(
         for a in range(3):
             inflow += abs(touch.mean[p, a] * touch.drive[p, a])
             slope -= T * touch.inertia[p] * touch.mean[p, a] * touch.mean[p, a]
+            spare += _LEFT * T * abs(touch.mean[p, a] * touch.pull[p, a])
         touches = touches or touch.total[p] > 0.0 or tools.mode[t] == GRASP
+    aim = 0.5 * spare if force is None else 0.0
     if force is not None:
         keep_place(state, work, lanes)
     least, greatest = (1.0 - _EASY, 1.0 + _EASY) if touches else (LEAST, MOST)
@@ -132,7 +136,7 @@ def balanced(
     while True:
         over, noise, lost = _over(law, surface, touch, tools, T, free, contact, inflow, force is None, scale)
         if force is None:
-            fine = not look or abs(over) <= noise
+            fine = not look or -noise <= over <= max(noise, spare)
         else:
             for i in range(work.mean.shape[0]):
                 store(work.mean, i, (scale / have) * load(work.mean, i, lanes), lanes)
@@ -164,7 +168,7 @@ def balanced(
             if tries > 0:
                 slope = (over - last_over) / (scale - last)
             tries, last, last_over = tries + 1, scale, over
-            following = min(max(scale - over / slope, LEAST), MOST) if slope < 0.0 else scale
+            following = min(max(scale - (over - aim) / slope, LEAST), MOST) if slope < 0.0 else scale
             seeks = not fine and tries <= _TRIES and following != scale
             begins_anew = not seeks and scale != 1.0 and (fine or (over > 0.0 and scale == MOST))
             scale = following if seeks else 1.0 if begins_anew else scale
@@ -176,9 +180,11 @@ def balanced(
             scale = (1.0 - shrinks) * scale if halves < _HALVES else 0.0
         if force is not None:
             go_back(state, work, lanes)
-    touch_ledger[TOUCH_LOSS] += lost if fine or not over > noise else lost + over
+    if fine and force is None and over > noise and _leave(touch, tools, over):
+        over = 0.0
+    touch_ledger[TOUCH_LOSS] += lost + over if over > noise and (force is None or not fine) else lost
     if force is None:
-        for i in range(work.mean.shape[0]):
+        for i in range(work.mean.shape[0] if scale != 1.0 else 0):
             store(work.mean, i, scale * load(work.mean, i, lanes), lanes)
         touch_ledger[TOUCHED] = T * scale * (scale * contact - (1.0 - scale) * free)
         ledger[SUPPLIED] = port_work(op, state, ports, T, work.mean, lanes)
@@ -205,6 +211,21 @@ def balanced(
         )
         ledger[SHORTENED] = 0.0 if held_back else max(LEAST - scale, 0.0)
     return scale
+
+
+@part
+def _leave(touch: ContactWork, tools: Tools, over: float) -> bool:
+    """Lets the tool that does most work keep what the next step is to make up for; whether there is one."""
+    chosen, most = -1, 0.0
+    for t in range(tools.first, tools.last):
+        p, work = t - tools.first, 0.0
+        for a in range(3):
+            work += abs(touch.mean[p, a] * touch.pull[p, a])
+        if tools.mode[t] in (TOUCH, GRASP) and work > most:
+            chosen, most = p, work
+    if chosen >= 0:
+        touch.stored[chosen] += over
+    return chosen >= 0
 
 
 @part

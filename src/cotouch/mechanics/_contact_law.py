@@ -20,6 +20,7 @@ from cotouch.mechanics import _contact_stiffening as stiffening
 # `press(law, stiffness, radius, depth)` returns for one point of the skin the energy of each unit of area, its first
 # and its second derivative with respect to depth. Depth is `(R² - r²) / (2 R)`, r the distance to the middle of the
 # tool: 0 on the tool's surface, R / 2 in its middle. All three are at least 0, and the first two vanish at depth 0.
+# Four points are worked out at once, so depth may be a vector of four: sums, products, quotients and whole powers.
 # Where energy is a polynomial in depth of up to the third degree, the sum over the skin is exact.
 CONTACT_LAWS: dict[type, Callable[..., Any]] = {
     foundation.Foundation: foundation.press,

@@ -13,7 +13,7 @@ from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._operator import Operator, row_sum
 from cotouch.mechanics._state import Workspace
-from cotouch.mechanics._vector import load, splat, store, total
+from cotouch.mechanics._vector import at, load, splat, store, total
 
 # What all corrections of a step leave of what the first should correct, and the iterations of each at most.
 _LEAVES, _MOST = 1e-3, 16
@@ -77,7 +77,7 @@ def correct_near(op: Operator, work: Workspace, touch: ContactWork, cap: int, la
 
     Args:
         op: the body.
-        work: `scale` and `values` as its last solve left them.
+        work: `scale`, `values` and `inverse` as its last solve left them.
         touch: what the last look gathered; `said` gets what contacts do at the new rate, if they are linear.
         cap: on iterations.
         lanes: fixes the width.
@@ -88,7 +88,7 @@ def correct_near(op: Operator, work: Workspace, touch: ContactWork, cap: int, la
     one = op.entries.shape[0] == 1
     values, scale = op.entries[0] if one else work.values, work.scale[0] if one else 1.0
     zero, axes = splat(0.0, lanes), 3 if len(lanes) > 1 else 1
-    reach, own, mark, stiff = touch.reach, touch.own, touch.mark, touch.stiff
+    reach, own, mark, stiff = touch.reach, work.diagonal, touch.mark, touch.stiff
     direction, inverse, answer, residual, image = touch.along, touch.inverse, touch.found, work.residual, work.image
     count = touch.many[0]
     energy = zero
@@ -134,7 +134,7 @@ def correct_near(op: Operator, work: Workspace, touch: ContactWork, cap: int, la
         for place in range(size):
             i = reach[place]
             r = load(residual, i, lanes) - length * load(image, i, lanes)
-            z = load(inverse, place, lanes) * r if place < count else (1.0 / own[i]) * r
+            z = load(inverse, place, lanes) * r if place < count else at(work.inverse, i) * r
             energy = energy + r * z
             store(residual, i, r, lanes)
             store(image, i, z, lanes)

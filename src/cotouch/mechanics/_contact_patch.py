@@ -16,6 +16,7 @@ import numpy.typing as npt
 from cotouch.arrays import Float
 from cotouch.mechanics._contact_law import press
 from cotouch.mechanics._kernel import block, part
+from cotouch.mechanics._vector import FOUR, load, splat, total, upper
 
 Int = npt.NDArray[np.int32]
 
@@ -26,13 +27,15 @@ def _gauss(points: int) -> tuple[tuple[float, ...], tuple[float, ...]]:
     return tuple((0.5 + 0.5 * place).tolist()), tuple((0.5 * weight).tolist())
 
 
-# Along a side, and from the foot outwards.
-_SIDE, _SIDE_WEIGHT = _gauss(4)
+# From the foot outwards to a side: weights times powers of the place, an element of the area and moments of it.
 _OUT, _OUT_WEIGHT = _gauss(6)
-# Weights times powers of the place: an element of the area, and moments of it.
+_OUT_SQUARE = tuple(r * r for r in _OUT)
 _OUT_AREA = tuple(w * r for r, w in zip(_OUT, _OUT_WEIGHT, strict=True))
 _OUT_FIRST = tuple(w * r for r, w in zip(_OUT, _OUT_AREA, strict=True))
 _OUT_SECOND = tuple(w * r for r, w in zip(_OUT, _OUT_FIRST, strict=True))
+# Along a side, and from the foot outwards to the edge of the disc: rows of places and of weights, four points at once.
+_SIDE = np.array(_gauss(4))
+_DISC = np.array(_gauss(8)).reshape(4, 4)
 # A triangle whose sine at a corner is smaller than the root of this is a line.
 _FLAT = 1e-24
 
@@ -40,7 +43,7 @@ _FLAT = 1e-24
 @part
 def press_triangle(
     law: Any, stiffness: float, radius: float, area: float, forces: bool, spot: Float, out: Float
-) -> bool:
+) -> float:
     """Adds what one ball does on one triangle.
 
     Args:
@@ -54,7 +57,7 @@ def press_triangle(
             slopes for each corner [N/m], and the energy [J]; (4, 4).
 
     Returns:
-        Whether they overlap; if not, `out` is as it was.
+        How much of the area at rest lies in the ball [m²]; 0: they do not overlap, and `out` is as it was.
     """
     ax, ay, az = spot[0, 0], spot[0, 1], spot[0, 2]
     ux, uy, uz = spot[1, 0] - ax, spot[1, 1] - ay, spot[1, 2] - az
@@ -63,64 +66,79 @@ def press_triangle(
     size = math.sqrt(mx * mx + my * my + mz * mz)
     length = math.sqrt(ux * ux + uy * uy + uz * uz)
     if not size * size > _FLAT * length * length * (vx * vx + vy * vy + vz * vz):
-        return False
+        return 0.0
     mx, my, mz = mx / size, my / size, mz / size
     px, py, pz = spot[3, 0] - ax, spot[3, 1] - ay, spot[3, 2] - az
     height = px * mx + py * my + pz * mz
     disc = radius * radius - height * height
     if disc <= 0.0:
-        return False
+        return 0.0
     ux, uy, uz = ux / length, uy / length, uz / length
     wx, wy, wz = my * uz - mz * uy, mz * ux - mx * uz, mx * uy - my * ux
     # Corners in the plane, from the foot.
     x0, y0 = -(px * ux + py * uy + pz * uz), -(px * wx + py * wy + pz * wz)
     x1, y1 = x0 + length, y0
     x2, y2 = x0 + vx * ux + vy * uy + vz * uz, y0 + vx * wx + vy * wy + vz * wz
-    inside, meets, within = True, False, True
-    for side in range(3):
-        fx, fy = (x0, y0) if side == 0 else (x1, y1) if side == 1 else (x2, y2)
-        tx, ty = (x1, y1) if side == 0 else (x2, y2) if side == 1 else (x0, y0)
-        inside = inside and fx * ty - fy * tx > 0.0
-        first, last = _chord(fx, fy, tx - fx, ty - fy, disc)
-        meets = meets or first < last
-        within = within and first == 0.0 and last == 1.0
-    if not meets and not inside:
-        return False
+    first0, last0 = _chord(x0, y0, x1 - x0, y1 - y0, disc)
+    first1, last1 = _chord(x1, y1, x2 - x1, y2 - y1, disc)
+    first2, last2 = _chord(x2, y2, x0 - x2, y0 - y2, disc)
+    inside = x0 * y1 - y0 * x1 > 0.0 and x1 * y2 - y1 * x2 > 0.0 and x2 * y0 - y2 * x0 > 0.0
+    if not (inside or first0 < last0 or first1 < last1 or first2 < last2):
+        return 0.0
+    within = first0 == 0.0 and last0 == 1.0 and first1 == 0.0 and last1 == 1.0 and first2 == 0.0 and last2 == 1.0
     edge, deeper = math.sqrt(disc), 1.0 / (2.0 * radius)
+    top, zero = disc * deeper, splat(0.0, FOUR)
     # Radial moments of the pressure over the disc, and of slope and energy.
     r0, r1, r2, rs, re = 0.0, 0.0, 0.0, 0.0, 0.0
-    for k in range(0 if within else 6):
-        r = edge * _OUT[k]
-        energy, pressure, slope = press(law, stiffness, radius, (disc - r * r) * deeper)
-        weight = edge * _OUT_WEIGHT[k] * r
-        r0 += weight * pressure
-        r1 += weight * pressure * r
-        r2 += weight * pressure * r * r
-        rs += weight * slope
-        re += weight * energy
+    if not within:
+        v0, v1, v2, vs, ve = zero, zero, zero, zero, zero
+        for k in range(2):
+            r = edge * load(_DISC, k, FOUR)
+            energy, pressure, slope = press(law, stiffness, radius, upper(top - deeper * (r * r), zero))
+            weight = edge * load(_DISC, 2 + k, FOUR) * r
+            ve = ve + weight * energy
+            vs = vs + weight * slope
+            weight = weight * pressure
+            v0 = v0 + weight
+            weight = weight * r
+            v1 = v1 + weight
+            v2 = v2 + weight * r
+        r0, r1, r2, rs, re = total(v0), total(v1), total(v2), total(vs), total(ve)
     scale = area / (0.5 * size)
     # Sums over the plane: energy; slopes; pressure times 1, x, y, xx, xy, yy.
-    se, ss, sc = 0.0, 0.0, 0.0
+    se, ss, sc, covered = 0.0, 0.0, 0.0, 0.0
     sx, sy, sxx, sxy, syy = 0.0, 0.0, 0.0, 0.0, 0.0
     hx, hy = 0.0, 0.0  # slopes times x, y
+    # The same at four points of a side at once.
+    ue, us, uc, uhx, uhy = zero, zero, zero, zero, zero
+    upx, upy, uxx, uxy, uyy = zero, zero, zero, zero, zero
     for side in range(3):
         fx, fy = (x0, y0) if side == 0 else (x1, y1) if side == 1 else (x2, y2)
         tx, ty = (x1, y1) if side == 0 else (x2, y2) if side == 1 else (x0, y0)
+        first, last = (first0, last0) if side == 0 else (first1, last1) if side == 1 else (first2, last2)
         dx, dy = tx - fx, ty - fy
-        first, last = _chord(fx, fy, dx, dy, disc)
-        for piece in range(2):  # outside of the disc: a sector
+        for piece in range(0 if within else 2):  # outside of the disc: a sector
             begin, end = (0.0, first) if piece == 0 else (last, 1.0)
             if first >= last:
                 begin, end = 0.0, 1.0 if piece == 0 else 0.0
             if end <= begin:
                 continue
             gx, gy, kx, ky = fx + begin * dx, fy + begin * dy, fx + end * dx, fy + end * dy
-            half = 0.5 * math.atan2(gx * ky - gy * kx, gx * kx + gy * ky)
+            across, along = gx * ky - gy * kx, gx * kx + gy * ky
+            half = 0.5 * math.atan2(across, along)
             se += 2.0 * half * re
+            covered += half * disc
             if not forces:
                 continue
             far = math.sqrt(gx * gx + gy * gy)
-            c, s = math.cos(half), math.sin(half)
+            # Cosine and sine of half the angle, each by the form that does not cancel.
+            span = far * math.sqrt(kx * kx + ky * ky)
+            if along > 0.0:
+                c = math.sqrt(0.5 + 0.5 * along / span)
+                s = 0.5 * across / (span * c)
+            else:
+                s = math.copysign(math.sqrt(0.5 - 0.5 * along / span), across)
+                c = 0.5 * across / (span * s)
             nx, ny = (gx * c - gy * s) / far, (gx * s + gy * c) / far
             long, wide = half + s * c, half - s * c
             ss += 2.0 * half * rs
@@ -133,56 +151,59 @@ def press_triangle(
             hx += 2.0 * s * nx * rs * edge * (2.0 / 3.0)
             hy += 2.0 * s * ny * rs * edge * (2.0 / 3.0)
         if first < last:
+            share = first + (last - first) * load(_SIDE, 0, FOUR)
+            ex, ey = fx + share * dx, fy + share * dy
+            square = deeper * (ex * ex + ey * ey)
             cross = (fx * ty - fy * tx) * (last - first)
-            for a in range(4):
-                t = first + (last - first) * _SIDE[a]
-                ex, ey = fx + t * dx, fy + t * dy
-                square, weight = (ex * ex + ey * ey) * deeper, cross * _SIDE_WEIGHT[a]
-                top, e0, p0, p1, p2, s0, s1 = disc * deeper, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-                if not forces:
-                    for b in range(6):
-                        depth = max(top - _OUT[b] * _OUT[b] * square, 0.0)
-                        energy, _, _ = press(law, stiffness, radius, depth)
-                        e0 += _OUT_AREA[b] * energy
-                    se += weight * e0
-                    continue
+            covered += 0.5 * cross
+            weight = cross * load(_SIDE, 1, FOUR)
+            e0, p0, p1, p2, s0, s1 = zero, zero, zero, zero, zero, zero
+            if not forces:
                 for b in range(6):
-                    depth = max(top - _OUT[b] * _OUT[b] * square, 0.0)
-                    energy, pressure, slope = press(law, stiffness, radius, depth)
-                    e0 += _OUT_AREA[b] * energy
-                    p0 += _OUT_AREA[b] * pressure
-                    p1 += _OUT_FIRST[b] * pressure
-                    p2 += _OUT_SECOND[b] * pressure
-                    s0 += _OUT_AREA[b] * slope
-                    s1 += _OUT_FIRST[b] * slope
-                se += weight * e0
-                ss += weight * s0
-                sc += weight * p0
-                sx += weight * ex * p1
-                sy += weight * ey * p1
-                sxx += weight * ex * ex * p2
-                sxy += weight * ex * ey * p2
-                syy += weight * ey * ey * p2
-                hx += weight * ex * s1
-                hy += weight * ey * s1
+                    energy, _, _ = press(law, stiffness, radius, upper(top - _OUT_SQUARE[b] * square, zero))
+                    e0 = e0 + _OUT_AREA[b] * energy
+                ue = ue + weight * e0
+                continue
+            for b in range(6):
+                energy, pressure, slope = press(law, stiffness, radius, upper(top - _OUT_SQUARE[b] * square, zero))
+                e0 = e0 + _OUT_AREA[b] * energy
+                p0 = p0 + _OUT_AREA[b] * pressure
+                p1 = p1 + _OUT_FIRST[b] * pressure
+                p2 = p2 + _OUT_SECOND[b] * pressure
+                s0 = s0 + _OUT_AREA[b] * slope
+                s1 = s1 + _OUT_FIRST[b] * slope
+            ue = ue + weight * e0
+            us = us + weight * s0
+            uc = uc + weight * p0
+            fromx, fromy = weight * ex, weight * ey
+            upx = upx + fromx * p1
+            upy = upy + fromy * p1
+            uxx = uxx + fromx * (ex * p2)
+            uxy = uxy + fromx * (ey * p2)
+            uyy = uyy + fromy * (ey * p2)
+            uhx = uhx + fromx * s1
+            uhy = uhy + fromy * s1
+    se += total(ue)
     out[3, 3] += scale * se
     if not forces:
-        return True
+        return scale * covered
+    ss, sc, sx, sy = ss + total(us), sc + total(uc), sx + total(upx), sy + total(upy)
+    sxx, sxy, syy, hx, hy = sxx + total(uxx), sxy + total(uxy), syy + total(uyy), hx + total(uhx), hy + total(uhy)
     for corner in range(3):
         bx, by = (x1, y1) if corner == 0 else (x2, y2) if corner == 1 else (x0, y0)
         cx, cy = (x2, y2) if corner == 0 else (x0, y0) if corner == 1 else (x1, y1)
         # Share of the corner in a point of the plane.
         l0, lx, ly = (bx * cy - by * cx) / size, (by - cy) / size, (cx - bx) / size
-        load = l0 * sc + lx * sx + ly * sy
+        borne = l0 * sc + lx * sx + ly * sy
         along = (l0 * sx + lx * sxx + ly * sxy) * scale / radius
         beside = (l0 * sy + lx * sxy + ly * syy) * scale / radius
-        down = -height * load * scale / radius
+        down = -height * borne * scale / radius
         out[corner, 0] += along * ux + beside * wx + down * mx
         out[corner, 1] += along * uy + beside * wy + down * my
         out[corner, 2] += along * uz + beside * wz + down * mz
-        out[corner, 3] += scale * load
+        out[corner, 3] += scale * borne
         out[3, corner] += scale * max(l0 * ss + lx * hx + ly * hy, 0.0)
-    return True
+    return scale * covered
 
 
 def press_skin(

@@ -1,7 +1,8 @@
 """What a tool and the skin do to each other: pressure by the law's energy, friction and damping where it presses.
 
 Friction is a spring between tool and skin, spread over the skin as the pressure is. Its stretch is a state of the
-tool; what is beyond the cone slips, and what slips is lost [return mapping, Simo & Hughes 1998].
+tool; what is beyond the cone slips, and what slips is lost [return mapping, Simo & Hughes 1998]. A film on the skin
+drags what slides on it by the area that is covered.
 """
 # pyright: reportArgumentType=false, reportReturnType=false
 
@@ -16,6 +17,7 @@ from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._surface import Surface
 from cotouch.mechanics._tools import Tools
+from cotouch.mechanics._vector import FOUR, load, lower, splat, store, total, upper
 
 # A stretch of friction that lies this much across the skin, of its length, has no direction along it.
 _ACROSS = 1e-3
@@ -78,24 +80,25 @@ def _sum(
         along = bead_place(tools, t, bead)
         for a in range(3):
             spot[3, a] = tools.place[t, a] + along * tools.axis[t, a] + time * mean[p, a]
+        spot[3, 3] = 0.0
+        middle = load(spot, 3, FOUR)
         for c in range(work.number[p]):
             f = near[p, c]
-            apart = 0.0
-            for a in range(3):
-                low, high = math.inf, -math.inf
-                for q in range(3):
-                    v = corner[f, q]
-                    spot[q, a] = place[v, a] + time * rate[v, a]
-                    low, high = min(low, spot[q, a]), max(high, spot[q, a])
-                gap = max(low - spot[3, a], spot[3, a] - high, 0.0)
-                apart += gap * gap
+            low = high = load(place, corner[f, 0], FOUR) + time * load(rate, corner[f, 0], FOUR)
+            store(spot, 0, low, FOUR)
+            for q in range(1, 3):
+                moved = load(place, corner[f, q], FOUR) + time * load(rate, corner[f, q], FOUR)
+                store(spot, q, moved, FOUR)
+                low, high = lower(low, moved), upper(high, moved)
+            gap = upper(upper(low - middle, middle - high), splat(0.0, FOUR))
+            apart = total(gap * gap)
             if apart >= radius * radius:
                 continue
-            for a in range(4):
-                for b in range(4):
-                    out[a, b] = 0.0
-            area = tools.share[t] * _area(surface, f)
-            if not press_triangle(law, stiffness, radius, area, share != 0.0 or soft.shape[0] > 0, spot, out):
+            for q in range(4):
+                store(out, q, splat(0.0, FOUR), FOUR)
+            area = tools.share[t] * surface.area[f]
+            covered = press_triangle(law, stiffness, radius, area, share != 0.0 or soft.shape[0] > 0, spot, out)
+            if not covered > 0.0:
                 continue
             energy += out[3, 3]
             if soft.shape[0] > 0:  # what the shapes of a truncated body leave out, by how the corners share the load
@@ -106,6 +109,7 @@ def _sum(
                 lacking += (soft[f, 1] + (soft[f, 0] - soft[f, 1]) * min(square, 1.0)) * out[3, 3]
             if share == 0.0:
                 continue
+            work.patch[p] += share * covered
             for q in range(3):
                 v = corner[f, q]
                 for a in range(3):
@@ -120,26 +124,16 @@ def _sum(
 
 
 @part
-def _area(surface: Surface, f: int) -> float:
-    """Of a triangle at rest [m²]."""
-    rest, ia, ib, ic = surface.rest, surface.corner[f, 0], surface.corner[f, 1], surface.corner[f, 2]
-    ux, uy, uz = rest[ib, 0] - rest[ia, 0], rest[ib, 1] - rest[ia, 1], rest[ib, 2] - rest[ia, 2]
-    vx, vy, vz = rest[ic, 0] - rest[ia, 0], rest[ic, 1] - rest[ia, 1], rest[ic, 2] - rest[ia, 2]
-    nx, ny, nz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
-    return 0.5 * math.sqrt(nx * nx + ny * ny + nz * nz)
-
-
-@part
 def read_skin(surface: Surface, work: ContactWork, p: int) -> None:
     """Works out how fast the skin moves where a tool presses."""
-    corner, near, load, rate, faces = surface.corner, work.near, work.load, work.rate, work.near.shape[1]
+    corner, near, borne, rate, faces = surface.corner, work.near, work.load, work.rate, work.near.shape[1]
     for a in range(3):
         work.skin[p, a] = 0.0
     if work.total[p] <= 0.0:
         return
     for c in range(work.number[p]):
         for q in range(3):
-            share = load[p * faces + c, q] / work.total[p]
+            share = borne[p * faces + c, q] / work.total[p]
             if share != 0.0:
                 for a in range(3):
                     work.skin[p, a] += share * rate[corner[near[p, c], q], a]
@@ -147,7 +141,7 @@ def read_skin(surface: Surface, work: ContactWork, p: int) -> None:
 
 @part
 def rub(work: ContactWork, tools: Tools, t: int, time: float, T: float) -> tuple[float, float, float]:
-    """Friction and damping of a tool that moved for some time, of a step's length T, against the skin.
+    """Friction, the skin's film and damping of a tool that moved for some time, of a step's length T, against the skin.
 
     `rubbed` gets the stretch at the end and `slips` whether it slips.
 
@@ -156,22 +150,25 @@ def rub(work: ContactWork, tools: Tools, t: int, time: float, T: float) -> tuple
     """
     p, way, mean, skin = t - tools.first, work.way, work.mean, work.skin
     k, normal, stretch, rubbed = tools.stiffness[t], work.way[p, 3], tools.stretch, work.rubbed
-    size, across, approach = 0.0, 0.0, 0.0
+    size, across, approach, slip = 0.0, 0.0, 0.0, 0.0
     for a in range(3):
         size += stretch[t, a] * stretch[t, a]
         across += stretch[t, a] * way[p, a]
         approach -= way[p, a] * (mean[p, a] - skin[p, a])
         rubbed[p, a] = 0.0
+    for a in range(3):
+        slip += (mean[p, a] - skin[p, a] + approach * way[p, a]) ** 2
+    film = tools.viscosity[t] * work.patch[p] * slip * time * time / T if normal > 0.0 else 0.0
     work.slips[p] = 0
     if normal <= 0.0 or tools.friction[t] <= 0.0:
-        lost = 0.5 * k * size
+        lost = 0.5 * k * size + film
         share = approach * time / T
         if normal > 0.0:
             lost += normal * max(tools.loss[t] * share, -1.0) * share * T
         return 0.0, lost, 0.0
     length, flat = math.sqrt(size), math.sqrt(max(size - across * across, 0.0))
     turned = length / flat if flat > _ACROSS * length else 0.0
-    lost = 0.5 * k * size if turned == 0.0 else 0.0
+    lost = film if turned != 0.0 else film + 0.5 * k * size
     trial, begun, done = 0.0, 0.0, 0.0
     for a in range(3):
         start = turned * (stretch[t, a] - across * way[p, a])
@@ -205,7 +202,7 @@ def feel_tool(law: Any, surface: Surface, work: ContactWork, tools: Tools, t: in
     for c in range(work.number[p]):
         for q in range(3):
             work.load[p * faces + c, q] = 0.0
-    work.total[p], work.grip[p, 0], work.grip[p, 1] = 0.0, 0.0, 0.0
+    work.total[p], work.patch[p], work.grip[p, 0], work.grip[p, 1] = 0.0, 0.0, 0.0, 0.0
     for a in range(4):
         work.pull[p, a] = 0.0
         work.way[p, a] = 0.0
@@ -237,15 +234,19 @@ def feel_tool(law: Any, surface: Surface, work: ContactWork, tools: Tools, t: in
                 long = math.sqrt(long)
                 for a in range(3):
                     work.ward[v, a] = work.force[v, a] / long if long > 0.0 else 0.0
-    if tools.friction[t] <= 0.0 and tools.loss[t] <= 0.0:
+    if tools.friction[t] <= 0.0 and tools.loss[t] <= 0.0 and tools.viscosity[t] <= 0.0:
         return
     _, _, share = rub(work, tools, t, T, T)
     k, damper = tools.stiffness[t], size * tools.loss[t]
     damping = size * max(tools.loss[t] * approach, -1.0)
     grip = k * T * share if tools.friction[t] > 0.0 else 0.0
+    film = tools.viscosity[t] * work.patch[p]
+    for a in range(3):
+        slip = work.mean[p, a] - work.skin[p, a] + approach * work.way[p, a]
+        work.across[p, a] = damping * work.way[p, a] - k * work.rubbed[p, a] - film * slip
     work.grip[p, 0] += damper
-    work.grip[p, 1] += grip
-    extra = damper + grip
+    work.grip[p, 1] += grip + film
+    extra = damper + grip + film
     for c in range(work.number[p]):
         for q in range(3):
             part_of = work.load[p * faces + c, q] / work.total[p]
@@ -253,6 +254,6 @@ def feel_tool(law: Any, surface: Surface, work: ContactWork, tools: Tools, t: in
                 v = corner[near[p, c], q]
                 work.apart[v] += part_of * extra
                 for a in range(3):
-                    work.force[v, a] -= part_of * (damping * work.way[p, a] - k * work.rubbed[p, a])
+                    work.force[v, a] -= part_of * work.across[p, a]
     for a in range(3):
-        work.pull[p, a] += damping * work.way[p, a] - k * work.rubbed[p, a]
+        work.pull[p, a] += work.across[p, a]

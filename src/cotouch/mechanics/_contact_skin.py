@@ -7,13 +7,13 @@ from cotouch.arrays import Float
 from cotouch.mechanics._contact_near import touched
 from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._kernel import part
-from cotouch.mechanics._surface import FOUR, Surface, box_distance, place_vertex
+from cotouch.mechanics._surface import Surface, box_distance, place_vertex
 from cotouch.mechanics._tools import Tools
-from cotouch.mechanics._vector import load, splat, store
+from cotouch.mechanics._vector import FOUR, load, splat, store, total, upper
 
 
 @part
-def fastest(surface: Surface, velocity: Float) -> float:
+def fastest(surface: Surface, velocity: Float, lanes: tuple[int, ...]) -> float:
     """A bound on the speed of every vertex [m/s]."""
     rows, width = velocity.shape[0], velocity.shape[1]
     square = 0.0
@@ -25,13 +25,13 @@ def fastest(surface: Surface, velocity: Float) -> float:
                 most += rate * (abs(surface.lean[i, a]) + surface.spread[i, a])
             square += most * most
         return math.sqrt(square)
-    if width > 1:
-        for i in range(rows):
-            own = 0.0
-            for a in range(width):
-                own += velocity[i, a] * velocity[i, a]
-            square = max(square, own)
-        return surface.swing * math.sqrt(square)
+    if width > 1:  # the larger in each lane, of two rows at a time: a maximum waits for the one before
+        even = odd = splat(0.0, lanes)
+        for i in range(0, rows - 1, 2):
+            first, second = load(velocity, i, lanes), load(velocity, i + 1, lanes)
+            even, odd = upper(even, first * first), upper(odd, second * second)
+        last = load(velocity, rows - 1, lanes)
+        return surface.swing * math.sqrt(total(upper(upper(even, odd), last * last)))
     for i in range(rows):
         square = max(square, 3.0 * velocity[i, 0] * velocity[i, 0])
     return math.sqrt(square)
@@ -81,14 +81,18 @@ def read_rates(surface: Surface, work: ContactWork, p: int, mean: Float, lanes: 
     """Works out how fast the vertices near a tool move."""
     row, weight, shape, corner = surface.row, surface.weight, surface.shape, surface.corner
     rate, near, modal, rows = work.rate, work.near, surface.shape.shape[0] > 0, mean.shape[0]
+    work.turn[0] += 1
     for c in range(work.number[p]):
         for q in range(3):
             v = corner[near[p, c], q]
-            total = splat(0.0, FOUR)
+            if work.read[v] == work.turn[0]:
+                continue
+            work.read[v] = work.turn[0]
+            speed = splat(0.0, FOUR)
             if modal:
                 for i in range(rows):
-                    total = total + load(mean, i, lanes) * load(shape, v * rows + i, FOUR)
-                store(rate, v, total, FOUR)
+                    speed = speed + load(mean, i, lanes) * load(shape, v * rows + i, FOUR)
+                store(rate, v, speed, FOUR)
                 continue
             for a in range(3):
                 value = 0.0
@@ -101,8 +105,15 @@ def read_rates(surface: Surface, work: ContactWork, p: int, mean: Float, lanes: 
 
 
 @part
-def load_rows(surface: Surface, work: ContactWork, p: int) -> None:
-    """Hands on to the body's rows what the vertices near a tool carry, and takes it off them."""
+def load_rows(surface: Surface, work: ContactWork, p: int, diagonal: Float) -> None:
+    """Hands on to the body's rows what the vertices near a tool carry, and takes it off them.
+
+    Args:
+        surface: the skin.
+        work: `force`, `firm` and `apart` of the vertices; `push`, `hold`, `stiff` and `yields` are added to.
+        p: the tool.
+        diagonal: of a modal body's system without contacts [Ns/m].
+    """
     row, weight, shape, corner = surface.row, surface.weight, surface.shape, surface.corner
     near, force, firm, push, hold = work.near, work.force, work.firm, work.push, work.hold
     ward, apart, stiff = work.ward, work.apart, work.stiff
@@ -121,7 +132,7 @@ def load_rows(surface: Surface, work: ContactWork, p: int) -> None:
                         share = shape[v * rows + i, a]
                         push[i, a if wide else 0] += value * share
                         if a == 0 or not wide:
-                            work.yields[a] += whole * share * share / work.own[i]
+                            work.yields[a] += whole * share * share / diagonal[i]
                     continue
                 for k in range(row.shape[1]):
                     share = weight[v, k]

@@ -9,12 +9,13 @@ import math
 from typing import Any
 
 from cotouch.arrays import Float
-from cotouch.mechanics._closed import miss, predict
+from cotouch.mechanics._closed import predict
 from cotouch.mechanics._contact_balance import balanced, dot_rows
 from cotouch.mechanics._contact_catch import begin_catch, catch
-from cotouch.mechanics._contact_near import correct_near, empty_rows, forget_rows, say, tell
+from cotouch.mechanics._contact_near import correct_near, empty_rows, forget_rows, tell
 from cotouch.mechanics._contact_press import feel_tool, press_tool
 from cotouch.mechanics._contact_skin import fastest, load_rows, look_around, read_rates
+from cotouch.mechanics._contact_solve import lacking, solve_touched
 from cotouch.mechanics._contact_sweep import NEVER, first_crossing
 from cotouch.mechanics._contact_work import Contact, ContactWork
 from cotouch.mechanics._force import BodyForce
@@ -24,7 +25,7 @@ from cotouch.mechanics._kernel import block, part
 from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._proxy import book_drive, move_proxy, proxy_drive, proxy_inertia
 from cotouch.mechanics._state import ITERATIONS, Links, Ports, State, Workspace
-from cotouch.mechanics._step import assemble, solve_step
+from cotouch.mechanics._step import assemble
 from cotouch.mechanics._surface import Surface, refit
 from cotouch.mechanics._tools import GRASP, TOUCH, TOUCH_LOSS, TOUCH_STORED, Tools
 from cotouch.mechanics._vector import load, splat, store
@@ -33,7 +34,6 @@ from cotouch.mechanics._world_force import lean_world, looks_of, take_up
 # Looks at most; the change of forces at which they end, and at which one more correction is enough.
 _LOOKS = 12
 _SETTLED, _NEARLY, _EXACT = 1e-6, 1e-3, 1e-9
-_COARSE = 0.01  # of what the last look missed the next may leave so much, where it solves the whole body
 _NOTHING = 1e-17  # of the energy in a depth of a tool's radius, it is out of the skin
 # How far a tool looks around beyond its radius, in radii and in ways of a step; below how many radii those are short.
 _MARGIN, _WAYS, _SLOW = 0.05, 3.0, 0.05
@@ -87,15 +87,16 @@ def contact_step(
     for book in range(touch_ledger.shape[0]):
         touch_ledger[book] = 0.0
     law, touch = by.law, by.work
-    mean, rhs, push, hold, modal = work.mean, work.rhs, touch.push, touch.hold, surface.shape.shape[0] > 0
+    mean, push, hold, modal = work.mean, touch.push, touch.hold, surface.shape.shape[0] > 0
     near = not modal and op.entries.shape[0] > 0 and work.dense.shape[0] == 0
     _drive(tools, touch, T)
     forget_rows(touch, lanes)
     look = _begin(law, surface, touch, tools, T, state, touch_ledger, lanes)
-    for i in range(mean.shape[0]):
-        store(mean, i, load(state.velocity, i, lanes), lanes)
+    guess = state.velocity
     ledger[ITERATIONS], looks, directions = 0.0, 1, 1
     if force is not None:
+        for i in range(mean.shape[0]):
+            store(mean, i, load(state.velocity, i, lanes), lanes)
         take_up(force.world, state.memory)
         directions = looks_ahead(state.memory, force.directions, force.cut)
         looks = looks_of(force.world, directions, work.dense.shape[0] > 0)
@@ -109,13 +110,13 @@ def contact_step(
         change = 0.0
         for t in range(tools.first, tools.last):
             if look and (tools.mode[t] == GRASP or (tools.mode[t] == TOUCH and tools.inside[t] == 0)):
-                change = max(change, _look(law, surface, touch, tools, t, T, state, mean, lanes))
+                change = max(change, _look(law, surface, touch, tools, t, T, state, guess, work.diagonal, lanes))
         if number >= looks and change <= (_EXACT if near and force is not None else _SETTLED):
             break
         if number < looks or not near:
             for c in range(touch.many[0]):
                 i = touch.reach[c]
-                store(push, i, load(push, i, lanes) + hold[i] * load(mean, i, lanes), lanes)
+                store(push, i, load(push, i, lanes) + hold[i] * load(guess, i, lanes), lanes)
         if number < looks:  # what the body asks for; later looks only tell contacts apart
             same = True
             if force is not None:
@@ -125,14 +126,12 @@ def contact_step(
             assemble(op, state, links, ports, local_damping, extra_damping, T, work, lanes)
             if force is not None:
                 lean_world(force.world, op.copy_scale * op.firmness, mean, work, lanes)
-            for i in range(mean.shape[0]):
-                touch.own[i] = work.diagonal[i]
-                store(touch.asked, i, load(rhs, i, lanes), lanes)
         if number >= looks and near:
             ledger[ITERATIONS] += correct_near(op, work, touch, cap, lanes)
         else:
-            _solve(op, ports, touch, work, number, modal, near, ledger, tolerance, cap, lanes)
-            touch.quick[0] = fastest(surface, mean)
+            solve_touched(op, ports, touch, work, number, modal, near, ledger, tolerance, cap, lanes)
+            touch.quick[0] = fastest(surface, mean, lanes)
+        guess = mean
         for t in range(tools.first, tools.last):
             _move_tool(tools, touch, t)
         if near and force is None and number >= looks and change <= _NEARLY:
@@ -141,14 +140,12 @@ def contact_step(
         if look and tools.mode[t] == TOUCH:
             _follow(surface, touch, tools, t, T, state, mean, lanes)
         elif tools.mode[t] == GRASP:
-            feel_grasp(surface, touch, tools, t, T, state.position, mean, touch.own, False, lanes)
+            feel_grasp(surface, touch, tools, t, T, state.position, mean, work.diagonal, False, lanes)
     tell(touch, modal, lanes)
-    contact = 0.0
     if look and near:  # contacts do what the body asks for and nothing else gives
-        miss(op, touch.own, touch.asked, work, touch.found, lanes)
-        contact = -dot_rows(mean, touch.found, lanes)
-    elif look:
-        contact = dot_rows(mean, push, lanes)
+        free, contact = lacking(op, work, lanes)
+    else:
+        free, contact = dot_rows(mean, work.rhs, lanes), dot_rows(mean, push, lanes) if look else 0.0
     sigma = balanced(
         law,
         op,
@@ -167,56 +164,12 @@ def contact_step(
         ledger,
         touch_ledger,
         link_work,
-        dot_rows(mean, touch.asked, lanes),
+        free,
         contact,
         look,
         lanes,
     )
     _settle(touch, tools, T, sigma, touch_ledger)
-
-
-@part
-def _solve(
-    op: Operator,
-    ports: Ports,
-    touch: ContactWork,
-    work: Workspace,
-    number: int,
-    modal: bool,
-    near: bool,
-    ledger: Float,
-    tolerance: float,
-    cap: int,
-    lanes: tuple[int, ...],
-) -> None:
-    """Solves the body with what contacts were found to do; after the first time, corrects it by a coarse solve."""
-    mean, rhs, push = work.mean, work.rhs, touch.push
-    if modal:  # as much of the change as its answer leaves
-        share = 1.0 / (1.0 + max(touch.yields[0], touch.yields[1], touch.yields[2]))
-        for i in range(mean.shape[0]):
-            before = load(touch.found, i, lanes)
-            if number > 0:
-                store(push, i, before + share * (load(push, i, lanes) - before), lanes)
-            store(touch.found, i, load(push, i, lanes), lanes)
-            store(rhs, i, load(touch.asked, i, lanes) + load(push, i, lanes), lanes)
-    for i in range(mean.shape[0]):
-        work.diagonal[i] = touch.own[i]
-        if not modal:
-            store(rhs, i, load(touch.asked, i, lanes), lanes)
-    for c in range(touch.many[0]):
-        i = touch.reach[c]
-        work.diagonal[i] += touch.hold[i]
-        store(rhs, i, load(rhs, i, lanes) + load(push, i, lanes), lanes)
-    if number == 0 or not near:
-        ledger[ITERATIONS] += solve_step(op, ports, work, tolerance, cap, lanes)
-    else:
-        miss(op, work.diagonal, rhs, work, rhs, lanes)
-        for i in range(mean.shape[0]):
-            store(touch.found, i, load(mean, i, lanes), lanes)
-        ledger[ITERATIONS] += solve_step(op, ports, work, max(tolerance, _COARSE), cap, lanes)
-        for i in range(mean.shape[0]):
-            store(mean, i, load(mean, i, lanes) + load(touch.found, i, lanes), lanes)
-    say(touch, mean, lanes)
 
 
 @part
@@ -264,7 +217,7 @@ def _begin(
     if not acting:
         return False
     refit(surface, touch.fit, state.position, lanes)
-    touch.quick[0] = fastest(surface, state.velocity)
+    touch.quick[0] = fastest(surface, state.velocity, lanes)
     for t in range(tools.first, tools.last):
         p = t - tools.first
         if tools.mode[t] == TOUCH:
@@ -331,6 +284,7 @@ def _look(
     T: float,
     state: State,
     mean: Float,
+    diagonal: Float,
     lanes: tuple[int, ...],
 ) -> float:
     """Gathers what one tool does by the present guess; returns by which share that is not what it did before."""
@@ -338,17 +292,17 @@ def _look(
     for a in range(3):
         touch.before[p, a] = touch.pull[p, a]
     if tools.mode[t] == GRASP:
-        feel_grasp(surface, touch, tools, t, T, state.position, mean, touch.own, True, lanes)
+        feel_grasp(surface, touch, tools, t, T, state.position, mean, diagonal, True, lanes)
         return _change(touch, p)
     _follow(surface, touch, tools, t, T, state, mean, lanes)
     if touch.caught[p, 0] == 0.0 and first_crossing(surface, touch, tools, t, T) < NEVER:
         begin_catch(surface, touch, tools, t)
     if touch.caught[p, 0] != 0.0:
         settled = catch(surface, touch, tools, t, T)
-        load_rows(surface, touch, p)
+        load_rows(surface, touch, p, diagonal)
         return 0.0 if settled else math.inf
     feel_tool(law, surface, touch, tools, t, T)
-    load_rows(surface, touch, p)
+    load_rows(surface, touch, p, diagonal)
     return _change(touch, p)
 
 

@@ -25,7 +25,11 @@ class ContactWork(NamedTuple):
         near: which, (tools, F).
         load: share of the corners of each in the tool's pressure, (tools * F, 4) [N].
         total: their sum, (tools,) [N].
+        patch: area at rest of the skin within each tool, (tools,) [m²].
+        across: force of friction, film and damping on each tool, (tools, 4) [N].
         rate: velocity of the vertices, (V, 4) [m/s].
+        read: when the speed of a vertex was worked out last, (V,).
+        turn: how often that was done, (1,).
         force: on the vertices, (V, 4) [N].
         firm: what resists motion of the vertices, (V,) [Ns/m].
         ward: unit vector along what presses on each vertex, (V, 4).
@@ -41,8 +45,8 @@ class ContactWork(NamedTuple):
         along: scratch of a correction, 0 outside of it, (rows, width).
         quick: a bound on the speed of every vertex by the present guess, (1,) [m/s].
         goal: what corrections of this step may leave of work, negative before the first, (1,) [W].
-        own: diagonal of the body's system without contacts, (rows,) [Ns/m].
-        asked: its right-hand side, (rows, width) [N].
+        own: diagonal of the body's system without contacts, while touched rows have more, (rows,) [Ns/m].
+        asked: its right-hand side likewise, (rows, width) [N].
         found: where the last look led, (rows, width) [m/s]; of a modal body what the last look pushed with [N].
         yields: of a modal body: how much of what contacts and grasps do by a guess its answer takes back, on each
             axis, (3,).
@@ -74,7 +78,11 @@ class ContactWork(NamedTuple):
     near: Int
     load: Float
     total: Float
+    patch: Float
+    across: Float
     rate: Float
+    read: Int
+    turn: Int
     force: Float
     firm: Float
     ward: Float
@@ -145,7 +153,11 @@ def contact_by(law: Any, model: Model, surface: Surface, *, tools: int) -> Conta
         near=np.zeros((tools, faces), dtype=np.int32),
         load=np.zeros((tools * faces, 4)),
         total=np.zeros(tools),
+        patch=np.zeros(tools),
+        across=row(),
         rate=np.zeros((vertices, 4)),
+        read=np.zeros(vertices, dtype=np.int32),
+        turn=np.zeros(1, dtype=np.int32),
         force=np.zeros((vertices, 4)),
         firm=np.zeros(vertices),
         ward=np.zeros((vertices, 4)),

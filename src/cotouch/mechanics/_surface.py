@@ -18,12 +18,10 @@ from cotouch.body import Body, cut_skin
 from cotouch.errors import BodyError
 from cotouch.mechanics._kernel import block
 from cotouch.mechanics._model import Model
-from cotouch.mechanics._vector import at, load, lower, splat, store, upper
+from cotouch.mechanics._vector import FOUR, at, load, lower, splat, store, upper
 
 Int = npt.NDArray[np.int32]
 
-# A row of four numbers, whatever the width of the body's own fields: places and normals.
-FOUR = (0, 0, 0, 0)
 _LEAF = 4
 # Triangles at which a truncated body's missing compliance is worked out.
 _PROBES = 32
@@ -35,6 +33,7 @@ class Surface(NamedTuple):
     Attributes:
         rest: places of the vertices at rest, (V, 4), the last column zero [m].
         corner: vertices of each triangle, (F, 3).
+        area: of each at rest, (F,) [m²].
         row: rows that carry each vertex, (V, k, axes): one for all axes, or one each; (V, 0, axes) in a modal basis.
         weight: how much of each, (V, k).
         shape: modal: displacement of each vertex with each row, (V * rows, 4): the same on all axes, or one for each.
@@ -53,6 +52,7 @@ class Surface(NamedTuple):
 
     rest: Float
     corner: Int
+    area: Float
     row: Int
     weight: Float
     shape: Float
@@ -103,6 +103,7 @@ def surface_of(model: Model) -> Surface:
     axes = 3 if model.full else 1
     modal = model.modes is not None
     child, leaf, members = _tree(rest, corner)
+    side = rest[corner[:, 1]] - rest[corner[:, 0]]
     rows = model.operator_rows
     shape = low = high = lean = spread = np.zeros((0, 4))
     row = np.zeros((rest.shape[0], 0, axes), dtype=np.int32)
@@ -119,6 +120,7 @@ def surface_of(model: Model) -> Surface:
     return Surface(
         rest=_padded(rest),
         corner=corner,
+        area=0.5 * np.linalg.norm(np.cross(side, rest[corner[:, 2]] - rest[corner[:, 0]]), axis=1),
         row=row,
         weight=weight,
         shape=shape,

@@ -35,6 +35,7 @@ class Tools(NamedTuple):
         loss: λ of a contact: its force grows by (1 + λ η'), (tools,) [s/m].
         friction: Coulomb's coefficient of what does not slip, (tools,).
         kinetic: the same of what slips, (tools,).
+        viscosity: of the film on the skin: drag on each of its area, of each speed along it, (tools,) [Ns/m³].
         axis: from the middle of a stylus to the middle of its tip, (tools, 4); 0 of a ball; of a blade its edge [m].
         stretch: of the spring of friction, (tools, 4) [m].
         slipping: whether it slipped in the last step, (tools,).
@@ -68,6 +69,7 @@ class Tools(NamedTuple):
     loss: Float
     friction: Float
     kinetic: Float
+    viscosity: Float
     axis: Float
     stretch: Float
     slipping: Int
@@ -105,6 +107,7 @@ def tools(count: int) -> Tools:
         loss=line(),
         friction=line(),
         kinetic=line(),
+        viscosity=line(),
         axis=row(),
         stretch=row(),
         slipping=whole(),

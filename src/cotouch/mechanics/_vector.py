@@ -22,6 +22,8 @@ from numba.extending import models, overload, register_model
 from cotouch.compiled import intrinsic
 
 WIDTHS = (1, 4)
+# A row of four numbers, whatever the width of the body's own fields: places and normals.
+FOUR = (0, 0, 0, 0)
 _FLAGS = ("contract",)
 
 
@@ -244,6 +246,21 @@ def _arithmetic(symbol: Any, instruction: str) -> None:
         if isinstance(left, Vec) or isinstance(right, Vec):
             return lambda left, right: apply(left, right)  # noqa: PLW0108 (an intrinsic is no implementation)
         return None
+
+
+@overload(operator.pow)
+def _power(base, exponent):  # numba compares the signature with the lambda's: no annotations
+    """A whole power, at least 1, of a vector."""
+    if not isinstance(base, Vec) or not isinstance(exponent, types.Integer):
+        return None
+
+    def multiply(base, exponent):
+        result = base
+        for _ in range(exponent - 1):
+            result = result * base
+        return result
+
+    return multiply
 
 
 for _symbol, _instruction in (

@@ -161,10 +161,12 @@ class ContactTable(Table):
     Attributes:
         law: whose energy is a function of where body and tools are: "stiffening" or "foundation".
         parameters: of the law, by name.
+        viscosity: of a film on the skin: drag on each of the area that a tool covers, of each speed along it [Ns/m³].
     """
 
     law: str = "stiffening"
     parameters: dict[str, FiniteFloat] = Field(default_factory=dict[str, float])
+    viscosity: NonNegative = 0.0
 
     def made(self) -> Any:
         """The law for the kernels.

@@ -75,7 +75,8 @@ def touching_of(
         return None, []
     if body.dimension != 3:
         raise BodyError(f"tools touch bodies of 3 axes, but this one has {body.dimension}{_remedy(body.dimension)}")
-    law = (contact or ContactTable()).made()
+    contact = contact or ContactTable()
+    law = contact.made()
     for number, table in enumerate(tables, start=1):
         if table.kind == "touch" and (body.skin is None or not body.skin.triangles.size):
             raise ScenarioError(
@@ -103,6 +104,7 @@ def touching_of(
     for t, table in enumerate(chosen):
         own.mass[t], own.radius[t], own.friction[t] = table.mass, table.radius, table.friction
         own.kinetic[t] = table.friction if table.kinetic_friction is None else table.kinetic_friction
+        own.viscosity[t] = contact.viscosity
         own.place[t, :3] = table.at
         own.axis[t, :3] = table.axis or 0.0
         if table.kind == "blade":

@@ -210,6 +210,7 @@ def run(
                 have.loss,
                 have.friction,
                 have.kinetic,
+                have.viscosity,
                 have.axis,
                 have.stretch,
                 have.slipping,

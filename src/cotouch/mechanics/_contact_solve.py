@@ -1,0 +1,85 @@
+"""Solves a body for what contacts and grasps were found to do on its rows."""
+# pyright: reportArgumentType=false, reportReturnType=false
+
+from cotouch.arrays import Float
+from cotouch.mechanics._closed import miss
+from cotouch.mechanics._contact_near import say
+from cotouch.mechanics._contact_work import ContactWork
+from cotouch.mechanics._kernel import part
+from cotouch.mechanics._operator import Operator, row_product
+from cotouch.mechanics._state import ITERATIONS, Ports, Workspace
+from cotouch.mechanics._step import solve_step
+from cotouch.mechanics._vector import load, splat, store, total
+
+_COARSE = 0.01  # of what the last look missed the next may leave so much, where it solves the whole body
+
+
+@part
+def solve_touched(
+    op: Operator,
+    ports: Ports,
+    touch: ContactWork,
+    work: Workspace,
+    number: int,
+    modal: bool,
+    near: bool,
+    ledger: Float,
+    tolerance: float,
+    cap: int,
+    lanes: tuple[int, ...],
+) -> None:
+    """Solves the body with what contacts were found to do; after the first time, corrects it by a coarse solve.
+
+    Diagonal and right-hand side are without contacts again afterwards.
+    """
+    mean, rhs, push, own, asked = work.mean, work.rhs, touch.push, touch.own, touch.asked
+    coarse = number > 0 and near
+    if modal:  # as much of the change as its answer leaves
+        share = 1.0 / (1.0 + max(touch.yields[0], touch.yields[1], touch.yields[2]))
+        for i in range(mean.shape[0]):
+            before = load(touch.found, i, lanes)
+            if number > 0:
+                store(push, i, before + share * (load(push, i, lanes) - before), lanes)
+            store(touch.found, i, load(push, i, lanes), lanes)
+    if modal or coarse:
+        for i in range(mean.shape[0]):
+            store(asked, i, load(rhs, i, lanes), lanes)
+            if modal:
+                store(rhs, i, load(rhs, i, lanes) + load(push, i, lanes), lanes)
+    for c in range(touch.many[0]):
+        i = touch.reach[c]
+        own[i] = work.diagonal[i]
+        store(asked, i, load(rhs, i, lanes), lanes)
+        work.diagonal[i] += touch.hold[i]
+        store(rhs, i, load(rhs, i, lanes) + load(push, i, lanes), lanes)
+    if not coarse:
+        ledger[ITERATIONS] += solve_step(op, ports, work, tolerance, cap, lanes)
+    else:
+        miss(op, work.diagonal, rhs, work, rhs, lanes)
+        for i in range(mean.shape[0]):
+            store(touch.found, i, load(mean, i, lanes), lanes)
+        ledger[ITERATIONS] += solve_step(op, ports, work, max(tolerance, _COARSE), cap, lanes)
+        for i in range(mean.shape[0]):
+            store(mean, i, load(mean, i, lanes) + load(touch.found, i, lanes), lanes)
+    for c in range(touch.many[0]):
+        i = touch.reach[c]
+        work.diagonal[i] = own[i]
+        store(rhs, i, load(asked, i, lanes), lanes)
+    if modal or coarse:
+        for i in range(mean.shape[0]):
+            store(rhs, i, load(asked, i, lanes), lanes)
+    say(touch, mean, lanes)
+
+
+@part
+def lacking(op: Operator, work: Workspace, lanes: tuple[int, ...]) -> tuple[float, float]:
+    """`v̂ᵀ b` and `v̂ᵀ (A v̂ - b)` of a system that was assembled [W]."""
+    given, lack = splat(0.0, lanes), splat(0.0, lanes)
+    for i in range(op.mass.shape[0]):
+        rate, b = load(work.mean, i, lanes), load(work.rhs, i, lanes)
+        left = b - work.diagonal[i] * rate
+        for family in range(op.entries.shape[0]):
+            left = left - work.scale[family] * row_product(op, family, i, work.mean, lanes)
+        given = given + rate * b
+        lack = lack - rate * left
+    return total(given), total(lack)
