@@ -21,6 +21,7 @@ SECTIONS = (
     "scaling",
     "touch",
     "materials",
+    "acceptance",
     "planner",
     "laws",
     "codec",
