@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from concurrent.futures import ProcessPoolExecutor
 
 import numpy as np
-from tests.session.attack import ALLOWANCE, BURST, FORCE, GOALS, POWER, SECONDS, SEED, TANK, Search
+from tests.members.attack import ALLOWANCE, BURST, FORCE, GOALS, POWER, SECONDS, SEED, TANK, Search
 
 from benchmarks._report import Row, add_write, finish
 

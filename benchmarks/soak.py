@@ -23,7 +23,6 @@ import subprocess
 import sys
 import tempfile
 import time
-import tomllib
 from array import array
 from pathlib import Path
 from typing import Any
@@ -33,10 +32,11 @@ import psutil
 
 from benchmarks._report import Row, add_write, finish
 from benchmarks._trend import Trend, trend
-from cotouch.files import toml_text
+from cotouch.errors import SessionError
+from cotouch.files import read_toml, shipped, toml_text
 from cotouch.members import SessionFile
 from cotouch.recording import audit, read_recording
-from cotouch.session import MemberProcess, OpenHost, demo_file, open_host
+from cotouch.session import MemberProcess, OpenHost, open_host
 
 MINUTES = 10.0
 RATE = 100
@@ -58,7 +58,7 @@ _BURST = {"enter": 0.00025, "leave": 0.007, "loss_good": 0.0, "loss_bad": 1.0}
 
 def session() -> SessionFile:
     """The paper's five users with a hand each, at a rate that leaves the machine to others, over paths that fail."""
-    tables = tomllib.loads(demo_file().read_text(encoding="utf-8"))
+    tables = read_toml(shipped("session", "live.toml", SessionError), "session file", SessionError)
     tables["steps"]["rate"] = RATE
     tables["channel"] = {"burst": _BURST}
     tables["session"] = {"emulate": True, "window": 4.0}

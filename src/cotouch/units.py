@@ -4,8 +4,6 @@ Frame: x forward, y left, z up, right-handed (REP-103). Users are numbered from 
 arrays; the two helpers here are the only places where one becomes the other.
 """
 
-SECONDS_PER_MILLISECOND = 1e-3
-
 
 def user_number(index: int) -> int:
     """Number of a user on screen and in files, from its index in arrays."""

@@ -45,24 +45,10 @@ PURE = [name for name in NAMES if not name.startswith(WORLDS)]
 
 # Who tests a room from outside with what it does not show: what a liar says, mostly.
 INSIDERS = {
-    "body/test_reading.py": {"meshfile"},
-    "cli/test_interrupted.py": {"session"},
     "drivers/test_coming_back.py": {"haptics"},
     "drivers/test_processes.py": {"haptics"},
-    "hands/test_commanded_hand.py": {"session"},
-    "hands/test_device_hand.py": {"observers"},
-    "laboratory/test_cells.py": {"planning"},
-    "laws/test_known_answers.py": {"laboratory"},
-    "members/test_admission.py": {"traversal"},
-    "members/test_numbers.py": {"cli"},
-    "members/test_turned.py": {"recording"},
-    "recording/test_audit.py": {"simulation"},
-    "recording/test_disk.py": {"cli"},
-    "session/liar.py": {"members", "samples"},
     "session/test_cuts.py": {"members"},
-    "session/test_heavy.py": {"members"},
     "session/test_keep.py": {"members"},
-    "traversal/test_probe.py": {"samples"},
 }
 
 

@@ -13,13 +13,12 @@ import trimesh
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from tests.body.shapes import block, box, sphere, volume
-from tests.meshfile.here import parsed_here
+from tests.meshfile.here import parse_here, promised_elements
 from tests.thorough import examples
 
 from cotouch.body import MOST_ELEMENTS, MOST_TRIANGLES, NodeSet, body_from_surface, body_from_tetrahedra
 from cotouch.errors import BodyError
-from cotouch.meshfile import SURFACES, VOLUMES, _read
-from cotouch.meshfile._promises import promised
+from cotouch.meshfile import SURFACES, VOLUMES
 
 SPHERE = sphere(2)
 HUGE = 10_000_000
@@ -28,7 +27,7 @@ HUGE = 10_000_000
 @pytest.fixture(autouse=True)
 def here(monkeypatch: pytest.MonkeyPatch) -> None:
     """What its own process adds is tested with it, in `tests/meshfile`."""
-    monkeypatch.setattr(_read, "_answer", parsed_here)
+    parse_here(monkeypatch)
 
 
 def written(folder: Path, name: str) -> Path:
@@ -48,7 +47,7 @@ def test_surface_formats(tmp_path: Path, name: str):
     scale = 1.0 if unit is None else 1e-6
     assert body.origin.volume == pytest.approx(scale * volume(*SPHERE), rel=1e-5)
     assert all(note.startswith("Its moments of inertia") for note in body.origin.notes[:-1])
-    assert promised(path).elements == len(SPHERE[1])
+    assert promised_elements(path) == len(SPHERE[1])
     with pytest.raises(BodyError, match=f"has {len(SPHERE[1])} triangles but the limit is 100"):
         body_from_surface(path, unit=unit, most_triangles=100)
 
@@ -90,7 +89,7 @@ def test_volume_formats(tmp_path: Path, name: str, options: dict[str, Any], capf
     assert body.origin is not None
     assert (body.nodes, body.origin.elements) == (len(points), len(elements))
     assert body.origin.volume == pytest.approx(0.3 * 0.1 * 0.1)
-    assert promised(path).elements == len(elements)
+    assert promised_elements(path) == len(elements)
     with pytest.raises(BodyError, match=f"has {len(elements)} elements but the limit is 10; make it coarser, or raise"):
         body_from_tetrahedra(path, unit="m", most_elements=10)
 
@@ -247,12 +246,12 @@ class TestTooMany:
     def test_text_is_counted_line_by_line(self, tmp_path: Path):
         path = tmp_path / "a.obj"
         path.write_bytes(b"v 0 0 0\n" + b"f 1 1 1\n" * 400_000)
-        assert promised(path).elements == 400_000
+        assert promised_elements(path) == 400_000
         with pytest.raises(BodyError, match="has 400000 triangles but the limit is 300000"):
             body_from_surface(path, unit="m", most_triangles=300_000)
         path = tmp_path / "a.stl"
         path.write_bytes(b"solid x\n" + b"facet\nendfacet\n" * 200_000 + b"endsolid x\n")
-        assert promised(path).elements == 200_000
+        assert promised_elements(path) == 200_000
 
     @pytest.mark.parametrize(
         ("name", "head"),

@@ -1,5 +1,7 @@
 """Several bodies as one: what it is made of, where its parts are, and what is refused."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -71,11 +73,17 @@ def test_what_is_no_set_of_bodies_is_one_sentence(bodies: list[tuple[str, Body]]
     assert said in str(caught.value)
 
 
-def test_a_place_is_three_finite_numbers() -> None:
-    with pytest.raises(CotouchError, match=r'^at of body "a" is \[0.0, nan, 0.0\]; it must be three finite numbers$'):
-        together([Placed(body=BLOCK, name="a", at=(0.0, np.nan, 0.0))])
-
-
-def test_a_body_so_far_away_that_its_shape_is_lost_is_refused() -> None:
-    with pytest.raises(CotouchError, match=r'^at of body "a" is \[0.0, 1e\+300, 0.0\]; it must be within .* m'):
-        together([Placed(body=BLOCK, name="a", at=(0.0, 1e300, 0.0))])
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (
+            {"at": (0.0, np.nan, 0.0)},
+            r'^at of body "a" is \[0.0, nan, 0.0\]; it must be three finite numbers of at most',
+        ),
+        ({"at": (0.0, 1e300, 0.0)}, "at most .* m, a million times its size$"),
+        ({"turn": (0.0, 0.0, 1e300)}, r'^turn of body "a" is .*; it must be three finite numbers of at most 100 rad$'),
+    ],
+)
+def test_a_place_is_three_numbers_within_reason(options: dict[str, Any], said: str) -> None:
+    with pytest.raises(CotouchError, match=said):
+        together([Placed(body=BLOCK, name="a", **options)])

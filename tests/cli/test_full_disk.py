@@ -8,12 +8,11 @@ import sys
 from pathlib import Path
 
 import pytest
-from rich.console import Console
 from tests.cli.commands import here
+from tests.cli.shown import shown
 from tests.session.world import World
 
 from cotouch.cli._session import numbers, sentence
-from cotouch.cli._table import view
 from cotouch.members import PartOutcome
 from cotouch.recording import read_recording
 
@@ -62,24 +61,15 @@ def test_the_table_shows_whose_recording_stopped(tmp_path: Path) -> None:
         world.join(name)
     world.until(world.all_coupled, 12.0)
     one = world.people[0]
-    assert world.host is not None
-    watch = world.host.watch
-
-    def seen() -> str:
-        console = Console(width=200, record=True, file=(tmp_path / "terminal").open("w"))
-        console.print(view(watch, world.now, title="Two", started=0.0))
-        console.file.close()
-        return console.export_text()
-
     world.run(1.0)
-    assert "NOT RECORDED" not in seen()
+    assert "NOT RECORDED" not in shown(world)
     world.recordings[0].unlink()
     world.until(lambda: one.member.status(world.now).recording == "failed", 60.0)
     world.run(1.5)
     said = f"NOT RECORDED: {one.name}'s recording stopped: the file was removed while it was written"
-    assert said in seen()
+    assert said in shown(world)
     world.run(30.0)  # not only for a moment
-    assert said in seen()
+    assert said in shown(world)
 
 
 def test_what_a_member_says_at_its_end() -> None:

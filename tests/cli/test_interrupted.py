@@ -10,8 +10,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-
-from cotouch.session._cushion import cushion, stl
+import trimesh
+from tests.body.shapes import sphere
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
 
@@ -104,7 +104,7 @@ def network(users: int) -> str:
         (4.0, ["simulate", "long.toml", "--out", "run.nc"]),
         (4.0, ["plan", "many.toml", "--links", "100", "--objective", "decay", "--json"]),
         (2.5, ["certify", "many.toml", "--period", "1e-5"]),
-        (4.0, ["body", "cushion.stl", "--unit", "m", "--resolution", "40", "--model", "elastic"]),
+        (4.0, ["body", "ball.stl", "--unit", "m", "--resolution", "40", "--model", "elastic"]),
         (4.0, ["reproduce", "--out", "report"]),
         (1.0, ["demo", "--no-page"]),
     ],
@@ -112,7 +112,7 @@ def network(users: int) -> str:
 def test_a_command_at_work_ends(after: float, arguments: list[str], tmp_path: Path) -> None:
     (tmp_path / "long.toml").write_text(LONG, encoding="utf-8")
     (tmp_path / "many.toml").write_text("[network]\n" + network(40), encoding="utf-8")
-    (tmp_path / "cushion.stl").write_bytes(stl(*cushion()))
+    trimesh.Trimesh(*sphere(4), process=False).export(tmp_path / "ball.stl")
     (tmp_path / "run.nc").write_bytes(b"what was there before")
     command = Command(tmp_path, *arguments)
     command.until(lambda: command.worked() >= after)
@@ -125,7 +125,7 @@ def test_a_command_at_work_ends(after: float, arguments: list[str], tmp_path: Pa
     assert {path.name for path in tmp_path.iterdir()} - {"report"} == {
         "long.toml",
         "many.toml",
-        "cushion.stl",
+        "ball.stl",
         "run.nc",
         "err",
     }

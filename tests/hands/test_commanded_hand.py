@@ -2,12 +2,13 @@
 
 import numpy as np
 import pytest
+import trimesh
+from tests.body.shapes import sphere
 from tests.session.hands import BODIES, Held, scenario
 
 from cotouch.hands._commanded_hand import SILENCE
 from cotouch.observers import HAND_MODES, size_of
 from cotouch.scenario import resolve_penetration
-from cotouch.session._cushion import cushion, stl
 
 SCRIPT = """
 [[hands]]
@@ -34,7 +35,8 @@ def held(body: str) -> Held:
 @pytest.fixture(scope="module")
 def cushion_body(tmp_path_factory: pytest.TempPathFactory) -> str:
     path = tmp_path_factory.mktemp("body") / "cushion.stl"
-    path.write_bytes(stl(*cushion()))
+    corners, triangles = sphere(3)
+    trimesh.Trimesh(corners * [0.06, 0.045, 0.035], triangles, process=False).export(path)
     return (
         f'[body]\nfile = "{path}"\nunit = "m"\nresolution = 5\nmodel = "elastic"\nyoung = 1e4\npoisson = 0.35\n'
         "density = 250\nrayleigh_mass = 1.0\nrayleigh_stiffness = 0.01\nground_stiffness = 20\nmodes = 20\n"

@@ -19,8 +19,7 @@ from cotouch.hands import DeviceHand
 from cotouch.haptics import Cause, CouplingChoice, EndOptions, Flag, ServoReport
 from cotouch.mechanics import END, EnergyMessage
 from cotouch.members import SessionFile, SharedModel, Slot
-from cotouch.observers import HAND_MODES, CommandClient, MailboxFolder
-from cotouch.observers._mailboxes import view_fields
+from cotouch.observers import HAND_MODES, CommandClient, MailboxFolder, view_fields
 from cotouch.peer import Peer
 from cotouch.recording import audit, read_recording
 from cotouch.session import MemberProcess, open_host

@@ -1,13 +1,13 @@
 """The engine of the laboratory: order, resuming, a cluster, and what interrupts it."""
 
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
 from cotouch.laboratory import _cells
 from cotouch.laboratory._cells import Store, cells, many
-from cotouch.planning._workers import Workers
 
 
 def double(cell: dict[str, Any]) -> dict[str, Any]:
@@ -83,7 +83,7 @@ def test_a_cluster_gets_cells_in_portions_and_what_it_brings_is_kept(
     @contextmanager
     def cluster(jobs: int, dask: str | None) -> Any:
         assert dask == "tcp://here:1"
-        yield Workers(parallel, jobs)
+        yield SimpleNamespace(parallel=parallel, jobs=jobs)
 
     monkeypatch.setattr(_cells, "workers", cluster)
     with pytest.raises(Stop):

@@ -6,16 +6,15 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tests.laboratory.costs import DELAY, cost
 from tests.laws.scenes import PASSIVE, law_of, two
 
 from cotouch.laboratory import Study, books, impedance, searched, trial
-from cotouch.laboratory._ideal import ideal
-from cotouch.laboratory._score import measured
 from cotouch.laws import PAID, TANK, End, Facts, Tone, copy, given_power, laws, register
 from cotouch.scenario import Scenario
 from cotouch.simulation import judge, prepare, run_batch, simulate, with_law
 
-DELAY, SPRING = 0.025, 50.0
+SPRING = 50.0
 
 
 def moving(law: Any, *, speed: float = 0.1, **options: Any) -> float:
@@ -306,15 +305,6 @@ def test_to_paid_a_hand_whose_aim_moves_is_one_hand() -> None:
     assert ends is not None
     names = PAID.shares_scalars
     assert np.all(ends.shared_scalars[:, names.index("epoch")] < 60.0)
-
-
-def cost(law: Any, task: str, **tables: Any) -> float:
-    """J of a task, 25 ms."""
-    whole = Study.make(laws=[{"law": law}], networks=[{"name": "there", "delay": DELAY}], **tables)
-    users = whole.users[0]
-    hands = whole.task(task, users, whole.hands[0], 0)
-    prepared = prepare(whole.scenario(whole.laws[0], whole.networks[0], users, hands))
-    return measured(whole.laws[0], prepared, ideal(whole, hands))["cost"]
 
 
 def test_to_paid_a_hand_is_where_it_holds() -> None:

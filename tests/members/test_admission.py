@@ -2,13 +2,13 @@
 
 from tests.members.test_coordinator import BODY, NETWORK, World, key
 from tests.session.world import entropy
+from tests.traversal.shown import place_at
 
 from cotouch.members import Admission, Entry, Roster, SessionFile, addresses_of
 from cotouch.members._law_check import signature_of
 from cotouch.members._messages import MOST_NAMES, AddressProof, Join, NameOwner
 from cotouch.samples import Identity
-from cotouch.traversal import Addresses, Place
-from cotouch.traversal._addresses import transaction_of
+from cotouch.traversal import Addresses
 
 SESSION = SessionFile.from_toml(NETWORK)
 GUESTS = SessionFile.from_toml("[session]\nusers = 4\n", law=SESSION.law)
@@ -67,12 +67,11 @@ def test_who_comes_back_has_its_slot_if_it_is_free() -> None:
 def test_only_who_shows_it_is_on_this_machine_or_at_an_address() -> None:
     addresses, who = Addresses(entropy(1)), Identity.make(entropy(2)).public
     where = addresses_of(addresses, {"192.0.2.1"})
-    nonce = bytes(16)
 
     def shown(host: str, *, true: bool) -> str | None:
-        cookie = addresses.cookie(transaction_of(who, nonce), host) if true else bytes(4)
-        place = Place(nonce, host, cookie)
-        return where(who, request("Ann", place=AddressProof(nonce=nonce.hex(), host=host, cookie=place.cookie.hex())))
+        nonce, host, cookie = place_at(addresses, who, host)
+        proof = AddressProof(nonce=nonce.hex(), host=host, cookie=cookie.hex() if true else "00000000")
+        return where(who, request("Ann", place=proof))
 
     for host, counted in (("127.0.0.1", ""), ("192.0.2.1", ""), ("192.0.2.9", "192.0.2.9")):
         assert shown(host, true=True) == counted

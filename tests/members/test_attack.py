@@ -7,9 +7,9 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from tests.session import attack
-from tests.session.attack import GOALS, Search, play
-from tests.session.lie import Lie, near, random_lie
+from tests.members import attack
+from tests.members.attack import GOALS, Search, play
+from tests.members.lie import Lie, near, random_lie
 
 from cotouch.members import _replica
 from cotouch.peer import LinkGuard

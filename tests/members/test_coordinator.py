@@ -463,3 +463,131 @@ def test_a_roster_is_said_when_it_changes_when_one_did_not_hear_it_and_every_two
     assert coordinator.refused == 0
     world.join(2, "Ben", [3.0, 2.0])
     assert coordinator.refused == 1
+
+
+PLANNED = '[session]\nusers = 3\nlinks = "plan"\nreplan = {replan}\n'
+
+
+class Planner:
+    """Joins all but the slowest pair, when it is let."""
+
+    def __init__(self) -> None:
+        self.asked: list[tuple[list[int], dict[tuple[int, int], float]]] = []
+        self.ready = True
+
+    def __call__(self, slots: list[int], paths: dict[tuple[int, int], float]) -> list[tuple[int, int]] | None:
+        self.asked.append((slots, paths))
+        worst = max(paths, key=lambda pair: paths[pair], default=None)
+        return [(a, b) for a in slots for b in slots if a < b and (a, b) != worst] if self.ready else None
+
+
+@pytest.mark.parametrize("replan", [True, False])
+def test_a_plan_is_made_anew_only_where_asked_for_ten_seconds_later_and_for_a_quarter(replan: bool) -> None:
+    planner = Planner()
+    world = World(PLANNED.format(replan=str(replan).lower()), planner=planner)
+    world.join(0, "0")
+    world.tick(20.0)
+    assert planner.asked == []  # one alone needs no links
+    world.join(1, "1")
+    world.coordinator.measured((0, 1), 0.1)
+    world.tick(0.2)
+    assert planner.asked == [([0, 1], {(0, 1): 0.1})]  # all is measured: nothing to wait for
+    world.join(2, "2")
+    world.tick(4.8)
+    assert len(planner.asked) == 1
+    world.tick(0.4)
+    assert planner.asked[1:] == [([0, 1, 2], {(0, 1): 0.1})]  # five seconds are enough
+    begun = world.now
+    world.coordinator.measured((0, 2), 1.0)
+    world.coordinator.measured((1, 2), 0.2)
+    world.tick(9.0)
+    assert len(planner.asked) == 2
+    world.tick(begun + 10.5 - world.now)
+    assert len(planner.asked) == (3 if replan else 2)
+    if replan:
+        assert world.roster.links == [(0, 1), (1, 2)]
+        world.coordinator.measured((0, 2), 1.2)
+        world.tick(11.0)
+        assert len(planner.asked) == 3  # a fifth more is not worth it
+        world.coordinator.measured((0, 2), 1.4)
+        world.tick(0.2)
+        assert len(planner.asked) == 4
+
+
+def test_a_plan_for_others_than_are_there_now_is_not_taken() -> None:
+    planner = Planner()
+    planner.ready = False
+    world = World(PLANNED.format(replan="false"), planner=planner)
+    for number in range(3):
+        world.join(number, f"{number}")
+    for pair, both in (((0, 1), 0.1), ((0, 2), 0.2), ((1, 2), 0.3)):
+        world.coordinator.measured(pair, both)
+    world.tick(0.2)
+    before = world.roster.links
+    world.coordinator.receive(Message(key(2), "leave", b"", direct=False), world.now)
+    planner.ready = True
+    links, epoch = world.roster.links, world.roster.epoch
+    assert links == [(0, 1)] != before
+    world.coordinator.tick(world.now, frozenset(world.present))
+    assert (world.roster.links, world.roster.epoch) == (links, epoch)
+
+
+def test_who_left_and_is_taken_up_again_is_waited_for_as_if_seen_now() -> None:
+    world = World()
+    world.join(1, "Ann")
+    world.join(2, "Ben")
+    ben = world.roster.of(key(2))
+    assert ben is not None
+    world.coordinator.receive(Message(key(2), "leave", b"", direct=False), world.now)
+    world.now = 50.0
+    world.coordinator.take_up(Roster(epoch=9, members=[ben]), frozenset([key(1), key(2)]), world.now)
+    world.present = {HOST, key(1)}
+    world.tick(ABSENT_AFTER - 0.5)
+    assert world.names == {0: "Ann", 1: "Ben"}
+    world.tick(1.0)
+    assert world.names == {0: "Ann"}
+
+
+def test_one_who_is_not_there_loses_its_slot_only_where_it_is_said_so() -> None:
+    def entry(slot: int, name: str, number: int) -> Entry:
+        return Entry(slot=slot, name=name, key=key(number).hex())
+
+    for instead in (False, True):
+        world = World()
+        world.join(1, "Ann")
+        world.join(2, "Ben")
+        other = Roster(epoch=9, members=[entry(0, "Eve", 5), entry(1, "Hal", 6), entry(3, "Gus", 7)])
+        there = frozenset([key(2), key(5), key(6), key(7)])  # Ann is not
+        world.coordinator.take_up(other, there, world.now, instead=instead)
+        assert world.names == ({0: "Eve", 1: "Ben"} if instead else {0: "Ann", 1: "Ben"}) | {3: "Gus"}
+        assert [one.slot for one in world.roster.members] == [0, 1, 3]
+        assert world.roster.owners()["Gus"] == key(7).hex()
+    gone = Roster(epoch=9, members=[entry(1, "Hal", 8)])  # nor for one who is not there itself
+    world.coordinator.take_up(gone, frozenset([key(5)]), world.now, instead=True)
+    assert world.names[1] == "Ben"
+
+
+def test_nobody_leaves_twice_and_nonsense_of_a_member_changes_nothing() -> None:
+    world = World()
+    world.join(1, "Ann")
+    before = world.roster
+    for sender, topic, body in ((9, "leave", b""), (1, "status", b"{}"), (9, "status", status(0, {1: 0.1}))):
+        world.coordinator.receive(Message(key(sender), topic, body, direct=False), world.now)
+    assert world.roster is before
+    assert world.coordinator._paths == {}
+
+
+def test_who_does_not_fit_need_not_ask_again_and_who_finds_no_room_may() -> None:
+    world = World()
+    for number in range(4):
+        world.join(number, f"guest {number}")
+    final: list[bool] = []
+    for number, body in ((7, BODY), (8, [5.0, 5.0])):
+        law = signature_of(world.session.scenario)
+        request = Join(name=f"guest {number}", fingerprint=body, version="1", law=law, start="0" * 16)
+        world.coordinator.receive(Message(key(number), "join", write(request), direct=False), world.now)
+        (out,) = world.coordinator.tick(world.now, frozenset(world.present))
+        refused = read(Refused, out.body)
+        assert refused is not None
+        final.append(refused.final)
+    assert final == [False, True]

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from tests.session.liar import Liar, Lie
+from tests.members.liar import Liar, Lie
 from tests.session.world import Person, World
 
 from cotouch.members import Status

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tests.session.liar import Liar
-from tests.session.lie import Lie
+from tests.members.liar import Liar
+from tests.members.lie import Lie
 from tests.session.world import Person, World
 
 from cotouch.errors import ScenarioError, SessionError

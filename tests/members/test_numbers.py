@@ -1,18 +1,16 @@
 """No number that anybody says is an error in the host or in a member, however large."""
 
 import json
-from io import StringIO
 from typing import Any
 
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from pydantic import TypeAdapter
-from rich.console import Console
+from tests.cli.shown import shown
 from tests.session.world import World
 from tests.thorough import examples
 
-from cotouch.cli._table import view
 from cotouch.members import Entry, LinkStatus, Roster, Status, write
 from cotouch.members._messages import LAST_EPOCH, Decided, Join, NameOwner, Refused, read
 from cotouch.members._succession import signed
@@ -113,8 +111,7 @@ def test_nothing_that_a_member_says_is_an_error(world: World, said: list[tuple[s
     world.run(0.06)
     assert world.host is not None
     world.host.watch.events.clear()
-    watch = world.host.watch
-    Console(file=StringIO(), width=200).print(view(watch, world.now, title="t", started=0.0))
+    assert shown(world)
     assert world.people[0].member.slot is not None
     assert world.people[1].member.slot is not None
 

@@ -4,17 +4,14 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from tests.session.attack import SPRING, play
-from tests.session.lie import Lie
+from tests.members.attack import SPRING, play
+from tests.members.lie import Lie
 from tests.session.turned import session, turning, volumes
 from tests.session.world import World
 
 from cotouch.body import lattice
 from cotouch.mechanics import CLOSURE_ALARM
-from cotouch.members import SessionFile, SharedModel
-from cotouch.members._shared_model import same_body
 from cotouch.recording import Recording, audit, read_recording, recordings_dataset
-from cotouch.recording._material import RecordedMaterial
 
 QUARTER = turning(0.5 * np.pi, 1.0)
 FLOATING, CELLS = 'frame = "floating"', 'model = "cells"'
@@ -83,7 +80,7 @@ def test_an_audit_finds_what_does_not_fit_its_material(turned: World) -> None:
     body = one.header.body
     assert body.material is not None
     said = body.material.body
-    softer = RecordedMaterial(
+    softer = type(body.material)(
         lattice((3, 3, 3), spacing=0.01, mass=0.1, stiffness=50.0, damping=0.02, model="cells")
         if body.material.material.model == "cells"
         else lattice((3, 3, 3), spacing=0.01, mass=0.1, stiffness=50.0, damping=0.02, frame="floating")
@@ -97,22 +94,6 @@ def test_an_audit_finds_what_does_not_fit_its_material(turned: World) -> None:
     for name in ("closure", "closure_factor"):
         bent = {**one.columns, name: 2.0 * one.columns[name]}
         assert not audit([replace(one, columns=bent), *others]).holds, name
-
-
-def test_who_built_another_body_is_told_apart() -> None:
-    """Newcomers check the arrays of the law, each by itself."""
-
-    def built(model: str) -> list[float]:
-        return SharedModel.build(SessionFile.from_toml(session(model), source="a test")).fingerprint
-
-    body, same = CELLS, built(CELLS)
-    assert same_body(same, built(body))
-    for other in (FLOATING, "", 'model = "spring-network"\nneighbours = 18'):
-        assert not same_body(same, built(other))
-    text = session(body)
-    for line, instead in (("stiffness = 60.0", "stiffness = 60.1"), ("damping = 0.02", "damping = 0.0201")):
-        changed = SharedModel.build(SessionFile.from_toml(text.replace(line, instead), source="a test")).fingerprint
-        assert not same_body(same, changed)
 
 
 LIES = {

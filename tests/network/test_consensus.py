@@ -10,7 +10,7 @@ from tests.network.support import GRAPHS, five_users, mixings, pairs, random_net
 from tests.thorough import examples
 
 from cotouch.errors import NetworkError
-from cotouch.network import complete, consensus_lags, cycle_period, mixing, ring, second_eigenvalue, slowest
+from cotouch.network import complete, consensus_lags, cycle_period, mixing, ring, slowest
 from cotouch.network._consensus import consensus_loop, lifted_matrix
 
 
@@ -49,13 +49,13 @@ def test_agrees_with_dense_eigenvalues(seed, convention, unit):
 def test_complete_graph_with_unit_delays():
     for n in (3, 4, 6):
         network = uniform(complete(n), n)
-        assert second_eigenvalue(network, time_unit=1.0) == pytest.approx(1 / (n - 1), abs=1e-12)
+        assert mixing(network, time_unit=1.0).value == pytest.approx(1 / (n - 1), abs=1e-12)
 
 
 def test_odd_ring_with_unit_delays():
     for n in (3, 5, 9):
         network = uniform(ring(n), n)
-        assert second_eigenvalue(network, time_unit=1.0) == pytest.approx(math.cos(math.pi / n), abs=1e-12)
+        assert mixing(network, time_unit=1.0).value == pytest.approx(math.cos(math.pi / n), abs=1e-12)
         # Lag 2 instead of 1: the same chain in the square of z.
         result = mixing(network, time_unit=1.0, convention="matrix")
         assert (result.value, result.period, result.time_constant_s) == (1.0, 2, math.inf)
@@ -94,7 +94,7 @@ def test_any_root_as_a_guess_leads_to_the_slowest(unit):
     network = five_users().with_links(pairs("12 14 23 24 34 45"))
     lags = consensus_lags(network, time_unit=unit, convention="matrix", rounding="exact")
     loop = consensus_loop(network, lags, unit)
-    expected = second_eigenvalue(network, time_unit=unit, convention="matrix")
+    expected = mixing(network, time_unit=unit, convention="matrix").value
     for start in (-5 + 100j, -0.1 + 3j, -3 + 310j):
         root, certain, _ = slowest(loop, np.pi / unit, np.array([start], dtype=np.complex128))
         assert certain
@@ -111,7 +111,7 @@ def test_a_finer_grid_agrees_with_the_dense_matrix():
             continue
         spring = network.linked_spring()
         values = moduli(lifted_matrix(spring / spring.sum(axis=1, keepdims=True), lags))
-        found = second_eigenvalue(network, time_unit=0.001, convention="matrix", rounding="nearest")
+        found = mixing(network, time_unit=0.001, convention="matrix", rounding="nearest").value
         assert found == pytest.approx(values[1], abs=1e-9)
 
 
@@ -178,4 +178,4 @@ def test_zero_delay_is_for_the_matrix_convention():
     network = uniform(complete(3), 3, delay=0.0)
     with pytest.raises(NetworkError, match="at least 1"):
         mixing(network, time_unit=1.0)
-    assert second_eigenvalue(network, time_unit=1.0, convention="matrix") == pytest.approx(0.5, abs=1e-12)
+    assert mixing(network, time_unit=1.0, convention="matrix").value == pytest.approx(0.5, abs=1e-12)

@@ -20,14 +20,11 @@ from cotouch.network import (
     exact_margin,
     exact_scaling,
     link_damping,
-    minimax_damping,
     path,
     ring,
     rule_damping,
     star,
-    sum_damping,
     sync_hermitian,
-    weighted_damping,
 )
 
 SPD = np.array([[2.0, 0.5], [0.5, 1.0]])
@@ -78,12 +75,12 @@ def test_minimax_is_the_perron_eigenvalue_and_no_weights_do_better(seed):
     rng = np.random.default_rng(seed)
     network = random_network(rng)
     ages = rng.uniform(0.01, 1.0, (network.size,) * 2)
-    best = minimax_damping(network, ages=ages)[:, 0]
+    best = damping_for(network, "minimax", ages=ages)[:, 0]
     G = (ages + ages.T) / 2 * network.linked_spring()
     np.testing.assert_allclose(best, np.linalg.eigvalsh(G)[-1], rtol=1e-10)
     for _ in range(20):
         d = np.exp(rng.normal(0, 0.5, network.size))
-        assert weighted_damping(network, d, ages=ages).max() >= best.max() * (1 - 1e-12)
+        assert damping_for(network, "rule", weights=d, ages=ages).max() >= best.max() * (1 - 1e-12)
 
 
 @pytest.mark.parametrize("basis", ["ages", "index"])
@@ -109,7 +106,7 @@ def test_minimax_and_sum_agree_with_an_optimiser_over_every_share_of_every_link(
         cheapest = scipy.optimize.minimize(
             lambda t, costs=costs: costs @ damping(t), np.zeros(len(links)), method="BFGS", tol=1e-10
         )
-        found = sum_damping(network, costs=costs, **declared)[:, 0]
+        found = damping_for(network, "sum", costs=costs, **declared)[:, 0]
         assert costs @ found == pytest.approx(cheapest.fun, rel=1e-6)
 
         def worst(z):
@@ -122,18 +119,18 @@ def test_minimax_and_sum_agree_with_an_optimiser_over_every_share_of_every_link(
             method="SLSQP",
             options={"ftol": 1e-12, "maxiter": 500},
         )
-        assert minimax_damping(network, **declared).max() == pytest.approx(level.fun, rel=1e-5)
+        assert damping_for(network, "minimax", **declared).max() == pytest.approx(level.fun, rel=1e-5)
 
 
 def test_sum_with_equal_costs_is_the_plain_rule_for_ages():
     network = five_users()
-    np.testing.assert_allclose(sum_damping(network), rule_damping(network))
-    np.testing.assert_allclose(weighted_damping(network, np.ones(5)), rule_damping(network))
+    np.testing.assert_allclose(damping_for(network, "sum"), rule_damping(network))
+    np.testing.assert_allclose(damping_for(network, "rule", weights=np.ones(5)), rule_damping(network))
 
 
 def test_minimax_treats_components_and_lonely_users_by_themselves():
     network = uniform([(0, 1), (2, 3), (3, 4)], 6, spring=2.0)
-    damping = minimax_damping(network, ages=off_diagonal(0.5, 6))[:, 0]
+    damping = damping_for(network, "minimax", ages=off_diagonal(0.5, 6))[:, 0]
     np.testing.assert_allclose(damping, [1, 1, 2**0.5, 2**0.5, 2**0.5, 0])
 
 
@@ -190,7 +187,7 @@ def test_index_rule_with_own_varying_periods_never_gives_energy_away(fraction):
         longest = rng.uniform(0.02, 0.3, 3)
         steps = rng.integers(0, 5, (3, 3))
         d = {"rule": np.ones(3), "own": 1 / longest, "random": np.exp(rng.normal(size=3))}[fraction]
-        beta = weighted_damping(network, d, index_delay=steps, periods=longest)
+        beta = damping_for(network, "rule", weights=d, index_delay=steps, periods=longest)
         if fraction == "own":
             half = (steps + steps.T) / 2 * network.linked_spring()
             np.testing.assert_allclose(beta[:, 0], longest * half.sum(axis=1), err_msg="one's own period, d = 1/T")
@@ -257,8 +254,8 @@ def test_age_rule_covers_the_freshest_sample_at_any_rate():
         Q, user, ages = freshest_energy(network, rng)
         for beta in (
             rule_damping(network, ages=ages),
-            minimax_damping(network, ages=ages),
-            weighted_damping(network, np.exp(rng.normal(size=3)), ages=ages),
+            damping_for(network, "minimax", ages=ages),
+            damping_for(network, "rule", weights=np.exp(rng.normal(size=3)), ages=ages),
         ):
             B = beta[user, 0]
             assert np.linalg.eigvalsh(Q + np.diag(B))[0] > -1e-9 * B.max()
@@ -450,7 +447,7 @@ def test_margins_say_how_much_can_go(seed):
     network = random_network(rng)
     n = network.size
     ages = rng.uniform(0.05, 0.3, (n, n))
-    damping = minimax_damping(network, ages=ages) * rng.uniform(1.1, 2.0, (n, 1))
+    damping = damping_for(network, "minimax", ages=ages) * rng.uniform(1.1, 2.0, (n, 1))
     checked = certify(network, ages=ages, damping=damping)
     weighted, rule = checked["weighted"], checked["rule"]
     assert weighted.holds
@@ -572,5 +569,8 @@ def test_refuses(options, words):
 def test_exact_refuses_a_list_of_periods():
     with pytest.raises(NetworkError, match="one common period"):
         exact_scaling(five_users(), period=[0.1] * 5, damping=np.ones(5))
-    with pytest.raises(NetworkError, match="d of user 2 is 0"):
-        weighted_damping(five_users(), [1, 0, 1, 1, 1])
+    for method, name in (("sum", "costs"), ("rule", "weights")):
+        with pytest.raises(NetworkError, match=f"{name} of user 2 is 0"):
+            damping_for(five_users(), method, **{name: [1, 0, 1, 1, 1]})
+        with pytest.raises(NetworkError, match=f'{name} are given with method "minimax"'):
+            damping_for(five_users(), "minimax", **{name: np.ones(5)})

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 from tests.recording.driven import Driven, pulled
+from tests.simulation.stepped import Stepped
 
 from cotouch.body import lattice, point
 from cotouch.errors import RecordingError
@@ -15,7 +16,6 @@ from cotouch.recording import Audit, audit, read_recording
 from cotouch.recording._links import align
 from cotouch.scenario import Scenario
 from cotouch.simulation import prepare
-from cotouch.simulation._peers import _World
 
 THREE = np.array([[0.0, 0.02, 0.05], [0.03, 0.0, np.inf], [0.01, np.inf, 0.0]])
 STRONG = {0: pulled(amplitude=0.3, stiffness=200.0)}
@@ -325,7 +325,7 @@ def recorded_world(scenario: Scenario, folder: Path) -> list[Path]:
     from cotouch.recording import RecordedBody, Recorder, RecordHeader
 
     prepared = prepare(scenario)
-    world = _World(prepared)
+    world = Stepped(prepared)
     recorders: list[Recorder] = []
     for i, peer in enumerate(world.peers):
         header = RecordHeader(
@@ -349,16 +349,11 @@ def recorded_world(scenario: Scenario, folder: Path) -> list[Path]:
             tool_mass=[] if tools is None else tools.mass[tools.first : tools.last],
         )
         recorders.append(recorder)
-    step = world._step
 
-    def recorded(peer: Peer, now: float, T: float) -> Sample:
-        sample = step(peer, now, T)
-        report = world.reports[peer.index][-1]
+    def recorded(peer: Peer, report: StepReport, now: float, T: float) -> None:
         recorders[peer.index].step(report, end=now, T=T, state=peer.state, tools=peer.tools)
-        return sample
 
-    world._step = recorded  # type: ignore[method-assign]
-    world.run()
+    world.run(recorded)
     for recorder in recorders:
         assert recorder.close().failure is None
     return [folder / f"{i}.mcap" for i in range(len(recorders))]

@@ -13,7 +13,6 @@ import pytest
 from mcap.writer import MCAP0_MAGIC
 from tests.recording.test_recorder import header, report, state
 
-from cotouch.cli._replay import _gaps
 from cotouch.errors import RecordingError
 from cotouch.recording import NewFile, Recorded, Recorder, audit, read_recording, recordings_dataset
 from cotouch.recording._disk import RawFile, make
@@ -241,7 +240,7 @@ def test_what_is_cut_off_is_replayed_audited_and_exported(tmp_path: Path, whole:
     assert done is not None
     read = read_recording(path)
     where = f"cut off after step {done.steps - 1}, {0.01 * done.steps:.2f} s from its start"
-    assert _gaps(read) == f"{path} is {where}: it ends before its index"
+    assert read.cut == f"{where}: it ends before its index"
     assert recordings_dataset([read]).sizes
     assert any(where in note for note in audit([read]).notes)
 

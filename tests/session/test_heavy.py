@@ -5,14 +5,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tests.session.attack import SPRING, play
-from tests.session.heavy import LIFT, SLICK, TABLE, WEIGHT, session
-from tests.session.lie import Lie
+from tests.members.attack import SPRING, play
+from tests.members.lie import Lie
+from tests.session.heavy import LIFT, SLICK, WEIGHT, session
 from tests.session.world import Person, World
 
 from cotouch.errors import ScenarioError
 from cotouch.members import SessionFile, SharedModel
-from cotouch.members._shared_model import same_body
 from cotouch.recording import Recording, audit, read_recording, recordings_dataset
 
 
@@ -153,16 +152,6 @@ def test_an_audit_finds_another_table(lifted: World, number: int) -> None:
     other = type(material)(material.body, {**material.world, "law": laws})
     header = replace(one.header, body=replace(one.header.body, material=other))
     assert "damping" in {finding.place for finding in audit([replace(one, header=header)]).findings}
-
-
-def test_who_built_another_world_is_told_apart() -> None:
-    def built(text: str) -> list[float]:
-        return SharedModel.build(SessionFile.from_toml(text, source="a test")).fingerprint
-
-    same = built(session())
-    assert same_body(same, built(session()))
-    for one, other in (("stiffness = 1e6", "stiffness = 1.01e6"), ("-9.81", "-9.8"), (TABLE, SLICK), (TABLE, "")):
-        assert not same_body(same, built(session().replace(one, other)))
 
 
 def test_who_begins_in_the_table_is_told() -> None:

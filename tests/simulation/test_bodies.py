@@ -111,7 +111,7 @@ def test_a_file_says_all_of_it() -> None:
         ),
         ({"bodies": [{**DIE, "name": "a", "copies": 2}]}, "copies is 2, but step is missing"),
         ({"body": DIE}, "body and bodies are given; give [body] for one object, or [[bodies]] for several"),
-        ({"between": {"friction": 0.1, "kinetic_friction": 0.2}}, "kinetic friction between bodies is 0.2"),
+        ({"between": {"friction": 0.1, "kinetic_friction": 0.2}}, "kinetic_friction is 0.2, but friction is 0.1"),
         ({"hands": [{"user": 1, "body": "c"}]}, 'hands[1].body is "c"; there are "die 1", "die 2"'),
         ({"hands": [{"user": 1, "body": "die 1", "node": 99}]}, 'hands[1].node is 99; "die 1" has nodes 1 to'),
     ],

@@ -12,11 +12,10 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from cotouch.errors import OutputError, ScenarioError
+from cotouch.errors import OutputError
 from cotouch.network import Network, connected_graphs, mixing, rightmost_root
 from cotouch.scenario import Scenario
 from cotouch.study import Reproduction, five_users, reproduce
-from cotouch.study import _data as data
 from cotouch.study._tick import worst_tick
 
 # theory.md, section 6
@@ -402,23 +401,10 @@ class TestReport:
             assert links in html
 
 
-class TestWhereTheDataLie:
-    def test_in_the_sources(self) -> None:
-        path = five_users()
-        network = Network.read(path)
-        assert network.users == ("1", "2", "3", "4", "5")
-        assert sum(1 for _ in connected_graphs(network, links=6)) == 205
-
-    def test_beside_the_package_first(self, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-        installed = tmp_path / "five-users.toml"
-        installed.write_text("")
-        monkeypatch.setattr(data, "files", lambda _: tmp_path)
-        assert five_users() == installed
-
-    def test_nowhere(self, monkeypatch: pytest.MonkeyPatch) -> None:
-        monkeypatch.setattr(data, "_FILE", "six-users.toml")
-        with pytest.raises(ScenarioError, match=r"six-users\.toml"):
-            five_users()
+def test_the_papers_choices_of_links() -> None:
+    network = Network.read(five_users())
+    assert network.users == ("1", "2", "3", "4", "5")
+    assert sum(1 for _ in connected_graphs(network, links=6)) == 205
 
 
 def test_folder_that_cannot_be_made(tmp_path: Path) -> None:

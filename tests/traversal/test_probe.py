@@ -7,8 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from cotouch.errors import SessionError
-from cotouch.samples import Address
-from cotouch.samples._seal import VERSION
+from cotouch.samples import Address, Refusal, connection_of
 from cotouch.traversal import PROBE, member_key, pair_keys
 from cotouch.traversal._probe import PAIR_BYTES, Kind, ask, label_of, ping, pong, read_pair, tell, told
 
@@ -36,7 +35,8 @@ def test_who_asks_is_told_its_address(host, port: int, nonce: bytes):
     answer = tell(key, question, Address(str(host), port), lambda nonce, host: b"cook")
     assert told(key, answer) == (nonce, Address(str(host), port), b"cook")
     assert len(answer) <= len(question)
-    assert question[0] == answer[0] == PROBE != VERSION
+    assert question[0] == answer[0] == PROBE
+    assert connection_of(question + bytes(64)) is Refusal.VERSION, "taken for no sample"
 
 
 def test_an_address_is_not_found_in_the_answer():

@@ -8,12 +8,11 @@ from cotouch.body._eigenspaces import canonical
 from cotouch.body._from_surface import MOST_TRIANGLES, body_from_surface
 from cotouch.body._from_tetrahedra import MOST_ELEMENTS, body_from_tetrahedra
 from cotouch.body._ground import Box, Held, NodeSet, Plane
-from cotouch.body._material import Frame, Material, MaterialModel
+from cotouch.body._material import Frame, Material
 from cotouch.body._mesh_material import SolidModel, SurfaceModel
 from cotouch.body._origin import Origin
 from cotouch.body._part import Part
-from cotouch.body._reading import UNITS
-from cotouch.body._rigid import RATE, VISCOSITY, rigid_body
+from cotouch.body._rigid import rigid_body
 from cotouch.body._shapes import rigid_box, rigid_cylinder, rigid_sphere, turning
 from cotouch.body._skin import Skin
 from cotouch.body._statics import lowest_modes
@@ -27,11 +26,8 @@ __all__ = [
     "MOST_ELEMENTS",
     "MOST_NODES",
     "MOST_TRIANGLES",
-    "RATE",
     "SIGNS",
     "SURFACES",
-    "UNITS",
-    "VISCOSITY",
     "VOLUMES",
     "Body",
     "Box",
@@ -41,7 +37,6 @@ __all__ = [
     "Ground",
     "Held",
     "Material",
-    "MaterialModel",
     "Matrix",
     "NodeSet",
     "Origin",

@@ -5,6 +5,7 @@ from typing import Final, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
+from scipy.spatial.transform import Rotation
 
 from cotouch.arrays import Float
 from cotouch.body._body import Body
@@ -20,6 +21,10 @@ _MOST_CELLS: Final = 200
 # Sides of a cylinder at least: the corners of so many are as far out as it, what they stand for a thousandth less.
 _ROUND = 24
 _NOWHERE = (0.0, 0.0, 0.0)
+# A body may be so many of its own sizes away before its shape is lost in rounding.
+OFF: Final = 1e6
+# What is turned further is a mistake [rad].
+_TURNS: Final = 100.0
 
 
 def rigid_box(
@@ -145,7 +150,9 @@ def _made(
     for label, value, unit in (("density", density, "kg/m³"), ("mass", mass, "kg")):
         if value is not None and not (np.isfinite(one_number(label, value)) and value > 0.0):
             raise BodyError(f"{label} is {value}; it must be more than 0 {unit}")
-    middle, turned = np.array(_numbers("centre", centre)), turning(_numbers("turn", turn))
+    size = float(np.ptp(vertices, axis=0).max())
+    middle = np.array(three("centre", centre, OFF * size, f" of at most {OFF * size:.3g} m, a million times its size"))
+    turned = turning(turn)
     edges = vertices[triangles] - np.roll(vertices[triangles], 1, axis=1)
     places = vertices @ turned.T + middle
     return rigid_body(
@@ -169,18 +176,18 @@ def _made(
     )
 
 
-def turning(turn: Sequence[float]) -> Float:
+def turning(turn: Sequence[float], name: str = "turn") -> Float:
     """The rotation about an axis by its length, (3, 3) [Rodrigues].
 
     Args:
         turn: along the axis, as long as the angle [rad].
+        name: of it, for the message.
+
+    Raises:
+        BodyError: it is not three numbers, or more than some turns.
     """
-    angle = float(np.linalg.norm(turn))
-    if angle == 0.0:
-        return np.eye(3)
-    x, y, z = np.asarray(turn, dtype=np.float64) / angle
-    cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-    return np.eye(3) + np.sin(angle) * cross + (1.0 - np.cos(angle)) * cross @ cross
+    vector = three(name, turn, _TURNS, f" of at most {_TURNS:g} rad")
+    return Rotation.from_rotvec(vector).as_matrix()
 
 
 def _cells(resolution: int) -> int:
@@ -189,9 +196,20 @@ def _cells(resolution: int) -> int:
     return int(resolution)
 
 
-def _numbers(name: str, values: Sequence[float]) -> list[float]:
-    if len(values) != 3 or not np.isfinite(values).all():
-        raise BodyError(f"{name} is {list(values)}; it must be three finite numbers")
+def three(name: str, values: Sequence[float], most: float = np.inf, why: str = "") -> list[float]:
+    """Three numbers, each finite and not beyond a bound.
+
+    Args:
+        name: of them, for the message.
+        values: anything of that many.
+        most: the bound.
+        why: what the message says of the bound.
+
+    Raises:
+        BodyError: they are not.
+    """
+    if len(values) != 3 or not np.isfinite(values).all() or max(map(abs, values)) > most:
+        raise BodyError(f"{name} is {list(values)}; it must be three finite numbers{why}")
     return [float(value) for value in values]
 
 

@@ -1,6 +1,5 @@
 """Several bodies as one: their nodes side by side, nothing between them but what contact does."""
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, final
@@ -13,7 +12,7 @@ from cotouch.body._body import Body
 from cotouch.body._checks import SumOfSquares
 from cotouch.body._material import Material
 from cotouch.body._part import Part
-from cotouch.body._shapes import turning
+from cotouch.body._shapes import OFF, three, turning
 from cotouch.body._skin import Skin
 from cotouch.errors import BodyError, UnsupportedError
 
@@ -22,8 +21,6 @@ _MATRICES = ("mass", "damping_int", "damping_ext", "stiffness_int", "stiffness_e
 _INNER = ("damping_int", "stiffness_int")
 # Extents that differ by less than this share are the same.
 _SAME = 0.01
-# A body may be so many of its own sizes away.
-_OFF = 1e6
 
 
 @final
@@ -117,15 +114,14 @@ def _check(placed: Placed, names: list[str]) -> None:
     if body.dimension != 3 or body.skin is None or not body.skin.triangles.size:
         what = f"has {body.dimension} axes" if body.dimension != 3 else "has no skin"
         raise UnsupportedError(f'body "{name}" {what}; bodies meet by their skins, so take it from a mesh or a lattice')
-    for what, values in (("at", placed.at or (0.0, 0.0, 0.0)), ("turn", placed.turn)):
-        if len(values) != 3 or not all(math.isfinite(value) for value in values):
-            raise BodyError(f'{what} of body "{name}" is {list(values)}; it must be three finite numbers')
     size = float(np.ptp(body.rest, axis=0).max())
-    if placed.at is not None and max(map(abs, placed.at)) > _OFF * size:
-        raise BodyError(
-            f'at of body "{name}" is {list(placed.at)}; it must be within {_OFF * size:.3g} m, a million times its '
-            "size, or its shape is lost in rounding"
-        )
+    three(
+        f'at of body "{name}"',
+        placed.at or (0.0, 0.0, 0.0),
+        OFF * size,
+        f" of at most {OFF * size:.3g} m, a million times its size",
+    )
+    turning(placed.turn, f'turn of body "{name}"')
 
 
 def _part(placed: Placed, first: int) -> Part:

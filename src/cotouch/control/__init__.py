@@ -5,7 +5,6 @@ from cotouch.control._control import ControlPlane, Message, Relayed
 from cotouch.control._control_memory import MemoryControl, MemoryControlNetwork
 from cotouch.control._control_router import ControlRouter
 from cotouch.control._control_zenoh import ZenohControl
-from cotouch.control._files import MOST_FILE
 from cotouch.control._invitation import Endpoint, Invitation
 from cotouch.control._listening import free_port, towards
 from cotouch.control._presence import Presence
@@ -13,7 +12,6 @@ from cotouch.control._sign import MOST_BODY, MOST_MESSAGE, MessageReader, Messag
 
 __all__ = [
     "MOST_BODY",
-    "MOST_FILE",
     "MOST_MESSAGE",
     "ControlPlane",
     "ControlRouter",

@@ -8,7 +8,6 @@ from cotouch.control._certificates import make_certificates
 from cotouch.control._gate import Gate, inner_endpoint
 from cotouch.control._invitation import Endpoint, Invitation, checked
 from cotouch.control._zenoh import close_session, configuration, open_session
-from cotouch.samples import Entropy
 
 
 @final
@@ -23,28 +22,20 @@ class ControlRouter:
         invitation: Invitation,
         *,
         listen: Sequence[Endpoint],
-        connect: Sequence[Endpoint] = (),
-        lease: float = 1.5,
-        entropy: Entropy = os.urandom,
     ) -> None:
         """Opens it.
 
         Args:
             invitation: to the session.
             listen: where members find it.
-            connect: other routers of the session.
-            lease: after which a silent member is gone [s].
-            entropy: gives so many bytes that nobody can guess.
 
         Raises:
             TransportError: a port is taken, or an address is not this machine's.
         """
-        certificates = make_certificates(invitation, entropy=entropy)
-        at, connect = [checked(endpoint) for endpoint in listen], [checked(endpoint) for endpoint in connect]
-        inner = inner_endpoint(entropy)
-        self._session = open_session(
-            configuration("router", certificates, listen=at, inner=inner, connect=connect, lease=lease)
-        )
+        certificates = make_certificates(invitation, entropy=os.urandom)
+        at = [checked(endpoint) for endpoint in listen]
+        inner = inner_endpoint(os.urandom)
+        self._session = open_session(configuration("router", certificates, listen=at, inner=inner))
         self._gate = None if inner is None or not at else Gate(at, inner, certificates)
 
     def close(self) -> None:

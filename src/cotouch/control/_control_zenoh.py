@@ -12,7 +12,7 @@ from cotouch.control._control import Message, Relayed
 from cotouch.control._files import Files
 from cotouch.control._forward import Forwarder
 from cotouch.control._held import HeldQueue
-from cotouch.control._invitation import Endpoint, Invitation, checked
+from cotouch.control._invitation import Endpoint, Invitation
 from cotouch.control._line import Line
 from cotouch.control._listening import Whereabouts, listening
 from cotouch.control._pairs import TAG_BYTES, PairTags
@@ -21,11 +21,11 @@ from cotouch.control._relays import Relays
 from cotouch.control._sign import MOST_MESSAGE, MessageReader, MessageRefusal, MessageWriter, cost_of
 from cotouch.control._sockets import tend_links
 from cotouch.control._starts import Starts
-from cotouch.control._zenoh import put
+from cotouch.control._zenoh import LEASE, put
 from cotouch.control._zenoh_keys import Kind, SessionKeys, sender_of, start_of
 from cotouch.errors import SessionError, TransportError
 from cotouch.pacing import give_back_memory
-from cotouch.samples import MOST_BYTES, Bucket, Entropy, Identity
+from cotouch.samples import MOST_BYTES, Bucket, Identity
 
 if TYPE_CHECKING:
     import zenoh
@@ -65,12 +65,6 @@ class ZenohControl:
         identity: Identity,
         *,
         listen: Endpoint | str | None = None,
-        routers: Sequence[Endpoint] | None = None,
-        multicast: bool = False,
-        lease: float = 1.5,
-        started: int | None = None,
-        entropy: Entropy = os.urandom,
-        clock: Callable[[], float] = time.monotonic,
     ) -> None:
         """Joins.
 
@@ -80,12 +74,6 @@ class ZenohControl:
             listen: where this member listens: an endpoint; an address in numbers, then on any free port; `"reachable"`
                 for the address by which this machine reaches the host. None: the host where the invitation says, the
                 others on 127.0.0.1, where only members on the same machine find them.
-            routers: instead of the invitation's.
-            multicast: whether members are also looked for on the local network.
-            lease: after which a silent member is gone [s].
-            started: unix time; None: now [ns].
-            entropy: gives so many bytes that nobody can guess.
-            clock: gives the time of arrivals [s].
 
         Raises:
             SessionError: the address to listen on is none.
@@ -93,9 +81,8 @@ class ZenohControl:
         """
         self.dropped = Counter[str]()
         self._identity = identity
-        self._clock = clock
         self._keys = SessionKeys(invitation, identity.public)
-        self._writer = MessageWriter(identity, invitation.id, started=started or time.time_ns())
+        self._writer = MessageWriter(identity, invitation.id, started=time.time_ns())
         self._reader = MessageReader(identity.public, invitation.id)
         self._lock = threading.Lock()  # among Zenoh's threads only
         self._inbox, self._outbox = HeldQueue[Message](), HeldQueue[_Said]()
@@ -105,12 +92,12 @@ class ZenohControl:
             frozenset()
         )  # who is said to be connected: by anybody, so it only helps to choose a way
         self._shunned = frozenset[bytes]()
-        self._presence = Presence(identity, invitation.id, entropy, window=lease + _PATIENCE)
+        self._presence = Presence(identity, invitation.id, os.urandom, window=LEASE + _PATIENCE)
         self._beating = threading.Event()
         self._changed: float | None = None  # when somebody came or went, since memory was given back
         self._closed = False
 
-        routers = invitation.routers if routers is None else tuple(checked(router) for router in routers)
+        routers = invitation.routers
         self._invitation, self._host = invitation, invitation.host
         host = identity.public == invitation.host
         # Who listens where this machine reaches the host goes where that goes.
@@ -118,18 +105,17 @@ class ZenohControl:
         self._whereabouts, self._serviced = Whereabouts(None if host else invitation), 0.0
 
         def opened(at: Sequence[Endpoint]) -> Line:
-            return Line(
-                invitation, at, mode="client" if routers else "peer",
-                connect=routers or (() if host else invitation.endpoints),
-                lease=lease, multicast=multicast, entropy=entropy, clock=clock,
-            )  # fmt: skip
+            dialled = routers or (() if host else invitation.endpoints)
+            return Line(invitation, at, mode="client" if routers else "peer", connect=dialled)
 
-        self._opened, self._entropy = opened, entropy
+        self._opened = opened
         self._mover: threading.Thread | None = None
         self._line = opened(() if routers else listening(invitation, listen, host=host))
         self._files = Files(self._session, self._keys.prefix, self._keys.me)
         self._forwarder = (
-            Forwarder(self._session, self._keys.prefix, PairTags(identity, invitation.id), clock) if host else None
+            Forwarder(self._session, self._keys.prefix, PairTags(identity, invitation.id), time.monotonic)
+            if host
+            else None
         )
         self._declare(self._line)
         self._speaker = threading.Thread(target=self._speak, name="cotouch speaker", daemon=True)
@@ -180,7 +166,7 @@ class ZenohControl:
 
     def present(self) -> frozenset[bytes]:
         """Public keys of all others who show that they are there."""
-        return frozenset() if self._closed else self._presence.present(self._clock()) - self._shunned
+        return frozenset() if self._closed else self._presence.present(time.monotonic()) - self._shunned
 
     def shun(self, members: frozenset[bytes]) -> None:
         """From now on nothing of these members is taken or handed on, and of nobody else."""
@@ -261,7 +247,7 @@ class ZenohControl:
             line.session.declare_subscriber(keys.mine(kind), Callback(receive, indirect=False), allowed_origin=others)
         line.session.liveliness().declare_subscriber(keys.starts, Callback(lives, indirect=False), history=True)
         # A name of its own for every start: the end of an earlier one must not hide this one.
-        self._token = line.session.liveliness().declare_token(keys.start(self._entropy(8).hex(), line.own))
+        self._token = line.session.liveliness().declare_token(keys.start(os.urandom(8).hex(), line.own))
 
     def _speak(self) -> None:
         limit = Bucket(_RATE, _BURST)
@@ -291,8 +277,8 @@ class ZenohControl:
         while True:
             with self._lock:
                 leaving = self._closed
-                beat = self._presence.beat(self._clock(), leaving=leaving)
-                wait = self._presence.wait(self._clock())
+                beat = self._presence.beat(time.monotonic(), leaving=leaving)
+                wait = self._presence.wait(time.monotonic())
             if beat is not None and not put(self._session, self._keys.to("beat"), beat, priority="INTERACTIVE_LOW"):
                 self.dropped["closed"] += 1
             if leaving:
@@ -342,7 +328,7 @@ class ZenohControl:
         if len(sample.payload) > MOST_BEAT:
             return
         with self._lock:
-            now = self._clock()
+            now = time.monotonic()
             before = self._presence.wait(now)
             self._presence.receive(sample.payload.to_bytes(), now)
             if self._presence.wait(now) < before:
@@ -361,7 +347,7 @@ class ZenohControl:
             if raw[4:36] in self._shunned:
                 self.dropped["shunned"] += 1
                 return
-            message = self._reader.read(raw, self._clock())
+            message = self._reader.read(raw, time.monotonic())
             if isinstance(message, MessageRefusal):
                 return
             if not self._inbox.put(message, len(message.body)):
@@ -370,7 +356,7 @@ class ZenohControl:
     def _handed(self, sample: "zenoh.Sample") -> None:
         sender = sender_of(str(sample.key_expr))
         raw = sample.payload.to_bytes() if len(sample.payload) <= MOST_BYTES + TAG_BYTES else b""
-        self._relays.take(None if sender in self._shunned else sender, raw, self._clock())
+        self._relays.take(None if sender in self._shunned else sender, raw, time.monotonic())
 
     def _lives(self, sample: "zenoh.Sample", line: Line) -> None:
         import zenoh

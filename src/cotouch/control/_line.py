@@ -1,7 +1,9 @@
 """What a member opens at one address: Zenoh's session, its gate, and who introduces. Another address, another line."""
 
+import os
 import threading
-from collections.abc import Callable, Sequence
+import time
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, final
 
 from cotouch.control._certificates import make_certificates
@@ -10,7 +12,6 @@ from cotouch.control._introducer import Introducer
 from cotouch.control._invitation import Endpoint, Invitation
 from cotouch.control._listening import advertised
 from cotouch.control._zenoh import Mode, close_session, configuration, open_session
-from cotouch.samples import Entropy
 
 if TYPE_CHECKING:
     import zenoh
@@ -32,10 +33,6 @@ class Line:
         *,
         mode: Mode,
         connect: Sequence[Endpoint],
-        lease: float,
-        multicast: bool,
-        entropy: Entropy,
-        clock: Callable[[], float],
     ) -> None:
         """Opens it.
 
@@ -44,28 +41,22 @@ class Line:
             at: where it listens.
             mode: a peer, or behind routers a client.
             connect: whom it dials.
-            lease: after which a silent member is gone [s].
-            multicast: whether members are also looked for on the local network.
-            entropy: gives so many bytes that nobody can guess.
-            clock: [s].
 
         Raises:
             TransportError: the address is taken or not this machine's, or no router answers.
         """
-        certificates = make_certificates(invitation, entropy=entropy)
-        inner = inner_endpoint(entropy)
+        certificates = make_certificates(invitation, entropy=os.urandom)
+        inner = inner_endpoint(os.urandom)
         self.own = advertised(at[0], invitation) if at else None
-        self.session = open_session(
-            configuration(mode, certificates, listen=at, inner=inner, connect=connect, lease=lease, multicast=multicast)
-        )
+        self.session = open_session(configuration(mode, certificates, listen=at, inner=inner, connect=connect))
         self._gate = None if inner is None or not at else Gate(at, inner, certificates)
         self._introducer: Introducer | None = None  # behind routers, the routers introduce
         if self.own is not None:
 
             def beside(endpoints: Sequence[Endpoint]) -> "zenoh.Session":
-                return open_session(configuration("peer", certificates, connect=endpoints, lease=lease, dial=False))
+                return open_session(configuration("peer", certificates, connect=endpoints, dial=False))
 
-            self._introducer = Introducer(self.own, beside, clock)
+            self._introducer = Introducer(self.own, beside, time.monotonic)
 
     def back(self, member: bytes) -> None:
         """This member is connected again."""

@@ -16,6 +16,8 @@ from cotouch.errors import TransportError
 if TYPE_CHECKING:
     import zenoh
 
+# After which a silent neighbour is gone [s].
+LEASE = 1.5
 # One chunk of a file and its envelope: what is longer is not put together at all.
 _MOST_MESSAGE = 1 << 20
 # Opening takes four ways there and back, of up to 2 s each in the paper's network; who was found by gossip is dialled
@@ -37,9 +39,7 @@ def configuration(
     listen: Sequence[Endpoint] = (),
     inner: str | None = None,
     connect: Sequence[Endpoint] = (),
-    lease: float = 1.5,
     dial: bool = True,
-    multicast: bool = False,
 ) -> str:
     """Zenoh's configuration for one session.
 
@@ -49,9 +49,7 @@ def configuration(
         listen: where it listens; nowhere else.
         inner: address of this machine where it also listens, on any free port, for its gate.
         connect: whom it dials, again and again until there is an answer.
-        lease: after which a silent neighbour is gone [s].
         dial: whether a peer dials those of whom it hears from others.
-        multicast: whether a peer looks for others on its local network.
     """
     pem = {name: base64.b64encode(value).decode() for name, value in certificates._asdict().items()}
     tls = {
@@ -66,7 +64,8 @@ def configuration(
         "close_link_on_expiration": False,
     }
     # Mutual dialling can split a session, so one of the two dials: the one with the greater id.
-    found = {
+    gossip = {
+        "enabled": True,
         "autoconnect": {"router": [], "peer": ["peer"] if dial else []},
         "autoconnect_strategy": {"peer": {"to_router": "always", "to_peer": "greater-zid"}},
     }
@@ -84,7 +83,7 @@ def configuration(
         },
         # Who is there is seen by presence; opening need not wait for it.
         "open": {"return_conditions": {"connect_scouted": False}},
-        "scouting": {"delay": 0, "multicast": {"enabled": multicast, **found}, "gossip": {"enabled": True, **found}},
+        "scouting": {"delay": 0, "multicast": {"enabled": False}, "gossip": gossip},
         # Nobody reads or changes another's configuration, and nothing is loaded that could let them.
         "adminspace": {"enabled": False, "permissions": {"read": False, "write": False}},
         "plugins_loading": {"enabled": False},
@@ -96,7 +95,7 @@ def configuration(
                 "tls": tls,
                 "rx": {"max_message_size": _MOST_MESSAGE},
                 "tx": {
-                    "lease": round(1000 * lease),
+                    "lease": round(1000 * LEASE),
                     # A relayed datagram is of use now or never.
                     "queue": {"congestion_control": {"drop": {"wait_before_drop": 0}}},
                 },

@@ -18,7 +18,7 @@ from cotouch.device._models import CartesianPlant, DeviceModel, PhantomPlant, Se
 from cotouch.device._noticed import HAND_DAMPING, NOTICED, NOTICED_DRAG
 from cotouch.device._simulated import DeviceSample, SimulatedDevice
 from cotouch.device._spec import PRESETS, DeviceSpec, preset
-from cotouch.device._tables import DEVICE_LEDGER, Devices, DeviceState, Grasps, Plants, Servos
+from cotouch.device._tables import DEVICE_LEDGER, Devices, DeviceState
 
 __all__ = [
     "DEVICE_LEDGER",
@@ -34,11 +34,8 @@ __all__ = [
     "DeviceSpec",
     "DeviceState",
     "Devices",
-    "Grasps",
     "PhantomPlant",
-    "Plants",
     "ServoModel",
-    "Servos",
     "SimulatedDevice",
     "SimulatedHand",
     "account_energy",

@@ -3,6 +3,7 @@
 from cotouch.files._netcdf import NETCDF, write_netcdf
 from cotouch.files._plain import list_of, table_of
 from cotouch.files._read import MOST_TEXT, look, read_bytes, read_text, read_toml, toml
+from cotouch.files._shipped import shipped
 from cotouch.files._toml import toml_text
 from cotouch.files._write import beside, folder, prepare, write
 
@@ -17,6 +18,7 @@ __all__ = [
     "read_bytes",
     "read_text",
     "read_toml",
+    "shipped",
     "table_of",
     "toml",
     "toml_text",

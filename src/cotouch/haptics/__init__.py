@@ -4,9 +4,9 @@ from cotouch.haptics._conformance import CheckResult, conform
 from cotouch.haptics._core import Order, ServoCore, ServoReport
 from cotouch.haptics._coupling import COUPLING, LEAST_SCALE, MOST_SCALE, CouplingChoice, Scale, coupling_of
 from cotouch.haptics._device import Device, DeviceReading, Flag
-from cotouch.haptics._ends import DeviceEnd, EndOptions, ProxyEnd, Pull, checked
-from cotouch.haptics._frames import FORCE_DIMENSION, FRAMES, HAPLY, OPENHAPTICS, OPENXR, OURS, Frame
-from cotouch.haptics._limits import UNKNOWN_FORCE, SafetyLimits
+from cotouch.haptics._ends import DeviceEnd, EndOptions, ProxyEnd, checked
+from cotouch.haptics._frames import FORCE_DIMENSION, FRAMES, HAPLY, OPENHAPTICS, OPENXR, Frame
+from cotouch.haptics._limits import SafetyLimits
 from cotouch.haptics._link import ServoLink
 from cotouch.haptics._registry import (
     GROUP,
@@ -47,9 +47,7 @@ __all__ = [
     "MOST_SCALE",
     "OPENHAPTICS",
     "OPENXR",
-    "OURS",
     "SIMULATED",
-    "UNKNOWN_FORCE",
     "Cause",
     "CheckResult",
     "CouplingChoice",
@@ -66,7 +64,6 @@ __all__ = [
     "Option",
     "Order",
     "ProxyEnd",
-    "Pull",
     "SafetyChain",
     "SafetyLimits",
     "Scale",

@@ -1,7 +1,7 @@
 """Questions asked of many runs: what a hand feels, what happens where an option varies, and which law is best."""
 
 from cotouch.laboratory._cells import Progress
-from cotouch.laboratory._compare import FELT, compare
+from cotouch.laboratory._compare import compare
 from cotouch.laboratory._compare_report import write_report
 from cotouch.laboratory._feel_figure import impedance_figure
 from cotouch.laboratory._impedance import Others, impedance
@@ -12,7 +12,6 @@ from cotouch.laboratory._sweep import FIGURES, sweep, values_of, varied
 from cotouch.laboratory._trials import Books, Found, books, searched, trial
 
 __all__ = [
-    "FELT",
     "FIGURES",
     "MEASURES",
     "Books",

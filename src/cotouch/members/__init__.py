@@ -2,18 +2,17 @@
 
 from cotouch.members._admission import Admission, addresses_of
 from cotouch.members._coordinator import ABSENT_AFTER, Coordinator, Planner
-from cotouch.members._device_table import DeviceTable, coupling_of_slot
+from cotouch.members._device_table import coupling_of_slot
 from cotouch.members._emulate import path_laws
 from cotouch.members._felt import Felt, felt
-from cotouch.members._file import DEFAULT_RATE, MOST_USERS, SessionFile, SessionTable
+from cotouch.members._file import MOST_USERS, SessionFile
 from cotouch.members._hand import Hand, NoHand, ScriptedHand, Slot, no_ports
 from cotouch.members._host import Host
 from cotouch.members._links import Pair, delays_of, present_links
 from cotouch.members._member import Member
 from cotouch.members._messages import MOST_NOTICE, Decision, Entry, LinkStatus, Roster, Status, write
-from cotouch.members._neighbour import Neighbour
 from cotouch.members._pace import Pace, pace_numbers
-from cotouch.members._part import HandKind, Part, PartOutcome
+from cotouch.members._part import Part, PartOutcome
 from cotouch.members._paths import MemoryPaths, Paths, RoutedPaths
 from cotouch.members._replica import Replica
 from cotouch.members._session_recorder import SessionRecorder
@@ -26,23 +25,19 @@ from cotouch.members._watch import MemberState, SessionEvent, SessionWatch
 __all__ = [
     "ABSENT_AFTER",
     "ALARM",
-    "DEFAULT_RATE",
     "MOST_NOTICE",
     "MOST_USERS",
     "Admission",
     "Coordinator",
     "Decision",
-    "DeviceTable",
     "Entry",
     "Felt",
     "Hand",
-    "HandKind",
     "Host",
     "LinkStatus",
     "Member",
     "MemberState",
     "MemoryPaths",
-    "Neighbour",
     "NoHand",
     "Pace",
     "Pair",
@@ -57,7 +52,6 @@ __all__ = [
     "SessionEvent",
     "SessionFile",
     "SessionRecorder",
-    "SessionTable",
     "SessionWatch",
     "SharedModel",
     "Slot",

@@ -181,7 +181,6 @@ class Coordinator:
             raise SessionError(f"{MOST_BANNED} were sent away already; make a new session")
         left = [entry for entry in self.roster.members if entry.key != key]
         names = [bound for bound in self.roster.names if bound.key != key]
-        self._seen.pop(key, None)
         self._change(left, names=names, banned=[*self.roster.banned, key] if ban else None)
 
     def release(self, name: str) -> None:
@@ -272,8 +271,6 @@ class Coordinator:
     def _remove(self, keys: set[str]) -> None:
         left = [entry for entry in self.roster.members if entry.key not in keys]
         if len(left) < len(self.roster.members):
-            for key in keys:
-                self._seen.pop(key, None)
             self._change(left)
 
     def _change(
@@ -286,8 +283,7 @@ class Coordinator:
         if self._planner is None or self._chosen is not None:
             links = present_links(self._chosen or network, slots)
         else:  # what is there is kept until a plan is made, and everybody is joined to somebody
-            kept = network.with_links(self.roster.links) if self.roster.links else network.with_links([])
-            links = present_links(kept, slots)
+            links = present_links(network.with_links(self.roster.links), slots)
         self._announce(members, links, names=names, banned=banned)
 
     def _forget_paths(self, members: list[Entry]) -> None:

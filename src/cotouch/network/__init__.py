@@ -1,18 +1,15 @@
 """Who is joined to whom, how fast that brings them together, and what damping it takes to stay passive."""
 
-from cotouch.network._age_sums import AgeSums, Basis, age_sums_of
-from cotouch.network._certificate import Certificate, Mode, certify
+from cotouch.network._age_sums import AgeSums, age_sums_of
+from cotouch.network._certificate import Certificate, certify
 from cotouch.network._checks import one_user
 from cotouch.network._collocation import generator_eigenvalues
-from cotouch.network._consensus import Mixing, mixing, second_eigenvalue
+from cotouch.network._consensus import Mixing, mixing
 from cotouch.network._damping import (
     Method,
     damping_for,
     link_damping,
-    minimax_damping,
     rule_damping,
-    sum_damping,
-    weighted_damping,
 )
 from cotouch.network._decay import Decay, closed_loop, rightmost_root
 from cotouch.network._elimination import invert
@@ -22,7 +19,7 @@ from cotouch.network._lags import Convention, Rounding, consensus_lags, cycle_pe
 from cotouch.network._loop import Loop, characteristic
 from cotouch.network._network import Network
 from cotouch.network._resonance import none_beyond, slowest
-from cotouch.network._returns import Chain, arrive, chain_of, on_line, value
+from cotouch.network._returns import arrive, chain_of, on_line, value
 from cotouch.network._rightmost import rate_of, rightmost
 from cotouch.network._topologies import complete, connected_graphs, path, ring, star
 from cotouch.network._types import Pair
@@ -30,15 +27,12 @@ from cotouch.network._walk import polish
 
 __all__ = [
     "AgeSums",
-    "Basis",
     "Certificate",
-    "Chain",
     "Convention",
     "Decay",
     "Loop",
     "Method",
     "Mixing",
-    "Mode",
     "Network",
     "Pair",
     "Rounding",
@@ -60,7 +54,6 @@ __all__ = [
     "generator_eigenvalues",
     "invert",
     "link_damping",
-    "minimax_damping",
     "mixing",
     "none_beyond",
     "on_line",
@@ -72,11 +65,8 @@ __all__ = [
     "rightmost_root",
     "ring",
     "rule_damping",
-    "second_eigenvalue",
     "slowest",
     "star",
-    "sum_damping",
     "sync_hermitian",
     "value",
-    "weighted_damping",
 ]

@@ -69,20 +69,6 @@ def mixing(
     return Mixing(value=value, period=period, time_constant_s=-time_unit / math.log(value) if value > 0 else 0.0)
 
 
-def second_eigenvalue(
-    network: Network, *, time_unit: float, convention: Convention = "equation", rounding: Rounding = "exact"
-) -> float:
-    """Second largest |eigenvalue| of the lifted J: the `value` of `mixing`, which explains the arguments and errors.
-
-    Args:
-        network: of the users.
-        time_unit: of the lags [s].
-        convention: how users weigh each other.
-        rounding: of delays to lags.
-    """
-    return mixing(network, time_unit=time_unit, convention=convention, rounding=rounding).value
-
-
 def lifted_matrix(weights: FloatArray, lags: IntArray) -> FloatArray:
     """The chain as one square matrix, keeping of each user only the history that others still need.
 

@@ -44,17 +44,22 @@ def damping_for(
     index_delay: npt.ArrayLike | None = None,
     periods: npt.ArrayLike | None = None,
     costs: npt.ArrayLike | None = None,
+    weights: npt.ArrayLike | None = None,
 ) -> FloatArray:
     """Smallest damping that a method certifies: (N, 1 + number of weights) Ns/m, see the head of this module.
 
     Args:
         network: linked users.
-        method: "rule" (`rule_damping`), "minimax" (`minimax_damping`), "sum" (`sum_damping`), or "exact": the rule
-            scaled down until the exact test only just passes, for constant index delays and one constant period alone.
+        method: "rule" (`rule_damping`), "minimax": the largest `B_i` is smallest (`minimax_fractions`), "sum": `sum_i
+            costs_i B_i` is smallest, or "exact": the rule scaled down until the exact test only just passes, for
+            constant index delays and one constant period alone.
         ages: (N, N) s; as for `age_sums_of`.
         index_delay: (N, N) steps; as for `age_sums_of`.
         periods: s, one or (N,); as for `age_sums_of`.
-        costs: (N,) for "sum" alone.
+        costs: (N,) of the users' damping, > 0, for "sum" alone; None: all the same.
+        weights: (N,) > 0, for "rule" alone: moves its damping between the ends of links, `B_i = sum_j g_ij K_ij
+            d_j/d_i` with what the plain rule has there as g; the greater a user's, the less damping it has, and the
+            more its neighbours. None: the plain rule.
 
     Raises:
         NetworkError: an unknown method, or inputs that it does not take.
@@ -63,6 +68,8 @@ def damping_for(
         raise NetworkError(f'method is "{method}"; it must be "rule", "minimax", "sum" or "exact"')
     if costs is not None and method != "sum":
         raise NetworkError(f'costs are given with method "{method}"; only method "sum" has costs')
+    if weights is not None and method != "rule":
+        raise NetworkError(f'weights are given with method "{method}"; only method "rule" has weights')
     if method == "exact":
         if ages is not None or periods is None:
             raise NetworkError(
@@ -77,13 +84,18 @@ def damping_for(
         rule = rule_damping(network, index_delay=steps, periods=longest)
         return rule * exact_scaling(network, index_delay=steps, period=float(longest[0]), damping=rule)
     age_sums = age_sums_of(network, ages=ages, index_delay=index_delay, periods=periods)
-    return shared(network, age_sums, method_fractions(network, age_sums, method, costs=costs))
+    d = method_fractions(network, age_sums, method, costs=costs)
+    return shared(network, age_sums, d if weights is None else d * _positive(network, "weights", weights))
 
 
 def method_fractions(
     network: Network, age_sums: AgeSums, method: Method, *, costs: npt.ArrayLike | None = None
 ) -> FloatArray:
     """Weights d (N,) of a method that is not "exact".
+
+    Of "sum": every link adds `reach_ij K_ij (c_i d_j/d_i + c_j d_i/d_j)`, at least `2 reach_ij K_ij sqrt(c_i c_j)`, and
+    `d_i = sqrt(c_i)` reaches that on all links at once. With equal costs and ages it is the plain rule: nothing has a
+    smaller sum. For index delays g is not symmetric, the age sum is (see `Reach`), and the same holds.
 
     Args:
         network: of the users.
@@ -118,89 +130,16 @@ def rule_damping(
     return damping_for(network, "rule", ages=ages, index_delay=index_delay, periods=periods)
 
 
-def weighted_damping(
-    network: Network,
-    d: npt.ArrayLike,
-    *,
-    ages: npt.ArrayLike | None = None,
-    index_delay: npt.ArrayLike | None = None,
-    periods: npt.ArrayLike | None = None,
-) -> FloatArray:
-    """The rule with damping moved between the ends of links, `B_i = sum_j g_ij K_ij d_j/d_i`; other arguments as above.
-
-    g is what the plain rule has there. For index delays with different periods `g_ij = (N_ij + N_ji)/2 T_j` is not
-    symmetric; the weights are valid all the same, because only `c_ij c_ji` of the two shares matters and d cancels in
-    it (see `Reach`).
-
-    Args:
-        network: linked users.
-        d: (N,) any positive weights; the greater, the less damping this user and the more its neighbours carry.
-        ages: (N, N) s.
-        index_delay: (N, N) steps.
-        periods: s.
-
-    Raises:
-        NetworkError: a weight is not positive and finite.
-    """
-    age_sums = age_sums_of(network, ages=ages, index_delay=index_delay, periods=periods)
-    return shared(network, age_sums, age_sums.fractions * _positive(network, "d", d))
-
-
-def minimax_damping(
-    network: Network,
-    *,
-    ages: npt.ArrayLike | None = None,
-    index_delay: npt.ArrayLike | None = None,
-    periods: npt.ArrayLike | None = None,
-) -> FloatArray:
-    """The weights that make the largest `B_i` smallest, in closed form; arguments as for `damping_for`.
-
-    With `G_ij = reach_ij K_ij` the users of a connected component all get `B_i = (G d)_i / d_i = lambda`, the Perron
-    eigenvalue of G, with d its Perron vector. Nothing does better, not even shares chosen for every link alone: with
-    `c_ij c_ji >= reach_ij^2`, `sum_i d_i^2 B_i >= sum over links of 2 G_ij d_i d_j = lambda sum_i d_i^2`. (For weights
-    d alone this is the Collatz-Wielandt formula.) With weighted springs the sum of a user's coefficients is what is
-    levelled.
-
-    Args:
-        network: of the users.
-        ages: (N, N) [s].
-        index_delay: (N, N) in steps.
-        periods: of the users, with index delays [s].
-    """
-    return damping_for(network, "minimax", ages=ages, index_delay=index_delay, periods=periods)
-
-
-def sum_damping(
-    network: Network,
-    *,
-    costs: npt.ArrayLike | None = None,
-    ages: npt.ArrayLike | None = None,
-    index_delay: npt.ArrayLike | None = None,
-    periods: npt.ArrayLike | None = None,
-) -> FloatArray:
-    """The weights that make `sum_i costs_i B_i` smallest, in closed form; other arguments as for `damping_for`.
-
-    Every link adds `reach_ij K_ij (c_i d_j/d_i + c_j d_i/d_j)`, at least `2 reach_ij K_ij sqrt(c_i c_j)`, and `d_i =
-    sqrt(c_i)` reaches that on all links at once. With equal costs and ages it is the plain rule: nothing has a smaller
-    sum. For index delays g is not symmetric, the age sum is (see `Reach`), and the same holds.
-
-    Args:
-        network: linked users.
-        costs: (N,) positive; None counts all users alike.
-        ages: (N, N) s.
-        index_delay: (N, N) steps.
-        periods: s.
-    """
-    return damping_for(network, "sum", ages=ages, index_delay=index_delay, periods=periods, costs=costs)
-
-
 def shared(network: Network, age_sums: AgeSums, d: FloatArray) -> FloatArray:
-    """Coefficients of `B_i = sum_j reach_ij K_ij d_j/d_i`.
+    """The rule with damping moved between the ends of links: coefficients of `B_i = sum_j reach_ij K_ij d_j/d_i`.
+
+    Any weights are valid, because only `c_ij c_ji` of a link's two shares matters and d cancels in it (see `Reach`);
+    for index delays with different periods too, where a link's shares `(N_ij + N_ji)/2 T_j` are not symmetric.
 
     Args:
         network: of the users.
         age_sums: of both ends' ages on the links.
-        d: weights of the users, (N,) > 0.
+        d: weights of the users, (N,) > 0; the greater, the less damping this user and the more its neighbours carry.
     """
     fractions = age_sums.seconds * network.linked_spring() * d / d[:, None]
     beta = np.zeros((network.size, 1 + len(network.weights)))
@@ -210,7 +149,13 @@ def shared(network: Network, age_sums: AgeSums, d: FloatArray) -> FloatArray:
 
 
 def minimax_fractions(network: Network, age_sums: AgeSums) -> FloatArray:
-    """Perron vector of `reach_ij K_ij` in every connected component.
+    """Perron vector of `reach_ij K_ij` in every connected component: these weights make the largest `B_i` smallest.
+
+    With `G_ij = reach_ij K_ij` the users of a connected component all get `B_i = (G d)_i / d_i = lambda`, the Perron
+    eigenvalue of G, with d its Perron vector. Nothing does better, not even shares chosen for every link alone: with
+    `c_ij c_ji >= reach_ij^2`, `sum_i d_i^2 B_i >= sum over links of 2 G_ij d_i d_j = lambda sum_i d_i^2`. (For weights
+    d alone this is the Collatz-Wielandt formula.) With weighted springs the sum of a user's coefficients is what is
+    levelled.
 
     Args:
         network: of the users.

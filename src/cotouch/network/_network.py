@@ -257,11 +257,6 @@ class Network:
         adjacency = self.adjacency()
         return np.diag(adjacency.sum(axis=1)) - adjacency
 
-    def weighted_laplacian(self) -> FloatArray:
-        """Laplacian (N, N) of the spring strengths on the links, in N/m."""
-        spring = self.linked_spring()
-        return np.diag(spring.sum(axis=1)) - spring
-
     def link_matrix(self, i: int, j: int) -> float | FloatArray:
         """`K_ij` in N/m: a scalar where its weight is the identity, else an (r, r) matrix; 0 where there is no link.
 

@@ -3,7 +3,6 @@
 from cotouch.observers._child import ChildCall
 from cotouch.observers._command_client import CommandClient
 from cotouch.observers._commands import (
-    COMMANDS,
     FARTHEST,
     HAND_MODES,
     ChooseLinks,
@@ -22,7 +21,7 @@ from cotouch.observers._commands import (
 )
 from cotouch.observers._jobs import Jobs
 from cotouch.observers._lowered import LoweredDamping
-from cotouch.observers._mailboxes import HandCommand, MailboxFolder, mailbox_folder, size_of
+from cotouch.observers._mailboxes import HandCommand, MailboxFolder, mailbox_folder, size_of, view_fields
 from cotouch.observers._moment import LastMoment
 from cotouch.observers._recording import RecordingClient
 from cotouch.observers._session_api import (
@@ -38,7 +37,6 @@ from cotouch.observers._session_api import (
 from cotouch.observers._telemetry import TelemetryPublisher
 
 __all__ = [
-    "COMMANDS",
     "FARTHEST",
     "HAND_MODES",
     "ChildCall",
@@ -73,4 +71,5 @@ __all__ = [
     "mailbox_folder",
     "read_command",
     "size_of",
+    "view_fields",
 ]

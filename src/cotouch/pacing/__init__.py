@@ -1,13 +1,12 @@
 """Loops at a fixed rate: when their steps are, and what a process needs for them."""
 
-from cotouch.pacing._pacer import Pacer, PaceStatistics, Turn
+from cotouch.pacing._pacer import Pacer, PaceStatistics
 from cotouch.pacing._process import ProcessState, few_arenas, give_back_memory, prepare_process, real_time_refused
 
 __all__ = [
     "PaceStatistics",
     "Pacer",
     "ProcessState",
-    "Turn",
     "few_arenas",
     "give_back_memory",
     "prepare_process",

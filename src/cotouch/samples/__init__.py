@@ -5,7 +5,7 @@ from cotouch.samples._ages import AgeWindow, LinkAges
 from cotouch.samples._agreement import Agreement, Progress
 from cotouch.samples._assembly import Assembly
 from cotouch.samples._budget import MOST_AGE, BudgetAgreement
-from cotouch.samples._codec import AGED, ECHO, RENEW, Chunk, Codec, Heading, Written
+from cotouch.samples._codec import Chunk, Codec, Heading, Written
 from cotouch.samples._emulated_path import EmulatedPath, PathLaw
 from cotouch.samples._impaired import ImpairedTransport
 from cotouch.samples._indexed import IndexedAssembly
@@ -17,21 +17,17 @@ from cotouch.samples._plane import SampleLink, SamplePlane
 from cotouch.samples._rate import LOWEST_RATE, SendRate, Trend
 from cotouch.samples._refusal import Refusal
 from cotouch.samples._replay import ReplayWindow
-from cotouch.samples._seal import MOST_SEALED, OVERHEAD, RENEW_AFTER, RENEW_EVERY, Opened, SealedLink, connection_of
+from cotouch.samples._seal import MOST_SEALED, OVERHEAD, RENEW_EVERY, Opened, SealedLink, connection_of
 from cotouch.samples._transport import MOST_BYTES, Arrival, Ground, Traffic, Transport
 from cotouch.samples._udp import UdpTransport
 
 __all__ = [
-    "AGED",
-    "ECHO",
     "HEAD_BYTES",
     "LOWEST_RATE",
     "MOST_AGE",
     "MOST_BYTES",
     "MOST_SEALED",
     "OVERHEAD",
-    "RENEW",
-    "RENEW_AFTER",
     "RENEW_EVERY",
     "Address",
     "AgeWindow",

@@ -6,10 +6,10 @@ from typing import Annotated, Any, Self, cast, final
 from pydantic import Field, SerializerFunctionWrapHandler, model_serializer, model_validator
 
 from cotouch.body import Body, Placed, together
-from cotouch.errors import BodyError, ScenarioError
+from cotouch.errors import ScenarioError
 from cotouch.mechanics import Between
 from cotouch.scenario._body_tables import BodySource, FileTable
-from cotouch.scenario._tables import NonNegative, Number, Place, Positive, Table
+from cotouch.scenario._tables import MeetingTable, Number, Place, Table
 
 _MOST = 64
 _OWN = ("name", "at", "turn", "copies", "step")
@@ -96,31 +96,11 @@ def build_bodies(tables: list[PartTable]) -> Body:
 
 
 @final
-class BetweenTable(Table):
-    """What bodies do to each other where they meet.
-
-    Attributes:
-        stiffness: κ: pressure for each metre of depth [N/m³].
-        damping: λ: pressure grows by 1 + λ times the speed of approach [s/m].
-        friction: Coulomb's coefficient of what does not slip.
-        kinetic_friction: of what slips, at most `friction`; by default the same.
-    """
-
-    stiffness: Positive = 1e7
-    damping: NonNegative = 0.0
-    friction: NonNegative = 0.0
-    kinetic_friction: NonNegative | None = None
+class BetweenTable(MeetingTable):
+    """What bodies do to each other where they meet."""
 
     def made(self) -> Between:
         """For the kernels."""
         return Between(
             stiffness=self.stiffness, loss=self.damping, friction=self.friction, kinetic=self.kinetic_friction
         )
-
-    @model_validator(mode="after")
-    def _after(self) -> Self:
-        try:
-            self.made()
-        except BodyError as error:
-            raise ValueError(str(error)) from None
-        return self

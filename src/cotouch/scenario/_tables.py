@@ -13,7 +13,7 @@ from pydantic import (
 )
 from pydantic import NonNegativeFloat as _NonNegativeFloat
 
-from cotouch.errors import NetworkError
+from cotouch.errors import BodyError, NetworkError
 from cotouch.laws import law_named
 
 Positive = Annotated[float, Field(gt=0.0, allow_inf_nan=False)]
@@ -235,3 +235,36 @@ class RecordTable(Table):
     every: Number = 1
     nodes: list[Number] | Literal["all"] | None = None
     frames: Positive | None = None
+
+
+class MeetingTable(Table):
+    """How hard what meets presses, and how it rubs.
+
+    Attributes:
+        stiffness: κ: pressure for each metre of depth [N/m³].
+        damping: λ: pressure grows by 1 + λ times the speed of approach [s/m].
+        friction: Coulomb's coefficient of what does not slip.
+        kinetic_friction: of what slips, at most `friction`; by default the same.
+    """
+
+    stiffness: Positive = 1e7
+    damping: NonNegative = 0.0
+    friction: NonNegative = 0.0
+    kinetic_friction: NonNegative | None = None
+
+    def made(self) -> object:
+        """For the kernels."""
+        raise NotImplementedError
+
+    @model_validator(mode="after")
+    def _after(self) -> Self:
+        if self.kinetic_friction is not None and self.kinetic_friction > self.friction:
+            raise ValueError(
+                f"kinetic_friction is {self.kinetic_friction:g}, but friction is {self.friction:g}; it must be at "
+                "most that"
+            )
+        try:
+            self.made()
+        except BodyError as error:
+            raise ValueError(str(error)) from None
+        return self

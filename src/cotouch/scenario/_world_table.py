@@ -1,15 +1,15 @@
 """The table of a scenario for what is around the body: gravity, planes, boxes, plates with a hole."""
 
 from collections.abc import Sequence
-from typing import Annotated, Self, final
+from typing import Annotated, final
 
 import numpy as np
-from pydantic import Field, FiniteFloat, model_validator
+from pydantic import Field, FiniteFloat
 
 from cotouch.arrays import Float
-from cotouch.errors import BodyError, ScenarioError
+from cotouch.errors import ScenarioError
 from cotouch.mechanics import Box, Model, Obstacle, Plane, Plate, Shape, World, deepest_between, deepest_point
-from cotouch.scenario._tables import NonNegative, Place, Positive, Table
+from cotouch.scenario._tables import MeetingTable, NonNegative, Place, Positive, Table
 
 _MOST = 16
 # A copy may begin as deep in an obstacle as this share of its size.
@@ -19,26 +19,14 @@ _INSIDE = 0.02
 _ORIGIN = [0.0, 0.0, 0.0]
 
 
-class _ObstacleTable(Table):
-    """What all obstacles have.
-
-    Attributes:
-        stiffness: κ: pressure for each metre of depth [N/m³].
-        damping: λ: pressure grows by 1 + λ times the speed of approach [s/m].
-        friction: Coulomb's coefficient of what does not slip.
-        kinetic_friction: of what slips, at most `friction`; by default the same.
-    """
-
-    stiffness: Positive = 1e7
-    damping: NonNegative = 0.0
-    friction: NonNegative = 0.0
-    kinetic_friction: NonNegative | None = None
+class _ObstacleTable(MeetingTable):
+    """What all obstacles have."""
 
     def _shape(self) -> Shape:
         raise NotImplementedError
 
     def made(self) -> Obstacle:
-        """The obstacle for the kernels."""
+        """For the kernels."""
         return Obstacle(
             shape=self._shape(),
             stiffness=self.stiffness,
@@ -46,19 +34,6 @@ class _ObstacleTable(Table):
             friction=self.friction,
             kinetic=self.kinetic_friction,
         )
-
-    @model_validator(mode="after")
-    def _after(self) -> Self:
-        if self.kinetic_friction is not None and self.kinetic_friction > self.friction:
-            raise ValueError(
-                f"kinetic_friction is {self.kinetic_friction:g}, but friction is {self.friction:g}; it must be at "
-                "most that"
-            )
-        try:
-            self.made()
-        except BodyError as error:
-            raise ValueError(str(error)) from None
-        return self
 
 
 @final

@@ -1,7 +1,7 @@
 """A live session as processes run it: opening, joining, measuring, playing on a real clock, the demonstration."""
 
 from cotouch.session._demo import DemoOutcome, all_move, play
-from cotouch.session._demo_session import demo_file, demo_session
+from cotouch.session._demo_session import demo_session
 from cotouch.session._demo_session_api import DemoSessionApi
 from cotouch.session._held import device_choices
 from cotouch.session._join import fetch_session, join
@@ -21,7 +21,6 @@ __all__ = [
     "MemberSessionApi",
     "OpenHost",
     "all_move",
-    "demo_file",
     "demo_session",
     "device_choices",
     "fetch_session",

@@ -1,14 +1,12 @@
 """The session that plays itself: the paper's five users or others, a body, hands that move it, and a network."""
 
-import tomllib
 from collections.abc import Sequence
-from importlib.resources import files
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
 from cotouch.errors import SessionError
-from cotouch.files import toml_text
+from cotouch.files import read_toml, shipped, toml_text
 from cotouch.members import MOST_USERS, SessionFile
 from cotouch.session._cushion import HALF, cushion, stl
 
@@ -61,22 +59,6 @@ _HOLD = 0.05
 _GATHER, _GATHER_FRACTION = 15.0, 1.0 / 6.0
 
 
-def demo_file() -> Path:
-    """The session of the paper's five users: beside this package where it is installed, else in `examples/`.
-
-    Raises:
-        SessionError: it is in neither place.
-    """
-    installed = Path(str(files("cotouch.session").joinpath(_FILE)))
-    source = Path(__file__).resolve().parents[3] / "examples" / _FILE
-    for path in (installed, source):
-        if path.is_file():
-            return path
-    raise SessionError(
-        f"{_FILE} is neither beside cotouch.session nor in the examples of the sources; reinstall cotouch"
-    )
-
-
 def demo_session(
     *,
     users: int = 5,
@@ -100,7 +82,7 @@ def demo_session(
         SessionError: one of these cannot be.
         ScenarioError: the law cannot be, or not live.
     """
-    tables = tomllib.loads(demo_file().read_text(encoding="utf-8"))
+    tables = read_toml(shipped("session", _FILE, SessionError), "session file", SessionError)
     if not 1 <= users <= MOST_USERS:
         raise SessionError(f"--users is {users}; it must be from 1 to {MOST_USERS}")
     network = tables["network"]

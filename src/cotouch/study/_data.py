@@ -1,11 +1,11 @@
 """The paper's five users, where their file lies, and how this study writes links down."""
 
 from collections.abc import Callable, Iterable, Mapping
-from importlib.resources import files
 from pathlib import Path
 from typing import Any, TypeAlias
 
 from cotouch.errors import ScenarioError
+from cotouch.files import shipped
 from cotouch.network import Network, Pair
 from cotouch.scenario import Scenario
 from cotouch.units import user_number
@@ -24,14 +24,7 @@ def five_users() -> Path:
     Raises:
         ScenarioError: it is in neither place.
     """
-    installed = Path(str(files("cotouch.study").joinpath(_FILE)))
-    source = Path(__file__).resolve().parents[3] / "examples" / _FILE
-    for path in (installed, source):
-        if path.is_file():
-            return path
-    raise ScenarioError(
-        f"{_FILE} is neither beside cotouch.study nor in the examples of the sources; reinstall cotouch"
-    )
+    return shipped("study", _FILE, ScenarioError)
 
 
 def names(links: Iterable[Pair]) -> str:

@@ -5,13 +5,12 @@ from cotouch.traversal._candidates import (
     MOST_CANDIDATES,
     Candidate,
     CandidateKind,
-    Offer,
     local_candidates,
     read_offer,
     write_offer,
 )
 from cotouch.traversal._interfaces import interface_hosts
-from cotouch.traversal._path_prober import PathProber, PathState, Probe
+from cotouch.traversal._path_prober import PathProber, PathState
 from cotouch.traversal._paths import ByRelay, PathChanged
 from cotouch.traversal._probe import PROBE, PairKeys, member_key, pair_keys
 from cotouch.traversal._reflexive import Lookup, Mirror
@@ -26,13 +25,11 @@ __all__ = [
     "CandidateKind",
     "Lookup",
     "Mirror",
-    "Offer",
     "PairKeys",
     "PathChanged",
     "PathProber",
     "PathState",
     "Place",
-    "Probe",
     "RoutedTransport",
     "interface_hosts",
     "local_candidates",

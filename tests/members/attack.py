@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
-from tests.session.liar import Liar
-from tests.session.lie import DEADLY, TALK, Lie, near, random_lie
+from tests.members.liar import Liar
+from tests.members.lie import DEADLY, TALK, Lie, near, random_lie
 from tests.session.world import Person, World
 
 from cotouch.peer import LinkState

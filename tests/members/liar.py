@@ -6,7 +6,8 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from tests.session.lie import LIMIT, MOST, Lie
+from tests.members.lie import LIMIT, MOST, Lie
+from tests.samples.budgets import made_up, with_amounts
 from tests.session.world import Person, entropy
 
 from cotouch.errors import SessionError
@@ -17,7 +18,6 @@ from cotouch.members._neighbours import BUDGET
 from cotouch.members._succession import _CONTEXT
 from cotouch.peer import Message, Sample
 from cotouch.samples import Heading, Identity, SampleLink
-from cotouch.samples._budget import _MESSAGE
 
 
 class Liar:
@@ -169,10 +169,8 @@ class Liar:
         lie = self.lie
         commanded = self.lying and not (lie.toggle and self._rng.random() < 0.5)
         if topic == BUDGET and commanded and not (math.isnan(lie.ask) and math.isnan(lie.grant)):
-            magic, life, received, number, known, ask, grant = _MESSAGE.unpack(body)
-            ask = ask if math.isnan(lie.ask) else lie.ask
-            grant = grant if math.isnan(lie.grant) else lie.grant
-            body = _MESSAGE.pack(magic, life, received, number, known, ask, grant)
+            ask, grant = (None if math.isnan(said) else said for said in (lie.ask, lie.grant))
+            body = with_amounts(body, ask, grant)
         self._send(topic, body, to=to)
 
     def _talk(self, now: float) -> None:
@@ -256,9 +254,8 @@ class Liar:
         """Straight from the generator: any bits."""
         del now
         for key in self._others():
-            head = _MESSAGE.pack(b"ctb1", *(int(self._rng.integers(0, 1 << 32)) for _ in range(4)), 0.0, 0.0)[:-16]
-            self._send(BUDGET, head + self._rng.bytes(16), to=key)
-            self._send(BUDGET, self._rng.bytes(_MESSAGE.size), to=key)
+            for body in made_up(self._rng):
+                self._send(BUDGET, body, to=key)
 
     def _garbage(self, now: float) -> None:
         del now

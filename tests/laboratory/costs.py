@@ -1,0 +1,19 @@
+"""What a task costs by a law."""
+
+from typing import Any
+
+from cotouch.laboratory import Study
+from cotouch.laboratory._ideal import ideal
+from cotouch.laboratory._score import measured
+from cotouch.simulation import prepare
+
+DELAY = 0.025
+
+
+def cost(law: Any, task: str, **tables: Any) -> float:
+    """J of a task, 25 ms."""
+    whole = Study.make(laws=[{"law": law}], networks=[{"name": "there", "delay": DELAY}], **tables)
+    users = whole.users[0]
+    hands = whole.task(task, users, whole.hands[0], 0)
+    prepared = prepare(whole.scenario(whole.laws[0], whole.networks[0], users, hands))
+    return measured(whole.laws[0], prepared, ideal(whole, hands))["cost"]
