@@ -3,6 +3,21 @@
 Each material, with a solver that is stopped early and one that is not, in one to three copies over links with delays,
 10,000 steps of random lengths; directions that are garbage; and 10,000 random sessions of one to five copies from rest,
 with the damping of the rule and without any; a cantilever that is bent far.
+
+What shows each of the twelve things that are asked of bodies beyond small displacements (tests in `tests/`):
+
+1. residuals: `sessions`, `garbage`; `mechanics/test_force.py::test_the_balance_is_exact_however_early_the_solver_stops`
+2. passivity: `supply`; `simulation/test_materials.py::test_damping_by_the_rule_makes_it_passive_and_without_it_is_not`
+3. order, closure: `mechanics/test_force.py::test_the_motion_converges_to_second_order` (T = 0.5 to 0.125 ms)
+4. small motions: `mechanics/test_force.py::test_small_motions_are_those_of_linear_elasticity`
+5. turns: `mechanics/test_force.py::test_a_rotation_costs_nothing`, `::test_a_free_turn_keeps_shape_and_momentum`
+6. the factor β: `mechanics/test_force.py::test_a_bent_body_hardly_needs_its_closure`, and `benchmarks.materials`
+7. gradients: `mechanics/test_force.py::test_the_force_is_the_gradient`, `::test_the_mean_force_does_the_work…`
+8. cuts: `mechanics/test_cutting.py`, `simulation/test_cutting.py`, `session/test_cuts.py`, `session/test_real_cut.py`
+9. copies in step: `mechanics/test_force.py::test_copies_in_step_are_one_body`
+10. contact: `mechanics/test_contact_step.py`, `mechanics/test_contact_material.py`
+11. cost: `benchmarks.materials`
+12. rigid bodies: `mechanics/test_rigid.py::test_what_tumbles_keeps_energy_and_momentum`
 """
 
 import argparse
