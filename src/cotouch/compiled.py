@@ -119,14 +119,14 @@ def raised(typingctx: Any, flag: Any) -> Any:
 def routine(function: F) -> F:
     """Compiles a function on first call and keeps the machine code on disk; it may allocate, and holds no lock."""
     njit: Any = numba.njit
-    return stamped(njit(nogil=True, error_model="numpy", no_cfunc_wrapper=True)(function), apart=True)
+    return stamped(njit(nogil=True, error_model="numpy", no_cfunc_wrapper=True)(function), apart=_LARGE)
 
 
 def subroutine(function: F) -> F:
     """A routine that only routines call. What lets Python call one takes its share of the compilation's time."""
     njit: Any = numba.njit
     options = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-    return stamped(njit(nogil=True, error_model="numpy", **options)(function), apart=True)
+    return stamped(njit(nogil=True, error_model="numpy", **options)(function), apart=_LARGE)
 
 
 class CacheWarning(UserWarning):
@@ -157,7 +157,7 @@ _apart: dict[str, tuple[str, str, tuple[Any, ...]]] = {}
 class _Kept(CompileResultCacheImpl):
     """What is kept of a compiled function: numba's own, and which others must be there before it."""
 
-    apart = False
+    apart: int | None = None
 
     def reduce(self, cres: Any) -> Any:
         code = _code_of(cres)
@@ -166,7 +166,7 @@ class _Kept(CompileResultCacheImpl):
             value.name: _apart[value.name] for value in made.functions if value.is_declaration and value.name in _apart
         }
         defined: set[str] = set()
-        if self.apart and _large(cres):
+        if self.apart is not None and _large(cres, self.apart):
             defined = {value.name for value in (*made.functions, *made.global_variables) if not value.is_declaration}
             code._shared_module = binding.parse_assembly("")
             _set_apart(cres)
@@ -194,13 +194,18 @@ def _code_of(cres: Any) -> Any:
     return cres._asdict()["library"]
 
 
-def _large(cres: Any) -> bool:
-    """Whether a function stays apart: by size, and if another process can find it and gives it the same symbol."""
+def _large(cres: Any, least: int) -> bool:
+    """Whether a function stays apart: by size, and if another process can find it and gives it the same symbol.
+
+    Args:
+        cres: numba's result.
+        least: how many of LLVM's instructions make it large.
+    """
     description = cres.fndesc
     if description.inline or description.uid != 0:
         return False
     function = _code_of(cres).get_function(description.llvm_func_name)
-    return sum(1 for block in function.blocks for _ in block.instructions) >= _LARGE
+    return sum(1 for block in function.blocks for _ in block.instructions) >= least
 
 
 def _set_apart(cres: Any) -> None:
@@ -364,7 +369,7 @@ def _not_kept(reason: str) -> None:
 _told: list[str] = []
 
 
-def stamped(compiled: Any, *, apart: bool = False) -> Any:
+def stamped(compiled: Any, *, apart: int | None = None) -> Any:
     """The compiled function with a cache on disk, which is bound to all sources that it is made of.
 
     numba checks only the file of the function itself when it reads its cache, so a function that calls one of another
@@ -372,7 +377,7 @@ def stamped(compiled: Any, *, apart: bool = False) -> Any:
 
     Args:
         compiled: the function.
-        apart: whether it is called by its symbol if it is large, which costs a device's kernels half their speed.
+        apart: from how many of LLVM's instructions it is called by its symbol; None: it never is.
     """
     compiled._compiler.pipeline_class = _Compiler
     # As it is, this would compile it once more for each constant that another calls it with.

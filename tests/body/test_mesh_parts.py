@@ -20,7 +20,7 @@ def bar(model: SolidModel, **options: Any) -> Body:
     points, corners = boxes(SHAPE, H)
     sets = {"soft": np.flatnonzero(points[:, 0] <= CUT + 1e-9), "firm": np.flatnonzero(points[:, 0] >= CUT - 1e-9)}
     parts = {"soft": {"young": SOFT, "rayleigh_stiffness": 1e-3}, "firm": {"young": FIRM}}
-    made = {"poisson": 0.0, "rayleigh_stiffness": 3e-3, "parts": parts, "sets": sets, **options}
+    made: dict[str, Any] = {"poisson": 0.0, "rayleigh_stiffness": 3e-3, "parts": parts, "sets": sets, **options}
     return body_from_tetrahedra((points, corners), unit="m", model=model, **made)
 
 

@@ -98,6 +98,18 @@ def in_play(ledger: Array) -> float:
     return float(sum(abs(ledger[BOOK[name]]) for name in names))
 
 
+def check_ledger(devices: Devices, state: DeviceState, rng: np.random.Generator, *, within: float) -> None:
+    """Over 0.6 s in spans of any length, the ledger of device 0 closes and what is lost only grows."""
+    time = 0.0
+    while time < 0.6:
+        time += rng.uniform(1e-4, 0.02)
+        before = state.ledger[0].copy()
+        assert advance(devices, state, 0, time)
+        assert abs(state.ledger[0, BOOK["residual"]]) <= within * in_play(state.ledger[0])
+        for loss in ("hand_loss", "viscous_loss", "coulomb_loss"):
+            assert state.ledger[0, BOOK[loss]] >= before[BOOK[loss]]
+
+
 def run(devices: Devices, state: DeviceState, until: float, every: float = 1e-3) -> Array:
     """Advances device 0; its true tip after each span, (spans, 3)."""
     places = []

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy.linalg import expm
-from tests.device.support import BOOK, in_play, run
+from tests.device.support import BOOK, check_ledger, in_play, run
 
 from cotouch.device import (
     CartesianPlant,
@@ -41,14 +41,7 @@ def test_books_close(seed, coulomb, substep):
         position=tuple(rng.uniform(-0.02, 0.02, 3)),
     )
     devices, state = assemble([model])
-    time = 0.0
-    while time < 0.6:
-        time += rng.uniform(1e-4, 0.02)
-        before = state.ledger[0].copy()
-        assert advance(devices, state, 0, time)
-        assert abs(state.ledger[0, BOOK["residual"]]) <= 1e-12 * in_play(state.ledger[0])
-        for loss in ("hand_loss", "viscous_loss", "coulomb_loss"):
-            assert state.ledger[0, BOOK[loss]] >= before[BOOK[loss]]
+    check_ledger(devices, state, rng, within=1e-12)
 
 
 def test_motion_under_a_held_force_is_the_exact_one():

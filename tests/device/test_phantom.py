@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
-from tests.device.support import BOOK, in_play
+from tests.device.support import BOOK, check_ledger
 
 from cotouch.device import (
     PRESETS,
@@ -267,14 +267,7 @@ def test_books_close_with_everything_at_work(seed, grip, coulomb):
         hand=hand,
     )
     devices, state = placed(model, rng.uniform(-0.3, 0.3, 3), rng.normal(0.0, 1.0, 3))
-    time = 0.0
-    while time < 0.6:
-        time += rng.uniform(1e-4, 0.02)
-        before = state.ledger[0].copy()
-        assert advance(devices, state, 0, time)
-        assert abs(state.ledger[0, BOOK["residual"]]) <= 1e-11 * in_play(state.ledger[0])
-        for loss in ("hand_loss", "viscous_loss", "coulomb_loss"):
-            assert state.ledger[0, BOOK[loss]] >= before[BOOK[loss]]
+    check_ledger(devices, state, rng, within=1e-11)
 
 
 def test_friction_stops_every_joint_for_good():

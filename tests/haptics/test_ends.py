@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from tests.haptics.two_ports import Body, run
+from tests.haptics.two_ports import Body, check_passive, circumstances, run
 
 from cotouch.device import PRESETS
 from cotouch.haptics import (
@@ -45,22 +45,10 @@ def test_two_ports_are_passive_whatever_the_rates_and_boards(seed: int):
         peer=float(rng.uniform(100.0, 1000.0)),
         clock=clock,
         options=options,
-        body=Body(
-            mass=float(10.0 ** rng.uniform(-2, 0)),
-            spring=float(rng.choice([0.0, 200.0])),
-            stop=float(rng.choice([np.inf, 0.002])),
-            shake=float(rng.choice([0.0, 1.0, 4.0])),
-            hertz=float(rng.uniform(0.5, 20.0)),
-        ),
-        jitter=float(rng.uniform(0.0, 0.5)),
-        late=float(rng.uniform(0.0, 0.05)),
-        loss=float(rng.uniform(0.0, 0.5)),
         seed=seed,
+        **circumstances(rng),
     )
-    assert ran.excess <= ran.bound
-    assert max(report.excess for report in ran.reports) <= 0.0  # the observer has nothing to say
-    assert not any(report.causes & (Cause.FAULT | Cause.ACTIVE) for report in ran.reports)
-    assert max(size(report.force) for report in ran.reports) <= SafetyLimits.of(spec).force * (1 + 1e-12)
+    check_passive(ran, spec)
 
 
 def test_a_hand_that_follows_the_force_gets_no_more_than_the_bound():

@@ -7,6 +7,7 @@ import numpy as np
 
 from cotouch.device import DeviceSpec
 from cotouch.haptics import (
+    Cause,
     EndOptions,
     Order,
     ProxyEnd,
@@ -14,6 +15,7 @@ from cotouch.haptics import (
     ServoCore,
     ServoReport,
     SimulatedOnClock,
+    size,
 )
 
 Array = np.ndarray
@@ -46,6 +48,27 @@ class Ran:
     fractions: list[float] = field(default_factory=list)
     proxies: list[Array] = field(default_factory=list)
     speeds: list[float] = field(default_factory=list)
+
+
+def circumstances(rng: np.random.Generator) -> dict[str, Any]:
+    """What the proxy meets, and how bad clocks and mailboxes are: any of it, for `run`."""
+    body = Body(
+        mass=float(10.0 ** rng.uniform(-2, 0)),
+        spring=float(rng.choice([0.0, 200.0])),
+        stop=float(rng.choice([np.inf, 0.002])),
+        shake=float(rng.choice([0.0, 1.0, 4.0])),
+        hertz=float(rng.uniform(0.5, 20.0)),
+    )
+    jitter, late, loss = (float(rng.uniform(0.0, most)) for most in (0.5, 0.05, 0.5))
+    return {"body": body, "jitter": jitter, "late": late, "loss": loss}
+
+
+def check_passive(ran: Ran, spec: DeviceSpec) -> None:
+    """Nothing was made, nobody had to step in, and the force kept to its limit."""
+    assert ran.excess <= ran.bound
+    assert max(report.excess for report in ran.reports) <= 0.0  # the observer has nothing to say
+    assert not any(report.causes & (Cause.FAULT | Cause.ACTIVE) for report in ran.reports)
+    assert max(size(report.force) for report in ran.reports) <= SafetyLimits.of(spec).force * (1 + 1e-12)
 
 
 def run(

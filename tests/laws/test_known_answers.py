@@ -1,5 +1,6 @@
 """What is known of each law: drag, mass, stiffness, exact accounts, and which ones make energy."""
 
+import tomllib
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -9,12 +10,13 @@ import pytest
 from tests.laboratory.costs import DELAY, cost
 from tests.laws.scenes import PASSIVE, law_of, two
 
-from cotouch.laboratory import Study, books, impedance, searched, trial
+from cotouch.laboratory import Study, books, impedance, searched, touching, trial
 from cotouch.laws import PAID, TANK, End, Facts, Tone, copy, given_power, laws, register
 from cotouch.scenario import Scenario
 from cotouch.simulation import judge, prepare, run_batch, simulate, with_law
 
 SPRING = 50.0
+EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
 def moving(law: Any, *, speed: float = 0.1, **options: Any) -> float:
@@ -363,6 +365,43 @@ def _finger(user: int, side: float) -> dict[str, Any]:
     return {"user": user, "at": at, **more, "hand": {"stiffness": 600.0, "damping": 12.0, "path": path}}
 
 
+def _swing(scenario: Scenario) -> float:
+    """Peak to peak of the sum of what two tools feel who hold an object still between them, in the last fifth [N]."""
+    run = simulate(scenario)
+    assert run.attrs["made"] <= run.attrs["law_seed"]
+    force = run["touch_force"].values.sum(axis=0)
+    assert np.abs(run["touch_force"].values[:, -1, 0]).min() > 2.0
+    return float(np.ptp(force[-force.shape[0] // 5 :], axis=0).max())
+
+
+def test_paid_lets_a_squeezed_block_rest() -> None:
+    """With half the damping of its material it swung at 35 Hz, by 0.5 N: late forces pushed on what swings."""
+    tables = tomllib.loads((EXAMPLES / "squeeze.toml").read_text(encoding="utf-8"))
+    tables["synchronisation"] = {"law": "paid"}
+    tables["body"]["damping"] = 0.5
+    tables["steps"]["duration"] = 2.0
+    for tool in tables["tools"]:
+        tool["hand"]["path"] = tool["hand"]["path"][:2]
+    assert _swing(Scenario.make(**tables)) < 0.02
+
+
+def test_paid_lets_another_block_rest_over_a_longer_way() -> None:
+    """On which nothing was tuned: it swung by 0.4 N."""
+    tools = [_finger(1, -1.0), _finger(2, 1.0)]
+    for tool in tools:
+        tool["hand"]["path"] = tool["hand"]["path"][:2]
+    scenario = Scenario.make(
+        network=two(0.012, 10.0),
+        body={**BLOCK, "damping": 1.0},
+        world={"gravity": [0.0, 0.0, -9.81], "planes": [{"stiffness": 1e6, "damping": 1.0, "friction": 0.5}]},
+        contact={"law": "stiffening"},
+        steps={"duration": 1.2, "period": 1e-3},
+        synchronisation={"law": "paid"},
+        tools=tools,
+    )
+    assert _swing(scenario) < 0.03
+
+
 def _lifted(law: Any, users: int, **tables: Any) -> Any:
     """Middles of all copies of a block that two fingers press and lift, one each of two users, or both of one."""
     run = simulate(
@@ -394,3 +433,14 @@ def test_what_paid_may_make_is_a_copys_whatever_its_body() -> None:
     at = [parameter.name for parameter in PAID.parameters].index("seed")
     seeds = [PAID.values(Facts(spring=1.0, age=0.02, age_back=0.02, degree=2, rows=rows), {})[at] for rows in (1, 400)]
     assert seeds == [0.01, 0.01]
+
+
+@pytest.mark.parametrize("number", [3, 30, 41])
+def test_paid_makes_no_more_than_its_seed_where_tools_touch(number: int) -> None:
+    """`python -m benchmarks.promises` does so in a thousand."""
+    run = simulate(touching(number))
+    books = run.attrs
+    assert float(np.nanmax(np.abs(run["touch_force"].values))) > 0.1
+    assert books["finished"]
+    assert 0.0 < books["made"] <= books["law_seed"]
+    assert float(abs(run["residual"]).max()) < 1e-11 * float(abs(run["supplied_total"]).max())

@@ -591,3 +591,14 @@ def test_who_does_not_fit_need_not_ask_again_and_who_finds_no_room_may() -> None
         assert refused is not None
         final.append(refused.final)
     assert final == [False, True]
+
+
+def test_who_joins_and_is_never_there_is_missed_too() -> None:
+    world = World()
+    law = signature_of(world.session.scenario)
+    request = Join(name="Ann", fingerprint=BODY, version="1", law=law, start="0" * 16)
+    world.coordinator.receive(Message(key(1), "join", write(request), direct=False), world.now)
+    world.tick(ABSENT_AFTER - 0.5)
+    assert world.names == {0: "Ann"}
+    world.tick(1.0)
+    assert world.names == {}

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from tests.members.liar import Liar, Lie
+from tests.session.chain import chain
 from tests.session.world import Person, World
 
 from cotouch.members import Status
@@ -28,38 +29,9 @@ rate = 100
 [synchronisation]
 law = "spring"
 """
+
+
 # What those who pay by themselves let liars do is in test_live_law.py.
-CHAIN = """
-[session]
-users = 3
-spring = 60.0
-{more}
-[body]
-kind = "chain"
-nodes = 2
-spacing = 1.0
-dimension = 1
-mass = 0.5
-damping = 0.5
-stiffness = 50.0
-ground = [1]
-ground_stiffness = 30.0
-[steps]
-rate = 100
-[synchronisation]
-law = "spring"
-mode = "{mode}"
-[[hands]]
-user = 1
-at = [1.0]
-path = [[0, 0], [1, 0.2]]
-stiffness = 40.0
-damping = 1.0
-"""
-
-
-def chain(more: str = "", mode: str = "freshest") -> str:
-    return CHAIN.format(more=more, mode=mode)
 
 
 def begun(person: Person) -> bool:
@@ -99,7 +71,7 @@ def test_a_newcomer_comes_to_where_a_deformed_object_is_held(how: str) -> None:
     """Nobody moves, so nobody has energy to give: what it takes is the newcomer's allowance, and no more of it."""
     coupled = {}
     for allowance in (1.0, 0.0):
-        world = World(chain(f"allowance = {allowance}"), tick=2.5e-3)
+        world = World(chain(more=f"allowance = {allowance}"), tick=2.5e-3)
         ann = world.join("Ann")
         if how != "second":
             ben = world.join("Ben", moves=False)
@@ -127,7 +99,7 @@ def test_a_newcomer_comes_to_where_a_deformed_object_is_held(how: str) -> None:
 
 def test_who_was_there_first_is_not_pulled_at_by_a_newcomer() -> None:
     """A seed of 1 mJ would pull Ann's free copy with 0.35 N; she lets Ben come instead."""
-    world = World(chain().replace("path = [[0, 0], [1, 0.2]]", "path = [[0, 0.0], [1, 0.05]]"), tick=2.5e-3)
+    world = World(chain(path="[[0, 0.0], [1, 0.05]]"), tick=2.5e-3)
     ann = world.join("Ann")
     world.run(4.0)
     ben = world.join("Ben", moves=False)
@@ -142,7 +114,7 @@ def test_who_was_there_first_is_not_pulled_at_by_a_newcomer() -> None:
 
 
 def test_nobody_is_asked_for_more_damping_than_the_limit_and_all_are_told_who_did() -> None:
-    world = World(chain("age_limit = 0.8"), tick=2.5e-3)
+    world = World(chain(more="age_limit = 0.8"), tick=2.5e-3)
     ann, ben = world.join("Ann"), world.join("Ben", moves=False)
     liar = world.join("Zoe", moves=False)
     Liar(liar, Lie(since=2.0, ask=2e10, grant=2e10))
@@ -164,7 +136,7 @@ def test_nobody_is_asked_for_more_damping_than_the_limit_and_all_are_told_who_di
 
 def test_a_neighbour_that_says_impossible_ages_gets_no_more() -> None:
     """Stamps of the past make this end itself ask for more; what it asks for is bounded with the rest."""
-    world = World(chain("age_limit = 0.8"), tick=2.5e-3)
+    world = World(chain(more="age_limit = 0.8"), tick=2.5e-3)
     ann = world.join("Ann")
     Liar(world.join("Zoe", moves=False), Lie(since=1.5, drift=-20.0, age=1e9))
     for _ in range(80):

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from tests.members.liar import Liar
 from tests.members.lie import Lie
+from tests.session.chain import chain
 from tests.session.world import Person, World
 
 from cotouch.errors import ScenarioError, SessionError
@@ -227,7 +228,7 @@ def test_an_audit_accuses_nobody_of_what_is_not_recorded(tmp_path: Path) -> None
 
 def test_a_newcomer_comes_to_where_an_object_is_held_deformed() -> None:
     """What it takes to deform its copy is of the allowance; then the copies hold together."""
-    world = World(HELD, law=PathLaw(delay=0.02), tick=2.5e-3)
+    world = World(chain(users=2, rate=200, law="paid"), law=PathLaw(delay=0.02), tick=2.5e-3)
     ann = world.join("Ann")
     watched(world, 3.0)
     assert float(ann.position[1, 0]) > 0.05
@@ -236,33 +237,6 @@ def test_a_newcomer_comes_to_where_an_object_is_held_deformed() -> None:
     assert 0.0 < ben.copy.totals.advanced <= 1.0
     assert float(ben.position[1, 0]) > 0.1  # as Ann's
     assert world.apart() < 0.035
-
-
-HELD = """
-[session]
-users = 2
-spring = 60.0
-[body]
-kind = "chain"
-nodes = 2
-spacing = 1.0
-dimension = 1
-mass = 0.5
-damping = 0.5
-stiffness = 50.0
-ground = [1]
-ground_stiffness = 30.0
-[steps]
-rate = 200
-[synchronisation]
-law = "paid"
-[[hands]]
-user = 1
-at = [1.0]
-path = [[0, 0], [1, 0.2]]
-stiffness = 40.0
-damping = 1.0
-"""
 
 
 def test_a_hand_feels_what_is_predicted_and_nearly_nothing_of_paid(tmp_path: Path) -> None:

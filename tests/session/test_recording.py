@@ -5,37 +5,16 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.session.chain import chain
 from tests.session.world import World
 
 from cotouch.peer import LinkState
 from cotouch.recording import ADVANCED, EXCHANGE, GUARDS, Recording, audit, read_recording
 from cotouch.samples import PathLaw
 
-SESSION = """
-[session]
-users = 3
-spring = 60.0
-[body]
-kind = "chain"
-nodes = 2
-spacing = 1.0
-dimension = 1
-mass = 0.5
-damping = 0.5
-stiffness = 50.0
-ground = [1]
-ground_stiffness = 30.0
-[steps]
-rate = 250
-[synchronisation]
-law = "spring"
-[[hands]]
-user = 1
-at = [1.0]
-path = [[0, 0], [1, 0.05], [3, 0.05], [5, -0.05], [8, -0.05], [9, 0.05], [13, 0.05], [14, -0.05]]
-stiffness = 40.0
-damping = 1.0
-"""
+SESSION = chain(
+    rate=250, path="[[0, 0], [1, 0.05], [3, 0.05], [5, -0.05], [8, -0.05], [9, 0.05], [13, 0.05], [14, -0.05]]"
+)
 
 
 @pytest.fixture(scope="module")

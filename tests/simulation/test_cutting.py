@@ -113,11 +113,10 @@ def test_what_was_cut_away_is_not_touched(ran: Any) -> None:
     time = run["time"].values[1]
     pressed = touched[(time > 0.11) & (time < 0.12)]
     assert pressed.max() > 0.01
-    whole = made(cutting=None, tools=RUN["tools"][1:])
-    other = simulate(whole)
+    other = simulate(made(tools=RUN["tools"][1:]))  # by the engine of the fixture: another takes 20 s to compile
     there = np.linalg.norm(other["touch_force"].values[0], axis=1)
     assert touched[-1] < 0.7 * there[-1]
-    assert "cut" not in other
+    assert not other["cut"].values.any()
 
 
 def test_an_animation_draws_the_cut(ran: Any) -> None:

@@ -50,6 +50,7 @@ def test_a_run_says_what_its_closure_did() -> None:
     assert 0.0 < float(run["closure_factor"][0, -1]) < 1e-3
     assert float(run["closure_alarms"].max()) == 0.0
     assert float(np.abs(run["closure"]).max()) > 0.0
+    assert "cut" not in run
     assert "closure" not in simulate({"network": PAIR, "steps": {"duration": 0.01}})
 
 

@@ -140,8 +140,7 @@ def sweep(path: Path, *, vary: Sequence[str], out: Path | None, dask: str | None
         active = row["made"] > row["seed"] + 1e-9 or not row["finished"]
         listed.add_row(*cells, *numbers, style="red" if active else None)
     Console().print(listed)
-    problems = sorted({row["problem"] for row in rows} - {""})
-    for problem in problems:
+    for problem in sorted({row["problem"] for row in rows} - {""}):
         sys.stdout.write(f"  – {printable(problem)}\n")
     if out is not None:
         sys.stdout.write(f"  wrote {printable(str(out / RESULTS))}\n")

@@ -9,7 +9,7 @@ from cotouch.laboratory._noticed import mean_cost
 from cotouch.laboratory._score import MEASURES
 from cotouch.laboratory._study import Study
 from cotouch.laboratory._sweep import FIGURES, sweep, values_of, varied
-from cotouch.laboratory._trials import Books, Found, books, searched, trial
+from cotouch.laboratory._trials import Books, Found, books, searched, touching, trial
 
 __all__ = [
     "FIGURES",
@@ -26,6 +26,7 @@ __all__ = [
     "mean_cost",
     "searched",
     "sweep",
+    "touching",
     "trial",
     "values_of",
     "varied",

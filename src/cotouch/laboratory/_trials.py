@@ -80,6 +80,73 @@ def trial(number: int, law: str | Mapping[str, Any] = "spring") -> Scenario:
     )
 
 
+def touching(number: int, law: str | Mapping[str, Any] = "paid") -> Scenario:
+    """Anything that tools do to a block: by hands alone or over devices, pressing, sliding, knocking, letting go.
+
+    Two or three users, a block that stands or turns, on a floor or without weight, networks as in `trial` with up to
+    half of what is sent lost.
+
+    Args:
+        number: of the trial; another one is another run.
+        law: as in `[synchronisation]`.
+    """
+    rng = np.random.default_rng((number, 388))
+    users = int(rng.integers(2, 4))
+    wide = wild(rng, users, 0.8)
+    wide["channel"]["loss"] = float(rng.uniform(0.0, 0.5))
+    # As a rule near enough that tools work together; now and then not.
+    near = float(rng.choice([0.05, 0.2, 1.0]))
+    shape, spacing = rng.integers(2, 5, 3), float(rng.uniform(0.01, 0.03))
+    size, radius = (shape - 1) * spacing, float(rng.uniform(0.4, 1.0)) * spacing
+    tools: list[dict[str, Any]] = []
+    for k in range(int(rng.integers(1, users + 2))):
+        axis, side = int(rng.integers(0, 3)), float(rng.choice([-1.0, 1.0]))
+        at = rng.uniform(0.2, 0.8, 3) * size
+        at[axis] = (size[axis] if side > 0 else 0.0) + side * (radius + 0.003)
+        press = np.zeros(3)
+        press[axis] = -side * rng.uniform(0.3, 1.0) * spacing
+        slide = press + rng.uniform(-0.5, 0.5, 3) * spacing
+        away = side * 0.02 * np.eye(3)[axis]
+        path = [(0.0, np.zeros(3)), (0.2, press), (0.35, press), (0.6, slide), (0.75, away)]
+        device = {"preset": str(rng.choice(["omega", "delta"])), "stiffness": float(10 ** rng.uniform(2.0, 3.2))}
+        tools.append(
+            {
+                "user": int(rng.integers(1, users + 1)) if k >= 2 else k + 1,
+                "at": at.tolist(),
+                "radius": radius,
+                "mass": float(10 ** rng.uniform(-2.0, -0.5)),
+                "stiffness": float(10 ** rng.uniform(2.0, 4.0)),
+                "damping": float(rng.choice([0.0, 1.0])),
+                "friction": float(rng.choice([0.0, 0.3, 1.0])),
+                "hand": {"grip": float(rng.uniform(0.5, 4.0)), "path": [[t, *p.tolist()] for t, p in path]},
+                **({"device": device} if rng.random() < 0.5 else {}),
+            }
+        )
+    floor = {"gravity": [0.0, 0.0, -9.81], "planes": [{"stiffness": 1e5, "damping": 1.0, "friction": 0.5}]}
+    return Scenario.make(
+        network={
+            "users": [str(i) for i in range(users)],
+            "spring": (20.0 * (1.0 - np.eye(users))).tolist(),
+            "delay": (near * wide["delay"]).tolist(),
+        },
+        body={
+            "kind": "lattice",
+            "shape": shape.tolist(),
+            "spacing": spacing,
+            "mass": float(10 ** rng.uniform(-1.5, 0.0)),
+            "stiffness": float(10 ** rng.uniform(2.0, 3.5)),
+            "damping": float(10 ** rng.uniform(-1.0, 0.5)),
+            "frame": str(rng.choice(["fixed", "floating"])),
+        },
+        world=floor if rng.random() < 0.5 else {},
+        steps=wide["steps"],
+        channel=wide["channel"],
+        synchronisation={"law": law},
+        tools=tools,
+        seed=number,
+    )
+
+
 @final
 @dataclass(frozen=True, kw_only=True)
 class Books:

@@ -44,6 +44,7 @@ from cotouch.laws._paid_hand import (
     K,
     P,
     Q,
+    V,
     W,
     X,
     book_copy,
@@ -53,6 +54,7 @@ from cotouch.laws._paid_hand import (
 _IN, _OUT, _WAVE, _A, _AA, _WISHED, _W_BEFORE, _SLOPE, _PART_W, _STRETCH = range(10)
 _E_IN, _E_OUT, _AGE, _CREDITED, _GIVEN, _KNOWN, _HORIZON, _STAMP, _SPAN = range(9)
 _PART_K, _PART_B, _PART_EPOCH, _PART_HANDS = range(9, 13)
+_EVENLY = 13  # and one for each other axis
 # A message.
 _M_WAVE, _M_W, _M_P, _M_Q, _M_V, _M_WAY = range(6)
 _M_E, _M_K, _M_B, _M_EPOCH, _M_GIVEN, _M_T, _M_HANDS, _M_AS_ONE = range(8)
@@ -64,27 +66,39 @@ _MOST = 1e5
 
 
 @helper
-def _past(end: End, when: float) -> tuple[int, int, float]:
-    """Where a time lies between what is kept of this copy: the rows before and after it, and how far between them."""
+def _past(end: End, when: float) -> tuple[int, int, float, float]:
+    """Where a time lies in what is kept of this copy: rows before and after it, share between them, and its length."""
     numbers = end.shared_scalars
     count = int(numbers[COUNT])
-    after, late = -1, numbers[TIME]
+    after, late = -1, numbers[TIME] - 0.5 * end.T
     for back in range(1, min(count, KEPT) + 1):
         slot = (count - back) % KEPT
         time = numbers[TIMES + slot]
         if time <= when:
-            return slot, after, (when - time) / (late - time) if late > time else 0.0
+            gap = late - time
+            return slot, after, (when - time) / gap if gap > 0.0 else 0.0, gap
         after, late = slot, time
-    return after, after, 0.0
+    return after, after, 0.0, 0.0
 
 
 @helper
-def _then(end: End, before: int, after: int, share: float, i: int, which: int) -> float:
-    """x̂ (0) or v̂ (1) of this copy at such a time, straight between what is kept; row -1 is the newest."""
-    own, base = end.shared, PAST + which * KEPT
-    value = own[X + which, i] if before < 0 else own[base + before, i]
-    later = own[X + which, i] if after < 0 else own[base + after, i]
-    return value + (later - value) * share
+def _then(end: End, before: int, after: int, share: float, gap: float, i: int) -> tuple[float, float]:
+    """x̂ and v̂ of this copy at such a time; row -1 is the newest.
+
+    By Hermite's cubic: a straight line cuts the tops of what swings, and so a copy that swings would be told to go on.
+    """
+    own = end.shared
+    x, v = (own[X, i], own[V, i]) if before < 0 else (own[PAST + before, i], own[PAST + KEPT + before, i])
+    if before == after:
+        return x, v
+    y, u = (own[X, i], own[V, i]) if after < 0 else (own[PAST + after, i], own[PAST + KEPT + after, i])
+    if gap <= 0.0:
+        return x, v
+    left = 1.0 - share
+    bend, fall = share * left, 3.0 * share * share
+    x_then = x + (y - x) * share * share * (3.0 - 2.0 * share) + gap * bend * (left * v - share * u)
+    v_then = 6.0 * bend * (y - x) / gap + (1.0 - 4.0 * share + fall) * v + (fall - 2.0 * share) * u
+    return x_then, v_then
 
 
 def _before(end: End) -> None:
@@ -139,7 +153,7 @@ def _before(end: End) -> None:
         fresh = kept[_KNOWN] != told[_M_EPOCH]
         kept[_KNOWN] = told[_M_EPOCH]
         when = numbers[TIME] + T - end.age
-        before, after, between = _past(end, when)
+        before, after, between, gap = _past(end, when)
         # A is of this time after the start of the step. Where that changes, A must, or T and age would seem forces.
         horizon = T - 0.25 * kept[_AGE]
         shift = 0.0 if fresh else horizon - kept[_HORIZON]
@@ -162,12 +176,21 @@ def _before(end: End) -> None:
                 end.memory[_W_BEFORE, i] = got[_M_W, i]
         # What touches goes on as it did, and pulls this copy to where its own is, over what it acts on.
         as_one, width = told[_M_AS_ONE] > 0.0, end.width
+        # Its force is late: what swings would be pushed on by it. So it is taken to change as its spring says of what
+        # this copy did since, less what is done evenly: that is the aim's, and a spring against it would be a drag.
+        since = numbers[TIME] + 0.5 * T - when
         for axis in range(width if as_one else 0):
-            stretch = 0.0
+            stretch = moved = faster = 0.0
             for i in range(axis, size, width):
-                away = end.sample[i] - _then(end, before, after, between, i, 0)
-                slip = got[_M_V, i] - _then(end, before, after, between, i, 1)
-                stretch += got[_M_WAY, i] * (told[_M_K] * away + told[_M_B] * slip)
+                way = got[_M_WAY, i]
+                x_then, v_then = _then(end, before, after, between, gap, i)
+                stretch += way * (told[_M_K] * (end.sample[i] - x_then) + told[_M_B] * (got[_M_V, i] - v_then))
+                moved += way * (x[i] + 0.5 * T * own[V, i] - x_then)
+                faster += way * (own[V, i] - v_then)
+            if since > 0.0:
+                part = 1.0 if fresh else min(T / _SMOOTH, 1.0)
+                kept[_EVENLY + axis] += part * (moved / since - kept[_EVENLY + axis])
+                stretch -= told[_M_K] * (moved - since * kept[_EVENLY + axis]) + told[_M_B] * faster
             for i in range(axis, size, width):
                 end.memory[_STRETCH, i] = got[_M_WAY, i] * stretch
         for i in range(size):
@@ -190,8 +213,8 @@ def _before(end: End) -> None:
                 hand -= told[_M_K] * x[i] + told[_M_B] * v[i]
             end.memory[_PART_W, i] = tracked
             wish = (hand - told[_M_HANDS] * own[TOLD, i]) / end.copies / end.weight[i]
-            away = end.sample[i] - _then(end, before, after, between, i, 0)
-            slip = got[_M_V, i] - _then(end, before, after, between, i, 1)
+            x_then, v_then = _then(end, before, after, between, gap, i)
+            away, slip = end.sample[i] - x_then, got[_M_V, i] - v_then
             wish += gain * (p[_GK] * away / (mean * mean) + p[_GD] * slip / mean)
             wish *= trust
             end.memory[_WISHED, i] = wish
@@ -339,6 +362,7 @@ PAID = register(
         keeps_scalars=(
             *("E_in", "E_out", "age", "credited", "given", "epoch", "horizon", "stamp", "span"),
             *("part k", "part b", "part epoch", "part hands"),
+            *(f"evenly {axis}" for axis in range(4)),
         ),
         fractions=(
             *("w", "P", "Q", "wish", "f", "x", "v", "x before", "v before"),

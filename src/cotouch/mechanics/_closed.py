@@ -354,7 +354,16 @@ def _lean(
 def closed_settle(
     op: Operator, force: BodyForce, state: State, work: Workspace, ledger: Float, lanes: tuple[int, ...]
 ) -> None:
-    """Finds the rotations and energies of a state that was just set."""
+    """Finds the rotations and energies of a state that was just set.
+
+    Args:
+        op: of the body.
+        force: inside the body, and its weight.
+        state: whose position and velocity were set; the rest is filled in.
+        work: scratch.
+        ledger: result (BOOKS,): the energies [J].
+        lanes: fixes the width of a row.
+    """
     rows, memory = op.mass.shape[0], state.memory
     zero = splat(0.0, lanes)
     held, weight, moving = zero, zero, zero

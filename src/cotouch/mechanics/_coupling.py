@@ -56,7 +56,12 @@ def modulate(potential: float, available: float, cap: float) -> tuple[float, flo
 
 @kernel
 def credit(total: float, seen: float) -> float:
-    """What a message adds that says "`total` joules in all"; `seen` is the largest total known so far [J]."""
+    """What a message adds that says "`total` joules in all"; `seen` is the largest total known so far [J].
+
+    Args:
+        total: that the message says [J].
+        seen: the largest so far [J].
+    """
     return total - seen if total > seen else 0.0
 
 

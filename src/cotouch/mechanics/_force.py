@@ -71,7 +71,17 @@ LEANS: dict[type, Callable[..., Any]] = {rigid.Rigid: rigid.lean}
 
 
 def resist(law: Any, memory: Float, x: Float, ahead: Float, rate: Float, out: Float, lanes: tuple[int, ...]) -> None:
-    """Adds mean force and damping of any law; see `BodyForce`. Kernels only."""
+    """Adds mean force and damping of any law; see `BodyForce`. Kernels only.
+
+    Args:
+        law: one of `LAWS`.
+        memory: what it remembers of the copy, in place.
+        x: displacements from rest, (rows, 4) [m].
+        ahead: where the step ends [m].
+        rate: mean velocity over the step [m/s].
+        out: (rows, 4), added to [N].
+        lanes: fixes the width of a row.
+    """
     del law, memory, x, ahead, rate, out, lanes
     raise NotImplementedError
 
@@ -79,7 +89,17 @@ def resist(law: Any, memory: Float, x: Float, ahead: Float, rate: Float, out: Fl
 def evaluate(
     law: Any, memory: Float, x: Float, ahead: Float, rate: Float, sweeps: int, lanes: tuple[int, ...]
 ) -> tuple[float, float]:
-    """Energy and dissipated power of any law; see `BodyForce`. Kernels only."""
+    """Energy and dissipated power of any law; see `BodyForce`. Kernels only.
+
+    Args:
+        law: one of `LAWS`.
+        memory: what it remembers of the copy, in place.
+        x: displacements from rest, (rows, 4) [m].
+        ahead: where the energy is wanted [m].
+        rate: mean velocity over the step [m/s].
+        sweeps: in which rotations are found.
+        lanes: fixes the width of a row.
+    """
     del law, memory, x, ahead, rate, sweeps, lanes
     raise NotImplementedError
 
@@ -87,7 +107,18 @@ def evaluate(
 def lean(
     law: Any, memory: Float, x: Float, ahead: Float, rate: Float, T: float, out: Float, lanes: tuple[int, ...]
 ) -> None:
-    """Adds how the force of a law grows with the rate, where it gives that; see `BodyForce`. Kernels only."""
+    """Adds how the force of a law grows with the rate, where it gives that; see `BodyForce`. Kernels only.
+
+    Args:
+        law: one of `LAWS`.
+        memory: what it remembers of the copy, in place.
+        x: displacements from rest, (rows, 4) [m].
+        ahead: where the step ends [m].
+        rate: direction in which it is wanted [m/s].
+        T: length of the step [s].
+        out: (rows, 4), added to [N].
+        lanes: fixes the width of a row.
+    """
     del law, memory, x, ahead, rate, T, out, lanes
     raise NotImplementedError
 

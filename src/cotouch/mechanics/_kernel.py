@@ -9,6 +9,10 @@ from cotouch.compiled import stamped
 
 F = TypeVar("F", bound=Callable[..., Any])
 
+# A block of at least so many of LLVM's instructions is compiled once and called by its symbol. With smaller ones a run
+# with a device would take twice as long.
+_LARGE = 1000
+
 
 def kernel(function: F) -> F:
     """Compiles a function on first call, keeps the machine code on disk, and keeps its Python signature for readers.
@@ -29,7 +33,7 @@ def inner(function: F) -> F:
 
 def block(function: F) -> F:
     """A kernel that stays a function of its own, because it is large or does not run in every step."""
-    return stamped(_numba(forceinline=False)(function))
+    return stamped(_numba(forceinline=False)(function), apart=_LARGE)
 
 
 def part(function: F) -> F:

@@ -79,7 +79,12 @@ def rescaled(op: Operator, *, copy_scale: float, stiffness: float) -> Operator:
 
 @kernel
 def mixed(op: Operator, matrix: int) -> bool:
-    """Whether a matrix (a row of `mix`) has anything off the diagonal."""
+    """Whether a matrix (a row of `mix`) has anything off the diagonal.
+
+    Args:
+        op: of the body.
+        matrix: its row of `mix`.
+    """
     for family in range(op.entries.shape[0]):  # noqa: SIM110 (kernels have no generators)
         if op.mix[matrix, family] != 0.0:
             return True
@@ -132,7 +137,16 @@ def pull(op: Operator, i: int, field: Float, lanes: tuple[int, ...]) -> float:
 
 @kernel
 def multiply(op: Operator, matrix: int, diagonal: Float, field: Float, out: Float, lanes: tuple[int, ...]) -> float:
-    """`out = A field` for a matrix of the operator; returns `fieldᵀ A field`."""
+    """`out = A field` for a matrix of the operator; returns `fieldᵀ A field`.
+
+    Args:
+        op: of the body.
+        matrix: its row of `mix`.
+        diagonal: its diagonal, (rows,).
+        field: (rows, width).
+        out: result, likewise.
+        lanes: fixes the width of a row.
+    """
     form = splat(0.0, lanes)
     for i in range(diagonal.shape[0]):
         own = load(field, i, lanes)

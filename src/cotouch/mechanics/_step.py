@@ -17,14 +17,7 @@ from cotouch.mechanics._operator import (
     pull,
     row_product,
 )
-from cotouch.mechanics._solve import (
-    add_ports,
-    chebyshev,
-    chebyshev_iterations,
-    conjugate_gradients,
-    divide,
-    invert,
-)
+from cotouch.mechanics._solve import add_ports, chebyshev, chebyshev_iterations, conjugate_gradients, divide, invert
 from cotouch.mechanics._state import (
     BODY_LOSS,
     ELASTIC,
@@ -390,7 +383,14 @@ def book_energies(
 
 @kernel
 def settle(op: Operator, state: State, ledger: Float, lanes: tuple[int, ...]) -> None:
-    """Fills in `K x`, `M v` and the energies of a state that was just set."""
+    """Fills in `K x`, `M v` and the energies of a state that was just set.
+
+    Args:
+        op: of the body.
+        state: whose position and velocity were set; the rest is filled in.
+        ledger: result (BOOKS,): the energies [J].
+        lanes: fixes the width of a row.
+    """
     elastic = splat(0.0, lanes)
     for i in range(op.mass.shape[0]):
         tension = pull(op, i, state.position, lanes)

@@ -35,7 +35,17 @@ def stretches(
 def mixed_stretch(
     op: Operator, w: int, position: Float, sample: Float, away: Float, image: Float, lanes: tuple[int, ...]
 ) -> float:
-    """‖x - y‖²_W of weight w, which has entries off the diagonal; `away` and `image` are scratch, (rows, width)."""
+    """‖x - y‖²_W of weight w, which has entries off the diagonal; `away` and `image` are scratch, (rows, width).
+
+    Args:
+        op: of the body.
+        w: number of the weight.
+        position: x, (rows, width) [m].
+        sample: y, likewise.
+        away: scratch.
+        image: scratch.
+        lanes: fixes the width of a row.
+    """
     for i in range(op.mass.shape[0]):
         store(away, i, load(position, i, lanes) - load(sample, i, lanes), lanes)
     return multiply(op, WEIGHTS + w, op.weight[w], away, image, lanes)
@@ -43,7 +53,15 @@ def mixed_stretch(
 
 @kernel
 def approach(position: Float, sample: Float, fraction: float, held: Float, lanes: tuple[int, ...]) -> None:
-    """`ȳ = x + fraction (y - x)`, written to `held`."""
+    """`ȳ = x + fraction (y - x)`, written to `held`.
+
+    Args:
+        position: x, (rows, width) [m].
+        sample: y, likewise.
+        fraction: of the way to it.
+        held: result.
+        lanes: fixes the width of a row.
+    """
     for i in range(position.shape[0]):
         x = load(position, i, lanes)
         store(held, i, x + fraction * (load(sample, i, lanes) - x), lanes)

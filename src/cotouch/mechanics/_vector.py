@@ -65,7 +65,14 @@ def _broadcast(builder: Any, value: Any, width: int) -> Any:
 
 @intrinsic
 def load(typingctx: Any, field: Any, row: Any, lanes: Any) -> Any:
-    """`field[row, :]` as a vector."""
+    """`field[row, :]` as a vector.
+
+    Args:
+        typingctx: numba's own.
+        field: (rows, width), C-contiguous.
+        row: of it, in range.
+        lanes: fixes the width of a row.
+    """
     del typingctx, row
     _contiguous(field)
 
@@ -78,7 +85,15 @@ def load(typingctx: Any, field: Any, row: Any, lanes: Any) -> Any:
 
 @intrinsic
 def store(typingctx: Any, field: Any, row: Any, value: Any, lanes: Any) -> Any:
-    """`field[row, :] = value`."""
+    """`field[row, :] = value`.
+
+    Args:
+        typingctx: numba's own.
+        field: (rows, width), C-contiguous.
+        row: of it, in range.
+        value: a vector.
+        lanes: fixes the width of a row.
+    """
     del typingctx, row, value
     _contiguous(field)
 
@@ -92,7 +107,13 @@ def store(typingctx: Any, field: Any, row: Any, value: Any, lanes: Any) -> Any:
 
 @intrinsic
 def splat(typingctx: Any, value: Any, lanes: Any) -> Any:
-    """A vector with `value` in every lane."""
+    """A vector with `value` in every lane.
+
+    Args:
+        typingctx: numba's own.
+        value: a number.
+        lanes: fixes the width of a row.
+    """
     del typingctx, value
 
     def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
@@ -163,6 +184,11 @@ def at(typingctx: Any, array: Any, index: Any) -> Any:
     """`array[index]` of a C-contiguous array; every index known to be in range and not negative.
 
     A single index into several dimensions counts the elements in order.
+
+    Args:
+        typingctx: numba's own.
+        array: C-contiguous.
+        index: one, or one for each dimension.
     """
     del typingctx
     _contiguous(array)
@@ -178,7 +204,14 @@ def at(typingctx: Any, array: Any, index: Any) -> Any:
 
 @intrinsic
 def put(typingctx: Any, array: Any, index: Any, value: Any) -> Any:
-    """`array[index] = value`; what `at` asks of the index holds here too."""
+    """`array[index] = value`; what `at` asks of the index holds here too.
+
+    Args:
+        typingctx: numba's own.
+        array: C-contiguous.
+        index: as of `at`.
+        value: a number.
+    """
     del typingctx, value
     _contiguous(array)
 

@@ -322,7 +322,12 @@ def tell_world(world: World | None, copy_scale: float, ledger: Float) -> None:
 
 @block
 def deepest_point(world: World, x: Float) -> tuple[float, int]:
-    """How deep the deepest point is in any obstacle, less than 0 outside [m], and in which."""
+    """How deep the deepest point is in any obstacle, less than 0 outside [m], and in which.
+
+    Args:
+        world: what the body may meet.
+        x: displacements from rest, (rows, width) [m].
+    """
     most, where = -math.inf, 0
     for p in range(world.area.shape[0]):
         ux, uy, uz = _place(world, p, x)

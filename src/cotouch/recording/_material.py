@@ -296,7 +296,9 @@ def _body_of(arrays: Mapping[str, Any], rest: Float, places: Any) -> Body:
         gravity=tuple(np.asarray(said["gravity"], dtype=np.float64).ravel().tolist()),  # pyright: ignore[reportArgumentType]
         cuttable=bool(said["cuttable"]),
         **{name: float(said[name]) for name in ("tear", "strength", "toughness")},
-        **{name: _number(said[name]) for name in ("young", "poisson", "viscosity")},
+        young=_number(said["young"]),
+        poisson=_number(said["poisson"]),
+        viscosity=_number(said["viscosity"]),
     )
     inner: dict[str, Any] = {name: SumOfSquares(matrices[name]) for name in _INNER}
     outer: dict[str, Any] = {name: matrices[name] for name in _OUTER}

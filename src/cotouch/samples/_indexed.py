@@ -89,8 +89,7 @@ class IndexedAssembly:
 
     def take(self, chunk: Chunk) -> Refusal | None:
         """Takes a chunk that was read; says why, if it is of no use."""
-        heading, layout = chunk.heading, self._layout
-        index = heading.step
+        heading, layout, index = chunk.heading, self._layout, chunk.heading.step
         if index <= self._current.index or index in self._whole:
             return Refusal.STALE
         # The first one heard may be far ahead: whoever joins finds the others anywhere.
