@@ -13,6 +13,8 @@ from cotouch.body import SolidModel, body_from_tetrahedra
 
 Float = npt.NDArray[np.float64]
 YOUNG, THICK = 1e5, 0.01
+# scipy has no types for it
+# pyright: reportUnknownVariableType=false, reportUnknownMemberType=false, reportUnknownArgumentType=false
 # Sweeps that find rotations from those of a place nearby.
 _SWEEPS = 12
 
@@ -108,7 +110,7 @@ def bent_beam(model: SolidModel, fine: int, *, slender: int, load: float, wide: 
     elements = body.material.elements
     pairs = np.unique(np.stack([np.repeat(elements, 4, axis=1), np.tile(elements, 4)], axis=-1).reshape(-1, 2), axis=0)
     row, column = pairs.T
-    step = 1e-6 * THICK
+    step, left = 1e-6 * THICK, np.inf
     for _ in range(30):
         here = gradient(x)
         left = float(np.abs(here.ravel()[free]).max())

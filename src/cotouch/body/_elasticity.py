@@ -56,7 +56,11 @@ def springs_of_tetrahedra(points: Float, tetrahedra: Ints, *, young: float | Flo
     mesh = MeshTet(np.ascontiguousarray(points.T), np.ascontiguousarray(tetrahedra.T))
     basis: Any = Basis(mesh, ElementTetP1(), intorder=1)
     modulus = np.reshape(young, (-1, 1)) if np.ndim(young) else young
-    return sp.csr_array(BilinearForm(lambda u, v, _: modulus * dot(grad(u), grad(v))).assemble(basis))
+
+    def form(u: Any, v: Any, _: Any) -> Any:
+        return modulus * dot(grad(u), grad(v))
+
+    return sp.csr_array(BilinearForm(form).assemble(basis))
 
 
 def springs_along_edges(nodes: int, tetrahedra: Ints, *, stiffness: float) -> sp.csr_array:
