@@ -22,6 +22,7 @@ SECTIONS = (
     "touch",
     "materials",
     "bodies",
+    "acceptance",
     "planner",
     "laws",
     "codec",

@@ -171,8 +171,8 @@ def closed_step(
             )
             level(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, work, lanes)
         else:
-            # What would still pass an obstacle at the last attempt stays where it is.
-            shorter = 0.0 if still or (passed and attempt >= LAST_ATTEMPT - 1) else 0.5
+            # What cannot be closed, or would still pass an obstacle, at the last attempt stays where it is.
+            shorter = 0.0 if still or attempt >= LAST_ATTEMPT - 1 else 0.5
             length *= shorter
             for i in range(op.mass.shape[0]):
                 store(work.mean, i, shorter * load(work.mean, i, lanes), lanes)

@@ -3,6 +3,7 @@
 import json
 from collections.abc import Mapping
 from html import escape
+from math import inf
 from pathlib import Path
 from typing import Annotated, Any, Self, cast, final
 
@@ -267,8 +268,9 @@ class Scenario(Table):
         """A body whose elements can be cut, if any are to be."""
         if self.cutting is None and all(tool.kind != "blade" for tool in self.tools):
             return body
-        tear = None if self.cutting is None else self.cutting.tear
-        return body.with_cutting() if tear is None else body.with_cutting(tear)
+        said = self.cutting or CuttingTable()
+        limits = {name: getattr(said, name) or inf for name in ("tear", "strength")}
+        return body.with_cutting(**limits, toughness=said.toughness)
 
     def _weighing(self, body: Body) -> Body:
         """A body with the weight that the world gives it; one that meets obstacles has a material."""
