@@ -6,6 +6,7 @@ from rich.console import Console
 
 from benchmarks import (
     attack,
+    bodies,
     engine,
     fuzz,
     live,
@@ -37,6 +38,7 @@ def main() -> None:
             ("scaling", lambda: scaling.measure(draw=options.write)),
             ("touch", touch.measure),
             ("materials", materials.measure),
+            ("bodies", bodies.measure),
             ("planner", lambda: planner.measure(long=options.long)),
             ("live", live.measure),
             ("members", members.measure),

@@ -21,6 +21,8 @@ SECTIONS = (
     "scaling",
     "touch",
     "materials",
+    "bodies",
+    "acceptance",
     "planner",
     "laws",
     "codec",

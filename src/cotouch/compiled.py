@@ -195,12 +195,7 @@ def _code_of(cres: Any) -> Any:
 
 
 def _large(cres: Any, least: int) -> bool:
-    """Whether a function stays apart: by size, and if another process can find it and gives it the same symbol.
-
-    Args:
-        cres: numba's result.
-        least: how many of LLVM's instructions make it large.
-    """
+    """Whether a function stays apart: of so many instructions, and another process finds it by the same symbol."""
     description = cres.fndesc
     if description.inline or description.uid != 0:
         return False

@@ -169,6 +169,21 @@ def test_body_in_numbers(shapes: Path) -> None:
     )
 
 
+def test_body_lists_those_of_a_scenario() -> None:
+    tower = Path(__file__).parents[2] / "examples" / "tower.toml"
+    told = json.loads(here("body", tower, "--json").stdout)
+    assert [one["name"] for one in told["bodies"]] == [f"block {k + 1}" for k in range(5)]
+    assert told["nodes"] == 20
+    assert told["bodies"][4]["middle_m"] == pytest.approx([0.0, 0.0, 0.225])
+    assert told["bodies"][4]["size_m"] == pytest.approx([0.05] * 3)
+    assert told["bodies"][4]["mass_kg"] == pytest.approx(0.1)
+    table = here("body", tower)
+    assert "tower.toml: 5 bodies, 20 nodes" in table.stdout
+    refused = here("body", tower, "--young", "3")
+    assert refused.returncode == 2
+    assert "--young is 3.0, but" in refused.stderr
+
+
 def test_body_says_what_was_repaired(shapes: Path, tmp_path: Path) -> None:
     """Nine of ten triangles of a face, half of them turned round: mended, and said."""
     content = bytearray((shapes / "kidney.stl").read_bytes())

@@ -3,6 +3,7 @@
 import tomllib
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,8 @@ from tests.laws.scenes import PASSIVE, law_of, two
 
 from cotouch.laboratory import Study, books, impedance, searched, touching, trial
 from cotouch.laws import PAID, TANK, End, Facts, Tone, copy, given_power, laws, register
+from cotouch.laws._paid import _past, _then  # pyright: ignore[reportPrivateUsage]
+from cotouch.laws._paid_hand import COUNT, EVERY, KEPT, PAST, TIME, TIMES
 from cotouch.scenario import Scenario
 from cotouch.simulation import judge, prepare, run_batch, simulate, with_law
 
@@ -444,3 +447,17 @@ def test_paid_makes_no_more_than_its_seed_where_tools_touch(number: int) -> None
     assert books["finished"]
     assert 0.0 < books["made"] <= books["law_seed"]
     assert float(abs(run["residual"]).max()) < 1e-11 * float(abs(run["supplied_total"]).max())
+
+
+def test_paid_knows_where_what_swings_was_between_what_it_kept() -> None:
+    """At 35 Hz and 4 ms a straight line would be 9 % too low, which pushes on what swings."""
+    omega, times = 2.0 * np.pi * 35.0, 0.1 + EVERY * np.arange(KEPT)
+    shared = np.zeros((PAST + 2 * KEPT, 1))
+    shared[PAST : PAST + KEPT, 0], shared[PAST + KEPT :, 0] = np.sin(omega * times), omega * np.cos(omega * times)
+    numbers = np.zeros(TIMES + KEPT)
+    numbers[COUNT], numbers[TIME], numbers[TIMES:] = KEPT, times[-1], times
+    end: Any = SimpleNamespace(T=0.0, shared=shared, shared_scalars=numbers)
+    for when in (times[0] + 0.0017 * step for step in range(295)):
+        x, v = _then.py_func(end, *_past.py_func(end, when), 0)  # pyright: ignore[reportFunctionMemberAccess]
+        assert x == pytest.approx(np.sin(omega * when), abs=0.005)
+        assert v == pytest.approx(omega * np.cos(omega * when), abs=0.03 * omega)

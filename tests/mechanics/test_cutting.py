@@ -1,12 +1,14 @@
 """Cutting: the energy that goes is that of the elements that go, and a blade takes what it goes through."""
 
+from typing import Any
+
 import numpy as np
 import numpy.typing as npt
 import pytest
 from scipy.spatial import KDTree
-from tests.mechanics.materials import Alone, bent, energy_at, made
+from tests.mechanics.materials import YOUNG, Alone, bent, boxes, energy_at, made
 
-from cotouch.body import FACES, Body, cut_skin, lattice
+from cotouch.body import FACES, Body, SolidModel, body_from_tetrahedra, cut_skin, lattice
 from cotouch.errors import BodyError
 from cotouch.mechanics import (
     BETA,
@@ -23,8 +25,10 @@ from cotouch.mechanics import (
     sever,
     surface_of,
 )
+from cotouch.mechanics._breaking import SOLIDS, principal_stress
 from cotouch.mechanics._crossing import crosses
 from cotouch.mechanics._cutting import _EDGES
+from cotouch.mechanics._materials import gradients_of, lame_of
 
 Float = npt.NDArray[np.float64]
 CUTTABLE = ("spring-network", "cells", "corotated", "st-venant-kirchhoff", "neo-hookean")
@@ -129,6 +133,54 @@ def test_what_is_stretched_too_far_breaks() -> None:
     too_far = length > 1.05 * rest
     assert 0 < np.count_nonzero(too_far) < rest.size
     assert np.array_equal(cutting.wanted, np.where(too_far, 3, 0))
+
+
+@pytest.mark.parametrize("name", ["corotated", "st-venant-kirchhoff", "neo-hookean"])
+def test_the_principal_stress_is_the_slope_of_the_energy(name: SolidModel) -> None:
+    """Of any turned stretch: dψ/dλ by differences of the energy of one tetrahedron, whichever law it has."""
+    rng, rest = np.random.default_rng(8), np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0.2, 0.1, 1]])
+    whole = body_from_tetrahedra((rest, [[0, 1, 2, 3]]), unit="m", model=name, young=7.0, poisson=0.3)
+    material = whole.material
+    assert material is not None
+    gradient, lame = gradients_of(whole.rest, material.elements), lame_of(material)
+    copy = Alone(whole)
+    middle, volume = whole.rest.mean(axis=0), float(copy.force.law.volume[0])
+    for _ in range(20):
+        stretch = rng.uniform(0.7, 1.5, 3)
+        one, two = (np.linalg.qr(rng.normal(size=(3, 3)))[0] for _ in range(2))
+        one, two = one * np.linalg.det(one), two * np.linalg.det(two)
+
+        def energy(stretch: Float, one: Float = one, two: Float = two) -> float:
+            place = (whole.rest - middle) @ (one @ np.diag(stretch) @ two).T
+            x = copy.rows(place - (whole.rest - middle))
+            memory = copy.state.memory
+            return energy_at(copy.force, memory, x, x, np.zeros_like(x), 200, copy.model.lanes)[0] / volume
+
+        slopes = [(energy(stretch + h) - energy(stretch - h)) / 2e-5 for h in 1e-5 * np.eye(3)]
+        spot = np.zeros((4, 4))
+        spot[:, :3] = whole.rest[material.elements[0]] @ (one @ np.diag(stretch) @ two).T
+        found = principal_stress(SOLIDS.index(name), lame[0, 0], lame[0, 1], spot, gradient, 0)
+        great = int(np.argmax(stretch))
+        assert found == pytest.approx(slopes[great], rel=1e-5, abs=1e-5)
+
+
+@pytest.mark.parametrize("name", CUTTABLE)
+def test_what_bears_too_much_stress_breaks(name: Any) -> None:
+    """Stretched by 4 % along one axis: E times that, of cells and tetrahedra without Poisson's ratio."""
+    body = made(name)
+    if body.material is not None and body.material.solid and name != "neo-hookean":
+        body = body_from_tetrahedra(boxes(), unit="m", model=name, young=YOUNG, poisson=0.0)
+    x = np.zeros_like(body.rest)
+    x[:, 0] = 0.04 * body.rest[:, 0]
+    bears = 0.04 * YOUNG * (0.4 if name == "spring-network" else 1.0)  # k is 0.4 E h, of an edge as wide as long
+    for share, breaks in ((0.8, True), (1.8, False)):
+        copy = Alone(body.with_cutting(strength=share * bears), x)
+        cutting = cutting_of(copy.model)
+        assert cutting is not None
+        decide_cuts(cutting, copy.state.memory, copy.state.position, None, 1, True)
+        assert bool(cutting.wanted.any()) == breaks
+        if name in {"cells", "corotated", "st-venant-kirchhoff"}:
+            assert bool(cutting.wanted.all()) == breaks
 
 
 def test_a_neighbour_is_heard_as_of_the_sample_that_arrived() -> None:
@@ -236,6 +288,10 @@ def test_what_cannot_be_cut_is_told() -> None:
         made("floating").with_cutting()
     with pytest.raises(BodyError, match=r"tear is 0\.0; it must be a strain above 0"):
         made("cells").with_cutting(0.0)
+    with pytest.raises(BodyError, match=r"strength is -1\.0; it must be a stress above 0 Pa"):
+        made("cells").with_cutting(strength=-1.0)
+    with pytest.raises(BodyError, match=r"toughness is -1\.0; it must be a finite number of at least 0 J/m²"):
+        made("cells").with_cutting(toughness=-1.0)
     flat = lattice([3, 3], neighbours=26, model="spring-network")
     with pytest.raises(BodyError, match="cutting needs a body of 3 axes, but this one has 2"):
         flat.with_cutting()

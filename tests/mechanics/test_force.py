@@ -126,6 +126,21 @@ def test_the_balance_is_exact_however_early_the_solver_stops(name: str, cap: int
     assert lost > 0.1 * start
 
 
+@pytest.mark.parametrize("name", ["floating", "spring-network", "st-venant-kirchhoff"])
+def test_garbage_directions_cost_no_energy(name: str) -> None:
+    """A matrix up to a thousand times too stiff or too soft, another in every step, and no dampers."""
+    rng, body = np.random.default_rng(2), made(name)
+    velocity = np.cross([3.0, 5.0, 2.0], body.rest) + rng.normal(scale=0.03, size=body.rest.shape)
+    copy = Alone(body, bent(body), velocity, copies=2, cap=3)
+    op, start = copy.model.operator, copy.energy
+    mix, held = op.mix.copy(), op.stiffness.copy()
+    for _ in range(200):
+        wrong = 10.0 ** rng.uniform(-3.0, 3.0)
+        op.mix[2], op.stiffness[:] = wrong * mix[2], wrong * held
+        copy.step(float(rng.uniform(5e-4, 5e-3)))
+        assert copy.energy == pytest.approx(start, rel=1e-12)
+
+
 @pytest.mark.parametrize("name", EVERY)
 def test_the_motion_converges_to_second_order(name: str) -> None:
     body = made(name, viscosity=1e-4)

@@ -45,12 +45,46 @@ def test_a_tower_stands_and_two_take_it_apart(taken_apart: Any) -> None:
     assert (np.diff(taken_apart["world_loss"].values, axis=1) >= 0.0).all()
 
 
+def test_a_body_that_meets_itself_does_so_in_every_world_to_the_same_bits() -> None:
+    """A strip is folded over by a hand; the other user's copy follows."""
+    fold = {"path": [[0, 0, 0, 0], [0.15, -0.06, 0, 0.06], [0.3, -0.09, 0, 0.012]], "stiffness": 200, "damping": 1}
+    held = {"user": 1, "at": [0.0, 0.01, 0.0], "stiffness": 200, "damping": 1}
+    scenario = Scenario.make(
+        network=PAIR,
+        body={"kind": "lattice", "shape": [12, 3, 2], "mass": 0.05, "stiffness": 20, "damping": 0.05, "model": "cells"},
+        between={"self_contact": True, "friction": 0.3, "damping": 1.0},
+        hands=[{"user": 1, "at": [0.11, 0.01, 0.01], **fold}, held, {"user": 2, "at": [0.11, 0.0, 0.01], **fold}],
+        steps={"duration": 0.35, "rate": 2000},
+    )
+    ready = prepare(scenario)
+    batch, peers = run_batch(ready), run_peers(ready)
+    assert np.array_equal(batch.position, np.stack([places[-1] for places in peers.position]))
+    assert max(abs(report.residual) for reports in peers.reports for report in reports) <= 1e-15
+
+
 @pytest.mark.parametrize("law", ["spring", "paid"])
 def test_peers_come_to_the_same_bits(law: str) -> None:
     ready = prepare(stack(synchronisation={"law": law}))
     batch, peers = run_batch(ready), run_peers(ready)
     assert np.array_equal(batch.position, np.stack([places[-1] for places in peers.position]))
     assert max(abs(report.residual) for reports in peers.reports for report in reports) <= 1e-15
+
+
+def test_a_tool_that_pushes_one_body_leaves_another_at_rest() -> None:
+    """What the tool does is booked at the body that it does it to, or the balance of both would move the other."""
+    tool = {
+        "user": 1,
+        "at": [-0.035, 0.0, 0.0],
+        "radius": 0.01,
+        "mass": 0.02,
+        "stiffness": 2000,
+        "hand": {"stiffness": 200, "damping": 2, "path": [[0, 0, 0, 0], [0.05, 0.03, 0, 0]]},
+    }
+    apart = [{**DIE, "name": "near", "at": [0, 0, 0]}, {**DIE, "name": "far", "at": [0, 0, 1]}]
+    network = {"users": ["Ann"], "spring": [[0]], "delay": [[0]]}
+    run = run_batch(prepare(stack(bodies=apart, hands=[], tools=[tool], world={}, network=network)))
+    assert np.abs(run.position[0][:4]).max() > 1e-3
+    assert np.abs(run.position[0][4:]).max() <= 1e-15
 
 
 def test_three_copies_over_delays_stay_passive() -> None:

@@ -160,3 +160,26 @@ def test_what_cannot_be_cut_is_told_in_a_sentence() -> None:
         made(cutting={"tear": -1})
     with pytest.raises(ScenarioError, match=r"cutting\.users names user 9; the network has users 1 to 3"):
         prepare(made(cutting={"users": [3, 9]}))
+
+
+def test_a_blade_pays_for_the_area_that_it_opens() -> None:
+    """Slowly through a whole block: what is lost is toughness times area, what resists is toughness times edge."""
+    toughness, h = 40.0, 0.01
+    block = {**RUN["body"], "ground": "all", "ground_stiffness": 2000.0, "damping": 0.5}
+    blade = RUN["tools"][0] | {
+        "user": 1,
+        "hand": {"path": [[0.0, 0, 0, 0], [0.8, 0, 0.09, 0]], "stiffness": 2000, "damping": 20},
+    }
+    alone = {"network": {"users": ["Ann"], "spring": [[0]], "delay": [[0]]}, "hands": [], "channel": {}}
+    still = {"body": block, "steps": {"duration": 0.8, "rate": 1000}, "tools": [blade], **alone}
+    run, free = (simulate(made(cutting={"toughness": one}, **still)) for one in (toughness, 0.0))
+    # Three cubes along y, two along z.
+    assert int(run["cut_elements"][0, -1]) == int(free["cut_elements"][0, -1]) == 6
+    assert float(run["touch_loss"][0, -1]) == pytest.approx(toughness * 6 * h * h, rel=0.02)
+    assert float(free["touch_loss"][0, -1]) == 0.0
+    assert run.attrs["energy_residual"] < 1e-12
+    assert run.attrs["passivity_margin"] >= -1e-12
+    force = -run["touch_force"].values[0, :, 1]  # against its way
+    time = run["time"].values[0]
+    within = (time > 0.8 * 0.035 / 0.09) & (time < 0.8 * 0.05 / 0.09)
+    assert float(force[within].mean()) == pytest.approx(toughness * 2 * h, rel=0.25)

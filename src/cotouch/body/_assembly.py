@@ -25,6 +25,7 @@ def put_together(
     rest: Float,
     masses: Float,
     springs: sp.csr_array,
+    dampers: sp.csr_array,
     alpha: float,
     beta: float,
     ground: Held,
@@ -42,7 +43,8 @@ def put_together(
     Args:
         rest: its nodes, (n, 3) [m].
         masses: of the nodes [kg].
-        springs: the square root of its stiffness.
+        springs: its stiffness.
+        dampers: what goes with that in the damping.
         alpha: of the damping α M + β K [1/s].
         beta: likewise [s].
         ground: which nodes are held.
@@ -78,7 +80,7 @@ def put_together(
     return Body(
         mass=sp.diags_array(masses),
         rest=rest,
-        damping_int=SumOfSquares(springs * beta) if beta > 0.0 else None,
+        damping_int=SumOfSquares(dampers) if dampers.nnz and abs(dampers).max() > 0.0 else None,
         damping_ext=sp.diags_array(alpha * masses + grip * (ground_damping + beta * ground_stiffness)),
         stiffness_int=SumOfSquares(springs),
         stiffness_ext=sp.diags_array(grip * ground_stiffness),

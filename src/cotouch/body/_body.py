@@ -256,14 +256,16 @@ class Body:
             raise UnsupportedError("the body is confined to a few shapes, which have no weight; leave one of them out")
         return self._made_of(replace(self.material or Material(model="linear"), gravity=gravity))
 
-    def with_cutting(self, tear: float = inf) -> "Body":
+    def with_cutting(self, tear: float = inf, *, strength: float = inf, toughness: float = 0.0) -> "Body":
         """The same body, whose elements can be cut.
 
         Args:
             tear: strain at which an element breaks by itself, > 0; by default none does.
+            strength: tensile stress at which it does, > 0 [Pa]; by default none; see `Material`.
+            toughness: what a blade pays for new area, >= 0 [J/m²].
 
         Raises:
-            BodyError: the body's model has no elements, it has fewer than three axes, or tear is out of its range.
+            BodyError: the body's model has no elements, it has fewer than three axes, or a value is out of its range.
         """
         if self.material is None:
             raise BodyError(
@@ -272,7 +274,7 @@ class Body:
             )
         if self.dimension != 3:
             raise BodyError(f"cutting needs a body of 3 axes, but this one has {self.dimension}")
-        return self._made_of(replace(self.material, cuttable=True, tear=tear))
+        return self._made_of(replace(self.material, cuttable=True, tear=tear, strength=strength, toughness=toughness))
 
     def _made_of(self, material: Material | None, places: npt.ArrayLike | None = None) -> "Body":
         return Body(

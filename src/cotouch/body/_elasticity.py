@@ -17,14 +17,16 @@ Ints = npt.NDArray[np.int64]
 EDGES: Final = [(i, j) for i in range(8) for j in range(i + 1, 8) if int(np.abs(CORNERS[i] - CORNERS[j]).sum()) == 1]
 
 
-def elastic_tetrahedra(points: Float, tetrahedra: Ints, *, young: float, poisson: float) -> sp.csr_array:
+def elastic_tetrahedra(
+    points: Float, tetrahedra: Ints, *, young: float | Float, poisson: float | Float
+) -> sp.csr_array:
     """K of isotropic linear elasticity on linear tetrahedra (P1), 3n x 3n [N/m], by scikit-fem.
 
     Args:
         points: (n, 3) [m].
         tetrahedra: (E, 4) indices of points.
-        young: Young's modulus [Pa].
-        poisson: Poisson's ratio.
+        young: Young's modulus, one or (E,) [Pa].
+        poisson: Poisson's ratio, likewise.
     """
     from skfem import Basis, ElementTetP1, ElementVector, MeshTet
     from skfem.models.elasticity import lame_parameters, linear_elasticity
@@ -32,10 +34,12 @@ def elastic_tetrahedra(points: Float, tetrahedra: Ints, *, young: float, poisson
     mesh = MeshTet(np.ascontiguousarray(points.T), np.ascontiguousarray(tetrahedra.T))
     # Strains are constant in an element, so one point integrates them exactly.
     basis: Any = Basis(mesh, ElementVector(ElementTetP1()), intorder=1)
-    return _by_nodes(linear_elasticity(*lame_parameters(young, poisson)).assemble(basis), basis)
+    # With one number for each element, beside its one point of integration.
+    values: Any = (np.reshape(each, (-1, 1)) if np.ndim(each) else each for each in (young, poisson))
+    return _by_nodes(linear_elasticity(*lame_parameters(*values)).assemble(basis), basis)
 
 
-def springs_of_tetrahedra(points: Float, tetrahedra: Ints, *, young: float) -> sp.csr_array:
+def springs_of_tetrahedra(points: Float, tetrahedra: Ints, *, young: float | Float) -> sp.csr_array:
     """K of the energy `½ E ∫ |∇u|²` on linear tetrahedra, n x n [N/m], by scikit-fem.
 
     Off the diagonal it is minus a spring for each edge, `k_ij = -E ∫ ∇φ_i·∇φ_j` (the cotangent weights). It stretches a
@@ -44,14 +48,19 @@ def springs_of_tetrahedra(points: Float, tetrahedra: Ints, *, young: float) -> s
     Args:
         points: (n, 3) [m].
         tetrahedra: (E, 4) indices of points.
-        young: Young's modulus [Pa].
+        young: Young's modulus, one or (E,) [Pa].
     """
-    from skfem import Basis, ElementTetP1, MeshTet
-    from skfem.models.poisson import laplace
+    from skfem import Basis, BilinearForm, ElementTetP1, MeshTet
+    from skfem.helpers import dot, grad
 
     mesh = MeshTet(np.ascontiguousarray(points.T), np.ascontiguousarray(tetrahedra.T))
     basis: Any = Basis(mesh, ElementTetP1(), intorder=1)
-    return sp.csr_array(laplace.assemble(basis)) * young
+    modulus = np.reshape(young, (-1, 1)) if np.ndim(young) else young
+
+    def form(u: Any, v: Any, _: Any) -> Any:
+        return modulus * dot(grad(u), grad(v))
+
+    return sp.csr_array(BilinearForm(form).assemble(basis))
 
 
 def springs_along_edges(nodes: int, tetrahedra: Ints, *, stiffness: float) -> sp.csr_array:

@@ -167,6 +167,7 @@ def body_from_surface(
         rest=rest,
         masses=total * fractions / fractions.sum(),
         springs=springs,
+        dampers=springs * rayleigh_stiffness,
         alpha=rayleigh_mass,
         beta=rayleigh_stiffness,
         ground=ground,

@@ -14,6 +14,7 @@ from cotouch.body._ground import Held
 from cotouch.body._lines import doubled
 from cotouch.body._material import Frame
 from cotouch.body._mesh_material import SolidModel, check_material, frame_of_model, of_tetrahedra, warned
+from cotouch.body._mesh_parts import Parts, of_parts
 from cotouch.body._pieces import boundary_of, hinged, one_piece, volumes_of, without_broken
 from cotouch.body._reading import Unit, as_mesh, check_indices, metres
 from cotouch.body._rigid import moments_of_tetrahedra, rigid_solid
@@ -44,6 +45,7 @@ def body_from_tetrahedra(
     frame: Frame | None = None,
     part: int | None = None,
     sets: Mapping[str, Sequence[int]] | None = None,
+    parts: Parts | None = None,
     most_elements: int = MOST_ELEMENTS,
     most_nodes: int = MOST_NODES,
 ) -> Body:
@@ -71,6 +73,8 @@ def body_from_tetrahedra(
             "fixed" keeps K as it is: cheaper, with modes, and a turned body shrinks.
         part: which of several separate parts to take, from 1, the biggest first.
         sets: more named sets, as indices of the source's points.
+        parts: by the name of a set (a physical group), what is in it: young [Pa], poisson, rayleigh_stiffness [s]; the
+            rest is as said above. A tetrahedron is in it if all its corners are. Not with "rigid" or `stiffness`.
         most_elements: refuse more than this.
         most_nodes: refuse more than this.
 
@@ -139,30 +143,49 @@ def body_from_tetrahedra(
             f"tetrahedra of {name} overlap in {100.0 * twice / volume:.2g} % of their volume; every place must be in "
             "one of them, so mesh the union of the parts"
         )
+    if parts and (model in {"rigid", "spring-network"} or stiffness is not None):
+        raise BodyError(f'parts are given, but model "{model}" has no Young\'s modulus of its own there; leave one out')
     if model == "rigid":
         solid, corners = moments_of_tetrahedra(rest, elements), skin.triangles
         return rigid_solid(skin.vertices, corners, solid, density, mass, name, "tetrahedra", unit, ground, notes)
     fractions = np.bincount(elements.ravel(), weights=np.repeat(volumes, 4), minlength=rest.shape[0])
     total = density * volume if mass is None else mass
-    springs, material = of_tetrahedra(
-        rest,
-        elements,
-        model=model,
-        young=young,
-        poisson=poisson,
-        stiffness=stiffness,
-        viscosity=rayleigh_stiffness,
-        frame=frame,
-    )
     place = np.full(mesh.points.shape[0], -1, dtype=np.int64)
     place[used] = np.arange(used.size)
     given = {**mesh.sets, **{key: np.asarray(members, dtype=np.int64) for key, members in (sets or {}).items()}}
     named: dict[str, Any] = {key: place[members][place[members] >= 0] for key, members in given.items()}
+    whole = {"young": young, "poisson": poisson, "rayleigh_stiffness": rayleigh_stiffness}
+    own = of_parts(parts or {}, elements, named, whole, name)
+    springs, material = of_tetrahedra(
+        rest,
+        elements,
+        model=model,
+        young=own["young"],
+        poisson=own["poisson"],
+        stiffness=stiffness,
+        viscosity=own["rayleigh_stiffness"],
+        frame=frame,
+    )
+    dampers = springs * rayleigh_stiffness
+    weighed = own["young"] * own["rayleigh_stiffness"]
+    if parts and np.any(weighed):  # K with β E in place of E
+        least = np.finfo(np.float64).tiny  # a modulus must be above 0
+        dampers, _ = of_tetrahedra(
+            rest,
+            elements,
+            model="springs" if model == "springs" else "elastic",
+            young=np.maximum(weighed, least),
+            poisson=own["poisson"],
+            stiffness=None,
+            viscosity=0.0,
+            frame=frame,
+        )
     edges = rest[elasticity.edges_of(elements)]
     return put_together(
         rest=rest,
         masses=total * fractions / fractions.sum(),
         springs=springs,
+        dampers=dampers,
         alpha=rayleigh_mass,
         beta=rayleigh_stiffness,
         ground=ground,

@@ -44,24 +44,35 @@ class Material:
         elements: nodes of springs (E, 2), cubes (E, 8; corner `4a + 2b + c` lies at (a, b, c)) or tetrahedra (E, 4).
         stiffness: of each spring, or of the spring along an edge that four such cubes share, or m ω² of what is rigid,
             (E,) [N/m].
-        young: of tetrahedra [Pa].
-        poisson: of tetrahedra.
+        young: of tetrahedra, one for all or (E,) [Pa].
+        poisson: of tetrahedra, likewise.
         viscosity: η: dampers of η times the stiffness, which no rotation feels; not of models without elements, whose
-            dampers are the body's [s].
+            dampers are the body's; of tetrahedra one for all or
+            (E,) [s].
         gravity: acceleration that the whole body has where it is, (3,) [m/s²]; see `Body.with_gravity`.
         cuttable: whether its elements can be cut; see `Body.with_cutting`.
         tear: strain at which an element breaks: how much its most stretched edge is longer than at rest, as a share.
+        strength: largest tensile stress that an element bears, of tetrahedra the greatest principal one, of springs and
+            cubes that along an edge, as force over the area at rest [Pa].
+        toughness: what a blade pays for new area [J/m²].
     """
 
     model: MaterialModel
     elements: Ints = field(default_factory=lambda: np.zeros((0, 0), dtype=np.int64))
     stiffness: Float = field(default_factory=lambda: np.zeros(0))
-    young: float = 0.0
-    poisson: float = 0.0
-    viscosity: float = 0.0
+    young: float | Float = 0.0
+    poisson: float | Float = 0.0
+    viscosity: float | Float = 0.0
     gravity: tuple[float, float, float] = (0.0, 0.0, 0.0)
     cuttable: bool = False
     tear: float = inf
+    strength: float = inf
+    toughness: float = 0.0
+
+    @property
+    def solid(self) -> bool:
+        """Whether its elements are tetrahedra with a law of their own."""
+        return self.model in {"corotated", "st-venant-kirchhoff", "neo-hookean"}
 
     def check(self, rest: Float) -> None:
         """Whether it fits a body.
@@ -75,8 +86,15 @@ class Material:
         if self.model not in get_args(MaterialModel):
             raise BodyError(f'model is "{self.model}"; it must be one of {", ".join(get_args(MaterialModel))}')
         nodes, dimension = rest.shape
-        if not (np.isfinite(self.viscosity) and self.viscosity >= 0.0):
-            raise BodyError(f"viscosity is {self.viscosity}; it must be a finite number of at least 0 s")
+        viscosity = _first_bad(self.viscosity, 0.0, inf, least=True)
+        if viscosity is not None:
+            raise BodyError(f"viscosity is {viscosity}; it must be a finite number of at least 0 s")
+        for name in ("young", "poisson", "viscosity"):
+            extents = np.shape(getattr(self, name))
+            if extents not in {(), (self.elements.shape[0],)} or (extents and not self.solid):
+                raise BodyError(
+                    f"{name} holds {' x '.join(map(str, extents))} numbers; it must be one, or of tetrahedra one each"
+                )
         if len(self.gravity) != 3 or not np.isfinite(self.gravity).all():
             raise BodyError(f"gravity is {self.gravity}; it must be three finite numbers [m/s²]")
         if dimension < 2 and self.model != "linear":
@@ -89,6 +107,10 @@ class Material:
             )
         if self.cuttable and not self.tear > 0.0:
             raise BodyError(f"tear is {self.tear}; it must be a strain above 0, a share of the length at rest")
+        if self.cuttable and not self.strength > 0.0:
+            raise BodyError(f"strength is {self.strength}; it must be a stress above 0 Pa")
+        if not 0.0 <= self.toughness < inf:
+            raise BodyError(f"toughness is {self.toughness}; it must be a finite number of at least 0 J/m²")
         if corners is None:
             return
         if corners != 2 and dimension != 3:
@@ -116,12 +138,11 @@ class Material:
 
     def _check_solid(self, rest: Float) -> None:
         least = 0.0 if self.model == "neo-hookean" else -1.0
-        if not least < self.poisson < 0.5:
-            raise BodyError(
-                f'poisson is {self.poisson}; with model "{self.model}" it must be above {least:g} and below 0.5'
-            )
-        if not (np.isfinite(self.young) and self.young > 0.0):
-            raise BodyError(f"young is {self.young}; it must be more than 0 Pa")
+        poisson, young = _first_bad(self.poisson, least, 0.5), _first_bad(self.young, 0.0, inf)
+        if poisson is not None:
+            raise BodyError(f'poisson is {poisson}; with model "{self.model}" it must be above {least:g} and below 0.5')
+        if young is not None:
+            raise BodyError(f"young is {young}; it must be more than 0 Pa")
         edges = rest[self.elements[:, 1:]] - rest[self.elements[:, :1]]
         volumes = np.linalg.det(edges) / 6.0
         bad = np.flatnonzero(volumes <= 0.0)
@@ -130,6 +151,13 @@ class Material:
             raise BodyError(
                 f"tetrahedron {number + 1} is turned inside out (volume {volumes[number]:.3g} m³); swap two nodes"
             )
+
+
+def _first_bad(value: float | Float, low: float, high: float, *, least: bool = False) -> float | None:
+    """The first number that is not between two others; `least`: it may be the lower one."""
+    numbers = np.atleast_1d(np.asarray(value, dtype=np.float64))
+    bad = numbers[~(((numbers >= low) if least else (numbers > low)) & (numbers < high))]
+    return float(bad[0]) if bad.size else None
 
 
 def linear_material(frame: str) -> Material | None:

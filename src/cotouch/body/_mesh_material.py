@@ -77,10 +77,10 @@ def of_tetrahedra(
     elements: Ints,
     *,
     model: SolidModel,
-    young: float,
-    poisson: float,
+    young: float | Float,
+    poisson: float | Float,
     stiffness: float | None,
-    viscosity: float,
+    viscosity: float | Float,
     frame: Frame,
 ) -> tuple[sp.csr_array, Material | None]:
     """K and material of a solid of tetrahedra; see `body_from_tetrahedra`.

@@ -146,7 +146,10 @@ def certify(
 @app.command()
 def body(
     file: Annotated[
-        Path, typer.Argument(help="Mesh: STL, OBJ, PLY, OFF, GLB, VTK, VTU, .msh or .mesh.", show_default=False)
+        Path,
+        typer.Argument(
+            help="Mesh: STL, OBJ, PLY, OFF, GLB, VTK, VTU, .msh or .mesh; or a scenario, .toml.", show_default=False
+        ),
     ],
     unit: Annotated[
         str | None,
@@ -197,7 +200,7 @@ def body(
     figures: Annotated[Path | None, typer.Option(help="Draw a figure into this folder.", show_default=False)] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Make a body from a mesh and report on it: repairs, size, mass, first modes, supports."""
+    """Make a body from a mesh and report on it: repairs, size, mass, first modes, supports; or list a scenario's."""
     from cotouch.cli._body import run
 
     run(

@@ -10,6 +10,20 @@ from cotouch.files import beside, folder
 if TYPE_CHECKING:
     from rich.table import Table
 
+    from cotouch.body import Body
+
+# What the options for meshes are where nobody gives them.
+_USUAL = {
+    "young": 1e4,
+    "poisson": 0.3,
+    "density": 1000.0,
+    "rayleigh_mass": 0.0,
+    "rayleigh_stiffness": 0.0,
+    "ground": "none",
+    "ground_stiffness": 1e3,
+    "ground_damping": 0.0,
+}
+
 
 def run(
     path: Path,
@@ -20,10 +34,10 @@ def run(
     most: int | None = None,
     **options: Any,
 ) -> None:
-    """Reads a mesh, makes the body, and says what was understood.
+    """Reads a mesh, makes the body, and says what was understood; or says what bodies a scenario has.
 
     Args:
-        path: of the file to read.
+        path: of the file to read: a mesh, or a scenario, which has its own options.
         figures: folder for figures; None: none.
         as_json: whether to print one JSON object and nothing else on standard output.
         ground: what holds the body, as on the command line.
@@ -35,6 +49,10 @@ def run(
     from cotouch.scenario import FileTable
     from cotouch.simulation import body_report, save_body_figure
 
+    if path.suffix.lower() == ".toml":
+        _refuse_mesh_options(path, {**options, "ground": ground, "most": most, "figures": figures})
+        _tell_scenario(path, as_json=as_json)
+        return
     if figures is not None and figures.is_dir():  # it is made only once there is something to draw
         beside(figures, ("body.png",), (path,))
     given = {name: value for name, value in options.items() if value is not None}
@@ -60,6 +78,70 @@ def run(
         print_note(console, "yellow", literal(note))
     for file in drawn:
         console.print(f"  wrote {literal(file)}", highlight=False, soft_wrap=True)
+
+
+def _refuse_mesh_options(path: Path, options: dict[str, Any]) -> None:
+    for name, value in options.items():
+        if value is not None and value != _USUAL.get(name):
+            raise ScenarioError(
+                f'--{name.replace("_", "-")} is {value}, but "{path}" is a scenario, which says it itself; leave it out'
+            )
+
+
+def _tell_scenario(path: Path, *, as_json: bool) -> None:
+    """Prints a row for each of a scenario's bodies."""
+    from cotouch.interrupt import interruptible
+    from cotouch.scenario import Scenario
+
+    with working("Making the bodies", quiet=as_json):
+        body = interruptible(Scenario.read(path).build_body)()
+    found = [_of_scenario(one.name, one.body, one.rest()) for one in body.parts] or [_of_scenario("", body, body.rest)]
+    if as_json:
+        print_json({"file": str(path), "nodes": body.nodes, "bodies": found})
+        return
+    from rich.box import SIMPLE_HEAD
+    from rich.console import Console
+    from rich.table import Table
+
+    title = f"{path.name}: {len(found)} bod{'ies' if len(found) > 1 else 'y'}, {body.nodes:,} nodes"
+    table = Table(box=SIMPLE_HEAD, title=literal(title), title_justify="left", title_style="bold")
+    for name in ("body", "model", "nodes", "skin", "mass", "size", "middle"):
+        table.add_column(name)
+    for one in found:
+        size, middle = (" × ".join(map(number, one["size_m"])), ", ".join(map(number, one["middle_m"])))
+        table.add_row(
+            literal(one["name"]),
+            one["model"],
+            f"{one['nodes']:,}",
+            f"{one['triangles']:,} triangles" if one["triangles"] else "none",
+            number(one["mass_kg"], "kg"),
+            f"{size} m",
+            f"{middle} m",
+        )
+    Console().print(table)
+
+
+def _of_scenario(name: str, body: "Body", rest: Any) -> dict[str, Any]:
+    """What one of a scenario's bodies is, and where."""
+    skin = body.skin
+    seen = rest if skin is None or not skin.vertices.size else _seen(body, rest)
+    return {
+        "name": name,
+        "model": "linear" if body.material is None else body.material.model,
+        "nodes": body.nodes,
+        "triangles": 0 if skin is None else int(skin.triangles.shape[0]),
+        "mass_kg": float(body.mass.sum()) / (1 if body.form == "node" else body.dimension),
+        "size_m": (seen.max(axis=0) - seen.min(axis=0)).tolist(),
+        "middle_m": (0.5 * (seen.max(axis=0) + seen.min(axis=0))).tolist(),
+    }
+
+
+def _seen(body: "Body", rest: Any) -> Any:
+    """Where the vertices of its skin are among others, (V, 3) [m]."""
+    assert body.skin is not None
+    places = body.skin.interpolation(body.nodes) @ rest
+    grain = 1e-12 * float(abs(places).max())  # what is below it is rounding
+    return (places / grain).round() * grain if grain > 0.0 else places
 
 
 def _truncated(body: Any, modes: int) -> dict[str, Any]:

@@ -52,6 +52,8 @@ _MANY = 60
 COARSE = 0.03
 # Change of v̂ from one look to the next, of itself, below which the next would change it by rounding only.
 _SETTLED = 1e-9
+# And change of places, which is below their rounding: who rests has a v̂ of noise alone [m].
+_STILL = 1e-18
 # A step whose end velocity is changed by more than this is told: its forces and its energy disagree.
 CLOSURE_ALARM = 1e-2
 
@@ -169,8 +171,8 @@ def closed_step(
             )
             level(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, work, lanes)
         else:
-            # What would still pass an obstacle at the last attempt stays where it is.
-            shorter = 0.0 if still or (passed and attempt >= LAST_ATTEMPT - 1) else 0.5
+            # What cannot be closed, or would still pass an obstacle, at the last attempt stays where it is.
+            shorter = 0.0 if still or attempt >= LAST_ATTEMPT - 1 else 0.5
             length *= shorter
             for i in range(op.mass.shape[0]):
                 store(work.mean, i, shorter * load(work.mean, i, lanes), lanes)
@@ -347,7 +349,7 @@ def _lean(
     for p in range(dense.shape[0]):
         for q in range(dense.shape[1]):
             put(dense, (p, q), scale * at(dense, (p, q)))
-    return change <= _SETTLED * _SETTLED * size
+    return change <= _SETTLED * _SETTLED * size or T * T * change <= _STILL * _STILL
 
 
 @block

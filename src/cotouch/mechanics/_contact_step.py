@@ -23,7 +23,7 @@ from cotouch.mechanics._force_memory import looks_ahead
 from cotouch.mechanics._grasp import feel_grasp, take
 from cotouch.mechanics._kernel import block, part
 from cotouch.mechanics._operator import Operator
-from cotouch.mechanics._proxy import book_drive, move_proxy, proxy_drive, proxy_inertia
+from cotouch.mechanics._proxy import book_drive, move_proxy, pay_cut, proxy_drive, proxy_inertia
 from cotouch.mechanics._state import ITERATIONS, Links, Ports, State, Workspace
 from cotouch.mechanics._step import assemble
 from cotouch.mechanics._surface import Surface, refit
@@ -102,8 +102,7 @@ def contact_step(
         looks = looks_of(force.world, directions, work.dense.shape[0] > 0)
     for number in range(_LOOKS + looks):
         empty_rows(touch, lanes)
-        for a in range(3):
-            touch.yields[a] = 0.0
+        touch.yields[0] = touch.yields[1] = touch.yields[2] = 0.0
         if modal:
             for i in range(mean.shape[0]):
                 store(push, i, splat(0.0, lanes), lanes)
@@ -347,6 +346,7 @@ def _settle(touch: ContactWork, tools: Tools, T: float, sigma: float, touch_ledg
             tools.touch_force[t, a] = touch.inertia[p] * w - touch.drive[p, a]
             if touch.total[p] == 0.0 and touch.caught[p, 0] == 0.0 and tools.held[t] < 0 and sigma == 1.0:
                 tools.touch_force[t, a] = 0.0
+            pay_cut(tools, t, a, T, w, touch_ledger)
             book_drive(tools, t, a, T, w, touch_ledger)
             move_proxy(tools, t, a, T, w, touch_ledger)
             tools.stretch[t, a] = touch.rubbed[p, a] if tools.mode[t] == TOUCH else 0.0

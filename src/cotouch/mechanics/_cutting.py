@@ -15,12 +15,14 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.arrays import Float
-from cotouch.body import FACES, cut_skin
+from cotouch.body import FACES, Body, cut_skin
 from cotouch.errors import UnsupportedError
 from cotouch.mechanics._balance import ENERGY
+from cotouch.mechanics._breaking import SOLIDS, principal_stress
 from cotouch.mechanics._crossing import crosses
 from cotouch.mechanics._force import BodyForce, evaluate
 from cotouch.mechanics._kernel import block, part
+from cotouch.mechanics._materials import gradients_of, lame_of
 from cotouch.mechanics._model import Model
 from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._state import CUT, CUT_COUNT, ELASTIC, State
@@ -28,6 +30,9 @@ from cotouch.mechanics._tools import BLADE, Tools
 from cotouch.mechanics._vector import at, put
 
 Int = npt.NDArray[np.int32]
+
+# Slower than this a blade creeps under less than what would cut [m/s].
+_SLOW = 1e-3
 
 # Edges of an element by its number of corners: pairs that stretch.
 _EDGES = {
@@ -43,16 +48,23 @@ class Cutting(NamedTuple):
     Attributes:
         first: where the marks of a copy begin in its memory, behind their number: the step after which each element was
             cut, from 1, then the user who decided it, from 1; 0 of those that are whole.
-        tear: strain at which an element breaks.
+        breaks: whether any element does by itself.
         decides: whether each user's copy cuts by itself, (users,).
         rest: places of the rows at rest, (rows, 4) [m].
         corner: rows of each element's corners, (E, c).
         edge: pairs of corners, (s, 2).
-        length: of the edges at rest, (E, s) [m].
+        most: squares of the lengths at which edges break, (E, s) [m²].
+        law: which one tetrahedra have for their stress, from 0; negative: none.
+        strength: the greatest principal stress that they bear [Pa].
+        lame: of them, see `lame_of`.
+        gradient: ∇N of their last three corners, (3 E, 4) [1/m].
+        toughness: what a blade pays for new area [J/m²].
+        area: that an element stands for, (E,) [m²].
         face: triples of corners, seen from outside, (q, 3); none of a spring.
         pointer: of each triangle of the skin into `element`, (F + 1,).
         element: elements that carry it; it is there while all of them are whole.
         beyond: and while this one is cut; negative: none, (F,).
+        across: way through an element [m].
         wanted: scratch: the user who has just decided to cut each, from 1; 0: nobody, (E,).
         before: scratch: displacements before the step, (rows, width) [m].
         blade: scratch: places of the tools before it, (tools, 4) [m].
@@ -60,16 +72,23 @@ class Cutting(NamedTuple):
     """
 
     first: int
-    tear: float
+    breaks: bool
     decides: Int
     rest: Float
     corner: Int
     edge: Int
-    length: Float
+    most: Float
+    law: int
+    strength: float
+    lame: Float
+    gradient: Float
+    toughness: float
+    area: Float
     face: Int
     pointer: Int
     element: Int
     beyond: Int
+    across: float
     wanted: Int
     before: Float
     blade: Float
@@ -99,24 +118,45 @@ def cutting_of(model: Model, *, tools: int = 0, decides: Sequence[bool] = ()) ->
     rest[row, :3] = model.body.rest
     edge = np.array(_EDGES[count], dtype=np.int32)
     ends = model.body.rest[elements[:, edge]]
+    length = np.linalg.norm(ends[:, :, 1] - ends[:, :, 0], axis=2)
+    solid = SOLIDS.index(material.model) if material.model in SOLIDS else -1
+    limit = np.full(length.shape, float(material.tear))
+    if solid < 0:  # k over the length of an edge is the modulus along it
+        with np.errstate(divide="ignore"):
+            limit = np.minimum(limit, material.strength * length / material.stiffness[:, None])
     faces, nothing = cut_skin(model.body), np.zeros(0, dtype=np.int32)
     return Cutting(
         first=model.cut,
-        tear=float(material.tear),
+        breaks=bool(min(material.tear, material.strength) < math.inf),
         decides=np.array(decides, dtype=np.int32),
         rest=rest,
         corner=np.ascontiguousarray(row[elements], dtype=np.int32),
         edge=edge,
-        length=np.ascontiguousarray(np.linalg.norm(ends[:, :, 1] - ends[:, :, 0], axis=2)),
+        most=np.ascontiguousarray((length * (1.0 + limit)) ** 2),
+        law=solid,
+        strength=float(material.strength),
+        lame=np.zeros((0, 3)) if solid < 0 else lame_of(material),
+        gradient=np.zeros((0, 4)) if solid < 0 else gradients_of(model.body.rest, elements),
+        toughness=float(material.toughness),
+        area=_areas(model.body, elements, length),
         face=np.array(FACES[count], dtype=np.int32).reshape(-1, 3),
         pointer=np.zeros(1, dtype=np.int32) if faces is None else faces.pointer.astype(np.int32),
         element=nothing if faces is None else faces.element.astype(np.int32),
         beyond=nothing if faces is None else faces.beyond.astype(np.int32),
+        across=math.sqrt(float(_areas(model.body, elements, length).mean())),
         wanted=np.zeros(elements.shape[0], dtype=np.int32),
         before=np.zeros((model.operator_rows, model.width)),
         blade=np.zeros((tools, 4)),
         spot=np.zeros((count + 4, 4)),
     )
+
+
+def _areas(body: Body, elements: Int, length: Float) -> Float:
+    """What a cut through each element lays open: a square as long as its edge, or of its volume, (E,) [m²]."""
+    if elements.shape[1] == 4:
+        edges = body.rest[elements[:, 1:]] - body.rest[elements[:, :1]]
+        return (np.abs(np.linalg.det(edges)) / 6.0) ** (2.0 / 3.0)
+    return length.mean(axis=1) ** 2
 
 
 @block
@@ -135,8 +175,14 @@ def begin_cut(cutting: Cutting, state: State, tools: Tools | None) -> None:
             cutting.before[i, a] = state.position[i, a]
     if tools is not None:
         for t in range(tools.first, tools.last):
+            fast = 0.0
             for a in range(3):
                 cutting.blade[t, a] = tools.place[t, a]
+                fast += tools.rate[t, a] * tools.rate[t, a]
+            if at(tools.mode, t) != BLADE or tools.debt[t] < 0.0:
+                tools.debt[t] = 0.0
+            # What it cut is paid over the way through an element, by a force that hardly asks how fast that goes.
+            tools.drag[t] = tools.debt[t] / (cutting.across * max(math.sqrt(fast), _SLOW))
 
 
 @block
@@ -168,7 +214,7 @@ def decide_cuts(cutting: Cutting, memory: Float, position: Float, tools: Tools |
         user: its number, from 1.
         tears: whether elements break.
     """
-    tears = tears and cutting.tear < math.inf
+    tears = tears and cutting.breaks
     if cutting.decides.shape[0] > 0 and cutting.decides[user - 1] == 0:
         return
     blades = 0
@@ -184,7 +230,7 @@ def decide_cuts(cutting: Cutting, memory: Float, position: Float, tools: Tools |
             i = cutting.corner[e, c]
             for a in range(3):
                 cutting.spot[c, a] = cutting.rest[i, a] + position[i, a]
-        if tears and _strained(cutting, e):
+        if tears and (_strained(cutting, e) or _stressed(cutting, e)):
             cutting.wanted[e] = user
         elif blades > 0:
             if tools is None:
@@ -192,6 +238,7 @@ def decide_cuts(cutting: Cutting, memory: Float, position: Float, tools: Tools |
             for t in range(tools.first, tools.last):
                 if at(tools.mode, t) == BLADE and _swept(cutting, e, position, tools, t):
                     cutting.wanted[e] = user
+                    tools.debt[t] += cutting.toughness * cutting.area[e]
                     break
 
 
@@ -200,11 +247,22 @@ def _strained(cutting: Cutting, e: int) -> bool:
     """Whether an edge of an element, whose corners are in `spot`, is too long."""
     spot = cutting.spot
     for s in range(cutting.edge.shape[0]):
-        i, j, most = cutting.edge[s, 0], cutting.edge[s, 1], cutting.length[e, s] * (1.0 + cutting.tear)
+        i, j = cutting.edge[s, 0], cutting.edge[s, 1]
         x, y, z = spot[j, 0] - spot[i, 0], spot[j, 1] - spot[i, 1], spot[j, 2] - spot[i, 2]
-        if x * x + y * y + z * z > most * most:
+        if x * x + y * y + z * z > cutting.most[e, s]:
             return True
     return False
+
+
+@part
+def _stressed(cutting: Cutting, e: int) -> bool:
+    """Whether the greatest principal stress of a tetrahedron, whose corners are in `spot`, is too much."""
+    if cutting.law < 0 or not cutting.strength < math.inf:
+        return False
+    stress = principal_stress(
+        cutting.law, cutting.lame[e, 0], cutting.lame[e, 1], cutting.spot, cutting.gradient, 3 * e
+    )
+    return stress > cutting.strength
 
 
 @part

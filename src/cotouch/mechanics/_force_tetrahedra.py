@@ -40,11 +40,11 @@ class CorotatedTetrahedra(NamedTuple):
     """`μ ‖F - R‖² + ½ λ (tr RᵀF - 3)²`.
 
     Attributes:
-        viscosity: η [s].
+        viscosity: the largest η [s].
         corner: rows of the corners, (tetrahedra, 4).
         gradient: ∇N of the last three corners, (3 · tetrahedra, 4) [1/m].
         volume: at rest, (tetrahedra,) [m³].
-        lame: λ and μ, (tetrahedra, 2) [Pa].
+        lame: λ and μ [Pa], η of the damper beside them [s], (tetrahedra, 3).
         cut: where in the memory the marks of those that were cut begin; negative: none can be.
     """
 
@@ -249,14 +249,14 @@ def resist(law: Any, memory: Float, x: Float, ahead: Float, rate: Float, out: Fl
     for e in range(law.volume.shape[0]):
         if is_cut(memory, law.cut, e):
             continue
-        lam, mu = at(law.lame, 2 * e), at(law.lame, 2 * e + 1)
+        lam, mu = at(law.lame, 3 * e), at(law.lame, 3 * e + 1)
         h, h1 = _gradient(law, e, x), _gradient(law, e, ahead)
         stress = stress_of(law, lam, mu, h, h1, memory, FIRST + 3 * e)
         if law.viscosity > 0.0:
             f = mixture(1.0, IDENTITY, 0.5, mixture(1.0, h, 1.0, h1))
             slip = symmetric(transposed_product(f, _gradient(law, e, rate)))
             drag = mixture(2.0 * mu, slip, lam * _trace(slip), IDENTITY)
-            stress = mixture(1.0, stress, law.viscosity, product(f, drag))
+            stress = mixture(1.0, stress, at(law.lame, 3 * e + 2), product(f, drag))
         p = product(stress, transpose(_shapes(law, e)))
         v = at(law.volume, e)
         _push(law, e, 1, out, v * p[0], v * p[3], v * p[6])
@@ -274,12 +274,12 @@ def evaluate(
     for e in range(law.volume.shape[0]):
         if is_cut(memory, law.cut, e):
             continue
-        lam, mu, v = at(law.lame, 2 * e), at(law.lame, 2 * e + 1), at(law.volume, e)
+        lam, mu, v = at(law.lame, 3 * e), at(law.lame, 3 * e + 1), at(law.volume, e)
         h1 = _gradient(law, e, ahead)
         energy += v * energy_of(law, lam, mu, h1, memory, FIRST + 3 * e, sweeps)
         if law.viscosity > 0.0:
             f = mixture(1.0, IDENTITY, 0.5, mixture(1.0, _gradient(law, e, x), 1.0, h1))
             slip = symmetric(transposed_product(f, _gradient(law, e, rate)))
             trace = _trace(slip)
-            power += v * law.viscosity * (2.0 * mu * contraction(slip, slip) + lam * trace * trace)
+            power += v * at(law.lame, 3 * e + 2) * (2.0 * mu * contraction(slip, slip) + lam * trace * trace)
     return energy, power

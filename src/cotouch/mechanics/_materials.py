@@ -36,7 +36,7 @@ def outline_of(body: Body, material: Material, *, tangent: bool = True) -> Body:
     if body.form == "node":
         inner, dampers = body.stiffness_int, body.damping_int
         if material.elements.size:
-            dampers = inner * material.viscosity
+            dampers = inner * float(np.max(material.viscosity))
         mass, held, dragged = body.mass, body.stiffness_ext, body.damping_ext
         if mass.nnz != body.nodes:
             raise UnsupportedError(f'model is "{material.model}", but masses are coupled; M must be diagonal')
@@ -48,7 +48,9 @@ def outline_of(body: Body, material: Material, *, tangent: bool = True) -> Body:
             else scalar_bound(body.stiffness_int, body.dimension)
         )
         dampers = (
-            inner * material.viscosity if material.elements.size else scalar_bound(body.damping_int, body.dimension)
+            inner * float(np.max(material.viscosity))
+            if material.elements.size
+            else scalar_bound(body.damping_int, body.dimension)
         )
         mass, held, dragged = (_one_axis(name, getattr(body, name), body) for name in _OUTER)
     return Body(
@@ -138,8 +140,7 @@ def force_of(body: Body, material: Material, order: Int | None) -> tuple[BodyFor
     parts: Parts | None = None
     if body.parts:
         law, size, directions = _together(body, row)
-        if len(body.parts) > 1:
-            parts = parts_of(body, order, law.memory, law.energy, np.zeros(len(body.parts)))
+        parts = parts_of(body, order, law.memory, law.energy, np.zeros(len(body.parts)))
     else:
         law, rotations = _law(body, material, row, rest)
         size, directions = memory_size(rotations), _directions(body, material)
@@ -179,7 +180,7 @@ def _law(body: Body, material: Material, row: Int, rest: Float) -> tuple[Any, in
         sign = np.zeros((4, 4))
         sign[:, :3] = SIGNS
         return Rigid(
-            viscosity=material.viscosity,
+            viscosity=float(np.max(material.viscosity)),
             corner=elements,
             sign=sign,
             frame=np.ascontiguousarray(frame.reshape(1, 9)),
@@ -188,7 +189,7 @@ def _law(body: Body, material: Material, row: Int, rest: Float) -> tuple[Any, in
     if material.model == "spring-network":
         edge = rest[material.elements[:, 1]] - rest[material.elements[:, 0]]
         return SpringNetwork(
-            viscosity=material.viscosity,
+            viscosity=float(np.max(material.viscosity)),
             start=np.ascontiguousarray(elements[:, 0]),
             end=np.ascontiguousarray(elements[:, 1]),
             stiffness=np.ascontiguousarray(material.stiffness),
@@ -201,25 +202,43 @@ def _law(body: Body, material: Material, row: Int, rest: Float) -> tuple[Any, in
         edge = np.zeros((3, 4))
         edge[[0, 1, 2], [0, 1, 2]] = spacing
         return CorotatedCells(
-            viscosity=material.viscosity,
+            viscosity=float(np.max(material.viscosity)),
             corner=elements,
             stiffness=np.ascontiguousarray(material.stiffness),
             edge=edge,
             spacing=spacing,
         ), elements.shape[0]
     edges = rest[material.elements[:, 1:], :3] - rest[material.elements[:, :1], :3]
-    gradient = np.zeros((3 * elements.shape[0], 4))
-    gradient[:, :3] = np.linalg.inv(edges).transpose(0, 2, 1).reshape(-1, 3)
-    lam = material.young * material.poisson / ((1.0 + material.poisson) * (1.0 - 2.0 * material.poisson))
-    mu = material.young / (2.0 * (1.0 + material.poisson))
     law = _SOLIDS[material.model](
-        viscosity=material.viscosity,
+        viscosity=float(np.max(material.viscosity)),
         corner=elements,
-        gradient=gradient,
+        gradient=gradients_of(rest[:, :3], material.elements),
         volume=np.linalg.det(edges) / 6.0,
-        lame=np.tile([lam, mu], (elements.shape[0], 1)),
+        lame=lame_of(material),
     )
     return law, elements.shape[0] if material.model == "corotated" else 0
+
+
+def gradients_of(rest: Float, elements: npt.NDArray[np.integer[Any]]) -> Float:
+    """∇N of the last three corners of each tetrahedron, (3 E, 4) [1/m].
+
+    Args:
+        rest: places at rest, (n, 3) [m].
+        elements: their corners, (E, 4).
+    """
+    edges = rest[elements[:, 1:]] - rest[elements[:, :1]]
+    gradient = np.zeros((3 * elements.shape[0], 4))
+    gradient[:, :3] = np.linalg.inv(edges).transpose(0, 2, 1).reshape(-1, 3)
+    return gradient
+
+
+def lame_of(material: Material) -> Float:
+    """λ and μ [Pa] and η [s] of each tetrahedron, (E, 3)."""
+    count = material.elements.shape[0]
+    said = (material.young, material.poisson, material.viscosity)
+    young, poisson, eta = (np.broadcast_to(value, (count,)) for value in said)
+    lam = young * poisson / ((1.0 + poisson) * (1.0 - 2.0 * poisson))
+    return np.ascontiguousarray(np.stack([lam, young / (2.0 * (1.0 + poisson)), eta], axis=1))
 
 
 def _frame(body: Body, material: Material, row: Int, rest: Float) -> Frame:

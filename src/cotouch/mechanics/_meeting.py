@@ -26,12 +26,15 @@ class Between:
         loss: λ: pressure grows by 1 + λ times the speed of approach, >= 0 [s/m].
         friction: Coulomb's coefficient of what does not slip, >= 0.
         kinetic: of what slips, 0 to `friction`; None: the same.
+        own: whether a body that yields meets itself as well. Places whose way to each other within the body is shorter
+            than three of its edges do not.
     """
 
     stiffness: float = 1e7
     loss: float = 0.0
     friction: float = 0.0
     kinetic: float | None = None
+    own: bool = False
 
     def __post_init__(self) -> None:
         for name, least in (("stiffness", "above"), ("loss", "at least"), ("friction", "at least")):
@@ -86,6 +89,9 @@ class Meeting(NamedTuple):
         leaf: triangles, ordered so that those of a leaf follow each other, (F,).
         lever: how far a vertex may move for each metre of the rows: the largest sum of |shares|.
         slack: how far rows may move at least before what is near is looked for anew [m].
+        within: how deep a body's skin may come into itself, (bodies,); 0: it does not meet itself [m].
+        skips: first of each point in `skip`, (P + 1,).
+        skip: triangles of its own body that a point does not meet, in order.
         low: scratch: corners of the boxes where the step begins, (B, 4) [m].
         high: scratch, likewise.
         place: scratch: vertices where the step begins, (V, 4) [m].
@@ -104,6 +110,8 @@ class Meeting(NamedTuple):
         ended: scratch: as `began`, where the step would end.
         coefficient: scratch: how much of each row moves a point past its triangle, (rows,).
         moved: scratch: rows for which that is not 0, (rows,).
+        alike: scratch: what resists motion between rows that are solved for at once, the same along each axis, on
+            the diagonal and below it, (rows, rows), or (0, 0) [Ns/m].
         worked: result, see `Parts`.
     """
 
@@ -124,6 +132,9 @@ class Meeting(NamedTuple):
     leaf: Int
     lever: float
     slack: float
+    within: Float
+    skips: Int
+    skip: Int
     low: Float
     high: Float
     place: Float
@@ -141,4 +152,5 @@ class Meeting(NamedTuple):
     ended: Float
     coefficient: Float
     moved: Int
+    alike: Float
     worked: Float

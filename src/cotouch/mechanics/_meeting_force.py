@@ -13,7 +13,7 @@ from cotouch.arrays import Float
 from cotouch.mechanics._kernel import block, inner, part
 from cotouch.mechanics._meeting import Meeting
 from cotouch.mechanics._meeting_look import gather, make_ready, point_at
-from cotouch.mechanics._meeting_near import crossing, follow
+from cotouch.mechanics._meeting_near import FAR_SIDE, crossing, follow
 from cotouch.mechanics._vector import at, put
 from cotouch.mechanics._world import World
 
@@ -163,6 +163,8 @@ def press_bodies(
     make_ready(world, m, x, ahead)
     points = world.area.shape[0]
     slot, change, size = world.kind.shape[0] * points, 0.0, 0.0
+    for n in range(m.alike.size):
+        put(m.alike, n, 0.0)
     for e in range(at(m.entries, 1)):
         p = at(m.point, e)
         px, py, pz = point_at(world, p, x)
@@ -190,8 +192,13 @@ def press_bodies(
             v, share = at(m.corner, (f, q)), at(m.ended, (e, 4 + q))
             for n in range(at(m.pointer, v), at(m.pointer, v + 1)):
                 _give(at(m.row, n), share * at(m.share, n), firm, -fx, -fy, -fz, world, out)
-        if world.couple.shape[0] > 0:
+        if m.alike.shape[0] > 0:
             _couple(world, m, e, f, firm)
+    for i in range(m.alike.shape[0]):
+        for j in range(m.alike.shape[0]):
+            for a in range(3):
+                place = (3 * i + a, 3 * j + a)
+                put(world.couple, place, at(world.couple, place) + at(m.alike, (max(i, j), min(i, j))))
     return change, size
 
 
@@ -218,11 +225,11 @@ def _couple(world: World, m: Meeting, e: int, f: int, firm: float) -> None:
         for n in range(at(m.pointer, v), at(m.pointer, v + 1)):
             count = _note(m, count, at(m.row, n), -at(m.ended, (e, 4 + q)) * at(m.share, n))
     for i in range(count):
+        one, own = at(m.moved, i), firm * at(m.coefficient, i)
         for j in range(count):
-            value = firm * at(m.coefficient, i) * at(m.coefficient, j)
-            for a in range(3):
-                place = (3 * at(m.moved, i) + a, 3 * at(m.moved, j) + a)
-                put(world.couple, place, at(world.couple, place) + value)
+            place = (one, at(m.moved, j))
+            if place[0] >= place[1]:
+                put(m.alike, place, at(m.alike, place) + own * at(m.coefficient, j))
 
 
 @part
@@ -267,6 +274,8 @@ def weigh_bodies(
 def _passes(m: Meeting, e: int, x: float, y: float, z: float, mx: float, my: float, mz: float) -> bool:
     """Whether a point comes out of a body, or is pushed out, on the side opposite to where it came in."""
     before, after = at(m.began, (e, 0)), at(m.ended, (e, 0))
+    if before > 0.0 and at(m.face, (e, 3)) == FAR_SIDE:
+        return True
     if before > 0.0 and after > 0.0:
         turned = 0.0
         for a in range(3):

@@ -7,7 +7,7 @@ import math
 from cotouch.arrays import Float
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._meeting import Meeting
-from cotouch.mechanics._meeting_near import collect, search
+from cotouch.mechanics._meeting_near import FAR_SIDE, collect, search
 from cotouch.mechanics._vector import at, put
 from cotouch.mechanics._world import World
 
@@ -92,6 +92,8 @@ def gather(world: World, m: Meeting, x: Float, bound: float) -> None:
                 put(m.touched, one, 1)
                 put(m.touched, two, 1)
     for b in range(bodies):
+        if at(m.within, b) > 0.0:
+            put(m.touched, b, 1)
         if at(m.touched, b) != 0:
             _enclose(m, b, True)
     for own in range(bodies):
@@ -99,24 +101,26 @@ def gather(world: World, m: Meeting, x: Float, bound: float) -> None:
             continue
         for p in range(at(m.points, own), at(m.points, own + 1)):
             px, py, pz = point_at(world, p, x)
-            deepest, other = -math.inf, -1
+            deepest, other, last = -math.inf, -1, -1
             for b in range(bodies):
                 box = at(m.boxes, b)
-                if b == own or at(m.touched, b) == 0:
+                if (b == own and at(m.within, b) <= 0.0) or at(m.touched, b) == 0:
                     continue
                 outside = max(at(m.low, (box, 0)) - px, px - at(m.high, (box, 0)))
                 outside = max(outside, at(m.low, (box, 1)) - py, py - at(m.high, (box, 1)))
                 outside = max(outside, at(m.low, (box, 2)) - pz, pz - at(m.high, (box, 2)))
                 if outside <= reach:
-                    deep = search(m, b, px, py, pz, count)
+                    deep, last = search(m, b, p, px, py, pz, count, reach), b
                     if deep > deepest:
                         deepest, other = deep, b
-            if deepest < -reach:
+            if other < 0:
                 continue
-            put(m.point, count, p)
-            put(m.other, count, other)
-            search(m, other, px, py, pz, count)
-            last = collect(m, other, px, py, pz, max(deepest, 0.0) + 2.0 * reach, used)
+            if last != other:
+                search(m, other, p, px, py, pz, count, reach)
+            far = at(m.face, (count, 1)) == FAR_SIDE  # what it holds if it comes nearer must be known as well
+            if deepest < -reach and not far:
+                continue
+            last = collect(m, other, p, px, py, pz, (abs(deepest) if far else max(deepest, 0.0)) + 2.0 * reach, used)
             put(m.first, (count, 0), used if last >= 0 else -1)
             put(m.first, (count, 1), max(last, 0))
             used = max(last, used)

@@ -13,6 +13,8 @@ from cotouch.mechanics._vector import at, put
 _ALIKE = 1e-9
 # A foot on a side lies as well as within if the way to it is the height above the plane, but for rounding.
 _FLUSH = 1e-12
+# Instead of whether the nearest point lies within its triangle: the body's own skin, seen from behind.
+FAR_SIDE = 2
 # Nearest point of a triangle: square of the distance, shares of the corners, and whether it lies within.
 _Foot = tuple[float, float, float, float, bool]
 
@@ -72,8 +74,16 @@ def keep_nearer(m: Meeting, place: Float, f: int, x: float, y: float, z: float, 
     side of the skin. `out` gets for now the square of the distance, and the height above the plane beside it.
     """
     i, j, k = at(m.corner, (f, 0)), at(m.corner, (f, 1)), at(m.corner, (f, 2))
-    square, a, b, c, within = foot(place, i, j, k, x, y, z)
     best = at(out, (e, 0))
+    square = 0.0  # to the box around it
+    for axis in range(3):
+        here = x if axis == 0 else y if axis == 1 else z
+        p, q, r = at(place, (i, axis)), at(place, (j, axis)), at(place, (k, axis))
+        apart = max(min(p, q, r) - here, here - max(p, q, r), 0.0)
+        square += apart * apart
+    if square > best * (1.0 + _ALIKE):
+        return
+    square, a, b, c, within = foot(place, i, j, k, x, y, z)
     if square > best * (1.0 + _ALIKE):
         return
     nx, ny, nz = normal(place, i, j, k)
@@ -130,10 +140,46 @@ def _apart(m: Meeting, box: int, x: float, y: float, z: float) -> float:
     return dx * dx + dy * dy + dz * dz
 
 
+@inner
+def _beside(m: Meeting, p: int, f: int) -> bool:
+    """Whether a triangle is so near to a point through what the body is made of that it is no other part."""
+    first, last = at(m.skips, p), at(m.skips, p + 1)
+    while first < last:
+        middle = (first + last) // 2
+        if at(m.skip, middle) < f:
+            first = middle + 1
+        else:
+            last = middle
+    return first < at(m.skips, p + 1) and at(m.skip, first) == f
+
+
 @part
-def search(m: Meeting, body: int, x: float, y: float, z: float, e: int) -> float:
-    """Depth of a point in a body where the step begins; row e of `began` gets what belongs to it."""
-    _clear(m, e, m.began, 0, math.inf)
+def _far_side(m: Meeting, e: int, out: Float, col: int) -> None:
+    """A point of a body's own skin that is deeper behind it than another part could come looks at its far side."""
+    within = at(m.within, at(m.part, at(m.point, e)))
+    if at(m.other, e) == at(m.part, at(m.point, e)) and at(out, (e, 0)) > within:
+        put(out, (e, 0), -at(out, (e, 0)))
+        put(m.face, (e, col + 1), FAR_SIDE)
+
+
+@part
+def search(m: Meeting, body: int, p: int, x: float, y: float, z: float, e: int, reach: float) -> float:
+    """Depth of a point in a body where the step begins; row e of `began` gets what belongs to it.
+
+    Args:
+        m: the bodies.
+        body: which of them.
+        p: the point.
+        x: where it is.
+        y: likewise.
+        z: likewise.
+        e: its entry.
+        reach: of its own body, how far away more than `within` is not looked.
+    """
+    own = body == at(m.part, p)
+    _clear(m, e, m.began, 0, (at(m.within, body) + reach) ** 2 if own else math.inf)
+    put(m.point, e, p)
+    put(m.other, e, body)
     root, waiting = at(m.boxes, body), 1
     put(m.stack, 0, root)
     while waiting > 0:
@@ -144,20 +190,25 @@ def search(m: Meeting, body: int, x: float, y: float, z: float, e: int) -> float
         left, right = at(m.child, (box, 0)), at(m.child, (box, 1))
         if left < 0:
             for n in range(-1 - left, -1 - left + right):
-                keep_nearer(m, m.place, at(m.leaf, n), x, y, z, e, m.began, 0)
+                if not (own and _beside(m, p, at(m.leaf, n))):
+                    keep_nearer(m, m.place, at(m.leaf, n), x, y, z, e, m.began, 0)
         else:  # the nearer one is looked at first
             swap = _apart(m, left, x, y, z) < _apart(m, right, x, y, z)
             put(m.stack, waiting, right if swap else left)
             put(m.stack, waiting + 1, left if swap else right)
             waiting += 2
+    if at(m.face, (e, 0)) < 0:
+        put(m.began, (e, 0), -math.inf)
+        return -math.inf
     finish(m, m.place, x, y, z, e, m.began, 0)
+    _far_side(m, e, m.began, 0)
     return at(m.began, (e, 0))
 
 
 @part
-def collect(m: Meeting, body: int, x: float, y: float, z: float, reach: float, begin: int) -> int:
+def collect(m: Meeting, body: int, p: int, x: float, y: float, z: float, reach: float, begin: int) -> int:
     """Notes in `near` all triangles of a body within reach; returns one past the last, or -1 where there is no room."""
-    waiting, count, room = 1, begin, m.near.shape[0]
+    waiting, count, room, own = 1, begin, m.near.shape[0], body == at(m.part, p)
     put(m.stack, 0, at(m.boxes, body))
     while waiting > 0:
         waiting -= 1
@@ -174,15 +225,15 @@ def collect(m: Meeting, body: int, x: float, y: float, z: float, reach: float, b
             f = at(m.leaf, n)
             square = 0.0
             for a in range(3):
-                own = x if a == 0 else y if a == 1 else z
-                p, q, r = (
+                here = x if a == 0 else y if a == 1 else z
+                i, j, k = (
                     at(m.place, (at(m.corner, (f, 0)), a)),
                     at(m.place, (at(m.corner, (f, 1)), a)),
                     at(m.place, (at(m.corner, (f, 2)), a)),
                 )
-                apart = max(min(p, q, r) - own, own - max(p, q, r), 0.0)
+                apart = max(min(i, j, k) - here, here - max(i, j, k), 0.0)
                 square += apart * apart
-            if square <= reach * reach:
+            if square <= reach * reach and not (own and _beside(m, p, f)):
                 if count >= room:
                     return -1
                 put(m.near, count, f)
@@ -195,22 +246,26 @@ def follow(m: Meeting, e: int, x: float, y: float, z: float) -> float:
     """Depth of an entry's point where the step would end; row e of `ended` gets what belongs to it."""
     _clear(m, e, m.ended, 2, math.inf)
     first, last = at(m.first, (e, 0)), at(m.first, (e, 1))
+    if at(m.face, (e, 0)) >= 0:  # most likely still the nearest
+        keep_nearer(m, m.later, at(m.face, (e, 0)), x, y, z, e, m.ended, 2)
     if first >= 0:
         for n in range(first, last):
             keep_nearer(m, m.later, at(m.near, n), x, y, z, e, m.ended, 2)
     else:  # no room to note them: all of the body
-        body = at(m.other, e)
-        box = at(m.boxes, body)
+        body, p = at(m.other, e), at(m.point, e)
+        box, own = at(m.boxes, body), body == at(m.part, p)
         while box < at(m.boxes, body + 1):
             left, right = at(m.child, (box, 0)), at(m.child, (box, 1))
             if left < 0:
                 for n in range(-1 - left, -1 - left + right):
-                    keep_nearer(m, m.later, at(m.leaf, n), x, y, z, e, m.ended, 2)
+                    if not (own and _beside(m, p, at(m.leaf, n))):
+                        keep_nearer(m, m.later, at(m.leaf, n), x, y, z, e, m.ended, 2)
             box += 1
     if at(m.face, (e, 2)) < 0:
         put(m.ended, (e, 0), -math.inf)
         return -math.inf
     finish(m, m.later, x, y, z, e, m.ended, 2)
+    _far_side(m, e, m.ended, 2)
     return at(m.ended, (e, 0))
 
 

@@ -9,6 +9,7 @@ import scipy.sparse as sp
 from cotouch.arrays import Float
 from cotouch.body import Body, Part
 from cotouch.mechanics._meeting import Between, Meeting, Parts
+from cotouch.mechanics._meeting_own import own_of, unmet
 
 Int = npt.NDArray[np.int32]
 
@@ -88,6 +89,7 @@ def meeting_of(body: Body, between: Between, points: sp.csr_array, order: Int | 
         boxes.append(boxes[-1] + own.shape[0])
     part = np.asarray(rows[points.indices[points.indptr[:-1]]], dtype=np.int32)
     count, bodies = part.size, len(body.parts)
+    within, skips, skip = own_of(body, points, carry, corner, order, part) if between.own else unmet(bodies, count)
     return Meeting(
         stiffness=between.stiffness * _shares(body),
         loss=between.loss,
@@ -106,6 +108,9 @@ def meeting_of(body: Body, between: Between, points: sp.csr_array, order: Int | 
         leaf=np.concatenate(leaf).astype(np.int32),
         lever=float(max(abs(carry).sum(axis=1).max(), abs(points).sum(axis=1).max())),
         slack=_SLACK * min(thickness_of(one) for one in body.parts),
+        within=within,
+        skips=skips,
+        skip=skip,
         low=np.zeros((boxes[-1], 4)),
         high=np.zeros((boxes[-1], 4)),
         place=np.zeros_like(rest),
@@ -123,6 +128,7 @@ def meeting_of(body: Body, between: Between, points: sp.csr_array, order: Int | 
         ended=np.zeros((count + 1, 8)),
         coefficient=np.zeros(body.nodes),
         moved=np.zeros(body.nodes, dtype=np.int32),
+        alike=np.zeros((body.nodes,) * 2 if body.rigid else (0, 0)),
         worked=np.zeros(bodies),
     )
 

@@ -170,7 +170,7 @@ def model(
             basis, where the solve is a division; "auto" takes the modal one where it exists and pays. A truncated body
             is always in its shapes.
         obstacles: what each copy meets 1/N of. A body without a material is then one whose material is linear.
-        between: what the parts of several bodies do to each other, likewise 1/N of; None: the default of `Between`.
+        between: what bodies do to each other, and each to itself, likewise 1/N of; None: the default of `Between`.
 
     Raises:
         BodyError: a weight does not fit the body; an obstacle is too thin for its skin.
@@ -236,12 +236,13 @@ def _of_material(
     ordered = matrices if order is None else [sp.csr_array(matrix[order][:, order]) for matrix in matrices]
     force, memory = force_of(body, material, order)
     force = force._replace(behind=memory)
-    between = (between or Between()) if len(body.parts) > 1 else None
+    meets = len(body.parts) > 1 or (between is not None and between.own and bool(body.parts))
+    between = (between or Between()) if meets else None
     if obstacles or between is not None:
         world, more = world_of(body, obstacles, between, order, memory)
         force, memory = force._replace(world=world), memory + more
-        if force.parts is not None and world.bodies is not None:
-            force = force._replace(parts=force.parts._replace(worked=world.bodies.worked))
+        parts, bodies = force.parts, world.bodies
+        force = force._replace(parts=parts and bodies and parts._replace(worked=bodies.worked))
     cut = -1
     if material.cuttable:
         cut, memory = memory + 1, memory + 1 + 2 * material.elements.shape[0]

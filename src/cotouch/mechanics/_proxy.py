@@ -3,13 +3,31 @@
 
 from cotouch.arrays import Float
 from cotouch.mechanics._kernel import part
-from cotouch.mechanics._tools import DRIVE, PROXY, Tools
+from cotouch.mechanics._tools import DRIVE, PROXY, TOUCH_LOSS, Tools
+
+# What is cut stops a blade within a step at most, and does not throw it back: so many times its mass over T at most.
+_FIRM = 20.0
 
 
 @part
 def proxy_inertia(tools: Tools, t: int, T: float) -> float:
     """What resists the mean velocity of a tool in a step [Ns/m]."""
-    return 2.0 * tools.mass[t] / T + 0.5 * T * tools.drive_stiffness[t] + tools.drive_damping[t]
+    own = 2.0 * tools.mass[t] / T + 0.5 * T * tools.drive_stiffness[t] + tools.drive_damping[t]
+    return own + _drag(tools, t, T)
+
+
+@part
+def _drag(tools: Tools, t: int, T: float) -> float:
+    return min(tools.drag[t], _FIRM * tools.mass[t] / T)
+
+
+@part
+def pay_cut(tools: Tools, t: int, a: int, T: float, w: float, touch_ledger: Float) -> None:
+    """What the motion of a blade along an axis pays for what it cut: lost, and a force on it."""
+    drag = _drag(tools, t, T)
+    tools.touch_force[t, a] -= drag * w
+    tools.debt[t] -= T * drag * w * w
+    touch_ledger[TOUCH_LOSS] += T * drag * w * w
 
 
 @part

@@ -59,6 +59,8 @@ class Tools(NamedTuple):
         drive_force: result: τ, (tools, 4) [N].
         touch_force: result: mean force of contact or grasp on the proxy, (tools, 4) [N].
         touching: result: 1 if the skin pushed, or how many nodes are held, (tools,).
+        debt: of a blade: what it still has to pay for what it cut, (tools,) [J].
+        drag: of a blade: how much what it cuts resists its motion in this step, (tools,) [Ns/m].
     """
 
     first: int
@@ -92,6 +94,8 @@ class Tools(NamedTuple):
     drive_force: Float
     touch_force: Float
     touching: Int
+    debt: Float
+    drag: Float
 
 
 def tools(count: int) -> Tools:
@@ -130,4 +134,6 @@ def tools(count: int) -> Tools:
         drive_force=row(),
         touch_force=row(),
         touching=whole(),
+        debt=line(),
+        drag=line(),
     )

@@ -274,6 +274,12 @@ def _world_of(arrays: Mapping[str, Any]) -> dict[str, Any]:
     return world
 
 
+def _number(said: Any) -> float | Float:
+    """One for all elements, or one for each."""
+    numbers = np.asarray(said, dtype=np.float64)
+    return numbers if numbers.ndim else float(numbers)
+
+
 def _body_of(arrays: Mapping[str, Any], rest: Float, places: Any) -> Body:
     """One body, with its material."""
     matrices: dict[str, sp.csr_array] = {}
@@ -289,7 +295,10 @@ def _body_of(arrays: Mapping[str, Any], rest: Float, places: Any) -> Body:
         stiffness=np.asarray(said["stiffness"], dtype=np.float64),
         gravity=tuple(np.asarray(said["gravity"], dtype=np.float64).ravel().tolist()),  # pyright: ignore[reportArgumentType]
         cuttable=bool(said["cuttable"]),
-        **{name: float(said[name]) for name in ("young", "poisson", "viscosity", "tear")},
+        **{name: float(said[name]) for name in ("tear", "strength", "toughness")},
+        young=_number(said["young"]),
+        poisson=_number(said["poisson"]),
+        viscosity=_number(said["viscosity"]),
     )
     inner: dict[str, Any] = {name: SumOfSquares(matrices[name]) for name in _INNER}
     outer: dict[str, Any] = {name: matrices[name] for name in _OUTER}

@@ -30,7 +30,7 @@ def parts_arrays(body: Body, between: "Between | None", own: Callable[[Body], di
     }
     if between is not None:
         kinetic = between.friction if between.kinetic is None else between.kinetic
-        found[_BETWEEN] = np.array([between.stiffness, between.loss, between.friction, kinetic])
+        found[_BETWEEN] = np.array([between.stiffness, between.loss, between.friction, kinetic, between.own])
     for number, part in enumerate(body.parts):
         one = part.body if part.body.material is not None else part.body.with_gravity((0.0, 0.0, 0.0))
         found |= {f"part{number}_{name}": values for name, values in own(one).items()}
@@ -71,5 +71,6 @@ def parts_of_arrays(
         first += body.nodes
     if _BETWEEN not in arrays:
         return joined(parts), None
-    stiffness, loss, friction, kinetic = map(float, np.asarray(arrays[_BETWEEN], dtype=np.float64).ravel())
-    return joined(parts), Between(stiffness=stiffness, loss=loss, friction=friction, kinetic=kinetic)
+    stiffness, loss, friction, kinetic, own = map(float, np.asarray(arrays[_BETWEEN], dtype=np.float64).ravel())
+    between = Between(stiffness=stiffness, loss=loss, friction=friction, kinetic=kinetic, own=own != 0.0)
+    return joined(parts), between

@@ -97,10 +97,20 @@ def build_bodies(tables: list[PartTable]) -> Body:
 
 @final
 class BetweenTable(MeetingTable):
-    """What bodies do to each other where they meet."""
+    """What bodies do to each other where they meet.
+
+    Attributes:
+        self_contact: whether each body that yields meets itself as well.
+    """
+
+    self_contact: bool = False
 
     def made(self) -> Between:
         """For the kernels."""
         return Between(
-            stiffness=self.stiffness, loss=self.damping, friction=self.friction, kinetic=self.kinetic_friction
+            stiffness=self.stiffness,
+            loss=self.damping,
+            friction=self.friction,
+            kinetic=self.kinetic_friction,
+            own=self.self_contact,
         )

@@ -224,7 +224,7 @@ GroundSource = Annotated[
 
 # Options of one sort of file only.
 _OF_SURFACES = ("resolution", "most_triangles")
-_OF_VOLUMES = ("most_elements",)
+_OF_VOLUMES = ("most_elements", "parts")
 # What has modes.
 _LINEAR = (None, "springs", "elastic")
 # And of what is not rigid.
@@ -259,6 +259,7 @@ class FileTable(Table):
         ground_stiffness: of each held node [N/m].
         ground_damping: of each held node [Ns/m].
         part: which of several separate parts, the biggest is 1.
+        parts: of tetrahedra, by the name of a set of the file: young, poisson, rayleigh_stiffness of what is in it.
         modes: confine the body to so many of its lowest modes and to how it yields at the nodes that hands hold.
         most_triangles: refuse files with more.
         most_elements: refuse files with more.
@@ -282,6 +283,7 @@ class FileTable(Table):
     ground_stiffness: NonNegative = 0.0
     ground_damping: NonNegative = 0.0
     part: Annotated[int, Field(ge=1)] | None = None
+    parts: dict[str, dict[str, FiniteFloat]] | None = None
     modes: Annotated[int, Field(ge=1)] | None = None
     most_triangles: Annotated[int, Field(ge=1)] = MOST_TRIANGLES
     most_elements: Annotated[int, Field(ge=1)] = MOST_ELEMENTS
@@ -342,7 +344,11 @@ class FileTable(Table):
                 **options,
             )
         return body_from_tetrahedra(
-            self.file, model=cast("SolidModel", self.model or "elastic"), most_elements=self.most_elements, **options
+            self.file,
+            model=cast("SolidModel", self.model or "elastic"),
+            most_elements=self.most_elements,
+            parts=self.parts,
+            **options,
         )
 
 

@@ -3,13 +3,14 @@
 import json
 from collections.abc import Mapping
 from html import escape
+from math import inf
 from pathlib import Path
 from typing import Annotated, Any, Self, cast, final
 
 import numpy as np
 from pydantic import Field, InstanceOf, PrivateAttr, ValidationError, field_validator, model_validator
 
-from cotouch.body import Body
+from cotouch.body import Body, Placed, together
 from cotouch.errors import ScenarioError
 from cotouch.files import list_of, read_text, table_of, toml, toml_text
 from cotouch.network import Network
@@ -230,7 +231,8 @@ class Scenario(Table):
         """As its tables say, without what the world adds."""
         if self.bodies:
             return build_bodies(self.bodies)
-        return self.body if isinstance(self.body, Body) else self.body.build()
+        alone = self.body if isinstance(self.body, Body) else self.body.build()
+        return together([Placed(body=alone, name="body")]) if self.between.self_contact else alone
 
     def _places(self, body: Body) -> list[list[float]]:
         """Where hands hold a rigid body besides its nodes and its skin's vertices."""
@@ -266,8 +268,9 @@ class Scenario(Table):
         """A body whose elements can be cut, if any are to be."""
         if self.cutting is None and all(tool.kind != "blade" for tool in self.tools):
             return body
-        tear = None if self.cutting is None else self.cutting.tear
-        return body.with_cutting() if tear is None else body.with_cutting(tear)
+        said = self.cutting or CuttingTable()
+        limits = {name: getattr(said, name) or inf for name in ("tear", "strength")}
+        return body.with_cutting(**limits, toughness=said.toughness)
 
     def _weighing(self, body: Body) -> Body:
         """A body with the weight that the world gives it; one that meets obstacles has a material."""
@@ -378,6 +381,7 @@ class Scenario(Table):
                 {"name": part.name, "kind": "made in Python"} if made else part.model_dump()
                 for part, made in zip(self.bodies, sources, strict=True)
             ]
+        if self.bodies or self.between.self_contact:
             tables["between"] = self.between.model_dump()
         if self.world != WorldTable():
             tables["world"] = self.world.model_dump()

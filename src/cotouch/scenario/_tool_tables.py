@@ -192,10 +192,14 @@ class CuttingTable(Table):
     Attributes:
         tear: strain at which an element breaks: how much its most stretched edge is longer than at rest, as a share;
             by default none does.
+        strength: tensile stress at which an element breaks [Pa]; by default none does.
+        toughness: what a blade pays for new area [J/m²].
         users: who may cut, by blades or because their copy breaks; by default everybody.
     """
 
     tear: Positive | None = None
+    strength: Positive | None = None
+    toughness: NonNegative = 0.0
     users: list[Number] | None = None
 
     def may(self, user: int) -> bool:
@@ -216,7 +220,7 @@ class ToolTable(Table):
         at: where it starts, in the body's rest shape [m].
         kind: "touch" (it pushes the skin away and slides on it), "grasp" (it holds the nodes within its radius, or
             the nearest, by springs that start relaxed) or "blade" (it takes away the elements that it goes through,
-            and feels nothing of them).
+            and feels their toughness only).
         radius: [m].
         mass: m_i [kg].
         stiffness: of a contact, or of each held node [N/m].

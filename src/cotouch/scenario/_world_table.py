@@ -161,11 +161,19 @@ def _refuse_inside(ready: Model, world: World, position: Float) -> None:
     for i, field in enumerate(position):
         deep, one, two = deepest_between(world, world.bodies, ready.to_rows(field))
         size = min(float(np.ptp(parts[b].body.rest, axis=0).max()) for b in (one, two))
-        if deep > _INSIDE * size:
+        if deep <= _INSIDE * size:
+            continue
+        who = f"in the copy of user {i + 1}, more than {_INSIDE:g} of"
+        if one == two:
+            name = parts[one].name
             raise ScenarioError(
-                f'bodies: "{parts[one].name}" and "{parts[two].name}" begin {deep:.3g} m deep in each other in the '
-                f"copy of user {i + 1}, more than {_INSIDE:g} of the smaller one's size; move one of them"
+                f'between: "{name}" begins {deep:.3g} m deep in itself {who} its size; take self_contact = false, or '
+                "another shape"
             )
+        raise ScenarioError(
+            f'bodies: "{parts[one].name}" and "{parts[two].name}" begin {deep:.3g} m deep in each other {who} the '
+            "smaller one's size; move one of them"
+        )
 
 
 def _three(values: Sequence[float]) -> tuple[float, float, float]:

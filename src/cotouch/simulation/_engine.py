@@ -233,6 +233,8 @@ def run(
                 have.drive_force,
                 have.touch_force,
                 have.touching,
+                have.debt,
+                have.drag,
             )
             if cutting is not None:
                 begin_cut(cutting, state, tools)
