@@ -293,6 +293,25 @@ def test_a_tool_that_begins_inside_does_not_push_until_it_was_out() -> None:
     assert copy.tools.touching[0] == 1
 
 
+def test_what_is_put_down_inside_has_no_friction_of_before() -> None:
+    """It would be lost once it is out, though nothing holds it."""
+    copy = plate()
+    copy.tools.friction[:] = copy.tools.kinetic[:] = 0.5
+    for k in range(20):
+        copy.lead([0.02, 0.021, 0.0185], [0.02 + 1e-4 * k, 0.021, 0.0185])
+        copy.step(1e-3)
+    assert np.abs(copy.tools.stretch[0]).max() > 1e-5
+    copy.tools.mode[:] = AWAY
+    copy.step(1e-3)
+    for height in (0.005, 0.0205):
+        copy.tools.mode[:] = TOUCH
+        copy.tools.place[0, :3] = [0.02, 0.021, height]
+        copy.tools.drive_stiffness[:] = 0.0
+        copy.step(1e-3)
+        assert not copy.tools.stretch.any()
+    assert copy.residual <= 1e-13 * copy.in_play
+
+
 def test_what_is_let_go_of_is_booked_as_lost() -> None:
     copy = above(0.0101, speed=0.3)
     for _ in range(6):

@@ -269,4 +269,4 @@ def _over(
         over -= touch.stored[p] - tools.stored[t] + gone
         lost += gone
         stored += abs(touch.stored[p]) + abs(tools.stored[t])
-    return over, _ROUNDING * (T * inflow + stored), lost
+    return over, _ROUNDING * (T * scale * inflow + stored), lost

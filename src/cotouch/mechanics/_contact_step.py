@@ -179,10 +179,12 @@ def _drive(tools: Tools, touch: ContactWork, T: float) -> None:
         touch.inertia[p] = proxy_inertia(tools, t, T)
         touch.caught[p, 0], touch.grip[p, 0], touch.grip[p, 1] = 0.0, 0.0, 0.0
         touch.stored[p], touch.total[p], touch.way[p, 3] = 0.0, 0.0, 0.0
+        touch.slips[p] = 0
         for a in range(3):
             touch.drive[p, a] = proxy_drive(tools, t, a, T)
             touch.mean[p, a] = tools.rate[t, a]
             touch.pull[p, a] = 0.0
+            touch.rubbed[p, a] = 0.0  # of one that is inside nobody asks
 
 
 @part
