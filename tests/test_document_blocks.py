@@ -23,7 +23,7 @@ from tests.web.fake_session_api import FakeSessionApi
 from cotouch.cli import app
 from cotouch.haptics import GROUP, Driver, driver
 from cotouch.laboratory import Study
-from cotouch.mechanics import CONTACT_LAWS
+from cotouch.mechanics import CONTACT_LAWS, device_couplings
 from cotouch.members import SessionFile
 from cotouch.scenario import Scenario
 
@@ -177,6 +177,7 @@ def desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Generator[Path]:
     """An empty folder with the examples beside it, from which modules are imported. Contact laws of a page go again."""
     laws = dict(CONTACT_LAWS)
     (tmp_path / "examples").symlink_to(ROOT / "examples")
+    monkeypatch.setattr("cotouch.mechanics._coupling_law._KNOWN", device_couplings())
     monkeypatch.chdir(tmp_path)
     monkeypatch.syspath_prepend(str(tmp_path))
     yield tmp_path

@@ -20,6 +20,7 @@ def test_a_file_of_a_live_session_is_a_scenario() -> None:
 
 def test_the_body_command_takes_every_option_of_a_scenarios_body() -> None:
     own = set(inspect.signature(body).parameters)
-    together = {"most_triangles", "most_elements"}  # --most: a file has one of them
+    # --most: a file has one of the two; parts are tables, which only a file of a scenario can say.
+    together = {"most_triangles", "most_elements", "parts"}
     assert set(FileTable.model_fields) - {"kind"} - together <= own
     assert "most" in own

@@ -35,7 +35,7 @@ def test_a_stage_is_served_and_the_address_said(capsys: pytest.CaptureFixture[st
             assert said.startswith("cotouch: the page is at http://127.0.0.1:")
             own, token = url.split("/#token=")
             with connect(own.replace("http", "ws") + "/ws", origin=own) as page:
-                page.send(json.dumps({"type": "hello", "version": 2, "token": token}))
+                page.send(json.dumps({"type": "hello", "version": 3, "token": token}))
                 assert json.loads(page.recv(10))["acts"]
         with pytest.raises(OSError, match="refused"):
             connect(own.replace("http", "ws") + "/ws", origin=own)

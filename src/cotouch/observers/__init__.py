@@ -3,6 +3,7 @@
 from cotouch.observers._child import ChildCall
 from cotouch.observers._command_client import CommandClient
 from cotouch.observers._commands import (
+    COMMANDS,
     FARTHEST,
     HAND_MODES,
     ChooseLinks,
@@ -37,6 +38,7 @@ from cotouch.observers._session_api import (
 from cotouch.observers._telemetry import TelemetryPublisher
 
 __all__ = [
+    "COMMANDS",
     "FARTHEST",
     "HAND_MODES",
     "ChildCall",
