@@ -122,7 +122,7 @@ def closed_step(
         )
         rate = work.mean
     level(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, work, lanes)
-    attempt, length = 0, 1.0
+    attempt, length, refused = 0, 1.0, False
     while True:
         keep_place(state, work, lanes)
         ledger[SUPPLIED] = port_work(op, state, ports, T, work.mean, lanes)
@@ -173,13 +173,14 @@ def closed_step(
         else:
             # What cannot be closed, or would still pass an obstacle, at the last attempt stays where it is.
             shorter = 0.0 if still or attempt >= LAST_ATTEMPT - 1 else 0.5
+            refused = refused or (not still and shorter == 0.0)
             length *= shorter
             for i in range(op.mass.shape[0]):
                 store(work.mean, i, shorter * load(work.mean, i, lanes), lanes)
         attempt += 1
     weighed = work.weighed
     rounded = abs(weighed[TARGET] - weighed[HAVE]) <= max(weighed[NOISE], weighed[ROUGH])
-    ledger[SHORTENED] = 0.0 if rounded else 1.0 - length
+    ledger[SHORTENED] = 0.0 if rounded and not refused else 1.0 - length
 
 
 @part
