@@ -7,8 +7,8 @@ import numpy as np
 
 from cotouch.arrays import Float
 from cotouch.body import Body
-from cotouch.hands._motion import Mover
-from cotouch.mechanics import AWAY, TOUCH, Tools
+from cotouch.hands._led import LedTool
+from cotouch.mechanics import TOUCH, Tools
 from cotouch.scenario import ToolTable, resolve_penetration
 
 # Of the body's radius: the ball's, if nobody says how large it is, and the least and most that it may be.
@@ -44,12 +44,11 @@ def ball_table(slot: int, body: Body, *, size: float, stiffness: float) -> ToolT
 
 
 @final
-class Ball:
-    """One proxy among a copy's tools, moved by whoever points.
+class Ball(LedTool):
+    """A sphere that presses.
 
     Attributes:
         radius: [m].
-        gain: how much of the hand's spring draws it, 0 to 1; it touches while above 0.
     """
 
     def __init__(self, tools: Tools, index: int, body: Body, *, size: float) -> None:
@@ -61,10 +60,9 @@ class Ball:
             body: the shared object.
             size: radius of the body [m].
         """
-        self._tools, self._t, self._body, self._size = tools, index, body, size
-        self._mover = Mover(3)
+        super().__init__(tools, index, TOUCH)
+        self._body, self._size = body, size
         self._wanted = self.radius = _USUAL * size
-        self.gain = 0.0
 
     def want(self, radius: float) -> None:
         """Chooses how large it is; 0: as usual [m]."""
@@ -89,47 +87,7 @@ class Ball:
         tools.inside[t] = 1  # nobody looked yet
         self._mover.put(where.tolist())
 
-    def move(
-        self, goal: Sequence[float] | None, gain: float, T: float, *, stiffness: float, damping: float, **motion: float
-    ) -> None:
-        """What it does in the coming step.
-
-        Args:
-            goal: where it is drawn to, (3,) [m]; None: where it is.
-            gain: how much of the hand's spring draws it, 0 to 1.
-            T: length of the step [s].
-            stiffness: of the hand [N/m].
-            damping: of it [Ns/m].
-            **motion: of `Mover.move`.
-        """
-        tools, t, mover = self._tools, self._t, self._mover
-        self.gain = gain
-        tools.push[t] = 0.0
-        tools.drive_stiffness[t] = gain * stiffness
-        tools.drive_damping[t] = damping  # also when it was let go, so that it comes to rest
-        if gain > 0.0:
-            tools.drive_start[t, :3] = mover.place
-            most = self._size * T / _GROWTH
-            self.radius += min(max(self._wanted - self.radius, -most), most)
-            tools.radius[t] = self.radius
-            mover.move(mover.place if goal is None else goal, T, **motion)
-        else:  # the damper holds against where it is: to follow its own motion would keep it moving
-            mover.put(tools.place[t, :3].tolist())
-            tools.drive_start[t, :3] = mover.place
-        tools.drive_end[t, :3] = mover.place
-        tools.mode[t] = TOUCH if gain > 0.0 else AWAY
-
-    @property
-    def target(self) -> list[float]:
-        """Where it is drawn to, (3,) [m]."""
-        return self._mover.place
-
-    @property
-    def place(self) -> list[float]:
-        """Where it is, (3,) [m]."""
-        return self._tools.place[self._t, :3].tolist()
-
-    @property
-    def force(self) -> list[float]:
-        """Of it on the body in the last step, (3,) [N]."""
-        return (-self._tools.touch_force[self._t, :3]).tolist()
+    def _change(self, T: float) -> None:
+        most = self._size * T / _GROWTH
+        self.radius += min(max(self._wanted - self.radius, -most), most)
+        self._tools.radius[self._t] = self.radius

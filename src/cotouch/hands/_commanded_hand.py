@@ -14,6 +14,7 @@ import numpy.typing as npt
 from cotouch.arrays import Float
 from cotouch.hands._ball import Ball, ball_table
 from cotouch.hands._blade import Blade, blade_table
+from cotouch.hands._led import LedTool
 from cotouch.hands._motion import Mover, Wander
 from cotouch.mechanics import AWAY, Contact, Surface, Tools
 from cotouch.members import Slot, no_ports
@@ -139,12 +140,7 @@ class CommandedHand:
         self._slots = [*(("hand", h) for h in range(len(own))), *(("tool", t) for t in range(len(tables)))]
         self.mode: HandMode = "script" if scripted else "free"
         self.received = 0
-        self._script, self._grasp, self._touch, self._sharp = (
-            float(scripted),
-            0.0,
-            0.0,
-            0.0,
-        )  # how much of each there is
+        self._script, self._grasp = float(scripted), 0.0  # how much of each there is
         self._wanted = self._node
         self._silent = 0.0
         self._requests = requests
@@ -172,11 +168,9 @@ class CommandedHand:
         self._follow_script(end, T)
         self._hold(end, T)
         if self._ball is not None:
-            self._touch = _toward(self._touch, self.mode == "ball", T, _GROW)
-            self._lead(self._ball, self._touch, T, _POINTED)
+            self._lead(self._ball, self.mode == "ball", T, _POINTED)
         if self._blade is not None:
-            self._sharp = _toward(self._sharp, self.mode in _CUTTING, T, _GROW)
-            self._lead(self._blade, self._sharp, T, _CUTTING.get(self.mode, _POINTED))
+            self._lead(self._blade, self.mode in _CUTTING, T, _CUTTING.get(self.mode, _POINTED))
 
     def after(self) -> None:
         """Tells the devices of the file what came of the step."""
@@ -211,13 +205,13 @@ class CommandedHand:
         elif mode == "ball" and self._ball is not None:
             self._goal = target
             self._ball.want(request.radius)
-            if self._touch == 0.0:
+            if self._ball.gain == 0.0:
                 assert self._position is not None
                 self._ball.put(target, self._model.to_nodes(self._position))
         elif mode in _CUTTING and self._blade is not None:
             self._goal = target
             self._blade.want(request.edge)
-            if self._sharp == 0.0:
+            if self._blade.gain == 0.0:
                 self._blade.put(request.start)
         self.mode = mode
 
@@ -283,11 +277,11 @@ class CommandedHand:
             self.nodes = [*self._scripted_nodes, *[node] * self._each]
         self._mover.put(self._where(node))
 
-    def _lead(self, tool: Ball | Blade, gain: float, T: float, how: tuple[float, float, float]) -> None:
+    def _lead(self, tool: LedTool, wanted: bool, T: float, how: tuple[float, float, float]) -> None:
         """The ball or the blade, as much of it as there is."""
         tool.move(
-            self._goal if (self.mode in _CUTTING if isinstance(tool, Blade) else self.mode == "ball") else None,
-            gain,
+            self._goal if wanted else None,
+            _toward(tool.gain, wanted, T, _GROW),
             T,
             stiffness=self._stiffness,
             damping=self._ratio * self._stiffness,
@@ -317,11 +311,11 @@ class CommandedHand:
         return (own if self._order is None else self._order[own]).astype(np.int32)
 
     def _show_first(self, fields: dict[str, npt.NDArray[Any]]) -> None:
-        if self.mode == "ball" or (self._ball is not None and self._touch > 0.0):
+        if self.mode == "ball" or (self._ball is not None and self._ball.gain > 0.0):
             assert self._ball is not None
             ball = self._ball
             write_hand(fields, 0, self.mode, -1, ball.target, ball.place, ball.force, ball.radius)
-        elif self._blade is not None and (self.mode in _CUTTING or self._sharp > 0.0):
+        elif self._blade is not None and (self.mode in _CUTTING or self._blade.gain > 0.0):
             blade = self._blade
             write_hand(fields, 0, self.mode, -1, blade.target, blade.place, blade.force, edge=blade.edge)
         elif self.mode in _HOLDING or self._grasp > 0.0:
