@@ -92,10 +92,8 @@ def test_a_blade_cuts_where_it_is_led_and_nowhere_before() -> None:
     assert cuts is not None
     assert material is not None
     middle = copy.body.rest[material.elements].mean(axis=1)
-    top, edge = (
-        copy.body.rest[:, 2].max(),
-        (0.0, 0.2, 0.0),
-    )  # it lies along y, above the body, and comes down at x = 45 mm
+    # It lies along y, above the body, and comes down at x = 45 mm.
+    top, edge = copy.body.rest[:, 2].max(), (0.0, 0.2, 0.0)
     above, through = (0.045, -0.07, top + 0.03), (0.045, -0.07, -0.03)
     for n in range(10):
         copy.tell("blade", -1, above, n + 1, edge=edge)
@@ -114,6 +112,12 @@ def test_a_blade_cuts_where_it_is_led_and_nowhere_before() -> None:
     fresh.tell("free")
     fresh.run(0.5)
     assert fresh.hand.tools is not None
+    fresh.tell("cut", -1, above, start=above, edge=(0.0, 0.0, 900.0))  # as far as a command may say
+    fresh.run(0.05)
+    size = np.linalg.norm(copy.body.rest - copy.body.rest.mean(axis=0), axis=1).max()
+    assert 0.0 < np.linalg.norm(fresh.hand.tools.axis) <= 4.0 * size * 1.001
+    fresh.tell("free")
+    fresh.run(0.5)
     assert np.abs(fresh.hand.tools.rate).max() < 1e-3
     for one in (copy, fresh):
         assert one.worst < 1e-10
