@@ -20,7 +20,8 @@ from cotouch.drivers import _touch
 from cotouch.drivers._dhd import Dhd
 from cotouch.drivers._force_dimension import ForceDimension
 from cotouch.drivers._hd import BUTTONS, POSITION, VELOCITY, Hd
-from cotouch.drivers._inverse import _SESSION, Inverse3, _command
+from cotouch.drivers._inverse import Inverse3
+from cotouch.drivers._inverse_session import command as order
 from cotouch.drivers._touch import Touch
 from cotouch.drivers._websocket import WebSocket
 from cotouch.errors import DeviceError
@@ -50,7 +51,7 @@ def measure() -> list[Row]:
 def haply(folder: Path) -> list[Row]:
     """Round trips of our own socket, of the package's client, and of the driver, in turns; then 1 kHz."""
     with inverse_service(_fresh(folder, "haply")) as service:
-        first, later = b"{" + _SESSION + b"}," + _command("049D", FORCE) + b"}", b"{" + _command("049D", FORCE) + b"}"
+        first, later = order("049D", FORCE, first=True, full=True), order("049D", FORCE)
         ours = WebSocket(service.url, what="it", timeout=2.0)
         ours.receive(1.0)
         device = ready(Inverse3(url=service.url, events=service.events))
@@ -183,7 +184,7 @@ def _zero(name: str, built: Path, folder: Path, fault: Fault, value: float) -> f
         with inverse_service(folder) as service:
             inverse = Inverse3(url=service.url, events=service.events)
             try:
-                return fails(inverse, service.mailbox, fault, value)[1]
+                return fails(inverse, service.board, fault, value)[1]
             finally:
                 inverse.close()
     with firmware(built, folder) as mailbox:

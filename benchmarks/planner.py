@@ -189,7 +189,8 @@ def _evaluation() -> list[Row]:
         guesses = np.full(1, complex(-np.inf, 0.0))
         sure = []
         took = _seconds(
-            lambda p=problem, c=chosen, g=guesses, s=sure: s.append(rate(p.task, c, g.copy())[1]), clock=process_time
+            lambda p=problem, c=chosen, g=guesses, s=sure: s.append(rate(p.task, c, g.copy(), math.inf)[1]),
+            clock=process_time,
         )
         rows.append(
             Row(
@@ -231,7 +232,7 @@ def _beside_chance(seconds: float = 10.0, count: int = 2000) -> Row:
     for _ in range(count):
         chosen = random_choice(problem.task, rng)
         assert chosen is not None
-        best = min(best, rate(problem.task, chosen, np.full(1, complex(-np.inf, 0.0)))[0])
+        best = min(best, rate(problem.task, chosen, np.full(1, complex(-np.inf, 0.0)), math.inf)[0])
     found = plan(
         network, links=200, objective="decay", method="local", starts=10**6, seconds=seconds, clock=process_time, jobs=1
     )
