@@ -226,6 +226,9 @@ def test_a_film_drags_by_area_and_speed() -> None:
         fast, area = (copy.tools.place[0, 0] - x) / 1e-3, np.pi * (0.01**2 - (z - copy.skin_place()[:, 2].max()) ** 2)
         assert fast == pytest.approx(speed, rel=0.05)
         assert copy.force[0] == pytest.approx(-viscosity * area * fast, rel=0.02)
+        # And what holds the plate feels it: a balance alone would slow the tool, and drag nothing along.
+        held = (copy.body.stiffness_ext @ copy.copy.position)[:, 0].sum()
+        assert held == pytest.approx(viscosity * area * fast, rel=0.05)
         assert copy.touch_ledger[TOUCH_LOSS] == pytest.approx(viscosity * area * fast**2 * 1e-3, rel=0.02)
     assert copy.residual <= 1e-13 * copy.in_play
 
