@@ -55,11 +55,42 @@ def test_a_body_that_meets_itself_does_so_in_every_world_to_the_same_bits() -> N
         between={"self_contact": True, "friction": 0.3, "damping": 1.0},
         hands=[{"user": 1, "at": [0.11, 0.01, 0.01], **fold}, held, {"user": 2, "at": [0.11, 0.0, 0.01], **fold}],
         steps={"duration": 0.35, "rate": 2000},
+        cutting={},  # nothing is cut; the machine code is that of the test which follows
     )
     ready = prepare(scenario)
     batch, peers = run_batch(ready), run_peers(ready)
     assert np.array_equal(batch.position, np.stack([places[-1] for places in peers.position]))
     assert max(abs(report.residual) for reports in peers.reports for report in reports) <= 1e-15
+
+
+@pytest.mark.parametrize("faces", [False, True])
+def test_several_are_cut_in_every_world_to_the_same_bits(faces: bool) -> None:
+    """Two blocks lie on each other; one hand tears a corner off the upper, which falls on the lower."""
+    block = {"kind": "lattice", "shape": [4, 3, 3], "model": "cells", "stiffness": 80, "damping": 0.1, "mass": 0.05}
+    tear = {"path": [[0, 0, 0, 0], [0.15, 0.06, 0, 0.02]], "stiffness": 400, "damping": 1}
+    scenario = Scenario.make(
+        network=PAIR,
+        bodies=[
+            {**block, "name": "low", "at": [0.015, 0.01, 0.0101]},
+            {**block, "name": "high", "at": [0.015, 0.01, 0.031]},
+        ],
+        between={"friction": 0.3, "damping": 2.0, "stiffness": 1e6},
+        hands=[{"user": 1, "body": "high", "at": [0.03, 0.02, 0.04], **tear}],
+        world=PLANE,
+        cutting={"tear": 0.3, "faces": faces},
+        steps={"duration": 0.2, "rate": 500},
+    )
+    ready = prepare(scenario)
+    batch, peers = run_batch(ready), run_peers(ready)
+    assert np.array_equal(batch.position, np.stack([places[-1] for places in peers.position]))
+    assert max(abs(report.residual) for reports in peers.reports for report in reports) <= 1e-14
+    cut = [{e for report in reports for e in report.cut_elements} for reports in peers.reports]
+    assert cut[0]
+    assert all(report.cut >= 0.0 for reports in peers.reports for report in reports)
+    assert batch.cuts is not None
+    assert [set(np.flatnonzero(marks[1])) for marks in batch.cuts] == cut
+    count = ready.body.cut_count
+    assert min(cut[0] | cut[1]) >= count // 2  # of the upper block
 
 
 @pytest.mark.parametrize("law", ["spring", "paid"])
@@ -128,6 +159,10 @@ def test_a_file_says_all_of_it() -> None:
         ),
         ({"bodies": [{**DIE, "name": "a", "copies": 2}]}, "copies is 2, but step is missing"),
         ({"body": DIE}, "body and bodies are given; give [body] for one object, or [[bodies]] for several"),
+        (
+            {"cutting": {}},
+            "cutting takes away elements, but none of the bodies is of cubes or tetrahedra; give one of them",
+        ),
         ({"between": {"friction": 0.1, "kinetic_friction": 0.2}}, "kinetic_friction is 0.2, but friction is 0.1"),
         ({"hands": [{"user": 1, "body": "c"}]}, 'hands[1].body is "c"; there are "die 1", "die 2"'),
         ({"hands": [{"user": 1, "body": "die 1", "node": 99}]}, 'hands[1].node is 99; "die 1" has nodes 1 to'),

@@ -3,6 +3,7 @@
 from cotouch.body._body import Body
 from cotouch.body._builders import MOST_NODES, GridModel, Ground, chain, lattice, point
 from cotouch.body._checks import Matrix, SumOfSquares
+from cotouch.body._cut_faces import with_faces
 from cotouch.body._cut_skin import FACES, CutSkin, cut_skin, drawn_skin
 from cotouch.body._eigenspaces import canonical
 from cotouch.body._from_surface import MOST_TRIANGLES, body_from_surface
@@ -11,7 +12,7 @@ from cotouch.body._ground import Box, Held, NodeSet, Plane
 from cotouch.body._material import Frame, Material
 from cotouch.body._mesh_material import SolidModel, SurfaceModel
 from cotouch.body._origin import Origin
-from cotouch.body._part import Part
+from cotouch.body._part import Part, pulls_of
 from cotouch.body._rigid import rigid_body
 from cotouch.body._shapes import rigid_box, rigid_cylinder, rigid_sphere, turning
 from cotouch.body._skin import Skin
@@ -60,6 +61,7 @@ __all__ = [
     "lattice",
     "lowest_modes",
     "point",
+    "pulls_of",
     "rigid_body",
     "rigid_box",
     "rigid_cylinder",
@@ -67,4 +69,5 @@ __all__ = [
     "strain_law",
     "together",
     "turning",
+    "with_faces",
 ]

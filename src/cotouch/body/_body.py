@@ -15,11 +15,10 @@ from cotouch.body._body_checks import check_mass, rest_shape
 from cotouch.body._checks import Form, Matrix, SumOfSquares, diagonal, plausible, positive, square
 from cotouch.body._material import Material
 from cotouch.body._origin import Origin
-from cotouch.body._part import Part, held_shares
+from cotouch.body._part import Part, cuttable_parts, held_shares
 from cotouch.body._skin import Skin
-from cotouch.body._statics import factorise
 from cotouch.body._strains import shares_of
-from cotouch.body._truncation import Truncation, truncate
+from cotouch.body._truncation import Truncation, missing_at, truncate
 from cotouch.errors import BodyError, UnsupportedError
 
 # Rigid bodies are solved for at once up to so many nodes, four each; beyond that one by one is quicker.
@@ -160,6 +159,15 @@ class Body:
         return self.material is not None and self.material.model == "rigid"
 
     @property
+    def cut_count(self) -> int:
+        """How many elements, or faces, can be cut, of several bodies those of all in turn; 0: it cannot be cut."""
+        if self.parts:
+            return sum(part.body.cut_count for part in self.parts)
+        if self.material is None or not self.material.cuttable:
+            return 0
+        return self.material.faces.shape[0] or self.material.elements.shape[0]
+
+    @property
     def holds(self) -> int:
         """How many points of it hands can hold."""
         return self.held_rest.shape[0]
@@ -257,7 +265,7 @@ class Body:
         return self._made_of(replace(self.material or Material(model="linear"), gravity=gravity))
 
     def with_cutting(self, tear: float = inf, *, strength: float = inf, toughness: float = 0.0) -> "Body":
-        """The same body, whose elements can be cut.
+        """The same body, whose elements can be cut; of several bodies those of cubes and tetrahedra can.
 
         Args:
             tear: strain at which an element breaks by itself, > 0; by default none does.
@@ -267,6 +275,9 @@ class Body:
         Raises:
             BodyError: the body's model has no elements, it has fewer than three axes, or a value is out of its range.
         """
+        if self.parts:
+            made = cuttable_parts(self.parts, tear=tear, strength=strength, toughness=toughness)
+            return self._made_of(self.material, parts=made)
         if self.material is None:
             raise BodyError(
                 'cutting takes away elements, but the body is linear and has none; take model "spring-network", '
@@ -276,7 +287,10 @@ class Body:
             raise BodyError(f"cutting needs a body of 3 axes, but this one has {self.dimension}")
         return self._made_of(replace(self.material, cuttable=True, tear=tear, strength=strength, toughness=toughness))
 
-    def _made_of(self, material: Material | None, places: npt.ArrayLike | None = None) -> "Body":
+    def _made_of(
+        self, material: Material | None, places: npt.ArrayLike | None = None, parts: tuple[Part, ...] | None = None
+    ) -> "Body":
+        own = self.parts if parts is None else parts
         return Body(
             mass=self.mass,
             rest=self.rest,
@@ -287,7 +301,7 @@ class Body:
             skin=self.skin,
             origin=self.origin,
             material=material,
-            parts=() if material is None else self.parts,  # what is linear is one body
+            parts=() if material is None else own,  # what is linear is one body
             places=self.places if places is None else places,
         )
 
@@ -362,15 +376,7 @@ class Body:
         readings = self.skin.interpolation(self.nodes)[chosen]
         if self.form == "full":
             readings = sp.csr_array(sp.kron(readings, sp.eye_array(self.dimension)))
-        loads = np.ascontiguousarray(readings.toarray().T)
-        free = bool(np.any(self.truncation.stiffness == 0.0))
-        statics = factorise(self.mass, self.stiffness, self.rest, free=free)
-        # The modes proper are taken out of the load; the residual shapes, which are no modes, out of its answer.
-        kept, modes = self.truncation, self.truncation.modes
-        missing = np.asarray(readings @ statics.residual(loads, kept.shapes[:, :modes]))
-        residual = np.asarray(readings @ kept.shapes[:, modes:])
-        missing -= (residual / kept.stiffness[modes:]) @ residual.T
-        return 0.5 * (missing + missing.T)
+        return missing_at(readings, self.truncation, self.mass, self.stiffness, self.rest)
 
     def apply(self, matrix: sp.csr_array, field_: npt.ArrayLike) -> Float:
         """`matrix @ field` for one of the body's own matrices and a field of shape (..., n, d).

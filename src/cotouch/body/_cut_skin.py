@@ -11,7 +11,7 @@ from scipy.spatial import cKDTree
 from cotouch.arrays import Float
 from cotouch.body._body import Body
 from cotouch.body._cells import CORNERS as _CORNERS
-from cotouch.body._skin import Skin
+from cotouch.body._skin import Skin, joined_skins
 
 Ints: TypeAlias = npt.NDArray[np.int64]
 
@@ -36,24 +36,28 @@ class CutSkin:
     A triangle is there while all elements that carry it are whole and the one beyond it, if any, is cut.
 
     Attributes:
-        skin: that of the body first, then the inner faces.
-        outer: how many of the triangles are the body's own.
+        skin: that of the body first, then the inner faces; of several bodies one after the other.
         pointer: of each triangle into `element`, (F + 1,).
         element: that carry it; none where it hangs on nodes that share no element.
-        beyond: the element on the other side of an inner face; -1 of the outer ones, (F,).
+        beyond: the element on the other side of an inner face, or the face that opens; -1 of the outer ones, (F,).
+        side: number of the side of an element that an inner triangle is part of; -1 of the outer ones, (F,).
+        vertices: first vertex of each body, (bodies + 1,).
+        triangles: first triangle of each, (bodies + 1,).
     """
 
     skin: Skin
-    outer: int
     pointer: Ints
     element: Ints
     beyond: Ints
+    side: Ints
+    vertices: Ints
+    triangles: Ints
 
     def shown(self, cut: npt.NDArray[np.bool_]) -> npt.NDArray[np.bool_]:
         """Which triangles are there, (F,).
 
         Args:
-            cut: which elements were cut, (E,).
+            cut: which elements, or faces, were cut, (E,).
         """
         gone = np.zeros(self.beyond.size, dtype=np.int64)
         np.add.at(gone, np.repeat(np.arange(self.beyond.size), np.diff(self.pointer)), cut[self.element])
@@ -70,23 +74,76 @@ def cut_skin(body: Body) -> CutSkin | None:
     skin, material = body.skin, body.material
     if skin is None or material is None or not skin.triangles.size:
         return None
-    elements = material.elements
-    carried = _carriers(skin, elements)
-    faces, own, beyond = _inner(elements)
-    count = skin.vertices.shape[0]
-    places, nodes, weights, corners = _within(skin, body.rest, elements, faces, own)
-    pointer = np.concatenate([[0], np.cumsum([len(some) for some in carried] + [1] * own.size)])
+    if body.parts:
+        return _side_by_side(body)
+    count, none = skin.triangles.shape[0], np.zeros(0, dtype=np.int64)
+    if material.faces.size:
+        faces, own, beyond = _opened(material.faces, material.sides)
+        side = 2 * beyond + (own != material.sides[beyond, 0])
+        pointer, element = np.zeros(count + own.size + 1, dtype=np.int64), none
+    else:
+        carried = carriers(skin, material.elements)
+        faces, own, beyond = _inner(material.elements)
+        pairs = np.stack([own, beyond], axis=1)
+        side = np.unique(pairs, axis=0, return_inverse=True)[1].reshape(-1) if own.size else none
+        pointer = np.cumsum([0, *(len(some) for some in carried), *(1 for _ in range(own.size))])
+        element = np.array([e for some in carried for e in some] + own.tolist(), dtype=np.int64)
+    places, nodes, weights, corners = _within(skin, body.rest, material.elements, faces, own)
+    outer = np.full(count, -1)
     return CutSkin(
         skin=Skin(
             vertices=np.concatenate([skin.vertices, places]),
-            triangles=np.concatenate([skin.triangles, count + corners]),
+            triangles=np.concatenate([skin.triangles, skin.vertices.shape[0] + corners]),
             nodes=np.concatenate([skin.nodes, nodes]),
             weights=np.concatenate([skin.weights, weights]),
         ),
-        outer=skin.triangles.shape[0],
         pointer=pointer.astype(np.int64),
-        element=np.array([element for some in carried for element in some] + own.tolist(), dtype=np.int64),
-        beyond=np.concatenate([np.full(skin.triangles.shape[0], -1), beyond]).astype(np.int64),
+        element=element,
+        beyond=np.concatenate([outer, beyond]).astype(np.int64),
+        side=np.concatenate([outer, side]).astype(np.int64),
+        vertices=np.array([0, skin.vertices.shape[0] + places.shape[0]]),
+        triangles=np.array([0, count + corners.shape[0]]),
+    )
+
+
+def _opened(faces: Ints, sides: Ints) -> tuple[Ints, Ints, Ints]:
+    """Triangles of both sides of faces that open, as of `_inner`; beyond is the number of the face."""
+    wide, number = faces.shape[1] // 2, np.arange(faces.shape[0], dtype=np.int64)
+    found: list[Ints] = []
+    for n in range(1, wide - 1):
+        found += [faces[:, [0, n, n + 1]], faces[:, [wide, wide + n + 1, wide + n]]]
+    own = np.tile(np.concatenate([sides[:, 0], sides[:, 1]]), wide - 2)
+    return np.concatenate(found), own, np.tile(number, 2 * (wide - 2))
+
+
+def _whole(skin: Skin) -> CutSkin:
+    """The skin of what cannot be cut."""
+    count = skin.triangles.shape[0]
+    return CutSkin(
+        skin=skin,
+        pointer=np.zeros(count + 1, dtype=np.int64),
+        element=np.zeros(0, dtype=np.int64),
+        beyond=np.full(count, -1),
+        side=np.full(count, -1),
+        vertices=np.array([0, skin.vertices.shape[0]]),
+        triangles=np.array([0, count]),
+    )
+
+
+def _side_by_side(body: Body) -> CutSkin:
+    """Of several bodies, of which some can be cut."""
+    each = [(cut_skin(part.body) if part.body.cut_count else None) or _whole(part.skin()) for part in body.parts]
+    first = np.cumsum([0, *(part.body.cut_count for part in body.parts)])
+    entries = np.cumsum([0, *(one.element.size for one in each)])
+    sides = np.cumsum([0, *(int(one.side.max(initial=-1)) + 1 for one in each)])
+    return CutSkin(
+        skin=joined_skins([part.carrying(one.skin) for part, one in zip(body.parts, each, strict=True)]),
+        pointer=np.concatenate([[0], *(one.pointer[1:] + n for one, n in zip(each, entries, strict=False))]),
+        element=np.concatenate([one.element + n for one, n in zip(each, first, strict=False)]),
+        beyond=np.concatenate([np.where(o.beyond < 0, -1, o.beyond + n) for o, n in zip(each, first, strict=False)]),
+        side=np.concatenate([np.where(o.side < 0, -1, o.side + n) for o, n in zip(each, sides, strict=False)]),
+        vertices=np.cumsum([0, *(one.skin.vertices.shape[0] for one in each)]),
+        triangles=np.cumsum([0, *(one.skin.triangles.shape[0] for one in each)]),
     )
 
 
@@ -96,7 +153,7 @@ def drawn_skin(body: Body) -> Skin | None:
     Args:
         body: any.
     """
-    if body.material is None or not body.material.cuttable:
+    if not body.cut_count:
         return body.skin
     faces = cut_skin(body)
     return None if faces is None else faces.skin
@@ -134,7 +191,7 @@ def _within(skin: Skin, rest: Float, elements: Ints, faces: Ints, own: Ints) -> 
     return places, nodes, weights, corners.reshape(faces.shape)
 
 
-def _carriers(skin: Skin, elements: Ints) -> list[list[int]]:
+def carriers(skin: Skin, elements: Ints) -> list[list[int]]:
     """Elements that carry each triangle: those of its vertices, or all springs between its nodes."""
     of_node: dict[int, set[int]] = {}
     for number, corners in enumerate(elements.tolist()):

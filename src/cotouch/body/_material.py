@@ -55,6 +55,12 @@ class Material:
         strength: largest tensile stress that an element bears, of tetrahedra the greatest principal one, of springs and
             cubes that along an edge, as force over the area at rest [Pa].
         toughness: what a blade pays for new area [J/m²].
+        faces: faces that open in place of elements: the nodes of the element on the one side, then of that on the
+            other, (F, 2 m); none: whole elements are cut. See `with_faces`.
+        sides: which two elements these are, (F, 2).
+        ties: stiffness of the spring of no length at each corner of a face, (F,) [N/m].
+        part: the share of a node of the body without faces which each node has, by which links pull at it, (n,), or
+            (0,).
     """
 
     model: MaterialModel
@@ -68,11 +74,20 @@ class Material:
     tear: float = inf
     strength: float = inf
     toughness: float = 0.0
+    faces: Ints = field(default_factory=lambda: np.zeros((0, 0), dtype=np.int64))
+    sides: Ints = field(default_factory=lambda: np.zeros((0, 2), dtype=np.int64))
+    ties: Float = field(default_factory=lambda: np.zeros(0))
+    part: Float = field(default_factory=lambda: np.zeros(0))
 
     @property
     def solid(self) -> bool:
         """Whether its elements are tetrahedra with a law of their own."""
         return self.model in {"corotated", "st-venant-kirchhoff", "neo-hookean"}
+
+    @property
+    def closes(self) -> bool:
+        """Whether it can be cut so that its skin closes around what is left: cubes and tetrahedra."""
+        return self.solid or self.model == "cells"
 
     def check(self, rest: Float) -> None:
         """Whether it fits a body.
@@ -100,10 +115,10 @@ class Material:
         if dimension < 2 and self.model != "linear":
             raise BodyError(f'model is "{self.model}", but the body has one axis; what turns has 2 or 3')
         corners = _CORNERS.get(self.model)
-        if self.cuttable and corners is None:
+        if self.cuttable and not (self.closes or self.model == "spring-network"):
             raise BodyError(
                 f'cutting takes away elements, but model is "{self.model}", which has none; take one of '
-                + ", ".join(_CORNERS)
+                + ", ".join(name for name in _CORNERS if name != "rigid")
             )
         if self.cuttable and not self.tear > 0.0:
             raise BodyError(f"tear is {self.tear}; it must be a strain above 0, a share of the length at rest")
@@ -111,6 +126,8 @@ class Material:
             raise BodyError(f"strength is {self.strength}; it must be a stress above 0 Pa")
         if not 0.0 <= self.toughness < inf:
             raise BodyError(f"toughness is {self.toughness}; it must be a finite number of at least 0 J/m²")
+        if self.faces.size:
+            self._check_faces(nodes)
         if corners is None:
             return
         if corners != 2 and dimension != 3:
@@ -135,6 +152,19 @@ class Material:
             raise BodyError(
                 f'stiffness holds {wrong}; model "{self.model}" needs a finite number >= 0 N/m for each element'
             )
+
+    def _check_faces(self, nodes: int) -> None:
+        """Of a recording, too."""
+        count, wide = self.faces.shape[0], {4: 6, 8: 8}.get(self.elements.shape[-1], 0)
+        shapes = self.faces.shape, self.sides.shape, self.ties.shape, self.part.shape
+        if not self.cuttable or shapes != ((count, wide), (count, 2), (count,), (nodes,)):
+            raise BodyError(f"faces are given by arrays of {shapes}; they fit no body of {nodes} nodes")
+        inside = self.faces.min() >= 0 and self.faces.max() < nodes
+        inside &= bool(self.sides.min() >= 0 and self.sides.max() < self.elements.shape[0])
+        if not (
+            inside and np.all((self.ties >= 0.0) & (self.ties < inf)) and np.all((self.part > 0.0) & (self.part <= 1.0))
+        ):
+            raise BodyError("faces name nodes or elements that there are not, or a tie or part is out of its range")
 
     def _check_solid(self, rest: Float) -> None:
         least = 0.0 if self.model == "neo-hookean" else -1.0

@@ -1,6 +1,6 @@
 """One of several bodies that were put together: what it is by itself, and where it is among the others."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, final
 
 import numpy as np
@@ -8,6 +8,7 @@ import numpy as np
 from cotouch.arrays import Float
 from cotouch.body._skin import Skin
 from cotouch.body._strains import shares_of
+from cotouch.errors import BodyError
 
 if TYPE_CHECKING:
     from cotouch.body._body import Body
@@ -46,6 +47,19 @@ class Part:
         assert self.body.skin is not None
         return self.body.skin
 
+    def carrying(self, skin: Skin) -> Skin:
+        """A skin of this body where it is among the others, hanging on its nodes there.
+
+        Args:
+            skin: of the body by itself.
+        """
+        return Skin(
+            vertices=skin.vertices @ self.turn.T + self.shift,
+            triangles=skin.triangles,
+            nodes=skin.nodes + self.first,
+            weights=skin.weights,
+        )
+
 
 def held_shares(parts: tuple[Part, ...], held: Float, nodes: int) -> Float:
     """How much of each node a place on one of several rigid bodies follows, (H, nodes).
@@ -66,3 +80,37 @@ def held_shares(parts: tuple[Part, ...], held: Float, nodes: int) -> Float:
         own = owner == number
         result[own, part.first : part.last] = shares_of(part.rest(), held[own])
     return result
+
+
+def cuttable_parts(parts: tuple[Part, ...], **limits: float) -> tuple[Part, ...]:
+    """Bodies of which those can be cut whose skin closes again around what is cut away.
+
+    Args:
+        parts: the bodies.
+        **limits: as of `Body.with_cutting`.
+
+    Raises:
+        BodyError: there is none, or a limit is out of its range.
+    """
+    closes = [part.body.material is not None and part.body.material.closes for part in parts]
+    if not any(closes):
+        raise BodyError(
+            "cutting takes away elements, but none of the bodies is of cubes or tetrahedra; give one of them model "
+            '"cells", "corotated", "st-venant-kirchhoff" or "neo-hookean"'
+        )
+    return tuple(
+        replace(part, body=part.body.with_cutting(**limits)) if can else part
+        for part, can in zip(parts, closes, strict=True)
+    )
+
+
+def pulls_of(body: "Body") -> Float:
+    """How much of a link each node feels: 1, and of nodes that were doubled along faces together as much, (n,).
+
+    Args:
+        body: of one or several.
+    """
+    if body.parts:
+        return np.concatenate([pulls_of(part.body) for part in body.parts])
+    part = None if body.material is None else body.material.part
+    return part if part is not None and part.size else np.ones(body.nodes)

@@ -1,5 +1,6 @@
 """The surface that a body carries: where contact happens and what a viewer draws."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, cast, final
@@ -124,3 +125,20 @@ def _table(name: str, values: npt.ArrayLike, kind: type, *, width: int | None) -
 
 def _size(array: npt.NDArray[np.generic]) -> str:
     return " x ".join(str(extent) for extent in array.shape) or "a single number"
+
+
+def joined_skins(skins: Sequence[Skin]) -> Skin:
+    """Several skins as one.
+
+    Args:
+        skins: one after the other.
+    """
+    width = max(skin.nodes.shape[1] for skin in skins)
+    first = np.cumsum([0, *(skin.vertices.shape[0] for skin in skins)])
+    spare = [((0, 0), (0, width - skin.nodes.shape[1])) for skin in skins]
+    return Skin(
+        vertices=np.concatenate([skin.vertices for skin in skins]),
+        triangles=np.concatenate([skin.triangles + n for skin, n in zip(skins, first, strict=False)]),
+        nodes=np.concatenate([np.pad(skin.nodes, s, mode="edge") for skin, s in zip(skins, spare, strict=True)]),
+        weights=np.concatenate([np.pad(skin.weights, s) for skin, s in zip(skins, spare, strict=True)]),
+    )

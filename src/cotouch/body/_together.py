@@ -7,13 +7,12 @@ from typing import Any, final
 import numpy as np
 import scipy.sparse as sp
 
-from cotouch.arrays import Float
 from cotouch.body._body import Body
 from cotouch.body._checks import SumOfSquares
 from cotouch.body._material import Material
 from cotouch.body._part import Part
 from cotouch.body._shapes import OFF, three, turning
-from cotouch.body._skin import Skin
+from cotouch.body._skin import joined_skins
 from cotouch.errors import BodyError, UnsupportedError
 
 _MATRICES = ("mass", "damping_int", "damping_ext", "stiffness_int", "stiffness_ext")
@@ -85,7 +84,7 @@ def joined(parts: Sequence[Part]) -> Body:
     }
     return Body(
         rest=np.concatenate([part.rest() for part in parts]),
-        skin=_skins(parts),
+        skin=joined_skins([part.carrying(part.skin()) for part in parts]),
         material=Material(model="several"),
         parts=tuple(parts),
         **made,
@@ -146,26 +145,3 @@ def _joined(parts: Sequence[Part], name: str, full: bool) -> sp.csr_array:
                 matrix = sp.csr_array(sp.diags_array(matrix.diagonal()))
         blocks.append(matrix)
     return sp.csr_array(sp.block_diag(blocks, format="csr"))
-
-
-def _skins(parts: Sequence[Part]) -> Skin:
-    width = max(part.skin().nodes.shape[1] for part in parts)
-    vertices: list[Float] = []
-    triangles: list[Any] = []
-    nodes: list[Any] = []
-    weights: list[Float] = []
-    count = 0
-    for part in parts:
-        skin = part.skin()
-        spare = width - skin.nodes.shape[1]
-        vertices.append(skin.vertices @ part.turn.T + part.shift)
-        triangles.append(skin.triangles + count)
-        nodes.append(np.pad(skin.nodes + part.first, ((0, 0), (0, spare)), mode="edge"))
-        weights.append(np.pad(skin.weights, ((0, 0), (0, spare))))
-        count += skin.vertices.shape[0]
-    return Skin(
-        vertices=np.concatenate(vertices),
-        triangles=np.concatenate(triangles),
-        nodes=np.concatenate(nodes),
-        weights=np.concatenate(weights),
-    )

@@ -151,3 +151,24 @@ def _orthonormal(mass: sp.csr_array, stiffness: sp.csr_array, residual: Float, a
     basis = columns @ (turn[:, good] / np.sqrt(sizes[good]))
     values, turn = la.eigh(basis.T @ (stiffness @ basis))
     return values, canonical(values, basis @ turn, mass, _EQUAL * values[-1])
+
+
+def missing_at(
+    readings: sp.csr_array, kept: Truncation, mass: sp.csr_array, stiffness: sp.csr_array, rest: Float
+) -> Float:
+    """Static compliance that a truncation lacks between some readings of the rows, (m, m).
+
+    Args:
+        readings: of the rows, (m, rows).
+        kept: the truncation.
+        mass: M.
+        stiffness: K.
+        rest: shape at rest, (n, d) [m].
+    """
+    loads = np.ascontiguousarray(readings.toarray().T)
+    statics = factorise(mass, stiffness, rest, free=bool(np.any(kept.stiffness == 0.0)))
+    # The modes proper are taken out of the load; the residual shapes, which are no modes, out of its answer.
+    missing = np.asarray(readings @ statics.residual(loads, kept.shapes[:, : kept.modes]))
+    residual = np.asarray(readings @ kept.shapes[:, kept.modes :])
+    missing -= (residual / kept.stiffness[kept.modes :]) @ residual.T
+    return 0.5 * (missing + missing.T)

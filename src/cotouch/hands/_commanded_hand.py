@@ -112,7 +112,7 @@ class CommandedHand:
         self.contact: Contact | None = None
         tables = [tool for tool in scenario.tools if tool.user == slot + 1]
         balls = [ball_table(slot, body, size=self._size, stiffness=self.usual)] if body.skin is not None else []
-        cutting = body.material is not None and body.material.cuttable
+        cutting = body.cut_count > 0
         cutting &= scenario.cutting is None or scenario.cutting.may(slot + 1)
         blades = [blade_table(slot, body, size=self._size)] if cutting else []
         if tables or balls or blades:

@@ -44,7 +44,8 @@ from cotouch.mechanics._coupling_law import (
 )
 from cotouch.mechanics._coupling_pspm import PSPM
 from cotouch.mechanics._coupling_virtual import VIRTUAL
-from cotouch.mechanics._cutting import Cutting, begin_cut, cutting_of, decide_cuts, expose, hear_cuts, sever
+from cotouch.mechanics._cutting import Cutting, begin_cut, decide_cuts, expose, hear_cuts, mark_cuts, sever, show_skin
+from cotouch.mechanics._cutting_of import cutting_of
 from cotouch.mechanics._force import LAWS, LEANS, BodyForce, evaluate, lean, resist
 from cotouch.mechanics._inner_energy import inner_energy
 from cotouch.mechanics._kernel import block, inner, kernel, part
@@ -99,7 +100,8 @@ from cotouch.mechanics._tools import (
 )
 from cotouch.mechanics._vector import at, load, put, splat, store, total
 from cotouch.mechanics._world import Obstacle, World
-from cotouch.mechanics._world_force import begin_world, deepest_point, follow_world
+from cotouch.mechanics._world_audit import begin_world, follow_world
+from cotouch.mechanics._world_force import deepest_point
 
 __all__ = [
     "AWAY",
@@ -202,6 +204,7 @@ __all__ = [
     "kernel",
     "lean",
     "load",
+    "mark_cuts",
     "message_of",
     "mixed",
     "mixed_stretch",
@@ -227,6 +230,7 @@ __all__ = [
     "sever",
     "shape_of",
     "share",
+    "show_skin",
     "slowed",
     "splat",
     "squared",

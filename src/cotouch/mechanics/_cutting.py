@@ -8,38 +8,32 @@ user who decided it. A set of cut elements only grows, so copies agree by taking
 # pyright: reportArgumentType=false, reportReturnType=false
 
 import math
-from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from cotouch.arrays import Float
-from cotouch.body import FACES, Body, cut_skin
-from cotouch.errors import UnsupportedError
-from cotouch.mechanics._balance import ENERGY
-from cotouch.mechanics._breaking import SOLIDS, principal_stress
+from cotouch.mechanics._balance import AT_WORLD, ENERGY
+from cotouch.mechanics._balance_parts import keep_parts
+from cotouch.mechanics._breaking import principal_stress
 from cotouch.mechanics._crossing import crosses
 from cotouch.mechanics._force import BodyForce, evaluate
-from cotouch.mechanics._kernel import block, part
-from cotouch.mechanics._materials import gradients_of, lame_of
-from cotouch.mechanics._model import Model
+from cotouch.mechanics._kernel import block, inner, part
 from cotouch.mechanics._operator import Operator
-from cotouch.mechanics._state import CUT, CUT_COUNT, ELASTIC, State
+from cotouch.mechanics._state import CUT, CUT_COUNT, ELASTIC, WORLD_STORED, State
 from cotouch.mechanics._tools import BLADE, Tools
 from cotouch.mechanics._vector import at, put
+from cotouch.mechanics._world import World
+from cotouch.mechanics._world_cut import keep_depths, meet_anew, show
 
 Int = npt.NDArray[np.int32]
 
 # Slower than this a blade creeps under less than what would cut [m/s].
 _SLOW = 1e-3
 
-# Edges of an element by its number of corners: pairs that stretch.
-_EDGES = {
-    2: ((0, 1),),
-    4: ((0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)),
-    8: tuple((i, j) for i in range(8) for j in range(i + 1, 8) if (i ^ j).bit_count() == 1),
-}
+# Corners of an element of each kind, and nodes that these may be the middles of: two cubes' for a face that opens.
+KINDS, WIDEST = (2, 4, 8), 16
 
 
 class Cutting(NamedTuple):
@@ -51,16 +45,23 @@ class Cutting(NamedTuple):
         breaks: whether any element does by itself.
         decides: whether each user's copy cuts by itself, (users,).
         rest: places of the rows at rest, (rows, 4) [m].
-        corner: rows of each element's corners, (E, c).
-        edge: pairs of corners, (s, 2).
-        most: squares of the lengths at which edges break, (E, s) [m²].
-        law: which one tetrahedra have for their stress, from 0; negative: none.
+        corner: rows of each element's corners, (E, 16); -1 where it has fewer. Of a face that opens: those of the two
+            elements beside it, whose middles are its two corners.
+        each: how many rows each corner is the middle of, (E,).
+        tied: rows of what is tied at a face: up to four on the one side, then on the other, (E, 8); else -1.
+        hold: of a face, stiffness of a tie for the face's area, (E,) [Pa/m].
+        kind: of each element, as a place in `KINDS`, (E,).
+        edge: pairs of corners, of one kind after the other, (s, 2).
+        edges: first of each kind, (kinds + 1,).
+        most: squares of the lengths at which edges break, (E, 12) [m²].
+        law: which one each tetrahedron has for its stress, from 0; negative: none, (E,).
         strength: the greatest principal stress that they bear [Pa].
-        lame: of them, see `lame_of`.
+        lame: of them, see `lame_of`, (E, 3).
         gradient: ∇N of their last three corners, (3 E, 4) [1/m].
         toughness: what a blade pays for new area [J/m²].
         area: that an element stands for, (E,) [m²].
-        face: triples of corners, seen from outside, (q, 3); none of a spring.
+        face: triples of corners, seen from outside, of one kind after the other, (q, 3); none of a spring.
+        faces: first of each kind, (kinds + 1,).
         pointer: of each triangle of the skin into `element`, (F + 1,).
         element: elements that carry it; it is there while all of them are whole.
         beyond: and while this one is cut; negative: none, (F,).
@@ -68,7 +69,7 @@ class Cutting(NamedTuple):
         wanted: scratch: the user who has just decided to cut each, from 1; 0: nobody, (E,).
         before: scratch: displacements before the step, (rows, width) [m].
         blade: scratch: places of the tools before it, (tools, 4) [m].
-        spot: scratch: an element's corners, then the ends of a blade before and after, (c + 4, 4) [m].
+        spot: scratch: an element's corners, then the ends of a blade before and after, (8 + 4, 4) [m].
     """
 
     first: int
@@ -76,15 +77,21 @@ class Cutting(NamedTuple):
     decides: Int
     rest: Float
     corner: Int
+    each: Int
+    tied: Int
+    hold: Float
+    kind: Int
     edge: Int
+    edges: Int
     most: Float
-    law: int
+    law: Int
     strength: float
     lame: Float
     gradient: Float
     toughness: float
     area: Float
     face: Int
+    faces: Int
     pointer: Int
     element: Int
     beyond: Int
@@ -95,79 +102,17 @@ class Cutting(NamedTuple):
     spot: Float
 
 
-def cutting_of(model: Model, *, tools: int = 0, decides: Sequence[bool] = ()) -> Cutting | None:
-    """The elements of a body that can be cut; None where it cannot.
-
-    Args:
-        model: the body.
-        tools: how many there are in the arrays of tools that kernels get.
-        decides: whether each user's copy cuts by itself; by default all do.
-
-    Raises:
-        UnsupportedError: a law that is not this package's own.
-    """
-    material = model.body.material
-    if model.cut < 0 or material is None:
-        return None
-    elements = material.elements
-    count = elements.shape[1]
-    if count not in _EDGES:
-        raise UnsupportedError(f"elements have {count} corners; what can be cut has 2, 4 or 8")
-    row = np.arange(model.body.nodes) if model.order is None else np.argsort(model.order)
-    rest = np.zeros((model.body.nodes, 4))
-    rest[row, :3] = model.body.rest
-    edge = np.array(_EDGES[count], dtype=np.int32)
-    ends = model.body.rest[elements[:, edge]]
-    length = np.linalg.norm(ends[:, :, 1] - ends[:, :, 0], axis=2)
-    solid = SOLIDS.index(material.model) if material.model in SOLIDS else -1
-    limit = np.full(length.shape, float(material.tear))
-    if solid < 0:  # k over the length of an edge is the modulus along it
-        with np.errstate(divide="ignore"):
-            limit = np.minimum(limit, material.strength * length / material.stiffness[:, None])
-    faces, nothing = cut_skin(model.body), np.zeros(0, dtype=np.int32)
-    return Cutting(
-        first=model.cut,
-        breaks=bool(min(material.tear, material.strength) < math.inf),
-        decides=np.array(decides, dtype=np.int32),
-        rest=rest,
-        corner=np.ascontiguousarray(row[elements], dtype=np.int32),
-        edge=edge,
-        most=np.ascontiguousarray((length * (1.0 + limit)) ** 2),
-        law=solid,
-        strength=float(material.strength),
-        lame=np.zeros((0, 3)) if solid < 0 else lame_of(material),
-        gradient=np.zeros((0, 4)) if solid < 0 else gradients_of(model.body.rest, elements),
-        toughness=float(material.toughness),
-        area=_areas(model.body, elements, length),
-        face=np.array(FACES[count], dtype=np.int32).reshape(-1, 3),
-        pointer=np.zeros(1, dtype=np.int32) if faces is None else faces.pointer.astype(np.int32),
-        element=nothing if faces is None else faces.element.astype(np.int32),
-        beyond=nothing if faces is None else faces.beyond.astype(np.int32),
-        across=math.sqrt(float(_areas(model.body, elements, length).mean())),
-        wanted=np.zeros(elements.shape[0], dtype=np.int32),
-        before=np.zeros((model.operator_rows, model.width)),
-        blade=np.zeros((tools, 4)),
-        spot=np.zeros((count + 4, 4)),
-    )
-
-
-def _areas(body: Body, elements: Int, length: Float) -> Float:
-    """What a cut through each element lays open: a square as long as its edge, or of its volume, (E,) [m²]."""
-    if elements.shape[1] == 4:
-        edges = body.rest[elements[:, 1:]] - body.rest[elements[:, :1]]
-        return (np.abs(np.linalg.det(edges)) / 6.0) ** (2.0 / 3.0)
-    return length.mean(axis=1) ** 2
-
-
 @block
-def begin_cut(cutting: Cutting, state: State, tools: Tools | None) -> None:
+def begin_cut(cutting: Cutting, world: World | None, state: State, tools: Tools | None) -> None:
     """Keeps where a copy and its blades are before a step, and forgets what the last one decided.
 
     Args:
         cutting: the elements.
+        world: what the skin meets, which must know what of it is there; None: nothing.
         state: of the copy.
         tools: its tools; None: none.
     """
+    show_skin(cutting, world, state.memory)
     for e in range(cutting.wanted.shape[0]):
         cutting.wanted[e] = 0
     for i in range(cutting.before.shape[0]):
@@ -226,11 +171,15 @@ def decide_cuts(cutting: Cutting, memory: Float, position: Float, tools: Tools |
     for e in range(cutting.wanted.shape[0]):
         if cutting.wanted[e] != 0 or at(memory, cutting.first + e) != 0.0:
             continue
-        for c in range(cutting.corner.shape[1]):
-            i = cutting.corner[e, c]
+        each = at(cutting.each, e)
+        for c in range(_corners(cutting, e)):
             for a in range(3):
-                cutting.spot[c, a] = cutting.rest[i, a] + position[i, a]
-        if tears and (_strained(cutting, e) or _stressed(cutting, e)):
+                place = 0.0
+                for n in range(c * each, c * each + each):
+                    i = cutting.corner[e, n]
+                    place += cutting.rest[i, a] + position[i, a]
+                cutting.spot[c, a] = place / each
+        if tears and (_strained(cutting, e) or _stressed(cutting, e) or _pulled(cutting, e, position)):
             cutting.wanted[e] = user
         elif blades > 0:
             if tools is None:
@@ -242,12 +191,18 @@ def decide_cuts(cutting: Cutting, memory: Float, position: Float, tools: Tools |
                     break
 
 
+@inner
+def _corners(cutting: Cutting, e: int) -> int:
+    """How many corners an element has."""
+    return 2 << at(cutting.kind, e)
+
+
 @part
 def _strained(cutting: Cutting, e: int) -> bool:
     """Whether an edge of an element, whose corners are in `spot`, is too long."""
-    spot = cutting.spot
-    for s in range(cutting.edge.shape[0]):
-        i, j = cutting.edge[s, 0], cutting.edge[s, 1]
+    spot, first = cutting.spot, at(cutting.edges, at(cutting.kind, e))
+    for s in range(at(cutting.edges, at(cutting.kind, e) + 1) - first):
+        i, j = cutting.edge[first + s, 0], cutting.edge[first + s, 1]
         x, y, z = spot[j, 0] - spot[i, 0], spot[j, 1] - spot[i, 1], spot[j, 2] - spot[i, 2]
         if x * x + y * y + z * z > cutting.most[e, s]:
             return True
@@ -257,28 +212,54 @@ def _strained(cutting: Cutting, e: int) -> bool:
 @part
 def _stressed(cutting: Cutting, e: int) -> bool:
     """Whether the greatest principal stress of a tetrahedron, whose corners are in `spot`, is too much."""
-    if cutting.law < 0 or not cutting.strength < math.inf:
+    if at(cutting.law, e) < 0 or not cutting.strength < math.inf:
         return False
     stress = principal_stress(
-        cutting.law, cutting.lame[e, 0], cutting.lame[e, 1], cutting.spot, cutting.gradient, 3 * e
+        at(cutting.law, e), cutting.lame[e, 0], cutting.lame[e, 1], cutting.spot, cutting.gradient, 3 * e
     )
     return stress > cutting.strength
 
 
 @part
+def _pulled(cutting: Cutting, e: int, position: Float) -> bool:
+    """Whether the ties of a face pull across it by more than it bears."""
+    if at(cutting.hold, e) == 0.0 or not cutting.strength < math.inf:
+        return False
+    spot = cutting.spot
+    for c in range(3):
+        i, j = at(cutting.tied, (e, c)), at(cutting.tied, (e, 4 + c))
+        for a in range(3):
+            spot[8 + c, a] = cutting.rest[i, a] + 0.5 * (position[i, a] + position[j, a])
+    ux, uy, uz = spot[9, 0] - spot[8, 0], spot[9, 1] - spot[8, 1], spot[9, 2] - spot[8, 2]
+    vx, vy, vz = spot[10, 0] - spot[8, 0], spot[10, 1] - spot[8, 1], spot[10, 2] - spot[8, 2]
+    nx, ny, nz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
+    apart = 0.0
+    for c in range(4):
+        i, j = at(cutting.tied, (e, c)), at(cutting.tied, (e, 4 + c))
+        if i >= 0:
+            apart += nx * (position[j, 0] - position[i, 0]) + ny * (position[j, 1] - position[i, 1])
+            apart += nz * (position[j, 2] - position[i, 2])
+    return at(cutting.hold, e) * apart > cutting.strength * math.sqrt(nx * nx + ny * ny + nz * nz)
+
+
+@part
 def _swept(cutting: Cutting, e: int, position: Float, tools: Tools, t: int) -> bool:
     """Whether a blade went through an element, whose corners are in `spot`, as that moved with it."""
-    spot, corners = cutting.spot, cutting.corner.shape[1]
+    spot, corners, kind = cutting.spot, _corners(cutting, e), at(cutting.kind, e)
+    rows = corners * at(cutting.each, e)
     for a in range(3):
         moved = 0.0
-        for c in range(corners):
+        for c in range(rows):
             i = cutting.corner[e, c]
-            moved += (position[i, a] - cutting.before[i, a]) / corners
+            moved += (position[i, a] - cutting.before[i, a]) / rows
         spot[corners, a] = cutting.blade[t, a] + moved
         spot[corners + 1, a] = cutting.blade[t, a] + moved + tools.axis[t, a]
         spot[corners + 2, a] = tools.place[t, a] + tools.axis[t, a]
         spot[corners + 3, a] = tools.place[t, a]
-    return crosses(spot, corners, cutting.edge, cutting.face, tools.radius[t])
+    edge = cutting.edge[at(cutting.edges, kind) : at(cutting.edges, kind + 1)]
+    face = cutting.face[at(cutting.faces, kind) : at(cutting.faces, kind + 1)]
+    # A face opens where the blade goes between the elements beside it.
+    return crosses(spot, corners, edge, face, tools.radius[t] if at(cutting.hold, e) == 0.0 else 0.0)
 
 
 @block
@@ -299,26 +280,76 @@ def sever(
     Returns:
         How many were taken away.
     """
-    ledger[CUT] = 0.0
-    count, new = cutting.wanted.shape[0], 0
-    memory = state.memory
-    for e in range(count):
-        if cutting.wanted[e] != 0 and at(memory, cutting.first + e) == 0.0:
-            put(memory, cutting.first + e, step + 1.0)
-            put(memory, cutting.first + count + e, float(cutting.wanted[e]))
-            new += 1
-    ledger[CUT_COUNT] = new
+    memory, world = state.memory, force.world
+    before = at(memory, cutting.first - 1)
+    outside = mark_cuts(cutting, world, memory, state.position, step)
+    new = int(at(memory, cutting.first - 1) - before)
+    ledger[CUT], ledger[CUT_COUNT] = 0.0, new
     if new == 0:
         return 0
-    memory[cutting.first - 1] += new
+    scale = op.copy_scale * op.firmness
     # With the rotations as they are; terms that are not below 0 can only make the sum less by going.
     energy, _ = evaluate(force.law, memory, state.position, state.position, state.velocity, 0, lanes)
     held = memory[ENERGY] - energy
     if held > 0.0:
-        ledger[CUT] = op.copy_scale * op.firmness * held
-        ledger[ELASTIC] -= ledger[CUT]
+        ledger[CUT] = scale * held
         memory[ENERGY] = energy
+        keep_parts(force.parts, memory)
+    held = memory[AT_WORLD] - outside
+    if held > 0.0:
+        ledger[CUT] += scale * held
+        memory[AT_WORLD] = outside
+        ledger[WORLD_STORED] = scale * outside
+    ledger[ELASTIC] -= ledger[CUT]
     return new
+
+
+@block
+def mark_cuts(cutting: Cutting, world: World | None, memory: Float, position: Float, step: int) -> float:
+    """Marks the wanted elements as cut.
+
+    Args:
+        cutting: the elements.
+        world: what the skin meets; None: nothing.
+        memory: of the copy; changed in place.
+        position: where it is, displacements of the rows [m].
+        step: number of the step that was just taken, from 0.
+
+    Returns:
+        What obstacles and other bodies hold afterwards, of the whole body [J].
+    """
+    count, new = cutting.wanted.shape[0], 0
+    for e in range(count):
+        if cutting.wanted[e] != 0 and at(memory, cutting.first + e) == 0.0:
+            new += 1
+    if new > 0 and world is not None:
+        keep_depths(world, memory, position)
+    for e in range(count):
+        if cutting.wanted[e] != 0 and at(memory, cutting.first + e) == 0.0:
+            put(memory, cutting.first + e, step + 1.0)
+            put(memory, cutting.first + count + e, float(cutting.wanted[e]))
+    memory[cutting.first - 1] += new
+    if new > 0 and world is not None:
+        show_skin(cutting, world, memory)
+        return meet_anew(world, memory, position)
+    return 0.0
+
+
+@block
+def show_skin(cutting: Cutting, world: World | None, memory: Float) -> None:
+    """Works out which triangles and points of the skin the world and other bodies meet.
+
+    Args:
+        cutting: the elements.
+        world: what the skin meets; None: nothing.
+        memory: of a copy.
+    """
+    if world is not None:
+        many = at(memory, cutting.first - 1)
+        if many != 0.0 or world.gone[0] != 0.0:
+            expose(cutting, memory, world.hidden)
+            show(world)
+            world.gone[0] = many
 
 
 @block

@@ -9,6 +9,7 @@ import numpy.typing as npt
 
 from cotouch.arrays import Float
 from cotouch.mechanics._force_memory import FIRST, columns, is_cut, keep, scratch_row
+from cotouch.mechanics._force_ties import pull_ties, weigh_ties
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._matrix3 import Matrix, Vector, cross, inertia, mixture, product, solved, transpose, turned
 from cotouch.mechanics._vector import at, load, store, total
@@ -25,7 +26,12 @@ class CorotatedCells(NamedTuple):
         stiffness: of the spring along an edge that four such cubes share, (cells,) [N/m].
         edge: h n_a, the edges at rest, (3, 4) [m].
         spacing: h [m].
+        tie_start: row of the one end of each spring of no length at a face that opens, (ties,).
+        tie_end: row of the other.
+        tie_face: number of the face.
+        tie: k, (ties,) [N/m].
         cut: where in the memory the marks of those that were cut begin; negative: none can be.
+        tie_cut: likewise of the faces.
     """
 
     viscosity: float
@@ -33,7 +39,12 @@ class CorotatedCells(NamedTuple):
     stiffness: Float
     edge: Float
     spacing: float
+    tie_start: Int
+    tie_end: Int
+    tie_face: Int
+    tie: Float
     cut: int = -1
+    tie_cut: int = -1
 
 
 @inner
@@ -98,6 +109,7 @@ def resist(
 ) -> None:
     """Adds the mean force between two places and the damping; see `cotouch.mechanics.BodyForce`."""
     h, eta, scratch = law.spacing, law.viscosity, scratch_row(law.stiffness.shape[0])
+    pull_ties(law, memory, x, ahead, rate, out, lanes)
     for c in range(law.stiffness.shape[0]):
         if is_cut(memory, law.cut, c):
             continue
@@ -154,7 +166,7 @@ def evaluate(
 ) -> tuple[float, float]:
     """Energy at the end of a step, whose rotations it keeps, and the power of the dampers in it."""
     h, eta, scratch = law.spacing, law.viscosity, scratch_row(law.stiffness.shape[0])
-    energy, power = 0.0, 0.0
+    energy, power = weigh_ties(law, memory, ahead, rate, lanes)
     for c in range(law.stiffness.shape[0]):
         if is_cut(memory, law.cut, c):
             continue

@@ -18,6 +18,7 @@ from numba.extending import overload
 
 from cotouch.arrays import Float
 from cotouch.mechanics._force_memory import FIRST, columns, is_cut, keep
+from cotouch.mechanics._force_ties import pull_ties, weigh_ties
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._matrix3 import (
     IDENTITY,
@@ -45,7 +46,12 @@ class CorotatedTetrahedra(NamedTuple):
         gradient: ∇N of the last three corners, (3 · tetrahedra, 4) [1/m].
         volume: at rest, (tetrahedra,) [m³].
         lame: λ and μ [Pa], η of the damper beside them [s], (tetrahedra, 3).
+        tie_start: see `CorotatedCells`, as of the other ties.
+        tie_end: likewise.
+        tie_face: likewise.
+        tie: likewise.
         cut: where in the memory the marks of those that were cut begin; negative: none can be.
+        tie_cut: likewise of the faces.
     """
 
     viscosity: float
@@ -53,7 +59,12 @@ class CorotatedTetrahedra(NamedTuple):
     gradient: Float
     volume: Float
     lame: Float
+    tie_start: Int
+    tie_end: Int
+    tie_face: Int
+    tie: Float
     cut: int = -1
+    tie_cut: int = -1
 
 
 class StVenantKirchhoff(NamedTuple):
@@ -64,7 +75,12 @@ class StVenantKirchhoff(NamedTuple):
     gradient: Float
     volume: Float
     lame: Float
+    tie_start: Int
+    tie_end: Int
+    tie_face: Int
+    tie: Float
     cut: int = -1
+    tie_cut: int = -1
 
 
 class NeoHookean(NamedTuple):
@@ -75,7 +91,12 @@ class NeoHookean(NamedTuple):
     gradient: Float
     volume: Float
     lame: Float
+    tie_start: Int
+    tie_end: Int
+    tie_face: Int
+    tie: Float
     cut: int = -1
+    tie_cut: int = -1
 
 
 TETRAHEDRA = (CorotatedTetrahedra, StVenantKirchhoff, NeoHookean)
@@ -246,6 +267,7 @@ def _push(law: Any, e: int, n: int, out: Float, x: float, y: float, z: float) ->
 @part
 def resist(law: Any, memory: Float, x: Float, ahead: Float, rate: Float, out: Float, lanes: tuple[int, ...]) -> None:
     """Adds the mean force between two places and the damping; see `cotouch.mechanics.BodyForce`."""
+    pull_ties(law, memory, x, ahead, rate, out, lanes)
     for e in range(law.volume.shape[0]):
         if is_cut(memory, law.cut, e):
             continue
@@ -270,7 +292,7 @@ def evaluate(
     law: Any, memory: Float, x: Float, ahead: Float, rate: Float, sweeps: int, lanes: tuple[int, ...]
 ) -> tuple[float, float]:
     """Energy at the end of a step, whose rotations it keeps, and the power of the dampers in it."""
-    energy, power = 0.0, 0.0
+    energy, power = weigh_ties(law, memory, ahead, rate, lanes)
     for e in range(law.volume.shape[0]):
         if is_cut(memory, law.cut, e):
             continue

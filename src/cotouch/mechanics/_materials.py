@@ -207,6 +207,7 @@ def _law(body: Body, material: Material, row: Int, rest: Float) -> tuple[Any, in
             stiffness=np.ascontiguousarray(material.stiffness),
             edge=edge,
             spacing=spacing,
+            **_ties(material, row),
         ), elements.shape[0]
     edges = rest[material.elements[:, 1:], :3] - rest[material.elements[:, :1], :3]
     law = _SOLIDS[material.model](
@@ -215,8 +216,29 @@ def _law(body: Body, material: Material, row: Int, rest: Float) -> tuple[Any, in
         gradient=gradients_of(rest[:, :3], material.elements),
         volume=np.linalg.det(edges) / 6.0,
         lame=lame_of(material),
+        **_ties(material, row),
     )
     return law, elements.shape[0] if material.model == "corotated" else 0
+
+
+def _ties(material: Material, row: Int) -> dict[str, Any]:
+    """Springs of no length at the faces along which a body opens."""
+    wide = material.faces.shape[1] // 2
+    return {
+        "tie_start": np.ascontiguousarray(row[material.faces[:, :wide].ravel()], dtype=np.int32),
+        "tie_end": np.ascontiguousarray(row[material.faces[:, wide:].ravel()], dtype=np.int32),
+        "tie_face": np.repeat(np.arange(material.ties.size, dtype=np.int32), wide),
+        "tie": np.repeat(material.ties, wide),
+    }
+
+
+def _cut_field(material: Material | None) -> str:
+    """The field of a law that says where in the memory the marks of what was cut begin.
+
+    Args:
+        material: that can be cut.
+    """
+    return "tie_cut" if material is not None and material.faces.size else "cut"
 
 
 def gradients_of(rest: Float, elements: npt.NDArray[np.integer[Any]]) -> Float:
@@ -292,3 +314,23 @@ def _blocks(matrix: sp.bsr_array, rows: Any, columns: Any, dimension: int) -> Fl
         if found is not None:
             result[found, :dimension, :dimension] = matrix.data[n]
     return result.reshape(-1, 9)
+
+
+def cut_law(body: Body, law: Any, first: int) -> Any:
+    """A law that knows where in a copy's memory it is what was cut.
+
+    Args:
+        body: whose law it is.
+        law: of one body, or of several.
+        first: where the marks begin, those of one body after the other.
+    """
+    if not isinstance(law, Together):
+        return law._replace(**{_cut_field(body.material): first})
+    packs = [pack._replace(number=pack.number.copy()) for pack in law.packs]
+    for b, part in enumerate(body.parts):
+        if part.body.cut_count:
+            pack = packs[int(law.kind[b])]
+            # Of a piece of the memory that begins with this body's own.
+            pack.number[law.slot[b], pack.law._fields.index(_cut_field(part.body.material))] = first - law.memory[b]
+            first += part.body.cut_count
+    return law._replace(packs=tuple(packs))

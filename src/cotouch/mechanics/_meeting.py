@@ -85,8 +85,10 @@ class Meeting(NamedTuple):
         row: rows that carry each vertex, (entries,).
         share: how much of each, (entries,).
         rest: places of the vertices, less the body's origin, (V, 4) [m].
+        hidden: scratch: 1 where a triangle is not there, of the copy at hand, (F,), or (0,) of what cannot be cut.
         child: the two children of each box; of a leaf, `-1 - first` and how many triangles of `leaf`, (B, 2).
         leaf: triangles, ordered so that those of a leaf follow each other, (F,).
+        leaves: first triangle of each body, (bodies + 1,).
         lever: how far a vertex may move for each metre of the rows: the largest sum of |shares|.
         slack: how far rows may move at least before what is near is looked for anew [m].
         within: how deep a body's skin may come into itself, (bodies,); 0: it does not meet itself [m].
@@ -128,8 +130,10 @@ class Meeting(NamedTuple):
     row: Int
     share: Float
     rest: Float
+    hidden: Int
     child: Int
     leaf: Int
+    leaves: Int
     lever: float
     slack: float
     within: Float

@@ -16,6 +16,7 @@ from cotouch.mechanics._meeting_look import gather, make_ready, point_at
 from cotouch.mechanics._meeting_near import FAR_SIDE, crossing, follow
 from cotouch.mechanics._vector import at, put
 from cotouch.mechanics._world import World
+from cotouch.mechanics._world_offset import follow_offset, offset_of
 
 # Normals that look so much against each other are of opposite sides.
 _AGAINST = -0.5
@@ -67,9 +68,10 @@ def _meet(
     world: World, m: Meeting, memory: Float, e: int, here: int, mx: float, my: float, mz: float, T: float
 ) -> _Met:
     """One point and the body that it may meet, whose nearest triangle it passes by m; see `_world_force._meet`."""
-    before, after = at(m.began, (e, 0)), at(m.ended, (e, 0))
     p = at(m.point, e)
-    k = at(m.stiffness, (at(m.part, p), at(m.other, e))) * at(world.area, p)
+    off = offset_of(world, memory, world.kind.shape[0] * world.area.shape[0] + p)
+    before, after = at(m.began, (e, 0)) - off, at(m.ended, (e, 0)) - off
+    k = at(m.stiffness, (at(m.part, p), at(m.other, e))) * at(world.area, p) * at(world.there, p)
     sx, sy, sz = at(memory, here), at(memory, here + 1), at(memory, here + 2)
     grip = 0.5 * k
     held = 0.5 * grip * (sx * sx + sy * sy + sz * sz)
@@ -245,6 +247,8 @@ def weigh_bodies(
     kept = world.first + 4 * world.told.shape[0]
     for n in range(4 * points):
         put(memory, kept + 4 * slot + n, 0.0)
+    for p in range(points if world.offset >= 0 else 0):
+        put(memory, world.offset + world.told.shape[0] + slot + p, 0.0)
     for e in range(at(m.entries, 1)):
         p, other = at(m.point, e), at(m.other, e)
         px, py, pz = point_at(world, p, x)
@@ -264,6 +268,7 @@ def weigh_bodies(
         put(memory, here + 1, ey)
         put(memory, here + 2, ez)
         put(memory, here + 3, slips)
+        follow_offset(world, memory, slot + p, at(m.ended, (e, 0)))
         own = at(m.part, p)
         put(m.worked, own, at(m.worked, own) + fx * (qx - px) + fy * (qy - py) + fz * (qz - pz))
         put(m.worked, other, at(m.worked, other) - fx * (bx - ax) - fy * (by - ay) - fz * (bz - az))
@@ -318,7 +323,7 @@ def settle_bodies(world: World, m: Meeting | None, x: Float) -> float:
         if deep > 0.0:
             p = at(m.point, e)
             firm = at(m.stiffness, (at(m.part, p), at(m.other, e)))
-            energy += 0.5 * firm * at(world.area, p) * deep * deep
+            energy += 0.5 * firm * at(world.area, p) * at(world.there, p) * deep * deep
     return energy
 
 

@@ -7,7 +7,7 @@ import math
 from cotouch.arrays import Float
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._meeting import Meeting
-from cotouch.mechanics._meeting_near import FAR_SIDE, collect, search
+from cotouch.mechanics._meeting_near import FAR_SIDE, collect, is_hidden, search
 from cotouch.mechanics._vector import at, put
 from cotouch.mechanics._world import World
 
@@ -45,8 +45,14 @@ def _enclose(m: Meeting, body: int, whole: bool) -> None:
     if not whole:
         for a in range(3):
             low, high = math.inf, -math.inf
-            for v in range(at(m.vertices, body), at(m.vertices, body + 1)):
-                low, high = min(low, at(m.place, (v, a))), max(high, at(m.place, (v, a)))
+            if m.hidden.shape[0] == 0:
+                for v in range(at(m.vertices, body), at(m.vertices, body + 1)):
+                    low, high = min(low, at(m.place, (v, a))), max(high, at(m.place, (v, a)))
+            else:  # what was cut away flies anywhere
+                for f in range(at(m.leaves, body), at(m.leaves, body + 1)):
+                    for q in range(0 if is_hidden(m, f) else 3):
+                        own = at(m.place, (at(m.corner, (f, q)), a))
+                        low, high = min(low, own), max(high, own)
             put(m.low, (root, a), low)
             put(m.high, (root, a), high)
         return
@@ -60,7 +66,7 @@ def _enclose(m: Meeting, body: int, whole: bool) -> None:
                 high = max(at(m.high, (left, a)), at(m.high, (right, a)))
             else:
                 for n in range(-1 - left, -1 - left + right):
-                    for q in range(3):
+                    for q in range(0 if is_hidden(m, at(m.leaf, n)) else 3):
                         own = at(m.place, (at(m.corner, (at(m.leaf, n), q)), a))
                         low, high = min(low, own), max(high, own)
             put(m.low, (box, a), low)
@@ -100,6 +106,8 @@ def gather(world: World, m: Meeting, x: Float, bound: float) -> None:
         if at(m.touched, own) == 0:
             continue
         for p in range(at(m.points, own), at(m.points, own + 1)):
+            if at(world.there, p) == 0.0:
+                continue
             px, py, pz = point_at(world, p, x)
             deepest, other, last = -math.inf, -1, -1
             for b in range(bodies):

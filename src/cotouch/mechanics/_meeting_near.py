@@ -20,6 +20,12 @@ _Foot = tuple[float, float, float, float, bool]
 
 
 @inner
+def is_hidden(m: Meeting, f: int) -> bool:
+    """Whether a triangle of a body that can be cut is not there."""
+    return m.hidden.shape[0] > 0 and at(m.hidden, f) != 0
+
+
+@inner
 def foot(place: Float, i: int, j: int, k: int, x: float, y: float, z: float) -> _Foot:
     """The point of a triangle that is nearest to (x, y, z) [Ericson 2005, 5.1.5]."""
     ax, ay, az = at(place, (i, 0)), at(place, (i, 1)), at(place, (i, 2))
@@ -73,6 +79,8 @@ def keep_nearer(m: Meeting, place: Float, f: int, x: float, y: float, z: float, 
     Of two that are as near, at an edge or a corner, it is the one whose plane is farther away, whose side of it is the
     side of the skin. `out` gets for now the square of the distance, and the height above the plane beside it.
     """
+    if is_hidden(m, f):
+        return
     i, j, k = at(m.corner, (f, 0)), at(m.corner, (f, 1)), at(m.corner, (f, 2))
     best = at(out, (e, 0))
     square = 0.0  # to the box around it
@@ -223,6 +231,8 @@ def collect(m: Meeting, body: int, p: int, x: float, y: float, z: float, reach: 
             continue
         for n in range(-1 - left, -1 - left + right):
             f = at(m.leaf, n)
+            if is_hidden(m, f):
+                continue
             square = 0.0
             for a in range(3):
                 here = x if a == 0 else y if a == 1 else z

@@ -7,7 +7,7 @@ import numpy.typing as npt
 import scipy.sparse as sp
 
 from cotouch.arrays import Float
-from cotouch.body import Body, Part
+from cotouch.body import Body, CutSkin, Part
 from cotouch.mechanics._meeting import Between, Meeting, Parts
 from cotouch.mechanics._meeting_own import own_of, unmet
 
@@ -56,7 +56,9 @@ def parts_of(body: Body, order: Int | None, memory: Int, energy: Float, worked: 
     )
 
 
-def meeting_of(body: Body, between: Between, points: sp.csr_array, order: Int | None) -> Meeting:
+def meeting_of(
+    body: Body, between: Between, points: sp.csr_array, order: Int | None, faces: CutSkin | None, hidden: Int
+) -> Meeting:
     """Several bodies that meet, for the kernels.
 
     Args:
@@ -64,8 +66,10 @@ def meeting_of(body: Body, between: Between, points: sp.csr_array, order: Int | 
         between: what they do to each other.
         points: how much of each row of the kernels carries each point, (P, rows), one body after the other.
         order: row k of the kernels is node `order[k]`; None: node k.
+        faces: the skin with its inner faces, of what can be cut.
+        hidden: where it is written which of its triangles are not there.
     """
-    skin = body.skin
+    skin = body.skin if faces is None else faces.skin
     assert skin is not None
     of = part_of_nodes(body)
     carry = skin.interpolation(body.nodes).copy()
@@ -75,8 +79,11 @@ def meeting_of(body: Body, between: Between, points: sp.csr_array, order: Int | 
     carry.sum_duplicates()
     carry.eliminate_zeros()
     carry.sort_indices()
-    vertices = np.cumsum([0, *(part.skin().vertices.shape[0] for part in body.parts)])
-    triangles = np.cumsum([0, *(part.skin().triangles.shape[0] for part in body.parts)])
+    if faces is None:
+        vertices = np.cumsum([0, *(part.skin().vertices.shape[0] for part in body.parts)])
+        triangles = np.cumsum([0, *(part.skin().triangles.shape[0] for part in body.parts)])
+    else:
+        vertices, triangles = faces.vertices, faces.triangles
     corner, rest = np.ascontiguousarray(skin.triangles, dtype=np.int32), np.zeros((skin.vertices.shape[0], 4))
     rest[:, :3] = skin.vertices - body.rest.mean(axis=0)
     child: list[Int] = []
@@ -104,8 +111,10 @@ def meeting_of(body: Body, between: Between, points: sp.csr_array, order: Int | 
         row=carry.indices.astype(np.int32),
         share=np.ascontiguousarray(carry.data, dtype=np.float64),
         rest=rest,
+        hidden=hidden,
         child=np.concatenate(child).astype(np.int32),
         leaf=np.concatenate(leaf).astype(np.int32),
+        leaves=triangles.astype(np.int32),
         lever=float(max(abs(carry).sum(axis=1).max(), abs(points).sum(axis=1).max())),
         slack=_SLACK * min(thickness_of(one) for one in body.parts),
         within=within,

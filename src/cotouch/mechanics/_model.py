@@ -10,13 +10,13 @@ import scipy.linalg as la
 import scipy.sparse as sp
 
 from cotouch.arrays import Float
-from cotouch.body import Body, Material, Matrix, Truncation, canonical
+from cotouch.body import Body, Material, Matrix, Truncation, canonical, pulls_of
 from cotouch.errors import BodyError, UnsupportedError
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._force_memory import fresh_memory
 from cotouch.mechanics._force_together import Together, fresh_together
 from cotouch.mechanics._link_weight import fit_weight
-from cotouch.mechanics._materials import force_of, outline_of
+from cotouch.mechanics._materials import cut_law, force_of, outline_of
 from cotouch.mechanics._meeting import Between
 from cotouch.mechanics._operator import DAMPING, MASS, STIFFNESS, WEIGHTS, Operator, halves, mixed
 from cotouch.mechanics._state import Workspace, workspace
@@ -230,7 +230,7 @@ def _of_material(
         raise UnsupportedError(
             f'model is "{material.model}", so link weights must be {body.nodes} x {body.nodes}, alike along each axis'
         )
-    own = [outline.mass, outline.damping, outline.stiffness, sp.eye_array(body.nodes, format="csr")]
+    own = [outline.mass, outline.damping, outline.stiffness, sp.csr_array(sp.diags_array(pulls_of(body)))]
     matrices = [*own, *(m for m, _ in fitted)]
     order, split = (None, 0) if body.rigid else halves(matrices)
     ordered = matrices if order is None else [sp.csr_array(matrix[order][:, order]) for matrix in matrices]
@@ -244,9 +244,9 @@ def _of_material(
         parts, bodies = force.parts, world.bodies
         force = force._replace(parts=parts and bodies and parts._replace(worked=bodies.worked))
     cut = -1
-    if material.cuttable:
-        cut, memory = memory + 1, memory + 1 + 2 * material.elements.shape[0]
-        force = force._replace(law=force.law._replace(cut=cut), cut=cut - 1)
+    if body.cut_count:
+        cut, memory = memory + 1, memory + 1 + 2 * body.cut_count
+        force = force._replace(law=cut_law(body, force.law, cut), cut=cut - 1)
     return Model(
         body=body,
         operator=_operator(ordered, copies, split),

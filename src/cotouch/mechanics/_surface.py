@@ -190,7 +190,7 @@ def _padded(places: Float) -> Float:
 
 def _skin(body: Body) -> tuple[Float, Int, Int, Float]:
     """Vertices, triangles, carrying nodes and weights; a node without a skin is a triangle of no size."""
-    faces = cut_skin(body) if body.material is not None and body.material.cuttable else None
+    faces = cut_skin(body) if body.cut_count else None
     skin = body.skin if faces is None else faces.skin
     if skin is None or not skin.triangles.size:
         number = np.arange(body.nodes, dtype=np.int32)

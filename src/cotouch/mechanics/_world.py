@@ -70,6 +70,16 @@ class World(NamedTuple):
         told: scratch: force on each point by the last look, ((S + 1) * P, 4), or (S * P, 4) of one body [N].
         tried: scratch: velocity of the rows at the last look, (rows, 4) [m/s].
         force: result: mean force of each obstacle on the whole body in the step, (S, 4) [N].
+        offset: where in a copy's memory begins, for each obstacle and point and each point and other bodies, how deep
+            the point was where it or what it lies in came to light by a cut, which holds nothing: as the last step left
+            them, then as this one would; negative: nothing can be cut [m].
+        whole: which share of each point is there while nothing is cut, (P,).
+        there: scratch: and now, of the copy at hand, (P,).
+        pointer_of: CSR row pointer of what makes up each point of a body that can be cut, (P + 1,).
+        triangle: triangles of the skin with its inner faces.
+        part_of: which share of the point each makes.
+        hidden: scratch: 1 where a triangle is not there, (F,), or (0,).
+        gone: scratch: how many elements of the copy for which these were worked out were cut, (1,).
         bodies: several bodies that meet each other; None: there is one.
     """
 
@@ -91,4 +101,12 @@ class World(NamedTuple):
     told: Float
     tried: Float
     force: Float
+    offset: int
+    whole: Float
+    there: Float
+    pointer_of: Int
+    triangle: Int
+    part_of: Float
+    hidden: Int
+    gone: Float
     bodies: Meeting | None = None

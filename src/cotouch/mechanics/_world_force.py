@@ -23,6 +23,7 @@ from cotouch.mechanics._shape import depth, passes
 from cotouch.mechanics._state import WORLD_FORCE, Workspace
 from cotouch.mechanics._vector import at, load, put, splat, store
 from cotouch.mechanics._world import World
+from cotouch.mechanics._world_offset import follow_offset, offset_of
 
 # Looks at most that a step with obstacles takes, and the change of forces from one to the next at which they end.
 _LOOKS = 16
@@ -54,12 +55,16 @@ def _meet(
     T: float,
 ) -> _Point:  # fmt: skip
     """One obstacle and one point that is here, and moves by m within T."""
+    if at(world.there, p) == 0.0:
+        return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False, 0.0, 0.0, 0.0, 0.0, 0.0
     kind = at(world.kind, s)
     before, ax, ay, az, face = depth(kind, world.numbers, s, x, y, z)
     after, nx, ny, nz, other = depth(kind, world.numbers, s, x + mx, y + my, z + mz)
     passed = passes(kind, world.numbers, s, x, y, z, mx, my, mz, before, face, after, other)
-    k = at(world.stiffness, s) * at(world.area, p)
-    here = world.first + 4 * (s * world.area.shape[0] + p)
+    k = at(world.stiffness, s) * at(world.area, p) * at(world.there, p)
+    slot = s * world.area.shape[0] + p
+    here, off = world.first + 4 * slot, offset_of(world, memory, slot)
+    before, after = before - off, after - off
     sx, sy, sz = at(memory, here), at(memory, here + 1), at(memory, here + 2)
     # Half as stiff along a face as across it: within a step, both then resist alike.
     grip = 0.5 * k
@@ -149,6 +154,11 @@ def take_up(world: World | None, memory: Float) -> None:
         count = 4 * world.told.shape[0]
         for n in range(count):
             put(memory, world.first + n, at(memory, world.first + count + n))
+        if world.offset >= 0:
+            count = world.told.shape[0]
+            for n in range(count):
+                put(memory, world.offset + n, at(memory, world.offset + count + n))
+                put(memory, world.offset + count + n, 0.0)
         begin_bodies(world.bodies)
 
 
@@ -286,6 +296,9 @@ def weigh_world(world: World | None, memory: Float, x: Float, ahead: Float, T: f
             put(memory, here + 1, ey)
             put(memory, here + 2, ez)
             put(memory, here + 3, slips)
+            if offset_of(world, memory, s * points + p) > 0.0:
+                deep, _, _, _, _ = depth(at(world.kind, s), world.numbers, s, rx + vx - ux, ry + vy - uy, rz + vz - uz)
+                follow_offset(world, memory, s * points + p, deep)
             put(world.force, (s, 0), at(world.force, (s, 0)) + a)
             put(world.force, (s, 1), at(world.force, (s, 1)) + b)
             put(world.force, (s, 2), at(world.force, (s, 2)) + c)
@@ -330,6 +343,8 @@ def deepest_point(world: World, x: Float) -> tuple[float, int]:
     """
     most, where = -math.inf, 0
     for p in range(world.area.shape[0]):
+        if at(world.there, p) == 0.0:
+            continue
         ux, uy, uz = _place(world, p, x)
         rx, ry, rz = at(world.rest, (p, 0)) + ux, at(world.rest, (p, 1)) + uy, at(world.rest, (p, 2)) + uz
         for s in range(world.kind.shape[0]):
@@ -348,6 +363,8 @@ def settle_world(world: World | None, memory: Float, x: Float) -> float:
     for n in range(world.first, memory.shape[0]):
         put(memory, n, 0.0)
     for p in range(world.area.shape[0]):
+        if at(world.there, p) == 0.0:
+            continue
         ux, uy, uz = _place(world, p, x)
         for s in range(world.kind.shape[0]):
             deep, _, _, _, _ = depth(
@@ -359,36 +376,5 @@ def settle_world(world: World | None, memory: Float, x: Float) -> float:
                 at(world.rest, (p, 2)) + uz,
             )
             if deep > 0.0:
-                energy += 0.5 * at(world.stiffness, s) * at(world.area, p) * deep * deep
+                energy += 0.5 * at(world.stiffness, s) * at(world.area, p) * at(world.there, p) * deep * deep
     return energy + settle_bodies(world, world.bodies, x)
-
-
-@block
-def begin_world(world: World, memory: Float, x: Float) -> float:
-    """What obstacles hold of a copy without friction, where it is, for whoever checks a ledger [J].
-
-    Args:
-        world: obstacles and points.
-        memory: (numbers,); its friction is forgotten.
-        x: displacements of the rows, (rows, width) [m].
-    """
-    return settle_world(world, memory, x)
-
-
-@block
-def follow_world(world: World, memory: Float, x: Float, ahead: Float, T: float) -> tuple[float, float]:
-    """What obstacles hold after a step and lost in it, for whoever checks a ledger.
-
-    Args:
-        world: obstacles and points.
-        memory: (numbers,), as the step before left it; gets what this one leaves.
-        x: displacements of the rows before, (rows, width) [m].
-        ahead: and after, likewise.
-        T: how long it took [s].
-
-    Returns:
-        Energy held and energy lost [J], of the whole body.
-    """
-    take_up(world, memory)
-    energy, lost, _ = weigh_world(world, memory, x, ahead, T)
-    return energy, lost

@@ -8,7 +8,7 @@ import numpy.typing as npt
 import scipy.sparse as sp
 
 from cotouch.arrays import Float
-from cotouch.body import Body
+from cotouch.body import Body, CutSkin, Skin, cut_skin
 from cotouch.errors import BodyError, UnsupportedError
 from cotouch.mechanics._meeting import Between
 from cotouch.mechanics._meeting_skin import meeting_of, part_of_nodes, thickness_of
@@ -51,11 +51,12 @@ def world_of(
     origin = body.rest.mean(axis=0)
     thin = [one.shape.thickness() for one in obstacles]
     thin += [] if between is None else [_BODY * thickness_of(part) for part in body.parts]
-    places, area, carry = _points(body, min(thin))
+    faces = cut_skin(body) if body.cut_count else None
+    places, area, carry, parted = _points(body, body.skin if faces is None else faces.skin, faces, min(thin))
     if between is not None:  # point after point of each body
         of = part_of_nodes(body)[carry.indices[carry.indptr[:-1]]]
         sort = np.argsort(of, kind="stable")
-        places, area, carry = places[sort], area[sort], sp.csr_array(carry[sort])
+        places, area, carry, parted = places[sort], area[sort], sp.csr_array(carry[sort]), sp.csr_array(parted[sort])
     if order is not None:
         carry = sp.csr_array(carry[:, order])
     carry.sort_indices()
@@ -69,6 +70,9 @@ def world_of(
     away = _ROUNDING * np.finfo(np.float64).eps * float(np.abs(rest).max())
     slots = len(shapes) + (between is not None)
     count = slots * places.shape[0]
+    # The inner faces are not there yet.
+    hidden = np.zeros(0, dtype=np.int32) if faces is None else (faces.beyond >= 0).astype(np.int32)
+    shown = np.ones(places.shape[0]) if faces is None else np.where(parted @ hidden > 0.0, 0.0, 1.0)
     firm = float(stiffness.sum()) + (0.0 if between is None else between.stiffness)
     world = World(
         first=first,
@@ -83,25 +87,36 @@ def world_of(
         loss=np.array([one.loss for one in obstacles]),
         friction=np.array([one.friction for one in obstacles]),
         kinetic=np.array([one.friction if one.kinetic is None else one.kinetic for one in obstacles]),
-        grain=away * away * firm * float(area.sum()),
+        grain=away * away * firm * float(area @ shown),
         hold=np.zeros(body.nodes),
         couple=np.zeros((3 * body.nodes, 3 * body.nodes) if body.rigid else (0, 0)),
         told=np.zeros((count, 4)),
         tried=np.zeros((body.nodes, 4)),
         force=np.zeros((len(shapes), 4)),
-        bodies=None if between is None else meeting_of(body, between, carry, order),
+        offset=-1 if faces is None else first + 8 * count,
+        whole=shown,
+        there=shown.copy(),
+        pointer_of=parted.indptr.astype(np.int32),
+        triangle=parted.indices.astype(np.int32),
+        part_of=np.ascontiguousarray(parted.data, dtype=np.float64),
+        hidden=hidden,
+        gone=np.zeros(1),
+        bodies=None if between is None else meeting_of(body, between, carry, order, faces, hidden),
     )
-    return world, 8 * count
+    return world, (8 if faces is None else 10) * count
 
 
-def _points(body: Body, thinnest: float) -> tuple[Float, Float, sp.csr_array]:
+def _points(
+    body: Body, skin: Skin, faces: CutSkin | None, thinnest: float
+) -> tuple[Float, Float, sp.csr_array, sp.csr_array]:
     """Vertices of the skin, its triangles halved until no obstacle fits between: places, areas, and what carries them.
+
+    Of what can be cut also what share of each point each triangle of the skin makes, (P, F); inner faces have points of
+    their own.
 
     Raises:
         BodyError: there would be too many.
     """
-    skin = body.skin
-    assert skin is not None
     corners, count = np.asarray(skin.triangles, dtype=np.int64), skin.vertices.shape[0]
     carry = sp.csr_array(
         (
@@ -112,6 +127,7 @@ def _points(body: Body, thinnest: float) -> tuple[Float, Float, sp.csr_array]:
         shape=(count, body.nodes),
     )
     places = np.asarray(skin.vertices, dtype=np.float64)[:, :3]
+    origin: Corners = np.arange(corners.shape[0], dtype=np.int64)
     longest = float(np.linalg.norm(places[corners] - places[np.roll(corners, -1, axis=1)], axis=2).max())
     while longest > _APART * thinnest:
         if 4 * places.shape[0] > MOST_POINTS:
@@ -120,12 +136,15 @@ def _points(body: Body, thinnest: float) -> tuple[Float, Float, sp.csr_array]:
                 "make it thicker, or the mesh finer"
             )
         places, corners, carry = _halved(places, corners, carry)
+        origin = np.tile(origin, 4)
         longest *= 0.5
     edges = places[corners[:, 1:]] - places[corners[:, :1]]
     normal = 0.5 * np.cross(edges[:, 0], edges[:, 1])
     area = np.linalg.norm(normal, axis=1)
-    corners, normal, area = corners[area > 0.0], normal[area > 0.0], area[area > 0.0]
-    side = _sides(corners, normal / area[:, None])
+    sound = area > 0.0
+    corners, normal, area, origin = corners[sound], normal[sound], area[sound], origin[sound]
+    inner = None if faces is None else faces.side[origin]
+    side = _sides(corners, normal / area[:, None], inner)
     # Each corner of each triangle, a little within it, for a third of its area; those of one side are one point.
     share = np.full((3, 3), _WITHIN) + (1.0 - 3.0 * _WITHIN) * np.eye(3)
     mean = sp.csr_array(
@@ -140,21 +159,30 @@ def _points(body: Body, thinnest: float) -> tuple[Float, Float, sp.csr_array]:
     carry = sp.csr_array(mean @ carry)
     carry.sum_duplicates()
     carry.eliminate_zeros()
-    return mean @ places, own, carry
+    parted = sp.csr_array((own.size, 0))
+    if faces is not None:
+        third = np.repeat(area, 3) / 3.0 / own[side.ravel()]
+        entries = side.ravel(), np.repeat(origin, 3)
+        parted = sp.csr_array((third, entries), shape=(own.size, faces.beyond.size))
+        parted.sum_duplicates()
+    return mean @ places, own, carry, parted
 
 
-def _sides(corners: Corners, normal: Float) -> Corners:
-    """Numbers the sides of every vertex: triangles that meet there and look the same way belong to one; (F, 3)."""
+def _sides(corners: Corners, normal: Float, inner: Corners | None) -> Corners:
+    """Numbers the sides of every vertex: triangles that meet there and look the same way belong to one; (F, 3).
+
+    Of what can be cut, those of one `inner` number only, which come and go together.
+    """
     result, count = np.zeros(corners.shape, dtype=np.int64), 0
     place = np.argsort(corners.ravel(), kind="stable")
     ends = np.flatnonzero(np.diff(corners.ravel()[place], append=-1)) + 1
     for begin, end in zip(np.concatenate([[0], ends[:-1]]), ends, strict=True):
-        found: list[Float] = []
+        found: list[tuple[Float, int]] = []
         for entry in place[begin:end]:
-            own = normal[entry // 3]
-            alike = [number for number, other in enumerate(found) if float(own @ other) >= _ALIKE]
+            own, face = normal[entry // 3], -1 if inner is None else int(inner[entry // 3])
+            alike = [n for n, (other, beside) in enumerate(found) if face == beside and float(own @ other) >= _ALIKE]
             if not alike:
-                found.append(own)
+                found.append((own, face))
             result.flat[entry] = count + (alike[0] if alike else len(found) - 1)
         count += len(found)
     return result

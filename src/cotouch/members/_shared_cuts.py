@@ -101,11 +101,9 @@ class SharedCuts:
             session: bytes that name the session.
             slot: of this user.
         """
-        material = replica.body.material
-        assert material is not None
         self.refused = 0
         self._control, self._slot = control, slot
-        self._size = material.elements.shape[0]
+        self._size = replica.body.cut_count
         self._may = replica.scenario.cutting
         self._session = session
         self._authors: dict[tuple[str, int], _Author] = {}

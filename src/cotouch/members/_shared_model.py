@@ -81,7 +81,7 @@ class SharedModel:
     @property
     def uncut(self) -> bool:
         """Whether the body cannot be cut."""
-        return self.body.material is None or not self.body.material.cuttable
+        return self.body.cut_count == 0
 
     @property
     def rounding(self) -> float:

@@ -58,11 +58,6 @@ def hands_of(scenario: Scenario) -> int:
     return max(1, *counts)
 
 
-def cuttable(body: Body) -> int:
-    """How many elements can be cut."""
-    return body.material.elements.shape[0] if body.material is not None and body.material.cuttable else 0
-
-
 def view_fields(body: Body, *, users: int, hands: int) -> Fields:
     """What a member shows.
 
@@ -78,7 +73,7 @@ def view_fields(body: Body, *, users: int, hands: int) -> Fields:
         "step": ((), "i8"),
         "T": ((), "f8"),  # [s]
         "displacement": ((nodes, axes), "f4"),  # [m]
-        "cut": ((cuttable(body),), "i1"),  # who decided to cut each element, from 1; 0: it is whole
+        "cut": ((body.cut_count,), "i1"),  # who decided to cut each element, from 1; 0: it is whole
         "known": ((users,), "i1"),  # whose state is known
         "neighbours": ((users, nodes, axes), "f4"),  # as this member knows them [m]
         "ages": ((users,), "f8"),  # of these [s]

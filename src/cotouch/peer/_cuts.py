@@ -77,7 +77,7 @@ class CutSet:
         Args:
             contact: whose skin must know what is gone; None: nobody touches.
         """
-        begin_cut(self._cutting, self._state, self._tools)
+        begin_cut(self._cutting, self._force.world, self._state, self._tools)
         if contact is not None:
             expose(self._cutting, self._state.memory, contact.work.fit.hidden)
 

@@ -15,7 +15,7 @@ from cotouch.recording._outside import Outside
 from cotouch.recording._parts import parts_arrays, parts_of_arrays
 
 if TYPE_CHECKING:  # reading a recording needs no kernels
-    from cotouch.mechanics import Between, Model, Obstacle
+    from cotouch.mechanics import Between, Cutting, Model, Obstacle
     from cotouch.mechanics import World as Around
 
 Bool = npt.NDArray[np.bool_]
@@ -190,11 +190,23 @@ class RecordedMaterial:
                 gone[step], ends[step] = ends[step] - left, left
         return before, ends, power, gone
 
-    def outside(self, start: Float, after: Float, T: Float, told: Outside, *, fresh: Bool, follows: Bool) -> Outside:
+    def outside(
+        self,
+        start: Float,
+        after: Float,
+        T: Float,
+        told: Outside,
+        *,
+        fresh: Bool,
+        follows: Bool,
+        index: Float,
+        when: Float,
+    ) -> Outside:
         """What planes, boxes and other bodies held before and after each step, and what was lost at them.
 
-        How far friction is stretched follows from the steps before. Where these are not all there, what the peer booked
-        stands in, until the copy touches nothing or there is no friction.
+        How far friction is stretched follows from the steps before, and so does how deep something was where a cut
+        brought it to light. Where these are not all there, what the peer booked stands in, until the copy touches
+        nothing, or there is neither friction nor a cut.
 
         Args:
             start: displacements of the nodes, (steps, n, d) [m].
@@ -203,8 +215,10 @@ class RecordedMaterial:
             told: what the peer booked; of before only where no step is missing.
             fresh: whether the step is the copy's first, (steps,).
             follows: whether it begins where the one before ended, (steps,).
+            index: number of each step, (steps,).
+            when: after which step each element was cut, (elements,).
         """
-        from cotouch.mechanics import begin_world, follow_world
+        from cotouch.mechanics import begin_world, cutting_of, follow_world, mark_cuts
 
         made = self._made()
         world = None if made.force is None else made.force.world
@@ -212,17 +226,29 @@ class RecordedMaterial:
             return told
         memory, found, known, held = made.unturned(), Outside(*map(np.array, told)), False, np.nan
         slick = not np.any(world.friction) and (world.bodies is None or world.bodies.friction == 0.0)
+        cutting = cutting_of(made)
         for step in range(T.size):
             x, ahead = (made.to_rows(field[step]) for field in (start, after))
             if not follows[step]:
-                known = bool(slick or fresh[step])
+                whole = not np.any(when < index[step])
+                known = bool((slick and whole) or fresh[step])
+                _mark(made, cutting, memory, when < index[step])
                 held = begin_world(world, memory, x)
+                _mark(made, cutting, memory, when < index[step])
             if not known:  # a step that touches nothing leaves nothing stretched
                 known = max(_deepest(world, x), _deepest(world, ahead)) <= 0.0
+                _mark(made, cutting, memory, when <= index[step])
                 held = begin_world(world, memory, ahead)
+                _mark(made, cutting, memory, when <= index[step])
                 continue
             found.before[step] = held
             held, found.lost[step] = follow_world(world, memory, x, ahead, float(T[step]))
+            new, found.cut[step] = when == index[step], 0.0
+            if cutting is not None and np.any(new):
+                cutting.wanted[:] = new
+                left = mark_cuts(cutting, world, memory, ahead, int(index[step]))
+                found.cut[step] = max(held - left, 0.0)
+                held -= found.cut[step]
             found.after[step] = held
         return found
 
@@ -253,6 +279,17 @@ class RecordedMaterial:
 
 
 _FIELDS = fields(Material)
+
+
+def _mark(made: "Model", cutting: "Cutting | None", memory: Float, gone: Bool) -> None:
+    """Lets a memory know what was cut, and the skin what of it is there."""
+    from cotouch.mechanics import show_skin
+
+    world = None if made.force is None else made.force.world
+    if cutting is not None and world is not None:
+        memory[made.cut : made.cut + gone.size] = gone
+        memory[made.cut - 1] = np.count_nonzero(gone)
+        show_skin(cutting, world, memory)
 
 
 def _deepest(world: "Around", x: Float) -> float:
@@ -296,6 +333,8 @@ def _body_of(arrays: Mapping[str, Any], rest: Float, places: Any) -> Body:
         gravity=tuple(np.asarray(said["gravity"], dtype=np.float64).ravel().tolist()),  # pyright: ignore[reportArgumentType]
         cuttable=bool(said["cuttable"]),
         **{name: float(said[name]) for name in ("tear", "strength", "toughness")},
+        **{name: np.asarray(said[name], dtype=np.int64) for name in ("faces", "sides")},
+        **{name: np.asarray(said[name], dtype=np.float64) for name in ("ties", "part")},
         young=_number(said["young"]),
         poisson=_number(said["poisson"]),
         viscosity=_number(said["viscosity"]),

@@ -195,7 +195,7 @@ class _Steps:
         self.start, self.unclosed, self.closure = 2.0 * self.middle - x, self.v, np.zeros(T.size)
         material = body.material
         when = cut_steps(recording) if material is not None else np.zeros(0)
-        index = recording.columns["index"][at]
+        index, self.booked = recording.columns["index"][at], recording.columns["cut"][at]
         self.inner = None if material is None else material.energies(self.start, x, self.mean, index=index, when=when)
         if material is not None:
             self._reopen(*(recording.columns[name][at] for name in ("closure", "closure_factor")))
@@ -269,6 +269,9 @@ class _Steps:
             own += self.stiff * self.inner[2]
         rubbed = 0.0 if self.outside is None else self.stiff * self.outside.lost
         gone = np.zeros(T.size) if self.inner is None else self.stiff * self.inner[3]
+        if self.outside is not None:
+            gone = gone + self.stiff * self.outside.cut
+            gone = np.where(np.isnan(gone), self.booked, gone)
         return T * own + rubbed, T * local, T * extra, gone
 
     def supplied(self, force: Float, booked: Float) -> Float:

@@ -21,11 +21,13 @@ class Outside(NamedTuple):
         before: each step, (steps,) [J].
         after: likewise.
         lost: in it, likewise.
+        cut: what went with what was cut after it, likewise; NaN where that cannot be told.
     """
 
     before: Float
     after: Float
     lost: Float
+    cut: Float
 
 
 def scale_of(recording: "Recording") -> Float:
@@ -59,8 +61,11 @@ def outside_of(recording: "Recording", scale: Float) -> Outside | None:
     before = np.where(recording.consecutive, np.concatenate([[np.nan], held[:-1]]), np.nan)
     follows = np.concatenate([[False], np.diff(rows) == 1]) & recording.consecutive[rows]
     fresh = columns["index"][rows] == 0
-    told = Outside(before[rows], held[rows], (columns["world_loss"] / scale)[rows])
-    return material.outside(2.0 * middle - x, x, columns["T"][rows], told, fresh=fresh, follows=follows)
+    when, index = cut_steps(recording), columns["index"][rows]
+    gone = np.where(np.isin(index, when), np.nan, 0.0)
+    told = Outside(before[rows], held[rows], (columns["world_loss"] / scale)[rows], gone)
+    given = (2.0 * middle - x, x, columns["T"][rows], told)
+    return material.outside(*given, fresh=fresh, follows=follows, index=index, when=when)
 
 
 def cut_steps(recording: "Recording") -> Float:
@@ -73,7 +78,7 @@ def cut_steps(recording: "Recording") -> Float:
         RecordingError: it names an element that the body has not.
     """
     material = recording.header.body.material
-    found = np.full(0 if material is None else material.material.elements.shape[0], np.inf)
+    found = np.full(0 if material is None else material.body.cut_count, np.inf)
     for event in recording.events:
         if event.kind != "cut":
             continue

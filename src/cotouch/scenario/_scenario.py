@@ -10,7 +10,7 @@ from typing import Annotated, Any, Self, cast, final
 import numpy as np
 from pydantic import Field, InstanceOf, PrivateAttr, ValidationError, field_validator, model_validator
 
-from cotouch.body import Body, Placed, together
+from cotouch.body import Body, Placed, together, with_faces
 from cotouch.errors import ScenarioError
 from cotouch.files import list_of, read_text, table_of, toml, toml_text
 from cotouch.network import Network
@@ -270,7 +270,8 @@ class Scenario(Table):
             return body
         said = self.cutting or CuttingTable()
         limits = {name: getattr(said, name) or inf for name in ("tear", "strength")}
-        return body.with_cutting(**limits, toughness=said.toughness)
+        body = body.with_cutting(**limits, toughness=said.toughness)
+        return with_faces(body) if said.faces else body
 
     def _weighing(self, body: Body) -> Body:
         """A body with the weight that the world gives it; one that meets obstacles has a material."""

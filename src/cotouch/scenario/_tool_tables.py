@@ -194,12 +194,14 @@ class CuttingTable(Table):
             by default none does.
         strength: tensile stress at which an element breaks [Pa]; by default none does.
         toughness: what a blade pays for new area [J/m²].
+        faces: whether the body opens along faces between elements; else whole elements are cut away.
         users: who may cut, by blades or because their copy breaks; by default everybody.
     """
 
     tear: Positive | None = None
     strength: Positive | None = None
     toughness: NonNegative = 0.0
+    faces: bool = False
     users: list[Number] | None = None
 
     def may(self, user: int) -> bool:

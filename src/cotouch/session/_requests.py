@@ -53,7 +53,7 @@ def check_hand(command: MoveHand, body: Body, *, cuts: bool) -> None:
 
 
 def _check_cuttable(body: Body, cuts: bool) -> None:
-    if body.material is None or not body.material.cuttable:
+    if not body.cut_count:
         raise SessionError("a blade cuts nothing here, because the session's file has no [cutting]; add that table")
     if not cuts:
         raise SessionError("this user may not cut; cutting.users of the session's file says who may")

@@ -194,8 +194,8 @@ def run(
             )
         state = state_of(fields, i)
         ledger = scratch.ledger
-        if cutting is not None and touching is None:
-            begin_cut(cutting, state, None)
+        if cutting is not None and force is not None and touching is None:
+            begin_cut(cutting, force.world, state, None)
         if touching is not None:
             if not before_step(touching, i, end, T):
                 record.lowest[0] = lowest
@@ -236,8 +236,8 @@ def run(
                 have.debt,
                 have.drag,
             )
-            if cutting is not None:
-                begin_cut(cutting, state, tools)
+            if cutting is not None and force is not None:
+                begin_cut(cutting, force.world, state, tools)
                 if contact is not None:
                     expose(cutting, state.memory, contact.work.fit.hidden)
             if contact is not None:

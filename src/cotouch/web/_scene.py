@@ -165,11 +165,11 @@ def _told(view: CopyView | None) -> str | None:
 
 def _cutting(body: Body) -> dict[str, Any] | None:
     """What the drawn triangles of a body that can be cut hang on; see `CutSkin`."""
-    faces = cut_skin(body) if body.material is not None and body.material.cuttable else None
-    if faces is None or body.material is None:
+    faces = cut_skin(body) if body.cut_count else None
+    if faces is None:
         return None
     return {
-        "elements": body.material.elements.shape[0],
+        "elements": body.cut_count,
         "pointer": _packed(faces.pointer, "<u4"),
         "element": _packed(faces.element, "<u4"),
         "beyond": _packed(faces.beyond, "<i4"),

@@ -1,0 +1,21 @@
+"""How deep a point of the skin was where a cut brought it, or what it lies in, to light; see `_world_cut`."""
+# pyright: reportArgumentType=false, reportReturnType=false
+
+from cotouch.arrays import Float
+from cotouch.mechanics._kernel import inner
+from cotouch.mechanics._vector import at, put
+from cotouch.mechanics._world import World
+
+
+@inner
+def offset_of(world: World, memory: Float, n: int) -> float:
+    """From which depth on a point meets something [m]."""
+    return at(memory, world.offset + n) if world.offset >= 0 else 0.0
+
+
+@inner
+def follow_offset(world: World, memory: Float, n: int, deep: float) -> None:
+    """Lets an offset shrink with the depth at the end of a step."""
+    if world.offset >= 0:
+        kept = world.offset + world.told.shape[0] + n
+        put(memory, kept, min(at(memory, world.offset + n), max(deep, 0.0)))
