@@ -33,7 +33,7 @@ def cutting(copy: Alone) -> Cutting:
     return found
 
 
-def cut(copy: Alone, what: Cutting, elements: npt.ArrayLike) -> float:
+def cut(copy: Alone, what: Cutting, elements: npt.NDArray[np.intp]) -> float:
     """Takes elements away; returns the energy that went, of which the ledger must know."""
     before = copy.energy
     begin_cut(what, copy.force.world, copy.state, None)
@@ -163,7 +163,7 @@ class TestWorld:
         first = np.arange(steps) == 0
         start, after = np.array(places[:-1]), np.array(places[1:])
         told, material = Outside(np.full(steps, np.nan), *np.zeros((3, steps))), RecordedMaterial.of(copy.model)
-        index = {"index": np.arange(steps), "when": when}
+        index = {"index": np.arange(steps, dtype=np.float64), "when": when}
         found = material.outside(start, after, np.full(steps, T), told, fresh=first, follows=~first, **index)
         assert found.after == pytest.approx(held, rel=1e-9, abs=1e-15)
         _, _, _, inner = material.energies(start, after, (after - start) / T, **index)

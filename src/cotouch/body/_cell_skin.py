@@ -1,7 +1,5 @@
 """A skin that runs through cubes, divided where it passes from one to the next."""
 
-from typing import Any
-
 import numpy as np
 import numpy.typing as npt
 
@@ -51,8 +49,8 @@ def divided(skin: Skin, rest: Float, cubes: Ints) -> tuple[Skin, Ints]:
     keys = np.column_stack([np.repeat(cell, 3), np.rint(spots / _ON).astype(np.int64)])
     _, first, vertex = np.unique(keys, axis=0, return_index=True, return_inverse=True)
     of: Ints = np.repeat(cell, 3)[first]
-    local = spots[first] - places[of]
-    sides: Any = np.where(CORNERS[None] == 1, local[:, None, :], 1.0 - local[:, None, :])
+    local: Float = np.asarray(spots[first] - places[of], dtype=np.float64)
+    sides: Float = np.where(CORNERS[None] == 1, local[:, None, :], 1.0 - local[:, None, :])
     made = Skin(
         vertices=spots[first] * spacing + low,
         triangles=vertex.reshape(-1, 3),

@@ -40,7 +40,8 @@ class CutSkin:
         pointer: of each triangle into `element`, (F + 1,).
         element: that carry it; none where it hangs on nodes that share no element.
         beyond: the element on the other side of an inner face, or the face that opens; -1 of the outer ones, (F,).
-        side: number of the side of an element that an inner triangle is part of; -1 of the outer ones, (F,).
+        side: number of what each triangle comes and goes with: the inner ones of one side of an element, the outer ones
+            that the same elements carry, (F,).
         vertices: first vertex of each body, (bodies + 1,).
         triangles: first triangle of each, (bodies + 1,).
     """
@@ -81,6 +82,7 @@ def cut_skin(body: Body) -> CutSkin | None:
         faces, own, beyond = _opened(material.faces, material.sides)
         side = 2 * beyond + (own != material.sides[beyond, 0])
         pointer, element = np.zeros(count + own.size + 1, dtype=np.int64), none
+        fate = np.full(count, int(side.max(initial=-1)) + 1)
     else:
         carried = carriers(skin, material.elements)
         faces, own, beyond = _inner(material.elements)
@@ -88,6 +90,8 @@ def cut_skin(body: Body) -> CutSkin | None:
         side = np.unique(pairs, axis=0, return_inverse=True)[1].reshape(-1) if own.size else none
         pointer = np.cumsum([0, *(len(some) for some in carried), *(1 for _ in range(own.size))])
         element = np.array([e for some in carried for e in some] + own.tolist(), dtype=np.int64)
+        fates = {some: n for n, some in enumerate(sorted(set(map(tuple, carried))), int(side.max(initial=-1)) + 1)}
+        fate = np.array([fates[tuple(some)] for some in carried], dtype=np.int64)
     places, nodes, weights, corners = _within(skin, body.rest, material.elements, faces, own)
     outer = np.full(count, -1)
     return CutSkin(
@@ -100,7 +104,7 @@ def cut_skin(body: Body) -> CutSkin | None:
         pointer=pointer.astype(np.int64),
         element=element,
         beyond=np.concatenate([outer, beyond]).astype(np.int64),
-        side=np.concatenate([outer, side]).astype(np.int64),
+        side=np.concatenate([fate, side]).astype(np.int64),
         vertices=np.array([0, skin.vertices.shape[0] + places.shape[0]]),
         triangles=np.array([0, count + corners.shape[0]]),
     )
@@ -124,7 +128,7 @@ def _whole(skin: Skin) -> CutSkin:
         pointer=np.zeros(count + 1, dtype=np.int64),
         element=np.zeros(0, dtype=np.int64),
         beyond=np.full(count, -1),
-        side=np.full(count, -1),
+        side=np.zeros(count, dtype=np.int64),
         vertices=np.array([0, skin.vertices.shape[0]]),
         triangles=np.array([0, count]),
     )
@@ -136,12 +140,15 @@ def _side_by_side(body: Body) -> CutSkin:
     first = np.cumsum([0, *(part.body.cut_count for part in body.parts)])
     entries = np.cumsum([0, *(one.element.size for one in each)])
     sides = np.cumsum([0, *(int(one.side.max(initial=-1)) + 1 for one in each)])
+    beyond: list[Ints] = [np.where(o.beyond < 0, -1, o.beyond + n) for o, n in zip(each, first, strict=False)]
+    pointer: list[Ints] = [one.pointer[1:] + n for one, n in zip(each, entries, strict=False)]
+    side: list[Ints] = [one.side + n for one, n in zip(each, sides, strict=False)]
     return CutSkin(
         skin=joined_skins([part.carrying(one.skin) for part, one in zip(body.parts, each, strict=True)]),
-        pointer=np.concatenate([[0], *(one.pointer[1:] + n for one, n in zip(each, entries, strict=False))]),
+        pointer=np.concatenate([np.zeros(1, dtype=np.int64), *pointer]),
         element=np.concatenate([one.element + n for one, n in zip(each, first, strict=False)]),
-        beyond=np.concatenate([np.where(o.beyond < 0, -1, o.beyond + n) for o, n in zip(each, first, strict=False)]),
-        side=np.concatenate([np.where(o.side < 0, -1, o.side + n) for o, n in zip(each, sides, strict=False)]),
+        beyond=np.concatenate(beyond),
+        side=np.concatenate(side),
         vertices=np.cumsum([0, *(one.skin.vertices.shape[0] for one in each)]),
         triangles=np.cumsum([0, *(one.skin.triangles.shape[0] for one in each)]),
     )

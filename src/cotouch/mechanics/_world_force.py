@@ -55,8 +55,6 @@ def _meet(
     T: float,
 ) -> _Point:  # fmt: skip
     """One obstacle and one point that is here, and moves by m within T."""
-    if at(world.there, p) == 0.0:
-        return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False, 0.0, 0.0, 0.0, 0.0, 0.0
     kind = at(world.kind, s)
     before, ax, ay, az, face = depth(kind, world.numbers, s, x, y, z)
     after, nx, ny, nz, other = depth(kind, world.numbers, s, x + mx, y + my, z + mz)
@@ -193,6 +191,8 @@ def press_world(
     for n in range(world.couple.size):
         put(world.couple, n, 0.0)
     for p in range(points):
+        if at(world.there, p) == 0.0:
+            continue
         ux, uy, uz = _place(world, p, x)
         vx, vy, vz = _place(world, p, ahead)
         rx, ry, rz = at(world.rest, (p, 0)) + ux, at(world.rest, (p, 1)) + uy, at(world.rest, (p, 2)) + uz
@@ -283,6 +283,8 @@ def weigh_world(world: World | None, memory: Float, x: Float, ahead: Float, T: f
         store(world.force, s, zero, (0, 0, 0, 0))
     begin_work(world.bodies)
     for p in range(points):
+        if at(world.there, p) == 0.0:
+            continue
         ux, uy, uz = _place(world, p, x)
         vx, vy, vz = _place(world, p, ahead)
         rx, ry, rz = at(world.rest, (p, 0)) + ux, at(world.rest, (p, 1)) + uy, at(world.rest, (p, 2)) + uz

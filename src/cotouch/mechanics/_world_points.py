@@ -87,7 +87,7 @@ def world_of(
         loss=np.array([one.loss for one in obstacles]),
         friction=np.array([one.friction for one in obstacles]),
         kinetic=np.array([one.friction if one.kinetic is None else one.kinetic for one in obstacles]),
-        grain=away * away * firm * float(area @ shown),
+        grain=away * away * firm * float(area[shown > 0.0].sum()),
         hold=np.zeros(body.nodes),
         couple=np.zeros((3 * body.nodes, 3 * body.nodes) if body.rigid else (0, 0)),
         told=np.zeros((count, 4)),
@@ -111,8 +111,8 @@ def _points(
 ) -> tuple[Float, Float, sp.csr_array, sp.csr_array]:
     """Vertices of the skin, its triangles halved until no obstacle fits between: places, areas, and what carries them.
 
-    Of what can be cut also what share of each point each triangle of the skin makes, (P, F); inner faces have points of
-    their own.
+    Of what can be cut also what share of each point each triangle of the skin makes, (P, F). There only what comes and
+    goes together shares a point: what is cut away flies anywhere, and would take the point along.
 
     Raises:
         BodyError: there would be too many.
@@ -143,8 +143,8 @@ def _points(
     area = np.linalg.norm(normal, axis=1)
     sound = area > 0.0
     corners, normal, area, origin = corners[sound], normal[sound], area[sound], origin[sound]
-    inner = None if faces is None else faces.side[origin]
-    side = _sides(corners, normal / area[:, None], inner)
+    fate = None if faces is None else faces.side[origin]
+    side = _sides(corners, normal / area[:, None], fate)
     # Each corner of each triangle, a little within it, for a third of its area; those of one side are one point.
     share = np.full((3, 3), _WITHIN) + (1.0 - 3.0 * _WITHIN) * np.eye(3)
     mean = sp.csr_array(
@@ -168,10 +168,10 @@ def _points(
     return mean @ places, own, carry, parted
 
 
-def _sides(corners: Corners, normal: Float, inner: Corners | None) -> Corners:
+def _sides(corners: Corners, normal: Float, fate: Corners | None) -> Corners:
     """Numbers the sides of every vertex: triangles that meet there and look the same way belong to one; (F, 3).
 
-    Of what can be cut, those of one `inner` number only, which come and go together.
+    Of what can be cut, those of one `fate` only, which come and go together.
     """
     result, count = np.zeros(corners.shape, dtype=np.int64), 0
     place = np.argsort(corners.ravel(), kind="stable")
@@ -179,7 +179,7 @@ def _sides(corners: Corners, normal: Float, inner: Corners | None) -> Corners:
     for begin, end in zip(np.concatenate([[0], ends[:-1]]), ends, strict=True):
         found: list[tuple[Float, int]] = []
         for entry in place[begin:end]:
-            own, face = normal[entry // 3], -1 if inner is None else int(inner[entry // 3])
+            own, face = normal[entry // 3], -1 if fate is None else int(fate[entry // 3])
             alike = [n for n, (other, beside) in enumerate(found) if face == beside and float(own @ other) >= _ALIKE]
             if not alike:
                 found.append((own, face))

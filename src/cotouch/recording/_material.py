@@ -333,8 +333,10 @@ def _body_of(arrays: Mapping[str, Any], rest: Float, places: Any) -> Body:
         gravity=tuple(np.asarray(said["gravity"], dtype=np.float64).ravel().tolist()),  # pyright: ignore[reportArgumentType]
         cuttable=bool(said["cuttable"]),
         **{name: float(said[name]) for name in ("tear", "strength", "toughness")},
-        **{name: np.asarray(said[name], dtype=np.int64) for name in ("faces", "sides")},
-        **{name: np.asarray(said[name], dtype=np.float64) for name in ("ties", "part")},
+        faces=np.asarray(said["faces"], dtype=np.int64),
+        sides=np.asarray(said["sides"], dtype=np.int64),
+        ties=np.asarray(said["ties"], dtype=np.float64),
+        part=np.asarray(said["part"], dtype=np.float64),
         young=_number(said["young"]),
         poisson=_number(said["poisson"]),
         viscosity=_number(said["viscosity"]),
