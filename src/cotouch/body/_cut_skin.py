@@ -122,7 +122,7 @@ def _opened(faces: Ints, sides: Ints) -> tuple[Ints, Ints, Ints]:
 
 def _whole(skin: Skin) -> CutSkin:
     """The skin of what cannot be cut."""
-    count = skin.triangles.shape[0]
+    count = int(skin.triangles.shape[0])
     return CutSkin(
         skin=skin,
         pointer=np.zeros(count + 1, dtype=np.int64),
