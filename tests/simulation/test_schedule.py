@@ -105,7 +105,7 @@ def test_self_pacing_follows_real_time_over_a_jittery_lossy_channel() -> None:
 
 
 def test_a_run_of_random_steps_lasts_as_long_as_was_asked_for() -> None:
-    """Self-paced users who wait only for samples took no more steps than if each waited for the slowest: 1.58 s of 2."""
+    """Self-paced users wait for samples alone; they took only as many steps as if all waited: 1.58 s of 2 s."""
     for mode in ("freshest", "constant", "self-paced"):
         timing = schedule(
             scenario(
