@@ -94,6 +94,11 @@ def test_the_digest_tells_another_mesh(tmp_path: Path) -> None:
         (SLOTS + '[synchronisation]\nlaw = "once"\n', ScenarioError, 'law is "once"; live it is "spring"'),
         (SLOTS + "[synchronisation]\ndamping_scale = 0.5\n", ScenarioError, "below 1 nothing is passive"),
         (SLOTS + "[channel]\ncodec = {deadband = 0.1}\n", ScenarioError, "only the simulator has so far; leave it out"),
+        (
+            SLOTS + "[contact]\ntexture = {file = 'a.png', size = [1, 1], height = 1e-4}\n",
+            ScenarioError,
+            "give heights",
+        ),
         ('[network]\nusers = ["a"]\n', NetworkError, "spring"),
         ("x = ", SessionError, "is not TOML"),
     ],

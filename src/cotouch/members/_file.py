@@ -337,5 +337,9 @@ def _live(scenario: Scenario, source: str) -> None:
             f"{source}: channel.codec is given, which only the simulator has so far; leave it out, live samples travel "
             "in full"
         )
+    if scenario.contact.texture is not None and scenario.contact.texture.file is not None:
+        raise ScenarioError(
+            f"{source}: contact.texture.file is given, but members read no pictures of others; give heights"
+        )
     if scenario.steps.random is not None:
         raise ScenarioError(f"{source}: steps.random is given; live peers keep a period or a rate")

@@ -103,6 +103,7 @@ class Scenario(Table):
     def _one_or_several(self) -> Self:
         if self.bodies and "body" in self.model_fields_set and self.body != PointTable():
             raise ValueError("body and bodies are given; give [body] for one object, or [[bodies]] for several")
+        self.contact.refuse(self.tools)
         return self
 
     @field_validator("network", mode="before")
@@ -143,6 +144,7 @@ class Scenario(Table):
             for part in table.get("bodies", []):
                 _rooted({"body": part}, "body", folder)
             _rooted(table.get("channel"), "trace", folder)
+            _rooted(table.get("contact"), "texture", folder)
         return cls.make(source=source, **table)
 
     @classmethod
@@ -198,10 +200,10 @@ class Scenario(Table):
         return self.synchronisation.law_given or (choose_law(self), {})
 
     def files(self) -> tuple[Path, ...]:
-        """What it reads besides its own file: a mesh, a trace."""
+        """What it reads besides its own file: a mesh, a trace, a texture."""
         bodies = [self.body, *(part.body for part in self.bodies)]
-        tables = (*(body for body in bodies if isinstance(body, FileTable)), self.channel.trace)
-        return tuple(Path(table.file) for table in tables if table is not None)
+        tables = [*(body for body in bodies if isinstance(body, FileTable)), self.channel.trace, self.contact.texture]
+        return tuple(Path(table.file) for table in tables if table is not None and table.file is not None)
 
     def trace(self) -> Trace | None:
         """The measured latencies of its channel, read once; None: it has none.
@@ -269,9 +271,8 @@ class Scenario(Table):
         if self.cutting is None and all(tool.kind != "blade" for tool in self.tools):
             return body
         said = self.cutting or CuttingTable()
-        limits = {name: getattr(said, name) or inf for name in ("tear", "strength")}
-        body = body.with_cutting(**limits, toughness=said.toughness)
-        return with_faces(body) if said.faces else body
+        made = body.with_cutting(said.tear or inf, strength=said.strength or inf, toughness=said.toughness)
+        return with_faces(made) if said.faces else made
 
     def _weighing(self, body: Body) -> Body:
         """A body with the weight that the world gives it; one that meets obstacles has a material."""
