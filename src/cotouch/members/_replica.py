@@ -219,7 +219,9 @@ class Replica:
             self._receive(peer, now)
         sample = peer.move(now, length)
         self._plane.stepped(now)
-        self._plane.send(now, sample, length)  # as early as can be: what is only for this copy comes after it
+        self._plane.send(
+            now, sample, length, peer.mean
+        )  # as early as can be: what is only for this copy comes after it
         hand.after()
         report = peer.account()
         self._last = report
@@ -352,7 +354,7 @@ class Replica:
         peer, totals, report = self.peer, self.totals, self._last
         if peer is None or report is None:
             return Status(slot=self.slot, epoch=self._roster.epoch, links=links)
-        needed = sum(link_damping(held.strength, held.total) for held in self.neighbours.values())
+        needed = sum(link_damping(held.strength, held.damped) for held in self.neighbours.values())
         model = peer.model
         return Status(
             slot=self.slot,

@@ -16,6 +16,7 @@ from cotouch.interrupt import check
 from cotouch.mechanics import Ports
 from cotouch.peer import (
     ConstantLink,
+    ContentForm,
     CopyMemory,
     Decoder,
     Encoder,
@@ -96,11 +97,13 @@ class _World:
         if asked is None or law is None:
             return
         budget, longest = age_budget(prepared.scenario, self.timing, law.law, 1.0), self.timing.longest()
-        shape = prepared.model.operator_rows, prepared.model.width
+        form, ready = ContentForm(asked.codec, law.law), prepared.model
+        rows, axes = ready.operator_rows, 1 if ready.full else ready.body.dimension
         for s, (i, j) in enumerate(zip(slots.receiver.tolist(), slots.sender.tolist(), strict=True)):
             window = float(budget[i, j] + longest[i] + longest[j])
-            self.encoders.append(Encoder(asked.codec, law.law, law.weight[s], shape, window))
-            self.decoders[i, j] = Decoder(asked.codec, law.law, shape, j)
+            weight = law.weight[s].reshape(rows, ready.width)[:, :axes].ravel()
+            self.encoders.append(Encoder(form, weight, (rows, axes), window))
+            self.decoders[i, j] = Decoder(form, (rows, axes), j, width=ready.width)
 
     def _peer(self, i: int) -> Peer:
         prepared, timing, hands = self.prepared, self.timing, self.prepared.hands
@@ -245,7 +248,7 @@ class _World:
         j = sample.sender
         last, before = self.position[j][-1], self.position[j][-2]
         T = float(self.timing.length[j, sample.index])
-        data = self.encoders[s].encode(sample, (last - before) / T, T)
+        data = self.encoders[s].encode(sample, (last - before) / T, T)[0]
         return Packet(j, sample.index, sample.stamp, data)
 
     def _step(self, peer: Peer, now: float, T: float) -> Sample:
