@@ -199,9 +199,8 @@ class Replica:
         ready = not waits or peer.ready
         self._stands &= not ready
         if not ready and not self._stands and now - self._stepped < _MOST_WAIT:
-            if (
-                now - self._announced >= _TELL_AGAIN and self._last is not None
-            ):  # two must not wait for each other for ever
+            # Two must not wait for each other for ever.
+            if now - self._announced >= _TELL_AGAIN and self._last is not None:
                 self._announced = now
                 self._plane.send(now, self._last.sample, self._length)
             return
@@ -219,9 +218,8 @@ class Replica:
             self._receive(peer, now)
         sample = peer.move(now, length)
         self._plane.stepped(now)
-        self._plane.send(
-            now, sample, length, peer.mean
-        )  # as early as can be: what is only for this copy comes after it
+        # As early as can be: what is only for this copy comes after it.
+        self._plane.send(now, sample, length, peer.mean)
         hand.after()
         report = peer.account()
         self._last = report

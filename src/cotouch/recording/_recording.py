@@ -303,9 +303,8 @@ def _codec(options: Any) -> Codec | None:
     if options is None:
         return None
     deadband, quantum, hold, age = (float(options[name]) for name in ("deadband", "quantum", "hold", "age"))
-    if not (
-        0.0 <= deadband < 1.0 and 0.0 <= quantum < float("inf") and 1 <= hold < ROUNDED and 0.0 < age < float("inf")
-    ):
+    finite = math.isfinite(quantum) and math.isfinite(age)
+    if not (finite and 0.0 <= deadband < 1.0 and quantum >= 0.0 and 1 <= hold < ROUNDED and age > 0.0):
         raise ValueError(f"codec is {options!r}")
     return Codec(deadband=deadband, quantum=quantum, hold=int(hold), age=age)
 

@@ -1,4 +1,4 @@
-"""What neighbours were told by a perceptual codec, from what the sender recorded: where samples really were, and a bill.
+"""What neighbours were told by a perceptual codec, from what its sender recorded, and what that may have cost.
 
 A column says of every step and link how its sample was said. With the recorded positions that gives every content, and
 how it went on, to the last bit (`cotouch.peer.ContentForm`).

@@ -5,7 +5,8 @@ from typing import final
 
 from cotouch.arrays import Float
 from cotouch.peer import Decoder, Encoder, Sample
-from cotouch.samples._codec import RENEW, Chunk, Codec, Coded, Heading
+from cotouch.samples._chunk import RENEW, Chunk, Coded, Heading
+from cotouch.samples._codec import Codec
 from cotouch.samples._layout import HEAD_BYTES, Layout
 from cotouch.samples._refusal import Refusal
 from cotouch.samples._seal import OVERHEAD
@@ -20,9 +21,7 @@ class CodedLink:
 
     Attributes:
         encoder: of this end's samples.
-        datagrams: that were sent.
-        sent: bytes of these, sealed.
-        full: that these samples would have taken without a codec.
+        full: bytes that a sample would take without a codec.
         age: so much older may samples be for what the damping pays for, at either end [s].
     """
 
@@ -41,9 +40,8 @@ class CodedLink:
         self._decoders = [Decoder(layout.form, (span.stop - span.start, layout.axes), sender) for span in spans]
         plain = replace(layout, form=None)
         row = layout.axes * 8 + layout.row_bytes
-        self._plain = plain.chunks * (OVERHEAD + HEAD_BYTES + 8 * layout.scalars) + layout.rows * row
+        self.full = plain.chunks * (OVERHEAD + HEAD_BYTES + 8 * layout.scalars) + layout.rows * row
         self.age = layout.form.codec.age
-        self.datagrams = self.sent = self.full = 0
         self._told = -float("inf")
 
     def say(self, codec: Codec, heading: Heading, sample: Sample, mean: Float, T: float, *, exact: bool) -> list[bytes]:
@@ -62,11 +60,7 @@ class CodedLink:
         brief = goes_on and not heading.flags & RENEW and heading.stamp - self._told < _TELL
         if not brief:
             self._told = heading.stamp
-        made = [codec.coded(heading, None if goes_on else at, data, brief=brief) for at, data in enumerate(words)]
-        self.datagrams += len(made)
-        self.sent += sum(len(datagram) + OVERHEAD for datagram in made)
-        self.full += self._plain
-        return made
+        return [codec.coded(heading, None if goes_on else at, data, brief=brief) for at, data in enumerate(words)]
 
     def hear(self, codec: Codec, coded: Coded) -> list[Chunk] | Refusal:
         """The chunks that are meant, or why there are none.

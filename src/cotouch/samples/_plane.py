@@ -10,13 +10,15 @@ from cotouch.errors import SessionError
 from cotouch.peer import LawLink, LinkGuard, Sample
 from cotouch.samples._ages import LinkAges
 from cotouch.samples._assembly import Assembly
-from cotouch.samples._codec import AGED, ECHO, RENEW, Chunk, Codec, Coded, Heading, Written
+from cotouch.samples._chunk import AGED, ECHO, RENEW, Chunk, Coded, Heading, Written
+from cotouch.samples._codec import Codec
 from cotouch.samples._coded import CodedLink
 from cotouch.samples._indexed import IndexedAssembly
 from cotouch.samples._layout import Layout
 from cotouch.samples._rate import SendRate
 from cotouch.samples._refusal import Refusal
 from cotouch.samples._seal import SealedLink, connection_of
+from cotouch.samples._sent import Sent
 from cotouch.samples._transport import Arrival, Transport
 
 # Reading goes on for a little after the clock was read. What came later than this came while the process stood still,
@@ -39,8 +41,9 @@ class SampleLink:
         guard: what keeps this end passive; its words go with every datagram. None: this end says it is coupled.
         law: what the link does instead of a guarded spring; its words go with every datagram.
         coded: its perceptual codec, where the session has one.
-        said: how the last step's sample was said by it: 0 in full numbers, 255 rounded, else since how many steps it goes
-            on; -1: it was not sent.
+        said: how it said the last step's sample: 0 in full numbers, 255 rounded, else since how many steps it goes on;
+            -1: it was not sent.
+        sent: what goes to the neighbour a second.
         ahead: what the neighbour's samples seem older than they are, because clocks differ, as the quickest echo of the
             last seconds says with ways there and back that take the same; 0 before [s].
     """
@@ -55,6 +58,7 @@ class SampleLink:
     law: LawLink | None = None
     coded: CodedLink | None = None
     said: int = -1
+    sent: Sent = field(default_factory=Sent)
     ahead: float = 0.0
     _newest: tuple[float, float] | None = None  # stamp and arrival
 
@@ -278,11 +282,18 @@ class SamplePlane:
             self.refused[written] += 1
             return written
         for neighbour, link in due:
-            self._tell(neighbour, link, written, link.heading(self.epoch, sample, T, now), sample, mean)
+            self._tell(now, neighbour, link, written, link.heading(self.epoch, sample, T, now), sample, mean)
         return written
 
     def _tell(
-        self, neighbour: int, link: SampleLink, written: Written, heading: Heading, sample: Sample, mean: Float | None
+        self,
+        now: float,
+        neighbour: int,
+        link: SampleLink,
+        written: Written,
+        heading: Heading,
+        sample: Sample,
+        mean: Float | None,
     ) -> None:
         """Sends a sample to one neighbour."""
         codec, seal, send, coded = self._codec, link.seal.seal, self._transport.send, link.coded
@@ -298,7 +309,10 @@ class SamplePlane:
             exact = link.guard is not None and not link.guard.tolerant
             datagrams = coded.say(codec, heading, replace(sample, message=message), mean, heading.T, exact=exact)
             link.said = coded.encoder.said
+        size = 0
         for datagram in datagrams:
             sealed = seal(datagram)
             if sealed is not None:
                 send(neighbour, sealed)
+                size += len(sealed)
+        link.sent.add(now, len(datagrams), size, size if coded is None else coded.full)
