@@ -226,7 +226,9 @@ def rows(found: list[Felt]) -> list[Row]:
         result.append(
             Row("laws live", f"drag that a hand feels, law {how}", f"{one.felt:.2f} Ns/m", "within 15 %", note)
         )
-    for one in found[1:]:
+    for one in found:
+        if one.law == "spring":
+            continue
         share = (one.felt - OWN) / (spring.felt - OWN)
         how = f"{one.law}, codec," if one.saved else one.law
         what = f"drag of law {how} beside the rule's, without the body's"

@@ -107,7 +107,7 @@ def test_whatever_a_neighbour_does_the_senders_damping_has_paid_for_it(quantum: 
             balance += 0.5 * T * codec.age * float((v[k] ** 2).sum())
             for m in np.flatnonzero((arrival > k * T) & (arrival <= (k + 1) * T)):
                 sample, data = words[m]
-                heard = decoder.decode(sample.index, sample.stamp, data)
+                heard = decoder.decode(sample.index, sample.stamp, T, data)
                 if heard is not None and heard.index > used.index:
                     used = heard
             error = used.position - words[used.index][0].position if used.index >= 0 else np.zeros(SHAPE)
@@ -131,7 +131,7 @@ def test_no_energy_is_told_that_was_not_given(law: Law, quantum: float) -> None:
             Decoder(ContentForm(codec, law), SHAPE, 1),
         )
         for sample, data in said(encoder, motion(rng, 200), energies(rng, law)):
-            heard = decoder.decode(sample.index, sample.stamp, data)
+            heard = decoder.decode(sample.index, sample.stamp, T, data)
             assert heard is not None
             assert heard.message is not None
             assert sample.message is not None
@@ -152,7 +152,7 @@ def test_what_is_said_in_one_byte_is_within_the_deadband() -> None:
     assert contents[:4] == [0, 1, 52, 103]
     assert 150 < contents[4] <= 160
     for sample, data in words:
-        heard = decoder.decode(sample.index, sample.stamp, data)
+        heard = decoder.decode(sample.index, sample.stamp, T, data)
         assert heard is not None
         off = np.linalg.norm(heard.position - sample.position)
         assert off <= 0.1 * 0.16 * np.sqrt(2) * (codec.hold + 1) * T
@@ -167,12 +167,12 @@ def test_a_content_that_is_lost_takes_with_it_what_goes_on_from_it() -> None:
     words = said(encoder, v, lambda _k, _mean: (np.zeros((1, 2)), np.zeros(1)))
     lost = max(k for k, (_, data) in enumerate(words) if len(data) > 1 and k < 20)
     assert len(words[lost + 3][1]) == 1
-    heard = [decoder.decode(s.index, s.stamp, data) for s, data in words[:lost]]
+    heard = [decoder.decode(s.index, s.stamp, T, data) for s, data in words[:lost]]
     assert all(sample is not None for sample in heard)
-    late = [decoder.decode(s.index, s.stamp, data) for s, data in words[lost + 1 : lost + 4]]
+    late = [decoder.decode(s.index, s.stamp, T, data) for s, data in words[lost + 1 : lost + 4]]
     assert late == [None, None, None]
     # It comes after all: what waited for it counts.
-    found = decoder.decode(lost, words[lost][0].stamp, words[lost][1])
+    found = decoder.decode(lost, words[lost][0].stamp, T, words[lost][1])
     assert found is not None
     assert found.index == lost + 3
     assert found.content == lost
@@ -186,9 +186,9 @@ def test_repeated_and_old_words_change_nothing() -> None:
     )
     words = said(encoder, motion(np.random.default_rng(3), 60))
     for sample, data in words:
-        decoder.decode(sample.index, sample.stamp, data)
+        decoder.decode(sample.index, sample.stamp, T, data)
     first = next((s, data) for s, data in words if len(data) > 1)
-    assert decoder.decode(first[0].index, first[0].stamp, first[1]) is None
+    assert decoder.decode(first[0].index, first[0].stamp, T, first[1]) is None
 
 
 def test_nonsense_makes_nothing() -> None:
@@ -203,15 +203,15 @@ def test_nonsense_makes_nothing() -> None:
     whole = good[0][1]
     nan = bytes([0]) + np.full(9, np.nan).tobytes()
     for data in (b"", b"\x00", b"\x01", b"\x06", b"\xff", whole[:-1], whole + b"\x00", nan, b"\x07" + whole[1:]):
-        assert decoder.decode(3, 0.003, data) is None
-    assert decoder.decode(-1, 0.0, whole) is None
-    assert decoder.decode(0, float("nan"), whole) is None
-    assert decoder.decode(0, 0.0005, whole) is not None
-    assert decoder.decode(6, 0.0065, b"\x06") is None  # longer than anything goes on
-    assert decoder.decode(5, 0.0055, b"\x05") is not None
+        assert decoder.decode(3, 0.003, T, data) is None
+    assert decoder.decode(-1, 0.0, T, whole) is None
+    assert decoder.decode(0, float("nan"), T, whole) is None
+    assert decoder.decode(0, 0.0005, T, whole) is not None
+    assert decoder.decode(6, 0.0065, T, b"\x06") is None  # longer than anything goes on
+    assert decoder.decode(5, 0.0055, T, b"\x05") is not None
     for _ in range(300):
         data = rng.integers(0, 256, int(rng.integers(0, 90)), dtype=np.uint8).tobytes()
-        heard = decoder.decode(int(rng.integers(0, 50)), float(rng.uniform(0, 0.05)), data)
+        heard = decoder.decode(int(rng.integers(0, 50)), float(rng.uniform(0, 0.05)), T, data)
         assert heard is None or np.isfinite(heard.position).all()
 
 
@@ -221,7 +221,7 @@ def test_a_velocity_counts_once_and_is_never_larger_than_it_was() -> None:
     rng = np.random.default_rng(1)
     heard: list[Sample] = []
     for sample, data in said(encoder, motion(rng, 300), lambda _k, mean: (mean.reshape(1, 2), np.full(1, T))):
-        found = decoder.decode(sample.index, sample.stamp, data)
+        found = decoder.decode(sample.index, sample.stamp, T, data)
         assert found is not None
         assert found.message is not None
         assert sample.message is not None

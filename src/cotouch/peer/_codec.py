@@ -132,7 +132,7 @@ class Encoder:
         self._earn(sample.stamp, mean, T)
         error, base, words = 0.0, self._base, list[bytes]()
         if not exact and base is not None and 1 <= sample.index - base.index <= hold:
-            continued, told = form.at(base, sample.stamp)
+            continued, told = form.at(base, sample.stamp, T)
             error = self._error(continued[0] - fields[0])
             if self._close(fields, scalars, continued, told, base, sample.stamp) and self._affords(error, T):
                 self.said = sample.index - base.index
@@ -209,6 +209,8 @@ class Encoder:
         if (_norms(off[form.values]) > deadband * _norms(base.fields[form.values]) + slack).any():
             return False
         others = form.others
+        if (told[form.counts] != scalars[form.counts]).any():
+            return False
         return bool((np.abs(told - scalars)[others] <= deadband * np.abs(base.scalars[others])).all())
 
     def _error(self, off: Float) -> float:
@@ -239,14 +241,15 @@ class Decoder:
         self._padding = 0 if width is None else width - shape[1]
         self._contents: dict[int, Content] = {}
         # What goes on from a content that has not come yet.
-        self._waiting: dict[int, tuple[int, float, LinkHeader]] = {}
+        self._waiting: dict[int, tuple[int, float, float, LinkHeader]] = {}
 
-    def decode(self, index: int, stamp: float, data: bytes, header: LinkHeader = PLAIN) -> Sample | None:
+    def decode(self, index: int, stamp: float, T: float, data: bytes, header: LinkHeader = PLAIN) -> Sample | None:
         """The sample that was meant; None where there is none.
 
         Args:
             index: of the sender's step, >= 0.
             stamp: middle of that step on the sender's clock [s].
+            T: its length [s].
             data: from the network.
             header: of the sender's guard.
         """
@@ -260,11 +263,11 @@ class Decoder:
             if not 1 <= since <= hold or base < 0:
                 return None
             if base in self._contents:
-                return self._sample(self._contents[base], index, stamp, header)
+                return self._sample(self._contents[base], index, stamp, T, header)
             if base > newest - hold and len(self._waiting) <= hold:
                 said = self._waiting.get(base)
                 if said is None or said[0] < index:
-                    self._waiting[base] = index, stamp, header
+                    self._waiting[base] = index, stamp, T, header
             return None
         if index in self._contents or index < newest - hold:
             return None
@@ -277,10 +280,10 @@ class Decoder:
         for kept in (self._contents, self._waiting):
             for old in [at for at in kept if at < newest - hold]:
                 del kept[old]
-        return self._sample(content, *(later or (index, stamp, header)))
+        return self._sample(content, *(later or (index, stamp, T, header)))
 
-    def _sample(self, content: Content, index: int, stamp: float, header: LinkHeader) -> Sample | None:
-        fields, scalars = self._form.at(content, stamp)
+    def _sample(self, content: Content, index: int, stamp: float, T: float, header: LinkHeader) -> Sample | None:
+        fields, scalars = self._form.at(content, stamp, T)
         if stamp < content.stamp or not (np.isfinite(fields).all() and np.isfinite(scalars).all()):
             return None
         rows, axes = self._shape

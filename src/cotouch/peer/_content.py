@@ -3,8 +3,8 @@
 A *content* is what a sample holds, x̂ and its law's message, with the rates at which sums among them grow. In full
 numbers, and in steps of a quantum, little-endian::
 
-    0 u8   | x̂ and sums f8 | values f4 | rates of sums f4 | numbers f8                | rates of energies f4
-    255 u8 | x̂ and sums i4 | values i4 | rates of sums f2 | energies i4, others f8    | rates of energies f2
+    0 u8   | x̂ and sums f8 | values f4 | rates of sums f4 | energies f8, others f8 | rates of energies f4
+    255 u8 | x̂ and sums i4 | values i4 | rates of sums f2 | energies i4, others f8 | rates of energies f2
 
 Sums that only grow are sent whole, never as differences: whatever is lost, the next content makes up for. Values lose
 no more than single precision has, towards zero; rates are guesses that both ends share.
@@ -91,7 +91,9 @@ class ContentForm:
         sums: which fields go on at their rate, x̂ first.
         values: which do not.
         energies: which numbers are energies.
-        others: which are not.
+        others: which are not; the length of a step is not in it, for every sample says its own.
+        counts: which of the others must be exact.
+        length: which number is the length of the step; -1: none.
     """
 
     def __init__(self, codec: Codec, law: Law) -> None:
@@ -107,7 +109,10 @@ class ContentForm:
         self.sums = np.array([0, *(1 + sends.index(name) for name in law.sums)])
         self.values = np.array([1 + at for at, name in enumerate(sends) if name not in law.sums], dtype=np.int64)
         self.energies = np.array([told.index(name) for name in law.energies], dtype=np.int64)
-        self.others = np.array([at for at in range(len(told)) if at not in self.energies], dtype=np.int64)
+        self.length = -1 if law.length is None else told.index(law.length)
+        others = [at for at in range(len(told)) if at not in self.energies and at != self.length]
+        self.others = np.array(others, dtype=np.int64)
+        self.counts = np.array([told.index(name) for name in law.counts], dtype=np.int64)
         self._order = np.concatenate([self.sums, self.values])
 
     def size(self, kind: int, elements: int) -> int:
@@ -119,7 +124,7 @@ class ContentForm:
         """
         sums, values, energies = self.sums.size, self.values.size, self.energies.size
         if kind == FULL:
-            return 1 + elements * (12 * sums + 4 * values) + 8 * self.scalars + 4 * energies
+            return 1 + elements * (12 * sums + 4 * values) + 8 * self.others.size + 12 * energies
         return 1 + elements * (6 * sums + 4 * values) + 6 * energies + 8 * self.others.size
 
     def exact(self, content: Content) -> Content:
@@ -171,7 +176,7 @@ class ContentForm:
         fields, scalars, quantum = content.fields, content.scalars, self.codec.quantum
         if kind == FULL:
             parts = (fields[self.sums], "<f8"), (fields[self.values], "<f4"), (content.rates, "<f4")
-            parts += (scalars, "<f8"), (content.flow, "<f4")
+            parts += (scalars[self.energies], "<f8"), (scalars[self.others], "<f8"), (content.flow, "<f4")
         else:
             parts = (np.rint(fields[self._order] / quantum), "<i4"), (content.rates, "<f2")
             parts += (np.rint(scalars[self.energies] / quantum), "<i4"), (scalars[self.others], "<f8")
@@ -201,33 +206,37 @@ class ContentForm:
             at += values.nbytes
             return values.astype(np.float64)
 
-        fields, scalars = np.empty((self.fields, elements)), np.empty(self.scalars)
+        fields, scalars = np.empty((self.fields, elements)), np.zeros(self.scalars)
         sums, values, energies = self.sums.size, self.values.size, self.energies.size
         if kind == FULL:
             fields[self.sums] = take(sums * elements, "<f8").reshape(sums, elements)
             fields[self.values] = take(values * elements, "<f4").reshape(values, elements)
             rates = take(sums * elements, "<f4").reshape(sums, elements)
-            scalars[:], flow = take(self.scalars, "<f8"), take(energies, "<f4")
+            scalars[self.energies] = take(energies, "<f8")
         else:
             fields[self._order] = take(self.fields * elements, "<i4").reshape(self.fields, elements) * quantum
             rates = take(sums * elements, "<f2").reshape(sums, elements)
             scalars[self.energies] = take(energies, "<i4") * quantum
-            scalars[self.others], flow = take(self.others.size, "<f8"), take(energies, "<f2")
+        scalars[self.others] = take(self.others.size, "<f8")
+        flow = take(energies, "<f4" if kind == FULL else "<f2")
         if not all(np.isfinite(numbers).all() for numbers in (fields, rates, scalars, flow)):
             return None
         return Content(index=index, stamp=stamp, fields=fields, rates=rates, scalars=scalars, flow=flow)
 
-    def at(self, content: Content, stamp: float) -> tuple[Float, Float]:
+    def at(self, content: Content, stamp: float, T: float) -> tuple[Float, Float]:
         """Fields and numbers as both ends continue them.
 
         Args:
             content: as it was read.
             stamp: until when [s].
+            T: length of the step [s].
         """
         passed = stamp - content.stamp
         fields, scalars = content.fields.copy(), content.scalars.copy()
         fields[self.sums] += passed * content.rates
         scalars[self.energies] += passed * content.flow
+        if self.length >= 0:
+            scalars[self.length] = T
         return fields, scalars
 
 

@@ -11,6 +11,7 @@ from cotouch.peer import LinkHeader
 ECHO = 1  # echo and held mean something
 AGED = 2  # age and worst mean something
 RENEW = 4  # the sender would like new keys
+BRIEF = 8  # of what was read: it says nothing of echoes, ages and what was received
 _PLAIN = LinkHeader()
 
 
@@ -22,8 +23,8 @@ class Heading(NamedTuple):
         sender: index of the user.
         step: its index, k.
         stamp: middle of the step, on the sender's clock [s].
-        T: length of the step; 0: not said [s].
-        flags: `ECHO`, `AGED`, `RENEW`.
+        T: length of the step [s].
+        flags: `ECHO`, `AGED`, `RENEW`, `BRIEF`.
         received_newest: greatest sequence number that the sender opened of the addressee's, modulo 2^32.
         received_count: how many datagrams of the addressee it opened, modulo 2^32.
         echo: newest stamp that the sender has of the addressee, on the addressee's clock [s].

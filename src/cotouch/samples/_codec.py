@@ -10,11 +10,11 @@
     fields of the law × rows × axes: float64 of those that are sums, then float32 of the others
 
 With a perceptual codec, what follows the head is a content of those rows (`cotouch.peer.ContentForm`), or, of no rows,
-one byte for all of them: since how many steps they go on as was said. Most of those are 37 bytes in all, while there
+one byte for all of them: since how many steps they go on as was said. Most of those are 41 bytes in all, while there
 is nothing else to say::
 
     version u8 | coding u8 | epoch u32 | sender u16 | guard: state u8 | epoch u8 | known epoch u8 | starved u8 |
-    index u64 | stamp float64 | given float64 | since u8
+    index u64 | stamp float64 | T float32 | given float64 | since u8
 
 Nothing in it raises: what cannot be right is refused with a reason.
 """
@@ -28,7 +28,7 @@ import numpy.typing as npt
 
 from cotouch.arrays import Float
 from cotouch.peer import FULL, ROUNDED, LinkHeader, LinkState, Message, Sample
-from cotouch.samples._chunk import AGED, ECHO, RENEW, Chunk, Coded, Heading, Written
+from cotouch.samples._chunk import AGED, BRIEF, ECHO, RENEW, Chunk, Coded, Heading, Written
 from cotouch.samples._layout import ENCODINGS, HEAD_BYTES, Layout
 from cotouch.samples._refusal import Refusal
 
@@ -38,7 +38,7 @@ _HEAD = struct.Struct("<BBHIHHIIIQdddddddBBBB")
 assert _HEAD.size == HEAD_BYTES
 # What the head's coding says besides encodings.
 _CODED, _BRIEF_CODED = 3, 4
-_BRIEF = struct.Struct("<BBIHBBBBQddB")
+_BRIEF = struct.Struct("<BBIHBBBBQdfdB")
 # 2^40 steps are 34 years at 1 kHz; a clock beyond 1e10 s is not one; no step takes longer than 10 s.
 _LAST_INDEX = 1 << 40
 _LAST_TIME = 1e10
@@ -144,7 +144,18 @@ class Codec:
         """
         if brief:
             state, guard, known, given, starved = heading.header
-            words = heading.epoch, heading.sender, state, guard, known, starved, heading.step, heading.stamp, given
+            words = (
+                heading.epoch,
+                heading.sender,
+                state,
+                guard,
+                known,
+                starved,
+                heading.step,
+                heading.stamp,
+                heading.T,
+                given,
+            )
             return _BRIEF.pack(VERSION, _BRIEF_CODED, *words, data[0])
         first, rows = (0, 0) if chunk is None else self._places[chunk]
         return self._pack(heading, first, rows) + data
@@ -265,7 +276,7 @@ class Codec:
         return Chunk(heading, chunk, values, scalars, fields)
 
     def _read_brief(self, payload: bytes, *, epoch: int, sender: int) -> Coded | Refusal:
-        version, _, said, user, state, guard, known, starved, index, stamp, given, since = _BRIEF.unpack(payload)
+        version, _, said, user, state, guard, known, starved, index, stamp, T, given, since = _BRIEF.unpack(payload)
         assert self._form is not None
         if version != VERSION:
             return Refusal.VERSION
@@ -277,12 +288,12 @@ class Codec:
             return Refusal.RANGE
         if index > _LAST_INDEX:
             return Refusal.INDEX
-        if not abs(stamp) <= _LAST_TIME:
+        if not (abs(stamp) <= _LAST_TIME and 0.0 < T <= _LONGEST_STEP):
             return Refusal.TIME
         if not _of_guard(state, given, starved):
             return Refusal.GUARD
         header = LinkHeader(state, guard, known, given, bool(starved))
-        return Coded(Heading(said, user, index, stamp, 0.0, header=header), None, payload[-1:])
+        return Coded(Heading(said, user, index, stamp, T, BRIEF, header=header), None, payload[-1:])
 
     def decoded(self, heading: Heading, chunk: int, sample: Sample) -> Chunk | Refusal:
         """The chunk that a decoder found, if it is within what anybody takes.

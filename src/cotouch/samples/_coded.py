@@ -74,7 +74,7 @@ class CodedLink:
         found: list[Chunk] = []
         why = Refusal.BASELESS if chunk is None else Refusal.STALE
         for at in asked:
-            sample = self._decoders[at].decode(heading.step, heading.stamp, data, heading.header)
+            sample = self._decoders[at].decode(heading.step, heading.stamp, heading.T, data, heading.header)
             if sample is None:
                 continue
             made = codec.decoded(heading, at, sample)

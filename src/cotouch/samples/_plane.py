@@ -10,7 +10,7 @@ from cotouch.errors import SessionError
 from cotouch.peer import LawLink, LinkGuard, Sample
 from cotouch.samples._ages import LinkAges
 from cotouch.samples._assembly import Assembly
-from cotouch.samples._chunk import AGED, ECHO, RENEW, Chunk, Coded, Heading, Written
+from cotouch.samples._chunk import AGED, BRIEF, ECHO, RENEW, Chunk, Coded, Heading, Written
 from cotouch.samples._codec import Codec
 from cotouch.samples._coded import CodedLink
 from cotouch.samples._indexed import IndexedAssembly
@@ -73,7 +73,7 @@ class SampleLink:
         _, _, step, stamp, T, flags, newest, count, echo, held, age, worst, _ = chunk.heading
         if self._newest is None or stamp > self._newest[0]:
             self._newest = (stamp, arrived)
-        if T == 0.0:  # a brief heading says no more
+        if flags & BRIEF:
             return
         self.asked = bool(flags & RENEW)
         ages = self.ages

@@ -35,11 +35,12 @@ from cotouch.simulation._prepare import Prepared
 @final
 @dataclass(frozen=True)
 class Packet:
-    """What a sender's codec makes of a sample: number of its step, its stamp [s], and bytes."""
+    """What a sender's codec makes of a sample: number of its step, its stamp and length [s], and bytes."""
 
     sender: int
     step: int
     stamp: float
+    T: float
     data: bytes
 
 
@@ -223,7 +224,7 @@ class _World:
         while self.queue and self.queue[0][0] <= now:
             _, _, receiver, said = heapq.heappop(self.queue)
             if isinstance(said, Packet):
-                said = self.decoders[receiver, said.sender].decode(said.step, said.stamp, said.data)
+                said = self.decoders[receiver, said.sender].decode(said.step, said.stamp, said.T, said.data)
             if said is not None:
                 self.peers[receiver].receive(said)
 
@@ -249,7 +250,7 @@ class _World:
         last, before = self.position[j][-1], self.position[j][-2]
         T = float(self.timing.length[j, sample.index])
         data = self.encoders[s].encode(sample, (last - before) / T, T)[0]
-        return Packet(j, sample.index, sample.stamp, data)
+        return Packet(j, sample.index, sample.stamp, T, data)
 
     def _step(self, peer: Peer, now: float, T: float) -> Sample:
         i, hands = peer.index, self.prepared.hands
