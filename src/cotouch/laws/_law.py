@@ -202,7 +202,8 @@ class Law:
     @property
     def signature(self) -> str:
         """Tells it from another law of the same name: what messages hold, what parameters it takes."""
-        said = (self.sends, self.sends_scalars, self.energies, [known.name for known in self.parameters])
+        held = self.sends, self.sends_scalars, self.sums, self.energies, self.length, self.counts
+        said = (*held, [known.name for known in self.parameters])
         return f"{self.name} {sha256(repr(said).encode()).hexdigest()[:16]}"
 
     def check(self, given: Mapping[str, object]) -> None:

@@ -16,6 +16,7 @@ from cotouch.recording._columns import SAID
 from cotouch.recording._recording import Recording
 
 Int = npt.NDArray[np.int64]
+_ASTRAY = 1e12  # [m²]
 
 
 def told(recording: Recording, user: int, places: Int) -> Float:
@@ -78,7 +79,13 @@ def unpaid_errors(recording: Recording, user: int) -> Float:
     body, middle = recording.header.body, recording.states["middle"]
     off = told(recording, user, np.arange(rows.size)) - middle
     said = recording.columns[SAID][:, recording.neighbours.index(user)]
-    off[~(said >= FULL)] = 0.0  # nothing was said
+    index = recording.columns["index"]
+    spoke = said >= FULL  # false for NaN
+    first = int(index[np.argmax(spoke)]) if spoke.any() else 0
+    # What goes on from before the recording is not known; what goes on from nothing at all is as wrong as can be.
+    early = spoke & (index - np.where(said < ROUNDED, said, 0.0) <= first)
+    unknown = ~np.isfinite(off).all(axis=(1, 2))
+    off[~spoke | (unknown & early)] = 0.0
     columns, stamp = recording.columns, recording.columns["end"] - 0.5 * recording.columns["T"]
     mean = 2.0 * (recording.states["x"] - middle) / columns["T"][:, None, None]
     for setup, span in recording.setup_rows():
@@ -90,7 +97,7 @@ def unpaid_errors(recording: Recording, user: int) -> Float:
         if strength > 0.0:
             wrong = body.form(weight, body.field(off[span]))
             window = 2.0 * setup.link_damping[at] / strength - 2.0 * codec.age
-            worst = _worst(np.where(np.isfinite(wrong), wrong, np.inf), stamp[span], columns["T"][span], window)
+            worst = _worst(np.where(np.isfinite(wrong), wrong, _ASTRAY), stamp[span], columns["T"][span], window)
             earned = codec.age * body.form(weight, body.field(mean[span]))
             out[span] = 0.5 * strength * columns["T"][span] * (worst / codec.age - earned)
     spent = np.cumsum(out)
