@@ -1,7 +1,8 @@
 """Packets a second against cost, for every law and deadband: `python -m benchmarks.codec`.
 
-`--draws` of each task, `--deadbands` for fewer of them. Two users at 25 ms, and with one deadband at 25 + exp(10) ms with 5 % loss; laws with their defaults, the five tasks of
-the comparison. A run goes message by message, so it takes minutes.
+`--draws` of each task, `--deadbands` for fewer of them. Two users at 25 ms, and with one deadband at 25 + exp(10) ms
+with 5 % loss; laws with their defaults, the five tasks of the comparison. A run goes message by message, so it takes
+minutes.
 """
 
 import argparse

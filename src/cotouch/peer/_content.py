@@ -3,7 +3,7 @@
 A *content* is what a sample holds, x̂ and its law's message, with the rates at which sums among them grow. In full
 numbers, and in steps of a quantum, little-endian::
 
-    0 u8   | x̂ and sums f8 | values f4 | rates of sums f4 | energies f8, others f8 | rates of energies f4
+    0 u8   | x̂ and sums f8 | values f4 | rates of sums f2 | energies f8, others f8 | rates of energies f4
     255 u8 | x̂ and sums i4 | values i4 | rates of sums f2 | energies i4, others f8 | rates of energies f2
 
 Sums that only grow are sent whole, never as differences: whatever is lost, the next content makes up for. Values lose
@@ -23,6 +23,7 @@ from cotouch.laws import Law
 FULL, ROUNDED = 0, 255
 MOST_HOLD = ROUNDED - 1
 _LARGEST = 2**31 - 1
+_FASTEST = float(np.finfo(np.float16).max)
 
 
 @final
@@ -124,7 +125,7 @@ class ContentForm:
         """
         sums, values, energies = self.sums.size, self.values.size, self.energies.size
         if kind == FULL:
-            return 1 + elements * (12 * sums + 4 * values) + 8 * self.others.size + 12 * energies
+            return 1 + elements * (10 * sums + 4 * values) + 8 * self.others.size + 12 * energies
         return 1 + elements * (6 * sums + 4 * values) + 6 * energies + 8 * self.others.size
 
     def exact(self, content: Content) -> Content:
@@ -139,7 +140,7 @@ class ContentForm:
             index=content.index,
             stamp=content.stamp,
             fields=fields,
-            rates=_nearest(content.rates, "<f4"),
+            rates=_guess(content.rates),
             scalars=content.scalars,
             flow=_towards_zero(content.flow, "<f4"),
         )
@@ -157,13 +158,18 @@ class ContentForm:
         steps[self.sums], steps[self.values] = np.rint(steps[self.sums]), np.trunc(steps[self.values])
         down = np.floor(paid)
         down -= down * quantum > content.scalars[self.energies]  # a product may round to just above the truth
-        rates, flow = _nearest(content.rates, "<f2"), _towards_zero(content.flow, "<f2")
-        if not (_whole(steps) and _whole(down) and np.isfinite(rates).all() and np.isfinite(flow).all()):
+        flow = _towards_zero(content.flow, "<f2")
+        if not (_whole(steps) and _whole(down) and np.isfinite(flow).all()):
             return None
         scalars = content.scalars.copy()
         scalars[self.energies] = down * quantum
         return Content(
-            index=content.index, stamp=content.stamp, fields=steps * quantum, rates=rates, scalars=scalars, flow=flow
+            index=content.index,
+            stamp=content.stamp,
+            fields=steps * quantum,
+            rates=_guess(content.rates),
+            scalars=scalars,
+            flow=flow,
         )
 
     def pack(self, content: Content, kind: int) -> bytes:
@@ -175,7 +181,7 @@ class ContentForm:
         """
         fields, scalars, quantum = content.fields, content.scalars, self.codec.quantum
         if kind == FULL:
-            parts = (fields[self.sums], "<f8"), (fields[self.values], "<f4"), (content.rates, "<f4")
+            parts = (fields[self.sums], "<f8"), (fields[self.values], "<f4"), (content.rates, "<f2")
             parts += (scalars[self.energies], "<f8"), (scalars[self.others], "<f8"), (content.flow, "<f4")
         else:
             parts = (np.rint(fields[self._order] / quantum), "<i4"), (content.rates, "<f2")
@@ -211,7 +217,7 @@ class ContentForm:
         if kind == FULL:
             fields[self.sums] = take(sums * elements, "<f8").reshape(sums, elements)
             fields[self.values] = take(values * elements, "<f4").reshape(values, elements)
-            rates = take(sums * elements, "<f4").reshape(sums, elements)
+            rates = take(sums * elements, "<f2").reshape(sums, elements)
             scalars[self.energies] = take(energies, "<f8")
         else:
             fields[self._order] = take(self.fields * elements, "<i4").reshape(self.fields, elements) * quantum
@@ -244,10 +250,9 @@ def _whole(steps: Float) -> bool:
     return bool((np.abs(steps) <= _LARGEST).all())  # also of what is not a number
 
 
-def _nearest(values: Float, form: str) -> Float:
-    """Values as fewer digits say them; infinite beyond those."""
-    with np.errstate(all="ignore"):
-        return values.astype(form).astype(np.float64)
+def _guess(rates: Float) -> Float:
+    """Rates as half precision says them."""
+    return np.clip(rates, -_FASTEST, _FASTEST).astype("<f2").astype(np.float64)
 
 
 def _towards_zero(values: Float, form: str) -> Float:
