@@ -24,7 +24,7 @@ def test_what_is_sent_and_what_the_codec_saves() -> None:
     sent = {"slot": 1, "state": "coupled", "datagrams": 480.0, "size": 60e3}
     both = [said(0, links=[sent]), said(1, links=[sent | {"slot": 0, "size": 20e3}])]
     assert traffic_words(both) == "Samples: 960 datagrams and 80.0 kB a second."
-    both[1].links[0].saved = 0.8  # of 100 kB/s
+    both[1] = said(1, links=[sent | {"slot": 0, "size": 20e3, "saved": 0.8}])  # of 100 kB/s
     assert traffic_words(both) == "Samples: 960 datagrams and 80.0 kB a second; the codec saves 50 %."
     assert traffic_words([said(0)]) == ""
 

@@ -100,6 +100,12 @@ class Neighbour:
         extra = 0.0 if coded is None or coded.encoder.account is None else 2.0 * coded.age
         return self.total + extra
 
+    def begin(self) -> None:
+        """Begins the account of a perceptual codec, now that the spring is there."""
+        coded = self.link.coded
+        if coded is not None and coded.encoder.account is not None:
+            coded.encoder.account.begin()
+
     @property
     def ledger(self) -> GuardLedger | None:
         """Of the guard."""

@@ -218,8 +218,7 @@ class Replica:
             self._receive(peer, now)
         sample = peer.move(now, length)
         self._plane.stepped(now)
-        # As early as can be: what is only for this copy comes after it.
-        self._plane.send(now, sample, length, peer.mean)
+        self._plane.send(now, sample, length, peer.mean)  # as early as can be; what follows is for this copy alone
         hand.after()
         report = peer.account()
         self._last = report
@@ -260,6 +259,7 @@ class Replica:
                 if law is not None:
                     law.copies = self.copies
                 self._align(neighbour)
+                neighbour.begin()
                 peer.connect(slot, neighbour.source, strength=neighbour.strength, weight=neighbour.weight)
                 self._changed(now)
 

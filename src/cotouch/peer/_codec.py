@@ -40,6 +40,11 @@ class Account:
         self._left = 0.0
         self._errors: deque[tuple[float, float]] = deque()  # stamps and squared errors, those not outdone since
 
+    def begin(self) -> None:
+        """Forgets what was earned before the link's spring was there: no recording tells of that."""
+        self._left = 0.0
+        self._errors.clear()
+
     def earn(self, square: float, now: float, T: float) -> None:
         """Takes what a step dissipated, and forgets what is no longer in use.
 

@@ -67,14 +67,15 @@ def told(recording: Recording, user: int, places: Int) -> Float:
 def unpaid_errors(recording: Recording, user: int) -> Float:
     """What errors of samples for a neighbour may have cost beyond the damping that pays for them, per step [J].
 
-    Nothing of steps whose state is not recorded, or after one.
+    Nothing where a state or step is not recorded, or the recording begins later than the copy.
 
     Args:
         recording: of the sender.
         user: the neighbour.
     """
     out, rows = np.zeros(recording.steps), recording.states["state_row"]
-    if SAID not in recording.columns or rows.size < recording.steps or not recording.consecutive[1:].all():
+    whole = rows.size == recording.steps and recording.consecutive[1:].all() and recording.columns["index"][0] == 0
+    if SAID not in recording.columns or not whole:
         return out
     body, middle = recording.header.body, recording.states["middle"]
     off = told(recording, user, np.arange(rows.size)) - middle
@@ -105,15 +106,15 @@ def unpaid_errors(recording: Recording, user: int) -> Float:
 
 
 def _worst(wrong: Float, stamp: Float, T: Float, window: float) -> Float:
-    """The largest error of all samples that may be in use in each step."""
+    """The largest error of the samples that may be in use all through each step: never more than there was."""
     out, kept = np.zeros(wrong.size), deque[int]()
     for k, error in enumerate(wrong.tolist()):
-        while kept and stamp[kept[0]] < stamp[k] - 0.5 * T[k] - window:
+        while kept and stamp[kept[0]] + window < stamp[k] + 0.5 * T[k]:
             kept.popleft()
+        out[k] = wrong[kept[0]] if kept else 0.0  # the step's own sample is sent after it
         while kept and wrong[kept[-1]] <= error:
             kept.pop()
         kept.append(k)
-        out[k] = wrong[kept[0]]
     return out
 
 
