@@ -3,8 +3,8 @@
 A *content* is what a sample holds, x̂ and its law's message, with the rates at which sums among them grow. In full
 numbers, and in steps of a quantum, little-endian::
 
-    0 u8   | x̂ and sums f8 | values f4 | rates of sums f2 | energies f8, others f8 | rates of energies f4
-    255 u8 | x̂ and sums i4 | values i4 | rates of sums f2 | energies i4, others f8 | rates of energies f2
+    0 u8   | x̂ and sums f8 | values f4 | rates of sums f4 | energies f8, others f8 | rates of energies f4
+    255 u8 | x̂ and sums i4 | values i4 | rates of sums f4 | energies i4, others f8 | rates of energies f2
 
 Sums that only grow are sent whole, never as differences: whatever is lost, the next content makes up for. Values lose
 no more than single precision has, towards zero; rates are guesses that both ends share.
@@ -23,7 +23,7 @@ from cotouch.laws import Law
 FULL, ROUNDED = 0, 255
 MOST_HOLD = ROUNDED - 1
 _LARGEST = 2**31 - 1
-_FASTEST = float(np.finfo(np.float16).max)
+_FASTEST = float(np.finfo(np.float32).max)
 
 
 @final
@@ -125,8 +125,8 @@ class ContentForm:
         """
         sums, values, energies = self.sums.size, self.values.size, self.energies.size
         if kind == FULL:
-            return 1 + elements * (10 * sums + 4 * values) + 8 * self.others.size + 12 * energies
-        return 1 + elements * (6 * sums + 4 * values) + 6 * energies + 8 * self.others.size
+            return 1 + elements * (12 * sums + 4 * values) + 8 * self.others.size + 12 * energies
+        return 1 + elements * (8 * sums + 4 * values) + 6 * energies + 8 * self.others.size
 
     def exact(self, content: Content) -> Content:
         """As it is read, if it is sent in full numbers: sums and numbers are as they were.
@@ -181,10 +181,10 @@ class ContentForm:
         """
         fields, scalars, quantum = content.fields, content.scalars, self.codec.quantum
         if kind == FULL:
-            parts = (fields[self.sums], "<f8"), (fields[self.values], "<f4"), (content.rates, "<f2")
+            parts = (fields[self.sums], "<f8"), (fields[self.values], "<f4"), (content.rates, "<f4")
             parts += (scalars[self.energies], "<f8"), (scalars[self.others], "<f8"), (content.flow, "<f4")
         else:
-            parts = (np.rint(fields[self._order] / quantum), "<i4"), (content.rates, "<f2")
+            parts = (np.rint(fields[self._order] / quantum), "<i4"), (content.rates, "<f4")
             parts += (np.rint(scalars[self.energies] / quantum), "<i4"), (scalars[self.others], "<f8")
             parts += ((content.flow, "<f2"),)
         return bytes([kind]) + b"".join(values.astype(kind_).tobytes() for values, kind_ in parts)
@@ -217,11 +217,11 @@ class ContentForm:
         if kind == FULL:
             fields[self.sums] = take(sums * elements, "<f8").reshape(sums, elements)
             fields[self.values] = take(values * elements, "<f4").reshape(values, elements)
-            rates = take(sums * elements, "<f2").reshape(sums, elements)
+            rates = take(sums * elements, "<f4").reshape(sums, elements)
             scalars[self.energies] = take(energies, "<f8")
         else:
             fields[self._order] = take(self.fields * elements, "<i4").reshape(self.fields, elements) * quantum
-            rates = take(sums * elements, "<f2").reshape(sums, elements)
+            rates = take(sums * elements, "<f4").reshape(sums, elements)
             scalars[self.energies] = take(energies, "<i4") * quantum
         scalars[self.others] = take(self.others.size, "<f8")
         flow = take(energies, "<f4" if kind == FULL else "<f2")
@@ -251,8 +251,8 @@ def _whole(steps: Float) -> bool:
 
 
 def _guess(rates: Float) -> Float:
-    """Rates as half precision says them."""
-    return np.clip(rates, -_FASTEST, _FASTEST).astype("<f2").astype(np.float64)
+    """Rates as single precision says them: half of it would be too little for a sum of sums."""
+    return np.clip(rates, -_FASTEST, _FASTEST).astype("<f4").astype(np.float64)
 
 
 def _towards_zero(values: Float, form: str) -> Float:
